@@ -34,14 +34,14 @@ bool vs_emit_rounded(vs_emitter *e, const vs_rounded *what) {
   if (e->options->warn == NULL) return true;
   if (what->dropped != 0) {
     snprintf(message, sizeof message,
-             "%zu slivers are left out: thinner than this format's numbers tell apart, the first near %g %g %g",
+             "%zu slivers are omitted: thinner than this format's numbers distinguish, the first near %g %g %g",
              what->dropped, at.x, at.y, at.z);
     e->options->warn(e->options->context, NULL, message);
   }
   if (what->lost != 0) {
     at = what->lost_at;
     snprintf(message, sizeof message,
-             "details are left out that are finer than this format's numbers: %zu corner%s, the first near %g %g %g",
+             "details are omitted that are finer than this format's numbers: %zu corner%s, the first near %g %g %g",
              what->lost, what->lost == 1 ? "" : "s", at.x, at.y, at.z);
     e->options->warn(e->options->context, NULL, message);
   }

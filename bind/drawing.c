@@ -38,7 +38,7 @@ static void warn_drawn_twice(vs_bind *b, size_t before, const vs_ref *ref, size_
         drawn_just_now(b, before, node->children[k].node);
   }
   if (twice) vs_bind_warn(b, "drawn twice",
-      "this object is drawn already and now stands there twice: what a procedure has drawn needs no second draw");
+      "this object is drawn already and is now there twice: an object that a procedure has drawn needs no second draw");
 }
 
 vs_status vs_p_draw(vs_args *f, vs_value *out) {

@@ -149,7 +149,7 @@ static vs_status measure(vs_args *f, vs_measure *m, vs_ask ask) {
   if (isfinite(m->volume) && isfinite(ask == VS_ASK_AREA ? m->area : 0) && isfinite(m->length) && isfinite(c.x) &&
       isfinite(c.y) && isfinite(c.z))
     return VS_OK;
-  return vs_bind_refuse(f, "o", "smaller: what is asked for is beyond all numbers", f->arg[0].value);
+  return vs_bind_refuse(f, "o", "smaller: this size is beyond all numbers", f->arg[0].value);
 }
 
 vs_status vs_p_volume(vs_args *f, vs_value *out) {

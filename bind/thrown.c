@@ -39,7 +39,7 @@ void vs_bind_warn_thrown(vs_bind *b, const vs_node *node, const vs_origin *origi
   b->warn(
       b->warn_context, origin,
       node->kind == VS_TRANSFORM ? "this object is made and thrown away: do-move returns the moved object, as "
-                                   "do-rotate and the like do; what they were given stays as it was"
+                                   "do-rotate and the like do; their argument does not change"
       : in_body
           ? "this object is made and thrown away: a body gives only its last value, a loop none; unite them, or (draw "
             "...) each"

@@ -239,8 +239,8 @@ typedef vs_outcome write_fn(cli_session *c, const cli_target *t);
 static vs_outcome may_write(cli_session *c, const cli_target *t) {
   if (strcmp(t->path, "-") == 0 || !vs_is_input(c->scheme, t->path)) return VS_OUTCOME_DONE;
   cli_report_settle(&c->reporter);
-  fprintf(stderr, "vs: %s: this run has read it, and no output takes the place of what it is made from; "
-          "-o names another file\n", t->path);
+  fprintf(stderr, "vs: %s: this run has read it, and no output replaces a file that it is made from; -o names another "
+          "file\n", t->path);
   return VS_OUTCOME_USAGE;
 }
 

@@ -696,7 +696,7 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
     const char *path = o->sources[i].text;
     const vs_format_info *f = o->sources[i].kind == CLI_SOURCE_FILE && strchr(path, '.') ? vs_format_find(path) : NULL;
     if (!f) continue;
-    fprintf(stderr, "vs: %s is no program but a name for what is written; with -o before it it is: vs", path);
+    fprintf(stderr, "vs: %s is a name for an output, not a program; write -o before it: vs", path);
     size_t programs = 0;
     for (size_t k = 0; k < o->source_count; k++)
       if (k != i && o->sources[k].kind == CLI_SOURCE_FILE) programs++, fprintf(stderr, " %s", o->sources[k].text);

@@ -252,7 +252,7 @@ static vs_outcome translate(study *s, const cli_options *o) {
     return s->k.outcome;
   }
   if (path && strcmp(path, "-") != 0 && vs_is_input(s->scheme, path)) {
-    fprintf(stderr, "vs translate: %s: it is what is translated; -o names another file\n", path);
+    fprintf(stderr, "vs translate: %s: it is the program to translate; -o names another file\n", path);
     return free(text), VS_OUTCOME_USAGE;
   }
   bool ok = write_whole(path, text, length);

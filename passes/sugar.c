@@ -254,7 +254,7 @@ bool vs_scene_sugar(vs_scene *scene, const vs_sugar_options *options, vs_error *
   ok = sugar_look(&kinds, scene, e);
   if (ok && options->muted && kinds.native.node && options->said)
     options->said(options->said_context, kinds.native.origin,
-                  "native: text for other programs is switched off here; what #:otherwise gives is drawn");
+                  "native: text for other programs is switched off here; the object of #:otherwise is drawn");
   for (size_t i = 0; ok && kinds.only && i < scene->drawn_count; i++) ok = sugar_below(&w, scene->drawn[i], true);
   if (ok && w.count) { /* an `only` in a ghost has no effect */
     if (options->said)

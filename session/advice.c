@@ -114,18 +114,18 @@ static const char *operator_around(place p, size_t *length, const char **before,
 static const struct { const char *operators, *keywords, *words; bool first; const char *mark, *what; } meant[] = {
   { "color", "#:color #:pattern-color", NULL, true, "\"", "the name of a colour is a text" },
   { "layer", "", NULL, true, "\"", "the name of a layer is a text" },
-  { "view grid-axis", "", NULL, true, "\"", "a name that is a text stands between double quotes" },
+  { "view grid-axis", "", NULL, true, "\"", "a name that is a text is written in double quotes" },
   { "make-text text-width display displayln label level", "#:text #:label #:unit", NULL, false, "\"",
-    "a text stands between double quotes" },
+    "a text is written in double quotes" },
   { "with-material", "#:material", NULL, true, "'",
     "the name of a material that is no variable has a quote before it" },
   { "do-rotate rotate do-revolve do-sweep make-plane rotation-matrix scope-split scope-repeat scope-turn", "#:up",
     "x y z", false, "'", "the name of an axis has a quote before it" },
   { "", "#:align #:valign", "left right center centre top bottom baseline", false, "'",
-    "a word that stands for itself has a quote before it" },
+    "a word that means itself has a quote before it" },
   { "view-from view", "",
     "top bottom front back left right iso isometric plan section perspective panorama axonometric", false, "'",
-    "a word that stands for itself has a quote before it" },
+    "a word that means itself has a quote before it" },
   { "units", "", "m mm cm in ft", true, "'", "the name of a unit has a quote before it" },
 };
 
@@ -160,7 +160,7 @@ static bool advise_unbound(place p, vs_span at, vs_text *t) {
   bare = n + sizeof is_not - 1;
   if (line >= at.line && line) {
     t->count = bare; /* a similar name is not the probable meaning */
-    return put(t, " yet: line %u defines it, after this use; what is used stands further up", (unsigned)line);
+    return put(t, " yet: line %u defines it, after this use; move the definition up", (unsigned)line);
   }
   if (is_assignment(p, n, &value, &m)) {
     while (call && m && (value[m - 1] == ')' || value[m - 1] == ' ')) m--; /* (x = 5) */
@@ -195,7 +195,7 @@ static bool advise_callee(place p, vs_span at, vs_value irritants, vs_text *t, v
   size_t sign = n < 100 ? operator_behind(name, n, p.end, &operator, &operand, &length) : 0;
   if (sign) {
     t->count = 0;
-    return put(t, "the operator stands first: (%.*s %.*s %.*s)", (int)sign, operator,(int) n, name,
+    return put(t, "the operator comes first: (%.*s %.*s %.*s)", (int)sign, operator,(int) n, name,
                length ? (int)length : 3, length ? operand : "...");
   }
   uint32_t line = n && n < 100 ? defined_on(p.source, name, n) : 0;
@@ -207,7 +207,7 @@ static bool advise_callee(place p, vs_span at, vs_value irritants, vs_text *t, v
   return put(t, "%.*s is %s here, no procedure: line %u made it ", (int)n, name, vs_noun(vm, vs_car(irritants)),
       (unsigned)line) &&
          vs_print(vm, vs_car(irritants), VS_PRINT_WRITE, t) &&
-         (!ours || put(t, "; under another name for that, (%.*s ...) is again what it was", (int)n, name));
+         (!ours || put(t, "; under another name for that, (%.*s ...) has its old meaning again", (int)n, name));
 }
 
 /* ---- a wrong number of arguments ---- */
@@ -255,7 +255,7 @@ static const char *valueless(place p, uint32_t *line, const char **why) {
     { "cond", 0, "this `cond` has no value where no test is true: [else (empty-object)]" },
     { "for", 0, "`for` gives no list: for/list does" }, { "for*", 0, "`for*` gives no list: for*/list does" },
     { "for-each", 0, "`for-each` gives no list: map does" }, { "do", 0,
-        "a `do` loop gives what stands behind its test" },
+        "a `do` loop returns the value of the expressions after its test" },
     { "display", 0, "`display` prints and has no value" }, { "define", 0, "a definition has no value" }, { "set!", 0,
         "`set!` has no value" },
   };
@@ -324,9 +324,9 @@ bool vs_session_advise(vs_session *s, vs_value condition, vs_span at, vs_text *t
   if (vs_text_end(t) && !strncmp(t->at, "+: expected a number, got \"", 27))
     return put(t, "; (string-append a b) joins texts");
   if (t->at && strstr(t->at, "must be an object") && is_quoted_call(p))
-    return put(t, "; the ' before a parenthesis hands on what stands there, and does not call it: leave it out");
+    return put(t, "; the ' before a parenthesis passes the list itself, and does not call: remove the '");
   size_t n = quoted_word(p, &word);
-  if (n) return put(t, "; a text stands between double quotes: \"%.*s\"", (int)(n < 60 ? n : 60), word);
+  if (n) return put(t, "; a text is written in double quotes: \"%.*s\"", (int)(n < 60 ? n : 60), word);
   if (vs_text_end(t) && !strncmp(t->at, "display", 7) && strstr(t->at, "port must be an output port"))
     return vs_foreign_advice("display", t);
   uint32_t line = at.line;
@@ -356,12 +356,12 @@ void vs_session_advise_named(vs_session *s, vs_value v, vs_pos pos) {
     if (next == p.end) break;
   }
   if (n <= 2 && strspn(p.at, "+-*/<>=") >= n) /* 3 + 4: the operator follows its first operand */
-    snprintf(text, sizeof text, "%.*s is only named here, and not called: the operator stands first, (%.*s a b)",
+    snprintf(text, sizeof text, "%.*s is only named here, and not called: the operator comes first, (%.*s a b)",
              (int)n, p.at, (int)n, p.at);
   else {
     bool shown = end > more && end - more < 100 && !memchr(more, '\n', (size_t)(end - more));
     snprintf(text, sizeof text,
-             "%.*s is only named here, and not called: the parenthesis stands before it, (%.*s %.*s)", (int)n, p.at,
+             "%.*s is only named here, and not called: the parenthesis comes before it, (%.*s %.*s)", (int)n, p.at,
              (int)n, p.at, shown ? (int)(end - more) : 3, shown ? more : "...");
   }
   vm->config.warn(s->bind.vm, pos, text);
@@ -394,6 +394,6 @@ bool vs_session_advise_empty(vs_session *s, vs_text *t) {
     t->count = before;
     return put(t, "; (draw object) draws one");
   }
-  return put(t, "%s and draws nothing; (draw (%.*s ...)) draws what one makes", n.count > 4 ? " and others" : "",
+  return put(t, "%s and draws nothing; (draw (%.*s ...)) draws its result", n.count > 4 ? " and others" : "",
       (int)n.last_length, n.last);
 }

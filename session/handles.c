@@ -39,8 +39,7 @@ static void usage(vs_session *s, const char *format, ...) {
 bool vs_session_busy(vs_session *s, const char *who) {
   if (!s->phase && !s->writing) return false;
   usage(s,
-      "%s: the interpreter is at work: what it calls back may not run anything in it; "
-      "vs_post leaves a change for vs_update", who);
+      "%s: the interpreter is running: a callback may not run code in it; vs_post queues a change for vs_update", who);
   return true;
 }
 

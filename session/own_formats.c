@@ -183,7 +183,7 @@ static bool own_fill(vs_session *s, vs_own_format *f, const vs_format_own *given
   f->backend.hulls = f->kinds[VS_HULL].write != NULL;
   for (size_t i = 0; i < sizeof through / sizeof *through; i++) f->backend.emit[through[i]].fn = own_emit;
   char text[120];
-  snprintf(text, sizeof text, "%.40s has no lines: curves are left out", given->name);
+  snprintf(text, sizeof text, "%.40s has no lines: curves are omitted", given->name);
   if (f->kinds[VS_LINE].write == NULL) {
     f->backend.omit[VS_CURVE] = vs_store_text(store, text, strlen(text));
     if (f->backend.omit[VS_CURVE] == NULL) return false;

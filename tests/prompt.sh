@@ -49,7 +49,7 @@ a command within an expression|,drawing\n|; the expression above is still open, 
 a result's number|(square 7)\n|$1 = 49
 the number in an expression|(+ $1 1)\n|$2 = 50
 an empty line gives up|(list 1\n|
-|\n|; given up: what opens on line 1, column 1 is not closed
+|\n|; given up: the parenthesis of line 1, column 1 is not closed
 a parenthesis that is missing by the indentation|(define (unclosed x)\n|
 |  (* x 2\n|
 |(define later 1)\n|
@@ -71,7 +71,7 @@ the signature on request|(make-cylinder \e?|  (make-cylinder c h r)
 |origin 1 1)\n|(make-cylinder (xyz 0 0 0) (xyz 0 0 1) 1) ; 2 x 2 x 1 m
 an object in a line|(define many (unite (map (lambda (i) (make-sphere (xy (* 3 i) 0) 1)) (iota 50))))\n|
 |many\n|#<unite of 50 objects>
-,help of a name of the language|,help make-box\n|By two opposite corners, or centre and sizes
+,help of a name of the language|,help make-box\n|Returns the box between two opposite corners
 ,help without an argument|,help\n|,disassemble NAME
 ,apropos|,apropos torus\n|make-torus               (make-torus c r tube-r)
 ,describe|,describe many\n|volume

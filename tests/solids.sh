@@ -30,7 +30,7 @@ case solids/fine in *"$ONLY"*) # details finer than a format's numbers: the loss
 END
   limited 60 "$vs" --quiet "$work/fine.vs" -o "$work/fine.stl" > "$work/said" 2>&1 || echo "ended with $?" >> "$work/said"
   limited 60 "$BUILD/tools/crossings" "$work/fine.stl" > "$work/why"
-  if grep -q 'details are left out' "$work/said" && grep -q ' triangles, volume ' "$work/why" && ! grep -q ' crossing (' "$work/why"; then echo "ok solids/fine"
+  if grep -q 'details are omitted' "$work/said" && grep -q ' triangles, volume ' "$work/why" && ! grep -q ' crossing (' "$work/why"; then echo "ok solids/fine"
   else echo "not ok solids/fine"; cat "$work/said" "$work/why" | sed 's/^/    /'; fi ;;
 esac
 case solids/radial in *"$ONLY"*) # holes whose flat ends meet in one axis: where corners are only places, none of the slivers along it is left that crosses anything

@@ -20,7 +20,7 @@ bool vs_gltf_open(vs_emitter *e) {
   memset(g, 0, sizeof *g);
   g->shapes.nodes.store = e->scene->store;
   e->state = g;
-  if (e->scene->has_ground && !vs_emit_warn_once(e, NULL, "glTF: the ground is left out")) return false;
+  if (e->scene->has_ground && !vs_emit_warn_once(e, NULL, "glTF: the ground is omitted")) return false;
   return true;
 }
 

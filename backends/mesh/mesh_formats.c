@@ -15,9 +15,9 @@ static bool mesh_begin(vs_emitter *e) { return !e->out->failed; }
 static bool mesh_end(vs_emitter *e) { return !e->out->failed; }
 
 #define MESH_OMIT(format)                                                                                              \
-  .omit = { [VS_CURVE] = format " holds solids: curves are left out", \
-            [VS_REGION_CLASS] = format " holds solids: flat regions are left out", \
-            [VS_SURFACE] = format " holds solids: open surfaces are left out" }
+  .omit = { [VS_CURVE] = format " holds solids: curves are omitted", \
+            [VS_REGION_CLASS] = format " holds solids: flat regions are omitted", \
+            [VS_SURFACE] = format " holds solids: open surfaces are omitted" }
 
 /* Returns the index of the triangle's part; part_count if it has none. */
 static size_t mesh_part(const vs_solid *solid, size_t triangle) {
@@ -184,7 +184,7 @@ static bool off_solid(vs_emitter *e, const vs_solid *solid) {
 
 const vs_backend vs_backend_off = {
   .begin = vs_loose_begin, .end = mesh_end, .solid = off_solid, .numbers = VS_NUMBERS_DIGITS,
-  VS_LOOSE_FACES("OFF holds faces: curves are left out")
+  VS_LOOSE_FACES("OFF holds faces: curves are omitted")
 };
 
 /* ---- PLY: binary, little-endian, coordinates as doubles; a face has its colour, for a corner may belong to faces of

@@ -257,7 +257,7 @@ static vs_emit_status scad_slab(vs_emitter *e, const vs_ref *ref) {
   if (made == NULL && e->error->kind == VS_ERROR_MODEL) {
     e->error->kind = VS_ERROR_NONE;
     if (vs_emit_warn_once(
-            e, ref, "OpenSCAD programs hold solids: open surfaces that no thickness makes a solid of are left out"))
+            e, ref, "OpenSCAD programs hold solids: open surfaces that no thickness makes a solid of are omitted"))
       status = VS_EMITTED;
   } else if (made != NULL && made->kind != VS_POLYFACE_MESH) {
     status = VS_EMITTED;
@@ -634,7 +634,7 @@ static vs_emit_status scad_hull(vs_emitter *e, const vs_ref *ref, vs_phase phase
 static bool scad_define(vs_emitter *e, uint32_t id, const vs_ref *ref, bool open) {
   if (open && e->state == NULL && scad_is_mixed(e, ref->node)) {
     e->state = e; /* the mark is written */
-    vs_puts(e->out, "$paint = [0.86, 0.85, 0.83]; // of what has no colour\n\n");
+    vs_puts(e->out, "$paint = [0.86, 0.85, 0.83]; // for objects without a colour\n\n");
   }
   return open ? vs_putf(e->out, "module part%lu() {\n", (unsigned long)id) : vs_puts(e->out, "}\n\n");
 }

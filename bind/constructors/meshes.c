@@ -165,7 +165,7 @@ static vs_status repaired(vs_args *f, const char *file, vs_face_list *l, bool *s
   if (notes.holes > 1 && at < sizeof text - 40)
     at += (size_t)snprintf(text + at, sizeof text - at, " (of up to %zu edges)", notes.largest);
   if (!flawless && at < sizeof text - 60)
-    at += (size_t)snprintf(text + at, sizeof text - at, "%smade one solid of what overlapped", at ? ", " : "");
+    at += (size_t)snprintf(text + at, sizeof text - at, "%smade one solid of overlapping parts", at ? ", " : "");
   if (at) vs_bind_warn(f->bind, "repair", "%s%srepaired: %s", file, *file ? " " : "", text);
   return VS_OK;
 }

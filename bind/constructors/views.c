@@ -53,7 +53,7 @@ static vs_status take_place(vs_args *f, vs_scene_view *v, const vs_arg *from, co
   }
   if (!from->given || !to->given)
     return vs_fail(f->vm, f->vm->sym.arity, v->view == VS_VIEW_CAMERA ? "a perspective view takes #:from and #:to" :
-        round ? "a panorama takes #:from and #:to, what lies in its middle" :
+        round ? "a panorama takes #:from and #:to, the point in its middle" :
         "an axonometric view takes #:from and #:to");
   if (vs_v3_equal(from->point, to->point)) return vs_bind_refuse(f, "to", "another point than from", to->value);
   v->eye = from->point, v->target = to->point;

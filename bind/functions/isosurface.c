@@ -92,7 +92,7 @@ vs_status vs_p_make_isosurface(vs_args *f, vs_value *out) {
     if (!node) status = vs_bind_error(f->vm, &e);
   }
   if (status && c.capped)
-    vs_bind_warn(f->bind, "capped", "make-isosurface: the box cuts what f bounds; its sides close the solid");
+    vs_bind_warn(f->bind, "capped", "make-isosurface: the box cuts the solid of f; its sides close it");
   free(starts);
   vs_contour_free(&c);
   return status ? vs_bind_give_node(f, node, out) : VS_ERROR;

@@ -99,7 +99,7 @@ static vs_status matrix_point(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
 static vs_status fail_ray(vs_scheme *vm, const vs_error *e) {
   if (e->kind == VS_ERROR_INTERRUPT) return VS_ERROR; /* the condition is set */
   if (e->kind == VS_ERROR_MEMORY) return vs_fail_memory(vm);
-  return vs_fail(vm, vm->sym.error, "%s", *e->message ? e->message : "what the ray meets cannot be computed");
+  return vs_fail(vm, vm->sym.error, "%s", *e->message ? e->message : "the ray's hits cannot be computed");
 }
 
 /* object matrix from direction: intersects the ray, in the world's coordinates, with the object, placed by the matrix.

@@ -144,7 +144,7 @@ vs_outcome cli_exr_command(const cli_options *o) {
   job j = {.options = o};
   const char *target = target_of(&j), *wanted = o->command == CLI_COMMAND_denoise ? ".exr" : ".png";
   if (target && !has_ending(target, wanted)) {
-    fprintf(stderr, "vs: %s: what is written here is a picture that ends in %s\n", target, wanted);
+    fprintf(stderr, "vs: %s: the output here is a picture that ends in %s\n", target, wanted);
     return VS_OUTCOME_USAGE;
   }
   vs_options interpreter = o->interpreter;

@@ -86,7 +86,7 @@ static bool advise_infix(const char *line) {
   char a[40], sign[3], b[40], rest[2];
   if (sscanf(line, "%39[^ ()\"'] %2[-+*/<>=^%%] %39[^ ()\"']%1s", a, sign, b, rest) != 3) return false;
   if (sign[0] == '=' && !sign[1]) return false; /* x = 5: the error explains it */
-  fprintf(stderr, "; the operator stands first: (%s %s %s)\n", strcmp(sign, "^") == 0 ? "expt" : strcmp(sign,
+  fprintf(stderr, "; the operator comes first: (%s %s %s)\n", strcmp(sign, "^") == 0 ? "expt" : strcmp(sign,
       "==") == 0 ? "=" : sign, a, b);
   return true;
 }
@@ -101,7 +101,7 @@ static void advise_bare_call(cli_session *c, const char *line, bool failed) {
   vs_name_info info;
   if (vs_name_get(c->scheme, name, &info)) {
     if (!*info.call || !line[length]) return;
-    fprintf(stderr, "; a call stands in parentheses: (%s)\n", line);
+    fprintf(stderr, "; a call is in parentheses: (%s)\n", line);
   } else {
     char command[sizeof name + 1];
     snprintf(command, sizeof command, ",%s", name);
@@ -210,7 +210,7 @@ vs_outcome cli_prompt_evaluate_with(cli_session *c, cli_prompt *p, const char *t
   } else if (outcome == VS_OUTCOME_MODEL) {
     advise(c, text, length, true);
     if (c->editor && vs_call_get(c->scheme, 1, &call))
-      fputs("; ,backtrace shows the calls, ,locals 1 what the first was called with\n", stderr);
+      fputs("; ,backtrace shows the calls, ,locals 1 the arguments of the first\n", stderr);
   }
   return outcome;
 }
@@ -292,7 +292,7 @@ static void tell_given_up(const char *text, const vs_read_status *status) {
     at = end + 1;
   }
   if (lacks) printf("; given up: a ) is missing, probably at the end of line %u\n", lacks);
-  else printf("; given up: what opens on line %u, column %u is not closed\n", status->line, status->column);
+  else printf("; given up: the parenthesis of line %u, column %u is not closed\n", status->line, status->column);
 }
 
 /* Returns "> "; "break> " if a program is paused, "2 break> " if another is paused below it. */

@@ -37,7 +37,7 @@ static bool ply_type_of(const vs_byte_scan *s, const char *word, ply_type *out) 
 
 static bool ply_header_property(vs_byte_scan *s, ply_element *e) {
   char word[VS_SCAN_WORD];
-  if (!e) return vs_scan_fail(s, "a property stands before any element");
+  if (!e) return vs_scan_fail(s, "a property comes before any element");
   if (e->properties == PLY_PROPERTIES) return vs_scan_fail(s, "an element has more than %d properties", PLY_PROPERTIES);
   ply_property *p = &e->at[e->properties];
   *p = (ply_property){ .role = PLY_OTHER };

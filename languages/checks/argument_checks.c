@@ -341,7 +341,7 @@ void know_check_calls(know_findings *f) {
     know_index head = k->nodes[i].first;
     know_type type = know_type_of(k, head);
     if (type && type != KNOW_TYPE_PROCEDURE) {
-      know_found(f, KNOW_CHECK_NOT_A_PROCEDURE, i, "what is called here is %s", know_type_word(type));
+      know_found(f, KNOW_CHECK_NOT_A_PROCEDURE, i, "this calls %s", know_type_word(type));
       continue;
     }
     if (k->nodes[head].kind != KNOW_SYMBOL || k->nodes[head].role != KNOW_REFERENCE || !k->nodes[head].symbol) continue;

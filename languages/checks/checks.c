@@ -266,7 +266,7 @@ static void check_case(know_findings *f, know_index node) {
       for (know_index j = know_nth(k, node, 2); j && j != i; j = k->nodes[j].next)
         for (know_index e = k->nodes[k->nodes[j].first].first; e; e = k->nodes[e].next)
           if (same_text(k, d, e)) {
-            know_found(f, KNOW_CHECK_UNREACHABLE, d, "this datum stands in the clause of line %u already",
+            know_found(f, KNOW_CHECK_UNREACHABLE, d, "this datum is in the clause of line %u already",
                 k->nodes[j].at.line);
             return;
           }
@@ -314,7 +314,7 @@ static void check_body(know_findings *f, know_index node) {
     know_type type = know_type_of(k, node);
     if (type == KNOW_TYPE_OBJECT) know_found(f, KNOW_CHECK_NO_EFFECT, node,
         "the object made here is not used; unite joins objects");
-    else if (type) know_found(f, KNOW_CHECK_NO_EFFECT, node, "%s is worked out here and not used",
+    else if (type) know_found(f, KNOW_CHECK_NO_EFFECT, node, "%s is computed here and not used",
         know_type_word(type));
   }
 }

@@ -133,7 +133,7 @@ static bool name(parser *p, const char *wanted, uint32_t *out) {
 static bool own_name(parser *p, const char *wanted, uint32_t *out) {
   return name(p, wanted, out) &&
          (!vs_script_is(p->s, node(p, *out)->name, "arguments") ||
-          vs_script_fail(p->s, node(p, *out)->at, "arguments is what a function was called with: take another name"));
+          vs_script_fail(p->s, node(p, *out)->at, "arguments holds the arguments of a function: take another name"));
 }
 
 /* ---- expressions ---- */
@@ -275,7 +275,7 @@ static bool left_side(parser *p, uint32_t *out) {
 static bool may_be_assigned(parser *p, uint32_t target) {
   const vs_script_node *n = node(p, target);
   if (n->kind == VS_SCRIPT_NAME && vs_script_is(p->s, n->name, "arguments"))
-    return vs_script_fail(p->s, n->at, "arguments is what a function was called with: take another name");
+    return vs_script_fail(p->s, n->at, "arguments holds the arguments of a function: take another name");
   return n->kind == VS_SCRIPT_NAME || n->kind == VS_SCRIPT_MEMBER || n->kind == VS_SCRIPT_INDEX ||
          vs_script_fail(p->s, n->at, "a value can be given to a variable or a property, not to this");
 }
@@ -562,7 +562,7 @@ static bool jump(parser *p, vs_script_kind kind, vs_script_place at, uint32_t *o
     if (!name(p, "a label", &label)) return false;
   } else if (kind == VS_SCRIPT_CONTINUE ? !p->loops : !p->loops && !p->switches) {
     return vs_script_fail(
-        p->s, at, kind == VS_SCRIPT_CONTINUE ? "continue stands in no loop" : "break stands in no loop and no switch");
+        p->s, at, kind == VS_SCRIPT_CONTINUE ? "continue is in no loop" : "break is in no loop and no switch");
   }
   return make_of(p, kind, at, label, 0, 0, 0, out) && semicolon(p);
 }
@@ -601,7 +601,7 @@ static bool word_statement(parser *p, vs_script_place at, uint32_t *out) {
   case VS_WORD_CONTINUE: return jump(p, VS_SCRIPT_CONTINUE, at, out);
   case VS_WORD_BREAK: return jump(p, VS_SCRIPT_BREAK, at, out);
   case VS_WORD_RETURN:
-    if (!p->functions) return vs_script_fail(p->s, at, "return stands in no function");
+    if (!p->functions) return vs_script_fail(p->s, at, "return is in no function");
     a = 0;
     if (!next(p)) return false;
     if (!now(p)->newline && !at_mark(p, ";") && !at_mark(p, "}") && now(p)->kind != VS_TOKEN_END &&
@@ -610,7 +610,7 @@ static bool word_statement(parser *p, vs_script_place at, uint32_t *out) {
     return make_of(p, VS_SCRIPT_RETURN, at, a, 0, 0, 0, out) && semicolon(p);
   case VS_WORD_THROW:
     if (!next(p)) return false;
-    if (now(p)->newline) return vs_script_fail(p->s, at, "what is thrown stands in the line of throw");
+    if (now(p)->newline) return vs_script_fail(p->s, at, "the thrown value must be on the line of throw");
     return expression(p, true, &a) && make_of(p, VS_SCRIPT_THROW, at, a, 0, 0, 0, out) && semicolon(p);
   case VS_WORD_SWITCH: return switch_statement(p, at, out);
   case VS_WORD_TRY: return try_statement(p, at, out);

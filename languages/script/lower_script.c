@@ -274,7 +274,7 @@ static void value(lowering *l, know_index n, tr_index into) {
     value(l, second, add(l, into, TR_NOTHING, n));
   } else if (!strcmp(word, "js:if")) choice(l, n, into);
   else if (!strcmp(word, "js:&&") || !strcmp(word, "js:||")) {
-    if (!is_test(l, n)) cannot(l, n, "&& or || of what is no comparison");
+    if (!is_test(l, n)) cannot(l, n, "&& or || of a value that is no comparison");
     become(l, into, word[3] == '&' ? TR_AND : TR_OR, "");
     value(l, second, add(l, into, TR_NOTHING, n));
     value(l, third, add(l, into, TR_NOTHING, n));

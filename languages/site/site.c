@@ -360,7 +360,7 @@ static bool put_duplicates(site *s, FILE *f) {
         groups[group_count++] = (alike){i, lists[i].nodes, (know_index)(next - i)};
     }
     if (group_count) qsort(groups, group_count, sizeof *groups, by_size);
-    fputs("<h2>What stands more than once</h2>\n", f);
+    fputs("<h2>Repeated code</h2>\n", f);
     if (!group_count) fputs("<p>No expression of eight words or more does.</p>\n", f);
     for (size_t i = 0; i < group_count && i < 100; i++) put_alike(f, k, &lists[groups[i].hash], groups[i].node);
   }

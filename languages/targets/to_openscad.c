@@ -82,8 +82,8 @@ static void plan_arguments(tr_writer *w, tr_index call, tr_index procedure) {
 }
 
 static void no_value(tr_writer *w, tr_index n, const char *what) {
-  tr_complain(w->t, n, "%s: OpenSCAD's solids are no values: they can be drawn, moved, united, and handed to what does "
-              "so", what);
+  tr_complain(w->t, n, "%s: OpenSCAD's solids are no values: a program can draw, move and unite them, and pass them to "
+              "procedures that do", what);
 }
 
 static void plan_name(tr_writer *w, tr_index n) {
@@ -156,7 +156,7 @@ static void plan_value_of(tr_writer *w, tr_index define) {
 }
 
 static void no_effects(tr_writer *w, tr_index n) {
-  if (at(w, n)->draws) tr_complain(w->t, n, "this draws or prints where a value is worked out, which OpenSCAD cannot");
+  if (at(w, n)->draws) tr_complain(w->t, n, "this draws or prints within an expression, which OpenSCAD cannot");
 }
 
 static void plan_body(tr_writer *w, tr_index n, int level) {

@@ -225,7 +225,7 @@ static void plan_or(tr_writer *w, tr_index n, int level) {
   bool and = at(w, n)->kind == TR_AND;
   for (tr_index i = at(w, n)->first; i; i = at(w, i)->next)
     if (at(w, i)->type != TR_A_BOOLEAN && at(w, i)->type != TR_UNKNOWN) {
-      tr_complain(w->t, i, "and, or of what is no test cannot be translated to POV-Ray");
+      tr_complain(w->t, i, "and, or of a value that is no test cannot be translated to POV-Ray");
       return;
     }
   (void)level;

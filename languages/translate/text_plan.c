@@ -419,7 +419,7 @@ static void put_helpers(tr_writer *w) {
     for (size_t i = 0, n = 0; i < MOST && tr_helper_name(w->target, i); i++) {
       if (!used[i]) continue;
       if (!n++) put(w, "\n"), put(w, w->target->comment),
-        put(w, " What the program uses of VisualScheme's language.\n");
+        put(w, " The parts of VisualScheme's language that the program uses.\n");
       put(w, tr_helper_text(w->target, i));
       put(w, "\n");
     }

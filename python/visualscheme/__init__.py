@@ -203,7 +203,7 @@ class Scheme:
     def close(self):
         """Ends the interpreter, with all its values."""
         if self._running:
-            raise SchemeError("the interpreter is at work: close() may not be called from it", outcome=2)
+            raise SchemeError("the interpreter is running: a callback may not call close()", outcome=2)
         if self._pointer:
             self._c.vs_free(self._pointer)
             self._pointer = None

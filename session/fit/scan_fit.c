@@ -299,7 +299,7 @@ static vs_outcome read_scan(job *j, const char *path, const vs_fit_options *o) {
     return VS_OUTCOME_USAGE;
   }
   if (scan->nowhere) {
-    snprintf(text, sizeof text, "%zu of %zu points have no finite place and are left out", scan->nowhere,
+    snprintf(text, sizeof text, "%zu of %zu points have no finite place and are omitted", scan->nowhere,
              scan->file.point_count);
     vs_session_report_at(s, VS_SEVERITY_WARNING, VS_OUTCOME_DONE, (vs_span){ .file = path }, text);
   }
@@ -330,11 +330,10 @@ static void warn_all(const job *j, const vs_fit_result *r) {
   char names[MOST_NAMES], text[MOST_NAMES + 300];
   bool stopped = m->stopped;
   if (!stopped && !r->converged)
-    warn(j, "the fit has not come to rest: what it found may be far off; other values to start from (-D) may help");
+    warn(j, "the fit has not converged: its values may be far off; other values to start from (-D) may help");
   if (!stopped && names_of(f, VS_FIT_UNDETERMINED, names)) {
     snprintf(text, sizeof text,
-             "the scan does not determine %s: other values would fit as well; hold what is known, "
-             "or scan more",
+             "the scan does not determine %s: other values would fit as well; hold the known parameters, or scan more",
              names);
     warn(j, text);
   }
@@ -433,14 +432,14 @@ static bool tell_doubt(const job *j, const vs_fit_result *r, char text[MOST_DOUB
   case VS_FIT_DOUBT_FAR:
     snprintf(text, MOST_DOUBT,
              "the model does not fit the scan: half of the points lie further than %.3g from it, %.2g %% of the "
-             "scan's size; what was found is wrong. Other values to start from (-D), --near, --any-pose, or another "
+             "scan's size; the result is wrong. Other values to start from (-D), --near, --any-pose, or another "
              "model, may do better",
              r->median, 100 * r->median / r->size);
     return true;
   case VS_FIT_DOUBT_TILTED:
     snprintf(text, MOST_DOUBT,
              "the scan lies on its side, or upside down, where the model comes nearest to it; if it does, give "
-             "--any-pose; else what was found is wrong: other values to start from (-D), or --near, may do better");
+             "--any-pose; else the result is wrong: other values to start from (-D), or --near, may do better");
     return true;
   case VS_FIT_DOUBT_STRAYS:
     snprintf(text, MOST_DOUBT,
@@ -459,7 +458,7 @@ static bool tell_doubt(const job *j, const vs_fit_result *r, char text[MOST_DOUB
     rival = rival_number(m, f->number_count);
     snprintf(text, MOST_DOUBT,
              "from another start the model came as near with %.100s = %.4g in place of %.4g: the scan leaves both "
-             "open. Hold what is known (--hold), scan more, or lay the scan near the model and give --near",
+             "open. Hold the known parameters (--hold), scan more, or lay the scan near the model and give --near",
              f->parameters[f->number[rival]].name, m->numbers[rival].rival, m->numbers[rival].value);
     return true;
   }
@@ -473,10 +472,10 @@ static vs_outcome conclude(job *j, const vs_fit_result *r) {
   warn_all(j, r);
   if (j->f->fit.stopped) {
     if (j->late)
-      snprintf(text, sizeof text, "the fit took longer than %.6g seconds: what follows is the best so far",
+      snprintf(text, sizeof text, "the fit took longer than %.6g seconds: the best result so far follows",
                s->options.limit_time);
     else
-      snprintf(text, sizeof text, "interrupted: what follows is the best so far");
+      snprintf(text, sizeof text, "interrupted: the best result so far follows");
     vs_outcome outcome = j->late ? VS_OUTCOME_MACHINE : VS_OUTCOME_INTERRUPTED;
     vs_session_report_at(s, VS_SEVERITY_ERROR, outcome, (vs_span){ 0 }, text);
     return outcome;

@@ -111,7 +111,7 @@ int main(void) {
   format.kinds = &kinds[3], format.kind_count = 1, format.suffix = "only";
   CHECK(vs_register_format(s, &format));
   CHECK(run(s, &h, "(draw (make-circle origin 1) (make-box origin (xyz 1 1 1)))") == VS_OUTCOME_DONE && WRITE("only") == VS_OUTCOME_DONE);
-  CHECK(strcmp(h.text, "begin\nmesh 8 points 12 triangles\nend\n") == 0 && strcmp(h.said, "1:7 words has no lines: curves are left out\n") == 0);
+  CHECK(strcmp(h.text, "begin\nmesh 8 points 12 triangles\nend\n") == 0 && strcmp(h.said, "1:7 words has no lines: curves are omitted\n") == 0);
   vs_free(s);
   return failures != 0;
 }

@@ -259,7 +259,7 @@ int main(void) {
   vs_handle procedure = vs_host_procedure(s, "host-area", area, NULL), again = vs_host_procedure(s, "again", reenter, NULL);
   CHECK(vs_define(s, "host-area", procedure) && run(s, "(if (not (= (host-area 3 4) 12)) (car 5))") == VS_OUTCOME_DONE);
   CHECK(run(s, "(host-area 3)") == VS_OUTCOME_MODEL && strcmp(h.said, "host-area: two numbers are wanted") == 0);
-  CHECK(vs_define(s, "again", again) && run(s, "(again)") == VS_OUTCOME_DONE && strstr(h.said, "the interpreter is at work"));
+  CHECK(vs_define(s, "again", again) && run(s, "(again)") == VS_OUTCOME_DONE && strstr(h.said, "the interpreter is running"));
 
   /* the host's own types of nodes, and the procedures by name of its viewer */
   vs_handle fit = vs_host_procedure(s, "fit-out", fit_out, &h), kind = vs_handle_symbol(s, "lamp");

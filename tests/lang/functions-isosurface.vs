@@ -9,7 +9,7 @@
 (define s (make-isosurface ball other corner #:cells 64))
 (displayln (and (solid? s) (within? (volume s) (* 4/3 pi) 0.002)))     ; expect: #t
 (displayln (within? (volume (make-isosurface ball other corner #:level 3 #:tolerance 0.01)) (* 4/3 pi 8) 0.3)) ; expect: #t
-; expect warning 11: the box cuts what f bounds; its sides close the solid
+; expect warning 11: the box cuts the solid of f; its sides close it
 (define c (make-isosurface ball other corner #:tolerance 0.0005))
 (displayln (within? (volume c) (* 4/3 pi) 0.001))                      ; expect: #t
 ; corners
@@ -25,11 +25,11 @@
 (displayln (and (solid? pinned) (< (faces-of pinned) 12000)))          ; expect: #t
 ; a lattice, capped at the box: half of it, whose cells have ambiguous faces
 (define-function (gyroid x y z) (+ (* (sin x) (cos y)) (* (sin y) (cos z)) (* (sin z) (cos x))))
-(define lattice (make-isosurface gyroid origin (xyz 2pi 2pi 2pi) #:cells 24)) ; expect warning: the box cuts what f bounds
+(define lattice (make-isosurface gyroid origin (xyz 2pi 2pi 2pi) #:cells 24)) ; expect warning: the box cuts the solid of f
 (displayln (and (solid? lattice) (within? (volume lattice) (* 0.5 (expt 2pi 3)) 0.01))) ; expect: #t
 ; sheets that touch in a point of a cell's face: a checkerboard of cubes
 (define-function (checks x y z) (* (sin x) (sin y) (sin z)))
-(define board (make-isosurface checks (xyz 0.1 0.1 0.1) (xyz 6.2 6.3 6.4) #:cells 13)) ; expect warning: the box cuts what f bounds
+(define board (make-isosurface checks (xyz 0.1 0.1 0.1) (xyz 6.2 6.3 6.4) #:cells 13)) ; expect warning: the box cuts the solid of f
 (displayln (solid? board))                                             ; expect: #t
 (displayln (near? (volume (subtract (make-box (xyz -1 -1 -1) (xyz 1 1 1)) b)) (- 8 (* 8 0.7 0.61 0.53)) 1e-3)) ; expect: #t
 ; refusals

@@ -463,7 +463,7 @@ static void test_left_out(void **state) {
   for (const char *at = text; (at = strstr(at, "facet normal")) != NULL; at++) facets++;
   assert_int_equal(facets, 12);
   assert_int_equal(warnings, 1);
-  assert_holds(last_warning, "open surfaces are left out");
+  assert_holds(last_warning, "open surfaces are omitted");
   free(text);
   test_model_close(&m);
 

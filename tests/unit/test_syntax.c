@@ -63,8 +63,8 @@ static void test_messages(void **state) {
   (void)state;
   static const struct { const char *program, *message; } cases[] = {
     {"(define (f x)\n  (+ x 1)\n(define (g x)\n  x)\n", "1:1 this parenthesis is never closed; by the indentation a ) is missing at the end of line 2"},
-    {"(display 1)\n(display 2))", "2:12 this ) closes nothing: one too many for what began on line 2"},
-    {"(define (f)\n  (g))\n  (h))\n", "3:6 this ) closes nothing: what began on line 1 was already closed on line 2"},
+    {"(display 1)\n(display 2))", "2:12 this ) closes nothing: one too many for the form of line 2"},
+    {"(define (f)\n  (g))\n  (h))\n", "3:6 this ) closes nothing: the form of line 1 was already closed on line 2"},
     {"(list [1 2))", "1:11 the [ of line 1, column 7 is closed by ); ] belongs here"},
     {"(define x 1,5)", "1:11 a decimal point is a point: 1.5 instead of 1,5"},
     {"(display \xE2\x80\x9Chi\xE2\x80\x9D)", "1:10 \xE2\x80\x9C is a typographic quotation mark; write \" (or ' before a symbol)"},
@@ -77,7 +77,7 @@ static void test_messages(void **state) {
     {"(let ((x 1)))", "1:1 a body is missing: (let ((name value) ...) body ...)"},
     {"(let ((x 1) (x 2)) x)", "1:13 x is bound twice here"},
     {"(lambda (x x) 1)", "1:12 two parameters are called x"},
-    {"(define (f [n 10]) n)\n(f 5)", "1:12 a default stands behind a predicate, [name any? value] or [name positive? value], not (n 10)"},
+    {"(define (f [n 10]) n)\n(f 5)", "1:12 a default follows a predicate, [name any? value] or [name positive? value], not (n 10)"},
     {"(define (f) (define x 1))", "1:1 this body ends with a definition; an expression must follow, whose value it has"},
     {"(if 1)", "1:1 if is written (if test then else), not (if 1)"},
     {"(if 1 (define y 1) 2)", "1:7 define cannot stand here, only at top level or in the body of a procedure, let, when and the like; for a name inside an expression use let"},
@@ -88,7 +88,7 @@ static void test_messages(void **state) {
     {"(displya 1)", "1:1 displya is not defined; did you mean display?"},
     {"(list\n 1\n (car 2))", "3:2 car: expected a pair, got 2"},
     {"(define-syntax m (syntax-rules () ((_ a ...) a)))\n(m 1)", "1:46 a matches a sequence: an ellipsis must follow it in the template"},
-    {"(define-syntax m (syntax-rules () ((_ a) a)))\n(m)", "2:1 m: this does not have the right form; the pattern and what stands here: (m a) (m)"},
+    {"(define-syntax m (syntax-rules () ((_ a) a)))\n(m)", "2:1 m: this does not have the right form; the pattern and the use: (m a) (m)"},
     {"(define-syntax m (syntax-rules () ((_ a) (car a))))\n(list (m 5))", "2:7 car: expected a pair, got 5"},
     {"(define-syntax m 5)", "1:1 a transformer is (syntax-rules ...) or (er-macro-transformer ...), not 5"},
     {"(import (no such))", "1:9 import: there is no library (no such)"},

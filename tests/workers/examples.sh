@@ -73,7 +73,7 @@ echo "$scenes" | while read -r name arguments; do
   wanted "$test" || continue
   # shellcheck disable=SC2086
   "$vs" --quiet $arguments $model -o "$work/r.pov" -o "$work/r.glb" -o "$work/r.x3d" > "$work/said" 2>&1 || echo "ended with $?" >> "$work/said"
-  grep -v "glTF: the ground is left out" "$work/said" > "$work/why"
+  grep -v "glTF: the ground is omitted" "$work/said" > "$work/why"
   result "$test:writes" "$work/why"
   if command -v xmllint > /dev/null; then
     xmllint --huge --noout "$work/r.x3d" > "$work/why" 2>&1; result "$test:x3d is well formed" "$work/why"

@@ -213,7 +213,7 @@ static bool not_an_expression(vs_expansion *x, vs_value id, const vs_meaning *m,
   if (vs_is_fixnum(kind) && vs_fixnum(kind) >= 0)
     return vs_expand_fail(x, pos, VS_ABSENT, "%s is syntax and has no value; it is written %s", name,
                           form_table[vs_fixnum(kind)].shape);
-  return vs_expand_fail(x, pos, VS_ABSENT, "%s is syntax and has no value; it stands first in parentheses", name);
+  return vs_expand_fail(x, pos, VS_ABSENT, "%s is syntax and has no value; it comes first in parentheses", name);
 }
 
 /* Returns the variable of a local meaning; NULL with an error if it belongs to another expansion. */
@@ -513,7 +513,7 @@ static bool expression(vs_expansion *x) {
   if (x->now.decides) warn_of_procedure(x, r[0], &m);
   if (vs_is_identifier(r[0])) {
     if (is_keyword(r[0]))
-      return vs_expand_fail(x, x->now.pos, VS_ABSENT, "the keyword %s stands only before an argument of a call",
+      return vs_expand_fail(x, x->now.pos, VS_ABSENT, "the keyword %s belongs before an argument of a call",
                             vs_as_symbol(r[0])->name);
     return (*x->now.into = vs_expand_ref(x, r[0], x->now.env, x->now.pos)) != NULL;
   }
@@ -538,11 +538,11 @@ static bool expression(vs_expansion *x) {
             ? " or in the body of a procedure, let, when and the like; for a name inside an expression use let"
             : "");
   case VS_FORM_else: case VS_FORM_arrow:
-    return vs_expand_fail(x, x->now.pos, VS_ABSENT, "%s stands only in a clause of cond or case",
+    return vs_expand_fail(x, x->now.pos, VS_ABSENT, "%s belongs in a clause of cond or case",
                           form_table[form].name);
   case VS_FORM_unquote: case VS_FORM_unquote_splicing:
     return vs_expand_fail(x, x->now.pos, VS_ABSENT,
-                          "a comma stands only inside a template: %s; a decimal point is a point, 1.5",
+                          "a comma belongs inside a template: %s; a decimal point is a point, 1.5",
                           form_table[form].shape);
   default:
     return vs_expand_fail(x, x->now.pos, VS_ABSENT, "%s cannot stand here; it belongs into %s", form_table[form].name,

@@ -170,7 +170,7 @@ bool vs_form_cond(vs_expansion *x) {
   if (n < 1) return vs_expand_fail(x, pos, clause, "a clause of cond is (test value ...), not");
   /* (cond (> x 3) 'big ...) */
   if (n > 1 && vs_is_identifier(vs_car(clause)) && vs_is_form(env, vs_car(clause), VS_FORM_quote))
-    return vs_expand_fail(x, pos, VS_ABSENT, "a clause of cond stands in parentheses with its test: ((> x 3) 'big)");
+    return vs_expand_fail(x, pos, VS_ABSENT, "a clause of cond is in parentheses with its test: ((> x 3) 'big)");
   if (vs_is_form(env, vs_car(clause), VS_FORM_else)) {
     if (more != VS_NIL) return vs_expand_fail(x, pos, VS_ABSENT, "else must be the last clause of cond");
     if (n == 1) return vs_expand_fail(x, pos, VS_ABSENT, "an expression is missing in this else");
@@ -179,7 +179,7 @@ bool vs_form_cond(vs_expansion *x) {
   vs_core_node *node = vs_expand_node(x, VS_AST_IF, pos), *let = NULL;
   if (!node) return false;
   bool arrow = n > 1 && vs_is_form(env, vs_car(vs_cdr(clause)), VS_FORM_arrow);
-  if (arrow && n != 3) return vs_expand_fail(x, pos, clause, "behind => stands one procedure:");
+  if (arrow && n != 3) return vs_expand_fail(x, pos, clause, "one procedure follows =>:");
   vs_core_node **test = &node->as.branch.test;
   if (arrow || n == 1) {
     if (!(let = let_temporary(x, "cond", pos)) || !(*test = vs_ast_local(&x->ast, let->as.let.vars[0], pos)))
@@ -283,7 +283,7 @@ bool vs_case_step(vs_expansion *x) {
   }
   vs_value body = vs_cdr(r[0]);
   if (!vs_is_form(x->now.env, vs_car(body), VS_FORM_arrow)) return sequence(x, body, pos, value, depth);
-  if (n != 3) return vs_expand_fail(x, pos, r[0], "behind => stands one procedure:");
+  if (n != 3) return vs_expand_fail(x, pos, r[0], "one procedure follows =>:");
   vs_core_node *call = vs_expand_many(x, VS_AST_CALL, 1, pos);
   if (!call || !(call->as.call.at[0] = vs_ast_local(&x->ast, x->now.var, pos))) return false;
   *value = call;
@@ -358,7 +358,7 @@ bool vs_quasi_step(vs_expansion *x) {
   bool spliced = kind >= 0 && level == 2 && quasi_kind(x->now.env, vs_car(vs_cdr(form))) == VS_FORM_unquote_splicing;
   if (kind >= 0 && !(spliced && kind != VS_FORM_quasiquote)) {
     if (kind == VS_FORM_unquote_splicing && level == 1)
-      return vs_expand_fail(x, pos, VS_ABSENT, ",@ stands only inside a list");
+      return vs_expand_fail(x, pos, VS_ABSENT, ",@ belongs inside a list");
     vs_core_node *call = vs_expand_call(x, "list", 2, pos);
     if (!call) return false;
     put(x, call);

@@ -58,7 +58,7 @@ static bool specification(vs_expansion *x, parameters *p, vs_value spec, vs_pos 
   if (n == 2 && (vs_is_fixnum(predicate) || vs_is_double(predicate) || vs_is(predicate, VS_T_STRING) ||
                  predicate == VS_TRUE || predicate == VS_FALSE))
     return vs_expand_fail(x, pos, spec,
-                          "a default stands behind a predicate, [name any? value] or [name positive? value], not");
+                          "a default follows a predicate, [name any? value] or [name positive? value], not");
   return add(p, id, predicate, fallback, pos, keyword);
 }
 
@@ -88,11 +88,11 @@ static bool parse(vs_expansion *x, parameters *p, vs_value list, vs_pos outer) {
         return vs_expand_fail(x, pos, VS_ABSENT, "a parameter is missing behind #:%s", vs_as_symbol(name)->name);
       spec = vs_car(l);
       keyed = true;
-    } else if (keyed) return vs_expand_fail(x, pos, spec, "keyword parameters come last; this stands behind one:");
+    } else if (keyed) return vs_expand_fail(x, pos, spec, "keyword parameters come last; this follows one:");
     if (!specification(x, p, spec, pos, keyword, false)) return false;
     bool has_default = p->at[p->count - 1].fallback != VS_ABSENT;
     if (!keyword && optional && !has_default)
-      return vs_expand_fail(x, pos, spec, "a parameter without a default stands behind one with a default:");
+      return vs_expand_fail(x, pos, spec, "a parameter without a default follows one with a default:");
     optional = optional || (!keyword && has_default);
   }
   if (vs_is_identifier(l)) { p->rest = true; return specification(x, p, l, outer, 0, true); }

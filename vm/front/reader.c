@@ -523,16 +523,16 @@ static bool read_close(reader *r, char c, vs_pos pos, vs_value *out, bool *got) 
   while (r->depth && r->levels[r->depth - 1].kind >= QUOTE) {     /* '), #;) */
     if (r->levels[r->depth - 1].quote == QUOTE_PLAIN)
       problem(r, r->levels[r->depth - 1].pos,
-              "a datum is missing behind this '; a text stands between double quotes, \"like this\"");
+              "a datum is missing behind this '; a text is written in double quotes, \"like this\"");
     else problem(r, r->levels[r->depth - 1].pos, "a datum is missing here, before the %c", c);
     pop(r);
   }
   if (!r->depth) {
     if (r->stray && r->last_top)
-      problem(r, pos, "this %c closes nothing: what began on line %u was already closed on line %u", c,
+      problem(r, pos, "this %c closes nothing: the form of line %u was already closed on line %u", c,
               vs_pos_line(r->stray_top), r->stray_line);
     else if (r->last_top)
-      problem(r, pos, "this %c closes nothing: one too many for what began on line %u", c, vs_pos_line(r->last_top));
+      problem(r, pos, "this %c closes nothing: one too many for the form of line %u", c, vs_pos_line(r->last_top));
     else problem(r, pos, "this %c closes nothing", c);
     return true;
   }
@@ -655,7 +655,7 @@ static int next(reader *r, vs_value *out, vs_pos *where) {
         got = false;
         level *f = r->depth ? &r->levels[r->depth - 1] : NULL;
         if (!f || f->kind != LIST || r->slots[2 * (r->depth - 1)] == VS_NIL)
-          problem(r, pos, "a . stands only before the last datum of a list");
+          problem(r, pos, "a . belongs before the last datum of a list");
         else if (f->dot) problem(r, pos, "a second . in one list");
         else f->dot = 1;
         break;

@@ -266,8 +266,8 @@ static bool advise_number(const char *name, vs_text *t) {
     while (i < sizeof lengths / sizeof *lengths && strcmp(unit, lengths[i])) i++;
     if (i == sizeof lengths / sizeof *lengths) return true;
     snprintf(text, sizeof text,
-             "; numbers have no units, a length is in model units: write %s; (units 'm), 'mm, 'cm, 'in or 'ft says "
-             "once what they are",
+             "; numbers have no units, a length is in model units: write %s; (units 'm), 'mm, 'cm, 'in or 'ft gives "
+              "the unit of all numbers",
              number);
   }
   return vs_text_puts(t, text);

@@ -473,7 +473,7 @@ bool vs_rules_expand(vs_expansion *x, vs_value macro, vs_value form, vs_value en
            vs_strip(vm, t[0], &t[0]) && vs_cons(vm, r[R_FORM], VS_NIL, &r[R_FORM]) &&
            vs_strip(vm, r[R_FORM], &r[R_FORM]) && vs_cons(vm, t[0], r[R_FORM], &r[R_FORM]) &&
            vs_fail_at(vm, vm->sym.syntax, pos, r[R_FORM],
-                      "%s: this does not have the right form; the pattern and what stands here:", name);
+                      "%s: this does not have the right form; the pattern and the use:", name);
   }
   return vs_expand_fail(x, pos, r[R_FORM], "%s: no rule of this macro matches", name);
 }

@@ -225,7 +225,7 @@ static bool jump(walker *w, uint32_t i, unsigned *least) {
     const char *text = n->a ? vs_script_spelling(w->s, node(w, n->a)->name, &length) : "";
     return n->a ? vs_script_fail(w->s, node(w, n->a)->at, "no statement around here has the label %.*s", (int)length,
                                  text)
-                : vs_script_fail(w->s, n->at, "this stands in no loop of its function");
+                : vs_script_fail(w->s, n->at, "this is in no loop of its function");
   }
   uint32_t to = t->node;
   if (again) {

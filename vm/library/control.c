@@ -391,7 +391,7 @@ static vs_status check(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
     if (predicate) vs_fail_with(vm, vm->sym.contract, r[0], "%s: %s must be %s, got", f, name.at, text.at);
     else
       vs_fail(vm, vm->sym.contract,
-              "%s: in [%s %s] stands no predicate; [%s any? %s] gives %s a default and checks nothing", f, name.at,
+              "%s: in [%s %s] there is no predicate; [%s any? %s] gives %s a default and checks nothing", f, name.at,
               text.at, name.at, text.at, name.at);
     vs_condition *c = vs_is(vm->condition, VS_T_CONDITION) ? vs_as_condition(vm->condition) : NULL;
     if (c && predicate && vs_is_pair(c->chain) && vs_is_pair(vs_cdr(c->chain))) {      /* the caller is at fault */

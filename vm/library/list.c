@@ -595,7 +595,7 @@ static const vs_native_def defs[] = {
   { "cons* list*", "first . more", list_cons_star, 0, "a list of the arguments, the last being its tail" },
   { "make-list", "n [fill]", list_make_list, 0, NULL },
   { "iota", "n [start step]", list_iota, 0, "n numbers from start (0) by step (1)" },
-  { "range", "a [b step]", list_range, 0, "the numbers from a up to b, b left out; (range b) starts at 0" },
+  { "range", "a [b step]", list_range, 0, "the numbers from a up to b, without b; (range b) starts at 0" },
   { "length", "list", list_length, 0, "how many elements list has" },
   { "append append!", ". lists", list_append, 0, "the elements of all lists in one" },
   { "reverse reverse!", "list", list_reverse, 0, "the elements in the other order" },

@@ -684,7 +684,7 @@ static const vs_native_def defs[] = {
   { "string-downcase", "string", string_downcase, 0, NULL },
   { "string-foldcase", "string", string_foldcase, 0, NULL },
   { "string-search string-contains", "string text [start]", string_search, 0,
-    "index of the first place where text stands, or #f" },
+    "index of the first occurrence of text, or #f" },
   { "string-contains?", "string text", string_contains_p, 0, NULL },
   { "string-prefix?", "string prefix", string_prefix_p, 0, "does string begin with prefix?" },
   { "string-suffix?", "string suffix", string_suffix_p, 0, "does string end with suffix?" },

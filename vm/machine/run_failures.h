@@ -37,7 +37,7 @@ static bool fail_callee_as(vs_scheme *vm, vs_value f, const vs_value *at, size_t
   if (!vs_cons(vm, f, VS_NIL, &r[0])) return false;
   if (operator)
     return vs_fail_with(vm, vm->sym.type, r[0],
-                        "the operator stands first, (%s a b); this cannot be called:", operator);
+                        "the operator comes first, (%s a b); this cannot be called:", operator);
   if (vs_is_symbol(f))
     return vs_fail_with(vm, vm->sym.type, r[0],
                         "a symbol is no procedure and cannot be called; the procedure is written without the quote:");
@@ -45,7 +45,7 @@ static bool fail_callee_as(vs_scheme *vm, vs_value f, const vs_value *at, size_t
     return vs_fail_with(vm, vm->sym.type, r[0], "a text cannot be called; a call is written (procedure argument ...):");
   const char *what =
       vs_is_number(f) && n == 0
-          ? "a number cannot be called; a name that stands for one is written without parentheses:"
+          ? "a number cannot be called; a name of one is written without parentheses:"
       : vs_is_number(f)
           ? "a number cannot be called (a list is written (list 1 2 3), a point (xyz 1 2 3), a gvector (vxyz 1 2 3)):"
           : "this is no procedure and cannot be called (one parenthesis too many around it?):";

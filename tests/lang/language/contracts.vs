@@ -74,7 +74,7 @@
 (define (mistaken [n ten]) n)
 (check (string-contains? (message (lambda () (mistaken 5))) "[n any? ten]") => #t)
 (define (written) (eval '(lambda ([n 10]) n) (interaction-environment))) ; a constant is told where it stands
-(check (string-contains? (message written) "a default stands behind a predicate") => #t)
+(check (string-contains? (message written) "a default follows a predicate") => #t)
 
 ; the predicate is the definition's, evaluated once
 (define limit 10)
