@@ -80,7 +80,7 @@ EOF
 outputs=; for f in dxf svg pdf html x3dv obj ply off 3mf; do outputs="$outputs -o $work/plan.$f"; done
 # shellcheck disable=SC2086
 limited 120 "$vs" --quiet -D appendix="$PWD/tests/cross/appendix-a.vs" --view roof "$work/plan.vs" $outputs > "$work/cells" 2> "$work/said" || cat "$work/said" > "$work/why"
-grep warning: "$work/said" | grep -v 'are left out$' >> "$work/why"
+grep warning: "$work/said" | grep -v 'are omitted$' >> "$work/why"
 for f in $outputs; do [ "$f" = -o ] || [ -s "$f" ] || echo "$f is not written" >> "$work/why"; done
 [ "$(grep -c . "$work/cells")" -ge 60 ] || echo "only $(grep -c . "$work/cells") forms are in the plan" >> "$work/why"
 tr -d ' \r' < "$work/plan.dxf" | paste - - | awk -F '\t' -v cells="$work/cells" '
