@@ -5,25 +5,12 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "geometry/files/raster.h"
-
-static bool take(vs_store *s, const char *path, vs_raster *r) {
-  enum { MOST = 1 << 26 };
-  vs_error e = { VS_ERROR_NONE, NULL, "" };
-  FILE *f = fopen(path, "rb");
-  unsigned char *bytes = f ? malloc(MOST) : NULL;
-  size_t size = bytes ? fread(bytes, 1, MOST, f) : 0;
-  bool ok = size && vs_raster_read(s, &(vs_file_bytes){ path, bytes, size }, r, &e);
-  if (!ok) fprintf(stderr, "cutdiff: %s: %s\n", path, size ? e.message : "cannot be read");
-  if (f) fclose(f);
-  free(bytes);
-  return ok;
-}
+#include "tests/tools/read_picture.h"
 
 int main(int argc, char **argv) {
   vs_store *s = vs_store_new(NULL, NULL);
   vs_raster whole = { 0 }, part = { 0 };
-  if (argc != 5 || !take(s, argv[1], &whole) || !take(s, argv[2], &part)) return 2;
+  if (argc != 5 || !read_picture(s, "cutdiff", argv[1], &whole) || !read_picture(s, "cutdiff", argv[2], &part)) return 2;
   size_t left = (size_t)atoi(argv[3]), top = (size_t)atoi(argv[4]), differ = 0, at = 0;
   if (left + part.columns > whole.columns || top + part.rows > whole.rows)
     return fprintf(stderr, "cutdiff: the part reaches past the whole\n"), 2;

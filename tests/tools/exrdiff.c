@@ -5,24 +5,12 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "geometry/files/raster.h"
-
-static bool take(vs_store *s, const char *path, vs_raster *r) {
-  vs_error e = { VS_ERROR_NONE, NULL, "" };
-  FILE *f = fopen(path, "rb");
-  unsigned char *bytes = f ? malloc(1 << 26) : NULL;
-  size_t size = bytes ? fread(bytes, 1, 1 << 26, f) : 0;
-  bool ok = size && vs_raster_read(s, &(vs_file_bytes){ path, bytes, size }, r, &e);
-  if (!ok) fprintf(stderr, "exrdiff: %s: %s\n", path, size ? e.message : "cannot be read");
-  if (f) fclose(f);
-  free(bytes);
-  return ok;
-}
+#include "tests/tools/read_picture.h"
 
 int main(int argc, char **argv) {
   vs_store *s = vs_store_new(NULL, NULL);
   vs_raster a = { 0 }, b = { 0 };
-  if (argc != 3 || !take(s, argv[1], &a) || !take(s, argv[2], &b)) return 2;
+  if (argc != 3 || !read_picture(s, "exrdiff", argv[1], &a) || !read_picture(s, "exrdiff", argv[2], &b)) return 2;
   if (a.columns != b.columns || a.rows != b.rows) return fprintf(stderr, "exrdiff: they have different sizes\n"), 1;
   size_t count = (size_t)a.columns * a.rows, differ = 0, at = 0;
   double sum = 0, most = 0;

@@ -10,6 +10,7 @@
  * or those of SEEDS=FROM-TO. The test shrinks a failing program as long as it fails, and prints it. TELL=1 prints the
  * counts. */
 #include "tests/unit/trials.h"
+#include "tests/unit/seeds.h"
 
 enum { POINTS = 12 };
 
@@ -239,16 +240,15 @@ static void models_are_right(void **state) {
   (void)state;
   static char text[MODEL_ROOM];
   static trial t;
-  const char *longer = getenv("LONG"), *asked = getenv("SEEDS");
-  unsigned long long from = 1, to = longer && *longer ? 10000 : 500, bad = 0;
-  if (asked && *asked && (sscanf(asked, "%llu-%llu", &from, &to) != 2 || from > to)) fail_msg("SEEDS must be FROM-TO, got %s", asked);
+  seed_range seeds = seeds_asked(500, 10000);
+  unsigned long long bad = 0;
   begin(&t, 0);
-  for (unsigned long long seed = from; seed <= to; seed++) {
+  for (unsigned long long seed = seeds.from; seed <= seeds.to; seed++) {
     model_make(seed, text);
     models++;
     if (getenv("SHOW")) fprintf(stderr, "seed %llu: %s\n", seed, text);
     size_t before = solids;
-    t.volumes = seed % 4 == 0 || (longer && *longer) || (asked && *asked);
+    t.volumes = seed % 4 == 0 || seeds.whole;
     bool wrong = fails(&t, text);
     for (size_t i = 0; solids > before && i < model_kinds() && i < 64; i++) {
       char word[64];
@@ -262,11 +262,11 @@ static void models_are_right(void **state) {
     fprintf(stderr, "smaller: %s\n%s\n", t.why, text);
   }
   vs_free(t.vm);
-  if (getenv("TELL") || (asked && *asked))
+  if (getenv("TELL") || seeds.asked)
     fprintf(stderr, "%zu models, %zu refused, %zu without a mesh, %zu solids, %zu written with a warning, %zu points, %zu inside; %llu wrong\n", models, refused, empty, solids, warned, asked_points,
             inside_points, bad);
   assert_int_equal(bad, 0);
-  if (to - from < 400) return;
+  if (seeds.to - seeds.from < 400) return;
   assert_true(solids * 4 > models && inside_points * 10 > asked_points); /* the run has tested enough */
   for (size_t i = 0; i < model_kinds() && i < 64; i++)
     if (!made_of[i])
@@ -405,12 +405,10 @@ static void turned_models_are_right(void **state) {
   (void)state;
   static char text[MODEL_ROOM];
   static trial t;
-  const char *longer = getenv("LONG"), *asked = getenv("SEEDS");
-  unsigned long long from = 1, to = longer && *longer ? 10000 : 300, bad = 0;
-  if (asked && *asked && (sscanf(asked, "%llu-%llu", &from, &to) != 2 || from > to))
-    fail_msg("SEEDS must be FROM-TO, got %s", asked);
+  seed_range seeds = seeds_asked(300, 10000);
+  unsigned long long bad = 0;
   begin(&t, 0);
-  for (unsigned long long seed = from; seed <= to; seed++) {
+  for (unsigned long long seed = seeds.from; seed <= seeds.to; seed++) {
     model_make_turned(seed, text);
     if (getenv("SHOW")) fprintf(stderr, "seed %llu: %s\n", seed, text);
     if (!is_silent(&t, text)) continue;
@@ -422,10 +420,10 @@ static void turned_models_are_right(void **state) {
     fprintf(stderr, "smaller: %s\n%s\n", t.why, text);
   }
   vs_free(t.vm);
-  if (getenv("TELL") || (asked && *asked))
+  if (getenv("TELL") || seeds.asked)
     fprintf(stderr,
             "%llu turned models: silent %zu .off, %zu .stl, %zu .ply, %zu .glb; with a warning %zu, %zu, %zu, %zu\n",
-            to - from + 1, silent[0], silent[1], silent[2], silent[3], told[0], told[1], told[2], told[3]);
+            seeds.to - seeds.from + 1, silent[0], silent[1], silent[2], silent[3], told[0], told[1], told[2], told[3]);
   assert_int_equal(bad, 0);
 }
 

@@ -10,6 +10,7 @@
  * mesh and the measured one lie within it of the exact surface. 500 programs; with LONG=1 ten thousand, or those of
  * SEEDS=FROM-TO. SHOW=1 prints each, TELL=1 the counts. */
 #include "tests/unit/trials.h"
+#include "tests/unit/seeds.h"
 
 #include "tests/oracle/paths.c"
 
@@ -331,15 +332,13 @@ static void paths_agree(void **state) {
   (void)state;
   static char text[MODEL_ROOM];
   static paths p;
-  const char *longer = getenv("LONG"), *asked = getenv("SEEDS");
-  unsigned long long from = 1, to = longer && *longer ? 10000 : 500, bad = 0;
-  if (asked && *asked && (sscanf(asked, "%llu-%llu", &from, &to) != 2 || from > to))
-    fail_msg("SEEDS must be FROM-TO, got %s", asked);
+  seed_range seeds = seeds_asked(500, 10000);
+  unsigned long long bad = 0;
   assert_true(path_samples_read(samples_file));
   begin(&p.kept, 0);
   begin(&p.bare, SIZE_MAX);
   p.kept.file = p.bare.file = samples_file; /* the samples' files are relative to the folder of this file */
-  for (unsigned long long seed = from; seed <= to; seed++) {
+  for (unsigned long long seed = seeds.from; seed <= seeds.to; seed++) {
     size_t sample, way, set, compared = p.compared;
     path_make(seed, text, &sample, &way, &set);
     if (getenv("SHOW")) fprintf(stderr, "seed %llu: %s\n", seed, text);
@@ -356,7 +355,7 @@ static void paths_agree(void **state) {
   }
   vs_free(p.kept.vm);
   vs_free(p.bare.vm);
-  if (getenv("TELL") || (asked && *asked))
+  if (getenv("TELL") || seeds.asked)
     fprintf(stderr,
             "%zu programs, %zu late, %zu refused, %zu of nothing, %zu compared, %zu of them flat; %zu points, %zu inside; %llu "
             "wrong\n",
@@ -365,8 +364,8 @@ static void paths_agree(void **state) {
     for (size_t i = 0; i < path_samples(); i++)
       if (!seen_samples[i]) fprintf(stderr, "never compared: %s\n", path_sample(i));
   assert_int_equal(bad, 0);
-  if (to - from < 400) return;
-  for (size_t i = 0; to - from > 5000 && i < path_samples(); i++)
+  if (seeds.to - seeds.from < 400) return;
+  for (size_t i = 0; seeds.to - seeds.from > 5000 && i < path_samples(); i++)
     if (!seen_samples[i] && !path_is_nothing(path_sample(i))) fail_msg("%s was never compared", path_sample(i));
   assert_true(p.late * 50 < p.made);
   assert_true(p.compared * 2 > p.made && p.flat * 8 > p.compared);

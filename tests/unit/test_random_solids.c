@@ -10,22 +10,21 @@
 #define FUZZ_AS_A_TEST
 #include "tests/oracle/fuzz.c"
 #include "tests/oracle/sx.c"
+#include "tests/unit/seeds.h"
 
 static void test_random_trees(void **unused) {
   (void)unused;
-  const char *longer = getenv("LONG");
-  unsigned long long from = 1, to = longer && *longer ? 3000 : 40, bad = 0;
-  const char *asked = getenv("SEEDS");
-  if (asked && *asked && (sscanf(asked, "%llu-%llu", &from, &to) != 2 || from > to)) fail_msg("SEEDS must be FROM-TO, got %s", asked);
-  for (uint64_t seed = from; seed <= to; seed++) {
+  seed_range seeds = seeds_asked(40, 3000);
+  unsigned long long bad = 0;
+  for (uint64_t seed = seeds.from; seed <= seeds.to; seed++) {
     failed = false;
     one(seed);
     bad += failed;
     if (failed) print_message("seed %llu failed\n", (unsigned long long)seed);
   }
-  if (asked && *asked) print_message("seeds %llu to %llu: %llu failed; %llu times one of %llu results meets itself in a format's numbers, and says so\n", from, to, bad, (unsigned long long)said, (unsigned long long)results);
+  if (seeds.asked) print_message("seeds %llu to %llu: %llu failed; %llu times one of %llu results meets itself in a format's numbers, and says so\n", seeds.from, seeds.to, bad, (unsigned long long)said, (unsigned long long)results);
   assert_int_equal(bad, 0);
-  assert_true(results > 7 * (to - from + 1) && (said == 0 || said * FEW <= results));
+  assert_true(results > 7 * (seeds.to - seeds.from + 1) && (said == 0 || said * FEW <= results));
 }
 
 /* The results of these seeds have triangles far apart along one shell that rounding makes intersect. The result of the

@@ -31,18 +31,12 @@
 #include "solids/primitive_meshes.h"
 #include "solids/solid_measures.h"
 #include "solids/solid_meshes.h"
+#include "tests/unit/dice.h"
+#include "tests/unit/seeds.h"
 
 enum { POINTS = 1500 };
 static const double pi = 3.14159265358979323846;
 
-typedef struct { uint64_t at; } dice;
-static uint64_t throw(dice *d) { /* splitmix64 */
-  uint64_t z = d->at += 0x9e3779b97f4a7c15u;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-  return z ^ (z >> 31);
-}
-static double between(dice *d, double a, double b) { return a + (b - a) * (double)(throw(d) >> 11) / 9007199254740992.0; }
 static int any(dice *d, int n) { return (int)(throw(d) % (uint64_t)n); }
 
 #define NODE(lower, upper, ...) vs_node_new(s, VS_##upper, &(struct vs_##lower){ __VA_ARGS__, 0 }, NULL, 0)
@@ -246,11 +240,9 @@ static void look(vs_store *s, uint64_t seed, tally *t, char why[600]) {
 
 static void sweeps_are_where_the_profile_was(void **state) {
   (void)state;
-  const char *longer = getenv("LONG"), *asked = getenv("SEEDS");
-  unsigned long long from = 1, to = longer && *longer ? 2000 : 75;
-  if (asked && *asked) assert_int_equal(sscanf(asked, "%llu-%llu", &from, &to), 2);
-  tally t = { .most = longer || asked ? 0 : 6000 };
-  for (uint64_t seed = from; seed <= to; seed++) {
+  seed_range seeds = seeds_asked(75, 2000);
+  tally t = { .most = seeds.whole ? 0 : 6000 };
+  for (uint64_t seed = seeds.from; seed <= seeds.to; seed++) {
     char why[600];
     vs_store *s = vs_store_new(NULL, NULL);
     vs_cache *cache = vs_cache_new(s, (size_t)1 << 28); /* the mesh is requested again, for measuring */
@@ -264,8 +256,8 @@ static void sweeps_are_where_the_profile_was(void **state) {
     fprintf(stderr, "%zu sweeps, %zu overlap, %zu of %zu points inside, the furthest wrong one %.3g tolerances away; %zu wrong, %zu refused, %zu meet\n", t.sweeps, t.overlapping, t.inside, t.points,
             t.furthest, t.wrong, t.refused, t.met);
   assert_int_equal(t.wrong, 0);
-  assert_true(t.refused * 20 <= t.overlapping || to - from < 20);
-  if (to - from > 20) assert_true(t.overlapping * 3 > t.sweeps && t.inside * 40 > t.points); /* the run has tested enough */
+  assert_true(t.refused * 20 <= t.overlapping || seeds.to - seeds.from < 20);
+  if (seeds.to - seeds.from > 20) assert_true(t.overlapping * 3 > t.sweeps && t.inside * 40 > t.points); /* the run has tested enough */
 }
 
 int main(void) {

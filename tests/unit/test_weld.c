@@ -15,18 +15,10 @@
 
 #include "model/net.h"
 #include "solids/weld.h"
+#include "tests/unit/dice.h"
 
 enum { CUBES = 60, SPLITS = 120, POINTS = 60 };
 static const double step = 1e-3, pi = 3.14159265358979323846;
-
-typedef struct { uint64_t at; } dice;
-static uint64_t throw(dice *d) { /* splitmix64 */
-  uint64_t z = d->at += 0x9e3779b97f4a7c15u;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-  return z ^ (z >> 31);
-}
-static double between(dice *d, double a, double b) { return a + (b - a) * (double)(throw(d) >> 11) / 9007199254740992.0; }
 
 static vs_mesh cube(void) {
   static const uint32_t faces[12][3] = { { 0, 2, 1 }, { 1, 2, 3 }, { 4, 5, 6 }, { 5, 7, 6 }, { 0, 1, 4 }, { 1, 5, 4 },

@@ -1,0 +1,28 @@
+/* Owns the seeds that a test of random inputs runs. */
+#ifndef VS_TESTS_SEEDS_H
+#define VS_TESTS_SEEDS_H
+
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include <cmocka.h>
+
+/* from: the first seed; to: the last one. whole: LONG or SEEDS asks for more than the usual sample; asked: SEEDS does.
+ * A variable that is set and empty counts as not set. */
+typedef struct { unsigned long long from, to; bool whole, asked; } seed_range;
+
+/* Returns the seeds of SEEDS=FROM-TO; without it 1 to `most` with LONG=1, else 1 to `usual`. */
+static inline seed_range seeds_asked(unsigned long long usual, unsigned long long most) {
+  const char *longer = getenv("LONG"), *asked = getenv("SEEDS");
+  seed_range r = { 1, longer && *longer ? most : usual, (longer && *longer) || (asked && *asked), asked && *asked };
+  if (r.asked && (sscanf(asked, "%llu-%llu", &r.from, &r.to) != 2 || r.from > r.to))
+    fail_msg("SEEDS must be FROM-TO, got %s", asked);
+  return r;
+}
+
+#endif
