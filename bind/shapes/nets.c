@@ -183,37 +183,55 @@ vs_status vs_p_shortest_path(vs_args *f, vs_value *out) {
   return ok ? VS_OK : VS_ERROR;
 }
 
-/* (%pack-circles region n least gap): returns a list of pairs, centre and radius, the largest first. */
-vs_status vs_p_pack_circles(vs_args *f, vs_value *out) {
+/* The region that an argument is, as loops in its own plane; zeroed is empty. */
+typedef struct {
+  vs_outline outline; /* in space, with the frame of its plane */
+  vs_affine back;     /* into that frame */
+  vs_area whole;      /* in the frame */
+} flat_region;
+
+static void flat_region_free(flat_region *r) {
+  vs_area_free(&r->whole);
+  vs_outline_free(&r->outline);
+}
+
+/* Flattens the region or closed curve of argument i, as fine as the program asks, else `finer` times as fine as the
+ * drawing rule. Fails with the condition set; the caller frees *out only after a success. */
+static bool flatten(vs_args *f, int i, double finer, flat_region *out) {
   vs_error e = { 0 };
-  vs_outline o = { 0 };
-  vs_affine back;
   vs_bounds b;
-  vs_area whole = { 0 };
-  vs_node *region = f->arg[0].ref.node;
-  size_t n = (size_t)f->arg[1].integer, count = 0;
+  vs_node *region = f->arg[i].ref.node;
+  *out = (flat_region){ .outline = { 0 } };
   if (region->class_ == VS_CURVE && !(region->flags & VS_NODE_CLOSED))
-    return vs_bind_refuse(f, "region", "a region or a closed curve", f->arg[0].value);
-  if (!vs_bind_uncrossed(f, f->arg[0].ref, "region")) return VS_ERROR;
+    return vs_bind_refuse(f, "region", "a region or a closed curve", f->arg[i].value);
+  if (!vs_bind_uncrossed(f, f->arg[i].ref, "region")) return false;
   if (!vs_node_bounds(region, &b, &e)) return vs_bind_error(f->vm, &e);
   vs_fineness facets = { .tolerance = vs_bind_tolerance(f->vm), .segments = vs_bind_segments(f->vm) };
-  if (!(facets.tolerance > 0)) facets.tolerance = fmax(vs_fineness_tolerance(&b) / 4, 1e-300);
-  if (!vs_region_outline(region, &facets, &o, &e)) return vs_bind_error(f->vm, &e);
+  if (!(facets.tolerance > 0)) facets.tolerance = fmax(vs_fineness_tolerance(&b) / finer, 1e-300);
+  if (!vs_region_outline(region, &facets, &out->outline, &e)) return vs_bind_error(f->vm, &e);
+  const vs_affine *frame = &out->outline.frame;
+  if (vs_affine_invert(frame, &out->back) && vs_area_of_outline(&out->outline, frame, &out->whole)) return true;
+  flat_region_free(out);
+  return vs_fail_memory(f->vm);
+}
+
+/* (%pack-circles region n least gap): returns a list of pairs, centre and radius, the largest first. */
+vs_status vs_p_pack_circles(vs_args *f, vs_value *out) {
+  flat_region g;
+  size_t n = (size_t)f->arg[1].integer, count = 0;
+  if (!flatten(f, 0, 4, &g)) return VS_ERROR;
   vs_packed *circles = vs_bind_scratch(f, (n + 1) * sizeof *circles);
   bool stopped = false, ok = circles != NULL;
-  if (ok && !(vs_affine_invert(&o.frame, &back) && vs_area_of_outline(&o, &o.frame, &whole)))
-    ok = vs_fail_memory(f->vm);
   vs_packing_rule rule = { n, f->arg[2].real, f->arg[3].real };
   vs_long_work work = { vs_bind_keep_going, f->vm };
-  if (ok && !vs_area_pack(&whole, &rule, work, circles, &count, &stopped))
+  if (ok && !vs_area_pack(&g.whole, &rule, work, circles, &count, &stopped))
     ok = stopped ? VS_ERROR : vs_fail_memory(f->vm);
   VS_ROOTS(f->vm, r, 2);
   r[0] = VS_NIL;
   for (size_t i = count; ok && i-- > 0;)
-    ok = vs_bind_give_point(f, vs_affine_point(&o.frame, vs_v3(circles[i].at.x, circles[i].at.y, 0)), &r[1]) &&
+    ok = vs_bind_give_point(f, vs_affine_point(&g.outline.frame, vs_v3(circles[i].at.x, circles[i].at.y, 0)), &r[1]) &&
          vs_cons(f->vm, r[1], vs_flonum(circles[i].radius), &r[1]) && vs_cons(f->vm, r[1], r[0], &r[0]);
-  vs_area_free(&whole);
-  vs_outline_free(&o);
+  flat_region_free(&g);
   *out = r[0];
   return ok ? VS_OK : VS_ERROR;
 }
@@ -276,30 +294,19 @@ static vs_node *region_of(vs_args *f, const vs_area *a, const vs_affine *frame) 
 vs_status vs_p_voronoi(vs_args *f, vs_value *out) {
   size_t n = f->arg[0].points.count;
   vs_error e = { 0 };
-  vs_outline o = { 0 };
-  vs_affine back;
-  vs_bounds b;
+  flat_region g;
   if (!n) return vs_bind_refuse(f, "points", "one point or more", f->arg[0].value);
-  vs_node *region = f->arg[1].ref.node;
-  if (region->class_ == VS_CURVE && !(region->flags & VS_NODE_CLOSED))
-    return vs_bind_refuse(f, "region", "a region or a closed curve", f->arg[1].value);
-  if (!vs_bind_uncrossed(f, f->arg[1].ref, "region")) return VS_ERROR;
-  if (!vs_node_bounds(region, &b, &e)) return vs_bind_error(f->vm, &e);
-  vs_fineness facets = { .tolerance = vs_bind_tolerance(f->vm), .segments = vs_bind_segments(f->vm) };
-  if (!(facets.tolerance > 0)) facets.tolerance = fmax(vs_fineness_tolerance(&b) / 16, 1e-300);
-  if (!vs_region_outline(region, &facets, &o, &e)) return vs_bind_error(f->vm, &e);
-  vs_area whole = { 0 };
-  bool ok = (vs_affine_invert(&o.frame, &back) && vs_area_of_outline(&o, &o.frame, &whole)) || vs_fail_memory(f->vm);
+  if (!flatten(f, 1, 16, &g)) return VS_ERROR;
   vs_vec2 box[2] = { { INFINITY, INFINITY }, { -INFINITY, -INFINITY } };
-  for (size_t i = 0; ok && i < whole.count; i++) {
-    box[0].x = fmin(box[0].x, whole.at[i].x), box[0].y = fmin(box[0].y, whole.at[i].y);
-    box[1].x = fmax(box[1].x, whole.at[i].x), box[1].y = fmax(box[1].y, whole.at[i].y);
+  for (size_t i = 0; i < g.whole.count; i++) {
+    box[0].x = fmin(box[0].x, g.whole.at[i].x), box[0].y = fmin(box[0].y, g.whole.at[i].y);
+    box[1].x = fmax(box[1].x, g.whole.at[i].x), box[1].y = fmax(box[1].y, g.whole.at[i].y);
   }
-  double grow = ok && whole.count ? .01 * hypot(box[1].x - box[0].x, box[1].y - box[0].y) : 0;
+  double grow = g.whole.count ? .01 * hypot(box[1].x - box[0].x, box[1].y - box[0].y) : 0;
   box[0].x -= grow, box[0].y -= grow, box[1].x += grow, box[1].y += grow;
-  vs_vec2 *flat = ok ? flat_points(f, &back) : NULL;
+  vs_vec2 *flat = flat_points(f, &g.back);
   vs_voronoi cells = { 0 };
-  ok = flat && (vs_voronoi_make(flat, n, box, &cells, &e) || vs_bind_error(f->vm, &e));
+  bool ok = flat && (vs_voronoi_make(flat, n, box, &cells, &e) || vs_bind_error(f->vm, &e));
   VS_ROOTS(f->vm, r, 2);
   r[0] = VS_NIL;
   for (size_t i = n; ok && i-- > 0;) {
@@ -307,16 +314,15 @@ vs_status vs_p_voronoi(vs_args *f, vs_value *out) {
     for (size_t k = cells.start[i]; ok && k < cells.start[i + 1]; k++)
       ok = vs_area_point(&pair[0], cells.at[k].x, cells.at[k].y) || vs_fail_memory(f->vm);
     ok = ok && (vs_area_loop(&pair[0], false) || vs_fail_memory(f->vm));
-    pair[1] = whole;
-    if (ok && pair[0].loop_count && whole.loop_count)
+    pair[1] = g.whole;
+    if (ok && pair[0].loop_count && g.whole.loop_count)
       ok = vs_area_combine(VS_AREA_INTERSECTION, pair, 2, "Voronoi cells", &met, &e) || vs_bind_error(f->vm, &e);
-    ok = ok && vs_bind_give_node(f, region_of(f, &met, &o.frame), &r[1]) && vs_cons(f->vm, r[1], r[0], &r[0]) &&
+    ok = ok && vs_bind_give_node(f, region_of(f, &met, &g.outline.frame), &r[1]) && vs_cons(f->vm, r[1], r[0], &r[0]) &&
          vs_poll(f->vm, 256);
     vs_area_free(&pair[0]), vs_area_free(&met);
   }
   vs_voronoi_free(&cells);
-  vs_area_free(&whole);
-  vs_outline_free(&o);
+  flat_region_free(&g);
   *out = r[0];
   return ok ? VS_OK : VS_ERROR;
 }
