@@ -11,9 +11,7 @@
  * stays unchanged. options may be NULL. */
 bool vs_mesh_without_overlaps(vs_mesh *m, const vs_kernel_options *options, vs_error *e);
 
-/* Removes the overlaps of m, the mesh of n from geometry/, as vs_mesh_without_overlaps does. The mesh of a sweep then
- * does not intersect itself in the numbers of any format either. The error for a sweep that cannot be made so names the
- * bend. */
+/* Sets *overlaps: whether the mesh of n from geometry/ overlaps itself. Fails as e's error tells. */
 bool vs_primitive_overlaps(const vs_node *n, const vs_fineness *f, const vs_kernel_options *options, bool *overlaps,
                            vs_error *e);
 

@@ -43,8 +43,8 @@ static bool directed_before(const void *context, uint32_t a, uint32_t b) {
   return x->high != y->high ? x->high < y->high : x->triangle < y->triangle;
 }
 
-/* Inserts the flaw in the order of triangles, and counts it; the list keeps the first few. Returns true. */
-static bool by_triangle(vs_mesh_flaw *list, size_t *count, vs_mesh_flaw flaw) {
+/* Inserts the flaw in the order of triangles, and counts it; the list keeps the first few. */
+static void by_triangle(vs_mesh_flaw *list, size_t *count, vs_mesh_flaw flaw) {
   size_t held = *count < VS_FLAWS_LISTED ? *count : VS_FLAWS_LISTED, i = held;
   while (i > 0 && list[i - 1].triangle > flaw.triangle) i--;
   if (i < VS_FLAWS_LISTED) {
@@ -53,7 +53,6 @@ static bool by_triangle(vs_mesh_flaw *list, size_t *count, vs_mesh_flaw flaw) {
     list[i] = flaw;
   }
   ++*count;
-  return true;
 }
 
 static bool open_edges(vs_kernel *k, const vs_mesh *m, vs_mesh_flaws *out) {
