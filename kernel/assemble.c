@@ -1,11 +1,12 @@
-/* Owns the copying of meshes into results. */
+/* Implements kernel/assemble.h: copies meshes into the kernel's results. */
 #include "kernel/assemble.h"
 
 #include <string.h>
 
 #include "kernel/threads.h"
 
-enum { SERIAL = 10000 /* so few triangles are not worth a thread */, CHUNK = 16 /* placements of a task */ };
+enum { SERIAL = 10000 /* fewer triangles are copied in one thread */, CHUNK = 16 /* number of placements that one task
+                                                                                 * copies */ };
 
 bool vs_placing_room(vs_kernel *k, vs_mesh *out, size_t vertices, size_t triangles) {
   size_t limit = k->options ? k->options->max_triangles : 0, more_vertices = out->vertex_count + vertices,
@@ -13,8 +14,8 @@ bool vs_placing_room(vs_kernel *k, vs_mesh *out, size_t vertices, size_t triangl
   if (limit && more > limit)
     return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the result has more than %zu triangles, the limit", limit);
   if (more_vertices > UINT32_MAX) return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the result has too many corners");
-  if ((more_vertices > out->vertex_room || more > out->triangle_room) && /* grows in large steps: there may be thousands
-                                                                          * of placements */
+  if ((more_vertices > out->vertex_room || more > out->triangle_room) && /* reserves half as much again, because
+                                                                          * thousands of placements may follow */
       !vs_mesh_reserve(out, more_vertices + more_vertices / 2, more + more / 2) &&
       !vs_mesh_reserve(out, more_vertices, more))
     return vs_kernel_fail(k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids");
@@ -28,11 +29,12 @@ typedef struct {
   size_t count;
   const vs_kernel_leaf *leaves;
   vs_mesh *results;
-  struct { VS_LIST(uint32_t) at; } tags[VS_THREADS_MOST]; /* tags of each thread: from an original's tag to the
-                                                           * copy's */
+  struct { VS_LIST(uint32_t) at; } tags[VS_THREADS_MOST]; /* one table for each thread: the copy's tag for each tag of
+                                                           * the original */
 } placing;
 
-/* Finds the tags of a copy by those of its original; each of the VS_THREADS_MOST threads has a table. */
+/* Fills the calling thread's table with the copy's tag for each tag of the original. Each of the VS_THREADS_MOST
+ * threads has a table of its own. */
 static bool find_tags(vs_kernel *k, placing *all, const vs_placement *p) {
   VS_ASSERT(k->worker < VS_THREADS_MOST);
   for (uint32_t i = 0; i < p->leaf_count; i++) {
@@ -43,7 +45,8 @@ static bool find_tags(vs_kernel *k, placing *all, const vs_placement *p) {
   return true;
 }
 
-/* Copies a range of vertices and triangles; the source and the target range lie in their meshes. */
+/* Copies the range of vertices and triangles that the placement describes. The range must lie within its mesh before
+ * and after the copy. */
 static bool place_one(vs_kernel *k, placing *all, const vs_placement *p) {
   vs_mesh *to = &all->results[p->into];
   const vs_mesh *m = p->mesh ? p->mesh : to;

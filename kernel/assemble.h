@@ -1,22 +1,24 @@
-/* Owns the parts of the result that are copied: meshes that stay unchanged, and results at further places. The kernel
- * makes room for each in order; threads fill it at the end, when all sources are complete. */
+/* Copies meshes into the kernel's results: input meshes that stay unchanged, and finished parts of a result that occur
+ * again elsewhere. The kernel reserves space for the copies in a fixed order. Threads write them at the end, when all
+ * sources are complete. */
 #ifndef VS_KERNEL_ASSEMBLE_H
 #define VS_KERNEL_ASSEMBLE_H
 
 #include "kernel/problem.h"
 #include "kernel/memory.h"
 
-typedef struct { size_t vertex, triangle, vertices, triangles; } vs_range; /* the first vertex and triangle, and the
-                                                                            * counts */
+typedef struct { size_t vertex, triangle, vertices, triangles; } vs_range; /* indices of the first vertex and
+                                                                            * triangle, and the numbers of vertices
+                                                                            * and triangles */
 
 typedef struct {
-  const vs_mesh *mesh;       /* source, copied whole; NULL: a range of the result */
+  const vs_mesh *mesh;       /* mesh to copy completely; NULL: copy the range `from` of the result */
   vs_range from;
-  uint32_t into;             /* index of the result */
-  size_t vertex, triangle;   /* target of the copy */
+  uint32_t into;             /* index of the result that receives the copy */
+  size_t vertex, triangle;   /* indices of the copy's first vertex and triangle in the result */
   vs_affine map;
-  const uint32_t *were, *leaves; /* triangles with the tag of leaf were[i] get the tag of leaves[i]; were NULL: all get
-                                  * the tag of leaves[0] */
+  const uint32_t *were, *leaves; /* A triangle with the tag of leaf were[i] gets the tag of leaf leaves[i]. If were is
+                                  * NULL, all triangles get the tag of leaf leaves[0]. */
   uint32_t leaf_count;
 } vs_placement;
 
@@ -24,9 +26,10 @@ typedef struct {
   VS_LIST(vs_placement) meshes, again;
 } vs_placing;
 
-/* Makes room in a result, with tags, and adds it to the counts. */
+/* Reserves space for vertices, triangles and tags in the mesh out, and adds both counts to those of out. Returns false
+ * and sets the error if the result becomes too large or memory is out. */
 bool vs_placing_room(vs_kernel *k, vs_mesh *out, size_t vertices, size_t triangles);
-/* Copies all placements of the list. */
+/* Copies the meshes of all placements in p into the results. Returns false and sets the error on failure. */
 bool vs_placing_finish(vs_kernel *k, vs_placing *p, const vs_kernel_leaf *leaves, vs_mesh *results);
 void vs_placing_free(vs_kernel *k, vs_placing *p);
 

@@ -1,15 +1,15 @@
-/* Owns the check of a cluster's result by its volume. The check costs very little.
+/* Checks the result of a cluster by its volume. The check takes very little time.
  *
  * The volume of an expression lies between bounds that follow from its leaves' volumes. A union has at least the volume
- * of its largest operand and at most the sum. An intersection has at most that of its smallest operand. A difference
- * has at most that of its first operand, and at least that less the volume of the others within the first operand's
- * box. A fault that lost or added a part of the result would give a closed but wrong mesh; most such meshes exceed
- * these bounds.
+ * of its largest operand, and at most the sum of all. An intersection has at most the volume of its smallest operand. A
+ * difference has at most the volume of its first operand. It has at least this volume less the volume of the other
+ * operands within the first operand's box. A fault that loses or adds a part of the result would give a closed but
+ * wrong mesh. Most such meshes exceed these bounds.
  *
- * A star that is also one on the grid has the volume of its triangles there. If the grid has folded a star, its winding
- * numbers differ from the earlier ones only in space that triangles swept while their corners moved, each by less than
- * one step. A triangle sweeps at most its area plus its outline plus two for its corners. Any other leaf may overlap
- * itself: the only bound is its box. */
+ * A star that remains a star on the grid has the volume of its rounded triangles. If rounding to the grid has folded a
+ * star, its winding numbers have changed only in space that triangles swept. Each corner moves by less than one step.
+ * The swept volume of a triangle is at most its area plus its outline plus two, in steps. Any other leaf may overlap
+ * itself, so its volume is bounded only by its box. */
 #include "kernel/check.h"
 
 #include <math.h>
@@ -26,7 +26,8 @@ static double box_volume(const vs_bvh_box *b) {
   return v > 0 ? v : 0;
 }
 
-/* Returns the greatest volume that a triangle can sweep while each of its corners moves by less than one step. */
+/* Returns an upper bound, in cubic steps, for the volume that a triangle sweeps while each of its corners moves by less
+ * than one step. */
 static double sweep_of(double x[3][3]) {
   vs_vec3 at[3];
   for (int j = 0; j < 3; j++) at[j] = vs_v3(x[j][0], x[j][1], x[j][2]);
@@ -36,8 +37,8 @@ static double sweep_of(double x[3][3]) {
 }
 
 bool vs_check_leaves(vs_kernel *k, const vs_cluster *c, vs_check *check, vs_kernel_counts *counts) {
-  /* CHANGED: a part of the leaf's volume; SOLID: a part of its box: a smaller volume is not accurate enough to
-   * compare */
+  /* CHANGED: a change by this fraction of the leaf's volume is reported. SOLID: a leaf whose volume is a smaller
+   * fraction of its box is not compared, because rounding errors dominate. */
   static const double CHANGED = 0.01, SOLID = 1e-9;
   if (!VS_ROOM(k, check->leaves.at, check->leaves.room, (size_t)c->leaf_count + 1)) return false;
   double unit = step_volume(&c->grid);
@@ -49,7 +50,8 @@ bool vs_check_leaves(vs_kernel *k, const vs_cluster *c, vs_check *check, vs_kern
     double six = 0, swept = 0;
     for (size_t t = 0; t < m->triangle_count; t++) {
       const uint32_t *v = m->triangles[t];
-      double x[3][3]; /* relative to the first corner of all: small numbers if the leaf is small */
+      double x[3][3]; /* corners relative to the leaf's first vertex, so that the products of a small leaf stay
+                       * accurate */
       for (int j = 0; j < 3; j++)
         for (int a = 0; a < 3; a++) x[j][a] = (double)at[v[j]][a] - at[0][a];
       six += x[0][0] * (x[1][1] * x[2][2] - x[1][2] * x[2][1]) - x[0][1] * (x[1][0] * x[2][2] - x[1][2] * x[2][0]) +
@@ -87,10 +89,11 @@ static void unite_box(vs_bvh_box *x, const vs_bvh_box *y) {
   }
 }
 
-/* of a leaf or a term, in steps; leaves of other clusters have no volume here */
+/* Bounds on the volume of a leaf or term, in cubic steps, and its box, in steps. A leaf of another cluster has volume
+ * 0. */
 typedef struct { double least, most; vs_bvh_box box; } bounds;
 
-/* Returns the bounds of a term with the operands a and b. */
+/* Returns the bounds on the volume of a term with the operands a and b. */
 static bounds combine(vs_term_kind kind, bounds a, const bounds *b) {
   vs_bvh_box both = common_box(&a.box, &b->box);
   switch (kind) {
@@ -110,11 +113,12 @@ static bounds combine(vs_term_kind kind, bounds a, const bounds *b) {
   return a;
 }
 
-/* Computes the bounds of the result; by the leaves alone if the cluster is a small part of a large expression. */
+/* Computes the bounds on the volume of the result. If the cluster is a small part of a large expression, only the
+ * leaves are used, not the terms. */
 static bool find_bounds(vs_kernel *k, const vs_cluster *c, const vs_check *check, double *least, double *most) {
   const vs_kernel_problem *p = c->problem;
   const vs_expression *e = c->expression;
-  VS_LIST(bounds) all = { 0 }; /* of leaves, then of terms */
+  VS_LIST(bounds) all = { 0 }; /* bounds of the leaves, followed by those of the terms */
   size_t terms = p->term_count, n = terms + p->leaf_count;
   *least = *most = 0;
   for (uint32_t i = 0; i < c->leaf_count; i++) {
@@ -139,8 +143,8 @@ static bool find_bounds(vs_kernel *k, const vs_cluster *c, const vs_check *check
   return true;
 }
 
-/* Returns twice the area along the normal, from the two shorter edges: in a needle, the product of two long edges would
- * be mostly rounding error. *a: the corner between these edges. t is a triangle of the mesh. */
+/* Returns the normal of triangle t of the mesh, with twice its area as length. The two shorter edges are multiplied: in
+ * a needle, the product of two long edges would be mostly rounding error. *a is the corner between these edges. */
 static vs_vec3 twice_area(const vs_mesh *m, size_t t, vs_vec3 *a) {
   vs_vec3 at[3], edge[3];
   int longest = 0;
@@ -166,9 +170,11 @@ bool vs_check_result(vs_kernel *k, const vs_cluster *c, const vs_check *check, c
     far = fmax(far, fmax(fabs(a.x), fmax(fabs(a.y), fabs(a.z))));
     if (!vs_kernel_poll(k, 1)) return false;
   }
-  double volume = six / 6 / unit, slack = 1e-9 * sum + 0x1p-48 * far * area / unit; /* slack: the effect of rounding to
-                                                                                     * doubles */
-  if (c->straightened) slack += 2 * area * cbrt(unit) / unit; /* no face moves by more than two steps */
+  double volume = six / 6 / unit, slack = 1e-9 * sum + 0x1p-48 * far * area / unit; /* slack: upper bound, in cubic
+                                                                                     * steps, for the error from
+                                                                                     * rounding to doubles */
+  if (c->straightened) slack += 2 * area * cbrt(unit) / unit; /* the removal of bends moves each face by at most two
+                                                               * steps */
   if (volume >= least - slack && volume <= most + slack) return true;
   return VS_BROKEN(k, volume < least - slack ? "the result is smaller than its parts allow"
                                              : "the result is larger than its parts allow");
@@ -176,7 +182,7 @@ bool vs_check_result(vs_kernel *k, const vs_cluster *c, const vs_check *check, c
 
 void vs_check_free(vs_kernel *k, vs_check *check) { VS_DROP(k, check->leaves); }
 
-/* ---- the state between steps ---- */
+/* ---- the state of the cluster between two steps of the kernel ---- */
 
 static size_t point_count(const vs_cluster *c) { return c->points.all.count; }
 static size_t plane_count(const vs_cluster *c) { return c->planes.all.count; }

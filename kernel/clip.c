@@ -1,30 +1,33 @@
-/* Owns the cutting of leaves that are far larger than the place where they matter, such as a ground of a kilometre that
- * cuts a ball of a centimetre.
+/* Cuts leaves that are far larger than the region where they matter: for example, a ground of a kilometre that cuts a
+ * ball of a centimetre.
  *
- * All coordinates of a cluster share one grid, so a leaf that is far larger than the rest would make the grid coarse.
- * The expression determines the place where a leaf matters. An operand of an intersection matters within the bounds of
- * the others. A subtracted operand matters within the bounds of the first. The same holds further down. The kernel
- * keeps the leaf in that place and in a margin as wide around it. Outside, the result does not depend on the leaf. Each
- * of the six planes cuts the triangles that cross it and removes those beyond it. The remaining mesh has a border in
- * the plane. A cone over the border, with its tip anywhere in the plane, closes the mesh again. Two chains with one
- * border in one plane enclose no volume, so winding numbers are right even if the cone overlaps itself. */
+ * All coordinates of a cluster share one grid, so a leaf that is far larger than the others would make the grid coarse.
+ * The expression determines the region where a leaf matters. An operand of an intersection matters within the bounds of
+ * the other operands. A subtracted operand matters within the bounds of the first operand. These rules apply to nested
+ * terms, too. The kernel keeps the part of the leaf in that region and in a margin around it that is as wide as the
+ * region. Outside, the result does not depend on the leaf. Each of the six planes of that box cuts the triangles that
+ * cross it, and removes the triangles beyond it. The remaining mesh has a border in the plane. A cone from this border
+ * to any point of the plane closes the mesh again. Two chains of triangles in one plane that have the same border
+ * enclose no volume. Therefore winding numbers are right even if the cone overlaps itself. */
 #include "kernel/clip.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* A leaf that is so much larger than the place where it matters is cut: a smaller one costs the grid at most 6 of its
- * 32 bits. */
+/* The kernel cuts a leaf that is more than this many times as large as the region where it matters. A smaller leaf
+ * costs the grid at most 6 of its 32 bits. */
 static const double FAR = 64;
 
-/* number: of the vertex on the edge; or 1 if the edge runs from low to high, -1 if not */
+/* An edge with its two vertices. number: the vertex where the plane cuts the edge; in close_border instead the
+ * direction, 1 from low to high, -1 from high to low. */
 typedef struct { uint32_t low, high; int32_t number; } edge;
 typedef struct {
   vs_kernel *k;
   VS_LIST(vs_vec3) vertices;
   VS_LIST(uint32_t) corners, kept;
-  VS_LIST(double) beyond;     /* beyond[v]: distance of vertex v beyond the plane */
+  VS_LIST(double) beyond;     /* beyond[v]: distance of vertex v from the cutting plane, positive on the side that is
+                               * removed */
   VS_LIST(edge) edges;
 } clipper;
 
@@ -40,8 +43,8 @@ static bool keep(clipper *c, uint32_t a, uint32_t b, uint32_t d) {
   return VS_PUSH(c->k, c->kept, a) && VS_PUSH(c->k, c->kept, b) && VS_PUSH(c->k, c->kept, d);
 }
 
-/* Makes a vertex on each edge that crosses the plane. The ends of an edge are used in a fixed order, so both its
- * triangles get the same point. Returns false when memory is out or the caller interrupts. */
+/* Makes a vertex on each edge that crosses the plane. The ends of an edge are used in a fixed order, so both of its
+ * triangles get the same vertex. Returns false when memory is out or the caller interrupts. */
 static bool cut_edges(clipper *c) {
   c->edges.count = 0;
   for (size_t t = 0; t < c->corners.count; t += 3)
@@ -68,7 +71,7 @@ static bool cut_edges(clipper *c) {
   return true;
 }
 
-/* Returns the number of the vertex on the edge from a to b, which differ. */
+/* Returns the number of the vertex that cut_edges made on the edge from a to b. a and b differ. */
 static uint32_t middle_of(const clipper *c, uint32_t a, uint32_t b) {
   edge wanted = edge_of(a, b);
   const edge *found = bsearch(&wanted, c->edges.at, c->edges.count, sizeof *c->edges.at, edge_order);
@@ -93,7 +96,7 @@ static bool cut_triangles(clipper *c) {
   return true;
 }
 
-/* Adds the cone over the new border. */
+/* Closes the mesh with a cone over its border in the cutting plane. */
 static bool close_border(clipper *c) {
   size_t triangles = c->kept.count, n = 0;
   c->edges.count = 0;
@@ -103,7 +106,8 @@ static bool close_border(clipper *c) {
       if (!(c->beyond.at[a] < 0) && !(c->beyond.at[b] < 0) && !VS_PUSH(c->k, c->edges, edge_of(a, b))) return false;
     }
   if (c->edges.count) qsort(c->edges.at, c->edges.count, sizeof *c->edges.at, edge_order);
-  for (size_t i = 0, end; i < c->edges.count; i = end) { /* edges with more uses in one direction than in the other */
+  for (size_t i = 0, end; i < c->edges.count; i = end) { /* the border consists of the edges that triangles use more
+                                                          * often in one direction than in the other */
     edge e = c->edges.at[i];
     for (e.number = 0, end = i; end < c->edges.count && edge_order(&c->edges.at[end], &e) == 0; end++)
       e.number += c->edges.at[end].number;
@@ -119,14 +123,15 @@ static bool close_border(clipper *c) {
   if (!VS_PUSH(c->k, c->vertices, sum) || !VS_PUSH(c->k, c->beyond, 0.0)) return false;
   for (size_t i = 0; i < n; i++)
     for (edge e = c->edges.at[i]; e.number != 0; e.number += e.number > 0 ? -1 : 1) {
-      uint32_t from = e.number > 0 ? e.high : e.low, to = e.number > 0 ? e.low : e.high; /* against the direction of the
-                                                                                          * border */
+      uint32_t from = e.number > 0 ? e.high : e.low, to = e.number > 0 ? e.low : e.high; /* the cone's triangle runs
+                                                                                          * along the edge against the
+                                                                                          * direction of the border */
       if (!keep(c, from, to, apex)) return false;
     }
   return true;
 }
 
-/* Computes the part of the leaf within `box`, in the leaf's coordinates. */
+/* Computes the part of the leaf's mesh that lies within `box`, a box in the leaf's coordinates. */
 static bool cut_leaf(vs_kernel *k, clipper *c, const vs_kernel_leaf *leaf, const vs_bounds *box, vs_clip *out) {
   const vs_mesh *m = leaf->mesh;
   double low[3] = { box->min.x, box->min.y, box->min.z }, high[3] = { box->max.x, box->max.y, box->max.z };
@@ -156,7 +161,7 @@ static bool cut_leaf(vs_kernel *k, clipper *c, const vs_kernel_leaf *leaf, const
     c->corners.at = c->kept.at, c->corners.count = c->kept.count, c->corners.room = c->kept.room;
     c->kept.at = swap, c->kept.room = room, c->kept.count = 0;
   }
-  uint32_t *number = NULL, count = 0; /* drops unused vertices: they would count for the leaf's extent */
+  uint32_t *number = NULL, count = 0; /* removes unused vertices: they would enlarge the bounds of the leaf */
   size_t room = 0;
   bool ok = VS_ROOM(k, number, room, c->vertices.count + 1);
   if (ok) memset(number, 0xff, c->vertices.count * sizeof *number);
@@ -173,7 +178,8 @@ static bool cut_leaf(vs_kernel *k, clipper *c, const vs_kernel_leaf *leaf, const
   return ok;
 }
 
-/* Computes the region in which each leaf matters: empty if it matters nowhere. bounds: of the leaves. */
+/* Computes the region in which each leaf matters. The region of a leaf that matters nowhere is empty. bounds[i]: the
+ * bounds of leaf i. */
 static bool find_regions(vs_kernel *k, const vs_kernel_problem *p, const vs_bounds *bounds, vs_bounds *regions) {
   VS_LIST(vs_bounds) terms = { 0 }, matters = { 0 };
   bool ok = VS_ROOM(k, terms.at, terms.room, (size_t)p->term_count + 1) &&
@@ -212,7 +218,8 @@ static bool find_regions(vs_kernel *k, const vs_kernel_problem *p, const vs_boun
   return ok;
 }
 
-/* Returns true if the leaf is large enough to be cut; *box is then the part to keep. */
+/* Returns true if the leaf is so much larger than the region where it matters that it must be cut. *box is then the
+ * part of space to keep. */
 static bool is_far_larger(const vs_bounds *leaf, const vs_bounds *region, vs_bounds *box) {
   if (vs_bounds_is_empty(leaf) || vs_bounds_is_empty(region)) return false;
   vs_bounds here = *region;
@@ -237,11 +244,12 @@ bool vs_clip_leaves(vs_kernel *k, const vs_kernel_problem *p, vs_bounds *bounds,
   for (uint32_t i = 0; ok && i < p->leaf_count; i++) {
     vs_bounds box;
     if (!is_far_larger(&bounds[i], &regions.at[i], &box)) continue;
-    if (!out->leaves.count) { /* at the first cut leaf: copies all leaves */
+    if (!out->leaves.count) { /* when the first leaf is cut, copies the list of all leaves */
       ok = VS_ROOM(k, out->leaves.at, out->leaves.room, (size_t)p->leaf_count + 1) &&
            VS_ROOM(k, out->identities.at, out->identities.room, (size_t)p->leaf_count + 1) &&
-           VS_ROOM(k, out->clips.at, out->clips.room, (size_t)p->leaf_count + 1); /* no reallocation: leaves point into
-                                                                                   * these */
+           VS_ROOM(k, out->clips.at, out->clips.room, (size_t)p->leaf_count + 1); /* reserves all at once: the leaves
+                                                                                   * contain pointers to elements of
+                                                                                   * this array */
       if (!ok) break;
       memcpy(out->leaves.at, p->leaves, p->leaf_count * sizeof *p->leaves);
       for (uint32_t j = 0; j < p->leaf_count; j++) out->identities.at[j] = p->identities ? p->identities[j] : 0;
@@ -253,7 +261,7 @@ bool vs_clip_leaves(vs_kernel *k, const vs_kernel_problem *p, vs_bounds *bounds,
     *clip = (vs_clip){ .mesh = { .vertex_count = 0 } };
     ok = cut_leaf(k, &c, &p->leaves[i], &box, clip);
     out->leaves.at[i].mesh = &clip->mesh;
-    out->identities.at[i] = 0; /* the cut mesh has no identity */
+    out->identities.at[i] = 0; /* 0: the cut mesh has no number in the caller's identities */
     bounds[i] = vs_mesh_placed_bounds(&clip->mesh, &p->leaves[i].placement);
   }
   VS_DROP(k, regions);

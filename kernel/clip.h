@@ -1,4 +1,4 @@
-/* Owns the cutting of leaves that are far larger than the place where they matter. */
+/* Cuts leaves that are far larger than the region where they matter. */
 #ifndef VS_KERNEL_CLIP_H
 #define VS_KERNEL_CLIP_H
 
@@ -7,19 +7,20 @@
 
 typedef struct {
   VS_LIST(vs_vec3) vertices;
-  VS_LIST(uint32_t) corners; /* three for each triangle */
-  vs_mesh mesh;              /* a mesh of these arrays */
+  VS_LIST(uint32_t) corners; /* three vertex numbers for each triangle */
+  vs_mesh mesh;              /* the cut mesh; its arrays are the two lists above */
 } vs_clip;
 
 typedef struct {
-  vs_kernel_problem problem; /* the problem to evaluate: the given one, with other leaves if any were cut */
+  vs_kernel_problem problem; /* the problem to evaluate: the caller's, in which the cut leaves replace the original
+                              * ones */
   VS_LIST(vs_kernel_leaf) leaves;
   VS_LIST(uint64_t) identities;
   VS_LIST(vs_clip) clips;
 } vs_clipped;
 
-/* Fills out->problem; it points to data of p and out. bounds: of the leaves; the function shrinks those of cut leaves.
- * Returns false and sets the error on failure. */
+/* Cuts the leaves of p that need it, and sets out->problem, which points to data of p and out. bounds[i]: the bounds of
+ * leaf i; the function reduces those of cut leaves. Returns false and sets the error on failure. */
 bool vs_clip_leaves(vs_kernel *k, const vs_kernel_problem *p, vs_bounds *bounds, vs_clipped *out);
 void vs_clipped_free(vs_kernel *k, vs_clipped *c);
 

@@ -1,9 +1,12 @@
-/* Owns the clusters in the world cache.
+/* Implements kernel/cluster_cache.h: stores evaluated clusters in the world cache.
  *
- * The bytes of a file must equal those of a fresh process. Therefore the key has the absolute placements, not the
- * relative ones: the grid of a cluster depends on its position. The key has the serial number of each mesh's result.
- * Tags and paints are numbered in the order in which the leaves use them: only their equality matters. The result: the
- * counts of vertices, triangles and tags; the vertices; the corners; the tag of each triangle if there are several. */
+ * A cached result must have the same bytes as one that a new process computes. The grid of a cluster depends on its
+ * position. Therefore the key contains the absolute placements of the leaves, not their relative ones. The key contains
+ * the serial number of each leaf's mesh. Tags and paints are numbered in the order in which the leaves use them,
+ * because only their equality matters.
+ *
+ * A cached result consists of the counts of vertices, triangles and tags; the vertices; the corners of the triangles;
+ * and the tag of each triangle if there are several tags. */
 #include "kernel/cluster_cache.h"
 
 #include <string.h>
@@ -12,7 +15,7 @@
 
 typedef struct { uint64_t vertices, triangles; } header;
 
-/* Sets *place to the place of a number; a number without one gets `next`. */
+/* Sets *place to the place that p stores for `number`. A number that has no place yet gets the place `next`. */
 static bool place_of(vs_kernel *k, vs_places *p, uint32_t number, size_t next, uint32_t *place) {
   if (number >= p->count) {
     if (!VS_ROOM(k, p->at, p->room, (size_t)number + 1)) return false;
@@ -68,7 +71,7 @@ bool vs_remember_find(vs_kernel *k, vs_remember *r, vs_mesh *out, bool *found) {
   if (!known) return true;
   header h;
   memcpy(&h, known->data, sizeof h);
-  const unsigned char *from = (const unsigned char *)known->data + 16; /* pieces begin at multiples of 16 bytes
+  const unsigned char *from = (const unsigned char *)known->data + 16; /* the arrays begin at multiples of 16 bytes
                                                                         * (cache.c) */
   size_t vertices = out->vertex_count, triangles = out->triangle_count, limit = k->options->max_triangles;
   bool ok = (!limit || triangles + h.triangles <= limit) ||

@@ -1,6 +1,7 @@
-/* Owns the keys of clusters. A key consists of numbers that are equal for copies. For every leaf these are its part,
- * its tag and its placement relative to the first leaf, rounded to 2^-36 of that leaf's size: equal turns and moves
- * differ by rounding errors. The terms between the leaves and the result follow. */
+/* Computes the keys of clusters and compares them. Clusters that are copies of each other have equal keys. A key
+ * contains the part, tag and placement of each leaf, and then the terms between the leaves and the result. The
+ * placement is relative to the first leaf. It is rounded to 2^-36 of that leaf's size, because rounding errors change
+ * equal rotations and translations slightly. */
 #include "kernel/cluster_copies.h"
 
 #include <math.h>
@@ -34,13 +35,15 @@ static bool put_leaf(vs_kernel *k, vs_copies *c, uint32_t leaf, const vs_affine 
   for (int i = 0; i < 3; i++)
     for (int j = 0; j < 4; j++) {
       double x = a.m[i][j], unit = j < 3 ? 0x1p-36 : size * 0x1p-36;
-      if (!(fabs(x / unit) < 0x1p62)) return put(k, c, UINT64_MAX) && put(k, c, leaf); /* equal to no other */
+      if (!(fabs(x / unit) < 0x1p62)) return put(k, c, UINT64_MAX) && put(k, c, leaf); /* a coordinate too large to
+                                                                                        * round: the leaf's number makes
+                                                                                        * the key unique */
       if (!put(k, c, rounded(x, unit))) return false;
     }
   return true;
 }
 
-/* Gives the term of the problem a number unless it has one, and appends the number to the key. */
+/* Numbers a term of the problem in the order of first use, and appends its number to the key. */
 static bool reach(vs_kernel *k, vs_copies *c, uint32_t term) {
   VS_ASSERT(term < c->problem->term_count);
   if (c->number.at[term] == VS_NONE) {
@@ -59,10 +62,10 @@ bool vs_copies_put_terms(vs_kernel *k, vs_copies *c, vs_group leaves) {
     for (uint32_t j = e->leaf_first.at[leaves.at[i]]; ok && j <= end; j++)
       ok = j < end ? reach(k, c, e->leaf_terms.at[j]) : put(k, c, UINT64_MAX);
   }
-  for (size_t i = 0; ok && i < c->terms.count; i++) { /* grows while users are reached */
+  for (size_t i = 0; ok && i < c->terms.count; i++) { /* reach() appends to this list during the loop */
     uint32_t t = c->terms.at[i];
     ok = put(k, c, (uint64_t)e->need.at[t] << 32 | (uint64_t)e->kind.at[t] << 1 | (t == e->root));
-    /* the number of other operands does not matter */
+    /* clears the number of operands, which does not matter for a union or a leaf */
     if (e->kind.at[t] == VS_TERM_UNION || e->kind.at[t] == VS_TERM_LEAF) c->keys.at[c->keys.count - 1] &= UINT32_MAX;
     for (uint32_t j = e->user_first.at[t]; ok && j < e->user_first.at[t + 1]; j++)
       ok = reach(k, c, e->users.at[j] / 2) &&
@@ -74,7 +77,8 @@ bool vs_copies_put_terms(vs_kernel *k, vs_copies *c, vs_group leaves) {
   return ok;
 }
 
-/* Appends the key of the cluster; *hash is its hash. *comparable false: the cluster has no key and equals no other. */
+/* Appends the key of the cluster to c->keys, and sets *hash to the key's hash. Sets *comparable to false if the cluster
+ * has no key and therefore equals no other cluster. */
 static bool put_key(vs_kernel *k, vs_copies *c, vs_group leaves, uint64_t *hash, bool *comparable) {
   size_t start = c->keys.count;
   vs_affine back;
@@ -97,7 +101,7 @@ static bool put_key(vs_kernel *k, vs_copies *c, vs_group leaves, uint64_t *hash,
   return true;
 }
 
-/* Makes room for the heads of one more original. */
+/* Enlarges the hash table if it has no more room for another original. */
 static bool heads_grow(vs_kernel *k, vs_copies *c) {
   if (c->originals.count < c->heads.count) return true;
   size_t want = c->heads.count * 4;
@@ -112,13 +116,13 @@ static bool heads_grow(vs_kernel *k, vs_copies *c) {
   return true;
 }
 
-/* Computes the map from a first leaf placed at `from` to one of the same part at `to`. Returns false if there is
- * none. */
+/* Computes the map that moves a leaf from the placement `from` to the placement `to`. Both leaves have the same part,
+ * with the middle `middle`. Returns false if `from` cannot be inverted. */
 static bool map_between(const vs_affine *from, const vs_affine *to, vs_vec3 middle, vs_affine *map) {
   vs_affine back;
   if (!vs_affine_invert(from, &back)) return false;
   *map = vs_affine_multiply(to, &back);
-  for (int r = 0; r < 3; r++) /* translations and quarter turns become exact */
+  for (int r = 0; r < 3; r++) /* removes rounding errors from translations and quarter turns */
     for (int j = 0; j < 3; j++) {
       double whole = floor(map->m[r][j] + 0.5);
       if (fabs(map->m[r][j] - whole) < 1e-14) map->m[r][j] = whole;

@@ -1,4 +1,4 @@
-/* Owns the search for clusters that are copies of each other: the same parts in the same relative placement, with the
+/* Finds clusters that are copies of each other: clusters of the same parts in the same relative placement, with the
  * same role in the expression. */
 #ifndef VS_KERNEL_CLUSTER_COPIES_H
 #define VS_KERNEL_CLUSTER_COPIES_H
@@ -7,18 +7,18 @@
 #include "kernel/expression.h"
 #include "kernel/distinct_meshes.h"
 
-/* The leaves of a cluster, by their numbers in the problem; borrowed. */
+/* The leaves of a cluster, as numbers in the problem. The array belongs to the caller. */
 typedef struct { const uint32_t *at; uint32_t count; } vs_group;
 
-/* A cluster that equals no earlier one: the start and length of its key in `keys`; next: the next original with its
- * hash. */
+/* A cluster that equals no earlier one. key, length: range of its key in `keys`. next: the next original with the same
+ * head in the hash table. */
 typedef struct { uint64_t hash; size_t key, length; vs_group leaves; uint32_t next; } vs_original;
 
-/* A cluster as the copy of an original. */
+/* The relation of a cluster to the original that it copies. */
 typedef struct {
-  uint32_t original;         /* the original's number */
-  bool is_new;               /* the cluster is the original */
-  vs_affine map;             /* from the original to the copy; the identity for a new original */
+  uint32_t original;         /* index of the original in `originals` */
+  bool is_new;               /* true if the cluster is itself a new original */
+  vs_affine map;             /* map from the original to the copy; the identity for a new original */
 } vs_cluster_copy;
 
 typedef struct {
@@ -26,19 +26,19 @@ typedef struct {
   const vs_parts *parts;
   const vs_expression *expression;
   VS_LIST(vs_original) originals;
-  VS_LIST(uint64_t) keys;    /* keys of the originals, one after the other; the key of the current cluster follows */
-  VS_LIST(uint32_t) heads;   /* chains of originals by hash */
-  VS_LIST(uint32_t) terms;   /* terms that the cluster's leaves reach */
-  VS_LIST(uint32_t) number;  /* of each term: its index in `terms`, or VS_NONE */
+  VS_LIST(uint64_t) keys;    /* the keys of all originals, one after another, and then the key of the current cluster */
+  VS_LIST(uint32_t) heads;   /* hash table: the first original of each chain */
+  VS_LIST(uint32_t) terms;   /* terms of the problem that depend on the cluster's leaves, in the order of first use */
+  VS_LIST(uint32_t) number;  /* for each term of the problem: its index in `terms`, or VS_NONE */
 } vs_copies;
 
 bool vs_copies_begin(vs_kernel *k, vs_copies *c, const vs_kernel_problem *p, const vs_parts *parts,
                      const vs_expression *e);
-/* Finds the original of a cluster, or makes the cluster one; the caller keeps its leaves. A cluster has at least one
- * leaf. Returns false when memory is out. */
+/* Finds the original that the cluster copies, or adds the cluster as a new original. The cluster has at least one leaf;
+ * the array of its leaves must live as long as c. Returns false when memory is out. */
 bool vs_copies_find(vs_kernel *k, vs_copies *c, vs_group leaves, vs_cluster_copy *out);
-/* Appends to `keys` the way in which the leaves make the result: the terms that they reach, in that order. Returns
- * false when memory is out. */
+/* Appends to `keys` the terms through which the leaves influence the result, in the order of first use. Returns false
+ * when memory is out. */
 bool vs_copies_put_terms(vs_kernel *k, vs_copies *c, vs_group leaves);
 void vs_copies_free(vs_kernel *k, vs_copies *c);
 

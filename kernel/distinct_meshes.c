@@ -1,9 +1,10 @@
-/* Owns the preparation of distinct meshes.
+/* Implements kernel/distinct_meshes.h.
  *
- * A mesh is a star about its middle m if m lies strictly inside every triangle's plane and the triangles' solid angles
- * seen from m sum to one full sphere. The surface then covers that sphere once. A place q is inside if it lies on m's
- * side of the triangle that the ray from m through q meets. To find the triangle, the kernel walks from one triangle to
- * the next, across an edge for which the ray is on the outer side. */
+ * A mesh is a star about its middle m under two conditions. m lies strictly on the inner side of every triangle's
+ * plane. The solid angles of the triangles, seen from m, sum to one full sphere. The surface then covers that sphere
+ * exactly once. A place q is inside if it lies on the same side as m of the triangle that the ray from m through q
+ * crosses. To find this triangle, the kernel walks from triangle to triangle, each time across an edge that has the ray
+ * on its outer side. */
 #include "kernel/distinct_meshes.h"
 
 #include <math.h>
@@ -12,12 +13,13 @@
 
 #include "kernel/threads.h"
 
-/* ---- twins ---- */
+/* ---- twins: corners whose edges run in opposite directions between the same two vertices ---- */
 
-typedef struct { uint32_t high, corner; } half; /* corner: 2 * number, plus 1 if the edge runs from high to low */
+typedef struct { uint32_t high, corner; } half; /* corner: twice the corner's number, plus 1 if its edge runs from the
+                                                 * higher to the lower vertex */
 
-/* Puts a half for each edge into the bucket of its smaller end: those of v are halves[first[v]] to halves[first[v + 1]
- * - 1]. first has two more places than there are numbers, all 0. */
+/* Puts a half for each edge into the bucket of its lower vertex. The bucket of vertex v is halves[first[v]] to
+ * halves[first[v + 1] - 1]. `first` has two more elements than there are vertices; all are 0 at the call. */
 static void fill_buckets(const vs_twins_input *in, uint32_t *first, half *halves, uint32_t *twins) {
   const uint32_t *id = in->id;
   for (int pass = 0; pass < 2; pass++) {
@@ -34,7 +36,8 @@ static void fill_buckets(const vs_twins_input *in, uint32_t *first, half *halves
   }
 }
 
-/* Sorts by (high, corner), by Shell's method: a hub has many spokes. */
+/* Sorts a bucket by (high, corner) with Shell's method. At a vertex with very many edges, insertion sort would be too
+ * slow. */
 static void sort_bucket(half *at, uint32_t n) {
   for (uint32_t gap = n / 2; gap; gap = gap == 2 ? 1 : (uint32_t)(gap / 2.2))
     for (uint32_t i = gap; i < n; i++) {
@@ -47,8 +50,8 @@ static void sort_bucket(half *at, uint32_t n) {
     }
 }
 
-/* Pairs the halves of a bucket: each takes the nearest free half before it that runs the other way. sorted: halves of
- * one high end are neighbours. */
+/* Pairs the halves of a bucket. Each half is paired with the nearest unpaired half before it that has the same two
+ * vertices and the opposite direction. sorted: true if halves with the same higher vertex are neighbours. */
 static inline void join_bucket(const half *at, uint32_t n, bool sorted, uint32_t *twins) {
   for (uint32_t i = 0; i < n; i++) {
     uint32_t corner = at[i].corner / 2;
@@ -68,7 +71,7 @@ static inline void join_bucket(const half *at, uint32_t n, bool sorted, uint32_t
 }
 
 bool vs_twins_find(vs_kernel *k, const vs_twins_input *in, uint32_t *twins, uint32_t *open) {
-  enum { MANY = 64 }; /* in a bucket; most buckets have few */
+  enum { MANY = 64 }; /* buckets with more halves are sorted first; most buckets have few */
   uint32_t *first = NULL;
   half *halves = NULL;
   size_t first_room = 0, half_room = 0;
@@ -91,7 +94,7 @@ bool vs_twins_find(vs_kernel *k, const vs_twins_input *in, uint32_t *twins, uint
   return ok;
 }
 
-/* Orders corners by place: corners with equal coordinates are one. */
+/* Orders vertices by their coordinates, and then by number. Vertices with equal coordinates become neighbours. */
 static bool place_before(const void *context, uint32_t a, uint32_t b) {
   const vs_vec3 *v = context, *x = &v[a], *y = &v[b];
   return x->x != y->x ? x->x < y->x : x->y != y->y ? x->y < y->y : x->z != y->z ? x->z < y->z : a < b;
@@ -124,11 +127,11 @@ static bool find_twins(vs_kernel *k, vs_part *p) {
   return ok;
 }
 
-/* ---- shape ---- */
+/* ---- stars and convex parts ---- */
 
 static double det(vs_vec3 a, vs_vec3 b, vs_vec3 c) { return vs_v3_dot(vs_v3_cross(a, b), c); }
 
-/* Determines if the part is a star. Returns false if interrupted. */
+/* Sets p->star to true if the part is a star about the mean of its vertices. Returns false if interrupted. */
 static bool find_star(vs_kernel *k, vs_part *p) {
   const vs_mesh *m = p->mesh;
   size_t n = m->triangle_count, vertices = m->vertex_count;
@@ -169,8 +172,9 @@ static void find_convex(vs_part *p) {
   size_t n = m->triangle_count, vertices = m->vertex_count;
   double size = p->outer;
   if (!p->star) return;
-  bool global = n * vertices <= GLOBAL; /* else each edge is tested separately, within the accuracy of a double, so that
-                                         * errors cannot accumulate */
+  bool global = n * vertices <= GLOBAL; /* true: each vertex is tested against each triangle; false: only across each
+                                         * edge. The tolerance per edge is then that of a double, so that errors cannot
+                                         * accumulate */
   for (size_t t = 0; t < n; t++) {
     vs_vec3 a = m->vertices[m->triangles[t][0]], normal = vs_v3_cross(vs_v3_sub(m->vertices[m->triangles[t][1]], a),
                                                                       vs_v3_sub(m->vertices[m->triangles[t][2]], a));
@@ -183,8 +187,8 @@ static void find_convex(vs_part *p) {
   p->convex = true;
 }
 
-/* Walks from a triangle of the part to the one that the ray from the middle along d meets. Returns false if that is too
- * far. corner: of the last triangle, relative to the middle. */
+/* Walks from *triangle to the triangle that the ray from the part's middle in direction d crosses. corner: the corners
+ * of that triangle, relative to the middle. Returns false if the walk has more than STEPS steps. */
 static bool walk_to(const vs_part *p, vs_vec3 d, uint32_t *triangle, vs_vec3 corner[3]) {
   enum { STEPS = 48 };
   const vs_mesh *m = p->mesh;
@@ -206,7 +210,8 @@ static bool walk_to(const vs_part *p, vs_vec3 d, uint32_t *triangle, vs_vec3 cor
 
 static const uint8_t across_of[3] = { 1, 2, 0 }, up_of[3] = { 2, 0, 1 };
 
-/* Returns the cell of the direction d. */
+/* Returns the index of the cell that contains the direction d: the sides of a cube are divided into start_cells *
+ * start_cells cells each. */
 static uint32_t cell_of(const vs_part *p, vs_vec3 d) {
   double x[3] = { d.x, d.y, d.z }, size[3] = { fabs(d.x), fabs(d.y), fabs(d.z) };
   uint32_t k = size[0] >= size[1] ? (size[0] >= size[2] ? 0 : 2) : size[1] >= size[2] ? 1 : 2, n = p->start_cells;
@@ -215,7 +220,8 @@ static uint32_t cell_of(const vs_part *p, vs_vec3 d) {
   return ((2 * k + (x[k] < 0)) * n + (u < n ? u : n - 1)) * n + (v < n ? v : n - 1);
 }
 
-/* Finds the triangles where walks begin: four triangles to a cell. */
+/* Finds a triangle for each cell, at which walks begin. The number of cells is such that a cell has about four
+ * triangles. */
 static bool find_starts(vs_kernel *k, vs_part *p) {
   enum { MOST = 16 };
   double wanted = sqrt((double)p->mesh->triangle_count / 24);
@@ -231,7 +237,8 @@ static bool find_starts(vs_kernel *k, vs_part *p) {
         x[side / 2] = side & 1 ? -1 : 1;
         x[across_of[side / 2]] = (2 * i + 1.0) / n - 1;
         x[up_of[side / 2]] = (2 * j + 1.0) / n - 1;
-        if (j == 0 && i > 0) triangle = p->starts[at - n]; /* the row before begins near this cell */
+        if (j == 0 && i > 0) triangle = p->starts[at - n]; /* the first cell of the previous row is nearer than the last
+                                                            * one */
         walk_to(p, vs_v3(x[0], x[1], x[2]), &triangle, corner);
         p->starts[at++] = triangle;
       }
@@ -250,9 +257,10 @@ bool vs_part_holds(const vs_part *p, vs_vec3 q, double margin) {
   return vs_v3_dot(normal, vs_v3_sub(d, corner[0])) < -margin * vs_v3_length(normal);
 }
 
-/* ---- all of a problem ---- */
+/* ---- the parts of a problem ---- */
 
-enum { CHUNK = 8, FEW = 64 }; /* CHUNK: meshes of a task; FEW: so few meshes are a task each */
+enum { CHUNK = 8, FEW = 64 }; /* CHUNK: number of meshes that one task prepares; FEW: below this number of meshes, each
+                               * is a separate task */
 static size_t in_chunk(const vs_parts *p) { return p->all.count < FEW ? 1 : CHUNK; }
 
 static bool look_at(vs_kernel *k, void *context, size_t chunk) {
@@ -265,7 +273,7 @@ static bool look_at(vs_kernel *k, void *context, size_t chunk) {
     if (!find_star(k, part)) return false;
     if (!part->star) part->volume = vs_mesh_volume(part->mesh);
     else if (part->joined) find_convex(part);
-    else VS_FREE(k, part->twins, part->twin_room); /* the mesh needs no preparation */
+    else VS_FREE(k, part->twins, part->twin_room); /* the mesh is copied unchanged, so its twins are not needed */
     if (!find_starts(k, part) || !vs_kernel_report(k, 0)) return false;
   }
   return true;
@@ -295,7 +303,7 @@ bool vs_parts_prepare(vs_kernel *k, vs_parts *p, const vs_kernel_problem *proble
   for (uint32_t i = 0; ok && i < count; i++)
     if ((i > 0 && cluster[i - 1] == cluster[i]) || (i + 1 < count && cluster[i + 1] == cluster[i]))
       p->all.at[p->of_leaf.at[order[i]]].joined = true;
-  enum { SERIAL = 10000 }; /* so few triangles are not worth a thread */
+  enum { SERIAL = 10000 }; /* fewer triangles are prepared in one thread */
   size_t triangles = 0;
   uint32_t threads = k->threads;
   for (size_t i = 0; i < p->all.count; i++) triangles += p->all.at[i].mesh->triangle_count;

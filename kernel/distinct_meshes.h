@@ -1,5 +1,5 @@
-/* Owns the facts that the kernel computes once for each distinct mesh, for any number of leaves with that mesh: the
- * pairs of edges, and the data for quick tests if a place is inside. */
+/* Computes data once for each distinct mesh, for any number of leaves with that mesh: the pairs of edges, and the data
+ * for a quick test whether a place is inside. */
 #ifndef VS_KERNEL_DISTINCT_MESHES_H
 #define VS_KERNEL_DISTINCT_MESHES_H
 
@@ -8,24 +8,25 @@
 
 typedef struct {
   const vs_mesh *mesh;
-  uint32_t *twins;      /* twins[3 * t + j]: the corner whose edge runs the other way; NULL if the mesh is closed only
-                         * on the grid */
+  uint32_t *twins;      /* twins[3 * t + j]: the corner whose edge runs in the opposite direction of edge j of triangle
+                         * t; NULL if the mesh is closed only after rounding to the grid */
   size_t twin_room;
-  double volume;        /* signed */
-  vs_vec3 middle;       /* the mean of the corners */
-  bool star;            /* seen from the middle, the surface is seen from inside, each direction once: it does not
-                         * intersect itself */
-  bool convex;          /* a star that is convex up to rounding; only known if joined */
-  uint32_t *starts;     /* convex parts: a triangle at or near each of some directions from the middle, by cells of a
-                         * cube's sides; see distinct_meshes.c */
+  double volume;        /* volume of the mesh; negative if the mesh is inside out */
+  vs_vec3 middle;       /* mean of the vertices */
+  bool star;            /* true if every ray from the middle crosses the surface exactly once, from inside to outside;
+                         * such a mesh does not intersect itself */
+  bool convex;          /* true if the part is a star that is convex up to rounding errors; known only if joined */
+  uint32_t *starts;     /* convex parts: for some directions from the middle, a triangle near the one that the ray
+                         * crosses; the index is a cell of a cube's sides (distinct_meshes.c) */
   size_t start_room;
-  uint32_t start_cells; /* number of cells along an edge of the cube; 0: the part has so few triangles that a walk may
-                         * begin at any */
-  double inner, outer;  /* convex parts: radii of a ball inside and of a ball around the part, about the middle */
-  /* for a part that is no star: whether it can be copied unchanged where nothing touches it */
+  uint32_t start_cells; /* number of cells along an edge of that cube; 0: the part has so few triangles that a walk may
+                         * begin at any of them */
+  double inner, outer;  /* convex parts: radii about the middle of a ball inside the part and of a ball that contains
+                         * it */
+  /* for a part that is no star: whether the kernel may copy it unchanged if nothing touches it */
   enum { VS_UNASKED, VS_GOOD, VS_DOUBTFUL } alone;
-  bool joined;          /* a leaf of it touches another; a star that is not joined has no twins, and its convexity is
-                         * unknown: it is copied unchanged */
+  bool joined;          /* true if a leaf with this mesh touches another leaf. A star that is not joined has no twins,
+                         * and its convexity is unknown: the kernel copies it unchanged */
 } vs_part;
 
 typedef struct {
@@ -33,26 +34,29 @@ typedef struct {
   VS_LIST(uint32_t) of_leaf;
 } vs_parts;
 
-/* order: leaves by cluster; cluster: beside it, the cluster of each; count: of both. */
+/* Finds the distinct meshes of the problem and prepares them. order: numbers of the leaves, sorted by cluster;
+ * cluster[i]: cluster of leaf order[i]; count: length of both arrays. Returns false when memory is out or the caller
+ * interrupts. */
 bool vs_parts_prepare(vs_kernel *k, vs_parts *p, const vs_kernel_problem *problem, const uint32_t *order,
                       const uint32_t *cluster, uint32_t count);
 void vs_parts_free(vs_kernel *k, vs_parts *p);
 
-/* Triangles whose edges are to be paired. */
+/* The input of vs_twins_find: triangles whose edges are paired. */
 typedef struct {
   const uint32_t (*triangles)[3];
   size_t count;
-  const uint32_t *id;   /* id[v]: number of vertex v; vertices with equal numbers are one corner. NULL: the vertex
-                         * itself */
-  size_t id_count;      /* all numbers are less */
+  const uint32_t *id;   /* id[v]: identifies the corner at vertex v; vertices with equal values are one corner. NULL:
+                         * each vertex is a corner of its own */
+  size_t id_count;      /* upper bound: all values of id are less */
 } vs_twins_input;
 
-/* Fills twins, 3 for each triangle; an edge between corners of one number has no twin: VS_NONE. *open: a triangle with
- * an edge without a twin, else VS_NONE. */
+/* Fills twins, which has three elements per triangle. An edge has the value VS_NONE if no edge runs in the opposite
+ * direction. *open: a triangle with such an edge, or VS_NONE. Returns false when memory is out or the caller
+ * interrupts. */
 bool vs_twins_find(vs_kernel *k, const vs_twins_input *in, uint32_t *twins, uint32_t *open);
 
-/* Returns true if q is inside a convex part, further than margin from its surface. May return false even if it is.
- * margin is 0 or more. */
+/* Returns true if q is inside the convex part and further than `margin` from its surface. May return false for a place
+ * that is inside. margin is at least 0, in the part's coordinates. */
 bool vs_part_holds(const vs_part *p, vs_vec3 q, double margin);
 
 #endif

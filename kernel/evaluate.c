@@ -1,8 +1,9 @@
-/* Owns the kernel's driver: it evaluates each cluster of leaves that touch by itself, and puts the results side by
- * side.
+/* Implements kernel/evaluate.h: divides the leaves into clusters, evaluates each cluster separately, and puts the
+ * results into one mesh or several.
  *
- * Leaves with separate boxes cannot meet, so each cluster has its own frame and grid. The same expression serves all:
- * in a cluster's cells the leaves of other clusters are outside. */
+ * A cluster consists of leaves whose boxes intersect, directly or through others. Leaves of different clusters cannot
+ * touch, so each cluster has its own frame and grid. All clusters use the same expression: within a cluster, every leaf
+ * of another cluster counts as outside. */
 #include "kernel/arrange/arrange_planes.h"
 #include "kernel/arrange/classify.h"
 #include "kernel/arrange/facets.h"
@@ -35,7 +36,8 @@ static bool join(void *parent, uint32_t a, uint32_t b) {
 static double least(const vs_bounds *b, int axis) { return axis == 0 ? b->min.x : axis == 1 ? b->min.y : b->min.z; }
 static double most(const vs_bounds *b, int axis) { return axis == 0 ? b->max.x : axis == 1 ? b->max.y : b->max.z; }
 
-enum { SERIAL = 10000 /* so few triangles or corners are not worth a thread */, LEAVES = 16 /* leaves of a task */ };
+enum { SERIAL = 10000 /* fewer triangles or corners are processed in one thread */, LEAVES = 16 /* number of leaves that one
+                                                                                             * task processes */ };
 
 typedef struct { const vs_kernel_problem *problem; vs_bounds *bounds; } bounding;
 
@@ -61,8 +63,9 @@ static bool bound_leaves(vs_kernel *k, const vs_kernel_problem *p, vs_bounds *bo
   return ok;
 }
 
-/* bounds: of every leaf; the function reduces them to the part that matters. order: leaves by cluster, without those
- * that have no triangles; parent: beside it, the cluster. */
+/* Divides the leaves into clusters. bounds[i]: bounds of leaf i; the function reduces them to the region where the leaf
+ * matters. order: receives the leaves that have triangles, sorted by cluster. parent[i]: receives the cluster of leaf
+ * order[i]. *count: length of order. */
 static bool find_clusters(vs_kernel *k, const vs_kernel_problem *p, vs_bounds *bounds, uint32_t *parent,
                           uint32_t *order, uint32_t *count) {
   vs_bvh_box *boxes = NULL;
@@ -89,22 +92,22 @@ static bool find_clusters(vs_kernel *k, const vs_kernel_problem *p, vs_bounds *b
     order[n++] = i;
     ok = ok && vs_kernel_poll(k, 0);
   }
-  /* the boxes are in steps of 2^-28 of the extent, and 64 steps wider on each side: at least two grid steps of any
-   * cluster */
+  /* The boxes are in units of 2^-28 of the extent, and enlarged by 64 units on each side. This is at least two grid
+   * steps of any cluster. */
   double step = size > 0 ? size * 0x1p-28 : 1;
   for (uint32_t i = 0; ok && i < n; i++)
     for (int a = 0; a < 3; a++) {
       boxes[i].min[a] = (int32_t)floor(least(&bounds[order[i]], a) / step) - 64;
       boxes[i].max[a] = (int32_t)ceil(most(&bounds[order[i]], a) / step) + 64;
     }
-  uint32_t *set = parent; /* by place in order, for now */
+  uint32_t *set = parent; /* during this function, the union-find parents of the leaves */
   vs_disjoint(set, n);
   ok = ok && vs_bvh_build(k, &bvh, boxes, n) && vs_bvh_pairs(&bvh, 0, UINT32_MAX, join, set);
   uint32_t *start = NULL, *sorted = NULL;
   size_t start_room = 0, sorted_room = 0;
   ok = ok && VS_ROOM(k, start, start_room, (size_t)n + 2) && VS_ROOM(k, sorted, sorted_room, (size_t)n + 1);
-  if (ok) { /* sorts into buckets by root; roots are the smallest of their sets, so clusters and leaves keep their
-             * order */
+  if (ok) { /* Sorts the leaves by cluster, in order of their numbers. The root of each set is its smallest number, so
+             * clusters are in order, too. */
     for (uint32_t i = 0; i < n + 2; i++) start[i] = 0;
     for (uint32_t i = 0; i < n; i++) scratch[i] = vs_find(set, i), start[scratch[i] + 2]++;
     for (uint32_t i = 2; i < n + 2; i++) start[i] += start[i - 1];
@@ -166,15 +169,15 @@ typedef struct {
   const vs_kernel_problem *problem;
   vs_parts parts;
   vs_expression expression;
-  vs_bounds gate; /* in the world: the bounds outside of which a gate is false; empty if there is no gate */
-  vs_bounds *bounds; /* of the leaves; NULL once they are no longer needed */
+  vs_bounds gate; /* bounds in the world outside of which a gate is false; empty if there is no gate */
+  vs_bounds *bounds; /* bounds of each leaf; NULL once they are no longer needed */
   vs_remember remember;
   vs_placing placing;
   vs_kernel_counts counts;
-  size_t triangles; /* of all meshes of the result */
+  size_t triangles; /* number of triangles in all meshes of the result */
 } whole;
 
-/* Frees the arrays that only the intersections need; the next steps need as much memory again. */
+/* Frees the arrays that only the intersection of patches needs, because the next steps need as much memory again. */
 static void forget_patches(vs_kernel *k, vs_cluster *c) {
   VS_DROP(k, c->patches);
   VS_DROP(k, c->patch_corners);
@@ -183,7 +186,8 @@ static void forget_patches(vs_kernel *k, vs_cluster *c) {
   vs_planes_forget(k, &c->planes);
 }
 
-/* Returns true if the leaf can be united with others level by level before they meet the rest: see levels.c. */
+/* Returns true if the leaf can be united with other such leaves, level by level, before they are arranged with the
+ * other leaves: see levels.c. */
 static bool can_be_layered(const vs_cluster *c, uint32_t place) {
   return c->expression->forces.at[c->leaves[place]] && c->placed.at[place].star && c->placed.at[place].part->volume > 0;
 }
@@ -197,7 +201,7 @@ static bool arrange_at_once(vs_kernel *k, vs_cluster *c) {
   return ok && vs_kernel_lap(k, VS_STEP_MEET) && vs_arrange_planes(k, c);
 }
 
-/* Arranges the cluster again, from the triangles on, level by level. */
+/* Discards the arrangement of the cluster, and arranges its triangles again level by level (levels.c). */
 static bool arrange_in_levels(vs_kernel *k, vs_cluster *c, vs_expression *e) {
   size_t leaves = c->problem->leaf_count;
   forget_patches(k, c);
@@ -259,15 +263,17 @@ static bool run_cluster(vs_kernel *k, whole *w, vs_group group, vs_mesh *out) {
   w->counts.straightened += c.straightened;
   VS_ASSERT(!ok || vs_holds_result(out, first));
   k->threads = threads;
-  if (!ok && k->error->status == VS_KERNEL_INTERNAL) k->error->leaf = leaves[0]; /* the nearest known place of the
-                                                                                  * fault */
+  if (!ok && k->error->status == VS_KERNEL_INTERNAL) k->error->leaf = leaves[0]; /* the leaf at fault is unknown, so the
+                                                                                  * error names the first leaf of the
+                                                                                  * cluster */
   vs_check_free(k, &check);
   vs_cluster_free(k, &c);
   vs_kernel_lap(k, VS_STEP_OUTPUT);
   return ok;
 }
 
-/* Computes the bounds in which every gate is true, from the bounds of terms, operands first. */
+/* Computes w->gate, the bounds in which every gate may be true. Computes the bounds of all terms for this; operands
+ * come before the terms that use them. Returns false when memory is out. */
 static bool find_gate(vs_kernel *k, whole *w, const vs_bounds *leaves) {
   VS_LIST(vs_bounds) terms = { 0 };
   const vs_kernel_problem *p = w->problem;
@@ -290,10 +296,11 @@ static bool find_gate(vs_kernel *k, whole *w, const vs_bounds *leaves) {
   return true;
 }
 
-/* Returns true if a gate removes a part of the cluster. */
+/* Returns true if the cluster extends beyond the bounds of the gates. */
 static bool gate_cuts(const whole *w, vs_group leaves) {
   if (!w->expression.gate_count) return false;
-  if (w->problem->within) return true; /* the bounds are already those within the gate */
+  if (w->problem->within) return true; /* p->within restricts the leaves' bounds to the gates' bounds, so they cannot
+                                        * show it */
   vs_bounds all = w->gate;
   for (uint32_t i = 0; i < leaves.count; i++) vs_bounds_unite(&all, &w->bounds[leaves.at[i]]);
   return memcmp(&all, &w->gate, sizeof all) != 0;
@@ -305,11 +312,12 @@ static bool no_room(vs_kernel *k) {
 
 static bool want_tags(vs_kernel *k, vs_mesh *m) { return vs_mesh_want_tags(m) || no_room(k); }
 
-/* Sets *alone to true if the cluster is one leaf that touches nothing, itself included: the kernel copies it unchanged
- * or drops it, without a grid. The kernel inspects a mesh that is no star once. */
+/* Sets *alone to true if the cluster is one leaf that touches neither another leaf nor itself. The kernel then copies
+ * or drops the leaf unchanged, without a grid. A mesh that is no star is inspected once for contacts with itself.
+ * Returns false on failure. */
 static bool stands_alone(vs_kernel *k, whole *w, vs_group leaves, bool *alone) {
-  enum { FLAT = 1 << 20 }; /* if the placement flattens the mesh by less than this, its faces are still the inspected
-                            * ones */
+  enum { FLAT = 1 << 20 }; /* limit on the factor by which a placement flattens the mesh; up to it, the inspection of
+                            * the mesh holds for the placed leaf */
   const vs_kernel_leaf *l = &w->problem->leaves[leaves.at[0]];
   vs_part *part = &w->parts.all.at[w->parts.of_leaf.at[leaves.at[0]]];
   *alone = false;
@@ -329,7 +337,7 @@ static bool stands_alone(vs_kernel *k, whole *w, vs_group leaves, bool *alone) {
   return true;
 }
 
-/* Makes room for the leaf in the result with the number `into`, if the leaf is in the result. */
+/* Reserves a place for the leaf in the result with the number `into`, if the expression is true inside the leaf. */
 static bool place_leaf(vs_kernel *k, whole *w, const uint32_t *leaf, vs_mesh *out, uint32_t into) {
   const vs_kernel_leaf *l = &w->problem->leaves[*leaf];
   vs_placement p = { .mesh = l->mesh,
@@ -345,7 +353,7 @@ static bool place_leaf(vs_kernel *k, whole *w, const uint32_t *leaf, vs_mesh *ou
   return !inside || (vs_placing_room(k, out, p.from.vertices, p.from.triangles) && VS_PUSH(k, w->placing.meshes, p));
 }
 
-/* Appends the cluster from the cache, or evaluates it. */
+/* Appends the cluster's triangles to out: from the cache if they are there, otherwise newly evaluated. */
 static bool make_cluster(vs_kernel *k, whole *w, vs_copies *copies, vs_group leaves, vs_mesh *out, uint32_t into) {
   bool alone;
   if (!stands_alone(k, w, leaves, &alone)) return false;
@@ -357,16 +365,17 @@ static bool make_cluster(vs_kernel *k, whole *w, vs_copies *copies, vs_group lea
   if (asked && !(vs_kernel_report(k, 0) && vs_remember_find(k, &w->remember, out, &found) && vs_kernel_report(k, 0)))
     return false;
   ++*(found ? &w->counts.remembered : &w->counts.combined);
-  w->counts.straightened += found && k->options->straight; /* the cache does not keep their number */
+  w->counts.straightened += found && k->options->straight; /* the cache does not store the number of removed bends, so 1
+                                                            * is added */
   return found || (run_cluster(k, w, leaves, out) &&
                    (!asked || vs_remember_keep(k, &w->remember, out, vertices, triangles)));
 }
 
-/* The place of the results: all in one mesh, or each original in a separate one. */
+/* The destination of the results: `one` mesh for all clusters, or a separate mesh for each original in `many`. */
 typedef struct {
   vs_mesh *one;
   vs_kernel_copies *many;
-  VS_LIST(vs_range) ranges; /* of originals in `one` */
+  VS_LIST(vs_range) ranges; /* range of each original within the mesh `one` */
 } sink;
 
 static bool add_mesh(vs_kernel *k, vs_kernel_copies *c, vs_mesh **made) {
@@ -376,7 +385,8 @@ static bool add_mesh(vs_kernel *k, vs_kernel_copies *c, vs_mesh **made) {
   return want_tags(k, *made);
 }
 
-/* Checks the limit. Each mesh of a result in several meshes keeps to the limit by itself; this checks their sum. */
+/* Returns false and sets the error if all meshes of the result together exceed the limit on triangles. The limit for a
+ * single mesh is checked elsewhere. */
 static bool count_result(vs_kernel *k, whole *w, const vs_mesh *made) {
   size_t limit = k->options ? k->options->max_triangles : 0;
   w->triangles += made->triangle_count;
@@ -399,7 +409,7 @@ static bool give_cluster(vs_kernel *k, whole *w, vs_copies *copies, sink *to, vs
     return VS_ROOM(k, to->many->copies, to->many->copy_room, to->many->copy_count + 1) &&
            (to->many->copies[to->many->copy_count++] = (vs_kernel_copy){ copy.original, copy.map }, true);
   }
-  if (!copy.is_new) { /* a copy may have other tags of the same paint */
+  if (!copy.is_new) { /* a copy may have other tags with equal paints */
     vs_placement p = { .from = to->ranges.at[copy.original],
                        .vertex = to->one->vertex_count,
                        .triangle = to->one->triangle_count,

@@ -1,23 +1,24 @@
-/* Owns the interface of the mesh kernel: exact booleans of closed triangle meshes. The kernel knows nothing of nodes;
- * solids/solid_meshes.h does.
+/* Declares the interface of the mesh kernel: exact booleans of closed triangle meshes. The kernel knows nothing of
+ * nodes; solids/solid_meshes.h calls it for solids.
  *
- * The expression is a list of terms, operands before users; the last term is the root. It is a DAG of any width and
- * depth. The kernel evaluates each cluster of leaves that touch in one exact arrangement, not pair by pair; see
- * manual/internals/kernel.md. */
+ * The expression is a list of terms, in which operands come before the terms that use them. The last term is the root.
+ * The terms form a directed acyclic graph of any width and depth. A cluster consists of leaves that touch. The kernel
+ * evaluates each cluster in one exact arrangement, not operand by operand; see manual/internals/kernel.md. */
 #ifndef VS_KERNEL_EVALUATE_H
 #define VS_KERNEL_EVALUATE_H
 
 #include "kernel/kernel_options.h"
 #include "kernel/problem.h"
 
-/* Evaluates the problem as copies of meshes. out need not be initialised; it is empty after a failure. Copies do not
- * intersect each other. */
+/* Evaluates the problem, and stores each mesh of the result once with the placements of its copies. Copies do not
+ * intersect each other. out need not be initialised. Returns false and sets the error on failure; out is then empty. */
 bool vs_kernel_evaluate_copies(const vs_kernel_problem *problem, const vs_kernel_options *options,
                                vs_kernel_copies *out, vs_kernel_error *error);
 void vs_kernel_copies_free(vs_kernel_copies *c);
 
-/* Appends the result to out, with tags: a closed chain by index, oriented, without T-junctions. options may be NULL.
- * Returns false on failure; out is then unchanged. */
+/* Evaluates the problem, and appends the result with its tags to out. The result is a closed and oriented mesh without
+ * T-junctions, in which neighbouring triangles share vertices. options may be NULL. Returns false and sets the error on
+ * failure; out is then unchanged. */
 bool vs_kernel_evaluate(const vs_kernel_problem *problem, const vs_kernel_options *options, vs_mesh *out,
                         vs_kernel_error *error);
 

@@ -1,21 +1,24 @@
-/* Owns the flattening and the incremental evaluation of the boolean expression. Without recursion: operands come before
- * their terms. */
+/* Implements kernel/expression.h: flattens the boolean expression and evaluates it incrementally. The functions do not
+ * recurse, because operands come before the terms that use them. */
 #include "kernel/expression.h"
 
-/* The state of the terms while the expression is built. */
+/* State of the terms while vs_expression_build runs. */
 typedef struct {
-  VS_LIST(uint32_t) uses;   /* uses[t]: number of terms that use t */
-  VS_LIST(uint32_t) pairs;  /* pairs of numbers: operand, user * 2 + 1 if subtracted */
-  VS_LIST(uint32_t) stack;  /* operands to be examined: term * 2 + 1 if subtracted */
-  VS_LIST(uint8_t) live;    /* live[t]: reachable from the root and not absorbed */
+  VS_LIST(uint32_t) uses;   /* uses[t]: number of terms that have t as an operand */
+  VS_LIST(uint32_t) pairs;  /* pairs of an operand and its user: the operand's number, then 2 * user + 1 if the user
+                             * subtracts it, else 2 * user */
+  VS_LIST(uint32_t) stack;  /* operands still to be examined: 2 * term + 1 if it is subtracted, else 2 * term */
+  VS_LIST(uint8_t) live;    /* live[t]: 1 if term t is reachable from the root and not merged into its user */
 } building;
 
-/* Returns true if `inner`, an operand of `outer` (off: a subtracted one), can give its operands to `outer`. */
+/* Returns true if the operand `inner` can be merged into its user: a term of kind `outer` then has the operands of
+ * `inner` instead. off: true if the user subtracts `inner`. */
 static bool absorbed(const vs_kernel_problem *p, const building *b, vs_term_kind outer, bool off, uint32_t inner) {
   vs_term_kind kind = p->terms[inner].kind;
   if (b->uses.at[inner] != 1) return false;
   if (outer == VS_TERM_UNION || (outer == VS_TERM_DIFFERENCE && off)) return kind == VS_TERM_UNION;
-  return kind == outer; /* an intersection in an intersection, or a difference as the first operand of a difference */
+  return kind == outer; /* an intersection within an intersection, or a difference as the first operand of a
+                         * difference */
 }
 
 static bool collect(vs_kernel *k, const vs_kernel_problem *p, building *b, vs_expression *e, uint32_t user) {
@@ -31,8 +34,8 @@ static bool collect(vs_kernel *k, const vs_kernel_problem *p, building *b, vs_ex
       for (uint32_t i = s->count; i-- > 0;)
         if (!VS_PUSH(k, b->stack, p->operands[s->first + i] * 2 + (off || (s->kind == VS_TERM_DIFFERENCE && i > 0))))
           return false;
-      if (s->kind == VS_TERM_INTERSECTION && s->count == 0) e->need.at[user] = UINT32_MAX; /* an empty intersection is
-                                                                                            * never true */
+      if (s->kind == VS_TERM_INTERSECTION && s->count == 0) e->need.at[user] = UINT32_MAX; /* an intersection without
+                                                                                            * operands is never true */
       continue;
     }
     b->live.at[inner] = 1;
@@ -42,8 +45,9 @@ static bool collect(vs_kernel *k, const vs_kernel_problem *p, building *b, vs_ex
   return true;
 }
 
-/* Finds the leaves and terms that settle the result by themselves: an operand of a union if it is true, one of an
- * intersection if it is false, and so on down. A leaf that is the whole result settles nothing. */
+/* Finds the leaves and terms that determine the result on their own: an operand of a union when it is true, an operand
+ * of an intersection when it is false, and operands of such operands likewise. A leaf that is the only term is not
+ * included. */
 static bool find_forces(vs_kernel *k, vs_expression *e, const vs_kernel_problem *p, const uint8_t *live) {
   enum { IF_TRUE = 1, IF_FALSE = 2 };
   VS_LIST(uint8_t) flag = { 0 };
@@ -103,8 +107,8 @@ bool vs_expression_build(vs_kernel *k, vs_expression *e, const vs_kernel_problem
     for (uint32_t i = 0; i < p->leaf_count; i++) e->winding.at[i] = 0;
     for (uint32_t i = 0; i < p->leaf_count + 2; i++) e->leaf_first.at[i] = 0;
     e->root = n ? n - 1 : 0;
-    for (uint32_t i = n; i-- > 0;) { /* users come before operands: the loop knows if a term is reachable when it gets
-                                      * there */
+    for (uint32_t i = n; i-- > 0;) { /* users come before operands in this loop, so the uses of term i are complete when
+                                      * it is reached */
       if (p->terms[i].kind == VS_TERM_LEAF) continue;
       for (uint32_t j = 0; j < p->terms[i].count; j++) b.uses.at[p->operands[p->terms[i].first + j]]++;
     }
@@ -112,7 +116,7 @@ bool vs_expression_build(vs_kernel *k, vs_expression *e, const vs_kernel_problem
       if (b.live.at[i] && p->terms[i].kind != VS_TERM_LEAF) ok = collect(k, p, &b, e, i);
     ok = ok && find_forces(k, e, p, b.live.at);
   }
-  /* sorts the pairs into buckets by operand, and the leaves' terms by leaf */
+  /* Sorts the pairs by operand, and the terms of leaves by leaf. */
   if (ok && VS_ROOM(k, e->users.at, e->users.room, b.pairs.count / 2 + 1)) {
     for (size_t i = 0; i < b.pairs.count; i += 2) e->user_first.at[b.pairs.at[i] + 1]++;
     for (uint32_t i = 0; i < n; i++) e->user_first.at[i + 1] += e->user_first.at[i];
@@ -129,8 +133,8 @@ bool vs_expression_build(vs_kernel *k, vs_expression *e, const vs_kernel_problem
         e->leaf_terms.at[--e->leaf_first.at[p->terms[i].first + 1]] = i;
     for (uint32_t i = 0; i < p->leaf_count; i++) e->leaf_first.at[i] = e->leaf_first.at[i + 1];
     e->leaf_first.at[p->leaf_count] = live;
-    for (uint32_t i = n; i-- > 0;) { /* users come first: `uses` becomes whether the term is subtracted, by its first
-                                      * user */
+    for (uint32_t i = n; i-- > 0;) { /* users come before operands: uses[i] becomes 1 if term i is subtracted an odd
+                                      * number of times on the way of first users to the root */
       uint32_t first = e->user_first.at[i];
       b.uses.at[i] = first < e->user_first.at[i + 1] ? b.uses.at[e->users.at[first] / 2] ^ (e->users.at[first] & 1) : 0;
       if (p->terms[i].kind == VS_TERM_LEAF) e->taken_off.at[p->terms[i].first] = (uint8_t)b.uses.at[i];
@@ -158,7 +162,8 @@ static bool value(const vs_expression *e, uint32_t term) {
 bool vs_expression_value(const vs_expression *e) { return e->kind.at && value(e, e->root); }
 
 bool vs_expression_upholds(vs_kernel *k, vs_expression *e, uint32_t leaf, bool *answer) {
-  /* There may be many ways to a term. Beyond this number any answer is good enough: it only chooses a material. */
+  /* Limit on the number of terms to visit: there may be many paths from the leaf to the root. A wrong answer only
+   * selects another material. */
   enum { STEPS = 256 };
   VS_ASSERT(e->winding.at[leaf] > 0);
   *answer = false;
@@ -182,7 +187,7 @@ bool vs_expression_gated(const vs_expression *e) {
   return false;
 }
 
-/* ---- a leaf in several terms: the least term first, so that each is evaluated once, after all of its operands ---- */
+/* ---- a leaf that is an operand of several terms: a heap evaluates each term once, after all of its operands ---- */
 
 static bool wait_push(vs_kernel *k, vs_expression *e, uint32_t term) {
   if (e->waits.at[term]) return true;
@@ -236,7 +241,8 @@ bool vs_expression_add(vs_kernel *k, vs_expression *e, uint32_t leaf, int32_t de
     e->positive.at[t] = now;
     if (!VS_PUSH(k, e->stack, t * 2 + now)) return false;
   }
-  while (e->stack.count) { /* changes that the users have not seen yet; in a DAG a term may change and change back */
+  while (e->stack.count) { /* the stack contains terms whose value has changed, before their users are updated; a value
+                            * may change several times */
     uint32_t t = e->stack.at[--e->stack.count] / 2;
     bool up = e->stack.at[e->stack.count] & 1;
     for (uint32_t i = e->user_first.at[t]; i < e->user_first.at[t + 1]; i++) {

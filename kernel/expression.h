@@ -1,4 +1,4 @@
-/* Owns the boolean expression over leaves. Its value is updated whenever the arrangement enters or leaves a leaf. */
+/* Stores the boolean expression over leaves, and updates its value whenever the arrangement enters or leaves a leaf. */
 #ifndef VS_KERNEL_EXPRESSION_H
 #define VS_KERNEL_EXPRESSION_H
 
@@ -7,26 +7,29 @@
 
 enum { VS_GATES = 8 };
 
-/* The flattened expression: no union in a union, no intersection in an intersection, no difference as a difference's
- * first operand, no union as one of its other operands (if the inner term has that user alone). Each term counts its
- * true operands, so a leaf that changes costs only the terms whose value changes. */
+/* The flattened expression. A term is merged into its user if it has no other user, in four cases: a union in a
+ * union, an intersection in an intersection, a difference that is the first operand of a difference, a union that is
+ * subtracted. Each term counts its true operands. When a leaf changes, only terms whose operands change are
+ * evaluated. */
 typedef struct {
-  VS_LIST(uint8_t) kind;      /* vs_term_kind */
-  VS_LIST(uint32_t) need;     /* INTERSECTION: number of true operands that make it true */
-  VS_LIST(uint32_t) positive; /* number of true operands that are not subtracted */
-  VS_LIST(uint32_t) negative; /* DIFFERENCE: number of true operands that are subtracted */
+  VS_LIST(uint8_t) kind;      /* the vs_term_kind of each term */
+  VS_LIST(uint32_t) need;     /* for each intersection: number of operands that must be true */
+  VS_LIST(uint32_t) positive; /* for each term: number of true operands that are not subtracted */
+  VS_LIST(uint32_t) negative; /* for each difference: number of true operands that are subtracted */
   VS_LIST(uint32_t) user_first;
-  VS_LIST(uint32_t) users;    /* term * 2 + 1 if that term subtracts it, else term * 2 */
-  VS_LIST(int32_t) winding;   /* of each leaf */
-  VS_LIST(uint32_t) leaf_first, leaf_terms; /* the terms of each leaf */
-  VS_LIST(uint8_t) taken_off; /* of each leaf: 1 if it makes the result smaller */
+  VS_LIST(uint32_t) users;    /* the users of all terms, grouped by operand: 2 * user + 1 if the user subtracts the
+                               * operand, else 2 * user */
+  VS_LIST(int32_t) winding;   /* winding number of each leaf at the current place */
+  VS_LIST(uint32_t) leaf_first, leaf_terms; /* leaf_terms: the terms of all leaves, grouped by leaf; leaf_first[i]:
+                                             * index where the terms of leaf i begin */
+  VS_LIST(uint8_t) taken_off; /* for each leaf: 1 if it is subtracted, so that it makes the result smaller */
   VS_LIST(uint32_t) stack;
-  VS_LIST(uint8_t) forces;    /* of each leaf: 1 if the result inside it does not depend on the others */
-  uint32_t gates[VS_GATES];   /* terms outside of which the result is false */
+  VS_LIST(uint8_t) forces;    /* for each leaf: 1 if the result inside the leaf does not depend on other leaves */
+  uint32_t gates[VS_GATES];   /* terms outside of which the result is false, whatever the others are */
   uint32_t gate_count;
-  bool forced;                /* the value of the result where it is settled */
-  VS_LIST(uint8_t) waits;     /* of each term, for a leaf in several terms: 0 not in the heap; 1 in it; 3 in it, and the
-                               * term was true at that time */
+  bool forced;                /* value of the result inside a leaf with forces[leaf] == 1 */
+  VS_LIST(uint8_t) waits;     /* for each term: 0: not in the heap; 1: in the heap, and false when it was put there; 3:
+                               * in the heap, and true then */
   uint32_t root;
 } vs_expression;
 
@@ -37,8 +40,9 @@ bool vs_expression_add(vs_kernel *k, vs_expression *e, uint32_t leaf, int32_t de
                                                                                        * memory is out. */
 bool vs_expression_value(const vs_expression *e);
 bool vs_expression_gated(const vs_expression *e); /* returns true if one of the gates is false */
-/* Sets *answer to true if the leaf, which is true, makes the result true: it counts for a true term, and so on up to
- * the root. Operands that the expression subtracts do not count. Returns false when memory is out. */
+/* Sets *answer to true if the leaf makes the result true: a chain of true terms leads from the leaf to the root, in
+ * which no term subtracts the one before. The leaf's winding number must be positive. Returns false when memory is
+ * out. */
 bool vs_expression_upholds(vs_kernel *k, vs_expression *e, uint32_t leaf, bool *answer);
 void vs_expression_free(vs_kernel *k, vs_expression *e);
 

@@ -1,4 +1,4 @@
-/* Owns the inputs and outputs of the kernel besides meshes: limits, progress, counts and errors. */
+/* Defines the inputs and outputs of the kernel other than meshes: limits, progress, counts and errors. */
 #ifndef VS_KERNEL_KERNEL_OPTIONS_H
 #define VS_KERNEL_KERNEL_OPTIONS_H
 
@@ -10,39 +10,42 @@
 #include "model/tally.h"
 
 typedef struct {
-  size_t clusters;   /* groups of solids that touch; of these: */
-  size_t combined;   /* evaluated */
-  size_t copied;     /* copied from an equal cluster of the same problem */
-  size_t remembered; /* found in the cache */
-  size_t peak;       /* the most bytes allocated at a time */
-  size_t coarse;     /* number of leaves whose volume the grid has changed by more than a hundredth: they are too small
-                      * for the solids that they touch. The next three describe the first of them: */
+  size_t clusters;   /* number of groups of solids that touch; it is the sum of the next three members */
+  size_t combined;   /* number of clusters that were evaluated */
+  size_t copied;     /* number of clusters that were copied from an equal cluster of the same problem */
+  size_t remembered; /* number of clusters that were found in the cache */
+  size_t peak;       /* greatest number of bytes that were allocated at one time */
+  size_t coarse;     /* number of leaves whose volume the grid has changed by more than a hundredth, because they are
+                      * too small for its steps. The next three members describe the first such leaf */
   uint32_t coarse_leaf;
-  size_t straightened; /* bends removed; see `straight` */
-  double coarse_step, coarse_by; /* width of a grid step; relative change of the volume */
-  double seconds[VS_STEP_COUNT]; /* of each step of the kernel */
+  size_t straightened; /* number of bends that were removed from the result; see `straight` */
+  double coarse_step, coarse_by; /* coarse_step: width of a grid step; coarse_by: change of the volume, relative to the
+                                  * exact volume */
+  double seconds[VS_STEP_COUNT]; /* seconds that each step of the kernel took */
 } vs_kernel_counts;
 
 enum { VS_ON_THE_WAY = 8 };
 #define VS_SHAPES_OVER "the shapes have more than %zu triangles, %d times the limit of %zu for the result"
 
 typedef struct {
-  /* done is in 0..1; the call returns false to stop the work; may be NULL. The kernel calls it some hundred times a
-   * second */
+  /* called some hundred times a second; done is the completed part of the work, 0 to 1. Returns false to stop the work.
+   * NULL: no progress is reported */
   bool (*progress)(void *context, double done);
   void *context;
-  size_t max_bytes;     /* limit on the kernel's memory; 0: no limit */
-  size_t max_triangles; /* limit on the result; 0: no limit. Intermediate steps may have VS_ON_THE_WAY times as many,
-                         * both triangles of the shapes and pieces of them */
-  vs_cache *cache;   /* the cache of clusters (model/store/cache.h); NULL: none */
-  /* vs_solid_evaluate reports a fault in spite of which it continues; may be NULL */
+  size_t max_bytes;     /* limit on the kernel's memory in bytes; 0: no limit */
+  size_t max_triangles; /* limit on the triangles of the result; 0: no limit. Intermediate steps may have VS_ON_THE_WAY
+                         * times as many triangles and pieces of triangles */
+  vs_cache *cache;   /* cache of evaluated clusters (model/store/cache.h); NULL: nothing is cached */
+  /* vs_solid_evaluate calls this for a fault that does not stop it; NULL: no warnings */
   void (*warn)(void *context, const vs_origin *origin, const char *message);
-  vs_kernel_counts *counts; /* the kernel adds to them; the peak only rises; NULL: no counts */
-  bool in_levels;       /* for tests: every cluster is treated as a crowded one (arrange/levels.c), if possible */
-  bool straight;        /* the kernel may remove bends from cuts through a sheet (a planar facet that the grid has split
-                         * into several planes). Callers then look for contacts (round/rounding.h); if there are any,
-                         * they evaluate again without this */
-  uint32_t threads;     /* 0: one for each processor; the result is the same. Only the caller's thread calls progress */
+  vs_kernel_counts *counts; /* the kernel adds its counts to these, except that the peak becomes the greater one; NULL:
+                             * no counts */
+  bool in_levels;       /* for tests: every cluster is arranged level by level (arrange/levels.c) if possible */
+  bool straight;        /* true: the kernel may remove bends from cuts through a sheet, a planar facet that the grid has
+                         * split into several planes. The caller must then search the result for contacts
+                         * (round/rounding.h). If there are any, it must evaluate again with straight == false */
+  uint32_t threads;     /* number of threads; 0: one for each processor. The result does not depend on it. Only the
+                         * caller's thread calls progress */
 } vs_kernel_options;
 
 typedef enum {
@@ -53,12 +56,13 @@ typedef enum {
   VS_KERNEL_OUT_OF_MEMORY,
   VS_KERNEL_LIMIT,
   VS_KERNEL_INTERRUPTED,
-  VS_KERNEL_INTERNAL /* a self-check failed: a fault of the kernel, never a wrong result */
+  VS_KERNEL_INTERNAL /* a self-check of the kernel failed, so it returned no result */
 } vs_kernel_status;
 typedef struct {
   vs_kernel_status status;
-  uint32_t leaf;        /* OPEN, INSIDE_OUT, NOT_FINITE: the leaf at fault; INTERNAL: one of the leaves concerned */
-  char message[200];    /* plain English without a place */
+  uint32_t leaf;        /* OPEN, INSIDE_OUT, NOT_FINITE: number of the leaf at fault; INTERNAL: a leaf of the cluster
+                         * that failed */
+  char message[200];    /* English text without the place of the fault */
 } vs_kernel_error;
 
 #endif

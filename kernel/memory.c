@@ -1,4 +1,4 @@
-/* Owns the kernel's accounted memory, its error and its polling. */
+/* Implements kernel/memory.h: counts the kernel's memory, records its error and polls for interrupts. */
 #include "kernel/memory.h"
 
 #include <stdarg.h>
@@ -7,7 +7,7 @@
 #include <string.h>
 
 bool vs_kernel_fail(vs_kernel *k, vs_kernel_status status, uint32_t leaf, const char *format, ...) {
-  if (k->error->status != VS_KERNEL_FINE) return false; /* the first error counts */
+  if (k->error->status != VS_KERNEL_FINE) return false; /* only the first error is kept */
   k->error->status = status;
   k->error->leaf = leaf;
   va_list rest;
@@ -40,11 +40,11 @@ bool vs_kernel_grow(vs_kernel *k, void *slot, size_t *room, size_t need, size_t 
                           "combining the solids needs more than the %zu MB that the limit on memory leaves",
                           k->options->max_bytes >> 20);
   void *old, *grown;
-  memcpy(&old, slot, sizeof old); /* slot is the address of a pointer of any type */
+  memcpy(&old, slot, sizeof old); /* slot is the address of a pointer of any type, so memcpy reads the pointer */
   grown = realloc(old, more * size);
   if (!grown) return vs_kernel_fail(k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids");
   memcpy(slot, &grown, sizeof grown);
-  size_t now = atomic_fetch_add(bytes, added) + added; /* the peak may miss bytes that two threads add at the same
+  size_t now = atomic_fetch_add(bytes, added) + added; /* the peak may lack bytes that two threads add at the same
                                                         * moment */
   _Atomic size_t *peak = k->owner ? &k->owner->peak : &k->peak;
   if (now > *peak) *peak = now;

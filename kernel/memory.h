@@ -1,5 +1,5 @@
-/* Owns the kernel's context: accounted memory, the error, progress and interrupts. Every working array belongs to the
- * context or to a task. */
+/* Defines the context of the kernel: its counted memory, error, progress and interrupts. Every working array is counted
+ * in a context. */
 #ifndef VS_KERNEL_MEMORY_H
 #define VS_KERNEL_MEMORY_H
 
@@ -10,19 +10,21 @@
 enum { VS_THREADS_MOST = 64 };
 
 typedef struct vs_kernel {
-  const vs_kernel_options *options; /* may be NULL */
+  const vs_kernel_options *options; /* the caller's options; NULL: defaults */
   vs_kernel_error *error;
-  struct vs_kernel *owner; /* in another thread: the caller's kernel, whose bytes and stop count; else NULL */
-  uint32_t worker;         /* 0 is the caller's thread */
-  uint32_t threads;        /* number of threads that may work, including this one */
-  _Atomic size_t bytes;    /* allocated for arrays */
-  _Atomic size_t peak;     /* the largest value of bytes so far */
-  _Atomic bool stop;       /* a thread has failed, or the caller interrupted: all threads return */
-  uint32_t ticks;          /* polls since the last call of progress */
-  double done, share;      /* progress before this cluster, and the cluster's part of the whole */
-  double part;             /* progress of the cluster, as last reported */
-  double *laps, since;     /* seconds of each step (vs_step), and the start of the current step; NULL: no times are
-                            * wanted */
+  struct vs_kernel *owner; /* in another thread: the context of the caller's thread, which holds the common `bytes` and
+                            * `stop`; in the caller's thread: NULL */
+  uint32_t worker;         /* number of the thread; 0 is the caller's thread */
+  uint32_t threads;        /* number of threads that may work at a time, including this one */
+  _Atomic size_t bytes;    /* number of bytes that are allocated for arrays */
+  _Atomic size_t peak;     /* largest value of `bytes` so far */
+  _Atomic bool stop;       /* true if a thread has failed or the caller has interrupted; all threads then return */
+  uint32_t ticks;          /* number of polls since the last call of options->progress */
+  double done, share;      /* done: progress of the whole work before this cluster, 0 to 1; share: the part of the work
+                            * that the cluster is */
+  double part;             /* progress within the cluster, as last reported, 0 to 1 */
+  double *laps, since;     /* laps: seconds of each step, indexed by vs_step; NULL: no time is measured. since: start of
+                            * the current step in seconds */
 } vs_kernel;
 
 bool vs_kernel_fail(vs_kernel *k, vs_kernel_status status, uint32_t leaf, const char *format, ...)
@@ -31,41 +33,46 @@ bool vs_kernel_fail(vs_kernel *k, vs_kernel_status status, uint32_t leaf, const 
   vs_kernel_fail(k, VS_KERNEL_INTERNAL, 0,                                                                             \
                  "the solids could not be combined: %s (a fault of vs, please report the model)", why)
 
-/* Checks the number of pieces into which shapes have been cut. Returns false and sets the error if it exceeds the
- * number that the limit on the result allows for intermediate pieces. */
+/* Checks the number of pieces into which triangles have been cut. Returns false and sets the error if it exceeds
+ * VS_ON_THE_WAY times the limit on the result's triangles. */
 bool vs_kernel_on_the_way(vs_kernel *k, size_t pieces);
 
-/* Makes room for `need` elements of `size` bytes in the array whose address is in *slot; *room counts elements. size is
- * not 0. Returns false and sets the error if the memory is out or the limit is reached. */
+/* Enlarges the array whose address is in *slot to at least `need` elements of `size` bytes; *room is the number of
+ * elements that it can hold. size is not 0. Returns false and sets the error if memory is out or the limit on memory is
+ * exceeded. */
 bool vs_kernel_grow(vs_kernel *k, void *slot, size_t *room, size_t need, size_t size);
-/* Frees the array and subtracts its bytes from the account. */
+/* Frees the array whose address is in *slot, and subtracts its bytes from the counted memory. */
 void vs_kernel_free(vs_kernel *k, void *slot, size_t *room, size_t size);
 #define VS_ROOM(k, array, room, need) ((need) <= (room) || vs_kernel_grow(k, &(array), &(room), need, sizeof *(array)))
 #define VS_FREE(k, array, room) vs_kernel_free(k, &(array), &(room), sizeof *(array))
 
-/* A growing array with its counts. */
+/* A growing array. count: number of elements; room: number of elements for which it has memory. */
 #define VS_LIST(type) struct { type *at; size_t count, room; }
 #define VS_PUSH(k, list, value)                                                                                        \
   (VS_ROOM(k, (list).at, (list).room, (list).count + 1) && ((list).at[(list).count++] = (value), true))
 #define VS_DROP(k, list) ((list).count = 0, VS_FREE(k, (list).at, (list).room))
 
-bool vs_kernel_report(vs_kernel *k, double part); /* part: of the cluster done, 0..1; returns false if interrupted */
+bool vs_kernel_report(vs_kernel *k, double part); /* part: completed part of the cluster, 0 to 1; returns false if the
+                                                   * caller interrupts */
 static inline bool vs_kernel_poll(vs_kernel *k, double part) {
   return (++k->ticks & 1023) != 0 || vs_kernel_report(k, part);
 }
 
-/* For functions that only prefetch: gcc removes a call of one that is not inlined early, as if it did nothing. */
+/* Declares a function that only prefetches memory. always_inline is needed: gcc removes the calls of such a function if
+ * it is not inlined early, because it has no effect. */
 #define VS_AHEAD static inline __attribute__((always_inline)) void
 
-/* Calls task(k, context, 0) to task(k, context, count - 1), in any order, and at the same time if there are threads.
- * Each thread passes its own k. */
+/* vs_kernel_run calls task(k, context, 0) to task(k, context, count - 1) in any order, and several at a time if there
+ * are threads. Each call gets the context of its own thread as k. A task returns false to stop all. */
 typedef bool vs_task_fn(vs_kernel *k, void *context, size_t index);
-/* Does the same, and calls taker(k, context, i) in the caller's thread for every i in order, after task i and while
- * later tasks still run. The result of a task may be at place i % VS_PIPELINE_WINDOW: no more results wait for the
- * taker. Tasks must not read data that the taker changes. */
+/* vs_kernel_pipeline runs tasks as vs_kernel_run does, and calls taker(k, context, i) for every i in increasing order.
+ * The taker runs in the caller's thread, after task i and while later tasks run. At most VS_PIPELINE_WINDOW results
+ * wait for the taker, so task i can store its result at index i % VS_PIPELINE_WINDOW. Tasks must not read data that the
+ * taker changes. */
 enum { VS_PIPELINE_WINDOW = 64 };
 
-/* Sorts the numbers by a strict order, stably, by merging; scratch is as large as the array. */
+/* Sorts an array of numbers by the strict order `less`. The sort is stable (a merge sort). scratch has as many elements
+ * as the array. */
 typedef bool vs_less_fn(const void *context, uint32_t a, uint32_t b);
 void vs_kernel_sort(uint32_t *at, uint32_t *scratch, size_t count, vs_less_fn *less, const void *context);
 

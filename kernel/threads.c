@@ -1,6 +1,6 @@
-/* Owns the threads: as many as there are processors take the tasks one by one. A task's result depends on its number
- * alone, and not on the thread. The caller's thread works too, and it alone reports progress. The file also owns the
- * clock, which only statistics use. */
+/* Implements kernel/threads.h. As many threads as there are processors take tasks one after another. The result of a
+ * task depends only on its number, not on the thread. The caller's thread works too, and only this thread reports
+ * progress. The clock serves statistics only. */
 #include "kernel/threads.h"
 
 #include "kernel/memory.h"
@@ -14,24 +14,28 @@
 enum {
   MOST = VS_THREADS_MOST,
   WINDOW = VS_PIPELINE_WINDOW,
-  STACK = 1 << 20 /* bytes of a thread's stack: tasks do not recurse, and limits of the process count all of it */
+  STACK = 1 << 20 /* bytes of each thread's stack; a small stack suffices because tasks do not recurse, and the
+                   * process's memory limit includes it */
 };
 
 typedef struct {
   vs_kernel *k;
   vs_task_fn *task;
   void *context;
-  size_t count, window;   /* window: number of task results that may wait for the taker; 0: there is no taker */
+  size_t count, window;   /* count: number of tasks; window: number of results that may wait for the taker; 0: there is
+                           * no taker */
   _Atomic size_t next, taken;
-  _Atomic bool *ready;    /* ready[i % window]: the result of task i is complete */
-  pthread_mutex_t lock;   /* protects the members below */
-  pthread_cond_t done, space; /* done: a thread or a result is complete; space: the taker took a result */
-  size_t running, failed; /* failed: the least task that failed */
+  _Atomic bool *ready;    /* ready[i % window]: true if task i is complete and the taker has not read its result */
+  pthread_mutex_t lock;   /* protects `running`, `failed` and `error` */
+  pthread_cond_t done, space; /* done: signalled when a thread or a result is complete; space: signalled when the taker
+                               * has read a result */
+  size_t running, failed; /* running: number of started threads that still run; failed: the lowest number of a task that
+                           * failed, or SIZE_MAX */
   vs_kernel_error error;
 } crew;
 typedef struct { crew *crew; vs_kernel k; vs_kernel_error error; } worker;
 
-/* Runs task i of the crew. */
+/* Runs task number i. Returns false if it fails. */
 static bool do_task(crew *c, vs_kernel *k, size_t i) {
   VS_ASSERT(i < c->count);
   if (c->task(k, c->context, i)) {
@@ -43,7 +47,8 @@ static bool do_task(crew *c, vs_kernel *k, size_t i) {
     return true;
   }
   pthread_mutex_lock(&c->lock);
-  if (k->error->status != VS_KERNEL_FINE && i < c->failed) { /* a task that was only stopped has no error */
+  if (k->error->status != VS_KERNEL_FINE && i < c->failed) { /* a task that ended because of `stop` has no error of its
+                                                              * own */
     c->failed = i;
     c->error = *k->error;
   }
@@ -74,7 +79,7 @@ static void stop(crew *c) {
   pthread_mutex_unlock(&c->lock);
 }
 
-/* Waits a short time until something is done. */
+/* Waits until a result or thread is complete, or a short time has passed, and reports progress. */
 static void wait_a_while(crew *c) {
   struct timespec until;
   clock_gettime(CLOCK_REALTIME, &until);
@@ -86,21 +91,23 @@ static void wait_a_while(crew *c) {
   pthread_mutex_lock(&c->lock);
 }
 
-/* Takes the results in order, and runs tasks while the next result is not ready. The window is not 0. */
+/* Calls the taker for each result in order. Runs tasks itself while the next result is not ready. c->window must not be
+ * 0. */
 static void take(crew *c, vs_task_fn *taker) {
   vs_kernel *k = c->k;
   VS_ASSERT(c->window > 0);
   for (size_t at = 0; at < c->count && !atomic_load(&k->stop);) {
     if (atomic_load(&c->ready[at % c->window])) {
       atomic_store(&c->ready[at % c->window], false);
-      if (!taker(k, c->context, at) || !vs_kernel_report(k, k->part)) { /* no other thread checks for interrupts */
+      if (!taker(k, c->context, at) || !vs_kernel_report(k, k->part)) { /* only this thread can detect that the caller
+                                                                         * interrupts */
         stop(c);
         return;
       }
       at++;
       pthread_mutex_lock(&c->lock);
       atomic_store(&c->taken, at);
-      pthread_cond_broadcast(&c->space); /* the thread that wakes may not be the next one */
+      pthread_cond_broadcast(&c->space); /* wakes all waiting threads, because any of them may have the next task */
       pthread_mutex_unlock(&c->lock);
       continue;
     }
@@ -150,8 +157,8 @@ uint32_t vs_kernel_threads(const vs_kernel_options *options) {
   return n < 1 ? 1 : n > MOST ? MOST : (uint32_t)n;
 }
 
-/* Runs at least two tasks on at least two threads; taker may be NULL. Returns false and sets the error if a task or a
- * thread fails, or the caller interrupts. */
+/* Runs at least two tasks on at least two threads. taker may be NULL. Returns false and sets the error if a task fails
+ * or the caller interrupts. */
 static bool run(vs_kernel *k, size_t count, size_t window, vs_task_fn *task, vs_task_fn *taker, void *context) {
   VS_ASSERT(k->threads >= 2 && count >= 2);
   _Atomic bool ready[WINDOW] = { false };
@@ -178,7 +185,8 @@ static bool run(vs_kernel *k, size_t count, size_t window, vs_task_fn *task, vs_
     pthread_mutex_lock(&c.lock);
     c.running++;
     pthread_mutex_unlock(&c.lock);
-    if (vs_thread_start(&threads[started], small ? &how : NULL, begin, w) != 0) { /* goes on with fewer threads */
+    if (vs_thread_start(&threads[started], small ? &how : NULL, begin, w) != 0) { /* if a thread cannot be started,
+                                                                                   * continues with fewer threads */
       pthread_mutex_lock(&c.lock);
       c.running--;
       pthread_mutex_unlock(&c.lock);
@@ -188,18 +196,18 @@ static bool run(vs_kernel *k, size_t count, size_t window, vs_task_fn *task, vs_
   }
   if (small) pthread_attr_destroy(&how);
   uint32_t own = k->threads;
-  k->threads = 1; /* a task starts no threads */
+  k->threads = 1; /* tasks must not start threads themselves */
   if (taker) take(&c, taker);
   else work(&c, k);
   k->threads = own;
   pthread_mutex_lock(&c.lock);
-  while (c.running) wait_a_while(&c); /* reports progress meanwhile */
+  while (c.running) wait_a_while(&c); /* also reports progress */
   pthread_mutex_unlock(&c.lock);
   for (uint32_t i = 0; i < started; i++) pthread_join(threads[i], NULL);
   pthread_cond_destroy(&c.space);
   pthread_cond_destroy(&c.done);
   pthread_mutex_destroy(&c.lock);
-  /* the task that failed first may have run in another thread */
+  /* Copies the error of the failed task with the lowest number, which may have run in another thread. */
   if (k->error->status != VS_KERNEL_INTERRUPTED && c.failed != SIZE_MAX) *k->error = c.error;
   return !atomic_load(&k->stop);
 }
