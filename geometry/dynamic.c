@@ -1,4 +1,4 @@
-/* Owns the loading of libraries at run time (dlopen, dlsym). */
+/* Implements the loading of libraries at run time (dlopen, dlsym). */
 #define _GNU_SOURCE /* RTLD_NODELETE */
 #include "geometry/dynamic.h"
 

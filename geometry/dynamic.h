@@ -1,4 +1,4 @@
-/* Owns libraries that are loaded at their first use: linked in, they would cost every start of the program
+/* Declares libraries that are loaded at their first use: linked in, they would cost every start of the program
  * milliseconds.
  *
  * A user keeps a struct of function pointers and a table that names them. Nothing is global; loading again costs some

@@ -1,4 +1,4 @@
-/* Owns frames: placement on an axis, the smallest rotation, and rotation-minimizing frames along a path. */
+/* Implements frames: placement on an axis, the smallest rotation, and rotation-minimizing frames along a path. */
 #include "geometry/frame.h"
 
 vs_affine vs_frame_on_axis(vs_vec3 at, vs_vec3 direction) {

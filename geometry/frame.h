@@ -1,4 +1,4 @@
-/* Owns frames: placement on an axis, and rotation-minimizing frames along a path. */
+/* Declares frames: placement on an axis, and rotation-minimizing frames along a path. */
 #ifndef VS_GEOMETRY_FRAME_H
 #define VS_GEOMETRY_FRAME_H
 

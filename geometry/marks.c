@@ -1,5 +1,5 @@
-/* Owns sets of small numbers as words of bits. Each level above has a bit for every word below that is not empty; the
- * top level is one word. */
+/* Implements sets of small numbers as words of bits. Each level above has a bit for every word below that is not empty;
+ * the top level is one word. */
 #include "geometry/marks.h"
 #include "model/store/array.h"
 

@@ -1,4 +1,4 @@
-/* Owns sets of small numbers that find the next member from a given number in a few steps. */
+/* Declares sets of small numbers that find the next member from a given number in a few steps. */
 #ifndef VS_GEOMETRY_MARKS_H
 #define VS_GEOMETRY_MARKS_H
 

@@ -1,4 +1,4 @@
-/* Owns the walk that finds the curves or surfaces of a set.
+/* Implements the walk that finds the curves or surfaces of a set.
  *
  * Placements, materials and layers may be above a set, between sets, and above a part. The walk replaces a set by its
  * children, each within the wrappers above the set; it does the same for each child that is a set. A stack of

@@ -1,5 +1,5 @@
-/* Owns the parts of sets of curves or surfaces, found through sets and placements: an operation on one curve is applied
- * to each part. */
+/* Declares the parts of sets of curves or surfaces, found through sets and placements: an operation on one curve is
+ * applied to each part. */
 #ifndef VS_GEOMETRY_PARTS_H
 #define VS_GEOMETRY_PARTS_H
 

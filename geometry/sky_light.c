@@ -1,4 +1,4 @@
-/* Owns the sky's and the sun's light: the polynomials and tables of Preetham, Shirley and Smits (1999). */
+/* Implements the sky's and the sun's light: the polynomials and tables of Preetham, Shirley and Smits (1999). */
 #include "geometry/sky_light.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* Owns the luminance and colour of a clear sky and its sun. The model is that of A. J. Preetham, P. Shirley and B.
+/* Declares the luminance and colour of a clear sky and its sun. The model is that of A. J. Preetham, P. Shirley and B.
  * Smits, A Practical Analytic Model for Daylight, SIGGRAPH 1999. */
 #ifndef VS_GEOMETRY_SKY_LIGHT_H
 #define VS_GEOMETRY_SKY_LIGHT_H

@@ -1,4 +1,4 @@
-/* Owns the Almanac's formula for the sun's position. */
+/* Implements the Almanac's formula for the sun's position. */
 #include "geometry/sun_position.h"
 
 #include <math.h>

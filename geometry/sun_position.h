@@ -1,4 +1,4 @@
-/* Owns the sun's position in the sky. */
+/* Declares the sun's position in the sky. */
 #ifndef VS_GEOMETRY_SUN_POSITION_H
 #define VS_GEOMETRY_SUN_POSITION_H
 

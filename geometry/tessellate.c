@@ -1,4 +1,5 @@
-/* Owns the way from a node to its triangles: follows placements down to the leaf, meshes it, and places the mesh. */
+/* Implements the way from a node to its triangles: follows placements down to the leaf, meshes it, and places the
+ * mesh. */
 #include "geometry/plane/planar_evaluation.h"
 #include "geometry/tessellate.h"
 

@@ -1,4 +1,4 @@
-/* Owns the triangles of nodes: every back-end gets the same facets. */
+/* Declares the triangles of nodes: every back-end gets the same facets. */
 #ifndef VS_GEOMETRY_TESSELLATE_H
 #define VS_GEOMETRY_TESSELLATE_H
 

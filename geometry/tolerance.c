@@ -1,4 +1,4 @@
-/* Owns the number of facets of a curve. */
+/* Implements the number of facets of a curve. */
 #include "geometry/tolerance.h"
 
 enum { LEAST_TURN = 32, MOST_TURN = 4096 };

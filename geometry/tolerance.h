@@ -1,4 +1,4 @@
-/* Owns the fineness of curves: the one rule that every back-end and the kernel share. */
+/* Declares the fineness of curves: the one rule that every back-end and the kernel share. */
 #ifndef VS_GEOMETRY_TOLERANCE_H
 #define VS_GEOMETRY_TOLERANCE_H
 

@@ -1,4 +1,4 @@
-/* Owns scanning of bytes, for the readers of mesh files. */
+/* Implements scanning of bytes, for the readers of mesh files. */
 #include "geometry/files/byte_scan.h"
 
 #include <stdarg.h>

@@ -1,4 +1,4 @@
-/* Owns EXR pictures in memory, and their writing by OpenEXR's C library: scan lines, ZIP compression in blocks of
+/* Implements EXR pictures in memory, and their writing by OpenEXR's C library: scan lines, ZIP compression in blocks of
  * 16. */
 #include <openexr.h>
 #include <string.h>

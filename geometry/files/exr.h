@@ -1,4 +1,4 @@
-/* Owns EXR pictures as planes of numbers, one for each channel, and their writing by OpenEXR's C library. */
+/* Declares EXR pictures as planes of numbers, one for each channel, and their writing by OpenEXR's C library. */
 #ifndef VS_GEOMETRY_FILES_EXR_H
 #define VS_GEOMETRY_FILES_EXR_H
 

@@ -1,4 +1,5 @@
-/* Owns reading EXR pictures by OpenEXR's C library, loaded at its first use: scan lines or tiles of the first part.
+/* Implements reading EXR pictures by OpenEXR's C library, loaded at its first use: scan lines or tiles of the first
+ * part.
  *
  * The library decompresses; this file unpacks the numbers of a chunk. The library's own unpacking assumes that every
  * channel is wanted, and writes through a null pointer when a picture has one more channel (alpha) than the request. A

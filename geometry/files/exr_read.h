@@ -1,4 +1,4 @@
-/* Owns reading EXR pictures by OpenEXR's C library. */
+/* Declares reading EXR pictures by OpenEXR's C library. */
 #ifndef VS_GEOMETRY_FILES_EXR_READ_H
 #define VS_GEOMETRY_FILES_EXR_READ_H
 

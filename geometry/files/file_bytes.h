@@ -1,4 +1,4 @@
-/* Owns files in memory: the input of this room's readers, and the output of its writers. */
+/* Declares files in memory: the input of this room's readers, and the output of its writers. */
 #ifndef VS_GEOMETRY_FILES_FILE_BYTES_H
 #define VS_GEOMETRY_FILES_FILE_BYTES_H
 

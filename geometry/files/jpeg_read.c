@@ -1,4 +1,4 @@
-/* Owns reading JPEG pictures by libjpeg, loaded at its first use.
+/* Implements reading JPEG pictures by libjpeg, loaded at its first use.
  *
  * The reader keeps only the size and the colours of a picture: programs that show it get its file. It reads the whole
  * file, and therefore refuses a truncated or broken file here, before another program shows half of it. */

@@ -1,4 +1,5 @@
-/* Owns reading STL, OBJ and OFF files, and the list of points and faces that all readers fill; ply.c reads PLY. */
+/* Implements reading STL, OBJ and OFF files, and the list of points and faces that all readers fill; ply.c reads
+ * PLY. */
 #include "geometry/files/meshfile.h"
 
 #include <stdlib.h>

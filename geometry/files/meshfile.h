@@ -1,5 +1,5 @@
-/* Owns reading mesh files: .stl and .ply, as text or binary, .obj and .off. Bytes become points and faces; polyface.h
- * checks whether these form a solid. */
+/* Declares reading mesh files: .stl and .ply, as text or binary, .obj and .off. Bytes become points and faces;
+ * polyface.h checks whether these form a solid. */
 #ifndef VS_GEOMETRY_FILES_MESHFILE_H
 #define VS_GEOMETRY_FILES_MESHFILE_H
 

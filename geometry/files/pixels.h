@@ -1,4 +1,4 @@
-/* Owns the pixels of a picture for a screen. */
+/* Declares the pixels of a picture for a screen. */
 #ifndef VS_GEOMETRY_FILES_PIXELS_H
 #define VS_GEOMETRY_FILES_PIXELS_H
 

@@ -1,5 +1,5 @@
-/* Owns reading PLY files: a header that gives the properties of each element, then the elements, as text or binary in
- * either byte order.
+/* Implements reading PLY files: a header that gives the properties of each element, then the elements, as text or
+ * binary in either byte order.
  *
  * The reader keeps three elements and skips others by their types:
  *   vertex     its x, y, z

@@ -1,4 +1,4 @@
-/* Owns reading PLY files. */
+/* Declares reading PLY files. */
 #ifndef VS_GEOMETRY_FILES_PLY_H
 #define VS_GEOMETRY_FILES_PLY_H
 

@@ -1,4 +1,4 @@
-/* Owns reading PNG pictures by libpng, loaded at its first use.
+/* Implements reading PNG pictures by libpng, loaded at its first use.
  *
  * libpng's simple interface reports errors as results. It would transform the numbers by the file's gamma and colour
  * profile; heights need the stored numbers. Therefore it reads a copy of the file that has only the critical chunks. It

@@ -1,4 +1,4 @@
-/* Owns writing PNG pictures by libpng, loaded at its first use. The files contain no date.
+/* Implements writing PNG pictures by libpng, loaded at its first use. The files contain no date.
  *
  * Compression was most of the time of developing a picture. For 960 by 720 pixels of a rendering, the library's own
  * choice (five filters tried for each row, zlib's level 6) takes 160 ms. The Paeth filter with runs alone (Z_RLE) takes

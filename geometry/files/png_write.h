@@ -1,4 +1,4 @@
-/* Owns writing PNG pictures. */
+/* Declares writing PNG pictures. */
 #ifndef VS_GEOMETRY_FILES_PNG_WRITE_H
 #define VS_GEOMETRY_FILES_PNG_WRITE_H
 

@@ -1,4 +1,4 @@
-/* Owns checks of points and faces before they become a node: whether they close, and their orientation.
+/* Implements checks of points and faces before they become a node: whether they close, and their orientation.
  *
  * The edges of all faces are sorted by their two ends. Where exactly two faces share each edge, the faces of a
  * component are turned to agree with its first face, breadth first. A component closes when each of its edges is used

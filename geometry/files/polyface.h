@@ -1,4 +1,4 @@
-/* Owns checks of points and faces before they become a node: whether they close, and their orientation. */
+/* Declares checks of points and faces before they become a node: whether they close, and their orientation. */
 #ifndef VS_GEOMETRY_FILES_POLYFACE_H
 #define VS_GEOMETRY_FILES_POLYFACE_H
 

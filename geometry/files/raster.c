@@ -1,4 +1,4 @@
-/* Owns the code that the readers of pictures share, and the choice of the reader. */
+/* Implements the code that the readers of pictures share, and the choice of the reader. */
 #include "geometry/files/raster.h"
 
 #include <string.h>

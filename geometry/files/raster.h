@@ -1,4 +1,4 @@
-/* Owns reading pictures as numbers, for height fields: PNG and EXR, one number for each pixel. */
+/* Declares reading pictures as numbers, for height fields: PNG and EXR, one number for each pixel. */
 #ifndef VS_GEOMETRY_FILES_RASTER_H
 #define VS_GEOMETRY_FILES_RASTER_H
 

@@ -1,4 +1,4 @@
-/* Owns the choice of an EXR picture's channels that are its heights. */
+/* Implements the choice of an EXR picture's channels that are its heights. */
 #include "geometry/files/raster_exr.h"
 
 #include <string.h>

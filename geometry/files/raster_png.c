@@ -1,4 +1,4 @@
-/* Owns PNG pictures as numbers: grey unchanged, of colours the luminance. */
+/* Implements PNG pictures as numbers: grey unchanged, of colours the luminance. */
 #include "geometry/files/raster_png.h"
 
 #include "geometry/files/png_read.h"

@@ -1,4 +1,4 @@
-/* Owns the repair of points and faces until they close.
+/* Implements the repair of points and faces until they close.
  *
  * In a closed chain each edge, counted with its direction, is used as often one way as the other. The surplus sides of
  * an edge give a list of missing sides. At every point as many missing sides leave as arrive, in any mesh; therefore

@@ -1,4 +1,5 @@
-/* Owns the repair of points and faces that do not close, and the report of the edges where they do not. */
+/* Declares the functions for the repair of points and faces that do not close, and the report of the edges where they
+ * do not. */
 #ifndef VS_GEOMETRY_FILES_REPAIR_H
 #define VS_GEOMETRY_FILES_REPAIR_H
 

@@ -1,4 +1,4 @@
-/* Owns writing a scan whose colours show distances (distance_map.h). Points keep the scan's own coordinates. */
+/* Implements writing a scan whose colours show distances (distance_map.h). Points keep the scan's own coordinates. */
 #include "geometry/fitting/distance_map.h"
 
 #include <math.h>

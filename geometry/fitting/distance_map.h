@@ -1,4 +1,4 @@
-/* Owns the map of distances: the scan with a colour at each point, as .ply and .x3d. */
+/* Declares the map of distances: the scan with a colour at each point, as .ply and .x3d. */
 #ifndef VS_GEOMETRY_FITTING_DISTANCE_MAP_H
 #define VS_GEOMETRY_FITTING_DISTANCE_MAP_H
 

@@ -1,4 +1,5 @@
-/* Owns step 2 of a fit: it fits all unknowns from several places and chooses the best result (fit_candidates.h). */
+/* Implements step 2 of a fit: it fits all unknowns from several places and chooses the best result
+ * (fit_candidates.h). */
 #include "geometry/fitting/fit_candidates.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* Owns the judgement of a fit's result (fit_judgement.h).
+/* Implements the judgement of a fit's result (fit_judgement.h).
  *
  * Intervals are by Huber's covariance of an M-estimate, K^2 s^2 [sum psi^2 / (m - n)] / [mean psi']^2 (J'J)^-1, in
  * natural scales: numbers by their size, the motion by the scan's size. To it comes the shift that the facets'

@@ -1,4 +1,4 @@
-/* Owns step 1 of a fit: the possible places of the scan in the model (fit_places.h). */
+/* Implements step 1 of a fit: the possible places of the scan in the model (fit_places.h). */
 #include "geometry/fitting/fit_places.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
-/* Owns a fit's unknowns: the model's numbers and the motion as the solver's variables, and the distances of the points
- * and their derivatives at any values of them (fit_unknowns.h). */
+/* Implements a fit's unknowns: the model's numbers and the motion as the solver's variables, and the distances of the
+ * points and their derivatives at any values of them (fit_unknowns.h). */
 #include "geometry/fitting/fit_unknowns.h"
 
 #include <math.h>

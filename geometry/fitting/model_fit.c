@@ -1,4 +1,4 @@
-/* Owns the sequence of a fit's steps (model_fit.h). */
+/* Implements the sequence of a fit's steps (model_fit.h). */
 #include "geometry/fitting/model_fit.h"
 
 #include <math.h>

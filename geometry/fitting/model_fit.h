@@ -1,4 +1,5 @@
-/* Owns the fit of a model to the points of a scan: of the model's numbers and the scan's position together.
+/* Declares the functions for the fit of a model to the points of a scan: of the model's numbers and the scan's position
+ * together.
  *
  * The residual of a point p is the signed distance d(m(p), x) of its image from the model's surface, where m is a rigid
  * motion (six unknowns, unless the scan is already placed) and x are the model's numbers. The derivative by m is exact,

@@ -1,4 +1,4 @@
-/* Owns rigid motions, and eigenvectors of small symmetric matrices (rigid_motion.h). */
+/* Implements rigid motions, and eigenvectors of small symmetric matrices (rigid_motion.h). */
 #include "geometry/fitting/rigid_motion.h"
 
 #include <string.h>

@@ -1,4 +1,4 @@
-/* Owns rigid motions near a given one, with their derivatives, and the principal axes of points. */
+/* Declares rigid motions near a given one, with their derivatives, and the principal axes of points. */
 #ifndef VS_GEOMETRY_FITTING_RIGID_MOTION_H
 #define VS_GEOMETRY_FITTING_RIGID_MOTION_H
 

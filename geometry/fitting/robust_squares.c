@@ -1,4 +1,4 @@
-/* Owns the robust losses and the call of cminpack's Levenberg-Marquardt solver (robust_squares.h).
+/* Implements the robust losses and the call of cminpack's Levenberg-Marquardt solver (robust_squares.h).
  *
  * The solver minimizes a sum of squares: each residual r becomes the signed root f of twice its loss, and its
  * derivatives are multiplied by df/dr. */

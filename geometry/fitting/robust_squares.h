@@ -1,4 +1,4 @@
-/* Owns least squares with a robust loss: residuals of many spreads count less, or not at all. */
+/* Declares least squares with a robust loss: residuals of many spreads count less, or not at all. */
 #ifndef VS_GEOMETRY_FITTING_ROBUST_SQUARES_H
 #define VS_GEOMETRY_FITTING_ROBUST_SQUARES_H
 

@@ -1,4 +1,4 @@
-/* Owns the choice of the points for the fit of a scan (scan_points.h). */
+/* Implements the choice of the points for the fit of a scan (scan_points.h). */
 #include "geometry/fitting/scan_points.h"
 
 #include <math.h>

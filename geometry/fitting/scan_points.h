@@ -1,4 +1,4 @@
-/* Owns a scan: the points of a file, and the samples for its fit. */
+/* Declares a scan: the points of a file, and the samples for its fit. */
 #ifndef VS_GEOMETRY_FITTING_SCAN_POINTS_H
 #define VS_GEOMETRY_FITTING_SCAN_POINTS_H
 

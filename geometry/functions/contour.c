@@ -1,4 +1,4 @@
-/* Owns dual contouring (contour.h).
+/* Implements dual contouring (contour.h).
  *
  * Plan. The box, with a margin of half a cell, is a grid of cubic cells. The value there is the larger of the tape's
  * and of the distance to the box's inside: everything on the grid's border is outside, and the mesh closes.

@@ -1,4 +1,4 @@
-/* Owns closed meshes of the region of a box in which a tape's value is below 0. */
+/* Declares closed meshes of the region of a box in which a tape's value is below 0. */
 #ifndef VS_GEOMETRY_FUNCTIONS_CONTOUR_H
 #define VS_GEOMETRY_FUNCTIONS_CONTOUR_H
 

@@ -1,6 +1,6 @@
-/* Owns interval arithmetic (enclosure.h). The processor rounds to nearest; therefore every bound is moved outwards by
- * the largest error of the operation. It is half a unit in the last place for + - * / and roots, up to some units for
- * the C library's functions. */
+/* Implements interval arithmetic (enclosure.h). The processor rounds to nearest; therefore every bound is moved
+ * outwards by the largest error of the operation. It is half a unit in the last place for + - * / and roots, up to some
+ * units for the C library's functions. */
 #include "geometry/functions/enclosure.h"
 #include "model/assert.h"
 

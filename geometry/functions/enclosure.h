@@ -1,4 +1,4 @@
-/* Owns intervals: bounds of all values in between, and the evaluation of tapes with them. */
+/* Declares intervals: bounds of all values in between, and the evaluation of tapes with them. */
 #ifndef VS_GEOMETRY_FUNCTIONS_ENCLOSURE_H
 #define VS_GEOMETRY_FUNCTIONS_ENCLOSURE_H
 

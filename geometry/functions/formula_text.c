@@ -1,5 +1,5 @@
-/* Owns the writing of formulas (formula_text.h). The pending pieces are on an explicit stack, the last of the text
- * deepest. */
+/* Implements the writing of formulas (formula_text.h). The pending pieces are on an explicit stack, the last of the
+ * text deepest. */
 #include "geometry/functions/formula_text.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* Owns tapes as formulas in the languages of other programs. */
+/* Declares tapes as formulas in the languages of other programs. */
 #ifndef VS_GEOMETRY_FUNCTIONS_FORMULA_TEXT_H
 #define VS_GEOMETRY_FUNCTIONS_FORMULA_TEXT_H
 

@@ -1,4 +1,4 @@
-/* Owns the octree over the cells of a dual contour (octree.h).
+/* Implements the octree over the cells of a dual contour (octree.h).
  *
  * Plan. The leaves are the cells that the surface crosses. Eight neighbours are a node of level 1; eight nodes of a
  * level are a node of the next. From level to level, connected parts of the surface in a node's children become one

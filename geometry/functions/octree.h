@@ -1,4 +1,4 @@
-/* Owns the octree over the cells of a dual contour: it replaces several points by one where the surface is flat. */
+/* Declares the octree over the cells of a dual contour: it replaces several points by one where the surface is flat. */
 #ifndef VS_GEOMETRY_FUNCTIONS_OCTREE_H
 #define VS_GEOMETRY_FUNCTIONS_OCTREE_H
 
@@ -13,7 +13,7 @@
  * of the grid that the surface crosses; the first of them is in the cell at whose lowest corner the edge begins. */
 typedef struct {
   size_t rings, quads;
-  const vs_vec3 *point;           /* of each ring, on the surface and within its cell */
+  const vs_vec3 *point;           /* for each ring, on the surface and within its cell */
   const int32_t (*place)[3];      /* of its cell in the grid */
   const bool *barred;             /* its cell must not be merged: another sheet passes through the same side of it */
   const uint32_t (*around)[4];    /* a quad's rings in order around the edge */

@@ -1,4 +1,4 @@
-/* Owns the evaluation of tapes in doubles (sampling.h).
+/* Implements the evaluation of tapes in doubles (sampling.h).
  *
  * Plan. A batch of points goes through the tape step by step: the overhead of a step is small against the work on its
  * numbers, and the simple operators become the machine's vector instructions. A step's numbers are in a lane. A lane is
@@ -27,7 +27,7 @@ enum { BATCH = VS_SAMPLE_BATCH };
 struct vs_sampler {
   const vs_tape *t;
   int slopes;
-  uint32_t *lane;      /* of each step */
+  uint32_t *lane;      /* one value for each step */
   const double **from; /* the address of each step's values in this batch */
   double *at;          /* the lanes */
   size_t width;        /* doubles in a lane */

@@ -1,4 +1,4 @@
-/* Owns the evaluation of tapes in doubles: for many points at a time, with or without slopes along some inputs. */
+/* Declares the evaluation of tapes in doubles: for many points at a time, with or without slopes along some inputs. */
 #ifndef VS_GEOMETRY_FUNCTIONS_SAMPLING_H
 #define VS_GEOMETRY_FUNCTIONS_SAMPLING_H
 

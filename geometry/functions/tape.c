@@ -1,4 +1,4 @@
-/* Owns the construction of tapes (tape.h). */
+/* Implements the construction of tapes (tape.h). */
 #include "geometry/functions/tape.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* Owns tapes: expressions of numbers as lists of operations.
+/* Declares tapes: expressions of numbers as lists of operations.
  *
  * A tape has inputs (the function's parameters), steps and outputs (one, or the coordinates of a point). A step is a
  * constant, an input, or an operator of operators.def whose operands are earlier steps. Equal steps are stored once,

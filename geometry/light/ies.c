@@ -1,5 +1,5 @@
-/* Owns lamps' files: IES LM-63, Standard File Format for the Electronic Transfer of Photometric Data, in its editions
- * of 1986 (without a line for the edition), 1991, 1995 and 2002. */
+/* Implements lamps' files: IES LM-63, Standard File Format for the Electronic Transfer of Photometric Data, in its
+ * editions of 1986 (without a line for the edition), 1991, 1995 and 2002. */
 #include "geometry/light/ies.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* Owns the removal of the sun from a picture of a sky.
+/* Implements the removal of the sun from a picture of a sky.
  *
  * The sun is a small disc, a hundred thousand times as bright as the sky. Only few of the rays that gather light hit
  * it, and the scene becomes blotched; a separate light is exact, and casts a shadow. The sun is the excess over the

@@ -1,5 +1,5 @@
-/* Owns reading Radiance pictures: lines of text, the size, then rows of pixels of four bytes, red, green and blue with
- * one exponent (G. Ward, Real Pixels, Graphics Gems II, 1991). Rows are run-length encoded, plane by plane, or
+/* Implements reading Radiance pictures: lines of text, the size, then rows of pixels of four bytes, red, green and blue
+ * with one exponent (G. Ward, Real Pixels, Graphics Gems II, 1991). Rows are run-length encoded, plane by plane, or
  * uncompressed. */
 #include "geometry/light/radiance.h"
 

@@ -1,4 +1,4 @@
-/* Owns bounds: of leaves under an affine map exactly, of sets from their parts' bounds. */
+/* Implements bounds: of leaves under an affine map exactly, of sets from their parts' bounds. */
 #include "geometry/measure/bounds.h"
 
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-/* Owns the bounds of nodes. */
+/* Declares the bounds of nodes. */
 #ifndef VS_GEOMETRY_MEASURE_BOUNDS_H
 #define VS_GEOMETRY_MEASURE_BOUNDS_H
 

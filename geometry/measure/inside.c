@@ -1,4 +1,5 @@
-/* Owns the test whether a point is inside a solid, by formulas and the sections of sweeps, independent of every mesh.
+/* Implements the test whether a point is inside a solid, by formulas and the sections of sweeps, independent of every
+ * mesh.
  *
  * The model is prepared once, each distinct node once: bounds in its own coordinates, inverse placements, plans of
  * swept solids. A test walks the tree by an explicit stack and carries the point into each placement's coordinates. It

@@ -1,4 +1,4 @@
-/* Owns the analytic test whether a point is inside a solid. */
+/* Declares the analytic test whether a point is inside a solid. */
 #ifndef VS_GEOMETRY_MEASURE_INSIDE_H
 #define VS_GEOMETRY_MEASURE_INSIDE_H
 

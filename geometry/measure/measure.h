@@ -1,4 +1,4 @@
-/* Owns the type of measures: volume, area, length, centroid, and whether each is known. */
+/* Declares the type of measures: volume, area, length, centroid, and whether each is known. */
 #ifndef VS_GEOMETRY_MEASURE_MEASURE_H
 #define VS_GEOMETRY_MEASURE_MEASURE_H
 

@@ -1,4 +1,4 @@
-/* Owns the signed distance from a closed mesh (mesh_distance.h). */
+/* Implements the signed distance from a closed mesh (mesh_distance.h). */
 #include "geometry/measure/mesh_distance.h"
 
 #include <math.h>

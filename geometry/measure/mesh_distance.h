@@ -1,4 +1,4 @@
-/* Owns the signed distance from a closed mesh. */
+/* Declares the signed distance from a closed mesh. */
 #ifndef VS_GEOMETRY_MEASURE_MESH_DISTANCE_H
 #define VS_GEOMETRY_MEASURE_MESH_DISTANCE_H
 

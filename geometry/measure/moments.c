@@ -1,5 +1,5 @@
-/* Owns Green's theorem: area = 1/2 (x dy - y dx), and the first moments 1/2 x^2 dy and -1/2 y^2 dx, around every loop,
- * piece by piece.
+/* Implements Green's theorem: area = 1/2 (x dy - y dx), and the first moments 1/2 x^2 dy and -1/2 y^2 dx, around every
+ * loop, piece by piece.
  *
  * A straight piece has closed forms. A round piece, c + a cos t + b sin t, gives a trigonometric polynomial of degree 3
  * under the integral. Cut at eighths of a turn, Gauss's rule with eight points is exact to the last bits. Coordinates

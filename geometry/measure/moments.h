@@ -1,4 +1,4 @@
-/* Owns areas and centroids of regions by formula. */
+/* Declares areas and centroids of regions by formula. */
 #ifndef VS_GEOMETRY_MEASURE_MOMENTS_H
 #define VS_GEOMETRY_MEASURE_MOMENTS_H
 

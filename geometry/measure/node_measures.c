@@ -1,4 +1,4 @@
-/* Owns measures by formula: volume, area, length, centroid. */
+/* Implements measures by formula: volume, area, length, centroid. */
 #include "geometry/measure/node_measures.h"
 
 #include <stdlib.h>

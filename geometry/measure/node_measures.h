@@ -1,4 +1,4 @@
-/* Owns measures of nodes by formula. */
+/* Declares measures of nodes by formula. */
 #ifndef VS_GEOMETRY_MEASURE_NODE_MEASURES_H
 #define VS_GEOMETRY_MEASURE_NODE_MEASURES_H
 

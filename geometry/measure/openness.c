@@ -1,4 +1,4 @@
-/* Owns the rays of ambient occlusion. Points distributed evenly on a unit disc, lifted onto the hemisphere, are
+/* Implements the rays of ambient occlusion. Points distributed evenly on a unit disc, lifted onto the hemisphere, are
  * directions distributed by the cosine (Malley's method). The disc's points come from the 8 by 8 cells of a square. The
  * square is mapped onto the disc so that neighbours stay neighbours (Shirley and Chiu, A Low Distortion Map Between
  * Disk and Square, Journal of Graphics Tools 2(3), 1997); its points are shifted within it modulo its size (Cranley and

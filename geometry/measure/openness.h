@@ -1,4 +1,4 @@
-/* Owns ambient occlusion: the openness of a point, by rays from it. */
+/* Declares ambient occlusion: the openness of a point, by rays from it. */
 #ifndef VS_GEOMETRY_MEASURE_OPENNESS_H
 #define VS_GEOMETRY_MEASURE_OPENNESS_H
 

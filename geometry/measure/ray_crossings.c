@@ -1,4 +1,4 @@
-/* Owns the test whether a point is inside a closed mesh: crossings of an upward ray, counted with their sides.
+/* Implements the test whether a point is inside a closed mesh: crossings of an upward ray, counted with their sides.
  *
  * Seen from above, one comparison determines whether an edge lies to the right of p, and both of its triangles make the
  * same comparison: a ray through an edge or a corner is counted once. Triangles are listed in the cells that their

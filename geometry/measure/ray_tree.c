@@ -1,4 +1,4 @@
-/* Owns the construction of the tree, halved at the middle of the longest side, and its traversal. */
+/* Implements the construction of the tree, halved at the middle of the longest side, and its traversal. */
 #include "geometry/measure/ray_tree.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* Owns the search for the first triangle of a mesh that a ray hits, for many rays. */
+/* Declares the functions for the search for the first triangle of a mesh that a ray hits, for many rays. */
 #ifndef VS_GEOMETRY_MEASURE_RAY_TREE_H
 #define VS_GEOMETRY_MEASURE_RAY_TREE_H
 

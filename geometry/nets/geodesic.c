@@ -1,4 +1,4 @@
-/* Owns shortest paths (geodesic.h).
+/* Implements shortest paths (geodesic.h).
  *
  * Plan. Dijkstra's algorithm finds a first path between corners and STOPS stops on every edge, across the triangles
  * between them. It crosses a row of edges. Each crossing is moved to the point where the path is straight when both

@@ -1,4 +1,4 @@
-/* Owns shortest paths: over the triangles of a mesh, and along members of a net. */
+/* Declares shortest paths: over the triangles of a mesh, and along members of a net. */
 #ifndef VS_GEOMETRY_NETS_GEODESIC_H
 #define VS_GEOMETRY_NETS_GEODESIC_H
 

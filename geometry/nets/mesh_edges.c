@@ -1,4 +1,4 @@
-/* Owns the edges of a mesh (mesh_edges.h). */
+/* Implements the edges of a mesh (mesh_edges.h). */
 #include "geometry/nets/mesh_edges.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* Owns the edges between a mesh's triangles, for traversals. */
+/* Declares the edges between a mesh's triangles, for traversals. */
 #ifndef VS_GEOMETRY_NETS_MESH_EDGES_H
 #define VS_GEOMETRY_NETS_MESH_EDGES_H
 

@@ -1,4 +1,4 @@
-/* Owns curves at a distance from others over a mesh (offset_curve.h).
+/* Implements curves at a distance from others over a mesh (offset_curve.h).
  *
  * Plan. A walk goes straight over a triangle to the first edge that it meets. The triangle behind the edge is unfolded
  * into the same plane, and the walk continues with the same components along the edge and across it (K. Polthier, M.

@@ -1,4 +1,4 @@
-/* Owns curves at a distance from others over the triangles of a mesh. */
+/* Declares curves at a distance from others over the triangles of a mesh. */
 #ifndef VS_GEOMETRY_NETS_OFFSET_CURVE_H
 #define VS_GEOMETRY_NETS_OFFSET_CURVE_H
 

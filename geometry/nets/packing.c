@@ -1,4 +1,4 @@
-/* Owns the packing of circles (packing.h).
+/* Implements the packing of circles (packing.h).
  *
  * Plan. The largest radius of a circle about a point changes by no more than the point moves. Squares that cover the
  * area therefore wait in a heap, ordered by an upper bound of the radius of a circle whose centre is within. The first

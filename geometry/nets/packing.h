@@ -1,4 +1,4 @@
-/* Owns the packing of circles into an area. */
+/* Declares the packing of circles into an area. */
 #ifndef VS_GEOMETRY_NETS_PACKING_H
 #define VS_GEOMETRY_NETS_PACKING_H
 

@@ -1,5 +1,5 @@
-/* Owns the planarization of faces (planarity.h): corners move to the mean of their projections onto the planes of all
- * their faces, repeatedly, with over-relaxation (S. Bouaziz and others, Shape-Up, 2012). */
+/* Implements the planarization of faces (planarity.h): corners move to the mean of their projections onto the planes of
+ * all their faces, repeatedly, with over-relaxation (S. Bouaziz and others, Shape-Up, 2012). */
 #include "geometry/nets/planarity.h"
 
 #include <math.h>

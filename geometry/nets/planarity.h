@@ -1,4 +1,4 @@
-/* Owns the planarization of faces by the smallest moves of their corners. */
+/* Declares the planarization of faces by the smallest moves of their corners. */
 #ifndef VS_GEOMETRY_NETS_PLANARITY_H
 #define VS_GEOMETRY_NETS_PLANARITY_H
 

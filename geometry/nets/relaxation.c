@@ -1,4 +1,4 @@
-/* Owns dynamic relaxation (relaxation.h).
+/* Implements dynamic relaxation (relaxation.h).
  *
  * Plan. Points are masses that the forces on them move in steps of one unit of time; when the kinetic energy has passed
  * a peak, all stop (M. Barnes, Form finding and analysis of tension structures by dynamic relaxation, 1999). A point's

@@ -1,4 +1,4 @@
-/* Owns the equilibrium of points under cables and forces: dynamic relaxation. */
+/* Declares the equilibrium of points under cables and forces: dynamic relaxation. */
 #ifndef VS_GEOMETRY_NETS_RELAXATION_H
 #define VS_GEOMETRY_NETS_RELAXATION_H
 

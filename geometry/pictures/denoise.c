@@ -1,4 +1,5 @@
-/* Owns the joint bilateral filter: each pixel becomes the mean of its neighbours, weighted by distance and similarity.
+/* Implements the joint bilateral filter: each pixel becomes the mean of its neighbours, weighted by distance and
+ * similarity.
  *
  * Petschnigg and others, Digital Photography with Flash and No-Flash Image Pairs, SIGGRAPH 2004: pictures without noise
  * determine the similarity. Here they are the layers of albedo (albedo.R .G .B) and normal (N.X .Y .Z); edges of shape

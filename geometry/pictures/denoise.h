@@ -1,4 +1,4 @@
-/* Owns the removal of noise from pictures. */
+/* Declares the removal of noise from pictures. */
 #ifndef VS_GEOMETRY_PICTURES_DENOISE_H
 #define VS_GEOMETRY_PICTURES_DENOISE_H
 

@@ -1,4 +1,4 @@
-/* Owns the palette, the legend and its digits. */
+/* Implements the palette, the legend and its digits. */
 #include "geometry/pictures/false_color.h"
 
 #include <math.h>

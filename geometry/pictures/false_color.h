@@ -1,4 +1,4 @@
-/* Owns false colours: a number for each pixel becomes a colour, with a legend beside the picture. */
+/* Declares false colours: a number for each pixel becomes a colour, with a legend beside the picture. */
 #ifndef VS_GEOMETRY_PICTURES_FALSE_COLOR_H
 #define VS_GEOMETRY_PICTURES_FALSE_COLOR_H
 

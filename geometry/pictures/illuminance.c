@@ -1,4 +1,4 @@
-/* Owns the formula of illuminance, and the definition of a floor. */
+/* Implements the formula of illuminance, and the definition of a floor. */
 #include "geometry/pictures/illuminance.h"
 
 #include <math.h>

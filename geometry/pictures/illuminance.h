@@ -1,4 +1,4 @@
-/* Owns illuminance from a picture: the light that reaches a surface, from the light that it reflects and its
+/* Declares illuminance from a picture: the light that reaches a surface, from the light that it reflects and its
  * reflectance. */
 #ifndef VS_GEOMETRY_PICTURES_ILLUMINANCE_H
 #define VS_GEOMETRY_PICTURES_ILLUMINANCE_H

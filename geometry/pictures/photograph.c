@@ -1,4 +1,4 @@
-/* Owns checks of pictures for surfaces: whether they are complete, their size, and their mean colour. */
+/* Implements checks of pictures for surfaces: whether they are complete, their size, and their mean colour. */
 #include "geometry/pictures/photograph.h"
 
 #include <math.h>

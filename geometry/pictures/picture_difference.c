@@ -1,4 +1,4 @@
-/* Owns the measures of difference: in linear light, and by structural similarity on the screen.
+/* Implements the measures of difference: in linear light, and by structural similarity on the screen.
  *
  * The second is Wang, Bovik, Sheikh and Simoncelli, Image Quality Assessment: From Error Visibility to Structural
  * Similarity, IEEE Transactions on Image Processing 13(4), 2004. It uses means, variances and covariance under a

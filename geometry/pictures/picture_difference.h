@@ -1,4 +1,4 @@
-/* Owns the difference of two pictures. */
+/* Declares the difference of two pictures. */
 #ifndef VS_GEOMETRY_PICTURES_PICTURE_DIFFERENCE_H
 #define VS_GEOMETRY_PICTURES_PICTURE_DIFFERENCE_H
 

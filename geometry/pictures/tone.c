@@ -1,4 +1,4 @@
-/* Owns exposure and tone curves. Each formula is a published one, with its source beside it. */
+/* Implements exposure and tone curves. Each formula is a published one, with its source beside it. */
 #include "geometry/pictures/tone.h"
 
 #include <math.h>

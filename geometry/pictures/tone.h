@@ -1,4 +1,4 @@
-/* Owns the conversion of linear light to screen values: exposure, a tone curve, sRGB. */
+/* Declares the functions for the conversion of linear light to screen values: exposure, a tone curve, sRGB. */
 #ifndef VS_GEOMETRY_PICTURES_TONE_H
 #define VS_GEOMETRY_PICTURES_TONE_H
 

@@ -1,4 +1,4 @@
-/* Owns the calls of GEOS: unions, intersections and differences of areas.
+/* Implements the calls of GEOS: unions, intersections and differences of areas.
  *
  * GEOS keeps its input coordinates and adds intersection points, rounded to double: exact input coordinates stay exact
  * in the output. It keeps corners where pieces met on a straight edge: these are removed, within a distance of 1e-12 of

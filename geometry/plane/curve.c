@@ -1,5 +1,5 @@
-/* Owns curves as paths: lines, arcs, circles and interpolating splines sampled by the rule of tolerance.h, with exact
- * ends.
+/* Implements curves as paths: lines, arcs, circles and interpolating splines sampled by the rule of tolerance.h, with
+ * exact ends.
  *
  * A spline through P_0..P_n has the parameter length h_i = |P_{i+1} - P_i| on its i-th span. The second derivatives M_i
  * at its knots determine it there: the tridiagonal system of textbooks, with natural ends (M = 0), with given unit

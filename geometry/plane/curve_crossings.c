@@ -1,4 +1,4 @@
-/* Owns the search for points where curves cross (curve_crossings.h).
+/* Implements the search for points where curves cross (curve_crossings.h).
  *
  * Plan. The curves are sampled and become edges in their plane, sorted by their smallest x; each is compared with the
  * edges before it that reach its x. Two edges cross if the ends of each lie clearly on both sides of the other. Two

@@ -1,4 +1,4 @@
-/* Owns the test whether curves that bound a region cross each other, or themselves. */
+/* Declares the functions for the test whether curves that bound a region cross each other, or themselves. */
 #ifndef VS_GEOMETRY_PLANE_CURVE_CROSSINGS_H
 #define VS_GEOMETRY_PLANE_CURVE_CROSSINGS_H
 

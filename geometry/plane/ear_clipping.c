@@ -1,4 +1,4 @@
-/* Owns the triangulation of planar polygons with holes by ear clipping.
+/* Implements the triangulation of planar polygons with holes by ear clipping.
  *
  * The ring is a doubly linked list of corners. A hole is spliced in by a bridge from its leftmost corner to a visible
  * corner of the ring; the ring uses the bridge in both directions. An ear is a convex corner whose triangle contains no

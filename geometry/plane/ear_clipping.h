@@ -1,4 +1,4 @@
-/* Owns the triangulation of planar polygons with holes: caps, regions, polygonal faces. */
+/* Declares the triangulation of planar polygons with holes: caps, regions, polygonal faces. */
 #ifndef VS_GEOMETRY_PLANE_EAR_CLIPPING_H
 #define VS_GEOMETRY_PLANE_EAR_CLIPPING_H
 

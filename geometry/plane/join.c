@@ -1,4 +1,4 @@
-/* Owns the joining of open curves.
+/* Implements the joining of open curves.
  *
  * A chain begins with the first unused curve and adds, at its end and then at its start, the first unused curve with an
  * end there: quadratic in the number of curves. */

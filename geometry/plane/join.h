@@ -1,4 +1,4 @@
-/* Owns the joining of open curves end to end before they bound a region. */
+/* Declares the joining of open curves end to end before they bound a region. */
 #ifndef VS_GEOMETRY_PLANE_JOIN_H
 #define VS_GEOMETRY_PLANE_JOIN_H
 

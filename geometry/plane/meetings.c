@@ -1,4 +1,4 @@
-/* Owns the search for points where two curves meet (meetings.h).
+/* Implements the search for points where two curves meet (meetings.h).
  *
  * Plan. Boxes contain spans of both curves, larger boxes contain several of these. If boxes are near each other, their
  * spans are compared in pairs. From the nearest points of two spans' chords, Newton's method moves along the curves

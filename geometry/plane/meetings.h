@@ -1,4 +1,4 @@
-/* Owns the points where two curves meet in space. */
+/* Declares the points where two curves meet in space. */
 #ifndef VS_GEOMETRY_PLANE_MEETINGS_H
 #define VS_GEOMETRY_PLANE_MEETINGS_H
 

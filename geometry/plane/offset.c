@@ -1,4 +1,4 @@
-/* Owns offsets in a plane: enlarged or reduced areas, and open lines moved to one side.
+/* Implements offsets in a plane: enlarged or reduced areas, and open lines moved to one side.
  *
  * An area grows by the union with strips along its outside, and shrinks by the difference from strips along its inside:
  * the union handles self-overlaps and holes that close, and exact coordinates stay exact. A strip follows edges a -> b

@@ -1,4 +1,4 @@
-/* Owns the interface of offset.c: offsets in a plane. */
+/* Declares the functions of offset.c: offsets in a plane. */
 #ifndef VS_GEOMETRY_PLANE_OFFSET_H
 #define VS_GEOMETRY_PLANE_OFFSET_H
 

@@ -1,4 +1,4 @@
-/* Owns regions as loops in a plane: the nesting of holes, and the common plane. */
+/* Implements regions as loops in a plane: the nesting of holes, and the common plane. */
 #include "geometry/plane/outline.h"
 
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-/* Owns polylines and outlines: the points of curves and regions. */
+/* Declares polylines and outlines: the points of curves and regions. */
 #ifndef VS_GEOMETRY_PLANE_OUTLINE_H
 #define VS_GEOMETRY_PLANE_OUTLINE_H
 

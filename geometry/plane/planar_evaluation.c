@@ -1,5 +1,5 @@
-/* Owns the evaluation of planar expressions: converts curves, regions and sets of regions to paths and outlines, within
- * a tolerance.
+/* Implements the evaluation of planar expressions: converts curves, regions and sets of regions to paths and outlines,
+ * within a tolerance.
  *
  * A stack machine: a frame for each node that waits for its children, a value for each child that is done. Frames carry
  * the placement down; every curve is sampled in its final position, and sets are computed in their final plane. */

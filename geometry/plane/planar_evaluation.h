@@ -1,4 +1,5 @@
-/* Owns planar evaluation: curves as points, regions as outlines, including the offsets and booleans of the plane. */
+/* Declares planar evaluation: curves as points, regions as outlines, including the offsets and booleans of the
+ * plane. */
 #ifndef VS_GEOMETRY_PLANE_PLANAR_EVALUATION_H
 #define VS_GEOMETRY_PLANE_PLANAR_EVALUATION_H
 

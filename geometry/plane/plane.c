@@ -1,5 +1,5 @@
-/* Owns planes of curves and regions. The points that determine a shape (corners, knots with their tangents, a circle's
- * centre and axes) lie in a plane exactly if the shape does. */
+/* Implements planes of curves and regions. The points that determine a shape (corners, knots with their tangents, a
+ * circle's centre and axes) lie in a plane exactly if the shape does. */
 #include "geometry/plane/plane.h"
 
 #include "geometry/frame.h"

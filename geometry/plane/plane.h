@@ -1,4 +1,4 @@
-/* Owns the plane of a curve or region, found from its node; only joins and hulls are sampled. */
+/* Declares the plane of a curve or region, found from its node; only joins and hulls are sampled. */
 #ifndef VS_GEOMETRY_PLANE_PLANE_H
 #define VS_GEOMETRY_PLANE_PLANE_H
 

@@ -1,4 +1,4 @@
-/* Owns the tree of points, for searches in triangles and boxes. */
+/* Implements the tree of points, for searches in triangles and boxes. */
 #include "geometry/plane/point_tree.h"
 #include "model/store/array.h"
 

@@ -1,4 +1,4 @@
-/* Owns searches for points in a triangle or a box, among many points of which some are switched off. */
+/* Declares searches for points in a triangle or a box, among many points of which some are switched off. */
 #ifndef VS_GEOMETRY_PLANE_POINT_TREE_H
 #define VS_GEOMETRY_PLANE_POINT_TREE_H
 

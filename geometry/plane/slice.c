@@ -1,5 +1,5 @@
-/* Owns cuts of curves, regions and surfaces by a plane. Where an edge crosses it, both sides get the same point: it is
- * computed from the edge's kept end. */
+/* Implements cuts of curves, regions and surfaces by a plane. Where an edge crosses it, both sides get the same point:
+ * it is computed from the edge's kept end. */
 #include "geometry/plane/slice.h"
 
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-/* Owns cuts of polylines, regions and surfaces by a plane: the part on the normal's side is kept. */
+/* Declares cuts of polylines, regions and surfaces by a plane: the part on the normal's side is kept. */
 #ifndef VS_GEOMETRY_PLANE_SLICE_H
 #define VS_GEOMETRY_PLANE_SLICE_H
 

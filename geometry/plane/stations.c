@@ -1,4 +1,4 @@
-/* Owns positions along sampled curves by arc length (stations.h). */
+/* Implements positions along sampled curves by arc length (stations.h). */
 #include "geometry/plane/stations.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* Owns positions on a curve by arc length: point, direction, frame and curvature at a distance from its start. */
+/* Declares positions on a curve by arc length: point, direction, frame and curvature at a distance from its start. */
 #ifndef VS_GEOMETRY_PLANE_STATIONS_H
 #define VS_GEOMETRY_PLANE_STATIONS_H
 

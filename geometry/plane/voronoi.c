@@ -1,5 +1,6 @@
-/* Owns Voronoi cells (voronoi.h). A cell is the box without the parts beyond the bisectors to the point's neighbours in
- * the Delaunay triangulation. Each cell thus belongs to a known point, and neighbours share their corners. */
+/* Implements Voronoi cells (voronoi.h). A cell is the box without the parts beyond the bisectors to the point's
+ * neighbours in the Delaunay triangulation. Each cell thus belongs to a known point, and neighbours share their
+ * corners. */
 #include "geometry/plane/voronoi.h"
 
 #include <stdlib.h>

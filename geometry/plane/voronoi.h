@@ -1,4 +1,4 @@
-/* Owns Voronoi cells: the points that are nearer to a given point than to any other. */
+/* Declares Voronoi cells: the points that are nearer to a given point than to any other. */
 #ifndef VS_GEOMETRY_PLANE_VORONOI_H
 #define VS_GEOMETRY_PLANE_VORONOI_H
 

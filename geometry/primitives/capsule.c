@@ -1,4 +1,4 @@
-/* Owns the capsule: all points within a radius of the segment between two centres. */
+/* Implements the capsule: all points within a radius of the segment between two centres. */
 #include <math.h>
 
 #include "geometry/frame.h"

@@ -1,4 +1,4 @@
-/* Owns the cone. */
+/* Implements the cone. */
 #include <math.h>
 
 #include "geometry/primitives/round_formulas.h"

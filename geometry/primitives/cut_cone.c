@@ -1,4 +1,4 @@
-/* Owns the cut cone; one of its radii may be 0. */
+/* Implements the cut cone; one of its radii may be 0. */
 #include "geometry/primitives/round_formulas.h"
 #include "geometry/primitives/shape_map.h"
 

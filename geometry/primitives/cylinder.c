@@ -1,4 +1,4 @@
-/* Owns the cylinder. */
+/* Implements the cylinder. */
 #include "geometry/primitives/round_formulas.h"
 #include "geometry/primitives/shape_map.h"
 

@@ -1,4 +1,4 @@
-/* Owns the elliptical cone, truncated or pointed. */
+/* Implements the elliptical cone, truncated or pointed. */
 #include <math.h>
 
 #include "geometry/frame.h"

@@ -1,4 +1,4 @@
-/* Owns the half-space. It is infinite: its triangles are those of the part within a given box. */
+/* Implements the half-space. It is infinite: its triangles are those of the part within a given box. */
 #include "geometry/primitives/half_space.h"
 
 #include <math.h>

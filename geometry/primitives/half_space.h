@@ -1,4 +1,4 @@
-/* Owns the bounds of a half-space, and the triangles of a finite part of it. */
+/* Declares the bounds of a half-space, and the triangles of a finite part of it. */
 #ifndef VS_GEOMETRY_PRIMITIVES_HALF_SPACE_H
 #define VS_GEOMETRY_PRIMITIVES_HALF_SPACE_H
 

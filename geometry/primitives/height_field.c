@@ -1,4 +1,4 @@
-/* Owns height fields: a grid of heights over a rectangle, solid down to a floor.
+/* Implements height fields: a grid of heights over a rectangle, solid down to a floor.
  *
  * Sample (i, j), column i of row j, is point j * columns + i; no height is below the floor. If none is on it either,
  * the floor is a fan about its middle to the border's feet. Otherwise the floor is divided as finely as the top, and a

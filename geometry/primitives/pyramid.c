@@ -1,4 +1,4 @@
-/* Owns the pyramid, whole or truncated: regular n-gons, with a corner at +X of the axis's frame. */
+/* Implements the pyramid, whole or truncated: regular n-gons, with a corner at +X of the axis's frame. */
 #include <math.h>
 
 #include "geometry/measure/reach.h"

@@ -1,4 +1,4 @@
-/* Owns formulas that several round shapes share. */
+/* Implements formulas that several round shapes share. */
 #include "geometry/primitives/round_formulas.h"
 
 #include <math.h>

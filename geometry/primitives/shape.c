@@ -1,4 +1,4 @@
-/* Owns the table of the primitive solids, by kind. */
+/* Implements the table of the primitive solids, by kind. */
 #include "geometry/primitives/shape.h"
 
 const vs_shape *vs_shape_of(const vs_node *n) {

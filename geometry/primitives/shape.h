@@ -1,5 +1,5 @@
-/* Owns the interface of a primitive solid: the functions that each kind of role SHAPE (model/prims.def) provides for
- * its nodes.
+/* Declares the interface of a primitive solid: the functions that each kind of role SHAPE (model/prims.def) provides
+ * for its nodes.
  *
  * A kind has one file here, NAME.c, which ends with VS_SHAPE(NAME, ...). The macro gathers the functions NAME_bounds,
  * NAME_triangles, NAME_measure, NAME_holds and NAME_moved: a missing one does not compile. The optional entries are

@@ -1,4 +1,4 @@
-/* Owns the properties of a shape that an affine map keeps, and points under a map. */
+/* Implements the properties of a shape that an affine map keeps, and points under a map. */
 #include "geometry/primitives/shape_map.h"
 
 #include <math.h>

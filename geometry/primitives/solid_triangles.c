@@ -1,4 +1,4 @@
-/* Owns the triangles of the primitive solids.
+/* Implements the triangles of the primitive solids.
  *
  * Rings run counter-clockwise about the axis from +X of its frame; facets are counter-clockwise seen from outside.
  * Poles, apexes, the centres of discs and the corners at quarter turns agree with the formula to the last bit: kernel/

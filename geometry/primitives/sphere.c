@@ -1,4 +1,4 @@
-/* Owns the sphere. */
+/* Implements the sphere. */
 #include "geometry/measure/reach.h"
 #include "geometry/primitives/shape.h"
 #include "geometry/primitives/solid_triangles.h"

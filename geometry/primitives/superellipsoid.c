@@ -1,4 +1,4 @@
-/* Owns the superellipsoid: its triangles and its formulas.
+/* Implements the superellipsoid: its triangles and its formulas.
  *
  * Both its profile and its cross-sections are superellipses |u|^p + |v|^p = 1, p = 2/n and 2/e. Half a quadrant of one
  * is

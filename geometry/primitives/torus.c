@@ -1,4 +1,4 @@
-/* Owns the torus, about the Z direction. */
+/* Implements the torus, about the Z direction. */
 #include <math.h>
 
 #include "geometry/measure/reach.h"

@@ -1,4 +1,4 @@
-/* Owns grids of points as meshes. */
+/* Implements grids of points as meshes. */
 #include "geometry/profiles/grid.h"
 
 #include <stdlib.h>

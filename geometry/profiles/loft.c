@@ -1,4 +1,4 @@
-/* Owns the sections of a loft: the matching of their points.
+/* Implements the sections of a loft: the matching of their points.
  *
  * 1. Each section becomes loops in its plane (or one open line, or a point). Its normal points in the loft's
  *    direction; its outer loops run counter-clockwise about the normal. Holes are matched with the nearest holes of the

@@ -10,7 +10,7 @@
 typedef struct {
   size_t rows, columns, loop_count;
   vs_vec3 *at;          /* rows x columns */
-  vs_vec3 *center;      /* of each row */
+  vs_vec3 *center;      /* one value for each row */
   vs_vec3 *normal;      /* unit, in the loft's direction; zero for a point or an open curve */
   bool *point;          /* the row is one point */
   size_t *sizes;        /* sizes of a row's loops, outer ones counter-clockwise about the normal */

@@ -1,4 +1,4 @@
-/* Owns lofts that follow a path or guides.
+/* Implements lofts that follow a path or guides.
  *
  * Along a path: three data describe each section in the path's frame (rotation-minimizing) at its position. They are
  * its shape, flat and about its own centre; the position of that centre; and its tilt, the smallest rotation that takes

@@ -1,4 +1,4 @@
-/* Owns the walls of lofts: rows of points between the sections, and the triangles through them.
+/* Implements the walls of lofts: rows of points between the sections, and the triangles through them.
  *
  * A smooth loft splits each line of the wall into the path of the sections' centres and the vector from centre to wall,
  * and makes each a cubic through the sections (Hermite). The slopes are those of vs_loft_slope: circular where the

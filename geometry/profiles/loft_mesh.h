@@ -1,4 +1,4 @@
-/* Owns the interface of loft_mesh.c: the walls of lofts. */
+/* Declares the functions of loft_mesh.c: the walls of lofts. */
 #ifndef VS_GEOMETRY_PROFILES_LOFT_MESH_H
 #define VS_GEOMETRY_PROFILES_LOFT_MESH_H
 

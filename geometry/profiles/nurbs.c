@@ -1,4 +1,4 @@
-/* Owns rational B-splines (nurbs.h). */
+/* Implements rational B-splines (nurbs.h). */
 #include "geometry/profiles/nurbs.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* Owns rational B-splines: their points and slopes, and the parameters at which they are sampled.
+/* Declares rational B-splines: their points and slopes, and the parameters at which they are sampled.
  *
  * Notation: L. Piegl and W. Tiller, The NURBS Book (1997). A direction has `count` control points, a degree p and count
  * + p + 1 non-decreasing knots; the parameter goes from knots[p] to knots[count]. */

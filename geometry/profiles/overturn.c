@@ -1,4 +1,4 @@
-/* Owns the steps of a sweep in which a bend is tighter than its profile.
+/* Implements the steps of a sweep in which a bend is tighter than its profile.
  *
  * There the inner side of the profile goes backwards from one section to the next, and the walls of the whole profile
  * wind around its volume the wrong way: -1 times. A sweep is the union of all places that the profile passes through.

@@ -1,4 +1,4 @@
-/* Owns the rings of pipes (pipe.h). */
+/* Implements the rings of pipes (pipe.h). */
 #include "geometry/profiles/pipe.h"
 
 #include <math.h>

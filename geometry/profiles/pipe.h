@@ -1,4 +1,4 @@
-/* Owns round pipes of variable radius along curves. */
+/* Declares round pipes of variable radius along curves. */
 #ifndef VS_GEOMETRY_PROFILES_PIPE_H
 #define VS_GEOMETRY_PROFILES_PIPE_H
 

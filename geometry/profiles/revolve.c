@@ -1,4 +1,4 @@
-/* Owns revolutions.
+/* Implements revolutions.
  *
  * A profile's point (r, z) turned by t has the position `at` + z axis + r (cos t out + sin t side). A point on the axis
  * (r = 0) stays one point: a pole. Pappus: a plane area A whose centroid is at the distance c from the axis makes the

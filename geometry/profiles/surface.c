@@ -1,4 +1,4 @@
-/* Owns grids of points as nodes. */
+/* Implements grids of points as nodes. */
 #include "geometry/profiles/surface.h"
 
 #include <stdlib.h>

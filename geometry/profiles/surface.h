@@ -1,4 +1,4 @@
-/* Owns grids of points as nodes: the borders that meet, and whether they close the surface. */
+/* Declares grids of points as nodes: the borders that meet, and whether they close the surface. */
 #ifndef VS_GEOMETRY_PROFILES_SURFACE_H
 #define VS_GEOMETRY_PROFILES_SURFACE_H
 

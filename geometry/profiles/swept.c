@@ -1,5 +1,5 @@
-/* Owns what extrude, sweep and thicken have in common: a planar profile carried through sections. swept_mesh.c makes
- * the triangles between them.
+/* Implements what extrude, sweep and thicken have in common: a planar profile carried through sections. swept_mesh.c
+ * makes the triangles between them.
  *
  * Plan first, triangles second. A section is an affine map of the profile's plane; at a corner of a path it lies in the
  * mitre plane (normal m = a + b for directions a arriving, b leaving): a profile vector d across b becomes d - b

@@ -1,4 +1,4 @@
-/* Owns the triangles between the sections of a sweep, an extrusion or a pipe. */
+/* Implements the triangles between the sections of a sweep, an extrusion or a pipe. */
 #include "geometry/profiles/swept_mesh.h"
 
 #include <stdlib.h>

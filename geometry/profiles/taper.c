@@ -1,5 +1,5 @@
-/* Owns extrusions with inclined walls: every edge of the profile moves inwards (outwards) at the same speed, and its
- * wall is the plane of its motion.
+/* Implements extrusions with inclined walls: every edge of the profile moves inwards (outwards) at the same speed, and
+ * its wall is the plane of its motion.
  *
  * In the profile's plane edge i lies on the line sign (n_i . x - c_i) = d, n_i its unit normal into the material, d
  * growing from 0 to its end. Two neighbours meet in a corner that moves with the velocity sign (n_i + n_j) / (1 + n_i .

@@ -1,6 +1,6 @@
-/* Owns extrusions with a taper along a bent curve: the straight extrusion of the same height, cut at the heights of the
- * curve's corners, with every height moved to the curve's position there. By Cavalieri's principle it has the straight
- * one's volume. */
+/* Implements extrusions with a taper along a bent curve: the straight extrusion of the same height, cut at the heights
+ * of the curve's corners, with every height moved to the curve's position there. By Cavalieri's principle it has the
+ * straight one's volume. */
 #include "geometry/profiles/taper_path.h"
 
 #include <stdlib.h>

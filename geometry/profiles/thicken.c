@@ -1,4 +1,4 @@
-/* Owns the thickening of surfaces given as triangles: two copies at a distance, and walls along the border.
+/* Implements the thickening of surfaces given as triangles: two copies at a distance, and walls along the border.
  *
  * A vertex moves along the sum n of its facets' normals weighted by their angles there, until it reaches the mean of
  * the facets' shifted planes, at most four times the distance. If the surface is flat or has one fold, it reaches all

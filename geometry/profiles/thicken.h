@@ -1,4 +1,4 @@
-/* Owns the thickening of surfaces given as triangles. */
+/* Declares the thickening of surfaces given as triangles. */
 #ifndef VS_GEOMETRY_PROFILES_THICKEN_H
 #define VS_GEOMETRY_PROFILES_THICKEN_H
 

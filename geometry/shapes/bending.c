@@ -1,4 +1,4 @@
-/* Owns the bending of objects (bending.h).
+/* Implements the bending of objects (bending.h).
  *
  * Plan: only an edge's ends and midpoint decide whether it is cut; neighbours therefore agree, and a closed mesh stays
  * closed. A round requests the images of all midpoints that are not known yet, then cuts. */

@@ -1,6 +1,6 @@
-/* Owns the bending of shapes by a map of space: leaves of objects as meshes, whose edges are halved until they follow
- * the map, and which become objects again. solids/deformed.h takes objects apart. The caller computes images of points;
- * this room knows no map. */
+/* Declares the bending of shapes by a map of space: leaves of objects as meshes, whose edges are halved until they
+ * follow the map, and which become objects again. solids/deformed.h takes objects apart. The caller computes images of
+ * points; this room knows no map. */
 #ifndef VS_GEOMETRY_SHAPES_BENDING_H
 #define VS_GEOMETRY_SHAPES_BENDING_H
 

@@ -1,4 +1,4 @@
-/* Owns convex hulls.
+/* Implements convex hulls.
  *
  * In space: quickhull (Barber, Dobkin, Huhdanpaa 1996), every decision exact. Points are rounded to a grid of 2^40
  * steps over their extent; there the side of a point relative to three others is the sign of a number of 123 bits. A

@@ -1,4 +1,4 @@
-/* Owns the faces of polyface meshes, grid meshes and boxes, passed one at a time.
+/* Implements the faces of polyface meshes, grid meshes and boxes, passed one at a time.
  *
  * The object's transform is applied to the corners of a face, in one array that is reused; a reflection reverses their
  * order, so that the outside of each face stays outside. */

@@ -1,4 +1,4 @@
-/* Owns the faces of the kinds that consist of polygons: polyface meshes, grid meshes and boxes. */
+/* Declares the faces of the kinds that consist of polygons: polyface meshes, grid meshes and boxes. */
 #ifndef VS_GEOMETRY_SHAPES_POLYGONS_H
 #define VS_GEOMETRY_SHAPES_POLYGONS_H
 

@@ -1,4 +1,4 @@
-/* Owns nodes of the simplest kinds (simple_nodes.h), to which every other kind can be converted. */
+/* Implements nodes of the simplest kinds (simple_nodes.h), to which every other kind can be converted. */
 #include "geometry/shapes/simple_nodes.h"
 #include "model/store/array.h"
 

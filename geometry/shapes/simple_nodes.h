@@ -1,4 +1,4 @@
-/* Owns nodes of the simplest kinds, made from computed points and triangles. */
+/* Declares nodes of the simplest kinds, made from computed points and triangles. */
 #ifndef VS_GEOMETRY_SHAPES_SIMPLE_NODES_H
 #define VS_GEOMETRY_SHAPES_SIMPLE_NODES_H
 

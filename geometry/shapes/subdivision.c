@@ -1,4 +1,4 @@
-/* Owns subdivision surfaces (subdivision.h). */
+/* Implements subdivision surfaces (subdivision.h). */
 #include "geometry/shapes/subdivision.h"
 
 #include <math.h>
@@ -124,7 +124,7 @@ static bool face_of(vs_face_list *l, const uint32_t *corner, int n) {
 static bool step(const vs_face_list *l, const crease_list *creases, bool loop, vs_face_list *out, crease_list *less) {
   topology t;
   gathered *g = NULL;
-  vs_vec3 *middle = NULL; /* of each face */
+  vs_vec3 *middle = NULL; /* one value for each face */
   if (!topology_of(l, creases->at, creases->count, &t)) return false;
   bool ok = VS_FRESH(g, l->point_count + 1) && VS_FRESH(middle, l->face_count + 1);
   if (ok) memset(g, 0, (l->point_count + 1) * sizeof *g), gather_edges(&t, g);

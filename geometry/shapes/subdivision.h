@@ -1,4 +1,4 @@
-/* Owns subdivision surfaces: Catmull-Clark for polygons, Loop for triangles, with creases.
+/* Declares subdivision surfaces: Catmull-Clark for polygons, Loop for triangles, with creases.
  *
  * Rules and limits: E. Catmull, J. Clark (1978); C. Loop (1987); creases of finite sharpness: T. DeRose, M. Kass, T.
  * Truong (1998). Borders are creases; a point where three creases or more meet does not move. */

@@ -1,5 +1,5 @@
-/* Owns the unit forms: every box, wedge, sphere, cylinder and cone is a placed copy of one. Formats with instances keep
- * one mesh for each form and number of facets, for all sizes and directions. */
+/* Declares the unit forms: every box, wedge, sphere, cylinder and cone is a placed copy of one. Formats with instances
+ * keep one mesh for each form and number of facets, for all sizes and directions. */
 #ifndef VS_GEOMETRY_SHAPES_UNIT_FORMS_H
 #define VS_GEOMETRY_SHAPES_UNIT_FORMS_H
 

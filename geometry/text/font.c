@@ -1,5 +1,5 @@
-/* Owns reading fonts by FreeType: it is loaded at the first text; there is one library for the store, one face for each
- * font, and the store keeps both.
+/* Implements reading fonts by FreeType: it is loaded at the first text; there is one library for the store, one face
+ * for each font, and the store keeps both.
  *
  * FreeType allocates from the store: limits apply to it, and a refused allocation is noticed. This matters because
  * FreeType continues without a table for which memory was out, and a text without kerning would be another text. */

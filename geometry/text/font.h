@@ -1,5 +1,5 @@
-/* Owns fonts: the file of a name, and the outlines of its glyphs in the font's own units, read by FreeType, which is
- * loaded for the first font. Nothing is hinted or scaled: a letter is the same at every size and on every machine.
+/* Declares fonts: the file of a name, and the outlines of its glyphs in the font's own units, read by FreeType, which
+ * is loaded for the first font. Nothing is hinted or scaled: a letter is the same at every size and on every machine.
  *
  * The store owns the fonts. A glyph is read once. */
 #ifndef VS_GEOMETRY_TEXT_FONT_H

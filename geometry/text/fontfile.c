@@ -1,4 +1,5 @@
-/* Owns the search for font files: for a file with the family's name, in the folders of the system and of the user.
+/* Implements the search for font files: for a file with the family's name, in the folders of the system and of the
+ * user.
  *
  * "DejaVu Sans Bold" is the file DejaVuSans-Bold.ttf: only lower-case letters and digits of names are compared, and a
  * family without a style may be the file of its Regular or Book style. A font is thus found without opening any.

@@ -1,4 +1,4 @@
-/* Owns the interface of fontfile.c: the search for font files. */
+/* Declares the functions of fontfile.c: the search for font files. */
 #ifndef VS_GEOMETRY_TEXT_FONTFILE_H
 #define VS_GEOMETRY_TEXT_FONTFILE_H
 

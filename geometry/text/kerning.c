@@ -1,5 +1,5 @@
-/* Owns reading pair positioning in GPOS: every lookup of the feature `kern`, of type 2, or of type 9 that refers to
- * type 2.
+/* Implements reading pair positioning in GPOS: every lookup of the feature `kern`, of type 2, or of type 9 that refers
+ * to type 2.
  *
  * The notation is that of the OpenType specification; numbers are big-endian. Every read is checked against the table's
  * size, because fonts are files of users. */

@@ -1,4 +1,4 @@
-/* Owns the conversion of a font's contours to loops that bound ink.
+/* Implements the conversion of a font's contours to loops that bound ink.
  *
  * Contours rarely cross; without crossings only their nesting is needed. The winding number on both sides of each
  * loop is the sum of the directions of the loops that contain it. A sweep over the segments in order of x finds

@@ -1,4 +1,4 @@
-/* Owns typesetting, and the conversion of glyphs to loops.
+/* Implements typesetting, and the conversion of glyphs to loops.
  *
  * Every contour is sampled in its glyph's own coordinates, so that equal letters are equal. The ink of a letter is the
  * area around which its contours wind. If no two contours cross, a loop bounds ink if the winding number is 0 on

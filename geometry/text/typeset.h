@@ -1,4 +1,4 @@
-/* Owns text in space: its letters side by side, and their outlines as loops.
+/* Declares text in space: its letters side by side, and their outlines as loops.
  *
  * Typesetting composes (a letter and the accent after it are one glyph if the font has it), kerns, and goes from left
  * to right. A line break begins a line below; a tab is four spaces. Lengths are in model units relative to the text's

@@ -1,5 +1,5 @@
-/* Owns the arrangement in one plane: a group of facets and the cuts in them become faces that nothing crosses, each
- * with its cover.
+/* Implements the arrangement in one plane: a group of facets and the cuts in them become faces that nothing crosses,
+ * each with its cover.
  *
  * Plan for a group. (1) Segments: the facets' boundary edges and the cuts. Each lies in a second plane, its `side`. (2)
  * All crossings and contacts of segments whose boxes meet, as points on both: first of the edges, then of the cuts that
@@ -52,27 +52,27 @@ typedef struct {
   uint32_t plane_id, place;      /* place: of a leaf with a facet in the plane */
   vs_plane plane;
   VS_LIST(vs_point) points;      /* the group's points; `next` chains them in heads */
-  VS_LIST(uint32_t) global;      /* of each point: its number in the cluster; VS_POINT_MORE + i: fresh point i of the
+  VS_LIST(uint32_t) global;      /* for each point: its number in the cluster; VS_POINT_MORE + i: fresh point i of the
                                   * chunk */
   VS_LIST(vs_homogeneous) more;  /* of the new points */
   VS_LIST(uint32_t) known;       /* of each point of the cluster: its number in the group, valid if global agrees */
   VS_LIST(uint32_t) heads;
   VS_LIST(segment) segments;     /* boundary edges, then cuts */
   VS_LIST(incidence) on;
-  VS_LIST(uint32_t) families;    /* of each segment: 0: already tested against the others of family 0 */
-  VS_LIST(uint32_t) through;     /* of each point: the first entry of `holds` for a segment that contains it, at an end
+  VS_LIST(uint32_t) families;    /* for each segment: 0: already tested against the others of family 0 */
+  VS_LIST(uint32_t) through;     /* for each point: the first entry of `holds` for a segment that contains it, at an end
                                   * or inside */
   VS_LIST(incidence) holds;      /* point: the index of the next entry */
   VS_LIST(vs_bvh_box) boxes;
   vs_bvh bvh;
   VS_LIST(uint32_t) list, scratch;
-  VS_LIST(uint32_t) local;       /* of each point: its vertex in the sweep */
+  VS_LIST(uint32_t) local;       /* for each point: its vertex in the sweep */
   VS_LIST(piece) pieces;
   VS_LIST(piece) sorted;
-  VS_LIST(uint32_t) on_first;    /* of each segment: its first incidence; or of each vertex: its first piece */
+  VS_LIST(uint32_t) on_first;    /* for each segment: its first incidence; or of each vertex: its first piece */
   VS_LIST(vs_keyed) keyed;
-  VS_LIST(uint32_t) payload;     /* of each sweep edge: its first piece; one more at the end */
-  /* of each sweep edge: the side of a segment that contains it; an edge of the input if there is one */
+  VS_LIST(uint32_t) payload;     /* for each sweep edge: its first piece; an extra element marks the end */
+  /* for each sweep edge: the side of a segment that contains it; an edge of the input if there is one */
   VS_LIST(uint32_t) line;
   VS_LIST(uint32_t) above, below, face; /* above, below: of each edge, then union-find; face: the result of the sweep's
                                          * face */
@@ -338,7 +338,7 @@ static bool hold(plane_work *w, uint32_t s, uint32_t point) {
 static bool index_points(plane_work *w) {
   size_t points = w->points.count;
   if (!VS_ROOM(w->k, w->through.at, w->through.room, points)) return false;
-  memset(w->through.at, 0xff, points * sizeof *w->through.at); /* VS_NONE */
+  memset(w->through.at, 0xff, points * sizeof *w->through.at); /* sets every element to VS_NONE */
   w->through.count = points;
   w->holds.count = 0;
   for (uint32_t i = 0; i < w->segments.count; i++)
@@ -649,7 +649,7 @@ typedef struct { uint32_t from, end; } chunk; /* a range of roots */
 typedef struct {
   vs_cluster *c;
   VS_LIST(uint32_t) facets, cuts;  /* numbers, in buckets by group */
-  VS_LIST(uint32_t) facet_first, cut_first; /* of each root; one more at the end */
+  VS_LIST(uint32_t) facet_first, cut_first; /* of each root; an extra element marks the end */
   VS_LIST(chunk) chunks;
   findings found[VS_PIPELINE_WINDOW];
   plane_work *works;               /* one for each thread */

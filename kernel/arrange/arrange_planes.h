@@ -1,4 +1,4 @@
-/* Owns the interface of arrange_planes.c: the arrangement in one plane. */
+/* Declares the functions of arrange_planes.c: the arrangement in one plane. */
 #ifndef VS_KERNEL_ARRANGE_ARRANGE_PLANES_H
 #define VS_KERNEL_ARRANGE_ARRANGE_PLANES_H
 

@@ -1,4 +1,4 @@
-/* Owns the classification: it decides which faces of the arrangement bound the result.
+/* Implements the classification: it decides which faces of the arrangement bound the result.
  *
  * Plan. (1) The faces at every edge are sorted around it, and sides that face each other belong to one cell
  * (union-find). (2) For each connected set of cells, a line through one face and the input triangles gives the winding
@@ -28,7 +28,7 @@ typedef struct {
   VS_LIST(uint32_t) side;         /* of each side of a face: its cell */
   VS_LIST(uint32_t) first, borders; /* from a cell to its faces */
   VS_LIST(uint64_t) sum;    /* of a cell */
-  VS_LIST(uint8_t) state;   /* of each cell: 1 visited, 2 walked, 4 inside, 8 settled */
+  VS_LIST(uint8_t) state;   /* for each cell: 1 visited, 2 walked, 4 inside, 8 settled */
   VS_LIST(uint32_t) queue;
   struct { uint32_t cell, next, face; } *stack;
   size_t stack_room;
@@ -113,8 +113,8 @@ static bool sort_edge(vs_kernel *k, walk *w, const vs_half *halves, size_t count
   return ok;
 }
 
-/* Prefetches data that are needed soon, from all over the memory: uses far ahead, their faces nearer, and the planes of
- * the faces nearest. */
+/* Prefetches data that are needed soon, from many places of memory: uses far ahead, their faces nearer, and the planes
+ * of the faces nearest. */
 VS_AHEAD look_ahead(const vs_cluster *c, uint32_t i, uint32_t stop) {
   enum { USE = 36, FACE = 24, PLANE = 12 };
   const vs_half *at = c->edges.at.at + i;

@@ -1,4 +1,4 @@
-/* Owns the interface of classify.c: the classification. */
+/* Declares the functions of classify.c: the classification. */
 #ifndef VS_KERNEL_ARRANGE_CLASSIFY_H
 #define VS_KERNEL_ARRANGE_CLASSIFY_H
 

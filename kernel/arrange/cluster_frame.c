@@ -1,4 +1,4 @@
-/* Owns the cluster's frame: the linear part that most leaves share, in which their boxes are boxes again.
+/* Implements the cluster's frame: the linear part that most leaves share, in which their boxes are boxes again.
  *
  * A leaf's linear part is split into directions, mostly a rotation, and scales along the leaf's axes. Two linear parts
  * that agree to 1e-12 up to a signed permutation of axes are one: a quarter turn, a mirror image and the same turn

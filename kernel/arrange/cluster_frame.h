@@ -1,4 +1,4 @@
-/* Owns the interface of cluster_frame.c: the cluster's frame. */
+/* Declares the functions of cluster_frame.c: the cluster's frame. */
 #ifndef VS_KERNEL_ARRANGE_CLUSTER_FRAME_H
 #define VS_KERNEL_ARRANGE_CLUSTER_FRAME_H
 

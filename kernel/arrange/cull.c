@@ -1,4 +1,4 @@
-/* Owns the culling of triangles and cuts that lie well inside settled space, before anything is cut.
+/* Implements the culling of triangles and cuts that lie well inside settled space, before anything is cut.
  *
  * A lid is a convex leaf that settles the result where it is true: an operand of a union, or a hole of a difference.
  * A triangle whose corners are all more than two steps inside one lid is inside it also on the grid, where every

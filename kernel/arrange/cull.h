@@ -1,4 +1,4 @@
-/* Owns the interface of cull.c: the culling of triangles and cuts that lie well inside settled space. */
+/* Declares the functions of cull.c: the culling of triangles and cuts that lie well inside settled space. */
 #ifndef VS_KERNEL_ARRANGE_CULL_H
 #define VS_KERNEL_ARRANGE_CULL_H
 

@@ -1,5 +1,5 @@
-/* Owns the step from corners on the grid to triangles and facets: it omits culled, plain and flat triangles, and joins
- * coplanar neighbours. It also checks that each leaf is closed.
+/* Implements the step from corners on the grid to triangles and facets: it omits culled, plain and flat triangles, and
+ * joins coplanar neighbours. It also checks that each leaf is closed.
  *
  * Leaves are processed in batches, a batch in spans of triangles that threads share: (1) the planes of the remaining
  * triangles; (2) neighbours in one plane. Then, one after the other, triangles get the numbers of their points, planes

@@ -1,4 +1,4 @@
-/* Owns the interface of facets.c: the step from corners on the grid to triangles and facets. */
+/* Declares the functions of facets.c: the step from corners on the grid to triangles and facets. */
 #ifndef VS_KERNEL_ARRANGE_FACETS_H
 #define VS_KERNEL_ARRANGE_FACETS_H
 

@@ -1,5 +1,5 @@
-/* Owns the intersection of facets that are given by their sides: the segments and points that two of them share become
- * cuts in both.
+/* Implements the intersection of facets that are given by their sides: the segments and points that two of them share
+ * become cuts in both.
  *
  * Such a facet may have any outline, with holes, and corners that are exact points. The line of two planes crosses its
  * outline at events, which are sorted along the line. A side from above the other plane to below it, or from above to
@@ -35,7 +35,7 @@ typedef struct {
 typedef struct {
   VS_LIST(event) events;
   VS_LIST(vs_fresh_point) crossings; /* the new points on the line */
-  VS_LIST(uint32_t) given;           /* of each crossing: its number among the chunk's points, or VS_NONE */
+  VS_LIST(uint32_t) given;           /* for each crossing: its number among the chunk's points, or VS_NONE */
 } working;
 
 typedef struct {
@@ -202,7 +202,7 @@ static bool share(chunk *m, uint32_t a, uint32_t b) {
   for (size_t i = 0; i < m->w->crossings.count; i++) m->w->given.at[i] = VS_NONE;
   int axis = axis_of(plane_of(c, f), plane_of(c, g));
   sort_events(m, axis);
-  uint8_t in[2] = { 0, 0 }; /* of each facet: the moved lines that are inside */
+  uint8_t in[2] = { 0, 0 }; /* for each facet: the moved lines that are inside */
   bool covered = false;     /* both facets cover the line before this event */
   event before = { .id = VS_NONE };
   for (size_t i = 0, end; i < n; i = end) {

@@ -1,4 +1,4 @@
-/* Owns the interface of intersect_facets.c: the intersection of facets that are given by their sides. */
+/* Declares the functions of intersect_facets.c: the intersection of facets that are given by their sides. */
 #ifndef VS_KERNEL_ARRANGE_INTERSECT_FACETS_H
 #define VS_KERNEL_ARRANGE_INTERSECT_FACETS_H
 

@@ -1,13 +1,13 @@
-/* Owns the intersection of patches: it finds every pair that touches, and leaves the shared segments or point in both
- * facets.
+/* Implements the intersection of patches: it finds every pair that touches, and leaves the shared segments or point in
+ * both facets.
  *
  * Two patches in different planes can meet only on the line of these planes. Each covers an interval of it, from one of
- * its corners or edges to another; they share the intersection of the intervals. Heights over a plane and
- * places along the line are doubles with a bound on their error; integers decide cases within the bound. Therefore
- * pairs that only come near need no wide arithmetic, and a segment well inside a lid gets no points. A contact that is
- * already a corner or a whole boundary edge of a patch is not new for that patch. Patches in one plane unite their
- * facets into a group. Patches of one leaf are treated like any others, unless the leaf is a star on the grid: it may
- * intersect itself, or rounding may have folded it.
+ * its corners or edges to another; they share the intersection of the intervals. Heights over a plane and places along
+ * the line are doubles with a bound on their error; integers decide cases within the bound. Therefore pairs that only
+ * come near need no wide arithmetic, and a segment well inside a lid gets no points. A contact that is already a corner
+ * or a whole boundary edge of a patch is not new for that patch. Patches in one plane unite their facets into a group.
+ * Patches of one leaf are treated like any others, unless the leaf is a star on the grid: it may intersect itself, or
+ * rounding may have folded it.
  *
  * Threads find and decide pairs in independent chunks; points are numbered afterwards, chunk by chunk: the result is
  * the same for any number of threads. */

@@ -1,4 +1,4 @@
-/* Owns the interface of intersect_patches.c: the intersection of patches. */
+/* Declares the functions of intersect_patches.c: the intersection of patches. */
 #ifndef VS_KERNEL_ARRANGE_INTERSECT_PATCHES_H
 #define VS_KERNEL_ARRANGE_INTERSECT_PATCHES_H
 

@@ -1,5 +1,5 @@
-/* Owns the union of a crowded cluster's solids level by level: where many solids overlap, the kernel never arranges the
- * hidden parts at once.
+/* Implements the union of a crowded cluster's solids level by level: where many solids overlap, the kernel never
+ * arranges the hidden parts at once.
  *
  * In one arrangement, k solids at one place cut each of their facets k times, and the cuts cross k^2 times in each,
  * though nearly all of that is hidden. Here leaves that settle the result where they are true (operands of a union, the
@@ -42,8 +42,8 @@ typedef struct {
   vs_cluster *c;
   vs_expression *e;
   VS_LIST(uint32_t) order;       /* places of the leaves to be united, near ones beside each other */
-  VS_LIST(uint64_t) weight;      /* sums over the leaves before each; one more at the end */
-  VS_LIST(uint32_t) facet_first; /* of each place: its first facet; one more at the end */
+  VS_LIST(uint64_t) weight;      /* sums over the leaves before each; an extra element marks the end */
+  VS_LIST(uint32_t) facet_first; /* for each place: its first facet; an extra element marks the end */
   VS_LIST(span) spans;
   VS_LIST(shell) shells;
   /* of each point of a cluster: its number in the shell to which it is copied; VS_NONE between two shells */

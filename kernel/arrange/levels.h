@@ -1,4 +1,4 @@
-/* Owns the interface of levels.c: the union of a crowded cluster's solids level by level. */
+/* Declares the functions of levels.c: the union of a crowded cluster's solids level by level. */
 #ifndef VS_KERNEL_ARRANGE_LEVELS_H
 #define VS_KERNEL_ARRANGE_LEVELS_H
 

@@ -1,4 +1,4 @@
-/* Owns the patches: the parts of a facet that are tested against other facets as a unit.
+/* Implements the patches: the parts of a facet that are tested against other facets as a unit.
  *
  * A convex facet is one patch, however it is triangulated. The wall of a box meets another in one segment instead of up
  * to four, and none of them ends in a new point on a diagonal that is not part of the model. */
@@ -30,7 +30,7 @@ typedef struct {
   vs_cluster *c;
   made made[VS_PIPELINE_WINDOW];
   building *works; /* one for each thread */
-  VS_LIST(uint32_t) alone; /* of each plane: its facet, or SEVERAL */
+  VS_LIST(uint32_t) alone; /* for each plane: its facet, or SEVERAL */
 } patching;
 
 /* Adds the patch of the facet whose corners begin at `first`, a corner of the chunk. */

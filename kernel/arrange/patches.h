@@ -1,4 +1,4 @@
-/* Owns the interface of patches.c: the patches. */
+/* Declares the functions of patches.c: the patches. */
 #ifndef VS_KERNEL_ARRANGE_PATCHES_H
 #define VS_KERNEL_ARRANGE_PATCHES_H
 

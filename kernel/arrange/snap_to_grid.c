@@ -1,4 +1,4 @@
-/* Owns the step from placed leaves to corners on the grid: frame, weld, grid; and the shape of the leaves there.
+/* Implements the step from placed leaves to corners on the grid: frame, weld, grid; and the shape of the leaves there.
  * facets.c continues.
  *
  * The grid's step is 1, 2 or 5 times a power of ten: the smallest with which the cluster fits 2^31 steps either way. It
@@ -29,7 +29,7 @@ typedef struct {
 typedef struct {
   vs_cluster *c;
   VS_LIST(vs_vec3) placed;      /* in the frame, leaf after leaf */
-  vs_affine *to_frame;          /* of each leaf */
+  vs_affine *to_frame;          /* one value for each leaf */
   size_t to_frame_room;
   VS_LIST(chunk) chunks;        /* of SPAN vertices */
   VS_LIST(border) borders;      /* of one axis */

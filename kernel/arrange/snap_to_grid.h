@@ -1,4 +1,4 @@
-/* Owns the interface of snap_to_grid.c: the step from placed leaves to corners on the grid. */
+/* Declares the functions of snap_to_grid.c: the step from placed leaves to corners on the grid. */
 #ifndef VS_KERNEL_ARRANGE_SNAP_TO_GRID_H
 #define VS_KERNEL_ARRANGE_SNAP_TO_GRID_H
 

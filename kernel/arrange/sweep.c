@@ -1,4 +1,4 @@
-/* Owns the sweep's order, its status tree and its events. */
+/* Implements the sweep's order, its status tree and its events. */
 #include "kernel/arrange/sweep.h"
 
 static bool point_before(const void *context, uint32_t a, uint32_t b) {

@@ -1,5 +1,6 @@
-/* Owns the sweep over a planar graph whose edges meet only at their ends. It yields the vertices in order, each with
- * its edges to the left and to the right and the edges directly below and above it. Faces and triangulation use it.
+/* Declares the sweep over a planar graph whose edges meet only at their ends. It yields the vertices in order, each
+ * with its edges to the left and to the right and the edges directly below and above it. Faces and triangulation use
+ * it.
  *
  * The plane is seen along its normal in the axes (u, v). Vertices are local numbers in lexicographic order of (u, v),
  * exact; an edge runs from its smaller vertex to its larger; `above` an edge is its left side, even if it is vertical.
@@ -19,7 +20,7 @@ typedef struct {
   VS_LIST(uint32_t) vertices; /* from the local number to the point */
   VS_LIST(vs_sweep_edge) edges;
   /* vs_sweep_begin fills the members below */
-  VS_LIST(uint32_t) first;    /* of each vertex: an index in `rights` */
+  VS_LIST(uint32_t) first;    /* for each vertex: an index in `rights` */
   VS_LIST(uint32_t) rights;   /* edges by left end, from below upwards */
   VS_LIST(uint32_t) arrival;  /* an edge that ends at the vertex, or VS_NONE */
   VS_LIST(vs_sweep_node) nodes; /* one for each edge */

@@ -1,5 +1,5 @@
-/* Owns the search for plain (untouched) triangles, which nothing meets and which need no planes, facets, patches or
- * single faces.
+/* Implements the search for plain (untouched) triangles, which nothing meets and which need no planes, facets, patches
+ * or single faces.
  *
  * A triangle of a large leaf is plain under three conditions. The box of no other leaf's triangle meets its box; it
  * shares with the rest of its leaf only corners and edges, as the mesh has them; and no neighbour is coplanar with it.
@@ -45,9 +45,9 @@ typedef struct {
   VS_LIST(block) blocks;
   VS_LIST(vs_bvh_box) boxes;        /* of the blocks */
   vs_bvh bvh;
-  VS_LIST(_Atomic uint8_t) fans; /* of each vertex: 1: its triangles are one simple fan; 2 or more: they are not;
+  VS_LIST(_Atomic uint8_t) fans; /* for each vertex: 1: its triangles are one simple fan; 2 or more: they are not;
                                   * PROVEN: a fan of many */
-  VS_LIST(vs_hubs) hubs;         /* of each leaf, on the grid */
+  VS_LIST(vs_hubs) hubs;         /* for each leaf, on the grid */
   VS_LIST(_Atomic uint32_t) sets;
 } plain;
 
@@ -497,7 +497,7 @@ bool vs_plain_find(vs_kernel *k, vs_cluster *c) {
   for (size_t i = 0; ok && i < triangles; i++) c->plain_count += c->fate.at[i] == VS_PLAIN;
   if (ok && c->plain_count) {
     ok = VS_ROOM(k, c->point_of.at, c->point_of.room, vertices + 1);
-    if (ok) memset(c->point_of.at, 0xff, (vertices + 1) * sizeof *c->point_of.at); /* VS_NONE */
+    if (ok) memset(c->point_of.at, 0xff, (vertices + 1) * sizeof *c->point_of.at); /* sets every element to VS_NONE */
     c->point_of.count = vertices;
   }
   plain_free(k, &p);

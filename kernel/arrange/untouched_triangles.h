@@ -1,4 +1,4 @@
-/* Owns the interface of untouched_triangles.c: the search for plain (untouched) triangles, which nothing meets. */
+/* Declares the functions of untouched_triangles.c: the search for plain (untouched) triangles, which nothing meets. */
 #ifndef VS_KERNEL_ARRANGE_UNTOUCHED_TRIANGLES_H
 #define VS_KERNEL_ARRANGE_UNTOUCHED_TRIANGLES_H
 

@@ -1,4 +1,4 @@
-/* Owns the twelve significant digits of numbers.
+/* Implements the twelve significant digits of numbers.
  *
  * A double is m * 2^e. With d = 11 - floor(log10 x) its twelve digits are the integer nearest to m * 5^d * 2^(e + d);
  * ties go to even, as in printf. For d from 0 to 27 the product fits 128 bits and the rest is a shift, so this is

@@ -1,4 +1,4 @@
-/* Owns the twelve significant digits in which numbers are written. */
+/* Declares the twelve significant digits in which numbers are written. */
 #ifndef VS_KERNEL_EXACT_DIGITS_H
 #define VS_KERNEL_EXACT_DIGITS_H
 

@@ -1,4 +1,4 @@
-/* Owns exact signs of determinants of doubles.
+/* Implements exact signs of determinants of doubles.
  *
  * Each sign is first computed in doubles, where the error is below 8e-16 of the sum of the products' sizes (Shewchuk,
  * Adaptive Precision Floating-Point Arithmetic, 1997). If that is not certain, the determinant is computed as an

@@ -1,4 +1,4 @@
-/* Owns exact signs of determinants of doubles, for meshes that are not on a grid. */
+/* Declares exact signs of determinants of doubles, for meshes that are not on a grid. */
 #ifndef VS_KERNEL_EXACT_DOUBLES_H
 #define VS_KERNEL_EXACT_DOUBLES_H
 

@@ -1,4 +1,4 @@
-/* Owns the wide half of exact.h: fixed-width two's complement integers and the predicates' exact fallbacks.
+/* Implements the wide half of exact.h: fixed-width two's complement integers and the predicates' exact fallbacks.
  *
  * A wide integer is an array of 64-bit limbs, least first, whose length each call knows. Products are taken modulo
  * 2^(64 length) of the sign-extended operands. In two's complement this is right as long as the true result fits:

@@ -1,10 +1,10 @@
-/* Owns the exact numbers: fixed-width integers, planes, points, and the predicates that decide all else.
+/* Declares the exact numbers: fixed-width integers, planes, points, and the predicates that decide all else.
  *
  * Notation. Coordinates are in steps of the cluster's grid; vertices of the input are integers, |x| < 2^31.
  *   plane   n.x = d, n primitive: |n| < 2^63, |d| < 2^96. (A normal of two edges of 2^32 steps could
  *           have 64 bits: snap_to_grid.c then takes a coarser grid.)
  *   point   X/W, W > 0. For a vertex of the input W = 1; for edge x plane |X| < 2^130, W < 2^97; for three planes
- *           |X| < 2^226, W < 2^192.
+ * |X| < 2^226, W < 2^192.
  *   fixed   floor(X/W * 2^30) for each coordinate: a number of 62 bits that every point has. Equal points have equal
  *           numbers, however they were computed.
  * The fixed numbers serve as key and as filter: a predicate on them in __int128 has a known error of a few units.

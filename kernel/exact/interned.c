@@ -1,4 +1,4 @@
-/* Owns the hash tables of points and planes.
+/* Implements the hash tables of points and planes.
  *
  * The key of a point is its three fixed numbers, which depend on its position alone. If two points with one key have
  * remainders, the wide integers decide. Therefore every point has one number from the start, by whichever edges and

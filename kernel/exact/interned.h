@@ -1,4 +1,4 @@
-/* Owns a cluster's tables of distinct points and planes: points by their exact position, planes by their exact
+/* Declares a cluster's tables of distinct points and planes: points by their exact position, planes by their exact
  * equation. */
 #ifndef VS_KERNEL_EXACT_INTERNED_H
 #define VS_KERNEL_EXACT_INTERNED_H

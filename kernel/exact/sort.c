@@ -1,4 +1,4 @@
-/* Owns the sort by keys: insertion in short runs, and merging of runs that are not in order. */
+/* Implements the sort by keys: insertion in short runs, and merging of runs that are not in order. */
 #include "kernel/exact/sort.h"
 
 #include "model/assert.h"

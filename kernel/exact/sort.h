@@ -1,4 +1,4 @@
-/* Owns the sort of items by integer keys, for sorts in which a call for each comparison would cost more than the
+/* Declares the sort of items by integer keys, for sorts in which a call for each comparison would cost more than the
  * rest. */
 #ifndef VS_KERNEL_EXACT_SORT_H
 #define VS_KERNEL_EXACT_SORT_H

@@ -1,4 +1,5 @@
-/* Owns the bounding volume hierarchy: a complete tree over the Morton order of the boxes' centres, four to a node.
+/* Implements the bounding volume hierarchy: a complete tree over the Morton order of the boxes' centres, four to a
+ * node.
  *
  * Cost: a radix sort and one pass upwards. A pair query walks from the top for every four blocks of four: n log n for
  * boxes that meet few others. If all boxes of a block, or below it, are of one family, blocks of that family skip it as

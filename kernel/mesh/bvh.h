@@ -1,5 +1,5 @@
-/* Owns the index of boxes: all pairs that meet, and all boxes that meet a given one. It finds candidates only; other
- * files test and cut them. */
+/* Declares the index of boxes: all pairs that meet, and all boxes that meet a given one. It finds candidates only;
+ * other files test and cut them. */
 #ifndef VS_KERNEL_MESH_BVH_H
 #define VS_KERNEL_MESH_BVH_H
 

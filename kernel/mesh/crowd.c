@@ -1,4 +1,4 @@
-/* Owns the counting of pairs of triangles that may meet. */
+/* Implements the counting of pairs of triangles that may meet. */
 #include "kernel/mesh/crowd.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* Owns the measure of the work that the arrangement of a mesh with itself takes. */
+/* Declares the functions for the measure of the work that the arrangement of a mesh with itself takes. */
 #ifndef VS_KERNEL_MESH_CROWD_H
 #define VS_KERNEL_MESH_CROWD_H
 

@@ -1,5 +1,6 @@
-/* Owns the sort of edges: chunks of items count their edges and distribute them into ranges of points, and each range
- * sorts its edges. Chunks and ranges depend on the counts alone, so the order is the same for any number of threads. */
+/* Implements the sort of edges: chunks of items count their edges and distribute them into ranges of points, and each
+ * range sorts its edges. Chunks and ranges depend on the counts alone, so the order is the same for any number of
+ * threads. */
 #include "kernel/mesh/edge_uses.h"
 
 #include <string.h>
@@ -17,7 +18,7 @@ typedef struct {
   uint32_t items, points;
   VS_LIST(uint32_t) counts; /* chunk by chunk: the number of edges in each range, then the place where the chunk
                              * writes */
-  VS_LIST(uint32_t) begin;  /* of each range; one more at the end */
+  VS_LIST(uint32_t) begin;  /* of each range; an extra element marks the end */
   VS_LIST(loose) loose;
 } sorting;
 

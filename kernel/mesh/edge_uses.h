@@ -1,4 +1,5 @@
-/* Owns the sorting of directed edges by their ends, for all files that need the items at an edge. */
+/* Declares the functions for the sorting of directed edges by their ends, for all files that need the items at an
+ * edge. */
 #ifndef VS_KERNEL_MESH_EDGE_USES_H
 #define VS_KERNEL_MESH_EDGE_USES_H
 
@@ -9,7 +10,7 @@ typedef struct { uint32_t high, item; } vs_half; /* an edge at its smaller end *
 
 typedef struct {
   VS_LIST(vs_half) at;      /* by smaller end, then larger end, then item */
-  VS_LIST(uint32_t) first;  /* of each point: its first edge to a larger point; one more at the end */
+  VS_LIST(uint32_t) first;  /* for each point: its first edge to a larger point; an extra element marks the end */
   uint32_t shift, ranges;   /* points are in ranges, 1 << shift in each but the last: tasks for threads */
 } vs_halves;
 

@@ -1,5 +1,5 @@
-/* Owns the proof that triangles around a hub (a corner of more than MANY triangles) have only those corners and edges
- * in common that the mesh gives them.
+/* Implements the proof that triangles around a hub (a corner of more than MANY triangles) have only those corners and
+ * edges in common that the mesh gives them.
  *
  * The boxes of all of them meet, so an index distinguishes none, and each pair would be tested: n^2 for the tip of a
  * cone. But triangles with a common corner meet elsewhere only if the angles that they fill there overlap. Seen along
@@ -25,7 +25,7 @@ typedef struct { uint32_t hub, triangle, next, last; } spoke;
 
 typedef struct {
   const vs_fans *m;
-  VS_LIST(uint32_t) count; /* of each vertex: number of its triangles */
+  VS_LIST(uint32_t) count; /* for each vertex: number of its triangles */
   VS_LIST(spoke) spokes;
   VS_LIST(uint32_t) order, scratch; /* of the spokes: by hub, then by the next corner */
 } search;

@@ -1,4 +1,4 @@
-/* Owns the hubs, corners of very many triangles: triangles around a hub that need no test against each other. */
+/* Declares the hubs, corners of very many triangles: triangles around a hub that need no test against each other. */
 #ifndef VS_KERNEL_MESH_HUBS_H
 #define VS_KERNEL_MESH_HUBS_H
 
@@ -17,7 +17,7 @@ typedef struct {
 /* Hubs whose triangles meet in their edges only. If a hub lies inside another's convex cone, its triangles are apart
  * from the other's and may have that hub in `of`. */
 typedef struct {
-  VS_LIST(uint32_t) of;      /* of each triangle: its hub, or UINT32_MAX. Empty: there are no hubs */
+  VS_LIST(uint32_t) of;      /* for each triangle: its hub, or UINT32_MAX. Empty: there are no hubs */
   VS_LIST(uint32_t) corners; /* the hubs */
   size_t edges;              /* number of edges between two triangles with the same hub in `of` */
 } vs_hubs;

@@ -1,5 +1,5 @@
-/* Owns the inspection of a mesh: edges in double coordinates, as given; winding numbers in the exact arrangement of the
- * mesh with itself.
+/* Implements the inspection of a mesh: edges in double coordinates, as given; winding numbers in the exact arrangement
+ * of the mesh with itself.
  *
  * Every cell of that arrangement has a winding number. A cell with a wrong one that is thinner than two steps of the
  * grid comes from rounding of faces that touch; the inspection ignores it. For any other it reports the triangles at

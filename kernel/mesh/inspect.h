@@ -1,4 +1,5 @@
-/* Owns the checks of one mesh that may become a solid: it must be closed and wind around every place at most once. */
+/* Declares the functions for the checks of one mesh that may become a solid: it must be closed and wind around every
+ * place at most once. */
 #ifndef VS_KERNEL_MESH_INSPECT_H
 #define VS_KERNEL_MESH_INSPECT_H
 
@@ -24,7 +25,7 @@ typedef struct {
   bool touches;                     /* it may overlap or touch itself other than in corners and edges of neighbours,
                                      * with or without wrong winding numbers */
   int32_t least, most;              /* the range of winding numbers, 0 included; a good solid has 0 and 1 */
-  double volume;                    /* signed */
+  double volume;                    /* signed: negative if the mesh is inside out */
   vs_mesh_flaw open[VS_FLAWS_LISTED], wound[VS_FLAWS_LISTED]; /* the first of each kind, by triangle */
 } vs_mesh_flaws;
 

@@ -1,5 +1,5 @@
-/* Owns the result's mesh: it merges coplanar faces of one paint, drops needless corners, triangulates the rest and
- * turns it to the outside.
+/* Implements the result's mesh: it merges coplanar faces of one paint, drops needless corners, triangulates the rest
+ * and turns it to the outside.
  *
  * A corner is needless if exactly two borders of merged faces end there, with the same faces on both sides, in one
  * line: every face there drops it, so no T-junction appears. A facet that nothing touches and that merges with nothing
@@ -20,7 +20,7 @@ static bool same_paint(const vs_cluster *c, uint32_t a, uint32_t b) {
   return a == b || (!c->joining && p->paints && p->paints[a] == p->paints[b]);
 }
 
-/* Prefetches data that are needed soon, from all over the memory. */
+/* Prefetches data that are needed soon, from many places of memory. */
 VS_AHEAD merge_ahead(const vs_cluster *c, uint32_t i, uint32_t stop) {
   enum { USE = 24, FACE = 12 };
   const vs_half *at = c->edges.at.at + i;
@@ -218,7 +218,7 @@ static bool link_faces(vs_result_state *w) {
   if (!VS_ROOM(w->k, w->edge_of.at, w->edge_of.room, uses + 1) || !VS_ROOM(w->k, w->next.at, w->next.room, faces + 1))
     return false;
   if (!vs_kernel_report(w->k, 0.9)) return false;
-  memset(w->edge_of.at, 0xff, uses * sizeof *w->edge_of.at); /* VS_NONE */
+  memset(w->edge_of.at, 0xff, uses * sizeof *w->edge_of.at); /* sets every element to VS_NONE */
   memset(w->next.at, 0xff, faces * sizeof *w->next.at);
   if (!vs_kernel_report(w->k, 0.9)) return false;
   for (size_t f = faces; f-- > 0;) {
@@ -392,7 +392,7 @@ static bool write(vs_result_state *w, vs_mesh *out) {
       !VS_ROOM(w->k, w->looks.at, w->looks.room, about + 1) || !VS_ROOM(w->k, w->out.at, w->out.room, points + 1) ||
       !VS_ROOM(w->k, w->points.at, w->points.room, points + 1))
     return false;
-  memset(w->out.at, 0xff, points * sizeof *w->out.at); /* VS_NONE */
+  memset(w->out.at, 0xff, points * sizeof *w->out.at); /* sets every element to VS_NONE */
   w->mesh = out;
   w->first_vertex = out->vertex_count;
   if (!vs_kernel_pipeline(w->k, w->chunk_first.count - 1, triangulate_chunk, take_chunk, w)) return false;

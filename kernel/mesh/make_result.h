@@ -1,4 +1,4 @@
-/* Owns the interface of make_result.c: the result's mesh. */
+/* Declares the functions of make_result.c: the result's mesh. */
 #ifndef VS_KERNEL_MESH_MAKE_RESULT_H
 #define VS_KERNEL_MESH_MAKE_RESULT_H
 

@@ -1,4 +1,4 @@
-/* Owns the state of make_result.c, shared with straighten.c, which decides which bends the result may lose. */
+/* Defines the state of make_result.c, shared with straighten.c, which decides which bends the result may lose. */
 #ifndef VS_KERNEL_MESH_RESULT_STATE_H
 #define VS_KERNEL_MESH_RESULT_STATE_H
 
@@ -17,30 +17,30 @@ typedef struct {
   vs_cluster *c;
   VS_LIST(vs_found_edges) found;
   VS_LIST(uint32_t) uses;            /* of kept faces, sorted by edge */
-  VS_LIST(uint32_t) edge_first;      /* of edges that stay: index of their first use; one more at the end */
+  VS_LIST(uint32_t) edge_first;      /* of edges that stay: index of their first use; an extra element marks the end */
   VS_LIST(_Atomic uint32_t) sets;    /* of faces, union-find */
-  VS_LIST(uint32_t) parent;          /* of each face: the first face of its merged face */
-  VS_LIST(uint32_t) edges;           /* of each point: two numbers, the first edges that stay */
-  VS_LIST(uint8_t) degree;           /* of each point: number of such edges, 0 to 2, 3 for more; 4: needless */
-  VS_LIST(uint8_t) rim;              /* of each point, if there are regions: 1: the rim of a kept region contains it */
+  VS_LIST(uint32_t) parent;          /* for each face: the first face of its merged face */
+  VS_LIST(uint32_t) edges;           /* for each point: two numbers, the first edges that stay */
+  VS_LIST(uint8_t) degree;           /* for each point: number of such edges, 0 to 2, 3 for more; 4: needless */
+  VS_LIST(uint8_t) rim;              /* for each point, if there are regions: 1: the rim of a kept region contains it */
   size_t rim_edges;
   VS_LIST(uint32_t) edge_of;         /* of each use of the cluster: its edge, or VS_NONE if that does not stay */
-  VS_LIST(uint32_t) next;            /* of each face: the next face of its merged face, or VS_NONE */
-  VS_LIST(_Atomic uint8_t) whole;    /* of each face: 1: it keeps its triangles */
-  VS_LIST(uint32_t) out;             /* of each point: its vertex in the result */
-  VS_LIST(uint32_t) points;          /* of each new vertex: its point */
-  VS_LIST(uint32_t) looks;           /* of each new triangle: 2 * plane, plus 1 if it faces against its normal */
-  VS_LIST(uint32_t) chunk_first;     /* of chunks of faces; one more at the end */
+  VS_LIST(uint32_t) next;            /* for each face: the next face of its merged face, or VS_NONE */
+  VS_LIST(_Atomic uint8_t) whole;    /* for each face: 1: it keeps its triangles */
+  VS_LIST(uint32_t) out;             /* for each point: its vertex in the result */
+  VS_LIST(uint32_t) points;          /* for each new vertex: its point */
+  VS_LIST(uint32_t) looks;           /* for each new triangle: 2 * plane, plus 1 if it faces against its normal */
+  VS_LIST(uint32_t) chunk_first;     /* of chunks of faces; an extra element marks the end */
   vs_cut_chunk chunks[VS_PIPELINE_WINDOW];
   VS_LIST(vs_triangulation) cutters; /* one for each thread */
   vs_mesh *mesh;
   size_t first_vertex;               /* in the mesh: this cluster's first vertex */
   /* if bends may be removed (straighten.c); else all of these are empty */
-  VS_LIST(uint32_t) lone;            /* of each plane: its facet if it has exactly one, or VS_NONE */
+  VS_LIST(uint32_t) lone;            /* for each plane: its facet if it has exactly one, or VS_NONE */
   VS_LIST(uint32_t) seams;           /* edges that stay between two facets of a sheet */
-  VS_LIST(uint8_t) gone;             /* of each edge: 1: a seam over which faces are merged */
-  VS_LIST(uint8_t) bent;             /* of each point: 1: needless, and off the line of the remaining edges */
-  VS_LIST(uint8_t) stays;            /* of each point: 1: bent, but needed in spite of that */
+  VS_LIST(uint8_t) gone;             /* for each edge: 1: a seam over which faces are merged */
+  VS_LIST(uint8_t) bent;             /* for each point: 1: needless, and off the line of the remaining edges */
+  VS_LIST(uint8_t) stays;            /* for each point: 1: bent, but needed in spite of that */
   vs_sheets *sheets;
 } vs_result_state;
 

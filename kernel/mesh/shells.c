@@ -1,4 +1,4 @@
-/* Owns the shells of a mesh. */
+/* Implements the shells of a mesh. */
 #include "kernel/mesh/shells.h"
 
 #include <stdlib.h>

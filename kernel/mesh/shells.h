@@ -1,4 +1,4 @@
-/* Owns the shells of a mesh: sets of triangles connected by corners. */
+/* Declares the shells of a mesh: sets of triangles connected by corners. */
 #ifndef VS_KERNEL_MESH_SHELLS_H
 #define VS_KERNEL_MESH_SHELLS_H
 

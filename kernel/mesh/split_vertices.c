@@ -1,5 +1,5 @@
-/* Owns the splitting of vertices where the result touches itself: by index, every edge then has two triangles and every
- * vertex one fan.
+/* Implements the splitting of vertices where the result touches itself: by index, every edge then has two triangles and
+ * every vertex one fan.
  *
  * Along an edge with four or more triangles, each is joined to the one across the wedge of solid between them: two
  * cubes that touch along an edge stay two. If the ends of the edge hold the pairs together in spite of that, as for two
@@ -25,17 +25,17 @@ typedef struct {
   vs_halves halves;            /* items are corners: 3 * triangle + j, the edge from j to the next */
   VS_LIST(crowded) crowded;
   VS_LIST(uint32_t) twins;
-  VS_LIST(_Atomic uint32_t) lead; /* of each vertex: one of its corners */
+  VS_LIST(_Atomic uint32_t) lead; /* for each vertex: one of its corners */
   _Atomic size_t seen;         /* number of corners in the fans of the leads */
-  VS_LIST(uint32_t) to;        /* of each corner: its vertex after the split, counted from first_vertex */
+  VS_LIST(uint32_t) to;        /* for each corner: its vertex after the split, counted from first_vertex */
   VS_LIST(uint32_t) copied;    /* of the new vertices: the vertex that each copies */
   VS_LIST(uint8_t) taken;
   VS_LIST(vs_around) around;
   VS_LIST(vs_around) many;     /* of edges with more than two triangles, in order; the first of each has air before
                                 * it */
   VS_LIST(uint32_t) many_first;
-  VS_LIST(uint8_t) way;        /* of each such edge: the way in which it is paired */
-  VS_LIST(uint32_t) middle;    /* of each corner: the vertex in the middle of its edge, or VS_NONE */
+  VS_LIST(uint8_t) way;        /* for each such edge: the way in which it is paired */
+  VS_LIST(uint32_t) middle;    /* for each corner: the vertex in the middle of its edge, or VS_NONE */
 } splitter;
 typedef enum { SOLID, AIR, MIDDLE } joined;
 
@@ -104,7 +104,7 @@ static void ends_of_corners(const void *context, uint32_t begin, uint32_t count,
   }
 }
 
-/* Prefetches data that are needed soon, from all over the memory. */
+/* Prefetches data that are needed soon, from many places of memory. */
 VS_AHEAD join_ahead(const splitter *s, uint32_t i, uint32_t stop) {
   enum { FAR = 16 };
   if (i + FAR >= stop) return;

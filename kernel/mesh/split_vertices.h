@@ -1,4 +1,4 @@
-/* Owns the interface of split_vertices.c: the splitting of vertices where the result touches itself. */
+/* Declares the functions of split_vertices.c: the splitting of vertices where the result touches itself. */
 #ifndef VS_KERNEL_MESH_SPLIT_VERTICES_H
 #define VS_KERNEL_MESH_SPLIT_VERTICES_H
 
@@ -9,9 +9,10 @@ typedef struct {
   const vs_cluster *c;
   vs_mesh *m;
   size_t first_vertex, first_triangle; /* the result's part of m: from these indices on */
-  const uint32_t *sides;   /* of each triangle, from the first: 2 * plane, plus 1 if it faces against its normal */
-  const uint32_t *points;  /* of each vertex, from the first: the cluster's point */
-  const uint8_t *rim;      /* of each point: plain triangles, written later, continue from here; NULL: there are none */
+  const uint32_t *sides;   /* for each triangle, from the first: 2 * plane, plus 1 if it faces against its normal */
+  const uint32_t *points;  /* for each vertex, from the first: the cluster's point */
+  const uint8_t *rim;      /* for each point: plain triangles, written later, continue from here; NULL: there are
+                            * none */
   size_t rim_edges;        /* number of edges along the rim, which have one triangle so far */
 } vs_fresh_result;
 

@@ -1,16 +1,16 @@
-/* Owns the decision which bends a result may lose.
+/* Implements the decision which bends a result may lose.
  *
  * The grid splits a planar facet of the input that is turned against the frame into several planes, and each cut
  * through it bends where it passes from one to the next. A sheet is such a facet: all its corners lie within one step
  * of its middle plane, and the directions of its triangles differ from the normal by at most 2.6 degrees. The faces of
  * a sheet are merged like coplanar ones, and the faces on both sides of a cut lose its bends, under these conditions.
  * (1) No other facet lies in a plane of the sheet. Every edge at the border of its faces has two triangles, and
- * includes no wedge below 11 degrees with the neighbour. Else the sheet is given up.
- * (2) All bends of the cut lie within 8 steps of the line between its ends; the two faces at it include at least 14
- * degrees. No other corner of any face in either plane (or sheet) lies within a band around the line, which is half a
- * step wider than the largest distance of a bend from it. Else the bends of this cut stay.
- * (3) Seen along the sheet, the merged faces' borders intersect and touch only at their ends, and no new triangle turns
- * away from the sheet's normal. Else the sheet is given up, and the result is made again.
+ * includes no wedge below 11 degrees with the neighbour. Else the sheet is given up. (2) All bends of the cut lie
+ * within 8 steps of the line between its ends; the two faces at it include at least 14 degrees. No other corner of any
+ * face in either plane (or sheet) lies within a band around the line, which is half a step wider than the largest
+ * distance of a bend from it. Else the bends of this cut stay. (3) Seen along the sheet, the merged faces' borders
+ * intersect and touch only at their ends, and no new triangle turns away from the sheet's normal. Else the sheet is
+ * given up, and the result is made again.
  *
  * In the other face's plane only the band changes, and nothing else is in it. An edge that enters the space between the
  * line and the bends must end there, or leave through the straight line a second time. By (3) a merged face is one
@@ -44,18 +44,18 @@ typedef struct { uint32_t near, point; } corner;
 
 struct vs_sheets {
   VS_LIST(sheet) all;
-  VS_LIST(uint32_t) of;       /* of each facet: its sheet, or VS_NONE */
-  VS_LIST(uint32_t) of_face;  /* of each face: its sheet, or VS_NONE */
-  VS_LIST(uint32_t) face_key; /* of each face: the key of its plane, or VS_NONE */
+  VS_LIST(uint32_t) of;       /* for each facet: its sheet, or VS_NONE */
+  VS_LIST(uint32_t) of_face;  /* for each face: its sheet, or VS_NONE */
+  VS_LIST(uint32_t) face_key; /* for each face: the key of its plane, or VS_NONE */
   VS_LIST(cut) cuts;
-  VS_LIST(uint32_t) cut_of;   /* of each bend: its cut */
-  VS_LIST(uint32_t) key;      /* of each plane: the plane that represents its sheet */
+  VS_LIST(uint32_t) cut_of;   /* for each bend: its cut */
+  VS_LIST(uint32_t) key;      /* for each plane: the plane that represents its sheet */
   VS_LIST(uint32_t) near;     /* of each key plane with cuts: its index in `first`, or VS_NONE */
-  VS_LIST(uint32_t) first;    /* ranges of `corners`: the corners of faces in each key plane, in the order of x; one
-                               * more at the end */
+  VS_LIST(uint32_t) first;    /* ranges of `corners`: the corners of faces in each key plane, in the order of x; an
+                               * extra element marks the end */
   VS_LIST(placed) corners;
   VS_LIST(corner) hits;       /* corners on their way there */
-  VS_LIST(uint8_t) free;      /* of each cut: 1: nothing else is within its band */
+  VS_LIST(uint8_t) free;      /* for each cut: 1: nothing else is within its band */
   size_t near_count, room;  /* room: of this structure */
   bool kept;                /* this round found bends that stay */
   bool looked;              /* at bands: afterwards only those beside fresh sheets change */
@@ -84,7 +84,7 @@ bool vs_sheets_begin(vs_result_state *w) {
   if (!any) return true;
   if (!VS_ROOM(w->k, w->lone.at, w->lone.room, planes + 1)) return false;
   w->lone.count = planes;
-  memset(w->lone.at, 0xff, planes * sizeof *w->lone.at); /* VS_NONE */
+  memset(w->lone.at, 0xff, planes * sizeof *w->lone.at); /* sets every element to VS_NONE */
   for (int twice = 0; twice < 2; twice++)
     for (uint32_t f = 0; f < c->facets.count; f++) {
       uint32_t *lone = &w->lone.at[c->facets.at[f].plane];
@@ -194,7 +194,7 @@ bool vs_sheets_plan(vs_result_state *w) {
   memset(w->stays.at, 0, points);
   w->gone.count = w->edge_first.count - 1;
   if (!vs_kernel_report(w->k, 0.9)) return false;
-  memset(s->of.at, 0xff, facets * sizeof *s->of.at); /* VS_NONE */
+  memset(s->of.at, 0xff, facets * sizeof *s->of.at); /* sets every element to VS_NONE */
   for (size_t i = 0; i < w->seams.count; i++) {
     if (!is_cut(w, w->seams.at[i])) continue;
     uint32_t facet = vs_result_facet(w, &c->faces.at[vs_result_use(w, w->edge_first.at[w->seams.at[i]])->face]);
@@ -211,7 +211,8 @@ bool vs_sheets_plan(vs_result_state *w) {
     if (w->lone.at[c->facets.at[f].plane] != f) give_up(w, s->of.at[f]);
     else s->key.at[c->facets.at[f].plane] = c->facets.at[first].plane;
   }
-  /* cached for each face: every round needs them for each edge, and faces, planes and facets are all over the memory */
+  /* cached for each face: every round needs them for each edge, and faces, planes and facets are many places of
+   * memory */
   if (!VS_ROOM(w->k, s->of_face.at, s->of_face.room, c->faces.count + 1) ||
       !VS_ROOM(w->k, s->face_key.at, s->face_key.room, c->faces.count + 1))
     return false;
@@ -387,7 +388,7 @@ static bool find_near(vs_result_state *w) {
   vs_sheets *s = w->sheets;
   size_t planes = w->c->planes.all.count;
   s->near_count = 0;
-  memset(s->near.at, 0xff, planes * sizeof *s->near.at); /* VS_NONE */
+  memset(s->near.at, 0xff, planes * sizeof *s->near.at); /* sets every element to VS_NONE */
   for (size_t i = 0; i < s->cuts.count; i++)
     for (int j = 0; j < 2; j++)
       if (s->near.at[s->cuts.at[i].keys[j]] == VS_NONE) s->near.at[s->cuts.at[i].keys[j]] = (uint32_t)s->near_count++;
@@ -482,7 +483,7 @@ bool vs_sheets_check(vs_result_state *w, bool *again) {
   s->cuts.count = 0;
   s->kept = false;
   for (size_t i = 0; i < s->all.count; i++) s->all.at[i].bends = 0;
-  memset(s->cut_of.at, 0xff, points * sizeof *s->cut_of.at); /* VS_NONE */
+  memset(s->cut_of.at, 0xff, points * sizeof *s->cut_of.at); /* sets every element to VS_NONE */
   for (size_t p = 0; p < points; p++) dropped += w->bent.at[p];
   if (!vs_kernel_report(w->k, 0.9)) return false;
   w->c->straightened = dropped;

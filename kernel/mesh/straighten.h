@@ -1,4 +1,4 @@
-/* Owns the interface of straighten.c, which decides which bends a result may lose. */
+/* Declares the interface of straighten.c, which decides which bends a result may lose. */
 #ifndef VS_KERNEL_MESH_STRAIGHTEN_H
 #define VS_KERNEL_MESH_STRAIGHTEN_H
 

@@ -1,4 +1,4 @@
-/* Owns the proofs that triangles are apart.
+/* Implements the proofs that triangles are apart.
  *
  * Two convex sets without a common place, or with just a common corner, have a plane between them. The candidates are
  * few: planes of the two faces, and planes along an edge of each. A sign counts if it exceeds the largest possible
@@ -131,7 +131,8 @@ bool vs_triangles_apart(const vs_vec3 a[3], const vs_vec3 b[3], int *count) {
 
 /* ---- all pairs ---- */
 
-enum { SERIAL = 10000 /* fewer triangles need no thread */, TRIANGLES = 1 << 13, BLOCKS = 512 /* of a task */ };
+enum { SERIAL = 10000 /* fewer triangles are processed in one thread */, TRIANGLES = 1 << 13, BLOCKS = 512 /* number that one task
+                                                                                               * processes */ };
 
 typedef struct {
   const vs_mesh *m;

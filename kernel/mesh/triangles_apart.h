@@ -1,4 +1,4 @@
-/* Owns the quick proof that a mesh does not intersect itself: pairs of triangles, in doubles, with bounds on their
+/* Declares the quick proof that a mesh does not intersect itself: pairs of triangles, in doubles, with bounds on their
  * errors. A proof succeeds or leaves the question open. */
 #ifndef VS_KERNEL_MESH_TRIANGLES_APART_H
 #define VS_KERNEL_MESH_TRIANGLES_APART_H

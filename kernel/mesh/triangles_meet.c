@@ -1,4 +1,4 @@
-/* Owns the exact intersection test of two triangles.
+/* Implements the exact intersection test of two triangles.
  *
  * The test works edge by edge. The intersection of two triangles without a common corner is bounded by places where an
  * edge of one meets the other. An intersection beside a common corner extends from there to the far edge of one of the

@@ -1,4 +1,4 @@
-/* Owns the exact intersection test of two triangles of a mesh, in double coordinates. */
+/* Declares the exact intersection test of two triangles of a mesh, in double coordinates. */
 #ifndef VS_KERNEL_MESH_TRIANGLES_MEET_H
 #define VS_KERNEL_MESH_TRIANGLES_MEET_H
 

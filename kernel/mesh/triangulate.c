@@ -1,4 +1,4 @@
-/* Owns the triangulation: one sweep that cuts off each triangle as soon as it is visible.
+/* Implements the triangulation: one sweep that cuts off each triangle as soon as it is visible.
  *
  * Each interval inside the polygon, between two neighbouring edges of the status, keeps a chain. The chain is the
  * border of the space on its right that has no triangles yet, from the left end of the interval's lower edge to the

@@ -1,4 +1,4 @@
-/* Owns the exact triangulation of a polygon with holes, touching corners and slits in one plane. */
+/* Declares the exact triangulation of a polygon with holes, touching corners and slits in one plane. */
 #ifndef VS_KERNEL_MESH_TRIANGULATE_H
 #define VS_KERNEL_MESH_TRIANGULATE_H
 

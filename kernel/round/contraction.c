@@ -1,4 +1,4 @@
-/* Owns the contraction of the surface where rounding makes triangles meet and no gentler means has helped
+/* Implements the contraction of the surface where rounding makes triangles meet and no gentler means has helped
  * (contraction.h).
  *
  * A mesh whose corners are only positions need not be a manifold by index. It suffices that its triangles are a closed

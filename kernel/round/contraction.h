@@ -1,4 +1,4 @@
-/* Owns the last means against triangles that rounding makes meet: it unites corners and removes low triangles. */
+/* Declares the last means against triangles that rounding makes meet: it unites corners and removes low triangles. */
 #ifndef VS_KERNEL_ROUND_CONTRACTION_H
 #define VS_KERNEL_ROUND_CONTRACTION_H
 

@@ -1,4 +1,4 @@
-/* Owns the kinds of numbers to which corners are rounded, and the counts of that rounding. */
+/* Declares the kinds of numbers to which corners are rounded, and the counts of that rounding. */
 #ifndef VS_KERNEL_ROUND_ROUNDED_H
 #define VS_KERNEL_ROUND_ROUNDED_H
 

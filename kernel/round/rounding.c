@@ -1,4 +1,4 @@
-/* Owns the mending of a mesh that is rounded.
+/* Implements the mending of a mesh that is rounded.
  *
  * The exact result may have corners closer together than the format's numbers. Where four planes nearly meet in one
  * point there are two corners; where a corner nearly lies on another's edge there is a triangle with almost no height.
@@ -547,7 +547,7 @@ static bool round_mesh(vs_rounding *s, vs_rounded *out) {
 
 bool vs_mesh_round(vs_mesh *m, vs_numbers numbers, const vs_kernel_options *options, vs_rounded *out,
                     vs_kernel_error *error) {
-  enum { SERIAL = 10000 }; /* so few triangles are not worth a thread */
+  enum { SERIAL = 10000 }; /* fewer triangles are processed in one thread */
   vs_kernel_error ignored;
   vs_kernel k = { .options = options,
                   .error = error ? error : &ignored,

@@ -1,4 +1,4 @@
-/* Owns the effect of rounding an exact mesh to a format's numbers: edges that become too short are removed, and the
+/* Declares the effect of rounding an exact mesh to a format's numbers: edges that become too short are removed, and the
  * rest is counted. */
 #ifndef VS_KERNEL_ROUND_ROUNDING_H
 #define VS_KERNEL_ROUND_ROUNDING_H

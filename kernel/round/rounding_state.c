@@ -1,4 +1,4 @@
-/* Owns the units of the formats' numbers, and the effect of rounding on a single triangle (rounding_state.h). */
+/* Implements the units of the formats' numbers, and the effect of rounding on a single triangle (rounding_state.h). */
 #include "kernel/round/rounding_state.h"
 
 #include <math.h>

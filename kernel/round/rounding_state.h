@@ -1,4 +1,4 @@
-/* Owns the state of rounding a mesh (rounding.c), shared with the search for self-contacts after rounding
+/* Defines the state of rounding a mesh (rounding.c), shared with the search for self-contacts after rounding
  * (self_contacts.c) and with contraction.c, which mends them. */
 #ifndef VS_KERNEL_ROUND_ROUNDING_STATE_H
 #define VS_KERNEL_ROUND_ROUNDING_STATE_H
@@ -23,21 +23,22 @@ typedef struct {
   VS_LIST(vs_storey) storeys; /* storeys of the mesh, by axis and value, each once; empty if two of them are less than
                                * two units apart */
   bool level;              /* every triangle lies in a storey */
-  VS_LIST(vs_fan) fans;    /* of each vertex: its triangles that are not gone, a range of `around` */
+  VS_LIST(vs_fan) fans;    /* for each vertex: its triangles that are not gone, a range of `around` */
   VS_LIST(uint32_t) around;
   VS_LIST(uint32_t) look;  /* in order: triangles that may be low or have an edge that is too short: at first all of
                             * them, then those that have changed */
-  VS_LIST(uint8_t) busy;   /* of each vertex: this round has changed something near it */
-  VS_LIST(uint8_t) gone;   /* of each triangle: 1: gone; numbers are kept until the end */
-  VS_LIST(uint8_t) listed; /* of each triangle: 1: in look; 2: counted among those that meet */
+  VS_LIST(uint8_t) busy;   /* for each vertex: this round has changed something near it */
+  VS_LIST(uint8_t) gone;   /* for each triangle: 1: gone; numbers are kept until the end */
+  VS_LIST(uint8_t) listed; /* for each triangle: 1: in look; 2: counted among those that meet */
   VS_LIST(uint8_t)
-  changed; /* of each triangle: VS_CHANGED if it has been given other corners, so that it no longer belongs to the exact
-            * result; VS_SUSPECT beside one that may have turned over, or at a place where the surface touches itself */
+  changed; /* for each triangle: VS_CHANGED if it has been given other corners, so that it no longer belongs to the
+            * exact result; VS_SUSPECT beside one that may have turned over, or at a place where the surface touches
+            * itself */
   bool searched;           /* all pairs of triangles have been tested once (self_contacts.c) */
   vs_shells shells;        /* filled on request; a collapse stays within its shell */
-  VS_LIST(uint8_t) alone;  /* of each vertex, in the first search: see stars.h; else empty */
-  VS_LIST(uint8_t) folded; /* of each vertex: 1: of two triangles that lie on each other, up to some units */
-  VS_LIST(uint8_t) near_met; /* of each vertex: 1: of a triangle that meets another; 2, 3: one and two triangles
+  VS_LIST(uint8_t) alone;  /* for each vertex, in the first search: see stars.h; else empty */
+  VS_LIST(uint8_t) folded; /* for each vertex: 1: of two triangles that lie on each other, up to some units */
+  VS_LIST(uint8_t) near_met; /* for each vertex: 1: of a triangle that meets another; 2, 3: one and two triangles
                               * further */
 } vs_rounding;
 

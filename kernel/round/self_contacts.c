@@ -1,4 +1,4 @@
-/* Owns the search for triangles that rounding has made meet, anywhere in the mesh.
+/* Implements the search for triangles that rounding has made meet, anywhere in the mesh.
  *
  * Triangles that cross after rounding lie within some units of each other before. Where two sheets of a surface that
  * does not meet itself are that near, two of them face in opposite directions, or across. Between sheets that face the

@@ -1,4 +1,4 @@
-/* Owns the interface of self_contacts.c: the search for triangles that rounding has made meet, anywhere in the
+/* Declares the functions of self_contacts.c: the search for triangles that rounding has made meet, anywhere in the
  * mesh. */
 #ifndef VS_KERNEL_ROUND_SELF_CONTACTS_H
 #define VS_KERNEL_ROUND_SELF_CONTACTS_H

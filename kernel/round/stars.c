@@ -1,4 +1,4 @@
-/* Owns the shells that need no search for self-contacts (stars.h).
+/* Implements the shells that need no search for self-contacts (stars.h).
  *
  * From a point c off a closed shell, the number of triangles in a direction, counted negatively if seen from their
  * outer side, is the same for all directions. If c sees every triangle from its inner side, and one of them in some

@@ -1,4 +1,4 @@
-/* Owns the shells that need no search for self-contacts: stars that are apart from all others. */
+/* Declares the shells that need no search for self-contacts: stars that are apart from all others. */
 #ifndef VS_KERNEL_ROUND_STARS_H
 #define VS_KERNEL_ROUND_STARS_H
 

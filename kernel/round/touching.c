@@ -1,4 +1,4 @@
-/* Owns the search for places where the exact surface touches itself (touching.h).
+/* Implements the search for places where the exact surface touches itself (touching.h).
  *
  * Sheets that face the same way are not tested against each other (self_contacts.c), since there is another sheet
  * between them, unless the surface meets itself. It does so where two corners have one position: the sheet between two
@@ -143,7 +143,7 @@ static bool suspect_folds(vs_rounding *s, const uint32_t *place) {
 bool vs_rounding_suspect_touching(vs_rounding *s) {
   const vs_mesh *m = s->m;
   VS_LIST(uint32_t) slots = { 0 }; /* a vertex plus 1, by its place; 0: free */
-  VS_LIST(uint32_t) places = { 0 }; /* of each vertex: the first vertex at its place, if there are several */
+  VS_LIST(uint32_t) places = { 0 }; /* for each vertex: the first vertex at its place, if there are several */
   size_t size = 16, any = 0;
   while (size < 2 * m->vertex_count) size *= 2;
   bool ok = VS_ROOM(s->k, slots.at, slots.room, size) && VS_ROOM(s->k, places.at, places.room, m->vertex_count + 1);

@@ -1,4 +1,4 @@
-/* Owns the marks of triangles at places where the exact surface touches itself. */
+/* Declares the marks of triangles at places where the exact surface touches itself. */
 #ifndef VS_KERNEL_ROUND_TOUCHING_H
 #define VS_KERNEL_ROUND_TOUCHING_H
 
