@@ -1,9 +1,10 @@
-/* Implements the bounding volume hierarchy: a complete tree over the Morton order of the boxes' centres, four to a
- * node.
+/* Implements the bounding volume hierarchy: a complete tree over the boxes in the Morton order of their centres. Each
+ * node has four children.
  *
- * Cost: a radix sort and one pass upwards. A pair query walks from the top for every four blocks of four: n log n for
- * boxes that meet few others. If all boxes of a block, or below it, are of one family, blocks of that family skip it as
- * a whole. Therefore n triangles around one corner, whose boxes all meet there, cost n log n as well. */
+ * The build costs a radix sort and one pass from the leaves to the root. A query for pairs descends from the root once
+ * for every four blocks of four boxes. It takes n log n steps if each box intersects few others. Items of one family
+ * need no test against each other. If all boxes below a node have one family, queries from blocks of that family skip
+ * the node. Therefore n triangles around one corner, whose boxes all intersect there, also take n log n. */
 #include "kernel/mesh/bvh.h"
 
 #include <string.h>
@@ -21,12 +22,13 @@ static uint64_t spread(uint64_t x) { /* moves 21 bits to every third position */
   return (x | x << 2) & 0x1249249249249249u;
 }
 
-enum { AXIS_BITS = 10 }; /* at most: code and item fit 64 bits */
+enum { AXIS_BITS = 10 }; /* greatest number of bits per axis, so that the Morton code and the item's number fit into 64
+                          * bits */
 
 static int length(uint64_t x) { return x ? 64 - __builtin_clzll(x) : 0; }
 
-/* Returns the number of low bits that all coordinates lose: the others distinguish `count` boxes, with some more bits
- * for places where boxes crowd. */
+/* Returns the number of low bits to omit from all coordinates. The remaining bits suffice to distinguish `count` boxes,
+ * with a few more bits for regions with many boxes. */
 static int code_shift(uint32_t count, const int64_t range[3], int *bits) {
   for (int shift = 0;; shift++) {
     int sum = 0;
@@ -40,11 +42,12 @@ static int code_shift(uint32_t count, const int64_t range[3], int *bits) {
   }
 }
 
-enum { CHUNK = 1 << 14, MANY = 1 << 16 /* so many boxes are worth threads */ };
+enum { CHUNK = 1 << 14, MANY = 1 << 16 /* CHUNK: number of boxes that one task processes; MANY: with this number of
+                                        * boxes, threads are used */ };
 
 typedef struct {
   vs_bvh *t;
-  uint64_t *code;       /* code << 32 | item */
+  uint64_t *code;       /* the Morton code in the high 32 bits, the item's number in the low ones */
   int64_t low[3];
   int shift;
 } coding;
@@ -151,8 +154,8 @@ static vs_bvh_box around(const vs_pack *p) {
   return b;
 }
 
-/* Returns the family of all items in the block of that level; -1 if there are several families, or an item has none.
- * The level exists. */
+/* Returns the family of all items in the block of that level. Returns -1 if the items have several families, or one has
+ * none. The level must exist. */
 static int32_t family_below(const vs_bvh *t, uint32_t level, uint32_t block) {
   uint32_t all = level ? t->size[level - 1] : t->count,
            held = all - block * BLOCK < BLOCK ? all - block * BLOCK : BLOCK;
@@ -181,7 +184,8 @@ bool vs_bvh_build(vs_kernel *k, vs_bvh *t, const vs_bvh_box *boxes, uint32_t cou
   for (uint32_t level = 1; ok && level < t->level_count; level++) {
     const vs_pack *below = t->packs + t->first[level - 1];
     vs_pack *to = t->packs + t->first[level];
-    memset(to[t->size[level] - 1].min, 0x7f, sizeof to->min); /* the last pack may have empty lanes */
+    memset(to[t->size[level] - 1].min, 0x7f, sizeof to->min); /* empties the last pack, which may have fewer than four
+                                                               * boxes */
     memset(to[t->size[level] - 1].max, 0x80, sizeof to->max);
     for (uint32_t i = 0; i < t->size[level - 1]; i++) {
       vs_bvh_box b = around(&below[i]);
@@ -201,7 +205,7 @@ static vs_bvh_box box_of(const vs_pack *p, uint32_t lane) {
                    { p->max[0][lane], p->max[1][lane], p->max[2][lane] } };
 }
 
-/* Removes the lowest bit from a set that is not empty and returns its number. */
+/* Removes the lowest bit from *set, which is not 0, and returns the number of that bit. */
 static uint32_t next_bit(uint32_t *set) {
   uint32_t lane = (uint32_t)__builtin_ctz(*set);
   VS_ASSERT(*set != 0);
@@ -209,12 +213,12 @@ static uint32_t next_bit(uint32_t *set) {
   return lane;
 }
 
-/* A walk over the blocks from `from` on that have a box which meets `box`, in order. */
+/* A traversal of the blocks from number `from` on, in order. It visits the blocks with a box that intersects `box`. */
 typedef struct {
   const vs_bvh *t;
   vs_bvh_box box;
   uint32_t from;
-  int32_t family; /* blocks of this family alone are skipped; -1: none */
+  int32_t family; /* blocks in which all items have this family are skipped; -1: no block is skipped */
   struct { uint32_t level, i; } stack[STACK];
   int top;
 } descent;
@@ -228,7 +232,8 @@ static void begin(descent *d, const vs_bvh *t, const vs_bvh_box *box, uint32_t f
   if (t->level_count) d->stack[d->top].level = t->level_count - 1, d->stack[d->top++].i = 0;
 }
 
-/* met: the boxes of the block that meet the box, as bits. */
+/* Finds the next block of the traversal. Bit i of *met is set if the block's box i intersects d->box. Returns false at
+ * the end. */
 static bool next(descent *d, uint32_t *block, uint32_t *met) {
   const vs_bvh *t = d->t;
   while (d->top) {
@@ -242,8 +247,8 @@ static bool next(descent *d, uint32_t *block, uint32_t *met) {
       if (set) return true;
       continue;
     }
-    for (uint32_t lane = BLOCK; lane-- > 0;) { /* without a branch: writes every lane, and keeps it if it meets the
-                                                * box */
+    for (uint32_t lane = BLOCK; lane-- > 0;) { /* avoids a branch: writes every child to the stack, and advances the top
+                                                * only if the child is to be visited */
       uint32_t below = i * BLOCK + lane;
       d->stack[d->top].level = level - 1;
       d->stack[d->top].i = below;
@@ -256,7 +261,7 @@ static bool next(descent *d, uint32_t *block, uint32_t *met) {
 uint32_t vs_bvh_blocks(const vs_bvh *t) { return t->level_count ? t->size[0] : 0; }
 
 bool vs_bvh_pairs(const vs_bvh *t, uint32_t first, uint32_t end, vs_bvh_pair_fn *fn, void *context) {
-  enum { GROUP = 4 }; /* number of blocks that descend together */
+  enum { GROUP = 4 }; /* number of blocks for which the tree is descended once */
   uint32_t blocks = vs_bvh_blocks(t), block, met;
   if (end > blocks) end = blocks;
   for (uint32_t from = first; from < end; from += GROUP) {

@@ -1,4 +1,4 @@
-/* Implements the counting of pairs of triangles that may meet. */
+/* Counts the pairs of triangles whose bounding boxes intersect. */
 #include "kernel/mesh/crowd.h"
 
 #include <math.h>

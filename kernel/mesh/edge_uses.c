@@ -1,13 +1,13 @@
-/* Implements the sort of edges: chunks of items count their edges and distribute them into ranges of points, and each
- * range sorts its edges. Chunks and ranges depend on the counts alone, so the order is the same for any number of
- * threads. */
+/* Sorts edges. Each task counts the edges of a chunk of items and distributes them into ranges of points. Then each
+ * task sorts the edges of a range. Chunks and ranges do not depend on the number of threads, so neither does the
+ * order. */
 #include "kernel/mesh/edge_uses.h"
 
 #include <string.h>
 
 #include "kernel/threads.h"
 
-enum { CHUNK = 1 << 15, BLOCK = 256, LEAST = 10 /* a range has at least 1024 points */, RANGES = 256 };
+enum { CHUNK = 1 << 15, BLOCK = 256, LEAST = 10 /* a range has at least 1 << LEAST points */, RANGES = 256 };
 
 typedef struct { uint32_t low, high, item; } loose;
 
@@ -16,8 +16,8 @@ typedef struct {
   vs_ends_fn *ends;
   const void *context;
   uint32_t items, points;
-  VS_LIST(uint32_t) counts; /* chunk by chunk: the number of edges in each range, then the place where the chunk
-                             * writes */
+  VS_LIST(uint32_t) counts; /* for each chunk and range: number of edges, later the index where the chunk writes its
+                             * next edge */
   VS_LIST(uint32_t) begin;  /* of each range; an extra element marks the end */
   VS_LIST(loose) loose;
 } sorting;
@@ -61,9 +61,10 @@ static bool sort_range(vs_kernel *k, void *context, size_t range) {
   uint32_t from = vs_halves_begin(h, range), end = vs_halves_begin(h, range + 1), low = s->begin.at[range],
            high = s->begin.at[range + 1];
   uint32_t *first = h->first.at + from, n = end - from;
-  memset(first, 0, n * sizeof *first); /* the next range fills its first */
+  memset(first, 0, n * sizeof *first); /* the element at n belongs to the next range */
   for (uint32_t i = low; i < high; i++) first[s->loose.at[i].low - from]++;
-  /* sum: the end of each point's edges; the loop below fills from the end, and each moves down to its beginning */
+  /* first[p] becomes the end of point p's edges. The loop below fills the edges from the end and decreases first[p] to
+   * their beginning. */
   for (uint32_t p = 0, sum = low; p < n; p++) {
     sum += first[p];
     first[p] = sum;
@@ -75,7 +76,7 @@ static bool sort_range(vs_kernel *k, void *context, size_t range) {
   for (uint32_t p = 0; p < n; p++) {
     vs_half *at = h->at.at + first[p];
     uint32_t count = (p + 1 < n ? first[p + 1] : high) - first[p];
-    /* Shell sort: mostly few edges, sometimes a hub */
+    /* Shell sort: most points have few edges, but a hub has very many. */
     for (uint32_t gap = count > 32 ? count / 2 : 1; gap && count; gap = gap == 2 ? 1 : (uint32_t)(gap / 2.2))
       for (uint32_t i = gap; i < count; i++) {
         vs_half x = at[i];

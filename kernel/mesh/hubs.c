@@ -1,18 +1,19 @@
-/* Implements the proof that triangles around a hub (a corner of more than MANY triangles) have only those corners and
- * edges in common that the mesh gives them.
+/* Proves that triangles around a hub have only those corners and edges in common that the mesh gives them. A hub is a
+ * corner of more than MANY triangles.
  *
- * The boxes of all of them meet, so an index distinguishes none, and each pair would be tested: n^2 for the tip of a
- * cone. But triangles with a common corner meet elsewhere only if the angles that they fill there overlap. Seen along
- * some direction d, the other two corners p and q of each triangle turn by an angle between 0 and half a turn,
- * counter-clockwise, if det(p, q, d) > 0. If that holds for all, each triangle follows another along an edge, and the
- * angles sum to one turn, then none overlaps another. d is the mean normal. The signs of the determinants count only
- * beyond their error; the sum is rounded to a whole number of turns, of which it is a multiple. A single pass around
- * the hub proves it, in n log n for the order. Pairs without a proof are tested one by one.
+ * The boxes of these triangles all intersect at the hub. A test of every pair would take n^2 steps, for example for the
+ * tip of a cone. But triangles with a common corner intersect elsewhere only if the angles that they fill at this
+ * corner overlap. Let p and q be the other two corners of a triangle, relative to the hub, and d a direction. If det(p,
+ * q, d) > 0, then the triangle as seen along d fills an angle between 0 and half a turn, counter-clockwise from p to q.
+ * The proof succeeds if this holds for all triangles, each follows another along an edge, and the angles sum to one
+ * turn. Then no two of them overlap. d is the mean normal. A determinant must exceed its possible error. The sum of the
+ * angles is a multiple of a turn, so it is rounded to one. The proof takes one pass around the hub, and n log n steps
+ * to sort the triangles. Pairs without a proof are tested individually.
  *
- * For a cone in a cone all boxes meet, too. If the triangles around a hub bend the same way everywhere, they bound a
- * convex cone; a triangle whose corners lie inside it is apart from all of them. A corner is inside if it is on the
- * inner side of the triangle in front of it, as seen along d, and its angle determines this triangle. Hubs that lie in
- * each other become one family, again in n log n. */
+ * The boxes of a cone within another cone intersect, too. If the triangles around a hub bend the same way everywhere,
+ * they bound a convex cone. Any triangle whose corners lie inside this cone is apart from all its triangles. A corner
+ * is inside if it is on the inner side of the triangle in front of it, as seen along d. Its angle determines this
+ * triangle. Hubs that lie within each other become one family, again in n log n steps. */
 #include "kernel/mesh/hubs.h"
 
 #include <math.h>
@@ -20,14 +21,15 @@
 
 enum { MANY = 64 };
 
-/* next, last: the two corners of the triangle that follow the hub */
+/* A triangle at a hub. next, last: its two corners after the hub, in the triangle's order. */
 typedef struct { uint32_t hub, triangle, next, last; } spoke;
 
 typedef struct {
   const vs_fans *m;
-  VS_LIST(uint32_t) count; /* for each vertex: number of its triangles */
+  VS_LIST(uint32_t) count; /* number of triangles at each vertex */
   VS_LIST(spoke) spokes;
-  VS_LIST(uint32_t) order, scratch; /* of the spokes: by hub, then by the next corner */
+  VS_LIST(uint32_t) order, scratch; /* indices of the spokes, sorted by hub and then by next corner; scratch: memory for
+                                     * the sort */
 } search;
 
 static bool before(const void *context, uint32_t a, uint32_t b) {
@@ -37,8 +39,8 @@ static bool before(const void *context, uint32_t a, uint32_t b) {
 
 static const spoke *at(const search *c, size_t i) { return &c->spokes.at[c->order.at[i]]; }
 
-/* Returns the spoke of [first, end) whose next corner is `corner`: its triangle follows along that edge. NULL: there is
- * none, or several. [first, end) lies in the order. */
+/* Returns the spoke in the range [first, end) of `order` whose next corner is `corner`. Its triangle is the neighbour
+ * along the edge from the hub to that corner. Returns NULL if there is no such spoke, or several. */
 static const spoke *following(const search *c, size_t first, size_t end, uint32_t corner) {
   size_t low = first, high = end;
   VS_ASSERT(first <= end && end <= c->order.count);
@@ -51,14 +53,15 @@ static const spoke *following(const search *c, size_t first, size_t end, uint32_
   return at(c, low);
 }
 
-/* Returns true if det(p, q, d) is certainly above 0. */
+/* Returns true if det(p, q, d) is above 0 by more than its possible rounding error. */
 static bool turns(vs_vec3 p, vs_vec3 q, vs_vec3 d) {
   double size = (fabs(p.y * q.z) + fabs(p.z * q.y)) * fabs(d.x) + (fabs(p.z * q.x) + fabs(p.x * q.z)) * fabs(d.y) +
       (fabs(p.x * q.y) + fabs(p.y * q.x)) * fabs(d.z);
   return vs_v3_dot(vs_v3_cross(p, q), d) > 1e-14 * size;
 }
 
-/* Returns true if the spokes of one hub, [first, end), go around it once. The hub has a spoke. */
+/* Returns true if the triangles of the spokes [first, end) surround their common hub exactly once. The range is not
+ * empty. */
 static bool goes_round_once(const search *c, size_t first, size_t end) {
   const vs_fans *m = c->m;
   vs_vec3 hub = m->corner(m->context, at(c, first)->hub), d = vs_v3(0, 0, 0);
@@ -76,12 +79,13 @@ static bool goes_round_once(const search *c, size_t first, size_t end) {
     if (!turns(p, q, d)) return false;
     sum += atan2(vs_v3_dot(vs_v3_cross(p, q), d), vs_v3_dot(p, q) - vs_v3_dot(p, d) * vs_v3_dot(q, d));
     x = following(c, first, end, x->last);
-    if (!x || (x == begin) != (i + 1 == end)) return false; /* several fans, or an open one */
+    if (!x || (x == begin) != (i + 1 == end)) return false; /* the spokes form several fans, or a fan that does not
+                                                             * close */
   }
   return fabs(sum - 6.283185307179586) < 1;
 }
 
-/* Collects the triangles' corners that are hubs. */
+/* Makes a spoke for each corner of a triangle that is a hub. */
 static bool find_spokes(vs_kernel *k, search *c) {
   const vs_fans *m = c->m;
   for (uint32_t t = 0; t < m->triangle_count; t++)
@@ -96,7 +100,8 @@ static bool find_spokes(vs_kernel *k, search *c) {
   return vs_kernel_report(k, k->part);
 }
 
-/* Returns the number of edges between triangles of one hub, which the index does not report as pairs. */
+/* Returns the number of edges that two triangles of one hub share. The index reports no pairs of one hub, so these
+ * edges are counted here. */
 static size_t edges_within(const search *c, const vs_hubs *hubs, size_t first, size_t end) {
   size_t edges = 0;
   for (size_t i = first; i < end; i++) {
@@ -106,7 +111,7 @@ static size_t edges_within(const search *c, const vs_hubs *hubs, size_t first, s
   return edges;
 }
 
-/* Returns the end of the spokes of the hub of spoke i. */
+/* Returns the index after the last spoke of the hub to which spoke i belongs. */
 static size_t end_of_hub(const search *c, size_t i) {
   size_t end = i + 1;
   VS_ASSERT(i < c->order.count);
@@ -114,15 +119,16 @@ static size_t end_of_hub(const search *c, size_t i) {
   return end;
 }
 
-/* ---- hubs within hubs ---- */
+/* ---- hubs within the cones of other hubs ---- */
 
-enum { NESTED = 64 }; /* the most hubs that are tested against each other */
+enum { NESTED = 64 }; /* greatest number of hubs that are tested against each other */
 
-/* The triangles around a hub in their order, if they bound a convex cone: its edges, relative to the hub. */
+/* A hub and the edges of the cone that its triangles bound, in order and relative to the hub. */
 typedef struct {
-  vs_vec3 hub, d, u, v; /* u, v: perpendicular to d */
-  double side;          /* sign of the cone's side of the hub, along d */
-  size_t first, count;  /* range of the edges, of their far corners and angles */
+  vs_vec3 hub, d, u, v; /* u, v: unit vectors perpendicular to d */
+  double side;          /* 1 if the cone opens in the direction d from the hub, -1 if it opens in the opposite
+                         * direction */
+  size_t first, count;  /* range of the cone's edges in `edges` and of their angles */
   bool convex;
 } cone;
 typedef struct {
@@ -134,16 +140,16 @@ typedef struct {
 
 static int turn_of(vs_vec3 p, vs_vec3 q, vs_vec3 d) { return turns(p, q, d) ? 1 : turns(q, p, d) ? -1 : 0; }
 
-/* Returns true if x, relative to the hub, is certainly on the inner side of the triangle between edge i and the
- * next. */
+/* Returns true if x is on the inner side of the triangle between edge i and the next edge, by more than rounding
+ * errors. x is relative to the hub. */
 static bool under(const cones *c, const cone *w, size_t i, vs_vec3 x) {
   return turn_of(c->edges.at[w->first + i % w->count], c->edges.at[w->first + (i + 1) % w->count], x) == w->side;
 }
 
 static double angle_of(const cone *w, vs_vec3 x) { return atan2(vs_v3_dot(x, w->v), vs_v3_dot(x, w->u)); }
 
-/* Adds the cone of the spokes [first, end), which go around their hub once; sets `convex`. Returns false when memory is
- * out. */
+/* Adds the cone of the hub with the spokes [first, end), whose triangles surround it once. Sets the cone's member
+ * `convex`. Returns false when memory is out. */
 static bool make_cone(vs_kernel *k, const search *s, size_t first, size_t end, cones *c) {
   cone w = { .hub = s->m->corner(s->m->context, at(s, first)->hub), .first = c->edges.count };
   for (size_t i = first; i < end; i++)
@@ -173,27 +179,27 @@ static bool make_cone(vs_kernel *k, const search *s, size_t first, size_t end, c
   return VS_PUSH(k, c->cones, w);
 }
 
-/* Returns true if the place is certainly inside the cone. It must be inside three triangles, whose common angle
- * certainly contains it. The cone is convex. */
+/* Returns true if the place is inside the convex cone, by more than rounding errors. It is tested against three
+ * neighbouring triangles, so that a rounding error in its angle does not matter. */
 static bool within(const cones *c, const cone *w, vs_vec3 place) {
   vs_vec3 x = vs_v3_sub(place, w->hub);
   double angle = angle_of(w, x);
   VS_ASSERT(w->convex);
   if (angle < 0) angle += 6.283185307179586;
-  size_t low = 0, high = w->count; /* finds the last edge that begins before the place */
+  size_t low = 0, high = w->count; /* finds the last edge whose angle is not above that of the place */
   while (high - low > 1) {
     size_t middle = low + (high - low) / 2;
     if (c->angles.at[w->first + middle] <= angle) low = middle;
     else high = middle;
   }
-  size_t from = low + w->count - 1; /* the edge before it */
+  size_t from = low + w->count - 1; /* index of the edge before that one */
   vs_vec3 p = c->edges.at[w->first + from % w->count], q = c->edges.at[w->first + (from + 3) % w->count];
   return turns(p, q, w->d) && turns(p, x, w->d) && turns(x, q, w->d) && under(c, w, from, x) &&
          under(c, w, from + 1, x) && under(c, w, from + 2, x);
 }
 
-/* Returns true if all triangles around hub b lie inside the cone of a. The hub itself is tested against every triangle:
- * it may lie on d. */
+/* Returns true if all triangles around hub b lie inside the cone of hub a. The hub b itself is tested against every
+ * triangle of a, because it may lie on the axis. */
 static bool holds(const cones *c, const cone *a, const cone *b) {
   vs_vec3 x = vs_v3_sub(b->hub, a->hub);
   if (!a->convex) return false;
@@ -204,7 +210,7 @@ static bool holds(const cones *c, const cone *a, const cone *b) {
   return true;
 }
 
-/* Joins hubs that lie in each other to one family: that of the first of them. */
+/* Joins hubs that lie within each other's cones to one family, named after the first such hub. */
 static bool join_nested(vs_kernel *k, const search *s, vs_hubs *out) {
   size_t count = out->corners.count;
   cones c = { .cones = { 0 } };
@@ -221,7 +227,7 @@ static bool join_nested(vs_kernel *k, const search *s, vs_hubs *out) {
     family[i] = (uint32_t)i;
     for (size_t f = 0; family[i] == i && f < i; f++) {
       if (family[f] != f) continue;
-      bool apart = true; /* apart from all of the family */
+      bool apart = true; /* true if the hub's triangles are apart from those of every hub in the family */
       for (size_t j = f; apart && j < i; j++)
         apart = family[j] != f || holds(&c, &c.cones.at[j], &c.cones.at[i]) ||
                 holds(&c, &c.cones.at[i], &c.cones.at[j]);
@@ -244,7 +250,7 @@ static bool join_nested(vs_kernel *k, const search *s, vs_hubs *out) {
 
 static bool prove(vs_kernel *k, const search *c, vs_hubs *out) {
   if (!VS_ROOM(k, out->of.at, out->of.room, c->m->triangle_count)) return false;
-  memset(out->of.at, 0xff, c->m->triangle_count * sizeof *out->of.at); /* UINT32_MAX: none */
+  memset(out->of.at, 0xff, c->m->triangle_count * sizeof *out->of.at); /* sets every element to UINT32_MAX: no hub */
   out->of.count = c->m->triangle_count;
   for (size_t i = 0, end; i < c->order.count; i = end) {
     end = end_of_hub(c, i);

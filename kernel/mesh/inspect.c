@@ -1,9 +1,9 @@
-/* Implements the inspection of a mesh: edges in double coordinates, as given; winding numbers in the exact arrangement
- * of the mesh with itself.
+/* Inspects a mesh. It finds open edges by the coordinates as given. It computes winding numbers in the exact
+ * arrangement of the mesh with itself.
  *
- * Every cell of that arrangement has a winding number. A cell with a wrong one that is thinner than two steps of the
- * grid comes from rounding of faces that touch; the inspection ignores it. For any other it reports the triangles at
- * the cell. */
+ * Every cell of this arrangement has a winding number, which should be 0 or 1. A cell with another number that is
+ * thinner than two grid steps comes from rounding of faces that touch, and is ignored. For any other such cell, the
+ * inspection reports the triangles that bound it. */
 #include "kernel/mesh/inspect.h"
 #include "kernel/arrange/arrange_planes.h"
 #include "kernel/arrange/classify.h"
@@ -21,7 +21,7 @@
 #include "kernel/cluster.h"
 #include "kernel/threads.h"
 
-/* ---- open edges ---- */
+/* ---- open edges: the uses of an edge in its two directions are not equally many ---- */
 
 typedef struct { uint32_t low, high, triangle; int32_t way; } directed;
 
@@ -43,7 +43,8 @@ static bool directed_before(const void *context, uint32_t a, uint32_t b) {
   return x->high != y->high ? x->high < y->high : x->triangle < y->triangle;
 }
 
-/* Inserts the flaw in the order of triangles, and counts it; the list keeps the first few. */
+/* Inserts the flaw into the list, which is sorted by triangle, and increases *count. The list keeps only the first
+ * VS_FLAWS_LISTED flaws. */
 static void by_triangle(vs_mesh_flaw *list, size_t *count, vs_mesh_flaw flaw) {
   size_t held = *count < VS_FLAWS_LISTED ? *count : VS_FLAWS_LISTED, i = held;
   while (i > 0 && list[i - 1].triangle > flaw.triangle) i--;
@@ -86,7 +87,7 @@ static bool open_edges(vs_kernel *k, const vs_mesh *m, vs_mesh_flaws *out) {
     if (balance != 0) {
       const vs_vec3 *a = &m->vertices[first->low], *b = &m->vertices[first->high];
       vs_mesh_flaw flaw = { first->triangle, vs_v3((a->x + b->x) / 2, (a->y + b->y) / 2, (a->z + b->z) / 2), 0 };
-      for (size_t j = i; j < end; j++) /* finds the first use that is too many */
+      for (size_t j = i; j < end; j++) /* finds the first use that has no partner in the opposite direction */
         if ((edges.at[order.at[j]].way > 0) == (balance > 0)) {
           flaw.triangle = edges.at[order.at[j]].triangle;
           break;
@@ -102,14 +103,14 @@ static bool open_edges(vs_kernel *k, const vs_mesh *m, vs_mesh_flaws *out) {
   return ok;
 }
 
-/* ---- windings ---- */
+/* ---- winding numbers ---- */
 
 typedef struct { const vs_point *origin; double volume, area; } cell;
 typedef struct {
   vs_kernel *k;
   vs_cluster *c;
   uint32_t face;
-  int64_t at[3]; /* in the face, in fixed numbers */
+  int64_t at[3]; /* a place in the face, in fixed-point numbers */
   uint32_t found;
 } search;
 
@@ -133,8 +134,8 @@ static bool holds(void *context, uint32_t patch) {
   return true;
 }
 
-/* Computes a place in the face, in fixed numbers and approximately: the middle of the widest stretch of a line at half
- * height. The face lies in a plane. */
+/* Computes a place inside the face, in fixed-point numbers and approximately. A line at half the face's height
+ * intersects it in segments. The place is the middle of the longest segment. */
 static void inside_of(const vs_cluster *c, uint32_t face, int64_t at[3]) {
   const vs_plane *p = &c->planes.all.at[c->faces.at[face].plane];
   const vs_use *uses = c->uses.at + c->faces.at[face].use;
@@ -147,7 +148,7 @@ static void inside_of(const vs_cluster *c, uint32_t face, int64_t at[3]) {
     high = fmax(high, y);
   }
   v = low + 0.4871 * (high - low);
-  for (size_t i = 0; i < count; i++) { /* pairs each crossing with the next one to its right */
+  for (size_t i = 0; i < count; i++) { /* pairs each crossing with the next crossing to its right */
     double x[2] = { 0, INFINITY };
     for (int pass = 0; pass < 2; pass++)
       for (size_t j = pass ? 0 : i; j < (pass ? count : i + 1); j++) {
@@ -159,8 +160,8 @@ static void inside_of(const vs_cluster *c, uint32_t face, int64_t at[3]) {
           continue;
         }
         double cross = (double)a->fixed[p->u] + (v - ay) / (by - ay) * (double)(b->fixed[p->u] - a->fixed[p->u]);
-        if (!pass) x[0] = ay > by ? cross : NAN; /* the face lies left of the use: right of it in u if the use goes
-                                                  * down */
+        if (!pass) x[0] = ay > by ? cross : NAN; /* the face is on the left of the use, so it is to the right in u if
+                                                  * the use goes down */
         else if (cross > x[0] && cross < x[1]) x[1] = cross;
       }
     if (isfinite(x[0]) && isfinite(x[1]) && x[1] - x[0] > best) best = x[1] - x[0], u = (x[0] + x[1]) / 2;
@@ -170,8 +171,8 @@ static void inside_of(const vs_cluster *c, uint32_t face, int64_t at[3]) {
   at[p->k] = (int64_t)(((double)p->d * 0x1p30 - (double)p->n[p->u] * u - (double)p->n[p->v] * v) / (double)p->n[p->k]);
 }
 
-/* Computes volumes and areas of the cells, in steps: cones from a corner of each cell, which may be small and far
- * away. */
+/* Computes the volume and area of each cell, in steps. The volume is a sum of cones from a corner of the cell. A nearby
+ * corner keeps the errors of a small cell small. */
 static void measure_cells(const vs_cluster *c, cell *cells) {
   for (uint32_t f = 0; f < c->faces.count; f++) {
     uint32_t begin = c->faces.at[f].use, end = begin + c->faces.at[f].use_count;
@@ -186,7 +187,7 @@ static void measure_cells(const vs_cluster *c, cell *cells) {
              av = (double)(a->fixed[p->v] - o->fixed[p->v]) * 0x1p-30;
       double bu = (double)(b->fixed[p->u] - o->fixed[p->u]) * 0x1p-30,
              bv = (double)(b->fixed[p->v] - o->fixed[p->v]) * 0x1p-30;
-      seen += (au * bv - av * bu) / 2; /* the area along k */
+      seen += (au * bv - av * bu) / 2; /* area of the face as projected along axis k */
     }
     double area = seen * length / fabs(n[p->k]);
     for (uint32_t side = 0; side < 2; side++) {
@@ -195,7 +196,7 @@ static void measure_cells(const vs_cluster *c, cell *cells) {
       double height = 0;
       for (int j = 0; j < 3; j++) height += n[j] * ((double)(o->fixed[j] - x->origin->fixed[j]) * 0x1p-30);
       x->area += area;
-      /* the plane's normal points out of the cell on the - side */
+      /* the plane's normal points out of the cell on the - side of the face */
       x->volume += (side ? area : -area) * height / length / 3;
     }
   }
@@ -215,7 +216,8 @@ static bool name_triangles(vs_kernel *k, vs_cluster *c, vs_mesh_flaws *out) {
   for (uint32_t i = 0; ok && i < 2 * f; i++) {
     uint32_t at = c->side_cell.at[i];
     int32_t winding = c->wound.at[at];
-    /* half of the area times two steps */
+    /* The second condition ignores cells thinner than two steps: their volume is at most half their area times two
+     * steps. */
     if ((winding == 0 || winding == 1) || fabs(cells.at[at].volume) <= cells.at[at].area) continue;
     if (winding < out->least) out->least = winding;
     if (winding > out->most) out->most = winding;
@@ -234,9 +236,9 @@ static bool name_triangles(vs_kernel *k, vs_cluster *c, vs_mesh_flaws *out) {
   return ok;
 }
 
-/* ---- meshes without flaws by a quick test ---- */
+/* ---- a quick test that finds most meshes without flaws ---- */
 
-/* Sets *apart if every shell faces outwards and the shells' boxes are apart. */
+/* Sets *apart to true if every shell faces outwards and the boxes of the shells do not intersect. */
 static bool shells_apart(vs_kernel *k, const vs_part *p, bool *apart) {
   enum { FEW = 64 };
   const vs_mesh *m = p->mesh;
@@ -252,7 +254,8 @@ static bool shells_apart(vs_kernel *k, const vs_part *p, bool *apart) {
     if (p->twins[i] != VS_NONE) vs_unite(shell.at, i / 3, p->twins[i] / 3);
     ok = vs_kernel_poll(k, k->part);
   }
-  for (uint32_t t = 0; ok && *apart && t < n; t++) { /* roots come first: shell numbers replace them */
+  for (uint32_t t = 0; ok && *apart && t < n; t++) { /* a root has the least index of its shell, so shell numbers can
+                                                      * replace the parents in one pass */
     uint32_t root = vs_find(shell.at, t);
     if (root != t) continue;
     if (count == FEW) *apart = false;
@@ -292,8 +295,8 @@ static bool shells_apart(vs_kernel *k, const vs_part *p, bool *apart) {
   return ok;
 }
 
-/* Sets *whole if each corner has one fan of triangles, by index. Corners of triangles that follow each other along an
- * edge are one set: the test compares the number of sets with that of corners. */
+/* Sets *whole to true if the triangles at each vertex form a single fan. It unites the triangle corners that follow
+ * each other along an edge. The fans are single if there are as many sets as vertices. */
 static bool fans_whole(vs_kernel *k, const vs_part *p, bool *whole) {
   const vs_mesh *m = p->mesh;
   size_t n = 3 * m->triangle_count, sets = 0, corners = 0;
@@ -330,13 +333,13 @@ bool vs_part_plainly_good(vs_kernel *k, const vs_part *p, bool *good) {
   if (!shells_apart(k, p, good) || !*good) return k->error->status == VS_KERNEL_FINE;
   *good = false;
   if (!fans_whole(k, p, &whole) || !vs_mesh_is_apart(k, p->mesh, &apart, &edges)) return false;
-  /* where four triangles share an edge, their pairing is arbitrary */
+  /* The last condition excludes edges of four triangles, because such triangles are paired arbitrarily. */
   *good = whole && apart && 2 * edges == 3 * p->mesh->triangle_count;
   return true;
 }
 
-/* Returns true if facets meet. Facets that meet have cuts, except coplanar facets with the same borders: these share a
- * group. */
+/* Returns true if facets intersect or touch. Such facets have cuts, except coplanar facets with equal borders, which
+ * have a common group. */
 static bool touches(const vs_cluster *c) {
   for (uint32_t f = 0; f < c->facets.count; f++)
     if (c->facets.at[f].group != f) return true;

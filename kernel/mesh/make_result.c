@@ -1,9 +1,9 @@
-/* Implements the result's mesh: it merges coplanar faces of one paint, drops needless corners, triangulates the rest
- * and turns it to the outside.
+/* Makes the mesh of the result. It merges coplanar faces with one paint, drops corners that are not needed,
+ * triangulates the faces and orients them outwards.
  *
- * A corner is needless if exactly two borders of merged faces end there, with the same faces on both sides, in one
- * line: every face there drops it, so no T-junction appears. A facet that nothing touches and that merges with nothing
- * keeps its triangles. */
+ * A corner is not needed if exactly two border edges of merged faces end there, in one line, with the same faces on
+ * both sides. All faces at such a corner drop it, so no T-junction appears. A facet keeps its original triangles if
+ * nothing touches it and it is merged with nothing. */
 #include "kernel/mesh/make_result.h"
 
 #include "kernel/arrange/cluster_frame.h"
@@ -14,13 +14,13 @@
 
 #include <string.h>
 
-/* in a level, tags are leaves, which get their paint later */
+/* Within a level, tags are numbers of leaves. They get their paints later, so paints are not compared. */
 static bool same_paint(const vs_cluster *c, uint32_t a, uint32_t b) {
   const vs_kernel_problem *p = c->problem;
   return a == b || (!c->joining && p->paints && p->paints[a] == p->paints[b]);
 }
 
-/* Prefetches data that are needed soon, from many places of memory. */
+/* Prefetches data that merge_range soon reads from many places of memory. */
 VS_AHEAD merge_ahead(const vs_cluster *c, uint32_t i, uint32_t stop) {
   enum { USE = 24, FACE = 12 };
   const vs_half *at = c->edges.at.at + i;
@@ -31,7 +31,8 @@ VS_AHEAD merge_ahead(const vs_cluster *c, uint32_t i, uint32_t stop) {
   __builtin_prefetch(&c->faces.at[face]);
 }
 
-/* Merges over the edges between two coplanar faces of one paint that face the same way; keeps the other edges. */
+/* Merges faces over every edge that has two coplanar faces of one paint with the same orientation, and no other face.
+ * Collects the other edges. */
 static bool merge_range(vs_kernel *k, void *context, size_t range) {
   vs_result_state *w = context;
   const vs_cluster *c = w->c;
@@ -98,12 +99,12 @@ static bool merge(vs_result_state *w) {
     VS_DROP(k, from->seams);
     if (!vs_kernel_report(k, 0.9)) return false;
   }
-  vs_halves_free(k, &c->edges); /* no longer needed */
+  vs_halves_free(k, &c->edges); /* the edges are no longer needed */
   return VS_PUSH(k, w->edge_first, (uint32_t)uses);
 }
 
-/* Returns true if two edges have the same merged faces beside them. *flat: in one plane; *bent: in other planes beside
- * one edge than beside the other. */
+/* Returns true if edges e and f have the same merged faces beside them. *flat: true if all these faces lie in one
+ * plane. *bent: true if a merged face has another plane beside e than beside f. */
 static bool same_faces(vs_result_state *w, uint32_t e, uint32_t f, bool *flat, bool *bent) {
   uint32_t eb = w->edge_first.at[e], ee = w->edge_first.at[e + 1], fb = w->edge_first.at[f],
            fe = w->edge_first.at[f + 1];
@@ -125,7 +126,7 @@ static bool same_faces(vs_result_state *w, uint32_t e, uint32_t f, bool *flat, b
   return true;
 }
 
-/* Returns true if the edge has two faces that are not merged; such an edge stays. */
+/* Returns true if exactly two faces border on the edge, and they are not merged with each other. */
 static bool are_two(const vs_result_state *w, uint32_t e) {
   uint32_t begin = w->edge_first.at[e];
   VS_ASSERT(e + 1 < w->edge_first.count);
@@ -143,11 +144,11 @@ static bool drop_some_corners(vs_kernel *k, void *context, size_t chunk) {
     if (w->degree.at[p] != 2 || !same_faces(w, w->edges.at[2 * p], w->edges.at[2 * p + 1], &flat, &bent)) continue;
     const vs_use *a = vs_result_use(w, w->edge_first.at[w->edges.at[2 * p]]),
                  *b = vs_result_use(w, w->edge_first.at[w->edges.at[2 * p + 1]]);
-    if (bent) { /* straighten.c decides if that is safe */
+    if (bent) { /* straighten.c decides whether the corner at such a bend can be dropped */
       if (flat || w->stays.at[p] || !are_two(w, w->edges.at[2 * p])) continue;
       w->bent.at[p] = 1;
     }
-    if (flat) { /* not on the line of two planes */
+    if (flat) { /* in a single plane, the two edges may lie on different lines */
       const vs_plane *plane = &c->planes.all.at[c->faces.at[a->face].plane];
       if (vs_orient2d(vs_points_of(&c->points), vs_result_other_end(a, (uint32_t)p), (uint32_t)p,
                       vs_result_other_end(b, (uint32_t)p), plane->u, plane->v) != 0)
@@ -163,7 +164,8 @@ VS_AHEAD corners_ahead(const vs_result_state *w, uint32_t e, size_t edges) {
   if (e + USE >= edges) return;
   __builtin_prefetch(vs_result_use(w, w->edge_first.at[e + USE]));
   const vs_use *u = vs_result_use(w, w->edge_first.at[e + POINT]);
-  uint32_t p = u->from < u->to ? u->to : u->from; /* the smaller ends come in order */
+  uint32_t p = u->from < u->to ? u->to : u->from; /* the loop visits edges in the order of their lower points, so only
+                                                   * the higher point is scattered in memory */
   __builtin_prefetch(&w->degree.at[p], 1);
   __builtin_prefetch(&w->edges.at[2 * p], 1);
 }
@@ -186,7 +188,7 @@ static bool drop_corners(vs_result_state *w) {
     corners_ahead(w, e, edges);
     if (w->gone.count && w->gone.at[e]) continue;
     const vs_use *u = vs_result_use(w, w->edge_first.at[e]);
-    /* plain triangles have these corners, and others */
+    /* Corners of plain triangles must stay, because triangles that are not in `uses` share them. */
     for (uint32_t i = w->edge_first.at[e]; w->rim.count && i < w->edge_first.at[e + 1]; i++)
       if (c->faces.at[vs_result_use(w, i)->face].plane == VS_NONE)
         w->degree.at[u->from] = w->degree.at[u->to] = 3, w->rim.at[u->from] = w->rim.at[u->to] = 1, w->rim_edges++;
@@ -211,7 +213,7 @@ static bool name_edges(vs_kernel *k, void *context, size_t chunk) {
   return vs_kernel_report(k, 0.9);
 }
 
-/* Links each face to its border. */
+/* Links the faces of each merged face in a list, and each use to its edge. */
 static bool link_faces(vs_result_state *w) {
   const vs_cluster *c = w->c;
   size_t faces = c->faces.count, uses = c->uses.count;
@@ -229,7 +231,7 @@ static bool link_faces(vs_result_state *w) {
   return vs_kernel_run(w->k, (w->edge_first.count - 1 + EDGES - 1) / EDGES, name_edges, w);
 }
 
-/* Returns true if the face keeps all of its corners. */
+/* Returns true if no corner of the face has been dropped. */
 static bool has_all_corners(const vs_result_state *w, uint32_t f) {
   const vs_face *face = &w->c->faces.at[f];
   for (uint32_t i = face->use; i < face->use + face->use_count; i++)
@@ -237,19 +239,21 @@ static bool has_all_corners(const vs_result_state *w, uint32_t f) {
   return true;
 }
 
-/* Returns true if the outside of its leaf is behind the face's plane. For faces of one sheet only. */
+/* Returns true if the outward direction of the leaf is opposite to the normal of the face's plane. Returns false for a
+ * face that is in no sheet. */
 static bool is_turned(const vs_result_state *w, uint32_t f) {
   uint32_t facet = vs_result_facet(w, &w->c->faces.at[f]);
   return facet != VS_NONE && w->c->facets.at[facet].flip;
 }
 
-/* Collects the border of the merged face, from corner to corner, and the lines of its sides, if it has any. */
+/* Collects the border of the merged face f as sides from corner to corner, without dropped corners. Collects the lines
+ * of the sides, too, if sides have lines. */
 static bool gather_sides(vs_kernel *k, const vs_result_state *w, uint32_t f, vs_triangulation *t) {
   const vs_cluster *c = w->c;
   t->sides.count = t->list.count = 0;
   bool turned = is_turned(w, f);
   for (; f != VS_NONE; f = w->next.at[f]) {
-    bool reverse = is_turned(w, f) != turned; /* planes of one sheet may have opposite normals */
+    bool reverse = is_turned(w, f) != turned; /* the planes of a sheet may have opposite normals */
     if (!vs_kernel_poll(k, 0.9)) return false;
     for (uint32_t i = c->faces.at[f].use, end = i + c->faces.at[f].use_count; i < end; i++) {
       const vs_use *u = &c->uses.at[i];
@@ -278,7 +282,7 @@ static size_t facet_size(const vs_result_state *w, uint32_t f) {
   return facet[1].first - facet[0].first;
 }
 
-/* Divides the faces into chunks with about equally many borders. */
+/* Divides the faces into chunks with about equal numbers of border edges. */
 static bool make_chunks(vs_result_state *w) {
   enum { CHUNK = 8192 };
   size_t sum = 0;
@@ -313,7 +317,7 @@ static bool triangulate_chunk(vs_kernel *k, void *context, size_t index) {
     } else {
       bool simple = true;
       if (!gather_sides(k, w, f, t) || (w->sheets && !vs_sheets_simple(w, f, k, t, &simple))) return false;
-      if (!simple) continue; /* the caller makes all of this again */
+      if (!simple) continue; /* a face that is not simple spoils the result, which is then made again */
       if (!vs_plane_triangulate(k, t, &c->points, &c->planes.all.at[face->plane])) return false;
       if (w->sheets) vs_sheets_mend(w, f, t);
       n = t->triangles.count;
@@ -343,7 +347,7 @@ static bool place_chunk(vs_kernel *k, void *context, size_t index) {
   return vs_kernel_report(k, k->part);
 }
 
-/* Makes room in large steps, since many clusters go into one mesh. */
+/* Reserves memory for triangles in large steps, because many clusters may be appended to one mesh. */
 static bool reserve(const vs_result_state *w, vs_mesh *out, size_t triangles) {
   return triangles <= out->triangle_room ||
          vs_mesh_reserve(out, 0, out->triangle_count ? triangles + triangles / 2 : triangles) || no_room(w);
@@ -357,7 +361,7 @@ static bool make_room(const vs_result_state *w, vs_mesh *out, size_t more) {
   return reserve(w, out, all);
 }
 
-/* Writes the chunk's triangles; points get vertex numbers in the order of their use. */
+/* Appends the triangles of a chunk to the mesh. Points get vertex numbers in the order of their first use. */
 static bool take_chunk(vs_kernel *k, void *context, size_t index) {
   vs_result_state *w = context;
   const vs_cut_chunk *from = &w->chunks[index % VS_PIPELINE_WINDOW];
@@ -386,8 +390,8 @@ static bool write(vs_result_state *w, vs_mesh *out) {
   size_t points = w->c->points.all.count, corners = 0;
   size_t limit = w->k->options ? w->k->options->max_triangles : 0;
   for (size_t p = 0; p < points; p++) corners += w->degree.at[p] % 4 != 0;
-  size_t about = limit && limit < 2 * corners ? limit : 2 * corners; /* number of triangles by Euler's formula, without
-                                                                      * holes and shells */
+  size_t about = limit && limit < 2 * corners ? limit : 2 * corners; /* estimate of the number of triangles by Euler's
+                                                                      * formula for a sphere */
   if (!make_chunks(w) || !reserve(w, out, out->triangle_count + about) ||
       !VS_ROOM(w->k, w->looks.at, w->looks.room, about + 1) || !VS_ROOM(w->k, w->out.at, w->out.room, points + 1) ||
       !VS_ROOM(w->k, w->points.at, w->points.room, points + 1))
@@ -435,7 +439,7 @@ static void writer_free(vs_kernel *k, vs_result_state *w) {
   vs_sheets_free(k, w);
 }
 
-/* Merges and drops until all remaining merges are safe. */
+/* Merges the faces of sheets and drops bends, repeatedly, until all remaining merges are safe. */
 static bool merge_sheets(vs_result_state *w) {
   enum { TIMES = 8 };
   bool again = true;
@@ -473,7 +477,7 @@ bool vs_output_faces(vs_kernel *k, vs_cluster *c, vs_mesh *out) {
     bool failed = !ok && w.sheets && k->error->status == VS_KERNEL_INTERNAL;
     if (ok && !vs_sheets_spoiled(&w)) break;
     if (!ok && !failed) break;
-    if (failed) { /* the result with its bends is the proven one */
+    if (failed) { /* returns to the result with all bends, which is proven to be right */
       k->error->status = VS_KERNEL_FINE;
       atomic_store(&k->stop, false);
     }

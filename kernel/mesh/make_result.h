@@ -1,4 +1,4 @@
-/* Declares the functions of make_result.c: the result's mesh. */
+/* Declares the function of make_result.c that makes the mesh of the result. */
 #ifndef VS_KERNEL_MESH_MAKE_RESULT_H
 #define VS_KERNEL_MESH_MAKE_RESULT_H
 

@@ -1,4 +1,4 @@
-/* Implements the shells of a mesh. */
+/* Finds the shells of a mesh, and computes their volumes and areas. */
 #include "kernel/mesh/shells.h"
 
 #include <stdlib.h>
@@ -15,7 +15,8 @@ bool vs_shells_find(const vs_mesh *m, vs_shells *out) {
   vs_disjoint(set, n);
   for (size_t t = 0; t < m->triangle_count; t++)
     for (int j = 1; j < 3; j++) vs_unite(set, m->triangles[t][0], m->triangles[t][j]);
-  for (uint32_t v = 0; v < n; v++) /* a root comes before its members: shell numbers replace parents on the way */
+  for (uint32_t v = 0; v < n; v++) /* the root of a set is its first vertex, so shell numbers can replace parents during
+                                    * the loop */
     set[v] = set[v] == v ? out->count++ : set[set[v]];
   out->at = vs_zeros((size_t)out->count + 1, sizeof *out->at);
   if (!out->at) return false;
@@ -25,7 +26,8 @@ bool vs_shells_find(const vs_mesh *m, vs_shells *out) {
     vs_vec3 a = m->vertices[v[0]], b = m->vertices[v[1]], c = m->vertices[v[2]];
     if (s->area == 0 && s->reach == 0) s->from = a;
     vs_vec3 normal = vs_v3_cross(vs_v3_sub(b, a), vs_v3_sub(c, a));
-    /* relative to one of the shell's corners: few digits are lost far from the origin */
+    /* Coordinates are relative to a corner of the shell, so that rounding errors do not grow with the distance from the
+     * origin. */
     s->volume += vs_v3_dot(normal, vs_v3_sub(a, s->from)) / 6;
     s->area += vs_v3_length(normal) / 2;
     s->reach = fmax(s->reach, fmax(reach(a), fmax(reach(b), reach(c))));

@@ -1,23 +1,23 @@
-/* Declares the shells of a mesh: sets of triangles connected by corners. */
+/* Declares the shells of a mesh: sets of triangles that corners connect. */
 #ifndef VS_KERNEL_MESH_SHELLS_H
 #define VS_KERNEL_MESH_SHELLS_H
 
 #include "model/mesh.h"
 
 typedef struct {
-  double volume;   /* signed: negative if it is the wall of a cavity */
+  double volume;   /* volume of the shell; negative if it is the wall of a cavity */
   double area;
-  double reach;    /* the largest absolute coordinate */
-  vs_vec3 from;    /* its first corner */
+  double reach;    /* the largest absolute coordinate of its corners */
+  vs_vec3 from;    /* position of its first corner */
 } vs_shell;
 
 typedef struct {
   vs_shell *at;
   uint32_t count;
-  uint32_t *of;    /* of[v]: shell of vertex v */
+  uint32_t *of;    /* of[v]: number of the shell that contains vertex v */
 } vs_shells;
 
-/* Fills out. Returns false when memory is out; the caller frees out in any case. */
+/* Finds the shells of m. Returns false when memory is out. The caller frees out with vs_shells_free in either case. */
 bool vs_shells_find(const vs_mesh *m, vs_shells *out);
 void vs_shells_free(vs_shells *s);
 

@@ -1,11 +1,11 @@
-/* Implements the splitting of vertices where the result touches itself: by index, every edge then has two triangles and
- * every vertex one fan.
+/* Splits vertices where the result touches itself. Afterwards every edge, by vertex numbers, has two triangles, and the
+ * triangles at every vertex form one fan.
  *
- * Along an edge with four or more triangles, each is joined to the one across the wedge of solid between them: two
- * cubes that touch along an edge stay two. If the ends of the edge hold the pairs together in spite of that, as for two
- * cavities that touch, the triangles are joined across the air instead. If that does not help either, the edge gets a
- * vertex in its middle, one for each pair. The planes decide the order of the triangles exactly; see classify.c for the
- * order around an edge. */
+ * The triangles along an edge of four or more are paired. Each is joined to the triangle on the other side of the solid
+ * wedge between them. Thus two cubes that touch along an edge remain two solids. The pairs may still be connected at
+ * both ends of the edge, as for two cavities that touch. Then the triangles are joined across the empty wedges instead.
+ * If the pairs remain connected, the edge gets a vertex in its middle for each pair. The planes of the triangles
+ * determine their order around the edge exactly; see classify.c. */
 #include "kernel/mesh/split_vertices.h"
 
 #include "kernel/arrange/classify.h"
@@ -14,32 +14,33 @@
 
 #include <string.h>
 
-/* of a range: the halves with which edges of more or fewer than two triangles begin */
+/* For each range: the first halves of the edges that do not have exactly two triangles. */
 typedef struct { VS_LIST(uint32_t) at; } crowded;
 
 typedef struct {
   vs_kernel *k;
-  vs_fresh_result of;          /* nothing touches at the result's rim: its vertices are not split */
+  vs_fresh_result of;          /* result to split; vertices on its rim are not split, because nothing touches there */
   size_t vertices, triangles;
-  _Atomic size_t open;         /* number of edges along the rim */
-  vs_halves halves;            /* items are corners: 3 * triangle + j, the edge from j to the next */
+  _Atomic size_t open;         /* number of edges on the rim */
+  vs_halves halves;            /* edges of the triangles; item 3 * triangle + j is the edge from corner j to the next
+                                * corner */
   VS_LIST(crowded) crowded;
   VS_LIST(uint32_t) twins;
-  VS_LIST(_Atomic uint32_t) lead; /* for each vertex: one of its corners */
-  _Atomic size_t seen;         /* number of corners in the fans of the leads */
-  VS_LIST(uint32_t) to;        /* for each corner: its vertex after the split, counted from first_vertex */
-  VS_LIST(uint32_t) copied;    /* of the new vertices: the vertex that each copies */
+  VS_LIST(_Atomic uint32_t) lead; /* for each vertex: one of the triangle corners there */
+  _Atomic size_t seen;         /* number of triangle corners in the fans that contain a lead */
+  VS_LIST(uint32_t) to;        /* for each triangle corner: its vertex after the split, counted from first_vertex */
+  VS_LIST(uint32_t) copied;    /* for each new vertex: the vertex that it copies */
   VS_LIST(uint8_t) taken;
   VS_LIST(vs_around) around;
-  VS_LIST(vs_around) many;     /* of edges with more than two triangles, in order; the first of each has air before
-                                * it */
+  VS_LIST(vs_around) many;     /* faces around the edges of more than two triangles, in cyclic order; the wedge before
+                                * the first face is empty */
   VS_LIST(uint32_t) many_first;
-  VS_LIST(uint8_t) way;        /* for each such edge: the way in which it is paired */
-  VS_LIST(uint32_t) middle;    /* for each corner: the vertex in the middle of its edge, or VS_NONE */
+  VS_LIST(uint8_t) way;        /* for each such edge: how its triangles are paired */
+  VS_LIST(uint32_t) middle;    /* for each triangle corner: the vertex in the middle of its edge, or VS_NONE */
 } splitter;
 typedef enum { SOLID, AIR, MIDDLE } joined;
 
-/* Returns the vertex of a corner of the result's triangles, counted from first_vertex. */
+/* Returns the vertex at a triangle corner, counted from first_vertex. `corner` is 3 * triangle + 0, 1 or 2. */
 static uint32_t vertex_at(const splitter *s, uint32_t corner) {
   VS_ASSERT(corner < 3 * s->triangles);
   return s->of.m->triangles[s->of.first_triangle + corner / 3][corner % 3] - (uint32_t)s->of.first_vertex;
@@ -47,7 +48,7 @@ static uint32_t vertex_at(const splitter *s, uint32_t corner) {
 
 static bool starts_at(const splitter *s, uint32_t corner, uint32_t low) { return vertex_at(s, corner) == low; }
 
-/* Pairs the faces at an edge with more than two. */
+/* Pairs the triangles at an edge of more than two. low: the edge's lower point; halves: the edge's uses. */
 static bool pair_many(splitter *s, uint32_t low, const vs_half *halves, size_t count) {
   vs_points_view view = vs_points_of(&s->of.c->points);
   int x, y, sign = vs_around_axes(view, s->of.points[low], s->of.points[halves[0].high], &x, &y);
@@ -66,7 +67,7 @@ static bool pair_many(splitter *s, uint32_t low, const vs_half *halves, size_t c
   size_t begin = 0;
   while (begin < count && s->around.at[begin].cw) begin++;
   if (!VS_PUSH(s->k, s->many_first, (uint32_t)s->many.count) || !VS_PUSH(s->k, s->way, (uint8_t)SOLID)) return false;
-  for (size_t i = 0; i < count; i++) { /* if the face runs against the edge, solid follows counter-clockwise */
+  for (size_t i = 0; i < count; i++) { /* if a face runs against the edge, the wedge counter-clockwise of it is solid */
     const vs_around *a = &s->around.at[(begin + i) % count];
     if ((bool)a->cw != (i % 2 == 1)) return VS_BROKEN(s->k, "solid lies on solid along an edge");
     if (!VS_PUSH(s->k, s->many, *a)) return false;
@@ -74,14 +75,14 @@ static bool pair_many(splitter *s, uint32_t low, const vs_half *halves, size_t c
   return true;
 }
 
-/* Makes two corners twins. */
+/* Makes the edges at corners a and b neighbours. */
 static void join(splitter *s, uint32_t a, uint32_t b) {
   VS_ASSERT(a != b);
   s->twins.at[a] = b;
   s->twins.at[b] = a;
 }
 
-/* Finds the two faces of the edge's n-th pair, which exists. */
+/* Sets *a and *b to the faces of the edge's n-th pair, which must exist. */
 static void pair_of(const splitter *s, size_t edge, size_t n, uint32_t *a, uint32_t *b) {
   uint32_t begin = s->many_first.at[edge], count = s->many_first.at[edge + 1] - begin;
   size_t i = 2 * n + (s->way.at[edge] == AIR);
@@ -104,7 +105,7 @@ static void ends_of_corners(const void *context, uint32_t begin, uint32_t count,
   }
 }
 
-/* Prefetches data that are needed soon, from many places of memory. */
+/* Prefetches data that are soon read from many places of memory. */
 VS_AHEAD join_ahead(const splitter *s, uint32_t i, uint32_t stop) {
   enum { FAR = 16 };
   if (i + FAR >= stop) return;
@@ -127,8 +128,8 @@ static bool join_range(vs_kernel *k, void *context, size_t range) {
     bool first = starts_at(s, at[0].item, low);
     if (end - i == 2 && first != starts_at(s, at[1].item, low)) {
       join(s, at[0].item, at[1].item);
-      atomic_store_explicit(&s->lead.at[low], at[!first].item, memory_order_relaxed); /* the last thread's value
-                                                                                       * counts */
+      atomic_store_explicit(&s->lead.at[low], at[!first].item, memory_order_relaxed); /* several threads may write this;
+                                                                                       * any value is right */
       atomic_store_explicit(&s->lead.at[at->high], at[first].item, memory_order_relaxed);
     } else if (end - i == 1 && on_rim(s, low) && on_rim(s, at->high)) {
       s->twins.at[at[0].item] = VS_NONE;
@@ -163,7 +164,7 @@ static bool find_twins(splitter *s) {
 }
 
 enum { VERTICES = 1 << 14 };
-/* if one fan of each vertex has all corners, nothing touches itself */
+/* Counts the corners in one fan at each vertex. If the fans contain all corners, the result does not touch itself. */
 static bool count_fans(vs_kernel *k, void *context, size_t chunk) {
   splitter *s = context;
   size_t begin = chunk * VERTICES, end = s->vertices - begin < VERTICES ? s->vertices : begin + VERTICES, n = 0;
@@ -177,10 +178,11 @@ static bool count_fans(vs_kernel *k, void *context, size_t chunk) {
   return vs_kernel_report(k, k->part);
 }
 
-/* Reports progress now and then: loops over corners take a second in large meshes. */
+/* Reports progress every 65536 steps: a loop over the corners of a large mesh takes a second. Returns false if the
+ * caller interrupts. */
 static bool turn(const splitter *s, uint32_t i) { return (i & 0xFFFF) != 0xFFFF || vs_kernel_report(s->k, s->k->part); }
 
-/* Sets *touching if there is anything to split, which is rare. */
+/* Sets *touching to true if a vertex must be split, which is rare. */
 static bool look_for_touching(splitter *s, bool *touching) {
   *touching = s->way.count > 0;
   if (*touching) return true;
@@ -194,7 +196,7 @@ static bool look_for_touching(splitter *s, bool *touching) {
   return true;
 }
 
-/* Gives the vertex to the fan with the first corner; the other fans get copies of it. */
+/* Finds the fans at each vertex. The fan with the first corner keeps the vertex; each other fan gets a copy of it. */
 static bool find_fans(splitter *s) {
   uint32_t corners = (uint32_t)(3 * s->triangles);
   if (!VS_ROOM(s->k, s->to.at, s->to.room, (size_t)corners + 1) ||
@@ -218,13 +220,13 @@ static bool find_fans(splitter *s) {
     s->taken.at[v] = 1;
     do {
       s->to.at[at] = to;
-      at = next_of(s->twins.at[at]); /* the same vertex in the next triangle */
+      at = next_of(s->twins.at[at]); /* moves to the corner at the same vertex in the next triangle */
     } while (at != corner);
   }
   return true;
 }
 
-/* Returns true if two pairs at the edge have the same two ends. */
+/* Returns true if two pairs of the edge are still connected at both ends. */
 static bool still_held(const splitter *s, size_t edge) {
   size_t pairs = (s->many_first.at[edge + 1] - s->many_first.at[edge]) / 2;
   for (size_t i = 0; i < pairs; i++)
@@ -249,8 +251,9 @@ static bool join_many(splitter *s) {
       }
     if (!find_fans(s)) return false;
     for (size_t e = 0; e < s->way.count; e++)
-      if (s->way.at[e] < MIDDLE && still_held(s, e)) s->way.at[e]++, again = true; /* the loop ends: each edge advances
-                                                                                    * at most twice */
+      if (s->way.at[e] < MIDDLE && still_held(s, e)) s->way.at[e]++, again = true; /* the loop ends, because an edge
+                                                                                    * changes its way of pairing at most
+                                                                                    * twice */
   }
   return true;
 }
@@ -259,7 +262,7 @@ static bool no_room(splitter *s) {
   return vs_kernel_fail(s->k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids");
 }
 
-/* Cuts a triangle with new vertices on some of its edges into pieces of which none is flat. */
+/* Cuts a triangle that has new vertices on some of its edges. None of the pieces is flat. */
 static bool cut_triangle(splitter *s, uint32_t t) {
   vs_mesh *m = s->of.m;
   size_t at = s->of.first_triangle + t;
@@ -303,7 +306,7 @@ static bool write(splitter *s) {
              low = s->of.m->triangles[s->of.first_triangle + s->many.at[begin].ccw / 3][s->many.at[begin].ccw % 3];
     uint32_t corner = next_of(s->many.at[begin].ccw),
              high = s->of.m->triangles[s->of.first_triangle + corner / 3][corner % 3];
-    /* equal for all pairs: the result stays closed by position */
+    /* All pairs get a vertex at the same position, so the result remains closed by position. */
     vs_vec3 at = vs_v3_scale(vs_v3_add(m->vertices[low], m->vertices[high]), 0.5);
     for (size_t i = 0; i < (s->many_first.at[e + 1] - begin) / 2; i++) {
       uint32_t a, b, vertex;

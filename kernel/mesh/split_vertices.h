@@ -1,23 +1,26 @@
-/* Declares the functions of split_vertices.c: the splitting of vertices where the result touches itself. */
+/* Declares the splitting of vertices where the result touches itself. */
 #ifndef VS_KERNEL_MESH_SPLIT_VERTICES_H
 #define VS_KERNEL_MESH_SPLIT_VERTICES_H
 
 #include "kernel/cluster.h"
 
-/* The triangles of a result that are written, and their origin; borrowed. */
+/* A result whose triangles have been written to a mesh, and their origin in the cluster. All pointers belong to the
+ * caller. */
 typedef struct {
   const vs_cluster *c;
   vs_mesh *m;
-  size_t first_vertex, first_triangle; /* the result's part of m: from these indices on */
-  const uint32_t *sides;   /* for each triangle, from the first: 2 * plane, plus 1 if it faces against its normal */
-  const uint32_t *points;  /* for each vertex, from the first: the cluster's point */
-  const uint8_t *rim;      /* for each point: plain triangles, written later, continue from here; NULL: there are
-                            * none */
-  size_t rim_edges;        /* number of edges along the rim, which have one triangle so far */
+  size_t first_vertex, first_triangle; /* indices in m where the result begins */
+  const uint32_t *sides;   /* for each of its triangles: 2 * plane, plus 1 if the triangle faces against the plane's
+                            * normal */
+  const uint32_t *points;  /* for each of its vertices: the cluster's point */
+  const uint8_t *rim;      /* for each point: 1 if plain triangles, which are written later, end there; NULL: there are
+                            * no plain triangles */
+  size_t rim_edges;        /* number of edges between written triangles and plain triangles; they have one triangle at
+                            * present */
 } vs_fresh_result;
 
-/* Splits the vertices where the result touches itself, and cuts edges in the middle if that is not enough. Returns
- * false with k's error on failure. */
+/* Splits the vertices where the result touches itself. Cuts edges in the middle if that does not suffice. Returns false
+ * and sets the error of k on failure. */
 bool vs_split_touching(vs_kernel *k, const vs_fresh_result *of);
 
 #endif

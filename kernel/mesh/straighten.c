@@ -1,23 +1,26 @@
-/* Implements the decision which bends a result may lose.
+/* Decides which bends the result may lose.
  *
- * The grid splits a planar facet of the input that is turned against the frame into several planes, and each cut
- * through it bends where it passes from one to the next. A sheet is such a facet: all its corners lie within one step
- * of its middle plane, and the directions of its triangles differ from the normal by at most 2.6 degrees. The faces of
- * a sheet are merged like coplanar ones, and the faces on both sides of a cut lose its bends, under these conditions.
- * (1) No other facet lies in a plane of the sheet. Every edge at the border of its faces has two triangles, and
- * includes no wedge below 11 degrees with the neighbour. Else the sheet is given up. (2) All bends of the cut lie
- * within 8 steps of the line between its ends; the two faces at it include at least 14 degrees. No other corner of any
- * face in either plane (or sheet) lies within a band around the line, which is half a step wider than the largest
- * distance of a bend from it. Else the bends of this cut stay. (3) Seen along the sheet, the merged faces' borders
- * intersect and touch only at their ends, and no new triangle turns away from the sheet's normal. Else the sheet is
- * given up, and the result is made again.
+ * The grid may split a planar facet of the input into several planes. Each cut through it then bends where it passes
+ * from one plane to the next. A sheet is such a facet. All its corners lie within one step of its middle plane. The
+ * directions of its triangles differ from its normal by at most 2.6 degrees. The faces of a sheet are merged like
+ * coplanar faces, and the cuts between merged faces lose their bends, under three conditions.
  *
- * In the other face's plane only the band changes, and nothing else is in it. An edge that enters the space between the
- * line and the bends must end there, or leave through the straight line a second time. By (3) a merged face is one
- * layer over its plane, within a step of it, and differs from its direction by less than 2.6 degrees. By (1) and (2)
- * any face that shares an edge with it rises faster. Faces that share no edge may intersect afterwards if they were
- * within two steps of each other: the caller checks for that (round/self_contacts.c), and makes the result again with
- * all bends if necessary. */
+ * (1) No other facet lies in a plane of the sheet. Every edge at the border of its faces has two triangles, at an angle
+ * of at least 11 degrees. Otherwise the sheet is given up.
+ *
+ * (2) All bends of the cut lie within 8 steps of the line between the cut's ends. The two faces at the cut include at
+ * least 14 degrees. A band around the line is half a step wider than the largest distance of a bend from the line. No
+ * other corner of a face in either plane or sheet lies in this band. Otherwise the bends of this cut stay.
+ *
+ * (3) As seen along the sheet's normal, the borders of the merged faces intersect and touch only at their ends. No new
+ * triangle turns away from the sheet's normal. Otherwise the sheet is given up, and the result is made again.
+ *
+ * In the plane of the face on the other side of the cut, only the band changes, and it contains nothing else. An edge
+ * that enters the space between the line and the bends must end there, or leave through the straight line a second
+ * time. By (3) a merged face is a single layer over its plane, within a step of it, and its direction differs by less
+ * than 2.6 degrees. By (1) and (2) any face that shares an edge with it is steeper. Faces without a common edge that
+ * were within two steps of each other may intersect afterwards. The caller checks for this (round/self_contacts.c), and
+ * makes the result again with all bends if necessary. */
 #include "kernel/mesh/straighten.h"
 
 #include <math.h>
@@ -29,14 +32,15 @@
 static const double OFF = 1, ALIKE = 0.999, WEDGE = -0.98, SHALLOW = 0.97, FAR = 8, BESIDE = 0.5;
 
 typedef struct {
-  double n[3], at[3]; /* of its middle plane: n: outwards, of length 1; at: a point */
+  double n[3], at[3]; /* middle plane of the sheet; n: unit normal, outwards; at: a point of the plane */
   uint32_t corners, bends;
-  bool merged, fresh;       /* fresh: given up since the last check of bands */
+  bool merged, fresh;       /* merged: its faces are merged; fresh: it was given up after the last check of bands */
   _Atomic bool given_up;
 } sheet;
 
 typedef struct {
-  uint32_t p, q, edge, keys[2], sheets[2]; /* a cut that loses bends; edge: its first, at p; keys: see near */
+  uint32_t p, q, edge, keys[2], sheets[2]; /* A cut with bends that are dropped, from point p to point q. edge: its
+                                            * first edge, at p; keys: the planes on its two sides, as in `near`. */
   double wide;
 } cut;
 typedef struct { double at; uint32_t point; } placed;
@@ -44,21 +48,22 @@ typedef struct { uint32_t near, point; } corner;
 
 struct vs_sheets {
   VS_LIST(sheet) all;
-  VS_LIST(uint32_t) of;       /* for each facet: its sheet, or VS_NONE */
-  VS_LIST(uint32_t) of_face;  /* for each face: its sheet, or VS_NONE */
-  VS_LIST(uint32_t) face_key; /* for each face: the key of its plane, or VS_NONE */
+  VS_LIST(uint32_t) of;       /* for each facet: the sheet that contains it, or VS_NONE */
+  VS_LIST(uint32_t) of_face;  /* for each face: the sheet that contains it, or VS_NONE */
+  VS_LIST(uint32_t) face_key; /* for each face: the key plane of its plane, or VS_NONE */
   VS_LIST(cut) cuts;
-  VS_LIST(uint32_t) cut_of;   /* for each bend: its cut */
-  VS_LIST(uint32_t) key;      /* for each plane: the plane that represents its sheet */
-  VS_LIST(uint32_t) near;     /* of each key plane with cuts: its index in `first`, or VS_NONE */
-  VS_LIST(uint32_t) first;    /* ranges of `corners`: the corners of faces in each key plane, in the order of x; an
-                               * extra element marks the end */
+  VS_LIST(uint32_t) cut_of;   /* for each bend: the cut that contains it */
+  VS_LIST(uint32_t) key;      /* for each plane: its key plane, which represents all planes of its sheet */
+  VS_LIST(uint32_t) near;     /* for each key plane with cuts: its index in `first`; for other planes: VS_NONE */
+  VS_LIST(uint32_t) first;    /* for each key plane in `near`: the first of its corners in `corners`, which are sorted
+                               * by x; an extra element marks the end */
   VS_LIST(placed) corners;
-  VS_LIST(corner) hits;       /* corners on their way there */
-  VS_LIST(uint8_t) free;      /* for each cut: 1: nothing else is within its band */
-  size_t near_count, room;  /* room: of this structure */
-  bool kept;                /* this round found bends that stay */
-  bool looked;              /* at bands: afterwards only those beside fresh sheets change */
+  VS_LIST(corner) hits;       /* corners before they are sorted into `corners` */
+  VS_LIST(uint8_t) free;      /* for each cut: 1 if its band contains no other corner */
+  size_t near_count, room;  /* near_count: number of key planes with cuts; room: size of this structure in bytes */
+  bool kept;                /* true if the current round found bends that must stay */
+  bool looked;              /* true if all bands have been checked once; later rounds check only bands beside fresh
+                             * sheets */
   _Atomic bool spoiled;
 };
 
@@ -88,7 +93,7 @@ bool vs_sheets_begin(vs_result_state *w) {
   for (int twice = 0; twice < 2; twice++)
     for (uint32_t f = 0; f < c->facets.count; f++) {
       uint32_t *lone = &w->lone.at[c->facets.at[f].plane];
-      if (!twice) *lone = *lone == VS_NONE ? f : VS_NONE - 1; /* two facets: no single one */
+      if (!twice) *lone = *lone == VS_NONE ? f : VS_NONE - 1; /* marks a plane with more than one facet */
       else if (*lone == VS_NONE - 1) *lone = VS_NONE;
     }
   return vs_kernel_report(w->k, 0.9);
@@ -106,7 +111,7 @@ bool vs_sheets_seam(const vs_result_state *w, const vs_use *a, const vs_use *b) 
          (f->tag == g->tag || (p->paints && p->paints[f->tag] == p->paints[g->tag]));
 }
 
-/* Returns the sheet of a face if it is merged, else VS_NONE. */
+/* Returns the sheet of the face if the sheet's faces are merged, else VS_NONE. */
 static uint32_t merged_sheet_of(const vs_result_state *w, uint32_t face) {
   uint32_t s = w->sheets->of_face.at[face];
   return s == VS_NONE || !w->sheets->all.at[s].merged ? VS_NONE : s;
@@ -132,11 +137,12 @@ static void normal_of(double at[3][3], double n[3]) {
   cross(a, b, n);
 }
 
-/* Computes the middle planes, and checks that all corners are near them. */
+/* Computes the middle plane of each sheet, and gives up sheets with corners that are not near it. */
 static bool measure(vs_result_state *w) {
   const vs_cluster *c = w->c;
   vs_sheets *s = w->sheets;
-  for (int step = 0; step < 3; step++) { /* step 0: sums; 1: their means; 2: checks */
+  for (int step = 0; step < 3; step++) { /* step 0 computes sums; step 1 divides them to means; step 2 checks the
+                                          * corners */
     for (size_t i = 0; step == 1 && i < s->all.count; i++) {
       sheet *x = &s->all.at[i];
       double length = sqrt(dot(x->n, x->n));
@@ -166,7 +172,8 @@ static bool measure(vs_result_state *w) {
   return true;
 }
 
-/* Returns true if an end of the seam is not a corner of the leaf. Else nothing cuts the seam, and it has no bends. */
+/* Returns true if an end of the seam is not a corner of the leaf. If both ends are, nothing cuts the seam, so it has no
+ * bends. */
 static bool is_cut(const vs_result_state *w, uint32_t seam) {
   const vs_use *u = vs_result_use(w, w->edge_first.at[seam]);
   return u->from >= w->c->corner_points || u->to >= w->c->corner_points;
@@ -203,7 +210,9 @@ bool vs_sheets_plan(vs_result_state *w) {
     *of = (uint32_t)s->all.count;
     if (!vs_kernel_poll(w->k, 0.9) || !VS_PUSH(w->k, s->all, ((sheet){ .corners = 0 }))) return false;
   }
-  for (uint32_t f = 0; f < facets; f++) s->of.at[f] = s->of.at[c->sheets.at[f]]; /* firsts come first */
+  for (uint32_t f = 0; f < facets; f++) s->of.at[f] = s->of.at[c->sheets.at[f]]; /* the first facet of a sheet has a
+                                                                                  * lower number than the others, so its
+                                                                                  * sheet is already known */
   for (uint32_t p = 0; p < planes; p++) s->key.at[p] = p;
   for (uint32_t f = 0; f < facets; f++) {
     uint32_t first = c->sheets.at[f];
@@ -211,8 +220,8 @@ bool vs_sheets_plan(vs_result_state *w) {
     if (w->lone.at[c->facets.at[f].plane] != f) give_up(w, s->of.at[f]);
     else s->key.at[c->facets.at[f].plane] = c->facets.at[first].plane;
   }
-  /* cached for each face: every round needs them for each edge, and faces, planes and facets are many places of
-   * memory */
+  /* The sheet and key of each face are stored, because every round needs them for each edge. Faces, planes and facets
+   * are scattered in memory. */
   if (!VS_ROOM(w->k, s->of_face.at, s->of_face.room, c->faces.count + 1) ||
       !VS_ROOM(w->k, s->face_key.at, s->face_key.room, c->faces.count + 1))
     return false;
@@ -268,7 +277,7 @@ static bool is_fresh(const vs_result_state *w, uint32_t face) {
   return s != VS_NONE && w->sheets->all.at[s].fresh;
 }
 
-/* Computes the outward normal of a face's sheet or plane. */
+/* Computes the outward unit normal n of the face's sheet if that is merged, else of the face's plane. */
 static void look(const vs_result_state *w, uint32_t face, double n[3]) {
   uint32_t s = merged_sheet_of(w, face);
   const vs_plane *p = &w->c->planes.all.at[w->c->faces.at[face].plane];
@@ -280,14 +289,14 @@ static void look(const vs_result_state *w, uint32_t face, double n[3]) {
   for (int i = 0; i < 3; i++) n[i] *= sign / length;
 }
 
-/* Returns the other edge at the point; the given edge is one of its two. */
+/* Returns the edge at point `at` that is not `edge`. The point has exactly two edges. */
 static uint32_t next_edge(const vs_result_state *w, uint32_t edge, uint32_t at) {
   VS_ASSERT(w->edges.at[2 * at] == edge || w->edges.at[2 * at + 1] == edge);
   return w->edges.at[2 * at] == edge ? w->edges.at[2 * at + 1] : w->edges.at[2 * at];
 }
 
-/* Returns the distance of point x from the line through p in the direction `along`, of length 1; *t: its place along
- * the line. */
+/* Returns the distance of point x from the line through p with the unit direction `along`. *t: position of the nearest
+ * point on the line, as the distance from p. */
 static double away(const double p[3], const double along[3], const double x[3], double *t) {
   double d[3], off[3];
   between(p, x, d);
@@ -296,7 +305,7 @@ static double away(const double p[3], const double along[3], const double x[3], 
   return sqrt(dot(off, off));
 }
 
-/* Keeps the bends of a line. */
+/* Marks the bends on the line that begins with `edge` at point p as bends that stay. */
 static void keep_bends(vs_result_state *w, uint32_t edge, uint32_t p) {
   uint32_t at = vs_result_other_end(vs_result_use(w, w->edge_first.at[edge]), p);
   for (; w->degree.at[at] == 4; at = vs_result_other_end(vs_result_use(w, w->edge_first.at[edge]), at)) {
@@ -306,8 +315,8 @@ static void keep_bends(vs_result_state *w, uint32_t edge, uint32_t p) {
   w->sheets->kept = true;
 }
 
-/* Checks the edges from corner p on, up to the next corner that stays: one line, except for bends. *bends counts
- * them. */
+/* Follows the line from corner p along `edge` up to the next corner that stays. Checks that the line is straight except
+ * for bends, and adds their number to *bends. */
 static bool check_line(vs_result_state *w, uint32_t edge, uint32_t p, size_t *bends) {
   vs_sheets *s = w->sheets;
   uint32_t begin = w->edge_first.at[edge],
@@ -318,7 +327,7 @@ static bool check_line(vs_result_state *w, uint32_t edge, uint32_t p, size_t *be
     bent += w->bent.at[q];
     e = next_edge(w, e, q);
   }
-  if (p > q) return true; /* the loop gets it from the other end */
+  if (p > q) return true; /* the loop also finds this line from its other end */
   made.q = q;
   *bends += bent;
   double from[3], to[3], along[3], n[2][3], x[3], t, last = 0;
@@ -383,7 +392,7 @@ static int by_place(const void *a, const void *b) {
   return x->at < y->at ? -1 : x->at > y->at ? 1 : x->point < y->point ? -1 : x->point > y->point;
 }
 
-/* Collects the corners of faces in planes and sheets that have cuts with bends. */
+/* Collects the corners of faces in all planes and sheets that have cuts with bends. */
 static bool find_near(vs_result_state *w) {
   vs_sheets *s = w->sheets;
   size_t planes = w->c->planes.all.count;
@@ -427,8 +436,8 @@ static bool find_near(vs_result_state *w) {
   return true;
 }
 
-/* Returns true if nothing else of the plane or sheet is within the band around the line. number: a cut; side: 0 or
- * 1. */
+/* Returns true if the band of a cut contains no other corner of the plane or sheet on one side. number: index of the
+ * cut; side: 0 or 1. */
 static bool is_free(const vs_result_state *w, uint32_t number, int side) {
   const vs_sheets *s = w->sheets;
   const cut *c = &s->cuts.at[number];
@@ -440,7 +449,7 @@ static bool is_free(const vs_result_state *w, uint32_t number, int side) {
   between(p, q, along);
   double length = sqrt(dot(along, along)), low = fmin(p[0], q[0]) - c->wide, high = fmax(p[0], q[0]) + c->wide;
   for (int i = 0; i < 3; i++) along[i] /= length;
-  for (uint32_t stop = end; at < stop;) { /* the first corner that is not before the band */
+  for (uint32_t stop = end; at < stop;) { /* binary search for the first corner that is not before the band */
     uint32_t middle = at + (stop - at) / 2;
     if (s->corners.at[middle].at < low) at = middle + 1;
     else stop = middle;
@@ -466,7 +475,7 @@ static bool find_free(vs_kernel *k, void *context, size_t index) {
   return true;
 }
 
-/* Gives up the sheets without bends. Returns true if a merged sheet is given up. */
+/* Gives up the sheets that lose no bends. Returns true if one of them was merged. */
 static bool give_up_idle(vs_result_state *w) {
   bool any = false;
   for (size_t i = 0; i < w->sheets->all.count; i++) {
@@ -488,9 +497,9 @@ bool vs_sheets_check(vs_result_state *w, bool *again) {
   if (!vs_kernel_report(w->k, 0.9)) return false;
   w->c->straightened = dropped;
   if (!check_lines(w, &bends)) return false;
-  if (bends != dropped) vs_sheets_give_up(w); /* a border that consists of bends alone */
+  if (bends != dropped) vs_sheets_give_up(w); /* a closed border with bends only: none of its bends belongs to a cut */
   *again = give_up_idle(w) || s->kept;
-  if (*again) return true; /* the next round has other cuts */
+  if (*again) return true; /* the cuts change in the next round */
   if (!find_near(w)) return false;
   if (!VS_ROOM(w->k, s->free.at, s->free.room, s->cuts.count + 1) ||
       !vs_kernel_run(w->k, (s->cuts.count + CUTS - 1) / CUTS, find_free, w))
@@ -511,7 +520,7 @@ static bool spoil(const vs_result_state *w, uint32_t of) {
   return false;
 }
 
-/* Returns true if two sides have a place in common that is not an end of both. */
+/* Returns true if the two sides have a common place that is not an end of both. */
 static bool sides_meet(const vs_sweep *s, const vs_border *a, const vs_border *b) {
   uint32_t x[2] = { a->from, a->to }, y[2] = { b->from, b->to };
   for (int i = 0; i < 2; i++)
@@ -565,7 +574,7 @@ bool vs_sheets_simple(const vs_result_state *w, uint32_t face, vs_kernel *k, vs_
   return true;
 }
 
-/* Returns true if the triangle faces as its sheet does. */
+/* Returns true if the triangle with the points v faces the same way as its sheet. */
 static bool holds(const vs_result_state *w, const sheet *s, const uint32_t v[3]) {
   double at[3][3], n[3];
   for (int j = 0; j < 3; j++) place(w, v[j], at[j]);
@@ -573,8 +582,8 @@ static bool holds(const vs_result_state *w, const sheet *s, const uint32_t v[3])
   return fabs(dot(n, s->n)) >= ALIKE * sqrt(dot(n, n));
 }
 
-/* Replaces the longest edge of triangle i by the other diagonal, to its top, if both new triangles are good. Triangle i
- * exists. Returns false if it cannot. */
+/* Replaces the longest edge of triangle i, and of its neighbour there, by the other diagonal if both new triangles face
+ * the same way as the sheet. Returns false if that is impossible. */
 static bool turn_edge(const vs_result_state *w, const sheet *s, vs_triangulation *t, size_t i) {
   uint32_t *v = t->triangles.at[i];
   double at[3][3], d[3], longest = 0;

@@ -1,9 +1,9 @@
-/* Implements the proofs that triangles are apart.
+/* Proves that triangles are apart.
  *
- * Two convex sets without a common place, or with just a common corner, have a plane between them. The candidates are
- * few: planes of the two faces, and planes along an edge of each. A sign counts if it exceeds the largest possible
- * error. The error of each determinant is below 8e-16 of the sum of its products' sizes (Shewchuk); the code requires
- * 1e-14. For neighbours in one plane, whose determinants are noise, the test uses their projection along an axis. */
+ * Two convex sets with at most a common corner have a separating plane. The candidates are the planes of the two faces,
+ * and planes through an edge of each. The sign of a determinant is used only if it exceeds the largest possible error.
+ * This error is below 8e-16 of the sum of the products' sizes (Shewchuk); the code requires 1e-14. If two neighbours
+ * lie in one plane, their determinants are only rounding errors. The test then uses their projections along an axis. */
 #include "kernel/mesh/triangles_apart.h"
 
 #include <math.h>
@@ -28,20 +28,22 @@ static int sign2(const double a[2], const double b[2]) {
 
 static bool same(vs_vec3 a, vs_vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; }
 
-/* ---- an edge in common ---- */
+/* ---- two triangles with a common edge ---- */
 
-static bool not_folded(vs_vec3 p, vs_vec3 q, vs_vec3 x, vs_vec3 y) { /* p q: the edge; x and y: the other corners */
+static bool not_folded(vs_vec3 p, vs_vec3 q, vs_vec3 x, vs_vec3 y) { /* p, q: ends of the common edge; x, y: the third
+                                                                      * corners of the two triangles */
   if (sign3(vs_v3_sub(q, p), vs_v3_sub(x, p), vs_v3_sub(y, p)) != 0) return true;
-  /* the normals agree if x and y lie on opposite sides */
+  /* the two normals have similar directions if x and y lie on opposite sides of the edge */
   vs_vec3 e = vs_v3_sub(q, p), n = vs_v3_cross(e, vs_v3_sub(x, p)), m = vs_v3_cross(vs_v3_sub(y, p), e);
   return vs_v3_dot(n, m) > 0.1 * vs_v3_length(n) * vs_v3_length(m) && vs_v3_length(n) > 1e-12 * vs_v3_dot(e, e) &&
          vs_v3_length(m) > 1e-12 * vs_v3_dot(e, e);
 }
 
-/* ---- a corner in common ---- */
+/* ---- two triangles with a common corner ---- */
 
-/* Returns true if a plane across the direction from one to the other separates them, as it does if they point away from
- * each other. */
+/* Returns true if the plane perpendicular to the direction from cone b to cone a separates the two cones. A cone
+ * consists of two edge directions at the common corner. Cones that point away from each other are separated in this
+ * way. */
 static bool cones_opposed(const vs_vec3 a[2], const vs_vec3 b[2]) {
   vs_vec3 d = vs_v3_sub(vs_v3_add(vs_v3_unit(a[0]), vs_v3_unit(a[1])), vs_v3_add(vs_v3_unit(b[0]), vs_v3_unit(b[1])));
   for (int i = 0; i < 4; i++) {
@@ -52,7 +54,8 @@ static bool cones_opposed(const vs_vec3 a[2], const vs_vec3 b[2]) {
   return true;
 }
 
-static bool cones_apart(const vs_vec3 a[2], const vs_vec3 b[2]) { /* each cone spans two directions */
+static bool cones_apart(const vs_vec3 a[2], const vs_vec3 b[2]) { /* each cone consists of the directions between two
+                                                                   * edges */
   int s = sign3(a[0], a[1], b[0]), t = sign3(b[0], b[1], a[0]);
   if (s && s == sign3(a[0], a[1], b[1])) return true;
   if (t && t == sign3(b[0], b[1], a[1])) return true;
@@ -61,7 +64,8 @@ static bool cones_apart(const vs_vec3 a[2], const vs_vec3 b[2]) { /* each cone s
       s = sign3(a[i], b[j], a[1 - i]);
       if (s && s == -sign3(a[i], b[j], b[1 - j])) return true;
     }
-  /* projected along an axis: if the projections are apart and neither contains the axis, the cones are apart */
+  /* Projects both along an axis. The cones are apart if their projections are apart and neither cone contains the
+   * axis. */
   vs_vec3 n = vs_v3_cross(a[0], a[1]);
   double size[3] = { fabs(n.x), fabs(n.y), fabs(n.z) };
   int axis = size[0] >= size[1] && size[0] >= size[2] ? 0 : size[1] >= size[2] ? 1 : 2;
@@ -72,7 +76,8 @@ static bool cones_apart(const vs_vec3 a[2], const vs_vec3 b[2]) { /* each cone s
     c[i][1] = axis == 0 ? v.z : axis == 1 ? v.x : v.y;
   }
   int own[2] = { sign2(c[0], c[1]), sign2(c[2], c[3]) };
-  /* tests lines along one of the directions: its cone on one side, the other cone on the other */
+  /* Tests lines along each of the four directions. A line separates the cones if its own cone lies on one side and the
+   * other cone on the opposite side. */
   for (int i = 0; own[0] && own[1] && i < 4; i++) {
     int mine = i % 2 ? -own[i / 2] : own[i / 2], other = i < 2 ? 2 : 0;
     if (sign2(c[i], c[other]) == -mine && sign2(c[i], c[other + 1]) == -mine) return true;
@@ -80,9 +85,9 @@ static bool cones_apart(const vs_vec3 a[2], const vs_vec3 b[2]) { /* each cone s
   return cones_opposed(a, b);
 }
 
-/* ---- nothing in common ---- */
+/* ---- two triangles without a common corner ---- */
 
-/* along d; corners relative to a place nearby */
+/* Returns true if a plane perpendicular to d separates the triangles. Corners are relative to a place nearby. */
 static bool parted(vs_vec3 d, const vs_vec3 a[3], const vs_vec3 b[3]) {
   double low[2], high[2], error = 0;
   for (int i = 0; i < 6; i++) {
@@ -103,8 +108,8 @@ bool vs_triangles_parted(const vs_vec3 a[3], const vs_vec3 b[3]) {
   vs_vec3 n = vs_v3_cross(e[0], e[1]), m = vs_v3_cross(f[0], f[1]);
   if (parted(n, p, q) || parted(m, p, q)) return true;
   for (int i = 0; i < 3; i++)
-    if (parted(vs_v3_cross(n, e[i]), p, q) || parted(vs_v3_cross(m, f[i]), p, q)) return true; /* in one plane, or
-                                                                                                * nearly */
+    if (parted(vs_v3_cross(n, e[i]), p, q) || parted(vs_v3_cross(m, f[i]), p, q)) return true; /* the triangles lie
+                                                                                                * nearly in one plane */
   for (int i = 0; i < 9; i++)
     if (parted(vs_v3_cross(e[i / 3], f[i % 3]), p, q)) return true;
   return false;
@@ -129,7 +134,7 @@ bool vs_triangles_apart(const vs_vec3 a[3], const vs_vec3 b[3], int *count) {
   return cones_apart(x, y);
 }
 
-/* ---- all pairs ---- */
+/* ---- all pairs of a mesh ---- */
 
 enum { SERIAL = 10000 /* fewer triangles are processed in one thread */, TRIANGLES = 1 << 13, BLOCKS = 512 /* number that one task
                                                                                                * processes */ };
@@ -137,7 +142,7 @@ enum { SERIAL = 10000 /* fewer triangles are processed in one thread */, TRIANGL
 typedef struct {
   const vs_mesh *m;
   vs_bounds all;
-  double step; /* of boxes */
+  double step; /* width of a step of the boxes' coordinates */
   VS_LIST(vs_bvh_box) boxes;
   vs_bvh bvh;
   _Atomic bool met;
@@ -203,7 +208,8 @@ bool vs_mesh_is_apart(vs_kernel *k, const vs_mesh *m, bool *apart, size_t *edges
   vs_fans fans = { (const uint32_t (*)[3])m->triangles, m->triangle_count, m->vertex_count, NULL, corner_at, m };
   vs_hubs hubs = { .edges = 0 };
   bool ok = m->triangle_count < UINT32_MAX && vs_hubs_find(k, &fans, &hubs);
-  s.bvh.families = hubs.of.count ? hubs.of.at : NULL; /* the pairs of one hub are proven */
+  s.bvh.families = hubs.of.count ? hubs.of.at : NULL; /* the index skips pairs of triangles at one hub, which are proven
+                                                       * to be apart */
   ok = ok && VS_ROOM(k, s.boxes.at, s.boxes.room, m->triangle_count + 1) &&
        vs_kernel_run(k, (m->triangle_count + TRIANGLES - 1) / TRIANGLES, box_some, &s) &&
        vs_bvh_build(k, &s.bvh, s.boxes.at, (uint32_t)m->triangle_count) &&

@@ -1,20 +1,21 @@
-/* Declares the quick proof that a mesh does not intersect itself: pairs of triangles, in doubles, with bounds on their
- * errors. A proof succeeds or leaves the question open. */
+/* Declares a quick proof that a mesh does not intersect itself. It tests pairs of triangles in doubles, with bounds on
+ * the errors. A test proves that a pair is apart, or leaves this undecided. */
 #ifndef VS_KERNEL_MESH_TRIANGLES_APART_H
 #define VS_KERNEL_MESH_TRIANGLES_APART_H
 
 #include "model/mesh.h"
 #include "kernel/memory.h"
 
-/* Returns true if the two triangles have only those corners, or that edge, in common whose positions are equal. Returns
- * false also if doubles cannot decide it: if they touch, are folded onto each other, or one has no area. */
-bool vs_triangles_apart(const vs_vec3 a[3], const vs_vec3 b[3], int *shared); /* *shared: number of shared corners */
+/* Returns true if the two triangles have nothing in common but corners, or an edge, with equal positions. Returns false
+ * if doubles cannot decide this: the triangles touch, are folded onto each other, or one has no area. */
+bool vs_triangles_apart(const vs_vec3 a[3], const vs_vec3 b[3], int *shared); /* *shared: number of corners with equal
+                                                                               * positions */
 
-/* Returns true if they certainly have nothing in common. */
+/* Returns true if the two triangles have nothing in common, by more than rounding errors. */
 bool vs_triangles_parted(const vs_vec3 a[3], const vs_vec3 b[3]);
 
-/* *apart: all pairs of the mesh's triangles are apart; then *edges is the number of pairs that share an edge. Returns
- * false if interrupted or out of memory. */
+/* Sets *apart to true if all pairs of the mesh's triangles are proven to be apart; *edges is then the number of pairs
+ * with a common edge. Returns false if interrupted or memory is out. */
 bool vs_mesh_is_apart(vs_kernel *k, const vs_mesh *m, bool *apart, size_t *edges);
 
 #endif

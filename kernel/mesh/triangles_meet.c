@@ -1,14 +1,15 @@
-/* Implements the exact intersection test of two triangles.
+/* Tests exactly whether two triangles intersect.
  *
- * The test works edge by edge. The intersection of two triangles without a common corner is bounded by places where an
- * edge of one meets the other. An intersection beside a common corner extends from there to the far edge of one of the
- * two, so the test tries only these edges. At a common edge there are two cases. The triangles are folded onto each
- * other if their other corners lie in one plane with the edge and on one side of it. Else they share the edge only. */
+ * The test works edge by edge. If two triangles without a common corner intersect, an edge of one intersects the other
+ * triangle. If they intersect in more than a common corner, the intersection extends from this corner to the opposite
+ * edge of one of the triangles. Only these two edges are tested then. With a common edge, the triangles are folded onto
+ * each other if all their corners lie in one plane and the third corners lie on one side of the edge. Otherwise they
+ * share only the edge. */
 #include "kernel/mesh/triangles_meet.h"
 
 #include "kernel/exact/doubles.h"
 
-/* Returns an axis along which its projection has area; 3: there is none. */
+/* Returns an axis along which the projection of the triangle has an area; 3: there is none. */
 static int open_axis(const vs_vec3 *t) {
   for (int axis = 0; axis < 3; axis++)
     if (vs_doubles_turn(axis, t[0], t[1], t[2])) return axis;
@@ -17,8 +18,8 @@ static int open_axis(const vs_vec3 *t) {
 
 bool vs_triangle_is_flat(const vs_vec3 *corners) { return open_axis(corners) == 3; }
 
-/* Returns true if p, which lies in the triangle's plane, is in the triangle or on its border. The projection along the
- * axis has area. */
+/* Returns true if p is in the triangle or on its border. p must lie in the triangle's plane, and the projection along
+ * the axis must have an area. */
 static bool holds(int axis, const vs_vec3 t[3], vs_vec3 p) {
   int way = vs_doubles_turn(axis, t[0], t[1], t[2]);
   VS_ASSERT(way != 0);
@@ -27,8 +28,8 @@ static bool holds(int axis, const vs_vec3 t[3], vs_vec3 p) {
   return true;
 }
 
-/* Returns true if the triangle contains no more of the segment than its end `from`, which lies in the triangle. The
- * projection along the axis has area. */
+/* Returns true if the segment and the triangle have only the point `from` in common, which lies in the triangle. The
+ * segment lies in the triangle's plane. The projection along the axis must have an area. */
 static bool leaves(int axis, const vs_vec3 t[3], vs_vec3 from, vs_vec3 to) {
   int way = vs_doubles_turn(axis, t[0], t[1], t[2]);
   VS_ASSERT(way != 0);
@@ -39,7 +40,7 @@ static bool leaves(int axis, const vs_vec3 t[3], vs_vec3 from, vs_vec3 to) {
   return false;
 }
 
-/* Tests a segment that lies in the triangle's plane. The triangle is not flat. */
+/* Tests a segment in the triangle's plane against the triangle, whose area is not 0. */
 static vs_triangle_meeting flat_segment(const vs_vec3 t[3], vs_vec3 p, vs_vec3 q) {
   int axis = open_axis(t), left = 0, right = 0;
   VS_ASSERT(axis < 3);
@@ -50,7 +51,7 @@ static vs_triangle_meeting flat_segment(const vs_vec3 t[3], vs_vec3 p, vs_vec3 q
     left += turn > 0;
     right += turn < 0;
   }
-  for (int i = 0; i < 3; i++) { /* from outside to outside, through the borders, or past a corner */
+  for (int i = 0; i < 3; i++) { /* both ends are outside: the segment may cross the triangle, or touch it at a corner */
     vs_vec3 a = t[i], b = t[(i + 1) % 3];
     int ap = vs_doubles_turn(axis, a, b, p), aq = vs_doubles_turn(axis, a, b, q);
     if (ap * aq <= 0 && (ap || aq) && vs_doubles_turn(axis, p, q, a) * vs_doubles_turn(axis, p, q, b) <= 0)
@@ -59,7 +60,7 @@ static vs_triangle_meeting flat_segment(const vs_vec3 t[3], vs_vec3 p, vs_vec3 q
   return VS_MEET_NOT;
 }
 
-/* from, to: the sides of the triangle's plane on which the segment's ends lie */
+/* Tests a segment against a triangle. from, to: signs of the sides of the triangle's plane on which p and q lie. */
 static vs_triangle_meeting segment(const vs_vec3 t[3], vs_vec3 p, vs_vec3 q, int from, int to) {
   if (from * to > 0) return VS_MEET_NOT;
   if (from == 0 && to == 0) return flat_segment(t, p, q);
@@ -78,8 +79,8 @@ static vs_triangle_meeting worse(vs_triangle_meeting a, vs_triangle_meeting b) {
 
 vs_triangle_meeting vs_triangles_meet(const vs_vec3 a[3], const vs_vec3 b[3]) {
   int of_a[3], of_b[3], shared = 0, over_a[3] = { 0 },
-                        over_b[3] = { 0 }; /* over_a: the sides of a's plane on which b's corners lie; over_b: the
-                                            * reverse */
+                        over_b[3] = { 0 }; /* over_a[i]: side of a's plane on which corner i of b lies; over_b[i]: side
+                                            * of b's plane on which corner i of a lies */
   VS_ASSERT(!vs_triangle_is_flat(a) && !vs_triangle_is_flat(b));
   for (int i = 0; i < 3; i++)
     for (int j = 0; j < 3; j++)

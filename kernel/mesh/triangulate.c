@@ -1,20 +1,22 @@
-/* Implements the triangulation: one sweep that cuts off each triangle as soon as it is visible.
+/* Triangulates a polygon by a sweep that cuts off each triangle as soon as it is visible.
  *
- * Each interval inside the polygon, between two neighbouring edges of the status, keeps a chain. The chain is the
- * border of the space on its right that has no triangles yet, from the left end of the interval's lower edge to the
- * left end of its upper edge. The coordinate x decreases from the chain's rightmost corner to both ends, and every
- * other corner between is reflex. Therefore a new vertex at one end sees corners one after the other, and a new vertex
- * in the middle sees the rightmost. Cost: n log n; all decisions are exact. The triangulation uses every corner, so
- * neighbours have no T-junctions.
+ * The sweep visits the vertices in the order of x. The status contains the edges that cross the sweep line. Each
+ * interval inside the polygon between two neighbouring edges has a chain. The chain is the left border of the space, up
+ * to the sweep line, that has no triangles yet. It goes from the left end of the interval's lower edge to the left end
+ * of its upper edge. The coordinate x decreases from the chain's rightmost corner to both ends, and every other corner
+ * between is reflex. Therefore a new vertex at an end of the chain sees its corners one after another. A new vertex in
+ * the middle sees the rightmost corner. The sweep takes n log n steps, and all decisions are exact. Every corner of the
+ * polygon is used, so neighbouring polygons have no T-junctions.
  *
- * Most faces have a few corners and one border with a lower and an upper side: these need one chain and no status. */
+ * Most faces have few corners, and a border of one lower and one upper side. These need a single chain and no
+ * status. */
 #include "kernel/mesh/triangulate.h"
 
 #include <stdlib.h>
 
 typedef struct { vs_kernel *k; vs_triangulation *t; } cutter;
 
-/* Appends the triangle of three different vertices of the sweep. */
+/* Appends the triangle with the three different vertices x, y and z of the sweep. */
 static bool emit(cutter *c, uint32_t x, uint32_t y, uint32_t z) {
   vs_triangulation *t = c->t;
   VS_ASSERT(x != y && y != z && z != x);
@@ -38,7 +40,7 @@ static bool start(cutter *c, uint32_t edge, uint32_t v) {
   return true;
 }
 
-/* Cuts off the triangles that v sees from the chain's upper end. */
+/* Cuts off the triangles that vertex v sees from the upper end of the chain. */
 static bool cut_tail(cutter *c, vs_chain *x, uint32_t v) {
   vs_chain_node *n = c->t->nodes.at;
   while (x->tail != x->head) {
@@ -83,8 +85,8 @@ static bool extend_head(cutter *c, vs_chain *x, uint32_t v) {
   return true;
 }
 
-/* Splits the interval's chain at its rightmost corner, which v sees: `below` keeps the lower part, `above` gets the
- * upper. The two edges differ. */
+/* Splits the chain of the interval above edge `below` at its rightmost corner, which v sees. The chain of `below` keeps
+ * the lower part, and the chain of `above` gets the upper part. The two edges differ. */
 static bool split(cutter *c, uint32_t below, uint32_t above, uint32_t v) {
   vs_chain *x = &c->t->chains.at[below], *y = &c->t->chains.at[above];
   uint32_t middle = x->rightmost, copy;
@@ -100,8 +102,8 @@ static bool split(cutter *c, uint32_t below, uint32_t above, uint32_t v) {
   return extend_tail(c, x, v) && extend_head(c, y, v);
 }
 
-/* Returns true if the edges agree: a way up through all of them that begins inside (under) or outside ends inside
- * (over) or outside. */
+/* Returns true if the edges are consistent. A path upwards across all of them starts inside the polygon if `under`, and
+ * ends inside it if `over`. */
 static bool agree(const vs_boundary *edges, const uint32_t *at, uint32_t count, bool under, bool over) {
   for (uint32_t i = 0; i < count; i++) {
     if ((bool)(edges[at[i]].inside & 2) != under) return false;
@@ -133,7 +135,7 @@ static bool step(cutter *c, const vs_sweep_event *e) {
     if (over && !extend_head(c, &t->chains.at[last], v)) return false;
     if (n) t->chains.at[e->rights[n - 1]] = t->chains.at[last];
     else if (under != over) return VS_BROKEN(c->k, "a face has no border");
-    else if (under) { /* two intervals become one; v ends the lower chain and begins the upper */
+    else if (under) { /* v joins two intervals: it is the end of the lower chain and the beginning of the upper chain */
       vs_chain *x = &t->chains.at[e->below], *y = &t->chains.at[last];
       vs_chain_node *nodes = t->nodes.at;
       uint32_t second = nodes[y->head].next;
@@ -148,7 +150,7 @@ static bool step(cutter *c, const vs_sweep_event *e) {
   return true;
 }
 
-/* ---- small faces: one border that goes right along the bottom and returns along the top ---- */
+/* ---- small faces: a single border that goes right along the bottom and returns along the top ---- */
 
 enum { SMALL = 32 };
 
@@ -157,8 +159,8 @@ static bool before(const vs_sweep *s, uint32_t a, uint32_t b) {
   return sign < 0 || (sign == 0 && vs_compare(s->points, a, b, s->v) < 0);
 }
 
-/* Orders the sides as one loop that starts at its first corner in the sweep's order; *last: position of its last
- * corner. Returns false if they are no such loop. */
+/* Orders the sides as a loop that starts at its leftmost corner; *last: position of its rightmost corner. Returns false
+ * if the sides are not such a loop. */
 static bool find_loop(const vs_triangulation *t, uint32_t loop[SMALL], uint32_t *last) {
   uint32_t n = (uint32_t)t->sides.count, first = 0, at = 0;
   const vs_border *sides = t->sides.at;
@@ -171,7 +173,7 @@ static bool find_loop(const vs_triangulation *t, uint32_t loop[SMALL], uint32_t 
     loop[i] = sides[at].from;
     for (uint32_t j = 0; j < n; j++) {
       if (sides[j].from != sides[at].to) continue;
-      if (next != n) return false; /* the border touches itself there */
+      if (next != n) return false; /* the border touches itself at this corner */
       next = j;
     }
     if (next == n || (next == first) != (i == n - 1)) return false;
@@ -184,8 +186,8 @@ static bool find_loop(const vs_triangulation *t, uint32_t loop[SMALL], uint32_t 
   return i == n;
 }
 
-/* Sweeps such a face, whose one chain is an array, with the same triangles as a result. The loop has 3 to SMALL
- * sides. */
+/* Triangulates a small face with an array as its only chain. The result is the same as that of the sweep. The loop has
+ * 3 to SMALL sides. */
 static bool cut_loop(cutter *c, const uint32_t *loop, uint32_t last) {
   vs_triangulation *t = c->t;
   const vs_sweep *s = &t->sweep;

@@ -1,4 +1,4 @@
-/* Declares the exact triangulation of a polygon with holes, touching corners and slits in one plane. */
+/* Declares the exact triangulation of a polygon in one plane. It may have holes, corners that touch, and slits. */
 #ifndef VS_KERNEL_MESH_TRIANGULATE_H
 #define VS_KERNEL_MESH_TRIANGULATE_H
 
@@ -8,18 +8,20 @@
 typedef struct { uint32_t from, to; } vs_border;
 typedef struct { uint32_t vertex, previous, next; } vs_chain_node;
 typedef struct { uint32_t head, tail, rightmost; } vs_chain;
-typedef struct { uint32_t l, r; uint8_t inside; } vs_boundary; /* inside: bit 0: above the edge; bit 1: below */
+typedef struct { uint32_t l, r; uint8_t inside; } vs_boundary; /* an edge with its left and right end; inside: bit 0 is
+                                                                * set if the polygon is above the edge, bit 1 if it is
+                                                                * below */
 
 typedef struct {
-  VS_LIST(vs_border) sides;              /* input: directed with the inside on the left, as seen from the plane's
-                                          * normal; points */
-  /* output: counter-clockwise as seen from the normal; points */
+  VS_LIST(vs_border) sides;              /* input: border of the polygon between points; the inside is on the left, as
+                                          * seen from the plane's normal */
+  /* output: triangles of points, counter-clockwise as seen from the plane's normal */
   struct { uint32_t (*at)[3]; size_t count, room; } triangles;
   vs_sweep sweep;
   VS_LIST(uint32_t) list, scratch, local;
   VS_LIST(vs_boundary) boundary;
   VS_LIST(vs_chain_node) nodes;
-  VS_LIST(vs_chain) chains;            /* of the interval above each edge */
+  VS_LIST(vs_chain) chains;            /* chain of the interval above each edge */
 } vs_triangulation;
 
 bool vs_plane_triangulate(vs_kernel *k, vs_triangulation *t, const vs_points_table *points, const vs_plane *plane);
