@@ -1,5 +1,5 @@
 /* Implements the loading of libraries at run time (dlopen, dlsym). */
-#define _GNU_SOURCE /* RTLD_NODELETE */
+#define _GNU_SOURCE /* declares RTLD_NODELETE */
 #include "geometry/dynamic.h"
 
 #include <dlfcn.h>
@@ -19,12 +19,12 @@ bool vs_dynamic_load(const vs_dynamic_library *library, const vs_dynamic_name *n
   bool ok = true;
   for (size_t i = 0; ok && i < count; i++) {
     void *found = dlsym(handle, names[i].symbol);
-    /* ISO C has no cast from an object pointer to a function pointer. */
+    /* memcpy is used because ISO C cannot cast an object pointer to a function pointer. */
     memcpy((char *)functions + names[i].offset, &found, sizeof found);
     if (!found)
       ok = vs_error_set(e, VS_ERROR_WORKER, NULL, "%s: the library %s is too old: it has no %s", library->purpose,
                         library->files[0], names[i].symbol);
   }
-  dlclose(handle); /* RTLD_NODELETE keeps it loaded */
+  dlclose(handle); /* the library stays loaded because of RTLD_NODELETE */
   return ok;
 }

@@ -1,8 +1,8 @@
-/* Declares libraries that are loaded at their first use: linked in, they would cost every start of the program
- * milliseconds.
+/* Declares the loading of libraries at their first use. If they were linked in, they would delay every start of the
+ * program by milliseconds.
  *
- * A user keeps a struct of function pointers and a table that names them. Nothing is global; loading again costs some
- * microseconds. */
+ * The caller keeps a struct of function pointers and a table of their names. There is no global state; loading a
+ * library again takes some microseconds. */
 #ifndef VS_GEOMETRY_DYNAMIC_H
 #define VS_GEOMETRY_DYNAMIC_H
 
@@ -11,14 +11,16 @@
 #include "model/node.h"
 
 typedef struct {
-  const char *const *files; /* file names to try in order, ends with NULL: "libgeos_c.so.1" */
-  const char *package;      /* the Debian package that contains it */
-  const char *purpose;      /* its users, as a message's subject: "offsets" */
+  const char *const *files; /* file names to try in order, such as "libgeos_c.so.1"; the list ends with NULL */
+  const char *package;      /* name of the Debian package that contains the library */
+  const char *purpose;      /* the feature that needs the library, such as "offsets"; it is the subject of error
+                             * messages */
 } vs_dynamic_library;
-typedef struct { const char *symbol; size_t offset; /* offset: of its pointer in `functions` */ } vs_dynamic_name;
+typedef struct { const char *symbol; size_t offset; /* offset: position of the function's pointer in the struct
+                                                     * `functions`, in bytes */ } vs_dynamic_name;
 
-/* Fills the function pointers of the struct `functions`; the library stays loaded. Returns false if the library or a
- * function is missing (VS_ERROR_WORKER, with the package's name). */
+/* Loads the library, and sets the function pointers in the struct `functions`. The library stays loaded. Returns false
+ * if the library or a function is missing; e is then VS_ERROR_WORKER with the package's name. */
 bool vs_dynamic_load(const vs_dynamic_library *library, const vs_dynamic_name *names, size_t count, void *functions,
                      vs_error *e);
 

@@ -1,12 +1,14 @@
-/* Implements frames: placement on an axis, the smallest rotation, and rotation-minimizing frames along a path. */
+/* Implements frames: placement on an axis, the smallest rotation between two directions, and rotation-minimizing frames
+ * along a path. */
 #include "geometry/frame.h"
 
 vs_affine vs_frame_on_axis(vs_vec3 at, vs_vec3 direction) {
   vs_vec3 d = vs_v3_unit(direction);
-  double across = d.x * d.x + d.y * d.y, k; /* k = 1 / (1 + d.z) without cancellation near -Z */
+  double across = d.x * d.x + d.y * d.y, k; /* k is 1 / (1 + d.z); the second form avoids cancellation near -Z */
   vs_vec3 x, y;
   VS_ASSERT(direction.x != 0 || direction.y != 0 || direction.z != 0);
-  if (d.z < 0 && across < 1e-24) { /* -Z, or within the error of sums of sines of it: half a turn about X */
+  if (d.z < 0 && across < 1e-24) { /* d is -Z, or differs from it only by rounding errors: the rotation is half a turn
+                                    * about X */
     x = vs_v3(1, 0, 0);
     y = vs_v3(0, -1, 0);
   } else {
@@ -38,8 +40,8 @@ vs_affine vs_frame_turn(vs_vec3 a, vs_vec3 b) {
                         { v.x * v.z * k - v.y, v.y * v.z * k + v.x, c + v.z * v.z * k, 0 } } };
 }
 
-/* Returns x carried from (p, t) to (q, u): reflected in the plane between p and q, then in the plane that takes the
- * reflected t to u. */
+/* Returns the vector x moved from point p with tangent t to point q with tangent u. x is reflected twice: in the
+ * bisecting plane of p and q, and then in the plane that maps the reflected t to u. */
 static vs_vec3 frame_reflect_twice(vs_vec3 p, vs_vec3 t, vs_vec3 q, vs_vec3 u, vs_vec3 x) {
   vs_vec3 v = vs_v3_sub(q, p);
   double c = vs_v3_dot(v, v);
@@ -51,7 +53,7 @@ static vs_vec3 frame_reflect_twice(vs_vec3 p, vs_vec3 t, vs_vec3 q, vs_vec3 u, v
   return c > 0 ? vs_v3_sub(xl, vs_v3_scale(w, 2 / c * vs_v3_dot(w, xl))) : xl;
 }
 
-/* Returns x made unit and perpendicular to t again: the errors of a long path do not add up. */
+/* Returns x made perpendicular to t and of length 1 again, so that errors do not accumulate along a path. */
 static vs_vec3 frame_square(vs_vec3 x, vs_vec3 t) {
   vs_vec3 r = vs_v3_sub(x, vs_v3_scale(t, vs_v3_dot(x, t)));
   return vs_v3_length(r) > 1e-9 ? vs_v3_unit(r) : frame_across(t);

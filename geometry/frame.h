@@ -6,23 +6,26 @@
 
 #include <stddef.h>
 
-/* Returns the map that takes the origin to `at` and +Z to `direction` (not zero) by the smallest rotation; for -Z, half
- * a turn about X. */
+/* Returns the map that moves the origin to `at` and turns +Z into `direction` by the smallest rotation. direction is
+ * not zero. If direction is -Z, it is half a turn about X. */
 vs_affine vs_frame_on_axis(vs_vec3 at, vs_vec3 direction);
 
-/* Returns the smallest rotation that takes the unit vector a to the unit vector b. If they are opposite: half a turn
- * about a perpendicular axis. */
+/* Returns the smallest rotation that turns the unit vector a into the unit vector b. If they are opposite, it is half a
+ * turn about an axis perpendicular to a. */
 vs_affine vs_frame_turn(vs_vec3 a, vs_vec3 b);
 
 /* A point of a path with rotation-minimizing frames (double reflection; Wang, Juettler, Zheng, Liu 2008). At a corner
- * the arriving and the leaving tangent differ; the frame turns by the smallest rotation between them. */
-typedef struct { vs_vec3 at, arriving, leaving; double along; /* arc length from the start */ } vs_path_point;
-/* Carries x (unit, perpendicular to path[0].leaving) along n > 0 points; x_out[i] belongs to path[i].leaving. A closed
- * path ends with a spin; it is distributed in proportion to `along`. length: of the whole path, including the closing
- * segment. Returns the spin in radians (0 if the path is open). */
+ * of the path the arriving tangent differs from the leaving one. The frame turns from the first to the second by the
+ * smallest rotation. */
+typedef struct { vs_vec3 at, arriving, leaving; double along; /* arc length from the path's start */ } vs_path_point;
+/* Moves x along the n points of the path, n > 0. x is a unit vector perpendicular to path[0].leaving; x_out[i] is the
+ * result at point i, perpendicular to path[i].leaving. On a closed path, x returns turned by some angle; this turn is
+ * undone in proportion to `along`. length: length of the path including its closing segment. Returns the angle in
+ * radians, or 0 if the path is open. */
 double vs_frame_transport(const vs_path_point *path, size_t n, bool closed, double length, vs_vec3 x, vs_vec3 *x_out);
 
-/* Returns the normal as a unit vector that points up; a level one points towards +Y, or along +X. */
+/* Returns the normal, or its opposite, as a unit vector that points up. A horizontal vector points towards +Y, or to +X
+ * if it is parallel to X. */
 vs_vec3 vs_plane_up(vs_vec3 normal);
 
 #endif

@@ -1,4 +1,4 @@
-/* Declares sets of small numbers that find the next member from a given number in a few steps. */
+/* Declares sets of small numbers. The next member from a given number on is found in a few steps. */
 #ifndef VS_GEOMETRY_MARKS_H
 #define VS_GEOMETRY_MARKS_H
 
@@ -6,13 +6,16 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { VS_MARK_LEVELS = 11 }; /* levels of 64-bit words: enough for any set that fits into memory */
-/* a bit of level k + 1: whether a word of level k is not 0 */
+enum { VS_MARK_LEVELS = 11 }; /* greatest number of levels of 64-bit words; it suffices for any set that fits into
+                               * memory */
+/* A set of numbers. Bit i of level k + 1 is set if word i of level k is not 0. */
 typedef struct { uint64_t *level[VS_MARK_LEVELS]; int levels; } vs_marks;
 
-bool vs_marks_make(vs_marks *m, size_t count); /* makes the empty set of numbers below count; false: out of memory */
+bool vs_marks_make(vs_marks *m, size_t count); /* makes the empty set of numbers below count; returns false when memory
+                                                * is out */
 void vs_marks_free(vs_marks *m);
 void vs_marks_set(vs_marks *m, size_t i, bool in);
-size_t vs_marks_next(const vs_marks *m, size_t from); /* returns the smallest member >= from; SIZE_MAX: none */
+size_t vs_marks_next(const vs_marks *m, size_t from); /* returns the smallest member that is at least `from`, or
+                                                       * SIZE_MAX if there is none */
 
 #endif

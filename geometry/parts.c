@@ -1,8 +1,8 @@
-/* Implements the walk that finds the curves or surfaces of a set.
+/* Finds the curves or surfaces of a set.
  *
  * Placements, materials and layers may be above a set, between sets, and above a part. The walk replaces a set by its
- * children, each within the wrappers above the set; it does the same for each child that is a set. A stack of
- * references holds the pending nodes: a deep tree costs no C stack. */
+ * children, and wraps each child in the wrappers above the set. It does so again for each child that is a set. The
+ * pending nodes are on an explicit stack, so a deep tree does not need much of the C stack. */
 #include "geometry/parts.h"
 
 #include <stdlib.h>
@@ -58,7 +58,8 @@ bool vs_several_parts(vs_ref whole, vs_ref **out, size_t *count) {
       continue;
     }
     ok = VS_GROW(todo, todo_room, todo_count + set->child_count);
-    for (uint32_t i = set->child_count; ok && i-- > 0;) { /* the first child is on top of the stack */
+    for (uint32_t i = set->child_count; ok && i-- > 0;) { /* pushes the first child last, so that it is on top of the
+                                                           * stack */
       vs_node *part = vs_parts_within(at, set->children[i]);
       ok = part != NULL;
       if (ok) todo[todo_count++] = (vs_ref){ part, set->children[i].origin };

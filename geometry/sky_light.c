@@ -1,4 +1,4 @@
-/* Implements the sky's and the sun's light: the polynomials and tables of Preetham, Shirley and Smits (1999). */
+/* Computes the light of the sky and the sun with the polynomials and tables of Preetham, Shirley and Smits (1999). */
 #include "geometry/sky_light.h"
 
 #include <math.h>
@@ -6,12 +6,12 @@
 
 static const double pi = 3.14159265358979323846;
 
-static vs_vec3 linear_srgb(double x, double y, double z) { /* from CIE XYZ: IEC 61966-2-1 */
+static vs_vec3 linear_srgb(double x, double y, double z) { /* converts CIE XYZ to linear sRGB by IEC 61966-2-1 */
   return vs_v3(fmax(0, 3.2406 * x - 1.5372 * y - 0.4986 * z), fmax(0, -0.9689 * x + 1.8758 * y + 0.0415 * z),
                fmax(0, 0.0557 * x - 0.2040 * y + 1.0570 * z));
 }
 
-/* ---- the sky: appendix A.2 ---- */
+/* ---- the sky: appendix A.2 of the paper ---- */
 
 static double distribution(const vs_sky_light *s, int i, double cos_zenith, double cos_sun) {
   double gamma = acos(fmax(-1, fmin(1, cos_sun)));
@@ -19,8 +19,8 @@ static double distribution(const vs_sky_light *s, int i, double cos_zenith, doub
          (1 + s->of[i].c * exp(s->of[i].d * gamma) + s->of[i].e * cos_sun * cos_sun);
 }
 
-/* Returns a zenith's chromaticity. Rows: the turbidity's square, the turbidity, 1. Columns: the angle's powers from 3
- * to 0. */
+/* Returns a chromaticity of the zenith. The rows of k belong to the square of the turbidity, the turbidity and 1. The
+ * columns belong to the powers of the angle from 3 to 0. */
 static double zenith_chromaticity(const double k[3][4], double turbidity, double angle) {
   double sum = 0;
   for (int row = 0; row < 3; row++)
@@ -45,7 +45,7 @@ vs_sky_light vs_sky_light_of(double turbidity, vs_vec3 sun) {
   vs_sky_light s = { .sun = sun };
   VS_ASSERT(turbidity >= VS_TURBIDITY_LEAST && turbidity <= VS_TURBIDITY_MOST);
   if (sun.z < 0) s.sun = vs_v3_unit(vs_v3(sun.x, sun.y, 0));
-  if (!(vs_v3_length(s.sun) > 0)) s.sun = vs_v3(1, 0, 0); /* a sun straight below has no azimuth: +X */
+  if (!(vs_v3_length(s.sun) > 0)) s.sun = vs_v3(1, 0, 0); /* a sun straight below has no azimuth, so +X is used */
   double angle = acos(fmin(1, s.sun.z)), chi = (4. / 9 - t / 120) * (pi - 2 * angle);
   double zenith[] = { 1000 * ((4.0453 * t - 4.9710) * tan(chi) - 0.2155 * t + 2.4192),
                       zenith_chromaticity(x_zenith, t, angle), zenith_chromaticity(y_zenith, t, angle) };
@@ -70,7 +70,7 @@ vs_vec3 vs_sky_light_at(const vs_sky_light *s, vs_vec3 direction) {
   return linear_srgb(c.x * c.y / c.z, c.x, c.x * (1 - c.y - c.z) / c.z);
 }
 
-/* Integrates by the midpoint rule, over steps of equal size in sin^2 of the zenith angle and in azimuth. */
+/* Integrates by the midpoint rule. All steps have the same size in sin^2 of the zenith angle, and in azimuth. */
 vs_vec3 vs_sky_light_level(const vs_sky_light *s) {
   enum { RINGS = 48, SECTORS = 96 };
   vs_vec3 sum = vs_v3(0, 0, 0);
@@ -83,10 +83,11 @@ vs_vec3 vs_sky_light_level(const vs_sky_light *s) {
   return vs_v3_scale(sum, pi / (RINGS * SECTORS));
 }
 
-/* ---- the sun: appendix A.1, table 2 ---- */
+/* ---- the sun: appendix A.1 of the paper, table 2 ---- */
 
-/* From 380 nm in steps of 10 nm: the sun's radiance outside the atmosphere in W/(cm2 um sr), the absorption of ozone
- * and of water in 1/cm, and the CIE 1931 observer. Other gases absorb only above 750 nm. */
+/* Each row is a wavelength, from 380 nm in steps of 10 nm. Columns: the sun's radiance outside the atmosphere in W/(cm2
+ * um sr), the absorption of ozone and of water in 1/cm, and the CIE 1931 observer. Other gases absorb only above 750
+ * nm. */
 static const struct { double radiance, ozone, water, x, y, z; } wave[] = {
   { 1655.9, 0, 0, 0.001368, 0.000039, 0.006450 },       { 1623.37, 0, 0, 0.004243, 0.000120, 0.020050 },
   { 2112.75, 0, 0, 0.014310, 0.000396, 0.067850 },      { 2588.82, 0, 0, 0.043510, 0.001210, 0.207400 },
@@ -110,16 +111,18 @@ static const struct { double radiance, ozone, water, x, y, z; } wave[] = {
 };
 
 vs_vec3 vs_sky_light_sun(double turbidity, double altitude) {
-  const double disc = 6.807e-5; /* sr: a disc whose radius is seen under 0.2667 degrees */
+  const double disc = 6.807e-5; /* solid angle of the sun in sr: a disc with an apparent radius of 0.2667 degrees */
   const double lumens = 683, ozone_cm = 0.35, water_cm = 2, aerosol = 0.04608 * turbidity - 0.04586;
   double sum[3] = { 0 };
   if (!(altitude > 0)) return vs_v3(0, 0, 0);
-  double air = 1 / (sin(altitude * pi / 180) + 0.15 * pow(3.885 + altitude, -1.253)); /* relative air mass: Kasten's */
+  double air = 1 / (sin(altitude * pi / 180) + 0.15 * pow(3.885 + altitude, -1.253)); /* relative air mass by Kasten's
+                                                                                       * formula */
   for (size_t i = 0; i < sizeof wave / sizeof *wave; i++) {
     double um = 0.38 + 0.01 * (double)i, wet = wave[i].water * water_cm * air;
     double through = exp(-0.008735 * pow(um, -4.08) * air - aerosol * pow(um, -1.3) * air -
                          wave[i].ozone * ozone_cm * air - 0.2385 * wet / pow(1 + 20.07 * wet, 0.45));
-    double w = 1e4 * wave[i].radiance * through * disc * lumens * 0.01; /* W/m2 in a step of 0.01 um */
+    double w = 1e4 * wave[i].radiance * through * disc * lumens * 0.01; /* luminous flux in the step of 0.01 um, from
+                                                                         * W/m2 */
     sum[0] += w * wave[i].x, sum[1] += w * wave[i].y, sum[2] += w * wave[i].z;
   }
   return linear_srgb(sum[0], sum[1], sum[2]);

@@ -5,29 +5,32 @@
 
 #include "model/vec.h"
 
-/* The range of turbidities for which the model's polynomials give a sky: 2 is a very clear sky, 10 is haze. */
+/* Range of turbidities for which the model's polynomials describe a sky: 2 is a very clear sky, 10 is haze. */
 #define VS_TURBIDITY_LEAST 2
 #define VS_TURBIDITY_MOST 10
 
-/* The sky's luminance Y in cd/m2 and its chromaticities x and y (CIE 1931). In a direction at the angle theta from the
- * zenith and gamma from the sun, each is scale (1 + A exp(B / cos theta)) (1 + C exp(D gamma) + E cos^2 gamma): the
- * distribution of R. Perez, R. Seals and J. Michalsky, Solar Energy 50(3), 1993. */
+/* The distribution of the sky's luminance Y in cd/m2 and of its chromaticities x and y (CIE 1931). theta is the angle
+ * of a direction from the zenith, gamma its angle from the sun. Each quantity is scale (1 + A exp(B / cos theta)) (1 +
+ * C exp(D gamma) + E cos^2 gamma). The formula is that of R. Perez, R. Seals and J. Michalsky, Solar Energy 50(3),
+ * 1993. */
 typedef struct {
-  vs_vec3 sun;                                   /* unit, towards the sun, not below the horizon */
-  struct { double scale, a, b, c, d, e; } of[3]; /* Y, x, y */
+  vs_vec3 sun;                                   /* unit vector towards the sun, not below the horizon */
+  struct { double scale, a, b, c, d, e; } of[3]; /* coefficients of Y, x and y, in this order */
 } vs_sky_light;
 
-/* Returns the sky for a turbidity within the limits above and a unit vector towards the sun. For a sun below the
- * horizon it is the sky of sunrise. */
+/* Returns the sky for a turbidity within VS_TURBIDITY_LEAST and VS_TURBIDITY_MOST and a unit vector towards the sun. If
+ * the sun is below the horizon, it is the sky of sunrise. */
 vs_sky_light vs_sky_light_of(double turbidity, vs_vec3 sun);
-/* Returns luminance and chromaticities in a direction of length 1; below the horizon, those at the horizon. */
+/* Returns luminance Y and chromaticities x and y of the sky in a direction of length 1. Below the horizon, they are
+ * those at the horizon. */
 vs_vec3 vs_sky_light_xyy(const vs_sky_light *sky, vs_vec3 direction);
-/* Returns the same as linear sRGB in cd/m2; components that a colour outside the gamut would make negative are 0. */
+/* Returns the light of the sky in a direction of length 1, as linear sRGB in cd/m2. Negative components, of a colour
+ * outside the gamut, become 0. */
 vs_vec3 vs_sky_light_at(const vs_sky_light *sky, vs_vec3 direction);
-/* Returns the illuminance of a level surface from the whole sky, as linear sRGB in lx. */
+/* Returns the illuminance of a horizontal surface by the whole sky, as linear sRGB in lx. */
 vs_vec3 vs_sky_light_level(const vs_sky_light *sky);
-/* Returns the sun's illuminance, through the atmosphere, of a surface perpendicular to its rays, as linear sRGB in lx;
- * 0 if the altitude (degrees) is below the horizon. */
+/* Returns the illuminance by the sun, through the atmosphere, of a surface perpendicular to its rays, as linear sRGB in
+ * lx. altitude: of the sun, in degrees; below the horizon, the result is 0. */
 vs_vec3 vs_sky_light_sun(double turbidity, double altitude);
 
 #endif

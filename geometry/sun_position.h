@@ -4,15 +4,16 @@
 
 #include <stdbool.h>
 
-/* A place on the earth, in degrees, north and east positive, and a time: a day, and hours in UT. */
+/* A place on the earth and a time. Latitude and longitude are in degrees, north and east positive. The time is a day
+ * and the hours in UT. */
 typedef struct { double latitude, longitude; int year, month, day; double hours; } vs_sun_moment;
-/* Degrees: the azimuth from north towards east, the altitude above the horizon. */
+/* Angles in degrees. The azimuth is counted from north towards east, the altitude from the horizon upwards. */
 typedef struct { double azimuth, altitude; } vs_sun_direction;
 
 /* Returns true if the day exists in the proleptic Gregorian calendar. */
 bool vs_sun_is_day(int year, int month, int day);
-/* Returns the low-precision position of the Astronomical Almanac, right to about 0.01 degrees between 1950 and 2050.
- * The altitude ignores refraction. */
+/* Returns the sun's position by the low-precision formula of the Astronomical Almanac. The error is about 0.01 degrees
+ * between 1950 and 2050. The altitude ignores refraction. */
 vs_sun_direction vs_sun_position(const vs_sun_moment *m);
 
 #endif

@@ -1,5 +1,4 @@
-/* Implements the way from a node to its triangles: follows placements down to the leaf, meshes it, and places the
- * mesh. */
+/* Makes the triangles of a node: follows placements down to the leaf, meshes the leaf, and places the mesh. */
 #include "geometry/plane/planar_evaluation.h"
 #include "geometry/tessellate.h"
 
@@ -14,7 +13,8 @@
 #include "geometry/profiles/thicken.h"
 #include "geometry/profiles/taper.h"
 
-/* Returns the child of a placement or an appearance; NULL: n is a leaf here. Appearance changes no shape. */
+/* Returns the child of a placement or an appearance, and adds the placement to *placed. Returns NULL for any other
+ * node. An appearance does not change the shape. */
 static const vs_ref *tessellate_below(const vs_node *n, vs_affine *placed) {
   switch (vs_node_role(n)) {
     case VS_ROLE_PLACED: *placed = vs_affine_multiply(placed, &VS_AS(transform, n)->matrix); return &n->children[0];
@@ -64,7 +64,7 @@ static bool tessellate_leaf(const vs_node *n, const vs_fineness *f, vs_mesh *out
     case VS_THICKEN:
       if (n->children[0].node->class_ == VS_SURFACE) {
         vs_mesh surface = { 0 };
-        /* A surface is no thickening: this recursion is one level deep. */
+        /* The recursion is only one level deep, because a surface is no thickening. */
         if (!vs_tessellate(n->children[0].node, f, &surface, e)) return vs_mesh_free(&surface), false;
         double half = VS_AS(thicken, n)->width / 2;
         ok = vs_thicken_surface(&surface, half, half, out, NULL, NULL);
@@ -88,7 +88,8 @@ static bool tessellate_leaf(const vs_node *n, const vs_fineness *f, vs_mesh *out
     }
     case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: return vs_loft_mesh(n, f, out, e);
     case VS_GRID_MESH: case VS_GRID_SURFACE: ok = vs_surface_mesh(n, out); break;
-    case VS_SECTION: case VS_PROJECT: /* solids/resolve.c has replaced them by regions */
+    case VS_SECTION: case VS_PROJECT: /* not possible: solids/resolve.c has replaced sections and projections by
+                                       * regions */
     case VS_JOIN: case VS_XLINE: case VS_RAY: case VS_EDGES:
     case VS_LINE:
     case VS_ARC:
@@ -102,7 +103,8 @@ static bool tessellate_leaf(const vs_node *n, const vs_fineness *f, vs_mesh *out
   return ok || vs_error_memory(e, NULL);
 }
 
-/* Returns the leaf below the placements. *placed: the map from its coordinates to n's; *inner: the fineness for it. */
+/* Returns the leaf below the placements of n. *placed: the map from the leaf's coordinates to those above n; *inner:
+ * the fineness in the leaf's coordinates. */
 static const vs_node *tessellate_bottom(const vs_node *n, const vs_fineness *f, vs_affine *placed, vs_fineness *inner,
                                         const vs_origin **origin) {
   *placed = vs_affine_identity();
@@ -128,7 +130,8 @@ bool vs_tessellate(const vs_node *n, const vs_fineness *f, vs_mesh *out, vs_erro
   return true;
 }
 
-/* Makes the plan of a sweep or a pipe. *is: whether n is one of these; no other solid has a plan. */
+/* Makes the plan of the sections of a sweep or a pipe. Sets *is to true if n is a sweep or a pipe; other solids have no
+ * plan. Returns false on an error. */
 static bool sweep_plan(const vs_node *n, const vs_fineness *f, vs_swept *plan, vs_affine *placed, bool *is,
                        vs_error *e) {
   vs_fineness inner;

@@ -1,4 +1,4 @@
-/* Implements the number of facets of a curve. */
+/* Computes the number of facets of a curve. */
 #include "geometry/tolerance.h"
 
 enum { LEAST_TURN = 32, MOST_TURN = 4096 };
@@ -12,7 +12,7 @@ double vs_fineness_tolerance(const vs_bounds *drawing) {
 int vs_fineness_turn_least(const vs_fineness *f, double r, int least) {
   VS_ASSERT(f->tolerance > 0 && least > 0);
   if (!(r > f->tolerance)) return least;
-  /* r (1 - cos(pi/n)) <= tolerance */
+  /* The number n of facets is the smallest with r (1 - cos(pi/n)) <= tolerance. */
   double half_angle = acos(1 - f->tolerance / r);
   double n = ceil(3.14159265358979323846 / half_angle - 1e-9);
   if (!(n < MOST_TURN)) return MOST_TURN;

@@ -1,4 +1,4 @@
-/* Owns, for the readers of mesh files, scanning of bytes: words and numbers by line, numbers by their width. Nothing
+/* Declares, for the readers of mesh files, scanning of bytes: words and numbers by line, numbers by their width. Nothing
  * reads past the end. */
 #ifndef VS_GEOMETRY_FILES_BYTE_SCAN_H
 #define VS_GEOMETRY_FILES_BYTE_SCAN_H

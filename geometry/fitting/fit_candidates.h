@@ -1,4 +1,4 @@
-/* Owns, for fitting/ alone, step 2 of a fit: all unknowns from the best places. */
+/* Declares, for use in fitting/ alone, step 2 of a fit: all unknowns from the best places. */
 #ifndef VS_GEOMETRY_FITTING_FIT_CANDIDATES_H
 #define VS_GEOMETRY_FITTING_FIT_CANDIDATES_H
 

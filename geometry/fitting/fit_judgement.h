@@ -1,4 +1,4 @@
-/* Owns, for fitting/ alone, the judgement of a fit's result. */
+/* Declares, for use in fitting/ alone, the judgement of a fit's result. */
 #ifndef VS_GEOMETRY_FITTING_FIT_JUDGEMENT_H
 #define VS_GEOMETRY_FITTING_FIT_JUDGEMENT_H
 

@@ -1,4 +1,4 @@
-/* Owns, for fitting/ alone, step 1 of a fit: the places of the scan in the model from which step 2 starts. */
+/* Declares, for use in fitting/ alone, step 1 of a fit: the places of the scan in the model from which step 2 starts. */
 #ifndef VS_GEOMETRY_FITTING_FIT_PLACES_H
 #define VS_GEOMETRY_FITTING_FIT_PLACES_H
 

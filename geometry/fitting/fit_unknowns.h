@@ -1,4 +1,4 @@
-/* Owns, for fitting/ alone, the state of a fit: its unknowns, and the distances of the points at them. */
+/* Declares, for use in fitting/ alone, the state of a fit: its unknowns, and the distances of the points at them. */
 #ifndef VS_GEOMETRY_FITTING_FIT_UNKNOWNS_H
 #define VS_GEOMETRY_FITTING_FIT_UNKNOWNS_H
 

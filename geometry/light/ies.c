@@ -1,5 +1,5 @@
-/* Implements lamps' files: IES LM-63, Standard File Format for the Electronic Transfer of Photometric Data, in its
- * editions of 1986 (without a line for the edition), 1991, 1995 and 2002. */
+/* Reads lamps' files: IES LM-63, Standard File Format for the Electronic Transfer of Photometric Data. It accepts the
+ * editions of 1986 (which has no line for the edition), 1991, 1995 and 2002. */
 #include "geometry/light/ies.h"
 
 #include <math.h>
@@ -19,7 +19,7 @@ static bool ies_wrong(const ies_text *t, const char *what) {
   return vs_error_set(t->error, VS_ERROR_MODEL, NULL, "%.100s:%u: %s", t->name, t->line, what);
 }
 
-/* Reads the next line without its end; returns false at the end of the text. */
+/* Reads the next line without its line end. Returns false at the end of the text. */
 static bool ies_line(ies_text *t, const char **from, size_t *count) {
   if (t->at == t->end) return false;
   const char *stop = memchr(t->at, '\n', (size_t)(t->end - t->at));
@@ -30,7 +30,7 @@ static bool ies_line(ies_text *t, const char **from, size_t *count) {
   return true;
 }
 
-/* Reads labels up to the line TILT=, which must say NONE. */
+/* Reads labels up to the line TILT=, whose value must be NONE. */
 static bool ies_labels(ies_text *t) {
   const char *from;
   size_t count;
@@ -38,7 +38,7 @@ static bool ies_labels(ies_text *t) {
   while (ies_line(t, &from, &count)) {
     if (count > LINE_MOST || memchr(from, 0, count)) return ies_wrong(t, "this is no text of an IES file");
     if (count < 5 || memcmp(from, "TILT=", 5) != 0) continue;
-    if (count == 9 && !memcmp(from + 5, "NONE", 4)) return t->line++, true; /* the numbers begin in the next line */
+    if (count == 9 && !memcmp(from + 5, "NONE", 4)) return t->line++, true; /* the numbers begin on the next line */
     return ies_wrong(t, "only TILT=NONE is read: intensities that depend on how the lamp is mounted are not");
   }
   return ies_wrong(t, "this is no IES file: it has no line TILT=NONE");
@@ -46,14 +46,14 @@ static bool ies_labels(ies_text *t) {
 
 static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == ',' || c == '\f'; }
 
-/* Reads the next number, on this or a later line; commas separate numbers too. */
+/* Reads the next number, on the current line or a later one. Commas also separate numbers. */
 static bool ies_number(ies_text *t, const char *what, double least, double most, double *out) {
   char word[WORD_MOST], *rest;
   size_t count = 0;
   for (; t->at < t->end && is_blank(*t->at); t->at++) t->line += *t->at == '\n';
   while (t->at < t->end && !is_blank(*t->at) && count + 1 < WORD_MOST) word[count++] = *t->at++;
   word[count] = 0;
-  bool plain = strspn(word, "0123456789+-.eE") == count; /* no "nan", no "inf", no hexadecimal numbers */
+  bool plain = strspn(word, "0123456789+-.eE") == count; /* rejects "nan", "inf" and hexadecimal numbers */
   *out = plain ? strtod(word, &rest) : 0;
   if (count > 0 && plain && *rest == 0 && isfinite(*out) && *out >= least && *out <= most) return true;
   return vs_error_set(t->error, VS_ERROR_MODEL, NULL,
@@ -78,18 +78,18 @@ static bool ies_angles(ies_text *t, const char *what, double most, double *at, u
 }
 
 static const double *horizontals_of(const vs_ies *x) { return x->at + x->verticals; }
-/* Returns the candelas of horizontal angle i, which is an index of the file's angles. */
+/* Returns the row of candelas for the horizontal angle i, an index below x->horizontals. */
 static const double *row_of(const vs_ies *x, uint32_t i) {
   VS_ASSERT(i < x->horizontals);
   return x->at + x->verticals + x->horizontals + (size_t)i * x->verticals;
 }
 
-/* Returns true if the last horizontal angle fits a symmetry. */
+/* Returns true if the range of horizontal angles belongs to a symmetry of the format or to a full turn. */
 static bool ies_is_round(const ies_text *t, const vs_ies *x) {
   const double *h = horizontals_of(x), last = h[x->horizontals - 1];
   if (h[0] == 0 && (last == 0 || last == 90 || last == 180 || last == 360)) return true;
   if (h[0] == 90 && last == 270) return true;
-  /* many makers omit 360, which is 0 again */
+  /* Many makers omit the row of 360 degrees, which would repeat that of 0. */
   if (h[0] == 0 && last > 180 && last < 360) return true;
   return ies_wrong(t, "the horizontal angles must go from 0 to 0, 90, 180 or 360, or from 90 to 270");
 }
@@ -111,7 +111,8 @@ static bool ies_body(ies_text *t, vs_ies *x) {
       !ies_number(t, "the ballast lamp factor", 0, 1e3, &factor) || !ies_number(t, "the watts", 0, 1e9, &unused))
     return false;
   size_t count = (size_t)x->verticals * x->horizontals;
-  /* each number takes at least two bytes: no memory is allocated for more than the file can hold */
+  /* Each number takes at least two bytes of the file. This check prevents the allocation of more memory than the file
+   * can fill. */
   if (count > (size_t)(t->end - t->at)) return ies_wrong(t, "the file is too short for so many angles");
   x->room = (x->verticals + x->horizontals + count) * sizeof *x->at;
   x->at = vs_store_realloc(x->store, NULL, 0, x->room);
@@ -141,8 +142,8 @@ void vs_ies_free(vs_ies *ies) {
   *ies = (vs_ies){ .store = ies->store };
 }
 
-/* Finds the two angles around `angle`, and the share of the way to the second. Returns false if the angle is outside
- * their range. There is at least one angle. */
+/* Finds the angles before and after `angle`, at the indices *i and *i + 1. *share: position between them, 0 to 1.
+ * Returns false if the angle is outside the range. count is at least 1. */
 static bool between(const double *at, uint32_t count, double angle, uint32_t *i, double *share) {
   uint32_t low = 0, high = count - 1;
   VS_ASSERT(count > 0);
@@ -170,13 +171,13 @@ double vs_ies_candelas(const vs_ies *x, double vertical, double horizontal) {
   if (!between(x->at, x->verticals, vertical, &i, &down)) return 0;
   horizontal = fmod(fmod(horizontal, 360) + 360, 360);
   if (last == 0) return along(x, 0, i, down);
-  if (first == 90) { /* symmetric, from 90 to 270 */
+  if (first == 90) { /* the lamp is symmetric, with angles from 90 to 270 */
     if (horizontal < 90) horizontal = 180 - horizontal;
     else if (horizontal > 270) horizontal = 540 - horizontal;
   } else if (last <= 180) {
     if (horizontal > 180) horizontal = 360 - horizontal;
     if (last == 90 && horizontal > 90) horizontal = 180 - horizontal;
-  } else if (horizontal > last) { /* between the last angle and the first */
+  } else if (horizontal > last) { /* interpolates between the last angle and the first */
     double share = (horizontal - last) / (360 - last);
     return (1 - share) * along(x, x->horizontals - 1, i, down) + share * along(x, 0, i, down);
   }

@@ -1,16 +1,17 @@
-/* Implements the removal of the sun from a picture of a sky.
+/* Removes the sun from a picture of a sky.
  *
- * The sun is a small disc, a hundred thousand times as bright as the sky. Only few of the rays that gather light hit
- * it, and the scene becomes blotched; a separate light is exact, and casts a shadow. The sun is the excess over the
- * light around it: within REACH of the brightest pixel everything above the mean of the ring from REACH to RING belongs
- * to the sun, including its glare. The direction is the centroid of that light. */
+ * The sun is a small disc, a hundred thousand times as bright as the sky. Only few of the renderer's random rays hit
+ * it, so the picture becomes blotched. A separate light for the sun is exact and casts a shadow. All light within
+ * `reach` of the brightest pixel that exceeds the mean of the ring from `reach` to `ring` belongs to the sun, including
+ * its glare. The direction of the sun is the centroid of that light. */
 #include "geometry/light/panorama_sun.h"
 
 #include <math.h>
 
 static const double pi = 3.14159265358979323846;
-static const double reach = 2.5, ring = 4; /* degrees from the sun's centre */
-static const double times = 20;            /* the least ratio of the brightest pixel to the ring */
+static const double reach = 2.5, ring = 4; /* angles from the sun's centre in degrees */
+static const double times = 20;            /* least ratio of the brightest pixel to the mean of the ring; below it the
+                                            * picture has no sun */
 
 typedef struct { const float *plane[3]; uint32_t columns, rows; } panorama;
 
@@ -25,7 +26,8 @@ static vs_vec3 direction_of(const panorama *p, uint32_t row, uint32_t column) {
   double up = height_of(p, row), east = ((column + 0.5) / p->columns - 0.5) * 2 * pi;
   return vs_v3(cos(up) * sin(east), cos(up) * cos(east), sin(up));
 }
-/* Returns a pixel's solid angle, between two altitudes and two meridians. The row is within the picture. */
+/* Returns the solid angle of a pixel in the row, in sr. It lies between two altitudes and two meridians. row must be
+ * below p->rows. */
 static double angle_of(const panorama *p, uint32_t row) {
   double top = pi / 2 - row * pi / p->rows, bottom = pi / 2 - (row + 1) * pi / p->rows;
   VS_ASSERT(row < p->rows);
@@ -44,8 +46,8 @@ static bool brightest(const panorama *p, uint32_t *row, uint32_t *column) {
 
 typedef void each_fn(void *to, const panorama *p, size_t pixel, double angle, vs_vec3 direction);
 
-/* Calls `each` for each pixel between `from` and `end` degrees off a direction, from <= end; skips the rows that cannot
- * contain any. */
+/* Calls `each` for each pixel whose angle from the direction `middle` is between `from` and `end` degrees. from <= end.
+ * Skips rows that cannot contain such a pixel. */
 static void within(const panorama *p, vs_vec3 middle, double from, double end, each_fn *each, void *to) {
   double high = asin(fmax(-1, fmin(1, middle.z)));
   VS_ASSERT(from <= end);
@@ -94,7 +96,8 @@ bool vs_panorama_take_sun(vs_exr *x, vs_panorama_sun *sun) {
   if (!p.plane[0] || !p.plane[1] || !p.plane[2] || x->columns < 64 || !brightest(&p, &row, &column)) return false;
   double peak = luminance_at(&p, (size_t)row * x->columns + column);
   vs_vec3 middle = direction_of(&p, row, column);
-  for (int turn = 0; turn < 2; turn++) { /* first around the brightest pixel, then around the centroid of the light */
+  for (int turn = 0; turn < 2; turn++) { /* the first pass is around the brightest pixel, the second around the centroid
+                                          * of the light */
     g.angle = 0, g.weight = 0, g.middle = vs_v3(0, 0, 0);
     for (int k = 0; k < 3; k++) g.light[k] = 0;
     within(&p, middle, reach, ring, add_light, &g);

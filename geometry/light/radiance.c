@@ -1,6 +1,6 @@
-/* Implements reading Radiance pictures: lines of text, the size, then rows of pixels of four bytes, red, green and blue
- * with one exponent (G. Ward, Real Pixels, Graphics Gems II, 1991). Rows are run-length encoded, plane by plane, or
- * uncompressed. */
+/* Reads Radiance pictures. A file consists of lines of text, the size, and rows of pixels. A pixel has four bytes: red,
+ * green, blue and a common exponent (G. Ward, Real Pixels, Graphics Gems II, 1991). Rows are run-length encoded, one
+ * component after another, or uncompressed. */
 #include "geometry/light/radiance.h"
 
 #include <math.h>
@@ -13,8 +13,8 @@ static bool wrong(vs_error *e, const char *name, const char *what) {
   return vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: %s", name, what);
 }
 
-/* Reads the lines up to an empty line, and the line with the size; accepts only rows from the top and columns from the
- * left. */
+/* Reads the lines up to an empty line, and then the line with the size. Accepts only pictures with rows from the top
+ * and columns from the left. */
 static bool read_head(radiance_bytes *b, unsigned long *columns, unsigned long *rows) {
   char line[128];
   bool empty = false, rgbe = false;
@@ -34,7 +34,8 @@ static bool read_head(radiance_bytes *b, unsigned long *columns, unsigned long *
   return false;
 }
 
-/* Reads a row's bytes, plane by plane, into `to`. Returns false if they are truncated or exceed the row. */
+/* Reads the bytes of a row into `to`, one component after another. Returns false if the file ends too early or a run
+ * exceeds the row. */
 static bool read_row(radiance_bytes *b, unsigned char *to, size_t columns) {
   const unsigned char *at = b->at;
   bool packed = columns >= 8 && columns < 32768 && b->end - at >= 4 && at[0] == 2 && at[1] == 2 &&
@@ -70,7 +71,8 @@ bool vs_radiance_read(vs_store *store, const vs_file_bytes *file, vs_exr *out, v
   *out = (vs_exr){ .store = store };
   if (!read_head(&b, &columns, &rows)) return wrong(e, name, "this is no Radiance picture from the upper left");
   if (!vs_raster_size(name, columns, rows, e)) return false;
-  /* a row takes at least a byte for 64 pixels: no memory is allocated for more than the file can hold */
+  /* A row takes at least one byte for 64 pixels. This check prevents the allocation of more memory than the file can
+   * fill. */
   if ((size_t)(b.end - b.at) < (size_t)columns * rows / 32) return wrong(e, name, "the Radiance file is cut off");
   out->columns = (uint32_t)columns, out->rows = (uint32_t)rows;
   unsigned char *row = vs_store_realloc(store, NULL, 0, 4 * columns);

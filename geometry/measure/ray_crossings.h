@@ -1,4 +1,4 @@
-/* Owns, for geometry/ alone, the test whether points are inside a closed mesh, for many points. */
+/* Declares, for use in geometry/ alone, the test whether points are inside a closed mesh, for many points. */
 #ifndef VS_GEOMETRY_MEASURE_RAY_CROSSINGS_H
 #define VS_GEOMETRY_MEASURE_RAY_CROSSINGS_H
 

@@ -1,4 +1,4 @@
-/* Owns, for geometry/ alone, the extents of round shapes under an affine map. */
+/* Declares, for use in geometry/ alone, the extents of round shapes under an affine map. */
 #ifndef VS_GEOMETRY_MEASURE_REACH_H
 #define VS_GEOMETRY_MEASURE_REACH_H
 

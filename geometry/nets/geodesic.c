@@ -1,10 +1,11 @@
-/* Implements shortest paths (geodesic.h).
+/* Computes shortest paths (geodesic.h).
  *
- * Plan. Dijkstra's algorithm finds a first path between corners and STOPS stops on every edge, across the triangles
- * between them. It crosses a row of edges. Each crossing is moved to the point where the path is straight when both
- * triangles are unfolded, again and again. The length is convex in the crossings; therefore the result is the shortest
- * path over these edges. If crossings end in a corner, the path around the corner's other side is tried, and taken if
- * it is shorter (D. Martinez and others, Computing geodesics on triangular meshes, 2005). */
+ * Dijkstra's algorithm finds a first path over the mesh, between its corners and STOPS points on every edge. The path
+ * crosses a row of edges. The two triangles at an edge are unfolded into a plane, and the crossing moves to the point
+ * where the path is straight. This is repeated for all crossings. The length is a convex function of the crossings, so
+ * the result is the shortest path over these edges. If crossings end in a corner of the mesh, the path around the other
+ * side of this corner is tested, and used if it is shorter (D. Martinez and others, Computing geodesics on triangular
+ * meshes, 2005). */
 #include "geometry/nets/geodesic.h"
 
 #include <math.h>
@@ -15,13 +16,13 @@
 #include "model/store/array.h"
 
 #define PI 3.14159265358979323846
-#define NONE VS_MESH_NONE /* no point, edge or triangle */
+#define NONE VS_MESH_NONE /* value for no point, no edge or no triangle */
 enum { STOPS = 3, SWEEPS = 4000, SWEEPS_TO_COMPARE = 60, TURNS = 200 };
 
-/* ---- Dijkstra ---- */
+/* ---- Dijkstra's algorithm ---- */
 
 typedef struct {
-  uint32_t *first, *to; /* the neighbours of point i: to[first[i]] to to[first[i + 1] - 1] */
+  uint32_t *first, *to; /* the neighbours of point i are to[first[i]] to to[first[i + 1] - 1] */
   double *length;
 } links;
 
@@ -112,7 +113,7 @@ typedef struct { vs_vec3 at; uint32_t triangle; } place;
 
 /* ---- the first path ---- */
 
-/* Returns the position of a stop, which lies on an edge. */
+/* Returns the position of a stop, one of the STOPS + 2 points of an edge. */
 static vs_vec3 stop_at(const surface *s, uint32_t stop) {
   const vs_mesh_edge *e = &s->edges[stop / (STOPS + 2)];
   double share = (double)(stop % (STOPS + 2)) / (STOPS + 1);
@@ -120,8 +121,9 @@ static vs_vec3 stop_at(const surface *s, uint32_t stop) {
   return vs_v3_add(at(s, e->a), vs_v3_scale(vs_v3_sub(at(s, e->b), at(s, e->a)), share));
 }
 
-/* Finds the first path. Points of the graph: edge e has STOPS + 2 of them from (STOPS + 2) e on, including both ends;
- * links of length 0 join a corner to the first edge with this corner. The two ends of the path come last. */
+/* Finds the first path from p to q. Edge e has the STOPS + 2 points of the graph from (STOPS + 2) e on, including its
+ * two ends. Links of length 0 connect the points at the same corner. p and q are the last two points. Returns false
+ * when memory is out. */
 static bool first_way(const surface *s, const place *p, const place *q, uint32_t **out, size_t *count) {
   enum { EACH = STOPS + 2 };
   size_t points = EACH * s->edge_count + 2, n = 0, room = 0;
@@ -162,13 +164,13 @@ static bool first_way(const surface *s, const place *p, const place *q, uint32_t
   return ok;
 }
 
-/* ---- rows of edges ---- */
+/* ---- rows of edges that a path crosses ---- */
 
 typedef struct {
-  uint32_t *edge; /* crossed one after the other */
-  double *share;  /* position of the crossing, from a (0) to b (1) */
+  uint32_t *edge; /* the edges, in the order in which the path crosses them */
+  double *share;  /* position of each crossing on its edge: 0 at the edge's end a, 1 at b */
   size_t count, edge_room, share_room;
-  place p, q; /* the ends */
+  place p, q; /* the ends of the path */
 } row;
 
 static void row_free(row *r) { free(r->edge), free(r->share); }
@@ -179,7 +181,7 @@ static bool row_put(row *r, uint32_t e, double share) {
   return true;
 }
 
-/* Returns the point where the row crosses its i-th edge; there is one. */
+/* Returns the point where the path crosses its edge number i. The row has an edge i. */
 static vs_vec3 crossing_at(const surface *s, const row *r, size_t i) {
   const vs_mesh_edge *e = &s->edges[r->edge[i]];
   VS_ASSERT(i < r->count);
@@ -196,7 +198,8 @@ static double row_length(const surface *s, const row *r) {
   return sum + vs_v3_length(vs_v3_sub(r->q.at, last));
 }
 
-/* Moves each crossing to the point where the path between its neighbours, unfolded, is straight. */
+/* Moves each crossing to the point where the path between the crossings before and after it is straight, in the
+ * unfolded triangles. */
 static void straighten(const surface *s, row *r, int sweeps) {
   for (int sweep = 0; sweep < sweeps; sweep++) {
     double moved = 0;
@@ -212,7 +215,8 @@ static void straighten(const surface *s, row *r, int sweeps) {
       double hu = vs_v3_length(vs_v3_sub(u, vs_v3_scale(way, fu))),
              hw = vs_v3_length(vs_v3_sub(w, vs_v3_scale(way, fw)));
       double share = hu + hw > 0 ? (fu * hw + fw * hu) / (hu + hw) : .5 * (fu + fw);
-      double next = r->share[i] + 1.6 * (share - r->share[i]); /* over-relaxation: a longer step converges sooner */
+      double next = r->share[i] + 1.6 * (share - r->share[i]); /* over-relaxation: a longer step than computed, which
+                                                                * converges sooner */
       if (hu + hw <= 0) next = share;
       next = fmin(1, fmax(0, next));
       moved = fmax(moved, fabs(next - r->share[i]));
@@ -222,7 +226,8 @@ static void straighten(const surface *s, row *r, int sweeps) {
   }
 }
 
-/* Returns the triangle between two edges that a path crosses one after the other; NONE: there is none. */
+/* Returns the triangle between edges e and f, which the path crosses one after the other. Returns NONE if there is
+ * none. */
 static uint32_t between(const surface *s, uint32_t e, uint32_t f) {
   for (int i = 0; i < 2; i++)
     for (int k = 0; k < 2; k++)
@@ -230,14 +235,14 @@ static uint32_t between(const surface *s, uint32_t e, uint32_t f) {
   return NONE;
 }
 
-/* Returns the corner in which crossing i ends; NONE: it ends in none. The row has a crossing i. */
+/* Returns the corner of the mesh at which crossing i is, or NONE if it is between corners. The row has an edge i. */
 static uint32_t ends_in(const surface *s, const row *r, size_t i) {
   const vs_mesh_edge *e = &s->edges[r->edge[i]];
   VS_ASSERT(i < r->count);
   return r->share[i] < 1e-7 ? e->a : r->share[i] > 1 - 1e-7 ? e->b : NONE;
 }
 
-/* Returns the other edge of triangle t at the corner. */
+/* Returns the edge of triangle t that ends at the corner and is not e. */
 static uint32_t turn_in(const surface *s, uint32_t t, uint32_t corner, uint32_t e) {
   for (int k = 0; k < 3; k++) {
     uint32_t f = s->of[t][k];
@@ -251,12 +256,12 @@ static double angle_at(vs_vec3 corner, vs_vec3 p, vs_vec3 q) {
   return atan2(vs_v3_length(vs_v3_cross(a, b)), vs_v3_dot(a, b));
 }
 
-/* Crossings of a row that end in one corner, from `first` to `stop` - 1; the path comes from the triangle `before` and
- * continues in `after`. */
+/* The crossings `first` to `stop` - 1 of a row, which are all at one corner of the mesh. before, after: triangles from
+ * which the path comes and in which it continues. */
 typedef struct { size_t first, stop; uint32_t corner, before, after; } touch;
 
-/* Makes the row around the other side of the corner. Returns false when memory is out. *there: whether there is such a
- * row, and its angle allows a shorter path. i < j, and j is at most the count. */
+/* Makes the row of edges on the other side of the corner. *there: true if there is such a row, and the angle on that
+ * side allows a shorter path. Returns false when memory is out. */
 static bool other_side(const surface *s, const row *r, const touch *c, row *out, bool *there) {
   size_t i = c->first, j = c->stop;
   uint32_t corner = c->corner;
@@ -284,7 +289,8 @@ static bool other_side(const surface *s, const row *r, const touch *c, row *out,
   return true;
 }
 
-/* Tries the other sides of the corners on the path; *better: one was shorter, and replaced r. */
+/* Tests the other sides of all corners on the path. *better: true if one of them was shorter, and has replaced r.
+ * Returns false when memory is out. */
 static bool go_round(const surface *s, row *r, bool *better) {
   double length = row_length(s, r);
   *better = false;
@@ -319,8 +325,8 @@ static bool go_round(const surface *s, row *r, bool *better) {
   return true;
 }
 
-/* Makes the row of edges that a path over stops crosses, between the row's ends. It passes a corner on the side that is
- * found first. */
+/* Makes the row of edges that a path over stops crosses, between the row's ends. The path passes a corner on the side
+ * that is found first. *whole: false if no row was found. */
 static bool row_of_way(const surface *s, const uint32_t *way, size_t count, row *r, bool *whole) {
   enum { EACH = STOPS + 2 };
   uint32_t t = r->p.triangle;
@@ -330,13 +336,14 @@ static bool row_of_way(const surface *s, const uint32_t *way, size_t count, row 
     double share = (double)stop / (EACH - 1);
     bool corner = stop == 0 || stop == EACH - 1;
     uint32_t v = stop == 0 ? s->edges[e].a : s->edges[e].b;
-    /* The triangle in which the path continues: it contains both this stop and the next, or the last point. */
+    /* Sets `next` to the triangle in which the path continues. It contains this stop and also the next stop, or the end
+     * of the path. */
     uint32_t next = r->q.triangle;
     if (i + 2 < count) {
       uint32_t f = way[i + 1] / EACH;
-      if (f == e) continue; /* along the edge: the next stop crosses it */
+      if (f == e) continue; /* the path goes along the edge; the next stop crosses it */
       next = between(s, e, f);
-      if (next == NONE) { /* a corner with another edge's number */
+      if (next == NONE) { /* the stop is a corner, and its number belongs to another edge there */
         if (!corner) return *whole = false, true;
         continue;
       }
@@ -348,7 +355,7 @@ static bool row_of_way(const surface *s, const uint32_t *way, size_t count, row 
       t = next;
       continue;
     }
-    /* Turns around the corner from triangle t until `next` is reached, in one direction or the other. */
+    /* Walks around the corner from triangle t until the triangle `next`, in one direction and then in the other. */
     for (int way_round = 0; way_round < 2 && t != next; way_round++) {
       row part = { 0 };
       uint32_t at_triangle = t, out = NONE;
@@ -400,7 +407,8 @@ bool vs_mesh_geodesic(const vs_mesh *m, vs_vec3 p, vs_vec3 q, vs_vec3 **out, siz
       (*out)[(*count)++] = i == 0            ? r.p.at
                            : i == points - 1 ? r.q.at
                            : whole           ? crossing_at(&s, &r, i - 1)
-                                             : stop_at(&s, way[i]); /* the row passes corners of borders */
+                                             : stop_at(&s, way[i]); /* without a row, the path goes over the stops
+                                                                     * themselves, such as corners at borders */
   }
   vs_mesh_edges_free(&s);
   row_free(&r);

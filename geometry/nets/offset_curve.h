@@ -1,39 +1,40 @@
-/* Declares curves at a distance from others over the triangles of a mesh. */
+/* Declares offset curves on a mesh: curves at a given distance from another curve over the triangles. */
 #ifndef VS_GEOMETRY_NETS_OFFSET_CURVE_H
 #define VS_GEOMETRY_NETS_OFFSET_CURVE_H
 
 #include "geometry/nets/mesh_edges.h"
 #include "model/long_work.h"
 
-/* A point of the curve, on the mesh or near it, and the curve's unit direction there. */
+/* A point of the curve, on the mesh or near it. tangent: unit vector of the curve's direction. */
 typedef struct {
   vs_vec3 at, tangent;
 } vs_offset_from;
 
-/* A curve as an array of its points, which the caller owns. */
+/* The points of a curve. The array belongs to the caller. */
 typedef struct {
   const vs_offset_from *at;
   size_t count;
-  bool closed; /* the last point is joined to the first, which is not repeated */
+  bool closed; /* true if the last point is joined to the first, which is not repeated */
 } vs_offset_row;
 
-/* A point of the offset. `first`: a line begins here, which is not joined to the point before. */
+/* A point of the offset curve. first: true if it is not joined to the point before it. */
 typedef struct {
   vs_vec3 at;
   bool first;
 } vs_offset_point;
 
-/* The points of an offset, in the order of the curve; {0} is empty. The owner frees `at`. */
+/* The points of an offset curve, in the order of the original curve; {0} is empty. The owner frees `at`. */
 typedef struct {
   vs_offset_point *at;
   size_t count, room;
 } vs_offset_points;
 
-/* Walks the distance from each of the points, perpendicular to the curve and straight over the triangles. It walks to
- * the left, seen from the side to which the triangles' normals point; a negative distance: to the right. It omits walks
- * that reach a border of the mesh, and points beyond a border, and cuts off loops where the offset exceeds the curve's
- * radius. If the curve is closed and its offset complete, the first point is repeated as the last. It polls once for
- * each point. The caller frees out->at, also after a failure. Returns false when `poll` interrupts or memory is out. */
+/* Walks the distance from each point of the curve, perpendicular to the curve and straight over the triangles. The walk
+ * goes to the left, as seen from the side to which the normals of the triangles point; to the right if the distance is
+ * negative. Omits walks that reach a border of the mesh, and points beyond a border. Cuts off loops where the distance
+ * exceeds the curve's radius. If the curve is closed and its offset has no gap, the first point is repeated at the end.
+ * Calls `poll` once for each point. Returns false when `poll` interrupts or memory is out. The caller frees out->at in
+ * either case. */
 bool vs_mesh_offset_curve(const vs_mesh_edges *s, const vs_offset_row *from, double distance, vs_poller poll,
                           vs_offset_points *out);
 

@@ -1,9 +1,10 @@
-/* Implements the packing of circles (packing.h).
+/* Packs circles into an area (packing.h).
  *
- * Plan. The largest radius of a circle about a point changes by no more than the point moves. Squares that cover the
- * area therefore wait in a heap, ordered by an upper bound of the radius of a circle whose centre is within. The first
- * is evaluated and cut in four, until no square's bound exceeds the best circle found (as in V. Agafonkin's Polylabel).
- * A new circle only takes room away: the bounds stay valid for the next circle, and the heap is kept. */
+ * If the centre of a circle moves, the largest possible radius changes by no more than the distance of the move. The
+ * area is covered with squares. A heap orders them by an upper bound for the radius of any circle with its centre in
+ * the square. The first square is evaluated and divided into four, until no bound exceeds the best circle found (as in
+ * V. Agafonkin's Polylabel). A new circle can only reduce the radii of others. Therefore the bounds remain valid, and
+ * the heap is kept for the next circle. */
 #include "geometry/nets/packing.h"
 
 #include <math.h>
@@ -14,7 +15,7 @@
 typedef struct {
   vs_vec2 at;
   double half, promise;
-  size_t seen; /* circles that the bound accounts for */
+  size_t seen; /* number of circles that the square's bound takes into account */
 } square;
 
 typedef struct {
@@ -33,7 +34,8 @@ static double to_segment(vs_vec2 p, vs_vec2 a, vs_vec2 b) {
   return hypot(p.x - a.x - t * dx, p.y - a.y - t * dy);
 }
 
-/* Returns the radius that the border allows a circle about p; negative outside. */
+/* Returns the distance of p from the border of the area, which is the largest radius of a circle about p. Returns a
+ * negative number if p is outside. */
 static double within(const vs_area *a, vs_vec2 p) {
   double d = INFINITY;
   bool in = false;
@@ -46,8 +48,8 @@ static double within(const vs_area *a, vs_vec2 p) {
   return in ? d : -d;
 }
 
-/* Returns the radius that a circle about p may have beside the circles with an index >= from, which is at most their
- * count. */
+/* Returns the largest radius of a circle about p that does not overlap the placed circles from index `from` on, and is
+ * at most so_far. */
 static double room_for(const packing *w, vs_vec2 p, double so_far, size_t from) {
   VS_ASSERT(from <= w->count);
   for (size_t i = from; i < w->count; i++)
@@ -75,7 +77,7 @@ static square pop(packing *w) {
   return top;
 }
 
-/* Returns a square with its bound. */
+/* Returns the square with the centre `at` and half the side `half`, with its bound. */
 static square look(const packing *w, vs_vec2 at, double half) {
   double r = room_for(w, at, within(w->area, at) - w->gap, 0);
   return (square){ at, half, r + half * sqrt(2), w->count };
@@ -100,11 +102,11 @@ bool vs_area_pack(const vs_area *area, const vs_packing_rule *rule, vs_long_work
   size_t turns = 0;
   while (ok && w.count < n) {
     vs_packed best = { { 0, 0 }, 0 };
-    square *kept = NULL; /* evaluated squares go back for the next circle */
+    square *kept = NULL; /* squares that were evaluated for this circle; they return to the heap for the next circle */
     size_t kept_count = 0, kept_room = 0;
     while (ok && w.squares && w.heap[0].promise > fmax(least, best.radius * 1.001)) {
       square s = pop(&w);
-      if (s.seen < w.count) { /* its bound may be smaller now */
+      if (s.seen < w.count) { /* circles placed since then may have lowered its bound */
         double r = room_for(&w, s.at, s.promise - s.half * sqrt(2), s.seen);
         s.promise = r + s.half * sqrt(2), s.seen = w.count;
         ok = push(&w, s);

@@ -1,4 +1,4 @@
-/* Declares the packing of circles into an area. */
+/* Declares the packing of circles into an area of the plane. */
 #ifndef VS_GEOMETRY_NETS_PACKING_H
 #define VS_GEOMETRY_NETS_PACKING_H
 
@@ -10,13 +10,12 @@ typedef struct {
   double radius;
 } vs_packed;
 
-/* most: the largest number of circles; least: their smallest radius; gap: the distance between circles, and to the
- * border. */
+/* most: greatest number of circles; least: smallest radius; gap: distance between two circles, and from the border. */
 typedef struct { size_t most; double least, gap; } vs_packing_rule;
 
-/* Places circles within the area, each the largest that fits beside those before it. circles has room for as many as
- * the rule allows; *count becomes their number. A radius is at most a thousandth below the largest possible. Returns
- * false when memory is out, or the caller interrupts (*stopped). */
+/* Places circles in the area. Each has the largest radius that fits beside the circles before it, less at most a
+ * thousandth. `circles` has room for rule->most elements; *count becomes the number of circles. Returns false when
+ * memory is out, or the caller interrupts; *stopped is true in the second case. */
 bool vs_area_pack(const vs_area *area, const vs_packing_rule *rule, vs_long_work work, vs_packed *circles,
                   size_t *count, bool *stopped);
 

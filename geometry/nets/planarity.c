@@ -1,5 +1,5 @@
-/* Implements the planarization of faces (planarity.h): corners move to the mean of their projections onto the planes of
- * all their faces, repeatedly, with over-relaxation (S. Bouaziz and others, Shape-Up, 2012). */
+/* Makes faces planar (planarity.h). Each corner moves to the mean of its projections onto the planes of all its faces,
+ * repeatedly and with over-relaxation (S. Bouaziz and others, Shape-Up, 2012). */
 #include "geometry/nets/planarity.h"
 
 #include <math.h>
@@ -7,8 +7,8 @@
 
 #include "model/store/array.h"
 
-/* Returns the face's normal by Newell's formula, and sets its middle; the normal of a face without area has length 0.
- * The face has three or more corners. */
+/* Returns the unit normal of face i by Newell's formula, and sets *middle to the mean of its corners. If the face has
+ * no area, the normal has length 0. The face has at least three corners. */
 static vs_vec3 plane_of(const vs_net_faces *f, size_t i, vs_vec3 *middle) {
   size_t n = f->start[i + 1] - f->start[i];
   const uint32_t *k = f->corner + f->start[i];

@@ -1,4 +1,4 @@
-/* Declares the planarization of faces by the smallest moves of their corners. */
+/* Declares the planarization of faces by small moves of their corners. */
 #ifndef VS_GEOMETRY_NETS_PLANARITY_H
 #define VS_GEOMETRY_NETS_PLANARITY_H
 
@@ -9,9 +9,9 @@
 #include "model/long_work.h"
 #include "model/vec.h"
 
-/* Faces of three or more corners: face i has the corners corner[start[i]] to corner[start[i + 1] - 1]. */
+/* Faces of at least three corners: face i has the corners corner[start[i]] to corner[start[i + 1] - 1]. */
 typedef struct {
-  vs_vec3 *at; /* points, which are moved */
+  vs_vec3 *at; /* positions of the corners, which are moved */
   size_t count;
   const bool *fixed;
   const uint32_t *corner, *start;
@@ -22,8 +22,8 @@ enum { VS_PLANE_ROUNDS = 60000 };
 
 typedef enum { VS_PLANE_DONE, VS_PLANE_FAR, VS_PLANE_STOPPED, VS_PLANE_MEMORY } vs_plane_outcome;
 
-/* Moves the corners until each is within `tolerance` > 0 of its faces' planes. *worst: the largest remaining
- * distance. */
+/* Moves the corners until each is within `tolerance` of the planes of its faces. tolerance > 0. *worst: the largest
+ * remaining distance. */
 vs_plane_outcome vs_net_planarise(vs_net_faces *f, double tolerance, vs_long_work work, double *worst);
 
 #endif

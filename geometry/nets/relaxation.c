@@ -1,9 +1,10 @@
 /* Implements dynamic relaxation (relaxation.h).
  *
- * Plan. Points are masses that the forces on them move in steps of one unit of time; when the kinetic energy has passed
- * a peak, all stop (M. Barnes, Form finding and analysis of tension structures by dynamic relaxation, 1999). A point's
- * mass is the sum of the stiffnesses at it, which keeps the steps stable. Cables of fixed length are springs whose
- * unstrained lengths are shortened by their strain, again and again, until they have the required length under load. */
+ * The points are masses, which forces move in steps of one unit of time. When the kinetic energy has passed a maximum,
+ * all points are stopped (M. Barnes, Form finding and analysis of tension structures by dynamic relaxation, 1999). The
+ * mass of a point is the sum of the stiffnesses of its members, which keeps the steps stable. Cables of fixed length
+ * are modelled as springs. Their unstrained lengths are reduced by their strain, repeatedly, until they have the
+ * required lengths under load. */
 #include "geometry/nets/relaxation.h"
 
 #include <math.h>
@@ -11,27 +12,28 @@
 
 #include "model/store/array.h"
 
-/* STIFFER: a cable's stiffness for a strain of 1, in units of its greatest force. Stiffer springs take more steps and
- * fewer rounds. After SOFT rounds springs become stiffer; nets with many load paths need so many rounds. */
+/* STIFFER: stiffness of a cable for a strain of 1, in units of its greatest force. Stiffer springs need more steps but
+ * fewer rounds. After SOFT rounds springs become stiffer, which only nets with many load paths need. */
 enum { ROUNDS = 24, SOFT = 8, POLL = 64, STIFFER = 10 };
 
 typedef struct {
   vs_net *net;
-  double *rest; /* unstrained lengths of the cables */
+  double *rest; /* rest[k]: unstrained length of member k */
   vs_vec3 *force, *speed;
   double *mass;
   size_t rest_room, force_room, speed_room, mass_room;
-  double stiffness, greatest; /* greatest: the greatest force in a member, at the last evaluation */
+  double stiffness, greatest; /* greatest: greatest force in a member at the last evaluation */
 } relaxation;
 
-/* ---- connection to fixed points ---- */
+/* ---- connection of points to fixed points ---- */
 
 static uint32_t root_of(uint32_t *parent, uint32_t i) {
   while (parent[i] != i) i = parent[i] = parent[parent[i]];
   return i;
 }
 
-/* Checks that every loaded part is connected to a fixed point. *where: a point of a part that is not. */
+/* Checks that every part of the net with a load is connected to a fixed point. *where: a point of a part that is not
+ * connected. */
 static vs_relax_outcome held(const vs_net *n, size_t *where) {
   uint32_t *parent = NULL;
   bool *has = NULL;
@@ -58,7 +60,7 @@ static vs_relax_outcome held(const vs_net *n, size_t *where) {
 
 /* ---- forces ---- */
 
-/* Computes force and mass of all points, and the members' forces, from the positions. */
+/* Computes the force on each point, its mass, and the force in each member from the positions. */
 static void look(relaxation *r) {
   vs_net *n = r->net;
   r->greatest = 0;
@@ -83,7 +85,8 @@ static void look(relaxation *r) {
   }
 }
 
-/* Returns the greatest unbalanced force, as a share of the greatest in a member or of the greatest load. */
+/* Returns the greatest unbalanced force at a free point, divided by the greatest force in a member or the greatest
+ * load. */
 static double residual(const relaxation *r) {
   double worst = 0, scale = r->greatest;
   for (size_t i = 0; i < r->net->count; i++) {
@@ -93,13 +96,13 @@ static double residual(const relaxation *r) {
   return worst > 0 ? worst / scale : 0;
 }
 
-/* ---- steps ---- */
+/* ---- steps in time ---- */
 
 static void halt(relaxation *r) {
   for (size_t i = 0; i < r->net->count; i++) r->speed[i] = (vs_vec3){ 0, 0, 0 };
 }
 
-/* Runs until forces are balanced; adds its steps to the count in *out. */
+/* Moves the points until the forces are balanced. Adds the number of steps to *out. */
 static vs_relax_outcome settle(relaxation *r, double tolerance, vs_long_work work, vs_relax_report *out) {
   vs_net *n = r->net;
   double before = 0;
@@ -119,7 +122,7 @@ static vs_relax_outcome settle(relaxation *r, double tolerance, vs_long_work wor
     bool peak = energy < before;
     for (size_t i = 0; i < n->count; i++) {
       if (n->fixed[i] || !(r->mass[i] > 0)) continue;
-      /* The peak was about half a step before the last step. */
+      /* The maximum of the energy was about half a step before the last step, so the points move back. */
       vs_vec3 back = vs_v3_scale(vs_v3_sub(vs_v3_scale(r->force[i], 1 / r->mass[i]), r->speed[i]), .5);
       n->at[i] = vs_v3_add(n->at[i], peak ? back : r->speed[i]);
     }
@@ -128,7 +131,8 @@ static vs_relax_outcome settle(relaxation *r, double tolerance, vs_long_work wor
   }
 }
 
-/* Returns true if the taut cables have the required lengths; sets the unstrained lengths for the next round. */
+/* Returns true if all taut cables have the required lengths within `share`. Sets the unstrained lengths for the next
+ * round. */
 static bool lengths_hold(relaxation *r, double share) {
   bool hold = true;
   for (size_t k = 0; k < r->net->member_count; k++) {
@@ -141,7 +145,8 @@ static bool lengths_hold(relaxation *r, double share) {
   return hold;
 }
 
-/* Does the same as settle for cables of fixed length, with springs that are shortened. */
+/* Moves the points until forces are balanced and cables of fixed length have these lengths. Each round calls settle
+ * with springs of other unstrained lengths. */
 static vs_relax_outcome settle_lengths(relaxation *r, double tolerance, vs_long_work work, vs_relax_report *out) {
   double share = fmax(1e-9, 10 * tolerance), rough = 1e-2;
   for (int round = 0; round < ROUNDS; round++) {

@@ -1,11 +1,11 @@
 /* Implements the joint bilateral filter: each pixel becomes the mean of its neighbours, weighted by distance and
  * similarity.
  *
- * Petschnigg and others, Digital Photography with Flash and No-Flash Image Pairs, SIGGRAPH 2004: pictures without noise
- * determine the similarity. Here they are the layers of albedo (albedo.R .G .B) and normal (N.X .Y .Z); edges of shape
- * and colour therefore stay. The picture's own light counts too, coarsely and by its logarithm, which keeps edges of
- * shadows. Without layers it alone counts (Tomasi and Manduchi, Bilateral Filtering for Gray and Color Images, ICCV
- * 1998). */
+ * The similarity is determined from pictures without noise (Petschnigg and others, Digital Photography with Flash and
+ * No-Flash Image Pairs, SIGGRAPH 2004). Here these are the layers of albedo (albedo.R .G .B) and normal (N.X .Y .Z), so
+ * that edges of shape and colour stay sharp. The logarithm of the picture's own light counts too, with less weight, to
+ * keep the edges of shadows. If the picture has no such layers, only its light counts (Tomasi and Manduchi, Bilateral
+ * Filtering for Gray and Color Images, ICCV 1998). */
 #include "geometry/pictures/denoise.h"
 
 #include <math.h>
@@ -16,12 +16,13 @@ enum { REACH = 5, LAYERS = 6 };
 typedef struct {
   uint32_t columns, rows;
   const float *color[3];
-  const float *layer[LAYERS]; /* albedo, normal; all or none */
-  const float *light;         /* logarithm of the luminance */
+  const float *layer[LAYERS]; /* the layers of albedo and normal; either all are present or none */
+  const float *light;         /* logarithm of each pixel's luminance */
   bool guided;
 } guide;
 
-/* Returns the difference of two pixels: squares divided by twice the variance. */
+/* Returns the dissimilarity of the pixels a and b: the sum of squared differences, each divided by twice its
+ * variance. */
 static double unlike(const guide *g, size_t a, size_t b) {
   const double albedo = 1 / (2 * 0.05 * 0.05), normal = 1 / (2 * 0.15 * 0.15), light = g->guided ? 0.6 : 0.25;
   double d = (double)g->light[a] - (double)g->light[b], sum = d * d / (2 * light * light);
@@ -59,7 +60,8 @@ bool vs_exr_smooth(vs_exr *x, bool *layers, vs_error *e) {
   for (size_t k = 0; k < 3; k++) {
     g.color[k] = memcpy(was + k * n, to[k], n * sizeof(float));
     for (size_t i = 0; i < n; i++)
-      if (!isfinite(was[k * n + i])) was[k * n + i] = 0; /* an infinity or NaN would spread within the window */
+      if (!isfinite(was[k * n + i])) was[k * n + i] = 0; /* sets an infinity or NaN to 0, because it would spread to all
+                                                          * pixels within the window */
   }
   for (int k = 0; k < LAYERS; k++) g.guided = (g.layer[k] = vs_exr_find(x, names[k])) != NULL && g.guided;
   for (size_t i = 0; i < n; i++) {

@@ -4,8 +4,9 @@
 
 #include "geometry/files/exr.h"
 
-/* Smooths R, G and B of the picture in place; other channels do not change. *layers: it used albedo and normal, not the
- * colours alone. Returns false if the picture has no colours, or memory is out. */
+/* Smooths the channels R, G and B of the picture in place; other channels do not change. *layers: true if the picture
+ * had albedo and normal layers, and the filter used them. Returns false if the picture has no colours, or memory is
+ * out. */
 bool vs_exr_smooth(vs_exr *x, bool *layers, vs_error *e);
 
 #endif

@@ -1,4 +1,4 @@
-/* Implements the palette, the legend and its digits. */
+/* Computes false colours, and draws the legend with its digits. */
 #include "geometry/pictures/false_color.h"
 
 #include <math.h>
@@ -8,14 +8,14 @@
 
 static double clamped(double x) { return x > 0 ? (x < 1 ? x : 1) : 0; }
 
-/* ---- numbers to colours ---- */
+/* ---- colours of numbers ---- */
 
 static int by_value(const void *a, const void *b) {
   float x = *(const float *)a, y = *(const float *)b;
   return (x > y) - (x < y);
 }
 
-/* The quantiles are those of at most so many pixels, sampled evenly. */
+/* Number of pixels, sampled evenly, from which the quantiles are computed. */
 enum { SAMPLES = 16384 };
 
 vs_color_scale vs_color_scale_of(const float *at, size_t count, bool logarithmic, const char *unit) {
@@ -57,7 +57,7 @@ void vs_false_color(const vs_color_scale *s, double x, unsigned char rgb[3]) {
   palette(share, rgb);
 }
 
-/* ---- the legend: five by seven dots a letter ---- */
+/* ---- the legend; letters are five dots wide and seven high ---- */
 
 enum { LETTER_WIDE = 5, LETTER_HIGH = 7, ADVANCE = 6, STRIP = 76, BAR = 14, MARGIN = 6 };
 
@@ -91,7 +91,7 @@ static void write_number(const vs_pixels *c, uint32_t x, uint32_t y, double valu
   vs_picture_text(c, x, y, text);
 }
 
-/* Draws the bar from bottom to top, its unit above it, and round numbers beside it where they have room. */
+/* Draws the bar from bottom to top, the unit above it, and round numbers beside it where there is room for them. */
 static void draw_legend(const vs_pixels *c, const vs_color_scale *s, uint32_t left) {
   uint32_t top = LETTER_HIGH + 2 * MARGIN, bottom = c->rows - MARGIN - LETTER_HIGH / 2, length = bottom - top;
   static const unsigned char ink[3] = { 32, 32, 32 };
@@ -123,7 +123,7 @@ static void draw_legend(const vs_pixels *c, const vs_color_scale *s, uint32_t le
 bool vs_false_color_picture(vs_store *store, const vs_pixel_numbers *numbers, const vs_color_scale *s, vs_pixels *out,
                             vs_error *e) {
   uint32_t columns = numbers->columns, rows = numbers->rows;
-  *out = (vs_pixels){ NULL, columns + STRIP, rows > 64 ? rows : 64 }; /* the least height of the legend */
+  *out = (vs_pixels){ NULL, columns + STRIP, rows > 64 ? rows : 64 }; /* the legend needs at least 64 rows */
   size_t bytes = (size_t)out->columns * out->rows * 3;
   out->rgb = vs_store_realloc(store, NULL, 0, bytes);
   if (!out->rgb) return vs_error_memory(e, NULL);

@@ -5,29 +5,30 @@
 #include "geometry/files/pixels.h"
 #include "model/node.h"
 
-/* Numbers from least to most become colours from dark blue through green and yellow to dark red; steps > 0: in so many
- * equal bands. */
+/* The scale of colours: numbers from least to most become colours from dark blue through green and yellow to dark red.
+ * steps > 0: number of equal bands with one colour each. */
 typedef struct {
   double least, most;
   bool logarithmic;
   int steps;
-  const char *unit; /* digits and the letters of "cd/m2 h lx" */
+  const char *unit; /* text of the unit; only digits and the letters of "cd/m2 h lx" can be drawn */
 } vs_color_scale;
 
-/* Returns the range of all numbers except the hundredth at either end; logarithmic: of those above 0, at most six
- * powers of ten. */
+/* Returns a scale for the numbers, which ignores a hundredth of them at either end. If logarithmic, it covers the
+ * numbers above 0, and at most six powers of ten. */
 vs_color_scale vs_color_scale_of(const float *at, size_t count, bool logarithmic, const char *unit);
-/* Sets a number's sRGB bytes: Anton Mikhailov's Turbo (Google AI Blog, 2019). */
+/* Sets rgb to the colour of the number x as sRGB bytes, by Anton Mikhailov's colour map Turbo (Google AI Blog,
+ * 2019). */
 void vs_false_color(const vs_color_scale *s, double x, unsigned char rgb[3]);
-/* A number for each pixel, row by row from the top; NaN: no number. */
+/* A number for each pixel, in rows from the top; NaN: the pixel has no number. */
 typedef struct { const float *at; uint32_t columns, rows; } vs_pixel_numbers;
 
-/* Makes a picture of the numbers with a legend, in the store's memory; pixels without a number stay blank. Returns
- * false when memory is out. */
+/* Makes a picture of the numbers and a legend, in the store's memory. Pixels without a number stay blank. Returns false
+ * when memory is out. */
 bool vs_false_color_picture(vs_store *store, const vs_pixel_numbers *numbers, const vs_color_scale *s, vs_pixels *out,
                             vs_error *e);
 
-/* Draws a legend's digits and letters into a picture, dark, from (x, y) down and to the right. */
+/* Draws dark text into a picture, with the legend's digits and letters. (x, y) is the upper left corner of the text. */
 void vs_picture_text(const vs_pixels *picture, uint32_t x, uint32_t y, const char *text);
 
 #endif

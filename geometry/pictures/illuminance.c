@@ -1,4 +1,4 @@
-/* Implements the formula of illuminance, and the definition of a floor. */
+/* Computes illuminance, and recognizes floors. */
 #include "geometry/pictures/illuminance.h"
 
 #include <math.h>
@@ -21,7 +21,8 @@ bool vs_lit_surfaces_are_known(const vs_lit_surfaces *s) {
 double vs_illuminance_at(const vs_lit_surfaces *s, size_t pixel) {
   const double pi = 3.14159265358979323846, least = 0.005;
   double sum = 0, weight = 0;
-  for (int k = 0; k < 3; k++) { /* a red surface gives no information on the blue light that reaches it */
+  for (int k = 0; k < 3; k++) { /* skips colours that the surface does not reflect: a red surface gives no information
+                                 * about blue light */
     double r = (double)s->albedo[k][pixel];
     if (!(r >= least)) continue;
     sum += vs_raster_share[k] * (double)s->light[k][pixel] / r, weight += vs_raster_share[k];

@@ -1,20 +1,22 @@
-/* Declares illuminance from a picture: the light that reaches a surface, from the light that it reflects and its
- * reflectance. */
+/* Declares the computation of illuminance from a picture. The light that reaches a surface follows from the light that
+ * the surface reflects and from its reflectance. */
 #ifndef VS_GEOMETRY_PICTURES_ILLUMINANCE_H
 #define VS_GEOMETRY_PICTURES_ILLUMINANCE_H
 
 #include "geometry/files/exr.h"
 
-/* The channels of a picture that illuminance uses; if the picture lacks one, at least one is NULL. */
-typedef struct { const float *light[3], *albedo[3], *upward; /* N.Z */ } vs_lit_surfaces;
+/* The channels of a picture that illuminance needs. A channel that the picture lacks is NULL. */
+typedef struct { const float *light[3], *albedo[3], *upward; /* upward: the channel N.Z, the vertical component of the
+                                                              * surface's normal */ } vs_lit_surfaces;
 
 vs_lit_surfaces vs_lit_surfaces_of(const vs_exr *x);
 bool vs_lit_surfaces_are_known(const vs_lit_surfaces *s);
-/* Returns the illuminance. A matt surface of reflectance r that receives E reflects E r / pi in every direction.
- * Therefore E is pi times its light divided by its reflectance, for each colour, weighted as luminance, in the
- * picture's units. NaN: the pixel shows nothing, or a surface with a reflectance below a two-hundredth. */
+/* Returns the illuminance of the surface at the pixel, in the picture's units. A matt surface of reflectance r that
+ * receives E reflects E r / pi in every direction. Therefore E is pi times the reflected light divided by r, for each
+ * colour; the colours are weighted as for luminance. Returns NaN if the pixel shows no surface, or a reflectance below
+ * a two-hundredth. */
 double vs_illuminance_at(const vs_lit_surfaces *s, size_t pixel);
-/* Returns true if the pixel shows a floor: a surface that is level within 3 degrees and faces up. */
+/* Returns true if the pixel shows a floor: a surface that faces up and is horizontal within 3 degrees. */
 bool vs_is_floor(const vs_lit_surfaces *s, size_t pixel);
 
 #endif

@@ -1,4 +1,4 @@
-/* Declares the reading of a picture for a surface. */
+/* Declares the reading of a picture that is to cover a surface. */
 #ifndef VS_GEOMETRY_PICTURES_PHOTOGRAPH_H
 #define VS_GEOMETRY_PICTURES_PHOTOGRAPH_H
 
@@ -8,11 +8,11 @@
 typedef struct {
   const char *format; /* "png" or "jpeg" */
   uint32_t columns, rows;
-  double mean[3];     /* the mean of its light, as sRGB: its colour from far away */
+  double mean[3];     /* mean of the picture's light, as sRGB: its colour as seen from far away */
 } vs_photograph;
 
-/* Reads a whole file that is in memory, PNG or JPEG by its first bytes. Returns false if it is neither, truncated,
- * broken or too large. */
+/* Reads a PNG or JPEG file that is in memory; its first bytes determine the format. Returns false if the file has
+ * neither format, is truncated, broken or too large. */
 bool vs_photograph_read(vs_store *store, const vs_file_bytes *file, vs_photograph *out, vs_error *e);
 
 #endif

@@ -1,9 +1,10 @@
-/* Implements the measures of difference: in linear light, and by structural similarity on the screen.
+/* Measures the difference of two pictures: in linear light, and by structural similarity on the screen.
  *
- * The second is Wang, Bovik, Sheikh and Simoncelli, Image Quality Assessment: From Error Visibility to Structural
- * Similarity, IEEE Transactions on Image Processing 13(4), 2004. It uses means, variances and covariance under a
- * Gaussian window of 11 x 11 pixels and sigma 1.5, with K1 .01 and K2 .03, on the luma of the developed pictures. Both
- * are developed with the exposure of the first. Beyond the border, the border's pixels are repeated. */
+ * Structural similarity is that of Wang, Bovik, Sheikh and Simoncelli, Image Quality Assessment: From Error Visibility
+ * to Structural Similarity, IEEE Transactions on Image Processing 13(4), 2004. It uses means, variances and covariance
+ * under a Gaussian window of 11 x 11 pixels with sigma 1.5, K1 .01 and K2 .03. It compares the luma of the developed
+ * pictures. Both pictures are developed with the exposure of the first picture. The pixels at the border are repeated
+ * beyond it. */
 #include "geometry/pictures/picture_difference.h"
 
 #include <math.h>
@@ -15,7 +16,7 @@ typedef struct { double *at, *scratch; uint32_t columns, rows; const double *win
 
 static uint32_t within(int64_t x, uint32_t count) { return x < 0 ? 0 : x >= count ? count - 1 : (uint32_t)x; }
 
-/* Blurs the plane: first along the rows, then along the columns. */
+/* Blurs the plane, first along its rows and then along its columns. */
 static void blur(const plane *p) {
   for (uint32_t y = 0; y < p->rows; y++)
     for (uint32_t x = 0; x < p->columns; x++) {
@@ -42,8 +43,8 @@ static void develop(const vs_light *light, double stops, unsigned char *rgb, dou
   }
 }
 
-/* Returns the structural similarity. work: room for six planes; rgb: for the pixels. Both pictures have the same number
- * of pixels. */
+/* Returns the structural similarity of a and b, which have the same number of pixels. work: memory for six planes; rgb:
+ * memory for the bytes of a picture. */
 static double similarity(const vs_light *a, const vs_light *b, double *work, unsigned char *rgb) {
   const double c1 = 0.01 * 255 * 0.01 * 255, c2 = 0.03 * 255 * 0.03 * 255;
   double window[2 * REACH + 1], sum = 0, *of[6];

@@ -1,4 +1,4 @@
-/* Implements exposure and tone curves. Each formula is a published one, with its source beside it. */
+/* Computes exposure and tone curves. Each formula is published; its source is named beside it. */
 #include "geometry/pictures/tone.h"
 
 #include <math.h>
@@ -7,7 +7,7 @@
 
 /* ---- exposure ---- */
 
-/* Luminance as powers of two, in bins of a sixteenth of a stop. */
+/* Bins of a histogram of luminance, as logarithm to base 2. A bin is a sixteenth of a stop wide. */
 enum { BINS_A_STOP = 16, LEAST_STOP = -24, STOPS = 48, BINS = STOPS * BINS_A_STOP };
 
 static double luminance(const vs_light *l, size_t i) {
@@ -15,7 +15,7 @@ static double luminance(const vs_light *l, size_t i) {
          vs_raster_share[2] * (double)l->blue[i];
 }
 
-/* Returns the bin below which a share of the count lies. */
+/* Returns the logarithm of luminance below which `count` pixels of the histogram are. */
 static double quantile(const size_t bins[BINS], double count) {
   size_t sum = 0;
   int i = 0;
@@ -23,7 +23,8 @@ static double quantile(const size_t bins[BINS], double count) {
   return LEAST_STOP + (i + 0.5) / BINS_A_STOP;
 }
 
-/* The value to which the exposure takes a picture's 99th percentile: the curve is still a little below white there. */
+/* For each tone curve, the value that the 99th percentile of the picture gets by the exposure. The curve is a little
+ * below white there. */
 static const double bright_end[] = {
     [VS_TONE_NEUTRAL] = 1.1, [VS_TONE_AGX] = 3.8, [VS_TONE_FILMIC] = 4, [VS_TONE_LINEAR] = 0.9 };
 
@@ -39,21 +40,24 @@ double vs_tone_exposure(const vs_light *light, vs_tone_curve curve) {
     count++;
   }
   if (!count) return 0;
-  /* Reinhard: a hundredth at either end counts as outliers. The key is .18 if the average is in the middle of the
-   * range, four times as much at the bright end, a quarter at the dark end. His low keys are for pictures that should
-   * stay dark. A room whose window is the bright end should not: here the key is at least half a stop below the middle
-   * one. */
+  /* Reinhard's method ignores a hundredth of the pixels at either end of the range. The key is .18 if the average is in
+   * the middle of the range. It is four times as large if the average is at the bright end, and a quarter of it at the
+   * dark end. Low keys are for pictures that should stay dark, but not for a room with a bright window. Therefore the
+   * key here is at most half a stop below the middle one. */
   double least = quantile(bins, 0.01 * (double)count), most = quantile(bins, 0.99 * (double)count);
   double average = fmin(fmax(sum / (double)count, least), most), range = most - least;
-  double place = range > 0 ? (2 * average - least - most) / range : 0; /* -1 to 1 */
+  double place = range > 0 ? (2 * average - least - most) / range : 0; /* position of the average in the range, -1 to
+                                                                        * 1 */
   double key = log2(0.18) + 2 * fmax(place, -0.25);
-  /* His key alone would make a white building in the sun grey: if nothing is brighter, the building becomes white. */
+  /* By Reinhard's key alone, a white building in the sun would be grey. If nothing is brighter, the second number makes
+   * the building white. */
   return fmax(key - average, log2(bright_end[curve]) - most);
 }
 
-/* ---- curves: linear light to linear light of a screen, 0 to 1 ---- */
+/* ---- tone curves: from linear light to linear light of a screen, 0 to 1 ---- */
 
-/* Minimum of numbers other than NaN: fmin and fmax check for NaN, and are function calls. */
+/* Minimum and maximum of numbers that are not NaN. They are faster than fmin and fmax, which check for NaN and are
+ * function calls. */
 static inline double lesser(double a, double b) { return a < b ? a : b; }
 static inline double greater(double a, double b) { return a > b ? a : b; }
 
@@ -63,8 +67,8 @@ static void linear(const double in[3], double out[3]) {
   for (int k = 0; k < 3; k++) out[k] = cut(in[k]);
 }
 
-/* Khronos PBR Neutral Tone Mapper (2024), https://github.com/KhronosGroup/ToneMapping: light that surfaces reflect
- * keeps its colour; brighter light is compressed below white and loses its colour. */
+/* Khronos PBR Neutral Tone Mapper (2024), https://github.com/KhronosGroup/ToneMapping. Light that surfaces reflect
+ * keeps its colour. Brighter light is compressed below white and loses its colour. */
 static void neutral(const double in[3], double out[3]) {
   const double start = 0.8 - 0.04, desaturation = 0.15;
   double least = greater(lesser(in[0], lesser(in[1], in[2])), 0);
@@ -79,8 +83,9 @@ static void neutral(const double in[3], double out[3]) {
   }
 }
 
-/* Hable, http://filmicworlds.com/blog/filmic-tonemapping-operators/: shoulder, linear strength and angle, toe. White is
- * 11.2, and the curve's input is twice the light. */
+/* Filmic curve of John Hable, http://filmicworlds.com/blog/filmic-tonemapping-operators/. a to f: shoulder strength,
+ * linear strength, linear angle, and three numbers of the toe. White is 11.2, and the curve's input is twice the
+ * light. */
 static double hable(double x) {
   const double a = 0.15, b = 0.50, c = 0.10, d = 0.20, e = 0.02, f = 0.30;
   return (x * (a * x + c * b) + d * e) / (x * (a * x + b) + d * f) - e / f;
@@ -90,15 +95,16 @@ static void filmic(const double in[3], double out[3]) {
   for (int k = 0; k < 3; k++) out[k] = cut(hable(2 * fmax(in[k], 0)) / hable(11.2));
 }
 
-/* The sigmoid of AgX over its 16.5 stops, as a polynomial:
+/* The sigmoid of AgX, over its range of 16.5 stops, as a polynomial:
  * https://iolite-engine.com/blog_posts/minimal_agx_implementation */
 static double sigmoid(double x) {
   double x2 = x * x, x4 = x2 * x2;
   return 15.5 * x4 * x2 - 40.14 * x4 * x + 31.96 * x4 - 6.868 * x2 * x + 0.4298 * x2 + 0.1191 * x - 0.00232;
 }
 
-/* A matrix mixes the colours, the sigmoid is applied to each, and the inverse separates them again: bright light loses
- * its colour, as on film. The contrast is the power of 1.35 of the same source's punchy look. */
+/* The tone curve AgX. A matrix mixes the colours, the sigmoid is applied to each, and the inverse matrix separates them
+ * again. Bright light loses its colour, as on film. The contrast, a power of 1.35, is that of the look 'punchy' in the
+ * same source. */
 static void agx(const double in[3], double out[3]) {
   static const double inset[3][3] = {
       { 0.842479062253094, 0.0784335999999992, 0.0792237451477643 },
@@ -121,10 +127,11 @@ static void agx(const double in[3], double out[3]) {
   }
 }
 
-/* ---- a picture ---- */
+/* ---- conversion of a picture ---- */
 
-/* sRGB bytes by IEC 61966-2-1, without a power for each. at[i] is the light from which on byte i is the nearest.
- * first[i], for each of COARSE parts of the range, is the byte from which the search begins. */
+/* A table for sRGB bytes by IEC 61966-2-1, which avoids a power function for each pixel. at[i]: least light for which
+ * byte i is the nearest. first[k]: byte from which the search begins for part k of the range, which has COARSE equal
+ * parts. */
 enum { COARSE = 4096 };
 typedef struct { double at[256]; unsigned char first[COARSE + 1]; } screen_steps;
 
@@ -141,7 +148,7 @@ static void screen_prepare(screen_steps *s) {
   }
 }
 
-static unsigned char screen(const screen_steps *s, double x) { /* x is 0 to 1 */
+static unsigned char screen(const screen_steps *s, double x) { /* x is linear light, 0 to 1 */
   unsigned b = s->first[(size_t)(x * COARSE)];
   while (b < 255 && s->at[b + 1] <= x) b++;
   return (unsigned char)b;

@@ -1,4 +1,4 @@
-/* Owns, for geometry/ alone, areas: closed loops in one plane's coordinates, and their combination by GEOS. */
+/* Declares, for use in geometry/ alone, areas: closed loops in one plane's coordinates, and their combination by GEOS. */
 #ifndef VS_GEOMETRY_PLANE_AREAS_H
 #define VS_GEOMETRY_PLANE_AREAS_H
 

@@ -1,4 +1,4 @@
-/* Owns, for geometry/ alone, the triangles of height fields. */
+/* Declares, for use in geometry/ alone, the triangles of height fields. */
 #ifndef VS_GEOMETRY_PRIMITIVES_HEIGHT_FIELD_H
 #define VS_GEOMETRY_PRIMITIVES_HEIGHT_FIELD_H
 

@@ -1,4 +1,4 @@
-/* Owns, for geometry/ alone, formulas that several round shapes share. */
+/* Declares, for use in geometry/ alone, formulas that several round shapes share. */
 #ifndef VS_GEOMETRY_PRIMITIVES_ROUND_FORMULAS_H
 #define VS_GEOMETRY_PRIMITIVES_ROUND_FORMULAS_H
 

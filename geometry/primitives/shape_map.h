@@ -1,4 +1,4 @@
-/* Owns, for primitives/ and the pass fold, the properties of a shape that an affine map keeps, and points under a
+/* Declares, for primitives/ and the pass fold, the properties of a shape that an affine map keeps, and points under a
  * map. */
 #ifndef VS_GEOMETRY_PRIMITIVES_SHAPE_MAP_H
 #define VS_GEOMETRY_PRIMITIVES_SHAPE_MAP_H

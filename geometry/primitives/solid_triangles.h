@@ -1,4 +1,4 @@
-/* Owns, for geometry/ alone, the triangles of primitive solids. All functions append to out; false: out of memory. */
+/* Declares, for use in geometry/ alone, the triangles of primitive solids. All functions append to out; false: out of memory. */
 #ifndef VS_GEOMETRY_PRIMITIVES_SOLID_TRIANGLES_H
 #define VS_GEOMETRY_PRIMITIVES_SOLID_TRIANGLES_H
 

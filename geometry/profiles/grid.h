@@ -1,4 +1,4 @@
-/* Owns, for geometry/ alone, grids of points as meshes: the common form of sweeps, revolutions, lofts and surfaces. */
+/* Declares, for use in geometry/ alone, grids of points as meshes: the common form of sweeps, revolutions, lofts and surfaces. */
 #ifndef VS_GEOMETRY_PROFILES_GRID_H
 #define VS_GEOMETRY_PROFILES_GRID_H
 

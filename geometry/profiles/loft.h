@@ -1,4 +1,4 @@
-/* Owns, for geometry/ and bind/, lofts: solids and surfaces through sections. */
+/* Declares, for use in geometry/ and bind/, lofts: solids and surfaces through sections. */
 #ifndef VS_GEOMETRY_PROFILES_LOFT_H
 #define VS_GEOMETRY_PROFILES_LOFT_H
 

@@ -1,4 +1,4 @@
-/* Owns, for geometry/ alone, the steps of a sweep that bends more tightly than its profile is wide. */
+/* Declares, for use in geometry/ alone, the steps of a sweep that bends more tightly than its profile is wide. */
 #ifndef VS_GEOMETRY_PROFILES_OVERTURN_H
 #define VS_GEOMETRY_PROFILES_OVERTURN_H
 

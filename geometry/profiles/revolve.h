@@ -1,4 +1,4 @@
-/* Owns, for geometry/ and the back-ends, revolutions: a profile as distances from an axis and heights along it, turned
+/* Declares, for geometry/ and the back-ends, revolutions: a profile as distances from an axis and heights along it, turned
  * about that axis. */
 #ifndef VS_GEOMETRY_PROFILES_REVOLVE_H
 #define VS_GEOMETRY_PROFILES_REVOLVE_H

@@ -1,4 +1,4 @@
-/* Owns, for geometry/ alone, what extrude, sweep and thicken have in common: a profile carried through sections. */
+/* Declares, for use in geometry/ alone, what extrude, sweep and thicken have in common: a profile carried through sections. */
 #ifndef VS_GEOMETRY_PROFILES_SWEPT_H
 #define VS_GEOMETRY_PROFILES_SWEPT_H
 

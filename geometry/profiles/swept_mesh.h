@@ -1,4 +1,4 @@
-/* Owns, for geometry/ alone, the triangles between the sections of a sweep, as a whole and in runs. */
+/* Declares, for use in geometry/ alone, the triangles between the sections of a sweep, as a whole and in runs. */
 #ifndef VS_GEOMETRY_PROFILES_SWEPT_MESH_H
 #define VS_GEOMETRY_PROFILES_SWEPT_MESH_H
 

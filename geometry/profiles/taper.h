@@ -1,4 +1,4 @@
-/* Owns, for geometry/ alone, extrusions with inclined walls. */
+/* Declares, for use in geometry/ alone, extrusions with inclined walls. */
 #ifndef VS_GEOMETRY_PROFILES_TAPER_H
 #define VS_GEOMETRY_PROFILES_TAPER_H
 

@@ -1,20 +1,20 @@
-/* Declares the bending of shapes by a map of space: leaves of objects as meshes, whose edges are halved until they
- * follow the map, and which become objects again. solids/deformed.h takes objects apart. The caller computes images of
- * points; this room knows no map. */
+/* Declares the bending of shapes by a map of space. The leaves of objects become meshes, whose edges are halved until
+ * they follow the map. The meshes then become objects again. solids/deformed.h divides objects into leaves. The caller
+ * computes the images of points; this folder does not know the map. */
 #ifndef VS_GEOMETRY_SHAPES_BENDING_H
 #define VS_GEOMETRY_SHAPES_BENDING_H
 
 #include "model/mesh.h"
 #include "model/node.h"
 
-enum { VS_BEND_LOOKS = 2 }; /* the innermost material and the innermost layer, which apply */
+enum { VS_BEND_LOOKS = 2 }; /* number of appearances of a leaf: the innermost material and the innermost layer */
 
 typedef struct {
-  vs_mesh mesh; /* a curve has only points */
+  vs_mesh mesh; /* the leaf's mesh; a curve has only vertices */
   bool curve, closed;
-  vs_node *looks[VS_BEND_LOOKS]; /* retained */
+  vs_node *looks[VS_BEND_LOOKS]; /* material and layer of the leaf, as references of its own */
   int look_count;
-  const vs_origin *origin; /* the origin of the leaf */
+  const vs_origin *origin; /* place in the source where the leaf was made */
 } vs_bend_leaf;
 typedef struct {
   vs_bend_leaf *at;
@@ -22,22 +22,22 @@ typedef struct {
 } vs_bend_leaves;
 
 void vs_bend_drop(vs_bend_leaves *leaves);
-/* Returns the leaf's object, with its appearance, with the corners of `mesh` instead of its own. NULL: out of
- * memory. */
+/* Returns the leaf's object, with its appearance, but with the vertices of `mesh`. Returns NULL when memory is out. */
 vs_node *vs_bend_node(vs_store *s, const vs_bend_leaf *leaf, const vs_mesh *mesh);
 
-/* A leaf while it is bent. */
+/* The state of the bending of a leaf. */
 typedef struct vs_bending vs_bending;
 
-/* Edges are cut if the image of the midpoint is farther from the chord than the tolerance, or they are longer than
- * `longest`, at most `rounds` times. NULL: out of memory. */
+/* Starts the bending of a leaf. An edge is cut if the image of its midpoint is farther from the chord than the
+ * tolerance, or if the edge is longer than `longest`. Edges are cut at most `rounds` times. Returns NULL when memory is
+ * out. */
 vs_bending *vs_bending_new(const vs_bend_leaf *leaf, double tolerance, double longest, int rounds);
-void vs_bending_free(vs_bending *b); /* NULL is allowed */
-/* Returns the points whose images are needed now; *count 0: none, the work is done. */
+void vs_bending_free(vs_bending *b); /* b may be NULL */
+/* Returns the points whose images are needed next. *count is their number; 0: the bending is complete. */
 const vs_vec3 *vs_bending_wanted(const vs_bending *b, size_t *count);
-/* Supplies the images of the wanted points, which exist. */
-bool vs_bending_give(vs_bending *b, const vs_vec3 *images); /* false: out of memory */
-/* Returns the leaf's mesh, cut and bent, which b owns. */
+/* Receives the images of the points that vs_bending_wanted returned. */
+bool vs_bending_give(vs_bending *b, const vs_vec3 *images); /* returns false when memory is out */
+/* Returns the bent mesh, which b owns. */
 vs_mesh *vs_bending_mesh(vs_bending *b);
 
 #endif

@@ -1,14 +1,15 @@
-/* Implements convex hulls.
+/* Computes convex hulls.
  *
- * In space: quickhull (Barber, Dobkin, Huhdanpaa 1996), every decision exact. Points are rounded to a grid of 2^40
- * steps over their extent; there the side of a point relative to three others is the sign of a number of 123 bits. A
- * new point removes the faces below it and those in whose planes it lies: therefore no face has area 0. The points of a
- * flat facet are joined by triangles; corners inside it are omitted.
+ * In space, the method is quickhull (Barber, Dobkin, Huhdanpaa 1996), and every decision is exact. Points are rounded
+ * to a grid of 2^40 steps over their extent. The side of a point relative to three others is then the sign of an
+ * integer of 123 bits. A new point removes the faces that it lies above or in whose planes it lies. Therefore no face
+ * has area 0. The points of a flat facet are joined by triangles, and points inside the facet are omitted.
  *
  *   above[f]   a list of points that lie outside the current hull and above face f, each in one list only
  *   horizon    the edges around the faces that a point removes: each becomes a face with the point
  *
- * In a plane: Andrew's chain, on the same grid. Cost: n log n for points as they occur in models. */
+ * In a plane, the method is Andrew's chain, on a grid of the same kind. Both take n log n steps for points as they
+ * occur in models. */
 #include "geometry/shapes/hull.h"
 
 #include <stdlib.h>
@@ -29,10 +30,10 @@ bool vs_cloud_add(vs_cloud *c, vs_vec3 p) {
   return true;
 }
 
-/* ---- extent ---- */
+/* ---- dimension and extent of the points ---- */
 
-/* Returns the dimension of the points, -1 if there are none. corner[k], for k up to the dimension, is the point
- * farthest from the span of the corners before it; corner[0] is the farthest from the middle. */
+/* Returns the dimension of the points, or -1 if there are none. corner[0] is the point farthest from the middle.
+ * corner[k], for k up to the dimension, is the point farthest from the span of the corners before it. */
 static int cloud_span(const vs_cloud *c, uint32_t corner[4]) {
   if (!c->count) return -1;
   vs_bounds b = vs_bounds_empty();
@@ -70,7 +71,8 @@ static vs_step *cloud_steps(const vs_cloud *c) {
   for (size_t i = 0; i < c->count; i++) vs_bounds_add(&b, c->at[i]);
   vs_vec3 o = vs_v3_scale(vs_v3_add(b.min, b.max), 0.5), d = vs_v3_sub(b.max, b.min);
   int exponent;
-  frexp(fmax(d.x, fmax(d.y, d.z)), &exponent); /* extent < 2^exponent: steps from -2^39 to 2^39 */
+  frexp(fmax(d.x, fmax(d.y, d.z)), &exponent); /* exponent: the extent is below 2^exponent, and becomes steps from -2^39
+                                                * to 2^39 */
   for (size_t i = 0; s && i < c->count; i++) {
     vs_vec3 p = vs_v3_sub(c->at[i], o);
     s[i] = (vs_step){ (int64_t)nearbyint(ldexp(p.x, 40 - exponent)), (int64_t)nearbyint(ldexp(p.y, 40 - exponent)),
@@ -79,8 +81,8 @@ static vs_step *cloud_steps(const vs_cloud *c) {
   return s;
 }
 
-/* Returns six times the volume of the tetrahedron: positive if d lies on the side from which a, b, c are
- * counter-clockwise. */
+/* Returns six times the volume of the tetrahedron of the points v[0], v[1], v[2] and d. It is positive if d lies on the
+ * side from which the first three are counter-clockwise. */
 static vs_wide steps_volume(const vs_step *s, const uint32_t v[3], uint32_t d) {
   vs_step a = s[v[0]], b = s[v[1]], c = s[v[2]];
   int64_t ux = b.x - a.x, uy = b.y - a.y, uz = b.z - a.z, wx = c.x - a.x, wy = c.y - a.y, wz = c.z - a.z;
@@ -89,13 +91,14 @@ static vs_wide steps_volume(const vs_step *s, const uint32_t v[3], uint32_t d) {
          ((vs_wide)ux * wy - (vs_wide)uy * wx) * (s[d].z - a.z);
 }
 
-/* ---- in space ---- */
+/* ---- hulls in space ---- */
 
 #define NOBODY UINT32_MAX
 
 typedef struct {
-  uint32_t v[3], next[3]; /* next[k]: the face across the edge from v[k] */
-  uint32_t above, mark;   /* the first point above it; the step of the search that has removed it */
+  uint32_t v[3], next[3]; /* v: the corners; next[k]: the face on the other side of the edge from v[k] */
+  uint32_t above, mark;   /* above: the first point in the list of points above the face; mark: number of the search
+                           * step that visited the face */
   bool dead;
 } vs_hull_face;
 
@@ -103,13 +106,13 @@ typedef struct {
   const vs_step *steps;
   vs_hull_face *faces;
   size_t count, room;
-  uint32_t *next_above;            /* next_above[p]: the next point in p's list */
-  uint32_t *waiting, *horizon;     /* faces to be visited; horizon: pairs of face and edge */
+  uint32_t *next_above;            /* next_above[p]: the point after p in the list that contains p */
+  uint32_t *waiting, *horizon;     /* waiting: faces still to visit; horizon: pairs of a face and an edge */
   size_t waiting_room, horizon_room;
   uint32_t *leaving;               /* leaving[p]: the new face whose horizon edge starts at point p */
 } vs_quickhull;
 
-/* Adds the face of three different points. */
+/* Adds the face with the corners a, b and c, which differ. */
 static bool hull_face_new(vs_quickhull *h, uint32_t a, uint32_t b, uint32_t c, uint32_t *out) {
   VS_ASSERT(a != b && b != c && c != a);
   if (!VS_GROW(h->faces, h->room, h->count + 1)) return false;
@@ -118,7 +121,8 @@ static bool hull_face_new(vs_quickhull *h, uint32_t a, uint32_t b, uint32_t c, u
   return true;
 }
 
-/* Puts p on the list of the first of the faces from..to below it. from <= to, and to is at most the number of faces. */
+/* Adds p to the list of the first face, among those numbered from `from` to `to` - 1, that p lies above. from <= to <=
+ * h->count. */
 static void hull_assign(vs_quickhull *h, uint32_t p, uint32_t from, uint32_t to) {
   VS_ASSERT(from <= to && to <= h->count);
   for (uint32_t f = from; f < to; f++) {
@@ -131,7 +135,7 @@ static void hull_assign(vs_quickhull *h, uint32_t p, uint32_t from, uint32_t to)
 
 static bool hull_start(vs_quickhull *h, const uint32_t corner[4], size_t points) {
   uint32_t v[4] = { corner[0], corner[1], corner[2], corner[3] }, f;
-  /* the fourth lies below the first three */
+  /* Orients the first three corners so that the fourth lies below their face. */
   if (steps_volume(h->steps, v, v[3]) > 0) v[1] = corner[2], v[2] = corner[1];
   static const unsigned char faces[4][3] = { { 0, 1, 2 }, { 0, 3, 1 }, { 1, 3, 2 }, { 2, 3, 0 } };
   for (int i = 0; i < 4; i++)
@@ -146,7 +150,7 @@ static bool hull_start(vs_quickhull *h, const uint32_t corner[4], size_t points)
   return true;
 }
 
-/* Collects the faces that p removes in waiting, the edges around them in horizon. */
+/* Collects in `waiting` the faces that p removes, and in `horizon` the edges around them. */
 static bool hull_take(vs_quickhull *h, uint32_t first, uint32_t p, uint32_t step, size_t *taken, size_t *edges) {
   *taken = *edges = 0;
   if (!VS_GROW(h->waiting, h->waiting_room, 1)) return false;
@@ -212,7 +216,8 @@ static bool hull_add(vs_quickhull *h, uint32_t face, uint32_t step) {
 
 static bool hull_write(const vs_quickhull *h, const vs_cloud *c, vs_mesh *out) {
   bool ok = true;
-  for (size_t i = 0; i < c->count; i++) h->leaving[i] = NOBODY; /* leaving[p] now holds point p's vertex */
+  for (size_t i = 0; i < c->count; i++) h->leaving[i] = NOBODY; /* reuses leaving: leaving[p] becomes the vertex number
+                                                                 * of point p */
   for (size_t f = 0; ok && f < h->count; f++) {
     const vs_hull_face *face = &h->faces[f];
     if (face->dead) continue;
@@ -232,7 +237,9 @@ bool vs_cloud_hull(const vs_cloud *c, vs_mesh *out) {
                      .leaving = vs_fresh(c->count, sizeof *h.leaving) };
   bool ok = steps && h.next_above && h.leaving && hull_start(&h, corner, c->count);
   for (uint32_t f = 0, step = 0; ok && f < h.count; f++)
-    if (!h.faces[f].dead && h.faces[f].above != NOBODY) ok = hull_add(&h, f, ++step); /* removes f; new faces follow */
+    if (!h.faces[f].dead && h.faces[f].above != NOBODY) ok = hull_add(&h, f, ++step); /* adds the farthest point above
+                                                                                       * face f, which removes f; new
+                                                                                       * faces follow in the array */
   ok = ok && hull_write(&h, c, out);
   free(steps);
   free(h.next_above);
@@ -243,7 +250,7 @@ bool vs_cloud_hull(const vs_cloud *c, vs_mesh *out) {
   return ok;
 }
 
-/* ---- in a plane ---- */
+/* ---- hulls in a plane ---- */
 
 typedef struct { int64_t u, v; uint32_t point; } vs_flat_step;
 
@@ -254,7 +261,7 @@ static int flat_compare(const void *a, const void *b) {
   return p->point < q->point ? -1 : p->point > q->point;
 }
 
-/* Returns true if b is off the line from a to c by more steps than rounding moves points of the line. */
+/* Returns true if b is left of the line from a to c by more steps than rounding can move a point. */
 static bool flat_left(const vs_flat_step *a, const vs_flat_step *b, const vs_flat_step *c) {
   int64_t du = c->u - a->u, dv = c->v - a->v;
   return (vs_wide)(b->u - a->u) * dv - (vs_wide)(b->v - a->v) * du >
@@ -269,7 +276,7 @@ bool vs_cloud_polygon(const vs_cloud *c, vs_polyline *out) {
   vs_vec3 n = { 0, 0, 0 };
   if (dimension > 1)
     n = vs_v3_cross(vs_v3_sub(c->at[corner[1]], c->at[corner[0]]), vs_v3_sub(c->at[corner[2]], c->at[corner[0]]));
-  else { /* any plane through the line that is not perpendicular to its projection */
+  else { /* any plane through the line will do, unless it is perpendicular to the projection */
     vs_vec3 d = vs_v3_sub(c->at[corner[1]], c->at[corner[0]]);
     n = fabs(d.x) <= fabs(d.y) && fabs(d.x) <= fabs(d.z) ? vs_v3(1, 0, 0)
         : fabs(d.y) <= fabs(d.z)                         ? vs_v3(0, 1, 0)
@@ -292,7 +299,7 @@ bool vs_cloud_polygon(const vs_cloud *c, vs_polyline *out) {
   }
   size_t count = 0;
   if (ok) qsort(at, c->count, sizeof *at, flat_compare);
-  for (int way = 0; ok && way < 2; way++) { /* the lower chain from left to right, then the upper one back */
+  for (int way = 0; ok && way < 2; way++) { /* first the lower chain from left to right, then the upper chain back */
     size_t first = count;
     for (size_t i = 0; i < c->count; i++) {
       const vs_flat_step *p = &at[way ? c->count - 1 - i : i];
@@ -300,7 +307,7 @@ bool vs_cloud_polygon(const vs_cloud *c, vs_polyline *out) {
       if (count > first && chain[count - 1].u == p->u && chain[count - 1].v == p->v) continue;
       chain[count++] = *p;
     }
-    count--; /* the other chain begins there */
+    count--; /* removes the last point, at which the other chain begins */
   }
   out->at = ok ? vs_fresh(count, sizeof *out->at) : NULL;
   ok = out->at != NULL;
@@ -312,7 +319,7 @@ bool vs_cloud_polygon(const vs_cloud *c, vs_polyline *out) {
   return ok;
 }
 
-/* ---- the parts of a node ---- */
+/* ---- the parts of a hull node ---- */
 
 typedef struct { const vs_ref *ref; vs_affine placed; } vs_hull_part;
 

@@ -1,7 +1,7 @@
-/* Implements the faces of polyface meshes, grid meshes and boxes, passed one at a time.
+/* Passes the faces of polyface meshes, grid meshes and boxes to a function, one at a time.
  *
- * The object's transform is applied to the corners of a face, in one array that is reused; a reflection reverses their
- * order, so that the outside of each face stays outside. */
+ * The node's map is applied to the corners of a face, in an array that is reused. A reflection would turn the faces
+ * inside out, so their corners are reversed then. */
 #include "geometry/shapes/polygons.h"
 
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-/* Implements nodes of the simplest kinds (simple_nodes.h), to which every other kind can be converted. */
+/* Makes nodes of the simplest kinds (simple_nodes.h), to which every other kind can be converted. */
 #include "geometry/shapes/simple_nodes.h"
 #include "model/store/array.h"
 

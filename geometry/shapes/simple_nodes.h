@@ -6,14 +6,15 @@
 #include "model/mesh.h"
 #include "model/node.h"
 
-/* Returns a line through the points of a polyline, a new reference. NULL: out of memory. */
+/* Returns a new line node through the points of a polyline. Returns NULL when memory is out. */
 vs_node *vs_node_of_polyline(vs_store *store, const vs_polyline *p);
-/* Returns a region bounded by these loops; without loops the empty object. NULL: out of memory. */
+/* Returns a new region node with the loops of o as borders. Without loops it is the empty object. Returns NULL when
+ * memory is out. */
 vs_node *vs_node_of_outline(vs_store *store, const vs_outline *o, const vs_origin *origin);
-/* Returns true if the region's borders are lines already. */
+/* Returns true if n is a region whose borders are already lines. */
 bool vs_node_is_outline(const vs_node *n);
-/* Returns a polyface mesh of the triangles; without triangles the empty object. closed: they bound a solid. NULL: out
- * of memory. */
+/* Returns a new polyface mesh with the triangles of m. Without triangles it is the empty object. closed: true if the
+ * triangles bound a solid. Returns NULL when memory is out. */
 vs_node *vs_node_of_mesh(vs_store *store, const vs_mesh *m, bool closed);
 
 #endif

@@ -1,7 +1,7 @@
 /* Declares subdivision surfaces: Catmull-Clark for polygons, Loop for triangles, with creases.
  *
  * Rules and limits: E. Catmull, J. Clark (1978); C. Loop (1987); creases of finite sharpness: T. DeRose, M. Kass, T.
- * Truong (1998). Borders are creases; a point where three creases or more meet does not move. */
+ * Truong (1998). The borders of a surface are creases. A point where three or more creases end does not move. */
 #ifndef VS_GEOMETRY_SHAPES_SUBDIVISION_H
 #define VS_GEOMETRY_SHAPES_SUBDIVISION_H
 
@@ -9,13 +9,14 @@
 #include "model/long_work.h"
 
 typedef struct {
-  uint32_t a, b;    /* indices of points */
-  double sharpness; /* levels for which the edge stays sharp; INFINITY: all */
+  uint32_t a, b;    /* indices of the crease's two points */
+  double sharpness; /* number of subdivisions in which the edge stays sharp; INFINITY: all */
 } vs_crease;
 
 typedef enum { VS_SUBDIVIDE_CATMULL_CLARK, VS_SUBDIVIDE_LOOP } vs_subdivision_scheme;
 
-/* The number of subdivisions, the scheme, and the creases. limit: the points then move to their limit positions. */
+/* The number of subdivisions, the scheme, and the creases. limit: true if the points then move to their limit positions
+ * on the smooth surface. */
 typedef struct {
   const vs_crease *creases;
   size_t crease_count;
@@ -24,8 +25,9 @@ typedef struct {
   bool limit;
 } vs_subdivision;
 
-/* Replaces the faces of l, which share the points of their corners, by subdivided ones. Loop divides polygons into fans
- * of triangles. levels are 0 or more. Returns false when memory is out, or the caller interrupts. */
+/* Replaces the faces of l by subdivided ones. Faces with a common corner must share its point. The Loop scheme first
+ * divides polygons into fans of triangles. how->levels is at least 0. Returns false when memory is out, or the caller
+ * interrupts. */
 bool vs_subdivide(vs_face_list *l, const vs_subdivision *how, vs_long_work work);
 
 #endif

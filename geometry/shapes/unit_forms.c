@@ -1,4 +1,4 @@
-/* Implements the recognition of nodes that are placed copies of a unit form. See unit_forms.h. */
+/* Recognizes nodes that are placed copies of a unit form (unit_forms.h). */
 #include "geometry/shapes/unit_forms.h"
 
 #include "geometry/frame.h"

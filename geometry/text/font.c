@@ -1,8 +1,9 @@
-/* Implements reading fonts by FreeType: it is loaded at the first text; there is one library for the store, one face
- * for each font, and the store keeps both.
+/* Reads fonts with the library FreeType, which is loaded for the first text. Each store has one instance of the
+ * library, and one face for each font.
  *
- * FreeType allocates from the store: limits apply to it, and a refused allocation is noticed. This matters because
- * FreeType continues without a table for which memory was out, and a text without kerning would be another text. */
+ * FreeType allocates its memory from the store, so that limits apply, and a refused allocation is noticed. This is
+ * necessary because FreeType omits a table for which there is no memory, and continues. A text without kerning would
+ * then look different. */
 #include "geometry/text/font.h"
 
 #include <errno.h>
@@ -21,7 +22,7 @@
 #include "geometry/text/kerning.h"
 #include "model/store/nodemap.h"
 
-/* FREETYPE(member, symbol, result, parameters): the functions that this file uses */
+/* The functions of FreeType that this file uses, as FREETYPE(member, symbol, result, parameters). */
 #define FREETYPE_FUNCTIONS                                                                                      \
   FREETYPE(create, FT_New_Library, FT_Error, (FT_Memory, FT_Library *))                                         \
   FREETYPE(modules, FT_Add_Default_Modules, void, (FT_Library))                                                 \
@@ -52,25 +53,25 @@ typedef struct {
   vs_store *store;
   struct FT_MemoryRec_ memory;
   FT_Library library;
-  bool refused; /* an allocation of FreeType was refused since the flag was last cleared */
+  bool refused; /* true if the store has refused FreeType memory since this was last set to false */
   vs_font *first;
 } font_shelf;
 
 struct vs_font {
-  vs_store *store; /* not retained: the store owns the shelf */
+  vs_store *store; /* the store that owns this structure; the pointer is not counted as a reference */
   font_shelf *shelf;
   vs_font *next;
   const char *name;
   FT_Face face;
-  void *bytes; /* NULL if FreeType itself read the file */
+  void *bytes; /* copy of the font's file; NULL if FreeType itself reads the file */
   size_t size;
   double capital;
-  vs_nodemap glyphs; /* index + 1 -> vs_glyph * */
-  unsigned char *pairs; /* the GPOS table of a font without a kern table, or NULL */
+  vs_nodemap glyphs; /* map from a glyph's index + 1 to its vs_glyph */
+  unsigned char *pairs; /* the GPOS table of a font that has no kern table; else NULL */
   size_t pairs_size;
 };
 
-/* ---- FreeType's memory: blocks of the store, each preceded by its size ---- */
+/* ---- FreeType's memory: blocks from the store, each preceded by its size ---- */
 
 typedef union { size_t bytes; max_align_t align; } font_block;
 
@@ -91,7 +92,7 @@ static void font_give(FT_Memory m, void *old) {
   if (b) vs_store_realloc(((font_shelf *)m->user)->store, b, b->bytes, 0);
 }
 
-/* ---- the shelf ---- */
+/* ---- the fonts of a store ---- */
 
 static void font_free(vs_font *f) {
   vs_store *s = f->store;
@@ -103,14 +104,14 @@ static void font_free(vs_font *f) {
     vs_store_realloc(s, g, sizeof *g, 0);
   }
   vs_nodemap_free(&f->glyphs);
-  vs_store_realloc(s, f->bytes, f->size, 0); /* the face was freed with its library, or never made */
+  vs_store_realloc(s, f->bytes, f->size, 0); /* the face itself is freed with the library, or does not exist */
   vs_store_realloc(s, f->pairs, f->pairs_size, 0);
   vs_store_realloc(s, f, sizeof *f, 0);
 }
 
 static void font_let_go(vs_store *s, void *kept) {
   font_shelf *shelf = kept;
-  if (shelf->library) shelf->call.done(shelf->library); /* frees all its faces, too */
+  if (shelf->library) shelf->call.done(shelf->library); /* also frees all faces */
   for (vs_font *f = shelf->first, *next; f; f = next) {
     next = f->next;
     font_free(f);
@@ -145,7 +146,7 @@ static font_shelf *font_shelf_of(vs_store *s, vs_error *e) {
   return shelf;
 }
 
-/* ---- opening ---- */
+/* ---- opening a font ---- */
 
 bool vs_font_is_path(const char *name) {
   static const char *const endings[] = { ".ttf", ".otf", ".ttc", ".otc", ".pfb" };
@@ -162,8 +163,8 @@ bool vs_font_is_path(const char *name) {
   return false;
 }
 
-/* Measures the height of H: "size" means the same in every font. A font without an H (symbols) gets the usual height,
- * .7 of the em. */
+/* Measures the height of the letter H, so that a size means the same height in every font. A font of symbols without an
+ * H gets the usual height, .7 of the em. */
 static bool font_measure(vs_font *f, vs_error *e) {
   uint32_t index = vs_font_index(f, 'H');
   f->capital = 0.7 * f->face->units_per_EM;
@@ -179,7 +180,7 @@ static bool font_measure(vs_font *f, vs_error *e) {
 /* Loads the GPOS table of a font that has no kern table. Returns false when memory is out. */
 static bool font_load_pairs(vs_font *f) {
   const freetype *ft = &f->shelf->call;
-  const FT_ULong gpos = 0x47504F53; /* 'GPOS' */
+  const FT_ULong gpos = 0x47504F53; /* the tag 'GPOS' */
   FT_ULong size = 0;
   enum { MOST = 8 << 20 };
   if (FT_HAS_KERNING(f->face) || ft->table(f->face, gpos, 0, NULL, &size) || size == 0 || size > MOST)
@@ -201,7 +202,7 @@ static void font_drop(vs_font *f) {
   font_free(f);
 }
 
-/* The source of a font: the file at `path` or, if bytes are not NULL, bytes, which are copied. */
+/* The source of a font: if bytes is not NULL, the file's contents, which are copied; else the file at `path`. */
 typedef struct { const char *name, *path; const void *bytes; size_t size; } font_source;
 
 static vs_font *font_open(font_shelf *shelf, vs_store *s, const font_source *source, vs_error *e) {
@@ -288,7 +289,7 @@ bool vs_font_add(vs_store *s, const char *name, const void *bytes, size_t size, 
   return font_find(shelf, name) || font_open(shelf, s, &(font_source){ name, NULL, bytes, size }, e);
 }
 
-/* ---- properties ---- */
+/* ---- properties of a font ---- */
 
 double vs_font_capital(const vs_font *f) { return f->capital; }
 
@@ -306,7 +307,7 @@ double vs_font_kerning(const vs_font *f, uint32_t left, uint32_t right) {
              : 0;
 }
 
-/* ---- outlines ---- */
+/* ---- outlines of glyphs ---- */
 
 typedef struct { vs_store *store; vs_glyph *glyph; } font_drawing;
 
@@ -361,7 +362,7 @@ const vs_glyph *vs_font_glyph(vs_font *f, uint32_t index, vs_error *e) {
       problem = ft->decompose(&f->face->glyph->outline, &functions, &d);
   }
   if (problem || f->shelf->refused) {
-    if (problem == 1 || f->shelf->refused) vs_error_memory(e, NULL); /* 1 is font_step's result for out of memory */
+    if (problem == 1 || f->shelf->refused) vs_error_memory(e, NULL); /* 1: the callback font_step had no memory */
     else
       vs_error_set(e, VS_ERROR_MODEL, NULL, "the font \"%.100s\" is damaged: glyph %lu cannot be read", f->name,
                    (unsigned long)index);

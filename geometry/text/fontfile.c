@@ -1,9 +1,9 @@
-/* Implements the search for font files: for a file with the family's name, in the folders of the system and of the
- * user.
+/* Searches the font folders of the system and of the user for the file of a font family.
  *
- * "DejaVu Sans Bold" is the file DejaVuSans-Bold.ttf: only lower-case letters and digits of names are compared, and a
- * family without a style may be the file of its Regular or Book style. A font is thus found without opening any.
- * Folders are searched in a fixed order, files by name: the same machine gives the same file. */
+ * The name "DejaVu Sans Bold" finds the file DejaVuSans-Bold.ttf: names are compared by letters and digits only,
+ * without regard to case. A family without a style may be the file of its Regular or Book style. Thus a font is found
+ * without opening any file. Folders are searched in a fixed order, and their files in order of names. Therefore the
+ * same machine always finds the same file. */
 #define _XOPEN_SOURCE 700
 #include "geometry/text/fontfile.h"
 
@@ -20,7 +20,8 @@
 enum { NAME_ROOM = 128, PATH_ROOM = 1024, DEPTH_MAX = 5 };
 
 typedef struct { char folder[PATH_ROOM]; int depth; } font_folder;
-/* The action of a search on each font file, in an order that depends only on names. Returns true to stop. */
+/* The function that a search calls for each font file, in an order that depends only on the names. Returns true to stop
+ * the search. */
 typedef bool font_file_fn(void *context, const char *path, const char *plain);
 
 static void plain_name(const char *text, size_t length, char out[NAME_ROOM]) {
@@ -35,8 +36,8 @@ static void plain_name(const char *text, size_t length, char out[NAME_ROOM]) {
 
 static int by_name(const struct dirent **a, const struct dirent **b) { return strcmp((*a)->d_name, (*b)->d_name); }
 
-/* Searches a folder and its subfolders, with its own stack. *stop: fn ended the search. Returns false when memory is
- * out. */
+/* Searches a folder and its subfolders, with an explicit stack. Sets *stop to true if fn ended the search. Returns
+ * false when memory is out. */
 static bool search_below(const char *root, font_file_fn *fn, void *context, bool *stop) {
   size_t count = 1, room = 16;
   font_folder *todo = vs_fresh(room, sizeof *todo);
@@ -92,7 +93,7 @@ static bool search(font_file_fn *fn, void *context) {
   return ok;
 }
 
-/* ---- one family ---- */
+/* ---- search for one family ---- */
 
 typedef struct { char wanted[NAME_ROOM]; int best; char *path; size_t room; } font_wish;
 
@@ -118,11 +119,11 @@ bool vs_font_file(const char *family, char *path, size_t room, vs_error *e) {
   return w.best < 5;
 }
 
-/* ---- all families ---- */
+/* ---- list of all families ---- */
 
 typedef struct { char *text; size_t room, used; } font_list;
 
-/* "DejaVuSans-Bold.ttf" as "DejaVu Sans Bold" */
+/* converts a file name such as "DejaVuSans-Bold.ttf" to "DejaVu Sans Bold" */
 static bool list_look(void *context, const char *path, const char *plain) {
   font_list *l = context;
   char shown[NAME_ROOM];
@@ -139,7 +140,7 @@ static bool list_look(void *context, const char *path, const char *plain) {
     shown[n++] = *c;
   }
   shown[n] = '\0';
-  if (!strcmp(shown, "DejaVu Sans")) return false; /* comes first already */
+  if (!strcmp(shown, "DejaVu Sans")) return false; /* this family is already at the beginning of the list */
   int wrote = snprintf(l->text + l->used, l->room - l->used, "%s%s", l->used ? ", " : "", shown);
   if (wrote < 0 || (size_t)wrote >= l->room - l->used) {
     l->text[l->used] = '\0';
@@ -149,7 +150,7 @@ static bool list_look(void *context, const char *path, const char *plain) {
   return false;
 }
 
-/* The default font comes first wherever it is installed: a message then begins with the same text on every machine. */
+/* If the default font is installed, it comes first. Messages then begin with the same text on every machine. */
 void vs_font_families(char *text, size_t room) {
   static const char usual[] = "DejaVu Sans";
   char path[PATH_ROOM];

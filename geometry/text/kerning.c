@@ -1,8 +1,8 @@
-/* Implements reading pair positioning in GPOS: every lookup of the feature `kern`, of type 2, or of type 9 that refers
- * to type 2.
+/* Reads kerning pairs from the GPOS table of a font: every lookup of the feature `kern` that has type 2, or type 9 that
+ * refers to type 2.
  *
- * The notation is that of the OpenType specification; numbers are big-endian. Every read is checked against the table's
- * size, because fonts are files of users. */
+ * Names are those of the OpenType specification; numbers are big-endian. Every read is checked against the size of the
+ * table, because users may supply broken fonts. */
 #include "geometry/text/kerning.h"
 
 #include <stdbool.h>
@@ -15,7 +15,7 @@ static uint32_t u16(const table *t, size_t at) {
 static uint32_t u32(const table *t, size_t at) { return u16(t, at) << 16 | u16(t, at + 2); }
 static int32_t s16(const table *t, size_t at) { return (int16_t)u16(t, at); }
 
-/* Returns the index of a glyph in a coverage table, -1: not in it. */
+/* Returns the index of the glyph in a coverage table, or -1 if it is not there. */
 static long coverage(const table *t, size_t at, uint32_t glyph) {
   uint32_t count = u16(t, at + 2), low = 0, high = count;
   bool ranges = u16(t, at) == 2;
@@ -53,13 +53,14 @@ static size_t bits(uint32_t format) {
   return count;
 }
 
-/* Returns XAdvance of a value record; the bits of its format determine its members: XPlacement, YPlacement, XAdvance
- * ... */
+/* Returns the member XAdvance of a value record, or 0. Each bit of the format states whether a member exists:
+ * XPlacement, YPlacement, XAdvance and so on. */
 static int32_t advance(const table *t, size_t record, uint32_t format) {
   return format & 4 ? s16(t, record + 2 * bits(format & 3)) : 0;
 }
 
-/* Returns false if this subtable has no entry for the pair. */
+/* Sets *by to the value for the pair of glyphs. Returns false if the subtable at offset `at` has no entry for the
+ * pair. */
 static bool pair(const table *t, size_t at, uint32_t left, uint32_t right, double *by) {
   uint32_t first = u16(t, at + 4), second = u16(t, at + 6);
   size_t record = 2 * (bits(first) + bits(second));
@@ -94,7 +95,7 @@ static double lookup(const table *t, size_t at, uint32_t left, uint32_t right) {
     size_t sub = at + u16(t, at + 6 + 2 * (size_t)i);
     uint32_t kind = type;
     double by;
-    if (type == 9) { /* an extension: the type, and a 32-bit offset */
+    if (type == 9) { /* an extension subtable: the actual type, and a 32-bit offset */
       kind = u16(t, sub + 2);
       sub += u32(t, sub + 4);
     }
@@ -108,10 +109,11 @@ double vs_kerning_pair(const unsigned char *bytes, size_t size, uint32_t left, u
   size_t features = u16(&t, 6), lookups = u16(&t, 8);
   uint32_t feature_count = u16(&t, features), lookup_count = u16(&t, lookups);
   double sum = 0;
-  bool seen[256] = { false }; /* each script names the same lookups again; no font has more of them than this */
+  bool seen[256] = { false }; /* marks lookups that were read already, because each script refers to the same ones;
+                               * fonts have fewer than 256 */
   for (uint32_t i = 0; i < feature_count; i++) {
     size_t row = features + 2 + 6 * (size_t)i;
-    if (u32(&t, row) != 0x6B65726E) continue; /* 'kern' */
+    if (u32(&t, row) != 0x6B65726E) continue; /* the tag 'kern' */
     size_t feature = features + u16(&t, row + 4);
     uint32_t count = u16(&t, feature + 2);
     for (uint32_t k = 0; k < count; k++) {

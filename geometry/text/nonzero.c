@@ -1,8 +1,7 @@
-/* Implements the conversion of a font's contours to loops that bound ink.
+/* Converts the contours of a font to loops that bound the ink.
  *
- * Contours rarely cross; without crossings only their nesting is needed. The winding number on both sides of each
- * loop is the sum of the directions of the loops that contain it. A sweep over the segments in order of x finds
- * crossings. */
+ * Contours rarely cross. If none do, only their nesting matters: the winding number beside a loop is the sum of the
+ * directions of the loops that contain it. A sweep over the segments in order of x finds crossings. */
 #include "geometry/text/nonzero.h"
 
 #include <stdint.h>
@@ -26,7 +25,7 @@ bool vs_flat_loops_begin(vs_flat_loops *l) {
 
 bool vs_flat_loops_add(vs_flat_loops *l, vs_vec2 p) {
   vs_flat_loop *loop = l->count ? &l->loops[l->count - 1] : NULL;
-  if (!loop) return true; /* before the first contour begins */
+  if (!loop) return true; /* no contour has begun yet */
   if (loop->count && l->at[l->point_count - 1].x == p.x && l->at[l->point_count - 1].y == p.y) return true;
   if (!VS_GROW(l->at, l->point_room, l->point_count + 1)) return false;
   l->at[l->point_count++] = p;
@@ -40,7 +39,7 @@ typedef struct { double min_x, min_y, max_x, max_y, area; int inside, outside; s
 
 static double cross(vs_vec2 a, vs_vec2 b, vs_vec2 c) { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x); }
 
-/* The loop's points are among those of l. */
+/* Computes the bounds and area of the loop, whose points are in l. */
 static loop_facts facts_of(const vs_flat_loops *l, const vs_flat_loop *loop) {
   const vs_vec2 *p = l->at + loop->first;
   loop_facts f = { INFINITY, INFINITY, -INFINITY, -INFINITY, 0, 0, 0, SIZE_MAX };
@@ -53,7 +52,7 @@ static loop_facts facts_of(const vs_flat_loops *l, const vs_flat_loop *loop) {
   return f;
 }
 
-/* The loop's points are among those of l. */
+/* Returns true if the point `at` is inside the loop, whose points are in l. */
 static bool holds(const vs_flat_loops *l, const vs_flat_loop *loop, vs_vec2 at) {
   const vs_vec2 *p = l->at + loop->first;
   bool inside = false;
@@ -64,7 +63,8 @@ static bool holds(const vs_flat_loops *l, const vs_flat_loop *loop, vs_vec2 at) 
   return inside;
 }
 
-/* Removes loops of fewer than three corners or without area, and a last point that equals the first. */
+/* Removes the last point of a loop if it equals the first. Removes loops with fewer than three points or without
+ * area. */
 static void drop_flat(vs_flat_loops *l) {
   size_t kept = 0;
   for (size_t i = 0; i < l->count; i++) {
@@ -94,7 +94,7 @@ static bool meet(const segment *s, const segment *t) {
   return !((a > 0 && b > 0) || (a < 0 && b < 0) || (c > 0 && d > 0) || (c < 0 && d < 0));
 }
 
-/* Sets *found if loops cross or touch: then the plane must be cut there. Returns false when memory is out. */
+/* Sets *found to true if loops cross or touch. Returns false when memory is out. */
 static bool any_cross(const vs_flat_loops *l, bool *found) {
   size_t count = 0, active = 0;
   for (size_t i = 0; i < l->count; i++) count += l->loops[i].count;
@@ -129,9 +129,9 @@ static bool any_cross(const vs_flat_loops *l, bool *found) {
   return ok;
 }
 
-/* ---- nesting ---- */
+/* ---- loops that do not cross ---- */
 
-/* Reverses a loop, whose points are among those of l. */
+/* Reverses the direction of a loop, whose points are in l. */
 static void turn(vs_flat_loops *l, const vs_flat_loop *loop) {
   vs_vec2 *p = l->at + loop->first;
   VS_ASSERT(loop->first + loop->count <= l->point_count);
@@ -142,7 +142,7 @@ static void turn(vs_flat_loops *l, const vs_flat_loop *loop) {
   }
 }
 
-/* Orders the loops, none of which cross. */
+/* Removes and orders loops by their nesting. No two loops may cross. */
 static bool nest(vs_flat_loops *l) {
   size_t n = l->count, done = 0;
   loop_facts *f = vs_fresh(n + 1, sizeof *f);
@@ -157,7 +157,7 @@ static bool nest(vs_flat_loops *l) {
         f[i].outside += f[j].area > 0 ? 1 : -1;
     f[i].inside = f[i].outside + (f[i].area > 0 ? 1 : -1);
   }
-  for (size_t i = 0; ok && i < n; i++) { /* a hole's outer loop is the smallest that contains it */
+  for (size_t i = 0; ok && i < n; i++) { /* the outer loop of a hole is the smallest loop that contains the hole */
     if (!f[i].outside || f[i].inside) continue;
     vs_vec2 at = l->at[l->loops[i].first];
     for (size_t j = 0; j < n; j++)
@@ -178,7 +178,7 @@ static bool nest(vs_flat_loops *l) {
       sorted[done++].hole = true;
     }
   }
-  if (ok) { /* loops with ink on both sides, or on neither, are removed */
+  if (ok) { /* removes loops with ink on both sides or on neither side */
     memcpy(l->loops, sorted, done * sizeof *sorted);
     l->count = done;
   }
@@ -187,7 +187,7 @@ static bool nest(vs_flat_loops *l) {
   return ok;
 }
 
-/* ---- crossing loops ---- */
+/* ---- loops that cross ---- */
 
 static bool resolve(vs_flat_loops *l, vs_error *e) {
   vs_area out = { 0 };

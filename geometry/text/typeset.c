@@ -1,12 +1,13 @@
-/* Implements typesetting, and the conversion of glyphs to loops.
+/* Arranges the glyphs of a text, and converts glyphs to loops.
  *
- * Every contour is sampled in its glyph's own coordinates, so that equal letters are equal. The ink of a letter is the
- * area around which its contours wind. If no two contours cross, a loop bounds ink if the winding number is 0 on
- * exactly one of its sides. If they cross (letters of overlapping strokes, letters set too close), the loops are first
- * resolved in the plane (nonzero.h).
+ * Every contour is sampled in the coordinates of its glyph, so that equal letters become equal loops. The ink of a
+ * letter is where the winding number of its contours is not 0. If no two contours cross, a loop bounds ink if the
+ * winding number is 0 on exactly one of its sides. Contours cross if the strokes of a letter overlap, or letters are
+ * very close to each other. The loops are then first resolved in the plane (nonzero.h).
  *
- * Chords: a quadratic with the second difference d = |p - 2b + q| is at most d/4 from its chord, in n equal pieces d/(4
- * n^2); a cubic at most 3/4 of the larger of its two second differences over n^2. */
+ * The number n of chords follows from the second differences of the control points. A quadratic curve with the second
+ * difference d = |p - 2b + q| is at most d/4 from its chord. With n equal pieces, the distance is at most d/(4 n^2).
+ * For a cubic curve it is at most 3/4 of the larger of its two second differences over n^2. */
 #include "geometry/text/typeset.h"
 
 #include <stdlib.h>
@@ -29,8 +30,8 @@ static bool text_push(vs_text_plan *p, const vs_glyph *g, double x, double y) {
   return true;
 }
 
-/* Returns true for characters that have no glyph in fonts and that readers do not miss: controls, joiners, direction
- * marks, variation selectors. */
+/* Returns true for characters that are not displayed, so that a missing glyph does not matter: control characters,
+ * joiners, direction marks, variation selectors. */
 static bool text_is_silent(uint32_t c) {
   return c < 32 || c == 127 || (c >= 0x200B && c <= 0x200F) || (c >= 0x202A && c <= 0x202E) || c == 0x2060 ||
          c == 0xFEFF || (c >= 0xFE00 && c <= 0xFE0F);
@@ -38,7 +39,7 @@ static bool text_is_silent(uint32_t c) {
 
 typedef struct { vs_font *font; vs_text_plan *plan; double spacing, x, y; uint32_t before; bool any; } text_pen;
 
-/* x and y in font units here */
+/* pen->x and pen->y are in font units */
 static bool text_letter(text_pen *pen, uint32_t c, vs_error *e) {
   uint32_t index = vs_font_index(pen->font, c == '\t' ? ' ' : c);
   if (!index && text_is_silent(c) && c != '\t') return true;
@@ -55,9 +56,9 @@ static bool text_letter(text_pen *pen, uint32_t c, vs_error *e) {
 
 static double text_share(const char *align) { return !strcmp(align, "center") ? 0.5 : !strcmp(align, "right") ? 1 : 0; }
 
-/* Returns the distance of the first base line below p, in font units. */
+/* Returns the distance of the first base line below the text's point p, in font units. */
 static double text_drop(const vs_font *f, const char *valign, double lines) {
-  double below = (lines - 1) * vs_font_line(f); /* the last base line */
+  double below = (lines - 1) * vs_font_line(f); /* distance from the first base line to the last */
   if (!strcmp(valign, "top")) return vs_font_capital(f);
   if (!strcmp(valign, "center")) return (vs_font_capital(f) - below) / 2;
   if (!strcmp(valign, "bottom")) return -below - vs_font_descent(f);
@@ -75,12 +76,12 @@ bool vs_text_lay(vs_store *s, const struct vs_letters *t, vs_text_plan *out, vs_
   if (bytes < 0) return vs_error_set(e, VS_ERROR_MODEL, NULL, "the text is not UTF-8");
   text_pen pen = { .font = font, .plan = out, .spacing = t->spacing };
   double lines = 1, widest = 0, share = text_share(t->align);
-  size_t line = 0; /* the first letter of the current line */
+  size_t line = 0; /* index of the first letter of the current line */
   bool ok = true;
   for (utf8proc_ssize_t i = 0; ok && i <= bytes;) {
     utf8proc_int32_t c = '\n';
     if (i < bytes) i += utf8proc_iterate(composed + i, bytes - i, &c);
-    else i++; /* the end ends a line too */
+    else i++; /* the end of the text also ends a line */
     if (c != '\n' && c != 0x2028) {
       ok = text_letter(&pen, (uint32_t)c, e);
       continue;
@@ -108,9 +109,11 @@ bool vs_text_lay(vs_store *s, const struct vs_letters *t, vs_text_plan *out, vs_
   return true;
 }
 
-/* ---- sampling ---- */
+/* ---- sampling of curves ---- */
 
-static double text_turn(vs_font_point a, vs_font_point b, vs_font_point c) { /* returns the angle between a-b and b-c */
+static double text_turn(vs_font_point a, vs_font_point b, vs_font_point c) { /* returns the angle in radians between
+                                                                              * the directions from a to b and from b
+                                                                              * to c */
   double x = b.x - a.x, y = b.y - a.y, u = c.x - b.x, v = c.y - b.y;
   return fabs(atan2(x * v - y * u, x * u + y * v));
 }
@@ -145,8 +148,8 @@ static vs_font_point text_at(vs_font_point p, const vs_glyph_step *s, double t) 
                           w[0] * p.y + w[1] * s->a.y + w[2] * s->b.y + w[3] * s->to.y };
 }
 
-/* Adds the contours of one glyph as loops of `all`, in model units relative to the text's point. tolerance in font
- * units. */
+/* Appends the contours of one glyph to `all`, in model units relative to the text's point. tolerance: largest distance
+ * of a chord from its curve, in font units. */
 static bool text_glyph_loops(const vs_text_glyph *at, double scale, double tolerance, int segments,
                              vs_flat_loops *all) {
   const vs_glyph *g = at->glyph;
@@ -211,12 +214,12 @@ static vs_vec3 text_lift(const vs_text_glyph *g, double scale, vs_vec3 p, const 
   return vs_affine_point(placed, vs_v3(p.x + g->x + at.x * scale, p.y + g->y + at.y * scale, p.z));
 }
 
-/* Finds the parameters where a coordinate of the curve is extreme: the roots of its derivative. c: the control points'
- * coordinates, 3 or 4 of them. */
+/* Finds the parameters between 0 and 1 at which a coordinate of a Bezier curve is extreme: the zeros of its derivative.
+ * c: that coordinate of the 3 or 4 control points. Returns their number. */
 static int text_turns(const double *c, bool cubic, double t[2]) {
   double a = cubic ? c[3] - 3 * c[2] + 3 * c[1] - c[0] : 0,
          b = cubic ? 2 * (c[2] - 2 * c[1] + c[0]) : c[2] - 2 * c[1] + c[0], d = c[1] - c[0];
-  if (fabs(a) < 1e-12 * (fabs(b) + fabs(d))) { /* b t + d = 0 */
+  if (fabs(a) < 1e-12 * (fabs(b) + fabs(d))) { /* the derivative is linear: b t + d = 0 */
     if (b == 0) return 0;
     t[0] = -d / b;
     return 1;
