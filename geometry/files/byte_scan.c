@@ -60,7 +60,7 @@ void vs_scan_word(vs_byte_scan *s, bool lines, char comment, char word[VS_SCAN_W
   word[n] = 0;
 }
 
-/* Reports the found text, in printable form, in place of the expected one. */
+/* Sets an error that contains the expected text and the found word, in printable form. Returns false. */
 static bool scan_refuse(const vs_byte_scan *s, const char *expected, const char *word) {
   char shown[VS_SCAN_WORD];
   size_t n = 0;

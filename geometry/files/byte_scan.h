@@ -1,5 +1,5 @@
-/* Declares, for the readers of mesh files, scanning of bytes: words and numbers by line, numbers by their width. Nothing
- * reads past the end. */
+/* Declares, for the readers of mesh files, the scanning of bytes. It reads words and numbers from lines of text, and
+ * binary numbers by their width. No function reads past the end of the file. */
 #ifndef VS_GEOMETRY_FILES_BYTE_SCAN_H
 #define VS_GEOMETRY_FILES_BYTE_SCAN_H
 
@@ -7,28 +7,31 @@
 #include "model/node.h"
 
 typedef struct {
-  const char *name;           /* of the file, without its folders */
+  const char *name;           /* name of the file without its folders */
   const unsigned char *bytes;
   size_t size, at;
   uint32_t line, ticks;
-  bool nowhere;               /* accept numbers that are not finite: the position of a point is then unknown */
+  bool nowhere;               /* true: numbers that are not finite are accepted; they mean that the position of a point
+                               * is unknown */
   vs_poller poll;
   vs_error *error;
 } vs_byte_scan;
 
-enum { VS_SCAN_WORD = 64 }; /* bytes; longer words are cut, because no number and no keyword is longer */
+enum { VS_SCAN_WORD = 64 }; /* bytes of a word with its NUL; longer words are truncated, because no number and no
+                             * keyword is longer */
 
-/* Sets the error "NAME: line N: ..." and returns false. */
+/* Sets the error to the text "NAME: line N: ..." and returns false. */
 bool vs_scan_fail(const vs_byte_scan *s, const char *format, ...) __attribute__((format(printf, 2, 3)));
 bool vs_scan_poll(vs_byte_scan *s);
-/* Skips blanks; returns true if the line ends there. */
+/* Skips blanks. Returns true if the line ends after them. */
 bool vs_scan_line_end(vs_byte_scan *s);
-/* Goes to the next line, at most to the end of the text. */
+/* Moves to the beginning of the next line, or to the end of the text. */
 void vs_scan_next_line(vs_byte_scan *s);
-/* Reads the next word; lines: also from the lines that follow. "": the end (of the line). Skips comments from `comment`
- * (0: none) to the line's end. */
+/* Reads the next word of the line; with lines, also from the lines after it. The word is "" at the end of the line or
+ * text. Skips comments, which go from the character `comment` to the end of the line; 0: there are none. */
 void vs_scan_word(vs_byte_scan *s, bool lines, char comment, char word[VS_SCAN_WORD]);
-bool vs_scan_real(vs_byte_scan *s, bool lines, char comment, double *out);       /* the number is finite */
+bool vs_scan_real(vs_byte_scan *s, bool lines, char comment, double *out);       /* returns false if there is no number,
+                                                                                  * or it is not finite */
 bool vs_scan_integer(vs_byte_scan *s, bool lines, char comment, int64_t *out);
 bool vs_scan_point(vs_byte_scan *s, bool lines, char comment, vs_vec3 *out);
 

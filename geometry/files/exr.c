@@ -1,5 +1,5 @@
-/* Implements EXR pictures in memory, and their writing by OpenEXR's C library: scan lines, ZIP compression in blocks of
- * 16. */
+/* Implements EXR pictures in memory, and writes them with OpenEXR's C library: as scan lines, with ZIP compression in
+ * blocks of 16 lines. */
 #include <openexr.h>
 #include <string.h>
 
@@ -13,7 +13,7 @@ const char *const vs_exr_text_names[VS_EXR_TEXTS] = {
     [VS_EXR_SOURCES] = "visualscheme.sources", [VS_EXR_MATERIALS] = "visualscheme.materials",
     [VS_EXR_CAMERA] = "visualscheme.camera", [VS_EXR_SUN] = "visualscheme.sun" };
 
-/* ---- in memory ---- */
+/* ---- pictures in memory ---- */
 
 static size_t exr_plane_bytes(const vs_exr *x) { return (size_t)x->columns * x->rows * sizeof(float); }
 
@@ -82,7 +82,7 @@ bool vs_exr_crop(vs_exr *x, uint32_t left, uint32_t top, uint32_t columns, uint3
 
 /* ---- writing ---- */
 
-/* EXR(member, symbol, result, parameters): the functions that this file uses */
+/* The functions of the library that this file uses, as EXR(member, symbol, result, parameters). */
 #define EXR_START (exr_context_t *, const char *, exr_default_write_mode_t, const exr_context_initializer_t *)
 #define EXR_PIPELINE (exr_const_context_t, int, exr_encode_pipeline_t *)
 #define EXR_CHUNK (exr_const_context_t, int, const exr_chunk_info_t *, exr_encode_pipeline_t *)
@@ -119,7 +119,7 @@ static const vs_dynamic_name exr_names[] = {
 
 typedef struct { vs_store *store; vs_made_bytes made; bool full; } exr_file;
 
-/* Writes bytes at their offset in the file; the buffer grows by half of its size. */
+/* Writes `count` bytes at the offset `from` of the file in memory. The buffer grows by half of its size. */
 static int64_t exr_put(exr_const_context_t c, void *to, const void *bytes, uint64_t count, uint64_t from,
                        exr_stream_error_func_ptr_t error) {
   (void)c, (void)error;
@@ -190,7 +190,7 @@ bool vs_exr_write(const vs_exr *x, vs_made_bytes *out, vs_error *e) {
   exr_result_t result = call.start(&c, "picture", EXR_WRITE_FILE_DIRECTLY, &how);
   if (result == EXR_ERR_SUCCESS) result = exr_put_header(&call, c, x);
   if (result == EXR_ERR_SUCCESS) result = exr_put_lines(&call, c, x);
-  if (c) { /* the library writes the table of chunks last */
+  if (c) { /* closes the file: the library writes the table of chunks only then */
     exr_result_t last = call.finish(&c);
     if (result == EXR_ERR_SUCCESS) result = last;
   }

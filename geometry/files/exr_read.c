@@ -1,10 +1,10 @@
-/* Implements reading EXR pictures by OpenEXR's C library, loaded at its first use: scan lines or tiles of the first
- * part.
+/* Reads EXR pictures with OpenEXR's C library, which is loaded at its first use. It reads scan lines or tiles of the
+ * first part of a file.
  *
- * The library decompresses; this file unpacks the numbers of a chunk. The library's own unpacking assumes that every
- * channel is wanted, and writes through a null pointer when a picture has one more channel (alpha) than the request. A
- * chunk holds its lines from the top; each line holds the channels in alphabetical order, one number after the other,
- * low byte first. */
+ * The library decompresses a chunk, and this file unpacks its numbers. The library's own unpacking assumes that all
+ * channels are requested. If the picture has another channel, such as alpha, it writes through a null pointer. A chunk
+ * contains its lines from the top. Each line contains the channels in alphabetical order, and the numbers of a channel
+ * one after another, low byte first. */
 #include "geometry/files/exr_read.h"
 
 #include <math.h>
@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* EXR(member, symbol, result, parameters): the functions that this file uses */
+/* The functions of the library that this file uses, as EXR(member, symbol, result, parameters). */
 #define EXR_PIPELINE (exr_const_context_t, int, exr_decode_pipeline_t *)
 #define EXR_CHUNK (exr_const_context_t, int, const exr_chunk_info_t *, exr_decode_pipeline_t *)
 #define EXR_TILES (exr_const_context_t, int, uint32_t *, uint32_t *, exr_tile_level_mode_t *, exr_tile_round_mode_t *)
@@ -60,16 +60,17 @@ static int64_t exr_size(exr_const_context_t c, void *memory) {
   (void)c;
   return (int64_t)((const vs_file_bytes *)memory)->size;
 }
-/* Discards the library's messages: its result codes say the same. */
+/* Discards the library's messages, because its result codes contain the same information. */
 static void exr_quiet(exr_const_context_t c, exr_result_t code, const char *message) { (void)c, (void)code,
     (void)message; }
 
-/* ---- numbers ---- */
+/* ---- half-precision numbers ---- */
 
 static double exr_half(unsigned bits) {
   uint32_t exponent = bits >> 10 & 31, fraction = bits & 1023, sign = (uint32_t)(bits & 0x8000) << 16;
   if (exponent == 0) return (bits & 0x8000 ? -0x1p-24 : 0x1p-24) * fraction;
-  /* a float's exponent bias is larger by 112, and its fraction has 13 bits more; both encode infinity and NaN alike */
+  /* Compared with a half, a float has an exponent bias that is larger by 112, and 13 more bits in its fraction. Both
+   * encode infinity and NaN by the greatest exponent. */
   uint32_t wide = sign | (exponent == 31 ? 255 : exponent + 112) << 23 | fraction << 13;
   float value;
   memcpy(&value, &wide, sizeof value);
@@ -87,7 +88,8 @@ static double exr_number(const unsigned char *at, uint16_t type) {
 
 /* ---- chunks ---- */
 
-/* A chunk's place in the picture, in pixels from its upper left corner; the parts beyond the picture are omitted. */
+/* The rectangle of a chunk in the picture, in pixels from the picture's upper left corner. The reader omits pixels of a
+ * chunk outside the picture. */
 typedef struct { int64_t x, y, columns, rows; } exr_place;
 
 typedef struct {
@@ -97,15 +99,16 @@ typedef struct {
   exr_attr_box2i_t box;
   const exr_attr_chlist_t *all;
   bool tiled;
-  int64_t wide, high;       /* size of a chunk */
-  int64_t columns, rows;    /* size of the picture */
-  exr_place part;           /* the wanted part of the picture */
-  size_t stride;            /* of the targets' rows, in numbers */
+  int64_t wide, high;       /* width and height of a chunk in pixels */
+  int64_t columns, rows;    /* size of the picture in pixels */
+  exr_place part;           /* the requested rectangle of the picture */
+  size_t stride;            /* numbers from one row of a target to the next */
   vs_exr_target targets[VS_EXR_CHANNELS];
   size_t count;
 } exr_reader;
 
-/* Copies the columns of a channel's line from `skip` on; first: the index of the first in the part. */
+/* Copies `columns` numbers of a channel's line, from column `skip` on, to the target. first: index in the target of the
+ * first number. */
 static exr_result_t exr_take_line(const exr_coding_channel_info_t *info, const unsigned char *at,
                                   const vs_exr_target *t, size_t first, int64_t skip, int64_t columns) {
   if (info->x_samples != 1 || info->y_samples != 1) return EXR_ERR_FEATURE_NOT_IMPLEMENTED;
@@ -119,8 +122,8 @@ static exr_result_t exr_take_line(const exr_coding_channel_info_t *info, const u
   return EXR_ERR_SUCCESS;
 }
 
-/* Copies a chunk's numbers to their place. top: the y of its first line in the file's own coordinates, which determine
- * sub-sampling. */
+/* Copies the numbers of a chunk to the targets. top: y of its first line in the coordinates of the file, which
+ * determine sub-sampling. */
 static exr_result_t exr_unpack(exr_reader *r, const exr_decode_pipeline_t *d, exr_place place, int64_t top) {
   const unsigned char *at = d->unpacked_buffer ? d->unpacked_buffer : d->packed_buffer;
   uint64_t left = at ? d->chunk.unpacked_size : 0;
@@ -132,7 +135,7 @@ static exr_result_t exr_unpack(exr_reader *r, const exr_decode_pipeline_t *d, ex
       const exr_coding_channel_info_t *info = &d->channels[c];
       if (info->x_samples < 1 || info->y_samples < 1 || info->width < 0 || info->bytes_per_element < 1)
         return EXR_ERR_CORRUPT_CHUNK;
-      if ((top + line) % info->y_samples != 0) continue; /* the channel has no numbers in this line */
+      if ((top + line) % info->y_samples != 0) continue; /* a sub-sampled channel has no numbers in this line */
       uint64_t bytes = (uint64_t)info->width * (uint64_t)info->bytes_per_element;
       if (bytes > left) return EXR_ERR_CORRUPT_CHUNK;
       int64_t row = place.y + line - part->y;
@@ -148,10 +151,10 @@ static exr_result_t exr_unpack(exr_reader *r, const exr_decode_pipeline_t *d, ex
   return EXR_ERR_SUCCESS;
 }
 
-/* Decompresses a chunk. The library reports a broken chunk when zlib runs out of memory. In this case an allocation of
- * the same size fails here too, or a second attempt succeeds. */
+/* Decompresses a chunk. If zlib has no memory, the library reports a broken chunk. To distinguish the two faults, this
+ * function allocates as much memory as zlib. If that fails, memory is out; otherwise it decompresses once more. */
 static exr_result_t exr_run(exr_reader *r, exr_decode_pipeline_t *d) {
-  enum { WORK = 1 << 16 }; /* bytes, more than zlib needs */
+  enum { WORK = 1 << 16 }; /* bytes; zlib needs less */
   exr_result_t result = r->call.run(r->c, 0, d);
   if (result != EXR_ERR_CORRUPT_CHUNK) return result;
   void *volatile probe = malloc(WORK);
@@ -160,8 +163,8 @@ static exr_result_t exr_run(exr_reader *r, exr_decode_pipeline_t *d) {
   return r->call.run(r->c, 0, d);
 }
 
-/* Reads all chunks. Chunks of scan lines are as wide as the picture and have a fixed number of lines; tiles have a
- * fixed size. Polls after each chunk. */
+/* Reads all chunks. A chunk of scan lines is as wide as the picture and has a fixed number of lines. A tile has a fixed
+ * size. Polls after each chunk. */
 static exr_result_t exr_decode(exr_reader *r, vs_error *e) {
   const exr_functions *call = &r->call;
   exr_context_t c = r->c;
@@ -184,7 +187,8 @@ static exr_result_t exr_decode(exr_reader *r, vs_error *e) {
         result = begun ? call->update(c, 0, &chunk, &decoder) : call->begin(c, 0, &chunk, &decoder);
       if (!begun && result == EXR_ERR_SUCCESS) {
         begun = true;
-        result = call->choose(c, 0, &decoder); /* chooses how to read and decompress; no channel has a target yet */
+        result = call->choose(c, 0, &decoder); /* lets the library choose how to read and decompress; no channel has a
+                                                * target yet */
         decoder.unpack_and_convert_fn = NULL;
       }
       if (result == EXR_ERR_SUCCESS) result = exr_run(r, &decoder);
@@ -194,7 +198,7 @@ static exr_result_t exr_decode(exr_reader *r, vs_error *e) {
   return result;
 }
 
-/* Reads the sizes of the picture and of its chunks. Returns false with the reason in e or in *result. */
+/* Reads the size of the picture and of its chunks. Returns false and sets e or *result on failure. */
 static bool exr_measure(exr_reader *r, const vs_file_bytes *file, exr_result_t *result, vs_error *e) {
   exr_storage_t storage;
   uint32_t tile_wide = 0, tile_high = 0;
@@ -220,8 +224,8 @@ static bool exr_measure(exr_reader *r, const vs_file_bytes *file, exr_result_t *
   }
   r->columns = (int64_t)r->box.max.x - r->box.min.x + 1, r->rows = (int64_t)r->box.max.y - r->box.min.y + 1;
   r->wide = r->tiled ? (int64_t)tile_wide : r->columns, r->high = r->tiled ? (int64_t)tile_high : per_chunk;
-  /* each chunk has an entry of eight bytes in a table: a size for which the file is too short is invalid, and no memory
-   * is allocated for it */
+  /* The file's table has eight bytes for each chunk. If the file is too short for the table of a picture of this size,
+   * the size is invalid, and no memory is allocated for it. */
   bool sized = r->columns > 0 && r->rows > 0 && r->rows <= VS_RASTER_MOST / r->columns;
   if (sized && (uint64_t)((r->rows - 1) / r->high + 1) > file->size / 8)
     return vs_error_set(e, VS_ERROR_MODEL, NULL,
@@ -249,7 +253,7 @@ static bool exr_choose(exr_reader *r, vs_exr_choose *choose, void *context, vs_e
   return choose(context, &view, r->targets, &r->count, e);
 }
 
-/* Sets the wanted part of the picture. */
+/* Sets the requested rectangle of the picture; w may be NULL for the whole picture. */
 static void exr_cut(exr_reader *r, const vs_exr_window *w) {
   r->part = (exr_place){ 0, 0, r->columns, r->rows };
   if (w) r->part = (exr_place){ w->part.left, w->part.top, w->part.columns, w->part.rows };
@@ -288,7 +292,7 @@ bool vs_exr_decode(vs_store *store, const vs_file_bytes *file, const vs_exr_wind
   return ok;
 }
 
-/* ---- a picture with its channels ---- */
+/* ---- reading of a picture with its channels ---- */
 
 typedef struct { vs_exr *out; const char *name; const char *const *wanted; } exr_load;
 
@@ -331,7 +335,7 @@ bool vs_exr_read(vs_store *store, const vs_file_bytes *file, const char *const *
   return ok;
 }
 
-/* ---- a part of a picture ---- */
+/* ---- reading of a part of a picture into another ---- */
 
 typedef struct { const vs_exr_cut *cut; vs_exr *into; const char *name; } exr_cutting;
 

@@ -1,7 +1,8 @@
-/* Implements reading JPEG pictures by libjpeg, loaded at its first use.
+/* Reads JPEG pictures with libjpeg, which is loaded at its first use.
  *
- * The reader keeps only the size and the colours of a picture: programs that show it get its file. It reads the whole
- * file, and therefore refuses a truncated or broken file here, before another program shows half of it. */
+ * The result contains only the size and the colours of a picture, because programs that show it read the file
+ * themselves. Nevertheless the whole file is decoded here, so that a truncated or broken file is refused before another
+ * program shows half of it. */
 #include "geometry/files/jpeg_read.h"
 
 #include <setjmp.h>
@@ -13,7 +14,7 @@
 #include "geometry/dynamic.h"
 #include "geometry/files/raster.h"
 
-enum { SCANS_MOST = 200, CODE_MOST = 1024 /* the most pixels for each byte of the file */ };
+enum { SCANS_MOST = 200, CODE_MOST = 1024 /* greatest number of pixels for each byte of the file */ };
 
 typedef struct {
   struct jpeg_error_mgr *(*errors)(struct jpeg_error_mgr *);
@@ -43,9 +44,9 @@ static const char *const jpeg_files[] = { "libjpeg.so.62", "libjpeg.so", NULL };
 #endif
 static const vs_dynamic_library jpeg_library = { jpeg_files, "libjpeg62-turbo", "JPEG pictures" };
 
-/* libjpeg jumps at an error. It continues after a warning; a whole file causes none. */
+/* libjpeg reports an error by longjmp. After a warning it continues; a complete file causes no warning. */
 typedef struct {
-  struct jpeg_error_mgr errors; /* first member: libjpeg knows only this one */
+  struct jpeg_error_mgr errors; /* must be the first member, because libjpeg only has a pointer to it */
   struct jpeg_progress_mgr progress;
   jmp_buf out;
   char said[JMSG_LENGTH_MAX];
@@ -59,7 +60,7 @@ static void jpeg_fail(j_common_ptr j) {
 static void jpeg_say(j_common_ptr j, int level) {
   if (level < 0) jpeg_fail(j);
 }
-/* Refuses too many scans: a small file may describe a large picture in many of them. */
+/* Refuses a picture with too many scans: in many scans, a small file may describe a very large picture. */
 static void jpeg_progress(j_common_ptr j) {
   jpeg_run *run = (jpeg_run *)j->err;
   if (((j_decompress_ptr)j)->input_scan_number <= SCANS_MOST) return;
@@ -67,10 +68,11 @@ static void jpeg_progress(j_common_ptr j) {
   longjmp(run->out, 1);
 }
 
-/* A line of the reduced picture; at NULL: only the header is read. */
+/* Memory for a line of the reduced picture. If at is NULL, only the header is read. */
 typedef struct { unsigned char *at; size_t room; } jpeg_line;
 
-/* A separate function, because a jump makes the locals of the function that sets it indeterminate. */
+/* Calls setjmp. This is a separate function because longjmp makes the changed local variables of such a function
+ * indeterminate. */
 static bool jpeg_decode(const jpeg_functions *call, struct jpeg_decompress_struct *j, const vs_file_bytes *file,
                         jpeg_line line, vs_jpeg_bytes *out) {
   if (setjmp(((jpeg_run *)j->err)->out)) return false;
@@ -97,7 +99,7 @@ bool vs_jpeg_read(vs_store *store, const vs_file_bytes *file, vs_jpeg_bytes *out
   if (!vs_dynamic_load(&jpeg_library, jpeg_names, sizeof jpeg_names / sizeof *jpeg_names, &call, e)) return false;
   *out = (vs_jpeg_bytes){ 0 };
   bool ok = true;
-  for (int pass = 0; ok && pass < 2; pass++) { /* first the header alone, then the whole file */
+  for (int pass = 0; ok && pass < 2; pass++) { /* the first pass reads only the header, the second the whole file */
     struct jpeg_decompress_struct j;
     jpeg_run run = { .said = "" };
     memset(&j, 0, sizeof j);

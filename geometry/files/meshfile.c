@@ -1,5 +1,5 @@
-/* Implements reading STL, OBJ and OFF files, and the list of points and faces that all readers fill; ply.c reads
- * PLY. */
+/* Reads STL, OBJ and OFF files, and implements the list of points and faces that all readers fill. ply.c reads PLY
+ * files. */
 #include "geometry/files/meshfile.h"
 
 #include <stdlib.h>
@@ -9,7 +9,7 @@
 #include "geometry/files/byte_scan.h"
 #include "model/store/array.h"
 
-/* ---- the list ---- */
+/* ---- the list of points and faces ---- */
 
 void vs_face_list_free(vs_face_list *l) {
   free(l->points);
@@ -51,7 +51,7 @@ static float little_float(const unsigned char *b) {
 
 static bool read_stl_bytes(vs_byte_scan *s, uint32_t count, vs_face_list *out) {
   for (uint32_t i = 0; i < count; i++) {
-    const unsigned char *b = s->bytes + 84 + (size_t)50 * i + 12; /* the normal is redundant */
+    const unsigned char *b = s->bytes + 84 + (size_t)50 * i + 12; /* skips the normal, which follows from the corners */
     for (int k = 0; k < 3; k++, b += 12) {
       vs_vec3 p = { (double)little_float(b), (double)little_float(b + 4), (double)little_float(b + 8) };
       s->at = (size_t)(b - s->bytes);
@@ -83,7 +83,8 @@ static bool read_stl_words(vs_byte_scan *s, vs_face_list *out) {
       if (open < 3) return vs_scan_fail(s, "the facet has %zu corners, not three", open);
       if (!face_list_memory(s, vs_face_list_close(out)) || !vs_scan_poll(s)) return false;
     } else if (!strcmp(word, "normal")) {
-      for (int i = 0; i < 3; i++) vs_scan_word(s, true, 0, word); /* normals may be any words, and often are nan */
+      for (int i = 0; i < 3; i++) vs_scan_word(s, true, 0, word); /* skips the normal, whose words may be anything,
+                                                                   * often nan */
     } else if (strcmp(word, "facet") && strcmp(word, "outer") && strcmp(word, "loop") && strcmp(word, "endloop")) {
       return vs_scan_fail(s, "expected \"facet\", \"vertex\" or another word of STL, got \"%.32s\"", word);
     }
@@ -92,8 +93,8 @@ static bool read_stl_words(vs_byte_scan *s, vs_face_list *out) {
          vs_scan_fail(s, "the file ends within a facet");
 }
 
-/* In bytes: 80 of any text, the count, 50 for each triangle. Many such files begin with "solid" too; the size
- * distinguishes them. */
+/* A binary STL file has 80 bytes of any text, the number of triangles, and 50 bytes for each triangle. Many binary
+ * files also begin with "solid" like text files, so the file's size distinguishes them. */
 static bool read_stl(vs_byte_scan *s, vs_face_list *out) {
   uint32_t count = s->size >= 84 ? (uint32_t)s->bytes[80] | (uint32_t)s->bytes[81] << 8 | (uint32_t)s->bytes[82] << 16 |
                                        (uint32_t)s->bytes[83] << 24
@@ -105,7 +106,8 @@ static bool read_stl(vs_byte_scan *s, vs_face_list *out) {
   if (s->size - start >= 5 && !memcmp(s->bytes + start, "solid", 5) &&
       !memchr(s->bytes, 0, s->size < 512 ? s->size : 512))
     return read_stl_words(s, out);
-  if (s->size >= 84 && s->size > need) return read_stl_bytes(s, count, out); /* more bytes follow */
+  if (s->size >= 84 && s->size > need) return read_stl_bytes(s, count, out); /* a binary file may have more bytes at the
+                                                                              * end */
   if (s->size < 84)
     return vs_error_set(s->error, VS_ERROR_MODEL, NULL, "%.100s: this is no STL file: it has %zu bytes", s->name,
                         s->size);
@@ -119,7 +121,7 @@ static bool read_stl(vs_byte_scan *s, vs_face_list *out) {
 static bool read_obj_face(vs_byte_scan *s, vs_face_list *out) {
   char word[VS_SCAN_WORD], *end;
   while (!vs_scan_line_end(s) && s->bytes[s->at] != '#') {
-    if (s->bytes[s->at] == '\\') { /* the face continues in the next line */
+    if (s->bytes[s->at] == '\\') { /* a backslash continues the face on the next line */
       vs_scan_next_line(s);
       continue;
     }
@@ -127,7 +129,7 @@ static bool read_obj_face(vs_byte_scan *s, vs_face_list *out) {
     long long i = strtoll(word, &end, 10);
     if (end == word || (*end && *end != '/') || i == 0)
       return vs_scan_fail(s, "expected the number of a point, got \"%.32s\"", word);
-    if (i < 0) i += (long long)out->point_count + 1; /* -1 is the last point so far */
+    if (i < 0) i += (long long)out->point_count + 1; /* index -1 means the last point read so far */
     if (i < 1 || i > (long long)UINT32_MAX)
       return vs_scan_fail(s, "the face asks for point %.32s, but there are %zu so far", word, out->point_count);
     if (!face_list_memory(s, vs_face_list_corner(out, (uint32_t)(i - 1)))) return false;
@@ -146,7 +148,7 @@ static bool read_obj(vs_byte_scan *s, vs_face_list *out) {
       if (!vs_scan_point(s, false, '#', &p) || !face_list_memory(s, vs_face_list_point(out, p))) return false;
     } else if (!strcmp(word, "f")) {
       if (!read_obj_face(s, out)) return false;
-    } /* normals, textures, groups, materials and curves are ignored */
+    } /* ignores normals, textures, groups, materials and curves */
     if (!vs_scan_poll(s)) return false;
   }
   return true;
@@ -154,8 +156,8 @@ static bool read_obj(vs_byte_scan *s, vs_face_list *out) {
 
 /* ---- OFF ---- */
 
-/* [ST][C][N]OFF, the counts of points, faces and edges, then the points (each may have colours and the like after it),
- * then the faces. */
+/* The file has the words [ST][C][N]OFF, the numbers of points, faces and edges, then the points and the faces. Colours
+ * and other numbers may follow each point. */
 static bool read_off(vs_byte_scan *s, vs_face_list *out) {
   char word[VS_SCAN_WORD];
   int64_t points, faces, edges, corners, index;
@@ -189,13 +191,13 @@ static bool read_off(vs_byte_scan *s, vs_face_list *out) {
                             (long long)index, (long long)points);
       if (!face_list_memory(s, vs_face_list_corner(out, (uint32_t)index))) return false;
     }
-    vs_scan_next_line(s); /* a colour may follow */
+    vs_scan_next_line(s); /* skips a colour after the face */
     if (!face_list_memory(s, vs_face_list_close(out)) || !vs_scan_poll(s)) return false;
   }
   return true;
 }
 
-/* ---- by the ending ---- */
+/* ---- choice of the reader by the file's ending ---- */
 
 typedef bool mesh_reader(vs_byte_scan *s, vs_face_list *out);
 

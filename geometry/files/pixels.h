@@ -4,7 +4,7 @@
 
 #include <stdint.h>
 
-/* Three bytes for each pixel, sRGB, row by row from the top. */
+/* Three bytes of sRGB for each pixel, in rows from the top. */
 typedef struct { unsigned char *rgb; uint32_t columns, rows; } vs_pixels;
 
 #endif

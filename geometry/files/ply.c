@@ -1,10 +1,10 @@
-/* Implements reading PLY files: a header that gives the properties of each element, then the elements, as text or
- * binary in either byte order.
+/* Reads PLY files. A header lists the properties of each element. The elements follow, as text or binary in either byte
+ * order.
  *
- * The reader keeps three elements and skips others by their types:
- *   vertex     its x, y, z
+ * The reader keeps three kinds of elements, and skips others by their types:
+ *   vertex     its properties x, y, z
  *   face       its list vertex_indices or vertex_index
- *   tristrips  the same list: each corner from the third on makes a triangle with the two before it, every second
+ *   tristrips  such a list: each corner from the third on makes a triangle with the two before it, every second
  *              triangle in reverse order; -1 begins a new strip */
 #include "geometry/files/ply.h"
 
@@ -90,7 +90,7 @@ static bool ply_header(vs_byte_scan *s, ply_form *form, ply_element *elements, s
       ++*count;
     } else if (!strcmp(word, "property")) {
       if (!ply_header_property(s, *count ? &elements[*count - 1] : NULL)) return false;
-    } /* comment, obj_info: text of the file's author */
+    } /* ignores comment and obj_info, texts by the file's author */
   }
   if (!formed) return vs_scan_fail(s, "the header names no format");
   vs_scan_next_line(s);
@@ -127,13 +127,13 @@ static bool ply_value(vs_byte_scan *s, ply_form form, ply_type type, double *out
   return true;
 }
 
-/* Corners of the strip so far: the last two, and their number since its beginning. */
+/* State of a strip of triangles: its last two corners, and the number of corners so far. */
 typedef struct { uint32_t last[2]; uint64_t count; } ply_strip;
 
-/* Adds a corner to a strip. A repeated corner turns the strip; it makes triangles without an area, which are
- * omitted. */
+/* Adds a corner to a strip. Strips may repeat a corner to change direction. The triangles with a repeated corner have
+ * no area and are omitted. */
 static bool ply_strip_corner(ply_strip *s, uint32_t corner, vs_face_list *out) {
-  uint32_t a = s->last[s->count % 2], b = s->last[1 - s->count % 2]; /* triangles with an odd number are reversed */
+  uint32_t a = s->last[s->count % 2], b = s->last[1 - s->count % 2]; /* every second triangle is reversed */
   bool ok = true;
   if (s->count >= 2 && a != b && a != corner && b != corner)
     ok = vs_face_list_corner(out, a) && vs_face_list_corner(out, b) && vs_face_list_corner(out, corner) &&
@@ -191,7 +191,7 @@ bool vs_ply_read(vs_byte_scan *s, vs_face_list *out) {
   if (!ply_header(s, &form, elements, &count)) return false;
   for (size_t i = 0; i < count; i++) {
     ply_element *e = &elements[i];
-    size_t least = 0, roles = 0; /* least: the smallest size of an element in bytes */
+    size_t least = 0, roles = 0; /* least: smallest possible size of an element in bytes */
     for (size_t k = 0; k < e->properties; k++) {
       least += form == PLY_WORDS ? 1 : ply_width[e->at[k].list ? e->at[k].count_type : e->at[k].type];
       roles += e->at[k].role != PLY_OTHER;
@@ -204,7 +204,7 @@ bool vs_ply_read(vs_byte_scan *s, vs_face_list *out) {
     if (least && e->count > (s->size - s->at) / least + 1)
       return vs_scan_fail(s, "the file is cut off: it is too short for %llu of element %s",
                           (unsigned long long)e->count, e->name);
-    if (form != PLY_WORDS) s->line = 0; /* from here on messages count bytes */
+    if (form != PLY_WORDS) s->line = 0; /* messages after this give the byte, not the line */
     for (uint64_t n = 0; least && n < e->count; n++)
       if (!ply_one(s, form, e, n, points, out)) return false;
   }

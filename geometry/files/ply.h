@@ -1,4 +1,4 @@
-/* Declares reading PLY files. */
+/* Declares the reading of PLY files. */
 #ifndef VS_GEOMETRY_FILES_PLY_H
 #define VS_GEOMETRY_FILES_PLY_H
 

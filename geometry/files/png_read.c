@@ -1,8 +1,9 @@
-/* Implements reading PNG pictures by libpng, loaded at its first use.
+/* Reads PNG pictures with libpng, which is loaded at its first use.
  *
- * libpng's simple interface reports errors as results. It would transform the numbers by the file's gamma and colour
- * profile; heights need the stored numbers. Therefore it reads a copy of the file that has only the critical chunks. It
- * then returns eight bits unchanged, and sixteen bits too, which it takes for linear. */
+ * libpng's simple interface reports errors as results, but transforms the numbers by the file's gamma and colour
+ * profile. Heights need the stored numbers. Therefore libpng gets a copy of the file with only its critical chunks. It
+ * then returns numbers of eight bits unchanged. It also returns sixteen bits unchanged, because it assumes that they
+ * are linear. */
 #include "geometry/files/png_read.h"
 
 #include <png.h>
@@ -11,8 +12,8 @@
 #include "geometry/dynamic.h"
 #include "geometry/files/raster.h"
 
-/* Deflate compresses at most so many bytes into one: a size for which the file is too short is invalid, and no memory
- * is allocated for it. */
+/* Greatest number of bytes that deflate compresses to one byte. If the file is too short for a picture of the stated
+ * size, the size is invalid, and no memory is allocated for it. */
 enum { DEFLATE_MOST = 1032 };
 
 typedef struct {
@@ -34,8 +35,8 @@ static uint32_t png_number(const unsigned char *b) {
   return (uint32_t)b[0] << 24 | (uint32_t)b[1] << 16 | (uint32_t)b[2] << 8 | (uint32_t)b[3];
 }
 
-/* Copies the signature and the critical chunks (capital first letter). Returns the size; 0: the file is truncated or
- * does not begin with its header. */
+/* Copies the signature and the critical chunks, whose names begin with a capital letter, to `to`. Returns the number of
+ * copied bytes; 0: the file is truncated or does not begin with its header chunk. */
 static size_t png_bare(const unsigned char *bytes, size_t size, unsigned char *to) {
   size_t at = 8, kept = 8;
   memcpy(to, bytes, 8);
@@ -86,7 +87,7 @@ bool vs_png_read(vs_store *store, const vs_file_bytes *file, vs_png_pixels *out,
                  (out->deep ? PNG_FORMAT_FLAG_LINEAR : 0u);
   read = read && image.width == out->columns && image.height == out->high && call.finish(&image, NULL, out->rows, 0,
                                                                                          NULL);
-  /* "out of memory", "insufficient memory" */
+  /* The messages of libpng for this fault are "out of memory" and "insufficient memory". */
   if (ok && !read && strstr(image.message, "memory")) ok = vs_error_memory(e, NULL);
   else if (ok && !read)
     ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: %s", file->name,

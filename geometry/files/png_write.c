@@ -1,9 +1,9 @@
-/* Implements writing PNG pictures by libpng, loaded at its first use. The files contain no date.
+/* Writes PNG pictures with libpng, which is loaded at its first use. The files contain no date.
  *
- * Compression was most of the time of developing a picture. For 960 by 720 pixels of a rendering, the library's own
- * choice (five filters tried for each row, zlib's level 6) takes 160 ms. The Paeth filter with runs alone (Z_RLE) takes
- * 25 ms, for 3 to 6 % more bytes. The library's simple interface does not offer it; the other interface reports errors
- * by longjmp, which stays within png_rows. */
+ * Compression used to be the slowest step of developing a picture. For a rendering of 960 by 720 pixels, libpng's
+ * default (five filters tried for each row, zlib level 6) takes 160 ms. The Paeth filter with run lengths alone (Z_RLE)
+ * takes 25 ms, and makes files 3 to 6 % larger. libpng's simple interface does not offer this choice. Its other
+ * interface reports errors by longjmp; the jumps stay within png_rows. */
 #include "geometry/files/png_write.h"
 
 #include <png.h>
@@ -14,7 +14,7 @@
 
 #include "geometry/files/raster.h"
 
-/* PNG(member, symbol, result, parameters): the functions that this file uses */
+/* The functions of the library that this file uses, as PNG(member, symbol, result, parameters). */
 #define PNG_FUNCTIONS                                                                                                  \
   PNG(open, png_create_write_struct, png_structp, (const char *, void *, png_error_ptr, png_error_ptr))                \
   PNG(info, png_create_info_struct, png_infop, (png_structp))                                                          \
@@ -53,8 +53,9 @@ typedef struct {
   jmp_buf failed;
 } png_sink;
 
-/* Returns the sink that the library was given. Callbacks get only the library's own structure, and nothing is global:
- * therefore this loads the library again, which costs some microseconds; a picture has some tens of blocks. */
+/* Returns the sink that was passed to the library. A callback gets only the library's own structure, and this file has
+ * no global variables. Therefore this function loads the library again, which takes some microseconds; a picture has
+ * some tens of blocks. */
 static png_sink *png_sink_of(png_structp png) {
   struct { void *(*sink)(png_const_structp); } call = { NULL };
   static const vs_dynamic_name name = { "png_get_error_ptr", 0 };
@@ -84,8 +85,8 @@ static void png_take(png_structp png, unsigned char *bytes, size_t count) {
   made->size += count;
 }
 
-/* Writes the file of the picture's rows into the sink. Returns false with the reason in the sink's message. After a
- * longjmp, only the sink's data are read of all that changed since setjmp. */
+/* Writes the picture as a PNG file into the sink. Returns false and sets the sink's message on failure. After a
+ * longjmp, local variables may be indeterminate; only the sink is read then. */
 static bool png_rows(png_sink *s, const vs_pixels *picture) {
   const png_functions *call = &s->call;
   if (setjmp(s->failed) != 0) return false;

@@ -1,4 +1,4 @@
-/* Declares writing PNG pictures. */
+/* Declares the writing of PNG pictures. */
 #ifndef VS_GEOMETRY_FILES_PNG_WRITE_H
 #define VS_GEOMETRY_FILES_PNG_WRITE_H
 
@@ -6,7 +6,8 @@
 #include "geometry/files/pixels.h"
 #include "model/node.h"
 
-/* Makes a PNG: the same bytes for the same pixels. A failure leaves *out unchanged. */
+/* Makes the bytes of a PNG file. Equal pictures become equal bytes. Returns false and leaves *out unchanged on
+ * failure. */
 bool vs_png_write(vs_store *store, const vs_pixels *picture, vs_made_bytes *out, vs_error *e);
 
 #endif

@@ -1,4 +1,4 @@
-/* Declares checks of points and faces before they become a node: whether they close, and their orientation. */
+/* Declares checks of faces over points before they become a node: whether they close, and their orientation. */
 #ifndef VS_GEOMETRY_FILES_POLYFACE_H
 #define VS_GEOMETRY_FILES_POLYFACE_H
 
@@ -6,36 +6,36 @@
 #include "model/mesh.h"
 #include "model/node.h"
 
-/* Faces over points; the caller owns both. Face f has the corners corners[starts[f]] .. corners[starts[f + 1] - 1],
- * which are indices of points from 0; starts has face_count + 1 entries. */
+/* Faces over points; the caller owns the arrays. Face f has the corners corners[starts[f]] to corners[starts[f + 1] -
+ * 1], which are indices of points from 0. starts has face_count + 1 elements. */
 typedef struct {
   const vs_vec3 *points;
   size_t point_count;
   const uint32_t *starts, *corners;
   size_t face_count;
 } vs_polygons;
-/* Returns the faces of a list; valid until the list changes. */
+/* Returns the faces of a list. The result is valid until the list changes. */
 static inline vs_polygons vs_polygons_of(const vs_face_list *l) {
   static const uint32_t none[1] = { 0 };
   return (vs_polygons){ l->points, l->point_count, l->face_count ? l->starts : none, l->corners, l->face_count };
 }
 
-/* Sets place[i] to the first point with i's coordinates. Returns false when memory is out. */
+/* Sets place[i] to the index of the first point with the coordinates of point i. Returns false when memory is out. */
 bool vs_polyface_merge(const vs_vec3 *points, size_t count, uint32_t *place);
 
-/* Sets turned[f] (zeroed by the caller) for faces that must be turned to agree with the first face of their shell.
- * *closed: each edge is then used as often in one direction as in the other. Equal points have one index; coordinates
- * are not used. s: the store that may interrupt the work, or NULL. Returns false when memory is out or the run is
- * interrupted. */
+/* Sets turned[f] to 1 for faces that must be turned to agree with the first face of their shell. The caller has set all
+ * elements to 0. *closed: true if each edge is then used as often in one direction as in the other. Equal points must
+ * have one index, because coordinates are not compared. s: the store whose caller may interrupt the work, or NULL.
+ * Returns false when memory is out or the run is interrupted. */
 bool vs_polyface_orient(vs_store *s, const vs_polygons *faces, unsigned char *turned, bool *closed, vs_error *e);
 
-/* Makes the node. It drops faces of fewer than three different corners, turns faces that disagree with their
- * neighbours, and turns all faces if they close inside out; equal points become one. Without faces it returns the empty
- * node. NULL: e has the reason. */
+/* Makes a node of the faces. Equal points become one point. Drops faces with fewer than three different corners, and
+ * turns faces that disagree with their neighbours. If the faces close inside out, turns all. Without faces, returns the
+ * empty node. Returns NULL and sets e on failure. */
 vs_node *vs_polyface_make(vs_store *s, const vs_polygons *faces, vs_error *e);
 
-/* Does the same. If the triangles were needed on the way, mesh (empty before) receives them, tagged by face; else it
- * stays empty. */
+/* Makes a node as vs_polyface_make does. If it computes the triangles, mesh receives them, with the face's index as
+ * tag; otherwise mesh stays empty. mesh must be empty at the call. */
 vs_node *vs_polyface_make_mesh(vs_store *s, const vs_polygons *faces, vs_mesh *mesh, vs_error *e);
 
 #endif

@@ -1,4 +1,4 @@
-/* Implements the code that the readers of pictures share, and the choice of the reader. */
+/* Contains the code that the readers of pictures share, and chooses the reader by the file. */
 #include "geometry/files/raster.h"
 
 #include <string.h>

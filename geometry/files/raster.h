@@ -1,4 +1,4 @@
-/* Declares reading pictures as numbers, for height fields: PNG and EXR, one number for each pixel. */
+/* Declares the reading of pictures as numbers for height fields: PNG and EXR files, with one number for each pixel. */
 #ifndef VS_GEOMETRY_FILES_RASTER_H
 #define VS_GEOMETRY_FILES_RASTER_H
 
@@ -6,27 +6,29 @@
 #include "geometry/files/file_bytes.h"
 #include "model/node.h"
 
-enum { VS_RASTER_MOST = 1 << 26 }; /* pixels of the largest picture */
+enum { VS_RASTER_MOST = 1 << 26 }; /* greatest number of pixels of a picture */
 
 typedef struct {
-  double *at; /* row by row from the top: of a PNG, from 0 (black) to 1 (white); of an EXR, the stored number */
+  double *at; /* numbers in rows from the top: of a PNG file 0 (black) to 1 (white), of an EXR file the stored
+               * numbers */
   uint32_t columns, rows;
-  vs_store *store; /* the owner of the memory */
+  vs_store *store; /* the store that owns the memory */
 } vs_raster;
 void vs_raster_free(vs_raster *r);
 
-/* Reads a whole file that is in memory; its first bytes determine the format. Numbers: grey unchanged; of colours the
- * luminance (Rec. 709) of the stored numbers; of an EXR Y, else its only channel, else the luminance of R, G and B.
- * *out needs no initialisation, and is empty after a failure. The libraries are loaded at their first use. */
+/* Reads a picture that is in memory; the first bytes determine the format. The number of a pixel is its grey value, or
+ * for colours the luminance (Rec. 709) of the stored numbers. In an EXR file it is the channel Y, else the only
+ * channel, else the luminance of R, G and B. *out needs no initialisation, and is empty after a failure. The libraries
+ * are loaded at their first use. */
 bool vs_raster_read(vs_store *store, const vs_file_bytes *file, vs_raster *out, vs_error *e);
 
-/* Returns true if a picture of this size can be read; else the error gives the largest number of pixels. */
+/* Returns true if a picture of this size can be read. Otherwise sets e, with the greatest number of pixels. */
 bool vs_raster_size(const char *name, uint64_t columns, uint64_t rows, vs_error *e);
-/* Allocates the pixels, for the two readers. */
+/* Allocates the numbers of a picture, for the two readers. Returns false and sets e on failure. */
 bool vs_raster_room(vs_raster *r, const char *name, uint64_t columns, uint64_t rows, vs_error *e);
 /* weights of red, green and blue in the luminance (Rec. 709) */
 static const double vs_raster_share[3] = { 0.2126, 0.7152, 0.0722 };
 
-extern const vs_dynamic_library vs_png_library; /* libpng */
+extern const vs_dynamic_library vs_png_library; /* description of the library libpng */
 
 #endif

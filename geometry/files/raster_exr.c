@@ -1,11 +1,11 @@
-/* Implements the choice of an EXR picture's channels that are its heights. */
+/* Chooses the channels of an EXR picture that contain heights. */
 #include "geometry/files/raster_exr.h"
 
 #include <string.h>
 
 #include "geometry/files/exr_read.h"
 
-/* Sets names[k] to the channel of the k-th number. Returns the number of channels, 1 or 3; 0: no channel fits. */
+/* Sets names[k] to the name of the k-th channel to read. Returns the number of channels, 1 or 3; 0: no channel fits. */
 static size_t exr_choose_channels(const vs_exr_view *view, const char *names[3]) {
   const char *rgb[3] = { NULL, NULL, NULL }, *y = NULL, *only = NULL;
   int others = 0;

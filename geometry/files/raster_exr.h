@@ -1,4 +1,4 @@
-/* Declares the functions of raster_exr.c: the choice of an EXR picture's channels that are its heights. */
+/* Declares the reading of EXR pictures as numbers. */
 #ifndef VS_GEOMETRY_FILES_RASTER_EXR_H
 #define VS_GEOMETRY_FILES_RASTER_EXR_H
 

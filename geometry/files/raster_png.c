@@ -1,4 +1,4 @@
-/* Implements PNG pictures as numbers: grey unchanged, of colours the luminance. */
+/* Reads PNG pictures as numbers: grey values unchanged, colours as luminance. */
 #include "geometry/files/raster_png.h"
 
 #include "geometry/files/png_read.h"

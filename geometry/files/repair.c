@@ -1,8 +1,8 @@
-/* Implements the repair of points and faces until they close.
+/* Repairs faces over points until they close.
  *
- * In a closed chain each edge, counted with its direction, is used as often one way as the other. The surplus sides of
- * an edge give a list of missing sides. At every point as many missing sides leave as arrive, in any mesh; therefore
- * they always form loops, and each loop is covered by triangles. */
+ * In a closed chain each edge is used as often in one direction as in the other. If an edge is not, opposite sides are
+ * missing there. In any mesh, as many missing sides leave a point as arrive at it. Therefore the missing sides form
+ * loops, and triangles can cover each loop. */
 #include "geometry/files/repair.h"
 
 #include <stdlib.h>
@@ -20,7 +20,7 @@ bool vs_face_list_compact(vs_face_list *l) {
   bool ok = place && number && vs_polyface_merge(l->points, l->point_count, place);
   if (ok) memset(number, 0xFF, (l->point_count + 1) * sizeof *number);
   for (size_t c = 0; ok && c < l->corner_count; c++) number[place[l->corners[c]]] = 0;
-  for (uint32_t i = 0; ok && i < l->point_count; i++) /* the points keep their order */
+  for (uint32_t i = 0; ok && i < l->point_count; i++) /* keeps the points in their order */
     if (number[i] != UINT32_MAX) {
       l->points[count] = l->points[i];
       number[i] = count++;
@@ -41,7 +41,7 @@ static int side_compare(const void *a, const void *b) {
   return p->face < q->face ? -1 : p->face > q->face;
 }
 
-/* Returns all sides, sorted by edge, without sides of length 0. */
+/* Returns the sides of all faces, sorted by edge. Omits sides of length 0. */
 static repair_side *list_sides(const vs_face_list *l, size_t *count) {
   repair_side *sides = vs_fresh(l->corner_count + 1, sizeof *sides);
   *count = 0;
@@ -54,8 +54,8 @@ static repair_side *list_sides(const vs_face_list *l, size_t *count) {
   return sides;
 }
 
-/* Returns the index after the last side of the edge that begins at side `at`, an index of sides. *over: how many more
- * of its sides run forward than backward. */
+/* Returns the index after the last side of the edge to which side number `at` belongs. *over: number of its sides that
+ * run forward less those that run backward. */
 static size_t edge_end(const repair_side *sides, size_t count, size_t at, long *over) {
   size_t end = at;
   VS_ASSERT(at < count);
@@ -73,7 +73,7 @@ bool vs_face_list_open(vs_store *s, const vs_face_list *l, vs_open_edges *out, v
   bool closed, ok = place && number && turned && vs_polyface_merge(l->points, l->point_count, place);
   *out = (vs_open_edges){ 0 };
   vs_error why = { VS_ERROR_NONE, NULL, "" };
-  /* the same view as when the node is made: equal points are one, neighbours agree */
+  /* Prepares the faces as vs_polyface_make does: equal points become one, and neighbours agree. */
   for (uint32_t f = 0; ok && f < l->face_count; f++) {
     for (uint32_t c = l->starts[f]; ok && c < l->starts[f + 1]; c++)
       ok = vs_face_list_corner(&own, place[l->corners[c]]);
@@ -102,11 +102,11 @@ bool vs_face_list_open(vs_store *s, const vs_face_list *l, vs_open_edges *out, v
   return ok;
 }
 
-/* ---- welding ---- */
+/* ---- welding of nearby points ---- */
 
 typedef struct { int64_t x, y, z; } weld_cell;
 
-/* Returns the slot of a cell, or a free slot; mask is the number of slots, a power of two, minus 1. */
+/* Returns the slot of cell c, or a free slot if it has none. mask is the number of slots, a power of two, minus 1. */
 static size_t weld_slot(const uint32_t *slots, size_t mask, const weld_cell *cells, weld_cell c) {
   uint64_t h = (uint64_t)c.x * UINT64_C(0x9E3779B97F4A7C15) ^ (uint64_t)c.y * UINT64_C(0xC2B2AE3D27D4EB4F) ^
                (uint64_t)c.z * UINT64_C(0x165667B19E3779F9);
@@ -116,12 +116,12 @@ static size_t weld_slot(const uint32_t *slots, size_t mask, const weld_cell *cel
   return at;
 }
 
-/* Sets place[i] to the first point within `reach` of i, or to i. Cells are twice as wide as reach: at most eight cells
- * can hold such a point. */
+/* Sets place[i] to the first point within `reach` of point i, or to i. Cells are twice as wide as `reach`, so such a
+ * point is in one of at most eight cells. */
 static bool weld(const vs_face_list *l, double reach, uint32_t *place, size_t *welded) {
   size_t room = 16;
   while (room < l->point_count * 2) room *= 2;
-  /* next: the next point of the same cell */
+  /* next[i]: the next point in the cell of point i. */
   uint32_t *slots = vs_fresh(room, sizeof *slots), *next = vs_fresh(l->point_count + 1, sizeof *next);
   weld_cell *cells = vs_fresh(l->point_count + 1, sizeof *cells);
   bool ok = slots && next && cells;
@@ -153,15 +153,15 @@ static bool weld(const vs_face_list *l, double reach, uint32_t *place, size_t *w
   return ok;
 }
 
-/* ---- dropping ---- */
+/* ---- removal of faces ---- */
 
-/* Removes repeated neighbours from the face's corners. Returns the number that is left; fewer than three: the face
- * vanishes. */
+/* Removes repeated neighbours from the corners of a face. Returns the number of remaining corners. With fewer than
+ * three, the face vanishes. */
 static uint32_t squeeze(uint32_t *at, uint32_t count) {
   uint32_t n = 0;
   for (uint32_t i = 0; i < count; i++) {
     if (n && at[n - 1] == at[i]) continue;
-    if (n > 1 && at[n - 2] == at[i]) { /* an edge followed by its reverse */
+    if (n > 1 && at[n - 2] == at[i]) { /* removes an edge that is followed by its reverse */
       n--;
       continue;
     }
@@ -180,7 +180,8 @@ static int key_compare(const void *a, const void *b) {
   return p->face < q->face ? -1 : p->face > q->face;
 }
 
-/* Returns 1 if b is the same ring as a, -1 if it is a reversed, 0 if it is neither. n is above 0. */
+/* Returns 1 if the rings a and b have equal corners in the same order, -1 if b is a reversed, and 0 otherwise. n is
+ * above 0. */
 static int same_ring(const uint32_t *a, const uint32_t *b, uint32_t n) {
   uint32_t shift = 0;
   VS_ASSERT(n > 0);
@@ -194,7 +195,7 @@ static int same_ring(const uint32_t *a, const uint32_t *b, uint32_t n) {
   return same ? 1 : back ? -1 : 0;
 }
 
-/* Keeps the faces with keep[f], and removes repeated corners of each. */
+/* Keeps the faces f with keep[f], and removes repeated corners from each. */
 static void keep_faces(vs_face_list *l, const unsigned char *keep, size_t *dropped) {
   uint32_t corners = 0, faces = 0, from = l->face_count ? l->starts[0] : 0;
   for (uint32_t f = 0; f < l->face_count; f++) {
@@ -230,7 +231,7 @@ static bool drop_faces(vs_face_list *l, size_t *dropped) {
         if (!keep[keys[j].face]) continue;
         int same = same_ring(l->corners + l->starts[keys[i].face], l->corners + l->starts[keys[j].face], keys[i].count);
         if (same) keep[keys[j].face] = 0;
-        if (same < 0) { /* back to back: a sheet without thickness */
+        if (same < 0) { /* two faces back to back are a sheet without thickness, so both are removed */
           keep[keys[i].face] = 0;
           break;
         }
@@ -243,9 +244,10 @@ static bool drop_faces(vs_face_list *l, size_t *dropped) {
   return ok;
 }
 
-/* ---- closing ---- */
+/* ---- closing of holes ---- */
 
-/* Covers the loop `ring` of n >= 3 points with triangles; their outer edges have the ring's direction. */
+/* Covers the loop `ring` of n points with triangles; n >= 3. The triangles' outer edges have the direction of the
+ * ring. */
 static bool cover(vs_face_list *l, const uint32_t *ring, size_t n) {
   vs_mesh m = { 0 };
   vs_vec2 *flat = vs_fresh(n, sizeof *flat);
@@ -297,8 +299,8 @@ static bool close_holes(vs_face_list *l, vs_repair_notes *notes) {
     for (size_t i = 0; i <= l->point_count; i++) first[i + 1] += first[i];
     memset(seen, 0xFF, (l->point_count + 1) * sizeof *seen);
   }
-  /* Walk: when a point is met again, the sides since its first visit are a loop. first[p] increases as the sides that
-   * leave p are used. */
+  /* Follows missing sides. When it reaches a point again, the sides since the first visit form a loop. first[p]
+   * increases as the sides that leave p are used. */
   size_t length = 0;
   for (size_t start = 0; ok && start < missing; start++) {
     uint32_t p = at[start].from;
@@ -315,7 +317,8 @@ static bool close_holes(vs_face_list *l, vs_repair_notes *notes) {
         if (!ok) break;
       }
       uint32_t next = first[p];
-      if (next >= missing || at[next].from != p) break; /* no side leaves: the walk is back at its beginning */
+      if (next >= missing || at[next].from != p) break; /* no unused side leaves the point, so the walk is at its
+                                                         * start */
       first[p]++;
       seen[p] = (uint32_t)length;
       ring[length++] = p;
@@ -332,9 +335,9 @@ static bool close_holes(vs_face_list *l, vs_repair_notes *notes) {
   return ok;
 }
 
-/* ---- turning ---- */
+/* ---- turning of faces ---- */
 
-/* Reverses face f. */
+/* Reverses the corners of face f. */
 static void turn_face(vs_face_list *l, uint32_t f) {
   VS_ASSERT(f < l->face_count);
   for (uint32_t a = l->starts[f], b = l->starts[f + 1]; a + 1 < b; a++) {
@@ -354,8 +357,8 @@ static bool agree(vs_store *s, vs_face_list *l, size_t *turned, vs_error *e) {
   return ok;
 }
 
-/* Returns six times the volume between the point o and the face's triangle fan. *angle: half of the solid angle under
- * which o sees the face. There is a face f. */
+/* Returns six times the volume between the point o and the triangle fan of face f. *angle: half of the solid angle at o
+ * of the face. f is the index of a face. */
 static double face_volume(const vs_face_list *l, uint32_t f, vs_vec3 o, double *angle) {
   double six = 0;
   vs_vec3 a = vs_v3_sub(l->points[l->corners[l->starts[f]]], o);
@@ -370,7 +373,7 @@ static double face_volume(const vs_face_list *l, uint32_t f, vs_vec3 o, double *
   return six;
 }
 
-/* Turns shells of negative volume, except those inside another shell: these are cavities. */
+/* Turns shells with a negative volume outwards, except cavities, which lie inside another shell. */
 static bool turn_shells(vs_store *store, vs_face_list *l, size_t *turned, vs_error *e) {
   size_t count, n = l->face_count;
   repair_side *sides = list_sides(l, &count);
@@ -395,7 +398,7 @@ static bool turn_shells(vs_store *store, vs_face_list *l, size_t *turned, vs_err
       if (!ok) break;
       if (other == s) continue;
       face_volume(l, f, o, &part);
-      angle += volume[other] < 0 ? -part : part; /* counted as if the shell faced outwards */
+      angle += volume[other] < 0 ? -part : part; /* counted as if the other shell faced outwards */
     }
     turn[s] = !(angle > 3.14159265358979323846);
   }
@@ -418,7 +421,7 @@ bool vs_face_list_repair(vs_store *s, vs_face_list *l, vs_repair_notes *notes, v
   double reach = fmax(vs_bounds_diagonal(&b) * 1e-6, 1e-300),
          size = fmax(fmax(fabs(b.min.x), fabs(b.max.x)),
                      fmax(fmax(fabs(b.min.y), fabs(b.max.y)), fmax(fabs(b.min.z), fabs(b.max.z))));
-  reach = fmax(reach, size * 1e-15); /* at large coordinates the spacing of doubles is wider */
+  reach = fmax(reach, size * 1e-15); /* far from the origin, the spacing of doubles is wider than the given distance */
   bool ok = place && weld(l, reach, place, &notes->welded);
   for (size_t i = 0; ok && i < l->corner_count; i++) l->corners[i] = place[l->corners[i]];
   free(place);

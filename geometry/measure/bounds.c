@@ -1,4 +1,4 @@
-/* Implements bounds: of leaves under an affine map exactly, of sets from their parts' bounds. */
+/* Computes bounds: of leaves under an affine map exactly, of sets from the bounds of their parts. */
 #include "geometry/measure/bounds.h"
 
 #include <stdlib.h>
@@ -33,14 +33,14 @@ static void bounds_add_arc(vs_bounds *b, const vs_affine *a, const struct vs_arc
   }
 }
 
-/* the tolerance of sampled shapes: finer than any default drawing of them */
+/* returns the tolerance for shapes that are sampled; it is finer than that of any default drawing of them */
 static double bounds_fineness(const vs_bounds *b) {
   double d = vs_bounds_diagonal(b);
   return d > 0 && isfinite(d) ? d / 65536 : 1e-6;
 }
 
-/* Adds the bounds of a swept solid: upright extrusions follow their profile exactly; others are sampled. children: the
- * bounds of all children together. */
+/* Enlarges b by the bounds of a swept solid. The bounds of an upright extrusion follow exactly from its profile; others
+ * are sampled. children: bounds of all children together. */
 static bool bounds_add_swept(vs_bounds *b, const vs_affine *a, const vs_node *n, const vs_bounds *children,
                              vs_error *e) {
   vs_fineness f = { bounds_fineness(children), 0 };
@@ -52,7 +52,7 @@ static bool bounds_add_swept(vs_bounds *b, const vs_affine *a, const vs_node *n,
     vs_mesh_free(&m);
     return ok;
   }
-  f.tolerance *= 4; /* the cost of a twist is inverse to the tolerance */
+  f.tolerance *= 4; /* twisted sweeps are costly to sample finely */
   if (!vs_swept_plan(n, &f, &plan, e)) return false;
   vs_bounds straight = vs_bounds_empty();
   for (size_t i = 0; i < plan.section_count; i++) {
@@ -64,7 +64,8 @@ static bool bounds_add_swept(vs_bounds *b, const vs_affine *a, const vs_node *n,
     }
   }
   vs_swept_free(&plan);
-  /* a taper inwards stays within the straight extrusion, whose bounds are safe even if the solid intersects itself */
+  /* A solid that tapers inwards stays within the straight extrusion. Those bounds are safe even if the solid intersects
+   * itself. */
   if (n->kind == VS_EXTRUDE && VS_AS(extrude, n)->taper != 0) {
     vs_bounds leaning = vs_bounds_empty();
     vs_mesh m = { 0 };
@@ -89,7 +90,7 @@ static bool bounds_add_revolve(vs_bounds *b, const vs_affine *a, const vs_node *
   return true;
 }
 
-/* Adds the bounds of fine facets, for shapes without a formula. */
+/* Enlarges b by the bounds of a fine mesh, for shapes without a formula. */
 static bool bounds_add_facets(vs_bounds *b, const vs_affine *a, const vs_node *n, const vs_bounds *children,
                               vs_error *e) {
   vs_fineness f = { bounds_fineness(children) * 8, 0 };
@@ -136,8 +137,8 @@ static bool bounds_spline(vs_bounds *b, const vs_affine *a, const vs_node *n, vs
   return ok;
 }
 
-/* Adds the bounds of a leaf under a. children: its children's bounds in their own coordinates, for swept solids. False
- * with *leaf true: failed. */
+/* Enlarges b by the bounds of a leaf mapped by a. children: bounds of its children in their own coordinates, for swept
+ * solids. Sets *leaf to false if n is no leaf. Returns false with *leaf true on failure. */
 static bool bounds_leaf(const vs_node *n, const vs_affine *a, const vs_bounds *children, vs_bounds *b, bool *leaf,
                         vs_error *e) {
   *leaf = true;
@@ -160,7 +161,8 @@ static bool bounds_leaf(const vs_node *n, const vs_affine *a, const vs_bounds *c
     case VS_POLYFACE_MESH:
       vs_reach_points(b, a, VS_AS(polyface_mesh, n)->points->at, VS_AS(polyface_mesh, n)->points->count);
       return true;
-    case VS_XLINE: case VS_RAY: return true; /* infinite: drawn as far as the rest of the drawing */
+    case VS_XLINE: case VS_RAY: return true; /* infinite lines are drawn as far as the other objects extend, so they
+                                              * have no bounds of their own */
     case VS_OFFSET: return n->class_ == VS_NOTHING || bounds_add_offset(b, a, n, children, e);
     case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN:
       return n->class_ == VS_NOTHING || bounds_add_swept(b, a, n, children, e);
@@ -178,7 +180,7 @@ static bool bounds_leaf(const vs_node *n, const vs_affine *a, const vs_bounds *c
     case VS_REGION:
 #include "model/cases/passed_cases.def"
       break;
-    case VS_HULL: /* a hull of points alone; with parts, their bounds count too */
+    case VS_HULL: /* a hull of points; if the hull also has parts, their bounds are added */
       if (n->child_count) break;
       vs_reach_points(b, a, VS_AS(hull, n)->points->at, VS_AS(hull, n)->points->count);
       return true;
@@ -187,7 +189,7 @@ static bool bounds_leaf(const vs_node *n, const vs_affine *a, const vs_bounds *c
   return true;
 }
 
-/* ---- the memo, children before parents ---- */
+/* ---- the memo of bounds; children are computed before parents ---- */
 
 void vs_bounds_memo_free(vs_bounds_memo *m) {
   vs_store *s = m->places.store;
@@ -216,8 +218,8 @@ static const vs_bounds *bounds_memo_known(const vs_bounds_memo *m, const vs_node
   return place ? &m->at[*place] : NULL;
 }
 
-/* Intersects with the plane: a section lies in the plane and in its solid's box, a projection in the projection of that
- * box. */
+/* Intersects the bounds with the node's plane. A section lies in the plane and in the bounds of its solid. A projection
+ * lies in the projection of these bounds. */
 static void bounds_on_plane(vs_bounds *b, const vs_node *n) {
   vs_bounds solid = *b, shadow = vs_bounds_empty();
   vs_vec3 at = n->kind == VS_SECTION ? VS_AS(section, n)->point : VS_AS(project, n)->point;
@@ -232,12 +234,12 @@ static void bounds_on_plane(vs_bounds *b, const vs_node *n) {
   if (n->kind == VS_SECTION) vs_bounds_meet(b, &solid);
 }
 
-/* Returns true for a leaf with a single parent. Its bounds are computed when the parent needs them: storing a million
- * of them would cost more than their formulas. */
+/* Returns true for a leaf with a single parent. The bounds of such a leaf are not stored, but computed when the parent
+ * needs them. To store a million of them would cost more time than their formulas. */
 static bool bounds_is_lone_leaf(const vs_node *n) { return n->child_count == 0 && n->refs == 1; }
 
-/* Sets the bounds of the commonest primitives, in their own coordinates, by the formulas above with the identity for a:
- * a drawing may contain a million of these. */
+/* Sets *b to the bounds of a node of the commonest primitive kinds, in its own coordinates. Returns false for other
+ * kinds. It is a fast version of the formulas above: a drawing may contain a million such nodes. */
 static bool bounds_plain(const vs_node *n, vs_bounds *b) {
   vs_vec3 at[2], reach[2];
   switch ((int)n->kind) {
@@ -258,14 +260,14 @@ static bool bounds_plain(const vs_node *n, vs_bounds *b) {
       double r = cut ? VS_AS(cut_cone, n)->base_radius : cone ? VS_AS(cone, n)->radius : VS_AS(cylinder, n)->radius;
       double far = cut ? VS_AS(cut_cone, n)->top_radius : cone ? 0 : r;
       vs_vec3 d = vs_v3_sub(at[1], at[0]), across = vs_v3(1, 1, 0);
-      if (d.x != 0 || d.y != 0) { /* upright: the same result by a shorter formula */
+      if (d.x != 0 || d.y != 0) { /* a leaning axis; an upright one has a shorter formula with the same result */
         vs_vec3 u = vs_v3_unit(d);
         across = vs_v3(sqrt(u.z * u.z + u.y * u.y), sqrt(u.z * u.z + u.x * u.x), sqrt(u.y * u.y + u.x * u.x));
       }
       reach[0] = vs_v3_scale(across, r), reach[1] = vs_v3_scale(across, far);
       break;
     }
-    default: return false; /* bounds_leaf handles the others */
+    default: return false; /* bounds_leaf handles other kinds */
   }
   *b = vs_bounds_empty();
   for (int i = 0; i < 2; i++) {
@@ -275,7 +277,7 @@ static bool bounds_plain(const vs_node *n, vs_bounds *b) {
   return true;
 }
 
-/* Sets the bounds of a node that is in the memo, or needs no children's bounds. */
+/* Sets *b to the bounds of a node that is in the memo, or is a leaf that needs no children's bounds. */
 static bool bounds_child(const vs_bounds_memo *m, const vs_node *n, vs_bounds *b, vs_error *e) {
   bool lone = bounds_is_lone_leaf(n);
   if (lone && bounds_plain(n, b)) return true;
@@ -287,13 +289,14 @@ static bool bounds_child(const vs_bounds_memo *m, const vs_node *n, vs_bounds *b
   return known || bounds_leaf(n, &here, &none, b, &leaf, e);
 }
 
-static bool bounds_is_axial(const vs_affine *a) { /* maps boxes to boxes */
+static bool bounds_is_axial(const vs_affine *a) { /* returns true if the map changes boxes to boxes */
   for (int i = 0; i < 3; i++)
     if ((a->m[i][0] != 0) + (a->m[i][1] != 0) + (a->m[i][2] != 0) > 1) return false;
   return true;
 }
 
-static bool bounds_is_swept(const vs_node *n) { /* formulas that cost more than a box around the box */
+static bool bounds_is_swept(const vs_node *n) { /* returns true for kinds whose formula is costlier than the bounds of a
+                                                 * mapped box */
   if (n->kind == VS_EXTRUDE && n->child_count == 1) {
     const vs_node *profile = n->children[0].node;
     while (profile->kind == VS_REGION && profile->child_count == 1) profile = profile->children[0].node;
@@ -302,9 +305,9 @@ static bool bounds_is_swept(const vs_node *n) { /* formulas that cost more than 
   return vs_node_has(n, VS_IS_SAMPLED);
 }
 
-/* Adds the bounds of a set under a rotating map, part by part: the result must not depend on whether the rotation is
- * applied to the whole set. All its nodes are in the memo. *done: it was neither too much work nor too deep; a memo
- * does TURNED_MOST such steps in all. */
+/* Enlarges *out by the bounds of a set under a rotating map, computed part by part. The result must not depend on
+ * whether the rotation is applied to the whole set or to each part. All nodes of the set are in the memo. *done: false
+ * if the set is too deep or takes too many steps; a memo performs at most TURNED_MOST such steps. */
 enum { TURNED_DEEP = 32, TURNED_EACH = 2048, TURNED_MOST = 1 << 20 };
 static bool bounds_turned(vs_bounds_memo *m, const vs_node *n, const vs_affine *map, vs_bounds *out, bool *done,
                           vs_error *e) {
@@ -320,7 +323,7 @@ static bool bounds_turned(vs_bounds_memo *m, const vs_node *n, const vs_affine *
     const vs_node *at = level[top].node;
     bool down =
         vs_node_is_set(at) && level[top].next < at->child_count && !(at->kind == VS_DIFFERENCE && level[top].next > 0);
-    if (vs_node_is_set(at) && level[top].next) { /* b: the bounds of the member before */
+    if (vs_node_is_set(at) && level[top].next) { /* b contains the bounds of the previous member */
       if (at->kind == VS_INTERSECTION && level[top].next > 1) vs_bounds_meet(&level[top].all, &b);
       else vs_bounds_unite(&level[top].all, &b);
     }
@@ -350,15 +353,15 @@ static bool bounds_turned(vs_bounds_memo *m, const vs_node *n, const vs_affine *
   return true;
 }
 
-/* Sets the bounds of a node all of whose children are known, or lone leaves; `children`: the bounds of all of them
+/* Sets *b to the bounds of a node whose children are all known or lone leaves. children: bounds of all of them
  * together. */
 static bool bounds_of(vs_bounds_memo *m, const vs_node *n, vs_bounds children, vs_bounds *b, vs_error *e) {
   vs_affine placed = vs_affine_identity();
   vs_bounds child;
   bool leaf;
   *b = vs_bounds_empty();
-  if (n->kind == VS_TRANSFORM) { /* a placed primitive has its own formula; only few steps down a chain are checked,
-                                  * because chains would have quadratic cost */
+  if (n->kind == VS_TRANSFORM) { /* a placed primitive has a formula; only a few nodes down a chain are tested, because
+                                  * long chains would take quadratic time */
     const vs_node *below = n;
     for (int steps = 0; steps < 16 && (below->kind == VS_TRANSFORM || vs_node_is_wrapper(below)); steps++) {
       if (below->kind == VS_TRANSFORM) placed = vs_affine_multiply(&placed, &VS_AS(transform, below)->matrix);
@@ -384,7 +387,7 @@ static bool bounds_of(vs_bounds_memo *m, const vs_node *n, vs_bounds children, v
     vs_bounds_meet(b, &kept);
   }
   if (n->kind == VS_SECTION || n->kind == VS_PROJECT) bounds_on_plane(b, n);
-  if (n->kind == VS_DEFORM && !vs_bounds_is_empty(b)) { /* each point is a weighted mean of the corners */
+  if (n->kind == VS_DEFORM && !vs_bounds_is_empty(b)) { /* a deformed point is a weighted mean of the control points */
     const struct vs_deform *d = VS_AS(deform, n);
     const vs_vec3 corner[8] = { d->c000, d->c100, d->c010, d->c110, d->c001, d->c101, d->c011, d->c111 };
     *b = vs_bounds_empty();
@@ -398,11 +401,11 @@ static bool bounds_of(vs_bounds_memo *m, const vs_node *n, vs_bounds children, v
   return true;
 }
 
-typedef struct { vs_ref ref; uint32_t next; vs_bounds children; /* of those before next */ } vs_bounds_step;
+typedef struct { vs_ref ref; uint32_t next; vs_bounds children; /* bounds of the children before `next` */ } vs_bounds_step;
 
 bool vs_bounds_memo_get(vs_bounds_memo *m, const vs_node *n, vs_bounds *out, vs_error *e) {
   vs_store *s = m->places.store;
-  if (n->child_count == 0 && bounds_plain(n, out)) return true; /* faster than a search in the memo */
+  if (n->child_count == 0 && bounds_plain(n, out)) return true; /* the formula is faster than a search in the memo */
   const vs_bounds *known = bounds_memo_known(m, n);
   if (known) {
     *out = *known;
@@ -447,7 +450,8 @@ bool vs_bounds_memo_get(vs_bounds_memo *m, const vs_node *n, vs_bounds *out, vs_
   return ok;
 }
 
-/* Intersections and differences of regions: reduces the operands' boxes to the bounds of the outline. */
+/* Reduces *b, the box of the operands of an intersection or difference of regions, to the bounds of the result's
+ * outline. */
 static bool bounds_of_set(const vs_node *n, vs_bounds *b, vs_error *e) {
   vs_fineness f = { bounds_fineness(b), 0 };
   vs_outline o;

@@ -1,14 +1,14 @@
-/* Implements the test whether a point is inside a solid, by formulas and the sections of sweeps, independent of every
- * mesh.
+/* Tests whether a point is inside a solid. The test uses formulas and the sections of sweeps, but no mesh of the
+ * kernel.
  *
- * The model is prepared once, each distinct node once: bounds in its own coordinates, inverse placements, plans of
- * swept solids. A test walks the tree by an explicit stack and carries the point into each placement's coordinates. It
- * skips nodes by their bounds, and stops at the first part that decides: in a drawing of disjoint parts it costs one
- * box test for each part.
+ * The model is prepared once, and each distinct node only once: bounds in its own coordinates, inverses of placements,
+ * plans of swept solids. A test walks the tree with an explicit stack, and maps the point into the coordinates of each
+ * placement. It skips nodes by their bounds, and stops at the first part that decides the answer. In a drawing of
+ * disjoint parts it takes one test of a box for each part.
  *
- * Between the sections S_0 and S_1 of a sweep a point p lies in the section t for which g(t) = (X_t x Y_t) . (p - O_t)
- * = 0, a cubic; its roots in [0, 1] give (u, v) in the profile's plane. Polyface meshes, lofts and thickened surfaces
- * are tested by facets. */
+ * Between the sections S_0 and S_1 of a sweep, a point p lies in the section t with g(t) = (X_t x Y_t) . (p - O_t) = 0.
+ * This is a cubic equation; its roots in [0, 1] give the coordinates (u, v) of p in the profile's plane. Polyface
+ * meshes, lofts and thickened surfaces are tested by their facets. */
 #include "geometry/measure/inside.h"
 
 #include <stdlib.h>
@@ -29,12 +29,13 @@
 typedef struct {
   const vs_node *node;
   vs_bounds bounds;
-  vs_affine inverse;  /* transforms: into the child's coordinates. Solids on an axis: into the axis's frame */
-  double height;      /* of a solid on an axis */
-  size_t *children;   /* indices of the children's parts */
+  vs_affine inverse;  /* map for points: of a transform into the child's coordinates, of a solid with an axis into the
+                       * axis's frame */
+  double height;      /* height of a solid with an axis, along the axis */
+  size_t *children;   /* indices of the parts that belong to the children */
   vs_swept *plan;
   vs_revolve *turned;
-  vs_bounds *between; /* bounds of each pair of sections */
+  vs_bounds *between; /* between[i]: bounds of the solid between sections i and i + 1 */
   vs_facet_index *facets;
 } vs_inside_part;
 
@@ -45,14 +46,15 @@ struct vs_inside {
   vs_inside_part *parts;
   size_t count, room, first;
   vs_inside_level *stack;
-  size_t cost; /* the approximate size of this part, in bytes */
+  size_t cost; /* approximate size of this part in bytes */
 };
 
 /* ---- formulas ---- */
 
 static double cubic_at(const double c[4], double t) { return ((c[3] * t + c[2]) * t + c[1]) * t + c[0]; }
 
-/* Finds the roots of c in [0, 1], by bisection between the places where its slope changes sign. */
+/* Finds the roots of the cubic c in [0, 1], by bisection between the places where its slope changes sign. Returns their
+ * number. */
 static int cubic_roots(const double c[4], double roots[4]) {
   double ends[4] = { 0 }, a = 3 * c[3], b = 2 * c[2], d = b * b - 4 * a * c[1];
   int n = 1, found = 0;
@@ -95,7 +97,7 @@ static bool inside_between(const vs_swept *s, const vs_section *a, const vs_sect
     vs_section at = vs_section_between(a, b, roots[i]);
     vs_vec3 d = vs_v3_sub(p, at.at);
     double xx = vs_v3_dot(at.x, at.x), xy = vs_v3_dot(at.x, at.y), yy = vs_v3_dot(at.y, at.y), det = xx * yy - xy * xy;
-    if (!(det > 1e-24 * (xx + yy) * (xx + yy))) continue; /* the section has shrunk to its apex */
+    if (!(det > 1e-24 * (xx + yy) * (xx + yy))) continue; /* the section has shrunk to the apex */
     double dx_ = vs_v3_dot(d, at.x), dy_ = vs_v3_dot(d, at.y);
     if (vs_loops_hold(s->profile, s->sizes, s->loop_count, (dx_ * yy - dy_ * xy) / det, (dy_ * xx - dx_ * xy) / det))
       return true;
@@ -157,7 +159,7 @@ static bool inside_leaf(const vs_inside_part *part, vs_vec3 p) {
   return false;
 }
 
-/* ---- preparing ---- */
+/* ---- preparation ---- */
 
 static bool inside_prepare_swept(vs_inside_part *part, vs_error *e) {
   vs_fineness f = { fmax(vs_bounds_diagonal(&part->bounds) / 16384, 1e-300), 0 };
@@ -206,19 +208,19 @@ static bool inside_prepare_axis(vs_inside_part *part) {
   return vs_affine_invert(&frame, &part->inverse);
 }
 
-/* Prepares the part of n, whose children are prepared. */
+/* Prepares the part of node n. The parts of its children are already prepared. */
 static bool inside_prepare(vs_inside_part *part, const vs_nodemap *places, vs_error *e) {
   const vs_node *n = part->node;
   part->inverse = vs_affine_identity();
   switch ((vs_kind)n->kind) {
     case VS_JOIN: case VS_XLINE: case VS_RAY: case VS_OFFSET: case VS_SECTION: case VS_PROJECT: case VS_EDGES:
     case VS_EMPTY: case VS_GHOST: case VS_SLICE: case VS_DEFORM: return true;
-    /* curves and regions contain no point; they are a profile's parts */
+    /* Curves and regions contain no point; they occur as profiles. */
     case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: return true;
 #include "model/cases/shape_cases.def"
       return inside_prepare_axis(part);
     case VS_EXTRUDE: case VS_SWEEP:
-      /* its walls are plane */
+      /* tested by its mesh: the walls of a tapered extrusion are planar */
       if (n->kind == VS_EXTRUDE && VS_AS(extrude, n)->taper != 0) return inside_prepare_facets(part, e);
       return n->class_ != VS_SOLID || inside_prepare_swept(part, e);
     case VS_THICKEN:
@@ -229,7 +231,7 @@ static bool inside_prepare(vs_inside_part *part, const vs_nodemap *places, vs_er
     case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
       return n->class_ != VS_SOLID || inside_prepare_facets(part, e);
     case VS_TRANSFORM:
-      /* flattened: contains no point */
+      /* A placement that flattens its child contains no point. */
       if (!vs_affine_invert(&VS_AS(transform, n)->matrix, &part->inverse)) part->bounds = vs_bounds_empty();
       break;
     case VS_MATERIAL: case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT:
@@ -309,7 +311,7 @@ vs_inside *vs_inside_new(const vs_node *n, vs_error *e) {
   return NULL;
 }
 
-/* ---- asking ---- */
+/* ---- tests ---- */
 
 static bool inside_is_set(const vs_node *n) {
   return vs_node_is_set(n) || n->kind == VS_TRANSFORM || vs_node_is_wrapper(n);
@@ -329,7 +331,7 @@ bool vs_inside_test(vs_inside *v, vs_vec3 p) {
       part = x->children[0];
       continue;
     }
-    for (;;) { /* pass the answer up to the first ancestor that needs another test */
+    for (;;) { /* passes the answer up to the first ancestor that needs another test */
       if (!depth) return answer;
       vs_inside_level *top = &v->stack[depth - 1];
       const vs_inside_part *above = &v->parts[top->part];
@@ -339,8 +341,8 @@ bool vs_inside_test(vs_inside *v, vs_vec3 p) {
       else if (kind == VS_INTERSECTION) decided = !answer;
       else if (kind == VS_DIFFERENCE) {
         decided = first ? !answer : answer;
-        if (!first) answer = !answer; /* inside a subtracted operand: outside; outside of it: inside so far */
-      } else decided = true; /* the only child's answer is the node's */
+        if (!first) answer = !answer; /* in a difference, a point inside a subtracted operand is outside the result */
+      } else decided = true; /* a node with one child has the child's answer */
       if (decided || top->next == above->node->child_count) {
         depth--;
         continue;
@@ -360,7 +362,7 @@ bool vs_node_contains(const vs_node *n, vs_vec3 p, bool *inside, vs_error *e) {
   return true;
 }
 
-/* ---- asking in any order ---- */
+/* ---- tests of several nodes in any order ---- */
 
 enum { CACHE_SLOTS = 8192, CACHE_BYTES = 50 << 20 };
 struct vs_inside_cache { size_t bytes; vs_inside *at[CACHE_SLOTS]; };
@@ -381,7 +383,7 @@ void vs_inside_cache_free(vs_inside_cache *c) {
 bool vs_inside_cached(vs_inside_cache **cache, const vs_node *n, vs_vec3 p, bool *inside, vs_error *e) {
   if (!*cache && !(*cache = vs_zeros(1, sizeof **cache))) return vs_error_memory(e, NULL);
   vs_inside_cache *c = *cache;
-  /* equal nodes are the same shape: either one's answer is valid */
+  /* Equal nodes have the same shape, so the prepared data of one serve for the other. */
   vs_inside **slot = &c->at[(n->hash ^ n->hash >> 32) % CACHE_SLOTS];
   if (!*slot || ((*slot)->root != n && !((*slot)->root->hash == n->hash && vs_node_equal((*slot)->root, n, NULL)))) {
     vs_inside *new = vs_inside_new(n, e);

@@ -4,22 +4,22 @@
 
 #include "model/node.h"
 
-/* Sets *inside: whether p is inside or on the solid, by formulas, never by the mesh. A sweep is the space between its
- * sections, linearly interpolated (swept.h). */
+/* Sets *inside to true if p is inside the solid or on its surface. Uses formulas, not the kernel's mesh. A sweep is the
+ * space between its sections, with linear interpolation (swept.h). */
 bool vs_node_contains(const vs_node *n, vs_vec3 p, bool *inside, vs_error *e);
-/* Does the same for many points: prepare once, test often. A test needs no memory; only one thread may test at a
- * time. */
+/* Tests for many points: vs_inside_new prepares a node once, and vs_inside_test tests a point. A test allocates no
+ * memory. Only one thread at a time may test. */
 typedef struct vs_inside vs_inside;
 vs_inside *vs_inside_new(const vs_node *n, vs_error *e);
 bool vs_inside_test(vs_inside *v, vs_vec3 p);
 void vs_inside_free(vs_inside *v);
-/* vs_node_contains for a caller that tests the same few thousand nodes in any order: prepared data are kept, up to some
- * 50 MB, with a reference to their node. *cache is NULL at first. */
+/* vs_node_contains for callers that test the same few thousand nodes in any order. The cache keeps prepared data, up to
+ * some 50 MB, with a reference to each node. *cache is NULL at the first call. */
 typedef struct vs_inside_cache vs_inside_cache;
 bool vs_inside_cached(vs_inside_cache **cache, const vs_node *n, vs_vec3 p, bool *inside, vs_error *e);
 void vs_inside_cache_free(vs_inside_cache *cache);
-/* Sets *inside: whether p is in the region's plane, and in the region or on its border. Curved borders are sampled
- * finely. */
+/* Sets *inside to true if p is in the region's plane, and inside the region or on its border. Curved borders are
+ * sampled finely. */
 bool vs_region_contains(const vs_node *region, vs_vec3 p, bool *inside, vs_error *e);
 
 #endif

@@ -1,4 +1,4 @@
-/* Implements the measures of a closed mesh. */
+/* Measures a closed mesh. */
 #include "geometry/measure/measure.h"
 
 void vs_mesh_measure(const vs_mesh *mesh, vs_measure *out) {

@@ -5,11 +5,11 @@
 #include "model/mesh.h"
 
 typedef struct {
-  bool known;      /* false: there is no formula; the caller must measure the mesh of kernel/ */
-  double volume;   /* of a solid */
-  double area;     /* of a solid's surface, or of a region */
-  bool area_known; /* a non-uniformly scaled sphere has a known volume and an unknown area */
-  double length;   /* of a curve */
+  bool known;      /* false if there is no formula; the caller must then measure the kernel's mesh */
+  double volume;   /* volume of a solid */
+  double area;     /* area of a solid's surface, or of a region */
+  bool area_known; /* false if only the area is unknown, as for a sphere with different scales along its axes */
+  double length;   /* length of a curve */
   vs_vec3 centroid;
 } vs_measure;
 

@@ -10,11 +10,12 @@
 enum { LEAF = 4, DEPTH = 64 };
 
 typedef struct {
-  vs_vec3 corner[3], face, edge[3], point[3]; /* normals: edge[k] is from corner k to the next */
+  vs_vec3 corner[3], face, edge[3], point[3]; /* normals of the face, of each edge and of each corner; edge[k] goes from
+                                               * corner k to the next corner */
 } facet;
 typedef struct {
   vs_bounds bounds;
-  uint32_t first, count; /* facets of a leaf; count 0: the children are first and first + 1 */
+  uint32_t first, count; /* range of facets in a leaf; count 0: the node has the children first and first + 1 */
 } box;
 
 struct vs_mesh_distance {
@@ -103,7 +104,8 @@ vs_mesh_distance *vs_mesh_distance_new(const vs_mesh *m) {
       VS_FRESH(d->facets, m->triangle_count + 1) && VS_FRESH(d->boxes, 2 * m->triangle_count + 2) && normals(m, d);
   if (!ok) return vs_mesh_distance_free(d), NULL;
   d->boxes[d->box_count++] = (box){ bounds_of(d->facets, d->count), 0, (uint32_t)d->count };
-  for (size_t i = 0; i < d->box_count; i++) { /* halved at the middle of the longest side, until few facets are left */
+  for (size_t i = 0; i < d->box_count; i++) { /* divides each box at the middle of its longest side, until it contains
+                                               * few facets */
     box *b = &d->boxes[i];
     uint32_t first = b->first, n = b->count;
     if (n <= LEAF) continue;
@@ -118,8 +120,8 @@ vs_mesh_distance *vs_mesh_distance_new(const vs_mesh *m) {
   return d;
 }
 
-/* Returns the nearest point of a facet, and sets the normal there (C. Ericson, Real-Time Collision Detection,
- * 5.1.5). */
+/* Returns the point of facet f that is nearest to p, and sets *normal to the normal there (C. Ericson, Real-Time
+ * Collision Detection, 5.1.5). */
 static vs_vec3 nearest(const facet *f, vs_vec3 p, const vs_vec3 **normal) {
   vs_vec3 a = f->corner[0], b = f->corner[1], c = f->corner[2], ab = vs_v3_sub(b, a), ac = vs_v3_sub(c, a);
   vs_vec3 ap = vs_v3_sub(p, a), bp = vs_v3_sub(p, b), cp = vs_v3_sub(p, c);
@@ -140,13 +142,14 @@ static vs_vec3 nearest(const facet *f, vs_vec3 p, const vs_vec3 **normal) {
   return vs_v3_add(a, vs_v3_add(vs_v3_scale(ab, vb / sum), vs_v3_scale(ac, vc / sum)));
 }
 
-/* Returns the distance outside of an interval, or 0; not by fmax, which is a function call. */
+/* Returns the distance of `at` from the interval from low to high, or 0 inside it. Does not use fmax, which is a
+ * function call. */
 static inline double outside(double low, double high, double at) {
   double below = low - at, above = at - high, off = below > above ? below : above;
   return off > 0 ? off : 0;
 }
 
-static double box_distance(const vs_bounds *b, vs_vec3 p) { /* returns the square of the distance */
+static double box_distance(const vs_bounds *b, vs_vec3 p) { /* returns the square of p's distance from the box */
   double x = outside(b->min.x, b->max.x, p.x), y = outside(b->min.y, b->max.y, p.y),
          z = outside(b->min.z, b->max.z, p.z);
   return x * x + y * y + z * z;
@@ -156,7 +159,8 @@ double vs_mesh_distance_at(const vs_mesh_distance *d, vs_vec3 p, vs_vec3 *slope)
   struct {
     uint32_t box;
     double away;
-  } stack[DEPTH]; /* deep enough: halving has as many levels as the count has bits, and each needs one more entry */
+  } stack[DEPTH]; /* the depth suffices: there are at most as many levels as the count of facets has bits, and each
+                   * level needs one entry */
   int todo = 0;
   double best = INFINITY;
   vs_vec3 at = p, normal = { 0, 0, 1 };

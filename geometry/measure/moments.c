@@ -1,9 +1,10 @@
-/* Implements Green's theorem: area = 1/2 (x dy - y dx), and the first moments 1/2 x^2 dy and -1/2 y^2 dx, around every
- * loop, piece by piece.
+/* Computes areas and centroids of regions by Green's theorem. The area is the integral of 1/2 (x dy - y dx) around
+ * every loop. The first moments are those of 1/2 x^2 dy and -1/2 y^2 dx. Each loop is integrated piece by piece.
  *
- * A straight piece has closed forms. A round piece, c + a cos t + b sin t, gives a trigonometric polynomial of degree 3
- * under the integral. Cut at eighths of a turn, Gauss's rule with eight points is exact to the last bits. Coordinates
- * are in the outline's plane, relative to its first point: this avoids cancellation far from the origin. */
+ * A straight piece has a closed form. For a round piece c + a cos t + b sin t, the integrand is a trigonometric
+ * polynomial of degree 3. Gauss's rule with eight points, over at most an eighth of a turn each, integrates it up to
+ * rounding errors. Coordinates are in the outline's plane and relative to its first point, which avoids cancellation
+ * far from the origin. */
 #include "geometry/measure/moments.h"
 
 #include <stdlib.h>
@@ -14,7 +15,7 @@
 
 static const double turn = 6.28318530717958647693;
 
-typedef struct { bool round; vs_vec2 c, a, b; /* straight: from c to a */ double from, to; } piece;
+typedef struct { bool round; vs_vec2 c, a, b; /* a straight piece goes from c to a */ double from, to; } piece;
 typedef struct { piece *at; size_t count, room; } pieces;
 typedef struct { double area, x, y; } moments;
 
@@ -29,7 +30,7 @@ static vs_vec2 flat(const vs_affine *map, vs_vec3 p) {
   return (vs_vec2){ q.x, q.y };
 }
 
-/* Returns c, a and b of the circle of radius r about center, under the map. */
+/* Returns the arc from `from` to `to` of the circle with radius r about center, mapped by `map`. */
 static piece arc_piece(const vs_affine *map, vs_vec3 center, double r, double from, double to) {
   vs_vec3 a = vs_affine_vector(map, vs_v3(r, 0, 0)), b = vs_affine_vector(map, vs_v3(0, r, 0));
   return (piece){ true, flat(map, center), { a.x, a.y }, { b.x, b.y }, from, to };
@@ -64,7 +65,7 @@ static void turn_round(pieces *p, size_t first) {
   }
 }
 
-/* Adds a curve that is no join; *known: whether its kind is supported. */
+/* Appends the pieces of a curve that is no join of curves. Sets *known to false if its kind is not supported. */
 static bool leaf(const vs_node *n, vs_affine map, pieces *out, bool *known) {
   vs_offset_exact exact;
   vs_affine place;
@@ -105,7 +106,7 @@ static bool curve(const vs_node *n, vs_affine map, pieces *out, bool *known) {
     ok = leaf(n->children[i].node, map, out, known);
     if (!ok || !*known || !first || out->count == first) continue;
     vs_vec2 start = piece_start(&out->at[first]), end = piece_end(&out->at[out->count - 1]);
-    if (i == 1) { /* the first curve may run against the second */
+    if (i == 1) { /* joins may have reversed the first curve to connect it to the second */
       vs_vec2 head = piece_start(&out->at[0]), tail = piece_end(&out->at[first - 1]);
       if (fmin(apart(head, start), apart(head, end)) < fmin(apart(tail, start), apart(tail, end))) {
         pieces before = { out->at, first, first };
@@ -138,7 +139,7 @@ static moments integrate(const pieces *p) {
       m = plus(m, straight(x->c, x->a));
       continue;
     }
-    if (fabs(x->to - x->from) == turn) { /* a full ellipse about c */
+    if (fabs(x->to - x->from) == turn) { /* a full ellipse with the centre c */
       double area = turn / 2 * (x->a.x * x->b.y - x->a.y * x->b.x) * (x->to < x->from ? -1 : 1);
       m = plus(m, (moments){ area, area * x->c.x, area * x->c.y });
       continue;
@@ -190,7 +191,7 @@ bool vs_region_moments(const vs_node *region, const vs_outline *o, double *area,
     free(p.at);
     size_t best = o->count;
     double least = INFINITY;
-    for (size_t l = 0; l < o->count; l++) { /* find the sampled loop of this curve */
+    for (size_t l = 0; l < o->count; l++) { /* finds the sampled loop that belongs to this curve */
       double size = sqrt(m.area),
              off = fabs(loops[l].area - m.area) * size + fabs(loops[l].x - m.x) + fabs(loops[l].y - m.y);
       if (!taken[l] && off < least) least = off, best = l;

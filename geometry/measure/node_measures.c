@@ -1,4 +1,4 @@
-/* Implements measures by formula: volume, area, length, centroid. */
+/* Measures nodes by formula: volume, area, length, centroid. */
 #include "geometry/measure/node_measures.h"
 
 #include <stdlib.h>
@@ -16,8 +16,8 @@
 
 static const double pi = 3.14159265358979323846;
 
-/* Returns the length of a placed circle, which may be an ellipse: its half axes are the singular values of the map on
- * the circle's plane. */
+/* Returns the circumference of a circle of radius r mapped by a, which may be an ellipse. Its half axes are the
+ * singular values of the map on the circle's plane. */
 static double measure_placed_circle(const vs_affine *a, double r) {
   vs_vec3 u = { a->m[0][0], a->m[1][0], a->m[2][0] }, v = { a->m[0][1], a->m[1][1], a->m[2][1] };
   double p = vs_v3_dot(u, u), q = vs_v3_dot(v, v), s = vs_v3_dot(u, v), mean = (p + q) / 2, off = hypot((p - q) / 2, s),
@@ -67,7 +67,7 @@ static bool measure_outline(const vs_node *n, vs_measure *m, vs_error *e) {
   return ok;
 }
 
-/* Adds up the lengths of a set's curves. Each leaf has its own placement. */
+/* Sets m->length to the sum of the lengths of a set's curves. Each leaf has its own placement. */
 static bool measure_curves(const vs_node *n, vs_measure *m, vs_error *e) {
   vs_walk *w = vs_walk_new(n->store, (vs_ref){ (vs_node *)(uintptr_t)n, NULL });
   vs_affine *placed = NULL;
@@ -104,7 +104,7 @@ static bool measure_curves(const vs_node *n, vs_measure *m, vs_error *e) {
   return ok;
 }
 
-/* Sets *straight: whether the curve is one straight piece; if it is, *along goes from its start to its end. */
+/* Sets *straight to true if the curve is one straight piece; *along is then the vector from its start to its end. */
 static bool measure_straight(const vs_node *curve, vs_vec3 *along, bool *straight, vs_error *e) {
   vs_affine identity = vs_affine_identity();
   vs_path path = { 0 };
@@ -117,8 +117,9 @@ static bool measure_straight(const vs_node *curve, vs_vec3 *along, bool *straigh
   return ok;
 }
 
-/* Measures an extrusion along a vector. By Cavalieri a twist changes nothing, and the sections' area is proportional to
- * the square of the scale. *known: there is a formula. Returns false on failure. */
+/* Measures an extrusion along a vector. By Cavalieri's principle a twist does not change the volume, and the area of a
+ * section is proportional to the square of its scale. Sets *known to true if there is a formula. Returns false on
+ * failure. */
 static bool measure_extrusion(const vs_node *n, vs_measure *m, bool *known, vs_error *e) {
   const struct vs_extrude *x = VS_AS(extrude, n);
   const vs_node *profile = n->children[0].node;
@@ -140,7 +141,8 @@ static bool measure_extrusion(const vs_node *n, vs_measure *m, bool *known, vs_e
   double area = radius > 0 ? pi * radius * radius : m->area, inwards = x->taper != 0 ? height * tan(x->taper) : 0;
   vs_vec3 base = x->center && n->child_count == 1 ? vs_v3_sub(m->centroid, vs_v3_scale(along, 0.5)) : m->centroid;
   if (radius > 0) border = 2 * pi * radius;
-  if (x->taper != 0) { /* a truncated cone, possibly oblique: its heights are the same */
+  if (x->taper != 0) { /* a tapered circle is a truncated cone, possibly oblique; its volume depends only on the
+                        * height */
     double top = fmax(radius - inwards, 0), part = inwards > radius ? radius / inwards : 1;
     vs_frustum_measure(m, base, radius, vs_v3_add(base, vs_v3_scale(along, part)), top);
     m->volume = pi * height * part * (radius * radius + radius * top + top * top) / 3;
@@ -153,7 +155,7 @@ static bool measure_extrusion(const vs_node *n, vs_measure *m, bool *known, vs_e
   return true;
 }
 
-/* The path of a sweep: its length, whether it closes, whether it turns back somewhere. */
+/* The path of a sweep: its length, whether it is closed, and whether it turns back at some point. */
 typedef struct { double length; bool closed, back; } vs_way;
 
 static bool measure_way(const vs_node *curve, vs_way *way, vs_error *e) {
@@ -174,9 +176,9 @@ static bool measure_way(const vs_node *curve, vs_way *way, vs_error *e) {
   return ok;
 }
 
-/* By Pappus, for every smooth path and every mitred corner: the volume is area times length, with the square of the
- * scale along the path. The wall is the border's length times the path's, if the border's own centroid is on the path
- * too. */
+/* By Pappus's theorem, for every smooth path and every mitred corner, the volume is the profile's area times the path's
+ * length, with the square of the scale along the path. The area of the wall is the border's length times the path's
+ * length, if the centroid of the border is also on the path. */
 bool vs_sweep_measure(const vs_node *n, vs_measure *m, vs_error *e) {
   bool bar = n->kind == VS_THICKEN;
   const vs_node *profile = n->children[0].node;
@@ -187,7 +189,7 @@ bool vs_sweep_measure(const vs_node *n, vs_measure *m, vs_error *e) {
     return true;
   if (!measure_way(bar ? profile : n->children[1].node, &way, e)) return false;
   double twist = bar ? 0 : VS_AS(sweep, n)->twist, scale = bar ? 1 : VS_AS(sweep, n)->scale, border = 0;
-  bool upright = !bar && vs_v3_length(VS_AS(sweep, n)->up) > 0; /* it turns about the path */
+  bool upright = !bar && vs_v3_length(VS_AS(sweep, n)->up) > 0; /* true if the profile turns about the path */
   if (way.back || !(way.length > 0)) return true;
   double radius = bar ? VS_AS(thicken, n)->width / 2 : vs_profile_circle(profile);
   bool even = true;
@@ -219,15 +221,15 @@ bool vs_sweep_measure(const vs_node *n, vs_measure *m, vs_error *e) {
   return true;
 }
 
-/* ---- the rule of each kind ---- */
+/* ---- the measuring function of each kind ---- */
 
-/* A node below its placements and wrappers, and the whole node with them. */
+/* A node n without its placements and wrappers; whole: the node with them. */
 typedef struct {
   const vs_node *whole, *n;
-  vs_affine placed; /* the map of n */
+  vs_affine placed; /* the map of n by its placements */
 } measured;
 
-/* Fills a measure whose `known` is true. Returns false on failure. */
+/* Sets the members of m, whose `known` is true. Returns false on failure. */
 typedef bool measure_rule(const measured *of, vs_measure *m, vs_error *e);
 
 static bool measure_zero(const measured *of, vs_measure *m, vs_error *e) {
@@ -246,7 +248,7 @@ static bool measure_endless(const measured *of, vs_measure *m, vs_error *e) {
   return vs_error_set(e, VS_ERROR_MODEL, NULL, "it has no end: nothing about it can be measured");
 }
 
-/* Transforms a measure from the node's own coordinates by its placement. */
+/* Maps a measure from the node's own coordinates by its placement. */
 static bool measure_place(const measured *of, vs_measure *m) {
   double k;
   m->volume *= fabs(vs_affine_determinant(&of->placed));
@@ -267,14 +269,15 @@ static bool measure_curve(const measured *of, vs_measure *m, vs_error *e) {
   return measure_samples(of->whole, &identity, m, e);
 }
 
-/* Measures an exact offset; exact if the placement keeps its arcs circular. */
+/* Measures an exact offset of a curve. The result is exact if the placement preserves circles. */
 static bool measure_round(const measured *of, const vs_offset_exact *exact, vs_measure *m, vs_error *e) {
   const struct vs_arc *a = &exact->arc;
   double k, angle = fabs(a->end - a->start);
   bool full = angle >= 2 * pi * (1 - 1e-15);
   if (!measure_curve(of, m, e)) return false;
   if (full) m->centroid = vs_affine_point(&of->placed, a->center);
-  else if (vs_affine_even(&of->placed, &k)) { /* r sin(a/2) / (a/2) from the centre, halfway between the ends */
+  else if (vs_affine_even(&of->placed, &k)) { /* the centroid of an arc is r sin(a/2) / (a/2) from the centre, in the
+                                               * direction of the arc's middle */
     double mean = (a->start + a->end) / 2, away = a->radius * sin(angle / 2) / (angle / 2), sine, cosine;
     vs_sincos(mean, &sine, &cosine);
     m->centroid = vs_affine_point(&of->placed, vs_v3_add(a->center, vs_v3(away * cosine, away * sine, 0)));
@@ -323,7 +326,7 @@ static bool measure_set(const measured *of, vs_measure *m, vs_error *e) {
   return measure_hull(of, m, e);
 }
 
-static measure_rule *const measure_rules[VS_KIND_COUNT] = { /* NULL: a primitive solid */
+static measure_rule *const measure_rules[VS_KIND_COUNT] = { /* NULL: the kind is a primitive solid, or has no formula */
 #define VS_RULE(kind, plane, measure) [VS_##kind] = measure_##measure,
 #include "geometry/kind_rules.def"
 };

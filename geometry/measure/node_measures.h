@@ -7,10 +7,11 @@
 #include "geometry/measure/measure.h"
 #include "model/node.h"
 
-/* Measures by formula if there is one: primitives and their placements, curves, regions. Splines and curved outlines
- * are measured by fine samples. */
+/* Measures a node by formula if there is one: primitives and their placements, curves, regions. Splines and curved
+ * outlines are measured by fine samples. Returns false on failure. */
 bool vs_node_measure(const vs_node *n, vs_measure *out, vs_error *e);
-/* Measures a sweep or a round bar as if it did not overlap itself; not known without a formula. It sets no centroid. */
+/* Measures a sweep or a round bar as if it did not overlap itself. Sets out->known to false if there is no formula.
+ * Sets no centroid. Returns false on failure. */
 bool vs_sweep_measure(const vs_node *n, vs_measure *out, vs_error *e);
 
 #endif

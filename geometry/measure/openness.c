@@ -1,22 +1,22 @@
-/* Implements the rays of ambient occlusion. Points distributed evenly on a unit disc, lifted onto the hemisphere, are
- * directions distributed by the cosine (Malley's method). The disc's points come from the 8 by 8 cells of a square. The
- * square is mapped onto the disc so that neighbours stay neighbours (Shirley and Chiu, A Low Distortion Map Between
- * Disk and Square, Journal of Graphics Tools 2(3), 1997); its points are shifted within it modulo its size (Cranley and
- * Patterson, 1976). */
+/* Computes ambient occlusion with rays in directions that are distributed by the cosine. The directions are points of a
+ * unit disc, evenly distributed and lifted onto the hemisphere (Malley's method). The points of the disc come from the
+ * 8 by 8 cells of a square. The map from the square to the disc keeps neighbours close (Shirley and Chiu, A Low
+ * Distortion Map Between Disk and Square, Journal of Graphics Tools 2(3), 1997). The points are shifted within the
+ * square, modulo its size (Cranley and Patterson, 1976). */
 #include "geometry/measure/openness.h"
 
 #include <math.h>
 
 enum { SIDE = 8 };
 
-/* Returns a hash of a number (the last step of MurmurHash3). */
+/* Returns a hash of x (the last step of MurmurHash3). */
 static uint32_t scatter(uint32_t x) {
   x ^= x >> 16, x *= 0x85ebca6bu;
   x ^= x >> 13, x *= 0xc2b2ae35u;
   return x ^ x >> 16;
 }
 
-/* Maps a point of the unit square to the unit disc. */
+/* Maps the point (u, v) of the unit square to the point (*x, *y) of the unit disc. */
 static void to_disc(double u, double v, double *x, double *y) {
   const double quarter = 0.78539816339744831;
   double a = 2 * u - 1, b = 2 * v - 1;

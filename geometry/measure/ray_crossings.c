@@ -1,8 +1,9 @@
-/* Implements the test whether a point is inside a closed mesh: crossings of an upward ray, counted with their sides.
+/* Tests whether a point is inside a closed mesh. It counts the crossings of an upward ray with triangles, with a sign
+ * by the side that the ray enters.
  *
- * Seen from above, one comparison determines whether an edge lies to the right of p, and both of its triangles make the
- * same comparison: a ray through an edge or a corner is counted once. Triangles are listed in the cells that their
- * boxes intersect; the number of cells gives at most some ten entries for each triangle. */
+ * As seen from above, one comparison determines whether an edge is to the right of p. Both triangles at the edge make
+ * the same comparison, so a ray through an edge or a corner is counted once. A grid of cells lists the triangles whose
+ * boxes intersect each cell. Its size is chosen so that there are at most some ten entries for each triangle. */
 #include "geometry/measure/ray_crossings.h"
 #include "model/store/array.h"
 
@@ -22,7 +23,7 @@ size_t vs_facet_index_bytes(const vs_facet_index *x) {
          (x->starts ? (x->cells * x->cells + 1 + x->starts[x->cells * x->cells]) * sizeof(uint32_t) : 0);
 }
 
-/* Returns the cell of a coordinate, among `cells` >= 1 cells between min and max. */
+/* Returns the index of the cell that contains `at`, among `cells` equal cells from min to max. cells >= 1. */
 static size_t facet_cell(double at, double min, double max, size_t cells) {
   double k = max > min ? floor((at - min) / (max - min) * (double)cells) : 0;
   VS_ASSERT(cells > 0);
@@ -56,7 +57,8 @@ bool vs_facet_index_make(vs_facet_index *x) {
   x->starts = vs_zeros(cells + 2, sizeof *x->starts);
   x->triangles = vs_fresh(total + 1, sizeof *x->triangles);
   if (!x->starts || !x->triangles || total >= UINT32_MAX) return false;
-  for (int pass = 0; pass < 2; pass++) { /* count, then fill: starts[c + 1] is c's first and moves to its end */
+  for (int pass = 0; pass < 2; pass++) { /* the first pass counts, the second fills: starts[c + 1] is first the
+                                          * beginning of cell c's entries, and moves to their end */
     for (size_t i = 0; i < n; i++) {
       facet_cells c = facet_span(x, i);
       for (size_t v = c.y0; v <= c.y1; v++)
@@ -70,8 +72,8 @@ bool vs_facet_index_make(vs_facet_index *x) {
   return true;
 }
 
-/* Tests the ray from p to +X in the plane of X and Y: returns 1 if it crosses the edge upwards, -1 downwards, 0 not at
- * all. */
+/* Tests the horizontal ray from p to +X, as seen from above. Returns 1 if it crosses the edge from a to b upwards
+ * (towards +Y), -1 if downwards, 0 if it does not cross it. */
 static int facet_crosses(vs_vec3 a, vs_vec3 b, vs_vec3 p) {
   if ((a.y > p.y) == (b.y > p.y)) return 0;
   bool up = b.y > a.y;
@@ -95,7 +97,8 @@ bool vs_facet_index_holds(const vs_facet_index *x, vs_vec3 p) {
     vs_vec3 normal = vs_v3_cross(vs_v3_sub(c, a), vs_v3_sub(d, a));
     int sides = facet_crosses(a, c, p) + facet_crosses(c, d, p) + facet_crosses(d, a, p);
     if (sides == 0) continue;
-    double above = vs_v3_dot(normal, vs_v3_sub(a, p)); /* > 0: the triangle's plane lies above p along its normal */
+    double above = vs_v3_dot(normal, vs_v3_sub(a, p)); /* above 0 if the triangle's plane lies above p, in the direction
+                                                        * of its normal */
     if (fabs(above) <= near * vs_v3_length(normal)) return true;
     if (sides > 0 ? above > 0 : above < 0) winding += sides;
   }

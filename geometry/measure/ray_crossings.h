@@ -1,22 +1,22 @@
-/* Declares, for use in geometry/ alone, the test whether points are inside a closed mesh, for many points. */
+/* Declares, for use in geometry/ alone, a test whether points are inside a closed mesh. It is fast for many points. */
 #ifndef VS_GEOMETRY_MEASURE_RAY_CROSSINGS_H
 #define VS_GEOMETRY_MEASURE_RAY_CROSSINGS_H
 
 #include "model/mesh.h"
 
-/* The triangles of a mesh by the cells of a grid seen from above. */
+/* An index of the triangles of a mesh: they are listed by the cells of a horizontal grid. */
 typedef struct {
-  vs_mesh mesh;       /* owned by the index */
+  vs_mesh mesh;       /* the mesh, which the index owns */
   vs_bounds bounds;
-  size_t cells;       /* along X and along Y */
-  uint32_t *starts;   /* cells * cells + 1 entries */
+  size_t cells;       /* number of cells along X and also along Y */
+  uint32_t *starts;   /* first entry of each cell: cells * cells + 1 elements */
   uint32_t *triangles;
 } vs_facet_index;
 
-bool vs_facet_index_make(vs_facet_index *x); /* makes the index of x->mesh; false: out of memory */
+bool vs_facet_index_make(vs_facet_index *x); /* makes the index of x->mesh; returns false when memory is out */
 void vs_facet_index_free(vs_facet_index *x);
 size_t vs_facet_index_bytes(const vs_facet_index *x);
-/* Returns true if the mesh winds around p more than 0 times, or p lies on it. */
+/* Returns true if the winding number of the mesh at p is above 0, or p lies on the mesh. */
 bool vs_facet_index_holds(const vs_facet_index *x, vs_vec3 p);
 
 #endif

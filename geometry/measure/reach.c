@@ -1,7 +1,7 @@
-/* Implements the extents of round shapes under an affine map.
+/* Computes the extents of round shapes under an affine map.
  *
- * Row i of the map, a_i, gives coordinate i: a disc of radius r perpendicular to the unit vector n extends
- * r*sqrt(|a_i|^2 - (a_i.n)^2) to each side of its centre, a ball r*|a_i|. */
+ * Row i of the map, a_i, determines coordinate i. A disc of radius r perpendicular to the unit vector n extends
+ * r*sqrt(|a_i|^2 - (a_i.n)^2) to each side of its centre. A ball extends r*|a_i|. */
 #include "geometry/measure/reach.h"
 
 #include <math.h>

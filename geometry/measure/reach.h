@@ -6,15 +6,15 @@
 
 #include <stddef.h>
 
-/* Each function adds to b the bounds, under a, of the shape in its name. */
+/* Each function enlarges b by the bounds, mapped by a, of the shape in its name. */
 void vs_reach_disc(vs_bounds *b, const vs_affine *a, vs_vec3 center, vs_vec3 normal, double r);
-/* An ellipse along the frame's X and Y. */
+/* An ellipse with the radius rx along X and ry along Y of the frame. */
 void vs_reach_oval(vs_bounds *b, const vs_affine *a, const vs_affine *frame, vs_vec3 center, double rx, double ry);
-/* A ball whose centre moves on a level circle of radius `ring`. */
+/* A ball of radius r whose centre moves on a horizontal circle of radius `ring`. */
 void vs_reach_ball(vs_bounds *b, const vs_affine *a, vs_vec3 center, double ring, double r);
 void vs_reach_points(vs_bounds *b, const vs_affine *a, const vs_vec3 *at, size_t n);
-/* A body that extends by `reach` along x, y and z to both sides of the centre's image. */
+/* A body that extends by `reach` along x, y and z to both sides of the mapped centre. */
 void vs_reach_sides(vs_bounds *b, const vs_affine *a, vs_vec3 center, vs_vec3 reach);
-vs_vec3 vs_reach_row(const vs_affine *a, int i); /* returns row i of a's linear part */
+vs_vec3 vs_reach_row(const vs_affine *a, int i); /* returns row i of the linear part of a */
 
 #endif

@@ -1,8 +1,8 @@
 /* Implements height fields: a grid of heights over a rectangle, solid down to a floor.
  *
- * Sample (i, j), column i of row j, is point j * columns + i; no height is below the floor. If none is on it either,
- * the floor is a fan about its middle to the border's feet. Otherwise the floor is divided as finely as the top, and a
- * sample on the floor is its own foot: faces that meet there share vertices, and the mesh closes. */
+ * Sample (i, j), column i of row j, is point j * columns + i. No height is below the floor. If all heights are above
+ * the floor, the floor is a fan of triangles around its middle. Otherwise the floor has as many triangles as the top,
+ * and a sample on the floor has one vertex for both. Faces of top and floor share this vertex, so the mesh closes. */
 #include "geometry/primitives/height_field.h"
 
 #include <stdlib.h>
@@ -11,12 +11,12 @@
 #include "geometry/measure/measure.h"
 #include "model/store/array.h"
 
-/* Returns true if sample i is used by a triangle: it, or a neighbour along a triangle's side, is above the floor. There
- * is a sample i. */
+/* Returns true if a triangle uses sample i: the sample, or a neighbour along a side of a triangle, is above the floor.
+ * i is an index of the samples. */
 static bool heights_used(const struct vs_height_field *h, uint32_t i) {
   static const int to[][2] = {
     { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { -1, 0 }, { -1, -1 }, { 0, -1 }
-  }; /* itself, then its neighbours */
+  }; /* offsets to the sample itself and to its neighbours */
   int64_t columns = h->columns, rows = columns > 0 ? h->points->count / columns : 0, x = i % columns, y = i / columns;
   VS_ASSERT(i < h->points->count);
   for (size_t k = 0; k < sizeof to / sizeof *to; k++) {
@@ -30,7 +30,8 @@ typedef struct {
   const struct vs_height_field *h;
   vs_mesh *out;
   uint32_t columns, rows;
-  uint32_t *top, *foot; /* a sample's vertex, and its vertex on the floor; UINT32_MAX: none */
+  uint32_t *top, *foot; /* top[i]: vertex of sample i; foot[i]: the vertex below it on the floor; UINT32_MAX: there is
+                         * none yet */
 } vs_heights;
 
 static bool heights_on_floor(const vs_heights *g, uint32_t i) { return !(g->h->points->at[i].z > g->h->low); }
@@ -43,7 +44,7 @@ static bool heights_foot(vs_heights *g, uint32_t i) {
   return true;
 }
 
-/* Adds the wall from sample a to its neighbour b along the border; the outside is on the right. */
+/* Adds the wall below the border from sample a to its neighbour b. The outside is on the right. */
 static bool heights_wall(vs_heights *g, uint32_t a, uint32_t b) {
   bool ok = heights_foot(g, a) && heights_foot(g, b);
   if (ok && !heights_on_floor(g, b)) ok = vs_mesh_add_triangle(g->out, g->foot[a], g->foot[b], g->top[b]);
@@ -83,7 +84,7 @@ bool vs_height_field_mesh(vs_mesh *out, const struct vs_height_field *h) {
                             vs_v3((h->points->at[0].x + h->points->at[count - 1].x) / 2,
                                   (h->points->at[0].y + h->points->at[count - 1].y) / 2, h->low),
                             &middle);
-  for (size_t k = 0; ok && k < border; k++) { /* around the border, counter-clockwise seen from above */
+  for (size_t k = 0; ok && k < border; k++) { /* goes around the border, counter-clockwise as seen from above */
     uint32_t at[2];
     for (size_t e = 0; e < 2; e++) {
       size_t s = (k + e) % border, across = columns - 1, up = rows - 1;
@@ -113,7 +114,7 @@ static bool heights_hold(const struct vs_height_field *h, vs_vec3 p) {
   return p.z <= (x >= y ? a + (b - a) * x + (c - b) * y : a + (d - a) * y + (c - d) * x);
 }
 
-/* ---- the shape ---- */
+/* ---- the functions of the shape ---- */
 
 static bool height_field_bounds(const vs_node *n, const vs_affine *a, vs_bounds *b, vs_error *e) {
   const struct vs_height_field *h = VS_AS(height_field, n);
@@ -135,7 +136,7 @@ static bool height_field_measure(const vs_node *n, bool area, vs_measure *m, vs_
   vs_mesh mesh = { 0 };
   (void)area;
   bool ok = vs_height_field_mesh(&mesh, VS_AS(height_field, n)) || vs_error_memory(e, NULL);
-  if (ok) vs_mesh_measure(&mesh, m); /* the shape is exactly these triangles */
+  if (ok) vs_mesh_measure(&mesh, m); /* measures the mesh, which has exactly the form of the shape */
   vs_mesh_free(&mesh);
   return ok;
 }

@@ -1,4 +1,5 @@
-/* Implements the pyramid, whole or truncated: regular n-gons, with a corner at +X of the axis's frame. */
+/* Implements the pyramid, which may be truncated. Base and top are regular n-gons with a corner in the direction +X of
+ * the axis's frame. */
 #include <math.h>
 
 #include "geometry/measure/reach.h"
@@ -28,7 +29,8 @@ static bool pyramid_measure(const vs_node *n, bool area, vs_measure *m, vs_error
   (void)area, (void)e;
   vs_vec3 axis = vs_v3_sub(x->top, x->base);
   double h = vs_v3_length(axis), sides = x->sides, r = x->base_radius, s = x->top_radius, step = pi / sides;
-  double polygon = sides / 2 * sin(2 * step), weight = r * r + r * s + s * s; /* area of the n-gon of circumradius 1 */
+  double polygon = sides / 2 * sin(2 * step), weight = r * r + r * s + s * s; /* area of the regular polygon with
+                                                                               * circumradius 1 */
   m->volume = polygon * h * weight / 3;
   m->area = polygon * (r * r + s * s) + sides * sin(step) * (r + s) * hypot(h, (r - s) * cos(step));
   m->centroid =

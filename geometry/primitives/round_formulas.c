@@ -22,7 +22,7 @@ bool vs_frustum_holds(vs_vec3 q, double height, double base_radius, double top_r
   return q.x * q.x + q.y * q.y <= r * r;
 }
 
-/* ---- the cylinder, the cone and the cut cone ---- */
+/* ---- the cylinder, the cone and the cut cone, all as cut cones ---- */
 
 typedef struct {
   vs_vec3 base, top;
@@ -30,7 +30,7 @@ typedef struct {
   int segments;
 } frustum;
 
-/* Returns the cut cone of a node of the three kinds. */
+/* Returns a cylinder, cone or cut cone as a cut cone. */
 static frustum frustum_of(const vs_node *n) {
   VS_ASSERT(n->kind == VS_CYLINDER || n->kind == VS_CONE || n->kind == VS_CUT_CONE);
   if (n->kind == VS_CYLINDER) {
@@ -79,7 +79,7 @@ void vs_round_axis(const vs_node *n, vs_vec3 *base, vs_vec3 *top) {
   *base = x.base, *top = x.top;
 }
 
-/* By the arithmetic-geometric mean: 2 pi (a^2 - sum of 2^(k-1) c_k^2) / agm(a, b). */
+/* Circumference by the arithmetic-geometric mean: 2 pi (a^2 - sum of 2^(k-1) c_k^2) / agm(a, b). */
 double vs_ellipse_length(double a, double b) {
   double x = fmax(a, b), y = fmin(a, b), sum = 0, weight = 0.5;
   VS_ASSERT(a >= 0 && b >= 0);

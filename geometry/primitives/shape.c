@@ -1,4 +1,4 @@
-/* Implements the table of the primitive solids, by kind. */
+/* Contains the table of the primitive solids, indexed by kind. */
 #include "geometry/primitives/shape.h"
 
 const vs_shape *vs_shape_of(const vs_node *n) {

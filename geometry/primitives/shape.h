@@ -1,9 +1,9 @@
 /* Declares the interface of a primitive solid: the functions that each kind of role SHAPE (model/prims.def) provides
  * for its nodes.
  *
- * A kind has one file here, NAME.c, which ends with VS_SHAPE(NAME, ...). The macro gathers the functions NAME_bounds,
- * NAME_triangles, NAME_measure, NAME_holds and NAME_moved: a missing one does not compile. The optional entries are
- * always written; NULL means that the shape has none. Every function gets a node of its own kind, in the node's own
+ * Each kind has a file NAME.c in this folder, which ends with VS_SHAPE(NAME, ...). The macro collects the functions
+ * NAME_bounds, NAME_triangles, NAME_measure, NAME_holds and NAME_moved. The compiler reports a missing one. Optional
+ * functions must be written as NULL if the kind has none. Every function gets a node of its own kind, in the node's own
  * coordinates. */
 #ifndef VS_GEOMETRY_PRIMITIVES_SHAPE_H
 #define VS_GEOMETRY_PRIMITIVES_SHAPE_H
@@ -15,27 +15,27 @@
 #include "model/node.h"
 
 typedef struct {
-  /* Adds the bounds of n under a to b, exactly. Returns false on failure. */
+  /* Enlarges b by the exact bounds of n mapped by a. Returns false on failure. */
   bool (*bounds)(const vs_node *n, const vs_affine *a, vs_bounds *b, vs_error *e);
-  /* Appends the triangles, closed and facing outwards. Returns false on failure. */
+  /* Appends the triangles of n to out: a closed mesh that faces outwards. Returns false on failure. */
   bool (*triangles)(const vs_node *n, const vs_fineness *f, vs_mesh *out, vs_error *e);
-  /* Sets volume, area and centroid of a measure whose `known` is true; clears `known` if there is no formula. area
-   * false: the area is not needed and may be 0. Returns false on failure. */
+  /* Sets volume, area and centroid in m, whose member `known` is true. Sets `known` to false if there is no formula. If
+   * `area` is false, the area may be set to 0. Returns false on failure. */
   bool (*measure)(const vs_node *n, bool area, vs_measure *m, vs_error *e);
-  /* Returns true if p, which lies in the bounds, is inside or on the surface. q: p in the axis's frame, whose top is at
-   * z = height; p itself if there is no axis. */
+  /* Returns true if p is inside n or on its surface. p lies in the bounds of n. q: p in the axis's frame, whose top is
+   * at z = height; p itself if the kind has no axis. */
   bool (*holds)(const vs_node *n, vs_vec3 p, vs_vec3 q, double height);
-  /* Returns n under a as a node of n's kind in store s. NULL with *fits false: there is no such node; else NULL: out of
-   * memory. */
+  /* Returns n mapped by a, as a node of the same kind in store s. Returns NULL and sets *fits to false if the result is
+   * not of this kind. Returns NULL with *fits true when memory is out. */
   vs_node *(*moved)(vs_store *s, const vs_node *n, const vs_affine *a, const vs_shape_map *map, bool *fits);
-  /* Sets the two ends of the axis. NULL: the kind has no axis. */
+  /* Sets the two ends of the axis. The function is NULL if the kind has no axis. */
   void (*axis)(const vs_node *n, vs_vec3 *base, vs_vec3 *top);
-  /* Returns n with its faces moved outwards by about `by`; NULL: out of memory. An entry of NULL: there is no such
-   * formula. */
+  /* Returns n with its faces moved outwards by about `by`, or NULL when memory is out. The function is NULL if the kind
+   * has no formula for it. */
   vs_node *(*grown)(vs_store *s, const vs_node *n, double by);
-  /* Returns n as a union of simpler shapes, for formats that write sets and lack this kind; the parts have no such
-   * entry. NULL with *fits false: triangles suit n better; else NULL: out of memory. An entry of NULL: triangles suit
-   * all of the kind. */
+  /* Returns n as a union of simpler shapes, for formats that have sets but not this kind. The parts are of kinds
+   * without such a function. Returns NULL and sets *fits to false if triangles are better for n. Returns NULL with
+   * *fits true when memory is out. The function is NULL if triangles are better for all nodes of the kind. */
   vs_node *(*parts)(vs_store *s, const vs_node *n, const vs_origin *origin, bool *fits);
 } vs_shape;
 
@@ -49,7 +49,7 @@ typedef struct {
                                       .grown = grown_,                                                                 \
                                       .parts = parts_ }
 
-const vs_shape *vs_shape_of(const vs_node *n); /* NULL: the kind has another role */
+const vs_shape *vs_shape_of(const vs_node *n); /* returns NULL if the kind of n has another role than SHAPE */
 
 #define VS_SHAPE_SHAPE(lower) extern const vs_shape vs_shape_##lower;
 #define VS_SHAPE_LEAF(lower)

@@ -1,4 +1,4 @@
-/* Implements the properties of a shape that an affine map keeps, and points under a map. */
+/* Determines which properties of a shape an affine map preserves, and maps arrays of points. */
 #include "geometry/primitives/shape_map.h"
 
 #include <math.h>

@@ -1,29 +1,30 @@
-/* Declares, for primitives/ and the pass fold, the properties of a shape that an affine map keeps, and points under a
- * map. */
+/* Declares, for primitives/ and the pass fold, the properties of a shape that an affine map preserves, and the mapping
+ * of points. */
 #ifndef VS_GEOMETRY_PRIMITIVES_SHAPE_MAP_H
 #define VS_GEOMETRY_PRIMITIVES_SHAPE_MAP_H
 
 #include "model/node.h"
 
-/* All false for a singular map. */
+/* The properties of an affine map. All are false if the map is singular. */
 typedef struct {
-  bool even;    /* a similarity: multiplies every length by scale */
-  bool upright; /* even, without rotation or reflection */
-  bool axes;    /* a signed permutation of the axes, with any scales */
-  bool plain;   /* every axis keeps its place and direction */
-  bool level;   /* even, and Z stays vertical */
-  bool about_z; /* level, right-handed, and Z up */
+  bool even;    /* true for a similarity, which multiplies every length by `scale` */
+  bool upright; /* true if even, and without rotation and reflection */
+  bool axes;    /* true if the map permutes the axes, with any signs and scales */
+  bool plain;   /* true if the map only scales along the axes, each with a positive factor */
+  bool level;   /* true if even, and vertical directions stay vertical */
+  bool about_z; /* true if level and right-handed, and +Z stays upwards */
   double scale;
 } vs_shape_map;
 
 vs_shape_map vs_shape_map_of(const vs_affine *a);
-/* Returns true if discs perpendicular to the axis become discs perpendicular to its image. *k: their scale. */
+/* Returns true if the map a changes discs perpendicular to the axis to discs perpendicular to the mapped axis. *k:
+ * factor by which their radii change. */
 bool vs_shape_map_keeps_discs(const vs_affine *a, vs_vec3 axis, double *k);
-/* Returns a new array with the old points under a. NULL: out of memory. */
+/* Returns a new array with the points `old` mapped by a, or NULL when memory is out. */
 vs_points *vs_shape_map_points(vs_store *s, const vs_affine *a, const vs_points *old);
 
-/* Begins a `moved` function: d is a copy of n's payload. If the condition is false, n's kind is not closed under the
- * map. */
+/* Begins a `moved` function of a kind. Copies the fields of n to d. If the condition is false, the mapped node is not
+ * of this kind, so the function returns NULL with *fits false. */
 #define VS_MOVED(lower, condition)        \
   struct vs_##lower d = *VS_AS(lower, n); \
   *fits = (condition);                    \

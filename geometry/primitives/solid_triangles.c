@@ -1,8 +1,9 @@
-/* Implements the triangles of the primitive solids.
+/* Makes the triangles of the primitive solids.
  *
- * Rings run counter-clockwise about the axis from +X of its frame; facets are counter-clockwise seen from outside.
- * Poles, apexes, the centres of discs and the corners at quarter turns agree with the formula to the last bit: kernel/
- * finds shared truss nodes by that. Indices are 32 bits: vs_mesh_reserve refuses larger meshes. */
+ * Rings run counter-clockwise about the axis from +X of its frame. Facets are counter-clockwise as seen from outside.
+ * Poles, apexes, centres of discs and corners at quarter turns equal the exact formula to the last bit. The kernel
+ * relies on this where the nodes of a truss share such points. vs_mesh_reserve refuses meshes with more than 32 bits of
+ * indices. */
 #include "geometry/primitives/solid_triangles.h"
 
 #include <stdlib.h>
@@ -49,7 +50,7 @@ bool vs_solid_fits(int around, int across, const char *what, vs_error *e) {
 
 /* ---- rings and bands ---- */
 
-/* Appends an ellipse of n >= 3 corners along the frame's X and Y. */
+/* Appends an ellipse of n corners along X and Y of the frame; n >= 3. */
 static bool solid_oval(vs_mesh *out, const vs_affine *frame, vs_oval oval, int n) {
   bool ok = true;
   VS_ASSERT(n >= 3);
@@ -87,8 +88,8 @@ bool vs_solid_fan(vs_mesh *out, uint32_t ring, uint32_t n, uint32_t tip, bool ba
   return ok;
 }
 
-/* Closes a ring with a disc: a fan about its centre, or triangles between its corners alone, halving it again and
- * again. */
+/* Closes a ring with a disc. With hub, the disc is a fan about the centre; otherwise its triangles use only the ring's
+ * corners, with every second corner cut off repeatedly. */
 static bool solid_disc(vs_mesh *out, vs_vec3 center, uint32_t ring, uint32_t n, bool back, bool hub) {
   uint32_t tip;
   if (hub) return vs_mesh_add_vertex(out, center, &tip) && vs_solid_fan(out, ring, n, tip, back);
@@ -133,7 +134,7 @@ bool vs_solid_sphere(vs_mesh *out, vs_vec3 center, double radius, int n) {
   bool ok = vs_mesh_reserve(out, out->vertex_count + (size_t)n * (size_t)(rings - 1) + 2,
                             out->triangle_count + 2 * (size_t)n * (size_t)(rings - 1));
   VS_ASSERT(n >= 3);
-  for (int j = 1; ok && j < rings; j++) { /* from the south pole up */
+  for (int j = 1; ok && j < rings; j++) { /* rings from the south pole upwards */
     double s, c;
     vs_turn_sincos(j, 2 * rings, &s, &c);
     ok = vs_solid_ring(out, &level, vs_v3(center.x, center.y, center.z - radius * c), radius * s, n);
@@ -146,8 +147,8 @@ bool vs_solid_sphere(vs_mesh *out, vs_vec3 center, double radius, int n) {
          vs_solid_fan(out, first + (uint32_t)(rings - 2) * around, around, north, false);
 }
 
-/* A tube wider than its path's radius intersects itself on the axis: in this case only the outer surface is built, from
- * pole to pole. Both turns have three facets or more. */
+/* A tube that is wider than its path's radius would intersect itself on the axis. Then only the outer surface is built,
+ * from pole to pole. around and tube_turn are at least 3. */
 bool vs_solid_torus(vs_mesh *out, vs_vec3 center, double radius, double tube, int around, int tube_turn) {
   uint32_t first = (uint32_t)out->vertex_count, n = (uint32_t)around, south, north;
   vs_affine level = vs_affine_identity();
@@ -190,7 +191,7 @@ bool vs_solid_polyface(vs_mesh *out, const vs_points *points, const vs_faces *fa
   return ok;
 }
 
-/* Does the same; equal points become one vertex. */
+/* Appends a polyface mesh, in which equal points become one vertex. */
 bool vs_solid_polyface_merged(vs_mesh *out, const vs_points *points, const vs_faces *faces, uint32_t *place) {
   const uint32_t *starts = vs_faces_starts(faces), *corners = vs_faces_corners(faces);
   vs_vec2 *flat = vs_fresh(faces->corner_count, sizeof *flat);
@@ -201,7 +202,7 @@ bool vs_solid_polyface_merged(vs_mesh *out, const vs_points *points, const vs_fa
   bool ok = flat && ring && vs_mesh_reserve(out, out->vertex_count + points->count, out->triangle_count + triangles);
   uint32_t next = base;
   for (uint32_t i = 0; ok && i < points->count;
-       i++) { /* place[i]: first the earliest equal point, then its vertex */
+       i++) { /* place[i] is at first the earliest equal point, and then this point's vertex */
     if (place[i] == i) {
       ok = vs_mesh_add_vertex(out, points->at[i], NULL);
       place[i] = next++;
@@ -209,13 +210,14 @@ bool vs_solid_polyface_merged(vs_mesh *out, const vs_points *points, const vs_fa
   }
   size_t tagged = out->triangle_count;
   for (uint32_t f = 0; ok && f <= faces->count; f++) {
-    for (; out->tags && tagged < out->triangle_count; tagged++) out->tags[tagged] = f - 1; /* of the face before */
+    for (; out->tags && tagged < out->triangle_count; tagged++) out->tags[tagged] = f - 1; /* tags the triangles of the
+                                                                                            * previous face */
     if (f == faces->count) break;
     size_t n = 0;
     vs_vec3 normal = vs_v3(0, 0, 0);
     for (uint32_t c = starts[f]; c < starts[f + 1]; c++) {
       uint32_t v = place[corners[c]];
-      if (n && ring[n - 1] == v) continue; /* a repeated neighbour: a triangle written as a quad */
+      if (n && ring[n - 1] == v) continue; /* skips a repeated corner: some files write a triangle as a quadrilateral */
       ring[n++] = v;
     }
     while (n > 1 && ring[n - 1] == ring[0]) n--;
@@ -228,7 +230,8 @@ bool vs_solid_polyface_merged(vs_mesh *out, const vs_points *points, const vs_fa
     for (size_t i = 0; i < n; i++)
       normal = vs_v3_add(
           normal, vs_v3_cross(vs_v3_sub(out->vertices[ring[i]], o), vs_v3_sub(out->vertices[ring[(i + 1) % n]], o)));
-    if (n == 4) { /* along the diagonal from the first corner, unless the quad is concave there */
+    if (n == 4) { /* divides a quadrilateral along the diagonal from its first corner, or along the other one if it is
+                   * concave at the first or third corner */
       vs_vec3 a = vs_v3_sub(out->vertices[ring[1]], o), b = vs_v3_sub(out->vertices[ring[2]], o),
               c = vs_v3_sub(out->vertices[ring[3]], o);
       bool convex = vs_v3_dot(vs_v3_cross(a, b), normal) > 0 && vs_v3_dot(vs_v3_cross(b, c), normal) > 0;

@@ -1,4 +1,5 @@
-/* Declares, for use in geometry/ alone, the triangles of primitive solids. All functions append to out; false: out of memory. */
+/* Declares, for use in geometry/ alone, the triangles of primitive solids. All functions append to out, and return
+ * false when memory is out. */
 #ifndef VS_GEOMETRY_PRIMITIVES_SOLID_TRIANGLES_H
 #define VS_GEOMETRY_PRIMITIVES_SOLID_TRIANGLES_H
 
@@ -6,32 +7,33 @@
 #include "model/mesh.h"
 #include "model/node.h"
 
-/* Returns true if a shape of so many facets around and across is small enough: their product can be huge. False: an
- * error is set. */
+/* Returns true if a shape with so many facets in two directions is small enough for a mesh. Otherwise returns false and
+ * sets e; `what` is the shape's name. */
 bool vs_solid_fits(int around, int across, const char *what, vs_error *e);
-/* Appends a circle of n corners about the frame's Z direction, the first on its X. */
+/* Appends a circle of n corners about the Z direction of the frame. The first corner is in its X direction. */
 bool vs_solid_ring(vs_mesh *out, const vs_affine *frame, vs_vec3 center, double r, int n);
-/* Appends triangles between the ring that starts at vertex low and the one at high, which is farther along the axis.
- * The rings differ, and have three corners or more. */
+/* Appends the triangles between two rings of n corners. They begin at the vertices low and high; the second ring is
+ * farther along the axis. The rings differ, and n >= 3. */
 bool vs_solid_band(vs_mesh *out, uint32_t low, uint32_t high, uint32_t n);
-/* Appends triangles from a ring of three corners or more to one vertex: farther along the axis, or (back) before it. */
+/* Appends triangles from a ring of n corners to the vertex tip; n >= 3. The tip is farther along the axis than the
+ * ring, or before it if `back`. */
 bool vs_solid_fan(vs_mesh *out, uint32_t ring, uint32_t n, uint32_t tip, bool back);
 bool vs_solid_box(vs_mesh *out, vs_vec3 p, vs_vec3 q);
 bool vs_solid_wedge(vs_mesh *out, vs_vec3 p, vs_vec3 q);
-/* A disc perpendicular to an axis, and an ellipse: its radii along X and Y of the axis's frame. A radius of 0 is an
- * apex. */
+/* A disc perpendicular to an axis, and an ellipse with the radius along X and the radius `across` along Y of the axis's
+ * frame. With radius 0 it is an apex. */
 typedef struct { vs_vec3 center; double radius; } vs_disc;
 typedef struct { vs_vec3 center; double radius, across; } vs_oval;
-/* Appends the solid between two discs of n corners. hubs: the discs are fans about their centres. */
+/* Appends the solid between two discs of n corners. With hubs, the discs are fans about their centres. */
 bool vs_solid_frustum(vs_mesh *out, vs_disc base, vs_disc top, int n, bool hubs);
-/* Does the same for ellipses; n is 3 or more. */
+/* Appends the solid between two ellipses of n corners; n >= 3. With hubs, the ellipses are fans about their centres. */
 bool vs_solid_oval_frustum(vs_mesh *out, vs_oval base, vs_oval top, int n, bool hubs);
-/* Appends a sphere of n >= 3 facets in a turn. */
+/* Appends a sphere with n facets in a full turn; n >= 3. */
 bool vs_solid_sphere(vs_mesh *out, vs_vec3 center, double radius, int n);
 bool vs_solid_torus(vs_mesh *out, vs_vec3 center, double radius, double tube, int around, int tube_turn);
-/* If out has tags, each triangle gets its face's index, from 0. */
+/* Appends a polyface mesh. If out has tags, each triangle gets the index of its face as tag. */
 bool vs_solid_polyface(vs_mesh *out, const vs_points *points, const vs_faces *faces);
 bool vs_solid_polyface_merged(vs_mesh *out, const vs_points *points, const vs_faces *faces,
-                              uint32_t *place); /* place: of vs_polyface_merge; overwritten */
+                              uint32_t *place); /* place: result of vs_polyface_merge, which this function overwrites */
 
 #endif

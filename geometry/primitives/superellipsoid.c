@@ -1,12 +1,12 @@
 /* Implements the superellipsoid: its triangles and its formulas.
  *
- * Both its profile and its cross-sections are superellipses |u|^p + |v|^p = 1, p = 2/n and 2/e. Half a quadrant of one
- * is
+ * Its profile and its cross-sections are curves |u|^p + |v|^p = 1, with p = 2/n for the profile and p = 2/e for
+ * cross-sections. Half a quadrant of such a curve is
  *   u = (1 + t^p)^(-1/p), v = t u, 0 <= t <= 1.
- * The other half is its mirror image at the diagonal. The ends, a point of an axis and the corner on the diagonal, are
- * exact. The normal there is along (1, t^(p-1)). Points are chosen so that the sum of the normal's rotation and the
- * angle of t grows in equal steps: on a circle these are equal angles. On a square with rounded corners most of the
- * points are at the corners. Every chord stays near its arc, however sharp p is. */
+ * The other half of the quadrant is its mirror image at the diagonal. The points on the axes and on the diagonal are
+ * exact. The normal at t has the direction (1, t^(p-1)). From point to point, the sum of the rotation of the normal and
+ * the angle of t grows in equal steps. On a circle these are equal angles. On a square with rounded corners most of the
+ * points are at the corners. Every chord stays near its arc, even if the corners are sharp. */
 #include <stdlib.h>
 
 #include "geometry/measure/reach.h"
@@ -22,14 +22,15 @@ static vs_oval_point oval_at(double p, double t) {
   return (vs_oval_point){ u, t * u };
 }
 
-/* Returns a share from 0 to 1 as t goes from 0 to 1: half of it is the normal's rotation, half the angle. */
+/* Returns a number that grows from 0 to 1 as t does: the mean of the normal's rotation and the angle of t, each as a
+ * fraction. */
 static double oval_share(double p, double t) {
   double angle = atan(t) / quarter_pi, turned = p == 1 ? angle : atan(pow(t, fabs(p - 1))) / quarter_pi;
   return (angle + turned) / 2;
 }
 
-/* Makes a quarter, from (1, 0) to (0, 1), of 2 * half + 1 points, which are mirror images about the diagonal to the
- * last bit. half is above 0. */
+/* Computes the 2 * half + 1 points of a quadrant, from (1, 0) to (0, 1). They are exact mirror images about the
+ * diagonal. half is above 0. */
 static void oval_quarter(double p, int half, vs_oval_point *at) {
   VS_ASSERT(half > 0);
   for (int i = 0; i <= half; i++) {
@@ -44,8 +45,9 @@ static void oval_quarter(double p, int half, vs_oval_point *at) {
   }
 }
 
-/* Returns the facets in a turn, a multiple of eight: axes and diagonals then have corners. Except on a circle, the
- * chords of equal shares are up to three times as far from the arc as a circle's with as many facets. */
+/* Returns the number of facets of a full turn. It is a multiple of eight, so that there are corners on axes and
+ * diagonals. Unless the curve is a circle, its chords may be three times as far from the arc as those of a circle with
+ * as many facets. */
 static int oval_turn(const struct vs_superellipsoid *s, double exponent, const vs_fineness *f) {
   int n = vs_fineness_turn(f, s->size, s->segments);
   if (exponent != 1 && s->segments == 0 && f->segments == 0) n = 7 * n / 4;
@@ -54,7 +56,7 @@ static int oval_turn(const struct vs_superellipsoid *s, double exponent, const v
 
 static bool solid_mesh(vs_mesh *out, const struct vs_superellipsoid *s, const vs_fineness *f) {
   int around = oval_turn(s, s->e, f), profile = oval_turn(s, s->n, f),
-      half = profile / 4; /* rings from the equator to a pole */
+      half = profile / 4; /* number of rings from the equator to a pole */
   vs_oval_point *section = vs_fresh((size_t)(around / 4 + 1), sizeof *section),
                 *up = vs_fresh((size_t)(half + 1), sizeof *up);
   uint32_t n = (uint32_t)around, base = (uint32_t)out->vertex_count, rings = (uint32_t)(2 * half - 1), south, north;
@@ -65,7 +67,7 @@ static bool solid_mesh(vs_mesh *out, const struct vs_superellipsoid *s, const vs
     oval_quarter(2 / s->e, around / 8, section);
     oval_quarter(2 / s->n, profile / 8, up);
   }
-  for (int j = 1 - half; ok && j < half; j++) { /* from the south up */
+  for (int j = 1 - half; ok && j < half; j++) { /* rings from the south pole upwards */
     double r = s->size * up[abs(j)].u, z = (j < 0 ? -s->size : s->size) * up[abs(j)].v;
     for (int i = 0; ok && i < around; i++) {
       vs_oval_point p = section[i % (around / 4)];
@@ -80,7 +82,7 @@ static bool solid_mesh(vs_mesh *out, const struct vs_superellipsoid *s, const vs
   for (uint32_t i = 0; ok && i < n; i++) {
     uint32_t k = i + 1 == n ? 0 : i + 1, top = base + (rings - 1) * n;
     ok = vs_mesh_add_triangle(out, base + k, base + i, south) && vs_mesh_add_triangle(out, top + i, top + k, north);
-    bool rising = i / (n / 8) % 2; /* the diagonals of the facets are mirror images too */
+    bool rising = i / (n / 8) % 2; /* the diagonals of the quadrilaterals are mirror images, too */
     for (uint32_t j = 0; ok && j + 1 < rings; j++) {
       uint32_t a = base + j * n + i, b = base + j * n + k, c = b + n, d = a + n;
       ok = rising ? vs_mesh_add_triangle(out, a, b, d) && vs_mesh_add_triangle(out, b, c, d)
@@ -94,7 +96,8 @@ static bool solid_mesh(vs_mesh *out, const struct vs_superellipsoid *s, const vs
 
 /* ---- formulas ---- */
 
-/* Returns (a^p + b^p)^(1/p) of numbers from 0 up, without overflow; if p is infinite, the greater of them. */
+/* Returns (a^p + b^p)^(1/p) without overflow, for a and b of at least 0. If p is infinite, it is the greater of the two
+ * numbers. */
 static double oval_norm(double p, double a, double b) {
   double most = fmax(a, b), least = fmin(a, b);
   VS_ASSERT(a >= 0 && b >= 0);
@@ -105,8 +108,8 @@ static bool solid_holds(const struct vs_superellipsoid *s, vs_vec3 p) {
   return oval_norm(2 / s->n, oval_norm(2 / s->e, fabs(p.x), fabs(p.y)), fabs(p.z)) <= s->size;
 }
 
-/* The dual norm; a concave curve (p < 1) extends as far as its points on the axes. */
-/* Returns the greatest d . p over the solid. */
+/* The exponents of the dual norms. A concave curve (p < 1) extends as far as its points on the axes. */
+/* Returns the greatest scalar product of d with a point of the solid. */
 static double solid_reach(const struct vs_superellipsoid *s, vs_vec3 d) {
   double p = 2 / s->e, q = 2 / s->n, dual_p = p > 1 ? p / (p - 1) : INFINITY, dual_q = q > 1 ? q / (q - 1) : INFINITY;
   return s->size * oval_norm(dual_q, oval_norm(dual_p, fabs(d.x), fabs(d.y)), fabs(d.z));
@@ -114,16 +117,17 @@ static double solid_reach(const struct vs_superellipsoid *s, vs_vec3 d) {
 
 static double beta(double a, double b) { return tgamma(a) * tgamma(b) / tgamma(a + b); }
 
-/* 2 s^3 e n B(e/2, e/2) B(n/2 + 1, n) (Jaklic, Leonardis, Solina 2000) */
+/* the formula is 2 s^3 e n B(e/2, e/2) B(n/2 + 1, n) (Jaklic, Leonardis, Solina 2000) */
 static double solid_volume(const struct vs_superellipsoid *s) {
   return 2 * s->size * s->size * s->size * s->e * s->n * beta(s->e / 2, s->e / 2) * beta(s->n / 2 + 1, s->n);
 }
 
-/* The surface is (r u, r v, z) with (u, v) on the section and (r, z) on the profile; its element is
+/* A node of the quadrature of the area. The surface is (r u, r v, z) with (u, v) on the cross-section and (r, z) on the
+ * profile. Its element of area is
  *   r sqrt(z'^2 (u'^2 + v'^2) + r'^2 (u v' - v u')^2).
- * With u' = -t^(p-1) w, v' = w, w = (1 + t^p)^(-1/p - 1), u v' - v u' = u^2. It is integrated over one half of the
- * section's quarter (sixteen are alike) and both halves of the profile's, by the double exponential rule, which
- * tolerates the singularities of powers at the ends. */
+ * With u' = -t^(p-1) w, v' = w, w = (1 + t^p)^(-1/p - 1), u v' - v u' = u^2. The element is integrated over half a
+ * quadrant of the section, of which there are sixteen equal ones, and over both halves of the profile's quadrant. The
+ * double exponential rule tolerates the singularities of powers at the ends. */
 typedef struct { double u, v, du, dv, weight; } vs_oval_node;
 
 static int oval_nodes(double p, vs_oval_node *nodes) {
@@ -139,7 +143,7 @@ static int oval_nodes(double p, vs_oval_node *nodes) {
   return n;
 }
 
-/* Returns the area by quadrature, to some ten digits. */
+/* Returns the area by quadrature, with some ten correct digits. */
 static double solid_area(const struct vs_superellipsoid *s) {
   vs_oval_node section[129], profile[129];
   int m = oval_nodes(2 / s->e, section), n = oval_nodes(2 / s->n, profile);
@@ -155,7 +159,7 @@ static double solid_area(const struct vs_superellipsoid *s) {
   return 16 * s->size * s->size * sum;
 }
 
-/* ---- the shape ---- */
+/* ---- the functions of the shape ---- */
 
 static bool superellipsoid_bounds(const vs_node *n, const vs_affine *a, vs_bounds *b, vs_error *e) {
   double reach[3];
@@ -184,7 +188,8 @@ static bool superellipsoid_holds(const vs_node *n, vs_vec3 p, vs_vec3 q, double 
 static vs_node *superellipsoid_moved(vs_store *s, const vs_node *n, const vs_affine *a, const vs_shape_map *map,
                                      bool *fits) {
   VS_MOVED(superellipsoid,
-           map->upright && a->m[0][3] == 0 && a->m[1][3] == 0 && a->m[2][3] == 0); /* its centre is the origin */
+           map->upright && a->m[0][3] == 0 && a->m[1][3] == 0 && a->m[2][3] == 0); /* the centre is the origin, so the
+                                                                                    * map must not move the origin */
   d.size *= map->scale;
   return vs_node_new(s, VS_SUPERELLIPSOID, &d, NULL, 0);
 }

@@ -1,4 +1,4 @@
-/* Implements the wedge: half of a box, with full height at its least x and height 0 at its greatest. */
+/* Implements the wedge: half of a box, with full height at the least x and height 0 at the greatest x. */
 #include <math.h>
 
 #include "geometry/measure/reach.h"
