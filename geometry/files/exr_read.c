@@ -152,7 +152,8 @@ static exr_result_t exr_unpack(exr_reader *r, const exr_decode_pipeline_t *d, ex
 }
 
 /* Decompresses a chunk. If zlib has no memory, the library reports a broken chunk. To distinguish the two faults, this
- * function allocates as much memory as zlib. If that fails, memory is out; otherwise it decompresses once more. */
+ * function tries to allocate more memory than zlib needs. If that fails, memory is out; otherwise it decompresses once
+ * more. */
 static exr_result_t exr_run(exr_reader *r, exr_decode_pipeline_t *d) {
   enum { WORK = 1 << 16 }; /* bytes; zlib needs less */
   exr_result_t result = r->call.run(r->c, 0, d);

@@ -64,8 +64,8 @@ static bool bounds_add_swept(vs_bounds *b, const vs_affine *a, const vs_node *n,
     }
   }
   vs_swept_free(&plan);
-  /* A solid that tapers inwards stays within the straight extrusion. Those bounds are safe even if the solid intersects
-   * itself. */
+  /* A solid that tapers inwards stays within the straight extrusion. The bounds of the extrusion are safe even if the
+   * solid intersects itself. */
   if (n->kind == VS_EXTRUDE && VS_AS(extrude, n)->taper != 0) {
     vs_bounds leaning = vs_bounds_empty();
     vs_mesh m = { 0 };

@@ -1,8 +1,8 @@
-/* Implements the calls of GEOS: unions, intersections and differences of areas.
+/* Calls GEOS for unions, intersections and differences of areas.
  *
- * GEOS keeps its input coordinates and adds intersection points, rounded to double: exact input coordinates stay exact
- * in the output. It keeps corners where pieces met on a straight edge: these are removed, within a distance of 1e-12 of
- * the coordinates' size. */
+ * GEOS keeps its input coordinates, and adds intersection points that are rounded to doubles. Therefore exact input
+ * coordinates stay exact in the output. GEOS also keeps corners on a straight edge where pieces touched. These are
+ * removed if they are within 1e-12 of the line, relative to the coordinates' size. */
 #include "geometry/plane/areas.h"
 
 #include <geos_c.h>
@@ -25,13 +25,13 @@ bool vs_area_point(vs_area *a, double x, double y) {
   return true;
 }
 
-static size_t area_ended(const vs_area *a) { /* returns the points of completed loops */
+static size_t area_ended(const vs_area *a) { /* returns the number of points in completed loops */
   size_t n = 0;
   for (size_t l = 0; l < a->loop_count; l++) n += a->size[l];
   return n;
 }
 
-/* first: the index of the loop's first point, at most the number of points. */
+/* Completes the loop that begins at the point `first`. first is at most a->count. */
 static bool area_close(vs_area *a, size_t first, bool hole) {
   size_t n = a->count - first;
   VS_ASSERT(first <= a->count);
@@ -51,7 +51,7 @@ static bool area_close(vs_area *a, size_t first, bool hole) {
 
 bool vs_area_loop(vs_area *a, bool hole) { return area_close(a, area_ended(a), hole); }
 
-/* ---- GEOS ---- */
+/* ---- the library GEOS ---- */
 
 #define VS_GEOS(X)                                                                                                     \
   X(GEOS_init_r) X(GEOS_finish_r) X(GEOSContext_setErrorMessageHandler_r) X(GEOSContext_setNoticeMessageHandler_r) \
@@ -71,7 +71,7 @@ typedef struct {
   VS_GEOS(X)
 #undef X
   GEOSContextHandle_t h;
-  char said[160]; /* its last message */
+  char said[160]; /* last message of GEOS */
 } vs_geos;
 
 static void geos_hear(const char *message, void *to) {
@@ -101,7 +101,7 @@ static void geos_close(vs_geos *g) {
   if (g->h) g->GEOS_finish_r(g->h);
 }
 
-/* Returns true if the last failure was out of memory, or GEOS gave no reason for it. */
+/* Returns true if the last failure was for lack of memory, or GEOS gave no reason. */
 static bool geos_starved(const vs_geos *g) { return !*g->said || strstr(g->said, "bad_alloc"); }
 
 static bool geos_failed(const vs_geos *g, const char *purpose, vs_error *e) {
@@ -109,7 +109,7 @@ static bool geos_failed(const vs_geos *g, const char *purpose, vs_error *e) {
   return vs_error_set(e, VS_ERROR_MODEL, NULL, "%s: the outlines cannot be combined: %s", purpose, g->said);
 }
 
-/* n points, and the first again if closes; NULL: failed */
+/* returns a sequence of n points; if `closes`, the first point is repeated at the end; NULL: failed */
 static GEOSCoordSequence *geos_sequence(vs_geos *g, const vs_vec2 *at, size_t n, bool closes) {
   size_t all = n + closes;
   GEOSCoordSequence *s = all <= INT32_MAX ? g->GEOSCoordSeq_create_r(g->h, (unsigned)all, 2) : NULL;
@@ -124,13 +124,13 @@ static void geos_drop(vs_geos *g, GEOSGeometry **all, size_t count) {
   for (size_t i = 0; all && i < count; i++) g->GEOSGeom_destroy_r(g->h, all[i]);
 }
 
-/* GEOS takes over the parts, also when it fails. */
+/* Returns a collection of the parts. GEOS then owns the parts, even if the call fails. */
 static GEOSGeometry *geos_collect(vs_geos *g, int type, GEOSGeometry **parts, size_t count) {
   if (count > INT32_MAX) return geos_drop(g, parts, count), NULL;
   return g->GEOSGeom_createCollection_r(g->h, type, parts, (unsigned)count);
 }
 
-/* Returns a multipolygon of the areas. NULL: failed. */
+/* Returns the areas as a multipolygon. Returns NULL on failure. */
 static GEOSGeometry *geos_polygons(vs_geos *g, const vs_area *areas, size_t count) {
   size_t loops = 0, done = 0, holes = 0;
   for (size_t i = 0; i < count; i++) loops += areas[i].loop_count;
@@ -146,9 +146,10 @@ static GEOSGeometry *geos_polygons(vs_geos *g, const vs_area *areas, size_t coun
       ok = ring != NULL;
       if (ok && l && a->hole[l]) inner[holes++] = ring;
       else if (ok) shell = ring;
-      if (!ok || l + 1 == a->loop_count || !a->hole[l + 1]) { /* the last loop of this polygon */
+      if (!ok || l + 1 == a->loop_count || !a->hole[l + 1]) { /* true for the last loop of the current polygon */
         if (ok) {
-          polygons[done] = g->GEOSGeom_createPolygon_r(g->h, shell, inner, (unsigned)holes); /* takes over the rings */
+          polygons[done] = g->GEOSGeom_createPolygon_r(g->h, shell, inner, (unsigned)holes); /* GEOS owns the rings
+                                                                                              * after this call */
           ok = polygons[done] != NULL;
           done += ok;
         } else {
@@ -169,15 +170,15 @@ static GEOSGeometry *geos_polygons(vs_geos *g, const vs_area *areas, size_t coun
 
 /* ---- results of GEOS ---- */
 
-/* Removes from the last loop, which begins at point `first`, corners on the line between their neighbours, until a pass
- * finds none. */
+/* Removes corners on the line between their neighbours from the last loop, which begins at point `first`. Repeats this
+ * until no corner is removed. */
 static void area_tidy(vs_area *a, size_t first) {
   double size = 0;
   size_t n = a->count - first, kept = 0;
   vs_vec2 *p = a->at + first;
   VS_ASSERT(first <= a->count);
   for (size_t i = 0; i < n; i++) size = fmax(size, fmax(fabs(p[i].x), fabs(p[i].y)));
-  for (size_t i = 0; i < n; i++) { /* the corner before is kept */
+  for (size_t i = 0; i < n; i++) { /* only if the corner before is kept */
     vs_vec2 b = p[i], c = p[(i + 1) % n], o = kept ? p[kept - 1] : p[n - 1];
     double ux = b.x - o.x, uy = b.y - o.y, vx = c.x - b.x, vy = c.y - b.y, wx = c.x - o.x, wy = c.y - o.y;
     double u = hypot(ux, uy), v = hypot(vx, vy), w = hypot(wx, wy), slack = 1e-12 * size;
@@ -206,7 +207,7 @@ static bool geos_ring(vs_geos *g, const GEOSGeometry *ring, bool hole, vs_area *
     area += ((a.x - p[0].x) * (b.y - p[0].y) - (a.y - p[0].y) * (b.x - p[0].x)) / 2;
     length += hypot(b.x - a.x, b.y - a.y);
   }
-  if (!(fabs(area) > 1e-12 * length * length)) { /* a sliver that rounding has left */
+  if (!(fabs(area) > 1e-12 * length * length)) { /* drops a sliver that rounding has produced */
     out->count = first;
     return true;
   }
@@ -222,16 +223,15 @@ static bool geos_ring(vs_geos *g, const GEOSGeometry *ring, bool hole, vs_area *
 static bool geos_polygon(vs_geos *g, const GEOSGeometry *polygon, vs_area *out) {
   size_t loops = out->loop_count;
   if (!geos_ring(g, g->GEOSGetExteriorRing_r(g->h, polygon), false, out)) return false;
-  if (out->loop_count == loops) return true; /* a sliver has no holes */
+  if (out->loop_count == loops) return true; /* the outer loop was dropped, so its holes are, too */
   int holes = g->GEOSGetNumInteriorRings_r(g->h, polygon);
   for (int i = 0; i < holes; i++)
     if (!geos_ring(g, g->GEOSGetInteriorRingN_r(g->h, polygon, i), true, out)) return false;
   return holes >= 0;
 }
 
-/* Adds the polygons of a result, which may contain lines and points too where areas only touch. Collections are nested
- * no deeper than GEOS makes them. Every result is checked, because each may be a failed allocation inside GEOS. Returns
- * false on failure. */
+/* Appends the polygons of a result to out. The result may also contain lines and points, where areas only touch. Every
+ * call of GEOS is checked, because an allocation inside GEOS may have failed. Returns false on failure. */
 static bool geos_result(vs_geos *g, const GEOSGeometry *from, vs_area *out) {
   int type = from ? g->GEOSGeomTypeId_r(g->h, from) : -1;
   if (type < 0) return false;
@@ -255,8 +255,8 @@ static bool geos_result(vs_geos *g, const GEOSGeometry *from, vs_area *out) {
   return n >= 0;
 }
 
-/* Returns a collection of the parts of a, each made valid separately: the whole, if it overlaps itself, would lose
- * doubly covered areas. NULL: failed. */
+/* Returns a collection of the parts of a, each of which is made valid separately. If the whole were made valid at once,
+ * areas that are covered twice would be lost. Returns NULL on failure. */
 static GEOSGeometry *geos_mend(vs_geos *g, const GEOSGeometry *a) {
   int n = g->GEOSGetNumGeometries_r(g->h, a);
   GEOSGeometry **parts = n < 0 ? NULL : vs_zeros((size_t)n + 1, sizeof *parts), *all = NULL;
@@ -273,8 +273,8 @@ static GEOSGeometry *geos_mend(vs_geos *g, const GEOSGeometry *a) {
   return all;
 }
 
-/* Returns a united with itself, made valid first if GEOS rejects it; takes over a. NULL: failed. It does not retry when
- * memory is out. */
+/* Returns the union of a with itself. If GEOS rejects a, it is made valid first. This function frees a. Returns NULL on
+ * failure; when memory is out, it does not try again. */
 static GEOSGeometry *geos_unite(vs_geos *g, GEOSGeometry *a) {
   *g->said = 0;
   GEOSGeometry *united = g->GEOSUnaryUnion_r(g->h, a);
@@ -317,7 +317,7 @@ bool vs_area_combine(vs_area_operation operation, const vs_area *operands, size_
   return ok;
 }
 
-/* ---- inside ---- */
+/* ---- tests of points ---- */
 
 static int area_winding(const vs_area *a, double x, double y) {
   int turns = 0;
@@ -331,7 +331,7 @@ static int area_winding(const vs_area *a, double x, double y) {
   return turns;
 }
 
-/* Returns true if the point is in the area or on its border (within 1e-9 of its size). */
+/* Returns true if the point is inside the area, or within 1e-9 of the area's size from its border. */
 bool vs_area_holds(const vs_area *a, double x, double y) {
   double size = 0, near = INFINITY;
   for (size_t i = 0; i < a->count; i++)
@@ -347,7 +347,7 @@ bool vs_area_holds(const vs_area *a, double x, double y) {
   return near <= 1e-9 * size || area_winding(a, x, y) > 0;
 }
 
-/* ---- chains ---- */
+/* ---- areas of directed edges ---- */
 
 static int chain_winding(const vs_vec2 (*edges)[2], size_t count, double x, double y) {
   int turns = 0;
@@ -361,7 +361,8 @@ static int chain_winding(const vs_vec2 (*edges)[2], size_t count, double x, doub
   return turns;
 }
 
-/* A single union of lines nodes all edges; of the faces between them those with a nonzero winding number are united. */
+/* The union of all edges as lines divides them at their intersections. The faces between the lines are then selected by
+ * their winding number, and united. */
 bool vs_area_of_chain(const vs_vec2 (*edges)[2], size_t count, const char *purpose, vs_area *out, vs_error *e) {
   vs_geos g;
   if (!geos_open(&g, purpose, e)) return false;
@@ -387,7 +388,7 @@ bool vs_area_of_chain(const vs_vec2 (*edges)[2], size_t count, const char *purpo
     ok = inside && g.GEOSGeomGetX_r(g.h, inside, &x) == 1 && g.GEOSGeomGetY_r(g.h, inside, &y) == 1;
     g.GEOSGeom_destroy_r(g.h, inside);
     if (!ok || chain_winding(edges, count, x, y) == 0) continue;
-    kept[keep] = g.GEOSUnaryUnion_r(g.h, face); /* a copy: its union with itself */
+    kept[keep] = g.GEOSUnaryUnion_r(g.h, face); /* the union of the face with itself is a copy */
     ok = kept[keep] != NULL;
     keep += ok;
   }
@@ -459,7 +460,7 @@ static int compare_numbered(const void *p, const void *q) {
   return a->number < b->number ? -1 : a->number > b->number;
 }
 
-/* Finds the first point at this position; GEOS keeps coordinates unchanged. */
+/* Finds the first point with these coordinates; GEOS keeps coordinates unchanged. */
 static bool number_at(const numbered *all, size_t n, double x, double y, uint32_t *out) {
   size_t low = 0, high = n;
   while (low < high) {
@@ -474,7 +475,8 @@ static bool number_at(const numbered *all, size_t n, double x, double y, uint32_
   return true;
 }
 
-/* Adds a triangle of GEOS's collection, counter-clockwise. Returns false if the part is no triangle of the points. */
+/* Stores a triangle of GEOS's collection as indices, counter-clockwise. Returns false if `part` is no triangle of the
+ * points. */
 static bool delaunay_triangle(vs_geos *g, const GEOSGeometry *part, const numbered *all, size_t n, const vs_vec2 *at,
                               uint32_t out[3]) {
   const GEOSGeometry *ring = part ? g->GEOSGetExteriorRing_r(g->h, part) : NULL;

@@ -1,10 +1,10 @@
-/* Implements curves as paths: lines, arcs, circles and interpolating splines sampled by the rule of tolerance.h, with
+/* Converts curves to paths. Lines, arcs, circles and interpolating splines are sampled by the rule of tolerance.h, with
  * exact ends.
  *
- * A spline through P_0..P_n has the parameter length h_i = |P_{i+1} - P_i| on its i-th span. The second derivatives M_i
- * at its knots determine it there: the tridiagonal system of textbooks, with natural ends (M = 0), with given unit
- * tangents, or closed (Sherman-Morrison). Samples of a span: |S''| is largest at an end of it, and therefore chords of
- * parameter length d stay within d*d/8*max(|M_i|, |M_{i+1}|). */
+ * On its i-th span, a spline through P_0..P_n has the parameter length h_i = |P_{i+1} - P_i|. The second derivatives
+ * M_i at the knots determine it. They are the solution of the usual tridiagonal system: with natural ends (M = 0), with
+ * given unit tangents, or closed (Sherman-Morrison). |S''| is largest at an end of a span. Therefore a chord of
+ * parameter length d deviates from the curve by at most d*d/8*max(|M_i|, |M_{i+1}|). */
 #include "geometry/plane/curve.h"
 #include "model/store/array.h"
 
@@ -94,10 +94,10 @@ static bool curve_arc(vs_path *out, vs_vec3 c, double r, double start, double en
 
 /* ---- splines ---- */
 
-typedef struct { size_t n; /* n: knots */ bool closed; vs_vec3 *p, *m; double *h, *scratch; } vs_spline_work;
+typedef struct { size_t n; /* n: number of knots */ bool closed; vs_vec3 *p, *m; double *h, *scratch; } vs_spline_work;
 
-/* Solves for m the tridiagonal system with sub[i], diag[i], sup[i] and right sides rhs (overwritten); scratch has room
- * for n doubles. n is above 0. */
+/* Solves the tridiagonal system of n equations with the diagonals sub, diag and sup and the right sides rhs, which are
+ * overwritten by the solution. scratch has room for n doubles. n is above 0. */
 static void spline_tridiagonal(size_t n, const double *sub, const double *diag, const double *sup, vs_vec3 *rhs,
                                double *scratch) {
   double d = diag[0];
@@ -137,7 +137,7 @@ static void spline_solve(vs_spline_work *w, vs_vec3 start, vs_vec3 end) {
     spline_tridiagonal(n, sub, diag, sup, w->m, rest);
     return;
   }
-  /* The corners of the cyclic matrix are both h[n-1]: A = B + u v^T with u = (g, 0.., c), v = (1, 0.., c/g) */
+  /* Both corners of the cyclic matrix are h[n-1]. A = B + u v^T with u = (g, 0.., c), v = (1, 0.., c/g). */
   double c = w->h[n - 1], g = -diag[0];
   diag[0] -= g;
   diag[n - 1] -= c * c / g;
@@ -150,8 +150,8 @@ static void spline_solve(vs_spline_work *w, vs_vec3 start, vs_vec3 end) {
   for (size_t i = 0; i < n; i++) w->m[i] = vs_v3_sub(w->m[i], vs_v3_scale(factor, u[i].x));
 }
 
-/* Returns the spline's point at parameter t (0 to 1) of a span, and its directions before and after. At a cusp, where
- * its speed is 0 and it turns back, these are opposite. */
+/* Returns the point of a span at parameter t, 0 to 1, and the directions before and after it. They are opposite at a
+ * cusp, where the speed is 0 and the curve turns back. */
 static vs_path_point spline_at(const vs_spline_work *w, size_t i, double t) {
   size_t j = i + 1 < w->n ? i + 1 : 0;
   double h = w->h[i], b = t, a = 1 - t;
@@ -163,15 +163,15 @@ static vs_path_point spline_at(const vs_spline_work *w, size_t i, double t) {
                 vs_v3_scale(vs_v3_add(vs_v3_scale(m, 1 - 3 * a * a), vs_v3_scale(k, 3 * b * b - 1)), h / 6));
   vs_vec3 force = vs_v3_add(vs_v3_scale(m, a), vs_v3_scale(k, b)), ahead = vs_v3_unit(speed), behind = ahead;
   VS_ASSERT(i < w->n && t >= 0 && t <= 1);
-  if (vs_v3_length(speed) < STANDS) { /* the mean speed is 1: the parameter is about the length */
+  if (vs_v3_length(speed) < STANDS) { /* the mean speed is 1, because the parameter is about the length */
     ahead = vs_v3_unit(force), behind = vs_v3_scale(ahead, -1);
     if (vs_v3_length(force) * h < STANDS) ahead = behind = vs_v3_unit(vs_v3_sub(k, m));
   }
   return (vs_path_point){ at, behind, ahead, 0 };
 }
 
-/* Adds samples between the parameters from < to if the direction reverses within a small part of the span: halves this
- * part, down to the cusp. */
+/* Adds samples between the parameters `from` and `to`, from < to, if the direction reverses in a small part of the
+ * span. It halves this part repeatedly, down to the cusp. */
 static bool spline_turn(const vs_spline_work *w, size_t i, double from, double to, vs_path *out) {
   vs_path_point p = spline_at(w, i, from), q = spline_at(w, i, to), tail[HALVINGS];
   size_t behind = 0;
@@ -242,7 +242,7 @@ done:
   return ok;
 }
 
-/* ---- from nodes ---- */
+/* ---- paths of nodes ---- */
 
 static void curve_place(vs_path *out, const vs_affine *map) {
   for (size_t i = 0; i < out->count; i++) {

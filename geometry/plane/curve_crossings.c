@@ -1,9 +1,9 @@
-/* Implements the search for points where curves cross (curve_crossings.h).
+/* Finds points where curves cross (curve_crossings.h).
  *
- * Plan. The curves are sampled and become edges in their plane, sorted by their smallest x; each is compared with the
- * edges before it that reach its x. Two edges cross if the ends of each lie clearly on both sides of the other. Two
- * strands cross if they change sides where an end lies on an edge. Pairs of curves that only touch are compared as a
- * whole. */
+ * The curves are sampled and become edges in their plane, sorted by their smallest x. Each edge is compared with the
+ * edges before it that reach its x. Two edges cross if the ends of each lie clearly on opposite sides of the other.
+ * Where an end lies on an edge, the curves cross if one passes to the other side of the other there. Pairs of curves
+ * that only touch are compared as a whole. */
 #include "geometry/plane/curve_crossings.h"
 
 #include <stdlib.h>
@@ -14,21 +14,21 @@
 #include "geometry/plane/planar_evaluation.h"
 #include "model/store/array.h"
 
-/* low, high: range of x; place: index in its loop, below last + 1 */
+/* low, high: range of x; place, last: index of the edge in its loop, and the greatest such index */
 typedef struct { vs_vec2 a, b; size_t curve, place, last; double low, high, slack; } vs_cross_edge;
 
 
-enum { TOUCHES_MOST = 64 }; /* pairs that are kept: drawings have more, regions do not */
+enum { TOUCHES_MOST = 64 }; /* greatest number of touching pairs that are stored; regions have fewer */
 
 typedef struct {
-  vs_polyline *loops; /* the curves' samples */
-  size_t count, total; /* number of curves, and of all samples */
-  double size;        /* the diagonal of the largest curve */
-  vs_affine frame;    /* of their plane */
+  vs_polyline *loops; /* sampled curves */
+  size_t count, total; /* count: number of curves; total: number of all samples */
+  double size;        /* diagonal of the largest curve's bounds */
+  vs_affine frame;    /* frame of the curves' plane */
   vs_cross_edge *edges;
   size_t edge_count;
-  size_t *starts, *after; /* after[starts[curve] + place]: the index of the next edge */
-  struct { size_t a, b; } touches[TOUCHES_MOST]; /* curves that touch, a <= b */
+  size_t *starts, *after; /* after[starts[curve] + place]: index of the edge that follows this edge of the curve */
+  struct { size_t a, b; } touches[TOUCHES_MOST]; /* pairs of curves that touch, a <= b */
   size_t touch_count;
 } vs_cross_search;
 
@@ -38,13 +38,14 @@ static int cross_compare(const void *p, const void *q) {
   return a->curve != b->curve ? (a->curve < b->curve ? -1 : 1) : a->place < b->place ? -1 : a->place > b->place;
 }
 
-static double cross_side(const vs_cross_edge *e, vs_vec2 p) { /* distance from the edge's line, left positive */
+static double cross_side(const vs_cross_edge *e, vs_vec2 p) { /* returns the distance of p from the edge's line,
+                                                               * positive on the left */
   double dx = e->b.x - e->a.x, dy = e->b.y - e->a.y;
   return (dx * (p.y - e->a.y) - dy * (p.x - e->a.x)) / hypot(dx, dy);
 }
 
-/* Returns true if the ends of each lie clearly on both sides of the other. touch: they do not, but an end lies on the
- * other's line. */
+/* Returns true if the ends of each edge lie clearly on opposite sides of the other. *touch: true if they do not, but an
+ * end lies on the other edge's line. */
 static bool cross_edges(const vs_cross_edge *p, const vs_cross_edge *q, vs_vec2 *at, bool *touch) {
   double slack = fmax(p->slack, q->slack), a = cross_side(p, q->a), b = cross_side(p, q->b), c = cross_side(q, p->a),
          d = cross_side(q, p->b);
@@ -59,7 +60,8 @@ static bool cross_edges(const vs_cross_edge *p, const vs_cross_edge *q, vs_vec2 
   return false;
 }
 
-/* Returns true if the direction q lies in the sector from p counter-clockwise to r; *sure: the answer is clear. */
+/* Returns true if the direction q lies in the sector that extends from direction p counter-clockwise to r. *sure: true
+ * if the answer is clear. */
 static bool cross_between(vs_vec2 p, vs_vec2 r, vs_vec2 q, bool *sure) {
   const double turn = 6.28318530717958647693, near = 0.05;
   double from = atan2(p.y, p.x), to = atan2(r.y, r.x) - from, at = atan2(q.y, q.x) - from;
@@ -69,13 +71,13 @@ static bool cross_between(vs_vec2 p, vs_vec2 r, vs_vec2 q, bool *sure) {
   return at < to;
 }
 
-/* The end of p lies on q: returns true if the two strands change sides there. next: the edge after p, and the edge
- * after q if the point is q's end too. */
+/* Tests the end of edge p, which lies on edge q. Returns true if the curve of p changes to the other side of q's curve
+ * there. next_p, next_q: the edges after p and q. */
 static bool cross_at_end(const vs_cross_edge *p, const vs_cross_edge *next_p, const vs_cross_edge *q,
                          const vs_cross_edge *next_q) {
   double slack = fmax(p->slack, q->slack), dx = q->b.x - q->a.x, dy = q->b.y - q->a.y, length = hypot(dx, dy);
   double along = ((p->b.x - q->a.x) * dx + (p->b.y - q->a.y) * dy) / length;
-  /* at q's start the edge that ends there is responsible */
+  /* The start of q is not tested here, but as the end of the edge before q. */
   if (fabs(cross_side(q, p->b)) > slack || along <= slack || along > length + slack) return false;
   vs_vec2 v = p->b, in = { p->a.x - v.x, p->a.y - v.y }, out = { next_p->b.x - v.x, next_p->b.y - v.y };
   vs_vec2 end = along >= length - slack ? next_q->b : q->b, come = { q->a.x - v.x, q->a.y - v.y },
@@ -173,7 +175,7 @@ static const vs_cross_edge *cross_next(const vs_cross_search *s, const vs_cross_
   return &s->edges[s->after[s->starts[p->curve] + p->place]];
 }
 
-/* Keeps a pair of curves that touch. */
+/* Stores a pair of curves that touch. */
 static void cross_note(vs_cross_search *s, size_t a, size_t b) {
   for (size_t i = 0; i < s->touch_count; i++)
     if (s->touches[i].a == a && s->touches[i].b == b) return;
@@ -187,7 +189,7 @@ static bool cross_found(const vs_cross_search *s, size_t a, size_t b, vs_vec2 at
   return true;
 }
 
-/* Returns true if two edges that overlap along x cross, or the strands that contain them. */
+/* Returns true if two edges that overlap along x cross, or their curves cross at an end of one. */
 static bool cross_pair(vs_cross_search *s, const vs_cross_edge *p, const vs_cross_edge *q, vs_crossing *out) {
   if (q->high < p->low || fmax(q->a.y, q->b.y) < fmin(p->a.y, p->b.y) ||
       fmin(q->a.y, q->b.y) > fmax(p->a.y, p->b.y) || cross_neighbours(p, q))
@@ -203,7 +205,7 @@ static bool cross_pair(vs_cross_search *s, const vs_cross_edge *p, const vs_cros
   return false;
 }
 
-/* Compares all edges that overlap. Returns true if there is a crossing. */
+/* Compares all pairs of edges that overlap along x. Returns true if there is a crossing. */
 static bool cross_sweep(vs_cross_search *s, vs_crossing *out) {
   double widest = 0;
   for (size_t i = 0; i < s->edge_count; i++) widest = fmax(widest, s->edges[i].high - s->edges[i].low);
@@ -213,7 +215,7 @@ static bool cross_sweep(vs_cross_search *s, vs_crossing *out) {
   return false;
 }
 
-/* Compares the curves that touch. Returns true if one passes through another. */
+/* Compares the pairs of curves that touch. Returns true if a curve passes through another. */
 static bool cross_touching(const vs_cross_search *s, vs_crossing *out) {
   for (size_t i = 0; i < s->touch_count; i++) {
     vs_vec2 at = { 0, 0 };

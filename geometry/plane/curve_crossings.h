@@ -1,12 +1,12 @@
-/* Declares the functions for the test whether curves that bound a region cross each other, or themselves. */
+/* Declares a test whether curves that bound a region cross each other or themselves. */
 #ifndef VS_GEOMETRY_PLANE_CURVE_CROSSINGS_H
 #define VS_GEOMETRY_PLANE_CURVE_CROSSINGS_H
 
 #include "model/node.h"
 
-typedef struct { size_t a, b; /* equal: it crosses itself */ vs_vec3 at; bool found; } vs_crossing;
-/* Finds a crossing of closed curves of one plane with each other, or themselves. Round curves may touch: a crossing no
- * deeper than the accuracy of the samples does not count. Returns false with the reason in e. */
+typedef struct { size_t a, b; /* a, b: indices of the curves that cross; if they are equal, the curve crosses itself */ vs_vec3 at; bool found; } vs_crossing;
+/* Finds a crossing of closed curves in one plane with each other or with themselves. Curves may touch: a crossing that
+ * is not deeper than the accuracy of the samples is ignored. Returns false and sets e on failure. */
 bool vs_curves_cross(const vs_ref *refs, size_t count, vs_crossing *out, vs_error *e);
 
 #endif

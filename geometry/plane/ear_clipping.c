@@ -1,20 +1,20 @@
-/* Implements the triangulation of planar polygons with holes by ear clipping.
+/* Triangulates planar polygons with holes by ear clipping.
  *
- * The ring is a doubly linked list of corners. A hole is spliced in by a bridge from its leftmost corner to a visible
- * corner of the ring; the ring uses the bridge in both directions. An ear is a convex corner whose triangle contains no
- * other corner, borders included: a corner in the middle of a straight edge therefore never lies on another triangle's
- * side. After an ear the next corner is skipped; a circle is thus halved again and again, and does not become a fan of
- * slivers. If rounding or a crossing loop leaves no ear, the most convex corner is cut nevertheless: the boundary stays
- * correct, and the mesh closed.
+ * The ring is a doubly linked list of corners. A hole is inserted by a bridge from its leftmost corner to a visible
+ * corner of the ring. The ring then contains the bridge in both directions. An ear is a convex corner whose triangle
+ * contains no other corner, even on its border. Therefore a corner in the middle of a straight edge never lies on a
+ * side of another triangle. After an ear the next corner is skipped. Thus a circle is halved repeatedly instead of
+ * becoming a fan of slivers. If rounding or a loop that crosses itself leaves no ear, the most convex corner is cut.
+ * The boundary is still correct, and the mesh closed.
  *
- * A hole with a corner at a corner of the ring is joined there, by a bridge of length 0. Otherwise the ring would visit
- * that point twice, one visit within the other, and an ear there could not be distinguished from the cut part. Holes
- * that touch are therefore joined before those that need a bridge. The ends of a bridge of length 0 are cut at once,
- * before they hide the ring's direction there.
+ * If a hole and the ring have a corner at the same point, they are joined there by a bridge of length 0. Otherwise the
+ * ring would visit that point twice, and an ear there could not be distinguished from the removed part. Therefore holes
+ * that touch are joined before those that need a bridge. The ends of a bridge of length 0 are cut at once, before they
+ * hide the ring's direction there.
  *
- * Rings of many thousand corners and holes are ordinary: perforated sheets, maps, text. Only reflex corners can be
- * inside an ear and nearest to it: a tree contains them. A corner whose triangle contains a reflex corner waits for it:
- * the first is no ear until the other is cut or convex. The corners still to be tried are a set of places along the
+ * Rings often have many thousand corners and holes: perforated sheets, maps, text. Only reflex corners can be inside a
+ * possible ear, so a tree of points contains only these. If a corner's triangle contains a reflex corner, it waits for
+ * that corner to be cut or to become convex. The corners that are still to be tested are a set of positions along the
  * ring. */
 #include "geometry/plane/ear_clipping.h"
 
@@ -28,25 +28,27 @@ static const size_t none = SIZE_MAX;
 
 typedef struct { uint32_t point, next, prev; } vs_corner;
 typedef struct {
-  size_t place;             /* index along the original ring */
-  size_t awaited;           /* the reflex corner in this corner's triangle, or none */
-  size_t waiting;           /* the first of the corners that wait for this one, linked by later and earlier */
+  size_t place;             /* index of the corner along the original ring */
+  size_t awaited;           /* the reflex corner within this corner's triangle for which it waits, or none */
+  size_t waiting;           /* the first of the corners that wait for this corner; they are linked by `later` and
+                             * `earlier` */
   size_t later, earlier;
-  bool gone, idle;          /* gone: cut; idle: among those that are cut at once */
+  bool gone, idle;          /* gone: true if the corner is cut; idle: true if it is in the list of corners that are cut
+                             * at once */
 } vs_ear;
 typedef struct {
   const vs_vec2 *at;
   vs_corner *corners;
-  vs_ear *ears; /* further data of each corner */
+  vs_ear *ears; /* additional data of each corner */
   size_t count;
-  size_t *by_place;  /* corners along the ring */
+  size_t *by_place;  /* corner at each index of the original ring */
   size_t *points;    /* points[i]: the point of corner i */
-  vs_point_tree tree; /* of corners; those in the ring that are reflex are on */
-  vs_marks open;     /* places of corners that may be ears */
+  vs_point_tree tree; /* tree of the corners; reflex corners in the ring are switched on */
+  vs_marks open;     /* positions along the ring of corners that may be ears */
   size_t *idle;      /* corners that are cut at once */
   size_t idle_count;
-  double flat; /* twice the area below which a triangle counts as empty */
-  double blur; /* the distance below which a line counts as meeting a corner */
+  double flat; /* a triangle counts as empty if twice its area is below this */
+  double blur; /* a line passes through a corner if it is closer than this */
 } vs_ring;
 
 static vs_vec2 ring_at(const vs_ring *r, size_t c) { return r->at[r->corners[c].point]; }
@@ -55,7 +57,7 @@ static double ring_turn(const vs_ring *r, size_t a, size_t b, size_t c) {
   return vs_vec2_turn(ring_at(r, a), ring_at(r, b), ring_at(r, c));
 }
 
-/* ---- waiting ---- */
+/* ---- corners that wait for others ---- */
 
 static void ring_wait(vs_ring *r, size_t c, size_t on) {
   vs_ear *k = &r->ears[c], *other = &r->ears[on];
@@ -76,7 +78,7 @@ static void ring_wait_no_more(vs_ring *r, size_t c) {
   k->awaited = none;
 }
 
-static void ring_release(vs_ring *r, size_t c) { /* releases all that wait for c */
+static void ring_release(vs_ring *r, size_t c) { /* makes all corners that wait for c candidates again */
   for (size_t w = r->ears[c].waiting; w != none; w = r->ears[c].waiting) {
     ring_wait_no_more(r, w);
     vs_marks_set(&r->open, r->ears[w].place, true);
@@ -87,7 +89,7 @@ static void ring_release(vs_ring *r, size_t c) { /* releases all that wait for c
 
 static bool same_place(vs_vec2 p, vs_vec2 q) { return p.x == q.x && p.y == q.y; }
 
-/* Returns true for an end of a bridge of length 0. */
+/* Returns true if corner c is at an end of a bridge of length 0. */
 static bool ring_is_idle(const vs_ring *r, size_t c) {
   vs_vec2 p = ring_at(r, c);
   return same_place(p, ring_at(r, r->corners[c].prev)) || same_place(p, ring_at(r, r->corners[c].next));
@@ -99,7 +101,7 @@ static void ring_note_idle(vs_ring *r, size_t c) {
   r->idle[r->idle_count++] = c;
 }
 
-/* Returns a corner that is still idle; none: there is none. */
+/* Returns a corner that is still to be cut at once, or none. */
 static size_t ring_next_idle(vs_ring *r) {
   while (r->idle_count > 0) {
     size_t c = r->idle[--r->idle_count];
@@ -109,7 +111,7 @@ static size_t ring_next_idle(vs_ring *r) {
   return none;
 }
 
-static void ring_look(vs_ring *r, size_t c) { /* updates c when it or a neighbour is new */
+static void ring_look(vs_ring *r, size_t c) { /* updates the data of c after it or a neighbour has changed */
   bool reflex = ring_turn(r, r->corners[c].prev, c, r->corners[c].next) <= r->flat;
   ring_wait_no_more(r, c);
   if (!reflex) ring_release(r, c);
@@ -118,7 +120,7 @@ static void ring_look(vs_ring *r, size_t c) { /* updates c when it or a neighbou
   ring_note_idle(r, c);
 }
 
-/* returns true if the open corner is an ear; else it waits */
+/* returns true if the candidate is an ear; otherwise the candidate waits for a corner in its triangle */
 static bool ring_is_ear(vs_ring *r, size_t b) {
   size_t inside = vs_point_tree_in(&r->tree, ring_at(r, r->corners[b].prev), ring_at(r, b),
                                    ring_at(r, r->corners[b].next), r->flat);
@@ -126,7 +128,7 @@ static bool ring_is_ear(vs_ring *r, size_t b) {
   return inside == SIZE_MAX;
 }
 
-/* Returns the first ear along the ring from `at` on, once around; none: there is no ear. */
+/* Returns the first ear along the ring after the corner `at`, all around, or none. */
 static size_t ring_next_ear(vs_ring *r, size_t at) {
   size_t place = r->ears[at].place, end = none;
   for (int turn = 0; turn < 2; turn++, end = place) {
@@ -152,18 +154,19 @@ static void ring_cut(vs_ring *r, size_t ear) {
 
 /* ---- holes ---- */
 
-/* An index of the corners to which a hole can be joined. It contains the ring's downward edges, each in the lists of
- * the few nodes of a binary tree over bands of y that make up its height, and the corners by position. A corner
- * represents the edge that leaves it, also after holes are spliced in. */
-typedef struct { uint32_t edge, next; } vs_band_link; /* next: of the node's list, from 1 on; 0: its end */
+/* An index of the corners to which a hole can be joined. A binary tree divides the range of y into bands. A downward
+ * edge of the ring is in the lists of those few nodes that together cover its height. Corners are also indexed by
+ * position. An edge is represented by the corner where it begins, even after holes are inserted. */
+typedef struct { uint32_t edge, next; } vs_band_link; /* next: the next link of the list, from 1 on; 0: the end */
 typedef struct {
-  double low, scale;    /* band (y - low) * scale */
-  size_t leaves;        /* bands, a power of two; node 1 is the root, 2 i and 2 i + 1 are below i */
-  uint32_t *first;      /* the first link of each node's list */
+  double low, scale;    /* the band of y is (y - low) * scale */
+  size_t leaves;        /* number of bands, a power of two; node 1 is the root, and node i has the children 2 i and 2 i
+                         * + 1 */
+  uint32_t *first;      /* first link in the list of each node */
   vs_band_link *links;
-  size_t count, room;   /* links, including the unused one at 0 */
-  vs_point_tree points; /* on: in the ring */
-  uint32_t *copies;     /* copies[i]: the next corner at corner i's position, from 1 on; 0: none */
+  size_t count, room;   /* number of links, including link 0, which is unused */
+  vs_point_tree points; /* tree of the corners; those in the ring are switched on */
+  uint32_t *copies;     /* copies[i] - 1: the next corner at the position of corner i; 0: there is none */
 } vs_bands;
 
 static bool bands_make(vs_bands *b, const vs_ring *r, size_t total, size_t most) {
@@ -189,7 +192,7 @@ static size_t band_of(const vs_bands *b, double y) {
   return band >= (double)b->leaves ? b->leaves - 1 : band > 0 ? (size_t)band : 0;
 }
 
-/* adds the edge that leaves corner c */
+/* adds the edge that begins at corner c */
 static bool bands_add(vs_bands *b, const vs_ring *r, size_t c) {
   double from = ring_at(r, c).y, to = ring_at(r, r->corners[c].next).y;
   if (!(from > to)) return true;
@@ -214,21 +217,22 @@ static bool bands_add_loop(vs_bands *b, const vs_ring *r, size_t first, size_t s
   return true;
 }
 
-/* Finds a corner of the ring to which the hole's leftmost corner h can be joined. Shoot a ray to -x, and take the first
- * edge it meets. Of that edge's end m and the corners within the triangle, take the one at the smallest angle to the
- * ray. Of those at equal angles it is the nearest, and of those at one position the one with the smallest index. A
- * bridge must not pass so close to a corner that rounding decides on its side. Therefore a ray meets each edge within
- * `blur`, and angles are equal if the lines differ by no more than that. */
+/* Finds a corner of the ring to which the hole's leftmost corner h can be joined. A ray from h towards -x hits an edge
+ * first, at `hit`. m is an end of this edge. Among m and the corners within the triangle of h, hit and m, it chooses
+ * the corner at the smallest angle to the ray. If angles are equal, it chooses the nearest corner, and at one position
+ * the smallest index. A bridge must not pass so close to a corner that rounding decides on which side. Therefore the
+ * ray hits an edge within `blur`, and angles are equal if the lines differ by no more than that. */
 typedef struct {
   const vs_ring *ring;
   const uint32_t *copies;
   vs_vec2 h, m, hit;
-  double least, slack; /* slopes; within the slack two are equal */
-  bool choosing;       /* the least slope is known */
+  double least, slack; /* least: smallest slope found; slack: slopes that differ by less are equal */
+  bool choosing;       /* true once the least slope is known and a corner is chosen */
   size_t best;
 } vs_sight;
 
-/* Returns true if p lies within the triangle of h, the hit point and m, or within the slack of its side from h to m. */
+/* Returns true if p lies within the triangle of s->h, s->hit and s->m, or within the slack of the side from h to m.
+ * *slope: slope of the line from h to p. */
 static bool sight_has(const vs_sight *s, vs_vec2 p, double *slope) {
   double up = s->m.y < s->h.y ? s->h.y - p.y : p.y - s->h.y, side = vs_vec2_turn(s->m, s->hit, p);
   if (!(p.x < s->h.x && p.x >= s->m.x && up >= 0)) return false;
@@ -237,7 +241,8 @@ static bool sight_has(const vs_sight *s, vs_vec2 p, double *slope) {
   return vs_vec2_turn(s->m, s->hit, s->h) < 0 ? side <= 0 : side >= 0;
 }
 
-/* Sets the positions before and after a corner along the ring; at a bridge of length 0, those beyond its other end. */
+/* Sets *before and *behind to the positions before and after a corner along the ring. At a bridge of length 0, it skips
+ * the corners at the same position. */
 static void ring_beside(const vs_ring *r, size_t c, vs_vec2 *before, vs_vec2 *behind) {
   size_t a = r->corners[c].prev, b = r->corners[c].next;
   while (a != c && same_place(ring_at(r, a), ring_at(r, c))) a = r->corners[a].prev;
@@ -246,11 +251,11 @@ static void ring_beside(const vs_ring *r, size_t c, vs_vec2 *before, vs_vec2 *be
   *behind = ring_at(r, b);
 }
 
-/* Returns true if the corner's own two edges do not hide the point h. */
+/* Returns true if the two edges at the corner do not hide the point h. */
 static bool ring_sees(const vs_ring *r, size_t corner, vs_vec2 h) {
   vs_vec2 p = ring_at(r, corner), a, c;
   ring_beside(r, corner, &a, &c);
-  /* > 0: h is to the left of the leaving edge */
+  /* above 0 if h is to the left of the edge that leaves the corner */
   double to_after = (c.x - p.x) * (h.y - p.y) - (c.y - p.y) * (h.x - p.x);
   double to_before = (p.x - a.x) * (h.y - a.y) - (p.y - a.y) * (h.x - a.x);
   bool convex = (p.x - a.x) * (c.y - a.y) - (p.y - a.y) * (c.x - a.x) > 0;
@@ -273,8 +278,8 @@ static void sight_look(void *context, size_t point) {
   }
 }
 
-/* Chooses, of the corners at the position of a hole's corner, one whose edges enclose the hole: h is the hole's next
- * corner. */
+/* Chooses a corner of the ring at the position of a hole's corner: one whose edges enclose the hole. s->h is the hole's
+ * next corner. */
 static void touch_look(void *context, size_t point) {
   vs_sight *s = context;
   for (size_t i = point;; i = s->copies[i] - 1) {
@@ -283,23 +288,23 @@ static void touch_look(void *context, size_t point) {
   }
 }
 
-/* Returns the ring's corner at the position p that sees h, or none. */
+/* Returns a corner of the ring at the position p from which h is visible, or none. */
 static size_t ring_seeing(const vs_ring *r, const vs_bands *b, vs_vec2 p, vs_vec2 h) {
   vs_sight s = { .ring = r, .copies = b->copies, .h = h, .best = none };
   vs_point_tree_each(&b->points, &(vs_point_box){ p.x, p.y, p.x, p.y, 0 }, touch_look, &s);
   return s.best;
 }
 
-/* Returns the ring's corner that the hole's corner touches, or none. */
+/* Returns a corner of the ring at the position of the hole's corner, or none. */
 static size_t ring_touch(const vs_ring *r, const vs_bands *b, size_t hole) {
   return ring_seeing(r, b, ring_at(r, hole), ring_at(r, r->corners[hole].next));
 }
 
-/* A ray from h to -x, and the first edge that it meets among those tested so far, given by the ring's corner where the
- * edge begins, or none; x: of the hit point. */
+/* A ray from h towards -x. edge: corner where the first edge begins that the ray hits, among those tested so far, or
+ * none; x: x of the hit. */
 typedef struct { vs_vec2 h; size_t edge; double x; } vs_ray;
 
-/* Tests the edges of a band. */
+/* Tests the ray against all edges in the list of a band. */
 static void band_meet(const vs_ring *r, const vs_bands *b, size_t band, vs_ray *ray) {
   vs_vec2 h = ray->h;
   double blur = r->blur;
@@ -326,7 +331,7 @@ static size_t ring_bridge(const vs_ring *r, const vs_bands *b, size_t start, siz
     last = band;
   }
   size_t edge = ray.edge;
-  if (edge == none) return start; /* a hole outside its ring: any bridge keeps the boundary right */
+  if (edge == none) return start; /* the hole is outside its outer loop; with any bridge the boundary is correct */
   size_t next = r->corners[edge].next;
   vs_vec2 p = ring_at(r, edge), q = ring_at(r, next);
   bool at_p = fabs(p.y - h.y) <= blur && p.x <= h.x, at_q = fabs(q.y - h.y) <= blur && q.x <= h.x;
@@ -347,8 +352,8 @@ static size_t ring_bridge(const vs_ring *r, const vs_bands *b, size_t start, siz
   return s.best == none ? end : s.best;
 }
 
-/* Makes the order: before ring corner a, copy of a, hole corner b, around the hole, copy of b, a, onwards. a and b
- * differ. */
+/* Joins the hole at the ring's corner a and its corner b. The order becomes: the corner before a, a copy of a, b,
+ * around the hole, a copy of b, a, and the corner after a. a and b differ. */
 static bool ring_splice(vs_ring *r, vs_bands *bands, size_t a, size_t b) {
   uint32_t a2 = (uint32_t)r->count++, b2 = (uint32_t)r->count++, before = r->corners[a].prev, last = r->corners[b].prev;
   VS_ASSERT(a != b);
@@ -374,25 +379,25 @@ static int hole_compare(const void *a, const void *b) {
   return p->at.y < q->at.y ? -1 : p->at.y > q->at.y;
 }
 
-/* Holes that are being joined to the ring. */
+/* The state while holes are joined to the ring. */
 typedef struct {
   vs_ring *ring;
   vs_bands bands;
   vs_hole *holes;
-  vs_point_tree outside; /* corners of holes; on: not yet in the ring */
-  uint32_t *hole_of;     /* hole_of[i]: the hole of point i */
-  size_t *queue, queued; /* holes in the ring that are still to be tested for others that touch them */
-  size_t start;          /* the corner with which the ring begins */
+  vs_point_tree outside; /* tree of the holes' corners; those not yet in the ring are switched on */
+  uint32_t *hole_of;     /* hole_of[i]: hole that contains point i */
+  size_t *queue, queued; /* holes in the ring that must still be tested for other holes that touch them */
+  size_t start;          /* corner with which the ring begins */
 } vs_joining;
 
-static bool join_at(vs_joining *j, size_t a, size_t b) { /* a is a corner of the ring, b of the hole */
+static bool join_at(vs_joining *j, size_t a, size_t b) { /* a is a corner of the ring, b a corner of the hole */
   vs_ring *r = j->ring;
   vs_hole *hole = &j->holes[j->hole_of[b]];
   hole->joined = true;
   j->queue[j->queued++] = j->hole_of[b];
   for (size_t c = hole->first; c < hole->first + hole->size; c++) vs_point_tree_switch(&j->outside, c, false);
   if (!ring_splice(r, &j->bands, a, b) || !bands_add_loop(&j->bands, r, hole->first, hole->size)) return false;
-  if (a == j->start) j->start = r->corners[b].prev; /* its copy, which precedes the hole */
+  if (a == j->start) j->start = r->corners[b].prev; /* the copy of a, which now precedes the hole */
   return true;
 }
 
@@ -401,7 +406,7 @@ static void least_look(void *context, size_t point) {
   if (point < *least) *least = point;
 }
 
-/* Joins the holes that touch a corner of the loop, which is in the ring. */
+/* Joins all holes that touch a corner of a loop in the ring. */
 static bool join_touching(vs_joining *j, size_t first, size_t size) {
   for (size_t c = first; c < first + size; c++) {
     vs_vec2 p = ring_at(j->ring, c);
@@ -416,8 +421,8 @@ static bool join_touching(vs_joining *j, size_t first, size_t size) {
   return true;
 }
 
-/* Joins all holes: those that touch the ring, and those that touch these; then the others from the left, each with the
- * holes that touch it. */
+/* Joins all holes. First come those that touch the ring, and those that touch these. The others follow from left to
+ * right, each with the holes that touch it. */
 static bool join_all(vs_joining *j, size_t count, size_t outer) {
   bool ok = bands_add_loop(&j->bands, j->ring, 0, outer);
   for (size_t i = 0; i < count; i++)
@@ -439,7 +444,7 @@ static bool join_all(vs_joining *j, size_t count, size_t outer) {
   return ok;
 }
 
-/* Does the same; *start: the corner with which the ring begins. */
+/* Joins all holes to the outer loop; *start becomes the corner with which the ring begins. */
 static bool ring_join(vs_ring *r, vs_hole *holes, size_t count, size_t outer, size_t most, size_t *start) {
   vs_joining j = { .ring = r, .holes = holes };
   size_t points_room = 0, queue_room = 0;
@@ -459,7 +464,7 @@ static bool ring_clip(vs_ring *r, size_t start, size_t left, vs_mesh *m, const u
     size_t ear = ring_next_idle(r);
     bool idle = ear != none;
     if (!idle) ear = ring_next_ear(r, at);
-    if (ear == none) { /* cut the corner of largest area */
+    if (ear == none) { /* there is no ear, so it cuts the corner with the largest area */
       double best = -INFINITY;
       size_t i = at;
       do {
@@ -470,7 +475,7 @@ static bool ring_clip(vs_ring *r, size_t start, size_t left, vs_mesh *m, const u
         }
         i = r->corners[i].next;
       } while (i != at);
-      if (ear == none) ear = at; /* NaN */
+      if (ear == none) ear = at; /* areas are NaN */
     }
     size_t prev = r->corners[ear].prev, next = r->corners[ear].next;
     uint32_t a = index[r->corners[prev].point], b = index[r->corners[ear].point], c = index[r->corners[next].point];
@@ -482,9 +487,9 @@ static bool ring_clip(vs_ring *r, size_t start, size_t left, vs_mesh *m, const u
   return true;
 }
 
-/* Sets each corner's place along the ring, and the corners that may be ears. */
+/* Sets each corner's index along the ring, and the set of corners that may be ears. */
 static bool ring_begin(vs_ring *r, size_t start, size_t total, size_t size) {
-  /* corners of omitted loops have none */
+  /* Corners of omitted loops have no position in the ring. */
   for (size_t i = 0; i < r->count; i++) r->points[i] = i < total ? i : r->corners[i].point;
   if (!vs_point_tree_make(&r->tree, r->at, r->points, r->count) || !vs_marks_make(&r->open, size)) return false;
   size_t c = start;
@@ -506,7 +511,7 @@ bool vs_triangulate(const vs_vec2 *at, const size_t *sizes, size_t loop_count, v
   for (size_t i = 1; i < total; i++) extent = fmax(extent, fmax(fabs(at[i].x - at[0].x), fabs(at[i].y - at[0].y)));
   if (loop_count == 0 || sizes[0] < 3) return true;
   size_t most = total + 2 * loop_count;
-  if (most > UINT32_MAX) return false; /* the limit of a mesh's vertices */
+  if (most > UINT32_MAX) return false; /* a mesh cannot have more vertices */
   vs_ring r = { .at = at, .flat = 1e-14 * extent * extent, .blur = 1e-12 * extent };
   r.corners = vs_fresh(most, sizeof *r.corners);
   r.ears = vs_fresh(most, sizeof *r.ears);

@@ -4,11 +4,12 @@
 
 #include "model/node.h"
 
-/* Joins open curves that meet end to end (within 1e-9 of their size) into closed or longer ones, in the order of their
- * first parts. refs contains *count curves; closed ones stay. The result replaces them, each a reference that the
- * caller releases, and *count becomes their number. Returns false with the reason in e; the caller then releases
+/* Joins open curves whose ends coincide within 1e-9 of their size into longer or closed ones, in the order of their
+ * first parts. refs contains *count curves; closed curves are not changed. The joined curves replace those in refs, and
+ * *count becomes their number. The caller releases them. Returns false and sets e on failure; the caller then releases
  * nothing. */
 bool vs_curves_join(vs_store *s, vs_ref *refs, size_t *count, vs_error *e);
-bool vs_curve_ends(const vs_node *curve, vs_vec3 *start, vs_vec3 *end, double *size, vs_error *e); /* open curves */
+bool vs_curve_ends(const vs_node *curve, vs_vec3 *start, vs_vec3 *end, double *size, vs_error *e); /* only for open
+                                                                                                    * curves */
 
 #endif

@@ -1,8 +1,8 @@
-/* Implements the search for points where two curves meet (meetings.h).
+/* Finds the points where two curves intersect or touch (meetings.h).
  *
- * Plan. Boxes contain spans of both curves, larger boxes contain several of these. If boxes are near each other, their
- * spans are compared in pairs. From the nearest points of two spans' chords, Newton's method moves along the curves
- * themselves to the points where they are nearest to each other. */
+ * Boxes contain spans of both curves, and larger boxes contain several boxes. If boxes are close to each other, their
+ * spans are compared in pairs. Newton's method starts from the nearest points of two spans' chords. It moves along the
+ * curves to the points where they are nearest to each other. */
 #include "geometry/plane/meetings.h"
 
 #include <math.h>
@@ -15,8 +15,8 @@ enum { GROUP = 16, STEPS = 40 };
 static size_t spans(const vs_stations *s) { return s->path.count - (s->path.closed ? 0 : 1); }
 static vs_vec3 end_of(const vs_stations *s, size_t i) { return s->path.at[i < s->path.count ? i : 0].at; }
 
-/* Returns the box of spans first to last - 1, enlarged by the largest distance of arcs from their chords. first is at
- * most last. */
+/* Returns the bounding box of the spans first to last - 1, enlarged by the largest distance of arcs from their chords.
+ * first <= last. */
 static vs_bounds box_of(const vs_stations *s, size_t first, size_t last) {
   vs_bounds b = vs_bounds_empty();
   double arcs = 0;
@@ -37,12 +37,12 @@ static bool boxes_near(const vs_bounds *a, const vs_bounds *b, double near) {
 
 static double held(double x, double high) { return x < 0 ? 0 : x > high ? high : x; }
 
-/* Returns a distance in the curve's range: modulo the length if it is closed. */
+/* Returns the distance s within the range of the curve: modulo its length if it is closed, else limited to it. */
 static double along(const vs_stations *c, double s) {
   return c->path.closed ? s - c->length * floor(s / c->length) : held(s, c->length);
 }
 
-/* Moves s and t to where the curves are nearest. Returns their distance there. */
+/* Moves the positions s and t to where the curves are nearest to each other. Returns the distance of the two points. */
 static double nearest(const vs_stations *a, const vs_stations *b, double *s, double *t, double most) {
   double best = INFINITY;
   for (int i = 0; i < STEPS; i++) {
@@ -74,7 +74,7 @@ static bool same_place(const vs_stations *c, double a, double b, double near) {
   return d <= near || (c->path.closed && c->length - d <= near);
 }
 
-/* Sets s and t to the nearest points of both spans' chords, as shares of them. */
+/* Sets s and t to the nearest points of the chords p-q and r-w, as fractions of their lengths. */
 static void chords(vs_vec3 p, vs_vec3 q, vs_vec3 r, vs_vec3 w, double *s, double *t) {
   vs_vec3 u = vs_v3_sub(q, p), v = vs_v3_sub(w, r), d = vs_v3_sub(r, p);
   double uu = vs_v3_dot(u, u), vv = vs_v3_dot(v, v), uv = vs_v3_dot(u, v), du = vs_v3_dot(d, u), dv = vs_v3_dot(d, v);
@@ -101,14 +101,15 @@ static vs_meetings_outcome pair(search *w, size_t i, size_t j) {
   double t = w->b->along[j] + y * (w->b->along[j + 1] - w->b->along[j]);
   double s0 = s, t0 = t;
   if (nearest(w->a, w->b, &s, &t, 2 * span) > w->near) return VS_MEETINGS_DONE;
-  /* Another pair of spans finds a meeting that lies away from these. */
+  /* If the result has moved away from these spans, another pair of spans finds it. */
   if (!same_place(w->a, s, s0, 3 * span) || !same_place(w->b, t, t0, 3 * span)) return VS_MEETINGS_DONE;
   double blur = fmax(w->near, 1e-7 * fmax(w->a->length, w->b->length));
   for (size_t k = 0; k < w->count; k++)
     if (same_place(w->a, w->found[k].s, s, blur) && same_place(w->b, w->found[k].t, t, blur)) return VS_MEETINGS_DONE;
   vs_station here = vs_station_at(w->a, s), there = vs_station_at(w->b, t);
   w->at = here.at;
-  if (fabs(vs_v3_dot(here.tangent, there.tangent)) > 1 - 1e-9) { /* they touch there, or lie on each other */
+  if (fabs(vs_v3_dot(here.tangent, there.tangent)) > 1 - 1e-9) { /* parallel tangents: the curves touch, or coincide
+                                                                  * along a part */
     double step = .3 * fmin(w->a->along[i + 1] - w->a->along[i], w->b->along[j + 1] - w->b->along[j]);
     int on = 0;
     for (int side = -1; side <= 1; side += 2) {

@@ -1,4 +1,4 @@
-/* Declares the points where two curves meet in space. */
+/* Declares the search for points where two curves intersect or touch in space. */
 #ifndef VS_GEOMETRY_PLANE_MEETINGS_H
 #define VS_GEOMETRY_PLANE_MEETINGS_H
 
@@ -6,16 +6,17 @@
 
 typedef struct {
   vs_vec3 at;
-  double s, t; /* distances from the starts of both curves */
+  double s, t; /* distances along the curves from their starts */
 } vs_meeting;
 
 typedef enum {
   VS_MEETINGS_DONE,
-  VS_MEETINGS_ALONG /* they lie on each other near `at` */,
+  VS_MEETINGS_ALONG /* the curves coincide along a part near `at` */,
   VS_MEETINGS_MEMORY
 } vs_meetings_outcome;
 
-/* Finds the points within `near` >= 0 of both curves, in the order of a; the caller frees *out. */
+/* Finds the points where the curves are within `near` of each other, in the order of curve a. near is at least 0. The
+ * caller frees *out. */
 vs_meetings_outcome vs_curves_meet(const vs_stations *a, const vs_stations *b, double near, vs_meeting **out,
                                    size_t *count, vs_vec3 *at);
 

@@ -1,13 +1,14 @@
-/* Implements offsets in a plane: enlarged or reduced areas, and open lines moved to one side.
+/* Computes offsets in a plane: enlarged or reduced areas, and open lines moved to one side.
  *
- * An area grows by the union with strips along its outside, and shrinks by the difference from strips along its inside:
- * the union handles self-overlaps and holes that close, and exact coordinates stay exact. A strip follows edges a -> b
- * on one side (hand +1: the left of travel). Its far side runs at the distance d. n1 and n2 are the normals of two
- * neighbouring edges to that side. The far side goes through
+ * An area grows by the union with strips along its outside, and shrinks by the difference with strips along its inside.
+ * The union resolves overlaps and holes that close, and exact coordinates stay exact. A strip follows edges a -> b on
+ * one side; hand +1 is the left of travel. Its far side is at the distance d. n1 and n2 are the normals of two
+ * neighbouring edges towards that side. The far side goes through
  *   b + d n1, b + d n2           at a corner that opens on that side, with the corner's join between them;
- *   b + d (n1 + n2)/(1 + n1.n2)  at a corner that closes, if the edges are long enough for their far sides to meet.
- * A strip ends at edges that are too short, and before it has turned by more than a right angle: therefore no strip
- * crosses itself. An open line's offset is the border of its strips' union without the line itself and the ends. */
+ *   b + d (n1 + n2)/(1 + n1.n2)  at a corner that closes, if the edges are long enough for their far sides to intersect.
+ * A strip ends at edges that are too short, and before it has turned by more than a right angle. Therefore no strip
+ * crosses itself. The offset of an open line is the border of the union of its strips, without the line itself and the
+ * ends. */
 #include "geometry/plane/offset.h"
 
 #include <stdlib.h>
@@ -17,16 +18,16 @@
 #include "geometry/plane/plane.h"
 #include "model/store/array.h"
 
-enum { MITRE_MOST = 100 }; /* in distances: a sharper corner is cut square */
+enum { MITRE_MOST = 100 }; /* greatest length of a mitre, in units of the distance; a sharper corner is cut square */
 
 typedef struct {
   vs_area *strips;
-  vs_vec2 *near, *far;  /* of the current strip */
+  vs_vec2 *near, *far;  /* points of the current strip on the line and on its far side */
   size_t near_count, far_count, near_room, far_room;
   double turned, d, hand;
   vs_offset_corners corners;
-  int turn;             /* facets of a round corner's full turn */
-  const vs_vec2 *ways;  /* an open line's true directions at its two ends, or NULL */
+  int turn;             /* number of facets of a full turn, for round corners */
+  const vs_vec2 *ways;  /* exact unit directions at the two ends of an open line, or NULL */
 } vs_offsetter;
 
 static const double pi = 3.14159265358979323846;
@@ -44,7 +45,8 @@ static bool offset_far(vs_offsetter *o, vs_vec2 p, double nx, double ny) {
   return offset_push(&o->far, &o->far_count, &o->far_room, p.x + o->d * nx, p.y + o->d * ny);
 }
 
-/* Makes the strip a counter-clockwise loop: if the far side is on the left, along the line and back on the far side. */
+/* Appends the current strip as a counter-clockwise loop. If its far side is on the left, the loop goes along the line
+ * and back on the far side. */
 static bool offset_strip(vs_offsetter *o) {
   bool ok = true;
   size_t n = o->near_count, m = o->far_count;
@@ -58,9 +60,11 @@ static bool offset_strip(vs_offsetter *o) {
   return ok && vs_area_loop(o->strips, false);
 }
 
-typedef struct { vs_vec2 p; double tx, ty, nx, ny, length; } vs_offset_edge; /* from p: direction, side's normal */
+typedef struct { vs_vec2 p; double tx, ty, nx, ny, length; } vs_offset_edge; /* an edge from p: its direction (tx, ty),
+                                                                              * the normal (nx, ny) to the strip's side,
+                                                                              * and its length */
 
-/* Adds the far side's points around an opening corner at p: between p + d n of a and of b. */
+/* Appends the points of the far side around an opening corner at p, from the end of edge a to the start of edge b. */
 static bool offset_join(vs_offsetter *o, vs_vec2 p, const vs_offset_edge *a, const vs_offset_edge *b) {
   double cosine = a->nx * b->nx + a->ny * b->ny, sine = a->nx * b->ny - a->ny * b->nx,
          half = atan2(fabs(sine), cosine) / 2;
@@ -76,7 +80,7 @@ static bool offset_join(vs_offsetter *o, vs_vec2 p, const vs_offset_edge *a, con
   } else if (o->corners == VS_OFFSET_MITRE && least > 0 && least <= MITRE_MOST) {
     double k = 1 / (1 + cosine);
     ok = ok && offset_far(o, p, (a->nx + b->nx) * k, (a->ny + b->ny) * k);
-  } else { /* cut across at the distance d */
+  } else { /* cuts the corner square at the distance d */
     double k = tan(half / 2);
     ok = ok && offset_far(o, p, a->nx + k * a->tx, a->ny + k * a->ty) &&
          offset_far(o, p, b->nx - k * b->tx, b->ny - k * b->ty);
@@ -95,7 +99,7 @@ static vs_offset_corner offset_look(const vs_offsetter *o, const vs_offset_edge 
   return cosine > -0.5 && o->d * tan(*turning / 2) < 0.5 * fmin(a->length, b->length) ? CORNER_MEETS : CORNER_CROSSES;
 }
 
-/* Adds strips along n points, closed or not. Returns false when memory is out. */
+/* Makes the strips along n points, which form a closed loop or a line. Returns false when memory is out. */
 static bool offset_strips(vs_offsetter *o, const vs_vec2 *at, size_t n, bool closed) {
   vs_offset_edge *edges = vs_fresh(n, sizeof *edges);
   size_t count = 0;
@@ -116,7 +120,7 @@ static bool offset_strips(vs_offsetter *o, const vs_vec2 *at, size_t n, bool clo
                                  : closed ? &edges[count - 1]
                                           : NULL;
     double turning = 0, k = 0;
-    if (!o->near_count) { /* a strip begins: on the bisector if the corner before closes */
+    if (!o->near_count) { /* begins a strip; if the corner before closes, it begins on the bisector */
       bool meets = last && offset_look(o, last, e, &turning, &k) == CORNER_MEETS;
       double nx = !i && o->ways ? -o->hand * o->ways[0].y : e->nx, ny = !i && o->ways ? o->hand * o->ways[0].x : e->ny;
       ok = offset_near(o, e->p) &&
@@ -165,15 +169,16 @@ bool vs_area_offset(const vs_area *in, const vs_offset_rule *rule, vs_area *out,
 
 /* ---- open lines ---- */
 
-static double offset_distance(vs_vec2 p, vs_vec2 a, vs_vec2 b) { /* of p from the segment a b */
+static double offset_distance(vs_vec2 p, vs_vec2 a, vs_vec2 b) { /* returns the distance of p from the segment from a to
+                                                                  * b */
   double dx = b.x - a.x, dy = b.y - a.y, d = dx * dx + dy * dy,
          t = d > 0 ? ((p.x - a.x) * dx + (p.y - a.y) * dy) / d : 0;
   t = fmin(1, fmax(0, t));
   return hypot(p.x - a.x - t * dx, p.y - a.y - t * dy);
 }
 
-/* Finds the longest run of the border's edges that are far enough from the line and not on its two ends (segments from
- * the line to its far side). There are two points or more, and d > 0. */
+/* Finds the longest sequence of the border's edges that are far enough from the line and not on its two ends, which are
+ * segments from the line to its far side. The line has at least two points, and d > 0. */
 static bool offset_border(const vs_offsetter *o, const vs_area *border, const vs_open_line *line, vs_polyline *out) {
   const vs_vec2 *at = line->at;
   size_t n = line->count;
@@ -189,13 +194,14 @@ static bool offset_border(const vs_offsetter *o, const vs_area *border, const vs
     const vs_vec2 *p = border->at + first;
     size_t size = border->size[l], run = 0;
     double length = 0;
-    for (size_t i = 0; i < 2 * size; i++) { /* twice around: a run across the loop's seam is found completely */
+    for (size_t i = 0; i < 2 * size; i++) { /* goes twice around the loop, so that a sequence across its start is found
+                                             * completely */
       vs_vec2 a = p[i % size], b = p[(i + 1) % size], middle = { (a.x + b.x) / 2, (a.y + b.y) / 2 };
       bool other = offset_distance(middle, from[0], to[0]) > slack && offset_distance(middle, from[1], to[1]) > slack;
       for (size_t k = 0; other && k + 1 < n; k++) other = offset_distance(middle, at[k], at[k + 1]) >= least;
       run = other ? run + 1 : 0;
       length = other ? length + hypot(b.x - a.x, b.y - a.y) : 0;
-      if (run > size) break; /* the whole loop */
+      if (run > size) break; /* the sequence is the whole loop */
       if (length > longest * (1 + 1e-12)) {
         longest = length;
         best_first = first, best_size = size, best_count = run, best_start = (i + 1 - run) % size;
@@ -223,7 +229,8 @@ bool vs_line_offset(const vs_open_line *line, const vs_offset_rule *rule, vs_pol
   ok = ok && vs_area_combine(VS_AREA_UNION, &strips, 1, "do-offset", &border, e);
   if (ok) {
     ok = offset_border(&o, &border, line, out) || vs_error_memory(e, NULL);
-    /* The border runs counter-clockwise: against the line on its left side, with it on its right. */
+    /* The border is counter-clockwise, so it goes against the line on the left side, and along the line on the right
+     * side. */
     for (size_t i = 0, j = out->count; ok && hand > 0 && i < j; i++) {
       vs_vec3 swap = out->at[i];
       out->at[i] = out->at[--j];
@@ -241,7 +248,7 @@ bool vs_line_offset(const vs_open_line *line, const vs_offset_rule *rule, vs_pol
 
 bool vs_offset_round(const vs_node *n, vs_affine *place, vs_offset_exact *out) {
   double scale = 1, grown = 0;
-  bool level = true; /* all placements keep +Z up: an arc's left is then the same in all of them */
+  bool level = true; /* true if all placements keep +Z upwards, so that the left side of an arc stays its left side */
   *place = vs_affine_identity();
   for (;;) {
     if (n->kind == VS_OFFSET) grown += scale * VS_AS(offset, n)->distance;

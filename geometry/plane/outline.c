@@ -1,4 +1,4 @@
-/* Implements regions as loops in a plane: the nesting of holes, and the common plane. */
+/* Makes outlines of loops: finds their common plane, and the nesting of holes. */
 #include "geometry/plane/outline.h"
 
 #include <stdlib.h>
@@ -18,7 +18,7 @@ void vs_outline_free(vs_outline *o) {
   *o = (vs_outline){ 0 };
 }
 
-/* Returns twice the vector area (Newell). */
+/* Returns the normal vector of a polygon with twice its area as length (Newell). */
 static vs_vec3 polyline_area(const vs_polyline *p) {
   vs_vec3 sum = { 0, 0, 0 };
   for (size_t i = 1; i + 1 < p->count; i++)
@@ -47,7 +47,7 @@ static bool outline_loop_holds(const vs_affine *frame, const vs_polyline *p, vs_
   return inside;
 }
 
-typedef struct { double low[2], high[2]; } vs_loop_box; /* in the plane */
+typedef struct { double low[2], high[2]; } vs_loop_box; /* bounds of a loop in the coordinates of the plane */
 
 static vs_loop_box outline_box(const vs_affine *frame, const vs_polyline *p) {
   vs_loop_box b = { { INFINITY, INFINITY }, { -INFINITY, -INFINITY } };
@@ -66,8 +66,8 @@ static bool outline_apart(const vs_loop_box *a, const vs_loop_box *b) {
   return a->high[0] < b->low[0] || b->high[0] < a->low[0] || a->high[1] < b->low[1] || b->high[1] < a->low[1];
 }
 
-/* Returns true if loop p contains loop q. They do not cross but may touch: therefore the midpoints of q's edges vote,
- * at most thirty of them. */
+/* Returns true if loop p contains loop q. The loops do not cross but may touch. Therefore the majority of the midpoints
+ * of q's edges decides; about thirty of them are tested. */
 static bool outline_loop_in(const vs_affine *frame, const vs_polyline *p, const vs_polyline *q) {
   size_t step = q->count / 30 + 1, votes = 0, asked = 0;
   for (size_t i = 0; i < q->count; i += step, asked++)
@@ -75,8 +75,8 @@ static bool outline_loop_in(const vs_affine *frame, const vs_polyline *p, const 
   return 2 * votes > asked;
 }
 
-/* Returns the normal for an open profile. A straight one has many planes: it gets the vertical one, a vertical line the
- * plane XZ. */
+/* Returns the normal of the plane of an open profile. A straight profile lies in many planes: it gets the vertical one,
+ * and a vertical line gets the plane XZ. */
 static vs_vec3 outline_normal_of_open(const vs_polyline *p) {
   vs_vec3 sum = { 0, 0, 0 }, along = { 0, 0, 0 };
   double length = 0;
@@ -91,13 +91,14 @@ static vs_vec3 outline_normal_of_open(const vs_polyline *p) {
   return vs_v3_length(across) > 1e-12 * length ? across : vs_v3(0, 1, 0);
 }
 
-/* Orders holes after their outer loops. depth[i]: the number of loops that contain loop i; if it is odd, i is a hole of
- * the smallest outer loop around it. */
+/* Orders holes after their outer loops. depth[i]: number of loops that contain loop i. If it is odd, i is a hole of the
+ * smallest outer loop that contains it. */
 static bool outline_nest(vs_outline *o) {
   size_t n = o->count, done = 0;
   size_t *depth = vs_zeros(n, sizeof *depth), *parent = vs_fresh(n, sizeof *parent);
   vs_polyline *sorted = vs_fresh(n, sizeof *sorted);
-  vs_loop_box *box = vs_fresh(n, sizeof *box); /* boxes show that most loops of a perforated sheet are disjoint */
+  vs_loop_box *box = vs_fresh(n, sizeof *box); /* bounding boxes, because most loops of a perforated sheet are
+                                                * disjoint */
   o->hole = vs_zeros(n, sizeof *o->hole);
   bool ok = depth && parent && sorted && box && o->hole;
   for (size_t i = 0; ok && i < n; i++) box[i] = outline_box(&o->frame, &o->loops[i]);
@@ -113,7 +114,7 @@ static bool outline_nest(vs_outline *o) {
   }
   for (size_t i = 0; ok && i < n; i++) {
     if (depth[i] % 2) continue;
-    for (size_t k = 0; k <= n; k++) { /* k 0: the loop itself, then its holes */
+    for (size_t k = 0; k <= n; k++) { /* k = 0 is the outer loop itself, then come its holes */
       size_t j = k ? k - 1 : i;
       if (k && (parent[j] != i || !(depth[j] % 2))) continue;
       bool hole = k > 0, clockwise = vs_v3_dot(polyline_area(&o->loops[j]), o->normal) < 0;
@@ -122,7 +123,7 @@ static bool outline_nest(vs_outline *o) {
       sorted[done++] = o->loops[j];
     }
   }
-  if (ok) { /* every hole has a parent of one depth less: all loops are present again */
+  if (ok) { /* every hole has an outer loop, so the new order contains all loops */
     free(o->loops);
     o->loops = sorted;
     sorted = NULL;

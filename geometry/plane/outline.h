@@ -4,23 +4,25 @@
 
 #include "model/node.h"
 
-/* A curve as points. closed: the first is not repeated. */
+/* The points of a curve. If closed, the first point is not repeated at the end. */
 typedef struct { vs_vec3 *at; size_t count, room; bool closed; } vs_polyline;
 void vs_polyline_free(vs_polyline *p);
 
-/* The loops of a region in one plane: outer loops counter-clockwise about the normal, holes clockwise, each hole after
- * the outer loop that contains it. The plane's normal points up; that of a vertical plane points towards +Y, or along
- * +X. frame: columns 0 and 1 span the plane, 2 is the normal, 3 the plane's point nearest to the origin. An open curve
- * (the profile of a surface) is one loop that is not closed. */
+/* The loops of a region in one plane. Outer loops are counter-clockwise about the normal, and each is followed by its
+ * holes, which are clockwise. The normal points up; the normal of a vertical plane points towards +Y, or along +X.
+ * Columns of frame: 0 and 1 span the plane, 2 is the normal, 3 is the point of the plane nearest to the origin. An open
+ * curve, such as the profile of a surface, is a single loop that is not closed. */
 typedef struct { vs_polyline *loops; bool *hole; size_t count; vs_vec3 point, normal; vs_affine frame; } vs_outline;
 void vs_outline_free(vs_outline *o);
-/* Makes an outline of loops in one plane: takes them over (each is left empty), also when it fails. */
+/* Makes an outline of loops in one plane. The outline then owns the points, and each loop is left empty, even on
+ * failure. Returns false and sets e on failure. */
 bool vs_outline_of_loops(vs_polyline *loops, size_t count, vs_outline *out, vs_error *e);
-/* Finds the plane of the loops, and its frame. Returns false if they enclose no area, or lie in no plane. */
+/* Finds the plane of the loops and its frame. Returns false if they enclose no area, or lie in no plane. */
 bool vs_outline_plane(vs_outline *o, vs_error *e);
-/* Orients the loops: outer ones counter-clockwise about the normal, holes clockwise. */
+/* Orients the loops: outer loops counter-clockwise about the normal, holes clockwise. */
 void vs_outline_orient(vs_outline *o);
-/* Returns the area of the outline, and sets its centroid; of an open one its length and centroid. */
+/* Returns the area of the outline and sets its centroid. For an open outline, these are its length and the centroid of
+ * the curve. */
 double vs_outline_measure(const vs_outline *o, vs_vec3 *centroid);
 
 #endif

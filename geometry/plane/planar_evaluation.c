@@ -1,8 +1,8 @@
-/* Implements the evaluation of planar expressions: converts curves, regions and sets of regions to paths and outlines,
- * within a tolerance.
+/* Evaluates planar expressions: converts curves, regions and sets of regions to paths and outlines, within a tolerance.
  *
- * A stack machine: a frame for each node that waits for its children, a value for each child that is done. Frames carry
- * the placement down; every curve is sampled in its final position, and sets are computed in their final plane. */
+ * The evaluation uses two stacks. A frame is a node that waits for its children. A value is the result of a child.
+ * Frames contain the placements above the node, so every curve is sampled in its final position, and sets are computed
+ * in their final plane. */
 #include <stdlib.h>
 
 #include "geometry/plane/planar_evaluation.h"
@@ -14,17 +14,17 @@
 #include "model/store/array.h"
 
 typedef struct {
-  bool filled;         /* an outline; else a path */
+  bool filled;         /* true: the value is an outline; false: it is a path */
   vs_path path;
   vs_outline outline;
 } vs_flat_value;
 
 typedef struct {
   const vs_ref *ref;
-  uint32_t next;       /* the next child to be evaluated */
-  size_t first;        /* index of the first of its children's values */
-  vs_affine map;       /* of its children */
-  vs_affine after;     /* of the result, for an offset */
+  uint32_t next;       /* index of the next child to evaluate */
+  size_t first;        /* index of the value of its first child */
+  vs_affine map;       /* map of its children */
+  vs_affine after;     /* for an offset: map of its result */
   vs_fineness facets;
 } vs_flat_frame;
 
@@ -58,7 +58,7 @@ static bool flat_open(vs_flat *f, const vs_ref *ref, const vs_affine *map, const
   return true;
 }
 
-/* Makes the outline of a text, whose loops are nested already; it is empty if the letters have no ink. */
+/* Makes the outline of a text. Its loops are already nested. The outline is empty if the letters have no ink. */
 static bool text_outline(const vs_node *n, const vs_affine *placed, const vs_fineness *f, vs_outline *out,
                          vs_error *e) {
   if (!vs_text_loops(n, placed, f, out, e)) return false;
@@ -68,7 +68,7 @@ static bool text_outline(const vs_node *n, const vs_affine *placed, const vs_fin
   return true;
 }
 
-/* Makes the outline of a flat hull. */
+/* Makes the outline of a hull that lies in a plane. */
 static bool hull_outline(const vs_node *n, const vs_affine *placed, const vs_fineness *f, vs_outline *out,
                          vs_error *e) {
   vs_fineness inner = vs_fineness_placed(f, placed);
@@ -88,7 +88,7 @@ static bool hull_outline(const vs_node *n, const vs_affine *placed, const vs_fin
 
 static bool flat_fill(vs_flat *f, const vs_ref *ref, vs_flat_value *v);
 
-/* Makes a value for a leaf, and a frame for a node with children. */
+/* Pushes a value for a leaf, or a frame for a node with children. */
 static bool flat_enter(vs_flat *f, const vs_ref *ref, vs_affine map, const vs_fineness *facets) {
   for (;;) {
     const vs_node *n = ref->node;
@@ -116,7 +116,7 @@ static bool flat_enter(vs_flat *f, const vs_ref *ref, vs_affine map, const vs_fi
             return false;
           return n->class_ == VS_CURVE || flat_fill(f, ref, v);
         }
-        /* the distance is in the offset's own coordinates: the offset is computed there */
+        /* The offset is computed in its own coordinates, because its distance refers to them. */
         vs_fineness inner = vs_fineness_placed(facets, &map);
         return flat_open(f, ref, &identity, &inner) && (f->frames[f->frame_count - 1].after = map, true);
       }
@@ -128,7 +128,8 @@ static bool flat_enter(vs_flat *f, const vs_ref *ref, vs_affine map, const vs_fi
       }
       case VS_JOIN: case VS_REGION: return flat_open(f, ref, &map, facets);
       case VS_XLINE: case VS_RAY: return flat_fail(f, ref, "expected a curve with two ends or none");
-      case VS_SECTION: case VS_PROJECT: case VS_EDGES: /* solids/resolve.c has replaced these by curves and regions */
+      case VS_SECTION: case VS_PROJECT: case VS_EDGES: /* not possible: solids/resolve.c has replaced these kinds by
+                                                        * curves and regions */
       case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE:
         if (n->class_ == VS_REGION_CLASS) return flat_open(f, ref, &map, facets);
         if (n->child_count == 1) {
@@ -151,7 +152,7 @@ static bool flat_enter(vs_flat *f, const vs_ref *ref, vs_affine map, const vs_fi
   }
 }
 
-/* Joins the curves one after another; reverses each whose end, not its start, meets the one before. */
+/* Joins the curves one after another. Reverses a curve if its end, not its start, is at the end of the previous one. */
 static bool flat_join(vs_flat *f, const vs_ref *ref, vs_flat_value *values, size_t count, vs_flat_value *out) {
   vs_path *to = &out->path;
   bool ok = true;
@@ -188,7 +189,7 @@ static bool flat_join(vs_flat *f, const vs_ref *ref, vs_flat_value *values, size
   return ok;
 }
 
-/* Converts a closed path to the filled outline. */
+/* Converts a closed path to the outline of the area inside. */
 static bool flat_fill(vs_flat *f, const vs_ref *ref, vs_flat_value *v) {
   vs_polyline loop = { 0 };
   if (v->filled) return true;
@@ -233,7 +234,7 @@ bool vs_outline_coplanar(const vs_outline *a, const vs_outline *b) {
 static bool flat_combine(vs_flat *f, const vs_ref *ref, vs_flat_value *values, size_t count, vs_flat_value *out) {
   vs_area *areas = vs_zeros(count, sizeof *areas), made = { 0 };
   bool ok = areas || vs_error_memory(f->error, ref->origin);
-  const vs_outline *plane = NULL; /* the first operand with a plane: empty ones have none */
+  const vs_outline *plane = NULL; /* the first operand that is not empty, which determines the plane */
   for (size_t i = 0; ok && i < count; i++) {
     ok = flat_fill(f, ref, &values[i]);
     if (ok && (!plane || (!plane->count && values[i].outline.count))) plane = &values[i].outline;
@@ -274,8 +275,8 @@ static void flat_place(vs_flat_value *v, const vs_affine *map) {
   vs_path_measure(&v->path);
 }
 
-/* Updates the value of a region after a map: computes planes and holes again. An empty region keeps its plane,
- * moved. */
+/* Maps the value of a region, and computes its plane and holes again. An empty region keeps its plane, which is
+ * mapped. */
 static bool flat_settle(vs_flat *f, const vs_affine *map, vs_flat_value *v) {
   flat_place(v, map);
   if (!v->filled) return true;
@@ -307,7 +308,7 @@ static bool flat_offset(vs_flat *f, const vs_flat_frame *at, vs_flat_value *in, 
     ok = ok && vs_area_offset(&area, &rule, &made, f->error);
     ok = ok && (vs_area_outline(&made, &frame, &out->outline) || vs_error_memory(f->error, at->ref->origin));
     out->filled = true;
-    /* a single loop of a curve: a curve again */
+    /* The result of a curve is a curve again, if it has a single loop. */
     if (ok && at->ref->node->class_ == VS_CURVE && out->outline.count == 1) {
       ok = vs_path_of_polyline(&out->outline.loops[0], &out->path) || vs_error_memory(f->error, at->ref->origin);
       vs_outline_free(&out->outline);
@@ -371,7 +372,7 @@ static bool flat_evaluate(const vs_node *n, const vs_affine *placed, const vs_fi
     if (top->next < top->ref->node->child_count) {
       const vs_ref *child = &top->ref->node->children[top->next++];
       vs_fineness inner = top->facets;
-      /* an empty operand adds and removes nothing */
+      /* Skips an empty operand, which adds and removes nothing. */
       if (child->node->class_ != VS_NOTHING) ok = flat_enter(&f, child, top->map, &inner);
     } else ok = flat_leave(&f);
   }
@@ -382,7 +383,7 @@ static bool flat_evaluate(const vs_node *n, const vs_affine *placed, const vs_fi
   return ok;
 }
 
-/* ---- the interface ---- */
+/* ---- the functions of planar_evaluation.h and curve.h ---- */
 
 bool vs_curve_path(const vs_node *n, const vs_affine *placed, const vs_fineness *f, vs_path *out, vs_error *e) {
   vs_flat_value v = { 0 };

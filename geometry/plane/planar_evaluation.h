@@ -7,13 +7,14 @@
 #include "geometry/shapes/hull.h"
 #include "geometry/tolerance.h"
 
-/* Samples a curve; its ends are exact. */
+/* Samples a curve. Its ends are exact. Returns false and sets e on failure. */
 bool vs_curve_sample(const vs_node *curve, const vs_fineness *f, vs_polyline *out, vs_error *e);
-/* Adds the corners of a curve or a region, for a hull that contains it (a vs_hull_leaf). Surfaces are an error here. */
+/* Appends the corners of a curve or region, mapped by `placed`, for a hull that contains it (it is a vs_hull_leaf).
+ * Returns false and sets e on failure, and for a surface. */
 bool vs_planar_corners(const vs_node *n, const vs_affine *placed, const vs_fineness *f, vs_cloud *out, vs_error *e);
 bool vs_outline_coplanar(const vs_outline *a, const vs_outline *b);
-/* Makes the loops of a region, or of a closed curve taken as filled. There are none if the region is empty, as is the
- * intersection of disjoint regions. */
+/* Makes the outline of a region, or of the inside of a closed curve. It has no loops if the region is empty, such as an
+ * intersection of disjoint regions. Returns false and sets e on failure. */
 bool vs_region_outline(const vs_node *region, const vs_fineness *f, vs_outline *out, vs_error *e);
 
 #endif

@@ -1,5 +1,5 @@
-/* Implements planes of curves and regions. The points that determine a shape (corners, knots with their tangents, a
- * circle's centre and axes) lie in a plane exactly if the shape does. */
+/* Finds the planes of curves and regions. A shape lies in a plane if the points that determine it do: corners, knots
+ * with their tangents, the centre and axes of a circle. */
 #include "geometry/plane/plane.h"
 
 #include "geometry/frame.h"
@@ -11,8 +11,8 @@ bool vs_plane_same(const vs_shape_plane *a, const vs_shape_plane *b) {
   return vs_v3_length(vs_v3_cross(a->normal, b->normal)) <= 1e-6 && fabs(vs_v3_dot(a->normal, between)) <= 1e-6 * reach;
 }
 
-/* Points are added one after the other: the farthest from the first gives a direction, the farthest from that line the
- * plane. at[i] counts under the map. */
+/* Points that determine a plane. The point farthest from the first one determines a direction. The point farthest from
+ * that line determines the plane. All points at[i] are mapped by `map`. */
 typedef struct { const vs_vec3 *at; size_t count; vs_vec3 more[4]; size_t more_count; vs_affine map; } vs_plane_points;
 
 static vs_vec3 plane_point(const vs_plane_points *p, size_t i) {
@@ -41,9 +41,10 @@ static vs_plane_count plane_through_points(const vs_plane_points *p, vs_shape_pl
   return VS_PLANE_ONE;
 }
 
-/* ---- the rule of each kind ----
+/* ---- the function of each kind ----
  *
- * A rule sets *found; or it may extend p->map and return false: then the first child's rule applies. */
+ * It sets *found and returns true. Or it multiplies p->map and returns false; the function of the first child's kind is
+ * then called. */
 
 typedef bool plane_rule(const vs_node *n, vs_plane_points *p, vs_shape_plane *out, vs_plane_count *found);
 
@@ -138,7 +139,7 @@ static bool plane_hull(const vs_node *n, vs_plane_points *p, vs_shape_plane *out
   return true;
 }
 
-/* Finds the plane of coarse samples of the curve. */
+/* Finds the plane of a join by coarse samples of the curve. */
 static bool plane_join(const vs_node *n, vs_plane_points *p, vs_shape_plane *out, vs_plane_count *found) {
   vs_fineness coarse = { 1, 12 };
   vs_polyline line = { 0 };
@@ -152,12 +153,13 @@ static bool plane_join(const vs_node *n, vs_plane_points *p, vs_shape_plane *out
   return true;
 }
 
-static plane_rule *const plane_rules[VS_KIND_COUNT] = { /* NULL: a primitive solid */
+static plane_rule *const plane_rules[VS_KIND_COUNT] = { /* NULL: the kind is a primitive solid */
 #define VS_RULE(kind, plane, measure) [VS_##kind] = plane_##plane,
 #include "geometry/kind_rules.def"
 };
 
-/* Each kind has a row in kind_rules.def, unless it is a primitive solid. */
+/* A missing row makes this table fail to compile. Each kind except primitive solids must have a row in
+ * kind_rules.def. */
 enum {
 #define VS_RULE(kind, plane, measure) RULE_OF_##kind,
 #include "geometry/kind_rules.def"

@@ -1,4 +1,4 @@
-/* Implements the tree of points, for searches in triangles and boxes. */
+/* Implements a tree of points for searches in triangles and boxes. */
 #include "geometry/plane/point_tree.h"
 #include "model/store/array.h"
 
@@ -87,19 +87,21 @@ void vs_point_tree_switch(vs_point_tree *t, size_t item, bool on) {
   VS_ASSERT(item < t->count);
   if (t->is_on[rank] == on) return;
   t->is_on[rank] = on;
-  for (size_t i = t->leaves + rank / POINT_TREE_LEAF; i > 0; i /= 2) t->boxes[i].on += on ? 1 : SIZE_MAX; /* - 1 */
+  for (size_t i = t->leaves + rank / POINT_TREE_LEAF; i > 0; i /= 2) t->boxes[i].on += on ? 1 : SIZE_MAX; /* subtracts 1
+                                                                                                           * if `on` is
+                                                                                                           * false */
 }
 
-/* Returns true if all of the box is clearly to the right of the line from p to q. The margin is the points' margin
- * doubled, which exceeds rounding errors. */
+/* Returns true if the whole box is clearly to the right of the line from p to q. The margin is twice that of points,
+ * which exceeds rounding errors. */
 static bool tree_beyond(const vs_point_box *b, vs_vec2 p, vs_vec2 q, double flat) {
-  /* the corner farthest to the left */
+  /* The corner of the box that is farthest to the left of the line. */
   vs_vec2 most = { q.y > p.y ? b->min_x : b->max_x, q.x > p.x ? b->max_y : b->min_y };
   return vs_vec2_turn(p, q, most) < -2 * flat;
 }
 
-/* Returns a box that contains every point of the triangle with its margin: none of a point's three barycentric
- * coordinates is below -flat by the area, and therefore none is above 1 plus twice that. */
+/* Returns a box that contains every point p that counts as inside the triangle a, b, c. The areas of p with two of the
+ * corners are then at least -flat, so none exceeds the triangle's area by more than 2 * flat. */
 static vs_point_box tree_around(vs_vec2 a, vs_vec2 b, vs_vec2 c, double flat) {
   vs_point_box box = { fmin(a.x, fmin(b.x, c.x)), fmin(a.y, fmin(b.y, c.y)), fmax(a.x, fmax(b.x, c.x)),
                        fmax(a.y, fmax(b.y, c.y)), 0 };
@@ -115,11 +117,11 @@ static bool tree_apart(const vs_point_box *a, const vs_point_box *b) {
 
 static bool tree_same(vs_vec2 p, vs_vec2 q) { return p.x == q.x && p.y == q.y; }
 
-/* The nodes still to be visited: each is replaced by two, one level down. */
+/* The stack of nodes that are still to be visited. */
 typedef struct { size_t stack[2 * 64], depth; } tree_walk;
 
-/* Returns true if the node has two below it, which come next; else it is a leaf with these ranks. The node belongs to
- * the tree. */
+/* Pushes the two children of the node and returns true. If the node is a leaf, returns false and sets *first and *end
+ * to its range of ranks. */
 static bool tree_down(const vs_point_tree *t, tree_walk *w, size_t node, size_t *first, size_t *end) {
   VS_ASSERT(node > 0 && node < 2 * t->leaves);
   if (node < t->leaves) {

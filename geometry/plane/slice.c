@@ -1,5 +1,5 @@
-/* Implements cuts of curves, regions and surfaces by a plane. Where an edge crosses it, both sides get the same point:
- * it is computed from the edge's kept end. */
+/* Cuts curves, regions and surfaces by a plane. The point where an edge crosses the plane is always computed from the
+ * edge's kept end. Therefore both triangles at the edge get the same point. */
 #include "geometry/plane/slice.h"
 
 #include <stdlib.h>
@@ -7,8 +7,8 @@
 #include "geometry/frame.h"
 #include "model/store/array.h"
 
-/* Returns the point where an edge crosses the plane: from a kept point, a >= 0 above the plane, to a removed one, b <
- * 0. */
+/* Returns the point where an edge crosses the plane. One end is kept, at height a >= 0 above the plane; the other is
+ * removed, at height b < 0. */
 static vs_vec3 slice_crossing(vs_vec3 kept, double a, vs_vec3 lost, double b) {
   VS_ASSERT(a >= 0 && b < 0);
   return vs_v3_add(kept, vs_v3_scale(vs_v3_sub(lost, kept), a / (a - b)));
@@ -32,7 +32,7 @@ bool vs_slice_polyline(const vs_polyline *p, vs_vec3 point, vs_vec3 normal,
   vs_bounds b = vs_bounds_empty();
   for (size_t i = 0; i < p->count; i++) vs_bounds_add(&b, p->at[i]);
   double nothing = 1e-13 * vs_bounds_diagonal(&b);
-  size_t outside = p->count; /* a closed line is walked from a removed point on */
+  size_t outside = p->count; /* begins at a removed point, so that no piece of a closed line extends across its start */
   for (size_t i = p->count; i-- > 0;)
     if (slice_side(p->at[i], point, normal, nothing) < 0) outside = i;
   if (outside == p->count) return put(context, p);
@@ -88,7 +88,8 @@ vs_node *vs_slice_region(vs_ref region, const vs_shape_plane *flat, const vs_bou
   vs_store *s = region.node->store;
   vs_vec3 middle = vs_v3_scale(vs_v3_add(b->min, b->max), 0.5), n = vs_v3_unit(normal), f = vs_v3_unit(flat->normal);
   middle = vs_v3_sub(middle, vs_v3_scale(f, vs_v3_dot(f, vs_v3_sub(middle, flat->point))));
-  vs_vec3 in = vs_v3_sub(n, vs_v3_scale(f, vs_v3_dot(n, f))); /* in the region's plane, towards the kept side */
+  vs_vec3 in = vs_v3_sub(n, vs_v3_scale(f, vs_v3_dot(n, f))); /* direction in the region's plane towards the kept
+                                                               * side */
   double steep = vs_v3_length(in), height = vs_v3_dot(n, vs_v3_sub(middle, point)), reach = vs_bounds_diagonal(b);
   if (steep < 1e-12 || fabs(height) > steep * reach)
     return height >= -1e-13 * reach ? vs_node_retain(region.node)

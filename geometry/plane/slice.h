@@ -1,4 +1,4 @@
-/* Declares cuts of polylines, regions and surfaces by a plane: the part on the normal's side is kept. */
+/* Declares cuts of polylines, regions and surfaces by a plane. The part on the side of the normal is kept. */
 #ifndef VS_GEOMETRY_PLANE_SLICE_H
 #define VS_GEOMETRY_PLANE_SLICE_H
 
@@ -6,14 +6,14 @@
 #include "geometry/plane/outline.h"
 #include "model/mesh.h"
 
-/* Calls put with the pieces of p on the side of the plane's normal, in order; a line wholly on that side is one piece,
- * closed or not. Returns false if put did, or memory is out. */
+/* Calls `put` with the pieces of p on the side of the plane's normal, in order. A line that is entirely on that side is
+ * one piece, closed or not. Returns false if `put` returned false, or memory is out. */
 bool vs_slice_polyline(const vs_polyline *p, vs_vec3 point, vs_vec3 normal,
                        bool (*put)(void *context, const vs_polyline *piece), void *context);
-/* Appends the parts of m's triangles on that side to out. Returns false when memory is out. */
+/* Appends the parts of m's triangles on the side of the plane's normal to out. Returns false when memory is out. */
 bool vs_slice_mesh(const vs_mesh *m, vs_vec3 point, vs_vec3 normal, vs_mesh *out);
-/* Cuts a region in the plane `flat`, within b: returns itself, the empty object, or its intersection with a rectangle,
- * as a new reference. NULL: out of memory. */
+/* Cuts a region, which lies in the plane `flat` and within the bounds b. Returns the region itself, the empty object,
+ * or the intersection with a rectangle, as a new reference. Returns NULL when memory is out. */
 vs_node *vs_slice_region(vs_ref region, const vs_shape_plane *flat, const vs_bounds *b, vs_vec3 point, vs_vec3 normal);
 
 #endif

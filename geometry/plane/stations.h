@@ -4,25 +4,27 @@
 
 #include "geometry/plane/curve.h"
 
-/* A curve sampled with its directions. Between samples of different directions it counts as an arc: the length of
- * circles is exact to rounding, that of splines to the fourth power of the sample distance. */
+/* A sampled curve with its directions. Between samples with different directions it is treated as an arc. The length of
+ * a circle is then exact up to rounding. The error of a spline's length decreases with the fourth power of the distance
+ * of samples. */
 typedef struct {
   vs_path path;
-  double *along;   /* arc length at each sample, then that of the whole curve */
-  vs_vec3 *across; /* the frame's first direction at each sample, perpendicular to path.at[i].leaving and
-                    * rotation-minimizing */
+  double *along;   /* arc length at each sample; the last element is the length of the whole curve */
+  vs_vec3 *across; /* first direction of the rotation-minimizing frame at each sample, perpendicular to
+                    * path.at[i].leaving */
   double length;
 } vs_stations;
 
 typedef struct {
-  vs_vec3 at, tangent, across; /* tangent and across are unit and perpendicular */
-  double curvature;            /* 1 / radius; 0 on straight parts and at corners */
+  vs_vec3 at, tangent, across; /* tangent, across: perpendicular unit vectors */
+  double curvature;            /* 1 / radius of curvature; 0 on straight parts and at corners */
 } vs_station;
 
-/* Samples the curve with the fineness f. Returns false with the reason in *e; a curve of length 0 is an error too. */
+/* Samples the curve with the fineness f. Returns false and sets *e on failure; also for a curve of length 0. */
 bool vs_stations_open(const vs_node *curve, const vs_fineness *f, vs_stations *out, vs_error *e);
 void vs_stations_close(vs_stations *s);
-/* Returns the station at a distance from the start, limited to the range 0 to s->length. */
+/* Returns the station at a distance from the start of the curve; the distance is limited to the range 0 to
+ * s->length. */
 vs_station vs_station_at(const vs_stations *s, double distance);
 
 #endif

@@ -1,6 +1,5 @@
-/* Implements Voronoi cells (voronoi.h). A cell is the box without the parts beyond the bisectors to the point's
- * neighbours in the Delaunay triangulation. Each cell thus belongs to a known point, and neighbours share their
- * corners. */
+/* Computes Voronoi cells (voronoi.h). The cell of a point is the box, cut by the bisectors to the point's neighbours in
+ * the Delaunay triangulation. Thus each cell belongs to a known point, and neighbouring cells share their corners. */
 #include "geometry/plane/voronoi.h"
 
 #include <stdlib.h>
@@ -24,14 +23,15 @@ static int compare_links(const void *p, const void *q) {
   return a->to < b->to ? -1 : a->to > b->to;
 }
 
-static int compare_along(const void *p, const void *q) { /* of points by x, then y; each links to the one before */
+static int compare_along(const void *p, const void *q) { /* orders points by x, then by y */
   const vs_vec3 *a = p, *b = q;
   if (a->x != b->x) return a->x < b->x ? -1 : 1;
   if (a->y != b->y) return a->y < b->y ? -1 : 1;
   return a->z < b->z ? -1 : a->z > b->z;
 }
 
-/* Links points on one line, which have no triangles: each is a neighbour of the next. z holds the index. */
+/* Links each point of a line to the next one along it: points on one line have no triangles. z of a sorted point is its
+ * index. */
 static bool links_along(const vs_vec2 *points, size_t n, link *links, size_t *count) {
   vs_vec3 *sorted = NULL;
   if (!VS_FRESH(sorted, n + 1)) return false;
@@ -49,7 +49,7 @@ static bool links_along(const vs_vec2 *points, size_t n, link *links, size_t *co
   return true;
 }
 
-/* Keeps the part of a convex polygon that is nearer to p than to q. Returns the number of corners; out has room for n +
+/* Cuts a convex polygon to the part that is nearer to p than to q. Returns its number of corners; out has room for n +
  * 1. p and q differ. */
 static size_t cut(const vs_vec2 *at, size_t n, vs_vec2 p, vs_vec2 q, vs_vec2 *out) {
   double nx = q.x - p.x, ny = q.y - p.y, mx = (p.x + q.x) / 2, my = (p.y + q.y) / 2;
@@ -72,7 +72,7 @@ bool vs_voronoi_make(const vs_vec2 *points, size_t n, const vs_vec2 box[2], vs_v
   size_t triangle_count = 0, link_count = 0;
   link *links = NULL;
   vs_vec2 *cell = NULL, *next = NULL;
-  uint8_t *known = NULL; /* points of a triangle or a line: the others have the same position as an earlier point */
+  uint8_t *known = NULL; /* 1 for points that have a link; a point without one has the position of an earlier point */
   *out = (vs_voronoi){ 0 };
   if (n > 1 && !vs_points_delaunay(points, n, &triangles, &triangle_count, e)) return false;
   size_t most = 6 * triangle_count + 2 * n;
@@ -87,7 +87,7 @@ bool vs_voronoi_make(const vs_vec2 *points, size_t n, const vs_vec2 box[2], vs_v
   if (ok && !triangle_count) ok = links_along(points, n, links, &link_count);
   if (ok) qsort(links, link_count, sizeof *links, compare_links);
   for (size_t i = 0; i < link_count; i++) known[links[i].from] = 1;
-  if (ok && !link_count) known[0] = 1; /* a single position */
+  if (ok && !link_count) known[0] = 1; /* all points have the same position */
   ok = ok && VS_FRESH(cell, link_count + 8) && VS_FRESH(next, link_count + 8);
   size_t at = 0;
   for (uint32_t i = 0; ok && i < n; i++) {

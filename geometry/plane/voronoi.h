@@ -1,10 +1,10 @@
-/* Declares Voronoi cells: the points that are nearer to a given point than to any other. */
+/* Declares Voronoi cells. The cell of a point contains all places that are nearer to it than to any other point. */
 #ifndef VS_GEOMETRY_PLANE_VORONOI_H
 #define VS_GEOMETRY_PLANE_VORONOI_H
 
 #include "geometry/plane/areas.h"
 
-/* Cuts the box into the convex cells of n points: cell i has the corners at[start[i]] ... at[start[i + 1] - 1],
+/* The cells of n points within a box. Cell i is convex and has the corners at[start[i]] to at[start[i + 1] - 1],
  * counter-clockwise. A point at the position of an earlier one has an empty cell. */
 typedef struct {
   vs_vec2 *at;

@@ -8,7 +8,7 @@
 #include "model/node.h"
 
 /* Returns true if a shape with so many facets in two directions is small enough for a mesh. Otherwise returns false and
- * sets e; `what` is the shape's name. */
+ * sets e. The last text parameter is the shape's name for the message. */
 bool vs_solid_fits(int around, int across, const char *what, vs_error *e);
 /* Appends a circle of n corners about the Z direction of the frame. The first corner is in its X direction. */
 bool vs_solid_ring(vs_mesh *out, const vs_affine *frame, vs_vec3 center, double r, int n);
