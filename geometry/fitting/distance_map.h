@@ -1,4 +1,4 @@
-/* Declares the map of distances: the scan with a colour at each point, as .ply and .x3d. */
+/* Declares a map of distances: the scan with a colour at each point, written as .ply and .x3d. */
 #ifndef VS_GEOMETRY_FITTING_DISTANCE_MAP_H
 #define VS_GEOMETRY_FITTING_DISTANCE_MAP_H
 
@@ -6,20 +6,21 @@
 
 typedef struct {
   const vs_face_list *scan;
-  const double *distances; /* distances[i]: of point i; NaN: the point has no position and is omitted */
-  double range;            /* > 0: colours go from blue at -range through pale grey at 0 to red at range */
+  const double *distances; /* distances[i]: distance of point i from the model; NaN: the point has no position and is
+                            * omitted */
+  double range;            /* colours go from blue at -range through pale grey at 0 to red at range; range > 0 */
   const char *units;
 } vs_distance_map;
 
 typedef bool vs_map_write(void *context, const char *text, size_t length);
 
-/* Writes the map as PLY; omits faces with an omitted point. Returns false if `write` did. The map's range is above
- * 0. */
+/* Writes the map as PLY, without faces that have an omitted point. m->range is above 0. Returns false if `write`
+ * returned false. */
 bool vs_distance_map_ply(const vs_distance_map *m, vs_map_write *write, void *context);
-/* Writes the map as X3D. Returns false if `write` did. The map's range is above 0. */
+/* Writes the map as X3D. m->range is above 0. Returns false if `write` returned false. */
 bool vs_distance_map_x3d(const vs_distance_map *m, vs_map_write *write, void *context);
 
-/* Sets the colour of a distance, in shares of the range; each component is 0 to 1. */
+/* Sets rgb to the colour of a distance; its components are 0 to 1. share: the distance divided by the range. */
 void vs_distance_colour(double share, double rgb[3]);
 
 #endif

@@ -5,14 +5,14 @@
 #include <math.h>
 #include <stdlib.h>
 
-#define DOUBTED .16 /* a candidate with a higher cost has its numbers changed one by one: a twentieth of the points are
-                     * outliers */
-#define MOVED .08   /* the share by which a number is changed */
+#define DOUBTED .16 /* a candidate with a higher cost is fitted again with changed numbers; this cost means that about a
+                     * twentieth of the points are outliers */
+#define MOVED .08   /* the fraction by which a number is changed */
 
 static const vs_fit_effort little = { VS_FIT_FIRST / 2, 3, 12, 1e-3 }, more = { VS_FIT_FIRST, 3, 25, 1e-4 };
 
-/* Returns the mean of Tukey's loss of the candidate's distances, from 0 to 1: about the share of points that do not
- * belong to the model. */
+/* Returns the mean of Tukey's loss over the candidate's distances, scaled to 0 to 1. It is about the fraction of points
+ * that do not belong to the model. */
 static double score(const vs_fit_candidate *c, double spread) {
   double sum = 0, slope, most = VS_TUKEY_REACH * VS_TUKEY_REACH / 3;
   for (size_t i = 0; i < c->known; i++) {
@@ -22,7 +22,7 @@ static double score(const vs_fit_candidate *c, double spread) {
   return c->known ? sum / (double)c->known : 1;
 }
 
-/* Computes the cost of all candidates, with the spread of the candidate with the least spread. */
+/* Computes the cost of each candidate, relative to the least spread of all candidates. */
 static void rate(const vs_fit_search *f, vs_fit_candidate *all, size_t count) {
   double spread = INFINITY;
   for (size_t i = 0; i < count; i++) spread = fmin(spread, all[i].spread);
@@ -30,7 +30,7 @@ static void rate(const vs_fit_search *f, vs_fit_candidate *all, size_t count) {
   for (size_t i = 0; i < count; i++) all[i].cost = score(&all[i], spread);
 }
 
-/* Returns true if a number of the two candidates differs by more than a twentieth. */
+/* Returns true if the candidates differ in a number by more than a twentieth. */
 static bool apart(const vs_fit_search *f, const vs_fit_candidate *a, const vs_fit_candidate *b) {
   for (size_t j = 0; j < f->numbers; j++) {
     const vs_fit_number *n = &f->p->numbers[j];
@@ -40,7 +40,7 @@ static bool apart(const vs_fit_search *f, const vs_fit_candidate *a, const vs_fi
   return false;
 }
 
-/* Returns the distance of the candidate's numbers from the start, in units of their scales. */
+/* Returns the distance of the candidate's numbers from the start numbers, in units of their scales. */
 static double from_start(const vs_fit_search *f, const vs_fit_candidate *c) {
   double sum = 0;
   for (size_t j = 0; j < f->numbers; j++) {
@@ -51,8 +51,8 @@ static double from_start(const vs_fit_search *f, const vs_fit_candidate *c) {
   return sum;
 }
 
-/* Returns true if at least one point in twenty has clearly different distances in the two; else both are the same
- * shape. */
+/* Returns true if at least one point in twenty has clearly different distances from the two candidates' shapes.
+ * Otherwise the shapes are equal. */
 static bool unlike(const vs_fit_search *f, const vs_fit_candidate *a, const vs_fit_candidate *b) {
   double spread = fmax(fmax(a->spread, b->spread), f->tolerance);
   size_t off = 0;
@@ -60,8 +60,8 @@ static bool unlike(const vs_fit_search *f, const vs_fit_candidate *a, const vs_f
   return off * 20 > a->known;
 }
 
-/* Chooses the candidate with the least cost. If another with different numbers costs as little, *second is the best of
- * these, and *best the one with numbers nearer to the start. */
+/* Sets *best to the candidate with the least cost. If other candidates with different numbers have about the same cost,
+ * *best is the one with numbers nearest to the start, and *second another. */
 static void choose(vs_fit_search *f, vs_fit_candidate *all, size_t count, vs_fit_candidate *best,
                    vs_fit_candidate *second) {
   rate(f, all, count);
@@ -78,8 +78,8 @@ static void choose(vs_fit_search *f, vs_fit_candidate *all, size_t count, vs_fit
   *best = *second, *second = held;
 }
 
-/* Fits all unknowns from a candidate's. Returns false on failure; a stop is no failure, and leaves the candidate
- * unchanged or improved. */
+/* Fits all unknowns, starting from those of the candidate. Returns false on failure. An interruption is no failure; it
+ * leaves the candidate unchanged or improved. */
 static bool advance(vs_fit_search *f, vs_fit_candidate *c, const vs_fit_effort *effort) {
   bool refused;
   f->motion = c->motion;
@@ -103,7 +103,7 @@ static int compare_candidates(const void *p, const void *q) {
   return a < b ? -1 : a > b;
 }
 
-/* Returns true if both have the same numbers, and the same distances of all points. */
+/* Returns true if the candidates have the same numbers, and all points have the same distances. */
 static bool same_candidate(const vs_fit_search *f, const vs_fit_candidate *a, const vs_fit_candidate *b) {
   size_t count = f->p->count < VS_FIT_FIRST / 2 ? f->p->count : VS_FIT_FIRST / 2;
   double off = 0;
@@ -111,8 +111,9 @@ static bool same_candidate(const vs_fit_search *f, const vs_fit_candidate *a, co
   return !apart(f, a, b) && off < .1 * (double)count * fmax(fmin(a->spread, b->spread), f->tolerance);
 }
 
-/* If many points are outliers, a number may be caught in a local minimum: a row of windows fitted to the next row. Fits
- * again from the best candidate with one number larger, or smaller. Returns false on failure. */
+/* Fits again from the best candidate with one number larger or smaller. This is done if many points are outliers. A
+ * number may then be in a local minimum, such as a row of windows that was fitted to the next row. Returns false on
+ * failure. */
 static bool from_numbers(vs_fit_search *f, vs_fit_candidate *best, vs_fit_candidate *second) {
   enum { NUMBERS_MOVED = 12 };
   vs_fit_candidate pair[2];

@@ -1,9 +1,9 @@
-/* Implements the judgement of a fit's result (fit_judgement.h).
+/* Computes how accurate a fit's result is (fit_judgement.h).
  *
- * Intervals are by Huber's covariance of an M-estimate, K^2 s^2 [sum psi^2 / (m - n)] / [mean psi']^2 (J'J)^-1, in
- * natural scales: numbers by their size, the motion by the scan's size. To it comes the shift that the facets'
- * tolerance would cause. A parameter is not determined if a change by its own scale changes no distance by a
- * hundred-thousandth of the scan's size. */
+ * Confidence intervals follow from Huber's covariance of an M-estimate, K^2 s^2 [sum psi^2 / (m - n)] / [mean psi']^2
+ * (J'J)^-1. Unknowns are in natural scales: numbers in units of their size, the motion in units of the scan's size. The
+ * shift that the facets' tolerance would cause is added. A number is not determined if a change by its own scale
+ * changes no distance by a hundred-thousandth of the scan's size. */
 #include "geometry/fitting/fit_judgement.h"
 
 #include <math.h>
@@ -12,10 +12,10 @@
 
 #include "model/store/array.h"
 
-/* ---- intervals ---- */
+/* ---- confidence intervals ---- */
 
 double vs_student_quantile(double confidence, double freedom) {
-  /* the normal quantile by bisection of erf, then the terms of Cornish and Fisher */
+  /* Computes the normal quantile by bisection of erf, and then adds the terms of Cornish and Fisher. */
   double low = 0, high = 40;
   VS_ASSERT(confidence > 0 && confidence < 1);
   for (int i = 0; i < 100; i++) {
@@ -38,8 +38,8 @@ bool vs_fit_judge(vs_fit_search *f, const double *unknowns) {
   if (!VS_GROW(work, room, n * m + 2 * n * n + 4 * n)) return f->failed = true, vs_error_memory(f->e, NULL);
   double *jacobian = work, *normal = work + n * m, *vectors = normal + n * n, *values = vectors + n * n,
          *scales = values + n;
-  double *common = scales + n; /* the change by a common shift of all distances, as facets within a round shape cause
-                                * it */
+  double *common = scales + n; /* change of each unknown if all distances shift by the same length, as for facets within
+                                * a round shape */
   double spread = vs_fit_spread(f), psi = 0, curvature = 0, curvature_square = 0, freedom = (double)m - (double)n;
   bool ok = true;
   for (size_t j = 0; ok && j < f->numbers; j++) {
@@ -96,7 +96,7 @@ bool vs_fit_judge(vs_fit_search *f, const double *unknowns) {
   return !f->failed;
 }
 
-/* ---- neighbours ---- */
+/* ---- correlation of neighbours ---- */
 
 typedef struct {
   uint64_t key;
@@ -107,7 +107,7 @@ static int compare_neighbours(const void *p, const void *q) {
   return a < b ? -1 : a > b;
 }
 
-/* Returns the place of a point on a curve that fills the box (Morton's). */
+/* Returns the position of a point on Morton's space-filling curve through the box b. */
 static uint64_t curve_key(vs_vec3 p, const vs_bounds *b, double side) {
   const double at[3] = { (p.x - b->min.x) / side, (p.y - b->min.y) / side, (p.z - b->min.z) / side };
   uint64_t key = 0;

@@ -6,24 +6,26 @@
 #include <string.h>
 
 enum {
-  STARTS = VS_FIT_STARTS_MOST / 2, /* from all points, and from the core */
-  PLACES = 24,                     /* places that are improved */
+  STARTS = VS_FIT_STARTS_MOST / 2, /* number of starts from all points, and also from the core */
+  PLACES = 24,                     /* number of places that are improved */
   AXES_TURNS = 48,
   PLAN_TURNS = 12,
   SHIFTS = 4
 };
 _Static_assert(1 + SHIFTS * (1 + AXES_TURNS + PLAN_TURNS) == VS_FIT_PLACES_TRIED, "all that are tried have room");
-#define COARSE (1. / 2000) /* facet tolerance of steps 1 and 2, in diagonals of the model */
-#define NEAR .1 /* in sizes of the scan: the distance beyond which a point's cost no longer grows */
-#define CORE 2.5 /* in units of the square radius that contains three quarters of the points */
+#define COARSE (1. / 2000) /* facet tolerance in steps 1 and 2, as a fraction of the model's diagonal */
+#define NEAR .1 /* distance beyond which the cost of a point no longer grows, in sizes of the scan */
+#define CORE 2.5 /* square radius of the core, in units of the square radius that contains three quarters of the
+                  * points */
 
 /* ---- the core of a scan ----
  *
- * Strays shift the centre of the points and turn their axes. Therefore this searches three quarters of the points whose
- * ellipsoid is small, by the steps of P. Rousseeuw and K. Van Driessen (1999): keep the points nearest by the ellipsoid
- * of the kept ones. Then all points within CORE times its square radius come back. */
+ * Stray points shift the centre of the points and rotate their axes. Therefore this code searches for three quarters of
+ * the points with a small ellipsoid, by the steps of P. Rousseeuw and K. Van Driessen (1999): repeatedly keep the
+ * points that are nearest as measured by the ellipsoid of the kept points. Then all points within CORE times its square
+ * radius are added again. */
 
-/* Returns the square of the distance from the centre, in units of the spreads along the axes. */
+/* Returns the square of p's distance from the centre, in units of the spreads along the axes. */
 static double ellipsoid_square(vs_vec3 p, vs_vec3 centre, double axes[3][3], const double square[3]) {
   vs_vec3 d = vs_v3_sub(p, centre);
   double sum = 0;
@@ -80,15 +82,15 @@ static int compare_places(const void *p, const void *q) {
   return a < b ? -1 : a > b;
 }
 
-/* Returns true if all points have the same distances from the model in both places. A model that is symmetric under
- * rotation has many such places. */
+/* Returns true if every point has equal distances from the model in both places. A model with rotational symmetry has
+ * many such places. */
 static bool same_place(const vs_fit_search *f, const vs_fit_place *a, const vs_fit_place *b) {
   double apart = 0;
   for (size_t i = 0; i < f->count; i++) apart += fabs((double)a->distances[i] - (double)b->distances[i]);
   return apart < .1 * (double)f->count * fmin(a->cost, b->cost);
 }
 
-/* Sorts places, and keeps one of those that are the same. */
+/* Sorts the places by cost, and removes equal ones. */
 static void distinct_places(const vs_fit_search *f, vs_fit_place *places, size_t *count) {
   size_t kept = 0;
   if (*count) qsort(places, *count, sizeof *places, compare_places);
@@ -100,7 +102,7 @@ static void distinct_places(const vs_fit_search *f, vs_fit_place *places, size_t
   *count = kept;
 }
 
-/* Measures the distances at a place. Returns false when stopped. */
+/* Computes the distances and the cost at a place. Returns false when interrupted. */
 static bool cost_of(vs_fit_search *f, vs_fit_place *at) {
   for (size_t i = 0; i < f->count; i++) f->places[i] = vs_rigid_point(&at->motion, f->points[i]);
   if (!vs_fit_measure(f, f->field, f->distances, NULL)) return false;
@@ -113,8 +115,8 @@ static bool cost_of(vs_fit_search *f, vs_fit_place *at) {
   return true;
 }
 
-/* Computes the rotation that takes the scan's axes to the model's, in the k-th of 24 ways; k >= 24: with an eighth of a
- * turn about the model's first axis. k counts from 0. */
+/* Computes the rotation from the scan's axes to the model's axes, in the k-th of 24 ways, k from 0. If k >= 24, it also
+ * includes an eighth of a turn about the model's first axis. */
 static void axes_turned(int k, double model[3][3], double scan[3][3], double out[3][3]) {
   static const int orders[6][3] = { { 0, 1, 2 }, { 1, 2, 0 }, { 2, 0, 1 }, { 0, 2, 1 }, { 2, 1, 0 }, { 1, 0, 2 } };
   double turned[3][3];
@@ -123,7 +125,8 @@ static void axes_turned(int k, double model[3][3], double scan[3][3], double out
   const int *order = orders[k % 24 / 4];
   int signs = k % 4;
   double sign[3] = { signs & 1 ? -1 : 1, signs & 2 ? -1 : 1, 1 };
-  sign[2] = (k % 24 / 4 < 3 ? 1 : -1) * sign[0] * sign[1]; /* a rotation, no reflection */
+  sign[2] = (k % 24 / 4 < 3 ? 1 : -1) * sign[0] * sign[1]; /* the third sign makes it a rotation instead of a
+                                                            * reflection */
   for (int i = 0; i < 3; i++)
     for (int c = 0; c < 3; c++) turned[i][c] = sign[i] * scan[order[i]][c];
   if (k >= 24)
@@ -136,7 +139,7 @@ static void axes_turned(int k, double model[3][3], double scan[3][3], double out
       for (int r = 0; r < 3; r++) out[i][c] += model[r][i] * turned[r][c];
 }
 
-/* Returns the direction of the greatest spread of points in plan, as an angle. */
+/* Returns the horizontal direction in which the points have the greatest spread, as an angle. */
 static double plan_angle(const vs_point_moments *s) {
   double x = s->sum.x / s->weight, y = s->sum.y / s->weight, xx = s->square[0][0] / s->weight - x * x,
          xy = s->square[0][1] / s->weight - x * y, yy = s->square[1][1] / s->weight - y * y;
@@ -158,17 +161,17 @@ static void span_along(const double axis[3], const vs_vec3 *points, size_t count
   }
 }
 
-/* A surface for step 1: its moments, axes and centre; for the model also its extent along its axes. */
+/* The scan or the model in step 1: its moments, axes and centre. The model also has its extent along its axes. */
 typedef struct {
   vs_point_moments moments;
   vs_vec3 centre;
   double axes[3][3], size, span[3][2];
-  const vs_vec3 *points; /* points of the scan that span its box */
+  const vs_vec3 *points; /* the first of these points span the scan's box */
   size_t count;
 } shape;
 
-/* Adds the places of one rotation: along the model's first axis the boxes are aligned by their middles, ends, starts or
- * centres. */
+/* Adds the places with the rotation `turn`. Along the model's first axis, the boxes are aligned by their middles, ends,
+ * starts or centres. */
 static void add_turn(const vs_fit_search *f, const shape *model, const shape *scan, double turn[3][3],
                      vs_fit_place *places, size_t *count) {
   for (int s = 0; s < SHIFTS; s++) {
@@ -187,8 +190,8 @@ static void add_turn(const vs_fit_search *f, const shape *model, const shape *sc
   }
 }
 
-/* Adds the places that lay one set of the scan's points on the model: axes on axes, and rotations about the vertical
- * axis. Unless any pose is allowed, the scan's up is the model's up. */
+/* Adds the places that align the axes of the scan's points with the model's axes, and places that are rotated about the
+ * vertical axis. Unless any pose is allowed, the upward direction of the scan must be that of the model. */
 static void add_turns(const vs_fit_search *f, shape *model, shape *scan, vs_fit_place *places, size_t *count) {
   double turn[3][3], angle = plan_angle(&model->moments) - plan_angle(&scan->moments);
   for (int k = 0; k < AXES_TURNS; k++) {
@@ -207,7 +210,8 @@ static void model_shape(const vs_mesh *mesh, shape *out) {
     vs_vec3 c[3];
     for (int k = 0; k < 3; k++) c[k] = mesh->vertices[mesh->triangles[i][k]];
     double area = vs_v3_length(vs_v3_cross(vs_v3_sub(c[1], c[0]), vs_v3_sub(c[2], c[0]))) / 2;
-    for (int k = 0; k < 3; k++) /* by the midpoints of the sides, which is exact for squares */
+    for (int k = 0; k < 3; k++) /* moments of a triangle by the midpoints of its sides, which is exact for squares of
+                                 * coordinates */
       vs_point_moments_add(&out->moments, vs_v3_scale(vs_v3_add(c[k], c[(k + 1) % 3]), .5), area / 3);
   }
   if (!(out->moments.weight > 0)) return;
@@ -215,14 +219,14 @@ static void model_shape(const vs_mesh *mesh, shape *out) {
   for (int a = 0; a < 3; a++) span_along(out->axes[a], mesh->vertices, mesh->vertex_count, NULL, out->span[a]);
 }
 
-/* Computes the moments of the points. */
+/* Computes the moments of a set of points of the scan. The first `spanned` points span its box. */
 static void scan_shape(const vs_vec3 *points, size_t count, size_t spanned, shape *out) {
   *out = (shape){ .points = points, .count = count < spanned ? count : spanned };
   for (size_t i = 0; i < count; i++) vs_point_moments_add(&out->moments, points[i], 1);
   vs_point_moments_axes(&out->moments, &out->centre, out->axes, &out->size);
 }
 
-/* Collects the places to be tried; the first is the scan's own place. */
+/* Collects the places to evaluate. The first is the place where the scan already is. */
 static bool try_places(vs_fit_search *f, const vs_mesh *mesh, vs_fit_place *places, size_t *count) {
   shape model, scan;
   model_shape(mesh, &model);
@@ -240,7 +244,7 @@ static bool try_places(vs_fit_search *f, const vs_mesh *mesh, vs_fit_place *plac
   return true;
 }
 
-/* Returns true if scan and model may have the same unit: the ratio of their sizes is between .02 and 20. */
+/* Returns true if scan and model may have the same unit of length: the ratio of their sizes is between .02 and 20. */
 static bool same_unit(vs_fit_search *f) {
   double ratio = f->out->size / f->out->model_size;
   if (!(f->out->size > 0)) return vs_error_set(f->e, VS_ERROR_FILE, NULL, "all points lie in one place");
@@ -252,8 +256,8 @@ static bool same_unit(vs_fit_search *f) {
                       "the scan is only %.2g times as large as the model: are both in the same unit?", ratio);
 }
 
-/* Finds the places of the scan in the model that are to be improved, for one set of start numbers, best first. Returns
- * false when it failed, was stopped, or the model cannot be made; in this case the error has the reason. */
+/* Finds the places of the scan in the model that are to be improved, the best first. scaled: selects the start numbers.
+ * Returns false if it failed or was interrupted, or the model cannot be made; the error states the reason. */
 static bool find_places(vs_fit_search *f, bool scaled, vs_fit_place *places, size_t *count) {
   vs_mesh mesh = { 0 };
   memcpy(f->made_at, f->begin[scaled], f->numbers * sizeof *f->made_at);
@@ -279,7 +283,7 @@ static bool find_places(vs_fit_search *f, bool scaled, vs_fit_place *places, siz
     if (!cost_of(f, &places[i])) return false;
   }
   if (f->p->placed) return true;
-  size_t kept = 1; /* the first, and of each rotation the best shift */
+  size_t kept = 1; /* keeps the first place, and for each rotation the best shift */
   for (size_t i = 1; i < *count; i += SHIFTS) {
     size_t best = i;
     for (size_t k = i + 1; k < i + SHIFTS; k++)
@@ -291,7 +295,7 @@ static bool find_places(vs_fit_search *f, bool scaled, vs_fit_place *places, siz
   return true;
 }
 
-/* ---- the motion alone, with the model unchanged ---- */
+/* ---- fit of the motion alone, with the model unchanged ---- */
 
 static bool motion_residuals(void *context, const double *unknowns, double *out, double *slopes) {
   vs_fit_search *f = context;
@@ -305,14 +309,15 @@ static bool motion_residuals(void *context, const double *unknowns, double *out,
   return true;
 }
 
-/* Improves a place. Returns false when stopped or failed. */
+/* Improves a place by a fit of the motion. Returns false when interrupted or failed. */
 static bool improve(vs_fit_search *f, vs_fit_place *at) {
   double unknowns[VS_RIGID_UNKNOWNS] = { 0 }, mean;
   vs_robust_end end;
   f->motion = at->motion;
   if (!cost_of(f, at)) return false;
   f->level = !f->p->any_pose;
-  for (int loss = VS_LOSS_HUBER; loss <= VS_LOSS_TUKEY; loss++) { /* Tukey's loss removes the pull of strays */
+  for (int loss = VS_LOSS_HUBER; loss <= VS_LOSS_TUKEY; loss++) { /* after Huber's loss, Tukey's loss removes the
+                                                                   * influence of stray points */
     vs_robust_problem problem = {
       f->count, VS_RIGID_UNKNOWNS, motion_residuals, f, (vs_loss)loss, vs_fit_spread(f), 20, 1e-4
     };
@@ -327,11 +332,11 @@ static bool improve(vs_fit_search *f, vs_fit_place *at) {
 
 /* ---- step 1 ---- */
 
-/* Runs step 1 with the numbers unchanged, or scaled by the scan's size. Adds places, the best of them improved. Returns
- * false on failure. */
+/* Runs step 1 with the start numbers, or with the numbers scaled by the scan's size. Appends places, of which the best
+ * are improved. Returns false on failure. */
 static bool step_one(vs_fit_search *f, bool scaled, vs_fit_place *places, size_t *count) {
   size_t found;
-  if (!find_places(f, scaled, places, &found)) return !f->failed; /* stopped: no place was measured completely */
+  if (!find_places(f, scaled, places, &found)) return !f->failed; /* interrupted: no place was evaluated completely */
   if (found > PLACES) found = PLACES;
   for (size_t i = 0; !f->p->placed && i < found && !f->out->stopped; i++)
     if (!improve(f, &places[i]) && f->failed) return false;
@@ -356,7 +361,7 @@ bool vs_fit_find_starts(vs_fit_search *f, vs_fit_place *places, size_t *count) {
   if (!step_one(f, false, places, count)) return false;
   if (!f->out->stopped && scale_numbers(f) && !step_one(f, true, places + *count, count)) {
     if (f->e->kind != VS_ERROR_MODEL && f->e->kind != VS_ERROR_FILE) return false;
-    f->failed = false; /* the scaled model cannot be made: keep the other */
+    f->failed = false; /* the model with scaled numbers cannot be made, so only the other one is used */
     *f->e = (vs_error){ 0 };
   }
   qsort(places, *count, sizeof *places, compare_places);

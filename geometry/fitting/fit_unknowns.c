@@ -1,17 +1,17 @@
-/* Implements a fit's unknowns: the model's numbers and the motion as the solver's variables, and the distances of the
- * points and their derivatives at any values of them (fit_unknowns.h). */
+/* Implements the unknowns of a fit (fit_unknowns.h). It converts the model's numbers and the motion to the solver's
+ * variables, and computes the distances of the points and their derivatives. */
 #include "geometry/fitting/fit_unknowns.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#define DIFFERENCE 1e-3 /* step of a number for its derivative, as a share of its size */
+#define DIFFERENCE 1e-3 /* step for the derivative by a number, as a fraction of the number's size */
 
 /* ---- the unknowns of the solver ----
  *
- * Each number is an unknown u without bounds: x = start + scale u; within bounds by the maps of Minuit (F. James, M.
- * Roos, 1975): a sine between two, a root above or below one. */
+ * Each number is an unknown u without bounds: x = start + scale u. A number with bounds is mapped as in Minuit (F.
+ * James, M. Roos, 1975): by a sine between two bounds, by a root above or below one bound. */
 
 double vs_fit_number_scale(const vs_fit_number *n) {
   double width = n->high - n->low;
@@ -31,7 +31,7 @@ double vs_fit_number_outer(const vs_fit_number *n, double u) {
 double vs_fit_number_inner(const vs_fit_number *n, double x) {
   bool low = isfinite(n->low), high = isfinite(n->high);
   double scale = vs_fit_number_scale(n), width = n->high - n->low;
-  if (low && high) { /* at a bound itself the slope is 0, and the number could not leave it */
+  if (low && high) { /* at a bound itself, the derivative is 0, and the number could not change */
     double share = width > 0 ? (x - n->low) / width : .5;
     return asin(2 * fmin(fmax(share, .01), .99) - 1);
   }
@@ -50,7 +50,7 @@ static double outer_slope(const vs_fit_number *n, double u) {
 /* ---- distances and their derivatives ---- */
 
 bool vs_fit_going(vs_fit_search *f) {
-  bool stopped = f->out->stopped; /* the work after that is small, and is completed */
+  bool stopped = f->out->stopped; /* after the first false, the remaining work is small and is completed */
   f->out->stopped = !f->p->model->going(f->p->model->context) || stopped;
   return stopped || !f->out->stopped;
 }
@@ -145,7 +145,8 @@ bool vs_fit_number_slopes(vs_fit_search *f, size_t j, double *out) {
   return true;
 }
 
-/* vs_residuals_fn. If the numbers make no solid, all distances are a diagonal: the solver then takes a shorter step. */
+/* A vs_residuals_fn. If the numbers do not make a solid, all distances become the model's diagonal, so that the solver
+ * takes a shorter step. */
 static bool residuals(void *context, const double *unknowns, double *out, double *slopes) {
   vs_fit_search *f = context;
   bool refused;
@@ -168,7 +169,7 @@ static bool residuals(void *context, const double *unknowns, double *out, double
   return true;
 }
 
-/* ---- spreads ---- */
+/* ---- spreads of distances ---- */
 
 int vs_fit_compare(const void *p, const void *q) {
   double a = *(const double *)p, b = *(const double *)q;
@@ -187,7 +188,7 @@ double vs_fit_spread(vs_fit_search *f) {
   return fmax(f->out->spread, f->tolerance);
 }
 
-/* ---- steps ---- */
+/* ---- fitting of all unknowns ---- */
 
 bool vs_fit_improve(vs_fit_search *f, const vs_fit_effort *effort, double *unknowns) {
   bool refused;

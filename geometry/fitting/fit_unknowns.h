@@ -1,4 +1,5 @@
-/* Declares, for use in fitting/ alone, the state of a fit: its unknowns, and the distances of the points at them. */
+/* Declares, for use in fitting/ alone, the state of a fit: its unknowns, and the distances of the points for given
+ * unknowns. */
 #ifndef VS_GEOMETRY_FITTING_FIT_UNKNOWNS_H
 #define VS_GEOMETRY_FITTING_FIT_UNKNOWNS_H
 
@@ -7,15 +8,16 @@
 
 enum {
   VS_FIT_UNKNOWNS_MOST = 200,
-  VS_FIT_FIRST = 1000 /* points of step 2 */
+  VS_FIT_FIRST = 1000 /* number of points in step 2 */
 };
-#define VS_FIT_UPRIGHT .7 /* cosine of the largest angle between the two up directions */
+#define VS_FIT_UPRIGHT .7 /* cosine of the largest angle between the upward directions of scan and model */
 
-/* ---- a number of the model as an unknown without bounds ---- */
+/* ---- conversion of a model's number to an unknown without bounds ---- */
 
-double vs_fit_number_scale(const vs_fit_number *n); /* returns the unit in which its changes are measured */
-double vs_fit_number_outer(const vs_fit_number *n, double unknown); /* returns the number of an unknown */
-double vs_fit_number_inner(const vs_fit_number *n, double number);  /* returns the unknown of a number */
+double vs_fit_number_scale(const vs_fit_number *n); /* returns the scale of the number, the unit in which its changes
+                                                     * are measured */
+double vs_fit_number_outer(const vs_fit_number *n, double unknown); /* returns the number that belongs to an unknown */
+double vs_fit_number_inner(const vs_fit_number *n, double number);  /* returns the unknown that belongs to a number */
 
 /* ---- the state of a fit ---- */
 
@@ -23,74 +25,77 @@ typedef struct {
   const vs_fit_problem *p;
   vs_model_fit *out;
   vs_error *e;
-  size_t numbers, unknowns; /* unknowns: including the motion's */
-  double diagonal;          /* of the model at the start */
-  double tolerance;         /* facet tolerance in this step */
-  vs_rigid_motion motion;   /* the motion at unknowns of 0 */
-  size_t count;             /* points in this step */
-  bool failed;              /* by an error that does not come from the model */
-  vs_vec3 *core;            /* points of the scan without strays, in the same order */
+  size_t numbers, unknowns; /* numbers: count of the model's numbers; unknowns: count of all unknowns, including those
+                             * of the motion */
+  double diagonal;          /* diagonal of the model at the start */
+  double tolerance;         /* facet tolerance in the current step */
+  vs_rigid_motion motion;   /* the motion if its unknowns are 0 */
+  size_t count;             /* number of points in the current step */
+  bool failed;              /* true after an error that does not come from the model */
+  vs_vec3 *core;            /* points of the scan without stray points, in the order of the scan */
   size_t core_count;
-  const vs_vec3 *points;    /* of this step: all, or the core */
+  const vs_vec3 *points;    /* points of the current step: all points, or the core */
   size_t point_count;
-  bool level;               /* places rotate only about the vertical axis */
-  /* the last computed distances and their unknowns */
+  bool level;               /* true if the scan is rotated only about the vertical axis */
+  /* The distances that were computed last, and the unknowns to which they belong. */
   vs_mesh_distance *field;
-  double *at, *made_at, *trial; /* unknowns of the distances; numbers of the field; numbers to be tried */
+  double *at, *made_at, *trial; /* at: unknowns of the distances; made_at: numbers of the field; trial: numbers to
+                                 * test */
   bool known;
-  double *begin[2]; /* numbers to start from: the caller's, and those scaled by the ratio of the scan's size to the
-                     * model's */
+  double *begin[2]; /* start numbers: [0] the caller's, [1] scaled by the ratio of the scan's size to the model's */
   vs_vec3 *places, *slopes;
   double *distances, *other;
 } vs_fit_search;
 
-/* Asks the caller whether to continue. Returns false once, when it was just stopped. After that it returns true: the
- * remaining work is small, and is completed. */
+/* Calls the caller's function `going`. Returns false once, when that first returns false. Afterwards it returns true,
+ * because the remaining work is small and is completed. */
 bool vs_fit_going(vs_fit_search *f);
-/* Selects the core, or all points. */
+/* Selects the points of the current step: the core, or all points. */
 void vs_fit_take_points(vs_fit_search *f, bool core);
 
-/* ---- distances ---- */
+/* ---- distances of points from the model ---- */
 
-/* Makes the field of these numbers. Returns false when stopped, failed, or the numbers make no solid; in the last case
- * *refused is set. */
+/* Makes the field of distances from the model with these numbers. Returns false when interrupted or failed, or if the
+ * numbers do not make a solid; *refused is true in the last case. */
 bool vs_fit_make_field(vs_fit_search *f, const double *numbers, vs_mesh_distance **out, bool *refused);
-/* Measures the distances of the step's points, at f->places, from a field; slopes may be NULL. Returns false when
- * stopped. */
+/* Computes the distances of the step's points, at f->places, from a field, and their slopes; slopes may be NULL.
+ * Returns false when interrupted. */
 bool vs_fit_measure(vs_fit_search *f, const vs_mesh_distance *field, double *distances, vs_vec3 *slopes);
 void vs_fit_numbers_at(const vs_fit_search *f, const double *unknowns, double *out);
-/* Computes distances and slopes at these unknowns. Returns false when stopped, failed or refused; *refused: they make
- * no solid. */
+/* Computes the distances and slopes for these unknowns. Returns false when interrupted or failed, or if the unknowns do
+ * not make a solid; *refused is true in the last case. */
 bool vs_fit_evaluate(vs_fit_search *f, const double *unknowns, bool *refused);
-/* Returns the median size of the distances, one or more; scratch has the same size. */
+/* Returns the median of the distances' absolute values. count is at least 1; scratch has room for count elements. */
 double vs_fit_median_size(const double *distances, size_t count, double *scratch);
-/* Returns the spread of the last evaluation: 1.4826 medians, and at least the facets' tolerance. */
+/* Returns the spread of the last computed distances: 1.4826 times the median of their absolute values, and at least the
+ * facets' tolerance. */
 double vs_fit_spread(vs_fit_search *f);
 int vs_fit_compare(const void *p, const void *q); /* compares doubles, for qsort */
 
-/* ---- derivatives, by rows of f->count ---- */
+/* ---- derivatives: f->count elements for each unknown ---- */
 
-/* Computes the derivatives by the six unknowns of the motion: the slope times the point's velocity. */
+/* Computes the derivatives of the distances by the six unknowns of the motion: the slope times the velocity of the
+ * point. */
 void vs_fit_motion_slopes(const vs_fit_search *f, const double *unknowns, double *out);
-/* Computes the derivatives by number j, at the unknowns of f->at; 0 if the numbers on neither side make a solid.
- * Returns false when stopped or failed. */
+/* Computes the derivatives of the distances by number j, at the unknowns f->at. They are 0 if no number nearby makes a
+ * solid. Returns false when interrupted or failed. */
 bool vs_fit_number_slopes(vs_fit_search *f, size_t j, double *out);
 
 /* ---- fitting ---- */
 
-/* The number of points, the largest number of rounds and of evaluations in a round; tolerance: the relative change of
- * loss or unknowns at which a round ends. */
+/* The effort of a fit: number of points, greatest number of rounds, and of evaluations in a round. A round ends when
+ * loss or unknowns change by less than the fraction `tolerance`. */
 typedef struct {
   size_t points;
   unsigned rounds, most;
   double tolerance;
 } vs_fit_effort;
 
-/* Fits all unknowns from their current values by Tukey's loss, in rounds with a newly measured spread. The first of
- * three or more rounds has three times the spread, so that slightly displaced parts count. Returns false when it failed
- * or was stopped. */
+/* Fits all unknowns from their current values with Tukey's loss, in rounds; each round computes the spread again. If
+ * there are at least three rounds, the first uses three times the spread, so that slightly displaced parts have an
+ * influence. Returns false when interrupted or failed. */
 bool vs_fit_improve(vs_fit_search *f, const vs_fit_effort *effort, double *unknowns);
-/* Applies the motion's unknowns to the motion, and sets them to 0. */
+/* Applies the unknowns of the motion to f->motion, and sets them to 0. */
 void vs_fit_settle(vs_fit_search *f, double *unknowns);
 
 #endif

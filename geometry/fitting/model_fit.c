@@ -1,4 +1,4 @@
-/* Implements the sequence of a fit's steps (model_fit.h). */
+/* Runs the steps of a fit (model_fit.h). */
 #include "geometry/fitting/model_fit.h"
 
 #include <math.h>
@@ -9,7 +9,7 @@
 #include "geometry/fitting/fit_judgement.h"
 #include "model/store/array.h"
 
-#define FINE (1. / 50000) /* facet tolerance of steps 3 and 4, in diagonals of the model */
+#define FINE (1. / 50000) /* facet tolerance in steps 3 and 4, as a fraction of the model's diagonal */
 
 static bool run(vs_fit_search *f, vs_fit_place *places) {
   size_t count = 0;

@@ -1,18 +1,23 @@
-/* Declares the functions for the fit of a model to the points of a scan: of the model's numbers and the scan's position
+/* Declares the fit of a model to the points of a scan. It determines the model's numbers and the scan's position
  * together.
  *
- * The residual of a point p is the signed distance d(m(p), x) of its image from the model's surface, where m is a rigid
- * motion (six unknowns, unless the scan is already placed) and x are the model's numbers. The derivative by m is exact,
- * the slope of the distance; that by x is a difference of two models.
+ * The residual of a point p is the signed distance d(m(p), x) of its image m(p) from the model's surface. m is a rigid
+ * motion (six unknowns, unless the scan is already placed), and x are the model's numbers. The derivative by m is
+ * exact: it is the gradient of the distance. The derivative by x is a difference of two models.
  *
- * Plan. Step 1 tries places on some hundred points: the scan's own place, rotations about the vertical axis and those
- * that lay principal axes on principal axes, and shifts that align the boxes. It improves the best with the model
- * unchanged. It does the same with the model's numbers scaled by the ratio of the sizes, and again with the core of the
- * scan, without strays. Step 2 fits all unknowns from the best few of these, on few points, by Tukey's loss; the score
- * of each is the mean loss of all points by the least spread. If the best has many outliers, its numbers are changed
- * one by one. Step 3 continues the best with more points, then with all requested points. Step 4 derives from the
- * derivatives at the end each number's interval, or that the scan does not determine it, and whether the result can be
- * trusted. */
+ * Step 1 evaluates possible places of the scan with some hundred points. These are the scan's own place, rotations
+ * about the vertical axis, rotations that align principal axes, and shifts that align the boxes. It improves the best
+ * places with the model unchanged. It repeats this with the model's numbers scaled by the ratio of the sizes, and with
+ * the core of the scan, which has no stray points.
+ *
+ * Step 2 fits all unknowns from the best places, with few points and Tukey's loss. The score of a result is the mean
+ * loss of all points, relative to the least spread. If the best result has many outliers, its numbers are changed one
+ * by one.
+ *
+ * Step 3 continues the best result with more points, then with all requested points.
+ *
+ * Step 4 computes each number's interval from the derivatives at the end, or finds that the scan does not determine the
+ * number. It also decides whether the result can be trusted. */
 #ifndef VS_GEOMETRY_FITTING_MODEL_FIT_H
 #define VS_GEOMETRY_FITTING_MODEL_FIT_H
 
@@ -23,16 +28,16 @@
 #include <stdint.h>
 
 typedef struct {
-  double start, low, high; /* low -INFINITY, high INFINITY: no such bound */
+  double start, low, high; /* start: value to begin with; low, high: bounds; -INFINITY, INFINITY: no bound */
 } vs_fit_number;
 
 typedef struct {
   void *context;
-  /* Makes the solid with these numbers as a mesh whose facets are within tolerance (0: the drawing's own). Returns
-   * false with VS_ERROR_MODEL if these numbers make none, which the fit treats as too long a step; any other error ends
-   * it. */
+  /* Makes the solid with these numbers as a mesh, with facets within the tolerance; 0: the drawing's own tolerance.
+   * Returns false with VS_ERROR_MODEL if these numbers do not make a solid; the fit then takes a shorter step. Any
+   * other error ends the fit. */
   bool (*make)(void *context, const double *numbers, double tolerance, vs_mesh *out, vs_error *e);
-  bool (*going)(void *context); /* false: stop, and keep the result so far */
+  bool (*going)(void *context); /* returns false to stop the fit and keep its result so far */
   void (*progress)(void *context, unsigned iteration, double spread);
 } vs_fit_model;
 
@@ -40,59 +45,62 @@ typedef struct {
   const vs_fit_model *model;
   const vs_fit_number *numbers;
   size_t number_count;
-  const vs_vec3 *points; /* of the scan, in random order */
+  const vs_vec3 *points; /* points of the scan, in random order */
   size_t count;
-  bool placed;       /* the scan has the model's coordinates */
-  bool near;         /* the scan is near its place: no other place is tried */
-  bool any_pose;     /* up in the scan may differ from up in the model */
-  size_t most;       /* the largest number of points in the last steps */
-  double confidence; /* of the intervals, between 0 and 1 */
+  bool placed;       /* true if the scan has the model's coordinates */
+  bool near;         /* true if the scan is already near its place, so that no other place is evaluated */
+  bool any_pose;     /* true if the scan's upward direction may differ from the model's */
+  size_t most;       /* greatest number of points in the last steps */
+  double confidence; /* confidence of the intervals, between 0 and 1 */
 } vs_fit_problem;
 
 typedef enum {
   VS_FIT_NUMBER_FITTED,
-  VS_FIT_NUMBER_LOOSE /* the scan does not determine it */,
-  VS_FIT_NUMBER_BOUND /* it is at a bound */
+  VS_FIT_NUMBER_LOOSE /* the scan does not determine the number */,
+  VS_FIT_NUMBER_BOUND /* the number is at one of its bounds */
 } vs_fit_verdict;
 
-/* The reason for which the result of a fit cannot be trusted. */
+/* The reason why the result of a fit cannot be trusted. */
 typedef enum {
   VS_FIT_DOUBT_NONE,
   VS_FIT_DOUBT_FAR,    /* half of the points lie far from the model */
   VS_FIT_DOUBT_TILTED, /* the model lies on its side, or upside down, without any_pose */
   VS_FIT_DOUBT_STRAYS, /* more than a fifth of the points are outliers */
   VS_FIT_DOUBT_SHAPE,  /* neighbouring points lie on the same side */
-  VS_FIT_DOUBT_RIVAL   /* another start gave as good a fit, with another shape */
+  VS_FIT_DOUBT_RIVAL   /* another start led to an equally good fit with another shape */
 } vs_fit_doubt;
 
 typedef struct {
-  double value, error, low, high; /* error: standard; low, high: the interval at the requested confidence; INFINITY if
-                                   * loose */
-  double rival;                   /* the value in the second best fit (vs_model_fit.rival) */
+  double value, error, low, high; /* error: standard error; low, high: interval at the requested confidence; INFINITY if
+                                   * the number is not determined */
+  double rival;                   /* value of the number in the second best fit (vs_model_fit.rival) */
   vs_fit_verdict verdict;
 } vs_fitted_number;
 
 typedef struct {
   vs_fitted_number *numbers;
-  vs_rigid_motion motion;  /* from the scan to the model */
-  vs_mesh_distance *field; /* of the fitted model */
-  double *distances;       /* of all points, signed */
-  size_t used;             /* points in the last step */
-  double spread; /* of the distances: 1.4826 times their median size, the standard deviation of a normal distribution */
+  vs_rigid_motion motion;  /* motion from the scan to the model */
+  vs_mesh_distance *field; /* field of distances from the fitted model */
+  double *distances;       /* signed distances of all points */
+  size_t used;             /* number of points in the last step */
+  double spread; /* spread of the distances: 1.4826 times the median of their absolute values, which is the standard
+                  * deviation for a normal distribution */
   double root_mean_square, median;
-  double correlation;      /* of neighbouring points' distances, without outliers: near 0 for pure noise */
-  size_t outliers;         /* points beyond Tukey's limit */
-  double size;             /* of the scan: root of the mean square distance from its centre */
-  double model_size;       /* of the model at the start, the same */
-  bool converged, stopped; /* stopped: `going` ended it */
-  bool rival;              /* another start gave as good a fit, with other numbers */
-  bool rival_unlike;       /* and its shape differs */
+  double correlation;      /* correlation of the distances of neighbouring points, without outliers; near 0 for pure
+                            * noise */
+  size_t outliers;         /* number of points beyond Tukey's limit */
+  double size;             /* size of the scan: root of the mean square distance from its centre */
+  double model_size;       /* size of the model at the start, measured in this way */
+  bool converged, stopped; /* converged: the last step converged; stopped: the caller's `going` ended the fit */
+  bool rival;              /* true if another start led to an equally good fit with other numbers */
+  bool rival_unlike;       /* true if that other fit also has another shape */
   vs_fit_doubt doubt;
-  unsigned iterations, models; /* evaluations of the distances; models made */
+  unsigned iterations, models; /* iterations: number of evaluations of the distances; models: number of models that were
+                                * made */
 } vs_model_fit;
 
-/* Fills *out, which the caller frees, also after a failure. Returns false if nothing was fitted: too few points, the
- * model cannot be made at the start, no memory, no solver. */
+/* Fits the model, and fills *out, which the caller frees, also after a failure. Returns false if nothing was fitted:
+ * there are too few points, the model cannot be made at the start, memory is out, or the solver is missing. */
 bool vs_model_fit_solve(const vs_fit_problem *p, vs_model_fit *out, vs_error *e);
 void vs_model_fit_free(vs_model_fit *f);
 

@@ -1,9 +1,9 @@
-/* Implements rigid motions, and eigenvectors of small symmetric matrices (rigid_motion.h). */
+/* Computes rigid motions, and eigenvectors of small symmetric matrices (rigid_motion.h). */
 #include "geometry/fitting/rigid_motion.h"
 
 #include <string.h>
 
-/* Sets out = a b, row by row; out is neither. */
+/* Sets out to the product of the 3 by 3 matrices a and b, stored row by row. out differs from both. */
 static void multiply(const double *a, const double *b, double *out) {
   VS_ASSERT(out != a && out != b);
   for (int i = 0; i < 3; i++)
@@ -63,7 +63,7 @@ vs_affine vs_rigid_inverse(const vs_rigid_motion *m) {
   return a;
 }
 
-/* ---- eigenvectors ---- */
+/* ---- eigenvectors of symmetric matrices ---- */
 
 /* Rotates the axes i and k, which differ, so that m[i][k] becomes 0. */
 static void rotate_pair(double *m, double *v, size_t n, size_t i, size_t k) {
@@ -97,7 +97,7 @@ void vs_symmetric_eigen(double *m, double *v, double *values, size_t n) {
       for (size_t k = i + 1; k < n; k++) rotate_pair(m, v, n, i, k);
   }
   for (size_t i = 0; i < n; i++) values[i] = m[i * n + i];
-  for (size_t i = 0; i < n; i++) { /* the largest first */
+  for (size_t i = 0; i < n; i++) { /* sorts the eigenvalues in descending order */
     size_t best = i;
     for (size_t k = i + 1; k < n; k++)
       if (values[k] > values[best]) best = k;

@@ -1,7 +1,7 @@
-/* Implements the robust losses and the call of cminpack's Levenberg-Marquardt solver (robust_squares.h).
+/* Implements the robust losses, and calls the Levenberg-Marquardt solver of cminpack (robust_squares.h).
  *
- * The solver minimizes a sum of squares: each residual r becomes the signed root f of twice its loss, and its
- * derivatives are multiplied by df/dr. */
+ * The solver minimizes a sum of squares. Therefore each residual r is replaced by f, the root of twice its loss with
+ * the sign of r, and its derivatives are multiplied by df/dr. */
 #include "geometry/fitting/robust_squares.h"
 
 #include <limits.h>
@@ -21,7 +21,7 @@ double vs_loss_root(vs_loss loss, double r, double *slope, double *weight) {
   } else if (loss == VS_LOSS_TUKEY) {
     double u = size / VS_TUKEY_REACH, rest = u < 1 ? 1 - u * u : 0;
     psi = size * rest * rest;
-    /* 1 - (1 - u^2)^3 without cancellation */
+    /* the expression is 1 - (1 - u^2)^3 without cancellation */
     f = u < 1 ? size * sqrt(1 - u * u + u * u * u * u / 3) : VS_TUKEY_REACH / sqrt(3);
   }
   *slope = f > 0 ? psi / f : 1;
@@ -35,7 +35,7 @@ double vs_loss_curvature(vs_loss loss, double r) {
   return u < 1 ? (1 - u) * (1 - 5 * u) : 0;
 }
 
-/* ---- the solver ---- */
+/* ---- the solver of cminpack ---- */
 
 typedef int lm_function(void *p, int m, int n, const double *x, double *fvec, double *fjac, int ldfjac, int iflag);
 typedef struct {

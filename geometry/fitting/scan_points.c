@@ -1,4 +1,4 @@
-/* Implements the choice of the points for the fit of a scan (scan_points.h). */
+/* Chooses the points to which a model is fitted (scan_points.h). */
 #include "geometry/fitting/scan_points.h"
 
 #include <math.h>
@@ -12,7 +12,7 @@ void vs_scan_points_free(vs_scan_points *s) {
   *s = (vs_scan_points){ 0 };
 }
 
-/* G. Marsaglia's xorshift, from a fixed seed: a scan is always fitted in the same way. */
+/* G. Marsaglia's xorshift generator, with a fixed seed: a scan is always fitted with the same points. */
 static uint64_t next_random(uint64_t *state) {
   *state ^= *state << 13, *state ^= *state >> 7, *state ^= *state << 17;
   return *state;
@@ -29,7 +29,8 @@ static void shuffle(vs_vec3 *at, size_t count, uint64_t *state) {
   }
 }
 
-/* Places samples on the triangles of the faces' fans by area, each within its share of the total area. */
+/* Distributes samples over the faces, which are divided into triangles, in proportion to their area. Each sample lies
+ * in its equal part of the total area. */
 static bool spread_samples(const vs_face_list *l, size_t count, vs_scan_points *out, uint64_t *state) {
   double *sums = NULL, area = 0;
   size_t room = 0, sample_room = 0, triangles = 0, at = 0;
@@ -68,7 +69,7 @@ bool vs_scan_points_take(vs_face_list *file, size_t least, vs_scan_points *out, 
   for (size_t i = 0; i < out->file.point_count; i++) out->nowhere += !somewhere(out->file.points[i]);
   bool ok = true;
   if (out->file.face_count) ok = spread_samples(&out->file, least, out, &state);
-  if (ok && !out->sample_count) { /* no faces, or none with an area */
+  if (ok && !out->sample_count) { /* there are no faces, or none with an area */
     free(out->samples);
     out->samples = NULL;
     ok = VS_GROW(out->samples, room, out->file.point_count + 1);

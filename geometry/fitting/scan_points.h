@@ -1,18 +1,19 @@
-/* Declares a scan: the points of a file, and the samples for its fit. */
+/* Declares a scan: the points of a file, and the samples to which a model is fitted. */
 #ifndef VS_GEOMETRY_FITTING_SCAN_POINTS_H
 #define VS_GEOMETRY_FITTING_SCAN_POINTS_H
 
 #include "geometry/files/meshfile.h"
 
 typedef struct {
-  vs_face_list file; /* as read; points without a position have NaN */
-  vs_vec3 *samples;  /* in random order, always the same for the same file: its points, or, for a mesh, positions
-                      * distributed evenly over its faces */
+  vs_face_list file; /* points and faces as read; coordinates of points without a position are NaN */
+  vs_vec3 *samples;  /* points in random order, which is always the same for the same file: the file's points, or for a
+                      * mesh positions that are evenly distributed over its faces */
   size_t sample_count;
-  size_t nowhere; /* points of the file without a finite position */
+  size_t nowhere; /* number of points in the file without a finite position */
 } vs_scan_points;
 
-/* Takes over *file, which is empty afterwards, also after a failure. least: samples of a mesh. */
+/* Makes the scan of the points and faces in *file. *file is empty afterwards, also after a failure. least: least number
+ * of samples of a mesh. Returns false when memory is out. */
 bool vs_scan_points_take(vs_face_list *file, size_t least, vs_scan_points *out, vs_error *e);
 void vs_scan_points_free(vs_scan_points *s);
 

@@ -31,43 +31,45 @@
 #include "geometry/functions/sampling.h"
 #include "model/store/array.h"
 
-/* Points within this share of a cell are on one plane. */
+/* Points that deviate less than this fraction of a cell from a plane lie in it. */
 #define FLAT 1e-4
 
 enum { BLOCK = 8, CORNERS = (BLOCK + 1) * (BLOCK + 1) * (BLOCK + 1), NONE = -1, TURNS = 40 };
 
 typedef struct {
   int32_t at[3];
-  uint8_t below;   /* bits: corners below 0 */
-  uint8_t flips;   /* bits: faces that are joined the other way */
-  bool sharp;      /* it contains an edge or corner of the surface */
-  uint32_t rings;  /* two bits for each edge: its ring */
-  uint32_t first;  /* the point of ring 0 */
-  int32_t edge[3]; /* the crossed edges at the lowest corner; NONE */
+  uint8_t below;   /* bit c: the value at corner c is below 0 */
+  uint8_t flips;   /* bit f: face f is joined in the second way (step 3) */
+  bool sharp;      /* true if the cell contains an edge or corner of the surface */
+  uint32_t rings;  /* two bits for each edge of the cell: the number of its ring */
+  uint32_t first;  /* index of the point of ring 0; those of the other rings follow */
+  int32_t edge[3]; /* the crossed edges at the cell's lowest corner, by axis; NONE: the edge is not crossed */
 } cell;
 
 typedef struct {
   uint32_t cell;
   uint8_t axis;
-  bool rises; /* from below 0 to above along the axis */
+  bool rises; /* true if the value changes from below 0 to above 0 along the axis */
   double v0, v1;
 } crossing;
 
 typedef struct {
-  const vs_tape *t; /* the tape and the box together */
+  const vs_tape *t; /* the tape whose value is that of the function or the distance to the box's inside, whichever is
+                     * larger */
   vs_sampler *values, *slopes;
   double origin[3], size;
-  int32_t n[3]; /* cells along each axis */
+  int32_t n[3]; /* number of cells along each axis */
   double p[3], q[3];
   cell *cells;
   size_t cell_count, cell_room;
-  uint32_t *index; /* position of a cell -> its index + 1 */
+  uint32_t *index; /* hash table from the position of a cell to its index + 1 */
   size_t slots, slot_room;
   crossing *edges;
   size_t edge_count, edge_room;
-  vs_vec3 *roots, *normals; /* of the edges */
+  vs_vec3 *roots, *normals; /* root and normal of each crossed edge */
   size_t root_room, normal_room;
-  uint32_t (*around)[4]; /* the points around each edge, counter-clockwise seen from the side of values above 0 */
+  uint32_t (*around)[4]; /* the four points around each edge, counter-clockwise as seen from the side of values above
+                          * 0 */
   size_t around_room;
   vs_enclosure *work;
   size_t work_room;
@@ -83,7 +85,7 @@ void vs_contour_free(vs_contour *c) {
 
 static double place(const contour *c, int axis, int32_t i) { return c->origin[axis] + c->size * i; }
 
-/* ---- the tape with the box ---- */
+/* ---- the tape, combined with the box ---- */
 
 static vs_tape *boxed(const vs_tape *t, const double *p, const double *q) {
   vs_tape *c = vs_tape_compact(t);
@@ -99,7 +101,7 @@ static vs_tape *boxed(const vs_tape *t, const double *p, const double *q) {
   return c;
 }
 
-/* ---- blocks ---- */
+/* ---- blocks of cells ---- */
 
 static vs_contour_outcome block(contour *c, const int32_t *from) {
   double x[3][CORNERS], v[CORNERS];
@@ -139,7 +141,8 @@ static vs_contour_outcome block(contour *c, const int32_t *from) {
                         .edge = { NONE, NONE, NONE } };
         for (int a = 0; a < 3; a++) {
           if ((below & 1) == (below >> (1 << a) & 1)) continue;
-          if (c->out->most && 2 * (c->edge_count + 1) > c->out->most) return VS_CONTOUR_MANY; /* two on each edge */
+          if (c->out->most && 2 * (c->edge_count + 1) > c->out->most) return VS_CONTOUR_MANY; /* a crossed edge becomes
+                                                                                               * two triangles */
           if (!VS_GROW(c->edges, c->edge_room, c->edge_count + 1)) return VS_CONTOUR_MEMORY;
           made->edge[a] = (int32_t)c->edge_count;
           c->edges[c->edge_count++] =
@@ -151,9 +154,10 @@ static vs_contour_outcome block(contour *c, const int32_t *from) {
 
 typedef struct {
   int32_t from[3], to[3];
-} span; /* of blocks */
+} span; /* a box of blocks, as ranges of block numbers */
 
-/* Visits all blocks that may contain a crossing, the larger parts of the grid first. */
+/* Visits all blocks that may contain a crossing. It divides the grid into smaller and smaller boxes, and skips boxes
+ * without one. */
 static vs_contour_outcome blocks(contour *c) {
   span *todo = NULL;
   size_t count = 1, room = 0, looked = 0;
@@ -204,7 +208,8 @@ typedef struct {
   int8_t side;
 } search;
 
-/* Returns the larger of the values at both ends; beside a pole one may be infinite. */
+/* Returns the larger size of the values at both ends of the edge. Beside a pole one of them may be infinite, and is
+ * ignored. */
 static double finite_size(const crossing *e) {
   double a = fabs(e->v0), b = fabs(e->v1);
   return isfinite(a) && isfinite(b) ? fmax(a, b) : fmin(a, b);
@@ -214,8 +219,9 @@ static bool in_box(const contour *c, double x, double y, double z) {
   return x >= c->p[0] && x <= c->q[0] && y >= c->p[1] && y <= c->q[1] && z >= c->p[2] && z <= c->q[2];
 }
 
-/* Finds the root on every crossed edge: by false positions (the Illinois method), in iterations that evaluate all edges
- * together. Every third iteration bisects, and all late ones do; this finds jumps too. Then computes the gradients. */
+/* Finds the root on every crossed edge, with the Illinois method of false position. Each iteration evaluates all edges
+ * together. Every third iteration and all late ones bisect, which also finds jumps. Then computes the gradients at the
+ * roots. */
 static vs_contour_outcome roots(contour *c) {
   size_t n = c->edge_count, room = 0, x_room[3] = { 0, 0, 0 }, v_room = 0, s_room[3] = { 0, 0, 0 };
   search *s = NULL;
@@ -247,7 +253,7 @@ static vs_contour_outcome roots(contour *c) {
     size_t kept = 0;
     for (size_t i = 0; i < left; i++) {
       search e = s[i];
-      if (v[i] != v[i]) { /* allowed only outside of the box */
+      if (v[i] != v[i]) { /* a value that is no number is allowed only outside of the box */
         if (in_box(c, x[0][i], x[1][i], x[2][i])) {
           c->out->at = vs_v3(x[0][i], x[1][i], x[2][i]), outcome = VS_CONTOUR_NO_NUMBER;
           break;
@@ -296,7 +302,7 @@ static vs_contour_outcome roots(contour *c) {
   return outcome;
 }
 
-/* ---- finding cells ---- */
+/* ---- the table of cells ---- */
 
 static uint64_t hash_place(const int32_t *at) {
   uint64_t h = (uint64_t)at[0] << 42 ^ (uint64_t)at[1] << 21 ^ (uint64_t)at[2];
@@ -317,7 +323,7 @@ static bool index_cells(contour *c) {
   return true;
 }
 
-/* Returns the cell at this position; NULL: the surface does not cross it. */
+/* Returns the cell at the position (i, j, k), or NULL if the surface does not cross it. */
 static cell *cell_at(const contour *c, int32_t i, int32_t j, int32_t k) {
   const int32_t at[3] = { i, j, k };
   if (i < 0 || j < 0 || k < 0) return NULL;
@@ -330,14 +336,15 @@ static cell *cell_at(const contour *c, int32_t i, int32_t j, int32_t k) {
 
 /* ---- rings ---- */
 
-/* Returns the edge of a cell between two corners that differ in one bit. */
+/* Returns the number of the cell's edge between corners a and b, which differ in one bit. */
 static int edge_between(int a, int b) {
   int bit = a ^ b, axis = bit == 1 ? 0 : bit == 2 ? 1 : 2, low = a & b;
   VS_ASSERT(bit == 1 || bit == 2 || bit == 4);
   return 4 * axis + (low >> (axis + 1) % 3 & 1) + 2 * (low >> (axis + 2) % 3 & 1);
 }
 
-/* Sets the four corners of face 0 to 5 in order around it; its edges are those between neighbours. */
+/* Sets at[0] to at[3] to the corners of a face, 0 to 5, in order around it. Its edges connect neighbours in this
+ * order. */
 static void face_corners(int face, int *at) {
   int axis = face / 2, b = 1 << (axis + 1) % 3, c = 1 << (axis + 2) % 3, low = face & 1 ? 1 << axis : 0;
   VS_ASSERT(face >= 0 && face < 6);
@@ -356,8 +363,8 @@ static int root_of(const int8_t *parent, int e) {
   return e;
 }
 
-/* Finds the pairs of crossed edges that a face connects; returns their number. Of four crossings those around a corner
- * below 0 are joined; in a flipped face, those around a corner above 0. */
+/* Finds the pairs of crossed edges that the surface connects in a face, and returns their number. With four crossings,
+ * the two edges at a corner below 0 form a pair; in a flipped face, the two edges at a corner above 0. */
 static int face_pairs(const cell *c, int face, int (*pair)[2]) {
   int k[4], crossed[4], count = 0;
   face_corners(face, k);
@@ -366,13 +373,13 @@ static int face_pairs(const cell *c, int face, int (*pair)[2]) {
       crossed[count++] = edge_between(k[i], k[(i + 1) % 4]);
   if (count == 2) return pair[0][0] = crossed[0], pair[0][1] = crossed[1], 1;
   if (count == 0) return 0;
-  /* crossed[i] lies between corners i and i + 1; the edges at corner i are i - 1 and i */
+  /* crossed[i] lies between corners i and i + 1, so the edges at corner i are i - 1 and i */
   int corner = ((c->below >> k[0] & 1) != (c->flips >> face & 1)) ? 0 : 1;
   for (int i = 0; i < 2; i++) pair[i][0] = crossed[(corner + 2 * i + 3) % 4], pair[i][1] = crossed[corner + 2 * i];
   return 2;
 }
 
-/* Joins the crossed edges of a cell into rings and numbers them; returns their number. */
+/* Joins the crossed edges of a cell into rings, and numbers the rings. Returns their number. */
 static int join_rings(cell *c) {
   int8_t parent[12];
   uint32_t used = 0;
@@ -399,13 +406,14 @@ static int join_rings(cell *c) {
 
 static unsigned ring_of(const cell *c, int edge) { return c->rings >> 2 * edge & 3; }
 
-/* Returns true if both pairs of crossings of this ambiguous face are on one ring. */
+/* Returns true if both pairs of crossings in the face belong to one ring. */
 static bool on_one_ring(const cell *c, int face) {
   int pair[2][2];
   return face_pairs(c, face, pair) == 2 && ring_of(c, pair[0][0]) == ring_of(c, pair[1][0]);
 }
 
-/* Flipping a face separates the rings of both cells, and changes no other ring's neighbours: one pass is enough. */
+/* Flips faces to separate rings. A flipped face separates the rings of both its cells, and affects no other ring.
+ * Therefore one pass suffices. */
 static void part_sheets(contour *c) {
   for (size_t i = 0; i < c->cell_count; i++) join_rings(&c->cells[i]);
   for (size_t i = 0; i < c->cell_count; i++)
@@ -420,9 +428,10 @@ static void part_sheets(contour *c) {
     }
 }
 
-/* ---- points ---- */
+/* ---- points of rings ---- */
 
-/* Computes eigenvalues and vectors of a symmetric matrix by Jacobi's rotations; vectors in the columns of v. */
+/* Computes the eigenvalues of a symmetric matrix by Jacobi's rotations; they replace the diagonal of m. The columns of
+ * v become the eigenvectors. */
 static void eigen(double m[3][3], double v[3][3]) {
   memset(v, 0, 9 * sizeof **v);
   v[0][0] = v[1][1] = v[2][2] = 1;
@@ -449,14 +458,14 @@ static void eigen(double m[3][3], double v[3][3]) {
   }
 }
 
-/* Normals that differ by more than SHARP are those of an edge. A normal that deviates by more than CORNER from the
- * plane of the others makes it a corner. Smaller differences are the curvature of a smooth surface. Cosine and sine of
- * some 25 degrees. */
+/* Two normals with a scalar product below SHARP belong to an edge of the surface. A normal whose component
+ * perpendicular to the plane of the others exceeds CORNER belongs to a corner. Smaller differences are the curvature of
+ * a smooth surface. The two numbers are the cosine and sine of some 25 degrees. */
 #define SHARP .9
 #define CORNER .42
 
-/* Returns the number of directions in which planes with these normals determine their intersection. There is a
- * normal. */
+/* Returns the number of independent directions of n normals: 1 in a smooth surface, 2 at an edge, 3 at a corner. n >
+ * 0. */
 static int rank_of(const vs_vec3 *normal, int n) {
   double m[3][3] = { { 0 } }, v[3][3], alike = 1, leans = 0;
   VS_ASSERT(n > 0);
@@ -475,9 +484,9 @@ static int rank_of(const vs_vec3 *normal, int n) {
   return leans > CORNER ? 3 : 2;
 }
 
-/* Returns the point nearest to all planes through the places, perpendicular to their normals, in `rank` (0 to 3)
- * directions; in the others as near to `from` as possible. It keeps from's coordinates along the axes whose bits are
- * set in `fixed`. There is a place. */
+/* Returns the point that is nearest to all planes through the n places with the given normals. It is determined by the
+ * planes in `rank` directions (0 to 3); in the other directions it is as near to `from` as possible. Coordinates along
+ * the axes whose bits are set in `fixed` remain those of `from`. n > 0. */
 static vs_vec3 best_point(const vs_vec3 *place, const vs_vec3 *normal, int n, vs_vec3 from, int rank, unsigned fixed) {
   double m[3][3] = { { 0 } }, v[3][3], b[3] = { 0, 0, 0 }, x[3] = { 0, 0, 0 };
   VS_ASSERT(rank >= 0 && rank <= 3 && n > 0);
@@ -490,7 +499,7 @@ static vs_vec3 best_point(const vs_vec3 *place, const vs_vec3 *normal, int n, vs
     }
   }
   eigen(m, v);
-  int order[3] = { 0, 1, 2 }; /* the largest eigenvalue first */
+  int order[3] = { 0, 1, 2 }; /* indices of the eigenvalues, in descending order */
   for (int i = 0; i < 3; i++)
     for (int k = 0; k < 2; k++)
       if (m[order[k]][order[k]] < m[order[k + 1]][order[k + 1]]) {
@@ -506,7 +515,7 @@ static vs_vec3 best_point(const vs_vec3 *place, const vs_vec3 *normal, int n, vs
   return vs_v3_add(from, vs_v3(x[0], x[1], x[2]));
 }
 
-/* A ring's point during the search, and its limits. */
+/* A ring during the search for its point, and the limits of the point. */
 typedef struct {
   double low[3], high[3];
   uint32_t point;
@@ -520,7 +529,8 @@ static vs_vec3 held_in(const ring_point *r, vs_vec3 p) {
   return vs_v3(held(p.x, r->low[0], r->high[0]), held(p.y, r->low[1], r->high[1]), held(p.z, r->low[2], r->high[2]));
 }
 
-/* Returns the best point within the ring's cell: a point beyond a side is computed again within that side. */
+/* Returns the best point within the ring's cell. If the best point is beyond a side of the cell, it is computed again
+ * within that side. */
 static vs_vec3 best_within(const ring_point *r, const vs_vec3 *place, const vs_vec3 *normal, int n, vs_vec3 from,
                            int rank) {
   vs_vec3 p = from;
@@ -540,9 +550,9 @@ static vs_vec3 best_within(const ring_point *r, const vs_vec3 *place, const vs_v
   return held_in(r, p);
 }
 
-/* Samples the surface near each of these points, and moves them. If the surface is smooth, the point moves onto it. If
- * it is sharp, the point moves to the intersection of the planes seen on its two sides, first from a larger distance
- * and then from a smaller one. */
+/* Samples the surface near the points of n rings, and moves the points. If the surface is smooth, the point moves onto
+ * it. If it is sharp, the point moves to the intersection of the planes on its two sides. The samples are first at a
+ * larger distance and then at smaller ones. */
 static bool refine(contour *c, ring_point *rings, size_t n) {
   enum { LOOKS = 24, TURNS_OF_LOOKS = 3 };
   static const double reach[TURNS_OF_LOOKS] = { .4, .15, .05 };
@@ -587,7 +597,7 @@ static bool refine(contour *c, ring_point *rings, size_t n) {
 
 enum { AT_ONCE = 512 };
 
-/* The crossings of a cell's edges by ring, and the number of rings. */
+/* The crossings of a cell's edges, grouped by ring. */
 typedef struct {
   vs_vec3 root[4][12], normal[4][12];
   int count[4], rings;
@@ -610,7 +620,7 @@ static void collect(const contour *c, const cell *here, crossings *out) {
   }
 }
 
-/* Returns the mean of n >= 1 places. */
+/* Returns the mean of n places, n >= 1. */
 static vs_vec3 middle_of(const vs_vec3 *at, int n) {
   vs_vec3 middle = { 0, 0, 0 };
   VS_ASSERT(n > 0);
@@ -618,8 +628,9 @@ static vs_vec3 middle_of(const vs_vec3 *at, int n) {
   return middle;
 }
 
-/* A sharp edge may pass through a cell between the crossings, which then all show one side of it. If the planes of a
- * neighbouring cell with an edge meet this cell's planes within it, the edge continues there: *p is that point. */
+/* A sharp edge of the surface may pass through a cell between the crossings, which then all lie on one side of it. If a
+ * neighbouring cell contains an edge, and its planes intersect this cell's planes within this cell, the edge continues
+ * there. Sets *p to the intersection and returns true. */
 static bool goes_on(const contour *c, const cell *here, const crossings *own, ring_point *r, vs_vec3 *p) {
   for (int face = 0; face < 6; face++) {
     int axis = face / 2, way = face & 1 ? 1 : -1;
@@ -648,7 +659,7 @@ static bool goes_on(const contour *c, const cell *here, const crossings *own, ri
 
 static bool points(contour *c) {
   vs_contour *out = c->out;
-  ring_point *some[2] = { NULL, NULL }; /* smooth ones and sharp ones, some hundred of each */
+  ring_point *some[2] = { NULL, NULL }; /* some hundred smooth rings, and some hundred sharp ones */
   size_t room[2] = { 0, 0 }, count_of[2] = { 0, 0 };
   bool ok = VS_GROW(some[0], room[0], AT_ONCE) && VS_GROW(some[1], room[1], AT_ONCE);
   crossings own;
@@ -669,7 +680,8 @@ static bool points(contour *c) {
     for (int r = 0; ok && r < own.rings; r++) {
       int n = own.count[r];
       ring_point made = { .point = (uint32_t)out->point_count, .count = n, .rank = rank_of(own.normal[r], n) };
-      double inset = 1e-4 * c->size; /* points of two cells are thus never equal */
+      double inset = 1e-4 * c->size; /* keeps points away from the cell's sides, so that points of two cells are never
+                                      * equal */
       for (int a = 0; a < 3; a++)
         made.low[a] = place(c, a, here->at[a]) + inset, made.high[a] = place(c, a, here->at[a] + 1) - inset;
       memcpy(made.normal, own.normal[r], (size_t)n * sizeof *made.normal);
@@ -692,8 +704,8 @@ static bool points(contour *c) {
 
 /* ---- faces ---- */
 
-/* Returns the square of p's height above the triangle's plane plus that of its largest distance beyond a side;
- * INFINITY: the triangle has no area. */
+/* Returns how far p is from the triangle: the square of its height above the plane, plus the square of its largest
+ * distance beyond a side. Returns INFINITY if the triangle has no area. */
 static double apart(vs_vec3 p, vs_vec3 a, vs_vec3 b, vs_vec3 c) {
   vs_vec3 n = vs_v3_cross(vs_v3_sub(b, a), vs_v3_sub(c, a));
   double length = vs_v3_length(n);
@@ -708,7 +720,7 @@ static double apart(vs_vec3 p, vs_vec3 a, vs_vec3 b, vs_vec3 c) {
   return height * height + out * out;
 }
 
-/* Finds the points around each edge, the first of them in the edge's own cell. */
+/* Finds the four points around each edge. The first is in the cell to which the edge belongs. */
 static bool find_around(contour *c) {
   if (!VS_GROW(c->around, c->around_room, c->edge_count + 1)) return false;
   for (size_t i = 0; i < c->edge_count; i++) {
@@ -716,11 +728,12 @@ static bool find_around(contour *c) {
     const cell *owner = &c->cells[e->cell];
     int b = (e->axis + 1) % 3, d = (e->axis + 2) % 3;
     uint32_t *corner = c->around[i];
-    for (int k = 0; k < 4; k++) { /* around the axis: (+ +) (- +) (- -) (+ -) */
+    for (int k = 0; k < 4; k++) { /* the four cells around the axis, in the order (+ +) (- +) (- -) (+ -) */
       int back = k == 1 || k == 2, down = k >= 2;
       int32_t at[3] = { owner->at[0], owner->at[1], owner->at[2] };
       at[b] -= back, at[d] -= down;
-      const cell *there = cell_at(c, at[0], at[1], at[2]); /* all four cells differ in sign along this edge */
+      const cell *there = cell_at(c, at[0], at[1], at[2]); /* the cell exists, because the edge crosses the surface in
+                                                            * all four cells */
       corner[k] = there ? there->first + ring_of(there, 4 * e->axis + back + 2 * down) : owner->first;
     }
     if (!e->rises) {
@@ -737,14 +750,15 @@ static vs_vec3 face_normal(const vs_vec3 *p, uint32_t a, uint32_t b, uint32_t c)
   return length > 0 ? vs_v3_scale(n, 1 / length) : n;
 }
 
-/* Returns true if the diagonal from `from` (0 or 1) folds one of the two triangles back over the other. */
+/* Returns true if the diagonal from corner `from` (0 or 1) would fold one of the two triangles back over the other. */
 static bool folds(const vs_vec3 *p, const uint32_t *corner, int from) {
   vs_vec3 first = face_normal(p, corner[from], corner[from + 1], corner[from + 2]);
   VS_ASSERT(from == 0 || from == 1);
   return vs_v3_dot(first, face_normal(p, corner[from], corner[from + 2], corner[(from + 3) % 4])) < -.9;
 }
 
-/* Makes the triangles around all edges, from the points that represent others; NULL: each represents itself. */
+/* Makes the two triangles around each edge. stands_for[r]: the ring whose point ring r uses; NULL: each uses its
+ * own. */
 static bool faces(contour *c, const uint32_t *stands_for) {
   vs_contour *out = c->out;
   const vs_vec3 *p = out->points;
@@ -758,7 +772,7 @@ static bool faces(contour *c, const uint32_t *stands_for) {
       if (!n || at != corner[n - 1]) corner[n++] = at;
     }
     if (n > 1 && corner[n - 1] == corner[0]) n--;
-    int from = 0; /* the diagonal begins there */
+    int from = 0; /* the corner at which the diagonal begins */
     if (n == 4) {
       vs_vec3 root = c->roots[i];
       double first = fmin(apart(root, p[corner[0]], p[corner[1]], p[corner[2]]),
@@ -776,8 +790,8 @@ static bool faces(contour *c, const uint32_t *stands_for) {
   return true;
 }
 
-/* Compares triangles' centres with the surface, to first order, and checks whether a side of the box is a face of the
- * mesh. */
+/* Measures the distance of the triangles' centres from the surface, to first order. Checks whether a side of the box is
+ * a part of the mesh. */
 static vs_contour_outcome judge(contour *c) {
   enum { BATCH = VS_SAMPLE_BATCH };
   double x[3][BATCH], v[BATCH], slope[3][BATCH];
@@ -803,7 +817,7 @@ static vs_contour_outcome judge(contour *c) {
   return VS_CONTOUR_DONE;
 }
 
-/* ---- larger cells ---- */
+/* ---- merging of cells ---- */
 
 /* Removes the points that no triangle uses. */
 static bool drop_points(contour *c) {
@@ -829,8 +843,8 @@ static bool has_ambiguous_side(const cell *c) {
   return false;
 }
 
-/* Merges cells in which the surface is flat within the tolerance, as long as the triangles' centres stay within it,
- * too; 0: flat within rounding errors. */
+/* Merges cells in which the surface is flat within the tolerance, as long as the centres of triangles also stay within
+ * it. Tolerance 0: flat within rounding errors. */
 static vs_contour_outcome merge_cells(contour *c, double tolerance) {
   enum { TURNS_OF_MERGING = 4 };
   vs_contour *out = c->out;
@@ -872,7 +886,8 @@ static vs_contour_outcome merge_cells(contour *c, double tolerance) {
     out->deviation = 0;
     outcome = judge(c);
     if (out->deviation <= tolerance) break;
-    if (turn == TURNS_OF_MERGING - 1) ok = faces(c, NULL), out->deviation = before; /* back to the first mesh */
+    if (turn == TURNS_OF_MERGING - 1) ok = faces(c, NULL), out->deviation = before; /* no merging was good enough, so
+                                                                                     * the first mesh is restored */
   }
   ok = ok && drop_points(c);
   free(place), free(barred), free(axis), free(stands_for);

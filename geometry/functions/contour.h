@@ -1,4 +1,4 @@
-/* Declares closed meshes of the region of a box in which a tape's value is below 0. */
+/* Declares the meshing of functions: a closed mesh of the region of a box in which a tape's value is below 0. */
 #ifndef VS_GEOMETRY_FUNCTIONS_CONTOUR_H
 #define VS_GEOMETRY_FUNCTIONS_CONTOUR_H
 
@@ -6,7 +6,7 @@
 #include "model/long_work.h"
 #include "model/vec.h"
 
-enum { VS_CONTOUR_CELLS = 1024 }; /* the most along a box's longest side */
+enum { VS_CONTOUR_CELLS = 1024 }; /* greatest number of cells along the longest side of a box */
 
 typedef enum {
   VS_CONTOUR_DONE,
@@ -20,22 +20,22 @@ typedef enum {
 
 typedef struct {
   vs_vec3 *points;
-  uint32_t (*triangles)[3]; /* counter-clockwise seen from the side of values above 0 */
+  uint32_t (*triangles)[3]; /* corners of the triangles, counter-clockwise as seen from the side of values above 0 */
   size_t point_count, triangle_count;
   size_t point_room, triangle_room;
-  vs_vec3 at;       /* the place of the failure */
-  size_t most;      /* input: the most triangles of the cells before they are merged; 0: no limit */
-  bool capped;      /* the box cuts the region: its sides close the mesh */
-  double deviation; /* the largest distance of triangles' centres from the surface, to first order */
+  vs_vec3 at;       /* place of the fault, for outcomes with one */
+  size_t most;      /* input: greatest number of triangles of the cells before merging; 0: no limit */
+  bool capped;      /* true if the box cuts the region, so that sides of the box close the mesh */
+  double deviation; /* largest distance of a triangle's centre from the surface, to first order */
 } vs_contour;
 
-/* A box from its corner p to q, p below q along each axis, cut into `cells` cubes along its longest side. Cubes are
- * merged to larger ones where the surface is flat within the tolerance, a length; 0: within rounding errors. */
+/* A box from corner p to corner q, with p < q along each axis. It is divided into cubes, `cells` along its longest
+ * side. Cubes are merged where the surface is flat within the tolerance, a length; 0: within rounding errors. */
 typedef struct { vs_vec3 p, q; int cells; double tolerance; } vs_contour_grid;
 
-/* Makes the mesh of t(x, y, z) < 0 in the grid's box. If the cubes' own deviation is above the tolerance, none are
- * merged. The mesh is a closed manifold: each edge has two triangles and each point one fan. The caller frees it by
- * vs_contour_free after any outcome. cells is 1 to VS_CONTOUR_CELLS. */
+/* Makes the mesh of t(x, y, z) < 0 in the grid's box. If the deviation without merging is above the tolerance, no cubes
+ * are merged. The mesh is a closed manifold: each edge has two triangles, and the triangles at each point form one fan.
+ * The caller frees it with vs_contour_free after any outcome. cells is 1 to VS_CONTOUR_CELLS. */
 vs_contour_outcome vs_contour_make(const vs_tape *t, const vs_contour_grid *grid, vs_long_work work, vs_contour *out);
 void vs_contour_free(vs_contour *c);
 

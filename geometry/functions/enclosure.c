@@ -1,6 +1,6 @@
-/* Implements interval arithmetic (enclosure.h). The processor rounds to nearest; therefore every bound is moved
- * outwards by the largest error of the operation. It is half a unit in the last place for + - * / and roots, up to some
- * units for the C library's functions. */
+/* Implements interval arithmetic (enclosure.h). The processor rounds to nearest. Therefore every bound is moved
+ * outwards by the largest error of the operation. This error is half a unit in the last place for + - * / and roots,
+ * and up to some units for functions of the C library. */
 #include "geometry/functions/enclosure.h"
 #include "model/assert.h"
 
@@ -17,13 +17,13 @@ static double above(double d, double units) {
 static const vs_enclosure all = { -INFINITY, INFINITY, true }, none = { NAN, NAN, true };
 
 static vs_enclosure bounds(double low, double high, double units, bool partial) {
-  if (low != low || high != high) return all; /* inf - inf and the like */
+  if (low != low || high != high) return all; /* an operation such as inf - inf has no result */
   return (vs_enclosure){ below(low, units), above(high, units), partial };
 }
 
 static double least(double a, double b) { return a < b ? a : b; }
 static double most(double a, double b) { return a > b ? a : b; }
-/* 0 * inf is 0 here: an infinite bound means numbers of any size, not infinity */
+/* 0 * inf is 0 here, because an infinite bound stands for arbitrarily large numbers, not for infinity */
 static double product(double a, double b) { return a == 0 || b == 0 ? 0 : a * b; }
 
 static vs_enclosure times(vs_enclosure a, vs_enclosure b, bool partial) {
@@ -45,12 +45,13 @@ static vs_enclosure squared(vs_enclosure a) {
   return r;
 }
 
-/* Bounds a function that rises, or falls, between the bounds. */
+/* Returns the bounds of f over a, for a function f that rises or falls throughout a. */
 static vs_enclosure rising(double (*f)(double), vs_enclosure a, bool partial) {
   return bounds(f(a.low), f(a.high), 4, partial);
 }
 
-/* Returns true if an angle phase + k * 2 pi lies in a. The margin is larger than any rounding error of the angle. */
+/* Returns true if a contains an angle phase + k * 2 pi for some integer k. The margin exceeds any rounding error of the
+ * angle. */
 static bool holds_turn(vs_enclosure a, double phase) {
   const double turn = 6.283185307179586;
   double margin = 1e-9 + 1e-15 * most(fabs(a.low), fabs(a.high));
@@ -66,13 +67,14 @@ static vs_enclosure wave(double (*f)(double), vs_enclosure a, double top) {
   return r;
 }
 
-static vs_enclosure clipped(vs_enclosure a, double low, double high) { /* limits to the domain of a function */
+static vs_enclosure clipped(vs_enclosure a, double low, double high) { /* returns the part of a within the domain of a
+                                                                        * function, low to high */
   if (a.high < low || a.low > high) return none;
   return (vs_enclosure){ most(a.low, low), least(a.high, high), a.partial || a.low < low || a.high > high };
 }
 
 static vs_enclosure power(vs_enclosure a, vs_enclosure b, bool partial) {
-  if (b.low == b.high && b.low == floor(b.low) && fabs(b.low) < 1e6) { /* integer: products */
+  if (b.low == b.high && b.low == floor(b.low) && fabs(b.low) < 1e6) { /* an integer power is a product */
     double n = fabs(b.low), p = pow(a.low, n), q = pow(a.high, n);
     bool even = fmod(n, 2) == 0;
     vs_enclosure r = bounds(even && a.low <= 0 && a.high >= 0 ? 0 : least(p, q), most(p, q), 4, partial);
@@ -86,8 +88,9 @@ static vs_enclosure power(vs_enclosure a, vs_enclosure b, bool partial) {
   return bounds(least(least(p, q), least(r, s)), most(most(p, q), most(r, s)), 4, partial || base.partial);
 }
 
-static vs_enclosure angle(vs_enclosure y, vs_enclosure x, bool partial) { /* atan2 */
-  if (x.low <= 0 && y.low <= 0 && y.high >= 0) /* at the jump on the negative x axis, or around the origin */
+static vs_enclosure angle(vs_enclosure y, vs_enclosure x, bool partial) { /* returns the bounds of atan2(y, x) */
+  if (x.low <= 0 && y.low <= 0 && y.high >= 0) /* the box contains a part of the negative x axis, where the angle jumps,
+                                                * or the origin */
     return (vs_enclosure){ -3.1415926535897936, 3.1415926535897936, partial || (x.high >= 0) };
   double p = atan2(y.low, x.low), q = atan2(y.low, x.high), r = atan2(y.high, x.low), s = atan2(y.high, x.high);
   return bounds(least(least(p, q), least(r, s)), most(most(p, q), most(r, s)), 4, partial);
@@ -173,7 +176,7 @@ vs_enclosure vs_enclose(vs_tape_operator op, vs_enclosure a, vs_enclosure b, vs_
   return all;
 }
 
-/* Bounds a field: its value at the centre of the box, plus and minus the distance to a corner. */
+/* Returns the bounds of a field over a box: its value at the centre, plus and minus the distance to a corner. */
 static vs_enclosure enclose_field(const vs_tape_field *f, vs_enclosure x, vs_enclosure y, vs_enclosure z) {
   bool partial = x.partial || y.partial || z.partial;
   if (x.low != x.low || y.low != y.low || z.low != z.low) return none;

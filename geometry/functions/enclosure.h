@@ -1,21 +1,22 @@
-/* Declares intervals: bounds of all values in between, and the evaluation of tapes with them. */
+/* Declares intervals, which bound all values of an expression, and the evaluation of tapes with intervals. */
 #ifndef VS_GEOMETRY_FUNCTIONS_ENCLOSURE_H
 #define VS_GEOMETRY_FUNCTIONS_ENCLOSURE_H
 
 #include "geometry/functions/tape.h"
 
-/* All numbers from low to high. `partial`: the intervals may contain operands for which the expression has no value.
- * Both NaN: it has no value at all. Bounds are rounded outwards: the exact result for numbers in the operands lies in
- * the result. */
+/* All numbers from low to high. partial: true if the expression may have no value for some operands. If low and high
+ * are NaN, it has no value at all. Bounds are rounded outwards. Therefore the exact result for any numbers in the
+ * operands lies in the result. */
 typedef struct {
   double low, high;
   bool partial;
 } vs_enclosure;
 
-/* Returns the bounds of an operator; op is an operator. */
+/* Returns the bounds of the operator op of operators.def for operands within a, b and c. */
 vs_enclosure vs_enclose(vs_tape_operator op, vs_enclosure a, vs_enclosure b,
-                        vs_enclosure c); /* tests give [0 0], [1 1] or [0 1] */
-/* Returns the bounds of the first output over the box in[0] x in[1] x ...; work has room for t->count enclosures. */
+                        vs_enclosure c); /* a test returns [0 0], [1 1] or [0 1] */
+/* Returns the bounds of the tape's first output for inputs in the box in[0] x in[1] x ... work has room for t->count
+ * enclosures. */
 vs_enclosure vs_enclose_tape(const vs_tape *t, const vs_enclosure *in, vs_enclosure *work);
 
 #endif

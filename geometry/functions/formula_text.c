@@ -1,5 +1,5 @@
-/* Implements the writing of formulas (formula_text.h). The pending pieces are on an explicit stack, the last of the
- * text deepest. */
+/* Writes tapes as formulas (formula_text.h). Pieces of text that are still to be written are on an explicit stack, the
+ * last piece at the bottom. */
 #include "geometry/functions/formula_text.h"
 
 #include <math.h>
@@ -22,7 +22,8 @@ static const struct {
 typedef struct {
   const char *text;
   uint32_t step;
-} piece; /* `step` characters of text; NULL: a step */
+} piece; /* A piece of text with `step` characters. If the text is NULL, the piece is the formula of the tape's step
+          * number `step`. */
 
 typedef struct {
   const vs_tape *t;
@@ -61,7 +62,7 @@ static bool put_number(writer *w, double d) {
   return (!negative || put(w, "(", 1)) && put(w, text, strlen(text)) && (!negative || put(w, ")", 1));
 }
 
-/* Splits an operator's template into pieces, and pushes them from the last to the first. */
+/* Divides the template of a step's operator into pieces, and pushes them from the last to the first. */
 static bool push_form(writer *w, const vs_tape_step *s) {
   const char *form = forms[s->op].text[w->language];
   int mine = forms[s->op].binds;
@@ -71,7 +72,8 @@ static bool push_form(writer *w, const vs_tape_step *s) {
   for (size_t end = n; ok && end > 0;) {
     size_t at = end;
     while (at > 0 && form[at - 1] != '$') at--;
-    /* form[at] names an operand, form[at + 1 .. end) is plain text; at 0: no operand is left */
+    /* form[at] is the name of an operand, and form[at + 1] to form[end - 1] is plain text. at == 0: no operand
+     * remains. */
     const char *plain = form + (at ? at + 1 : 0);
     size_t length = (size_t)(form + end - plain);
     if (length) ok = push(w, plain, (uint32_t)length);

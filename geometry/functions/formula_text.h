@@ -1,4 +1,4 @@
-/* Declares tapes as formulas in the languages of other programs. */
+/* Declares the conversion of tapes to formulas in the languages of other programs. */
 #ifndef VS_GEOMETRY_FUNCTIONS_FORMULA_TEXT_H
 #define VS_GEOMETRY_FUNCTIONS_FORMULA_TEXT_H
 
@@ -11,11 +11,12 @@ typedef enum {
   VS_FORMULA_LANGUAGES
 } vs_formula_language;
 
-enum { VS_FORMULA_MOST = 100000 }; /* characters: a tape's repeated steps are written each time */
+enum { VS_FORMULA_MOST = 100000 }; /* greatest number of characters of a formula: a step that is used several times is
+                                    * written each time */
 
-/* Returns output number `output` as text, with these names of the inputs; the caller frees the text. NULL: with
- * *no_word true, the text would exceed VS_FORMULA_MOST characters or contain a field; else memory is out. The tape has
- * this output. */
+/* Returns output number `output` of the tape as text, with the given names of the inputs. The caller frees the text.
+ * Returns NULL if the text would exceed VS_FORMULA_MOST characters or contain a field; *no_word is then true. Returns
+ * NULL with *no_word false when memory is out. */
 char *vs_formula_text(const vs_tape *t, uint32_t output, vs_formula_language language, const char *const *names,
                       bool *no_word);
 

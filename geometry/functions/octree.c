@@ -23,49 +23,51 @@
 enum { LEVELS = 16, EDGES = 12 };
 #define NONE UINT32_MAX
 
-/* The largest distance as a share of a node's size: a surface with more curvature is not merged, at any tolerance. */
+/* Limit on the distance of merged points from the planes, as a fraction of a node's size. A surface with more curvature
+ * is not merged. */
 #define BEND .1
-/* Among points equally near to the planes, the one nearest to the part's middle is chosen. */
+/* Weight of the distance from the part's middle. It decides between points that are equally near to the planes. */
 #define TO_MIDDLE 1e-7
 
 typedef struct {
   int32_t at[3];
-  bool whole; /* all of it is merged, or may be */
+  bool whole; /* true if all children of the node are merged, so that the node itself may be merged */
 } node;
 
-/* A part of the surface that had its own point on the level below. */
+/* A connected part of the surface that had its own point on the level below. */
 typedef struct {
   uint32_t ring, node;
-  uint32_t up;            /* the part with which it is joined, itself for the first */
-  uint32_t link;          /* the next of the joined parts, in a circle */
-  uint32_t count;         /* of the first: the number of joined parts */
-  uint32_t best;          /* of the first: the ring whose point they may share */
-  int32_t sides, inside;  /* of the first: twice the sides between them, and the quads within */
-  uint8_t rim[EDGES];     /* of the first: the number of its crossings with each edge of the node */
+  uint32_t up;            /* union-find parent: a part with which this part is joined, or the part itself */
+  uint32_t link;          /* the next of the joined parts, in a circular list */
+  uint32_t count;         /* in the first of the joined parts: their number */
+  uint32_t best;          /* in the first of the joined parts: the ring whose point they may share */
+  int32_t sides, inside;  /* in the first of the joined parts: twice the number of sides between their rings, and the
+                           * number of quads within them */
+  uint8_t rim[EDGES];     /* in the first of the joined parts: number of crossings with each edge of the node */
 } part;
 
 typedef struct {
   const vs_octree_leaves *l;
   double tolerance;
   int level;
-  uint32_t *of;     /* a ring -> another one of its part, nearer to the first */
-  uint32_t *next;   /* the next ring of the part, in a circle */
-  uint32_t *rep;    /* of a part's first ring: the ring whose point it has */
-  uint32_t *number; /* of a part's first ring: its index in `parts`; NONE: it lies in a node that is not merged */
+  uint32_t *of;     /* union-find parent of each ring; the root is the first ring of the merged part */
+  uint32_t *next;   /* for each ring: the next ring of its part, in a circular list */
+  uint32_t *rep;    /* for the first ring of each part: the ring whose point the part has */
+  uint32_t *number; /* for the first ring of each part: its index in `parts`; NONE: its node is not merged */
   uint32_t *start, *list; /* the quads of ring r are list[start[r]] to list[start[r + 1] - 1] */
   part *parts;
   size_t part_count, part_room;
-  uint32_t *quads; /* those in which parts may still be joined */
+  uint32_t *quads; /* quads that may still join parts */
   size_t quad_count;
   node *nodes;
   size_t node_count, node_room;
-  uint32_t *table; /* hash of a position -> the node's index + 1 */
+  uint32_t *table; /* hash table from a position to the index of its node + 1 */
   size_t slots, table_room;
-  int32_t (*spoilt)[3]; /* nodes of the level below that are not merged */
+  int32_t (*spoilt)[3]; /* positions of nodes of the level below that are not merged */
   size_t spoilt_count, spoilt_room;
 } octree;
 
-/* ---- nodes ---- */
+/* ---- nodes of a level ---- */
 
 static uint64_t hash_place(const int32_t *at) {
   uint64_t h = (uint64_t)at[0] << 42 ^ (uint64_t)at[1] << 21 ^ (uint64_t)at[2];
@@ -74,8 +76,8 @@ static uint64_t hash_place(const int32_t *at) {
   return h ^ h >> 31;
 }
 
-/* Returns the node at this position, made if it is new; NONE: memory is out. The table has room for all. The slots are
- * a power of two. */
+/* Returns the index of the node at this position. Makes the node if there is none. Returns NONE when memory is out. The
+ * number of slots is a power of two, and exceeds the number of nodes. */
 static uint32_t node_at(octree *o, const int32_t *at) {
   size_t h = hash_place(at) & (o->slots - 1);
   VS_ASSERT(o->slots > 0 && (o->slots & (o->slots - 1)) == 0);
@@ -87,7 +89,7 @@ static uint32_t node_at(octree *o, const int32_t *at) {
   return o->table[h] - 1;
 }
 
-/* Makes the nodes of this level; those with a child that is not merged are not whole. */
+/* Makes the nodes of the current level. A node with a child that is not merged is not `whole`. */
 static bool make_nodes(octree *o) {
   for (o->slots = 64; o->slots < 2 * (o->part_count + o->spoilt_count);) o->slots *= 2;
   if (!VS_GROW(o->table, o->table_room, o->slots)) return false;
@@ -109,9 +111,9 @@ static bool make_nodes(octree *o) {
   return true;
 }
 
-/* ---- joined parts ---- */
+/* ---- parts that are joined ---- */
 
-/* Returns the first ring of those that are merged into one. */
+/* Returns the first ring of the part to which the ring belongs. */
 static uint32_t first_ring(octree *o, uint32_t ring) {
   VS_ASSERT(ring < o->l->rings);
   while (o->of[ring] != ring) ring = o->of[ring] = o->of[o->of[ring]];
@@ -128,7 +130,7 @@ static void swap(uint32_t *a, uint32_t *b) {
   *a = *b, *b = t;
 }
 
-/* Finds the parts around a quad, NONE if a node is not whole. */
+/* Sets p[0] to p[3] to the parts of the four rings of a quad; NONE if the node of a ring is not whole. */
 static void parts_around(octree *o, uint32_t quad, uint32_t *p) {
   for (int k = 0; k < 4; k++) {
     p[k] = o->number[first_ring(o, o->l->around[quad][k])];
@@ -176,7 +178,7 @@ static void count(octree *o) {
   }
 }
 
-/* ---- conditions for one point ---- */
+/* ---- conditions for one common point ---- */
 
 static bool is_disc(const part *p) {
   int all = 0;
@@ -187,7 +189,7 @@ static bool is_disc(const part *p) {
   }
   for (int face = 0; face < 6; face++) {
     int b = (face / 2 + 1) % 3, d = (face / 2 + 2) % 3, side = face & 1;
-    /* an edge along b lies at bit 1 along d's next but one, which is this face's axis; an edge along d at bit 0 */
+    /* In this face, an edge along b lies at bit 1 and an edge along d at bit 0 of its position. */
     int lines =
         p->rim[4 * b + 2 * side] + p->rim[4 * b + 2 * side + 1] + p->rim[4 * d + side] + p->rim[4 * d + side + 2];
     if (lines != 0 && lines != 2) return false;
@@ -195,12 +197,12 @@ static bool is_disc(const part *p) {
   return all > 0;
 }
 
-/* Runs the body for each ring r of the parts joined with part p. */
+/* Runs the statement that follows for each ring r of all parts joined with part p. */
 #define EACH_RING(o, p, r)                                                                                             \
   for (uint32_t q_ = (p), once_ = 1; once_ || q_ != (p); q_ = (o)->parts[q_].link, once_ = 0)                          \
     for (uint32_t r = (o)->parts[q_].ring, first_ = 1; first_ || r != (o)->parts[q_].ring; r = (o)->next[r], first_ = 0)
 
-/* Finds the ring whose point the parts joined with p may have, NONE if none is near enough. */
+/* Returns the ring whose point all parts joined with p may share, or NONE if no point is near enough. */
 static uint32_t best_ring(const octree *o, uint32_t p) {
   const vs_octree_leaves *l = o->l;
   double limit = fmin(o->tolerance, BEND * l->size * (1 << o->level));
@@ -251,9 +253,10 @@ static bool judge(octree *o) {
   return true;
 }
 
-/* ---- levels ---- */
+/* ---- levels of the octree ---- */
 
-/* Merges all possible nodes; the remaining parts are those of the nodes. */
+/* Merges all nodes of the current level that fulfil the conditions. Their joined parts become the parts of the next
+ * level. */
 static bool merge(octree *o) {
   size_t parts = 0, quads = 0;
   o->spoilt_count = 0;
@@ -276,7 +279,7 @@ static bool merge(octree *o) {
     if (!o->nodes[p.node].whole || p.up != i) continue;
     o->rep[p.ring] = p.best;
     o->number[p.ring] = (uint32_t)parts;
-    o->parts[parts++].ring = p.ring; /* entries before p were read already */
+    o->parts[parts++].ring = p.ring; /* elements before p were already read, so they can be overwritten */
   }
   o->part_count = parts;
   for (size_t i = 0; i < o->quad_count; i++) {
@@ -293,7 +296,7 @@ static bool merge(octree *o) {
   return true;
 }
 
-/* Makes the list of the quads of each ring. */
+/* Makes the lists of the quads at each ring. */
 static bool list_quads(octree *o) {
   const vs_octree_leaves *l = o->l;
   size_t room[2] = { 0, 0 };

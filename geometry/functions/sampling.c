@@ -1,10 +1,10 @@
-/* Implements the evaluation of tapes in doubles (sampling.h).
+/* Evaluates tapes in doubles (sampling.h).
  *
- * Plan. A batch of points goes through the tape step by step: the overhead of a step is small against the work on its
- * numbers, and the simple operators become the machine's vector instructions. A step's numbers are in a lane. A lane is
- * reused as soon as no later step reads it; thus all lanes stay in the processor's nearest cache. A lane holds the
- * values and after them the slopes. A constant keeps its lane, which is filled once; whole batches without slopes read
- * an input from the caller's array. */
+ * A batch of points is evaluated step by step. The cost of a step is then small compared with the work on its numbers,
+ * and simple operators become vector instructions of the processor. The numbers of a step are in a lane. A lane is
+ * reused when no later step reads it; thus all lanes stay in the processor's first-level cache. A lane contains the
+ * values, followed by the slopes. A constant has a lane of its own, which is filled once. In complete batches without
+ * slopes, inputs are read directly from the caller's array. */
 #include "geometry/functions/sampling.h"
 
 #include <math.h>
@@ -15,8 +15,8 @@
 
 enum { BATCH = VS_SAMPLE_BATCH };
 
-/* On processors that support it, four numbers at a time instead of two: the same operations, and the same digits. Not
- * under a sanitizer: the loader chooses the function before the sanitizer is initialised. */
+/* On processors with AVX2, four numbers are processed at a time instead of two, with identical results. This is not
+ * used with a sanitizer, because the loader selects the function before the sanitizer is initialised. */
 #if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
     !defined(__SANITIZE_THREAD__)
 #define WIDE __attribute__((target_clones("avx2", "default")))
@@ -27,10 +27,10 @@ enum { BATCH = VS_SAMPLE_BATCH };
 struct vs_sampler {
   const vs_tape *t;
   int slopes;
-  uint32_t *lane;      /* one value for each step */
-  const double **from; /* the address of each step's values in this batch */
-  double *at;          /* the lanes */
-  size_t width;        /* doubles in a lane */
+  uint32_t *lane;      /* lane of each step */
+  const double **from; /* address of each step's values in the current batch */
+  double *at;          /* memory of all lanes */
+  size_t width;        /* number of doubles in a lane */
 };
 
 void vs_sampler_free(vs_sampler *s) {
@@ -41,7 +41,7 @@ void vs_sampler_free(vs_sampler *s) {
   free(s);
 }
 
-/* Gives each step a lane; returns their number, 0 when memory is out. */
+/* Assigns a lane to each step. Returns the number of lanes, or 0 when memory is out. */
 static size_t assign_lanes(vs_sampler *s) {
   const vs_tape *t = s->t;
   uint32_t *last = NULL, *idle = NULL, idle_count = 0, lanes = 0;
@@ -58,7 +58,7 @@ static size_t assign_lanes(vs_sampler *s) {
   for (size_t i = 0; i < t->count; i++) {
     const vs_tape_step *step = &t->step[i];
     bool used_before = idle_count && step->op != VS_TAPE_CONSTANT;
-    /* before the operands' lanes become free: no step writes to a lane that it reads */
+    /* This is before the lanes of the operands become free. Therefore no step writes to a lane that it reads. */
     s->lane[i] = used_before ? idle[--idle_count] : lanes++;
     int n = vs_tape_operands((vs_tape_operator)step->op);
     for (int k = 0; k < n; k++)
@@ -130,7 +130,7 @@ WIDE static void values(const vs_tape_step *step, double *restrict r, const doub
   }
 }
 
-/* Computes the derivatives of step's value r by its operands a and b, into p and q. */
+/* Computes the partial derivatives of a step with the value r: p by its operand a, and q by its operand b. */
 static void partials(const vs_tape_step *step, const double *r, const double *a, const double *b, double *p,
                      double *q) {
 #define BOTH(by_a, by_b)                                                                                               \
@@ -175,7 +175,7 @@ static void partials(const vs_tape_step *step, const double *r, const double *a,
   }
 }
 
-/* Computes the slopes of step from those of its operands. */
+/* Computes the slopes of a step from the slopes of its operands. */
 static void slopes(int count, const vs_tape_step *step, double *r, const double *a, const double *b, const double *c) {
   double p[BATCH], q[BATCH];
   int operands = vs_tape_operands((vs_tape_operator)step->op);
@@ -191,14 +191,15 @@ static void slopes(int count, const vs_tape_step *step, double *r, const double 
     if (step->op == VS_TAPE_CHOOSE)
       for (int i = 0; i < BATCH; i++) to[i] = a[i] != 0 ? db[i] : dc[i];
     else if (operands == 1)
-      for (int i = 0; i < BATCH; i++) to[i] = da[i] == 0 ? 0 : p[i] * da[i]; /* avoids 0 * inf at an end of a root */
+      for (int i = 0; i < BATCH; i++) to[i] = da[i] == 0 ? 0 : p[i] * da[i]; /* avoids 0 * inf, for example at 0 for a
+                                                                              * square root */
     else
       for (int i = 0; i < BATCH; i++) to[i] = (da[i] == 0 ? 0 : p[i] * da[i]) + (db[i] == 0 ? 0 : q[i] * db[i]);
   }
 }
 
-/* Computes a field's values for n points at the coordinates of[0] to of[2], and its slopes from theirs; the entries
- * after the n get the first point's. */
+/* Computes the values of a field for n points, whose coordinates are the operands of[0] to of[2], and the slopes.
+ * Elements after the first n get the value of the first point. */
 static void field(const vs_tape_field *f, int count, size_t n, double *r, const double *const of[3]) {
   const double *a = of[0], *b = of[1], *c = of[2];
   for (size_t i = 0; i < BATCH; i++) {
@@ -210,12 +211,12 @@ static void field(const vs_tape_field *f, int count, size_t n, double *r, const 
   }
 }
 
-/* Evaluates the batch of n points from index `from` on. n is at most BATCH. */
+/* Evaluates the batch of n points that begins at index `from`. n is at most BATCH. */
 static void batch(vs_sampler *s, const double *const *in, size_t from, size_t n, double *const *out,
                   double *const *slope) {
   const vs_tape *t = s->t;
-  bool in_place = !slope && n == BATCH; /* inputs are read from, and a single output is written to, the caller's
-                                         * arrays */
+  bool in_place = !slope && n == BATCH; /* true: inputs are read from the caller's arrays, and a single output is
+                                         * written to the caller's array */
   VS_ASSERT(n <= BATCH);
   for (size_t k = 0; k < t->count; k++) {
     const vs_tape_step *step = &t->step[k];
@@ -256,7 +257,7 @@ void vs_sample_slopes(vs_sampler *s, const double *const *in, size_t n, double *
 
 /* ---- grids ---- */
 
-/* Computes value `at` of a range; both ends are exact. at is below n. */
+/* Returns value number `at` of a range. Both ends are exact. at is below r->n. */
 static double computed(const vs_sample_range *r, int64_t at) {
   VS_ASSERT(at >= 0 && at < r->n);
   return at == 0 ? r->a : at == r->n - 1 ? r->b : r->a + (r->b - r->a) * (double)at / (double)(r->n - 1);
@@ -266,7 +267,8 @@ static double range_value(const vs_sample_range *r, int64_t at) {
   return at < VS_SAMPLE_KNOWN ? r->known[at] : computed(r, at);
 }
 
-/* Works as vs_sample_points, to the end of the innermost range; returns the number of points. */
+/* Fills points as vs_sample_points does, but at most to the end of the innermost range. Returns the number of
+ * points. */
 static int row(vs_sample_range *r, uint32_t inputs, double (*in)[VS_SAMPLE_BATCH], int k, int count) {
   vs_sample_range *last = &r[inputs - 1];
   int n = last->n - last->at < count - k ? (int)(last->n - last->at) : count - k;

@@ -1,4 +1,4 @@
-/* Implements the construction of tapes (tape.h). */
+/* Builds tapes (tape.h). */
 #include "geometry/functions/tape.h"
 
 #include <math.h>
@@ -82,13 +82,13 @@ double vs_tape_apply(vs_tape_operator op, double a, double b, double c) {
   case VS_TAPE_CHOOSE: return a != 0 ? b : c;
   case VS_TAPE_CONSTANT:
   case VS_TAPE_INPUT:
-  case VS_TAPE_FIELD: /* a field's value needs the tape */
+  case VS_TAPE_FIELD: /* not possible: the value of a field needs the tape */
   case VS_TAPE_OPERATORS: break;
   }
   return NAN;
 }
 
-/* ---- steps without repetition ---- */
+/* ---- steps, of which equal ones are stored once ---- */
 
 static uint64_t step_hash(const vs_tape_step *s) {
   uint64_t h = s->op * UINT64_C(0x9E3779B97F4A7C15), v;
@@ -142,7 +142,7 @@ uint32_t vs_tape_input(vs_tape *t, uint32_t number) {
   return step_number(t, &s);
 }
 
-/* Returns true if step i of the tape is this constant. */
+/* Returns true if step i of the tape is the constant `value`. */
 static bool is_constant(const vs_tape *t, uint32_t i, double value) {
   VS_ASSERT(i < t->count);
   return t->step[i].op == VS_TAPE_CONSTANT && t->step[i].value == value;
@@ -156,19 +156,19 @@ uint32_t vs_tape_add(vs_tape *t, vs_tape_operator op, uint32_t a, uint32_t b, ui
   VS_ASSERT(op > VS_TAPE_INPUT && op < VS_TAPE_OPERATORS);
   for (int i = 0; i < n; i++)
     if (s.of[i] >= t->count)
-      return UINT32_MAX; /* memory was out for the operand */
+      return UINT32_MAX; /* there was no memory for an operand */
     else if (t->step[s.of[i]].op != VS_TAPE_CONSTANT)
       constant = false;
     else
       v[i] = t->step[s.of[i]].value;
   if (constant) return vs_tape_constant(t, vs_tape_apply(op, v[0], v[1], v[2]));
-  /* Simplifications that change no digit of any result. x * 0 stays: x may be NaN. */
+  /* Simplifications that do not change any result. x * 0 is not simplified, because x may be NaN. */
   if (op == VS_TAPE_ADD && is_constant(t, a, 0)) return b;
   if ((op == VS_TAPE_ADD || op == VS_TAPE_SUB) && is_constant(t, b, 0)) return a;
   if (op == VS_TAPE_MUL && is_constant(t, a, 1)) return b;
   if ((op == VS_TAPE_MUL || op == VS_TAPE_DIV) && is_constant(t, b, 1)) return a;
   if (op == VS_TAPE_CHOOSE && t->step[a].op == VS_TAPE_CONSTANT) return t->step[a].value != 0 ? b : c;
-  /* as squares, x * x and integer powers have tighter bounds */
+  /* The bounds of a square are tighter than those of x * x or a power, so these become squares. */
   if (op == VS_TAPE_MUL && a == b) return vs_tape_add(t, VS_TAPE_SQUARE, a, 0, 0);
   if (op == VS_TAPE_POW && is_constant(t, b, 2)) return vs_tape_add(t, VS_TAPE_SQUARE, a, 0, 0);
   if (op == VS_TAPE_POW && is_constant(t, b, 1)) return a;
@@ -180,11 +180,12 @@ uint32_t vs_tape_add(vs_tape *t, vs_tape_operator op, uint32_t a, uint32_t b, ui
     uint32_t square = vs_tape_add(t, VS_TAPE_SQUARE, a, 0, 0);
     return vs_tape_add(t, VS_TAPE_MUL, square, a, 0);
   }
-  if ((op == VS_TAPE_ADD || op == VS_TAPE_MUL) && a > b) s.of[0] = b, s.of[1] = a; /* a + b and b + a are one step */
+  if ((op == VS_TAPE_ADD || op == VS_TAPE_MUL) && a > b) s.of[0] = b, s.of[1] = a; /* orders the operands, so that a + b
+                                                                                    * and b + a become one step */
   return step_number(t, &s);
 }
 
-/* Returns the index of the field among the tape's own; UINT32_MAX: out of memory. */
+/* Returns the index of the field in the tape's list, or UINT32_MAX when memory is out. */
 static uint32_t field_number(vs_tape *t, vs_tape_field *f) {
   for (size_t i = 0; i < t->field_count; i++)
     if (t->field[i] == f) return (uint32_t)i;

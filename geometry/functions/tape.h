@@ -1,9 +1,9 @@
-/* Declares tapes: expressions of numbers as lists of operations.
+/* Declares tapes: numerical expressions as lists of operations.
  *
  * A tape has inputs (the function's parameters), steps and outputs (one, or the coordinates of a point). A step is a
  * constant, an input, or an operator of operators.def whose operands are earlier steps. Equal steps are stored once,
- * and steps on constants alone are computed when they are added: a tape is a function's expression without repetition,
- * to be evaluated from the first step to the last. */
+ * and steps whose operands are constants are computed when they are added. Thus a tape is an expression without
+ * repetition, which is evaluated from the first step to the last. */
 #ifndef VS_GEOMETRY_FUNCTIONS_TAPE_H
 #define VS_GEOMETRY_FUNCTIONS_TAPE_H
 
@@ -21,52 +21,57 @@ typedef enum {
 
 enum { VS_TAPE_INPUTS = 16, VS_TAPE_OUTPUTS = 3, VS_TAPE_STEPS = 100000 };
 
-/* A function of three numbers that is no expression, such as the distance from a mesh. It is reference-counted. Its
- * value changes by no more than the distance between two points. */
+/* A function of three numbers that is not an expression, such as the distance from a mesh. Its values at two points
+ * differ by at most the distance of the points. It has a reference count. */
 typedef struct vs_tape_field vs_tape_field;
 struct vs_tape_field {
   uint32_t refs;
-  double (*value)(const vs_tape_field *f, const double at[3], double slope[3]); /* slope may be NULL */
-  void (*release)(vs_tape_field *f);                                            /* the last reference is released */
+  double (*value)(const vs_tape_field *f, const double at[3], double slope[3]); /* returns the value at a point and sets
+                                                                                 * slope to the gradient; slope may be
+                                                                                 * NULL */
+  void (*release)(vs_tape_field *f);                                            /* called when the last reference is
+                                                                                 * released */
 };
-void vs_tape_field_release(vs_tape_field *f); /* releases a reference */
+void vs_tape_field_release(vs_tape_field *f); /* releases one reference to f */
 
 typedef struct {
   uint32_t op;
-  uint32_t of[3]; /* indices of earlier steps; of an input, its number in of[0]; unused ones are 0 */
-  double value;   /* of a constant; for a field, its index in the tape */
+  uint32_t of[3]; /* operands: indices of earlier steps; of an input, its number in of[0]; unused elements are 0 */
+  double value;   /* value of a constant; for a field, its index in the tape's list */
 } vs_tape_step;
 
 typedef struct vs_tape {
   vs_tape_step *step;
   size_t count, room;
-  uint32_t *index; /* hash of a step -> its index + 1; 0: free; the slots are a power of two */
+  uint32_t *index; /* hash table: index of a step + 1; 0: free; its size is a power of two */
   size_t slots;
-  vs_tape_field **field; /* the tape holds a reference to each */
+  vs_tape_field **field; /* the fields; the tape has a reference to each */
   size_t field_count, field_room;
   uint32_t inputs, outputs, output[VS_TAPE_OUTPUTS];
 } vs_tape;
 
-/* Returns a new tape with at most VS_TAPE_INPUTS inputs; NULL: out of memory. */
+/* Returns a new tape with `inputs` inputs, at most VS_TAPE_INPUTS, or NULL when memory is out. */
 vs_tape *vs_tape_new(uint32_t inputs);
-void vs_tape_free(vs_tape *t);         /* NULL is allowed */
+void vs_tape_free(vs_tape *t);         /* t may be NULL */
 
-/* Each returns the index of the step, UINT32_MAX when memory is out or the tape is full (VS_TAPE_STEPS). */
+/* The next functions return the index of the step that they add or find. They return UINT32_MAX when memory is out or
+ * the tape has VS_TAPE_STEPS steps. */
 uint32_t vs_tape_constant(vs_tape *t, double value);
-uint32_t vs_tape_input(vs_tape *t, uint32_t number); /* number < inputs */
-/* op is an operator of operators.def. */
+uint32_t vs_tape_input(vs_tape *t, uint32_t number); /* number is below the number of inputs */
+/* Adds the operator op of operators.def with the operands a, b and c. */
 uint32_t vs_tape_add(vs_tape *t, vs_tape_operator op, uint32_t a, uint32_t b,
-                     uint32_t c); /* operands beyond the operator's own: 0 */
+                     uint32_t c); /* operands that op does not have must be 0 */
 
 uint32_t vs_tape_add_field(vs_tape *t, vs_tape_field *f, uint32_t x, uint32_t y, uint32_t z);
 
-/* Returns the number of the operator's operands. */
+/* Returns the number of operands of op. */
 int vs_tape_operands(vs_tape_operator op);
-/* Returns the operator of this name and number of operands; VS_TAPE_CONSTANT: none. */
+/* Returns the operator with this name and number of operands, or VS_TAPE_CONSTANT if there is none. */
 vs_tape_operator vs_tape_named(const char *name, int operands);
-double vs_tape_apply(vs_tape_operator op, double a, double b, double c); /* computes one operator on doubles */
+double vs_tape_apply(vs_tape_operator op, double a, double b, double c); /* returns the result of an operator on
+                                                                          * doubles */
 
-/* Returns a copy of t without the steps that no output needs. NULL: out of memory. */
+/* Returns a copy of t without the steps that no output needs, or NULL when memory is out. */
 vs_tape *vs_tape_compact(const vs_tape *t);
 
 #endif

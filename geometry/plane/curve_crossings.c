@@ -86,8 +86,8 @@ static bool cross_at_end(const vs_cross_edge *p, const vs_cross_edge *next_p, co
   return sure && one != other;
 }
 
-/* Returns true if one of two curves that touch passes to the other's inside at the touching point: it then has points
- * clearly inside and clearly outside. If neither has any, they lie on each other. */
+/* Returns true if one of two touching curves passes through the other. It then has points clearly inside and points
+ * clearly outside the other. If neither has such points, the curves coincide. */
 static bool cross_through(const vs_cross_search *s, size_t a, size_t b, vs_vec2 *at) {
   const vs_cross_edge *edges = s->edges;
   size_t count = s->edge_count;
@@ -138,7 +138,7 @@ static bool cross_sample(vs_cross_search *s, const vs_ref *refs, vs_error *e) {
   return true;
 }
 
-/* Adds the edges of curve i in the plane; back: the map from space to the plane. */
+/* Appends the edges of curve i in the coordinates of the plane. back: map from space to the plane. */
 static void cross_add(vs_cross_search *s, size_t i, bool straight, const vs_affine *back) {
   const vs_polyline *l = &s->loops[i];
   vs_bounds b = vs_bounds_empty();
@@ -153,8 +153,8 @@ static void cross_add(vs_cross_search *s, size_t i, bool straight, const vs_affi
   }
 }
 
-/* Makes the edges, sorted, and the links to the next ones. If the first curve lies in no plane there are none: the
- * caller has checked this before. Returns false on failure. */
+/* Makes the sorted edges, and the links from each edge to the next edge of its curve. If the first curve lies in no
+ * plane, there are no edges: the caller has tested this before. Returns false on failure. */
 static bool cross_make_edges(vs_cross_search *s, const vs_ref *refs, vs_error *e) {
   vs_affine back;
   if (!VS_FRESH(s->edges, s->total + 1) || !VS_FRESH(s->after, s->total + 1) || !VS_FRESH(s->starts, s->count + 1))

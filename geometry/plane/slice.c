@@ -7,8 +7,8 @@
 #include "geometry/frame.h"
 #include "model/store/array.h"
 
-/* Returns the point where an edge crosses the plane. One end is kept, at height a >= 0 above the plane; the other is
- * removed, at height b < 0. */
+/* Returns the point where an edge crosses the plane. The kept end is at height a >= 0 above the plane, the removed end
+ * at height b < 0. */
 static vs_vec3 slice_crossing(vs_vec3 kept, double a, vs_vec3 lost, double b) {
   VS_ASSERT(a >= 0 && b < 0);
   return vs_v3_add(kept, vs_v3_scale(vs_v3_sub(lost, kept), a / (a - b)));
