@@ -23,7 +23,7 @@ static vs_enclosure bounds(double low, double high, double units, bool partial) 
 
 static double least(double a, double b) { return a < b ? a : b; }
 static double most(double a, double b) { return a > b ? a : b; }
-/* 0 * inf is 0 here, because an infinite bound stands for arbitrarily large numbers, not for infinity */
+/* 0 * inf is 0 here, because an infinite bound means arbitrarily large numbers, not infinity */
 static double product(double a, double b) { return a == 0 || b == 0 ? 0 : a * b; }
 
 static vs_enclosure times(vs_enclosure a, vs_enclosure b, bool partial) {

@@ -1,4 +1,4 @@
-/* Implements the sections of a loft: the matching of their points.
+/* Matches the points of a loft's sections.
  *
  * 1. Each section becomes loops in its plane (or one open line, or a point). Its normal points in the loft's
  *    direction; its outer loops run counter-clockwise about the normal. Holes are matched with the nearest holes of the
@@ -19,7 +19,7 @@
 #include "model/store/array.h"
 
 typedef struct {
-  vs_outline outline; /* loops in the order of the section before */
+  vs_outline outline; /* the section's loops, in the order of the matching loops of the section before */
   bool point, open;
   vs_vec3 center, normal;
 } loft_section;
@@ -49,7 +49,7 @@ static bool loft_is_circle(const vs_node *n) {
   return n->kind == VS_CIRCLE && VS_AS(circle, n)->segments == 0;
 }
 
-/* ---- reading sections ---- */
+/* ---- reading of the sections ---- */
 
 static bool loft_read(const vs_node *n, const vs_fineness *f, loft_section *s, vs_error *e) {
   vs_affine placed;
@@ -60,7 +60,7 @@ static bool loft_read(const vs_node *n, const vs_fineness *f, loft_section *s, v
     s->center = vs_affine_point(&placed, VS_AS(line, bare)->points->at[0]);
     return true;
   }
-  if (n->class_ == VS_CURVE && !(n->flags & VS_NODE_CLOSED)) { /* needs no plane */
+  if (n->class_ == VS_CURVE && !(n->flags & VS_NODE_CLOSED)) { /* an open curve, which needs no plane */
     s->open = true;
     s->outline =
         (vs_outline){ .loops = vs_zeros(1, sizeof(vs_polyline)), .hole = vs_zeros(1, sizeof(bool)), .count = 1 };
@@ -83,7 +83,7 @@ static size_t loft_points(const loft_section *s) {
   return n;
 }
 
-/* Circles of one loft get the same number of facets: the largest that one of them needs. */
+/* Reads all sections. The circles of a loft all get as many facets as the one that needs most. */
 static bool loft_read_all(const vs_node *n, size_t count, const vs_fineness *f, loft_section *s, vs_error *e) {
   size_t most = 0;
   bool ok = true;
@@ -105,7 +105,7 @@ static bool loft_read_all(const vs_node *n, size_t count, const vs_fineness *f, 
   return ok;
 }
 
-/* Checks that the sections are compatible. */
+/* Checks that the sections are compatible. *first: the first section that is no point. */
 static bool loft_agree(const loft_section *s, size_t count, size_t *first, vs_error *e) {
   *first = count;
   for (size_t i = 0; i < count; i++) {
@@ -135,7 +135,7 @@ static bool loft_agree(const loft_section *s, size_t count, size_t *first, vs_er
   return true;
 }
 
-/* ---- directions ---- */
+/* ---- directions of the sections ---- */
 
 static void loft_reverse(vs_polyline *p) {
   for (size_t i = 0, j = p->count; i < j; i++) {
@@ -150,7 +150,8 @@ static void loft_turn(loft_section *s) {
   for (size_t l = 0; l < s->outline.count; l++) loft_reverse(&s->outline.loops[l]);
 }
 
-/* Normals point in the loft's direction; if that lies in the section's plane, as the neighbour's normal. */
+/* Turns each normal into the loft's direction. If that lies in the section's plane, turns it into the direction of the
+ * neighbour's normal. */
 static void loft_direct(loft_section *s, size_t count, bool joined) {
   bool sure = false;
   for (size_t pass = 0; pass < 2; pass++)
@@ -187,15 +188,16 @@ static vs_vec3 loft_loop_center(const vs_polyline *p) {
   return length > 0 ? vs_v3_scale(sum, 1 / length) : p->at[0];
 }
 
-/* Orders loops as those of the section before: outer ones by distance, then the holes in each. Returns false when
- * memory is out, or with the error set. Both sections have the same number of loops. */
+/* Orders the loops of section b like the matching loops of section a, which is before it. Outer loops are matched by
+ * distance, then the holes within each. Both sections have the same number of loops. Returns false and sets e on
+ * failure. */
 static bool loft_pair(const loft_section *a, loft_section *b, size_t number, vs_error *e) {
   size_t n = b->outline.count, done = 0;
   VS_ASSERT(a->outline.count == b->outline.count);
   if (n == 1) return true;
   vs_polyline *sorted = vs_fresh(n, sizeof *sorted);
   bool *taken = vs_zeros(n, sizeof *taken), ok = sorted && taken;
-  size_t outer = 0; /* the outer loop of b that contains the holes */
+  size_t outer = 0; /* the outer loop of b that contains the holes to match */
   if (!ok) vs_error_memory(e, NULL);
   for (size_t l = 0; ok && l < n; l++) {
     double least = INFINITY;
@@ -203,7 +205,7 @@ static bool loft_pair(const loft_section *a, loft_section *b, size_t number, vs_
     vs_vec3 want = vs_v3_sub(loft_loop_center(&a->outline.loops[l]), a->center);
     for (size_t k = 0; k < n; k++) {
       if (taken[k] || b->outline.hole[k] != a->outline.hole[l]) continue;
-      if (a->outline.hole[l]) { /* a hole of the part that was matched last */
+      if (a->outline.hole[l]) { /* a hole of the outer loop that was matched last */
         size_t holder = k;
         while (b->outline.hole[holder]) holder--;
         if (holder != outer) continue;
@@ -229,11 +231,11 @@ static bool loft_pair(const loft_section *a, loft_section *b, size_t number, vs_
   return ok;
 }
 
-/* ---- starts ---- */
+/* ---- starting points of loops ---- */
 
 typedef struct {
-  vs_vec3 *at;      /* relative to the loop's centre, turned into the plane of the loop before */
-  double *along;    /* position of each point, 0 .. 1 of the loop's length */
+  vs_vec3 *at;      /* points relative to the loop's centre, rotated into the plane of the loop before it */
+  double *along;    /* position of each point along the loop, as a fraction of its length */
   size_t count;
   bool closed;
 } loft_line;
@@ -259,12 +261,12 @@ static bool loft_line_make(const vs_polyline *p, const vs_affine *turn, loft_lin
   return true;
 }
 
-/* Returns the position at u (of a closed line, any u) on the points `at` with the parameters `along`; exactly a point
- * if u is within `near` of it. There is a point. */
+/* Returns the place at the parameter u on the line through the points `at`, which have the parameters `along`. If u is
+ * within `near` of a point's parameter, it is exactly that point. If closed, any u is allowed. count > 0. */
 static vs_vec3 loft_line_at(const vs_vec3 *at, const double *along, size_t count, bool closed, double u, double near) {
   VS_ASSERT(count > 0);
   if (closed) u -= floor(u);
-  size_t low = 0, high = count; /* along[low] <= u < along[high] */
+  size_t low = 0, high = count; /* binary search with along[low] <= u < along[high] */
   while (high - low > 1) {
     size_t middle = (low + high) / 2;
     if (along[middle] <= u) low = middle;
@@ -287,7 +289,8 @@ static double loft_score(const vs_vec3 *a, const loft_line *b, double shift) {
   return sum;
 }
 
-static size_t loft_corners(const loft_line *l, double *out) { /* turns of more than 0.3 radians */
+static size_t loft_corners(const loft_line *l, double *out) { /* finds the corners, where the line turns by more than
+                                                               * 0.3 radians */
   size_t found = 0;
   for (size_t i = 0; i < l->count && found < LOFT_CORNERS; i++) {
     vs_vec3 a = vs_v3_sub(l->at[i], l->at[i ? i - 1 : l->count - 1]),
@@ -297,8 +300,8 @@ static size_t loft_corners(const loft_line *l, double *out) { /* turns of more t
   return found;
 }
 
-/* Returns the share of its length by which b starts later than a (which starts at `from`) where they are least twisted.
- * A start that matches corners with corners is preferred to a slightly better one. */
+/* Returns by which fraction of its length loop b starts later than loop a, which starts at `from`, if they are twisted
+ * least. A start that matches corners with corners is preferred to a slightly better one. */
 static double loft_least_twist(const loft_line *a, double from, const loft_line *b) {
   vs_vec3 samples[LOFT_SAMPLES];
   double aa = 0, bb = 0, best = -INFINITY, shift = 0, corner_best = -INFINITY, corner_shift = 0;
@@ -328,12 +331,13 @@ static double loft_least_twist(const loft_line *a, double from, const loft_line 
     else high = q;
   }
   double fine = (low + high) / 2;
-  if (loft_score(samples, b, fine) <= best + 1e-9 * scale) fine = shift; /* prefers an equally good round number */
+  if (loft_score(samples, b, fine) <= best + 1e-9 * scale) fine = shift; /* prefers a round number that is equally
+                                                                          * good */
   return fine - floor(fine);
 }
 
-/* Finds, for loops matched point by point, the index in b that belongs to a's point `from`. Both have the same number
- * of points, and `from` is one of them. Returns false when interrupted. */
+/* For loops that are matched point by point: finds the index in b of the point that matches point `from` of a. Both
+ * have the same number of points. Returns false when interrupted. */
 static bool loft_least_twist_index(const loft_line *a, size_t from, const loft_line *b, vs_store *s, size_t *best,
                                    vs_error *e) {
   size_t n = b->count, stride = n / 512 + 1;
@@ -343,7 +347,7 @@ static bool loft_least_twist_index(const loft_line *a, size_t from, const loft_l
   for (size_t j = 0; j < n; j += stride) scale += vs_v3_dot(a->at[j], a->at[j]) + vs_v3_dot(b->at[j], b->at[j]);
   for (size_t t = 0; t < n; t++) {
     if (!vs_store_going(s, (uint32_t)(4 * n / stride), e)) return false;
-    size_t k = (from + t) % n; /* the original order is tried first */
+    size_t k = (from + t) % n; /* begins with the original order */
     double sum = 0;
     for (size_t j = 0; j < n; j += stride) sum += vs_v3_dot(a->at[(from + j) % n], b->at[(k + j) % n]);
     if (sum > most + 1e-9 * scale) most = sum, *best = k;
@@ -351,17 +355,18 @@ static bool loft_least_twist_index(const loft_line *a, size_t from, const loft_l
   return true;
 }
 
-/* ---- matching ---- */
+/* ---- matching of points ---- */
 
 static int loft_compare(const void *a, const void *b) {
   double p = *(const double *)a, q = *(const double *)b;
   return p < q ? -1 : p > q;
 }
 
-#define LOFT_NEAR 1e-5 /* in lengths of a loop: parameters this close are one */
+#define LOFT_NEAR 1e-5 /* parameters that differ by less than this fraction of a loop's length are equal */
 
-/* Makes the list of the parameters that all sections need, 0 first: every point of each; if these are too many, the
- * corners and as many even steps as the finest section has. Returns their number; 0: out of memory. */
+/* Makes the sorted list of the parameters that all sections need, beginning with 0. These are the parameters of every
+ * point of every section. If there are too many, they are the corners, and as many equal steps as the finest section
+ * has. Returns their number, or 0 when memory is out. */
 static size_t loft_places(const loft_line *lines, const double *shift, size_t count, double **out) {
   size_t total = 2, most = 0, kept = 0;
   for (size_t i = 0; i < count; i++) {
@@ -399,12 +404,13 @@ static size_t loft_places(const loft_line *lines, const double *shift, size_t co
 
 typedef struct { loft_line *lines; double *shift; size_t *start; double *places; size_t count; } loft_match;
 
-enum { TWISTS = 1 << 18 }; /* nanoseconds of one search for the least twist, for vs_store_going */
+enum { TWISTS = 1 << 18 }; /* nanoseconds for one search for the least twist, as vs_store_going expects */
 
-/* The sections of a loft, and the first of them that is no point. */
+/* The sections of a loft. first: index of the first section that is no point. */
 typedef struct { loft_section *at; size_t count, first; } loft_sections;
 
-/* Matches loop l of all sections, into matched[i] of `count` points each. Returns false with e set. */
+/* Matches loop l of all sections. matched[i] becomes the loop of section i; all have equally many points. Returns false
+ * and sets e on failure. */
 static bool loft_match_loop(vs_store *store, const loft_sections *all, size_t l, loft_match *m, vs_polyline *matched,
                             vs_error *e) {
   loft_section *s = all->at;
@@ -414,7 +420,7 @@ static bool loft_match_loop(vs_store *store, const loft_sections *all, size_t l,
   for (size_t i = first; ok && i < rows; i++) {
     if (s[i].point) continue;
     vs_polyline *p = &s[i].outline.loops[l];
-    if (s[i].open && i > first) { /* it gets the direction of the one before */
+    if (s[i].open && i > first) { /* the open line gets the direction of the one before it */
       const vs_polyline *q = &s[last].outline.loops[l];
       vs_vec3 a = q->at[0], b = q->at[q->count - 1], c = p->at[0], d = p->at[p->count - 1];
       if (vs_v3_length(vs_v3_sub(a, d)) + vs_v3_length(vs_v3_sub(b, c)) <
@@ -431,7 +437,7 @@ static bool loft_match_loop(vs_store *store, const loft_sections *all, size_t l,
     m->shift[i] = 0;
     m->start[i] = 0;
     if (s[i].point || s[i].open || i == first) continue;
-    /* line `last` was turned into its predecessor's plane: here it is needed in its own */
+    /* Line `last` was rotated into the plane of the line before it. Here it is needed in its own plane. */
     loft_line before;
     vs_affine identity = vs_affine_identity();
     ok = (loft_line_make(&s[last].outline.loops[l], &identity, &before) || vs_error_memory(e, NULL)) &&
@@ -476,7 +482,7 @@ static bool loft_room(vs_loft *out, size_t rows, size_t loops) {
   return out->center && out->normal && out->point && out->sizes && out->hole;
 }
 
-/* Makes one table of all loops of all sections. Returns false with e set. */
+/* Makes one table of all loops of all sections. Returns false and sets e on failure. */
 static bool loft_tabulate(vs_store *store, const loft_sections *all, vs_loft *out, vs_error *e) {
   const loft_section *s = all->at;
   size_t rows = all->count, first = all->first;
@@ -491,7 +497,7 @@ static bool loft_tabulate(vs_store *store, const loft_sections *all, vs_loft *ou
     out->sizes[l] = m.count;
     out->hole[l] = s[first].outline.hole[l];
     out->columns += m.count;
-    /* a point before the first section */
+    /* A section that is a point, before the first other section. */
     for (size_t i = 0; ok && i < first; i++) {
       matched[l * rows + i] = (vs_polyline){ .at = vs_fresh(m.count + 1, sizeof(vs_vec3)), .count = m.count };
       ok = matched[l * rows + i].at || vs_error_memory(e, NULL);
@@ -516,7 +522,7 @@ static bool loft_tabulate(vs_store *store, const loft_sections *all, vs_loft *ou
   return ok;
 }
 
-/* Returns true if section b is section a again, at the same position. */
+/* Returns true if section b equals section a and has the same position. */
 static bool loft_again(const loft_section *a, const loft_section *b, double near) {
   if (a->point || b->point || a->outline.count != b->outline.count) return false;
   for (size_t l = 0; l < a->outline.count; l++) {

@@ -6,29 +6,31 @@
 #include "model/mesh.h"
 #include "model/node.h"
 
-/* Sections whose points are matched: column c of every row is one line of the wall. */
+/* Sections with matched points: column c of all rows forms one line of the wall. */
 typedef struct {
   size_t rows, columns, loop_count;
-  vs_vec3 *at;          /* rows x columns */
-  vs_vec3 *center;      /* one value for each row */
-  vs_vec3 *normal;      /* unit, in the loft's direction; zero for a point or an open curve */
-  bool *point;          /* the row is one point */
-  size_t *sizes;        /* sizes of a row's loops, outer ones counter-clockwise about the normal */
+  vs_vec3 *at;          /* points of the rows, one row after another: rows * columns points */
+  vs_vec3 *center;      /* centre of each row */
+  vs_vec3 *normal;      /* for each row: unit normal in the loft's direction; zero for a point or an open curve */
+  bool *point;          /* for each row: true if it is one point */
+  size_t *sizes;        /* number of points in each loop of a row; outer loops are counter-clockwise about the normal */
   bool *hole;
-  bool round;           /* the loops close */
-  bool joined;          /* the last row is joined to the first */
-  double size;          /* of the whole loft */
+  bool round;           /* true if the loops are closed */
+  bool joined;          /* true if the last row is joined to the first */
+  double size;          /* size of the whole loft */
 } vs_loft;
 
 void vs_loft_free(vs_loft *l);
-/* Matches the first `count` children of n, 1 to their number. Fails if they are not compatible. */
+/* Matches the first `count` children of n as sections of a loft; count is at least 1. Returns false and sets e if they
+ * are not compatible. */
 bool vs_loft_match(const vs_node *n, size_t count, const vs_fineness *f, vs_loft *out, vs_error *e);
 
-/* -- shared by loft_guided.c and loft_mesh.c -- */
+/* -- declarations that loft_guided.c and loft_mesh.c share -- */
 
 typedef struct { vs_vec3 *at; size_t rows, room, columns; } vs_loft_rows;
-/* rows of the free loft between section i and the next, t in 0..1 */
-/* slopes of a whole piece: leaving a row, arriving at one */
+/* Appends the rows of a loft without guides between section i and the next. */
+/* slope_out: derivative of each point where a piece leaves a row; slope_in: where a piece arrives at a row; in units of
+ * the whole piece */
 typedef struct { const vs_loft *loft; vs_vec3 *slope_in, *slope_out; } vs_loft_smooth;
 
 #endif

@@ -1,15 +1,16 @@
-/* Implements lofts that follow a path or guides.
+/* Makes lofts that follow a path or guides.
  *
- * Along a path: three data describe each section in the path's frame (rotation-minimizing) at its position. They are
- * its shape, flat and about its own centre; the position of that centre; and its tilt, the smallest rotation that takes
- * the path's direction to the section's normal. Between the sections the three are interpolated smoothly, and the
- * frames carry them. Interpolating the points alone would narrow the loft where two sections tilt in opposite
- * directions: halfway their tilts cancel, and the chords between them are shorter. Sections do not move: only the rows
- * between them follow the path.
+ * Along a path, each section is described in the path's rotation-minimizing frame at its position. The description
+ * consists of three parts. The shape is flat and relative to the section's centre. The second part is the position of
+ * the centre. The third is the tilt, the smallest rotation from the path's direction to the section's normal. Between
+ * the sections, these three are interpolated smoothly in the moving frame. If only the points were interpolated, the
+ * loft would become narrower where two sections tilt in opposite directions. The tilts cancel halfway, but chords
+ * between the points are shorter. The sections themselves do not move; only the rows between them follow the path.
  *
- * By guides: the free loft between two sections is moved so that its wall meets every guide. A motion that all guides
- * have in common moves the whole row: a shift; with two guides a rotation and a scale; with three or more any affine
- * map of the section's plane. The rest of each guide's motion decreases towards the next guide. */
+ * With guides, the free loft between two sections is moved so that its wall touches every guide. The common part of the
+ * guides' motions moves the whole row. It is a shift for one guide, a rotation with a scale for two guides, and an
+ * affine map of the section's plane for three or more. The remaining motion of each guide decreases towards the next
+ * guide. */
 #include "geometry/profiles/loft_guided.h"
 
 #include <stdlib.h>
@@ -19,20 +20,20 @@
 #include "geometry/profiles/loft_mesh.h"
 #include "model/store/array.h"
 
-/* ---- along a path ---- */
+/* ---- lofts along a path ---- */
 
 typedef struct { vs_vec3 at, x, y, z; } guided_frame;
 
-/* The path, and the sections on it. */
+/* The path, and the positions of the sections on it. */
 typedef struct {
   vs_path path;
-  vs_vec3 *x;       /* the frame's x at each of the path's samples */
-  size_t stations;  /* number of sections, and the first again if the path closes */
-  double *s;        /* arc length at each station */
-  vs_vec3 *local;   /* each station's section as guided_describe computes it */
+  vs_vec3 *x;       /* x direction of the frame at each sample of the path */
+  size_t stations;  /* number of sections; if the path is closed, the first section counts again at the end */
+  double *s;        /* arc length of the path at each section */
+  vs_vec3 *local;   /* description of each section, by guided_describe */
 } guided_way;
 
-/* Returns the frame at arc length s, also between samples. */
+/* Returns the frame at the arc length s, interpolated between samples. */
 static guided_frame guided_frame_at(const guided_way *way, double s) {
   const vs_path *p = &way->path;
   const vs_vec3 *x = way->x;
@@ -53,7 +54,7 @@ static guided_frame guided_frame_at(const guided_way *way, double s) {
   return (guided_frame){ vs_v3_add(a->at, vs_v3_scale(vs_v3_sub(b->at, a->at), t)), across, vs_v3_cross(z, across), z };
 }
 
-/* Returns the arc length, from `least` on, at which the path is nearest to c. */
+/* Returns the arc length, at least `least`, at which the path is nearest to the point c. */
 static double guided_nearest(const vs_path *p, vs_vec3 c, double least) {
   double best = INFINITY, at = least;
   size_t n = p->closed ? p->count : p->count - 1;
@@ -68,13 +69,13 @@ static double guided_nearest(const vs_path *p, vs_vec3 c, double least) {
   return at;
 }
 
-/* Finds each section's station on the path; reverses the path if the sections run the other way. */
+/* Finds the arc length of each section on the path. Reverses the path if the sections follow the opposite direction. */
 static bool guided_stations(const vs_loft *l, vs_path *p, double *s, vs_error *e) {
   size_t n = l->rows + l->joined;
   s[0] = 0;
   if (!p->closed && guided_nearest(p, l->center[0], 0) > guided_nearest(p, l->center[l->rows - 1], 0))
     vs_path_reverse(p);
-  if (p->closed) { /* the direction that meets the second section first */
+  if (p->closed) { /* chooses the direction in which the second section comes first */
     double a = guided_nearest(p, l->center[0], 0), b = guided_nearest(p, l->center[1], a),
            c = guided_nearest(p, l->center[l->rows - 1], a);
     if (l->rows > 2 && c < b) vs_path_reverse(p);
@@ -90,7 +91,7 @@ static bool guided_stations(const vs_loft *l, vs_path *p, double *s, vs_error *e
   return true;
 }
 
-/* The vectors after the columns of a section's description. */
+/* Indices of the vectors that follow the columns in a section's description. */
 enum { GUIDED_MIDDLE, GUIDED_LEAN, GUIDED_EXTRA };
 
 static vs_vec3 guided_out(const guided_frame *f, vs_vec3 v) {
@@ -100,7 +101,7 @@ static vs_vec3 guided_in(const guided_frame *f, vs_vec3 v) {
   return vs_v3(vs_v3_dot(v, f->x), vs_v3_dot(v, f->y), vs_v3_dot(v, f->z));
 }
 
-/* Returns v turned by the rotation with axis w and the length of w as its angle (Rodrigues' formula). */
+/* Returns v rotated about the axis w by the length of w in radians (Rodrigues' formula). */
 static vs_vec3 guided_turned(vs_vec3 w, vs_vec3 v) {
   double angle = vs_v3_length(w);
   if (!(angle > 0)) return v;
@@ -109,10 +110,11 @@ static vs_vec3 guided_turned(vs_vec3 w, vs_vec3 v) {
   return vs_v3_add(vs_v3_add(vs_v3_scale(v, cos(angle)), vs_v3_scale(vs_v3_cross(k, v), sin(angle))), along);
 }
 
-/* Describes a section of n columns with this middle and normal (zero: it has none) in the frame. */
+/* Computes the description of a section in the frame: a row of n points, its middle, and its normal, which is zero if
+ * it has none. */
 static void guided_describe(const guided_frame *f, const vs_vec3 *row, size_t n, vs_vec3 middle, vs_vec3 normal,
                             vs_vec3 *local) {
-  vs_vec3 z = guided_in(f, normal), axis = vs_v3(-z.y, z.x, 0); /* +Z x z */
+  vs_vec3 z = guided_in(f, normal), axis = vs_v3(-z.y, z.x, 0); /* cross product of +Z and z */
   double sine = vs_v3_length(axis);
   vs_vec3 lean = sine > 1e-12 ? vs_v3_scale(axis, atan2(sine, z.z) / sine) : vs_v3(0, 0, 0),
           back = vs_v3_scale(lean, -1);
@@ -127,7 +129,8 @@ static void guided_row(const guided_frame *f, const vs_vec3 *local, size_t n, vs
         f->at, guided_out(f, vs_v3_add(local[n + GUIDED_MIDDLE], guided_turned(local[n + GUIDED_LEAN], local[c]))));
 }
 
-/* Returns the slope of column c's coordinates at station i, of two stations or more; n: columns of a description. */
+/* Returns the slope of vector c of the sections' descriptions at section i. There are at least two sections. n: number
+ * of columns. */
 static vs_vec3 guided_slope(const guided_way *way, size_t n, size_t i, size_t c) {
   const vs_vec3 *local = way->local;
   const double *s = way->s;
@@ -160,7 +163,7 @@ static bool guided_rows(const vs_loft *l, const guided_way *way, const vs_finene
     for (size_t c = 0; c < wide; c++) {
       vs_vec3 m = vs_v3_scale(guided_slope(way, wide, i, c), to - from),
               k = vs_v3_scale(guided_slope(way, wide, i + 1, c), to - from);
-      if (c == n + GUIDED_LEAN) { /* the section's points move along arcs of this angle */
+      if (c == n + GUIDED_LEAN) { /* the points of the section move along arcs of this angle */
         double turn = vs_v3_length(vs_v3_sub(local[(i + 1) * wide + c], local[i * wide + c])), far = 0;
         for (size_t q = 0; q < n; q++) far = fmax(far, vs_v3_length(local[i * wide + q]));
         steps = fmax(steps, (double)vs_fineness_turn(f, far, 0) * turn / 6.283185307179586);
@@ -169,7 +172,7 @@ static bool guided_rows(const vs_loft *l, const guided_way *way, const vs_finene
       }
     }
     steps = ceil(steps);
-    /* rows are placed by the steps of both: the sections' change and the path */
+    /* The number of rows follows from the change of the sections and from the samples of the path. */
     size_t sample = 0, turns = p->closed ? 3 : 1;
     double at = from, next = 1;
     while (ok && at < to) {
@@ -237,17 +240,17 @@ bool vs_loft_along_path(const vs_node *n, const vs_loft *l, const vs_fineness *f
   return ok;
 }
 
-/* ---- by guides ---- */
+/* ---- lofts with guides ---- */
 
 typedef struct {
   vs_path path;
-  double *s;      /* arc length at each section */
-  size_t loop;    /* the section's loop that it touches */
-  double *column; /* column of that loop, with a fraction, at each section */
+  double *s;      /* arc length of the guide at each section */
+  size_t loop;    /* the loop of the sections that the guide touches */
+  double *column; /* column of that loop, with a fraction, that the guide touches in each section */
 } guided_line;
 
-/* Finds the point of row `row` nearest to the guide, and its parameters on both; returns their distance. The loft has
- * this row and loop. */
+/* Finds the point of a row's loop that is nearest to the guide p. *s: arc length of the guide there; *column: column of
+ * the loop, with a fraction. Returns their distance. */
 static double guided_touch(const vs_loft *l, size_t row, const vs_path *p, size_t loop, double *s, double *column) {
   size_t first = row * l->columns, size = l->sizes[loop], pieces = l->round ? size : size - 1,
          stretches = p->closed ? p->count : p->count - 1;
@@ -259,7 +262,7 @@ static double guided_touch(const vs_loft *l, size_t row, const vs_path *p, size_
     vs_vec3 a = p->at[i].at, d = vs_v3_sub(p->at[i + 1 < p->count ? i + 1 : 0].at, a);
     double dd = vs_v3_dot(d, d);
     for (size_t c = 0; c < pieces; c++) {
-      /* two segments a + t d and b + u g: nearest points, ends included (Ericson) */
+      /* Nearest points of the two segments a + t d and b + u g, including their ends (Ericson). */
       vs_vec3 b = l->at[first + c], g = vs_v3_sub(l->at[first + (c + 1) % size], b), r = vs_v3_sub(a, b);
       double gg = vs_v3_dot(g, g), dg = vs_v3_dot(d, g), dr = vs_v3_dot(d, r), gr = vs_v3_dot(g, r),
              det = dd * gg - dg * dg;
@@ -287,7 +290,7 @@ static bool guided_line_make(const vs_node *n, size_t number, const vs_loft *l, 
   if (!vs_curve_path(n, &identity, f, &g->path, e)) return false;
   if (g->path.count < 2) return vs_error_set(e, VS_ERROR_MODEL, NULL, "guide %zu is a point", number);
   double least = INFINITY, slack = fmax(1e-3 * l->size, 2 * f->tolerance);
-  for (size_t loop = 0; loop < l->loop_count; loop++) { /* the loop that it touches in all sections */
+  for (size_t loop = 0; loop < l->loop_count; loop++) { /* finds the loop that the guide touches in all sections */
     double worst = 0, s, column;
     for (size_t i = 0; i < l->rows; i++) worst = fmax(worst, guided_touch(l, i, &g->path, loop, &s, &column));
     if (worst < least) least = worst, g->loop = loop;
@@ -298,7 +301,7 @@ static bool guided_line_make(const vs_node *n, size_t number, const vs_loft *l, 
       return vs_error_set(e, VS_ERROR_MODEL, NULL,
                           "guide %zu must meet every section; it passes section %zu at a distance of %.6g", number,
                           i + 1, far);
-    if (l->point[i]) g->column[i] = -1; /* a point: the guide touches all of its lines */
+    if (l->point[i]) g->column[i] = -1; /* the section is a point, where the guide touches all lines of the wall */
   }
   if (g->s[0] > g->s[l->rows - 1]) {
     for (size_t i = 0; i < l->rows; i++) g->s[i] = g->path.length - g->s[i];
@@ -326,7 +329,7 @@ static vs_vec3 guided_point(const vs_path *p, double s) {
                    vs_v3_scale(vs_v3_sub(p->at[high].at, p->at[low].at), to > from ? (s - from) / (to - from) : 0));
 }
 
-/* Returns the first column of a loop; for the index after the last loop, the number of all columns. */
+/* Returns the first column of a loop. For loop == l->loop_count, returns the number of columns. */
 static size_t guided_first(const vs_loft *l, size_t loop) {
   size_t first = 0;
   VS_ASSERT(loop <= l->loop_count);
@@ -334,7 +337,10 @@ static size_t guided_first(const vs_loft *l, size_t loop) {
   return first;
 }
 
-static double guided_column(const vs_loft *l, const guided_line *g, size_t i, double t) { /* by the shorter way */
+static double guided_column(const vs_loft *l, const guided_line *g, size_t i, double t) { /* interpolates the column
+                                                                                           * from section i to the next,
+                                                                                           * the shorter way around the
+                                                                                           * loop */
   double a = g->column[i], b = g->column[i + 1], size = (double)l->sizes[g->loop];
   if (l->round && b - a > size / 2) b -= size;
   if (l->round && a - b > size / 2) b += size;
@@ -342,9 +348,9 @@ static double guided_column(const vs_loft *l, const guided_line *g, size_t i, do
   return l->round ? c - size * floor(c / size) : c;
 }
 
-/* Computes the affine map x -> c + m (x - b) that best takes the points b_j to g_j, n >= 1; b, c: their means. With one
- * pair it is a shift, with two a rotation and a uniform scale, with three or more (not collinear) any map of their
- * plane, by least squares. */
+/* Computes the affine map x -> c + m (x - b) that maps the points b_j to g_j best, n >= 1. *b and *c are the means of
+ * the points. For one pair the map is a shift. For two it is a rotation with a uniform scale. For three or more that
+ * are not collinear it is any map of their plane, by least squares. */
 static void guided_fit(const vs_vec3 *from, const vs_vec3 *to, size_t n, vs_vec3 *b, vs_vec3 *c, double m[3][3]) {
   VS_ASSERT(n > 0);
   *b = *c = vs_v3(0, 0, 0);
@@ -368,7 +374,7 @@ static void guided_fit(const vs_vec3 *from, const vs_vec3 *to, size_t n, vs_vec3
   }
   vs_vec3 normal = vs_v3_unit(area), x = vs_v3_unit(axis), y = vs_v3_cross(normal, x);
   bool planar = n > 2 && vs_v3_length(area) > 0.05 * vs_v3_dot(axis, axis);
-  if (!planar) { /* uniform scale; the rotation that takes the points' line to its image */
+  if (!planar) { /* a uniform scale, and the rotation from the line of the points to the line of their images */
     vs_vec3 way = { 0, 0, 0 };
     for (size_t j = 0; j < n; j++)
       way = vs_v3_add(way, vs_v3_scale(vs_v3_sub(to[j], *c), vs_v3_dot(vs_v3_sub(from[j], *b), x)));
@@ -379,7 +385,7 @@ static void guided_fit(const vs_vec3 *from, const vs_vec3 *to, size_t n, vs_vec3
       for (int j = 0; j < 3; j++) m[i][j] = turn.m[i][j] * k;
     return;
   }
-  /* normal equations for the images of x and y; lengths perpendicular to the plane do not change */
+  /* Solves the normal equations for the images of x and y. Lengths perpendicular to the plane do not change. */
   double xx = 0, xy = 0, yy = 0;
   vs_vec3 px = { 0, 0, 0 }, py = { 0, 0, 0 };
   for (size_t j = 0; j < n; j++) {
@@ -406,7 +412,7 @@ static int guided_pin_compare(const void *a, const void *b) {
   return p < q ? -1 : p > q;
 }
 
-/* All guides of a loft. pins, from, to: scratch, an element for each guide. */
+/* All guides of a loft. pins, from, to: working memory with an element for each guide. */
 typedef struct {
   guided_line *lines;
   size_t count;
@@ -414,7 +420,8 @@ typedef struct {
   vs_vec3 *from, *to;
 } guided_lines;
 
-/* Moves a row of the free loft, at the share t between section i and the next, to meet the guides. */
+/* Moves a row of the free loft so that it touches the guides. The row is at the fraction t between section i and the
+ * next. */
 static void guided_lead(const vs_loft *l, const guided_lines *by, size_t i, double t, vs_vec3 *row) {
   const guided_line *g = by->lines;
   guided_pin *pins = by->pins;
@@ -458,7 +465,7 @@ static void guided_lead(const vs_loft *l, const guided_lines *by, size_t i, doub
   }
 }
 
-/* Returns the steps between section i and the next that follow the guide's own samples. */
+/* Returns the number of steps between section i and the next that the guide's samples require. */
 static double guided_line_steps(const guided_line *g, size_t i) {
   size_t n = 1;
   for (size_t k = 0; k < g->path.count; k++) n += g->path.at[k].along > g->s[i] && g->path.at[k].along < g->s[i + 1];

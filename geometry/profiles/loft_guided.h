@@ -1,4 +1,4 @@
-/* Declares the functions of loft_guided.c: lofts that follow a path or guides. */
+/* Declares lofts that follow a path or guides. */
 #ifndef VS_GEOMETRY_PROFILES_LOFT_GUIDED_H
 #define VS_GEOMETRY_PROFILES_LOFT_GUIDED_H
 

@@ -1,10 +1,11 @@
-/* Implements the walls of lofts: rows of points between the sections, and the triangles through them.
+/* Makes the walls of lofts: rows of points between the sections, and the triangles between these rows.
  *
- * A smooth loft splits each line of the wall into the path of the sections' centres and the vector from centre to wall,
- * and makes each a cubic through the sections (Hermite). The slopes are those of vs_loft_slope: circular where the
- * sections turn, but zero if a neighbour is equal. Equal sections therefore have a straight wall between them, and no
- * wall overshoots a section (Fritsch and Carlson's idea, for vectors). The centres' slope is computed separately along
- * the section's normal and perpendicular to it: a column of equal storeys that then leans stays upright. */
+ * A smooth loft divides each line of the wall into two parts: the path of the sections' centres, and the vector from
+ * the centre to the wall. Each is a cubic Hermite curve through the sections. The slopes are those of vs_loft_slope:
+ * circular where the sections turn, but zero if a neighbour is equal. Therefore the wall between equal sections is
+ * straight, and no wall overshoots a section (the idea of Fritsch and Carlson, for vectors). The slope of the centres
+ * is computed separately along the section's normal and perpendicular to it. Thus a column of equal storeys stays
+ * upright below the section at which it begins to lean. */
 #include "geometry/profiles/loft_mesh.h"
 
 #include <stdlib.h>
@@ -23,15 +24,15 @@ vs_vec3 *vs_loft_rows_add(vs_loft_rows *r) {
 
 /* ---- slopes ---- */
 
-/* returns the mean of two slopes >= 0 by Fritsch and Butland's weights */
+/* returns the weighted mean of the slopes p and q by Fritsch and Butland's formula, for steps h and k; p, q >= 0 */
 static double loft_harmonic(double p, double q, double h, double k) {
   double w = 2 * k + h, v = k + 2 * h;
   VS_ASSERT(p >= 0 && q >= 0);
   return p > 0 && q > 0 ? (w + v) * p * q / (w * q + v * p) : 0;
 }
 
-/* Returns the length of the slope where directions with the sum s meet: from 4 tan(angle/4) of a circle's cubic to 0 if
- * they are opposite. */
+/* Returns the length of the slope between two directions with the sum s. It is 4 tan(angle/4), as for a circle's cubic,
+ * and decreases to 0 if they are opposite. */
 static double loft_round(double s) { return fmin(1, s * s / 2) * 2 / (1 + s / 2); }
 
 vs_vec3 vs_loft_slope(vs_vec3 a, vs_vec3 b, double h, double k) {
@@ -48,7 +49,7 @@ vs_vec3 vs_loft_end_slope(vs_vec3 a, vs_vec3 m) {
   return aa > 0 && along < 0 ? vs_v3_sub(out, vs_v3_scale(a, along / aa)) : out;
 }
 
-/* returns the slope of the centres at a section with normal n (zero: it has none) */
+/* returns the slope of the centres at a section with the normal n; n is zero if it has none */
 static vs_vec3 loft_center_slope(vs_vec3 a, vs_vec3 b, double h, double k, vs_vec3 n) {
   vs_vec3 whole = vs_loft_slope(a, b, h, k);
   double up = vs_v3_dot(a, n), on = vs_v3_dot(b, n);
@@ -80,15 +81,16 @@ double vs_loft_hermite_steps(vs_vec3 p, vs_vec3 q, vs_vec3 m, vs_vec3 k, const v
 
 /* ---- lines of the wall ---- */
 
-/* Between lines that are not parallel the wall is a saddle; two triangles miss it by a quarter of its twist in the
- * middle. The wall is cut into k pieces from row to row, the same number everywhere. Each edge of a section is cut into
- * as many pieces as its own twist still needs: the error falls by the product of both. There are as many edges as
- * columns, in their order; open sections have an unused one at each loop's end. k: 1 to 64. */
+/* Computes into how many pieces the wall must be cut. Between lines that are not parallel the wall is a saddle. Two
+ * triangles deviate from its middle by a quarter of its twist. The wall is cut into k pieces from row to row, with the
+ * same k everywhere. Each edge of a section is cut into as many pieces as its own twist then requires, because the
+ * error decreases with the product of both. edges: has an element for each column; in an open section the last element
+ * of each loop is unused. Returns k, 1 to 64. */
 static double loft_saddle(const vs_loft *l, const vs_fineness *f, uint32_t *edges) {
   enum { MOST = 64 };
   double most = 0;
   size_t pieces = l->joined ? l->rows : l->rows - 1, n = l->columns;
-  for (int pass = 0; pass < 2; pass++) { /* first k, then the edges */
+  for (int pass = 0; pass < 2; pass++) { /* the first pass computes k, the second the edges */
     double k = fmin(fmax(ceil(sqrt(most / f->tolerance) - 1e-9), 1), MOST);
     if (pass && (f->segments > 0 || k == 1)) return 1;
     for (size_t loop = 0, first = 0; loop < l->loop_count; first += l->sizes[loop++])
@@ -100,7 +102,7 @@ static double loft_saddle(const vs_loft *l, const vs_fineness *f, uint32_t *edge
           vs_vec3 p = vs_v3_sub(l->at[i * n + d], l->at[i * n + c]),
                   q = vs_v3_sub(l->at[next * n + c], l->at[i * n + c]), across = vs_v3_unit(vs_v3_cross(p, q));
           vs_vec3 twist = vs_v3_sub(vs_v3_sub(l->at[next * n + d], l->at[next * n + c]), p);
-          here = fmax(here, fabs(vs_v3_dot(twist, across)) / 4); /* the component that leaves the plane */
+          here = fmax(here, fabs(vs_v3_dot(twist, across)) / 4); /* component of the twist perpendicular to the wall */
         }
         most = fmax(most, here);
         edges[c] = (uint32_t)fmin(fmax(ceil(here / (f->tolerance * k) - 1e-9), 1), MOST);
@@ -145,11 +147,13 @@ void vs_loft_smooth_free(vs_loft_smooth *s) {
   free(s->slope_out);
 }
 
-static vs_vec3 loft_way(const vs_loft *l, size_t row, size_t column) { /* returns the vector from centre to wall */
+static vs_vec3 loft_way(const vs_loft *l, size_t row, size_t column) { /* returns the vector from the row's centre to
+                                                                        * the wall at this column */
   return vs_v3_sub(l->at[row * l->columns + column], l->center[row]);
 }
 
-static double loft_chord(const vs_loft *l, size_t i) { /* the wall's mean distance from row i to the next */
+static double loft_chord(const vs_loft *l, size_t i) { /* returns the mean distance of the wall from row i to the next
+                                                        * row */
   size_t next = (i + 1) % l->rows;
   double sum = 0;
   for (size_t c = 0; c < l->columns; c++)
@@ -157,7 +161,8 @@ static double loft_chord(const vs_loft *l, size_t i) { /* the wall's mean distan
   return fmax(sum / (double)l->columns, 1e-12 * l->size);
 }
 
-/* Returns the slope at row i of one line of the wall; column n is the centres' path. There is such a row. */
+/* Returns the slope at row i of one line of the wall; column == l->columns is the path of the centres. i is below
+ * l->rows. */
 static vs_vec3 loft_slope_at(const vs_loft *l, const double *chord, size_t i, size_t column) {
   size_t before = i ? i - 1 : l->rows - 1, after = (i + 1) % l->rows;
   bool path = column == l->columns;
@@ -169,7 +174,7 @@ static vs_vec3 loft_slope_at(const vs_loft *l, const double *chord, size_t i, si
               : vs_loft_slope(a, b, chord[before], chord[i]);
 }
 
-/* from row i to the next. column is a column, or their number for the centres' path. */
+/* returns the mean slope from row i to the next; column == l->columns is the path of the centres */
 static vs_vec3 loft_secant(const vs_loft *l, const double *chord, size_t i, size_t column) {
   size_t after = (i + 1) % l->rows;
   vs_vec3 d = column == l->columns ? vs_v3_sub(l->center[after], l->center[i])
@@ -196,20 +201,22 @@ bool vs_loft_smooth_make(const vs_loft *l, vs_loft_smooth *out) {
     vs_vec3 path = loft_line_slope(l, chord, i, n);
     for (size_t c = 0; c < n; c++) {
       vs_vec3 slope = vs_v3_add(path, loft_line_slope(l, chord, i, c));
-      /* of the piece after row i */
+      /* slope at the start of the piece after row i */
       out->slope_out[i * n + c] = vs_v3_scale(slope, chord[i]);
-      out->slope_in[i * n + c] = vs_v3_scale(slope, chord[i ? i - 1 : l->rows - 1]); /* of the piece before it */
+      out->slope_in[i * n + c] = vs_v3_scale(slope, chord[i ? i - 1 : l->rows - 1]); /* slope at the end of the piece
+                                                                                      * before row i */
     }
   }
   free(chord);
   return ok;
 }
 
-/* Returns the direction in the section's plane away from the inside of the wall. The loft has this row and column. */
+/* Returns the direction in the plane of a section, with the normal n, that points from the inside of the wall outwards.
+ * row and column are within the loft. */
 static vs_vec3 loft_outwards(const vs_loft *l, size_t row, size_t column, vs_vec3 n) {
   size_t first = 0, loop = 0, other = row ? row - 1 : 1;
   VS_ASSERT(row < l->rows && column < l->columns);
-  if (l->point[row]) { /* as at the section beside it */
+  if (l->point[row]) { /* at a point, uses the direction of the neighbouring section */
     vs_vec3 d = vs_v3_sub(l->at[other * l->columns + column], l->center[other]);
     return vs_v3_unit(vs_v3_sub(d, vs_v3_scale(n, vs_v3_dot(d, n))));
   }
@@ -226,8 +233,8 @@ static vs_vec3 loft_outwards(const vs_loft *l, size_t row, size_t column, vs_vec
   return vs_v3_unit(vs_v3_cross(vs_v3_add(a, b), n));
 }
 
-/* Sets the wall's direction at an end: at `angle` from the normal, outwards, with the length `hold`: the handle of a
- * Bezier curve, and therefore a slope of 3 times that. The loft has two rows or more. */
+/* Sets the direction of the wall at the first or last section. It is at `angle` radians from the normal, outwards.
+ * hold: length of the handle of a Bezier curve, so the slope is 3 times that. The loft has at least two rows. */
 static void loft_hold(vs_loft_smooth *s, bool end, double angle, double hold) {
   const vs_loft *l = s->loft;
   size_t row = end ? l->rows - 1 : 0, other = end ? l->rows - 2 : 1;
@@ -266,11 +273,11 @@ double vs_loft_smooth_steps(const vs_loft_smooth *s, size_t i, const vs_fineness
   return steps;
 }
 
-static uint32_t loft_row_work(const vs_loft *l) { /* returns nanoseconds, for vs_store_going */
+static uint32_t loft_row_work(const vs_loft *l) { /* returns nanoseconds for a row, as vs_store_going expects */
   return (uint32_t)fmin(64.0 * (double)l->columns, 1e9);
 }
 
-/* Returns false with e set. */
+/* Makes the rows of a smooth loft. Returns false and sets e on failure. */
 static bool loft_smooth_rows(const vs_node *n, const vs_loft *l, const vs_fineness *f, double least, vs_loft_rows *out,
                              vs_error *e) {
   vs_loft_smooth s;
@@ -297,7 +304,7 @@ static bool loft_smooth_rows(const vs_node *n, const vs_loft *l, const vs_finene
 
 /* ---- straight walls ---- */
 
-/* Returns false with e set. */
+/* Makes the rows of a loft with straight walls, k pieces between two sections. Returns false and sets e on failure. */
 static bool loft_straight_rows(const vs_node *n, const vs_loft *l, double k, vs_loft_rows *out, vs_error *e) {
   size_t pieces = l->joined ? l->rows : l->rows - 1, columns = l->columns;
   for (size_t i = 0; i <= pieces; i++) {

@@ -1,24 +1,29 @@
-/* Declares the functions of loft_mesh.c: the walls of lofts. */
+/* Declares the walls of lofts. */
 #ifndef VS_GEOMETRY_PROFILES_LOFT_MESH_H
 #define VS_GEOMETRY_PROFILES_LOFT_MESH_H
 
 #include "geometry/profiles/loft.h"
 
-/* Appends the triangles of a loft, a ruled loft or a guided loft; they are closed if the sections are. */
+/* Appends the triangles of a loft, ruled loft or guided loft. The mesh is closed if the sections are regions. Returns
+ * false and sets e on failure. */
 bool vs_loft_mesh(const vs_node *n, const vs_fineness *f, vs_mesh *out, vs_error *e);
-vs_vec3 *vs_loft_rows_add(vs_loft_rows *r); /* makes room for one more row; NULL: out of memory */
-/* Returns the slope where the secants a and b (over steps h and k) meet: their own if they agree, circular where they
- * turn, zero if one is zero or they are opposite. The curve therefore never overshoots its ends. */
+vs_vec3 *vs_loft_rows_add(vs_loft_rows *r); /* makes room for another row and returns its points; returns NULL when
+                                             * memory is out */
+/* Returns the slope at a point between two pieces with the mean slopes a and b, over the lengths h and k. If a and b
+ * are equal, it equals them. If the curve turns, it is that of a circle. It is zero if a or b is zero or they are
+ * opposite, so the curve never overshoots its ends. */
 vs_vec3 vs_loft_slope(vs_vec3 a, vs_vec3 b, double h, double k);
-/* Returns the slope at an end of a piece with the secant a that ends with the slope m: that of a parabola. */
+/* Returns the slope at the free end of a piece with the mean slope a and the slope m at its other end: that of a
+ * parabola. */
 vs_vec3 vs_loft_end_slope(vs_vec3 a, vs_vec3 m);
-/* Returns the cubic from p to q with the slopes m and k (of the whole piece), at t in 0..1. */
+/* Returns the point at t, 0 to 1, of the cubic from p to q. m and k are its derivatives by t at p and q. */
 vs_vec3 vs_loft_hermite(vs_vec3 p, vs_vec3 q, vs_vec3 m, vs_vec3 k, double t);
-/* Returns the steps that keep the chords of that cubic within the tolerance, also for its rotation. */
+/* Returns the number of steps that keep the chords of the cubic of vs_loft_hermite, and the rotation of its direction,
+ * within the tolerance. */
 double vs_loft_hermite_steps(vs_vec3 p, vs_vec3 q, vs_vec3 m, vs_vec3 k, const vs_fineness *f);
-bool vs_loft_smooth_make(const vs_loft *l, vs_loft_smooth *out); /* false: out of memory */
+bool vs_loft_smooth_make(const vs_loft *l, vs_loft_smooth *out); /* returns false when memory is out */
 void vs_loft_smooth_free(vs_loft_smooth *s);
-/* Computes row t, 0 to 1, between section i and the next. */
+/* Computes a row of points between section i and the next. t: position between them, 0 to 1. */
 void vs_loft_smooth_row(const vs_loft_smooth *s, size_t i, double t, vs_vec3 *row);
 double vs_loft_smooth_steps(const vs_loft_smooth *s, size_t i, const vs_fineness *f);
 

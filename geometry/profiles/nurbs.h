@@ -1,7 +1,7 @@
-/* Declares rational B-splines: their points and slopes, and the parameters at which they are sampled.
+/* Declares rational B-splines: their points and derivatives, and the parameters at which they are sampled.
  *
- * Notation: L. Piegl and W. Tiller, The NURBS Book (1997). A direction has `count` control points, a degree p and count
- * + p + 1 non-decreasing knots; the parameter goes from knots[p] to knots[count]. */
+ * The notation is that of L. Piegl and W. Tiller, The NURBS Book (1997). A direction has `count` control points, a
+ * degree p and count + p + 1 non-decreasing knots. The parameter goes from knots[p] to knots[count]. */
 #ifndef VS_GEOMETRY_PROFILES_NURBS_H
 #define VS_GEOMETRY_PROFILES_NURBS_H
 
@@ -16,29 +16,30 @@ typedef struct {
 } vs_nurbs_knots;
 
 typedef struct {
-  vs_nurbs_knots u, v;   /* a curve has u alone: v.count is 0 */
-  const vs_vec3 *points; /* of a surface row by row, u.count rows of v.count */
-  const double *weights; /* as many, or NULL: all are 1 */
+  vs_nurbs_knots u, v;   /* knots in the two directions; a curve has only u, and v.count is 0 */
+  const vs_vec3 *points; /* control points; of a surface u.count rows with v.count points each */
+  const double *weights; /* weight of each control point; NULL: all weights are 1 */
 } vs_nurbs;
 
 typedef enum { VS_NURBS_GOOD, VS_NURBS_FALLS, VS_NURBS_BREAKS, VS_NURBS_NOTHING } vs_nurbs_fault;
-/* Checks for decreasing knots; an inner knot with a multiplicity above `degree`, where a curve is discontinuous; an
- * empty range of the parameter. *at: the index of the knot. */
+/* Checks the knots of a direction. Faults are a knot that is less than the one before, an inner knot with a
+ * multiplicity above `degree`, where a curve is discontinuous, and an empty range of the parameter. *at: index of the
+ * knot at fault. */
 vs_nurbs_fault vs_nurbs_check(const vs_nurbs_knots *k, size_t *at);
 
 double vs_nurbs_low(const vs_nurbs_knots *k);
 double vs_nurbs_high(const vs_nurbs_knots *k);
-/* Returns the point of a curve, or of a surface at (u, v); slopes may be NULL. Parameters are clamped to their
- * ranges. */
+/* Returns the point of a curve at u, or of a surface at (u, v), and its derivatives. slope_u and slope_v may be NULL.
+ * Parameters are clamped to their ranges. */
 vs_vec3 vs_nurbs_point(const vs_nurbs *n, double u, double v, vs_vec3 *slope_u, vs_vec3 *slope_v);
 
-/* Makes ascending parameters of one direction, including both ends and all knots. Samples of a curve, or of a surface's
- * lines in that direction, are within `chord` > 0 of their chords. Returns their number; the caller frees *out. 0: out
- * of memory. */
+/* Computes the parameters at which one direction is sampled, in ascending order, including both ends and all knots. The
+ * curve between samples is within `chord` of its chord; for a surface, this holds for its lines in that direction.
+ * chord > 0. Returns the number of parameters, or 0 when memory is out. The caller frees *out. */
 size_t vs_nurbs_parameters(const vs_nurbs *n, bool along_v, double chord, double **out);
 
-/* Returns a curve as a node: splines through its points, within a 1e-7th of its size, joined at corners; a polyline if
- * the degree is 1; the empty node if all points are equal. NULL: out of memory. */
+/* Returns a node for a curve: splines through points of the curve, within 1e-7 of its size, joined at corners. With
+ * degree 1 it is a polyline. If all points are equal, it is the empty node. Returns NULL when memory is out. */
 vs_node *vs_nurbs_curve_node(vs_store *s, const vs_nurbs *n);
 
 #endif

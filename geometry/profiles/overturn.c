@@ -1,15 +1,16 @@
-/* Implements the steps of a sweep in which a bend is tighter than its profile.
+/* Repairs the steps of a sweep in which a bend of the path is tighter than the profile is wide.
  *
- * There the inner side of the profile goes backwards from one section to the next, and the walls of the whole profile
- * wind around its volume the wrong way: -1 times. A sweep is the union of all places that the profile passes through.
- * Therefore the pass cuts the profile into triangles, and the prism of each of them from section to section into three
- * tetrahedra. These fill each step without a gap, and neighbours share their faces by number. The walls are the border
- * of all tetrahedra, each counted with its sign. A backwards one counts -1; its border, added twice and turned right
- * side out, makes that 1. solids/overlaps.c keeps the volume that is wound more than 0 times, which is the union of the
- * tetrahedra. Faces between two backwards ones cancel, so only the fold and a part of the walls remain.
+ * In such a step, the inner side of the profile goes backwards from one section to the next. The walls of this part
+ * then wind around its volume in the wrong direction: the winding number is -1. A sweep is the union of all places that
+ * the profile passes through. Therefore the profile is cut into triangles. Between two sections, each triangle sweeps a
+ * prism, which is cut into three tetrahedra. The tetrahedra fill the step without a gap, and neighbours have equal
+ * faces. The walls are the border of all tetrahedra, each counted with its sign. A backwards tetrahedron counts -1. If
+ * its border is added twice, facing outwards, it counts 1. solids/overlaps.c keeps the volume with winding numbers
+ * above 0, which is the union of the tetrahedra. Faces between two backwards tetrahedra cancel, so only the fold and a
+ * part of the walls remain.
  *
- * In a prism over the corners a < b < c, by number, the walls are cut from the lower number below to the higher one
- * above. Therefore two prisms cut their common wall in the same way. */
+ * Let a < b < c be the numbers of a triangle's points. The walls of its prism are cut from the lower number in the
+ * first section to the higher number in the second. Therefore two prisms cut their common wall in the same way. */
 #include "geometry/profiles/overturn.h"
 
 #include <math.h>
@@ -19,7 +20,8 @@
 #include "model/net.h"
 #include "model/store/array.h"
 
-static vs_vec3 way_of(const vs_swept *s, size_t step) { /* an apex has no normal: the other's then */
+static vs_vec3 way_of(const vs_swept *s, size_t step) { /* returns the direction of the step, from the normals of its
+                                                         * sections; an apex has none */
   const vs_section *p = &s->sections[step], *q = &s->sections[(step + 1) % s->section_count];
   return vs_v3_unit(vs_v3_add(vs_v3_unit(vs_v3_cross(p->x, p->y)), vs_v3_unit(vs_v3_cross(q->x, q->y))));
 }
@@ -29,12 +31,12 @@ bool vs_overturns(const vs_swept *s, const vs_vec3 *at, size_t step, double size
   vs_vec3 way = way_of(s, step);
   for (size_t i = 0; i < n; i++)
     if (vs_v3_dot(vs_v3_sub(at[(step + 1) * n + i], at[step * n + i]), way) < -1e-7 * size)
-      return true; /* less is what rounding makes */
+      return true; /* smaller steps backwards are rounding errors */
   return false;
 }
 
-/* By how much the points of the profile differ in the way they go forwards in a step; 0 where none goes backwards by
- * what shows. */
+/* Returns the difference between the greatest and the least distance by which points of the profile go forwards in a
+ * step. Returns 0 if no point goes backwards by more than a quarter of the tolerance. */
 static double rises_differ(const vs_swept *s, size_t step, double tolerance) {
   const vs_section *a = &s->sections[step], *b = &s->sections[(step + 1) % s->section_count];
   vs_vec3 way = way_of(s, step);
@@ -48,7 +50,7 @@ static double rises_differ(const vs_swept *s, size_t step, double tolerance) {
   return least < -tolerance / 4 && most > 0 ? most - least : 0;
 }
 
-/* How many times as large the profile may be, so that nothing goes backwards in this step. */
+/* Returns the factor, at most 1, by which the profile must be scaled so that no point goes backwards in this step. */
 static double fits_in(const vs_swept *s, size_t step) {
   const vs_section *a = &s->sections[step], *b = &s->sections[(step + 1) % s->section_count];
   vs_vec3 way = way_of(s, step);
@@ -75,14 +77,15 @@ void vs_overturn_tightest(const vs_swept *s, const vs_vec3 *near, vs_vec3 *at, d
   }
 }
 
-/* A step as finer ones: their ends but for the last, as parts of the step. At an end of the sweep, and at a corner, the
- * steps halve from one to the next: a tetrahedron reaches out of its step by a quarter of `differ`, and only there no
- * other step hides it. */
+/* A division of a step into finer steps: their ends except the last, as fractions of the step. At an end of the sweep
+ * and at a corner, each step is half as long as the one before. A tetrahedron extends beyond its step by a quarter of
+ * `differ`, and only there no other step hides this. */
 enum { MOST = 64, HALVES = 16 };
 typedef struct { double at[MOST + 2 * HALVES]; size_t count; } parts;
 
 static parts parts_of(double differ, double tolerance, bool begins, bool ends) {
-  enum { SHOWS = 256 }; /* most of a miss lies within the union; at its surface a thirty-second of it was measured */
+  enum { SHOWS = 256 }; /* most of the deviation lies inside the union; at its surface, a thirty-second of it was
+                         * measured */
   parts p = { .count = 0 };
   double n = fmax(1, fmin(MOST, ceil(differ / (SHOWS * tolerance)))), halves = ceil(log2(differ / n / (4 * tolerance)));
   int fine = halves > 0 ? (int)fmin(HALVES, halves) : 0;
@@ -93,7 +96,7 @@ static parts parts_of(double differ, double tolerance, bool begins, bool ends) {
   return p;
 }
 
-/* Does the sweep begin, end, or turn by more than a smooth path does where this step begins? */
+/* Returns true if the sweep begins or ends where this step begins, or turns there by more than a smooth path does. */
 static bool turns_sharply(const vs_swept *s, size_t step) {
   size_t rows = s->section_count, before = (step + rows - 1) % rows;
   if (!s->joined && (step == 0 || step + 1 == rows)) return true;
@@ -134,8 +137,8 @@ static double six_volumes(const vs_mesh *m, const uint32_t t[4]) {
   return vs_v3_dot(vs_v3_cross(a, b), c);
 }
 
-/* Adds the three tetrahedra of a prism that count less than 0, twice and turned round. low, high: the vertices of its
- * two rows; cell: its corners; hand: 1, or -1 where the cell and the rows look against each other. */
+/* For each tetrahedron of a prism with a negative volume, appends its faces twice, facing outwards. low, high: vertices
+ * of the two rows; cell: corners of the triangle; hand: 1, or -1 if the triangle is clockwise in its row. */
 static bool add_prism(vs_mesh *m, const uint32_t *low, const uint32_t *high, const uint32_t cell[3], int hand) {
   uint32_t c[3] = { cell[0], cell[1], cell[2] };
   int32_t even = 1;
@@ -154,7 +157,8 @@ static bool add_prism(vs_mesh *m, const uint32_t *low, const uint32_t *high, con
   for (int i = 0; ok && i < 3; i++) {
     const uint32_t *t = tetrahedra[i];
     if (!(six_volumes(m, t) * even * hand < 0)) continue;
-    uint32_t p = t[0], q = t[even > 0 ? 1 : 2], r = t[even > 0 ? 2 : 1], s = t[3]; /* its sides, inside out */
+    uint32_t p = t[0], q = t[even > 0 ? 1 : 2], r = t[even > 0 ? 2 : 1], s = t[3]; /* the faces of the tetrahedron, with
+                                                                                    * reversed orientation */
     for (int times = 0; ok && times < 2; times++)
       ok = vs_mesh_add_triangle(m, p, q, r) && vs_mesh_add_triangle(m, p, s, q) && vs_mesh_add_triangle(m, q, s, r) &&
            vs_mesh_add_triangle(m, p, r, s);
@@ -162,7 +166,7 @@ static bool add_prism(vs_mesh *m, const uint32_t *low, const uint32_t *high, con
   return ok;
 }
 
-/* The profile as triangles of its points, by number */
+/* Divides the profile into triangles of its points' indices. Returns false when memory is out. */
 static bool make_cells(const vs_swept *s, vs_mesh *cells) {
   uint32_t *row = vs_fresh(s->profile_count, sizeof *row);
   bool ok = row != NULL;
@@ -172,7 +176,8 @@ static bool make_cells(const vs_swept *s, vs_mesh *cells) {
   return ok;
 }
 
-static int hand_of(const vs_swept *s, const uint32_t cell[3]) { /* of a profile that crosses itself some are turned */
+static int hand_of(const vs_swept *s, const uint32_t cell[3]) { /* returns -1 for a clockwise triangle, which occurs if
+                                                                 * the profile crosses itself */
   const vs_vec2 *a = &s->profile[cell[0]], *b = &s->profile[cell[1]], *c = &s->profile[cell[2]];
   return (b->x - a->x) * (c->y - a->y) - (b->y - a->y) * (c->x - a->x) < 0 ? -1 : 1;
 }

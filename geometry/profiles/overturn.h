@@ -1,25 +1,27 @@
-/* Declares, for use in geometry/ alone, the steps of a sweep that bends more tightly than its profile is wide. */
+/* Declares, for use in geometry/ alone, the repair of sweeps that bend more tightly than their profile is wide. */
 #ifndef VS_GEOMETRY_PROFILES_OVERTURN_H
 #define VS_GEOMETRY_PROFILES_OVERTURN_H
 
 #include "geometry/profiles/swept.h"
 
-/* at: the points of all sections, section by section, and once more those of the first where the last goes on to it;
- * size: of the whole sweep. The sections' x and y turn right-handed about the way. Does part of the profile go
- * backwards from section `step` to the one that follows it? */
+/* Returns true if a part of the profile goes backwards from section `step` to the next section. at: points of all
+ * sections, one section after another; if the sweep is joined, those of the first section again at the end. size: of
+ * the whole sweep. The x and y of a section are right-handed about the path's direction. */
 bool vs_overturns(const vs_swept *s, const vs_vec3 *at, size_t step, double size);
 
-/* Cuts such steps into as many as the tolerance needs: tetrahedra that reach over the line on which the profile stands
- * still miss it by a quarter of what their corners differ by. False: out of memory. */
+/* Divides steps with backwards parts into as many steps as the tolerance requires. Within such a step, tetrahedra
+ * deviate from the sweep by a quarter of the difference between the distances of their corners. Returns false when
+ * memory is out. */
 bool vs_overturn_refine(vs_swept *s, double tolerance);
 
-/* The bend that leaves the profile the least room, or that nearest to `near`, where this is not NULL: its place on the
- * path, and how many times as large the profile may be there. Where no bend is too tight neither is changed. */
+/* Finds the bend that limits the size of the profile most. If near is not NULL, finds the bend nearest to it. *at: its
+ * place on the path; *fits: factor by which the profile must be scaled there. If no bend is too tight, *at and *fits
+ * are not changed. */
 void vs_overturn_tightest(const vs_swept *s, const vs_vec3 *near, vs_vec3 *at, double *fits);
 
-/* The rows of a grid mesh: numbers[r * n + i] is the vertex of point i in row r; turns[r]: the step from row r to the
- * next goes backwards somewhere, and its walls are cut by number (grid.h). inside_out: the triangles have been turned.
- */
+/* The rows of a grid mesh. numbers[r * n + i]: vertex of point i in row r. turns[r]: true if a part goes backwards in
+ * the step from row r to the next; the walls of this step are then cut by number (grid.h). inside_out: true if the
+ * triangles have been reversed. */
 typedef struct {
   const vs_swept *s;
   const uint32_t *numbers;
@@ -27,9 +29,9 @@ typedef struct {
   size_t steps;
   bool inside_out;
 } vs_overturn_rows;
-/* The triangles of out from number `first` on are the walls and caps of these rows. Adds, twice, all that goes
- * backwards, the right way out: then the mesh winds more than 0 times around all that the profile passes through, and
- * around nothing else. False: out of memory. */
+/* Appends the faces of all backwards tetrahedra twice, facing outwards. The triangles of out from index `first` on must
+ * be the walls and caps of these rows. Afterwards the winding number of the mesh is above 0 exactly in the places that
+ * the profile passes through. Returns false when memory is out. */
 bool vs_overturn_fill(const vs_overturn_rows *rows, size_t first, vs_mesh *out);
 
 #endif

@@ -1,4 +1,4 @@
-/* Implements the rings of pipes (pipe.h). */
+/* Computes the rings of pipes (pipe.h). */
 #include "geometry/profiles/pipe.h"
 
 #include <math.h>
@@ -25,7 +25,7 @@ bool vs_pipe_open(const vs_node *curve, int segments, double tolerance, vs_pipe 
   for (size_t i = 0; i < spans; i++) {
     double from = s->along[i], length = s->along[i + 1] - from;
     int pieces = (int)ceil(length / s->length * LEAST_RINGS - 1e-9);
-    if (pieces < 1) pieces = 1; /* their sum is at most spans + LEAST_RINGS */
+    if (pieces < 1) pieces = 1; /* all pieces together are at most spans + LEAST_RINGS */
     for (int k = 0; k < pieces; k++) out->at[out->count++] = from + length * k / pieces;
   }
   if (!s->path.closed) out->at[out->count++] = s->length;
@@ -45,7 +45,8 @@ bool vs_pipe_rings(const vs_pipe *p, const double *radius, size_t around, vs_vec
     vs_vec3 y = vs_v3_cross(b, x), m = vs_v3_add(a, b);
     double along = vs_v3_dot(b, m);
     if (along < 0.005) return *at = here.at, false;
-    if (!vs_v3_equal(a, b)) { /* a ring in the plane that bisects the corner has the pipe's width on both sides */
+    if (!vs_v3_equal(a, b)) { /* at a corner, the ring lies in the bisecting plane, so that the pipe keeps its width on
+                               * both sides */
       x = vs_v3_sub(x, vs_v3_scale(b, vs_v3_dot(x, m) / along));
       y = vs_v3_sub(y, vs_v3_scale(b, vs_v3_dot(y, m) / along));
     }

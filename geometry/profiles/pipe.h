@@ -4,18 +4,19 @@
 
 #include "geometry/plane/stations.h"
 
-/* The positions of a pipe's rings along a curve. */
+/* The positions of the rings of a pipe along a curve. */
 typedef struct {
   vs_stations stations;
-  double *at; /* distances from the start, ascending; of a closed curve without its end */
+  double *at; /* distances from the start of the curve, ascending; without the end of a closed curve */
   size_t count;
 } vs_pipe;
 
-/* Chooses the rings: at the curve's samples, and as many more that neighbours are within a 64th of the length. */
+/* Chooses the positions of the rings: at all samples of the curve, and between them so that neighbours are within a
+ * 64th of the length. Returns false and sets e on failure. */
 bool vs_pipe_open(const vs_node *curve, int segments, double tolerance, vs_pipe *out, vs_error *e);
 void vs_pipe_close(vs_pipe *p);
-/* Fills grid, p->count rows of `around` points, with rings of these radii; at the curve's corners they are mitred.
- * Returns false if the curve turns back on itself: *at is the point. */
+/* Fills grid with p->count rings of `around` points. radius[i]: radius of ring i. Rings at corners of the curve are
+ * mitred. Returns false if the curve turns back on itself; *at is then the point. */
 bool vs_pipe_rings(const vs_pipe *p, const double *radius, size_t around, vs_vec3 *grid, vs_vec3 *at);
 
 #endif

@@ -1,8 +1,8 @@
 /* Implements revolutions.
  *
- * A profile's point (r, z) turned by t has the position `at` + z axis + r (cos t out + sin t side). A point on the axis
- * (r = 0) stays one point: a pole. Pappus: a plane area A whose centroid is at the distance c from the axis makes the
- * volume angle A c; a curve likewise its surface. */
+ * A profile's point (r, z) turned by the angle t has the position `at` + z axis + r (cos t out + sin t side). A point
+ * on the axis (r = 0) remains one point, a pole. By Pappus's theorem, an area A whose centroid has the distance c from
+ * the axis sweeps the volume angle A c. The surface that a curve sweeps follows likewise. */
 #include "geometry/profiles/revolve.h"
 #include "geometry/plane/outline.h"
 #include "geometry/plane/planar_evaluation.h"
@@ -22,12 +22,12 @@ void vs_revolve_free(vs_revolve *r) {
   *r = (vs_revolve){ 0 };
 }
 
-/* Computes the profile's points in the axis's half-plane, which is found from the point that is farthest from the
- * axis. */
+/* Computes the points of the profile in a half-plane at the axis. The point farthest from the axis determines the
+ * half-plane. */
 static bool revolve_place(vs_revolve *r, const vs_outline *o, vs_error *e) {
   vs_vec3 far = { 0, 0, 0 };
   double size = 0, most = 0;
-  if (!o->count) return true; /* a region may be empty */
+  if (!o->count) return true; /* an empty region has no loops */
   for (size_t l = 0; l < o->count; l++)
     for (size_t i = 0; i < o->loops[l].count; i++) {
       vs_vec3 d = vs_v3_sub(o->loops[l].at[i], r->at),
@@ -42,7 +42,8 @@ static bool revolve_place(vs_revolve *r, const vs_outline *o, vs_error *e) {
   if (!(r->reach > 1e-9 * size)) return vs_error_set(e, VS_ERROR_MODEL, NULL, "the profile lies on the axis");
   r->out = vs_v3_unit(far);
   r->side = vs_v3_cross(r->axis, r->out);
-  double low = INFINITY, high = -INFINITY, beside = 0; /* along the axis; the largest distance from the half-plane */
+  double low = INFINITY, high = -INFINITY, beside = 0; /* low, high: range along the axis; beside: largest distance from
+                                                        * the half-plane */
   for (size_t l = 0; l < o->count; l++)
     for (size_t i = 0; i < o->loops[l].count; i++) {
       vs_vec3 d = vs_v3_sub(o->loops[l].at[i], r->at);
@@ -139,7 +140,7 @@ bool vs_revolve_mesh(const vs_revolve *r, size_t steps, vs_mesh *out) {
   return true;
 }
 
-/* Each point of the profile moves on an arc about the axis; coordinate i of it is c + r (A cos t + B sin t). */
+/* Each point of the profile moves on an arc about the axis. Its coordinate i is c + r (A cos t + B sin t). */
 void vs_revolve_bounds(const vs_revolve *r, const vs_affine *a, vs_bounds *b) {
   double low = fmin(r->start, r->start + r->angle), high = fmax(r->start, r->start + r->angle),
          angles[8] = { low, high };
@@ -182,9 +183,9 @@ bool vs_revolve_holds(const vs_revolve *r, vs_vec3 p) {
   return vs_loops_hold(r->profile, r->sizes, r->loop_count, far, vs_v3_dot(d, r->axis));
 }
 
-/* ---- measures ---- */
+/* ---- measures of revolutions ---- */
 
-typedef struct { double whole, r, rr, rz; } revolve_moments; /* integrals of 1, r, r^2 and r z */
+typedef struct { double whole, r, rr, rz; } revolve_moments; /* integrals over the profile of 1, r, r^2 and r z */
 
 static void revolve_area_moments(const vs_revolve *p, revolve_moments *m) {
   for (size_t l = 0, first = 0; l < p->loop_count; first += p->sizes[l], l++)
@@ -233,7 +234,7 @@ bool vs_revolve_measure(const vs_node *n, const vs_fineness *f, vs_measure *m, v
   if (area.whole < 0) area = (revolve_moments){ -area.whole, -area.r, -area.rr, -area.rz };
   double angle = fabs(r.angle), radius = vs_profile_circle(n->children[0].node), half = angle / 2,
          middle = r.start + r.angle / 2, sine, cosine;
-  if (radius > 0) { /* the polygon's centroid is the circle's by symmetry */
+  if (radius > 0) { /* by symmetry, the centroid of a regular polygon is that of its circle */
     double k = turn / 2 * radius * radius / area.whole, l = turn * radius / line.whole;
     area = (revolve_moments){ area.whole * k, area.r * k, area.rr * k, area.rz * k };
     line = (revolve_moments){ line.whole * l, line.r * l, line.rr * l, line.rz * l };
@@ -241,7 +242,7 @@ bool vs_revolve_measure(const vs_node *n, const vs_fineness *f, vs_measure *m, v
   const revolve_moments *mass = r.filled ? &area : &line;
   m->volume = r.filled ? angle * area.r : 0;
   m->area = angle * line.r + (r.filled && !r.full ? 2 * area.whole : 0);
-  /* the centroid of a partly turned ring is at r sin(half)/half, in the middle of the angle */
+  /* For a partial turn, the centroid is in the direction of the middle angle, at r sin(half)/half from the axis. */
   double far = mass->r > 0 && !r.full ? mass->rr / mass->r * sin(half) / half : 0;
   vs_sincos(middle, &sine, &cosine);
   m->centroid = revolve_point(&r, (vs_vec2){ far, mass->r > 0 ? mass->rz / mass->r : 0 }, cosine, sine);

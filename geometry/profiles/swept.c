@@ -1,12 +1,12 @@
-/* Implements what extrude, sweep and thicken have in common: a planar profile carried through sections. swept_mesh.c
- * makes the triangles between them.
+/* Implements the common part of extrude, sweep and thicken: a planar profile is moved through sections. swept_mesh.c
+ * makes the triangles between the sections.
  *
- * Plan first, triangles second. A section is an affine map of the profile's plane; at a corner of a path it lies in the
- * mitre plane (normal m = a + b for directions a arriving, b leaving): a profile vector d across b becomes d - b
- * (d.m)/(b.m), so that both arms keep the profile's true width. Smooth paths have a = b and stay square to it. A
- * section scaled to nothing is an apex. Corners sharper than about 174 degrees are not mitred (the mitre would be
- * longer than twenty profiles): there one piece ends square and another begins. The same holds of an extrusion whose
- * curve turns back: the parts drawn one way and the other are solids of their own that overlap. */
+ * A section is an affine map of the profile's plane. At a corner of a path, it lies in the mitre plane with the normal
+ * m = a + b, where a is the arriving direction and b the leaving one. A vector d of the profile across b becomes d - b
+ * (d.m)/(b.m), so that both arms keep the true width of the profile. On smooth paths, a = b, and sections are
+ * perpendicular to the path. A section with scale 0 is an apex. Corners sharper than about 174 degrees are not mitred,
+ * because the mitre would be longer than twenty profiles. One piece ends there perpendicular to the path, and another
+ * begins. An extrusion whose curve turns back is also divided into pieces, which are separate solids that overlap. */
 #include "geometry/profiles/swept.h"
 #include "geometry/plane/planar_evaluation.h"
 
@@ -46,7 +46,7 @@ vs_section vs_section_between(const vs_section *a, const vs_section *b, double t
 typedef struct {
   vs_vec3 x, y, normal, origin;
   vs_vec2 base;
-  double reach; /* of the profile about base */
+  double reach; /* greatest distance of the profile from `base` */
 } vs_profile_plane;
 
 static vs_vec2 profile_flat(const vs_profile_plane *p, vs_vec3 at) {
@@ -55,7 +55,7 @@ static vs_vec2 profile_flat(const vs_profile_plane *p, vs_vec3 at) {
 }
 
 static bool swept_room(vs_swept *s, size_t points, size_t loops) {
-  s->profile = malloc((points ? points : 1) * sizeof *s->profile); /* an empty region has none */
+  s->profile = malloc((points ? points : 1) * sizeof *s->profile); /* an empty region has no points */
   s->sizes = malloc((loops ? loops : 1) * sizeof *s->sizes);
   s->hole = malloc((loops ? loops : 1) * sizeof *s->hole);
   return s->profile && s->sizes && s->hole;
@@ -106,14 +106,15 @@ static bool swept_disc(vs_swept *s, double radius, int n) {
   return true;
 }
 
-/* ---- along a path ---- */
+/* ---- sections along a path ---- */
 
-static size_t swept_count(double n, size_t most) { /* the next whole number, from 1 on */
+static size_t swept_count(double n, size_t most) { /* returns n rounded up, at least 1 and at most `most` */
   n = ceil(n - 1e-9);
   return n > (double)most ? most : n > 1 ? (size_t)n : 1;
 }
 
-/* Cuts the edge from each point of the profile to the next into so many equal pieces. False: out of memory. */
+/* Divides the edge from point i of the profile to the next point into pieces[i] equal pieces. Returns false when memory
+ * is out. */
 static bool swept_split(vs_swept *s, const size_t *pieces) {
   size_t total = 0, end = 0;
   vs_vec2 *fine = NULL;
@@ -123,7 +124,8 @@ static bool swept_split(vs_swept *s, const size_t *pieces) {
     size_t size = s->sizes[l], begin = end;
     for (size_t i = 0; i < size; i++) {
       vs_vec2 p = s->profile[first + i], q = s->profile[first + (i + 1) % size];
-      size_t k = !s->filled && i + 1 == size ? 1 : pieces[first + i]; /* an open profile ends there */
+      size_t k = !s->filled && i + 1 == size ? 1 : pieces[first + i]; /* the last edge of an open profile does not
+                                                                       * exist */
       for (size_t j = 0; j < k; j++) {
         double t = (double)j / (double)k;
         fine[end++] = (vs_vec2){ p.x + (q.x - p.x) * t, p.y + (q.y - p.y) * t };
@@ -140,10 +142,11 @@ static bool swept_split(vs_swept *s, const size_t *pieces) {
 
 enum { MOST_STEPS = 200000 };
 
-/* A straight edge of length l that turns by da becomes a saddle, which two triangles miss by l da / 4 in its middle.
- * Therefore a twist cuts the whole way into n steps (returned; 1 without a twist) and each edge into k pieces such that
- * l/k twist/n / 4 keeps the tolerance, n and k alike large; and no fewer steps than facets in as much of a turn. With
- * segments given the edges stay whole. 0: no memory. */
+/* A twist turns a straight edge of length l by an angle da in a step, so that its wall is a saddle. Two triangles
+ * deviate from the saddle by l da / 4 in its middle. Therefore the path is divided into n steps and each edge into k
+ * pieces, so that l/k twist/n / 4 is within the tolerance, with n and k about equal. There are at least as many steps
+ * as facets in an equal turn. If the node's segments are given, the edges are not divided. Returns n, which is 1
+ * without a twist, or 0 when memory is out. */
 static size_t swept_refine(vs_swept *s, double twist, double scale, double reach, const vs_fineness *f) {
   enum { MOST = 2000, MOST_POINTS = 10000000 };
   double widest = fmax(1, fabs(scale)), longest = 0;
@@ -170,7 +173,7 @@ static size_t swept_refine(vs_swept *s, double twist, double scale, double reach
   return ok ? (size_t)n : 0;
 }
 
-/* of the steps, those of a stretch that is this part of the way */
+/* returns the number of steps for a stretch with this fraction of the path's length, at least 1 */
 static size_t swept_share(size_t steps, double share) {
   double n = ceil((double)steps * share - 1e-9);
   return n < 1 ? 1 : (size_t)n;
@@ -178,19 +181,19 @@ static size_t swept_share(size_t steps, double share) {
 
 static bool swept_turns_back(const vs_path_point *p) { return 1 + vs_v3_dot(p->arriving, p->leaving) <= 0.005; }
 
-/* How a section leans against the plane across `way`, one of the two directions of a corner: what the profile has along
- * this vector it stands back along the way. */
+/* Returns the vector by which a section leans at a corner, for one of the corner's two directions, `way`. A point of
+ * the profile is moved backwards along `way` by its component along this vector. */
 static vs_vec3 swept_lean(const vs_path_point *p, vs_vec3 way) {
   vs_vec3 m = vs_v3_add(p->arriving, p->leaving);
   if (vs_v3_equal(p->arriving, p->leaving) || swept_turns_back(p)) return vs_v3(0, 0, 0);
   return vs_v3_sub(vs_v3_scale(m, 1 / vs_v3_dot(way, m)), way);
 }
 
-/* How sections lean in the stretch from p to q, 0 < t < 1 of its way: less and less from each mitre on, and not at all
- * from twice as far from the corner as the mitre takes the profile along the way. A stretch without room for this at
- * both ends leans linearly from one mitre to the other. In either case each point of the profile goes one way from
- * mitre to mitre. Sections that stood square up to a corner would pass its mitre on the inner side, further the finer
- * the steps are. */
+/* Returns the lean of a section between the path points p and q, at the fraction t of the stretch, 0 < t < 1. The lean
+ * decreases from the mitre at each end. It is 0 at a distance from the corner that is twice the mitre's extent along
+ * the path. A stretch that is too short for this leans linearly from one mitre to the other. In either case, each point
+ * of the profile moves in one direction between the mitres. Without this, sections perpendicular to the path would pass
+ * the mitre on the inner side of the corner. */
 static vs_vec3 swept_lean_between(const vs_path_point *p, const vs_path_point *q, double t, double reach) {
   vs_vec3 a = swept_lean(p, p->leaving), b = swept_lean(q, q->arriving);
   double length = vs_v3_length(vs_v3_sub(q->at, p->at)), from = 2 * reach * vs_v3_length(a) / length,
@@ -199,8 +202,8 @@ static vs_vec3 swept_lean_between(const vs_path_point *p, const vs_path_point *q
   return vs_v3_add(vs_v3_scale(a, t < from ? 1 - t / from : 0), vs_v3_scale(b, 1 - t < to ? 1 - (1 - t) / to : 0));
 }
 
-/* The section at a point of the way; x and what `way` x x gives are the profile's directions before it turns and
- * leans. */
+/* Returns the section at a point of the path. x is the first direction of the profile before it turns and leans; the
+ * second is perpendicular to it and to the path. */
 static vs_section swept_section(const vs_path_point *p, vs_vec3 lean, vs_vec3 x, double angle, double scale,
                                 vs_vec2 base) {
   double sine, cosine;
@@ -214,8 +217,8 @@ static vs_section swept_section(const vs_path_point *p, vs_vec3 lean, vs_vec3 x,
   return (vs_section){ u, v, at, false };
 }
 
-/* Is the profile, turned by `angle` about base, itself? Then its point i comes to lie on point seam[i]. False: out of
- * memory. */
+/* Tests whether the profile coincides with itself when it is turned by `angle` about base. If it does, sets s->seam:
+ * point i moves to point seam[i]. Returns false when memory is out. */
 static bool swept_seam(vs_swept *s, vs_vec2 base, double angle, double reach) {
   size_t *seam = malloc(s->profile_count * sizeof *seam);
   double sine, cosine, near = 1e-9 * reach;
@@ -243,15 +246,15 @@ static bool swept_seam(vs_swept *s, vs_vec2 base, double angle, double reach) {
   return ok;
 }
 
-/* Keeps a profile upright: `side`, of length 1, is its upper side among its own directions, which goes as far towards
- * `up` as the path allows. */
+/* Keeps a profile upright. up: the direction in space; side: unit vector in the profile's coordinates that points as
+ * far towards `up` as the path allows. */
 typedef struct {
   vs_vec3 up;
   vs_vec2 side;
 } vs_upright;
 
-/* The upper side of a profile: where `up` points in its plane, as it is drawn; where that is across the plane, its
- * Y. */
+/* Returns the upper side of a profile: the direction of `up` in the profile's plane as it is drawn. If `up` is
+ * perpendicular to that plane, the side is the plane's Y. */
 static vs_upright swept_upright(const vs_profile_plane *plane, vs_vec3 up) {
   up = vs_v3_unit(up);
   bool flat = fabs(vs_v3_dot(up, plane->normal)) > 1 - 1e-9;
@@ -260,7 +263,8 @@ static vs_upright swept_upright(const vs_profile_plane *plane, vs_vec3 up) {
   return (vs_upright){ up, { x / length, y / length } };
 }
 
-/* The profile's first direction where the path goes along `way`; nothing where that is `up`. */
+/* Returns the first direction of the upright profile where the path has the direction `way`, or the zero vector if this
+ * is parallel to `up`. */
 static vs_vec3 swept_stood(const vs_upright *u, vs_vec3 way) {
   vs_vec3 up = vs_v3_sub(u->up, vs_v3_scale(way, vs_v3_dot(u->up, way)));
   if (vs_v3_length(up) < 1e-6) return vs_v3(0, 0, 0);
@@ -268,7 +272,8 @@ static vs_vec3 swept_stood(const vs_upright *u, vs_vec3 way) {
   return vs_v3_add(vs_v3_scale(up, u->side.x), vs_v3_scale(vs_v3_cross(up, way), u->side.y));
 }
 
-/* The same at every point of the path. False: the path runs along `up`, and the error says where. */
+/* Sets x[i] to the first direction of the upright profile at point i of the path. Returns false if the path is parallel
+ * to `up` somewhere; e then contains the place. */
 static bool swept_stand(const vs_upright *u, const vs_path *path, vs_vec3 *x, vs_error *e) {
   for (size_t i = 0; i < path->count; i++) {
     vs_vec3 at = path->at[i].at;
@@ -281,8 +286,9 @@ static bool swept_stand(const vs_upright *u, const vs_path *path, vs_vec3 *x, vs
   return true;
 }
 
-/* A profile that stands upright in the arm behind a corner is not upright before it: mirrored in the mitre it is turned
- * by this angle about the way there. Along the arm before the corner the profile turns so far, evenly. */
+/* Returns an angle in radians for a corner of the path. A profile that is upright after the corner is not upright
+ * before it: mirrored in the mitre, it is turned by this angle. Along the arm before the corner, the profile turns
+ * evenly by this angle. */
 static double swept_spin(const vs_upright *u, const vs_path_point *corner) {
   if (vs_v3_equal(corner->arriving, corner->leaving) || swept_turns_back(corner)) return 0;
   vs_vec3 a = corner->arriving, m = vs_v3_add(a, corner->leaving), before = swept_stood(u, a),
@@ -291,8 +297,8 @@ static double swept_spin(const vs_upright *u, const vs_path_point *corner) {
   return atan2(vs_v3_dot(a, vs_v3_cross(before, x)), vs_v3_dot(before, x));
 }
 
-/* By how much two triangles miss, in its middle, the surface that an edge of the profile draws from one section to the
- * next: a quarter of what keeps its four corners from being a plane's. */
+/* Returns the deviation of two triangles from the surface that an edge of the profile sweeps from section a to section
+ * b. It is a quarter of the distance by which the four corners differ from a plane. */
 static double swept_saddle(const vs_section *a, const vs_section *b, vs_vec2 p, vs_vec2 q) {
   vs_vec3 at[2][2], most = { 0, 0, 0 };
   for (int i = 0; i < 2; i++) {
@@ -300,7 +306,7 @@ static double swept_saddle(const vs_section *a, const vs_section *b, vs_vec2 p, 
     at[i][0] = vs_v3_add(vs_v3_add(vs_v3_scale(s->x, p.x), vs_v3_scale(s->y, p.y)), s->at);
     at[i][1] = vs_v3_add(vs_v3_add(vs_v3_scale(s->x, q.x), vs_v3_scale(s->y, q.y)), s->at);
   }
-  for (int c = 0; c < 4; c++) { /* the normal at the corner where it is surest */
+  for (int c = 0; c < 4; c++) { /* uses the longest of the normals at the four corners */
     int i = c / 2, j = c % 2;
     vs_vec3 n = vs_v3_cross(vs_v3_sub(at[1][j], at[0][j]), vs_v3_sub(at[i][1], at[i][0]));
     if (vs_v3_length(n) > vs_v3_length(most)) most = n;
@@ -310,10 +316,10 @@ static double swept_saddle(const vs_section *a, const vs_section *b, vs_vec2 p, 
   return length > 0 ? fabs(vs_v3_dot(bend, most)) / length / 4 : 0;
 }
 
-/* A profile that is kept upright turns where its path climbs out of a bend, within one stretch of it; and one that
- * grows or shrinks from mitre to mitre has walls that are not plane. As with a twist, such stretches are cut into n
- * steps and the edges into k pieces, so that what triangles miss, n k times less, keeps the tolerance. Where the
- * profile comes to lie on itself (seam) the edges stay whole. */
+/* Divides stretches whose walls are not planar. An upright profile turns where its path climbs out of a bend. A profile
+ * that grows or shrinks between two mitres has curved walls, too. As for a twist, such stretches are divided into n
+ * steps and the edges into k pieces. The deviation of the triangles, which decreases with n k, is then within the
+ * tolerance. If the sweep has a seam, the edges are not divided. */
 static bool swept_flatten(vs_swept *s, const vs_fineness *f) {
   enum { MOST = 200 };
   size_t count = s->section_count, total = 0, *pieces = NULL, *steps = NULL;
@@ -323,7 +329,8 @@ static bool swept_flatten(vs_swept *s, const vs_fineness *f) {
   for (size_t r = 0; ok && r < count; r++) {
     const vs_section *a = &s->sections[r], *b = &s->sections[r + 1 == count ? 0 : r + 1];
     bool goes = !a->ends && (s->joined || r + 1 < count);
-    for (int pass = 0; pass < 2; pass++) { /* the steps by the edge that bends most, then the pieces of each edge */
+    for (int pass = 0; pass < 2; pass++) { /* the first pass computes the steps by the edge with the largest deviation,
+                                            * the second the pieces of each edge */
       double most = 0;
       for (size_t l = 0, first = 0; goes && l < s->loop_count; first += s->sizes[l], l++)
         for (size_t i = 0; i + !s->filled < s->sizes[l]; i++) {
@@ -360,17 +367,18 @@ static bool swept_flatten(vs_swept *s, const vs_fineness *f) {
   return ok;
 }
 
-/* How the profile stands at a point of the way, besides what carries it there: how its section leans, and how far it is
- * turned. */
+/* The position of the profile at a point of the path, apart from the moving frame: the lean of its section, and the
+ * angle by which it is turned. */
 typedef struct { vs_vec3 lean; double spin; } swept_stance;
 
-/* path is used up: its points are refined where a twist needs it. x: the profile's first direction at the start;
- * upright, where it is not NULL, says it everywhere. */
+/* Makes the sections along a path; this function may change the path's points, and divides the path for a twist. x:
+ * first direction of the profile at the start; if upright is not NULL, it determines the direction everywhere. Returns
+ * false and sets e on failure. */
 static bool swept_along(vs_swept *s, vs_path *path, vs_vec3 x, const vs_upright *upright, double twist, double scale,
                         vs_vec2 base, double reach, const vs_fineness *f, vs_error *e) {
   vs_path fine = { 0 };
   vs_vec3 *carried = NULL;
-  swept_stance *stance = NULL; /* at each point of fine */
+  swept_stance *stance = NULL; /* position of the profile at each point of `fine` */
   size_t stances = 0;
   bool ok = true;
   double widest = fmax(1, fabs(scale)), rest = twist - full_turn * nearbyint(twist / full_turn);
@@ -379,8 +387,9 @@ static bool swept_along(vs_swept *s, vs_path *path, vs_vec3 x, const vs_upright 
   ok = all_steps > 0;
   for (size_t i = 0; i < path->count; i++) meets = meets && !swept_turns_back(&path->at[i]);
   if (ok && meets && !joins && s->filled) ok = swept_seam(s, base, rest, reach);
-  bool seam = s->seam != NULL; /* a square after a quarter turn is itself: the ends meet */
-  if (!path->closed) { /* ends stand square */
+  bool seam = s->seam != NULL; /* true if the turned profile coincides with itself, such as a square after a quarter
+                                * turn, so that the ends fit */
+  if (!path->closed) { /* the ends of an open path are perpendicular to it */
     path->at[0].arriving = path->at[0].leaving;
     path->at[path->count - 1].leaving = path->at[path->count - 1].arriving;
   }
@@ -401,7 +410,7 @@ static bool swept_along(vs_swept *s, vs_path *path, vs_vec3 x, const vs_upright 
     }
   }
   const vs_path_point *last = path->closed ? &path->at[0] : &path->at[path->count - 1];
-  bool ends = !joins; /* a closed path whose ends do not match gets its first point again */
+  bool ends = !joins; /* true if the ends of a closed path do not fit, so that its first point is repeated */
   if (ends) {
     ok = ok && vs_path_add(&fine, last->at, last->arriving, last->leaving);
     if (ok) stance[fine.count - 1] = (swept_stance){ swept_lean(last, last->leaving), 0 };
@@ -415,7 +424,7 @@ static bool swept_along(vs_swept *s, vs_path *path, vs_vec3 x, const vs_upright 
   if (ok && seam) carried[fine.count - 1] = carried[0];
   bool broken = false;
   for (size_t i = 0; ok && stands && i < fine.count + broken; i++) {
-    bool round = i == fine.count; /* a closed path in pieces ends where it began */
+    bool round = i == fine.count; /* the last piece of a closed path ends where the first begins */
     vs_path_point p = fine.at[round ? 0 : i];
     double t = round ? 1 : fine.length > 0 ? fine.at[i].along / fine.length : 0;
     if (joins && i == 0) for (size_t k = 0; k < fine.count; k++) broken = broken || swept_turns_back(&fine.at[k]);
@@ -442,8 +451,9 @@ static bool swept_along(vs_swept *s, vs_path *path, vs_vec3 x, const vs_upright 
   return stands && (ok || vs_error_memory(e, NULL));
 }
 
-/* The path, sampled so that what the profile draws on the outside of its bends keeps the tolerance too: a stretch that
- * turns by d rises over its chord by 1 - cos(d/2) of the radius, there the path's own and the profile's reach. */
+/* Samples the path so that the outer side of the swept profile is within the tolerance, too. A stretch that turns by
+ * the angle d deviates from its chord by (1 - cos(d/2)) times the radius. Here the radius is that of the path plus the
+ * profile's reach. */
 static bool swept_path(const vs_node *curve, const vs_fineness *f, double reach, vs_path *path, vs_error *e) {
   vs_affine identity = vs_affine_identity();
   double most = 0;
@@ -451,7 +461,7 @@ static bool swept_path(const vs_node *curve, const vs_fineness *f, double reach,
   if (f->segments > 0) return true;
   for (size_t i = 0; i + !path->closed < path->count; i++) {
     const vs_path_point *p = &path->at[i], *q = &path->at[i + 1 < path->count ? i + 1 : 0];
-    double turn = vs_v3_length(vs_v3_sub(q->arriving, p->leaving)); /* 2 sin(d/2) */
+    double turn = vs_v3_length(vs_v3_sub(q->arriving, p->leaving)); /* length of this difference is 2 sin(d/2) */
     most = fmax(most, turn * turn / 8 * (reach + vs_v3_length(vs_v3_sub(q->at, p->at)) / fmax(turn, 1e-9)));
   }
   if (most <= f->tolerance * 1.01) return true;
@@ -461,10 +471,10 @@ static bool swept_path(const vs_node *curve, const vs_fineness *f, double reach,
   return vs_curve_path(curve, &identity, &fine, path, e);
 }
 
-/* ---- the three kinds ---- */
+/* ---- the three kinds: extrude, sweep and thicken ---- */
 
-/* Along a path without turning, filled: pieces that each go to one side of the profile's plane. A profile that moves
- * within its plane fills nothing. */
+/* Divides a filled extrusion along a path without turning into pieces, each of which moves to one side of the profile's
+ * plane. Returns false and sets e if the profile moves within its plane, because it then fills no volume. */
 static bool swept_pieces(vs_swept *s, const vs_profile_plane *plane, const vs_path *path, vs_error *e) {
   double side = 0;
   size_t stretches = path->closed ? path->count : path->count - 1;
@@ -488,7 +498,7 @@ static bool swept_pieces(vs_swept *s, const vs_profile_plane *plane, const vs_pa
                       plane->normal.x, plane->normal.y, plane->normal.z);
 }
 
-/* along a vector, or along a path without turning */
+/* extrudes along a vector, or along a path without turning */
 static bool swept_extrude(vs_swept *s, const vs_node *n, const vs_fineness *f, vs_error *e) {
   const struct vs_extrude *x = VS_AS(extrude, n);
   vs_profile_plane plane = { 0 };
@@ -510,7 +520,7 @@ static bool swept_extrude(vs_swept *s, const vs_node *n, const vs_fineness *f, v
   vs_vec3 middle =
       vs_v3_add(plane.origin, vs_v3_add(vs_v3_scale(plane.x, plane.base.x), vs_v3_scale(plane.y, plane.base.y)));
   vs_vec3 way = ok ? vs_v3_sub(path.at[path.count - 1].at, path.at[0].at) : none;
-  /* the twist goes about the way of travel */
+  /* The twist is about the direction of travel. */
   double rises = vs_v3_dot(vs_v3_unit(way), plane.normal), hand = rises < 0 ? -1 : 1;
   if (ok && !curve && s->filled && fabs(rises) < 1e-9)
     ok = vs_error_set(e, VS_ERROR_MODEL, NULL,
@@ -558,7 +568,7 @@ static bool swept_sweep(vs_swept *s, const vs_node *n, const vs_fineness *f, vs_
     vs_affine turn = vs_frame_turn(plane.normal, path.at[0].leaving);
     const vs_node *c = n->children[0].node;
     while (c->child_count == 1) c = c->children[0].node;
-    /* its twist is not to be seen */
+    /* A circle swept along a circle looks the same with any twist. */
     bool round = path.closed && !w->has_base && vs_profile_circle(n->children[0].node) > 0 && c->kind == VS_CIRCLE &&
                  VS_AS(circle, c)->segments <= 0;
     vs_upright upright = { 0 };

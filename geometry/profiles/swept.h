@@ -1,4 +1,5 @@
-/* Declares, for use in geometry/ alone, what extrude, sweep and thicken have in common: a profile carried through sections. */
+/* Declares, for use in geometry/ alone, the common part of extrude, sweep and thicken: a profile that is moved through
+ * sections. */
 #ifndef VS_GEOMETRY_PROFILES_SWEPT_H
 #define VS_GEOMETRY_PROFILES_SWEPT_H
 
@@ -7,31 +8,32 @@
 #include "model/mesh.h"
 #include "geometry/plane/ear_clipping.h"
 
-/* Section i maps the profile's plane into space: (u, v) -> x * u + y * v + at. Between neighbours the map goes
- * linearly: that, and not the triangles, is what the solid is. */
+/* A section maps the point (u, v) of the profile's plane to x * u + y * v + at. Between two sections the map is
+ * interpolated linearly. This interpolation defines the solid, not the triangles. */
 typedef struct {
   vs_vec3 x, y, at;
-  bool ends; /* a piece: nothing lies between this section and the next */
+  bool ends; /* true if a piece ends at this section, so that nothing connects it to the next section */
 } vs_section;
 typedef struct {
-  vs_vec2 *profile;   /* loops one behind the other; outer ones counter-clockwise, each followed by its holes */
-  size_t *sizes;      /* of the loops */
+  vs_vec2 *profile;   /* points of the loops, one loop after another; outer loops are counter-clockwise, each followed
+                       * by its holes */
+  size_t *sizes;      /* number of points of each loop */
   bool *hole;
   size_t loop_count, profile_count;
-  bool filled;        /* false: an open profile; it makes a surface */
+  bool filled;        /* true for a solid; false if the profile is open and sweeps a surface */
   vs_section *sections;
   size_t section_count, section_room;
-  bool joined;        /* the last section goes on to the first */
-  size_t *seam;       /* not NULL: the last section is the first again, turned, and its point i lies on point seam[i] of
-                       * that */
-  bool across;        /* the sections stand across a path, x and y right-handed about the way */
-  vs_vec2 base;       /* across: the point of the profile that rides on the path */
+  bool joined;        /* true if the last section is connected to the first */
+  size_t *seam;       /* if not NULL: the last section coincides with the first, but turned; its point i coincides with
+                       * point seam[i] of the first */
+  bool across;        /* true if the sections are across a path, with x and y right-handed about the path's direction */
+  vs_vec2 base;       /* if across: the point of the profile that moves along the path */
 } vs_swept;
 
 void vs_swept_free(vs_swept *s);
-/* n: an extrude, sweep or thicken (of a curve or region). */
+/* Plans the sections of n, an extrude, sweep or thicken (of a curve or region). Returns false and sets e on failure. */
 bool vs_swept_plan(const vs_node *n, const vs_fineness *f, vs_swept *out, vs_error *e);
-/* The map between two neighbouring sections, 0 <= t <= 1 */
+/* Returns the interpolated map between two neighbouring sections, 0 <= t <= 1. */
 vs_section vs_section_between(const vs_section *a, const vs_section *b, double t);
 
 #endif

@@ -1,4 +1,4 @@
-/* Implements the triangles between the sections of a sweep, an extrusion or a pipe. */
+/* Makes the triangles between the sections of a sweep, an extrusion or a pipe. */
 #include "geometry/profiles/swept_mesh.h"
 
 #include <stdlib.h>
@@ -7,8 +7,8 @@
 #include "geometry/profiles/overturn.h"
 #include "model/store/array.h"
 
-/* The points of all sections, section by section, and those of the first again; from which section to the next part of
- * the profile goes backwards; room for the vertices of the points. */
+/* at: points of all sections, one section after another, and those of the first again; turns[i]: true if a part of the
+ * profile goes backwards from section i to the next; numbers: memory for the vertices of the points. */
 typedef struct {
   vs_vec3 *at;
   bool *turns;
@@ -42,7 +42,7 @@ static bool lay(const vs_swept *s, laid *l) {
   return true;
 }
 
-/* The rows of a piece, a run or a whole; numbers: their part of the room. */
+/* Returns the grid of the rows from index `first` on, which form a piece, a run or the whole sweep. */
 static vs_quad_grid grid_of(const vs_swept *s, const laid *l, size_t first, size_t rows) {
   return (vs_quad_grid){ .at = l->at + first * s->profile_count, .rows = rows, .columns = s->profile_count,
                          .sizes = s->sizes, .hole = s->hole, .loop_count = s->loop_count, .round = s->filled,
@@ -64,7 +64,7 @@ static bool mesh_of(const vs_swept *s, const vs_quad_grid *g, bool may_be_inside
   return !back || vs_overturn_fill(&(vs_overturn_rows){ s, g->numbers, g->by_number, steps, inside_out }, first, out);
 }
 
-/* Where the piece ends that begins with this section: its last one. */
+/* Returns the last section of the piece that begins with section `first`. */
 static size_t piece_end(const vs_swept *s, size_t first) {
   size_t end = first;
   while (end + 1 < s->section_count && !s->sections[end].ends) end++;

@@ -4,18 +4,20 @@
 
 #include "geometry/profiles/swept.h"
 
-bool vs_swept_mesh(const vs_swept *s, vs_mesh *out); /* appends; false: out of memory */
+bool vs_swept_mesh(const vs_swept *s, vs_mesh *out); /* appends the triangles of the sweep; returns false when memory is
+                                                      * out */
 
-/* Does part of the profile go backwards in any step? False: out of memory. */
+/* Sets *turns to true if a part of the profile goes backwards in any step. Returns false when memory is out. */
 bool vs_swept_turns(const vs_swept *s, bool *turns);
 
-/* The same solid as closed meshes of so many steps each, and one more that it has in common with the next: a wall that
- * two of them only touched in would be a crack once corners are rounded. Each winds more than 0 times around what the
- * profile passes through in these steps, and the union of all is the solid. The sections stand across a path. The
- * caller frees the meshes, and their array. False: out of memory, and there are none. */
+/* Makes closed meshes, the runs, of the given number of steps each. Their union is the solid. Each run also has one
+ * step in common with the next run: if two runs only touched in a wall, rounding of corners would make a crack. The
+ * winding number of a run is above 0 exactly in the places that the profile passes through in its steps. The sections
+ * must be across a path. The caller frees the meshes and their array. Returns false, without meshes, when memory is
+ * out. */
 bool vs_swept_runs(const vs_swept *s, size_t steps, vs_mesh **runs, size_t *count);
 
-/* A region or closed profile as triangles in its plane */
+/* Makes the triangles of a region or closed profile, in its plane. Returns false when memory is out. */
 bool vs_outline_mesh(const vs_outline *o, vs_mesh *out);
 
 #endif

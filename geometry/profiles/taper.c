@@ -1,15 +1,15 @@
-/* Implements extrusions with inclined walls: every edge of the profile moves inwards (outwards) at the same speed, and
- * its wall is the plane of its motion.
+/* Makes extrusions with inclined walls. Every edge of the profile moves inwards or outwards at the same speed, and its
+ * wall is the plane of this motion.
  *
- * In the profile's plane edge i lies on the line sign (n_i . x - c_i) = d, n_i its unit normal into the material, d
- * growing from 0 to its end. Two neighbours meet in a corner that moves with the velocity sign (n_i + n_j) / (1 + n_i .
- * n_j). Two kinds of event occur (the straight skeleton of the profile). An edge between corners that approach each
- * other vanishes when they meet, and its neighbours become neighbours. A reflex corner hits the edge of another wall
- * and splits it, and with it the loop (or joins a hole to the loop around it). A loop of two edges ends: in a point,
- * or, if opposite edges coincide, in a ridge. Events wait in a heap; each is checked again when its turn comes, because
- * its edges may have changed. Each wall is one plane polygon: its edge below, the tracks of the corners on both sides
- * of it (or of its pieces, if it was split), and the parts of the edge that reach the top. Cost: reflex corners times
- * edges, times a logarithm. */
+ * In the profile's plane, edge i lies on the line sign (n_i . x - c_i) = d. n_i is its unit normal into the material; d
+ * grows from 0 to its end. The corner of two neighbours moves with the velocity sign (n_i + n_j) / (1 + n_i . n_j). Two
+ * kinds of event occur (the straight skeleton of the profile). First, an edge vanishes when its two corners come
+ * together, and its neighbours become neighbours of each other. Second, a reflex corner hits the edge of another wall
+ * and splits it. This also splits the loop, or joins a hole to the loop around it. A loop of two edges ends in a point,
+ * or in a ridge if the edges coincide. Events wait in a heap. Each is checked again when its turn comes, because its
+ * edges may have changed. Each wall is one planar polygon. It consists of its edge below, the tracks of the corners on
+ * both sides of it (or of its pieces, if it was split), and the parts of the edge that reach the top. The time is the
+ * number of reflex corners times the number of edges, times a logarithm. */
 #include "geometry/profiles/taper.h"
 #include "geometry/plane/planar_evaluation.h"
 #include "geometry/plane/outline.h"
@@ -22,37 +22,39 @@
 
 typedef struct { uint32_t *at; size_t count, room; } taper_chain;
 
-typedef struct { /* a piece of an edge; all of it if it was never split */
-  vs_vec2 normal, way;      /* unit; the material is to the left of way, and normal points to it */
-  double line;              /* normal . x of the edge below */
+typedef struct { /* a piece of an edge, or the entire edge if it was never split */
+  vs_vec2 normal, way;      /* unit vectors: way is the direction of the edge, with the material on its left; normal
+                             * points into the material */
+  double line;              /* scalar product of the normal with the points of the edge below */
   size_t before, after;     /* neighbours in the current loop */
-  taper_chain left, right;  /* vertices of its corner with `before`, with `after`, from below to above */
-  vs_vec2 corner;           /* with `after`: its position at `since`, when its speed last changed */
+  taper_chain left, right;  /* vertices along the tracks of its corners with `before` and with `after`, upwards */
+  vs_vec2 corner;           /* position of its corner with `after` at the time `since`, when the corner's speed last
+                             * changed */
   double since;
-  size_t next_piece;        /* of the same wall, to the left; SIZE_MAX: none */
+  size_t next_piece;        /* the next piece of the same wall, to the left; SIZE_MAX: none */
   uint32_t stamp, corner_stamp;
   bool gone;
 } taper_edge;
 
 typedef struct {
   double d;
-  size_t edge, wall /* wall SIZE_MAX: the edge vanishes; else its corner hits this wall */;
+  size_t edge, wall /* wall SIZE_MAX: the edge vanishes; else: its corner with `after` hits this wall */;
   uint32_t stamp;
 } taper_event;
 
 typedef struct {
   taper_edge *edges;
-  size_t count, room, walls; /* the first `walls` of the edges began below */
+  size_t count, room, walls; /* the first `walls` edges are those of the profile */
   taper_event *events;
   size_t event_count, event_room;
-  double sign, end, size;   /* d goes from 0 to end, inwards if sign is 1 */
+  double sign, end, size;   /* sign: 1 if the edges move inwards, -1 outwards; end: greatest d; size: of the profile */
   vs_mesh *out;
-  vs_vec2 *flat;            /* of out's vertices from `first` on: (position, d) */
+  vs_vec2 *flat;            /* position in the plane and d of each vertex of out, from `first` on */
   double *level;
   size_t flat_room;
   uint32_t first;
-  const vs_affine *frame;   /* from (u, v, 0) to space */
-  vs_vec3 rise;             /* in space, for d = end */
+  const vs_affine *frame;   /* map from (u, v, 0) to space */
+  vs_vec3 rise;             /* vector in space from d = 0 to d = end */
 } taper;
 
 static double taper_dot(vs_vec2 a, vs_vec2 b) { return a.x * b.x + a.y * b.y; }
@@ -78,10 +80,10 @@ static bool taper_vertex(taper *t, vs_vec2 p, double d, uint32_t *index) {
   return vs_mesh_add_vertex(t->out, at, index);
 }
 
-/* ---- corners ---- */
+/* ---- corners of two edges ---- */
 
-/* Computes the velocity of the corner between edges i and j; returns false if they run against each other, and there is
- * none. */
+/* Computes the velocity of the corner between edges i and j. Returns false if the edges are antiparallel, so that there
+ * is no velocity. */
 static bool taper_speed(const taper *t, size_t i, size_t j, vs_vec2 *speed) {
   vs_vec2 a = t->edges[i].normal, b = t->edges[j].normal;
   double k = 1 + taper_dot(a, b);
@@ -91,7 +93,8 @@ static bool taper_speed(const taper *t, size_t i, size_t j, vs_vec2 *speed) {
   return true;
 }
 
-static vs_vec2 taper_corner(const taper *t, size_t i, double d) { /* returns the corner of edge i with its `after` */
+static vs_vec2 taper_corner(const taper *t, size_t i, double d) { /* returns the position at d of the corner between
+                                                                   * edge i and its `after` */
   const taper_edge *e = &t->edges[i];
   vs_vec2 speed;
   taper_speed(t, i, e->after, &speed);
@@ -113,7 +116,8 @@ static bool taper_near(const taper *t, vs_vec2 a, vs_vec2 b) { return hypot(a.x 
 
 static bool taper_sooner(const taper_event *a, const taper_event *b) {
   if (a->d != b->d) return a->d < b->d;
-  if ((a->wall == SIZE_MAX) != (b->wall == SIZE_MAX)) return a->wall == SIZE_MAX; /* edges that vanish come first */
+  if ((a->wall == SIZE_MAX) != (b->wall == SIZE_MAX)) return a->wall == SIZE_MAX; /* events in which an edge vanishes
+                                                                                   * come first */
   return a->edge != b->edge ? a->edge < b->edge : a->wall < b->wall;
 }
 
@@ -138,13 +142,14 @@ static taper_event taper_next(taper *t) {
   return first;
 }
 
-/* Returns the d at which edge i vanishes; INFINITY: it does not, with its current neighbours. There is an edge i. */
+/* Returns the d at which edge i vanishes, or INFINITY if it does not with its current neighbours. i is the index of an
+ * edge. */
 static double taper_vanishes(const taper *t, size_t i, double now) {
   size_t p = t->edges[i].before, q = t->edges[i].after;
   vs_vec2 left, right, way = t->edges[i].way;
   bool stuck_p = !taper_speed(t, p, i, &left), stuck_q = !taper_speed(t, i, q, &right);
   VS_ASSERT(i < t->count);
-  if (stuck_p || stuck_q) { /* a neighbour lies on it: the shorter of them vanishes at once */
+  if (stuck_p || stuck_q) { /* a neighbour lies on the edge, so the shorter of the two vanishes at once */
     double own = taper_length(t, i, now), other = stuck_p ? taper_length(t, p, now) : taper_length(t, q, now);
     return own <= other ? now : INFINITY;
   }
@@ -159,7 +164,7 @@ static bool taper_expect_vanishing(taper *t, size_t i, double now) {
   return taper_expect(t, (taper_event){ taper_vanishes(t, i, now), i, SIZE_MAX, ++t->edges[i].stamp });
 }
 
-/* Adds events for the walls that the corner of edge i with its `after` may hit. */
+/* Adds events for the walls that the corner of edge i with its `after` may hit. Returns false when memory is out. */
 static bool taper_expect_hits(taper *t, size_t i, double now) {
   vs_vec2 speed, at = taper_corner(t, i, now);
   uint32_t stamp = ++t->edges[i].corner_stamp;
@@ -174,7 +179,7 @@ static bool taper_expect_hits(taper *t, size_t i, double now) {
   return true;
 }
 
-/* Makes edges p and q, which differ, neighbours with their corner at `at`. */
+/* Makes edges p and q neighbours, with their corner at `at` for the time d. p and q differ. */
 static void taper_join(taper *t, size_t p, size_t q, vs_vec2 at, double d) {
   VS_ASSERT(p != q);
   t->edges[p].after = q;
@@ -183,7 +188,7 @@ static void taper_join(taper *t, size_t p, size_t q, vs_vec2 at, double d) {
   t->edges[p].since = d;
 }
 
-/* Ends a loop of two different edges; corner `known` of p with q has the vertex v. */
+/* Ends a loop of the two edges p and q, which differ. Their corner at `at` has the vertex v. */
 static bool taper_finish(taper *t, size_t p, size_t q, double d, vs_vec2 at, uint32_t v) {
   vs_vec2 other = taper_corner(t, q, d);
   uint32_t w = v;
@@ -193,7 +198,8 @@ static bool taper_finish(taper *t, size_t p, size_t q, double d, vs_vec2 at, uin
   return ok && taper_push(&t->edges[q].right, w) && taper_push(&t->edges[p].left, w);
 }
 
-/* After an event at the corner of p with its `after`: ends the loop, or adds new events. */
+/* Called after an event at the corner of p with its `after`. Ends the loop if it has two edges; otherwise adds new
+ * events. */
 static bool taper_settle(taper *t, size_t p, double d, uint32_t v) {
   size_t q = t->edges[p].after;
   if (t->edges[p].gone) return true;
@@ -201,13 +207,13 @@ static bool taper_settle(taper *t, size_t p, double d, uint32_t v) {
   return taper_expect_vanishing(t, p, d) && taper_expect_vanishing(t, q, d) && taper_expect_hits(t, p, d);
 }
 
-/* Removes edge i, which exists, at d: its neighbours meet. */
+/* Removes edge i at the time d, so that its neighbours become neighbours of each other. */
 static bool taper_remove(taper *t, size_t i, double d) {
   taper_edge *e = &t->edges[i];
   size_t p = e->before, q = e->after;
   vs_vec2 speed, a = taper_corner(t, p, d), b = taper_corner(t, i, d);
   bool stuck_p = !taper_speed(t, p, i, &speed), stuck_q = !taper_speed(t, i, q, &speed);
-  /* if a neighbour runs against it, the edge vanishes at once, and the neighbours continue from the other corner */
+  /* If a neighbour runs against the edge, the edge vanishes at once. The neighbours continue from the other corner. */
   vs_vec2 at = stuck_p ? b : stuck_q ? a : (vs_vec2){ (a.x + b.x) / 2, (a.y + b.y) / 2 };
   uint32_t v, w;
   bool ok = taper_vertex(t, at, d, &v);
@@ -223,7 +229,7 @@ static bool taper_remove(taper *t, size_t i, double d) {
   return ok && taper_settle(t, p, d, v);
 }
 
-/* Returns the piece of the wall that contains the position; SIZE_MAX: none. */
+/* Returns the piece of the wall that contains the position `at` at the time d, or SIZE_MAX if there is none. */
 static size_t taper_piece_at(const taper *t, size_t wall, vs_vec2 at, double d, size_t p, size_t q) {
   double slack = 1e-9 * t->size;
   for (size_t i = wall; i != SIZE_MAX; i = t->edges[i].next_piece) {
@@ -237,13 +243,13 @@ static size_t taper_piece_at(const taper *t, size_t wall, vs_vec2 at, double d, 
   return SIZE_MAX;
 }
 
-/* Splits a piece of the wall at the corner of p with its `after`: p continues along the piece's part ahead, the part
- * behind continues along p's `after`. */
+/* Splits a piece of the wall at the corner of p with its `after`. The loop of p continues along the part of the piece
+ * ahead, and the loop of p's `after` along the part behind. */
 static bool taper_split(taper *t, size_t p, size_t wall, double d) {
   size_t q = t->edges[p].after;
   vs_vec2 at = taper_corner(t, p, d);
   size_t ahead = taper_piece_at(t, wall, at, d, p, q);
-  /* each corner splits once; more splits come from rounding */
+  /* Each corner can split only once; more splits result from rounding. */
   if (ahead == SIZE_MAX || t->count >= 3 * t->walls) return true;
   if (!VS_GROW(t->edges, t->room, t->count + 1)) return false;
   size_t behind = t->count++;
@@ -290,7 +296,7 @@ static bool taper_run(taper *t) {
 
 /* ---- walls and caps ---- */
 
-/* Writes the faces of the wall over one of the edges. */
+/* Writes the faces of the wall over an edge of the profile. */
 static bool taper_wall(taper *t, size_t wall) {
   const taper_edge *e = &t->edges[wall];
   size_t n = 0, k = 0;
@@ -300,7 +306,7 @@ static bool taper_wall(taper *t, size_t wall) {
   vs_vec2 *at = vs_fresh(n, sizeof *at);
   uint32_t *index = vs_fresh(n, sizeof *index);
   bool ok = at && index;
-  /* pieces from right to left: up on the right of each, down on its left */
+  /* Visits the pieces from right to left, upwards on the right side of each and downwards on its left side. */
   for (size_t i = wall; ok && i != SIZE_MAX; i = t->edges[i].next_piece) {
     const taper_edge *p = &t->edges[i];
     for (size_t j = 0; j < p->right.count; j++)
@@ -309,7 +315,8 @@ static bool taper_wall(taper *t, size_t wall) {
       if (!(k && index[k - 1] == p->left.at[j])) index[k++] = p->left.at[j];
   }
   while (k > 1 && index[k - 1] == index[0]) k--;
-  for (size_t i = 0; ok && i < k; i++) { /* coordinates along the edge, and d: the wall's slope does not matter */
+  for (size_t i = 0; ok && i < k; i++) { /* triangulates in coordinates along the edge and d; the slope of the wall does
+                                          * not matter */
     vs_vec2 p = t->flat[index[i] - t->first];
     at[i] = (vs_vec2){ taper_dot(p, e->way), t->level[index[i] - t->first] };
   }
@@ -330,8 +337,8 @@ static void taper_free(taper *t) {
   free(t->level);
 }
 
-/* Returns true if the corner would move more than four times as fast as its edges: an edge of length 0 then cuts it
- * off. */
+/* Returns true if the corner of two edges would move more than four times as fast as the edges. An edge of length 0
+ * then cuts it off. */
 static bool taper_is_sharp(const taper *t, vs_vec2 a, vs_vec2 b) {
   return t->sign * taper_cross(a, b) < 0 && 1 + taper_dot(a, b) < 0.125;
 }
@@ -342,7 +349,7 @@ static void taper_add_edge(taper *t, vs_vec2 to, vs_vec2 way) {
       (taper_edge){ .way = way, .normal = normal, .line = taper_dot(normal, to), .corner = to, .next_piece = SIZE_MAX };
 }
 
-/* Adds the edges of one loop, with their vertices below. */
+/* Appends the edges of one loop, and their vertices below. */
 static bool taper_loop(taper *t, const vs_vec2 *p, size_t n, uint32_t *below) {
   size_t first = t->count;
   for (size_t i = 0; i < n; i++) {
@@ -354,7 +361,9 @@ static bool taper_loop(taper *t, const vs_vec2 *p, size_t n, uint32_t *below) {
     vs_vec2 sum = { way.x + next.x, way.y + next.y };
     double s = hypot(sum.x, sum.y);
     if (s > 1e-6) sum = (vs_vec2){ sum.x / s, sum.y / s };
-    else sum = t->sign > 0 ? (vs_vec2){ way.y, -way.x } : (vs_vec2){ -way.y, way.x }; /* a slit: around its tip */
+    else sum = t->sign > 0 ? (vs_vec2){ way.y, -way.x } : (vs_vec2){ -way.y, way.x }; /* at the tip of a slit, the
+                                                                                       * additional edge is
+                                                                                       * perpendicular to it */
     taper_add_edge(t, b, sum);
   }
   size_t count = t->count - first;
@@ -363,13 +372,13 @@ static bool taper_loop(taper *t, const vs_vec2 *p, size_t n, uint32_t *below) {
     taper_edge *e = &t->edges[first + i];
     e->before = first + (i + count - 1) % count;
     e->after = first + (i + 1) % count;
-    /* edges of length 0 share the vertex of the edge before them */
+    /* Edges of length 0 share the vertex of the edge before them. */
     vs_vec2 q = e->corner, before = t->edges[e->before].corner;
     uint32_t v = 0;
     if (i && q.x == before.x && q.y == before.y) v = t->edges[e->before].right.at[0];
     else {
       ok = taper_vertex(t, q, 0, &v);
-      below[shown++] = v; /* p[1], p[2] .. p[0] */
+      below[shown++] = v; /* the order is p[1], p[2] .. p[0] */
     }
     ok = ok && taper_push(&e->right, v);
   }
@@ -378,7 +387,7 @@ static bool taper_loop(taper *t, const vs_vec2 *p, size_t n, uint32_t *below) {
   return ok;
 }
 
-/* a loop at the top: points first .. first + size - 1 */
+/* A loop at the top: its points are first to first + size - 1. */
 typedef struct { size_t first, size; double area; } taper_ring;
 
 static bool taper_ring_holds(const vs_vec2 *at, const taper_ring *r, vs_vec2 p) {
@@ -390,7 +399,7 @@ static bool taper_ring_holds(const vs_vec2 *at, const taper_ring *r, vs_vec2 p) 
   return inside;
 }
 
-/* Makes the caps of the loops at the top: each outer loop with the holes for which it is the smallest loop around
+/* Makes the caps at the top. Each outer loop gets the holes that it contains, unless a smaller outer loop contains
  * them. */
 static bool taper_top(taper *t) {
   size_t total = 0, rings = 0;
@@ -400,7 +409,7 @@ static bool taper_top(taper *t) {
   size_t *sizes = vs_fresh(total + 1, sizeof *sizes), *holder = vs_fresh(total + 1, sizeof *holder), k = 0;
   taper_ring *ring = vs_fresh(total + 1, sizeof *ring);
   bool ok = at && loop && index && row && sizes && holder && ring;
-  for (size_t i = 0; ok && i < t->count; i++) { /* edges already used are marked as gone */
+  for (size_t i = 0; ok && i < t->count; i++) { /* an edge that was used is marked as gone */
     if (t->edges[i].gone) continue;
     taper_ring *r = &ring[rings++];
     *r = (taper_ring){ .first = k };
@@ -489,7 +498,7 @@ bool vs_taper_straight(const vs_node *n, vs_vec3 way, const vs_fineness *f, vs_m
   t.walls = t.count;
   ok = ok && (taper_run(&t) || vs_error_memory(e, NULL));
   for (size_t i = 0; ok && i < t.walls; i++) ok = taper_wall(&t, i) || vs_error_memory(e, NULL);
-  /* the profile itself, seen from below; `below` begins with each loop's second point */
+  /* The cap at the bottom: the profile as seen from below. `below` begins with the second point of each loop. */
   for (size_t l = 0, from = 0; ok && l < o.count;) {
     size_t end = l + 1, count = sizes[l];
     while (end < o.count && o.hole[end]) count += sizes[end++];
@@ -499,7 +508,8 @@ bool vs_taper_straight(const vs_node *n, vs_vec3 way, const vs_fineness *f, vs_m
     l = end;
   }
   ok = ok && (taper_top(&t) || vs_error_memory(e, NULL));
-  if (ok && vs_v3_dot(way, o.normal) < 0) vs_mesh_turn(out, first_triangle); /* the extrusion goes down */
+  if (ok && vs_v3_dot(way, o.normal) < 0) vs_mesh_turn(out, first_triangle); /* the extrusion goes down, so its
+                                                                              * triangles are reversed */
   taper_free(&t);
   free(flat);
   free(below);

@@ -6,10 +6,11 @@
 #include "model/mesh.h"
 #include "model/node.h"
 
-/* Appends the mesh of an extrusion with a taper: its walls are plane until they vanish; closed and oriented. */
+/* Appends the mesh of an extrusion with a taper. Its walls are planar up to where they vanish. The mesh is closed and
+ * oriented. Returns false and sets e on failure. */
 bool vs_taper_mesh(const vs_node *extrude, const vs_fineness *f, vs_mesh *out, vs_error *e);
-/* Does the same along the vector `way`, in place of the node's own vector. taper_path.c: along a bent curve, the second
- * child. */
+/* Appends the mesh of an extrusion with a taper along the vector `way` instead of the node's own direction.
+ * taper_path.c needs it for extrusions along a bent curve. Returns false and sets e on failure. */
 bool vs_taper_straight(const vs_node *extrude, vs_vec3 way, const vs_fineness *f, vs_mesh *out, vs_error *e);
 
 #endif

@@ -1,6 +1,6 @@
-/* Implements extrusions with a taper along a bent curve: the straight extrusion of the same height, cut at the heights
- * of the curve's corners, with every height moved to the curve's position there. By Cavalieri's principle it has the
- * straight one's volume. */
+/* Makes extrusions with a taper along a bent curve. The straight extrusion of the same height is cut at the heights of
+ * the curve's corners. Then every vertex is moved to the curve's position at its height. By Cavalieri's principle the
+ * volume does not change. */
 #include "geometry/profiles/taper_path.h"
 
 #include <stdlib.h>
@@ -11,11 +11,12 @@
 #include "geometry/profiles/taper.h"
 #include "model/store/array.h"
 
-/* A vertex that cutting has put on an edge, in an open-addressing table by the edge's two ends. */
+/* A vertex on an edge where the edge was cut, in a hash table with open addressing. a, b: ends of the edge; at: the
+ * vertex. */
 typedef struct { uint32_t a, b, at; } cut_point;
 typedef struct { cut_point *slots; size_t room, count; } cut_table;
 
-/* Returns the slot of the edge from a to b, or a free one; the room is a power of two. */
+/* Returns the slot of the edge from a to b, or a free slot if it is not in the table. t->room is a power of two. */
 static cut_point *cut_slot(const cut_table *t, uint32_t a, uint32_t b) {
   size_t i = (size_t)((((uint64_t)a << 32 | b) * UINT64_C(0x9E3779B97F4A7C15)) >> 20) & (t->room - 1);
   VS_ASSERT(t->room > 0 && (t->room & (t->room - 1)) == 0);
@@ -36,12 +37,12 @@ static bool cut_begin(cut_table *t, size_t edges) {
   return true;
 }
 
-/* The straight extrusion that is cut. Heights are lengths above the origin along the normal. */
+/* The straight extrusion that is cut. Heights are distances from the origin along the normal. */
 typedef struct {
   vs_mesh *m;
-  size_t first_vertex, first; /* its first vertex and triangle */
+  size_t first_vertex, first; /* its first vertex and first triangle in m */
   vs_vec3 origin, normal;
-  double near;                /* vertices within this height of a cut lie on it */
+  double near;                /* a vertex within this distance of a cut's height lies on the cut */
   cut_table table;
 } cut_solid;
 
@@ -50,8 +51,8 @@ static double cut_height(const cut_solid *s, vs_vec3 p) { return vs_v3_dot(vs_v3
 /* A vertex and its height. */
 typedef struct { uint32_t vertex; double height; } cut_end;
 
-/* Sets *at to the vertex where an edge with ends on both sides of the height crosses it; both of its triangles share
- * it. Returns false when memory is out. */
+/* Sets *at to the vertex where an edge crosses the height. The ends are on both sides of it. Both triangles at the edge
+ * share this vertex. Returns false when memory is out. */
 static bool cut_edge(cut_solid *s, cut_end from, cut_end to, double height, uint32_t *at) {
   uint32_t a = from.vertex, b = to.vertex;
   cut_point *p = a < b ? cut_slot(&s->table, a, b) : cut_slot(&s->table, b, a);
@@ -66,7 +67,7 @@ static bool cut_edge(cut_solid *s, cut_end from, cut_end to, double height, uint
   return true;
 }
 
-/* Cuts the triangles at one height. Returns false when memory is out. */
+/* Cuts all triangles at one height. Returns false when memory is out. */
 static bool cut_at(cut_solid *s, double height) {
   vs_mesh *m = s->m;
   size_t end = m->triangle_count;
@@ -81,7 +82,7 @@ static bool cut_at(cut_solid *s, double height) {
     int sum = side[0] + side[1] + side[2], product = side[0] * side[1] * side[2];
     bool passes = product != 0 ? sum != 3 && sum != -3 : sum == 0 && (side[0] || side[1] || side[2]);
     if (!passes) continue;
-    /* the corner that is alone on its side, or a corner exactly at the height */
+    /* Finds the corner that is alone on its side, or a corner exactly at the height. */
     for (int k = 0; k < 3; k++)
       if (product != 0 ? side[k] != side[(k + 1) % 3] && side[k] != side[(k + 2) % 3] : side[k] == 0) up = k;
     int next = (up + 1) % 3, last = (up + 2) % 3;
@@ -99,8 +100,8 @@ static bool cut_at(cut_solid *s, double height) {
   return true;
 }
 
-/* Moves every vertex by the curve's displacement at its height. path: its corners, two or more; heights: of these,
- * ascending. */
+/* Moves every vertex by the displacement of the curve at its height. path: at least two corners of the curve; heights:
+ * their heights, ascending. */
 static void move_along(const cut_solid *s, const vs_polyline *path, const double *heights) {
   vs_mesh *m = s->m;
   VS_ASSERT(s->first_vertex <= m->vertex_count && path->count >= 2);

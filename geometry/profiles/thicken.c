@@ -1,8 +1,8 @@
-/* Implements the thickening of surfaces given as triangles: two copies at a distance, and walls along the border.
+/* Thickens surfaces that consist of triangles: makes two copies at a distance, and walls along the border.
  *
- * A vertex moves along the sum n of its facets' normals weighted by their angles there, until it reaches the mean of
- * the facets' shifted planes, at most four times the distance. If the surface is flat or has one fold, it reaches all
- * of these planes. */
+ * A vertex moves along the sum n of its facets' normals, weighted by their angles at the vertex. It moves until it
+ * reaches the mean of the facets' shifted planes, but at most four times the distance. If the surface is flat or has
+ * one fold at the vertex, the vertex then lies in all of these planes. */
 #include "geometry/profiles/thicken.h"
 
 #include <stdlib.h>
@@ -17,7 +17,7 @@ static int border_compare(const void *p, const void *q) {
   return x->key < y->key ? -1 : x->key > y->key;
 }
 
-/* Adds walls along edges of one facet alone (or of more facets in one direction than in the other). */
+/* Appends walls along edges of a single facet, or of more facets in one direction than in the other. */
 static bool thicken_walls(vs_mesh *out, uint32_t (*facets)[3], size_t count, uint32_t up, uint32_t down) {
   vs_border *edges = vs_fresh(3 * count, sizeof *edges);
   bool ok = edges != NULL;
@@ -39,8 +39,8 @@ static bool thicken_walls(vs_mesh *out, uint32_t (*facets)[3], size_t count, uin
   return ok;
 }
 
-/* Returns true if the facets of the copy that begins at vertex `copy` have the orientation of the surface's own. *at:
- * the position of a facet that does not. */
+/* Returns true if the facets of the copy that begins at vertex `copy` have the same orientation as those of the
+ * surface. If not, *at is the position of a reversed facet. */
 static bool thicken_keeps(const vs_mesh *m, uint32_t (*facets)[3], size_t count, const vs_mesh *out, uint32_t copy,
                           vs_vec3 *at) {
   for (size_t i = 0; i < count; i++) {
@@ -49,7 +49,7 @@ static bool thicken_keeps(const vs_mesh *m, uint32_t (*facets)[3], size_t count,
     vs_vec3 a = vs_v3_cross(vs_v3_sub(p[1], p[0]), vs_v3_sub(p[2], p[0]));
     vs_vec3 b = vs_v3_cross(vs_v3_sub(q[1], q[0]), vs_v3_sub(q[2], q[0]));
     bool keeps = vs_v3_dot(a, b) > 0;
-    for (int k = 0; k < 3; k++) /* a facet inverted through its centre has the same normal, but its edges are
+    for (int k = 0; k < 3; k++) /* a facet that is inverted through its centre has the same normal, but its edges are
                                  * reversed */
       keeps = keeps && vs_v3_dot(vs_v3_sub(p[(k + 1) % 3], p[k]), vs_v3_sub(q[(k + 1) % 3], q[k])) > 0;
     if (!keeps) return *at = p[0], false;
