@@ -5,8 +5,9 @@
  * m = a + b, where a is the arriving direction and b the leaving one. A vector d of the profile across b becomes d - b
  * (d.m)/(b.m), so that both arms keep the true width of the profile. On smooth paths, a = b, and sections are
  * perpendicular to the path. A section with scale 0 is an apex. Corners sharper than about 174 degrees are not mitred,
- * because the mitre would be longer than twenty profiles. One piece ends there perpendicular to the path, and another
- * begins. An extrusion whose curve turns back is also divided into pieces, which are separate solids that overlap. */
+ * because the mitre would be longer than twenty profiles. There, a piece ends perpendicular to the path, and another
+ * piece begins. An extrusion whose curve turns back is also divided into pieces, which are separate solids that
+ * overlap. */
 #include "geometry/profiles/swept.h"
 #include "geometry/plane/planar_evaluation.h"
 

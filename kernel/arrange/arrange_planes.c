@@ -1,14 +1,16 @@
-/* Implements the arrangement in one plane: a group of facets and the cuts in them become faces that nothing crosses,
- * each with its cover.
+/* Arranges the facets in one plane: a group of facets and the cuts in them become faces that nothing crosses, each with
+ * its cover.
  *
- * Plan for a group. (1) Segments: the facets' boundary edges and the cuts. Each lies in a second plane, its `side`. (2)
- * All crossings and contacts of segments whose boxes meet, as points on both: first of the edges, then of the cuts that
- * lie on no edge. (3) Split every segment at its points; equal pieces become one edge, which has the changes of each
- * leaf's cover from its right to its left. (4) A sweep numbers the faces on both sides of every edge. (5) Covers: a
- * walk from the outside inwards. Facets that nothing touches become faces unchanged.
+ * A group is arranged in five steps. (1) Segments are made of the facets' boundary edges and the cuts. Each lies in a
+ * second plane, its `side`. (2) All crossings and contacts of segments whose boxes intersect become points on both
+ * segments. Edges come first, then the cuts that lie on no edge. (3) Every segment is split at its points. Equal pieces
+ * become one edge. It stores, for each leaf, the change of the cover from its right to its left. (4) A sweep numbers
+ * the faces on both sides of every edge. (5) A walk from the outside inwards computes the covers. Facets that nothing
+ * touches become faces unchanged.
  *
- * A group has numbers for its points, copies of the cluster's and new ones alike, so threads can arrange several groups
- * at once. The results are appended in the groups' order, and only then do new points get the cluster's numbers. */
+ * A group has its own numbers for its points, both copies of the cluster's and new ones. Therefore threads can arrange
+ * several groups at once. The results are appended in the order of the groups. Only then do new points get numbers in
+ * the cluster. */
 #include "kernel/arrange/arrange_planes.h"
 
 #include "kernel/arrange/cull.h"
@@ -18,66 +20,72 @@
 
 #include <string.h>
 
-enum { FEW = 24 }; /* so many segments are tested pair by pair */
+enum { FEW = 24 }; /* up to this number of segments, each pair is tested */
 
 typedef struct {
   uint32_t p, q;
-  uint32_t leaf;   /* for a boundary edge: the left of p->q has one more of this leaf than the right; VS_NONE for a
-                    * cut */
-  /* the second plane that contains it; VS_NONE for an edge between vertices of the input; VS_LINE and a line for a
-   * piece of one */
+  uint32_t leaf;   /* boundary edge: the area to the left of p->q has one more cover of this leaf than that to the
+                    * right; cut: VS_NONE */
+  /* the second plane that contains the segment; VS_NONE for an edge between vertices of the input; VS_LINE plus a
+   * line's index for a part of such an edge */
   uint32_t side;
-  uint8_t axis;    /* an axis along which p and q are well apart */
+  uint8_t axis;    /* an axis along which p and q are far apart */
 } segment;
 typedef struct { uint32_t segment, point; } incidence;
-/* l, r: local vertices; delta: cover above less cover below */
+/* A piece of a segment from vertex l to vertex r of the sweep. delta: cover of the leaf above the piece less that
+ * below. */
 typedef struct { uint32_t l, r, leaf; int32_t delta; uint32_t side; } piece;
 
-/* The results of a chunk of groups; points from VS_POINT_MORE on are in `fresh`. */
+/* The results of a chunk of groups. A point number from VS_POINT_MORE on is an index in `fresh`. */
 typedef struct {
-  VS_LIST(vs_face) faces;    /* cover: relative to this list */
+  VS_LIST(vs_face) faces;    /* faces; their member `cover` is an index in this structure's `covers` */
   VS_LIST(vs_cover) covers;
-  VS_LIST(vs_use) uses;      /* face: relative to this list */
-  VS_LIST(uint32_t) lines;   /* of the uses, if facets are given by sides */
+  VS_LIST(vs_use) uses;      /* boundary edges of the faces; their member `face` is an index in this structure's
+                              * `faces` */
+  VS_LIST(uint32_t) lines;   /* line of each use, if facets are given by their sides */
   VS_LIST(vs_fresh_point) fresh;
-  size_t cuts, crossed;      /* cuts: in its planes so far; crossed: number of points in which cuts cross */
-  size_t hidden;             /* about as many of these are inside a lid, where they do not show */
+  size_t cuts, crossed;      /* cuts: number of cuts in its planes so far; crossed: number of points in which cuts
+                              * cross */
+  size_t hidden;             /* estimated number of these points that are inside a lid, so that they do not appear in
+                              * the result */
 } findings;
 
-/* The scratch memory of a thread. */
+/* Working memory of a thread. */
 typedef struct {
   vs_kernel *k;
   const vs_cluster *c;
   findings *to;
-  uint32_t plane_id, place;      /* place: of a leaf with a facet in the plane */
+  uint32_t plane_id, place;      /* plane_id: the group's plane; place: index of a leaf with a facet in it */
   vs_plane plane;
-  VS_LIST(vs_point) points;      /* the group's points; `next` chains them in heads */
-  VS_LIST(uint32_t) global;      /* for each point: its number in the cluster; VS_POINT_MORE + i: fresh point i of the
-                                  * chunk */
-  VS_LIST(vs_homogeneous) more;  /* of the new points */
-  VS_LIST(uint32_t) known;       /* of each point of the cluster: its number in the group, valid if global agrees */
+  VS_LIST(vs_point) points;      /* points of the group; their member `next` links them in a hash table */
+  VS_LIST(uint32_t) global;      /* for each point of the group: its number in the cluster, or VS_POINT_MORE + i for
+                                  * fresh point i of the chunk */
+  VS_LIST(vs_homogeneous) more;  /* exact coordinates of the new points */
+  VS_LIST(uint32_t) known;       /* for each point of the cluster: its number in the group; valid only if global[number]
+                                  * is that point */
   VS_LIST(uint32_t) heads;
-  VS_LIST(segment) segments;     /* boundary edges, then cuts */
+  VS_LIST(segment) segments;     /* first the boundary edges, then the cuts */
   VS_LIST(incidence) on;
-  VS_LIST(uint32_t) families;    /* for each segment: 0: already tested against the others of family 0 */
-  VS_LIST(uint32_t) through;     /* for each point: the first entry of `holds` for a segment that contains it, at an end
-                                  * or inside */
-  VS_LIST(incidence) holds;      /* point: the index of the next entry */
+  VS_LIST(uint32_t) families;    /* for each segment: family of the index, see bvh.h; 0: already tested against the
+                                  * others of family 0 */
+  VS_LIST(uint32_t) through;     /* for each point: index in `holds` of its first entry, which names a segment that
+                                  * contains the point */
+  VS_LIST(incidence) holds;      /* entries of the points; the member `point` is the index of the next entry */
   VS_LIST(vs_bvh_box) boxes;
   vs_bvh bvh;
   VS_LIST(uint32_t) list, scratch;
-  VS_LIST(uint32_t) local;       /* for each point: its vertex in the sweep */
+  VS_LIST(uint32_t) local;       /* for each point: its vertex number in the sweep */
   VS_LIST(piece) pieces;
   VS_LIST(piece) sorted;
-  VS_LIST(uint32_t) on_first;    /* for each segment: its first incidence; or of each vertex: its first piece */
+  VS_LIST(uint32_t) on_first;    /* for each segment, its first incidence; later for each vertex, its first piece */
   VS_LIST(vs_keyed) keyed;
-  VS_LIST(uint32_t) payload;     /* for each sweep edge: its first piece; an extra element marks the end */
-  /* for each sweep edge: the side of a segment that contains it; an edge of the input if there is one */
+  VS_LIST(uint32_t) payload;     /* for each edge of the sweep: its first piece; an extra element marks the end */
+  /* for each edge of the sweep: `side` of a segment that contains it, an edge of the input if possible. */
   VS_LIST(uint32_t) line;
-  VS_LIST(uint32_t) above, below, face; /* above, below: of each edge, then union-find; face: the result of the sweep's
-                                         * face */
+  VS_LIST(uint32_t) above, below, face; /* above, below: number of the face on each side of an edge, later a union-find
+                                         * structure; face: resulting face of each face of the sweep */
   VS_LIST(uint32_t) face_first, face_edges, queue;
-  VS_LIST(vs_cover) cover;       /* of the local faces */
+  VS_LIST(vs_cover) cover;       /* covers of the group's faces */
   VS_LIST(uint32_t) cover_first, cover_count;
   vs_sweep sweep;
 } plane_work;
@@ -86,11 +94,12 @@ static vs_points_view view(const plane_work *w) {
   return (vs_points_view){ w->points.at, w->c->points.big.at, w->more.at };
 }
 
-static void grid_of(const plane_work *w, uint32_t point, int32_t out[3]) { /* for a vertex of the input */
+static void grid_of(const plane_work *w, uint32_t point, int32_t out[3]) { /* coordinates of a point that is a vertex of
+                                                                            * the input, in steps */
   for (int i = 0; i < 3; i++) out[i] = vs_point_grid(&w->points.at[point], i);
 }
 
-/* ---- the group's points ---- */
+/* ---- points of the group ---- */
 
 static bool own_point(plane_work *w, uint32_t global, uint32_t *point) {
   uint32_t at = w->known.at[global];
@@ -104,7 +113,8 @@ static bool own_point(plane_work *w, uint32_t global, uint32_t *point) {
 
 static size_t slot_of(const plane_work *w, const int64_t f[3]) { return vs_points_hash(f) & (w->heads.count - 1); }
 
-/* Puts all points of the group into chains; done when the first new point is looked up, and when the table is full. */
+/* Makes the hash table of the group's points. This happens when a new point is first looked up, and when the table is
+ * full. */
 static bool chain_points(plane_work *w) {
   size_t want = 64;
   while (want < 2 * w->points.count) want *= 2;
@@ -144,20 +154,20 @@ static bool new_point(plane_work *w, const vs_homogeneous *h, uint32_t *point) {
          VS_PUSH(w->k, w->global, VS_POINT_MORE | (uint32_t)w->to->fresh.count) && VS_PUSH(w->k, w->to->fresh, f);
 }
 
-/* ---- 1: segments ---- */
+/* ---- step 1: segments ---- */
 
 static bool add_segment(plane_work *w, uint32_t p, uint32_t q, uint32_t leaf, uint32_t side) {
   segment s = { .p = p, .q = q, .leaf = leaf, .side = side };
   const vs_point *a = &w->points.at[p], *b = &w->points.at[q];
   int64_t du = a->fixed[w->plane.u] - b->fixed[w->plane.u], dv = a->fixed[w->plane.v] - b->fixed[w->plane.v];
   s.axis = (du < 0 ? -du : du) >= (dv < 0 ? -dv : dv) ? w->plane.u : w->plane.v;
-  if (du == 0 && dv == 0) { /* closer than fixed numbers can distinguish */
+  if (du == 0 && dv == 0) { /* the points are closer than fixed-point numbers can distinguish */
     s.axis = vs_compare(view(w), p, q, w->plane.u) ? w->plane.u : w->plane.v;
   }
   return VS_PUSH(w->k, w->segments, s);
 }
 
-/* Returns the ends of the input's edge that contains the segment; returns false if no such edge is known. */
+/* Sets p and q to the ends of the input's edge that contains the segment. Returns false if no such edge is known. */
 static bool edge_ends(const plane_work *w, const segment *s, int32_t p[3], int32_t q[3]) {
   if (s->side == VS_NONE) {
     grid_of(w, s->p, p);
@@ -196,9 +206,9 @@ static bool add_facet(plane_work *w, const vs_facet *f) {
   return true;
 }
 
-/* ---- 2: crossings ---- */
+/* ---- step 2: crossings ---- */
 
-/* Records that the segment s contains the point, unless it ends there. */
+/* Records that segment s contains the point, unless the segment ends there. */
 static bool put(plane_work *w, uint32_t s, uint32_t point) {
   const segment *x = &w->segments.at[s];
   VS_ASSERT(s < w->segments.count);
@@ -206,12 +216,13 @@ static bool put(plane_work *w, uint32_t s, uint32_t point) {
   return VS_PUSH(w->k, w->on, ((incidence){ s, point }));
 }
 
-static bool within(const plane_work *w, const segment *s, uint32_t x) { /* x is on the line of s */
+static bool within(const plane_work *w, const segment *s, uint32_t x) { /* returns true if x is between the ends of s; x
+                                                                         * lies on the line of s */
   return vs_compare(view(w), s->p, x, s->axis) * vs_compare(view(w), x, s->q, s->axis) > 0;
 }
 
-/* Computes the side of s, seen in the plane, on which the point lies. Returns false if the fixed numbers do not decide
- * it. */
+/* Computes on which side of s the point x lies, as seen in the plane. Returns false if the fixed-point numbers do not
+ * decide it. */
 static bool side_quick(const plane_work *w, const segment *s, uint32_t x, int *sign) {
   *sign = 0;
   if (x == s->p || x == s->q) return true;
@@ -219,12 +230,12 @@ static bool side_quick(const plane_work *w, const segment *s, uint32_t x, int *s
   if (*sign != VS_UNSURE) return true;
   uint32_t p = w->global.at[s->p], q = w->global.at[s->q], point = w->global.at[x];
   if (s->side != VS_NONE || point >= w->c->edge_of.count) return false;
-  const vs_edge *e = &w->c->edge_of.at[point]; /* most cuts end on an edge that is known by its ends */
+  const vs_edge *e = &w->c->edge_of.at[point]; /* most cuts end on an edge that is known by its two ends */
   *sign = 0;
   return (e->low == p && e->high == q) || (e->low == q && e->high == p);
 }
 
-/* Computes the sides of s on which t's ends lie; only the comparison of the two signs has a meaning. */
+/* Computes the sides of s on which t's two ends lie. Only whether the two signs are equal has a meaning. */
 static void sides_of(const plane_work *w, const segment *s, const segment *t, int *a, int *b) {
   bool known_a = side_quick(w, s, t->p, a), known_b = side_quick(w, s, t->q, b);
   if (known_a && known_b) return;
@@ -234,7 +245,8 @@ static void sides_of(const plane_work *w, const segment *s, const segment *t, in
   if (!known_b || *b) *b = vs_side(view(w), &side, t->q);
 }
 
-static bool lies_on(const plane_work *w, const segment *s, uint32_t x) { /* inside, not at an end */
+static bool lies_on(const plane_work *w, const segment *s, uint32_t x) { /* returns true if x lies on s, and not at an
+                                                                          * end */
   int sign;
   if (!side_quick(w, s, x, &sign)) {
     vs_plane side;
@@ -244,7 +256,7 @@ static bool lies_on(const plane_work *w, const segment *s, uint32_t x) { /* insi
   return sign == 0 && within(w, s, x);
 }
 
-/* Computes the point inside both segments where they cross. */
+/* Computes the point where the segments s and t cross. It is inside both. */
 static bool meet(const plane_work *w, const segment *s, const segment *t, vs_homogeneous *out) {
   vs_plane a, b;
   int32_t p[3], q[3];
@@ -255,7 +267,7 @@ static bool meet(const plane_work *w, const segment *s, const segment *t, vs_hom
   return vs_meet_planes(&w->plane, &a, &b, out);
 }
 
-/* Counts the crossing, and tests for one in so many if it lies inside a lid. Returns false once too many do. */
+/* Counts the crossing, and tests every 16th crossing for being inside a lid. Returns false once too many are hidden. */
 static bool look_whether_hidden(plane_work *w, uint32_t point) {
   enum { ONE_IN = 16 };
   findings *to = w->to;
@@ -276,7 +288,7 @@ static bool cross(void *context, uint32_t i, uint32_t j) {
     j = t;
   }
   const segment *s = &w->segments.at[i], *t = &w->segments.at[j];
-  if (s->p == s->q) return t->p == t->q || !lies_on(w, t, s->p) || put(w, j, s->p); /* a point of contact */
+  if (s->p == s->q) return t->p == t->q || !lies_on(w, t, s->p) || put(w, j, s->p); /* s is a single point */
   if (t->p == t->q) return !lies_on(w, s, t->p) || put(w, i, t->p);
   int a, b, c, d;
   sides_of(w, s, t, &a, &b);
@@ -285,7 +297,7 @@ static bool cross(void *context, uint32_t i, uint32_t j) {
     return (!within(w, s, t->p) || put(w, i, t->p)) && (!within(w, s, t->q) || put(w, i, t->q)) &&
            (!within(w, t, s->p) || put(w, j, s->p)) && (!within(w, t, s->q) || put(w, j, s->q));
   }
-  uint32_t end = a == 0 ? t->p : t->q; /* of t; it lies on the line of s */
+  uint32_t end = a == 0 ? t->p : t->q; /* the end of t that lies on the line of s */
   if (a * b == 0 && (end == s->p || end == s->q)) return true;
   sides_of(w, t, s, &c, &d);
   if (c * d > 0) return true;
@@ -297,8 +309,8 @@ static bool cross(void *context, uint32_t i, uint32_t j) {
   return new_point(w, &h, &x) && look_whether_hidden(w, x) && put(w, i, x) && put(w, j, x);
 }
 
-/* Finds the crossings of all pairs except those of the first `tried` segments, which were tested before. tried is at
- * most the number of segments. */
+/* Finds the crossings of all pairs of segments, except pairs among the first `tried` segments, which were tested
+ * before. tried is at most the number of segments. */
 static bool crossings(plane_work *w, uint32_t tried) {
   uint32_t n = (uint32_t)w->segments.count;
   VS_ASSERT(tried <= n);
@@ -325,7 +337,7 @@ static bool crossings(plane_work *w, uint32_t tried) {
   return true;
 }
 
-/* Adds the segment to those that contain the point. */
+/* Records that segment s contains the point. */
 static bool hold(plane_work *w, uint32_t s, uint32_t point) {
   uint32_t *at = &w->through.at[point];
   VS_ASSERT(point < w->through.count);
@@ -334,7 +346,7 @@ static bool hold(plane_work *w, uint32_t s, uint32_t point) {
   return true;
 }
 
-/* Indexes the current segments by the points on them. */
+/* Makes the lists of the segments that contain each point. */
 static bool index_points(plane_work *w) {
   size_t points = w->points.count;
   if (!VS_ROOM(w->k, w->through.at, w->through.room, points)) return false;
@@ -348,7 +360,7 @@ static bool index_points(plane_work *w) {
   return true;
 }
 
-/* Returns true if a segment contains both points. */
+/* Returns true if some segment contains both points. */
 static bool joined(const plane_work *w, uint32_t p, uint32_t q) {
   for (uint32_t i = w->through.at[p]; i != VS_NONE; i = w->holds.at[i].point)
     for (uint32_t j = w->through.at[q]; j != VS_NONE; j = w->holds.at[j].point)
@@ -356,16 +368,16 @@ static bool joined(const plane_work *w, uint32_t p, uint32_t q) {
   return false;
 }
 
-/* ---- 3: pieces ---- */
+/* ---- step 3: pieces ---- */
 
-static bool on_before(const void *context, uint32_t x, uint32_t y) { /* of one segment */
+static bool on_before(const void *context, uint32_t x, uint32_t y) { /* x and y are incidences of one segment */
   const plane_work *w = context;
   const incidence *a = &w->on.at[x], *b = &w->on.at[y];
   const segment *s = &w->segments.at[a->segment];
   return vs_compare(view(w), a->point, b->point, s->axis) * vs_compare(view(w), s->p, s->q, s->axis) > 0;
 }
 
-/* Sorts the incidences by segment, and along each, into list. */
+/* Sorts the incidences by segment, and along each segment. The result is in w->list. */
 static bool order_on(plane_work *w) {
   size_t n = w->segments.count, m = w->on.count;
   if (!VS_ROOM(w->k, w->on_first.at, w->on_first.room, n + 2) || !VS_ROOM(w->k, w->keyed.at, w->keyed.room, 2 * m + 1))
@@ -387,7 +399,8 @@ static bool order_on(plane_work *w) {
     }
     vs_sort_keyed(at, at + m, count);
     for (uint32_t j = 0; j < count; j++) list[low + j] = at[j].item;
-    for (uint32_t j = 0, end; j < count; j = end) { /* closer than fixed numbers can distinguish, or repeated */
+    for (uint32_t j = 0, end; j < count; j = end) { /* some points are repeated, or closer than fixed-point numbers can
+                                                     * distinguish */
       for (end = j + 1; end < count && at[end].key == at[j].key;) end++;
       if (end > j + 1) vs_kernel_sort(list + low + j, w->scratch.at, end - j, on_before, w);
     }
@@ -401,8 +414,8 @@ static bool piece_before(const piece *x, const piece *y) {
   return x->delta != y->delta ? x->delta < y->delta : x->side < y->side;
 }
 
-/* Sorts the pieces by both ends and the leaf, into sorted. Equal pieces are equal in all members, so there is one
- * order. */
+/* Sorts the pieces by both ends and the leaf, into w->sorted. Pieces that compare equal have equal members, so the
+ * result is unique. */
 static bool order_pieces(plane_work *w) {
   enum { MANY = 64 };
   size_t n = w->sweep.vertices.count, m = w->pieces.count;
@@ -416,7 +429,7 @@ static bool order_pieces(plane_work *w) {
   for (size_t v = 0; v < n; v++) {
     piece *at = w->sorted.at + first[v];
     uint32_t count = first[v + 1] - first[v];
-    /* Shell sort: mostly few, sometimes a hub */
+    /* Shell sort: most vertices have few pieces, but a hub has very many. */
     for (uint32_t gap = count > MANY ? count / 2 : 1; gap; gap = gap == 2 ? 1 : (uint32_t)(gap / 2.2))
       for (uint32_t i = gap; i < count; i++) {
         piece x = at[i];
@@ -428,7 +441,7 @@ static bool order_pieces(plane_work *w) {
   return true;
 }
 
-/* Adds the piece of a segment between two points, which are different vertices of the sweep. */
+/* Adds the piece of a segment between points p and q, which are different vertices of the sweep. */
 static bool add_piece(plane_work *w, uint32_t p, uint32_t q, const segment *s) {
   uint32_t a = w->local.at[p], b = w->local.at[q];
   VS_ASSERT(a != b);
@@ -445,7 +458,7 @@ static bool split(plane_work *w) {
   uint32_t *list = w->list.at;
   for (size_t i = 0; i < n; i++) list[2 * i] = w->segments.at[i].p, list[2 * i + 1] = w->segments.at[i].q;
   for (size_t i = 0; i < m; i++) list[2 * n + i] = w->on.at[i].point;
-  /* points to local numbers: each once in the order */
+  /* Numbers the vertices: each point that is an end of a piece once, in the order of the sweep. */
   size_t unique = 0;
   for (size_t i = 0; i < ends; i++) w->local.at[list[i]] = VS_NONE;
   for (size_t i = 0; i < ends; i++)
@@ -474,8 +487,8 @@ static bool split(plane_work *w) {
   const piece *sorted = w->sorted.at;
   w->sweep.edges.count = w->payload.count = w->line.count = 0;
   size_t kept = 0, count = w->pieces.count;
-  for (size_t i = 0, end; i < count; i = end) { /* an edge for each (l, r), with a piece for each leaf whose delta is
-                                                 * not 0 */
+  for (size_t i = 0, end; i < count; i = end) { /* makes an edge for each pair (l, r), with a piece for each leaf whose
+                                                 * delta is not 0 */
     const piece *at = &sorted[i];
     if (!VS_PUSH(k, w->sweep.edges, ((vs_sweep_edge){ at->l, at->r })) || !VS_PUSH(k, w->payload, (uint32_t)kept))
       return false;
@@ -495,7 +508,7 @@ static bool split(plane_work *w) {
   return VS_PUSH(k, w->payload, (uint32_t)kept);
 }
 
-/* ---- 4: faces ---- */
+/* ---- step 4: faces ---- */
 
 static bool name_faces(plane_work *w) {
   vs_kernel *k = w->k;
@@ -504,7 +517,7 @@ static bool name_faces(plane_work *w) {
       !vs_sweep_begin(k, &w->sweep))
     return false;
   w->face.count = 0;
-  if (!VS_PUSH(k, w->face, 0u)) return false; /* 0: outside */
+  if (!VS_PUSH(k, w->face, 0u)) return false; /* face 0 is the outside */
   vs_sweep_event e;
   while (vs_sweep_next(k, &w->sweep, &e)) {
     uint32_t low = e.below == VS_NONE ? 0 : w->above.at[e.below], high = e.above == VS_NONE ? 0 : w->below.at[e.above];
@@ -525,7 +538,7 @@ static bool name_faces(plane_work *w) {
     }
   }
   if (!vs_sweep_done(&w->sweep)) return false;
-  uint32_t count = 0; /* the root of a union is its smallest number: numbers without gaps, in order */
+  uint32_t count = 0; /* the root of a set is its smallest number, so faces are numbered without gaps and in order */
   for (uint32_t f = 0; f < w->face.count; f++) w->face.at[f] = vs_find(w->face.at, f) == f ? f : vs_find(w->face.at, f);
   if (!VS_ROOM(k, w->list.at, w->list.room, w->face.count)) return false;
   for (uint32_t f = 0; f < w->face.count; f++) w->list.at[f] = w->face.at[f] == f ? count++ : w->list.at[w->face.at[f]];
@@ -535,10 +548,10 @@ static bool name_faces(plane_work *w) {
   return true;
 }
 
-/* ---- 5: covers ---- */
+/* ---- step 5: covers ---- */
 
-/* Computes the cover across an edge from the neighbour's; sign: 1 on the way up through the edge, -1 on the way
- * down. */
+/* Computes the cover of face `to` from that of its neighbour `from` across an edge. sign: 1 if `to` is above the edge,
+ * -1 if it is below. */
 static bool step_cover(plane_work *w, uint32_t from, uint32_t to, uint32_t edge, int sign) {
   VS_ASSERT(sign == 1 || sign == -1);
   w->cover_first.at[to] = (uint32_t)w->cover.count;
@@ -607,7 +620,7 @@ static bool give_faces(plane_work *w) {
       uint32_t e = w->face_edges.at[i];
       uint32_t l = w->global.at[w->sweep.vertices.at[w->sweep.edges.at[e].l]],
                r = w->global.at[w->sweep.vertices.at[w->sweep.edges.at[e].r]];
-      bool second = i > begin && w->face_edges.at[i - 1] == e; /* the face is on both sides of it */
+      bool second = i > begin && w->face_edges.at[i - 1] == e; /* true if the face is on both sides of the edge */
       vs_use use = w->above.at[e] == f && !second ? (vs_use){ l, r, w->queue.at[f] } : (vs_use){ r, l, w->queue.at[f] };
       to->uses.at[to->uses.count++] = use;
       if (w->c->sides.count && !VS_PUSH(k, to->lines, w->line.at[e])) return false;
@@ -616,9 +629,9 @@ static bool give_faces(plane_work *w) {
   return true;
 }
 
-/* ---- the groups ---- */
+/* ---- groups ---- */
 
-static bool give_facet(plane_work *w, uint32_t facet) { /* for an untouched facet */
+static bool give_facet(plane_work *w, uint32_t facet) { /* makes a face of a facet that nothing touches */
   const vs_cluster *c = w->c;
   findings *to = w->to;
   const vs_facet *f = &c->facets.at[facet];
@@ -643,19 +656,20 @@ static bool give_facet(plane_work *w, uint32_t facet) { /* for an untouched face
   return VS_PUSH(w->k, to->covers, cover) && VS_PUSH(w->k, to->faces, face);
 }
 
-typedef struct { uint32_t from, end; } chunk; /* a range of roots */
+typedef struct { uint32_t from, end; } chunk; /* a range of groups, from root `from` to root `end` - 1 */
 
-/* Facets and cuts by group, in the order of the groups' roots, and the chunks of groups. */
+/* Facets and cuts sorted by group, in the order of the groups' roots, and the chunks of groups. */
 typedef struct {
   vs_cluster *c;
-  VS_LIST(uint32_t) facets, cuts;  /* numbers, in buckets by group */
-  VS_LIST(uint32_t) facet_first, cut_first; /* of each root; an extra element marks the end */
+  VS_LIST(uint32_t) facets, cuts;  /* indices of facets and cuts, sorted by group */
+  VS_LIST(uint32_t) facet_first, cut_first; /* for each root: index of its first facet or cut; an extra element marks
+                                             * the end */
   VS_LIST(chunk) chunks;
   findings found[VS_PIPELINE_WINDOW];
-  plane_work *works;               /* one for each thread */
-  vs_points_table points;          /* new points, on top of the cluster's */
-  VS_LIST(uint32_t) numbers;       /* of a chunk's fresh points */
-  size_t tried, crossed, hidden;   /* sums over the chunks so far: cuts, crossed and hidden */
+  plane_work *works;               /* working memory of each thread */
+  vs_points_table points;          /* new points, numbered after those of the cluster */
+  VS_LIST(uint32_t) numbers;       /* numbers in the cluster of a chunk's fresh points */
+  size_t tried, crossed, hidden;   /* sums over the chunks so far of the members cuts, crossed and hidden */
 } arranging;
 
 static bool arrange_group(plane_work *w, const arranging *a, uint32_t root) {
@@ -678,7 +692,7 @@ static bool arrange_group(plane_work *w, const arranging *a, uint32_t root) {
   size_t left = c->cuts.count - a->cut_first.at[root];
   for (uint32_t j = 0; j < cut_count; j++) {
     const vs_facet_cut *cut = &c->cuts.at[cuts[j]];
-    if (j + AHEAD < left) { /* the next group's, too */
+    if (j + AHEAD < left) { /* also prefetches data of the next group */
       __builtin_prefetch(&c->cuts.at[cuts[j + AHEAD]]);
       const vs_facet_cut *near = &c->cuts.at[cuts[j + NEAR]];
       __builtin_prefetch(&c->points.all.at[near->p]);
@@ -686,20 +700,21 @@ static bool arrange_group(plane_work *w, const arranging *a, uint32_t root) {
       __builtin_prefetch(&w->known.at[near->p], 1);
       __builtin_prefetch(&w->known.at[near->q], 1);
     }
-    /* numbers are below 2^30 */
+    /* Point numbers are below 2^30. */
     at[j] = (vs_keyed){ cut->p < cut->q ? (int64_t)cut->p << 32 | cut->q : (int64_t)cut->q << 32 | cut->p, cut->plane };
   }
   vs_sort_keyed(at, at + cut_count, cut_count);
   uint32_t kept = 0, tried = 0;
-  for (uint32_t j = 0, stop; j < cut_count; j = stop) { /* keeps each segment once, with the first of its planes */
+  for (uint32_t j = 0, stop; j < cut_count; j = stop) { /* keeps each segment once, with the first of its second
+                                                         * planes */
     uint32_t plane = at[j].item, p, q;
     for (stop = j + 1; stop < cut_count && at[stop].key == at[j].key; stop++)
       if (at[stop].item < plane) plane = at[stop].item;
     if (!own_point(w, (uint32_t)(at[j].key >> 32), &p) || !own_point(w, (uint32_t)at[j].key, &q)) return false;
     at[kept++] = (vs_keyed){ (int64_t)p << 32 | q, plane };
   }
-  if (end > begin + 1) { /* for solids side by side: most cuts lie on an edge, between points that edges share, and are
-                          * needless */
+  if (end > begin + 1) { /* Solids that touch side by side have many cuts that lie on an edge, between points that edges
+                          * already connect. Such cuts are not needed. */
     if (!crossings(w, 0) || !index_points(w)) return false;
     tried = (uint32_t)w->segments.count;
   }
@@ -771,7 +786,7 @@ static bool absorb(vs_kernel *k, void *context, size_t index) {
 }
 
 static bool bucket(vs_kernel *k, arranging *a) {
-  enum { CHUNK = 2048, LARGE = 4 * CHUNK }; /* of facets and cuts */
+  enum { CHUNK = 2048, LARGE = 4 * CHUNK }; /* number of facets and cuts in a chunk */
   const vs_cluster *c = a->c;
   uint32_t n = (uint32_t)c->facets.count, m = (uint32_t)c->cuts.count, *first;
   if (!VS_ROOM(k, a->facets.at, a->facets.room, (size_t)n + 1) ||
@@ -791,7 +806,7 @@ static bool bucket(vs_kernel *k, arranging *a) {
   for (uint32_t i = 2; i < n + 2; i++) first[i] += first[i - 1];
   for (uint32_t i = 0; i < m; i++) a->cuts.at[first[c->facets.at[c->cuts.at[i].facet].group + 1]++] = i;
   if (!vs_kernel_report(k, k->part)) return false;
-  for (int large = 1; large >= 0; large--) /* long tasks begin first */
+  for (int large = 1; large >= 0; large--) /* large chunks begin first */
     for (uint32_t i = 0, end; i < n; i = end) {
       uint32_t size = 0;
       for (end = i; end < n && size < CHUNK; end++) {
@@ -844,14 +859,16 @@ bool vs_arrange_planes(vs_kernel *k, vs_cluster *c) {
   size_t work_room = 0;
   bool ok = VS_ROOM(k, a.works, work_room, k->threads);
   if (ok) memset(a.works, 0, work_room * sizeof *a.works);
-  size_t least = c->facets.count; /* about as many faces */
+  size_t least = c->facets.count; /* estimate: there are about as many faces as facets */
   ok = ok && bucket(k, &a) && VS_ROOM(k, c->faces.at, c->faces.room, least) &&
        VS_ROOM(k, c->covers.at, c->covers.room, least) && VS_ROOM(k, c->uses.at, c->uses.room, 3 * least) &&
        vs_kernel_pipeline(k, a.chunks.count, arrange_chunk, absorb, &a);
   vs_points_forget(k, &c->points);
   vs_points_forget(k, &a.points);
   ok = ok && vs_points_append(k, &c->points, &a.points);
-  if (!ok && k->error->status == VS_KERNEL_FINE && !c->layered) c->crowded = c->crowd > 0; /* too many crossings */
+  if (!ok && k->error->status == VS_KERNEL_FINE && !c->layered) c->crowded = c->crowd > 0; /* too many hidden crossings:
+                                                                                            * the cluster is arranged
+                                                                                            * again in levels */
   for (size_t i = 0; i < VS_PIPELINE_WINDOW; i++) {
     VS_DROP(k, a.found[i].faces);
     VS_DROP(k, a.found[i].covers);

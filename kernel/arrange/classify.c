@@ -1,16 +1,17 @@
-/* Implements the classification: it decides which faces of the arrangement bound the result.
+/* Decides which faces of the arrangement bound the result.
  *
- * Plan. (1) The faces at every edge are sorted around it, and sides that face each other belong to one cell
- * (union-find). (2) For each connected set of cells, a line through one face and the input triangles gives the winding
- * numbers of all leaves on one side of the face. (3) A walk over the cells enters and leaves leaves as it crosses their
- * faces, and evaluates the expression in each cell. (4) A face is kept if its two cells differ. The walk also sums a
- * random number for each winding: two ways into a cell must agree, or the arrangement is broken and the kernel fails
- * with an error.
+ * (1) The faces at every edge are sorted around it. Sides that face each other belong to one cell (union-find). (2) For
+ * each connected set of cells, a line through one face and the input triangles determines the winding numbers of all
+ * leaves on one side of the face. (3) A walk through the cells enters and leaves the leaves as it crosses their faces,
+ * and evaluates the expression in each cell. (4) A face is kept if the values of its two cells differ. The walk also
+ * sums a random number for each winding. If two ways into a cell give different sums, the arrangement is wrong and the
+ * kernel fails with an error.
  *
- * Around an edge. D is the direction from the smaller point number to the larger. A use that runs along D has its face
- * to the left, in direction n x D; one against D in -n x D. Therefore, with m = n or -n the face lies at m x D. A
- * counter-clockwise turn about D leaves it through the side that m points to, and faces come in the order of the angle
- * of m, seen along any axis in which D is not 0. */
+ * The order around an edge is as follows. D is the direction from the smaller point number to the larger. A use that
+ * runs along D has its face to the left, in the direction n x D. A use against D has it in the direction -n x D.
+ * Therefore, with m = n or m = -n, the face lies in the direction m x D. A counter-clockwise turn about D leaves the
+ * face through the side to which m points. Faces are in the order of the angle of m, as seen along any axis in which D
+ * is not 0. */
 #include "kernel/arrange/classify.h"
 
 #include "kernel/cluster.h"
@@ -24,42 +25,45 @@ typedef struct {
   vs_kernel *k;
   vs_cluster *c;
   vs_expression *e;
-  VS_LIST(_Atomic uint32_t) sets; /* union-find: 2 * face (+ side), 2 * face + 1 (- side) */
-  VS_LIST(uint32_t) side;         /* of each side of a face: its cell */
-  VS_LIST(uint32_t) first, borders; /* from a cell to its faces */
-  VS_LIST(uint64_t) sum;    /* of a cell */
-  VS_LIST(uint8_t) state;   /* for each cell: 1 visited, 2 walked, 4 inside, 8 settled */
+  VS_LIST(_Atomic uint32_t) sets; /* union-find structure of the sides of faces: 2 * face for the + side, 2 * face + 1
+                                   * for the - side */
+  VS_LIST(uint32_t) side;         /* cell of each side of a face */
+  VS_LIST(uint32_t) first, borders; /* borders: sides of faces grouped by cell; first: beginning of each cell's group */
+  VS_LIST(uint64_t) sum;    /* sum of random numbers for the windings in each cell */
+  VS_LIST(uint8_t) state;   /* for each cell, a set of bits: 1: visited; 2: the walk has passed it; 4: inside the
+                             * result; 8: settled */
   VS_LIST(uint32_t) queue;
   struct { uint32_t cell, next, face; } *stack;
   size_t stack_room;
-  VS_LIST(vs_cover) found;  /* the windings that the line found */
-  VS_LIST(uint32_t) active; /* active: leaves that contain the current cell; place: of a leaf in active */
+  VS_LIST(vs_cover) found;  /* winding numbers that the line has found */
+  VS_LIST(uint32_t) active; /* active: leaves that contain the current cell; place: index of each leaf in `active` */
   VS_LIST(uint32_t) place;
-  VS_LIST(uint32_t) owner;  /* of each cell inside the result: the earliest leaf that makes it so */
+  VS_LIST(uint32_t) owner;  /* for each cell inside the result: the earliest leaf that makes the result true there */
   uint32_t cells;
   size_t lids;              /* number of active leaves that settle the result */
-  bool owned;               /* a leaf may give way to a cell's owner: `owner` is needed */
-  /* the line */
+  bool owned;               /* true if `owner` is needed, because the faces of a bare leaf get the tag of a cell's
+                             * owner */
+  /* The members below describe the current line. */
   uint32_t face;
   int axis;
   bool degenerate;
   vs_homogeneous at;
   int64_t u, v;
   vs_bvh_box column;
-  vs_use probe[3];          /* the border of a region's triangle */
+  vs_use probe[3];          /* border of a region's triangle, as a target of the line */
 } walk;
 
 /* The target of a line: a face, or one triangle of a region. */
 typedef struct {
   vs_plane plane;
-  bool flip;                /* the face's + side is the plane's - side */
+  bool flip;                /* true if the + side of the face is the - side of the plane */
   const vs_use *uses;
   uint32_t count;
 } outline;
 
-/* ---- 1: cells ---- */
+/* ---- step 1: cells ---- */
 
-bool vs_around_before(const vs_around *a, const vs_around *b) { /* by the angle from +x */
+bool vs_around_before(const vs_around *a, const vs_around *b) { /* orders by the angle of (x, y) from +x */
   bool lower_a = a->y < 0 || (a->y == 0 && a->x < 0), lower_b = b->y < 0 || (b->y == 0 && b->x < 0);
   if (lower_a != lower_b) return lower_b;
   return (vs_i128)a->x * b->y - (vs_i128)a->y * b->x > 0;
@@ -113,8 +117,8 @@ static bool sort_edge(vs_kernel *k, walk *w, const vs_half *halves, size_t count
   return ok;
 }
 
-/* Prefetches data that are needed soon, from many places of memory: uses far ahead, their faces nearer, and the planes
- * of the faces nearest. */
+/* Prefetches data that are soon read from many places of memory. Uses are prefetched first, then their faces, and last
+ * the planes of the faces. */
 VS_AHEAD look_ahead(const vs_cluster *c, uint32_t i, uint32_t stop) {
   enum { USE = 36, FACE = 24, PLANE = 12 };
   const vs_half *at = c->edges.at.at + i;
@@ -124,7 +128,7 @@ VS_AHEAD look_ahead(const vs_cluster *c, uint32_t i, uint32_t stop) {
   __builtin_prefetch(&c->planes.all.at[c->faces.at[c->uses.at[at[PLANE].item].face].plane]);
 }
 
-/* Unites the sides that face each other along the edges whose smaller ends are in the range. */
+/* Unites the sides of faces that face each other, at the edges whose smaller points are in the range. */
 static bool join_range(vs_kernel *k, void *context, size_t range) {
   walk *w = context;
   const vs_cluster *c = w->c;
@@ -136,7 +140,7 @@ static bool join_range(vs_kernel *k, void *context, size_t range) {
     const vs_half *at = h->at.at + i;
     for (end = i + 1; end < h->first.at[low + 1] && h->at.at[end].high == at->high;) end++;
     for (uint32_t j = i; j < end; j++) look_ahead(c, j, stop);
-    if (end - i == 1) { /* the face across was culled */
+    if (end - i == 1) { /* the only other face at this edge was culled */
       uint32_t face = c->uses.at[at->item].face;
       vs_unite_shared(w->sets.at, 2 * face, 2 * face + 1);
     } else if (end - i == 2) {
@@ -171,7 +175,8 @@ static bool make_cells(walk *w) {
   for (size_t i = 0; i < c->regions.count; i++)
     if (c->regions.at[i].open) vs_unite_shared(w->sets.at, 2 * c->regions.at[i].face, 2 * c->regions.at[i].face + 1);
   w->cells = 0;
-  for (uint32_t i = 0; i < 2 * f; i++) { /* roots are the smallest of their sets: numbers them on the way */
+  for (uint32_t i = 0; i < 2 * f; i++) { /* the root of a set is its smallest number, so cells can be numbered in one
+                                          * pass */
     uint32_t root = vs_find_shared(w->sets.at, i);
     w->side.at[i] = root == i ? w->cells++ : w->side.at[root];
   }
@@ -192,9 +197,10 @@ static bool make_cells(walk *w) {
   return true;
 }
 
-/* ---- 2: the line ---- */
+/* ---- step 2: the line ---- */
 
-/* Puts the corners of a region's triangle behind all points, for a moment. */
+/* Makes the outline of a face. For a region, it temporarily appends the corners of a triangle to the cluster's
+ * points. */
 static bool outline_of(walk *w, uint32_t face, outline *o) {
   vs_cluster *c = w->c;
   const vs_face *f = &c->faces.at[face];
@@ -222,8 +228,8 @@ static bool outline_of(walk *w, uint32_t face, outline *o) {
   return true;
 }
 
-/* Returns true if the line's (u, v) is strictly inside the outline; exact. The line's point is the last of the
- * table. */
+/* Returns true if the point is strictly inside the outline as seen along the axis perpendicular to (au, av); exact.
+ * probe: number of the point, the last one of the table. */
 static bool strictly_inside(vs_points_view view, const outline *o, uint32_t probe, int au, int av) {
   bool inside = false;
   for (uint32_t i = 0; i < o->count; i++) {
@@ -236,12 +242,12 @@ static bool strictly_inside(vs_points_view view, const outline *o, uint32_t prob
   return inside;
 }
 
-/* Chooses a place inside the outline, seen along axis: halfway between the crossings of a line v = const with the
- * boundary, at their widest distance. */
+/* Chooses a place inside the outline, as seen along w->axis. It is on a line v = const, in the middle of the longest
+ * interval between two crossings with the boundary. attempt: selects the line. */
 static bool aim(walk *w, const outline *o, int attempt) {
   vs_cluster *c = w->c;
   int au = (w->axis + 1) % 3, av = (w->axis + 2) % 3;
-  /* doubles are exact near it only */
+  /* Coordinates are relative to a point nearby, where doubles are exact. */
   int64_t low = INT64_MAX, high = INT64_MIN, origin = c->points.all.at[o->uses[0].from].fixed[au];
   for (uint32_t i = 0; i < o->count; i++) {
     int64_t y = c->points.all.at[o->uses[i].from].fixed[av];
@@ -277,7 +283,8 @@ static bool aim(walk *w, const outline *o, int attempt) {
   return true;
 }
 
-/* Tests a triangle of the leaf at a place, on the grid. */
+/* Tests whether the line crosses a triangle of the leaf, and adds the crossing to the winding number. The triangle's
+ * corners are on the grid. */
 static bool shoot(walk *w, const vs_placed *p, uint32_t leaf, bool mirrored, size_t triangle) {
   const uint32_t *id = p->part->mesh->triangles[triangle];
   const int32_t *at[3] = { w->c->corners[p->first + id[0]], w->c->corners[p->first + id[mirrored ? 2 : 1]],
@@ -298,12 +305,12 @@ static bool shoot(walk *w, const vs_placed *p, uint32_t leaf, bool mirrored, siz
   bool flip;
   if (!vs_plane_through(at[0], at[1], at[2], &plane, &flip) || plane.n[w->axis] == 0) return true;
   if (turns & 4) {
-    w->degenerate = true; /* through an edge: the caller chooses another place */
+    w->degenerate = true; /* the line passes through an edge, so the caller must choose another place */
     return false;
   }
   int64_t n = plane.n[w->axis];
   int side = vs_homogeneous_side(&plane, &w->at);
-  if (side == 0 || (side > 0) == (n > 0)) return true; /* not above */
+  if (side == 0 || (side > 0) == (n > 0)) return true; /* the triangle is not above the place */
   return VS_PUSH(w->k, w->found, ((vs_cover){ leaf, (n > 0) != flip ? 1 : -1 }));
 }
 
@@ -333,7 +340,7 @@ static bool index_leaf(walk *w, vs_placed *p) {
 }
 
 static bool shoot_leaf(void *context, uint32_t place) {
-  enum { MANY = 2048, OFTEN = 16 }; /* after so many lines, an index costs less */
+  enum { MANY = 2048, OFTEN = 16 }; /* a leaf with MANY triangles that was tested OFTEN times gets an index */
   walk *w = context;
   vs_placed *p = &w->c->placed.at[place];
   uint32_t leaf = w->c->leaves[place];
@@ -354,13 +361,13 @@ static int by_leaf(const void *a, const void *b) {
   return (x > y) - (x < y);
 }
 
-/* For leaves that have become one solid, the place is inside if it is inside any of them: the solid's winding number is
- * then 1. */
+/* Leaves that have become one solid count together: the solid's winding number is 1 if the place is inside any of them,
+ * else 0. */
 static void find_solids(walk *w) {
   vs_cover *at = w->found.at;
   size_t n = w->found.count, kept = 0;
   if (!w->c->solid) return;
-  for (size_t i = 0, end; i < n; i = end) { /* a leaf's triangles come one after the other */
+  for (size_t i = 0, end; i < n; i = end) { /* entries of one leaf are consecutive */
     vs_cover sum = at[i];
     for (end = i + 1; end < n && at[end].leaf == sum.leaf; end++) sum.delta += at[end].delta;
     if (w->c->layered && w->c->layered[sum.leaf]) {
@@ -377,8 +384,8 @@ static void find_solids(walk *w) {
   w->found.count = kept;
 }
 
-/* Fills found with the windings directly above the face along axis; *side is the side of the face there. *done false:
- * no place on the face could be used. Returns false on an error. */
+/* Sets w->found to the winding numbers directly above the face, along an axis. *side: the side of the face that is
+ * above. *done: false if no place on the face could be used. Returns false on an error. */
 static bool look_through(walk *w, uint32_t face, const outline *o, uint32_t *side, bool *done) {
   vs_cluster *c = w->c;
   w->axis = o->plane.k;
@@ -393,7 +400,8 @@ static bool look_through(walk *w, uint32_t face, const outline *o, uint32_t *sid
     int au = (w->axis + 1) % 3, av = (w->axis + 2) % 3;
     probe.fixed[au] = w->u;
     probe.fixed[av] = w->v;
-    if (!VS_PUSH(w->k, c->points.all, probe)) return false; /* at the end for a moment, in no chain */
+    if (!VS_PUSH(w->k, c->points.all, probe)) return false; /* temporarily appended to the points, and not entered in
+                                                             * the hash table */
     bool inside = strictly_inside(vs_points_of(&c->points), o, (uint32_t)c->points.all.count - 1, au, av);
     c->points.all.count--;
     if (!inside) continue;
@@ -421,7 +429,7 @@ static bool look(walk *w, uint32_t face, uint32_t *side, bool *done) {
   return ok;
 }
 
-/* ---- 3: the walk ---- */
+/* ---- step 3: the walk ---- */
 
 static uint64_t leaf_key(uint32_t leaf) {
   uint64_t h = ((uint64_t)leaf + 1) * 0x9e3779b97f4a7c15u;
@@ -445,8 +453,8 @@ static bool turn_leaf(walk *w, uint32_t leaf, int32_t delta) {
   return true;
 }
 
-/* Finds the owner of the cell: the earliest leaf of those that make the result true there. Space that another operand
- * subtracts again does not count. */
+/* Finds the owner of a cell: the earliest leaf that makes the result true there. A leaf that another operand subtracts
+ * again does not count. */
 static bool find_owner(walk *w, uint32_t cell) {
   uint32_t owner = VS_NONE, first = VS_NONE;
   for (size_t i = 0; i < w->active.count; i++) {
@@ -461,7 +469,7 @@ static bool find_owner(walk *w, uint32_t cell) {
   return true;
 }
 
-/* Enters a cell with that sum of windings. */
+/* Enters a cell with the given sum of random numbers, and evaluates the expression in it. */
 static bool arrive(walk *w, uint32_t cell, uint64_t sum) {
   bool joining = w->c->joining != NULL, settled = w->lids > 0 || (!joining && vs_expression_gated(w->e));
   bool inside = joining ? settled : vs_expression_value(w->e);
@@ -473,7 +481,7 @@ static bool arrive(walk *w, uint32_t cell, uint64_t sum) {
   return !inside || !w->owned || find_owner(w, cell);
 }
 
-/* Returns the change of the sum on the way from the + side of a face, which exists, to its - side. */
+/* Returns the change of the sum from the + side of the face to its - side. */
 static uint64_t change(const walk *w, uint32_t face) {
   const vs_face *f = &w->c->faces.at[face];
   uint64_t sum = 0;
@@ -485,7 +493,8 @@ static uint64_t change(const walk *w, uint32_t face) {
   return sum;
 }
 
-static bool pass(walk *w, uint32_t face, int32_t sign) { /* sign 1: from + to - */
+static bool pass(walk *w, uint32_t face, int32_t sign) { /* updates the windings; sign: 1 from the + side to the - side,
+                                                          * -1 in the opposite direction */
   const vs_face *f = &w->c->faces.at[face];
   for (uint32_t i = 0; i < f->cover_count; i++) {
     vs_cover cover = w->c->covers.at[f->cover + i];
@@ -508,9 +517,10 @@ static bool walk_from(walk *w, uint32_t cell) {
   if (!arrive(w, cell, sum)) return false;
   while (depth) {
     uint32_t here = w->stack[depth - 1].cell;
-    if (w->state.at[here] & 8) w->stack[depth - 1].next = w->first.at[here + 1]; /* settled: the walk ends here */
+    if (w->state.at[here] & 8) w->stack[depth - 1].next = w->first.at[here + 1]; /* the cell is settled, so the walk
+                                                                                  * does not continue from it */
     if (w->stack[depth - 1].next == w->first.at[here + 1]) {
-      uint32_t back = w->stack[--depth].face; /* goes back through the face by which it came */
+      uint32_t back = w->stack[--depth].face; /* returns through the face by which the walk came */
       if (back != VS_NONE && !pass(w, back, w->side.at[2 * back] == here ? 1 : -1)) return false;
       continue;
     }
@@ -537,8 +547,8 @@ static bool walk_from(walk *w, uint32_t cell) {
   return true;
 }
 
-/* Returns twice the face's area, approximately, as seen along its plane's main axis, in fixed units squared. For a
- * region any number: its triangle is a large one. */
+/* Returns twice the area of the face, approximately, as seen along the main axis of its plane, in squares of
+ * fixed-point units. For a region it is infinite: its triangle is a large one. */
 static double about_area(const walk *w, uint32_t face) {
   const vs_cluster *c = w->c;
   if (c->faces.at[face].plane == VS_NONE) return INFINITY;
@@ -556,15 +566,15 @@ static double about_area(const walk *w, uint32_t face) {
   return sum;
 }
 
-/* A line through a face near a cell. */
+/* The result of a search for a face near a cell through which a line can pass. */
 typedef struct {
-  uint32_t side;  /* the side of the face whose windings are found; valid if done */
-  bool done;      /* false: the faces are too small for a line */
+  uint32_t side;  /* side of the face whose winding numbers were found; valid if done */
+  bool done;      /* false if the faces are too small for a line */
   size_t cells;   /* number of cells in `queue` whose faces were considered */
 } sighting;
 
-/* Shoots a line through the largest of the first faces around the cell and around the cells connected to it: at most
- * `most` cells and `faces` faces. */
+/* Searches the faces of the cell `start` and of cells connected to it, at most `most` cells and `faces` faces. Tests a
+ * line through the largest of these faces. */
 static bool look_around(walk *w, uint32_t start, size_t most, size_t faces, sighting *a) {
   size_t head = 0, tail = 0, seen = 0;
   double best = -1;
@@ -588,7 +598,7 @@ static bool look_around(walk *w, uint32_t start, size_t most, size_t faces, sigh
   return look(w, face, &a->side, &a->done);
 }
 
-/* Returns the thickness of the face across its longest side, approximately, in fixed units. */
+/* Returns the approximate thickness of a face perpendicular to its longest side, in fixed-point units. */
 static double about_thickness(const walk *w, uint32_t face) {
   const vs_cluster *c = w->c;
   const vs_face *f = &c->faces.at[face];
@@ -602,12 +612,11 @@ static double about_thickness(const walk *w, uint32_t face) {
   return fabs(about_area(w, face)) / longest;
 }
 
-/* Returns true if the first cells in `queue` are crumbs or needles, too thin for a line. Next to settled space they get
- * its value. The result is valid for any value: the faces between cells of different values are closed in any case. A
- * cell is nowhere wider than the sum of the thicknesses of the faces around it: thousands of them sum to less than
- * 2^-10 steps. */
+/* Returns true if the first cells in `queue` are too thin for a line. If they are next to settled space, they get its
+ * value. The result is closed with any value, because the faces between cells of different values are closed. A cell is
+ * nowhere wider than the sum of the thicknesses of its faces. Even thousands of them sum to less than 2^-10 steps. */
 static bool settle_crumbs(walk *w, size_t cells) {
-  static const double CRUMB = 64; /* fixed units */
+  static const double CRUMB = 64; /* greatest thickness in fixed-point units */
   uint32_t known = VS_NONE;
   for (size_t i = 0; i < cells; i++)
     for (uint32_t cell = w->queue.at[i], j = w->first.at[cell]; j < w->first.at[cell + 1]; j++) {
@@ -624,21 +633,23 @@ static bool settle_crumbs(walk *w, size_t cells) {
   return known != VS_NONE;
 }
 
-/* Shoots a line, then walks from the cell that it gives. most: number of cells to search for a face. */
+/* Finds winding numbers by a line, and walks from the cell whose winding numbers are known. most: number of cells in
+ * which to search for a face. */
 static bool walk_component(walk *w, uint32_t start, size_t most) {
   enum { FACES = 256 };
   sighting a = { .done = false };
   if (!look_around(w, start, most, FACES, &a)) return false;
-  /* where a solid nearly meets itself at one place, there are thousands of crumbs */
+  /* A solid that nearly touches itself at one place has thousands of tiny cells there, so this searches all cells. */
   if (!a.done && most > 1 && !look_around(w, start, w->cells, SIZE_MAX, &a)) return false;
-  for (size_t i = 0; !a.done && i < a.cells; i++) /* the largest failed: tries all */
+  for (size_t i = 0; !a.done && i < a.cells; i++) /* the largest face failed, so this tests all faces */
     for (uint32_t j = w->first.at[w->queue.at[i]]; !a.done && j < w->first.at[w->queue.at[i] + 1]; j++)
       if (!look(w, w->borders.at[j], &a.side, &a.done)) return false;
   if (!a.done) return settle_crumbs(w, a.cells) || VS_BROKEN(w->k, "no face to look through");
   uint32_t above = w->side.at[a.side], below = w->side.at[a.side ^ 1], through = a.side / 2;
   if (!(w->state.at[above] & 2) && !walk_from(w, above)) return false;
   if (w->state.at[below] & 2) return true;
-  const vs_face *f = &w->c->faces.at[through]; /* settled above: the face's cover gives the windings below */
+  const vs_face *f = &w->c->faces.at[through]; /* the cell above is settled, so the face's cover determines the windings
+                                                * below */
   for (uint32_t i = 0; i < f->cover_count; i++) {
     vs_cover cover = w->c->covers.at[f->cover + i];
     vs_cover across = { vs_solid_of(w->c, cover.leaf), a.side & 1 ? -cover.delta : cover.delta };
@@ -647,20 +658,20 @@ static bool walk_component(walk *w, uint32_t start, size_t most) {
   return walk_from(w, below);
 }
 
-/* Marks cells on the inner side of a leaf that settles its inside: they are settled and need no line. A side is inside
- * if a face of the leaf separates the winding numbers 0 and 1: in a star on the grid. The corners of a thin star may
- * have moved so that it folds over itself there. Then there are also faces between the winding numbers -1 and 0, whose
- * inner side is outside of the leaf, and the walk has to distinguish them. */
+/* Marks cells inside a leaf that settles its inside. These cells are settled and need no line. Such a leaf is a star on
+ * the grid. A side of one of its faces is inside if the face separates the winding numbers 0 and 1. A thin star may
+ * have been folded by the grid. Then it also has faces between the winding numbers -1 and 0, whose inner side is
+ * outside of the leaf. The walk has to distinguish these. */
 static bool mark_settled(walk *w) {
   const vs_cluster *c = w->c;
   bool value = c->joining || w->e->forced;
-  uint8_t *settles = NULL; /* of the problem's leaves */
+  uint8_t *settles = NULL; /* settles[i]: 1 if the problem's leaf i settles its inside */
   size_t room = 0;
   bool any = false;
   for (uint32_t i = 0; i < c->leaf_count; i++) any = any || (c->placed.at[i].star && w->e->forces.at[c->leaves[i]]);
   if (!any) return true;
   if (!VS_ROOM(w->k, settles, room, (size_t)c->problem->leaf_count + 1)) return false;
-  /* other leaves have no faces here */
+  /* Only leaves of the cluster have faces here. */
   for (uint32_t i = 0; i < c->leaf_count; i++)
     settles[c->leaves[i]] = c->placed.at[i].star && w->e->forces.at[c->leaves[i]];
   for (uint32_t f = 0; f < c->faces.count; f++)
@@ -675,15 +686,15 @@ static bool mark_settled(walk *w) {
   return true;
 }
 
-/* Returns the leaf whose tag the face has, with the solid in the cell: the earliest. A bare leaf that is subtracted
- * gives way to the earliest leaf in that cell. */
+/* Returns the leaf whose tag the face gets; the solid is in the cell. It is the earliest leaf with this surface on that
+ * side. If it is a bare leaf that is subtracted, the cell's owner is used instead. */
 static uint32_t painter(const walk *w, uint32_t face, uint32_t cell) {
   const vs_cluster *c = w->c;
   const vs_face *f = &c->faces.at[face];
   uint32_t leaf = c->covers.at[f->cover].leaf;
   if (!c->kept.at[face] || !c->problem->leaves[leaf].bare || !w->e->taken_off.at[leaf]) return leaf;
   if (!(w->state.at[cell] & 8)) return w->owner.at[cell] == VS_NONE ? leaf : w->owner.at[cell];
-  for (uint32_t i = 0; i < f->cover_count; i++) /* settled as true: by a leaf with this surface */
+  for (uint32_t i = 0; i < f->cover_count; i++) /* the cell is settled as true by a leaf with this surface */
     if (!w->e->taken_off.at[c->covers.at[f->cover + i].leaf]) return c->covers.at[f->cover + i].leaf;
   return leaf;
 }
@@ -699,7 +710,7 @@ bool vs_classify_faces(vs_kernel *k, vs_cluster *c, vs_expression *e) {
   for (uint32_t i = 0; ok && i < w.cells; i++) {
     enum { AROUND = 1000 };
     if (w.state.at[i] & 2) continue;
-    /* maybe a face behind settled space */
+    /* the component may be visible only behind settled space, so another start is tried */
     ok = walk_component(&w, i, AROUND) && (w.state.at[i] & 2 || walk_component(&w, i, 1)) && vs_kernel_poll(k, 0.8);
   }
   ok = ok && VS_ROOM(k, c->kept.at, c->kept.room, c->faces.count + 1);
@@ -714,7 +725,7 @@ bool vs_classify_faces(vs_kernel *k, vs_cluster *c, vs_expression *e) {
     c->wound.count = w.cells;
     c->side_cell.count = 2 * c->faces.count;
     c->side_cell.room = w.side.room;
-    c->side_cell.at = w.side.at; /* the cluster takes them over */
+    c->side_cell.at = w.side.at; /* the arrays now belong to the cluster */
     w.side.at = NULL;
     w.side.room = 0;
   }

@@ -1,14 +1,14 @@
-/* Implements the cluster's frame: the linear part that most leaves share, in which their boxes are boxes again.
+/* Chooses the frame of a cluster: a linear map that most leaves share, so that their boxes are axis-parallel in it.
  *
- * A leaf's linear part is split into directions, mostly a rotation, and scales along the leaf's axes. Two linear parts
- * that agree to 1e-12 up to a signed permutation of axes are one: a quarter turn, a mirror image and the same turn
- * computed in another way are equal. The frame is the one of the majority. Its leaves get exact permutations and
- * scales, and only their translation is turned. A linear part that shears also serves as a frame, for leaves that all
- * have it.
+ * The linear part of a leaf's placement is split into directions, mostly a rotation, and scales along the leaf's axes.
+ * Two linear parts are equal if they agree to 1e-12 up to a signed permutation of axes. Thus a quarter turn, a mirror
+ * image, and the same rotation computed in another way are equal. The frame is the most frequent one. Its leaves get
+ * exact permutations and scales, and only their translation is rotated. A linear part that shears is also a possible
+ * frame, for leaves that all have it.
  *
- * Very thin plates have precedence. Half a step on either side of a plate is a part of its thickness, and so of its
- * volume, while in the plate's frame its faces lie on the grid. Therefore the frame is the one with the most area of
- * such plates, or the majority's if there are none. */
+ * Very thin plates have precedence. Rounding by half a step on either side changes the thickness of a plate and its
+ * volume. In the plate's own frame its faces lie on the grid. Therefore the frame is that of the largest area of such
+ * plates, or the most frequent one if there are no plates. */
 #include "kernel/arrange/cluster_frame.h"
 
 #include "kernel/cluster.h"
@@ -17,11 +17,12 @@
 
 enum { CANDIDATES = 64 };
 
-/* back: the inverse of r; unit: of the frame's axes; plates: their area */
+/* A possible frame. r: its directions; back: inverse of r; unit: unit along each axis; plates: area of the thin plates
+ * in it; votes: number of leaves. */
 typedef struct { double r[3][3], back[3][3], unit[3]; double plates; uint32_t votes; } candidate;
 
-/* Splits the linear part: the columns' lengths into scale, their directions into r. Returns false if they are nearly in
- * one plane. */
+/* Splits a linear part into scale, the lengths of its columns, and r, their directions. Returns false if the columns
+ * nearly lie in one plane. */
 static bool split(const vs_affine *a, double r[3][3], double scale[3]) {
   for (int j = 0; j < 3; j++) {
     int nonzero = 0;
@@ -36,8 +37,8 @@ static bool split(const vs_affine *a, double r[3][3], double scale[3]) {
   return true;
 }
 
-/* Computes the inverse: the transpose if the columns are orthogonal to 1e-12. Returns false if the columns are nearly
- * in one plane: such a frame would make the grid coarse. */
+/* Computes the inverse of r; it is the transpose if the columns are orthogonal to 1e-12, and *rigid is then true.
+ * Returns false if the columns nearly lie in one plane, because such a frame would make the grid coarse. */
 static bool invert(double r[3][3], double back[3][3], bool *rigid) {
   bool orthogonal = true;
   for (int j = 0; j < 3; j++) {
@@ -59,7 +60,7 @@ static bool invert(double r[3][3], double back[3][3], bool *rigid) {
   return true;
 }
 
-/* computes back * r as an exact signed permutation; returns false if it is none */
+/* Sets p to back * r as an exact signed permutation. Returns false if it is no such permutation. */
 static bool permutation(double back[3][3], double r[3][3], double p[3][3]) {
   for (int i = 0; i < 3; i++)
     for (int j = 0; j < 3; j++) {
@@ -71,10 +72,11 @@ static bool permutation(double back[3][3], double r[3][3], double p[3][3]) {
   return true;
 }
 
-/* Returns the leaf's area in the world if it is a very thin plate of few triangles; else 0. */
+/* Returns the area of the leaf in the world if it is a very thin plate with few triangles, else 0. */
 static double plate_area(const vs_cluster *c, uint32_t leaf) {
-  enum { FEW = 64 }; /* triangles: round shapes have many, and rounding moves them to either side */
-  static const double THIN = 0x1p-10; /* ratio of the volume to the 3/2 power of the area: .068 for a cube */
+  enum { FEW = 64 }; /* greatest number of triangles: round shapes have more, and no frame has all their faces on the
+                      * grid */
+  static const double THIN = 0x1p-10; /* greatest ratio of the volume to the 3/2 power of the area; a cube has .068 */
   const vs_part *part = &c->parts->all.at[c->parts->of_leaf.at[leaf]];
   const vs_affine *a = &c->problem->leaves[leaf].placement;
   const vs_mesh *m = part->mesh;
@@ -103,7 +105,7 @@ bool vs_frame_choose(vs_kernel *k, vs_cluster *c, vs_affine *to_frame) {
       bool rigid;
       if (!invert(r, all[j].back, &rigid)) continue;
       double least = fmin(scale[0], fmin(scale[1], scale[2])), most = fmax(scale[0], fmax(scale[1], scale[2]));
-      /* sheared alike: in their original numbers */
+      /* Leaves that share a shear keep their original numbers. */
       for (int x = 0; x < 3; x++) all[j].unit[x] = rigid || most > 4 * least ? 1 : scale[x];
       for (int x = 0; x < 3; x++)
         for (int y = 0; y < 3; y++) all[j].r[x][y] = r[x][y];

@@ -1,11 +1,11 @@
-/* Implements the culling of triangles and cuts that lie well inside settled space, before anything is cut.
+/* Removes triangles and cuts that lie well inside settled space, before anything is cut.
  *
- * A lid is a convex leaf that settles the result where it is true: an operand of a union, or a hole of a difference.
- * A triangle whose corners are all more than two steps inside one lid is inside it also on the grid, where every
- * corner has moved by less than one step. The same holds outside of a box around a gate, a term outside of which the
- * result is false: this clips an operand that is far larger than the result. The boxes of patches, by which pairs
- * are found, contain only the parts outside of lids: a rod that ends in two joints has the box of the stretch
- * between the joints. */
+ * A lid is a convex leaf whose inside is settled: an operand of a union, or a hole of a difference. The grid moves
+ * every corner by less than one step. If all corners of a triangle are more than two steps inside a lid, the triangle
+ * is also inside on the grid. The same holds for triangles outside of a box around a gate, a term outside of which the
+ * result is false. This removes most of an operand that is far larger than the result. Pairs of patches are found by
+ * their boxes. These contain only the parts outside of lids: the box of a rod that ends in two joints only contains the
+ * part between the joints. */
 #include "kernel/arrange/cull.h"
 
 #include "kernel/cluster.h"
@@ -17,14 +17,14 @@
 typedef struct {
   vs_kernel *k;
   vs_cluster *c;
-  VS_LIST(uint32_t) pairs; /* pairs of numbers: leaf's place, lid's place */
+  VS_LIST(uint32_t) pairs; /* pairs: index of a leaf, index of a lid */
 } finding;
 
 static bool note(void *context, uint32_t a, uint32_t b) {
   finding *f = context;
   const vs_placed *p = &f->c->placed.at[a], *q = &f->c->placed.at[b];
   if (!vs_kernel_poll(f->k, 0)) return false;
-  if (p->lid && q->lid) { /* at most: balls whose boxes meet */
+  if (p->lid && q->lid) { /* both are lids: they must intersect as balls, too, not only their boxes */
     double x = p->middle[0] - q->middle[0], y = p->middle[1] - q->middle[1], z = p->middle[2] - q->middle[2];
     if (sqrt(x * x + y * y + z * z) > sqrt(p->outside) + sqrt(q->outside)) return true;
   }
@@ -36,8 +36,8 @@ static double box_size(const vs_bvh_box *b) {
   return ((double)b->max[0] - b->min[0]) * ((double)b->max[1] - b->min[1]) * ((double)b->max[2] - b->min[2]);
 }
 
-/* Computes the map from the grid to the part, and the length of two steps there. Returns false if the placement is
- * flat. */
+/* Computes p->to_local, the map from the grid to the part, and the length of two steps there. Returns false if the
+ * placement is flat. */
 static bool find_local(const vs_grid *g, const vs_affine *to_frame, vs_placed *p) {
   double step = g->unit / g->scale, sum = 0;
   vs_affine inverse;
@@ -52,7 +52,7 @@ static bool find_local(const vs_grid *g, const vs_affine *to_frame, vs_placed *p
   }
   p->margin = 2 * step * sqrt(sum);
   vs_vec3 middle = vs_affine_point(to_frame, p->part->middle);
-  /* from steps to lengths there, if it is the same in all directions */
+  /* Tests whether the map has one scale for all directions, which converts steps to lengths in the part. */
   double x[3] = { middle.x, middle.y, middle.z }, scale = sqrt(sum / 3) * step;
   bool similar = true;
   for (int i = 0; i < 3; i++) {
@@ -91,12 +91,14 @@ bool vs_cull_prepare(vs_kernel *k, vs_cluster *c, const vs_affine *to_frame) {
   for (uint32_t i = 0; ok && i < n; i++) {
     vs_placed *p = &c->placed.at[i];
     p->lids_first = (uint32_t)sum;
-    sum += p->lids_count < VS_LIDS ? (p->lids_count + 3) / 4 * 4 : VS_LIDS; /* their boxes are in packs of four */
+    sum += p->lids_count < VS_LIDS ? (p->lids_count + 3) / 4 * 4 : VS_LIDS; /* the boxes of a leaf's lids are in packs
+                                                                             * of four */
     p->lids_count = 0;
   }
   ok = ok && VS_ROOM(k, c->lids.at, c->lids.room, sum + 1) &&
        VS_ROOM(k, c->lid_boxes.at, c->lid_boxes.room, sum / 4 + 1);
-  for (size_t i = 0; ok && i < f.pairs.count; i += 2) { /* the largest, in descending order; equal ones by place */
+  for (size_t i = 0; ok && i < f.pairs.count; i += 2) { /* keeps the largest lids, in descending order; equal ones are
+                                                         * in order of their indices */
     vs_placed *p = &c->placed.at[f.pairs.at[i]];
     uint32_t lid = f.pairs.at[i + 1], *list = c->lids.at + p->lids_first, at = p->lids_count;
     double size = box_size(&c->placed.at[lid].box);
@@ -123,7 +125,7 @@ bool vs_cull_prepare(vs_kernel *k, vs_cluster *c, const vs_affine *to_frame) {
   return ok;
 }
 
-/* Computes the gate's box in steps, grown by two; returns false if there is no gate. */
+/* Computes the box of the gate in steps, enlarged by two steps. Returns false if there is no gate. */
 static bool gate_box(const vs_cluster *c, double low[3], double high[3]) {
   if (!c->gate) return false;
   double step = c->grid.unit / c->grid.scale;
@@ -146,7 +148,8 @@ static bool in_box(const vs_bvh_box *b, const double p[3]) {
          p[2] < b->max[2];
 }
 
-/* Does the same for a place whose squared distance from the lid's middle is known: it decides nearly all cases. */
+/* Returns true if p is well inside the lid. square: squared distance from the lid's middle, which decides nearly all
+ * cases. */
 static bool in_lid_at(const vs_placed *lid, double square, const double p[3]) {
   if (square > lid->outside) return false;
   if (square < lid->well_inside) return true;
@@ -162,10 +165,11 @@ static bool in_lid(const vs_placed *lid, const double p[3]) {
 bool vs_cull_needed(const vs_cluster *c, uint32_t place) {
   const vs_placed *p = &c->placed.at[place];
   double low[3], high[3];
-  if (c->layered && c->layered[c->leaves[place]]) return false; /* a later level may have the leaf that covers it */
+  if (c->layered && c->layered[c->leaves[place]]) return false; /* in levels, the leaf that covers this one may be in
+                                                                 * another level */
   if (p->lids_count) return true;
   bool out = false;
-  if (gate_box(c, low, high)) /* wholly inside the gate: nothing to cull */
+  if (gate_box(c, low, high)) /* the leaf is entirely inside the gate, so there is nothing to cull */
     for (int a = 0; a < 3; a++) out = out || p->box.min[a] < low[a] || p->box.max[a] > high[a];
   return out;
 }
@@ -192,7 +196,8 @@ bool vs_cull_vertices(vs_kernel *k, const vs_cluster *c, uint32_t place, size_t 
     for (uint32_t i = 0; i < p->lids_count; i++) {
       const vs_placed *lid = &c->placed.at[c->lids.at[p->lids_first + i]];
       double mx = lid->middle[0], my = lid->middle[1], mz = lid->middle[2];
-      for (size_t v = 0; v < BLOCK; v++) { /* all of them, for vectorisation */
+      for (size_t v = 0; v < BLOCK; v++) { /* computes all elements of the block, so that the compiler can use vector
+                                            * instructions */
         double dx = x[0][v] - mx, dy = x[1][v] - my, dz = x[2][v] - mz;
         square[v] = dx * dx + dy * dy + dz * dz;
       }
@@ -214,7 +219,7 @@ bool vs_cull_point(const vs_cluster *c, uint32_t place, const double p[3]) {
 
 bool vs_cull_segment(const vs_cluster *c, uint32_t place, uint32_t other, const double p[3], const double q[3]) {
   const vs_placed *leaf = &c->placed.at[place];
-  vs_bvh_box box; /* a place well inside a lid is a step or more inside its box */
+  vs_bvh_box box; /* a place well inside a lid is at least one step inside the lid's box */
   for (int a = 0; a < 3 && leaf->lids_count; a++)
     box.min[a] = (int32_t)floor(p[a] < q[a] ? p[a] : q[a]), box.max[a] = (int32_t)ceil(p[a] > q[a] ? p[a] : q[a]);
   for (uint32_t i = 0; i < leaf->lids_count; i += 4)
@@ -227,15 +232,14 @@ bool vs_cull_segment(const vs_cluster *c, uint32_t place, uint32_t other, const 
   return false;
 }
 
-/* Removes from a convex outline a ball of the given radius around the part's middle. Writes places along the outline's
- * edges, in order, whose hull contains the rest. A place in the outline and outside of the ball lies on a chord that
- * does not meet the ball, and the chord's ends are on edges. A corner on the ball, as another such ball leaves it,
- * stays: an additional place does no harm. Returns their number; 0: nothing is left, or the test cannot decide. n is at
- * most the room. */
+/* Removes a ball around the lid's middle from a convex outline of n corners. Replaces the outline by places on its
+ * edges whose convex hull contains the remaining part. A place in the outline outside of the ball lies on a chord that
+ * does not intersect the ball, and the ends of the chord are on edges. A corner on the ball stays; additional places do
+ * no harm. Returns the number of places. 0: nothing remains, or the test cannot decide. n is at most `room`. */
 static uint32_t clip_outline(const vs_placed *lid, double radius, double (*at)[3], uint32_t n, uint32_t room) {
-  /* SURELY: a part of the squared radius that exceeds rounding errors; FAR: largest distance for which that holds */
+  /* SURELY: a fraction of the squared radius that exceeds rounding errors. FAR: greatest distance for which it does. */
   static const double SURELY = 1e-6, FAR = 1e6;
-  double (*out)[3] = at + room; /* the other half of the caller's array */
+  double (*out)[3] = at + room; /* uses the second half of the caller's array */
   uint32_t count = 0;
   VS_ASSERT(n <= room);
   for (uint32_t i = 0; i < n; i++) {
@@ -272,7 +276,7 @@ void vs_cull_box(const vs_cluster *c, uint32_t place, const vs_patch_corner *cor
       size = fmax(size, (double)box->max[a] - box->min[a]);
       other = fmax(other, (double)lid->box.max[a] - lid->box.min[a]);
     }
-    if (size < other / 2) continue; /* little to gain */
+    if (size < other / 2) continue; /* the lid is so small that it cannot reduce the box much */
     for (uint32_t j = 0; !begun && j < count; j++)
       for (int a = 0; a < 3; a++) at[j][a] = corners[j].at[a];
     begun = true;

@@ -1,10 +1,10 @@
-/* Implements the step from corners on the grid to triangles and facets: it omits culled, plain and flat triangles, and
- * joins coplanar neighbours. It also checks that each leaf is closed.
+/* Makes triangles and facets from the corners on the grid. It omits culled, plain and flat triangles, and joins
+ * coplanar neighbours. It also checks that each leaf is closed.
  *
- * Leaves are processed in batches, a batch in spans of triangles that threads share: (1) the planes of the remaining
- * triangles; (2) neighbours in one plane. Then, one after the other, triangles get the numbers of their points, planes
- * and facets, which therefore do not depend on the threads; points are one task and the rest another. Culled and flat
- * triangles make no points or planes. */
+ * Leaves are processed in batches, and a batch in spans of triangles that threads share. They compute (1) the planes of
+ * the remaining triangles, and (2) neighbours in one plane. Then the triangles get the numbers of their points, planes
+ * and facets one after another, so that the numbers do not depend on the threads. Points are one task, and planes and
+ * facets another. Culled and flat triangles have no points or planes. */
 #include "kernel/arrange/facets.h"
 
 #include "kernel/cluster.h"
@@ -13,57 +13,60 @@
 #include <math.h>
 #include <string.h>
 
-enum { SPAN = 1 << 12, BATCH = 1 << 17 /* triangles */ };
+enum { SPAN = 1 << 12, BATCH = 1 << 17 /* numbers of triangles */ };
 #define FLAT UINT32_MAX
-#define GONE (UINT32_MAX - 1) /* culled or plain */
+#define GONE (UINT32_MAX - 1) /* value for a culled or plain triangle */
 
 typedef struct {
   vs_plane plane;
-  uint64_t hash;   /* of the plane */
-  uint32_t source; /* index in its mesh */
+  uint64_t hash;   /* hash of its plane */
+  uint32_t source; /* index of the triangle in its mesh */
   bool flip;
   uint8_t inner;
 } found_triangle;
 typedef struct {
-  uint32_t place, first, end; /* place: of its leaf; first, end: a range of that leaf's triangles */
-  uint32_t base;              /* number in the batch of the span's first found triangle */
+  uint32_t place, first, end; /* place: index of the leaf; first, end: range of its triangles */
+  uint32_t base;              /* number in the batch of the first triangle found in the span */
   VS_LIST(found_triangle) found;
 } span;
 typedef struct {
   const uint32_t *twins;
   uint32_t triangles; /* index in `number` of the leaf's first triangle */
-  uint32_t span;      /* its first span */
+  uint32_t span;      /* index of the leaf's first span */
   bool mirrored;
 } batch_leaf;
 
 typedef struct {
   vs_cluster *c;
-  uint32_t first, end;          /* places of the batch's leaves */
+  uint32_t first, end;          /* range of the leaves in the batch, as indices in the cluster */
   VS_LIST(batch_leaf) leaves;
   VS_LIST(span) spans;
-  size_t span_count;            /* spans ever made: they keep their memory */
-  VS_LIST(uint32_t) number;     /* of each triangle of a mesh: its index among those found in its span; or FLAT, GONE */
-  VS_LIST(_Atomic uint32_t) sets; /* of found triangles: union-find of those connected in one plane */
-  bool straight;                  /* sheets are wanted */
-  VS_LIST(_Atomic uint32_t) sheets; /* the same for those that nearly lie in one plane, if sheets are wanted */
-  VS_LIST(uint32_t) facet;      /* of found triangles that are the first of their facet */
-  VS_LIST(uint32_t) ids;        /* point numbers of one leaf's vertices, or VS_NONE */
-  VS_LIST(uint32_t) twins;      /* of leaves whose part has no twins */
-  VS_LIST(uint32_t) fresh;      /* vertices of a span that have no point yet */
-  size_t given;                 /* number of the cluster's triangles before the batch */
+  size_t span_count;            /* number of spans that have memory, from all batches */
+  VS_LIST(uint32_t) number;     /* for each triangle of a mesh: its index among the triangles found in its span; or
+                                 * FLAT, GONE */
+  VS_LIST(_Atomic uint32_t) sets; /* union-find structure of the found triangles that are connected in one plane */
+  bool straight;                  /* true if sheets are to be found */
+  VS_LIST(_Atomic uint32_t) sheets; /* union-find structure of the found triangles that are connected and nearly in one
+                                     * plane, if straight */
+  VS_LIST(uint32_t) facet;      /* for each found triangle that is the first of its facet: the facet */
+  VS_LIST(uint32_t) ids;        /* point number of each vertex of the current leaf, or VS_NONE */
+  VS_LIST(uint32_t) twins;      /* twins of the leaves whose part has none */
+  VS_LIST(uint32_t) fresh;      /* vertices of the current span that have no point yet */
+  size_t given;                 /* number of the cluster's triangles before the current batch */
 } facets;
 
 static uint32_t turned(bool mirrored, uint32_t j) { return mirrored ? 2 - j : j; }
-/* the mesh triangle's edge that edge j of the grid triangle is, and the reverse */
+/* Returns the edge of the mesh's triangle that is edge j of the grid's triangle, and vice versa. */
 static uint32_t turned_edge(bool mirrored, uint32_t j) { return mirrored ? (4 - j) % 3 : j; }
 
-/* Finds the twins of the leaf at a place: pairs of corners with opposite edges, see vs_twins_find. */
+/* Finds the twins of a leaf on the grid, pairs of corners with opposite edges: see vs_twins_find. place: index of the
+ * leaf. */
 static bool find_twins(vs_kernel *k, facets *f, uint32_t place) {
   vs_cluster *c = f->c;
   const vs_mesh *m = c->placed.at[place].part->mesh;
   uint32_t open, *twins = f->twins.at + f->twins.count;
   f->twins.count += 3 * m->triangle_count;
-  for (size_t j = 0; j < m->vertex_count; j++) /* by place on the grid */
+  for (size_t j = 0; j < m->vertex_count; j++) /* vertices with equal coordinates on the grid are one corner */
     if (!vs_points_integer(k, &c->points, c->corners[c->placed.at[place].first + j], &f->ids.at[j])) return false;
   const vs_twins_input in = { (const uint32_t (*)[3])m->triangles, m->triangle_count, f->ids.at, c->points.all.count };
   if (!vs_twins_find(k, &in, twins, &open)) return false;
@@ -72,7 +75,7 @@ static bool find_twins(vs_kernel *k, facets *f, uint32_t place) {
                         "the solid is not closed: a face is missing, or turned the other way, along an edge");
 }
 
-/* ---- in spans ---- */
+/* ---- tasks for spans of triangles ---- */
 
 static bool find_span(vs_kernel *k, void *context, size_t index) {
   facets *f = context;
@@ -105,12 +108,13 @@ static bool same_plane(const found_triangle *a, const found_triangle *b) {
          a->plane.d == b->plane.d && a->flip == b->flip;
 }
 
-/* Returns true if the grid may have made two planes of one. at: the leaf's corners; v, w: the corners of the mesh's
- * triangles. */
+/* Returns true if the grid may have split the plane of two neighbouring triangles into two planes. at: coordinates of
+ * the leaf's vertices; v, w: vertices of the two triangles. */
 static bool nearly_one_plane(int32_t (*at)[3], const found_triangle *a, const uint32_t v[3], const found_triangle *b,
                              const uint32_t w[3]) {
-  static const double OFF = 4, ALIKE = 0.999; /* OFF: steps by which the rounding of three corners may move a fourth off
-                                               * the plane; ALIKE: a cosine */
+  static const double OFF = 4, ALIKE = 0.999; /* OFF: greatest number of steps by which rounding of three corners may
+                                               * move a fourth off their plane; ALIKE: least cosine of the angle between
+                                               * the normals */
   double n = 0, m = 0, both = 0, above = 0, below = 0;
   for (int i = 0; i < 3; i++) {
     double x = (double)a->plane.n[i], y = (double)b->plane.n[i];
@@ -140,7 +144,8 @@ static bool join_span(vs_kernel *k, void *context, size_t index) {
       uint32_t twin = l->twins[3 * (size_t)a->source + turned_edge(l->mirrored, j)];
       if (twin == VS_NONE || twin / 3 == a->source) continue;
       uint32_t number = f->number.at[l->triangles + twin / 3];
-      /* a triangle that has become a line is here: this triangle may have to be split along it */
+      /* The neighbour has been flattened to a line by the grid, so this triangle may have to be split along that
+       * line. */
       if (number == FLAT) a->inner |= VS_BESIDE_FLAT;
       if (number >= GONE) continue;
       const span *other = &f->spans.at[l->span + twin / 3 / SPAN];
@@ -150,20 +155,21 @@ static bool join_span(vs_kernel *k, void *context, size_t index) {
           (same || nearly_one_plane(f->c->corners + p->first, a, corners[a->source], b, corners[b->source])))
         vs_unite_shared(f->sheets.at, s->base + i, other->base + number);
       if (!same) continue;
-      a->inner |= (uint8_t)(1u << j); /* the other triangle finds the same */
+      a->inner |= (uint8_t)(1u << j); /* the neighbour sets its own bit in the same way */
       if (a->source < b->source) vs_unite_shared(f->sets.at, s->base + i, other->base + number);
     }
   }
   return vs_kernel_report(k, 0);
 }
 
-/* ---- in order ---- */
+/* ---- steps in a fixed order ---- */
 
-/* Gives the triangles of all spans their points, with numbers in the order of their first use. The lookups run a span
- * at a time, for prefetching. */
+/* Sets the points of the triangles of all spans; points are numbered in the order of their first use. A span is looked
+ * up at a time, for prefetching. */
 static bool give_points(vs_kernel *k, facets *f) {
   vs_cluster *c = f->c;
-  vs_grid_triangle *to = c->triangles.at; /* NULL if there is none: no offset may be added to it */
+  vs_grid_triangle *to = c->triangles.at; /* may be NULL if there are no triangles, so no offset may be added to it
+                                           * then */
   if (f->given > 0) to += f->given;
   for (size_t index = 0; index < f->spans.count; index++) {
     const span *s = &f->spans.at[index];
@@ -191,7 +197,7 @@ static bool give_points(vs_kernel *k, facets *f) {
   return true;
 }
 
-/* Gives the triangles of all spans their other members, facets and planes. */
+/* Sets the other members of the triangles of all spans, and makes facets and planes. */
 static bool give_facets(vs_kernel *k, facets *f) {
   vs_cluster *c = f->c;
   vs_grid_triangle *to = c->triangles.at + f->given;
@@ -203,12 +209,12 @@ static bool give_facets(vs_kernel *k, facets *f) {
       if (i + VS_AHEAD_FAR < s->found.count) vs_planes_ahead(&c->planes, from[VS_AHEAD_FAR].hash, false);
       if (i + VS_AHEAD_NEAR < s->found.count) vs_planes_ahead(&c->planes, from[VS_AHEAD_NEAR].hash, true);
       uint32_t root = vs_find_shared(f->sets.at, s->base + i);
-      if (root == s->base + i) { /* the first triangle of its facet */
+      if (root == s->base + i) { /* the triangle is the first of its facet */
         vs_facet made = { .leaf = leaf, .place = s->place, .group = (uint32_t)c->facets.count, .flip = from->flip };
         f->facet.at[root] = (uint32_t)c->facets.count;
         if (!vs_planes_add(k, &c->planes, &from->plane, from->hash, &made.plane) || !VS_PUSH(k, c->facets, made))
           return false;
-        /* the first triangle of a sheet is also the first of its facet */
+        /* The first triangle of a sheet is also the first of its facet. */
         if (f->straight && !VS_PUSH(k, c->sheets, f->facet.at[vs_find_shared(f->sheets.at, root)])) return false;
       }
       to->leaf = leaf;
@@ -224,7 +230,7 @@ static bool give_facets(vs_kernel *k, facets *f) {
   return true;
 }
 
-/* different members, other tables */
+/* The two tasks write different members and tables. */
 static bool give(vs_kernel *k, void *context, size_t index) {
   return index ? give_facets(k, context) : give_points(k, context);
 }
@@ -240,7 +246,7 @@ static bool plan_leaf(vs_kernel *k, facets *f, uint32_t place, size_t *triangles
                           "the solid is inside out: its faces should run counter-clockwise seen from outside");
   for (uint32_t t = 0; t < n; t += SPAN) {
     span made = { .place = place, .first = t, .end = n - t < SPAN ? n : t + SPAN };
-    if (f->spans.count < f->span_count) { /* of an earlier batch; its memory stays */
+    if (f->spans.count < f->span_count) { /* reuses the memory of a span of an earlier batch */
       span *s = &f->spans.at[f->spans.count++];
       s->place = place;
       s->first = made.first;
@@ -296,21 +302,21 @@ static bool do_batch(vs_kernel *k, facets *f) {
   return true;
 }
 
-/* makes facet_triangles: the triangles by facet */
+/* Makes facet_triangles: the triangles sorted by facet. */
 static bool index_facets(vs_kernel *k, vs_cluster *c) {
   size_t n = c->triangles.count, f = c->facets.count;
   vs_facet last = { .leaf = VS_NONE };
   if (!VS_PUSH(k, c->facets, last) || !VS_ROOM(k, c->facet_triangles.at, c->facet_triangles.room, n + 1)) return false;
   for (size_t t = 0; t < n; t++) c->facets.at[c->triangles.at[t].facet + 1].first++;
   for (size_t i = 1; i <= f; i++) c->facets.at[i].first += c->facets.at[i - 1].first;
-  for (size_t t = n; t-- > 0;) { /* filled from the end: each bucket's end moves down to its beginning */
+  for (size_t t = n; t-- > 0;) { /* fills each facet's range from its end, which decreases to the beginning */
     uint32_t facet = c->triangles.at[t].facet;
     c->facet_triangles.at[--c->facets.at[facet + 1].first] = (uint32_t)t;
   }
   for (size_t i = 0; i < f; i++) c->facets.at[i].first = c->facets.at[i + 1].first;
   c->facets.at[f].first = (uint32_t)n;
   c->facet_triangles.count = n;
-  c->facets.count = f; /* the sentinel behind them stays readable */
+  c->facets.count = f; /* an extra facet after the last one remains readable */
   return true;
 }
 

@@ -1,9 +1,10 @@
-/* Declares the functions of facets.c: the step from corners on the grid to triangles and facets. */
+/* Declares the making of triangles and facets from the corners on the grid. */
 #ifndef VS_KERNEL_ARRANGE_FACETS_H
 #define VS_KERNEL_ARRANGE_FACETS_H
 
 #include "kernel/cluster.h"
 
-bool vs_facets_build(vs_kernel *k, vs_cluster *c);                     /* makes triangles and facets */
+bool vs_facets_build(vs_kernel *k, vs_cluster *c);                     /* makes c->triangles and c->facets; returns
+                                                                        * false on an error */
 
 #endif

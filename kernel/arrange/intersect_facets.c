@@ -1,15 +1,15 @@
-/* Implements the intersection of facets that are given by their sides: the segments and points that two of them share
- * become cuts in both.
+/* Intersects facets that are given by their sides. The segments and points that two of them share become cuts in both.
  *
- * Such a facet may have any outline, with holes, and corners that are exact points. The line of two planes crosses its
- * outline at events, which are sorted along the line. A side from above the other plane to below it, or from above to
- * the plane itself, changes if the line moved up by a hair is inside. A side that goes below does the same for the line
- * moved down. Between two events the facet covers the line where either moved line is inside. Therefore sides that lie
- * in the other plane, and corners that only touch it, need no rule. The interval that both facets cover is cut at every
- * event, since each is a corner of one of them. A new point is where a side's line meets a plane: an edge of the input
- * and a plane, or three planes of the input, after any number of levels.
+ * Such a facet may have any outline, with holes, and its corners are exact points. The line of two planes crosses its
+ * outline at events, which are sorted along the line. Imagine this line moved up, or down, by a very small distance. A
+ * side between a point above the other plane and a point below it, or in it, is where the line moved up enters or
+ * leaves the facet. A side between a point below and a point above or in the plane is where the line moved down does.
+ * Between two events, the facet covers the line if one of the moved lines is inside. Therefore sides that lie in the
+ * other plane, and corners that only touch it, need no special rule. An interval that both facets cover is cut at every
+ * event, because each event is a corner of one of them. A new point is an intersection of a side's line and a plane: an
+ * edge of the input and a plane, or three planes of the input, after any number of levels.
  *
- * As in intersect_patches.c, threads decide pairs in independent chunks; points are numbered afterwards, chunk by
+ * As in intersect_patches.c, threads test pairs in independent chunks, and points are numbered afterwards, chunk by
  * chunk. */
 #include "kernel/arrange/intersect_facets.h"
 
@@ -21,21 +21,23 @@
 
 #define FRESH (UINT32_C(1) << 31)
 
-typedef struct { uint32_t a, b, p, q, cut; } contact; /* a, b: facets; the rest as in intersect_patches.c */
+typedef struct { uint32_t a, b, p, q, cut; } contact; /* a, b: facets that touch; p, q, cut: the shared segment, as in
+                                                       * intersect_patches.c */
 
 enum { BREAK = 0, UP = 1, DOWN = 2 };
 typedef struct {
   int64_t fixed[3];
-  uint32_t id;   /* a point, or FRESH plus an index in `crossings` */
-  uint8_t first, exact; /* first: of the first facet's outline */
-  uint8_t turns; /* UP, DOWN: the line moved that way enters or leaves here */
+  uint32_t id;   /* number of a point, or FRESH plus an index in `crossings` */
+  uint8_t first, exact; /* first: 1 if the event belongs to the outline of the first facet; exact: 1 if the fixed-point
+                         * numbers are exact */
+  uint8_t turns; /* bits UP, DOWN: the line moved up or down enters or leaves the facet here */
 } event;
 
-/* The scratch memory of a thread. */
+/* Working memory of a thread. */
 typedef struct {
   VS_LIST(event) events;
-  VS_LIST(vs_fresh_point) crossings; /* the new points on the line */
-  VS_LIST(uint32_t) given;           /* for each crossing: its number among the chunk's points, or VS_NONE */
+  VS_LIST(vs_fresh_point) crossings; /* new points on the current line */
+  VS_LIST(uint32_t) given;           /* for each crossing: its number among the new points of the chunk, or VS_NONE */
 } working;
 
 typedef struct {
@@ -48,7 +50,7 @@ typedef struct {
 
 static const vs_plane *plane_of(const vs_cluster *c, const vs_facet *f) { return &c->planes.all.at[f->plane]; }
 
-/* Computes the point where the side goes through the plane; its ends lie on different sides of the plane. */
+/* Computes the point where the side crosses the plane `through`. Its ends lie on different sides of that plane. */
 static bool crossing(const vs_cluster *c, const vs_facet *f, const vs_facet_side *s, const vs_plane *through,
     vs_homogeneous *out) {
   if (!(s->line & VS_LINE)) return vs_meet_planes(plane_of(c, f), &c->planes.all.at[s->line], through, out);
@@ -56,7 +58,7 @@ static bool crossing(const vs_cluster *c, const vs_facet *f, const vs_facet_side
   return vs_meet_edge(line->at[0], line->at[1], through, out);
 }
 
-/* Returns true if the facet has corners on both sides of the other's plane, or in it. */
+/* Returns true if the facet has corners on both sides of the plane p, or in it. */
 static bool reaches(const vs_cluster *c, const vs_facet *f, const vs_plane *p) {
   vs_points_view view = vs_points_of(&c->points);
   bool above = false, below = false;
@@ -114,7 +116,7 @@ static void load(const chunk *m, const event *e, vs_homogeneous *out) {
   else *out = m->c->points.big.at[p->big];
 }
 
-/* Returns the order along the axis (0, 1 or 2) of points on one line; 0: they are one point. */
+/* Returns the order along the axis (0, 1 or 2) of two points on one line: -1, 1, or 0 if they are the same point. */
 static int compare(const chunk *m, const event *a, const event *b, int axis) {
   VS_ASSERT(axis >= 0 && axis < 3);
   if (a->fixed[axis] != b->fixed[axis]) return a->fixed[axis] < b->fixed[axis] ? -1 : 1;
@@ -137,7 +139,7 @@ static void sort_events(chunk *m, int axis) {
     }
 }
 
-/* Returns an axis that is not perpendicular to the line of the two planes, which are not parallel. */
+/* Returns an axis that is not perpendicular to the line of the two planes. The planes are not parallel. */
 static int axis_of(const vs_plane *p, const vs_plane *q) {
   double most = -1;
   int best = 0;
@@ -150,7 +152,7 @@ static int axis_of(const vs_plane *p, const vs_plane *q) {
   return best;
 }
 
-/* Sets *id to the number of an event's point; a new point is added to the chunk's. */
+/* Sets *id to the number of an event's point. A new point is added to those of the chunk. */
 static bool name(chunk *m, const event *e, uint32_t *id) {
   *id = e->id;
   if (!(e->id & FRESH)) return true;
@@ -163,7 +165,7 @@ static bool name(chunk *m, const event *e, uint32_t *id) {
   return true;
 }
 
-/* Returns true if the segment between the points is new for the facet: neither one of its sides nor a corner. */
+/* Returns true if the segment from p to q is new for the facet: neither a side nor a corner. */
 static bool is_new(const vs_cluster *c, const vs_facet *f, uint32_t p, uint32_t q) {
   if ((p | q) & FRESH) return true;
   for (uint32_t i = f[0].first; i < f[1].first; i++) {
@@ -181,8 +183,8 @@ static bool add_contact(chunk *m, uint32_t a, uint32_t b, const event *from, con
   return !cut || VS_PUSH(m->k, m->contacts, ((contact){ a, b, p, q, cut }));
 }
 
-/* Returns the first of the events from i on at one place; an old point if there is one. Event i exists; *end is the end
- * of these events. */
+/* Returns the first event, from index i on, at one place; one with an existing point if possible. *end: index after the
+ * last event at this place. i is the index of an event. */
 static event *gather(chunk *m, size_t i, int axis, size_t *end) {
   event *at = m->w->events.at, *best = &at[i];
   VS_ASSERT(i < m->w->events.count);
@@ -202,8 +204,8 @@ static bool share(chunk *m, uint32_t a, uint32_t b) {
   for (size_t i = 0; i < m->w->crossings.count; i++) m->w->given.at[i] = VS_NONE;
   int axis = axis_of(plane_of(c, f), plane_of(c, g));
   sort_events(m, axis);
-  uint8_t in[2] = { 0, 0 }; /* for each facet: the moved lines that are inside */
-  bool covered = false;     /* both facets cover the line before this event */
+  uint8_t in[2] = { 0, 0 }; /* for each of the two facets: bits UP, DOWN of the moved lines that are inside */
+  bool covered = false;     /* true if both facets cover the line before this event */
   event before = { .id = VS_NONE };
   for (size_t i = 0, end; i < n; i = end) {
     const event here = *gather(m, i, axis, &end);
@@ -237,15 +239,15 @@ static bool meet(void *context, uint32_t a, uint32_t b) {
 
 typedef struct {
   vs_cluster *c;
-  vs_points_table points; /* the new points: the tasks read the cluster's */
+  vs_points_table points; /* the new points; the cluster's points are only read during the tasks */
   vs_bvh bvh;
   VS_LIST(vs_bvh_box) boxes;
   VS_LIST(uint32_t) families, group, ids;
   chunk chunks[VS_PIPELINE_WINDOW];
-  working *works; /* one for each thread */
+  working *works; /* working memory of each thread */
 } meeting;
 
-enum { CHUNK = 64 }; /* blocks of the index */
+enum { CHUNK = 64 }; /* number of blocks of the index in a chunk */
 
 static bool meet_chunk(vs_kernel *k, void *context, size_t index) {
   meeting *all = context;

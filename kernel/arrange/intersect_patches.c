@@ -34,11 +34,11 @@ typedef struct {
 } crossing;
 enum { CROSSINGS = 1 << 12 };
 
-/* The scratch memory of a thread. */
+/* Working memory of a thread. */
 typedef struct {
-  VS_LIST(double) heights[2];     /* of a pair's corners, over the other's plane */
-  VS_LIST(crossing) crossings;    /* the latest ones, each at a place given by a hash */
-  VS_LIST(vs_patch_corner) line;  /* corners on the shared segment, in order */
+  VS_LIST(double) heights[2];     /* heights of the corners of each patch of a pair over the plane of the other */
+  VS_LIST(crossing) crossings;    /* hash table of the latest crossings */
+  VS_LIST(vs_patch_corner) line;  /* corners on the segment that both patches share, in order */
 } working;
 
 typedef struct {
@@ -47,10 +47,10 @@ typedef struct {
   working *w;
   VS_LIST(contact) contacts;
   VS_LIST(vs_fresh_point) fresh;
-  VS_LIST(vs_edge) edges;         /* edges that contain the chunk's fresh points */
-  size_t asked;                   /* number of segments that were tested against lids */
-  size_t left, looked, hidden;    /* left: segments that no lid hides whole; looked: those of which a sample was tested;
-                                   * hidden: sampled segments hidden there */
+  VS_LIST(vs_edge) edges;         /* for each fresh point of the chunk: an edge that contains it */
+  size_t asked;                   /* number of segments that were tested for being inside lids */
+  size_t left, looked, hidden;    /* left: number of segments that no lid contains entirely; looked: number of these of
+                                   * which a sample was tested; hidden: number of samples inside a lid */
 } chunk;
 
 static const vs_patch_corner *corners(const vs_cluster *c, const vs_patch *p) { return c->patch_corners.at + p->first; }
@@ -68,7 +68,7 @@ static bool corner_of(const vs_cluster *c, const vs_patch *p, uint32_t id) {
   return false;
 }
 
-/* Returns the edge of the patch between the corners p and q; VS_NONE: there is none. */
+/* Returns the edge of the patch between the corners p and q, or VS_NONE if there is none. */
 static uint32_t edge_of(const vs_cluster *c, const vs_patch *x, uint32_t p, uint32_t q) {
   const vs_patch_corner *at = corners(c, x);
   for (uint32_t i = 0; i < x->count; i++) {
@@ -78,23 +78,23 @@ static uint32_t edge_of(const vs_cluster *c, const vs_patch *x, uint32_t p, uint
   return VS_NONE;
 }
 
-/* ---- a pair, within a chunk ---- */
+/* ---- a pair of patches, within a chunk ---- */
 
-/* A patch and the plane of another. */
+/* A patch, and its position relative to the plane of another patch. */
 typedef struct {
   const vs_patch *of, *other;
-  double *height;                /* of each of its corners: the signs are exact, and 0 is exactly 0 */
-  double error;                  /* of heights other than 0, at most */
-  uint32_t on, first_on, last_on; /* number of corners in the plane, and two of them */
-  bool above, below;             /* there are corners above, below */
+  double *height;                /* height of each of its corners; the signs are exact, and 0 is exactly 0 */
+  double error;                  /* upper bound for the error of heights that are not 0 */
+  uint32_t on, first_on, last_on; /* on: number of corners in the plane; first_on, last_on: two of these */
+  bool above, below;             /* true if there are corners above, or below, the plane */
 } facing;
 
 static vs_i128 height(const vs_plane *p, const int32_t at[3]) {
   return (vs_i128)p->n[0] * at[0] + (vs_i128)p->n[1] * at[1] + (vs_i128)p->n[2] * at[2] - p->d;
 }
 
-/* Computes heights as doubles, from a corner of the other patch: differences of 33 bits are exact. The normal, the
- * three products and the two sums are accurate to 2^-53 of themselves: the error is below 2^-50 of the sum of the
+/* Computes heights as doubles, relative to a corner of the other patch; differences of 33 bits are exact. The normal,
+ * the three products and the two sums have relative errors of 2^-53. The total error is below 2^-50 of the sum of the
  * products' sizes, and zero if these are below 2^53. */
 static void face_to(const vs_cluster *c, facing *f) {
   const vs_plane *p = &c->planes.all.at[f->other->plane];
@@ -121,8 +121,8 @@ static void face_to(const vs_cluster *c, facing *f) {
   }
 }
 
-/* Returns the cache entry for the point where the edge p q, of two points, goes through the patch. The number of
- * entries is a power of two. */
+/* Returns the entry of the hash table for the point where the edge from point p to point q crosses the patch. The
+ * number of entries is a power of two. */
 static crossing *crossing_of(chunk *m, uint32_t p, uint32_t q, uint32_t patch) {
   uint32_t low = p < q ? p : q, high = p < q ? q : p;
   uint64_t hash = (((uint64_t)low << 32 | high) ^ (uint64_t)patch * 0xd6e8feb86659fd93u) * 0x9e3779b97f4a7c15u;
@@ -132,24 +132,24 @@ static crossing *crossing_of(chunk *m, uint32_t p, uint32_t q, uint32_t patch) {
   return x;
 }
 
-/* An end of the interval in which the line of two planes is in a patch of one of them: at a corner, or between a corner
- * and the next. */
+/* An end of the interval in which a patch covers the line of two planes. The end is at a corner of the patch, or
+ * between a corner and the next. */
 typedef struct {
   const facing *f;
-  uint32_t corner, next; /* next: equal to corner if the end is at a corner */
-  double at, error;      /* its coordinate along the current axis */
+  uint32_t corner, next; /* next: the following corner, or equal to `corner` if the end is at that corner */
+  double at, error;      /* at: coordinate along the current axis; error: its possible error */
 } end;
 
 static bool is_corner(const end *e) { return e->corner == e->next; }
 
-/* Computes the exact place of an end between two corners. */
+/* Computes the exact position of an end between two corners. */
 static bool end_place(const vs_cluster *c, const end *e, vs_homogeneous *out) {
   const vs_patch_corner *x = corners(c, e->f->of);
   VS_ASSERT(e->corner != e->next);
   return vs_meet_edge(x[e->corner].at, x[e->next].at, &c->planes.all.at[e->f->other->plane], out);
 }
 
-/* Returns the order along the axis; 0: they are one point. */
+/* Returns the order of the ends along the axis: -1, 1, or 0 if they are the same point. */
 static int compare(const vs_cluster *c, const end *a, const end *b, int axis) {
   double d = a->at - b->at, error = a->error + b->error;
   if (fabs(d) > error || error <= 0) return (d > 0) - (d < 0);
@@ -163,14 +163,15 @@ static int compare(const vs_cluster *c, const end *a, const end *b, int axis) {
   return vs_homogeneous_compare(&p, &q, axis);
 }
 
-/* Returns the fraction of its edge at which an end lies. */
+/* Returns the position of an end on its edge, as a fraction of the edge. */
 static double fraction(const end *e) {
   double u = e->f->height[e->corner], v = e->f->height[e->next];
   return is_corner(e) ? 0 : u / (u - v);
 }
 
-/* Computes the interval of the line that the patch covers. The error of a crossing's fraction t = u / (u - v) is below
- * 3 errors of a height / |u - v|, as t <= 1. Rounding adds errors below 2^-18 steps along the edge. */
+/* Computes the interval of the line that the patch covers. An end on an edge is at the fraction t = u / (u - v), where
+ * u and v are heights. The error of t is below 3 errors of a height / |u - v|, because t <= 1. Rounding adds errors
+ * below 2^-18 steps along the edge. */
 static void cover(const vs_cluster *c, const facing *f, int axis, end *low, end *high) {
   const vs_patch_corner *x = corners(c, f->of);
   const double *h = f->height;
@@ -191,7 +192,7 @@ static void cover(const vs_cluster *c, const facing *f, int axis, end *low, end 
   }
 }
 
-/* Returns an axis that is not perpendicular to the planes' line. */
+/* Returns an axis that is not perpendicular to the line of the two planes. */
 static int axis_of(const vs_plane *p, const vs_plane *q) {
   double most = 0, bound = 0;
   int best = 0;
@@ -202,14 +203,15 @@ static int axis_of(const vs_plane *p, const vs_plane *q) {
     if (fabs(s - t) > most) most = fabs(s - t), best = i;
   }
   if (most > bound * 0x1p-50) return best;
-  for (best = 0; best < 2; best++) { /* the planes differ: one of the three is not zero */
+  for (best = 0; best < 2; best++) { /* the planes differ, so one of the three components is not zero */
     int u = (best + 1) % 3, v = (best + 2) % 3;
     if ((vs_i128)p->n[u] * q->n[v] != (vs_i128)p->n[v] * q->n[u]) break;
   }
   return best;
 }
 
-/* Computes the place in steps; returns false if its error is too large to decide if a lid contains it. */
+/* Computes the position of an end in steps. Returns false if its error is too large to decide whether a lid contains
+ * it. */
 static bool end_at(const vs_cluster *c, const end *e, double at[3]) {
   const vs_patch_corner *x = corners(c, e->f->of);
   const double *h = e->f->height;
@@ -222,7 +224,7 @@ static bool end_at(const vs_cluster *c, const end *e, double at[3]) {
   return is_corner(e) || 4 * e->f->error * length <= 0.25 * fabs(h[e->corner] - h[e->next]);
 }
 
-/* Returns true if coplanar patches touch in more than common corners and edges. */
+/* Returns true if coplanar patches have more in common than corners and edges. */
 static bool overlap(const vs_cluster *c, const vs_patch *a, const vs_patch *b) {
   const vs_plane *plane = &c->planes.all.at[a->plane];
   const vs_patch *t[2] = { a, b };
@@ -245,19 +247,21 @@ static bool overlap(const vs_cluster *c, const vs_patch *a, const vs_patch *b) {
   return !(apart && a->facet == b->facet);
 }
 
-/* Returns true if triangles of one leaf in different planes share only corners as neighbours do; false also if that
- * takes long to decide. Two with a common edge share the line of their planes, and so the edge alone. Two with one
- * common corner share only that if the rest of one lies on one side of the other. */
+/* Returns true if two triangles of one leaf in different planes share only a corner or edge, as neighbours do. Returns
+ * false also if this takes long to decide. Triangles with a common edge share only that, because it is the line of
+ * their planes. Triangles with one common corner share only that if the other corners of one lie on one side of the
+ * other's plane. */
 static bool only_neighbours(const vs_cluster *c, const vs_patch *a, const vs_patch *b) {
   if (a->count != 3 || b->count != 3) return false;
   const vs_patch_corner *x = corners(c, a), *y = corners(c, b);
-  uint32_t in_a = 0, in_b = 0; /* bits of corners */
+  uint32_t in_a = 0, in_b = 0; /* sets of corners, as bits */
   for (uint32_t i = 0; i < 3; i++)
     for (uint32_t j = 0; j < 3; j++) {
       uint32_t same = x[i].point == y[j].point;
       in_a |= same << i, in_b |= same << j;
     }
-  static const uint8_t edge[8] = { [3] = 1, [6] = 2, [5] = 4 }; /* of two corners: the bit of the edge between them */
+  static const uint8_t edge[8] = { [3] = 1, [6] = 2, [5] = 4 }; /* edge[corners]: bit of the edge between two corners,
+                                                                 * given as bits */
   if (edge[in_a]) return !(a->inner & edge[in_a]) && !(b->inner & edge[in_b]);
   if (!in_a) return false;
   for (int side = 0; side < 2; side++) {
@@ -269,14 +273,14 @@ static bool only_neighbours(const vs_cluster *c, const vs_patch *a, const vs_pat
   return false;
 }
 
-/* Returns true if the segment between the points is new for the patch: neither a corner nor an edge of its facet. */
+/* Returns true if the segment from p to q is new for the patch: neither a corner nor an edge of its facet. */
 static bool is_new(const vs_cluster *c, const vs_patch *x, uint32_t p, uint32_t q) {
   if (p == q) return !corner_of(c, x, p);
   uint32_t edge = edge_of(c, x, p, q);
   return edge == VS_NONE || (edge < 3 && (x->inner >> edge & 1));
 }
 
-/* Returns true if the patch only touches the other's plane, with a corner or edge that both already have. */
+/* Returns true if the patch only touches the other plane with a corner or edge that both patches have. */
 static bool only_touches(const vs_cluster *c, const facing *f) {
   if ((f->above && f->below) || f->on > 2) return false;
   const vs_patch_corner *x = corners(c, f->of);
@@ -284,7 +288,7 @@ static bool only_touches(const vs_cluster *c, const facing *f) {
   return !is_new(c, f->other, p, q) && !is_new(c, f->of, p, q);
 }
 
-/* Sets *id to the end's point, and makes the point if it does not exist. */
+/* Sets *id to the point at an end. Makes the point if it does not exist. */
 static bool end_point(chunk *m, const end *e, uint32_t *id) {
   const vs_patch_corner *p = &corners(m->c, e->f->of)[e->corner], *q = &corners(m->c, e->f->of)[e->next];
   *id = p->point;
@@ -302,8 +306,8 @@ static bool end_point(chunk *m, const end *e, uint32_t *id) {
   return true;
 }
 
-/* For edges in one line: inserts the corners of f on the line between its ends into `line`. A corner at an end of the
- * segment is replaced by that end. */
+/* Used if edges lie on the line of the planes. Inserts the corners of f that are on the line, between the ends low and
+ * high, into `line`. A corner that is at an end of the segment replaces that end. */
 static bool corners_between(chunk *m, const facing *f, int axis, end *low, end *high) {
   const vs_patch_corner *x = corners(m->c, f->of);
   for (uint32_t i = 0; f->on > 2 && i < f->of->count; i++) {
@@ -318,7 +322,7 @@ static bool corners_between(chunk *m, const facing *f, int axis, end *low, end *
     vs_patch_corner *line = m->w->line.at;
     for (; to > 0 && line[to - 1].at[axis] > x[i].at[axis]; to--) line[to] = line[to - 1];
     line[to] = x[i];
-    if (to > 0 && line[to - 1].point == x[i].point) { /* the other patch has it, too */
+    if (to > 0 && line[to - 1].point == x[i].point) { /* the other patch has this corner, too */
       m->w->line.count--;
       memmove(line + to, line + to + 1, (m->w->line.count - to) * sizeof *line);
     }
@@ -326,7 +330,8 @@ static bool corners_between(chunk *m, const facing *f, int axis, end *low, end *
   return true;
 }
 
-/* Does the same for points on the line of two planes, whose corners on that line are known. */
+/* Returns true if the segment from p to q is new for f's patch. The points are on the line of the two planes, and f
+ * names its corners on that line. */
 static bool is_new_on(const vs_cluster *c, const facing *f, uint32_t p, uint32_t q) {
   const vs_patch_corner *x = corners(c, f->of);
   if (f->on > 2) return is_new(c, f->of, p, q);
@@ -338,8 +343,8 @@ static bool is_new_on(const vs_cluster *c, const facing *f, uint32_t p, uint32_t
   return (between != 1 && between + 1 != f->of->count) || (edge < 3 && (f->of->inner >> edge & 1));
 }
 
-/* Returns bit 0 if the segment between the points is new in the first patch, bit 1 if in the second. A fresh point is
- * no corner of either: such a point would have been found as that corner. */
+/* Returns a set: bit 0 if the segment from p to q is new in the first patch, bit 1 if it is new in the second. A fresh
+ * point is no corner of either, because it would have been found as that corner. */
 static uint32_t new_in(const vs_cluster *c, const facing f[2], uint32_t p, uint32_t q) {
   if ((p | q) & FRESH) return 3;
   return (uint32_t)is_new_on(c, &f[0], p, q) | (uint32_t)is_new_on(c, &f[1], p, q) << 1;
@@ -354,7 +359,7 @@ static bool add_contact(chunk *m, const facing f[2], uint32_t p, uint32_t q) {
 
 static uint32_t corner_point(const vs_cluster *c, const end *e) { return corners(c, e->f->of)[e->corner].point; }
 
-/* Tests for one cut in so many if its middle lies inside a lid. */
+/* Tests every 16th cut for having its middle inside a lid. */
 static void look_whether_hidden(chunk *m, uint32_t place, const double p[3], const double q[3]) {
   enum { ONE_IN = 16 };
   if (++m->left % ONE_IN) return;
@@ -363,14 +368,15 @@ static void look_whether_hidden(chunk *m, uint32_t place, const double p[3], con
   m->hidden += vs_cull_point(m->c, place, middle);
 }
 
-/* Intersects patches of different planes. */
+/* Intersects patches of different planes, and records the segments or the point that they share. */
 static bool share(chunk *m, const vs_patch *a, const vs_patch *b) {
   const vs_cluster *c = m->c;
   const vs_patch *t[2] = { a, b };
   facing f[2];
   end low[2], high[2];
   for (int i = 0; i < 2; i++) {
-    int which = (t[1]->count < t[0]->count) ^ i; /* the patch with fewer corners first: mostly it decides */
+    int which = (t[1]->count < t[0]->count) ^ i; /* begins with the patch that has fewer corners, because it mostly
+                                                  * decides */
     if (!VS_ROOM(m->k, m->w->heights[which].at, m->w->heights[which].room, t[which]->count)) return false;
     f[which] = (facing){ .of = t[which], .other = t[!which], .height = m->w->heights[which].at };
     face_to(c, &f[which]);
@@ -383,7 +389,7 @@ static bool share(chunk *m, const vs_patch *a, const vs_patch *b) {
       to = high[above < 0 || (above == 0 && !is_corner(&high[0]))];
   int length = compare(c, &to, &from, axis);
   if (length < 0) return true;
-  if (length == 0 && !is_corner(&from)) from = to; /* prefers the end that is a corner */
+  if (length == 0 && !is_corner(&from)) from = to; /* prefers an end that is a corner */
   if (length == 0) to = from;
   if (is_corner(&from) && is_corner(&to) && !new_in(c, f, corner_point(c, &from), corner_point(c, &to))) return true;
   if (t[0]->place != t[1]->place) {
@@ -410,7 +416,7 @@ static bool share(chunk *m, const vs_patch *a, const vs_patch *b) {
 static bool meet(void *context, uint32_t first, uint32_t second) {
   chunk *m = context;
   const vs_cluster *c = m->c;
-  if (first > second) { /* the order of point numbers must not depend on the index */
+  if (first > second) { /* the order of point numbers must not depend on the order of pairs in the index */
     uint32_t t = first;
     first = second;
     second = t;
@@ -422,17 +428,17 @@ static bool meet(void *context, uint32_t first, uint32_t second) {
   return (a->place == b->place && only_neighbours(c, a, b)) || share(m, a, b);
 }
 
-/* ---- the union of the chunks ---- */
+/* ---- union of the chunks' results ---- */
 
 typedef struct {
   vs_kernel *k;
   vs_cluster *c;
-  uint32_t *group; /* union-find over facets */
-  VS_LIST(uint32_t) ids;  /* of a chunk's fresh points */
+  uint32_t *group; /* union-find structure over facets */
+  VS_LIST(uint32_t) ids;  /* numbers of a chunk's fresh points */
   chunk chunks[VS_PIPELINE_WINDOW];
-  working *works; /* one for each thread */
+  working *works; /* working memory of each thread */
   size_t chunk_count;
-  size_t asked, left, looked, hidden; /* sums over the chunks so far */
+  size_t asked, left, looked, hidden; /* sums of these members over the chunks so far */
 } meeting;
 
 static bool leave(meeting *m, const vs_patch *t, uint32_t p, uint32_t q, uint32_t plane) {
@@ -440,8 +446,8 @@ static bool leave(meeting *m, const vs_patch *t, uint32_t p, uint32_t q, uint32_
   return VS_PUSH(m->k, m->c->cuts, ((vs_facet_cut){ t->facet, p, q, plane }));
 }
 
-/* Returns true if the chunks so far indicate very many cuts of which nearly all are hidden, omitted or not. Where most
- * show, as in a lattice of holes, levels would only make them several times. */
+/* Returns true if the chunks so far show that there are very many cuts, nearly all of them hidden. Where most cuts
+ * appear in the result, as in a lattice of holes, levels would only repeat the work. */
 static bool most_is_hidden(const meeting *m, size_t index) {
   enum { SURE = 500, EACH = 32, LEAST = 20000 };
   const vs_cluster *c = m->c;
@@ -480,7 +486,7 @@ static bool absorb(vs_kernel *k, void *context, size_t index) {
   return true;
 }
 
-enum { CHUNK = 64 }; /* blocks of the index: all partners of one large patch are in one of them */
+enum { CHUNK = 64 }; /* number of blocks of the index in a chunk; all partners of a large patch are in one chunk */
 
 static bool meet_chunk(vs_kernel *k, void *context, size_t index) {
   meeting *all = context;
@@ -493,7 +499,7 @@ static bool meet_chunk(vs_kernel *k, void *context, size_t index) {
   size_t crossings = 64;
   while (crossings < CROSSINGS && crossings < 32 * (size_t)blocks) crossings *= 2;
   if (!VS_ROOM(k, m->w->crossings.at, m->w->crossings.room, crossings)) return false;
-  /* empty: the results of a chunk depend on the chunk alone */
+  /* Clears the hash table, so that the results of a chunk depend only on the chunk. */
   memset(m->w->crossings.at, 0xff, crossings * sizeof *m->w->crossings.at);
   m->w->crossings.count = crossings;
   return vs_bvh_pairs(&all->c->bvh, first, first + CHUNK, meet, m) && vs_kernel_report(k, 0.1);

@@ -1,9 +1,11 @@
-/* Declares the functions of intersect_patches.c: the intersection of patches. */
+/* Declares the intersection of patches. */
 #ifndef VS_KERNEL_ARRANGE_INTERSECT_PATCHES_H
 #define VS_KERNEL_ARRANGE_INTERSECT_PATCHES_H
 
 #include "kernel/cluster.h"
 
-bool vs_meet_patches(vs_kernel *k, vs_cluster *c);                     /* makes cuts and groups */
+bool vs_meet_patches(vs_kernel *k, vs_cluster *c);                     /* makes c->cuts, and the groups of facets;
+                                                                        * returns false on an error, or if the cluster
+                                                                        * is too crowded */
 
 #endif

@@ -1,21 +1,21 @@
-/* Implements the union of a crowded cluster's solids level by level: where many solids overlap, the kernel never
- * arranges the hidden parts at once.
+/* Unites the solids of a crowded cluster level by level. Where many solids overlap, the hidden parts are then never
+ * arranged all at once.
  *
- * In one arrangement, k solids at one place cut each of their facets k times, and the cuts cross k^2 times in each,
- * though nearly all of that is hidden. Here leaves that settle the result where they are true (operands of a union, the
- * holes of a difference) are united two by two, near ones first. The border of their union is arranged with the border
- * of the next. Such a leaf settles the result whichever of the united ones it is. Therefore their union replaces all of
- * them in the expression, under the number of the first (vs_solid_of), and the terms do not change. At the end it is
- * arranged with all other leaves, as usual.
+ * In a single arrangement of k solids at one place, each facet is cut k times, and its cuts cross k^2 times. Nearly all
+ * of this is hidden in the result. Here the leaves that settle the result inside themselves are united two by two,
+ * neighbours first. These leaves are operands of a union or holes of a difference. Then the border of such a union is
+ * arranged with the border of the next. The expression has the same value inside any of these leaves. Therefore their
+ * union replaces all of them in the expression, with the number of the first (vs_solid_of), and the terms do not
+ * change. At the end, the union is arranged with all other leaves in the usual way.
  *
- * Nothing is rounded between levels. Facets keep their plane of the input; their corners are exact points; each side
- * keeps its line, an edge of the input or the second plane. Therefore a new point is an edge and a plane, or three
- * planes, of the input, and no number is longer than in one arrangement. A kept face has the same leaf as without
- * levels, the earliest with this surface, and so the same paint; faces of one leaf are merged again after each level,
- * and needless corners are dropped.
+ * Nothing is rounded between levels. Facets keep the planes of the input, and their corners are exact points. Each side
+ * keeps its line, an edge of the input or a second plane. Therefore a new point is an intersection of an edge and a
+ * plane, or of three planes, of the input. Its numbers are no longer than in a single arrangement. A kept face has the
+ * same leaf as without levels, the earliest leaf with this surface, and therefore the same paint. Faces of one leaf are
+ * merged again after each level, and corners that are not needed are dropped.
  *
- * A level is a small cluster with separate points. Nothing is culled in it for lying inside a lid: the leaf that covers
- * it may be in another level. */
+ * A level is a small cluster with separate points. Nothing is culled because it lies inside a lid, as the leaf that
+ * covers it may be in another level. */
 #include "kernel/arrange/levels.h"
 
 #include "kernel/arrange/arrange_planes.h"
@@ -26,30 +26,32 @@
 
 #include <string.h>
 
-/* The sides that bound the union of some leaves. */
+/* A shell: the sides that bound the union of some leaves. */
 typedef struct {
-  vs_points_table points; /* without slots */
-  vs_outlines outlines;   /* in numbers of these points */
+  vs_points_table points; /* points of the shell, without a hash table */
+  vs_outlines outlines;   /* its facets and sides, with numbers of `points` */
   vs_bvh_box box;
-  uint32_t solid;         /* one of its leaves */
+  uint32_t solid;         /* number of one of its leaves */
 } shell;
 
-/* first, end: a range of the order; made: both halves are on the stack of shells */
+/* A range of leaves in `order`. made: true if both of its halves are on the stack of shells. */
 typedef struct { uint32_t first, end; bool made; } span;
 
 typedef struct {
   vs_kernel *k;
   vs_cluster *c;
   vs_expression *e;
-  VS_LIST(uint32_t) order;       /* places of the leaves to be united, near ones beside each other */
-  VS_LIST(uint64_t) weight;      /* sums over the leaves before each; an extra element marks the end */
-  VS_LIST(uint32_t) facet_first; /* for each place: its first facet; an extra element marks the end */
+  VS_LIST(uint32_t) order;       /* indices of the leaves to unite; leaves that are close to each other are
+                                  * neighbours */
+  VS_LIST(uint64_t) weight;      /* weight[i]: sum of the weights of the first i leaves; an extra element marks the
+                                  * end */
+  VS_LIST(uint32_t) facet_first; /* for each leaf's index: its first facet; an extra element marks the end */
   VS_LIST(span) spans;
   VS_LIST(shell) shells;
-  /* of each point of a cluster: its number in the shell to which it is copied; VS_NONE between two shells */
+  /* For each point of a cluster: its number in the shell to which it is copied. Between two copies, all are VS_NONE. */
   VS_LIST(uint32_t) number;
-  VS_LIST(uint32_t) taken;       /* points that have such a number */
-  VS_LIST(uint32_t) moved;       /* of each point of a shell: its number in the cluster to which it is copied */
+  VS_LIST(uint32_t) taken;       /* points whose `number` is set */
+  VS_LIST(uint32_t) moved;       /* for each point of a shell: its number in the cluster to which it is copied */
   size_t done;
 } levels;
 
@@ -59,9 +61,9 @@ static void shell_free(vs_kernel *k, shell *s) {
   VS_DROP(k, s->outlines.sides);
 }
 
-/* ---- copies between two tables of points ---- */
+/* ---- copying of points between two tables ---- */
 
-/* Copies the point into a shell, once. */
+/* Copies a point into a shell, unless it was copied before, and sets *id to its number there. */
 static bool take_point(levels *l, shell *s, const vs_points_table *from, uint32_t *id) {
   uint32_t *number = &l->number.at[*id];
   if (*number == VS_NONE) {
@@ -92,8 +94,8 @@ static bool take_points(levels *l, shell *s, const vs_points_table *from) {
   return true;
 }
 
-/* Adds the shell to a cluster's facets; family: see bvh.h. The caller sets the end of the last facet. A shell has one
- * facet more at the end. */
+/* Appends the facets of a shell to those of a cluster. family: family of the facets in the index, see bvh.h. The caller
+ * appends the extra facet that ends the last one; the shell has such a facet. */
 static bool add_shell(levels *l, vs_cluster *to, const shell *s, uint32_t family) {
   vs_kernel *k = l->k;
   size_t points = s->points.all.count, facets = s->outlines.facets.count;
@@ -124,11 +126,11 @@ static bool add_shell(levels *l, vs_cluster *to, const shell *s, uint32_t family
 
 static bool end_facets(vs_kernel *k, vs_cluster *c) {
   if (!VS_PUSH(k, c->facets, ((vs_facet){ .leaf = VS_NONE, .first = (uint32_t)c->sides.count }))) return false;
-  c->facets.count--; /* stays readable behind them */
+  c->facets.count--; /* the extra facet after the last one remains readable */
   return true;
 }
 
-/* Appends the borders of the cluster's facets, from the triangles of one leaf; each of its edges is a line. */
+/* Appends the borders of the facets of one leaf, which consist of triangles. Each edge of a border becomes a line. */
 static bool add_outlines(levels *l, uint32_t place, vs_outlines *to) {
   vs_cluster *c = l->c;
   vs_kernel *k = l->k;
@@ -154,7 +156,7 @@ static bool add_outlines(levels *l, uint32_t place, vs_outlines *to) {
   return true;
 }
 
-/* ---- the levels ---- */
+/* ---- levels ---- */
 
 static bool make_leaf(levels *l, uint32_t place) {
   shell s = { .solid = l->c->leaves[place] };
@@ -166,7 +168,7 @@ static bool make_leaf(levels *l, uint32_t place) {
   return true;
 }
 
-static void level_free(vs_kernel *k, vs_cluster *c) { /* borrowed members stay */
+static void level_free(vs_kernel *k, vs_cluster *c) { /* does not free the members that belong to another cluster */
   vs_points_free(k, &c->points);
   VS_DROP(k, c->facets);
   VS_DROP(k, c->sides);
@@ -179,7 +181,7 @@ static void level_free(vs_kernel *k, vs_cluster *c) { /* borrowed members stay *
   VS_DROP(k, c->kept);
 }
 
-/* Puts two shells side by side. */
+/* Appends shell b to shell a, without intersecting them. */
 static bool append(levels *l, shell *a, const shell *b) {
   vs_cluster both = { .points = { .all = { 0 } } };
   vs_kernel *k = l->k;
@@ -205,9 +207,9 @@ static bool append(levels *l, shell *a, const shell *b) {
   return ok;
 }
 
-/* Replaces the last two shells by their union. There are two shells. */
+/* Replaces the last two shells by their union. There are at least two shells. */
 static bool unite_last(levels *l) {
-  enum { SERIAL = 10000 }; /* so few facets are not worth a thread */
+  enum { SERIAL = 10000 }; /* fewer facets are processed in one thread */
   vs_kernel *k = l->k;
   const vs_cluster *c = l->c;
   shell *a = &l->shells.at[l->shells.count - 2], *b = &l->shells.at[l->shells.count - 1], made = { .solid = a->solid };
@@ -248,7 +250,7 @@ static uint64_t spread(uint64_t x) { /* moves 21 bits to every third position */
   return (x | x << 2) & 0x1249249249249249u;
 }
 
-static uint64_t code_of(const vs_placed *p) { /* of the box's middle, in Morton order */
+static uint64_t code_of(const vs_placed *p) { /* returns the Morton code of the middle of the leaf's box */
   uint64_t code = 0;
   for (int a = 0; a < 3; a++) {
     int64_t twice = (int64_t)p->box.min[a] + p->box.max[a] + ((int64_t)4 << VS_GRID_BITS);
@@ -270,8 +272,7 @@ static bool find_order(levels *l) {
   if (!VS_ROOM(k, l->facet_first.at, l->facet_first.room, (size_t)c->leaf_count + 2)) return false;
   uint32_t *first = l->facet_first.at;
   memset(first, 0, ((size_t)c->leaf_count + 2) * sizeof *first);
-  for (size_t i = 0; i < c->facets.count; i++) first[c->facets.at[i].place + 1]++; /* facets are in the order of
-                                                                                    * leaves */
+  for (size_t i = 0; i < c->facets.count; i++) first[c->facets.at[i].place + 1]++; /* facets are sorted by leaf */
   for (uint32_t i = 0; i <= c->leaf_count; i++) first[i + 1] += first[i];
   for (uint32_t i = 0; i < c->leaf_count; i++)
     if (c->layered[c->leaves[i]] && !VS_PUSH(k, l->order, i)) return false;
@@ -288,7 +289,8 @@ static bool find_order(levels *l) {
   return ok;
 }
 
-/* Returns the place that divides the span into halves of about equal weight. The span has two or more leaves. */
+/* Returns the index in `order` that divides the span into halves of about equal weight. The span has at least two
+ * leaves. */
 static uint32_t middle_of(const levels *l, const span *s) {
   uint64_t half = (l->weight.at[s->first] + l->weight.at[s->end]) / 2;
   uint32_t low = s->first + 1, high = s->end - 1;
@@ -321,7 +323,7 @@ static bool unite_all(levels *l) {
   return true;
 }
 
-/* Collects the other leaves' facets, and the union's, with their sides. */
+/* Collects the facets of all other leaves and those of the union, with their sides. */
 static bool gather(levels *l) {
   vs_cluster *c = l->c;
   vs_kernel *k = l->k;

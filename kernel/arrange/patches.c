@@ -1,7 +1,7 @@
-/* Implements the patches: the parts of a facet that are tested against other facets as a unit.
+/* Makes patches: the parts of a facet that are tested against other facets as a unit.
  *
- * A convex facet is one patch, however it is triangulated. The wall of a box meets another in one segment instead of up
- * to four, and none of them ends in a new point on a diagonal that is not part of the model. */
+ * A convex facet is one patch, however it is triangulated. Therefore the wall of a box shares one segment with another
+ * wall instead of up to four. No segment ends in a new point on a diagonal, which is not a part of the model. */
 #include "kernel/arrange/patches.h"
 
 #include "kernel/arrange/cull.h"
@@ -10,17 +10,17 @@
 
 #include <string.h>
 
-/* The scratch memory of a thread. */
+/* Working memory of a thread. */
 typedef struct {
   vs_kernel *k;
   const vs_cluster *c;
   struct made *to;
   const uint32_t *alone;
-  VS_LIST(uint32_t) next;   /* of each point on the facet's border; VS_NONE outside of facet_patch */
-  VS_LIST(uint32_t) border; /* points at which borders begin */
+  VS_LIST(uint32_t) next;   /* for each point on the facet's border: the next point; VS_NONE outside of facet_patch */
+  VS_LIST(uint32_t) border; /* a point of each loop of the border, where the walk along it begins */
 } building;
 
-typedef struct made { /* of a chunk of facets; corners are relative to the chunk's */
+typedef struct made { /* patches of a chunk of facets; indices of corners are relative to the chunk */
   VS_LIST(vs_patch) patches;
   VS_LIST(vs_patch_corner) corners;
   VS_LIST(vs_bvh_box) boxes;
@@ -29,11 +29,11 @@ typedef struct made { /* of a chunk of facets; corners are relative to the chunk
 typedef struct {
   vs_cluster *c;
   made made[VS_PIPELINE_WINDOW];
-  building *works; /* one for each thread */
+  building *works; /* working memory of each thread */
   VS_LIST(uint32_t) alone; /* for each plane: its facet, or SEVERAL */
 } patching;
 
-/* Adds the patch of the facet whose corners begin at `first`, a corner of the chunk. */
+/* Appends the patch whose corners begin at index `first` of the chunk's corners. */
 static bool add_patch(building *b, uint32_t facet, uint32_t first, uint8_t inner) {
   const vs_cluster *c = b->c;
   const vs_facet *f = &c->facets.at[facet];
@@ -46,8 +46,8 @@ static bool add_patch(building *b, uint32_t facet, uint32_t first, uint8_t inner
       if (x < box.min[a]) box.min[a] = x;
       if (x > box.max[a]) box.max[a] = x;
     }
-  /* facets in one plane are cut by each other's borders even where these do not show: else two faces could overlap
-   * there */
+  /* The box is reduced only if the facet is alone in its plane. Facets in one plane must be cut by each other's borders
+   * even where these are hidden, because otherwise two faces could overlap there. */
   if (c->placed.at[p.place].lids_count && b->alone[p.plane] == facet)
     vs_cull_box(c, p.place, b->to->corners.at + first, p.count, &box);
   return VS_PUSH(b->k, b->to->patches, p) && VS_PUSH(b->k, b->to->boxes, box);
@@ -59,8 +59,8 @@ static bool add_corner(building *b, uint32_t point) {
   return VS_PUSH(b->k, b->to->corners, corner);
 }
 
-/* Returns true if the ring of corners from `first` on is convex: corners in one line are allowed, turning back is not,
- * and it goes around once. There are three or more corners. */
+/* Returns true if the ring of corners from `first` on is convex and goes around once. Corners on a straight line are
+ * allowed, but no reversal. The ring has at least three corners. */
 static bool convex(const building *b, const vs_facet *f, uint32_t first) {
   const vs_plane *p = &b->c->planes.all.at[f->plane];
   const vs_patch_corner *at = b->to->corners.at + first;
@@ -107,7 +107,7 @@ static bool facet_patch(building *b, uint32_t facet, bool *whole) {
   return true;
 }
 
-enum { CHUNK = 4096 }; /* facets */
+enum { CHUNK = 4096 }; /* number of facets in a chunk */
 #define SEVERAL (UINT32_MAX - 1)
 
 static bool make_chunk(vs_kernel *k, void *context, size_t index) {
@@ -175,18 +175,18 @@ bool vs_patches_build(vs_kernel *k, vs_cluster *c) {
     uint32_t *of = &p.alone.at[c->facets.at[i].plane];
     *of = *of == VS_NONE ? i : SEVERAL;
   }
-  size_t least = c->facets.count; /* about as many patches, and corners of triangles */
+  size_t least = c->facets.count; /* estimate of the number of patches and of corners */
   ok = ok && VS_ROOM(k, c->patches.at, c->patches.room, least) && VS_ROOM(k, c->boxes.at, c->boxes.room, least) &&
        VS_ROOM(k, c->patch_corners.at, c->patch_corners.room, 3 * least);
   ok = ok && vs_kernel_pipeline(k, (c->facets.count + CHUNK - 1) / CHUNK, make_chunk, take_chunk, &p) &&
        VS_ROOM(k, families, family_room, c->patches.count + 1);
-  for (size_t i = 0; ok && i < c->patches.count; i++) { /* no two triangles of a star touch */
+  for (size_t i = 0; ok && i < c->patches.count; i++) { /* the triangles of a star do not touch each other */
     uint32_t place = c->patches.at[i].place;
     families[i] = c->placed.at[place].star ? place : UINT32_MAX;
   }
   c->bvh.families = families;
   ok = ok && vs_bvh_build(k, &c->bvh, c->boxes.at, (uint32_t)c->patches.count);
-  VS_DROP(k, c->boxes); /* the index has a copy */
+  VS_DROP(k, c->boxes); /* the index has a copy of the boxes */
   VS_FREE(k, families, family_room);
   for (size_t i = 0; i < room; i++) {
     VS_DROP(k, p.works[i].next);

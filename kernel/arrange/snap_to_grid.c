@@ -1,10 +1,11 @@
-/* Implements the step from placed leaves to corners on the grid: frame, weld, grid; and the shape of the leaves there.
- * facets.c continues.
+/* Converts the placed leaves of a cluster to corners on the grid. It chooses the frame and the grid, welds coordinates,
+ * rounds them, and determines the shape of the leaves afterwards. facets.c continues with the triangles.
  *
- * The grid's step is 1, 2 or 5 times a power of ten: the smallest with which the cluster fits 2^31 steps either way. It
- * is decimal because models are. A triangle that spans nearly all of the cluster, across the axes, may have a normal of
- * 64 bits on this grid: then the next larger step is taken. Coordinates that differ by less than 2^-40 of the extent
- * share one grid line. This matters only near the middle between two lines, so only coordinates there are sorted. */
+ * The step of the grid is 1, 2 or 5 times a power of ten. It is the smallest with which the cluster fits into 2^31
+ * steps in either direction. It is decimal because the numbers in models are. A triangle that spans nearly all of the
+ * cluster obliquely may have a normal of 64 bits on this grid. The next larger step is used then. Coordinates that
+ * differ by less than 2^-40 of the extent must be rounded to the same grid line. They could differ only near the middle
+ * between two lines, so only coordinates there are sorted. */
 #include "kernel/arrange/snap_to_grid.h"
 
 #include "kernel/arrange/cluster_frame.h"
@@ -18,23 +19,24 @@
 #include <stdlib.h>
 #include <string.h>
 
-typedef struct { double at; uint32_t index; } border; /* index: 3 * vertex + axis */
+typedef struct { double at; uint32_t index; } border; /* a coordinate; index: 3 * vertex + axis */
 
 enum { SPAN = 1 << 13 };
 typedef struct {
   double low[3], high[3];
-  VS_LIST(border) borders[3];   /* coordinates near the middle between two lines */
+  VS_LIST(border) borders[3];   /* for each axis: coordinates near the middle between two grid lines */
 } chunk;
 
 typedef struct {
   vs_cluster *c;
-  VS_LIST(vs_vec3) placed;      /* in the frame, leaf after leaf */
-  vs_affine *to_frame;          /* one value for each leaf */
+  VS_LIST(vs_vec3) placed;      /* vertices in the frame, one leaf after another */
+  vs_affine *to_frame;          /* map of each leaf into the frame */
   size_t to_frame_room;
-  VS_LIST(chunk) chunks;        /* of SPAN vertices */
-  VS_LIST(border) borders;      /* of one axis */
-  double near[3];               /* in steps: coordinates closer than this share a line */
-  double steps[3];              /* the extent of all */
+  VS_LIST(chunk) chunks;        /* chunks of SPAN vertices */
+  VS_LIST(border) borders;      /* such coordinates of the current axis */
+  double near[3];               /* for each axis: coordinates that differ by less than this, in steps, are rounded to
+                                 * the same line */
+  double steps[3];              /* extent of the cluster along each axis, in steps */
 } snapping;
 
 static double coordinate(const vs_vec3 *v, int axis) { return axis == 0 ? v->x : axis == 1 ? v->y : v->z; }
@@ -44,7 +46,7 @@ static int by_place(const void *a, const void *b) {
   return x->at < y->at ? -1 : x->at > y->at ? 1 : x->index < y->index ? -1 : x->index > y->index;
 }
 
-/* steps either way: boxes grow by some, and remain numbers of 32 bits */
+/* greatest number of steps in either direction; boxes that are enlarged by some steps must still be 32-bit numbers */
 static const double MOST = (double)(INT64_C(1) << VS_GRID_BITS) - 64;
 
 static void choose_step(vs_grid *g, double half, double far) {
@@ -128,8 +130,8 @@ static bool grid_chunk(vs_kernel *k, void *context, size_t index) {
   return vs_kernel_report(k, 0);
 }
 
-/* The normal has, for each axis, twice the triangle's area seen along it, over a common divisor: 0 if the triangle lies
- * along that axis. */
+/* Returns true if the normal of the triangle fits into 63 bits. Each of its components is twice the area of the
+ * triangle as seen along that axis, divided by a common divisor. */
 static bool normal_fits(const int32_t a[3], const int32_t b[3], const int32_t c[3]) {
   for (int i = 0; i < 3; i++) {
     int u = (i + 1) % 3, v = (i + 2) % 3;
@@ -142,8 +144,8 @@ static bool normal_fits(const int32_t a[3], const int32_t b[3], const int32_t c[
   return true;
 }
 
-/* Returns true if all normals fit. Only a leaf that spans 2^63 square steps in two axes can have a triangle whose
- * normal does not. */
+/* Returns true if the normals of all triangles fit. Only a cluster that spans 2^62 square steps in two axes can have a
+ * triangle whose normal does not fit. */
 static bool normals_fit(const vs_cluster *c, const snapping *s) {
   static const double SAFE = 0x1p62;
   if (s->steps[0] * s->steps[1] < SAFE && s->steps[1] * s->steps[2] < SAFE && s->steps[2] * s->steps[0] < SAFE)
@@ -181,7 +183,7 @@ static bool weld(vs_kernel *k, vs_cluster *c, snapping *s) {
     for (int a = 0; a < 3; a++) {
       double scale = c->grid.scale, unit = c->grid.unit;
       c->grid.offset[a] = floor((low[a] + high[a]) / 2 * scale / unit);
-      /* far from the origin doubles are coarser */
+      /* doubles are coarser far from the origin */
       s->near[a] = fmax((high[a] - low[a]) * 0x1p-40, far * 0x1p-50) * scale / unit;
       s->steps[a] = (high[a] - low[a]) * scale / unit;
     }
@@ -195,7 +197,7 @@ static bool weld(vs_kernel *k, vs_cluster *c, snapping *s) {
     for (size_t i = 0; i < s->chunks.count; i++)
       for (size_t j = 0; j < s->chunks.at[i].borders[a].count; j++)
         if (!VS_PUSH(k, s->borders, s->chunks.at[i].borders[a].at[j])) return false;
-    /* equal places are sorted by index: the result is unique */
+    /* Equal coordinates are sorted by index, so that the result is unique. */
     if (s->borders.count) qsort(s->borders.at, s->borders.count, sizeof *s->borders.at, by_place);
     for (size_t i = 0, first = 0; i < s->borders.count; i++) {
       if (s->borders.at[i].at - s->borders.at[first].at > s->near[a]) first = i;
@@ -205,7 +207,7 @@ static bool weld(vs_kernel *k, vs_cluster *c, snapping *s) {
   return true;
 }
 
-/* Computes the leaves' boxes, in steps; and determines if the middle of a star still sees all of it from inside. */
+/* Computes the box of each leaf in steps. Determines whether each star is still a star on the grid. */
 static bool find_shape(vs_kernel *k, void *context, size_t index) {
   const snapping *s = context;
   const vs_cluster *c = s->c;

@@ -1,4 +1,4 @@
-/* Implements the sweep's order, its status tree and its events. */
+/* Implements the sweep: the order of vertices, the status tree and the events. */
 #include "kernel/arrange/sweep.h"
 
 static bool point_before(const void *context, uint32_t a, uint32_t b) {
@@ -8,8 +8,8 @@ static bool point_before(const void *context, uint32_t a, uint32_t b) {
   return sign < 0;
 }
 
-/* Sorts by the fixed numbers of u, which are in order if they differ; equal ones by the fixed numbers of v if all of
- * these are exact, else exactly. */
+/* Sorts points by the fixed-point numbers of u, whose order is right if they differ. Equal ones are sorted by v: by the
+ * fixed-point numbers if all of these are exact, else by exact coordinates. */
 bool vs_sweep_order(vs_kernel *k, vs_sweep *s, uint32_t *points, size_t count, uint32_t *scratch) {
   const vs_point *all = s->points.at;
   s->vertices.count = 0;
@@ -52,7 +52,7 @@ bool vs_sweep_begin(vs_kernel *k, vs_sweep *s) {
     s->rights.at[s->first.at[s->edges.at[e].l + 1]++] = e;
     s->arrival.at[s->edges.at[e].r] = e;
   }
-  for (uint32_t l = 0; l < n; l++) /* few at each vertex: insertion sort */
+  for (uint32_t l = 0; l < n; l++) /* insertion sort, because a vertex has few edges */
     for (uint32_t i = s->first.at[l] + 1; i < s->first.at[l + 1]; i++) {
       uint32_t e = s->rights.at[i], to = i, r = s->edges.at[e].r;
       for (; to > s->first.at[l] && vs_sweep_turn(s, l, s->edges.at[s->rights.at[to - 1]].r, r) < 0; to--)
@@ -64,7 +64,7 @@ bool vs_sweep_begin(vs_kernel *k, vs_sweep *s) {
   return true;
 }
 
-/* a treap's priority: a hash of the edge's number */
+/* Returns the priority of an edge in the treap, a hash of its number. */
 static uint32_t priority(uint32_t e) {
   uint64_t h = ((uint64_t)e + 1) * 0x9e3779b97f4a7c15u;
   return (uint32_t)(h >> 32);
@@ -78,7 +78,7 @@ static void replace_child(vs_sweep *s, uint32_t parent, uint32_t old, uint32_t n
   if (now != VS_NONE) n[now].parent = parent;
 }
 
-static void rotate_up(vs_sweep *s, uint32_t x) { /* above its parent */
+static void rotate_up(vs_sweep *s, uint32_t x) { /* moves node x above its parent */
   vs_sweep_node *n = s->nodes.at;
   uint32_t p = n[x].parent;
   replace_child(s, n[p].parent, p, x);
@@ -100,7 +100,8 @@ static void insert_between(vs_sweep *s, uint32_t e, uint32_t below, uint32_t abo
   if (below != VS_NONE) n[below].next = e;
   if (above != VS_NONE) n[above].previous = e;
   if (below != VS_NONE && n[below].right == VS_NONE) n[below].right = e, n[e].parent = below;
-  else if (above != VS_NONE) n[above].left = e, n[e].parent = above; /* neighbours: one of the two places is free */
+  else if (above != VS_NONE) n[above].left = e, n[e].parent = above; /* one of the two neighbours has a free child
+                                                                      * there */
   else s->root = e;
   while (n[e].parent != VS_NONE && priority(n[e].parent) < priority(e)) rotate_up(s, e);
 }

@@ -1,10 +1,10 @@
-/* Declares the sweep over a planar graph whose edges meet only at their ends. It yields the vertices in order, each
- * with its edges to the left and to the right and the edges directly below and above it. Faces and triangulation use
- * it.
+/* Declares a sweep over a planar graph whose edges intersect only at their ends. It returns the vertices in order, each
+ * with the edges to its left and right, and the edges directly below and above it. The arrangement of planes and the
+ * triangulation use it.
  *
- * The plane is seen along its normal in the axes (u, v). Vertices are local numbers in lexicographic order of (u, v),
- * exact; an edge runs from its smaller vertex to its larger; `above` an edge is its left side, even if it is vertical.
- * The status is a treap threaded in order. */
+ * The plane is seen along its normal, in the axes (u, v). Vertices have local numbers in the exact lexicographic order
+ * of (u, v). An edge runs from its smaller vertex to its larger. `above` an edge is its left side, even if it is
+ * vertical. The status is a treap whose nodes are also linked in order. */
 #ifndef VS_KERNEL_ARRANGE_SWEEP_H
 #define VS_KERNEL_ARRANGE_SWEEP_H
 
@@ -17,27 +17,29 @@ typedef struct { uint32_t parent, left, right, previous, next; } vs_sweep_node;
 typedef struct {
   vs_points_view points;
   int u, v;
-  VS_LIST(uint32_t) vertices; /* from the local number to the point */
+  VS_LIST(uint32_t) vertices; /* for each local number: the point */
   VS_LIST(vs_sweep_edge) edges;
-  /* vs_sweep_begin fills the members below */
-  VS_LIST(uint32_t) first;    /* for each vertex: an index in `rights` */
-  VS_LIST(uint32_t) rights;   /* edges by left end, from below upwards */
-  VS_LIST(uint32_t) arrival;  /* an edge that ends at the vertex, or VS_NONE */
-  VS_LIST(vs_sweep_node) nodes; /* one for each edge */
-  VS_LIST(uint32_t) lefts;    /* of the current vertex, from below upwards */
+  /* The members below are set by vs_sweep_begin. */
+  VS_LIST(uint32_t) first;    /* for each vertex: index in `rights` of its first edge to the right */
+  VS_LIST(uint32_t) rights;   /* edges grouped by left end, from the lowest to the highest */
+  VS_LIST(uint32_t) arrival;  /* for each vertex: an edge that ends there, or VS_NONE */
+  VS_LIST(vs_sweep_node) nodes; /* node of each edge in the status tree */
+  VS_LIST(uint32_t) lefts;    /* edges that end at the current vertex, from the lowest to the highest */
   uint32_t root, at;
-  VS_LIST(vs_keyed) keyed;    /* to sort the vertices: twice as many */
+  VS_LIST(vs_keyed) keyed;    /* memory for sorting, with twice as many elements as vertices */
 } vs_sweep;
 
 typedef struct {
-  uint32_t vertex, below, above; /* below, above: edges or VS_NONE */
+  uint32_t vertex, below, above; /* the current vertex, and the edges directly below and above it, or VS_NONE */
   const uint32_t *lefts, *rights;
   uint32_t left_count, right_count;
 } vs_sweep_event;
 
-/* Sorts the points into `vertices` without duplicates. scratch: as long as points. */
+/* Sorts the points, without duplicates, into s->vertices. scratch has as many elements as points. Returns false when
+ * memory is out or the caller interrupts. */
 bool vs_sweep_order(vs_kernel *k, vs_sweep *s, uint32_t *points, size_t count, uint32_t *scratch);
-bool vs_sweep_begin(vs_kernel *k, vs_sweep *s); /* the caller has filled the edges */
+bool vs_sweep_begin(vs_kernel *k, vs_sweep *s); /* the caller has set the edges before; returns false when memory is
+                                                 * out */
 bool vs_sweep_next(vs_kernel *k, vs_sweep *s, vs_sweep_event *event); /* returns false at the end or on an error */
 bool vs_sweep_done(const vs_sweep *s);
 void vs_sweep_free(vs_kernel *k, vs_sweep *s);

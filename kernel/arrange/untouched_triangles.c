@@ -1,19 +1,19 @@
-/* Implements the search for plain (untouched) triangles, which nothing meets and which need no planes, facets, patches
- * or single faces.
+/* Finds plain (untouched) triangles. No other triangle touches them, so they need no planes, facets, patches or
+ * separate faces.
  *
- * A triangle of a large leaf is plain under three conditions. The box of no other leaf's triangle meets its box; it
- * shares with the rest of its leaf only corners and edges, as the mesh has them; and no neighbour is coplanar with it.
- * In a star the second holds. Elsewhere, triangles without a common corner are proven apart (triangles_apart.c), and
- * those around a corner must look from some direction like a fan that goes around once. All tests use corners on the
- * grid, which doubles hold exactly. If a test is uncertain, the triangle is arranged like any other: a negative answer
- * costs time only.
+ * A triangle of a large leaf is plain under three conditions. First, its box does not intersect the box of any triangle
+ * of another leaf. Second, it has only those corners and edges in common with other triangles of its leaf that the mesh
+ * gives them. Third, no neighbour is coplanar with it. A star fulfils the second condition. In other leaves, triangles
+ * without a common corner must be proven apart (triangles_apart.c). Triangles around a corner must form, as seen along
+ * some axis, a fan that goes around once. All tests use corners on the grid, which doubles represent exactly. If a test
+ * is uncertain, the triangle is arranged like any other, which only costs time.
  *
- * Connected plain triangles are a region. It is one face for the classification, with uses along its rim alone. The
- * face across the rim is the facet of one arranged triangle, so every edge there has two uses, and the region needs no
- * plane. Its triangles are copied to the result unchanged.
+ * A region is a connected set of plain triangles. In the classification it is a single face, with uses only along its
+ * rim. The face on the other side of the rim is the facet of one arranged triangle. Therefore every edge of the rim has
+ * two uses, and the region needs no plane. Its triangles are copied to the result unchanged.
  *
- * Boxes are tested in blocks of up to 16 triangles that follow each other in the mesh and are connected, as they are in
- * meshes from programs. */
+ * Boxes are tested in blocks of up to 16 connected triangles that are consecutive in the mesh. Meshes made by programs
+ * mostly have such an order. */
 #include "kernel/arrange/untouched_triangles.h"
 
 #include "kernel/arrange/cluster_frame.h"
@@ -27,39 +27,39 @@
 #include <string.h>
 
 enum { SPAN = 1 << 13, LANES = 4, PACKS = 4, BLOCK = LANES * PACKS };
-enum { LEAST = 256 }; /* triangles of a leaf that is worth the search */
+enum { LEAST = 256 }; /* least number of triangles of a leaf in which plain triangles are searched */
 enum { PROVEN = 128 };
 
 typedef struct {
-  uint32_t place, first, end;   /* place: of a leaf; first, end: a range of its triangles */
-  uint32_t blocks;              /* number of blocks before the span */
-  VS_LIST(vs_use) rim;          /* face: the region */
+  uint32_t place, first, end;   /* place: index of the leaf; first, end: range of its triangles */
+  uint32_t blocks;              /* number of blocks in all spans before this one */
+  VS_LIST(vs_use) rim;          /* uses along the rims; their member `face` is the region */
 } span;
-/* hub: a corner of all of its triangles, around which these meet only in edges; or UINT32_MAX */
+/* A block of triangles. hub: a corner of all of them, around which they share only edges; UINT32_MAX: there is none. */
 typedef struct { uint32_t place, first, hub; vs_pack packs[PACKS]; } block;
 
 typedef struct {
   vs_cluster *c;
   VS_LIST(span) spans;
-  VS_LIST(uint64_t) masks;      /* of every vertex */
+  VS_LIST(uint64_t) masks;      /* mask of every vertex, see cluster.h */
   VS_LIST(block) blocks;
-  VS_LIST(vs_bvh_box) boxes;        /* of the blocks */
+  VS_LIST(vs_bvh_box) boxes;        /* boxes of the blocks */
   vs_bvh bvh;
-  VS_LIST(_Atomic uint8_t) fans; /* for each vertex: 1: its triangles are one simple fan; 2 or more: they are not;
-                                  * PROVEN: a fan of many */
-  VS_LIST(vs_hubs) hubs;         /* for each leaf, on the grid */
+  VS_LIST(_Atomic uint8_t) fans; /* for each vertex: 1: its triangles form one simple fan; 2 or more: they do not;
+                                  * PROVEN: a fan around a hub, by proof */
+  VS_LIST(vs_hubs) hubs;         /* hubs of each leaf, on the grid */
   VS_LIST(_Atomic uint32_t) sets;
 } plain;
 
 typedef struct { plain *p; vs_kernel *k; } searcher;
 
 static const vs_mesh *mesh_at(const vs_cluster *c, uint32_t place) { return c->placed.at[place].part->mesh; }
-/* Returns the position of a vertex of the leaf at that place, on the grid. */
+/* Returns the position on the grid of a vertex of the leaf with the index `place`. */
 static const int32_t *corner_at(const vs_cluster *c, uint32_t place, uint32_t vertex) {
   VS_ASSERT(place < c->leaf_count);
   return c->corners[c->placed.at[place].first + vertex];
 }
-/* Returns the corners of triangle t of the leaf's mesh. */
+/* Returns the vertices of triangle t of the leaf's mesh. */
 static const uint32_t *triangle_at(const vs_cluster *c, uint32_t place, uint32_t t) {
   VS_ASSERT(t < mesh_at(c, place)->triangle_count);
   return mesh_at(c, place)->triangles[t];
@@ -68,12 +68,12 @@ static const uint32_t *triangle_at(const vs_cluster *c, uint32_t place, uint32_t
 static uint8_t fate_of(const vs_cluster *c, uint32_t place, uint32_t t) {
   return atomic_load_explicit(&c->fate.at[c->placed.at[place].first_triangle + t], memory_order_relaxed);
 }
-/* The fate is VS_ARRANGED, VS_CULLED or VS_PLAIN. */
+/* Sets the fate of triangle t to VS_ARRANGED, VS_CULLED or VS_PLAIN. */
 static void set_fate(vs_cluster *c, uint32_t place, uint32_t t, uint8_t fate) {
   VS_ASSERT(fate <= VS_PLAIN);
   atomic_store_explicit(&c->fate.at[c->placed.at[place].first_triangle + t], fate, memory_order_relaxed);
 }
-static void arrange(vs_cluster *c, uint32_t place, uint32_t t) { /* any number of threads may do it */
+static void arrange(vs_cluster *c, uint32_t place, uint32_t t) { /* several threads may call this for one triangle */
   if (fate_of(c, place, t) == VS_PLAIN) set_fate(c, place, t, VS_ARRANGED);
 }
 
@@ -81,7 +81,7 @@ static uint32_t next_of(uint32_t corner) { return corner % 3 == 2 ? corner - 2 :
 
 /* ---- culled triangles ---- */
 
-/* the leaf's spans share its vertices */
+/* Computes masks; the vertices of a leaf are divided among its spans. */
 static bool mask_span(vs_kernel *k, void *context, size_t index) {
   plain *p = context;
   const span *s = &p->spans.at[index];
@@ -104,7 +104,7 @@ static bool fate_span(vs_kernel *k, void *context, size_t index) {
   return vs_kernel_report(k, 0);
 }
 
-/* ---- blocks ---- */
+/* ---- blocks of triangles ---- */
 
 static bool share_a_corner(const uint32_t *v, const uint32_t *w) {
   return v[0] == w[0] || v[0] == w[1] || v[0] == w[2] || v[1] == w[0] || v[1] == w[1] || v[1] == w[2] || v[2] == w[0] ||
@@ -116,7 +116,7 @@ static uint32_t hub_of(const plain *p, uint32_t place, uint32_t t) {
   return h->of.count ? h->of.at[t] : UINT32_MAX;
 }
 
-/* Finds the next block's triangles, of one hub or of none; returns false at the end of the span. */
+/* Finds the triangles of the next block, which all have the same hub or none. Returns false at the end of the span. */
 static bool next_block(const plain *p, const span *s, uint32_t *first, uint32_t *end) {
   const vs_cluster *c = p->c;
   const uint32_t (*v)[3] = (const uint32_t (*)[3])mesh_at(c, s->place)->triangles;
@@ -169,7 +169,7 @@ static bool fill_blocks(vs_kernel *k, void *context, size_t index) {
   return vs_kernel_report(k, 0);
 }
 
-/* ---- triangles that meet ---- */
+/* ---- triangles whose boxes intersect ---- */
 
 static uint32_t lanes_meeting(const block *b, const vs_bvh_box *box) {
   uint32_t set = 0;
@@ -189,7 +189,7 @@ static void look_at_pair(vs_cluster *c, uint32_t a_place, uint32_t a, uint32_t b
   if (a_place == b_place) {
     const uint32_t *v = triangle_at(c, a_place, a), *w = triangle_at(c, b_place, b);
     vs_vec3 x[3], y[3];
-    if (share_a_corner(v, w)) return; /* neighbours: the fans decide */
+    if (share_a_corner(v, w)) return; /* the triangles are neighbours, which the test of fans decides */
     for (int i = 0; i < 3; i++) {
       const int32_t *p = corner_at(c, a_place, v[i]), *q = corner_at(c, b_place, w[i]);
       x[i] = vs_v3(p[0], p[1], p[2]);
@@ -215,14 +215,14 @@ static bool meet_blocks(void *context, uint32_t first, uint32_t second) {
   return true;
 }
 
-enum { CHUNK = 256 }; /* blocks of the index */
+enum { CHUNK = 256 }; /* number of blocks of the index in a chunk */
 
 static bool meet_chunk(vs_kernel *k, void *context, size_t index) {
   searcher s = { context, k };
   return vs_bvh_pairs(&s.p->bvh, (uint32_t)index * CHUNK, (uint32_t)(index + 1) * CHUNK, meet_blocks, &s);
 }
 
-static bool meet_within(vs_kernel *k, void *context, size_t index) { /* a span's blocks, each with itself */
+static bool meet_within(vs_kernel *k, void *context, size_t index) { /* tests each block of a span with itself */
   plain *p = context;
   const span *s = &p->spans.at[index];
   if (!p->c->placed.at[s->place].searched || p->c->placed.at[s->place].star) return true;
@@ -240,7 +240,7 @@ static bool meet_within(vs_kernel *k, void *context, size_t index) { /* a span's
 }
 
 static bool index_blocks(vs_kernel *k, plain *p, bool *few) {
-  enum { WORTH = 4 }; /* triangles to a block, at least */
+  enum { WORTH = 4 }; /* least average number of triangles in a block */
   vs_cluster *c = p->c;
   uint32_t sum = 0, *families = NULL;
   size_t room = 0;
@@ -256,8 +256,8 @@ static bool index_blocks(vs_kernel *k, plain *p, bool *few) {
   bool ok = VS_ROOM(k, p->blocks.at, p->blocks.room, (size_t)sum + 1) &&
             VS_ROOM(k, p->boxes.at, p->boxes.room, (size_t)sum + 1) && VS_ROOM(k, families, room, (size_t)sum + 1) &&
             vs_kernel_run(k, p->spans.count, fill_blocks, p);
-  /* a star does not meet itself, nor do a hub's triangles; leaves that are not searched need no test against each
-   * other */
+  /* A star does not intersect itself, and triangles of one hub do not intersect each other. Leaves that are not
+   * searched need no test against each other. */
   for (uint32_t i = 0; ok && i < sum; i++) {
     const block *b = &p->blocks.at[i];
     const vs_placed *l = &c->placed.at[b->place];
@@ -272,9 +272,9 @@ static bool index_blocks(vs_kernel *k, plain *p, bool *few) {
   return ok;
 }
 
-/* ---- neighbours ---- */
+/* ---- neighbouring triangles ---- */
 
-/* A triangle's normal, and the errors of its components: 0 if all products fit 53 bits. */
+/* The normal of a triangle, and the errors of its components. They are 0 if all products fit into 53 bits. */
 typedef struct { double n[3], error[3]; } normal;
 static void normal_of(const vs_cluster *c, uint32_t place, uint32_t t, normal *to) {
   const uint32_t *v = triangle_at(c, place, t);
@@ -289,7 +289,8 @@ static void normal_of(const vs_cluster *c, uint32_t place, uint32_t t, normal *t
   }
 }
 
-/* returns true if the vertex `off` is certainly off the plane */
+/* returns true if the vertex `off` is not in the plane, by more than rounding errors; m: normal of the plane; on: a
+ * vertex in the plane */
 static bool surely_bent(const vs_cluster *c, uint32_t place, const normal *m, uint32_t on, uint32_t off) {
   const int32_t *p = corner_at(c, place, on), *q = corner_at(c, place, off);
   double sum = 0, error = 0;
@@ -301,8 +302,8 @@ static bool surely_bent(const vs_cluster *c, uint32_t place, const normal *m, ui
   return fabs(sum) > error;
 }
 
-/* Arranges triangles unless the mesh has each of their edges twice, by the numbers of its corners, and the surface has
- * an angle there. */
+/* Sets triangles to arranged, unless each of their edges has exactly one neighbour in the mesh, which is not
+ * coplanar. */
 static bool look_across(vs_kernel *k, void *context, size_t index) {
   plain *p = context;
   vs_cluster *c = p->c;
@@ -334,9 +335,9 @@ static bool look_across(vs_kernel *k, void *context, size_t index) {
 
 static bool lower(double x, double y) { return y < 0 || (y <= 0 && x < 0); }
 
-/* Tests if the triangles around the corner's vertex, from this corner on, go around it once as seen along some axis:
- * then they meet only in their common corners and edges. Done at the first of them. The corner is one of the leaf's
- * mesh. */
+/* Tests whether the triangles around a corner's vertex go around it once as seen along some axis. They then share only
+ * their common corners and edges. The test begins at the given corner of the leaf's mesh, and is done only for the
+ * first corner at each vertex. */
 static void look_around(plain *p, uint32_t place, uint32_t corner) {
   enum { MOST = 64 };
   const vs_cluster *c = p->c;
@@ -373,7 +374,7 @@ static void look_around(plain *p, uint32_t place, uint32_t corner) {
     falls += lower((double)q[x] - o[x], (double)q[y] - o[y]) && !lower((double)r[x] - o[x], (double)r[y] - o[y]);
   }
   uint8_t had = atomic_fetch_or_explicit(fan, good && falls == 1 ? 1 : 2, memory_order_relaxed);
-  if (had) atomic_fetch_or_explicit(fan, 2, memory_order_relaxed); /* two fans touch there */
+  if (had) atomic_fetch_or_explicit(fan, 2, memory_order_relaxed); /* two fans touch at this vertex */
 }
 
 static bool find_fans(vs_kernel *k, void *context, size_t index) {
@@ -409,7 +410,7 @@ static vs_vec3 grid_corner(const void *context, uint32_t vertex) {
   return vs_v3(at[0], at[1], at[2]);
 }
 
-/* Finds the hubs of the leaves that are searched, except stars. */
+/* Finds the hubs of the leaves that are searched and are not stars. */
 static bool find_hubs(vs_kernel *k, plain *p) {
   const vs_cluster *c = p->c;
   if (!VS_ROOM(k, p->hubs.at, p->hubs.room, c->leaf_count)) return false;
@@ -427,7 +428,7 @@ static bool find_hubs(vs_kernel *k, plain *p) {
 static bool search_leaves(vs_kernel *k, plain *p, size_t vertices) {
   bool few;
   if (!find_hubs(k, p) || !index_blocks(k, p, &few)) return false;
-  if (!few) { /* a mesh in no order: not worth the search */
+  if (!few) { /* the mesh has no useful order, so the search is not worthwhile */
     for (size_t i = 0; i < p->c->fate.count; i++)
       if (p->c->fate.at[i] == VS_PLAIN) p->c->fate.at[i] = VS_ARRANGED;
     return true;
@@ -485,7 +486,7 @@ bool vs_plain_find(vs_kernel *k, vs_cluster *c) {
     culled = culled || vs_cull_needed(c, i);
     searched = searched || l->searched;
   }
-  if (!culled && !searched) return true; /* all are arranged */
+  if (!culled && !searched) return true; /* all triangles are arranged */
   if (triangles >= UINT32_MAX / 3) return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the solids have too many faces");
   bool ok = make_spans(k, &p) && VS_ROOM(k, c->fate.at, c->fate.room, triangles + 1) &&
             (!culled || VS_ROOM(k, p.masks.at, p.masks.room, vertices + 1));
@@ -530,7 +531,8 @@ static bool join_span(vs_kernel *k, void *context, size_t index) {
   return vs_kernel_report(k, k->part);
 }
 
-/* Numbers regions in the order of their first triangles, and finds a large one among the first triangles of each. */
+/* Numbers the regions in the order of their first triangles. Chooses one large triangle of each region, among its first
+ * ones. */
 static bool name_regions(vs_kernel *k, plain *p) {
   enum { LOOKED_AT = 256 };
   vs_cluster *c = p->c;
@@ -578,7 +580,7 @@ static bool find_rim(vs_kernel *k, void *context, size_t index) {
       uint8_t fate = fate_of(c, s->place, twins[3 * (size_t)t + j] / 3);
       uint32_t from = c->point_of.at[l->first + v[j]], to = c->point_of.at[l->first + v[j == 2 ? 0 : j + 1]];
       if (fate == VS_PLAIN) continue;
-      if (fate == VS_CULLED) from = to = VS_NONE; /* the surface continues in settled space */
+      if (fate == VS_CULLED) from = to = VS_NONE; /* beyond this edge the surface continues in settled space */
       else if (from == VS_NONE || to == VS_NONE) return VS_BROKEN(k, "a rim has no points");
       if (!VS_PUSH(k, s->rim, ((vs_use){ mirrored ? to : from, mirrored ? from : to, region }))) return false;
     }
@@ -589,7 +591,7 @@ static bool find_rim(vs_kernel *k, void *context, size_t index) {
 static bool add_faces(vs_kernel *k, plain *p) {
   vs_cluster *c = p->c;
   size_t regions = c->regions.count, uses = c->uses.count, faces = c->faces.count;
-  VS_LIST(uint32_t) at = { 0 }; /* the first of each region's uses, then their end */
+  VS_LIST(uint32_t) at = { 0 }; /* first use of each region, later the end of its uses */
   size_t sum = 0;
   for (size_t i = 0; i < p->spans.count; i++) sum += p->spans.at[i].rim.count;
   if (uses + sum >= UINT32_MAX || faces + regions >= UINT32_MAX / 2)
@@ -640,7 +642,7 @@ bool vs_plain_regions(vs_kernel *k, vs_cluster *c) {
   return ok;
 }
 
-/* ---- output ---- */
+/* ---- output of regions ---- */
 
 size_t vs_plain_kept(const vs_cluster *c) {
   size_t sum = 0;
@@ -649,14 +651,14 @@ size_t vs_plain_kept(const vs_cluster *c) {
   return sum;
 }
 
-/* A vertex with a number in the result has this number in point_of, with this bit. */
+/* A vertex that has a number in the result has this number in point_of, with this bit set. */
 #define NUMBERED VS_POINT_MORE
 
 typedef struct {
   vs_cluster *c;
   vs_mesh *out;
-  VS_LIST(uint32_t) vertices; /* new vertices: their indices in `corners` */
-  size_t first_vertex;        /* of the new vertices */
+  VS_LIST(uint32_t) vertices; /* indices in `corners` of the new vertices */
+  size_t first_vertex;        /* number in the result of the first new vertex */
 } copying;
 
 enum { PLACES = 1 << 14 };
