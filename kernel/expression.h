@@ -25,7 +25,7 @@ typedef struct {
   VS_LIST(uint8_t) taken_off; /* for each leaf: 1 if it is subtracted, so that it makes the result smaller */
   VS_LIST(uint32_t) stack;
   VS_LIST(uint8_t) forces;    /* for each leaf: 1 if the result inside the leaf does not depend on other leaves */
-  uint32_t gates[VS_GATES];   /* terms outside of which the result is false, whatever the others are */
+  uint32_t gates[VS_GATES];   /* terms outside of which the result is false for any value of the others */
   uint32_t gate_count;
   bool forced;                /* value of the result inside a leaf with forces[leaf] == 1 */
   VS_LIST(uint8_t) waits;     /* for each term: 0: not in the heap; 1: in the heap, and false when it was put there; 3:

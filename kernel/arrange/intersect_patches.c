@@ -1,16 +1,16 @@
-/* Implements the intersection of patches: it finds every pair that touches, and leaves the shared segments or point in
- * both facets.
+/* Intersects patches: it finds every pair that touches, and records the segments or point that a pair shares in both
+ * facets.
  *
- * Two patches in different planes can meet only on the line of these planes. Each covers an interval of it, from one of
- * its corners or edges to another; they share the intersection of the intervals. Heights over a plane and places along
- * the line are doubles with a bound on their error; integers decide cases within the bound. Therefore pairs that only
- * come near need no wide arithmetic, and a segment well inside a lid gets no points. A contact that is already a corner
- * or a whole boundary edge of a patch is not new for that patch. Patches in one plane unite their facets into a group.
- * Patches of one leaf are treated like any others, unless the leaf is a star on the grid: it may intersect itself, or
- * rounding may have folded it.
+ * Two patches in different planes can touch only on the line of these planes. Each patch covers an interval of this
+ * line, from one of its corners or edges to another. They share the intersection of the two intervals. Heights over a
+ * plane and positions along the line are doubles with a bound on their error. Integers decide cases within the bound.
+ * Therefore pairs that do not touch rarely need wide integers, and a segment well inside a lid gets no points. A
+ * contact that is already a corner or an entire boundary edge of a patch is not new for that patch. If patches in one
+ * plane touch, their facets are united to a group. Patches of one leaf are treated like any others, unless the leaf is
+ * a star on the grid. Such a leaf may intersect itself, or rounding may have folded it.
  *
- * Threads find and decide pairs in independent chunks; points are numbered afterwards, chunk by chunk: the result is
- * the same for any number of threads. */
+ * Threads find and test pairs in independent chunks. Points are numbered afterwards, chunk by chunk. Therefore the
+ * result is the same for any number of threads. */
 #include "kernel/arrange/intersect_patches.h"
 
 #include "kernel/arrange/cull.h"
@@ -20,17 +20,19 @@
 #include <math.h>
 #include <string.h>
 
-/* The segment that two patches share, or a part of it between corners on it. */
+/* A segment that two patches share, or a part of it between two corners that lie on it. */
 typedef struct {
-  uint32_t a, b, p, q; /* a, b: patches; p, q: the ends, points; with FRESH: of the chunk's */
-  uint32_t cut;        /* bit 0: new in a; bit 1: new in b; 0: coplanar, the facets are united */
+  uint32_t a, b, p, q; /* a, b: the patches; p, q: points at the ends of the segment; with FRESH: a new point of the
+                        * chunk */
+  uint32_t cut;        /* bit 0: the segment is new in a; bit 1: it is new in b; 0: the patches are coplanar, and their
+                        * facets are united */
 } contact;
 #define FRESH (UINT32_C(1) << 31)
 
-/* The point where an edge goes through a patch. Both triangles at the edge need it, mostly soon after each other. */
+/* The point where an edge crosses a patch. Both triangles at the edge need it, mostly within a short time. */
 typedef struct {
-  uint32_t low, high, patch; /* the edge's corners, and the patch */
-  uint32_t fresh;            /* the point's number in the chunk, or VS_NONE */
+  uint32_t low, high, patch; /* the two corners of the edge, and the patch */
+  uint32_t fresh;            /* number of the point in the chunk, or VS_NONE */
 } crossing;
 enum { CROSSINGS = 1 << 12 };
 

@@ -144,8 +144,8 @@ static bool normal_fits(const int32_t a[3], const int32_t b[3], const int32_t c[
   return true;
 }
 
-/* Returns true if the normals of all triangles fit. Only a cluster that spans 2^62 square steps in two axes can have a
- * triangle whose normal does not fit. */
+/* Returns true if the normals of all triangles fit. Only a leaf that spans 2^63 square steps in two axes can have a
+ * triangle whose normal does not fit; smaller clusters need no test. */
 static bool normals_fit(const vs_cluster *c, const snapping *s) {
   static const double SAFE = 0x1p62;
   if (s->steps[0] * s->steps[1] < SAFE && s->steps[1] * s->steps[2] < SAFE && s->steps[2] * s->steps[0] < SAFE)

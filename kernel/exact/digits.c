@@ -1,9 +1,9 @@
-/* Implements the twelve significant digits of numbers.
+/* Computes the twelve significant digits of numbers.
  *
- * A double is m * 2^e. With d = 11 - floor(log10 x) its twelve digits are the integer nearest to m * 5^d * 2^(e + d);
- * ties go to even, as in printf. For d from 0 to 27 the product fits 128 bits and the rest is a shift, so this is
- * exact. The inverse is one division by a power of ten, which is exact up to 10^22, so the quotient is the double
- * nearest to the decimal number. */
+ * A double is m * 2^e. With d = 11 - floor(log10 x), its twelve digits are the integer nearest to m * 5^d * 2^(e + d);
+ * ties go to the even integer, as in printf. For d from 0 to 27 the product fits into 128 bits, and the power of two is
+ * a shift. Therefore the result is exact. The inverse is a division by a power of ten, which is exact up to 10^22.
+ * Therefore the quotient is the double nearest to the decimal number. */
 #include "kernel/exact/digits.h"
 
 #include "model/assert.h"
@@ -52,15 +52,15 @@ bool vs_digits(double size, uint64_t *digits, int *first) {
   int exponent = (int)(bits >> 52) - 1075;
   uint64_t mantissa = (bits & ((UINT64_C(1) << 52) - 1)) | UINT64_C(1) << 52;
   int power = ((exponent + 52) * 315653) >>
-              20; /* floor of log10 of the power of two below: exact or one less */
+              20; /* floor of log10 of the power of two that is at most x; this is floor(log10 x) or one less */
   for (int tries = 0; tries < 2; tries++, power++) {
     int d = VS_DIGITS - 1 - power;
-    if (d < 0 || d > MOST_FIVES) return false; /* excludes subnormal numbers too */
+    if (d < 0 || d > MOST_FIVES) return false; /* also excludes subnormal numbers */
     __extension__ unsigned __int128 product = (unsigned __int128)mantissa * five[d], one = 1;
     int shift = -(exponent + d);
     uint64_t k;
     if (shift <= 0) {
-      k = (uint64_t)product << -shift; /* at most 10^13 */
+      k = (uint64_t)product << -shift; /* the result is at most 10^13 */
     } else {
       k = (uint64_t)(product >> shift);
       __extension__ unsigned __int128 rest = product & ((one << shift) - 1), half = one << (shift - 1);

@@ -1,11 +1,11 @@
-/* Implements exact signs of determinants of doubles.
+/* Computes exact signs of determinants of doubles.
  *
  * Each sign is first computed in doubles, where the error is below 8e-16 of the sum of the products' sizes (Shewchuk,
- * Adaptive Precision Floating-Point Arithmetic, 1997). If that is not certain, the determinant is computed as an
- * expansion: a sum of doubles of which none overlaps the next in bits, least first, so that the last has the sign. A
- * difference of two doubles is an expansion of two terms; a product of two expansions has twice the product of their
- * lengths. The algorithm needs coordinates of about the size of one: a power of two scales others. Only parts smaller
- * than 2^-300 of the rest then underflow. */
+ * Adaptive Precision Floating-Point Arithmetic, 1997). If this does not decide the sign, the determinant is computed as
+ * an expansion. An expansion is a sum of doubles whose bits do not overlap, the smallest first. Therefore the last term
+ * has the sign of the sum. A difference of two doubles is an expansion of two terms. The product of two expansions has
+ * twice the product of their lengths. Coordinates must have sizes of about one, so they are multiplied by a power of
+ * two. Only parts that are smaller than 2^-300 of the others then underflow. */
 #include "kernel/exact/doubles.h"
 
 #include <math.h>
@@ -14,7 +14,7 @@
 
 typedef struct {
   double high, low;
-} pair; /* the exact sum of the two */
+} pair; /* a pair of doubles whose exact sum is the value */
 
 static inline pair two_sum(double a, double b) {
   double sum = a + b, virtual_b = sum - a, virtual_a = sum - virtual_b;
@@ -28,7 +28,7 @@ static inline pair two_product(double a, double b) {
   return (pair){ product, low_a * low_b - (((product - high_a * high_b) - low_a * high_b) - high_a * low_b) };
 }
 
-/* to = e + f; returns the number of terms. Zero terms are dropped, but a zero sum keeps one. */
+/* Computes to = e + f. Returns the number of terms. Zero terms are dropped, but a zero sum has one term. */
 static int add(const double *e, int e_count, const double *f, int f_count, double *to) {
   int i = 0, j = 0, count = 0;
   double sum = 0;
@@ -48,7 +48,7 @@ static int add(const double *e, int e_count, const double *f, int f_count, doubl
   return count;
 }
 
-/* to = e * b. e has at least one term. */
+/* Computes to = e * b and returns the number of terms. e has at least one term. */
 static int scale(const double *e, int e_count, double b, double *to) {
   int count = 0;
   pair p = two_product(e[0], b);
@@ -65,7 +65,7 @@ static int scale(const double *e, int e_count, double b, double *to) {
   return count;
 }
 
-/* to = e * d. e has 1 to 16 terms. */
+/* Computes to = e * d and returns the number of terms. e has 1 to 16 terms. */
 static int multiply(const double *e, int e_count, pair d, double *to) {
   enum { MOST = 16 };
   double low[2 * MOST], high[2 * MOST];
@@ -74,7 +74,7 @@ static int multiply(const double *e, int e_count, pair d, double *to) {
   return add(low, low_count, high, high_count, to);
 }
 
-/* to = a * d - b * c, at most 16 terms */
+/* Computes to = a * d - b * c and returns the number of terms, at most 16. */
 static int minor(pair a, pair b, pair c, pair d, double to[16]) {
   double ad[8], bc[8];
   int n = multiply((const double[]){ a.low, a.high }, 2, d, ad),
@@ -86,7 +86,8 @@ static double coordinate(vs_vec3 p, int axis) { return axis == 0 ? p.x : axis ==
 
 static int sign(double x) { return (x > 0) - (x < 0); }
 
-/* Returns the power of two that brings the largest of the sizes near one; 1 if all are zero or it is near enough. */
+/* Returns the power of two that scales the largest of the sizes to about one. Returns 1 if all are zero, or the largest
+ * is already of about that size. */
 static double to_one(const double *size, int count) {
   double most = 0;
   int exponent;

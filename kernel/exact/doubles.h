@@ -4,12 +4,12 @@
 
 #include "model/vec.h"
 
-/* Returns the side of d at the plane through a, b and c, which are counter-clockwise as seen from above: 1 above, -1
- * below, 0 in the plane. */
+/* Returns on which side of the plane through a, b and c the point d lies: 1 above, -1 below, 0 in the plane. a, b and c
+ * are counter-clockwise as seen from above. */
 int vs_doubles_side(vs_vec3 a, vs_vec3 b, vs_vec3 c, vs_vec3 d);
 
-/* Returns the turn from a over b to c as seen along an axis (0, 1, 2; the next two point to the right and up): 1 left,
- * -1 right, 0 on one line. */
+/* Returns in which direction the path from a over b to c turns, as seen along an axis: 1 left, -1 right, 0 if straight.
+ * axis is 0, 1 or 2; the next two axes point to the right and up. */
 int vs_doubles_turn(int axis, vs_vec3 a, vs_vec3 b, vs_vec3 c);
 
 #endif

@@ -1,8 +1,9 @@
-/* Implements the wide half of exact.h: fixed-width two's complement integers and the predicates' exact fallbacks.
+/* Implements the functions of exact.h that need wide integers: fixed-width two's complement integers, and the exact
+ * cases of the predicates.
  *
- * A wide integer is an array of 64-bit limbs, least first, whose length each call knows. Products are taken modulo
- * 2^(64 length) of the sign-extended operands. In two's complement this is right as long as the true result fits:
- * exact.h has the widths. */
+ * A wide integer is an array of 64-bit limbs, least first. Each call knows its length. Products are computed modulo
+ * 2^(64 length) from sign-extended operands. In two's complement this is right as long as the true result fits; exact.h
+ * states the widths. */
 #include "kernel/exact/exact.h"
 
 #include <math.h>
@@ -68,7 +69,7 @@ static uint64_t gcd64(uint64_t a, uint64_t b) {
   if (!a || !b) return a | b;
   int shift = __builtin_ctzll(a | b);
   a >>= __builtin_ctzll(a);
-  while (b) { /* no branch on the comparison */
+  while (b) { /* no branch depends on the comparison, which the processor could not predict */
     b >>= __builtin_ctzll(b);
     uint64_t less = a < b ? a : b, more = a < b ? b : a;
     a = less;
@@ -89,8 +90,8 @@ void vs_plane_axes(vs_plane *p) {
   p->v = (uint8_t)(up ? v : u);
 }
 
-/* Computes the differences from a to b and to c. Returns true if they are so small that a product of three of them fits
- * 127 bits as (i64 x i64) x i64. */
+/* Computes p = b - a and q = c - a. Returns true if these are so small that a product of three of them fits into 127
+ * bits as (i64 x i64) x i64. */
 static inline bool differences(const int32_t a[3], const int32_t b[3], const int32_t c[3], int64_t p[3], int64_t q[3]) {
   uint64_t wide = 0;
   for (int i = 0; i < 3; i++) {
@@ -110,8 +111,8 @@ bool vs_plane_through(const int32_t a[3], const int32_t b[3], const int32_t c[3]
       int u = (i + 1) % 3, v = (i + 2) % 3;
       vs_i128 n = (vs_i128)p[u] * q[v] - (vs_i128)p[v] * q[u];
       minus[i] = n < 0;
-      size[i] = (vs_u128)(n < 0 ? -n : n); /* at most 2^64 - 2^33: twice the area of a triangle in a square of less than
-                                            * 2^32 */
+      size[i] = (vs_u128)(n < 0 ? -n : n); /* at most 2^64 - 2^33, which is twice the area of a triangle in a square of
+                                            * less than 2^32 */
       g = gcd64(g, (uint64_t)size[i]);
     }
     for (int i = 0; i < 3; i++) {
@@ -125,7 +126,7 @@ bool vs_plane_through(const int32_t a[3], const int32_t b[3], const int32_t c[3]
       int u = (i + 1) % 3, v = (i + 2) % 3;
       out->n[i] = p[u] * q[v] - p[v] * q[u];
       uint64_t size = (uint64_t)(out->n[i] < 0 ? -out->n[i] : out->n[i]);
-      if (g != 1) g = gcd64(g, g ? size % g : size); /* of two large numbers the divisor is mostly small */
+      if (g != 1) g = gcd64(g, g ? size % g : size); /* the divisor of two large numbers is mostly small */
     }
   if (g == 0) return false;
   int64_t first = out->n[0] ? out->n[0] : out->n[1] ? out->n[1] : out->n[2];
@@ -141,7 +142,7 @@ bool vs_plane_through(const int32_t a[3], const int32_t b[3], const int32_t c[3]
 }
 
 void vs_plane_along(const int32_t a[3], const int32_t b[3], int k, vs_plane *out) {
-  int u = (k + 1) % 3, v = (k + 2) % 3; /* (b - a) x e_k */
+  int u = (k + 1) % 3, v = (k + 2) % 3; /* computes the cross product of b - a and the unit vector along axis k */
   VS_ASSERT(k >= 0 && k < 3 && (a[u] != b[u] || a[v] != b[v]));
   out->n[k] = 0;
   out->n[u] = (int64_t)b[v] - a[v];
@@ -162,7 +163,7 @@ int vs_orient3d(const int32_t a[3], const int32_t b[3], const int32_t c[3], cons
                     (vs_i128)(p[0] * q[1] - p[1] * q[0]) * r[2]);
 }
 
-/* r += a * b */
+/* Computes r += a * b. */
 static inline void add_product(uint64_t r[4], vs_i128 a, vs_i128 b) {
   uint64_t a0 = (uint64_t)a, a1 = (uint64_t)(a >> 64), b0 = (uint64_t)b, b1 = (uint64_t)(b >> 64);
   vs_u128 low = (vs_u128)a0 * b0, one = (vs_u128)a0 * b1, two = (vs_u128)a1 * b0;
@@ -178,7 +179,8 @@ bool vs_meet_edge(const int32_t a[3], const int32_t b[3], const vs_plane *p, vs_
   for (int i = 0; i < 3; i++) oa += (vs_i128)p->n[i] * a[i], ob += (vs_i128)p->n[i] * b[i];
   vs_i128 w = oa - ob;
   if (w == 0) return false;
-  for (int i = 0; i < 3; i++) { /* along an axis to a plane across it: common in models */
+  for (int i = 0; i < 3; i++) { /* the edge is parallel to an axis, and the plane perpendicular to it, which is common
+                                 * in models */
     int j = (i + 1) % 3, l = (i + 2) % 3;
     if (a[j] != b[j] || a[l] != b[l] || p->n[i] != 1 || p->n[j] || p->n[l]) continue;
     wide_from(out->x[i], VS_LIMBS, p->d);
@@ -213,7 +215,8 @@ void vs_homogeneous_fixed(const int64_t fixed[3], vs_homogeneous *out) {
 }
 
 static bool across(const vs_plane *p) { return !p->n[(p->k + 1) % 3] && !p->n[(p->k + 2) % 3]; } /* returns true if the
-                                                                                                  * plane is across an
+                                                                                                  * plane is
+                                                                                                  * perpendicular to an
                                                                                                   * axis */
 
 bool vs_meet_planes(const vs_plane *p, const vs_plane *q, const vs_plane *r, vs_homogeneous *out) {
@@ -231,7 +234,7 @@ bool vs_meet_planes(const vs_plane *p, const vs_plane *q, const vs_plane *r, vs_
       int u = (i + 1) % 3, v = (i + 2) % 3;
       vs_i128 cross = (vs_i128)x->n[u] * y->n[v] - (vs_i128)x->n[v] * y->n[u];
       add_product(out->x[i], s[j]->d, cross);
-      if (j == 0) add_product(out->w, p->n[i], cross); /* W = n_p . (n_q x n_r) */
+      if (j == 0) add_product(out->w, p->n[i], cross); /* the denominator is W = n_p . (n_q x n_r) */
     }
   }
   int sign = wide_sign(out->w, VS_LIMBS);
@@ -242,10 +245,11 @@ bool vs_meet_planes(const vs_plane *p, const vs_plane *q, const vs_plane *r, vs_
   return sign != 0;
 }
 
-/* x >= 0 */
+/* Returns x as a double, approximately. x >= 0. */
 static inline double near128(vs_i128 x) { return (double)(int64_t)(x >> 64) * 0x1p64 + (double)(uint64_t)x; }
 
-/* Does the same if numerators fit 128 bits and the denominator 94, as most do: whole steps first, then the rest. */
+/* Computes the fixed-point numbers as vs_homogeneous_fix does, if numerators fit into 128 bits and the denominator into
+ * 94 bits, as most do. It computes whole steps first, and then the fraction. Returns false if they do not fit. */
 static bool fix_narrow(const vs_homogeneous *h, int64_t fixed[3], bool *exact) {
   vs_i128 w = (vs_i128)((vs_u128)h->w[1] << 64 | h->w[0]);
   for (int i = 0; i < 3; i++)
@@ -258,7 +262,7 @@ static bool fix_narrow(const vs_homogeneous *h, int64_t fixed[3], bool *exact) {
     if (fabs(guess) > 0x1p32) return false;
     int64_t whole = (int64_t)floor(guess), rest;
     vs_i128 r = x - w * whole;
-    for (; r < 0; whole--) r += w; /* the guesses are off by at most one */
+    for (; r < 0; whole--) r += w; /* the quotients computed in doubles are wrong by at most one */
     for (; r >= w; whole++) r -= w;
     rest = (int64_t)(near128(r) * per * (double)(1 << VS_FIXED_BITS));
     r = r * ((vs_i128)1 << VS_FIXED_BITS) - w * rest;
@@ -270,13 +274,13 @@ static bool fix_narrow(const vs_homogeneous *h, int64_t fixed[3], bool *exact) {
   return true;
 }
 
-/* x >= 0 */
+/* Returns x as a double, approximately. x >= 0. */
 static inline double near256(const uint64_t x[4]) {
   VS_ASSERT(x[3] >> 63 == 0);
   return (((double)x[3] * 0x1p64 + (double)x[2]) * 0x1p64 + (double)x[1]) * 0x1p64 + (double)x[0];
 }
 
-/* r -= w * q, where q >= 0 */
+/* Computes r -= w * q. q >= 0. */
 static inline void take_times(uint64_t r[4], const uint64_t w[4], uint64_t q) {
   vs_u128 t = (vs_u128)w[0] * q, u = (vs_u128)w[1] * q + (uint64_t)(t >> 64),
           v = (vs_u128)w[2] * q + (uint64_t)(u >> 64);
@@ -284,7 +288,8 @@ static inline void take_times(uint64_t r[4], const uint64_t w[4], uint64_t q) {
   wide_sub(r, product, 4);
 }
 
-/* q: a guess of floor(r / w), off by about one. Returns the quotient; r becomes the remainder. */
+/* Returns the quotient floor(r / w), and sets r to the remainder. q: an estimate of the quotient, wrong by about
+ * one. */
 static inline int64_t divide(uint64_t r[4], const uint64_t w[4], int64_t q) {
   take_times(r, w, (uint64_t)q);
   for (; wide_sign(r, 4) < 0; q--) wide_add(r, w, 4);
@@ -296,7 +301,7 @@ static inline int64_t divide(uint64_t r[4], const uint64_t w[4], int64_t q) {
   }
 }
 
-/* to = x * 2^bits. bits is 1 to 63. */
+/* Computes to = x * 2^bits. bits is 1 to 63. */
 static inline void shift_up(uint64_t to[4], const uint64_t x[4], int bits) {
   VS_ASSERT(bits > 0 && bits < 64);
   for (int i = 3; i > 0; i--) to[i] = x[i] << bits | x[i - 1] >> (64 - bits);
@@ -304,10 +309,10 @@ static inline void shift_up(uint64_t to[4], const uint64_t x[4], int bits) {
 }
 
 bool vs_homogeneous_fix(const vs_homogeneous *h, int64_t fixed[3]) {
-  enum { UP = 32 }; /* binary places: added to avoid negative numbers */
+  enum { UP = 32 }; /* an offset of 2^UP steps is added to avoid negative numbers */
   bool exact = true;
   VS_ASSERT(wide_sign(h->w, VS_LIMBS) > 0);
-  if (h->w[0] == 1 && !h->w[1] && !h->w[2] && !h->w[3]) { /* on the grid */
+  if (h->w[0] == 1 && !h->w[1] && !h->w[2] && !h->w[3]) { /* the denominator is 1, so the point is on the grid */
     for (int i = 0; i < 3; i++) fixed[i] = (int64_t)(h->x[i][0] << VS_FIXED_BITS);
     return true;
   }
@@ -316,7 +321,7 @@ bool vs_homogeneous_fix(const vs_homogeneous *h, int64_t fixed[3]) {
   shift_up(up, h->w, UP);
   double per = 1 / near256(h->w);
   exact = true;
-  for (int i = 0; i < 3; i++) { /* whole steps first, then the rest: all values are below 2^226 */
+  for (int i = 0; i < 3; i++) { /* computes whole steps first, and then the fraction; all values are below 2^226 */
     uint64_t r[4] = { h->x[i][0], h->x[i][1], h->x[i][2], h->x[i][3] };
     wide_add(r, up, 4);
     int64_t whole = divide(r, h->w, (int64_t)(near256(r) * per)) - ((int64_t)1 << UP);
@@ -396,7 +401,8 @@ int vs_orient2d_slow(vs_points_view v, uint32_t a, uint32_t b, uint32_t c, int a
   load(v, b, &h[1]);
   load(v, c, &h[2]);
   uint64_t sum[11] = { 0 }, s[8], t[8], r[11];
-  for (int i = 0; i < 3; i++) { /* det of the rows (X_u, X_v, W), along the last column; every W > 0 */
+  for (int i = 0; i < 3; i++) { /* expands the determinant of the rows (X_u, X_v, W) along its last column; every W >
+                                 * 0 */
     const vs_homogeneous *p = &h[(i + 1) % 3], *q = &h[(i + 2) % 3];
     wide_mul(s, 8, p->x[axis_u], VS_LIMBS, q->x[axis_v], VS_LIMBS);
     wide_mul(t, 8, p->x[axis_v], VS_LIMBS, q->x[axis_u], VS_LIMBS);

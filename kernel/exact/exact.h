@@ -1,18 +1,21 @@
-/* Declares the exact numbers: fixed-width integers, planes, points, and the predicates that decide all else.
+/* Declares the exact numbers: fixed-width integers, planes and points, and the predicates on them that make all
+ * decisions.
  *
  * Notation. Coordinates are in steps of the cluster's grid; vertices of the input are integers, |x| < 2^31.
  *   plane   n.x = d, n primitive: |n| < 2^63, |d| < 2^96. (A normal of two edges of 2^32 steps could
  *           have 64 bits: snap_to_grid.c then takes a coarser grid.)
  *   point   X/W, W > 0. For a vertex of the input W = 1; for edge x plane |X| < 2^130, W < 2^97; for three planes
- * |X| < 2^226, W < 2^192.
+ *           |X| < 2^226, W < 2^192.
  *   fixed   floor(X/W * 2^30) for each coordinate: a number of 62 bits that every point has. Equal points have equal
  *           numbers, however they were computed.
- * The fixed numbers serve as key and as filter: a predicate on them in __int128 has a known error of a few units.
- * Therefore the wide integers are needed only if points lie within 2^-30 steps of each other, of a line or of a plane.
- * All of it fits in 127 bits: n.x - d has |n| |x| 3 < 2^126 and |d| 2^30 < 2^126; a turn in a plane is two products of
- * differences below 2^62. A point whose three remainders are zero is `exact`: only its fixed numbers are stored. Widest
- * results: a point against a plane 292 bits; one coordinate of two points 420; the orientation of three in a plane 648.
- * Where triangles are small compared to the cluster, numbers are small and the wide half takes a short way, too. */
+ *
+ * The fixed-point numbers serve as a key, and as a filter. A predicate computed from them in __int128 has a known error
+ * of a few units. Therefore wide integers are needed only if points lie within 2^-30 steps of each other, of a line or
+ * of a plane. These predicates fit into 127 bits: n.x - d has |n| |x| 3 < 2^126 and |d| 2^30 < 2^126; a turn in a plane
+ * is two products of differences below 2^62. A point whose three fractions are zero is `exact`: only its fixed-point
+ * numbers are stored. The widest results have 292 bits for a point against a plane, 420 for one coordinate of two
+ * points, and 648 for the orientation of three points in a plane. If triangles are small compared to the cluster,
+ * numbers are small, and the functions with wide integers use a faster method. */
 #ifndef VS_KERNEL_EXACT_EXACT_H
 #define VS_KERNEL_EXACT_EXACT_H
 
@@ -31,21 +34,21 @@ enum { VS_FIXED_BITS = 30, VS_GRID_BITS = 31, VS_LIMBS = 4 };
 typedef struct {
   int64_t n[3];
   vs_i128 d;
-  uint8_t k, u, v; /* k: the axis with the largest |n|; (u, v): the other two axes, in the order that keeps
-                    * counter-clockwise as seen from n */
+  uint8_t k, u, v; /* k: the axis with the largest |n|; u, v: the other two axes, ordered so that counter-clockwise as
+                    * seen from n is counter-clockwise in (u, v) */
 } vs_plane;
 
 typedef struct {
-  uint64_t x[3][VS_LIMBS], w[VS_LIMBS]; /* two's complement, least limb first; w > 0 */
+  uint64_t x[3][VS_LIMBS], w[VS_LIMBS]; /* the point is x / w; two's complement, least limb first; w > 0 */
 } vs_homogeneous;
 
 typedef struct {
   int64_t fixed[3];
-  uint32_t big; /* index of a vs_homogeneous (with VS_POINT_MORE: in a view's `more`), or VS_POINT_EXACT */
-  uint32_t next; /* links the chains that arrange_planes.c makes in a group */
+  uint32_t big; /* VS_POINT_EXACT; or the index of a vs_homogeneous, which with VS_POINT_MORE is in a view's `more` */
+  uint32_t next; /* the next point with the same hash, in the tables that arrange_planes.c makes for groups */
 } vs_point;
 
-/* A view of all points, for the predicates. */
+/* Access to all points of a table, for the predicates. */
 typedef struct {
   const vs_point *at;
   const vs_homogeneous *big, *more;
@@ -53,50 +56,56 @@ typedef struct {
 
 static inline int vs_sign128(vs_i128 x) { return (x > 0) - (x < 0); }
 
-/* computes the plane through three integer points, from a; returns false if they lie on one line, or if its normal does
- * not fit */
+/* computes the plane through three integer points; *flipped: whether its normal is opposite to theirs. Returns false if
+ * they lie on one line, or the normal does not fit */
 bool vs_plane_through(const int32_t a[3], const int32_t b[3], const int32_t c[3], vs_plane *out, bool *flipped);
 void vs_plane_axes(vs_plane *p);
-/* computes the plane through the integer points a and b along axis k; not primitive; a and b differ in another axis */
+/* computes the plane that contains the integer points a and b and is parallel to axis k; its normal is not primitive. a
+ * and b differ along another axis */
 void vs_plane_along(const int32_t a[3], const int32_t b[3], int k, vs_plane *out);
 /* returns the sign of det(b-a, c-a, d-a) */
 int vs_orient3d(const int32_t a[3], const int32_t b[3], const int32_t c[3], const int32_t d[3]);
 
-/* Compute a point: where the line a b meets the plane, given that a and b are on different sides; where three planes
- * meet. Both return false if that is no single point. */
+/* Compute a point: vs_meet_edge the intersection of the line a b and the plane, where a and b are on different sides;
+ * vs_meet_planes the intersection of three planes. Both return false if this is no single point. */
 bool vs_meet_edge(const int32_t a[3], const int32_t b[3], const vs_plane *p, vs_homogeneous *out);
 bool vs_meet_planes(const vs_plane *p, const vs_plane *q, const vs_plane *r, vs_homogeneous *out);
-/* computes the fixed numbers of a point; returns true if they are exact. w > 0. */
+/* Computes the fixed-point numbers of a point. Returns true if they are exact. h->w > 0. */
 bool vs_homogeneous_fix(const vs_homogeneous *h, int64_t fixed[3]);
 void vs_homogeneous_integer(const int32_t at[3], vs_homogeneous *out);
-void vs_homogeneous_fixed(const int64_t fixed[3], vs_homogeneous *out); /* from the fixed numbers of an exact point */
-/* The axis is 0, 1 or 2, and both w > 0. */
-int vs_homogeneous_compare(const vs_homogeneous *a, const vs_homogeneous *b, int axis); /* returns the sign of a - b */
+void vs_homogeneous_fixed(const int64_t fixed[3], vs_homogeneous *out); /* makes a point from the fixed-point numbers of
+                                                                         * an exact point */
+/* axis is 0, 1 or 2, and w > 0 for both points. */
+int vs_homogeneous_compare(const vs_homogeneous *a, const vs_homogeneous *b, int axis); /* returns the sign of the
+                                                                                         * difference a - b along the
+                                                                                         * axis */
 bool vs_homogeneous_equal(const vs_homogeneous *a, const vs_homogeneous *b);
-/* Returns the side of the plane on which the point lies: 1 where the normal points. The point's w > 0. */
+/* Returns the side of the plane on which the point lies: 1 on the side of the normal, -1 on the opposite side, 0 in the
+ * plane. h->w > 0. */
 int vs_homogeneous_side(const vs_plane *p, const vs_homogeneous *h);
-/* computes the point of the plane p over (u, v), fixed numbers, seen along axis k; n[k] is not 0 */
+/* Computes the point of the plane p whose other two coordinates, as seen along axis k, are the fixed-point numbers u
+ * and v. n[k] is not 0. */
 void vs_plane_lift(const vs_plane *p, int k, int64_t u, int64_t v, vs_homogeneous *out);
 
 static inline bool vs_point_exact(const vs_point *p) { return p->big == VS_POINT_EXACT; }
 static inline int32_t vs_point_grid(const vs_point *p, int axis) { return (int32_t)(p->fixed[axis] >> VS_FIXED_BITS); }
 
 int vs_side_slow(vs_points_view v, const vs_plane *p, uint32_t x);
-/* Computes the sign of n.x - d from the point's fixed numbers. Returns false if they do not decide it. */
+/* Sets *sign to the sign of n.x - d for point x. Returns false if the point's fixed-point numbers do not decide it. */
 static inline bool vs_side_quick(vs_points_view v, const vs_plane *p, uint32_t x, int *sign) {
   const vs_point *q = &v.at[x];
   vs_i128 s = (vs_i128)p->n[0] * q->fixed[0] + (vs_i128)p->n[1] * q->fixed[1] + (vs_i128)p->n[2] * q->fixed[2] -
               p->d * ((vs_i128)1 << VS_FIXED_BITS);
   *sign = vs_sign128(s);
   if (vs_point_exact(q)) return true;
-  vs_i128 low = s, high = s; /* every fixed number is too small by less than 1 */
+  vs_i128 low = s, high = s; /* the fixed-point number is less than the exact coordinate by less than 1 */
   for (int i = 0; i < 3; i++) {
     if (p->n[i] < 0) low += p->n[i];
     else high += p->n[i];
   }
   return low > 0 || high < 0;
 }
-/* Returns the sign of n.x - d. */
+/* Returns the sign of n.x - d for point x. */
 static inline int vs_side(vs_points_view v, const vs_plane *p, uint32_t x) {
   int sign;
   return vs_side_quick(v, p, x, &sign) ? sign : vs_side_slow(v, p, x);
@@ -111,8 +120,8 @@ static inline int vs_compare(vs_points_view v, uint32_t a, uint32_t b, int axis)
 }
 
 int vs_orient2d_slow(vs_points_view v, uint32_t a, uint32_t b, uint32_t c, int axis_u, int axis_v);
-enum { VS_UNSURE = 2 }; /* instead of a sign */
-/* Returns vs_orient2d if the points' fixed numbers decide it, else VS_UNSURE. */
+enum { VS_UNSURE = 2 }; /* result if the sign is not decided */
+/* Returns the result of vs_orient2d if the fixed-point numbers of the points decide it, else VS_UNSURE. */
 static inline int vs_orient2d_quick(vs_points_view v, uint32_t a, uint32_t b, uint32_t c, int axis_u, int axis_v) {
   const vs_point *p = &v.at[a], *q = &v.at[b], *r = &v.at[c];
   int64_t ax = q->fixed[axis_u] - p->fixed[axis_u], ay = q->fixed[axis_v] - p->fixed[axis_v];
@@ -122,7 +131,7 @@ static inline int vs_orient2d_quick(vs_points_view v, uint32_t a, uint32_t b, ui
   vs_i128 error = (vs_i128)(ax < 0 ? -ax : ax) + (by < 0 ? -by : by) + (ay < 0 ? -ay : ay) + (bx < 0 ? -bx : bx) + 2;
   return det > error || det < -error ? vs_sign128(det) : VS_UNSURE;
 }
-/* Returns the sign of the area of a b c seen in the axes (u, v): 1 if c lies left of a->b. */
+/* Returns the sign of the area of the triangle a, b, c as seen in the axes (u, v): 1 if c is to the left of a->b. */
 static inline int vs_orient2d(vs_points_view v, uint32_t a, uint32_t b, uint32_t c, int axis_u, int axis_v) {
   int sign = vs_orient2d_quick(v, a, b, c, axis_u, axis_v);
   return sign != VS_UNSURE ? sign : vs_orient2d_slow(v, a, b, c, axis_u, axis_v);

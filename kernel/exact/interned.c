@@ -1,8 +1,8 @@
 /* Implements the hash tables of points and planes.
  *
- * The key of a point is its three fixed numbers, which depend on its position alone. If two points with one key have
- * remainders, the wide integers decide. Therefore every point has one number from the start, by whichever edges and
- * planes it was found: no later step unites points. */
+ * The key of a point is its three fixed-point numbers, which depend only on its position. If two points have the same
+ * key and fractions, wide integers decide whether they are equal. Therefore a point has a single number from the start,
+ * even if it is computed from different edges and planes. No later step unites points. */
 #include "kernel/exact/interned.h"
 
 #include <string.h>
@@ -14,7 +14,7 @@ static uint64_t mix(uint64_t h, uint64_t x) {
 
 uint64_t vs_points_hash(const int64_t f[3]) { return mix(mix(mix(1, (uint64_t)f[0]), (uint64_t)f[1]), (uint64_t)f[2]); }
 
-/* Makes room for `count` items in all. */
+/* Enlarges the table so that it has room for `count` items. */
 static bool slots_grow(vs_kernel *k, vs_slots *s, size_t count) {
   if (count < s->count / 4 * 3) return true;
   vs_slots more = { .count = s->count ? s->count * 2 : 256 };
@@ -39,8 +39,8 @@ static void slots_free(vs_kernel *k, vs_slots *s) {
   s->count = 0;
 }
 
-/* Returns the next item with this hash, from place *at on; VS_NONE: no further item has it, and *at is free. The number
- * of places is a power of two. */
+/* Returns the next item with this hash, from slot *at on. If there is none, returns VS_NONE, and *at is a free slot.
+ * The number of slots is a power of two. */
 static inline uint32_t slots_next(const vs_slots *s, uint32_t tag, size_t *at) {
   VS_ASSERT(s->count > 0 && (s->count & (s->count - 1)) == 0 && *at < s->count);
   for (;; *at = (*at + 1) & (s->count - 1))
@@ -49,12 +49,12 @@ static inline uint32_t slots_next(const vs_slots *s, uint32_t tag, size_t *at) {
 
 /* A point to find or to add. */
 typedef struct {
-  uint64_t hash;           /* of the fixed numbers */
-  const int64_t *fixed;    /* three numbers */
-  const vs_homogeneous *h; /* NULL: the fixed numbers are exact */
+  uint64_t hash;           /* hash of the fixed-point numbers */
+  const int64_t *fixed;    /* three fixed-point numbers */
+  const vs_homogeneous *h; /* exact coordinates; NULL: the fixed-point numbers are exact */
 } point_key;
 
-/* Returns the number of the point, or VS_NONE; slot is then the place for it. */
+/* Returns the number of the point, or VS_NONE if the table lacks it. *slot is then the slot in which to put it. */
 static uint32_t points_find(const vs_points_table *t, point_key key, size_t *slot) {
   const int64_t *fixed = key.fixed;
   const vs_homogeneous *h = key.h;
@@ -71,7 +71,7 @@ static uint32_t points_find(const vs_points_table *t, point_key key, size_t *slo
   return i;
 }
 
-/* Adds a point to the free slot that points_find returned. */
+/* Adds a point in the free slot that points_find has found, and sets *id to its number. */
 static bool points_insert(vs_kernel *k, vs_points_table *t, point_key key, size_t slot, uint32_t *id) {
   vs_point p = { { key.fixed[0], key.fixed[1], key.fixed[2] }, VS_POINT_EXACT, VS_NONE };
   VS_ASSERT(slot < t->slots.count && t->slots.at[slot].item == VS_NONE);

@@ -1,5 +1,5 @@
-/* Declares a cluster's tables of distinct points and planes: points by their exact position, planes by their exact
- * equation. */
+/* Declares a cluster's tables of points and planes, in which equal items are stored once. Points are compared by their
+ * exact position, planes by their exact equation. */
 #ifndef VS_KERNEL_EXACT_INTERNED_H
 #define VS_KERNEL_EXACT_INTERNED_H
 
@@ -8,27 +8,28 @@
 
 #define VS_NONE UINT32_MAX
 
-/* Finds numbers by hash: a table with open addressing, at most three quarters full. The upper bits of the stored hash
- * choose the place. Therefore the next larger table has its entries in the same order, and a stored hash mostly
- * distinguishes different items without a look at the item. */
-typedef struct { uint32_t tag, item; } vs_slot; /* item: VS_NONE if the slot is free */
+/* A hash table with open addressing, at most three quarters full, which finds numbers by their hash. The upper bits of
+ * the stored hash select the slot. Therefore the next larger table has its items in the same order. Most different
+ * items have different stored hashes, so they need not be compared. */
+typedef struct { uint32_t tag, item; } vs_slot; /* tag: upper half of the hash; item: the number, or VS_NONE if the slot
+                                                 * is free */
 typedef struct {
   vs_slot *at;
-  size_t room, count; /* count: a power of two, or 0 */
-  int shift;          /* shifts a tag to its place */
+  size_t room, count; /* count: number of slots, a power of two or 0 */
+  int shift;          /* number of bits by which a tag is shifted to get its slot */
 } vs_slots;
 
 typedef struct {
   VS_LIST(vs_point) all;
   VS_LIST(vs_homogeneous) big;
-  vs_slots slots; /* by hash of the fixed numbers */
+  vs_slots slots; /* hash table of the fixed-point numbers */
 } vs_points_table;
 
-/* A new point without a number. */
+/* A point that has no number in a table yet. */
 typedef struct {
   vs_homogeneous at;
   int64_t fixed[3];
-  uint64_t hash; /* of the fixed numbers */
+  uint64_t hash; /* hash of the fixed-point numbers */
   bool exact;
 } vs_fresh_point;
 
@@ -42,34 +43,40 @@ static inline vs_points_view vs_points_of(const vs_points_table *t) {
 }
 
 bool vs_points_integer(vs_kernel *k, vs_points_table *t, const int32_t at[3], uint32_t *id);
-/* Fills ids[v] for each of the vertices v, whose positions are corners[v]. */
+/* Adds the points of the given vertices, whose positions are corners[v], and sets ids[v] to their numbers. Returns
+ * false when memory is out. */
 bool vs_points_add_corners(vs_kernel *k, vs_points_table *t, int32_t (*corners)[3], const uint32_t *vertices,
                            size_t count, uint32_t *ids);
-/* Returns in *id the number of the point: the old one if the table has the position. h NULL: the fixed numbers are
- * exact. */
+/* Sets *id to the number of the point, which is added if the table lacks its position. h NULL: the fixed-point numbers
+ * are exact. Returns false when memory is out. */
 bool vs_points_add_fixed(vs_kernel *k, vs_points_table *t, const int64_t fixed[3], const vs_homogeneous *h,
                          uint32_t *id);
 uint64_t vs_points_hash(const int64_t fixed[3]);
-void vs_fresh_fill(vs_fresh_point *f); /* fills the other members from `at` */
-/* Returns the numbers of many points, in order. base: a table that comes before this one and does not change, or NULL;
- * numbers of points that base lacks have its count added. */
+void vs_fresh_fill(vs_fresh_point *f); /* sets the members fixed and hash from the member `at` */
+/* Sets ids to the numbers of many points, and adds those that the table lacks. base: a table that precedes t and does
+ * not change, or NULL. The number of a point that base lacks is its number in t plus the count of base. Returns false
+ * when memory is out. */
 bool vs_points_add_all(vs_kernel *k, vs_points_table *t, const vs_points_table *base, const vs_fresh_point *fresh,
                        size_t count, uint32_t *ids);
-/* Appends `more`, which was built on top of t; it is empty afterwards. If its slots were forgotten, t does not find its
- * points. */
+/* Appends the points of `more`, a table that was built with base t, to t. `more` is empty afterwards. If the slots of
+ * `more` were freed, t does not find these points. Returns false when memory is out. */
 bool vs_points_append(vs_kernel *k, vs_points_table *t, vs_points_table *more);
-void vs_points_forget(vs_kernel *k, vs_points_table *t); /* frees the slots when no further point is looked up */
-/* The point has a number in the table, and is exact. */
-void vs_points_grid(const vs_points_table *t, uint32_t id, int32_t out[3]); /* for a vertex of the input */
+void vs_points_forget(vs_kernel *k, vs_points_table *t); /* frees the hash table, after which points can no longer be
+                                                          * looked up */
+/* Computes the position of an exact point, in steps. id is a number in the table. */
+void vs_points_grid(const vs_points_table *t, uint32_t id, int32_t out[3]); /* only for a vertex of the input */
 void vs_points_free(vs_kernel *k, vs_points_table *t);
 
 uint64_t vs_planes_hash(const vs_plane *p);
-/* Returns in *id the number of the plane: the old one if the table has it; hash is the hash of p. */
+/* Sets *id to the number of the plane, which is added if the table lacks it. hash is the hash of p. Returns false when
+ * memory is out. */
 bool vs_planes_add(vs_kernel *k, vs_planes_table *t, const vs_plane *p, uint64_t hash, uint32_t *id);
-/* Makes room for `more` planes: the tables do not grow meanwhile. */
+/* Makes room for `more` additional items, so that the table need not be enlarged when they are added. Returns false
+ * when memory is out. */
 bool vs_planes_expect(vs_kernel *k, vs_planes_table *t, size_t more);
 bool vs_points_expect(vs_kernel *k, vs_points_table *t, size_t more);
-/* Prefetches entries that are needed soon: slots far ahead, their items near ahead. */
+/* Prefetches entries of a table that are soon needed: slots VS_AHEAD_FAR items in advance, and the items in them
+ * VS_AHEAD_NEAR items in advance. */
 enum { VS_AHEAD_FAR = 16, VS_AHEAD_NEAR = 8 };
 static inline const vs_slot *vs_slot_of(const vs_slots *s, uint64_t hash) {
   return &s->at[(uint32_t)(hash >> 32) >> s->shift];
@@ -84,7 +91,8 @@ VS_AHEAD vs_planes_ahead(const vs_planes_table *t, uint64_t hash, bool near) {
   if (!near) __builtin_prefetch(slot);
   else if (slot->tag == (uint32_t)(hash >> 32) && slot->item != VS_NONE) __builtin_prefetch(&t->all.at[slot->item]);
 }
-void vs_planes_forget(vs_kernel *k, vs_planes_table *t); /* frees the slots when no further plane is looked up */
+void vs_planes_forget(vs_kernel *k, vs_planes_table *t); /* frees the hash table, after which planes can no longer be
+                                                          * looked up */
 void vs_planes_free(vs_kernel *k, vs_planes_table *t);
 
 #endif

@@ -1,4 +1,4 @@
-/* Implements the sort by keys: insertion in short runs, and merging of runs that are not in order. */
+/* Sorts by keys: short runs by insertion, which are then merged unless they are already in order. */
 #include "kernel/exact/sort.h"
 
 #include "model/assert.h"
@@ -24,7 +24,8 @@ void vs_sort_keyed(vs_keyed *at, vs_keyed *scratch, size_t count) {
       memcpy(scratch, at + low, width * sizeof *at);
       size_t i = 0, j = middle, out = low;
       while (i < width && j < high) {
-        int second = at[j].key < scratch[i].key; /* no branch: the comparison is as good as random */
+        int second = at[j].key < scratch[i].key; /* no branch depends on the comparison, which the processor could not
+                                                  * predict */
         const vs_keyed *from = second ? &at[j] : &scratch[i];
         at[out++] = *from;
         j += (size_t)second;

@@ -1,5 +1,4 @@
-/* Declares the sort of items by integer keys, for sorts in which a call for each comparison would cost more than the
- * rest. */
+/* Declares a sort of items by integer keys. It is faster than a sort that calls a function for each comparison. */
 #ifndef VS_KERNEL_EXACT_SORT_H
 #define VS_KERNEL_EXACT_SORT_H
 
@@ -8,7 +7,7 @@
 
 typedef struct { int64_t key; uint32_t item; } vs_keyed;
 
-/* Sorts stably; scratch is another array of the same length. */
+/* Sorts the items by key. The sort is stable. scratch is an array with as many elements. */
 void vs_sort_keyed(vs_keyed *at, vs_keyed *scratch, size_t count);
 
 #endif

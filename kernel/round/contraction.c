@@ -1,14 +1,13 @@
-/* Implements the contraction of the surface where rounding makes triangles meet and no gentler means has helped
- * (contraction.h).
+/* Contracts the surface where rounding makes triangles intersect and no other method has removed this (contraction.h).
  *
- * A mesh whose corners are only positions need not be a manifold by index. It suffices that its triangles are a closed
- * chain, in which each edge has as many uses one way as the other. Two steps keep a chain closed in all cases:
+ * A mesh in which only positions of corners count need not be a manifold by its vertex numbers. It suffices that each
+ * edge is used as often in one direction as in the other. Two steps preserve this in all cases:
  *   unite   corners a few units apart become one. Triangles with two equal corners are edges, and are removed
  *   reroute the longest edge of a triangle that is lower than a few units goes through the triangle's third corner,
  *           in all triangles that have the edge. The low triangle vanishes, and its neighbour is cut in two there.
  *           Low triangles without a short edge, which mesh repair calls caps, vanish only by this
- * If triangles have the same three corners, equal numbers of the two orientations are removed: they are sheets on each
- * other. */
+ * If several triangles have the same three corners, equal numbers of the two orientations are removed: they are sheets
+ * that lie on each other. */
 #include "kernel/round/contraction.h"
 
 #include <math.h>
@@ -17,17 +16,18 @@
 
 #include "model/store/disjoint.h"
 
-static bool is_met(const vs_rounding *s, uint32_t t) { /* near a triangle that meets another */
+static bool is_met(const vs_rounding *s, uint32_t t) { /* returns true if triangle t is near a triangle that intersects
+                                                        * another one */
   const uint32_t *v = s->m->triangles[t];
   return s->near_met.at[v[0]] || s->near_met.at[v[1]] || s->near_met.at[v[2]];
 }
 
 static vs_vec3 place(const vs_rounding *s, uint32_t v) { return s->m->vertices[v]; }
 
-/* ---- sheets on each other ---- */
+/* ---- sheets that lie on each other ---- */
 
-typedef struct { uint32_t corner[3], triangle; bool odd; } sheet; /* corners in ascending order; odd: the sort reversed
-                                                                   * the orientation */
+typedef struct { uint32_t corner[3], triangle; bool odd; } sheet; /* corners in ascending order; odd: true if this order
+                                                                   * has the opposite orientation */
 
 static int sheet_order(const void *a, const void *b) {
   const sheet *x = a, *y = b;
@@ -39,7 +39,7 @@ static int sheet_order(const void *a, const void *b) {
 
 static sheet sheet_of(const uint32_t v[3], uint32_t t) {
   sheet s = { { v[0], v[1], v[2] }, t, false };
-  for (int i = 0; i < 3; i++) { /* 0 1, 1 2, 0 1 */
+  for (int i = 0; i < 3; i++) { /* compares corners 0 and 1, then 1 and 2, then 0 and 1 */
     int j = i % 2;
     if (s.corner[j] < s.corner[j + 1]) continue;
     uint32_t swap = s.corner[j];
@@ -49,7 +49,8 @@ static sheet sheet_of(const uint32_t v[3], uint32_t t) {
   return s;
 }
 
-/* Removes sheets on each other, among the triangles at busy corners. */
+/* Removes pairs of triangles that lie on each other, among the triangles at busy corners. Returns false when memory is
+ * out. */
 static bool cancel_sheets(vs_rounding *s) {
   const vs_mesh *m = s->m;
   VS_LIST(sheet) sheets = { 0 };
@@ -74,13 +75,13 @@ static bool cancel_sheets(vs_rounding *s) {
   return ok;
 }
 
-/* ---- details ---- */
+/* ---- details that must not be lost ---- */
 
-enum { DETAIL = 16 /* units by which edges are contracted: in singles a millionth of the coordinate */ };
+enum { DETAIL = 16 /* a contraction that moves the surface by more units loses a detail; in 32-bit numbers this is a
+                    * millionth of the coordinate */ };
 
-/* If a corner of the triangle moves to another place, or its plane goes through that place: returns true if the place
- * is so many units off the triangle's plane that a detail is lost. Along a finely cut surface, corners may move further
- * without loss. */
+/* Returns true if the corner `to` is more than DETAIL units off the plane of triangle t. If the triangle's corner moves
+ * there, a detail of the surface is lost. Along a finely divided surface, corners may move further without loss. */
 static bool leaves(const vs_rounding *s, const uint32_t t[3], uint32_t corner, uint32_t to) {
   vs_vec3 n = vs_rounding_normal(place(s, t[0]), place(s, t[1]), place(s, t[2]));
   double off = fabs(vs_v3_dot(n, vs_v3_sub(place(s, to), place(s, corner))));
@@ -91,10 +92,11 @@ static void lose(vs_rounded *out, vs_vec3 at) {
   if (out->lost++ == 0) out->lost_at = at;
 }
 
-/* ---- uniting corners ---- */
+/* ---- uniting of corners ---- */
 
-/* Unites corners within so many units of each other that are the ends of an edge of a triangle near a contact: of
- * triangles that rounding bends, or of all. */
+/* Unites the ends of edges that are shorter than `units` units, in triangles near a contact. all: true for all such
+ * triangles, false for those that rounding bends. *count: number of united corners. Returns false when memory is
+ * out. */
 static bool unite(vs_rounding *s, double units, bool all, vs_rounded *out, size_t *count) {
   vs_mesh *m = s->m;
   VS_LIST(uint32_t) parent = { 0 };
@@ -127,7 +129,7 @@ static bool unite(vs_rounding *s, double units, bool all, vs_rounded *out, size_
       if (to[j] == v[j]) continue;
       s->changed.at[t] = VS_CHANGED;
       if (s->busy.at[v[j]] || !leaves(s, v, v[j], to[j])) continue;
-      s->busy.at[v[j]] = 1; /* counts and removes it */
+      s->busy.at[v[j]] = 1; /* counts the change and marks the corners as busy */
       lose(out, place(s, v[j]));
     }
     memcpy(v, to, sizeof to);
@@ -139,10 +141,10 @@ static bool unite(vs_rounding *s, double units, bool all, vs_rounded *out, size_
   return ok;
 }
 
-/* ---- rerouting edges ---- */
+/* ---- rerouting of edges ---- */
 
-/* A low triangle: the ends of its longest edge, in order, and its third corner; along: the third corner's place along
- * that edge. */
+/* A low triangle. low, high: ends of its longest edge, with low < high; top: its third corner; along: position of the
+ * third corner along that edge. */
 typedef struct { uint32_t low, high, top; double along; } cap;
 typedef VS_LIST(cap) caps;
 typedef VS_LIST(uint32_t) corners;
@@ -155,7 +157,7 @@ static int cap_order(const void *a, const void *b) {
   return x->top < y->top ? -1 : x->top > y->top;
 }
 
-/* the most corners that one edge gets at a time */
+/* TOPS: greatest number of corners that one edge gets in one step */
 enum { TOPS = 16, LOOP = 3 + 3 * TOPS };
 
 static bool find_caps(vs_rounding *s, double units, bool all, caps *to) {
@@ -188,7 +190,8 @@ static bool find_caps(vs_rounding *s, double units, bool all, caps *to) {
   return true;
 }
 
-/* Lists the corners through which the edge from p to q goes, from p on. p and q differ. */
+/* Lists the corners through which the edge from p to q is rerouted, beginning with p. Returns their number. p and q
+ * differ. */
 static size_t route_of(const caps *all, uint32_t p, uint32_t q, uint32_t *to) {
   uint32_t a = p < q ? p : q, b = p < q ? q : p;
   size_t low = 0, high = all->count, count = 0;
@@ -204,8 +207,8 @@ static size_t route_of(const caps *all, uint32_t p, uint32_t q, uint32_t *to) {
   return count;
 }
 
-/* Cuts a loop, in which each corner is once, into triangles around the corner for which the lowest of them is
- * highest. */
+/* Cuts a loop in which no corner repeats into triangles around one of its corners. Chooses the corner for which the
+ * least height of a triangle is greatest. Returns false when memory is out. */
 static bool cut_loop(vs_rounding *s, const uint32_t *loop, size_t count, corners *to) {
   size_t from = 0;
   double best = -1;
@@ -225,7 +228,8 @@ static bool cut_loop(vs_rounding *s, const uint32_t *loop, size_t count, corners
   return true;
 }
 
-/* Cuts a loop that returns to a corner as two loops. */
+/* Divides a loop that returns to a corner into two loops, and cuts them into triangles. Returns false when memory is
+ * out. */
 static bool cut_loops(vs_rounding *s, const uint32_t *loop, size_t count, corners *to) {
   uint32_t open[LOOP];
   size_t n = 0;
@@ -239,7 +243,8 @@ static bool cut_loops(vs_rounding *s, const uint32_t *loop, size_t count, corner
   return cut_loop(s, open, n, to);
 }
 
-/* Replaces t, a triangle of the mesh, by triangles: three corners each; there may be none. */
+/* Replaces triangle t of the mesh by the triangles in `by`, which has three corners for each and may be empty. Returns
+ * false when memory is out. */
 static bool replace(vs_rounding *s, uint32_t t, const corners *by) {
   vs_mesh *m = s->m;
   size_t more = by->count > 3 ? by->count / 3 - 1 : 0, all = m->triangle_count + more + 1;
@@ -259,8 +264,9 @@ static bool replace(vs_rounding *s, uint32_t t, const corners *by) {
   return true;
 }
 
-/* Reroutes the longest edges of triangles near a contact that are lower than so many units, through their third
- * corners: of triangles that rounding bends, or of all. */
+/* Reroutes the longest edges of triangles near a contact that are lower than `units` units, through their third
+ * corners. all: true for all such triangles, false for those that rounding bends. *count: number of removed triangles.
+ * Returns false when memory is out. */
 static bool reroute(vs_rounding *s, double units, bool all, vs_rounded *out, size_t *count) {
   vs_mesh *m = s->m;
   caps found = { 0 };

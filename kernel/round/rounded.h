@@ -1,4 +1,4 @@
-/* Declares the kinds of numbers to which corners are rounded, and the counts of that rounding. */
+/* Declares the kinds of numbers to which corners are rounded, and counts of the changes that rounding requires. */
 #ifndef VS_KERNEL_ROUND_ROUNDED_H
 #define VS_KERNEL_ROUND_ROUNDED_H
 
@@ -6,23 +6,23 @@
 
 typedef enum {
   VS_NUMBERS_DOUBLE,
-  VS_NUMBERS_DIGITS /* 12 significant digits */,
-  VS_NUMBERS_SINGLE /* 32 bits */,
-  VS_NUMBERS_LOOSE /* 32 bits, without indices */
+  VS_NUMBERS_DIGITS /* numbers with 12 significant digits */,
+  VS_NUMBERS_SINGLE /* 32-bit floating-point numbers */,
+  VS_NUMBERS_LOOSE /* 32-bit floating-point numbers in a format without vertex numbers */
 } vs_numbers;
 
 typedef struct {
-  size_t collapsed;       /* number of edges */
-  size_t flipped;         /* number of edges of triangles lower than the distance by which rounding moves their
+  size_t collapsed;       /* number of short edges that were collapsed */
+  size_t flipped;         /* number of flipped edges, in triangles lower than the distance by which rounding moves their
                            * corners */
-  size_t met;             /* number of triangles that meet others after rounding, near edges that were too short or
-                           * triangles that were too low; as far as doubles can decide */
-  vs_vec3 at;             /* position of the first of them */
-  size_t met_before;      /* number of those pairs that meet before rounding as well, so that the format is not the
+  size_t met;             /* number of triangles that intersect others after rounding, near short edges or low
+                           * triangles, as far as doubles can decide */
+  vs_vec3 at;             /* position of the first such triangle */
+  size_t met_before;      /* number of these pairs that intersect before rounding as well, so that the format is not the
                            * cause; all of them if the format's numbers are finer than the exact mesh */
-  size_t lost;            /* number of corners where mending moved the surface by more than sixteen units */
+  size_t lost;            /* number of corners where the repair moved the surface by more than sixteen units */
   vs_vec3 lost_at;
-  size_t dropped;         /* number of shells thinner than the numbers can represent */
+  size_t dropped;         /* number of removed shells, which were thinner than the numbers can represent */
   vs_vec3 dropped_at;
 } vs_rounded;
 

@@ -1,18 +1,19 @@
-/* Implements the mending of a mesh that is rounded.
+/* Repairs a mesh whose corners are going to be rounded.
  *
- * The exact result may have corners closer together than the format's numbers. Where four planes nearly meet in one
- * point there are two corners; where a corner nearly lies on another's edge there is a triangle with almost no height.
- * After rounding, such an edge vanishes or is noise, and such a triangle may turn over and cross its neighbours.
+ * The exact result may have corners that are closer together than the format's numbers. Where four planes nearly
+ * intersect in one point, there are two corners. Where a corner nearly lies on another face's edge, there is a triangle
+ * with almost no height. After rounding, such an edge vanishes or has an arbitrary direction. Such a triangle may turn
+ * over and intersect its neighbours.
  *   collapse  an edge of less than two units moves onto its lower corner if no triangle around it turns over and the
  *             link condition holds: the two corners have only the two neighbours opposite the edge in common, so the
  *             surface stays a manifold of the same kind
  *   flip      the longest edge of a triangle lower than two units is replaced by an edge to its top: the neighbour
  *             behind that edge is cut in two there
  *   drop      a shell that is thinner than two units everywhere is removed
- * Then self_contacts.c searches the whole mesh for triangles that meet after rounding, but not before. In formats
- * without indices, the surface near them is contracted (contraction.c).
+ * Then self_contacts.c searches the whole mesh for triangles that intersect after rounding, but not before. In formats
+ * without vertex numbers, the surface near them is contracted (contraction.c).
  *
- * Threads test all triangles once and find the few that need a change; afterwards only these are tested, and those that
+ * Threads test all triangles once and find the few that need a change. Afterwards only these are tested, and those that
  * have changed since. */
 #include "kernel/round/rounding.h"
 
@@ -28,7 +29,7 @@
 #include "kernel/threads.h"
 #include "model/store/array.h"
 
-enum { ROUNDS = 3, PASSES = 3 /* PASSES: of flips, in a round */, CONTRACTIONS = 8 };
+enum { ROUNDS = 3, PASSES = 3 /* ROUNDS: greatest number of rounds; PASSES: passes of flips in a round */, CONTRACTIONS = 8 };
 
 typedef vs_rounding rounding;
 
@@ -36,7 +37,7 @@ static vs_vec3 corner(const rounding *s, uint32_t v) { return vs_rounding_corner
 
 static bool near(double a, double b, vs_numbers numbers) {
   double d = fabs(a - b), most = fabs(a) > fabs(b) ? fabs(a) : fabs(b);
-  if (d > most * 1e-6) return false; /* true for nearly all: no format's unit is that large */
+  if (d > most * 1e-6) return false; /* decides nearly all cases: no format has units that large */
   return d == 0 || d < 2 * vs_rounding_unit(most, numbers);
 }
 
@@ -45,8 +46,8 @@ static bool too_short(const rounding *s, uint32_t a, uint32_t b) {
   return near(p.x, q.x, s->numbers) && near(p.y, q.y, s->numbers) && near(p.z, q.z, s->numbers);
 }
 
-/* Returns true if the edge is shorter than the distance by which rounding may move its ends. It is safe if rounding
- * moves all triangles there alike, as on faces along the axes. */
+/* Returns true if the edge from a to b is shorter than the distance by which rounding may move its ends. Such an edge
+ * may still be harmless: on faces along the axes, rounding moves all triangles alike. */
 static bool unsure(const rounding *s, uint32_t a, uint32_t b) {
   double length = vs_v3_length(vs_v3_sub(s->m->vertices[a], s->m->vertices[b]));
   return length < 2 * fmax(vs_rounding_unit_at(s, a), vs_rounding_unit_at(s, b));
@@ -62,7 +63,8 @@ static bool is_neighbour(const rounding *s, uint32_t v, uint32_t other) {
   return false;
 }
 
-/* Marks the triangles beside noise: if it has turned over, these may cross each other, even with equal orientation. */
+/* Marks the triangles beside a noise triangle. If that has turned over, its neighbours may intersect each other, even
+ * with equal orientation. */
 static void suspect_neighbours(vs_rounding *s) {
   for (size_t i = 0; i < s->look.count; i++) {
     uint32_t t = s->look.at[i];
@@ -92,12 +94,12 @@ enum { TASK = 1 << 13 };
 typedef struct { VS_LIST(uint32_t) look; VS_LIST(vs_storey) storeys; bool noise, level; } found_some;
 typedef struct {
   rounding *s;
-  bool noise; /* there is noise */
+  bool noise; /* true if there is a noise triangle (vs_rounding_is_noise) */
   found_some found[VS_PIPELINE_WINDOW];
 } scan;
 
-/* Appends the plane across an axis that contains the triangle, unless it is the latest one for that axis. *level: there
- * is such a plane. Returns false when memory is out. */
+/* If the triangle lies in a plane perpendicular to an axis, appends that plane, unless it is the last one appended for
+ * this axis. *level: true if there is such a plane. Returns false when memory is out. */
 static bool find_storey(vs_kernel *k, const rounding *s, uint32_t t, vs_storey last[3], found_some *to, bool *level) {
   const uint32_t *v = s->m->triangles[t];
   vs_vec3 a = s->m->vertices[v[0]], b = s->m->vertices[v[1]], c = s->m->vertices[v[2]];
@@ -146,8 +148,8 @@ static int storey_order(const void *a, const void *b) {
   return x->value < y->value ? -1 : x->value > y->value;
 }
 
-/* Merges two adjacent runs, from `low` and from `middle` to `high`; scratch has room for the first. Neither run is
- * empty. */
+/* Merges two adjacent sorted runs: from index `low`, and from `middle` to `high`. scratch has room for the first run.
+ * Neither run is empty. */
 static void merge_storeys(vs_storey *at, vs_storey *scratch, size_t low, size_t middle, size_t high) {
   size_t i = 0, n = middle - low, j = middle, to = low;
   VS_ASSERT(low < middle && middle < high);
@@ -157,7 +159,8 @@ static void merge_storeys(vs_storey *at, vs_storey *scratch, size_t low, size_t 
   while (i < n) at[to++] = scratch[i++];
 }
 
-/* Sorts in runs, between which the caller may interrupt: a million boxes have some million storeys. */
+/* Sorts the storeys in runs, between which the caller may interrupt: a million boxes have some million storeys. Returns
+ * false when memory is out or the caller interrupts. */
 static bool order_storeys(vs_kernel *k, vs_storey *at, size_t count) {
   enum { RUN = 1 << 15 };
   VS_LIST(vs_storey) scratch = { 0 };
@@ -191,7 +194,7 @@ static bool sort_storeys(rounding *s) {
   return vs_kernel_report(s->k, 1);
 }
 
-/* The axis is 0, 1 or 2. */
+/* axis is 0, 1 or 2. */
 size_t vs_rounding_storey(const vs_rounding *s, int axis, double value) {
   vs_storey sought = { value, axis };
   size_t low = 0, high = s->storeys.count;
@@ -204,7 +207,8 @@ size_t vs_rounding_storey(const vs_rounding *s, int axis, double value) {
   return low;
 }
 
-/* *any: there is noise. */
+/* Finds the triangles that need a test. *any: true if there is a noise triangle. Returns false when memory is out or
+ * the caller interrupts. */
 static bool find_look(rounding *s, bool *any) {
   scan c = { .s = s };
   s->look.count = s->storeys.count = 0;
@@ -230,7 +234,7 @@ static int number_order(const void *a, const void *b) {
   return x < y ? -1 : x > y;
 }
 
-/* Begins a round: nothing is busy, and the triangles to test are sorted. */
+/* Begins a round: marks all corners as not busy, and sorts the triangles to test. */
 static void begin_round(rounding *s) {
   memset(s->busy.at, 0, s->m->vertex_count);
   for (size_t i = 1; i < s->look.count; i++)
@@ -240,7 +244,7 @@ static void begin_round(rounding *s) {
     }
 }
 
-/* Makes the fans again, and the marks of the triangles to test. */
+/* Makes the fans of the vertices and the marks of the triangles to test again. Returns false when memory is out. */
 static bool index_mesh(rounding *s) {
   const vs_mesh *m = s->m;
   size_t n = m->vertex_count, triangles = m->triangle_count;
@@ -268,10 +272,10 @@ static bool index_mesh(rounding *s) {
   return vs_kernel_report(s->k, 1);
 }
 
-/* Adds the triangle to the corner's fan. Returns false when memory is out. */
+/* Adds triangle t to the fan of vertex v. Returns false when memory is out. */
 static bool give(rounding *s, uint32_t v, uint32_t t) {
   vs_fan *f = &s->fans.at[v];
-  if (f->first + f->count != s->around.count) { /* moves the fan to a place with free room behind it */
+  if (f->first + f->count != s->around.count) { /* moves the fan to a place that has free room after it */
     if (!VS_ROOM(s->k, s->around.at, s->around.room, s->around.count + f->count + 1)) return false;
     if (f->count) memcpy(s->around.at + s->around.count, s->around.at + f->first, f->count * sizeof *s->around.at);
     f->first = (uint32_t)s->around.count;
@@ -291,8 +295,8 @@ static void take_off(rounding *s, uint32_t v, uint32_t t) {
 
 /* ---- short edges ---- */
 
-/* Returns true if b may become a: every remaining triangle around b must keep its orientation, if it had a reliable
- * one. a and b differ. */
+/* Returns true if vertex b may be moved to vertex a. Every remaining triangle around b must keep its orientation,
+ * unless that was arbitrary. The link condition must hold. a and b differ. */
 static bool allowed(const rounding *s, uint32_t a, uint32_t b) {
   uint32_t common = 0, both = 0;
   vs_vec3 to = s->m->vertices[a];
@@ -305,27 +309,30 @@ static bool allowed(const rounding *s, uint32_t a, uint32_t b) {
       both++;
       continue;
     }
-    if (is_neighbour(s, a, p)) common++; /* p follows b in one triangle: this counts each neighbour once, except those
-                                          * of the edge's triangles */
+    if (is_neighbour(s, a, p)) common++; /* p follows b in one triangle only, so each neighbour is counted once, except
+                                          * those in the triangles at the edge */
     vs_vec3 before = vs_rounding_normal(s->m->vertices[b], s->m->vertices[p], s->m->vertices[q]),
             after = vs_rounding_normal(to, s->m->vertices[p], s->m->vertices[q]);
-    if (vs_v3_dot(before, after) < 0 && !vs_rounding_is_noise(s, other)) return false; /* noise may turn over */
+    if (vs_v3_dot(before, after) < 0 && !vs_rounding_is_noise(s, other)) return false; /* a noise triangle may turn
+                                                                                        * over */
   }
-  /* the next corners around b: a, then p of each other triangle; the two apexes are neighbours of a, and the loop
-   * counts one of them */
-  bool tetrahedron = s->fans.at[a].count == 3 && s->fans.at[b].count == 3; /* two sheets on each other would remain */
+  /* In the loop, the corner after b is a in one of the edge's triangles and p in every other triangle. The two corners
+   * opposite the edge are neighbours of a, and the loop counts one of them. */
+  bool tetrahedron = s->fans.at[a].count == 3 && s->fans.at[b].count == 3; /* the collapse of an edge of a tetrahedron
+                                                                            * would leave two triangles that lie on each
+                                                                            * other */
   return both == 2 && common == 1 && !tetrahedron;
 }
 
-/* ---- thin triangles ---- */
+/* ---- low triangles ---- */
 
 static bool same_side(vs_vec3 n, vs_vec3 a, vs_vec3 b, vs_vec3 c) {
   return vs_v3_dot(n, vs_rounding_normal(a, b, c)) > 0;
 }
 
-/* Removes a triangle lower than the distance by which rounding moves its corners, which may turn over. An edge to its
- * top replaces its longest edge: the neighbour behind that edge is cut in two there. Neither new triangle may be as
- * low, or turn over, before or after rounding. The triangle is not gone. */
+/* Removes a triangle lower than the distance by which rounding moves its corners, because it may turn over. Its longest
+ * edge is replaced by an edge from its third corner into the neighbour at that edge, which is cut in two. Neither new
+ * triangle may be as low, or turn over, before or after rounding. t is not gone. */
 static bool flip(rounding *s, uint32_t t) {
   vs_mesh *m = s->m;
   const uint32_t *v = m->triangles[t];
@@ -359,7 +366,7 @@ static bool flip(rounding *s, uint32_t t) {
   return give(s, top, other) && give(s, far, t) && look_at(s, t) && look_at(s, other);
 }
 
-/* Each round counts its changes; returns false when memory is out. */
+/* Flips the low triangles once; *done: number of flips. Returns false when memory is out. */
 static bool flip_round(rounding *s, size_t *done) {
   begin_round(s);
   *done = 0;
@@ -370,7 +377,7 @@ static bool flip_round(rounding *s, size_t *done) {
   return s->k->error->status == VS_KERNEL_FINE;
 }
 
-/* Removes the triangles that are gone from the mesh. */
+/* Removes the triangles that are marked as gone from the mesh. */
 static void squeeze(rounding *s) {
   size_t kept = 0;
   for (size_t t = 0; t < s->m->triangle_count; t++)
@@ -378,7 +385,8 @@ static void squeeze(rounding *s) {
   vs_mesh_squeeze(s->m, s->gone.at);
 }
 
-/* Collapses b onto a: the two triangles at their edge are gone. They differ. */
+/* Collapses vertex b onto vertex a, and marks the two triangles at their edge as gone. a and b differ. Returns false
+ * when memory is out. */
 static bool collapse(rounding *s, uint32_t a, uint32_t b) {
   vs_mesh *m = s->m;
   VS_ASSERT(a != b);
@@ -421,16 +429,16 @@ static bool collapse_round(rounding *s, size_t *done) {
   return true;
 }
 
-/* ---- blades ---- */
+/* ---- blades: shells that are too thin ---- */
 
 static bool is_blade(const rounding *s, const vs_shell *of) {
-  return fabs(of->volume) <= of->area * vs_rounding_unit(of->reach, s->numbers); /* equal: both are 0, the shell is one
-                                                                                  * point */
+  return fabs(of->volume) <= of->area * vs_rounding_unit(of->reach, s->numbers); /* equality means that both are 0, so
+                                                                                  * the shell is a single point */
 }
 
-/* Drops shells that are thinner than two units everywhere and that rounding bends: they would be sheets on each other.
- * Keeps them if no other shell exists. (A thin plate far from the origin, along the axes, stays unchanged.) Returns
- * false when memory is out. */
+/* Removes shells that are thinner than two units everywhere and that rounding bends, because their sides would lie on
+ * each other. Keeps them if there is no other shell. A thin plate along the axes stays unchanged, even far from the
+ * origin. Returns false when memory is out. */
 static bool drop_blades(rounding *s, vs_rounded *out) {
   vs_mesh *m = s->m;
   bool ok = vs_rounding_find_shells(s);
@@ -476,7 +484,8 @@ static bool drop_vertices(rounding *s) {
   return true;
 }
 
-/* Vertices and triangles have new numbers: makes all marks again. */
+/* Makes all marks again after vertices and triangles have got new numbers. Returns false when memory is out or the
+ * caller interrupts. */
 static bool begin_again(rounding *s) {
   bool any;
   return find_look(s, &any) && index_mesh(s);
@@ -524,9 +533,9 @@ static bool round_mesh(vs_rounding *s, vs_rounded *out) {
   ok = ok && vs_rounding_count_met(s, out);
   if (ok && out->met_before > before) before = out->met_before;
   if (ok) squeeze(s);
-  /* each round contracts more coarsely, and from the third on everything nearby. If that makes other triangles meet,
-   * the rounds continue as long as their number decreases. If a large part of a large mesh meets, its facets are finer
-   * than the numbers, and no contraction mends that. */
+  /* Each round contracts more coarsely, and from the third round on everything nearby. If this makes other triangles
+   * intersect, the rounds continue as long as the number of such triangles decreases. If a large part of a large mesh
+   * intersects, its facets are finer than the format's numbers, and no contraction repairs this. */
   for (int round = 0; ok && s->places && out->met && round < CONTRACTIONS; round++) {
     enum { ALL = 2, MANY = 10000, PART = 16 };
     if (out->met > MANY && out->met > m->triangle_count / PART) break;
@@ -541,7 +550,8 @@ static bool round_mesh(vs_rounding *s, vs_rounded *out) {
     out->flipped += flipped;
     if (round > ALL && out->met >= met) break;
   }
-  out->met_before = before; /* contraction itself makes triangles cross */
+  out->met_before = before; /* contraction itself may make triangles cross, which must not count as intersections before
+                             * rounding */
   return ok && (out->collapsed || out->dropped ? drop_vertices(s) : true);
 }
 

@@ -1,12 +1,12 @@
-/* Implements the search for triangles that rounding has made meet, anywhere in the mesh.
+/* Searches the mesh for triangles that intersect because of rounding.
  *
- * Triangles that cross after rounding lie within some units of each other before. Where two sheets of a surface that
- * does not meet itself are that near, two of them face in opposite directions, or across. Between sheets that face the
- * same way there is another; where they end beside each other, so do the walls at their ends. Therefore triangles that
- * face the same way need no test. These are nearly all that touch: the triangles of one plane, and neighbours on curved
- * surfaces. Triangles lower than some units are tested against all others, since their direction is arbitrary.
- * Triangles with changed corners are too, since the change may have removed the sheet between two others, or the wall
- * between two planes.
+ * Triangles that intersect after rounding are within some units of each other before. A surface that does not touch
+ * itself separates inside from outside. Between two of its sheets that face the same way and are close to each other,
+ * there is another sheet that faces the opposite way. Where sheets end beside each other, so do the walls at their
+ * ends. Therefore triangles that face the same way need no test. Nearly all triangles that touch face the same way: the
+ * triangles of one plane, and neighbours on curved surfaces. A triangle lower than some units is tested against all
+ * others, because its direction is arbitrary. A triangle with changed corners is tested against all others, too. The
+ * change may have removed the sheet between two others, or the wall between two planes.
  *
  * Notation.
  *   run      up to 16 triangles that follow each other in the mesh, touch, and face the same way up to 15 degrees;
@@ -19,14 +19,14 @@
  *            units apart, nothing counts as level.)
  *   storey   a plane across an axis that contains level runs
  *
- * Meshes given by positions have been moved to their final place, which rounds to doubles: a corner that was near a
- * level run's plane may since lie in it, in the middle of the run. For these, lying in such a plane exempts nothing
- * from the test.
+ * A mesh that is given by positions has already been moved to its final place, and its coordinates rounded to doubles
+ * there. A corner that was near a level run's plane may now lie in it, in the middle of the run. In such a mesh, a
+ * corner in a level run's plane is tested like any other.
  *
- * The index has the open runs' boxes; a second index has those that a storey may touch or cross, for the level runs.
- * Two runs are apart if the corners of one lie beyond the other's slab, on one side, except for shared corners. For the
- * rest, the search tests the pieces that lie in each other's slabs: by boxes, then triangle by triangle by boxes and
- * planes, and triangles_apart.c decides the remaining pairs. */
+ * The first index contains the boxes of the open runs. A second contains the open runs that a storey may touch or cross, for
+ * the level runs. Two runs are apart if the corners of one lie on one side beyond the other's slab, except for shared
+ * corners. Otherwise, the pieces of each run in the other's slab are compared: by their boxes, and then triangle by
+ * triangle by boxes and planes. triangles_apart.c decides the remaining pairs. */
 #include "kernel/round/self_contacts.h"
 
 #include "kernel/mesh/triangles_apart.h"
@@ -41,63 +41,68 @@
 #include <string.h>
 
 enum { STEEP = 4, NOT_ITS = 255, NOT_LEVEL = 3, OPEN = 0, LEVEL = 1, RUN = 16, TRIANGLES = 1 << 13 };
-#define ALIKE 0.85f /* cosine of the angle between runs that face the same way */
+#define ALIKE 0.85f /* least cosine of the angle between two runs that face the same way */
 
-/* A triangle, mostly as rounded. */
+/* A triangle, mostly with rounded corners. */
 typedef struct {
   uint32_t triangle;
-  vs_vec3 at[3], normal, size; /* size: like normal, from the sizes of the products: 1e-14 of it exceeds any error */
+  vs_vec3 at[3], normal, size; /* size: for each component of the normal, the sum of the products' sizes; 1e-14 of it
+                                * exceeds any rounding error */
   double low[3], high[3];
-  bool flat; /* its corners lie on one line */
+  bool flat; /* true if the corners lie on one line */
 } sheet;
 
 typedef float floats __attribute__((vector_size(16)));
 typedef int32_t truths __attribute__((vector_size(16)));
-/* four corners of a run, relative to the mesh's middle; the last one is repeated if there are fewer */
+/* Four corners of a run, relative to the middle of the mesh. If there are fewer, the last is repeated. */
 typedef struct { floats x, y, z; uint32_t corner[4]; } corners;
 enum { FOURS = (3 * RUN + 3) / 4 };
 
 typedef struct {
   uint32_t first, first_four, first_place;
-  uint8_t count, fours;          /* count: of triangles; fours: of corners, in fours; there are three places for each
-                                  * triangle, which select its corners */
-  bool is_low;                   /* the run is one low triangle */
-  uint8_t is_changed;            /* the mark of its triangle (VS_CHANGED ...); 0: none of its triangles has one */
-  bool busy;                     /* open, and crosses a storey or nearly touches one */
-  bool anew;                     /* is tested against all: see is_anew */
-  uint8_t level;                 /* the whole run has one x (0), y (1) or z (2), which is `value` */
-  /* a corner of all of its triangles around which no test is needed (hubs.h); else UINT32_MAX */
+  uint8_t count, fours;          /* count: number of triangles; fours: number of groups of four corners. `places` has
+                                  * three indices of corners for each triangle */
+  bool is_low;                   /* true if the run is a single low triangle */
+  uint8_t is_changed;            /* marks (VS_CHANGED ...) of its single triangle, or 0 */
+  bool busy;                     /* true for an open run that crosses a storey or is close to one */
+  bool anew;                     /* true if the run is tested against all others, see is_anew */
+  uint8_t level;                 /* axis along which all corners of the run have the coordinate `value`: 0 for x, 1 for
+                                  * y, 2 for z */
+  /* hub: a corner of all its triangles around which no test is needed (hubs.h), or UINT32_MAX. */
   uint32_t hub;
   double value;
-  float normal[3], low, high;    /* its slab, widened by the margin on both sides */
-  float height, longest;         /* the least height of its triangles, and the longest edge */
+  float normal[3], low, high;    /* the run's slab, enlarged by the margin on both sides */
+  float height, longest;         /* height: least height of its triangles; longest: length of the longest edge */
 } run;
 
-/* For a busy run, along each axis: the interval of its coordinates, and whether a further corner is within the margin
- * of its low or its high end. */
-typedef struct { double low[3], high[3]; bool near_low[3], near_high[3], any; /* any: low or changed */ } reach;
+/* The range of a busy run's coordinates along each axis. near_low, near_high: whether another corner is within the
+ * margin of the range's low or high end. */
+typedef struct { double low[3], high[3]; bool near_low[3], near_high[3], any; /* any: true if the run is low or
+                                                                               * changed */ } reach;
 
 typedef struct { VS_LIST(run) at; VS_LIST(vs_bvh_box) boxes; } runs;
-typedef struct { runs kinds[2]; VS_LIST(corners) fours; VS_LIST(uint8_t) places; } made; /* kinds: OPEN, LEVEL */
-typedef struct { uint32_t a, b; bool before; } pair; /* before: they meet before rounding, too */
+typedef struct { runs kinds[2]; VS_LIST(corners) fours; VS_LIST(uint8_t) places; } made; /* kinds: the open runs and the
+                                                                                          * level runs */
+typedef struct { uint32_t a, b; bool before; } pair; /* before: true if the triangles also intersect before rounding */
 
 typedef struct {
   vs_rounding *s;
   vs_rounded *out;
   vs_vec3 middle;
-  double step;                   /* of boxes */
-  double low;                    /* triangles lower than this are low */
-  float margin;                  /* added to a slab on both sides; exceeds the errors of floats */
+  double step;                   /* width of a step of the boxes' coordinates */
+  double low;                    /* triangles with a smaller height are low */
+  float margin;                  /* length that is added to a slab on both sides; it exceeds the errors of floats */
   made all;
-  VS_LIST(uint32_t) busy;        /* open runs */
+  VS_LIST(uint32_t) busy;        /* indices of the busy open runs */
   VS_LIST(vs_bvh_box) busy_boxes;
-  VS_LIST(reach) reaches;        /* of the busy ones */
-  vs_hubs around;                /* as rounded */
-  VS_LIST(uint32_t) hubs;        /* of the open runs */
-  vs_bvh bvh, busy_bvh;          /* over the open runs */
+  VS_LIST(reach) reaches;        /* ranges of the busy runs' coordinates */
+  vs_hubs around;                /* hubs of the mesh with rounded corners */
+  VS_LIST(uint32_t) hubs;        /* hub of each open run */
+  vs_bvh bvh, busy_bvh;          /* bvh: index of the open runs; busy_bvh: index of the busy ones */
   made found[VS_PIPELINE_WINDOW];
-  struct { VS_LIST(pair) at, folds; } met[VS_PIPELINE_WINDOW]; /* folds: see is_fold */
-  bool folds;                    /* some were found */
+  struct { VS_LIST(pair) at, folds; } met[VS_PIPELINE_WINDOW]; /* at: pairs that intersect; folds: pairs that are
+                                                                * folded, see is_fold */
+  bool folds;                    /* true if folds were found */
 } search;
 
 /* ---- pairs of triangles ---- */
@@ -132,7 +137,7 @@ static void load_exact(const vs_rounding *s, uint32_t t, sheet *to) {
   measure(to);
 }
 
-/* Returns true if b is on one side of a's plane, except for corners that are also a's. */
+/* Returns true if triangle b is on one side of a's plane, except for corners that both have. */
 static bool beside(const sheet *a, const sheet *b) {
   bool above = false, below = false;
   int unsure = 0;
@@ -158,10 +163,10 @@ static bool apart(const sheet *a, const sheet *b) {
 
 /* ---- runs ---- */
 
-/* longest edge and least height, squared */
+/* longest, height: squares of the longest edge and of the least height */
 typedef struct { vs_vec3 at[3], normal; vs_bounds box; double longest, height; bool low; } facet;
 
-/* Returns triangle t of the mesh, with the data for runs. */
+/* Returns triangle t of the mesh with the data for making runs. */
 static facet facet_of(const search *c, uint32_t t) {
   facet f;
   VS_ASSERT(t < c->s->m->triangle_count);
@@ -196,7 +201,7 @@ static vs_bvh_box box_of(const search *c, const vs_bounds *w) {
                    { (int32_t)high.x + more, (int32_t)high.y + more, (int32_t)high.z + more } };
 }
 
-/* The parts of a run while it grows; its corners, nearly all of them once. */
+/* A run that is being extended, with its normal and its corners, nearly all of them once. */
 typedef struct {
   run r;
   vs_vec3 normal;
@@ -226,8 +231,8 @@ static floats heights(const run *r, const corners *p) {
 
 static double coordinate(vs_vec3 p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
 
-/* Returns true if the run has corners on both sides of a storey, or off it by less than the margin. Else level runs are
- * apart from it. */
+/* Returns true if the run has corners on both sides of a storey, or closer to it than the margin. Otherwise it is apart
+ * from all level runs. */
 static bool is_busy(const search *c, const run *r, const vs_bounds *box, const corners *four) {
   const vs_rounding *s = c->s;
   if (r->is_low || r->is_changed) return true;
@@ -281,8 +286,8 @@ static bool end_run(vs_kernel *k, const search *c, made *to, making *g) {
   return VS_PUSH(k, kind->at, *r) && VS_PUSH(k, kind->boxes, box_of(c, b));
 }
 
-/* Returns true if the triangle was changed since the last search, or has a corner of one that met another then. Two
- * other triangles are unchanged since the test of all pairs and need no further test. */
+/* Returns true if the triangle was changed since the last search, or has a corner of a triangle that intersected
+ * another in that search. Two triangles for which this is false need no test again after the test of all pairs. */
 static bool is_anew(const vs_rounding *s, uint32_t t) {
   const uint32_t *v = s->m->triangles[t];
   return !s->searched || (s->changed.at[t] && !(s->changed.at[t] & VS_SEEN)) || s->near_met.at[v[0]] == 1 ||
@@ -372,7 +377,7 @@ static void drop_made(vs_kernel *k, made *m) {
 
 /* ---- pairs of runs ---- */
 
-static uint32_t bits(truths all) { /* bit i: lane i */
+static uint32_t bits(truths all) { /* sets bit i for lane i */
   uint64_t half[2];
   all &= (truths){ 1, 2, 4, 8 };
   memcpy(half, &all, sizeof half);
@@ -380,7 +385,7 @@ static uint32_t bits(truths all) { /* bit i: lane i */
   return (uint32_t)(half[0] | half[0] >> 32);
 }
 
-/* Returns the place of the corner in the run; NOT_ITS: the run does not have it. */
+/* Returns the index of the corner in the run, or NOT_ITS if the run does not have it. */
 static uint32_t place_of(const search *c, const run *r, uint32_t corner) {
   const corners *four = c->all.fours.at + r->first_four;
   for (uint32_t i = 0; i < 4u * r->fours; i++)
@@ -388,7 +393,7 @@ static uint32_t place_of(const search *c, const run *r, uint32_t corner) {
   return NOT_ITS;
 }
 
-static bool has_edge(const search *c, const run *r, uint32_t p, uint32_t q) { /* p, q: places */
+static bool has_edge(const search *c, const run *r, uint32_t p, uint32_t q) { /* p, q: indices of corners in the run */
   const uint8_t *place = c->all.places.at + r->first_place;
   for (uint32_t t = 0; t < r->count; t++, place += 3)
     if ((place[0] == p || place[1] == p || place[2] == p) && (place[0] == q || place[1] == q || place[2] == q))
@@ -396,11 +401,12 @@ static bool has_edge(const search *c, const run *r, uint32_t p, uint32_t q) { /*
   return false;
 }
 
-/* Returns true if b leaves an edge or corner that it shares with a by more than rounding may lift a corner, before a's
- * next triangle begins. Across a low triangle of a, b leaves it by little, and by less if it is not steep. */
+/* Returns true if run b moves away from the plane of a at each common edge or corner. At the end of a's next triangle,
+ * its distance must exceed the distance by which rounding may lift a corner. Across a low triangle of a, b moves away
+ * only a little, and even less if it is not steep. */
 static bool falls_away(const search *c, const run *a, const run *b) {
   float enough = STEEP * (float)c->s->coarsest * b->longest, least = INFINITY;
-  if (a->height * c->margin >= enough) return true; /* true for nearly all */
+  if (a->height * c->margin >= enough) return true; /* decides nearly all cases */
   const corners *four = c->all.fours.at + b->first_four;
   for (uint32_t i = 0; i < b->fours; i++) {
     floats h = heights(a, &four[i]);
@@ -412,10 +418,10 @@ static bool falls_away(const search *c, const run *a, const run *b) {
   return a->height * (least + c->margin) >= enough;
 }
 
-/* Returns true if b's corners are beyond a's slab, on one side, except for shared corners and edges between them. In a
- * level run's plane corners are allowed, since they stay there. */
+/* Returns true if b's corners are beyond a's slab on one side, except for shared corners and edges between these.
+ * Corners in the plane of a level run are allowed, because they stay in it. */
 static bool beyond(const search *c, const run *a, const run *b) {
-  uint32_t above = 0, below = 0, in[4 * FOURS]; /* in: for each of b's corners, its place in a */
+  uint32_t above = 0, below = 0, in[4 * FOURS]; /* in: for each corner of b, its index in a */
   uint64_t shared = 0;
   bool touches = false, slopes = false;
   const corners *four = c->all.fours.at + b->first_four;
@@ -449,7 +455,7 @@ static bool beyond(const search *c, const run *a, const run *b) {
   return true;
 }
 
-/* The part of a triangle that lies in a slab; its sheet is made on request. */
+/* The part of a triangle that lies in a slab. Its sheet is computed when needed. */
 typedef struct { float min[3], max[3]; sheet rounded; uint32_t triangle; bool made; } piece;
 
 static void add_place(piece *p, float x, float y, float z) {
@@ -460,7 +466,7 @@ static void add_place(piece *p, float x, float y, float z) {
   }
 }
 
-/* Adds the point where the edge from i to j crosses the height. */
+/* Adds the point where the edge from corner i to corner j crosses the height. */
 static void add_through(piece *p, const corners *four, const float *h, uint32_t i, uint32_t j, float height) {
   const corners *a = &four[i / 4], *b = &four[j / 4];
   uint32_t x = i % 4, y = j % 4;
@@ -470,7 +476,7 @@ static void add_through(piece *p, const corners *four, const float *h, uint32_t 
             a->z[x] + part * (b->z[y] - a->z[x]));
 }
 
-/* Computes the pieces of a run in another's slab. */
+/* Computes the pieces of run r in the slab of another run. Returns their number. */
 static uint32_t cut(const search *c, const run *r, const run *slab, piece *to) {
   const corners *four = c->all.fours.at + r->first_four;
   const uint8_t *place = c->all.places.at + r->first_place;
@@ -513,8 +519,8 @@ static const sheet *sheet_of(const search *c, piece *p) {
 
 typedef struct { vs_kernel *k; search *c; size_t at; const run *level; } looking;
 
-/* Returns true if the triangles share an edge, face each other, and are so near that rounding may turn them past each
- * other. The triangles beyond them then come to cross, and may face the same way. */
+/* Returns true if the triangles share an edge, face each other, and are so close that rounding may move one through the
+ * other. The triangles beyond them may then cross although they face the same way. */
 static bool is_fold(const search *c, const sheet *x, const sheet *y) {
   enum { UNITS = 16 };
   double along = vs_v3_dot(x->normal, y->normal), n = vs_v3_dot(x->normal, x->normal);
@@ -530,8 +536,8 @@ static bool is_fold(const search *c, const sheet *x, const sheet *y) {
   return shared == 2 && height * height < UNITS * c->s->coarsest * (UNITS * c->s->coarsest) * n;
 }
 
-/* Tests two triangles. The mended mesh shows if they touched before rounding: if triangles with changed corners do not
- * touch there, rounding is the cause. */
+/* Tests whether two triangles intersect after rounding, and records the pair. Also tests whether they touched before
+ * rounding, in the repaired mesh. If triangles with changed corners do not, rounding is the cause. */
 static bool try_triangles(looking *l, const sheet *x, const sheet *y) {
   const vs_rounding *s = l->c->s;
   if (is_fold(l->c, x, y) && !VS_PUSH(l->k, l->c->met[l->at].folds, ((pair){ x->triangle, y->triangle, false })))
@@ -543,9 +549,10 @@ static bool try_triangles(looking *l, const sheet *x, const sheet *y) {
   load_exact(s, x->triangle, &p);
   load_exact(s, y->triangle, &q);
   bool before = !apart(&p, &q) && (p.flat || q.flat || vs_triangles_meet(p.at, q.at) != VS_MEET_NOT);
-  if (before && meeting == VS_MEET_TOUCH && !vs_triangles_cross_level(x->at, y->at)) return true; /* touched before
+  if (before && meeting == VS_MEET_TOUCH && !vs_triangles_cross_level(x->at, y->at)) return true; /* the triangles
+                                                                                                   * touched before
                                                                                                    * rounding, and still
-                                                                                                   * only touches */
+                                                                                                   * only touch */
   return VS_PUSH(l->k, l->c->met[l->at].at, ((pair){ x->triangle, y->triangle, before }));
 }
 
@@ -594,8 +601,8 @@ static bool reach_of(vs_kernel *k, search *c, const run *r) {
   return VS_PUSH(k, c->reaches, to);
 }
 
-/* Returns true if this storey makes the run busy. A run that is busy only by others is apart from the runs in this one
- * (see is_busy). */
+/* Returns true if the storey at `value` makes the run busy. If only other storeys do, the run is apart from the runs in
+ * this storey (see is_busy). */
 static bool is_busy_at(const search *c, const reach *r, int axis, double value) {
   double low = r->low[axis], high = r->high[axis];
   if (r->any) return true;
@@ -611,7 +618,8 @@ static bool look_level(void *context, uint32_t busy) {
   return look_pair(l, l->level, &l->c->all.kinds[OPEN].at.at[l->c->busy.at[busy]]);
 }
 
-/* Marks the triangles that contraction may change: at corners of those that meet, and two triangles further. */
+/* Marks the triangles that contraction may change: those at corners of intersecting triangles, and two more triangles
+ * in every direction. Returns false if interrupted. */
 static bool mark_around(vs_rounding *s) {
   for (uint8_t ring = 1; ring <= 2; ring++)
     for (size_t t = 0; t < s->m->triangle_count; t++) {
@@ -627,7 +635,7 @@ static bool mark_around(vs_rounding *s) {
 
 enum { BLOCKS = 256, QUERIES = 1024 };
 
-/* First the pairs of open runs, then level runs with busy ones. */
+/* Tasks with low numbers test pairs of open runs, the others level runs against busy ones. */
 static size_t open_tasks(const search *c) { return ((size_t)vs_bvh_blocks(&c->bvh) + BLOCKS - 1) / BLOCKS; }
 
 static bool look(vs_kernel *k, void *context, size_t index) {
@@ -671,7 +679,8 @@ static bool take(vs_kernel *k, void *context, size_t index) {
   return true;
 }
 
-/* Counts triangles that have no area after rounding: they lie on others' edges. Low ones are runs by themselves. */
+/* Counts triangles that have no area after rounding, because they lie on edges of others. Low triangles are runs of
+ * their own. */
 static bool count_flat(vs_kernel *k, const search *c) {
   const runs *open = &c->all.kinds[OPEN];
   for (size_t i = 0; i < open->at.count; i++) {
@@ -688,7 +697,7 @@ static bool count_flat(vs_kernel *k, const search *c) {
 static vs_vec3 rounded_corner(const void *state, uint32_t vertex) { return vs_rounding_corner(state, vertex); }
 
 static bool count_met(vs_rounding *s, vs_rounded *out, bool *folds) {
-  enum { LOW = 4 /* twice as many units */, MARGIN = 128 };
+  enum { LOW = 4 /* triangles with a height below 2 * LOW units are low */, MARGIN = 128 };
   vs_kernel *k = s->k;
   vs_vec3 size = vs_v3_sub(s->bounds.max, s->bounds.min);
   double extent = fmax(fmax(size.x, fmax(size.y, size.z)), 4 * s->coarsest);
@@ -736,7 +745,8 @@ static bool count_met(vs_rounding *s, vs_rounded *out, bool *folds) {
   return ok;
 }
 
-/* Marks the triangles around folds as suspect. *any: some had not been marked. */
+/* Marks the triangles around folds as suspect. *any: true if one of them had not been marked before. Returns false if
+ * interrupted. */
 static bool suspect_folds(vs_rounding *s, bool *any) {
   *any = false;
   for (size_t t = 0; t < s->m->triangle_count; t++) {

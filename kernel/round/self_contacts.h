@@ -1,11 +1,11 @@
-/* Declares the functions of self_contacts.c: the search for triangles that rounding has made meet, anywhere in the
- * mesh. */
+/* Declares the search for triangles that intersect because of rounding. */
 #ifndef VS_KERNEL_ROUND_SELF_CONTACTS_H
 #define VS_KERNEL_ROUND_SELF_CONTACTS_H
 
 #include "kernel/round/rounding_state.h"
 
-/* Counts the triangles that intersect another triangle after rounding; each is counted once. */
+/* Counts the triangles that intersect another triangle after rounding, each once, in out->met. Returns false when
+ * memory is out or the caller interrupts. */
 bool vs_rounding_count_met(vs_rounding *s, vs_rounded *out);
 
 #endif

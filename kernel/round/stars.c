@@ -1,15 +1,15 @@
-/* Implements the shells that need no search for self-contacts (stars.h).
+/* Finds the shells that need no search for self-contacts (stars.h).
  *
- * From a point c off a closed shell, the number of triangles in a direction, counted negatively if seen from their
- * outer side, is the same for all directions. If c sees every triangle from its inner side, and one of them in some
- * direction, it sees one in every direction. No two triangles then have more in common than corners and edges: the
- * shell is a star, and does not meet itself. The test uses its rounded corners, with c in the middle of their box; most
- * separate parts of models are convex, and stars as seen from there. If the boxes of two shells are further apart than
- * the margin, their triangles do not meet.
+ * Let c be a point that is not on a closed shell. Count the triangles in one direction from c, negatively if seen from
+ * their outer side. This number is the same in all directions. If c sees every triangle from its inner side, and
+ * exactly one triangle in some direction, it sees one in every direction. Then no two triangles share more than corners
+ * and edges: the shell is a star and does not intersect itself. The test uses the rounded corners, with c in the middle
+ * of their box. Most separate parts of models are convex, and stars from there. If the boxes of two shells are further
+ * apart than the margin, their triangles do not touch.
  *
- * A shell is closed if each edge has as many uses one way as the other. Each edge has a pseudorandom number of 64 bits.
- * The sum over the uses one way less the sum over the uses the other way is 0 for closed shells, and for others once in
- * 2^64. */
+ * A shell is closed if each edge is used as often in one direction as in the other. Each edge has a pseudorandom number
+ * of 64 bits, which is added for uses in one direction and subtracted for the others. The sum is 0 for closed shells,
+ * and for others with a probability of 2^-64. */
 #include "kernel/round/stars.h"
 
 #include <math.h>
@@ -17,18 +17,23 @@
 #include "kernel/mesh/bvh.h"
 
 typedef struct {
-  vs_vec3 middle, way; /* middle: of its box; way: from the middle towards one of its triangles */
+  vs_vec3 middle, way; /* middle: middle of the shell's box; way: direction from the middle to one of its triangles */
   vs_bounds box;
   uint32_t seen;       /* number of triangles in that direction */
-  uint64_t edges;      /* the signed sum of the edges' numbers */
+  uint64_t edges;      /* signed sum of the numbers of all edges */
   double least;        /* a volume that exceeds rounding errors */
   bool is_star, has_way;
 } star;
 
-static double volume(vs_vec3 a, vs_vec3 b, vs_vec3 c) { return vs_v3_dot(vs_v3_cross(a, b), c); } /* six times the
-                                                                                                   * volume */
+static double volume(vs_vec3 a, vs_vec3 b, vs_vec3 c) { return vs_v3_dot(vs_v3_cross(a, b), c); } /* returns six
+                                                                                                   * times the volume
+                                                                                                   * of the
+                                                                                                   * tetrahedron of
+                                                                                                   * a, b, c and the
+                                                                                                   * origin */
 
-static uint64_t number_of(uint32_t from, uint32_t to) { /* the finalizer of splitmix64 */
+static uint64_t number_of(uint32_t from, uint32_t to) { /* returns the pseudorandom number of an edge: the finalizer of
+                                                         * splitmix64 */
   uint64_t x = (from < to ? (uint64_t)from << 32 | to : (uint64_t)to << 32 | from) + UINT64_C(0x9e3779b97f4a7c15);
   x = (x ^ x >> 30) * UINT64_C(0xbf58476d1ce4e5b9);
   x = (x ^ x >> 27) * UINT64_C(0x94d049bb133111eb);
@@ -38,15 +43,16 @@ static uint64_t number_of(uint32_t from, uint32_t to) { /* the finalizer of spli
 
 typedef struct { star *all; uint32_t one; } asking;
 
-static bool stands_alone(void *context, uint32_t other) { /* returns false, to stop, at the first other shell */
+static bool stands_alone(void *context, uint32_t other) { /* returns false, which ends the search, at the first other
+                                                           * shell */
   asking *a = context;
   if (other == a->one) return true;
   a->all[a->one].is_star = a->all[other].is_star = false;
   return false;
 }
 
-/* Returns true if the shell's triangle is seen from its inner side, and certainly covers the way or certainly does
- * not. */
+/* Returns true if the triangle is seen from its inner side, and rounding errors cannot affect whether it covers the
+ * direction of->way. */
 static bool fits(star *of, vs_vec3 p, vs_vec3 q, vs_vec3 r) {
   vs_vec3 a = vs_v3_sub(p, of->middle), b = vs_v3_sub(q, of->middle), c = vs_v3_sub(r, of->middle);
   if (!(volume(a, b, c) > of->least)) return false;
@@ -62,7 +68,8 @@ static bool fits(star *of, vs_vec3 p, vs_vec3 q, vs_vec3 r) {
   return x > of->least && y > of->least && z > of->least;
 }
 
-/* Boxes further apart than the margin do not touch in the index's integers. */
+/* Excludes shells whose boxes are closer than the margin to another shell's box. Boxes further apart do not touch in
+ * the index's integer coordinates. */
 static bool part(vs_rounding *s, star *all, uint32_t count, double margin) {
   VS_LIST(vs_bvh_box) boxes = { 0 };
   vs_bvh bvh = { 0 };
@@ -107,8 +114,8 @@ bool vs_rounding_find_alone(vs_rounding *s, double margin) {
     vs_vec3 c = vs_v3_scale(vs_v3_add(of->box.min, of->box.max), 0.5);
     double size = vs_bounds_diagonal(&of->box) + 2 * s->coarsest,
            reach = fmax(vs_rounding_reach(of->box.min), vs_rounding_reach(of->box.max)) + s->coarsest;
-    of->middle = vs_v3(vs_single(c.x), vs_single(c.y), vs_single(c.z)); /* the difference of a corner from it is nearly
-                                                                         * exact */
+    of->middle = vs_v3(vs_single(c.x), vs_single(c.y), vs_single(c.z)); /* the middle is rounded to 32 bits, so that
+                                                                         * differences from corners are nearly exact */
     of->least = size * size * (1e-14 * size + 0x1p-50 * reach);
   }
   for (size_t t = 0; ok && t < m->triangle_count; t++) {

@@ -1,12 +1,13 @@
-/* Implements the search for places where the exact surface touches itself (touching.h).
+/* Finds places where the exact surface touches itself (touching.h).
  *
- * Sheets that face the same way are not tested against each other (self_contacts.c), since there is another sheet
- * between them, unless the surface meets itself. It does so where two corners have one position: the sheet between two
- * others may end there, and rounding the corners around it tilts thin triangles of these two into each other.
+ * Sheets that face the same way are not tested against each other (self_contacts.c), because another sheet is between
+ * them. This is not so where the surface touches itself, at a position that two corners share. The sheet between two
+ * others may end there. Rounding of the corners around this place may then tilt thin triangles of these two into each
+ * other.
  *
- * Triangles of a storey stay in it unchanged when their corners are rounded. But the corners are already doubles, and
- * two planes whose corners differ by less than doubles can represent are one here. Where a thin wedge was between them,
- * a triangle lies on another one that faces it, and the two share the position of a corner. */
+ * Triangles of a storey stay in it when their corners are rounded. But the corners are doubles, and two planes may have
+ * become one if they differed by less than doubles can represent. If a thin wedge was between such planes, a triangle
+ * now lies on another triangle that faces it, and they share the position of a corner. */
 #include "kernel/round/touching.h"
 
 #include <stdlib.h>
@@ -16,7 +17,7 @@
 
 static uint64_t place_hash(vs_vec3 p) {
   uint64_t bits[3], h = 0;
-  vs_vec3 q = vs_v3(p.x + 0.0, p.y + 0.0, p.z + 0.0); /* -0 is 0 */
+  vs_vec3 q = vs_v3(p.x + 0.0, p.y + 0.0, p.z + 0.0); /* adding 0 converts -0 to 0 */
   memcpy(bits, &q, sizeof bits);
   for (int i = 0; i < 3; i++) h = (h ^ bits[i]) * 0x9e3779b97f4a7c15u, h ^= h >> 32;
   return h;
@@ -24,8 +25,8 @@ static uint64_t place_hash(vs_vec3 p) {
 
 enum { NOT_LEVEL = 3 };
 
-/* Returns the axis across which the triangle lies, in a storey or not, or NOT_LEVEL; *up: its normal points along
- * it. */
+/* Returns the axis to which triangle t is perpendicular, in a storey or not, or NOT_LEVEL. *up: true if its normal
+ * points along the axis. */
 static int across(const vs_mesh *m, uint32_t t, bool *up) {
   const uint32_t *v = m->triangles[t];
   vs_vec3 a = m->vertices[v[0]], b = m->vertices[v[1]], c = m->vertices[v[2]];
@@ -40,7 +41,7 @@ static int across(const vs_mesh *m, uint32_t t, bool *up) {
   return axis;
 }
 
-/* Returns true if a triangle across that axis (0, 1 or 2) lies in a storey. */
+/* Returns true if a triangle perpendicular to the axis (0, 1 or 2) lies in a storey. */
 static bool in_storey(const vs_rounding *s, uint32_t t, int axis) {
   vs_vec3 a = s->m->vertices[s->m->triangles[t][0]];
   double value = axis == 0 ? a.x : axis == 1 ? a.y : a.z;
@@ -55,11 +56,11 @@ static bool is_level(const vs_rounding *s, uint32_t t) {
   return axis != NOT_LEVEL && in_storey(s, t, axis);
 }
 
-/* A triangle of a storey, at a place where such triangles face both ways. */
+/* A corner of a triangle in a storey, at a place where such triangles face both ways. */
 typedef struct {
-  uint32_t place, triangle; /* the place: the first of the corners there */
+  uint32_t place, triangle; /* place: the first vertex at that position */
   uint8_t axis;
-  bool up;                  /* its normal points along the axis */
+  bool up;                  /* true if the triangle's normal points along the axis */
 } level_corner;
 
 static int by_place(const void *a, const void *b) {
@@ -77,8 +78,8 @@ static bool overlap(const vs_rounding *s, uint32_t t, uint32_t u) {
   return !vs_triangle_is_flat(a) && !vs_triangle_is_flat(b) && vs_triangles_meet(a, b) == VS_MEET_CROSS;
 }
 
-/* Tests the storeys' triangles around one place, which all lie in one plane; those that face down come first. If there
- * are very many, it marks them without a test. */
+/* Tests the triangles of one storey around one place, first those that face down. If there are very many, marks them
+ * without a test. Returns false if interrupted. */
 static bool look_around(vs_rounding *s, const level_corner *at, size_t count) {
   enum { MANY = 1 << 12 };
   size_t down = 0;
@@ -88,15 +89,15 @@ static bool look_around(vs_rounding *s, const level_corner *at, size_t count) {
       if (down * (count - down) <= MANY && !overlap(s, at[i].triangle, at[j].triangle)) continue;
       s->changed.at[at[i].triangle] = s->changed.at[at[j].triangle] = VS_SUSPECT;
       if (!vs_kernel_poll(s->k, 1)) return false;
-      if (down * (count - down) > MANY && i) break; /* all triangles that face up are marked */
+      if (down * (count - down) > MANY && i) break; /* all triangles that face up are already marked */
     }
   return true;
 }
 
 static uint32_t place_of(const uint32_t *place, uint32_t v) { return place[v] == UINT32_MAX ? v : place[v]; }
 
-/* Records for each place the directions of the triangles across the axes, two bits for each axis. *mixed: at some place
- * they face both ways along an axis, which is rare. */
+/* For each place, records the directions of the triangles that are perpendicular to an axis, two bits for each axis.
+ * *mixed: true if at some place they face both ways along an axis, which is rare. Returns false if interrupted. */
 static bool look_ways(vs_rounding *s, const uint32_t *place, uint8_t *ways, bool *mixed) {
   for (uint32_t t = 0; t < s->m->triangle_count; t++) {
     bool up;
@@ -111,8 +112,8 @@ static bool look_ways(vs_rounding *s, const uint32_t *place, uint8_t *ways, bool
   return true;
 }
 
-/* Marks triangles of one storey that overlap and face each other, beside a place that both have: two planes that became
- * one when their corners were rounded to doubles. */
+/* Marks pairs of triangles of one storey that overlap, face each other and share a position. They were in two planes
+ * that became one when their corners were rounded to doubles. Returns false on failure. */
 static bool suspect_folds(vs_rounding *s, const uint32_t *place) {
   VS_LIST(level_corner) all = { 0 };
   VS_LIST(uint8_t) ways = { 0 };
@@ -142,8 +143,8 @@ static bool suspect_folds(vs_rounding *s, const uint32_t *place) {
 
 bool vs_rounding_suspect_touching(vs_rounding *s) {
   const vs_mesh *m = s->m;
-  VS_LIST(uint32_t) slots = { 0 }; /* a vertex plus 1, by its place; 0: free */
-  VS_LIST(uint32_t) places = { 0 }; /* for each vertex: the first vertex at its place, if there are several */
+  VS_LIST(uint32_t) slots = { 0 }; /* hash table of positions: number of a vertex plus 1; 0: free */
+  VS_LIST(uint32_t) places = { 0 }; /* for each vertex: the first vertex at its position, if there are several */
   size_t size = 16, any = 0;
   while (size < 2 * m->vertex_count) size *= 2;
   bool ok = VS_ROOM(s->k, slots.at, slots.room, size) && VS_ROOM(s->k, places.at, places.room, m->vertex_count + 1);
