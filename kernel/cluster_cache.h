@@ -25,8 +25,8 @@ bool vs_remember_key(vs_kernel *k, vs_remember *r, vs_copies *c, vs_group leaves
 /* Appends the cached cluster with the current key, with its tags, to out. Sets *found to false if the cache does not
  * contain it. Returns false when memory is out. */
 bool vs_remember_find(vs_kernel *k, vs_remember *r, vs_mesh *out, bool *found);
-/* Stores a cluster under the current key: the triangles of out from first_triangle on, and its vertices from
- * first_vertex on. Returns false when memory is out. */
+/* Stores a cluster under the current key: the triangles of out beginning with index first_triangle, and its vertices
+ * beginning with first_vertex. Returns false when memory is out. */
 bool vs_remember_keep(vs_kernel *k, vs_remember *r, const vs_mesh *out, size_t first_vertex, size_t first_triangle);
 void vs_remember_free(vs_kernel *k, vs_remember *r);
 

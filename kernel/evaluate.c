@@ -36,8 +36,7 @@ static bool join(void *parent, uint32_t a, uint32_t b) {
 static double least(const vs_bounds *b, int axis) { return axis == 0 ? b->min.x : axis == 1 ? b->min.y : b->min.z; }
 static double most(const vs_bounds *b, int axis) { return axis == 0 ? b->max.x : axis == 1 ? b->max.y : b->max.z; }
 
-enum { SERIAL = 10000 /* fewer triangles or corners are processed in one thread */, LEAVES = 16 /* number of leaves that one
-                                                                                             * task processes */ };
+enum { SERIAL = 10000 /* fewer corners are processed in one thread */, LEAVES = 16 /* number of leaves in a task */ };
 
 typedef struct { const vs_kernel_problem *problem; vs_bounds *bounds; } bounding;
 
@@ -299,8 +298,8 @@ static bool find_gate(vs_kernel *k, whole *w, const vs_bounds *leaves) {
 /* Returns true if the cluster extends beyond the bounds of the gates. */
 static bool gate_cuts(const whole *w, vs_group leaves) {
   if (!w->expression.gate_count) return false;
-  if (w->problem->within) return true; /* p->within restricts the leaves' bounds to the gates' bounds, so they cannot
-                                        * show it */
+  if (w->problem->within) return true; /* the leaves' bounds were already reduced to the gates' bounds, so a comparison
+                                        * would not show it */
   vs_bounds all = w->gate;
   for (uint32_t i = 0; i < leaves.count; i++) vs_bounds_unite(&all, &w->bounds[leaves.at[i]]);
   return memcmp(&all, &w->gate, sizeof all) != 0;

@@ -1,5 +1,5 @@
-/* Declares, for use in geometry/ alone, curves as paths: sampled points with the directions in which the curve arrives and
- * leaves. */
+/* Declares, for use in geometry/ alone, curves as paths: sampled points with the directions in which the curve arrives
+ * and leaves. */
 #ifndef VS_GEOMETRY_PLANE_CURVE_H
 #define VS_GEOMETRY_PLANE_CURVE_H
 

@@ -1,7 +1,7 @@
 /* Joins open curves.
  *
- * A chain begins with the first unused curve. At its end, and then at its start, the first unused curve with an end
- * there is added, and so on. The time is quadratic in the number of curves. */
+ * A chain begins with the first unused curve. The first unused curve with an end at the chain's end is added
+ * repeatedly, and then likewise at the chain's start. The time is quadratic in the number of curves. */
 #include "geometry/plane/join.h"
 
 #include <stdlib.h>

@@ -5,7 +5,7 @@
  * one side; hand +1 is the left of travel. Its far side is at the distance d. n1 and n2 are the normals of two
  * neighbouring edges towards that side. The far side goes through
  *   b + d n1, b + d n2           at a corner that opens on that side, with the corner's join between them;
- *   b + d (n1 + n2)/(1 + n1.n2)  at a corner that closes, if the edges are long enough for their far sides to intersect.
+ *   b + d (n1 + n2)/(1 + n1.n2)  at a corner that closes, if the edges are long enough for the far sides to intersect.
  * A strip ends at edges that are too short, and before it has turned by more than a right angle. Therefore no strip
  * crosses itself. The offset of an open line is the border of the union of its strips, without the line itself and the
  * ends. */

@@ -1,13 +1,14 @@
-/* Declares searches for points in a triangle or a box. Each point can be switched on and off; searches only find points
- * that are on. */
+/* Declares searches for points in a triangle or a box. Each point can be switched on and off; searches ignore points
+ * that are off. */
 #ifndef VS_GEOMETRY_PLANE_POINT_TREE_H
 #define VS_GEOMETRY_PLANE_POINT_TREE_H
 
 #include "geometry/plane/ear_clipping.h"
 
-/* Points in the order of a space-filling curve, in leaves of POINT_TREE_LEAF points, below a binary tree of boxes. Each
- * box counts its points that are on. The construction takes n log n steps, and switching a point takes as many steps as
- * the tree is high. A search visits only boxes that have points that are on and intersect the triangle. */
+/* Points in the order of a space-filling curve, in leaves of POINT_TREE_LEAF points, below a binary tree of boxes. The
+ * member `on` of a box is its number of points that are not off. The construction takes n log n steps, and switching a
+ * point takes as many steps as the tree is high. A search visits only boxes that intersect the triangle and have such
+ * points. */
 typedef struct { double min_x, min_y, max_x, max_y; size_t on; } vs_point_box;
 typedef struct {
   const vs_vec2 *at;   /* positions, which belong to the caller; item i has the position at[point[i]] */

@@ -231,7 +231,7 @@ bool vs_solid_polyface_merged(vs_mesh *out, const vs_points *points, const vs_fa
       normal = vs_v3_add(
           normal, vs_v3_cross(vs_v3_sub(out->vertices[ring[i]], o), vs_v3_sub(out->vertices[ring[(i + 1) % n]], o)));
     if (n == 4) { /* divides a quadrilateral along the diagonal from its first corner, or along the other one if it is
-                   * concave at the first or third corner */
+                   * concave at the second or fourth corner */
       vs_vec3 a = vs_v3_sub(out->vertices[ring[1]], o), b = vs_v3_sub(out->vertices[ring[2]], o),
               c = vs_v3_sub(out->vertices[ring[3]], o);
       bool convex = vs_v3_dot(vs_v3_cross(a, b), normal) > 0 && vs_v3_dot(vs_v3_cross(b, c), normal) > 0;

@@ -53,8 +53,8 @@ static size_t bits(uint32_t format) {
   return count;
 }
 
-/* Returns the member XAdvance of a value record, or 0. Each bit of the format states whether a member exists:
- * XPlacement, YPlacement, XAdvance and so on. */
+/* Returns the member XAdvance of a value record, or 0. Each bit of the format states whether a member exists. The first
+ * members are XPlacement, YPlacement and XAdvance. */
 static int32_t advance(const table *t, size_t record, uint32_t format) {
   return format & 4 ? s16(t, record + 2 * bits(format & 3)) : 0;
 }

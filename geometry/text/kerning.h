@@ -1,5 +1,5 @@
-/* Declares, for use in geometry/ alone, kerning from OpenType fonts: pairs in the table GPOS. (FreeType reads the older table
- * kern.) */
+/* Declares, for use in geometry/ alone, kerning from OpenType fonts: pairs in the table GPOS. (FreeType reads the older
+ * table kern.) */
 #ifndef VS_GEOMETRY_TEXT_KERNING_H
 #define VS_GEOMETRY_TEXT_KERNING_H
 

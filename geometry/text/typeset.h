@@ -10,7 +10,7 @@
 #include "geometry/plane/outline.h"
 #include "geometry/tolerance.h"
 
-typedef struct { const vs_glyph *glyph; double x, y; /* x, y: position of the glyph's origin in model units */ } vs_text_glyph;
+typedef struct { const vs_glyph *glyph; double x, y; /* x, y: its origin in model units */ } vs_text_glyph;
 typedef struct {
   vs_text_glyph *at; /* the glyphs that have ink */
   size_t count, room;

@@ -29,7 +29,7 @@
 #include "kernel/threads.h"
 #include "model/store/array.h"
 
-enum { ROUNDS = 3, PASSES = 3 /* ROUNDS: greatest number of rounds; PASSES: passes of flips in a round */, CONTRACTIONS = 8 };
+enum { ROUNDS = 3, PASSES = 3 /* PASSES: number of passes of flips in a round */, CONTRACTIONS = 8 };
 
 typedef vs_rounding rounding;
 

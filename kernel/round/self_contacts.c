@@ -23,10 +23,10 @@
  * there. A corner that was near a level run's plane may now lie in it, in the middle of the run. In such a mesh, a
  * corner in a level run's plane is tested like any other.
  *
- * The first index contains the boxes of the open runs. A second contains the open runs that a storey may touch or cross, for
- * the level runs. Two runs are apart if the corners of one lie on one side beyond the other's slab, except for shared
- * corners. Otherwise, the pieces of each run in the other's slab are compared: by their boxes, and then triangle by
- * triangle by boxes and planes. triangles_apart.c decides the remaining pairs. */
+ * The first index contains the boxes of the open runs. A second contains the open runs that a storey may touch or
+ * cross, for the level runs. Two runs are apart if the corners of one lie on one side beyond the other's slab,
+ * except for shared corners. Otherwise, the pieces of each run in the other's slab are compared: by their boxes, and
+ * then triangle by triangle by boxes and planes. triangles_apart.c decides the remaining pairs. */
 #include "kernel/round/self_contacts.h"
 
 #include "kernel/mesh/triangles_apart.h"
