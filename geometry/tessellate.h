@@ -7,9 +7,10 @@
 #include "model/mesh.h"
 #include "model/node.h"
 
-/* Appends the triangles of a solid or surface, in the node's own coordinates, to out. n must not be an operation such
- * as a boolean, which the kernel meshes: its kind has a level up to SWEPT in prims.def, or is TRANSFORM, MATERIAL or
- * LAYER above such a kind. The mesh of a solid is closed and oriented. Does not recurse along chains of placements. */
+/* Appends the triangles of a solid or surface, in the node's own coordinates, to out. The node must not be an
+ * operation such as a boolean, which the kernel meshes. Its kind has a level up to SWEPT in prims.def, or is
+ * TRANSFORM, MATERIAL or LAYER above such a kind. The mesh of a solid is closed and oriented. Does not recurse along
+ * chains of placements. */
 bool vs_tessellate(const vs_node *n, const vs_fineness *f, vs_mesh *out, vs_error *e);
 
 /* ---- sweeps, and pipes along a curve; the functions follow placements ---- */

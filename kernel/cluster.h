@@ -112,8 +112,8 @@ typedef struct {
   vs_bvh_box box;         /* bounding box in steps */
   vs_affine to_local; /* map from steps to the coordinates of its part; set for lids only */
   double margin;      /* length of two steps in the part's coordinates */
-  double middle[3];   /* the part's middle, in steps; well_inside and outside are squared distances from it */
-  double well_inside, outside; /* a place closer than sqrt(well_inside) less the margin is well inside; a place further
+  double middle[3];   /* the part's middle, in steps; the next two members are squared distances from it */
+  double well_inside, outside; /* a place closer than sqrt(well_inside) is more than two steps inside; a place further
                                 * than sqrt(outside) is outside. They are -1 and infinity if the placement is not a
                                 * similarity */
   bool lid;           /* true if the leaf is convex and the space inside it is settled */

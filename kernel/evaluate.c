@@ -62,9 +62,9 @@ static bool bound_leaves(vs_kernel *k, const vs_kernel_problem *p, vs_bounds *bo
   return ok;
 }
 
-/* Divides the leaves into clusters. bounds[i]: bounds of leaf i; the function reduces them to the region where the leaf
- * matters. order: receives the leaves that have triangles, sorted by cluster. parent[i]: receives the cluster of leaf
- * order[i]. *count: length of order. */
+/* Divides the leaves into clusters. On input, bounds[i] are the bounds of leaf i; the function reduces them to the
+ * region where the leaf matters. `order` receives the leaves that have triangles, sorted by cluster. parent[i] receives
+ * the cluster of leaf order[i]. *count becomes the length of order. */
 static bool find_clusters(vs_kernel *k, const vs_kernel_problem *p, vs_bounds *bounds, uint32_t *parent,
                           uint32_t *order, uint32_t *count) {
   vs_bvh_box *boxes = NULL;

@@ -45,9 +45,9 @@ static bool collect(vs_kernel *k, const vs_kernel_problem *p, building *b, vs_ex
   return true;
 }
 
-/* Finds the leaves and terms that determine the result on their own: an operand of a union when it is true, an operand
- * of an intersection when it is false, and operands of such operands likewise. A leaf that is the only term is not
- * included. */
+/* Finds the leaves and terms that determine the result on their own. These are operands of a union, when they are true,
+ * and operands of an intersection, when they are false. Operands of such operands follow in the same way. A leaf that
+ * is the only term is not included. */
 static bool find_forces(vs_kernel *k, vs_expression *e, const vs_kernel_problem *p, const uint8_t *live) {
   enum { IF_TRUE = 1, IF_FALSE = 2 };
   VS_LIST(uint8_t) flag = { 0 };

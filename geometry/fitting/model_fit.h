@@ -64,9 +64,9 @@ typedef enum {
 typedef enum {
   VS_FIT_DOUBT_NONE,
   VS_FIT_DOUBT_FAR,    /* half of the points lie far from the model */
-  VS_FIT_DOUBT_TILTED, /* the model lies on its side, or upside down, without any_pose */
+  VS_FIT_DOUBT_TILTED, /* the fitted model lies on its side or upside down, although any_pose is false */
   VS_FIT_DOUBT_STRAYS, /* more than a fifth of the points are outliers */
-  VS_FIT_DOUBT_SHAPE,  /* neighbouring points lie on the same side */
+  VS_FIT_DOUBT_SHAPE,  /* the distances of neighbouring points are correlated, so the model has another shape */
   VS_FIT_DOUBT_RIVAL   /* another start led to an equally good fit with another shape */
 } vs_fit_doubt;
 

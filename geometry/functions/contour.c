@@ -54,8 +54,7 @@ typedef struct {
 } crossing;
 
 typedef struct {
-  const vs_tape *t; /* the tape whose value is that of the function or the distance to the box's inside, whichever is
-                     * larger */
+  const vs_tape *t; /* a tape whose value is the larger of the function and the distance to the box's inside */
   vs_sampler *values, *slopes;
   double origin[3], size;
   int32_t n[3]; /* number of cells along each axis */

@@ -168,7 +168,7 @@ vs_enclosure vs_enclose(vs_tape_operator op, vs_enclosure a, vs_enclosure b, vs_
     if (b.low != b.low) return c.partial = true, c;
     if (c.low != c.low) return b.partial = true, b;
     return (vs_enclosure){ least(b.low, c.low), most(b.high, c.high), a.partial || b.partial || c.partial };
-  case VS_TAPE_FIELD: /* vs_enclose_tape handles it */
+  case VS_TAPE_FIELD: /* vs_enclose_tape handles fields */
   case VS_TAPE_CONSTANT:
   case VS_TAPE_INPUT:
   case VS_TAPE_OPERATORS: break;

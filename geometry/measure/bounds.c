@@ -401,7 +401,7 @@ static bool bounds_of(vs_bounds_memo *m, const vs_node *n, vs_bounds children, v
   return true;
 }
 
-typedef struct { vs_ref ref; uint32_t next; vs_bounds children; /* of the children before `next` */ } vs_bounds_step;
+typedef struct { vs_ref ref; uint32_t next; vs_bounds children; /* bounds of children before next */ } vs_bounds_step;
 
 bool vs_bounds_memo_get(vs_bounds_memo *m, const vs_node *n, vs_bounds *out, vs_error *e) {
   vs_store *s = m->places.store;

@@ -129,9 +129,9 @@ static void agx(const double in[3], double out[3]) {
 
 /* ---- conversion of a picture ---- */
 
-/* A table for sRGB bytes by IEC 61966-2-1, which avoids a power function for each pixel. at[i]: least light for which
- * byte i is the nearest. first[k]: byte from which the search begins for part k of the range, which has COARSE equal
- * parts. */
+/* A table for sRGB bytes by IEC 61966-2-1, which avoids a power function for each pixel. at[i] is the least light for
+ * which byte i is the nearest. The range has COARSE equal parts. The search for the byte in part k begins with
+ * first[k]. */
 enum { COARSE = 4096 };
 typedef struct { double at[256]; unsigned char first[COARSE + 1]; } screen_steps;
 

@@ -45,7 +45,7 @@ typedef struct {
   size_t *points;    /* points[i]: the point of corner i */
   vs_point_tree tree; /* tree of the corners; reflex corners in the ring are switched on */
   vs_marks open;     /* positions along the ring of corners that may be ears */
-  size_t *idle;      /* corners that are cut at once */
+  size_t *idle;      /* corners that are to be cut at once */
   size_t idle_count;
   double flat; /* a triangle counts as empty if twice its area is below this */
   double blur; /* a line passes through a corner if it is closer than this */

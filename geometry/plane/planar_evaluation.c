@@ -23,8 +23,8 @@ typedef struct {
   const vs_ref *ref;
   uint32_t next;       /* index of the next child to evaluate */
   size_t first;        /* index of the value of its first child */
-  vs_affine map;       /* map of its children */
-  vs_affine after;     /* for an offset: map of its result */
+  vs_affine map;       /* map for its children */
+  vs_affine after;     /* for an offset: map that is applied to its result */
   vs_fineness facets;
 } vs_flat_frame;
 

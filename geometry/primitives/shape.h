@@ -22,8 +22,8 @@ typedef struct {
   /* Sets volume, area and centroid in m, whose member `known` is true. Sets `known` to false if there is no formula. If
    * `area` is false, the area may be set to 0. Returns false on failure. */
   bool (*measure)(const vs_node *n, bool area, vs_measure *m, vs_error *e);
-  /* Returns true if p is inside n or on its surface. p lies in the bounds of n. q: p in the axis's frame, whose top is
-   * at z = height; p itself if the kind has no axis. */
+  /* Returns true if p is inside n or on its surface. The point p lies in the bounds of n. q is p in the axis's frame,
+   * whose top is at z = height. If the kind has no axis, q equals p. */
   bool (*holds)(const vs_node *n, vs_vec3 p, vs_vec3 q, double height);
   /* Returns n mapped by a, as a node of the same kind in store s. Returns NULL and sets *fits to false if the result is
    * not of this kind. Returns NULL with *fits true when memory is out. */

@@ -4,9 +4,9 @@
 
 #include "geometry/profiles/swept.h"
 
-/* Returns true if a part of the profile goes backwards from section `step` to the next section. at: points of all
- * sections, one section after another; if the sweep is joined, those of the first section again at the end. size: of
- * the whole sweep. The x and y of a section are right-handed about the path's direction. */
+/* Returns true if a part of the profile goes backwards from section `step` to the next section. `at` contains the
+ * points of all sections, one section after another. If the sweep is joined, those of the first section follow again.
+ * `size` is that of the whole sweep. The x and y of a section are right-handed about the path's direction. */
 bool vs_overturns(const vs_swept *s, const vs_vec3 *at, size_t step, double size);
 
 /* Divides steps with backwards parts into as many steps as the tolerance requires. Within such a step, tetrahedra

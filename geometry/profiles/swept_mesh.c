@@ -7,8 +7,9 @@
 #include "geometry/profiles/overturn.h"
 #include "model/store/array.h"
 
-/* at: points of all sections, one section after another, and those of the first again; turns[i]: true if a part of the
- * profile goes backwards from section i to the next; numbers: memory for the vertices of the points. */
+/* `at` contains the points of all sections, one section after another, and those of the first again. turns[i] is true
+ * if a part of the profile goes backwards from section i to the next. `numbers` has room for the vertices of the
+ * points. */
 typedef struct {
   vs_vec3 *at;
   bool *turns;

@@ -26,7 +26,7 @@ typedef struct { /* a piece of an edge, or the entire edge if it was never split
   vs_vec2 normal, way;      /* unit vectors: way is the direction of the edge, with the material on its left; normal
                              * points into the material */
   double line;              /* scalar product of the normal with the points of the edge below */
-  size_t before, after;     /* neighbours in the current loop */
+  size_t before, after;     /* neighbouring edges in the current loop */
   taper_chain left, right;  /* vertices along the tracks of its corners with `before` and with `after`, upwards */
   vs_vec2 corner;           /* position of its corner with `after` at the time `since`, when the corner's speed last
                              * changed */

@@ -32,8 +32,8 @@ bool vs_cloud_add(vs_cloud *c, vs_vec3 p) {
 
 /* ---- dimension and extent of the points ---- */
 
-/* Returns the dimension of the points, or -1 if there are none. corner[0] is the point farthest from the middle.
- * corner[k], for k up to the dimension, is the point farthest from the span of the corners before it. */
+/* Returns the dimension of the points, or -1 if there are none. Sets corner[0] to the point farthest from the middle.
+ * Sets corner[k], for k up to the dimension, to the point farthest from the span of the corners before it. */
 static int cloud_span(const vs_cloud *c, uint32_t corner[4]) {
   if (!c->count) return -1;
   vs_bounds b = vs_bounds_empty();

@@ -12,7 +12,7 @@ typedef enum {
   VS_POLYGONS_NONE,    /* the node is of another kind, so no face was passed */
   VS_POLYGONS_GIVEN,   /* all faces were passed to the function */
   VS_POLYGONS_STOPPED, /* the function returned false */
-  VS_POLYGONS_MEMORY   /* out of memory */
+  VS_POLYGONS_MEMORY   /* memory is out */
 } vs_polygons_result;
 
 /* Passes each face of the node to the function `take`, with its corners mapped by `map`. If the map is a reflection,

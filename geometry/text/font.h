@@ -36,7 +36,7 @@ bool vs_font_is_path(const char *name);
 double vs_font_capital(const vs_font *f);    /* height of a capital H in font units */
 double vs_font_line(const vs_font *f);       /* distance of two lines of text in font units */
 double vs_font_descent(const vs_font *f);    /* depth below the base line in font units, positive */
-/* Returns the index of the character's glyph, or 0 if the font has none; glyph 0 is then drawn instead. */
+/* Returns the index of the character's glyph, or 0 if the font has none. Glyph 0 is then drawn instead. */
 uint32_t vs_font_index(const vs_font *f, uint32_t character);
 const vs_glyph *vs_font_glyph(vs_font *f, uint32_t index, vs_error *e); /* returns NULL and sets e on failure */
 double vs_font_kerning(const vs_font *f, uint32_t left, uint32_t right); /* returns the correction of the left glyph's

@@ -8,8 +8,8 @@
  * are counter-clockwise as seen from above. */
 int vs_doubles_side(vs_vec3 a, vs_vec3 b, vs_vec3 c, vs_vec3 d);
 
-/* Returns in which direction the path from a over b to c turns, as seen along an axis: 1 left, -1 right, 0 if straight.
- * axis is 0, 1 or 2; the next two axes point to the right and up. */
+/* Returns in which direction the path from a over b to c turns, as seen along an axis. The result is 1 for left, -1 for
+ * right, 0 for straight. The axis is 0, 1 or 2; the next two axes point to the right and up. */
 int vs_doubles_turn(int axis, vs_vec3 a, vs_vec3 b, vs_vec3 c);
 
 #endif

@@ -18,7 +18,7 @@ typedef struct {
   uint32_t items, points;
   VS_LIST(uint32_t) counts; /* for each chunk and range: number of edges, later the index where the chunk writes its
                              * next edge */
-  VS_LIST(uint32_t) begin;  /* of each range; an extra element marks the end */
+  VS_LIST(uint32_t) begin;  /* for each range: index of its first edge; an extra element marks the end */
   VS_LIST(loose) loose;
 } sorting;
 

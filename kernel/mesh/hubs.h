@@ -23,7 +23,8 @@ typedef struct {
   size_t edges;              /* number of edges between two triangles with the same hub in `of` */
 } vs_hubs;
 
-/* Returns false if memory is out or the caller interrupts; the caller frees `out` in any case. */
+/* Finds the hubs of a mesh. Returns false if memory is out or the caller interrupts; the caller frees `out` in either
+ * case. */
 bool vs_hubs_find(vs_kernel *k, const vs_fans *mesh, vs_hubs *out);
 void vs_hubs_free(vs_kernel *k, vs_hubs *hubs);
 

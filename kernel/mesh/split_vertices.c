@@ -35,7 +35,7 @@ typedef struct {
   VS_LIST(vs_around) many;     /* faces around the edges of more than two triangles, in cyclic order; the wedge before
                                 * the first face is empty */
   VS_LIST(uint32_t) many_first;
-  VS_LIST(uint8_t) way;        /* for each such edge: how its triangles are paired */
+  VS_LIST(uint8_t) way;        /* for each edge of more than two triangles: how these are paired */
   VS_LIST(uint32_t) middle;    /* for each triangle corner: the vertex in the middle of its edge, or VS_NONE */
 } splitter;
 typedef enum { SOLID, AIR, MIDDLE } joined;

@@ -10,9 +10,9 @@ typedef struct {
   const vs_cluster *c;
   vs_mesh *m;
   size_t first_vertex, first_triangle; /* indices in m where the result begins */
-  const uint32_t *sides;   /* for each of its triangles: 2 * plane, plus 1 if the triangle faces against the plane's
-                            * normal */
-  const uint32_t *points;  /* for each of its vertices: the cluster's point */
+  const uint32_t *sides;   /* for each triangle of the result: 2 * plane, plus 1 if the triangle faces against the
+                            * plane's normal */
+  const uint32_t *points;  /* for each vertex of the result: its point in the cluster */
   const uint8_t *rim;      /* for each point: 1 if plain triangles, which are written later, end there; NULL: there are
                             * no plain triangles */
   size_t rim_edges;        /* number of edges between written triangles and plain triangles; they have one triangle at

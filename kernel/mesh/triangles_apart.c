@@ -136,7 +136,7 @@ bool vs_triangles_apart(const vs_vec3 a[3], const vs_vec3 b[3], int *count) {
 
 /* ---- all pairs of a mesh ---- */
 
-enum { SERIAL = 10000 /* fewer triangles need no thread */, TRIANGLES = 1 << 13, BLOCKS = 512 /* number in a task */ };
+enum { SERIAL = 10000 /* fewer triangles need no thread */, TRIANGLES = 1 << 13, BLOCKS = 512 /* blocks in a task */ };
 
 typedef struct {
   const vs_mesh *m;

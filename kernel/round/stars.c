@@ -21,7 +21,7 @@ typedef struct {
   vs_bounds box;
   uint32_t seen;       /* number of triangles in that direction */
   uint64_t edges;      /* signed sum of the numbers of all edges */
-  double least;        /* a volume that exceeds rounding errors */
+  double least;        /* volumes above this exceed rounding errors */
   bool is_star, has_way;
 } star;
 
