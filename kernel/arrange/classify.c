@@ -686,8 +686,8 @@ static bool mark_settled(walk *w) {
   return true;
 }
 
-/* Returns the leaf whose tag the face gets; the solid is in the cell. It is the earliest leaf with this surface on that
- * side. If it is a bare leaf that is subtracted, the cell's owner is used instead. */
+/* Returns the leaf whose tag the face gets. `cell` is the cell beside the face that contains the solid. The leaf is the
+ * earliest one with this surface. If it is a bare leaf that is subtracted, the cell's owner is used instead. */
 static uint32_t painter(const walk *w, uint32_t face, uint32_t cell) {
   const vs_cluster *c = w->c;
   const vs_face *f = &c->faces.at[face];
