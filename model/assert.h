@@ -1,8 +1,9 @@
-/* Owns VS_ASSERT(condition): a condition that holds for every model, so that only a fault of the program breaks it.
+/* Defines VS_ASSERT(condition). The condition is true for every model, and false only if the program itself has a
+ * fault.
  *
- * VS_DEBUG turns it on; the Makefile's builds for tests have it. Otherwise the condition is compiled and not evaluated.
- * A false condition prints itself and its place, and aborts the process. A mistake that a user, a file or a library may
- * make is not asserted: it is answered with an error. */
+ * VS_DEBUG enables the check; the Makefile's builds for tests define it. Otherwise the condition is compiled and not
+ * evaluated. A false condition prints itself with its file and line, and aborts the process. A mistake of a user, a
+ * file or a library is not asserted: it leads to an error message. */
 #ifndef VS_MODEL_ASSERT_H
 #define VS_MODEL_ASSERT_H
 

@@ -1,4 +1,4 @@
-/* Owns the reading and the spelling of characters. See characters.h. */
+/* Implements characters.h: reads UTF-8 characters, and writes them in the notation of each format. */
 #include "model/characters.h"
 
 #include "model/assert.h"
@@ -53,8 +53,8 @@ static size_t say(char out[VS_SPELLED_ROOM], const char *text) {
 
 static size_t replace(char out[VS_SPELLED_ROOM]) { return say(out, "\xEF\xBF\xBD"); }
 
-/* Returns the next character's code point, or the replacement character if the bytes are no UTF-8; *from and *count are
- * its bytes. *at is before the end. */
+/* Returns the code point of the character at *at, or the replacement character if its bytes are not UTF-8, and moves
+ * *at past the character. Sets *from and *count to the bytes of the result. *at must be less than end. */
 static uint32_t next(const char **at, const char *end, const char **from, size_t *count) {
   uint32_t code = REPLACEMENT;
   VS_ASSERT(*at < end);
@@ -65,7 +65,7 @@ static uint32_t next(const char **at, const char *end, const char **from, size_t
   return code;
 }
 
-/* Copies the bytes of one character; out has room for them. */
+/* Copies the bytes of one character to out, and returns their number. */
 static size_t copy(char out[VS_SPELLED_ROOM], const char *from, size_t count) {
   VS_ASSERT(count <= VS_SPELLED_ROOM);
   memcpy(out, from, count);

@@ -1,11 +1,10 @@
-/* Owns the characters of UTF-8 texts whose bytes may be anything (names of files, texts of other programs): the next
- * character, and its spelling in a format. Each format calls the speller of its notation, so that it never writes
- * invalid text.
+/* Reads the characters of UTF-8 texts whose bytes may be invalid (file names, texts of other programs), and writes them
+ * in the notation of a format. Each format calls its own vs_spell_ function, and therefore never writes invalid text.
  *
  *   for (const char *at = text, *end = text + length; at < end;) put(out, spelled, vs_spell_xml(&at, end, spelled));
  *
- * A speller writes the character at *at to `out`, moves *at past it and returns the number of bytes it wrote; *at <
- * end. Bytes that are no UTF-8, and characters that the notation cannot express, become U+FFFD. */
+ * A vs_spell_ function writes the character at *at to `out`, moves *at past it and returns the number of bytes written.
+ * *at must be less than end. Invalid bytes, and characters that the notation cannot express, become U+FFFD. */
 #ifndef VS_MODEL_CHARACTERS_H
 #define VS_MODEL_CHARACTERS_H
 
@@ -16,28 +15,29 @@
 enum { VS_SPELLED_ROOM = 8 };
 typedef size_t vs_speller(const char **at, const char *end, char out[VS_SPELLED_ROOM]);
 
-/* Returns the number of bytes of the character at text, and its code point; 0 if they are no UTF-8. `left` is the
- * number of bytes there, at least 1. */
+/* Returns the number of bytes of the character at `text`, or 0 if it is not valid UTF-8. Sets *code to its code point.
+ * `left` is the number of bytes from `text` to the end, at least 1. */
 size_t vs_character_read(const char *text, size_t left, uint32_t *code);
-/* Returns the number of bytes, at most `most`, that consist of whole characters. */
+/* Returns the length in bytes of the longest start of `text` that has at most `most` bytes and ends between two
+ * characters. */
 size_t vs_character_cut(const char *text, size_t most);
-/* Returns true if the code point is a control character (tabs and line ends are), or one that Unicode assigns to no
- * character. */
+/* Returns true if the code point is a control character (including tab and line end), or is not assigned in Unicode. */
 bool vs_character_is_control(uint32_t code);
-/* Returns true if the character ends a line, or separates words. */
+/* Returns true if the character is a line end or white space between words. */
 bool vs_character_is_blank(uint32_t code);
 
-/* any character of UTF-8, unchanged */
+/* Writes any UTF-8 character unchanged. */
 size_t vs_spell_plain(const char **at, const char *end, char out[VS_SPELLED_ROOM]);
-/* the text stays on its line: tabs and line ends become blanks */
+/* Writes the character for a text of one line: a blank in place of a tab or a line end. */
 size_t vs_spell_line(const char **at, const char *end, char out[VS_SPELLED_ROOM]);
-/* the text stays one word: blanks and controls become _ */
+/* Writes the character for a text of one word: _ in place of a blank or a control character. */
 size_t vs_spell_word(const char **at, const char *end, char out[VS_SPELLED_ROOM]);
-/* between tags: < > & " as entities */
+/* Writes the character for XML text between tags: < > & " become entities. */
 size_t vs_spell_xml(const char **at, const char *end, char out[VS_SPELLED_ROOM]);
-/* the same within quotes: also ' and line ends, by number */
+/* Writes the character for a quoted XML value: < > & " become entities, ' and line ends become numeric entities. */
 size_t vs_spell_xml_value(const char **at, const char *end, char out[VS_SPELLED_ROOM]);
-/* within quotes; controls, and characters that end a line in scripts, as \uXXXX */
+/* Writes the character for a JSON string: control characters, and characters that end a line in JavaScript, become
+ * \uXXXX. */
 size_t vs_spell_json(const char **at, const char *end, char out[VS_SPELLED_ROOM]);
 
 #endif

@@ -1,5 +1,5 @@
-/* Owns the table of kinds, made from prims.def, and the hashing, comparing, retaining and releasing of payloads by
- * it. */
+/* Contains the table of node kinds, generated from prims.def. Hashes, compares, retains and releases payloads by this
+ * table. */
 #include "model/kinds.h"
 
 #include <math.h>
@@ -14,8 +14,8 @@
 #define VS_CLASS_SOLID VS_SOLID
 #define VS_CLASS_INHERIT VS_INHERIT
 
-/* Each kind gets a block, in which here_ names its struct for the fields' offsets. A final row ends each table of
- * fields; it is not counted. */
+/* Each kind has a block in which here_ is the struct of its payload, for the offsets of its fields. A row of zeros ends
+ * each table of fields and is not counted. */
 const vs_kind_info *vs_kind_get(vs_kind kind) {
   switch (kind) {
 #define VS_KIND(upper, lower, name, class_, level, role, traits)                                                     \
@@ -55,9 +55,9 @@ const unsigned char vs_field_reals[] = {
   [VS_FIELD_real] = 1, [VS_FIELD_point] = 3, [VS_FIELD_vector] = 3, [VS_FIELD_affine] = 12, [VS_FIELD_ticket] = 0
 };
 
-/* ---- one step for each type of field; the functions below combine them for each kind ---- */
+/* ---- hashing, comparing, retaining and releasing one field of each type ---- */
 
-/* Each number costs one product; the result is mixed well at the end. */
+/* Adds a number to the hash with one multiplication. The caller mixes the bits of the hash once more at the end. */
 static inline uint64_t hash_step(uint64_t h, double d) {
   uint64_t v;
   memcpy(&v, &d, sizeof v);
@@ -65,7 +65,7 @@ static inline uint64_t hash_step(uint64_t h, double d) {
   return h ^ h >> 29;
 }
 static inline uint64_t settle_reals(uint64_t h, double *reals, size_t count) {
-  for (size_t i = 0; i < count; i++) h = hash_step(h, reals[i] += 0.0); /* -0 is 0 */
+  for (size_t i = 0; i < count; i++) h = hash_step(h, reals[i] += 0.0); /* adding 0.0 changes -0 to 0 */
   return h;
 }
 static inline uint64_t settle_real(uint64_t h, double *at) { return settle_reals(h, at, 1); }
@@ -153,7 +153,7 @@ bool vs_kind_within(vs_kind kind, const void *data, double most) {
   return within;
 }
 
-/* Releases the memory that a field holds outside of the payload, or counts its bytes. */
+/* Releases the memory outside the payload to which a field refers, or counts its bytes. */
 #define drop_real(s, at)
 #define drop_point(s, at)
 #define drop_vector(s, at)
@@ -207,7 +207,8 @@ size_t vs_payload_array_bytes(vs_kind kind, const void *data) {
   return bytes;
 }
 
-/* Compares reals by their bits: a new node changes -0 to 0, and a not-a-number is equal to itself. */
+/* Returns true if two payloads are equal. Reals are compared by their bits: new nodes contain no -0, and a NaN equals
+ * itself. */
 bool vs_payload_equal(const vs_kind_info *info, const void *a, const void *b) {
   for (size_t i = 0; i < info->field_count; i++) {
     const void *x = (const char *)a + info->fields[i].offset, *y = (const char *)b + info->fields[i].offset;
@@ -230,7 +231,7 @@ bool vs_payload_equal(const vs_kind_info *info, const void *a, const void *b) {
                           !memcmp(f->data, g->data, (f->count + 1 + (size_t)f->corner_count) * sizeof *f->data));
         break;
       }
-      case VS_FIELD_text: { /* the nodes may be of two stores: then the letters count */
+      case VS_FIELD_text: { /* texts of different stores have different addresses: compare the letters */
         const char *s = *(const char *const *)x, *t = *(const char *const *)y;
         same = s == t || !strcmp(s, t);
         break;

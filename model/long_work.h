@@ -1,14 +1,16 @@
-/* Owns the callbacks by which long work asks its caller now and then whether it may continue. A callback that returns
- * false keeps the reason. */
+/* Declares the callbacks by which a long computation asks its caller whether to continue. A callback that returns false
+ * stores the reason itself. */
 #ifndef VS_MODEL_LONG_WORK_H
 #define VS_MODEL_LONG_WORK_H
 
 #include <stdbool.h>
 
-/* For work of unknown length. If `ask` returns false, the work stops; NULL: it never does. */
+/* Callback of a computation of unknown length. The computation stops when `ask` returns false. With ask NULL it never
+ * stops early. */
 typedef struct { bool (*ask)(void *context); void *context; } vs_poller;
 
-/* For work that knows the fraction that is done, from 0 to 1. If `going` returns false, the work stops. */
+/* Callback of a computation that reports its progress: `done` is from 0 to 1. The computation stops when `going`
+ * returns false. */
 typedef struct { bool (*going)(void *context, double done); void *context; } vs_long_work;
 
 #endif

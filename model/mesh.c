@@ -1,4 +1,4 @@
-/* Owns the indexed triangle mesh: its growth, and the measures that hold for any mesh. */
+/* Implements the indexed triangle mesh: adds vertices and triangles, and computes its volume and bounds. */
 #include "model/mesh.h"
 #include "model/store/array.h"
 
@@ -30,7 +30,7 @@ bool vs_mesh_reserve(vs_mesh *m, size_t vertices, size_t triangles) {
     m->triangles = grown;
     if (m->tags) {
       uint32_t *tags = realloc(m->tags, triangles * sizeof *tags);
-      if (!tags) return false; /* triangle_room is unchanged: both arrays hold that many */
+      if (!tags) return false; /* triangle_room is unchanged: it is the room of both triangles and tags */
       m->tags = tags;
     }
     m->triangle_room = triangles;
@@ -55,7 +55,7 @@ bool vs_mesh_copy(const vs_mesh *from, vs_mesh *to) {
   return true;
 }
 
-/* Returns half more room, but at most `most` if that is more than now; 0: no limit. */
+/* Returns a room half as large again, but at most `most` (0: no limit) unless the room already exceeds it. */
 static size_t mesh_next_room(size_t room, size_t most) {
   size_t next = room < 16 ? 16 : room + room / 2;
   return most && room < most && next > most ? most : next;
@@ -83,7 +83,8 @@ bool vs_mesh_add_triangle(vs_mesh *m, uint32_t a, uint32_t b, uint32_t c) {
 
 double vs_mesh_volume(const vs_mesh *m) {
   if (!m->triangle_count) return 0;
-  vs_vec3 o = m->vertices[m->triangles[0][0]]; /* a point near the mesh, or far-off models lose digits */
+  vs_vec3 o = m->vertices[m->triangles[0][0]]; /* volumes are computed from a corner of the mesh: far from the origin,
+                                                * digits would be lost */
   double six = 0;
   for (size_t i = 0; i < m->triangle_count; i++) {
     const uint32_t *t = m->triangles[i];
@@ -122,8 +123,8 @@ static int mesh_compare_keys(const void *a, const void *b) {
   return x < y ? -1 : x > y;
 }
 
-/* Returns true if the mesh is a closed chain: every directed edge occurs as often as its opposite. Sorted keys of
- * forward and of reversed edges are then equal lists. */
+/* Returns true if every directed edge occurs as often as its reverse. The sorted lists of keys of the edges and of
+ * their reverses are then equal. */
 bool vs_mesh_closed(const vs_mesh *m, bool *ok) {
   size_t n = m->triangle_count * 3;
   if (ok) *ok = true;

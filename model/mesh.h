@@ -1,4 +1,4 @@
-/* Owns the indexed triangle mesh that tessellation, the kernel and the mesh writers exchange. */
+/* Declares the indexed triangle mesh that tessellation, the kernel and the mesh formats exchange. */
 #ifndef VS_MODEL_MESH_H
 #define VS_MODEL_MESH_H
 
@@ -10,34 +10,42 @@
 
 typedef struct {
   vs_vec3 *vertices;
-  uint32_t (*triangles)[3]; /* counter-clockwise seen from outside */
-  uint32_t *tags;           /* tags[i]: the part (leaf) from which triangle i came; NULL: not known */
+  uint32_t (*triangles)[3]; /* corner indices, counterclockwise seen from outside */
+  uint32_t *tags;           /* tags[i]: number of the part (leaf) from which triangle i came; NULL if unknown */
   size_t vertex_count, vertex_room, triangle_count, triangle_room;
-  size_t most;              /* the most triangles; corners may be three times as many; 0: no limit */
-  bool over;                /* more room was requested than `most`, and refused */
+  size_t most;              /* largest permitted number of triangles; there may be three times as many vertices; 0: no
+                             * limit */
+  bool over;                /* whether a triangle was refused because of `most` */
 } vs_mesh;
 
-void vs_mesh_free(vs_mesh *m); /* frees the contents, not m, which is then empty and usable */
-bool vs_mesh_add_vertex(vs_mesh *m, vs_vec3 v, uint32_t *index); /* false: out of memory; index may be NULL */
-/* Adds a triangle. a, b and c are vertices of m, which may be added later. */
+void vs_mesh_free(vs_mesh *m); /* Frees the mesh's arrays, not m itself. m is then an empty mesh. */
+bool vs_mesh_add_vertex(vs_mesh *m, vs_vec3 v, uint32_t *index); /* Adds a vertex and sets *index (may be NULL). Returns
+                                                                  * false when memory is out. */
+/* Adds a triangle with the vertices of index a, b and c, which may be added later. */
 bool vs_mesh_add_triangle(vs_mesh *m, uint32_t a, uint32_t b, uint32_t c);
-bool vs_mesh_reserve(vs_mesh *m, size_t vertices, size_t triangles); /* makes room in all; false: out of memory, or
-                                                                      * m->over */
-bool vs_mesh_want_tags(vs_mesh *m); /* makes room for tags, each 0, if there are none; false: out of memory */
-bool vs_mesh_copy(const vs_mesh *from, vs_mesh *to); /* `to` is empty before; false: out of memory, and it is empty
-                                                      * again */
-double vs_mesh_volume(const vs_mesh *m); /* signed, by the divergence theorem; closed meshes only */
+bool vs_mesh_reserve(vs_mesh *m, size_t vertices, size_t triangles); /* Makes room for that many vertices and triangles
+                                                                      * in total. Returns false when memory is out, or
+                                                                      * sets m->over. */
+bool vs_mesh_want_tags(vs_mesh *m); /* Allocates m->tags, all 0, if it is NULL. Returns false when memory is out. */
+bool vs_mesh_copy(const vs_mesh *from, vs_mesh *to); /* Copies a mesh to `to`, which must be empty. If memory is out,
+                                                      * returns false and leaves `to` empty. */
+double vs_mesh_volume(const vs_mesh *m); /* Returns the signed volume of a closed mesh, by the divergence theorem. */
 double vs_mesh_area(const vs_mesh *m);
 vs_bounds vs_mesh_bounds(const vs_mesh *m);
-vs_bounds vs_mesh_placed_bounds(const vs_mesh *m, const vs_affine *a); /* of all its corners at that place, used or
-                                                                        * not */
-/* Returns true if every directed edge has its opposite, by index; *ok false: out of memory. */
+vs_bounds vs_mesh_placed_bounds(const vs_mesh *m, const vs_affine *a); /* Returns the bounds of all vertices after
+                                                                        * the map a, including vertices without a
+                                                                        * triangle. */
+/* Returns true if every directed edge, by vertex indices, has its reverse. If memory is out, returns false and sets *ok
+ * to false. */
 bool vs_mesh_closed(const vs_mesh *m, bool *ok);
-void vs_mesh_transform(vs_mesh *m, const vs_affine *a); /* in place; reverses the triangles if the map mirrors */
-/* Transforms the vertices from first_vertex and the triangles from first_triangle. Both are at most m's counts. */
+void vs_mesh_transform(vs_mesh *m, const vs_affine *a); /* Applies the map a to m. If a mirrors, also reverses the
+                                                         * triangles. */
+/* Applies the map to the vertices from first_vertex on, and reverses the triangles from first_triangle on if the map
+ * mirrors. Neither number exceeds the mesh's counts. */
 void vs_mesh_transform_from(vs_mesh *m, const vs_affine *a, size_t first_vertex, size_t first_triangle);
-void vs_mesh_squeeze(vs_mesh *m, const uint8_t *gone); /* removes the triangles with gone[i] not 0; corners remain */
-/* Reverses the triangles from first_triangle on, which is at most m's count. */
+void vs_mesh_squeeze(vs_mesh *m, const uint8_t *gone); /* Removes each triangle i for which gone[i] is not 0; keeps all
+                                                        * vertices. */
+/* Reverses the triangles from first_triangle on. first_triangle is at most m->triangle_count. */
 void vs_mesh_turn(vs_mesh *m, size_t first_triangle);
 
 #endif

@@ -1,4 +1,4 @@
-/* Owns the filling in of errors (model_error.h). */
+/* Writes the members of errors (model_error.h). */
 #include "model/model_error.h"
 
 #include <stdarg.h>
@@ -12,7 +12,7 @@ bool vs_error_set(vs_error *e, vs_error_kind kind, const vs_origin *origin, cons
   va_start(args, format);
   int length = vsnprintf(e->message, sizeof e->message, format, args);
   va_end(args);
-  if (length >= (int)sizeof e->message) { /* cut before the character that does not fit, not inside it */
+  if (length >= (int)sizeof e->message) { /* the message is cut between two characters, not inside one */
     size_t end = sizeof e->message - 1, start = end;
     while (start > 0 && end - start < 4 && ((unsigned char)e->message[start - 1] & 0xC0) == 0x80) start--;
     if (start > 0 && (unsigned char)e->message[start - 1] >= 0xC0) {

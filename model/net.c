@@ -1,15 +1,16 @@
-/* Owns the netting of a mesh's triangles: two sheets that coincide with opposite orientations cancel. */
+/* Implements vs_mesh_net: removes pairs of triangles that coincide and have opposite orientations. */
 #include "model/net.h"
 
 #include <stdlib.h>
 
 #include "model/store/array.h"
 
-typedef struct { uint32_t v[3]; int32_t times; } face; /* v ascending; below 0: reversed */
+typedef struct { uint32_t v[3]; int32_t times; } face; /* v: corners, ascending; times: occurrences in this orientation
+                                                        * minus those reversed */
 
 static face face_of(const uint32_t t[3]) {
   face f = { { t[0], t[1], t[2] }, 1 };
-  for (int i = 0; i < 3; i++) { /* three exchanges of neighbours sort any three */
+  for (int i = 0; i < 3; i++) { /* three exchanges of neighbours are enough to sort three numbers */
     int j = i % 2;
     if (f.v[j] <= f.v[j + 1]) continue;
     uint32_t swap = f.v[j];
@@ -24,7 +25,7 @@ static int by_corners(const void *a, const void *b) {
   const face *p = a, *q = b;
   for (int i = 0; i < 3; i++)
     if (p->v[i] != q->v[i]) return p->v[i] < q->v[i] ? -1 : 1;
-  return 0; /* equal faces are added up: their order has no effect */
+  return 0; /* equal faces are summed, so that their order has no effect */
 }
 
 bool vs_mesh_net(vs_mesh *m, size_t first) {
@@ -38,7 +39,7 @@ bool vs_mesh_net(vs_mesh *m, size_t first) {
   }
   qsort(at, count, sizeof *at, by_corners);
   m->triangle_count = first;
-  for (size_t i = 0, end; i < count; i = end) { /* never more than there were: they fit */
+  for (size_t i = 0, end; i < count; i = end) { /* the remaining triangles are no more than before, and fit */
     const uint32_t *v = at[i].v;
     int32_t times = 0;
     for (end = i; end < count && by_corners(&at[i], &at[end]) == 0; end++) times += at[end].times;

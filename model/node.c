@@ -1,8 +1,8 @@
-/* Owns nodes and the arrays they share: building, retaining, releasing, comparing.
+/* Implements nodes and the arrays they share: creating, retaining, releasing, comparing.
  *
- * A node is one allocation: header, children, payload. Releasing needs no memory and no recursion: a dead node's hash
- * links the list of nodes still to be released. Comparing remembers the pairs it has found equal, so that two
- * separately built DAGs of n nodes cost n comparisons and not one for every path through them. */
+ * A node is one allocation: header, children, payload. Releasing a node needs neither memory nor recursion: the hash
+ * member of each dead node links it to the next one to be freed. Comparing stores the pairs of nodes already found
+ * equal. Two separately built DAGs of n nodes therefore cost n comparisons, not one for every path. */
 #include "model/node.h"
 
 #include <string.h>
@@ -24,7 +24,9 @@ vs_points *vs_points_new(vs_store *s, const vs_vec3 *at, size_t count) {
   if (!p) return NULL;
   p->refs = 1;
   p->count = (uint32_t)count;
-  for (size_t i = 0; i < count; i++) p->at[i] = vs_v3(at[i].x + 0.0, at[i].y + 0.0, at[i].z + 0.0); /* no -0 */
+  for (size_t i = 0; i < count; i++) p->at[i] = vs_v3(at[i].x + 0.0, at[i].y + 0.0, at[i].z + 0.0); /* adding 0.0
+                                                                                                     * changes -0 to
+                                                                                                     * 0 */
   return p;
 }
 
@@ -52,8 +54,8 @@ vs_faces *vs_faces_turned(vs_store *s, const vs_faces *old) {
   if (!f) return NULL;
   uint32_t *corners = f->data + f->count + 1;
   for (uint32_t i = 0; i < f->count; i++)
-    for (uint32_t a = f->data[i] + 1, b = f->data[i + 1]; a + 1 < b; a++) { /* quads are divided from their first
-                                                                             * corner */
+    for (uint32_t a = f->data[i] + 1, b = f->data[i + 1]; a + 1 < b; a++) { /* a face of more corners is divided into
+                                                                             * triangles from its first corner */
       uint32_t swap = corners[a];
       corners[a] = corners[--b];
       corners[b] = swap;
@@ -74,7 +76,7 @@ vs_faces *vs_faces_retain(vs_faces *f) {
   return f;
 }
 
-/* The nodes' view of an array is const; its owner's count is not. */
+/* Releases a reference to a shared array. Nodes refer to it as const, but its reference count changes. */
 void vs_points_release(vs_store *s, const vs_points *p) {
   vs_points *mine = (vs_points *)(uintptr_t)p;
   if (mine && !--mine->refs) vs_store_realloc(s, mine, vs_points_bytes(mine), 0);
@@ -98,7 +100,7 @@ void vs_ticket_release(vs_store *s, const vs_ticket *t) {
   vs_store_realloc(s, mine, sizeof *mine, 0);
 }
 
-/* ---- building ---- */
+/* ---- creating nodes ---- */
 
 static size_t node_payload_room(const vs_kind_info *info) { return (info->size + 7) & ~(size_t)7; }
 static size_t node_size(const vs_kind_info *info, size_t children) {
@@ -109,12 +111,12 @@ static bool node_is_planar_area(const vs_node *n) {
   return n->class_ == VS_REGION_CLASS || (n->class_ == VS_CURVE && n->flags & VS_NODE_CLOSED);
 }
 
-/* The properties that the children of a node have in common, gathered while they are copied, so that a million of them
- * are visited once. */
+/* Properties that a node's children have in common. They are collected while the children are copied, so that a million
+ * children are visited only once. */
 typedef struct {
-  vs_class together; /* their class if they agree, else MIXED; children that draw nothing do not count */
-  bool nothing;      /* some child draws nothing */
-  uint8_t any, all;  /* the flags of some child; those of every child */
+  vs_class together; /* common class of the children, or MIXED; children that draw nothing do not count */
+  bool nothing;      /* whether a child draws nothing */
+  uint8_t any, all;  /* any: flags of at least one child; all: flags common to all children */
 } vs_node_family;
 
 static void node_join_family(vs_node_family *f, const vs_node *child) {
@@ -126,7 +128,8 @@ static void node_join_family(vs_node_family *f, const vs_node *child) {
   else if (f->together != c) f->together = VS_MIXED;
 }
 
-/* Returns true if all children are curves and regions. Only its mesh shows whether a surface is flat. */
+/* Returns true if all children are curves, regions or empty. Surfaces do not count: only the mesh of a surface shows
+ * whether it is flat. */
 static bool node_holds_planar(const vs_node *n) {
   bool planar = true;
   for (uint32_t i = 0; planar && i < n->child_count; i++) {
@@ -140,8 +143,8 @@ static void node_find_end(vs_node *n, const vs_node_family *f) {
   bool cut = n->kind == VS_HALF_SPACE || f->any & VS_NODE_CUT;
   bool carved =
       (n->class_ == VS_SOLID && (n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE)) || f->any & VS_NODE_CARVED;
-  bool meshed = carved || (n->class_ == VS_REGION_CLASS && !node_holds_planar(n)); /* of a hull: some part needs its
-                                                                                    * mesh */
+  bool meshed = carved || (n->class_ == VS_REGION_CLASS && !node_holds_planar(n)); /* whether a part of the hull needs
+                                                                                    * the mesh of a solid */
   bool unresolved =
       vs_node_has(n, VS_IS_UNRESOLVED) || f->any & VS_NODE_UNRESOLVED || (n->kind == VS_HULL && meshed);
   bool first = n->child_count && n->children[0].node->flags & VS_NODE_ENDLESS,
@@ -168,7 +171,7 @@ static void node_classify(vs_node *n, const vs_kind_info *info, const vs_node_fa
                   : node_is_planar_area(first)          ? VS_SOLID
                                                         : VS_SURFACE;
       break;
-    case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: { /* an apex has no class */
+    case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: { /* a section that is a single point has no class */
       bool areas = false;
       uint32_t sections = n->kind == VS_GUIDED_LOFT ? (uint32_t)VS_AS(guided_loft, n)->section_count : n->child_count;
       for (uint32_t i = 0; i < sections && i < n->child_count; i++)
@@ -192,7 +195,7 @@ static void node_classify(vs_node *n, const vs_kind_info *info, const vs_node_fa
         n->flags |= VS_NODE_CLOSED;
       break;
     case VS_THICKEN: if (!first || first->class_ == VS_NOTHING) n->class_ = VS_NOTHING; break;
-    case VS_CUSTOM: case VS_NATIVE: /* an unknown kind counts as a solid */
+    case VS_CUSTOM: case VS_NATIVE: /* a child of unknown kind counts as a solid */
       if (!first || (n->kind == VS_NATIVE && first->class_ == VS_NOTHING)) {
         n->class_ = VS_SOLID;
         break;
@@ -209,7 +212,7 @@ static void node_classify(vs_node *n, const vs_kind_info *info, const vs_node_fa
       n->class_ = VS_AS(hull, n)->dimension == 3 ? VS_SOLID : VS_REGION_CLASS;
       if (n->class_ == VS_REGION_CLASS) n->flags |= VS_NODE_CLOSED;
       break;
-    case VS_UNION: /* closed curves remain curves: to fill them, a program makes regions */
+    case VS_UNION: /* a union of closed curves remains a curve: only a region is filled */
       n->class_ = (uint8_t)family->together;
       if (family->together == VS_REGION_CLASS) n->flags |= VS_NODE_CLOSED;
       break;
@@ -250,7 +253,7 @@ vs_node *vs_node_new(vs_store *s, vs_kind kind, const void *data, const vs_ref *
   }
   bool same = child_count == 1 &&
               (kind == VS_TRANSFORM || kind == VS_UNION || kind == VS_INTERSECTION || kind == VS_DIFFERENCE);
-  if (same) form = kept[0].node->form; /* only moved, or a set of one: it has the form of the child */
+  if (same) form = kept[0].node->form; /* a placed node, or a set of one child, has the form of that child */
   n->refs = 1;
   n->kind = (uint16_t)kind;
   n->class_ = VS_NOTHING;
@@ -277,7 +280,7 @@ vs_node *vs_node_retain(vs_node *n) {
 void vs_node_release(vs_node *n) {
   if (!n || --n->refs) return;
   vs_node *dead = n;
-  n->hash = 0; /* from here on it links the dead */
+  n->hash = 0; /* from here on, hash links the nodes to be freed */
   while (dead) {
     n = dead;
     dead = (vs_node *)(uintptr_t)n->hash;
@@ -300,7 +303,7 @@ size_t vs_node_bytes(const vs_node *n) {
   return node_size(info, n->child_count) + vs_payload_array_bytes((vs_kind)n->kind, vs_node_data(n));
 }
 
-/* ---- comparing ---- */
+/* ---- comparing nodes ---- */
 
 typedef struct { const vs_node *a, *b; } vs_node_pair;
 typedef struct { vs_store *store; vs_node_pair *at; size_t count, room; } vs_node_pairs;
@@ -313,14 +316,16 @@ static bool pairs_resize(vs_node_pairs *p, size_t room) {
   return true;
 }
 
-/* Adds the pair to a set; *new false: the set had it. Only nodes with several references can occur twice. */
+/* Adds a pair to the set. Sets *new to false if the set already had it. Only nodes with several references can occur in
+ * two pairs. */
 static bool pairs_note(vs_node_pairs *set, vs_node_pair pair, bool *new) {
   if (set->count * 3 >= set->room * 2) {
     vs_node_pairs grown = { .store = set->store };
     if (!pairs_resize(&grown, set->room ? set->room * 2 : 64)) return false;
     memset(grown.at, 0, grown.room * sizeof *grown.at);
     for (size_t i = 0; i < set->room; i++)
-      if (set->at[i].a && !pairs_note(&grown, set->at[i], new)) return false; /* never grows: it has room */
+      if (set->at[i].a && !pairs_note(&grown, set->at[i], new)) return false; /* this call has room and never recurses
+                                                                               * further */
     pairs_resize(set, 0);
     *set = grown;
   }
@@ -334,7 +339,7 @@ static bool pairs_note(vs_node_pairs *set, vs_node_pair pair, bool *new) {
   return true;
 }
 
-/* Compares all of two nodes except the contents of their children. */
+/* Returns true if two nodes are equal apart from the contents of their children. */
 static bool node_alike(const vs_node *a, const vs_node *b) {
   return a->hash == b->hash && a->kind == b->kind && a->child_count == b->child_count && a->depth == b->depth &&
          vs_payload_equal(vs_kind_get((vs_kind)a->kind), vs_node_data(a), vs_node_data(b));

@@ -1,10 +1,10 @@
-/* Owns the model tree: immutable, hashed, reference-counted nodes.
+/* Declares the model tree: immutable, hashed, reference-counted nodes.
  *
- * A node is plain data: kind, payload (the fields of prims.def as a struct), child references, and a structural hash,
- * computed when it is built. Two nodes are equal by value when kind, payload and the children's nodes are equal;
- * origins do not count. A reference pairs a node with the origin of the constructor call that placed it there. A model
- * outlives the interpreter that built it: nodes hold their store. Reference counts are not atomic: one thread builds
- * and releases; kernel threads only read. */
+ * A node contains its kind, its payload (the fields of prims.def as a struct), references to its children, and a
+ * structural hash, computed when it is created. Two nodes are equal when kind, payload and children are equal; origins
+ * are not compared. A reference pairs a node with the origin of the constructor call that created it there. A model
+ * outlives the interpreter that created it: each node keeps a reference to its store. Reference counts are not atomic:
+ * only one thread creates and releases nodes; kernel threads only read them. */
 #ifndef VS_MODEL_NODE_H
 #define VS_MODEL_NODE_H
 
@@ -17,18 +17,18 @@
 
 typedef struct vs_node vs_node;
 
-/* ---- shared arrays: immutable once made, reference counted ---- */
+/* ---- shared arrays: immutable and reference-counted ---- */
 typedef struct { uint32_t refs, count; vs_vec3 at[]; } vs_points;
-/* data: count + 1 starts, then corner_count indices; hash: of data */
+/* data: count + 1 start positions, then corner_count vertex indices; hash: hash of data */
 typedef struct { uint32_t refs, count, corner_count; uint64_t hash; uint32_t data[]; } vs_faces;
 static inline const uint32_t *vs_faces_starts(const vs_faces *f) { return f->data; }
 static inline const uint32_t *vs_faces_corners(const vs_faces *f) { return f->data + f->count + 1; }
 
-/* ---- tickets: each is the number of an object outside the model; its owner learns when no node holds it any more
- * ---- */
+/* ---- tickets: a ticket holds the number of an object outside the model; a callback reports when its last reference is
+ * released ---- */
 typedef struct { uint32_t refs, id; } vs_ticket;
 
-/* ---- payload types ---- */
+/* ---- C types of the payload's fields ---- */
 typedef double vs_field_real;
 typedef int32_t vs_field_integer;
 typedef bool vs_field_boolean;
@@ -53,9 +53,9 @@ typedef enum {
   VS_FIELD_material,
   VS_FIELD_ticket
 } vs_field_type;
-extern const unsigned char vs_field_reals[]; /* by type: the number of doubles in the field itself, or 0 */
+extern const unsigned char vs_field_reals[]; /* by field type: number of doubles stored in the field itself, or 0 */
 
-/* struct vs_sphere { ... } and so on for every kind */
+/* defines struct vs_sphere { ... } and so on for every kind */
 #define VS_KIND(upper, lower, name, class_, level, role, traits) struct vs_##lower {
 #define VS_FIELD(type, member, argument) vs_field_##type member;
 #define VS_KIND_END(upper, lower) unsigned char end_; };
@@ -75,7 +75,7 @@ typedef enum {
   VS_REGION_CLASS,
   VS_SURFACE,
   VS_SOLID,
-  VS_MIXED /* a union of several classes */,
+  VS_MIXED /* the class of a union of objects of several classes */,
   VS_INHERIT
 } vs_class;
 typedef enum {
@@ -89,65 +89,67 @@ typedef enum {
 
 typedef struct { const char *name, *argument; vs_field_type type; size_t offset; } vs_field_info;
 typedef struct {
-  const char *name;  /* the result of object-kind: "sphere" */
+  const char *name;  /* name of the kind, as object-kind returns it: "sphere" */
   vs_class class_;
   vs_level level;
-  size_t size;       /* of the payload */
+  size_t size;       /* size of the payload in bytes */
   size_t field_count;
   const vs_field_info *fields;
 } vs_kind_info;
 const vs_kind_info *vs_kind_get(vs_kind kind);
 
-/* The last two columns of prims.def, for walks of the tree: vs_node_role, vs_node_has. */
+/* The columns ROLE and TRAITS of prims.def, for walks through the tree (vs_node_role, vs_node_has). */
 typedef enum { VS_ROLE_SHAPE, VS_ROLE_LEAF, VS_ROLE_MADE, VS_ROLE_PLACED, VS_ROLE_WRAPPER, VS_ROLE_SET } vs_role;
 enum {
-  VS_IS_ROUND = 1,        /* its triangles approximate a smooth surface */
-  VS_IS_SHORT = 2,        /* every format writes it in a few words, regardless of its numbers */
-  VS_IS_PLAIN = 4,        /* geometry/tessellate.c makes its triangles only from its own numbers: any thread may do
-                           * so */
+  VS_IS_ROUND = 1,        /* its triangles approximate a curved surface */
+  VS_IS_SHORT = 2,        /* every format writes the node in a few words */
+  VS_IS_PLAIN = 4,        /* geometry/tessellate.c computes the triangles from the payload alone, so that any thread may
+                           * do it */
   VS_IS_CONVEX = 8,
-  VS_IS_COSTLY = 16,      /* meshing it costs about as much as meshing eight spheres */
-  VS_IS_DEAR = 32,        /* meshing it costs about as much as meshing forty spheres */
-  VS_IS_SAMPLED = 64,     /* its own bounds come from fine samples: if it is turned, the box around its turned box
-                           * suffices */
-  VS_IS_OVERLAPPING = 128, /* its mesh may intersect itself */
-  VS_IS_OF_FIRST = 256,   /* it is empty if its first child is */
-  VS_IS_UNRESOLVED = 512  /* solids/resolve.c replaces it before meshing: it needs a solid's mesh or the drawing's
-                           * size */
+  VS_IS_COSTLY = 16,      /* a mesh of the node takes about as long to compute as those of eight spheres */
+  VS_IS_DEAR = 32,        /* a mesh of the node takes about as long to compute as those of forty spheres */
+  VS_IS_SAMPLED = 64,     /* its bounds are computed from many sample points; a rotated node uses the bounds of its
+                           * rotated box instead */
+  VS_IS_OVERLAPPING = 128, /* the node's mesh may intersect itself */
+  VS_IS_OF_FIRST = 256,   /* the node is empty if its first child is */
+  VS_IS_UNRESOLVED = 512  /* solids/resolve.c replaces the node before meshing, since it depends on a solid's mesh or
+                           * the drawing's size */
 };
-extern const unsigned char vs_kind_roles[];   /* by kind: vs_role */
-extern const unsigned short vs_kind_traits[]; /* by kind: VS_IS_... */
+extern const unsigned char vs_kind_roles[];   /* vs_kind_roles[kind]: the vs_role of the kind */
+extern const unsigned short vs_kind_traits[]; /* vs_kind_traits[kind]: the VS_IS_... flags of the kind */
 
 typedef struct { vs_node *node; const vs_origin *origin; } vs_ref;
 
 enum {
-  VS_NODE_CLOSED = 1,  /* a closed curve, also moved, coloured or bare; a region too */
-  VS_NODE_ENDLESS = 2, /* a half-space, or a set that no finite operand bounds */
-  VS_NODE_CUT = 4,     /* it contains a half-space */
-  VS_NODE_SUGAR = 8,   /* it contains a node of level SUGAR */
-  VS_NODE_OPEN = 16,   /* it contains a CUSTOM without a child */
-  VS_NODE_UNRESOLVED = 32, /* it contains a node that needs a solid's mesh: a section, a shadow, edges, a slice of
-                            * something thin, a hull of a carved solid; or a line without end (solids/resolve.h) */
-  VS_NODE_CARVED = 64  /* it contains an intersection or a difference of solids */
+  VS_NODE_CLOSED = 1,  /* a closed curve (perhaps placed or coloured) or a region */
+  VS_NODE_ENDLESS = 2, /* an unbounded node: a half-space, or a set with an unbounded result */
+  VS_NODE_CUT = 4,     /* the node or a descendant is a half-space */
+  VS_NODE_SUGAR = 8,   /* the node or a descendant has level SUGAR */
+  VS_NODE_OPEN = 16,   /* the node or a descendant is a CUSTOM without a child */
+  VS_NODE_UNRESOLVED = 32, /* solids/resolve.c must replace this node or a descendant. It is an endless line, or needs a
+                            * solid's mesh: a section, a shadow, edges, a slice of a thin object, a hull of a carved
+                            * solid. */
+  VS_NODE_CARVED = 64  /* the node or a descendant is an intersection or difference of solids */
 };
 
 struct vs_node {
   uint32_t refs;
-  uint16_t kind;   /* vs_kind */
-  uint8_t class_;  /* vs_class, never VS_INHERIT: computed when the node is built */
-  uint8_t flags;   /* VS_NODE_... */
+  uint16_t kind;   /* kind: a value of vs_kind */
+  uint8_t class_;  /* class: a value of vs_class other than VS_INHERIT, set when the node is created */
+  uint8_t flags;   /* VS_NODE_... flags */
   uint32_t child_count;
-  uint32_t depth;  /* 1 for a leaf; saturates */
-  uint32_t slot;   /* its number in the last order (order.h): the only member that changes */
-  uint32_t form;   /* a hash of its structure without numbers and places: possible copies have the same form */
-  uint64_t hash;   /* structural */
+  uint32_t depth;  /* nodes on the longest path to a leaf, 1 for a leaf; stays at its maximum instead of overflowing */
+  uint32_t slot;   /* number of the node in the latest order (order.h); no other member ever changes */
+  uint32_t form;   /* structural hash without numbers and placements: nodes of different form cannot be copies of each
+                    * other */
+  uint64_t hash;   /* structural hash */
   vs_store *store;
-  const vs_ref children[]; /* child_count of them; the payload follows */
+  const vs_ref children[]; /* child_count references, followed by the payload */
 };
-/* Returns the payload: struct vs_<kind>. */
+/* Returns the payload of n: a struct vs_<kind>. */
 static inline const void *vs_node_data(const vs_node *n) { return n->children + n->child_count; }
 #define VS_ENDLESS_MESSAGE "the object is endless: intersect it with something finite, or subtract it from that"
-/* VS_AS(sphere, n)->radius is a field of a sphere's payload; the caller has checked n->kind. */
+/* VS_AS(sphere, n) is the payload of n as a struct vs_sphere. The caller has checked that n is a sphere. */
 static inline const void *vs_node_data_of(const vs_node *n, vs_kind kind) {
   VS_ASSERT(n->kind == kind);
   (void)kind;
@@ -162,8 +164,8 @@ enum {
 };
 #define VS_AS(lower, n) ((const struct vs_##lower *)vs_node_data_of(n, (vs_kind)VS_KIND_OF_##lower))
 
-/* Returns child i, for callers that visit children in sequence, and prefetches a later one, since there may be a
- * million: with its payload, or only its header. */
+/* Returns child i for callers that visit the children in sequence. Prefetches a later child, because there may be a
+ * million: vs_node_next_whole with its payload, vs_node_next only its header. */
 enum { VS_NODES_AHEAD = 24 };
 static inline const vs_ref *vs_node_next_whole(const vs_node *n, uint32_t i) {
   if (n->child_count - i > VS_NODES_AHEAD) {
@@ -180,37 +182,38 @@ static inline const vs_ref *vs_node_next(const vs_node *n, uint32_t i) {
 static inline vs_role vs_node_role(const vs_node *n) { return (vs_role)vs_kind_roles[n->kind]; }
 static inline bool vs_node_has(const vs_node *n, unsigned trait) { return (vs_kind_traits[n->kind] & trait) != 0; }
 
-/* Returns true for the boolean operations. */
+/* Returns true if n is a boolean operation. */
 static inline bool vs_node_is_set(const vs_node *n) { return vs_node_role(n) == VS_ROLE_SET; }
 
-/* Returns true for kinds that occupy the same space as their one child. (A GHOST occupies none.) */
+/* Returns true if n occupies the same space as its single child. A GHOST is no wrapper: it occupies no space. */
 static inline bool vs_node_is_wrapper(const vs_node *n) {
   return n->child_count == 1 && vs_node_role(n) == VS_ROLE_WRAPPER;
 }
 
-/* ---- building. All return one new reference to the caller, NULL when memory is out. ---- */
+/* ---- creating. All return a new reference that the caller releases, or NULL when memory is out. ---- */
 vs_points *vs_points_new(vs_store *s, const vs_vec3 *at, size_t count);
 vs_faces *vs_faces_new(vs_store *s, const uint32_t *starts, size_t count, const uint32_t *corners, size_t corner_count);
-/* reversed, each from the same first corner */
+/* Returns the faces with the order of their corners reversed; each face keeps its first corner. */
 vs_faces *vs_faces_turned(vs_store *s, const vs_faces *f);
 vs_ticket *vs_ticket_new(vs_store *s, uint32_t id);
 void vs_ticket_release(vs_store *s, const vs_ticket *t);
-/* The array is alive. */
+/* Adds a reference to the array and returns it. */
 vs_points *vs_points_retain(vs_points *p);
-/* The array is alive. */
+/* Adds a reference to the array and returns it. */
 vs_faces *vs_faces_retain(vs_faces *f);
 void vs_points_release(vs_store *s, const vs_points *p);
 void vs_faces_release(vs_store *s, const vs_faces *f);
-/* Copies data (struct vs_<kind>; retains its arrays) and children (retains their nodes). Does not check its arguments:
- * bind/ does. */
+/* Creates a node. Copies data (a struct vs_<kind>) and children, and retains the arrays and nodes to which they refer.
+ * Does not check its arguments: bind/ checks them. */
 vs_node *vs_node_new(vs_store *s, vs_kind kind, const void *data, const vs_ref *children, size_t child_count);
-/* The node is alive: a reference exists. */
+/* Adds a reference to the node and returns it. */
 vs_node *vs_node_retain(vs_node *n);
-void vs_node_release(vs_node *n); /* iterative: a deep tree needs no more stack; NULL is fine */
-/* Compares by value, without recursion, each pair of shared subtrees once. When memory is out, returns false, and *ok
- * (ok may be NULL) is false. */
+void vs_node_release(vs_node *n); /* Releases a reference without recursion, so that a deep tree needs no more stack.
+                                   * NULL is permitted. */
+/* Returns true if a and b are equal by value. Compares without recursion, and each pair of shared subtrees once. If
+ * memory is out, returns false and sets *ok (may be NULL) to false. */
 bool vs_node_equal(const vs_node *a, const vs_node *b, bool *ok);
-size_t vs_node_bytes(const vs_node *n); /* of this node alone, with its arrays */
+size_t vs_node_bytes(const vs_node *n); /* Returns the bytes of this node and its arrays, without its children. */
 size_t vs_points_bytes(const vs_points *p);
 size_t vs_faces_bytes(const vs_faces *f);
 

@@ -1,4 +1,4 @@
-/* Owns the walk that numbers distinct nodes, with an explicit stack. See order.h. */
+/* Implements order.h: numbers the distinct nodes of a drawing, with an explicit stack instead of recursion. */
 #include "model/order.h"
 
 #include "model/store/store_inside.h"
@@ -12,7 +12,7 @@ static bool order_grow(vs_order *o) {
   if (!at) return false;
   o->at = at;
   vs_order_note *note = vs_store_realloc(o->store, o->note, o->room * sizeof *note, room * sizeof *note);
-  if (!note) { /* the two have the same room */
+  if (!note) { /* `at` and `note` always have the same room */
     at = vs_store_realloc(o->store, o->at, room * sizeof *at, o->room * sizeof *at);
     if (at || !o->room) o->at = at;
     return false;
@@ -22,7 +22,7 @@ static bool order_grow(vs_order *o) {
   return true;
 }
 
-/* Adds a node, whose children are done. inner: some have numbers. */
+/* Adds a node after its children. `inner` is true if a child has a number. */
 static bool order_add(vs_order *o, vs_ref ref, bool inner) {
   if (o->count == o->room && !order_grow(o)) return false;
   ref.node->slot = (uint32_t)o->count;
@@ -42,7 +42,7 @@ static void order_pass_by(vs_order *o, const vs_node *leaf) {
   o->lone += !empty;
 }
 
-/* Finds the next child that needs a number; counts the lone leaves before it. */
+/* Finds the next child that needs a number, and counts the lone leaves before it. Returns false if there is none. */
 static bool order_next(vs_order *o, order_level *top, vs_ref *child) {
   const vs_node *n = top->ref.node;
   while (top->next < n->child_count) {

@@ -1,4 +1,4 @@
-/* Owns the drawing that a back-end receives: its defaults and its references. */
+/* Implements scene.h: sets the defaults of a drawing, and adds references, views, lamps and notes. */
 #include "model/scene.h"
 
 #include <string.h>

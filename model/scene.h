@@ -1,4 +1,4 @@
-/* Owns the drawing that a back-end receives: the drawn references and the views. Plain data. */
+/* Declares the drawing that a format receives: the drawn references, views, lamps, notes and settings. */
 #ifndef VS_MODEL_SCENE_H
 #define VS_MODEL_SCENE_H
 
@@ -14,105 +14,109 @@ typedef enum {
   VS_VIEW_LEFT,
   VS_VIEW_RIGHT,
   VS_VIEW_ISO,
-  VS_VIEW_ALONG,   /* parallel, from eye towards target */
-  VS_VIEW_PANORAMA /* all directions from eye, target in the centre */
+  VS_VIEW_ALONG,   /* parallel projection in the direction from eye to target */
+  VS_VIEW_PANORAMA /* all directions from eye; target is in the centre of the picture */
 } vs_view;
 
-/* A named view of a picture or a drawing. Lengths in model units. */
-typedef enum { VS_CUT_OWN /* only of a plan: the drawing chooses the height */, VS_CUT_NONE, VS_CUT_PLANE } vs_cut;
+/* A named view of a picture or a drawing. Lengths are in model units. */
+typedef enum { VS_CUT_OWN /* of a plan: the format chooses its height */, VS_CUT_NONE, VS_CUT_PLANE } vs_cut;
 typedef struct {
-  const char *name;          /* interned */
+  const char *name;          /* name of the view, interned */
   vs_view view;
-  vs_vec3 eye, target;       /* VS_VIEW_CAMERA, VS_VIEW_ALONG, VS_VIEW_PANORAMA */
-  double lens;               /* mm, 35 mm equivalent */
-  bool upright;              /* VS_VIEW_CAMERA: verticals remain vertical on the picture */
-  double aperture;           /* VS_VIEW_CAMERA: the lens's f-number; 0: everything is in focus */
-  vs_vec3 focus;             /* with an aperture: a point at the distance that is in focus */
+  vs_vec3 eye, target;       /* for VS_VIEW_CAMERA, VS_VIEW_ALONG and VS_VIEW_PANORAMA */
+  double lens;               /* focal length in mm, for film of 35 mm */
+  bool upright;              /* VS_VIEW_CAMERA: whether vertical lines are vertical in the picture */
+  double aperture;           /* VS_VIEW_CAMERA: f-number of the lens; 0: everything is in focus */
+  vs_vec3 focus;             /* a point at the distance that is in focus; used if aperture is not 0 */
   vs_cut cut;
-  vs_vec3 cut_point, cut_normal; /* VS_CUT_PLANE: the side of the normal is kept; the normal is unit */
-  double scale;              /* of a drawing: 100 is 1:100; 0: a round one that fits */
-  const char *sheet;         /* "A3", a name of sheets.def; NULL: one that fits */
-  bool hidden;               /* the drawing has hidden edges as dashed lines */
+  vs_vec3 cut_point, cut_normal; /* VS_CUT_PLANE: a point of the plane, and the unit normal towards the kept side */
+  double scale;              /* scale of a drawing: 100 is 1:100; 0: a round scale that fits */
+  const char *sheet;         /* name from sheets.def, such as "A3"; NULL: a sheet that fits */
+  bool hidden;               /* whether the drawing shows hidden edges as dashed lines */
 } vs_scene_view;
 
 /* The notes that drawings show in addition to the model. */
 typedef enum {
-  VS_NOTE_DIMENSION /* p to q */,
-  VS_NOTE_LABEL /* at p */,
-  VS_NOTE_LEVEL /* of height p.z */,
-  VS_NOTE_AXIS /* p to q */
+  VS_NOTE_DIMENSION /* dimension from p to q */,
+  VS_NOTE_LABEL /* text at p */,
+  VS_NOTE_LEVEL /* level mark of the height p.z */,
+  VS_NOTE_AXIS /* axis from p to q */
 } vs_note_kind;
 typedef struct {
   vs_note_kind kind;
   vs_vec3 p, q;
-  double offset;             /* of a dimension: the distance of its line from p and q; NAN: the sheet chooses */
-  const char *text;          /* interned, or NULL: the length or the height */
-  const char *view;          /* interned: the only view that shows it; NULL: all that can */
+  double offset;             /* distance of the dimension line from p and q; NAN: chosen when the sheet is drawn */
+  const char *text;          /* interned text; NULL: the length or the height as text */
+  const char *view;          /* name of the only view that shows the note, interned; NULL: all views that can */
 } vs_scene_note;
 
 /* A lamp: a point that emits light. */
 typedef struct {
-  vs_vec3 at, to;            /* its centre direction, downwards for a hanging lamp, goes from `at` to `to` */
-  double turn;               /* degrees around that direction, anticlockwise as seen from above a hanging lamp */
-  const vs_picture *ies;     /* the file of its intensities by direction; NULL: equal in all directions */
-  double lumens;             /* without a file */
-  double dim;                /* with a file: the fraction of its light */
-  vs_vec3 color;             /* of its light, linear, of luminance 1 */
+  vs_vec3 at, to;            /* the direction of the lamp's centre goes from `at` to `to`; it is downwards for a hanging
+                              * lamp */
+  double turn;               /* rotation in degrees about the lamp's direction, anticlockwise as seen from above a
+                              * hanging lamp */
+  const vs_picture *ies;     /* file of the intensities by direction; NULL: equal in all directions */
+  double lumens;             /* luminous flux of a lamp without a file */
+  double dim;                /* fraction of the light of its file that the lamp emits */
+  vs_vec3 color;             /* colour of the light: linear RGB, of luminance 1 */
 } vs_scene_lamp;
 
 typedef struct {
-  vs_store *store;           /* retained */
-  vs_ref *drawn;             /* in drawing order; nodes retained */
+  vs_store *store;           /* the store, retained */
+  vs_ref *drawn;             /* drawn references in drawing order; their nodes are retained */
   size_t drawn_count, drawn_room;
-  const char *title;         /* interned; the model file's name without folder, or "model" */
-  bool looked;               /* the program set the view: camera, view-from, zoom-extents */
+  const char *title;         /* name of the model file without its folder, or "model"; interned */
+  bool looked;               /* whether the program set the view: by camera, view-from or zoom-extents */
   vs_view view;
-  vs_vec3 eye, target;       /* VS_VIEW_CAMERA, VS_VIEW_PANORAMA */
-  double lens;               /* mm, 35 mm equivalent; 35 by default */
-  bool upright;              /* VS_VIEW_CAMERA: verticals stay vertical */
-  double aperture;           /* VS_VIEW_CAMERA: f-number; 0: everything is in focus */
-  vs_vec3 focus;             /* with an aperture: a point at the distance that is in focus */
-  vs_scene_view *views;      /* in the order of their definitions */
+  vs_vec3 eye, target;       /* used by VS_VIEW_CAMERA and VS_VIEW_PANORAMA */
+  double lens;               /* focal length in mm, for film of 35 mm; 35 by default */
+  bool upright;              /* VS_VIEW_CAMERA: whether vertical lines are vertical in the picture */
+  double aperture;           /* VS_VIEW_CAMERA: f-number of the lens; 0: everything is in focus */
+  vs_vec3 focus;             /* a point at the distance that is in focus; used if aperture is not 0 */
+  vs_scene_view *views;      /* named views in the order of their definitions */
   size_t view_count, view_room;
   vs_scene_note *notes;
   size_t note_count, note_room;
   vs_scene_lamp *lamps;
   size_t lamp_count, lamp_room;
-  bool has_sun;              /* else each back-end chooses a default */
-  double sun_azimuth, sun_altitude; /* degrees; azimuth clockwise from +Y */
+  bool has_sun;              /* whether the program set the sun; if not, each format chooses a default */
+  double sun_azimuth, sun_altitude; /* in degrees; azimuth clockwise from +Y */
   bool has_sky;
-  double sky[3];             /* sRGB */
-  double turbidity;          /* of the physical sky (geometry/sky_light.h); 0: none */
-  const vs_picture *sky_image; /* the whole sky, twice as wide as high; NULL: none */
-  const vs_picture *sky_sunless; /* the same without its sun; NULL: it has no sun */
-  vs_vec3 picture_sun, picture_sun_light; /* unit vector towards it; the light on a surface perpendicular to it, in the
-                                           * picture's numbers times solid angles */
-  double fog_visibility;     /* the distance at which a dark object has a twentieth of its contrast; 0: no fog */
-  double fog_height;         /* the height above the ground at which the fog begins to thin; INFINITY: never */
-  const vs_material *fog_color; /* or NULL: that of the sky at the horizon */
+  double sky[3];             /* sRGB colour of the sky */
+  double turbidity;          /* turbidity of the physical sky (geometry/sky_light.h); 0: no physical sky */
+  const vs_picture *sky_image; /* picture of the whole sky, twice as wide as high; NULL: none */
+  const vs_picture *sky_sunless; /* the sky picture without its sun; NULL if it shows no sun */
+  vs_vec3 picture_sun, picture_sun_light; /* unit vector towards the sky picture's sun; its light on a surface
+                                           * perpendicular to it, as picture values times solid angle */
+  double fog_visibility;     /* distance at which a dark object has 5 percent of its contrast; 0: no fog */
+  double fog_height;         /* height above the ground from which the fog thins; INFINITY: nowhere */
+  const vs_material *fog_color; /* NULL: the colour of the sky at the horizon */
   bool has_ground;
   double ground_z;
-  const vs_material *ground_material; /* or NULL */
-  const char *units;         /* "m", "mm", "cm", "in", "ft" */
-  double tolerance;          /* chord height in model units; 0: by the rule of geometry/tessellate.h */
-  int segments;              /* 0: by tolerance; --segments */
+  const vs_material *ground_material; /* NULL: no material was set */
+  const char *units;         /* the model's unit: "m", "mm", "cm", "in" or "ft" */
+  double tolerance;          /* greatest deviation of facets from curves, in model units; 0: by the rule of
+                              * geometry/tessellate.h */
+  int segments;              /* facets of a full turn, set by --segments; 0: computed from the tolerance */
 } vs_scene;
 
-void vs_scene_init(vs_scene *scene, vs_store *store); /* retains the store */
-bool vs_scene_draw(vs_scene *scene, vs_ref ref);      /* retains; false: out of memory */
-double vs_scene_metres(const vs_scene *scene);        /* the length of a model unit in metres */
+void vs_scene_init(vs_scene *scene, vs_store *store); /* Sets the defaults of an empty drawing; retains the store. */
+bool vs_scene_draw(vs_scene *scene, vs_ref ref);      /* Adds ref and retains its node. Returns false when memory is
+                                                       * out. */
+double vs_scene_metres(const vs_scene *scene);        /* Returns the length of a model unit in metres. */
 void vs_scene_free(vs_scene *scene);
-/* Adds a view, which replaces one of the same name. The store interns the view's texts. Returns false when memory is
+/* Adds a view, or replaces the view of the same name. The store interns the view's texts. Returns false when memory is
  * out. */
 bool vs_scene_add_view(vs_scene *scene, const vs_scene_view *view);
-bool vs_scene_add_lamp(vs_scene *scene, const vs_scene_lamp *lamp); /* false: out of memory */
-bool vs_scene_add_note(vs_scene *scene, const vs_scene_note *note); /* false: out of memory */
+bool vs_scene_add_lamp(vs_scene *scene, const vs_scene_lamp *lamp); /* Adds a lamp. Returns false when memory is out. */
+bool vs_scene_add_note(vs_scene *scene, const vs_scene_note *note); /* Adds a note. Returns false when memory is out. */
 /* Returns the view of that name, or NULL. */
 const vs_scene_view *vs_scene_find_view(const vs_scene *scene, const char *name);
-/* Returns the default view of a picture: the first that is a perspective, a panorama or an axonometry, else the first;
- * NULL if the program set the camera, or named no view. */
+/* Returns the default view of a picture: the first perspective, panorama or axonometry, else the first view. Returns
+ * NULL if the program set the camera or defined no view. */
 const vs_scene_view *vs_scene_own_view(const vs_scene *scene);
-/* Sets the scene's camera to that of the view; the caller makes the view's cut. */
+/* Sets the scene's camera to that of the view. The caller applies the view's cut. */
 void vs_scene_look(vs_scene *scene, const vs_scene_view *view);
 
 #endif

@@ -1,13 +1,14 @@
-/* Owns the choice of threads that handle signals: only the host's, because each thread that the library or the command
- * starts blocks them. A handler may use data of the host's thread, and so never runs beside that thread. */
+/* Blocks signals in all threads that the library or the command starts, so that only the host's threads handle them. A
+ * handler therefore never runs in parallel with the host's thread, and may use its data. */
 #ifndef VS_MODEL_SIGNALS_H
 #define VS_MODEL_SIGNALS_H
 
 #include <pthread.h>
 #include <signal.h>
 
-/* Blocks the signals from outside, for this thread and those that it starts, until *was is restored. Does not block a
- * fault of the program itself: a sanitizer or debugger reports it in any thread. */
+/* Blocks the signals from other processes for this thread and the threads it starts. *was receives the previous mask,
+ * for vs_signals_release. Signals of a fault of the program remain unblocked, so that a sanitizer or debugger reports
+ * the fault. */
 static inline void vs_signals_hold(sigset_t *was) {
   static const int faults[] = { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGPROF };
   sigset_t outside;
@@ -18,7 +19,7 @@ static inline void vs_signals_hold(sigset_t *was) {
 
 static inline void vs_signals_release(const sigset_t *was) { pthread_sigmask(SIG_SETMASK, was, NULL); }
 
-/* Starts a thread as pthread_create does; it receives no signals. */
+/* Starts a thread as pthread_create does. The new thread receives no signals from other processes. */
 static inline int vs_thread_start(pthread_t *thread, const pthread_attr_t *how, void *(*run)(void *), void *context) {
   sigset_t was;
   vs_signals_hold(&was);

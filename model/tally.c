@@ -1,4 +1,4 @@
-/* Owns the account of a run: see tally.h. */
+/* Implements tally.h: counts the time and memory of each phase of a run. */
 #include "model/tally.h"
 
 #include "model/store/store_inside.h"

@@ -1,5 +1,5 @@
-/* Owns the account of a run: the time and memory of each phase, and other counts. The store carries it to all who work
- * on nodes (vs_store_tally); no result depends on it. */
+/* Declares the account of a run: the time and memory of each phase, and other counts. The store holds its address, for
+ * all code that works on nodes (vs_store_tally). No result depends on it. */
 #ifndef VS_MODEL_TALLY_H
 #define VS_MODEL_TALLY_H
 
@@ -11,7 +11,7 @@
 typedef enum {
 #define VS_PHASE(upper, lower, doc) VS_WORK_##upper,
 #include "model/tally.def"
-  VS_WORK_NONE, /* nothing runs, or only work that no one waits for */
+  VS_WORK_NONE, /* no work, or work for which nobody waits */
   VS_WORK_COUNT
 } vs_work_phase;
 
@@ -23,33 +23,36 @@ typedef enum {
 
 typedef struct {
   double seconds;
-  double growth; /* the bytes held at the ends of the phase minus those at its beginnings */
-  size_t peak;   /* the most bytes held during the phase, by all phases */
+  double growth; /* change of the bytes held, from the begin of each run of the phase to its end, summed */
+  size_t peak;   /* greatest number of bytes held by all phases while this phase was active */
 } vs_phase_use;
 
 typedef struct vs_tally {
-  double (*clock)(void *context); /* seconds, monotonic */
+  double (*clock)(void *context); /* returns monotonic time in seconds */
   void *context;
-  const size_t *held;             /* bytes held now */
+  const size_t *held;             /* address of the number of bytes held now */
   vs_work_phase now;
   double since;
-  size_t peak;                    /* of finished phases */
-  size_t from, high;              /* the bytes held at the begin of this phase; the most since: each allocator updates
-                                   * it */
+  size_t peak;                    /* greatest number of bytes held during the finished phases */
+  size_t from, high;              /* from: bytes held at the begin of this phase; high: the most since, updated by each
+                                   * allocator */
   vs_phase_use of[VS_WORK_COUNT];
-  uint64_t written;               /* bytes of outputs */
-  uint64_t clusters, combined, copied, remembered; /* of solids that touch (kernel/cluster.h) */
-  uint64_t triangles;             /* written: those of outputs, in the form of their formats */
-  double steps[VS_STEP_COUNT];    /* seconds, steps of MESH */
-  /* runs of text that were looked for in the world cache; of those, found; their bytes */
+  uint64_t written;               /* bytes of output files */
+  uint64_t clusters, combined, copied, remembered; /* numbers of groups of solids that touch (kernel/cluster.h) */
+  uint64_t triangles;             /* triangles in outputs, as their formats write them */
+  double steps[VS_STEP_COUNT];    /* seconds of each step of the phase MESH */
+  /* Counts of runs of text in the world cache: searched, found, and the bytes of those found. */
   uint64_t texts, texts_found, bytes_found;
 } vs_tally;
 
-/* Begins phase p, and returns the previous one, for the return. t NULL: nothing is counted. */
+/* Begins phase p and returns the previous phase, to which the caller later returns. t NULL: nothing is counted. */
 vs_work_phase vs_tally_enter(vs_tally *t, vs_work_phase p);
-void vs_tally_also(vs_tally *t, size_t bytes); /* counts bytes that this phase held for a time outside of `held` */
-size_t vs_tally_peak(const vs_tally *t);       /* the most of all phases, without those of vs_tally_also */
-vs_tally *vs_store_tally(const vs_store *s);   /* NULL: there is none */
-void vs_store_set_tally(vs_store *s, vs_tally *t); /* the caller owns it, and sets NULL before it frees it */
+void vs_tally_also(vs_tally *t, size_t bytes); /* Counts bytes that this phase held temporarily and that `held` does not
+                                                * contain. */
+size_t vs_tally_peak(const vs_tally *t);       /* Returns the greatest number of bytes held in any phase, without those
+                                                * of vs_tally_also. */
+vs_tally *vs_store_tally(const vs_store *s);   /* Returns the account, or NULL. */
+void vs_store_set_tally(vs_store *s, vs_tally *t); /* Sets the account. The caller owns it, and sets NULL before freeing
+                                                    * it. */
 
 #endif

@@ -1,14 +1,14 @@
-/* Owns affine maps: products, inverses, and the rotations, scalings and mirrors that the language makes of them.
+/* Computes affine maps: products, inverses, rotations, scalings and mirrorings.
  *
- * Quarter turns are exact: an angle written as pi/2 must put a wall at x = 3, not at 3.0000000000000004. */
+ * Quarter turns are exact: a wall rotated by pi/2 must lie at x = 3, not at 3.0000000000000004. */
 #include "model/vec.h"
 
 static const double half_pi = 1.57079632679489661923;
 
 void vs_sincos(double angle, double *sine, double *cosine) {
   double quarters = nearbyint(angle / half_pi);
-  /* Sums and products such as 3*pi/4 + 3*pi/4 miss the nearest double by an ulp or two: those count as the multiple,
-   * too. */
+  /* Sums and products such as 3*pi/4 + 3*pi/4 differ from the nearest multiple by one or two ulps. They count as that
+   * multiple. */
   if (fabs(quarters) < 1e9 && fabs(angle - quarters * half_pi) <= 4.5e-16 * fabs(angle)) {
     static const signed char sines[4] = { 0, 1, 0, -1 };
     int q = (int)fmod(quarters, 4);
@@ -23,17 +23,18 @@ void vs_sincos(double angle, double *sine, double *cosine) {
 
 void vs_turn_sincos(int index, int count, double *sine, double *cosine) {
   VS_ASSERT(count > 0);
-  /* Everything is computed in the first eighth of the turn and reflected from there, so that the corners of a polygon
-   * are mirror images of each other to the last bit. */
+  /* Sines are computed in the first eighth of a turn and reflected into the others. The corners of a polygon are
+   * therefore exact mirror images of each other. */
   long long eighths, rest, n = count, i = index % n;
   if (i < 0) i += n;
   eighths = 8 * i / n;
-  rest = 8 * i - eighths * n; /* in units of 1/(8n) turn, 0 <= rest < n */
+  rest = 8 * i - eighths * n; /* in units of 1/(8 count) turn: 0 <= rest < n */
   bool odd = eighths & 1;
-  double along = half_pi / 2 * ((double)(odd ? n - rest : rest) / (double)n); /* from the nearest axis, 0..pi/4 */
+  double along = half_pi / 2 * ((double)(odd ? n - rest : rest) / (double)n); /* angle from the nearest axis, 0 to
+                                                                               * pi/4 */
   double s = sin(along), c = cos(along), swap;
   if ((odd ? n - rest : rest) == n) s = c = 0.70710678118654752440;
-  switch (((eighths + 1) / 2) & 3) { /* the axis that is nearest */
+  switch (((eighths + 1) / 2) & 3) { /* number of the nearest axis */
     case 0: if (odd) s = -s; break;
     case 1: swap = odd ? s : -s; s = c; c = swap; break;
     case 2: s = odd ? s : -s; c = -c; break;
@@ -49,7 +50,8 @@ vs_vec3 vs_v3_unit(vs_vec3 v) {
   double x = fabs(v.x), y = fabs(v.y), z = fabs(v.z), most = x > y ? x : y;
   if (z > most) most = z;
   if (!(most > 0)) return vs_v3(0, 0, 0);
-  v = vs_v3(v.x / most, v.y / most, v.z / most); /* first, so that nothing over- or underflows and axes stay exact */
+  v = vs_v3(v.x / most, v.y / most, v.z / most); /* scaled first, so that nothing overflows or underflows, and axes
+                                                  * remain exact */
   return vs_v3_scale(v, 1 / vs_v3_length(v));
 }
 
@@ -79,14 +81,15 @@ bool vs_affine_invert(const vs_affine *a, vs_affine *out) {
   vs_affine r;
   for (int i = 0; i < 3; i++)
     for (int j = 0; j < 3; j++) {
-      int p = (j + 1) % 3, q = (j + 2) % 3, s = (i + 1) % 3, t = (i + 2) % 3; /* cyclic minors carry their sign */
+      int p = (j + 1) % 3, q = (j + 2) % 3, s = (i + 1) % 3, t = (i + 2) % 3; /* with cyclic indices, minors have their
+                                                                               * sign */
       r.m[i][j] = (m[p][s] * m[q][t] - m[p][t] * m[q][s]) / d;
     }
   for (int i = 0; i < 3; i++) r.m[i][3] = -(r.m[i][0] * m[0][3] + r.m[i][1] * m[1][3] + r.m[i][2] * m[2][3]);
   for (int i = 0; i < 3; i++)
     for (int j = 0; j < 4; j++) {
       if (!isfinite(r.m[i][j])) return false;
-      r.m[i][j] += 0.0; /* no -0 */
+      r.m[i][j] += 0.0; /* adding 0.0 changes -0 to 0 */
     }
   *out = r;
   return true;
@@ -95,7 +98,7 @@ bool vs_affine_invert(const vs_affine *a, vs_affine *out) {
 bool vs_affine_plane(const vs_affine *a, vs_vec3 *point, vs_vec3 *normal) {
   vs_affine back;
   if (!vs_affine_invert(a, &back)) return false;
-  vs_vec3 n = *normal; /* normals transform by the inverse transposed */
+  vs_vec3 n = *normal; /* normals are mapped by the transposed inverse */
   *normal = vs_v3(back.m[0][0] * n.x + back.m[1][0] * n.y + back.m[2][0] * n.z,
                   back.m[0][1] * n.x + back.m[1][1] * n.y + back.m[2][1] * n.z,
                   back.m[0][2] * n.x + back.m[1][2] * n.y + back.m[2][2] * n.z);
@@ -118,7 +121,7 @@ vs_affine vs_affine_translation(vs_vec3 v) {
   return (vs_affine){ { { 1, 0, 0, v.x }, { 0, 1, 0, v.y }, { 0, 0, 1, v.z } } };
 }
 
-/* Returns the linear map l about the fixed point: p -> fixed + l (p - fixed). */
+/* Returns the map with linear part l and fixed point `fixed`: p -> fixed + l (p - fixed). */
 static vs_affine affine_about(vs_affine l, vs_vec3 fixed) {
   vs_vec3 moved = vs_affine_vector(&l, fixed);
   l.m[0][3] = fixed.x - moved.x;
@@ -136,7 +139,7 @@ vs_affine vs_affine_rotation(vs_vec3 point, vs_vec3 direction, double angle) {
   vs_affine r = { { { c + u.x * u.x * k, u.x * u.y * k - u.z * s, u.x * u.z * k + u.y * s, 0 },
                     { u.y * u.x * k + u.z * s, c + u.y * u.y * k, u.y * u.z * k - u.x * s, 0 },
                     { u.z * u.x * k - u.y * s, u.z * u.y * k + u.x * s, c + u.z * u.z * k, 0 } } };
-  /* c + (1 - c) may miss 1 by an ulp: about a world axis the entries are known. */
+  /* c + (1 - c) may differ from 1 by an ulp. For rotations about a world axis the entry is exactly 1. */
   if (fabs(u.x) == 1) r.m[0][0] = 1;
   if (fabs(u.y) == 1) r.m[1][1] = 1;
   if (fabs(u.z) == 1) r.m[2][2] = 1;
@@ -183,7 +186,7 @@ vs_bounds vs_bounds_transform(const vs_bounds *b, const vs_affine *a) {
   for (int i = 0; i < 3; i++) {
     low[i] = high[i] = a->m[i][3];
     for (int j = 0; j < 3; j++) {
-      if (a->m[i][j] == 0) continue; /* also if that side is infinite */
+      if (a->m[i][j] == 0) continue; /* a zero entry contributes nothing, even if the side is infinite */
       double p = a->m[i][j] * lo[j], q = a->m[i][j] * hi[j];
       low[i] += fmin(p, q);
       high[i] += fmax(p, q);
@@ -221,7 +224,7 @@ void vs_rotation_quaternion(const vs_vec3 c[3], double out[4]) {
   int most = 0;
   for (int i = 1; i < 4; i++)
     if (q[i] > q[most]) most = i;
-  double a[4]; /* not yet of unit length */
+  double a[4]; /* quaternion before it is scaled to unit length */
   switch (most) {
   case 0: a[0] = q[0]; a[1] = m[2][1] - m[1][2]; a[2] = m[0][2] - m[2][0]; a[3] = m[1][0] - m[0][1]; break;
   case 1: a[0] = m[2][1] - m[1][2]; a[1] = q[1]; a[2] = m[0][1] + m[1][0]; a[3] = m[0][2] + m[2][0]; break;

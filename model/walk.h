@@ -1,4 +1,5 @@
-/* Owns walking a DAG without recursion: every path, parents before children (enter) and after (leave). */
+/* Declares a walk through a DAG without recursion, along every path. It reports each node before its children (enter)
+ * and after them (leave). */
 #ifndef VS_MODEL_WALK_H
 #define VS_MODEL_WALK_H
 
@@ -7,8 +8,9 @@
 typedef enum { VS_WALK_ENTER, VS_WALK_LEAVE, VS_WALK_DONE, VS_WALK_FAILED } vs_walk_event;
 typedef struct vs_walk vs_walk;
 vs_walk *vs_walk_new(vs_store *s, vs_ref root);
-vs_walk_event vs_walk_next(vs_walk *w, vs_ref *ref, size_t *depth); /* FAILED: out of memory */
-/* After ENTER: omits this node's children; LEAVE still follows. */
+vs_walk_event vs_walk_next(vs_walk *w, vs_ref *ref, size_t *depth); /* Returns the next event of the walk;
+                                                                     * VS_WALK_FAILED if memory is out. */
+/* Omits the children of the node just entered. Its leave event still follows. */
 void vs_walk_skip(vs_walk *w);
 void vs_walk_free(vs_walk *w);
 

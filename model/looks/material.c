@@ -1,4 +1,4 @@
-/* Owns materials as values: those of a plain colour, their patterns, their hash. */
+/* Implements material.h: plain materials, the names and sizes of patterns, and hashes. */
 #include "model/looks/material.h"
 
 #include <string.h>
@@ -12,7 +12,8 @@ static const struct { const char *name; double size; } patterns[VS_PATTERN_COUNT
   { "picture", 1 },
 };
 
-static const double plain_roughness = 0.6, plain_ior = 1.5; /* of a material that has only a colour: matt paint */
+static const double plain_roughness = 0.6, plain_ior = 1.5; /* roughness and refractive index of a material that is
+                                                             * given only by its colour */
 
 vs_material vs_material_of_color(double red, double green, double blue) {
   return (vs_material){

@@ -1,4 +1,4 @@
-/* Owns the placement of pictures on faces: the direction of a face, and the position of a point on a picture. */
+/* Implements picture.h: computes the direction of a face, and the position of a point on a picture. */
 #include "model/looks/picture.h"
 #include "model/assert.h"
 
@@ -6,7 +6,7 @@
 #include <stdbool.h>
 
 static const double pi = 3.14159265358979323846;
-enum { TILTS = VS_PICTURE_STEPS / 2 }; /* TILTS: the steps from straight up, 0, to straight down */
+enum { TILTS = VS_PICTURE_STEPS / 2 }; /* TILTS: number of steps of the tilt from straight up (0) to straight down */
 
 int vs_picture_direction(double x, double y, double z) {
   const double step = 2 * pi / VS_PICTURE_STEPS;
@@ -22,7 +22,7 @@ void vs_picture_axes(int direction, double across[3], double up[3]) {
   double t = tilt * step, a = turn * step;
   bool level = tilt == 0 || tilt == TILTS;
   VS_ASSERT(direction >= 0 && direction <= TILTS * VS_PICTURE_STEPS);
-  if (level) a = -pi / 2; /* as a face to the south, laid down */
+  if (level) a = -pi / 2; /* a horizontal face has the axes of a wall that faces south */
   across[0] = -sin(a), across[1] = cos(a), across[2] = 0;
   up[0] = -cos(t) * cos(a), up[1] = -cos(t) * sin(a), up[2] = sin(t);
 }

@@ -1,4 +1,4 @@
-/* Owns the materials that exist by name: the ready ones, the CSS colours and "#rrggbb". */
+/* Finds materials by name: the predefined materials, the CSS colours and "#rrggbb". */
 #include "model/looks/ready_materials.h"
 
 #include <string.h>
@@ -26,7 +26,8 @@ static int material_hex_digit(char c) {
   return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
 }
 
-static bool material_same_name(const char *table, const char *given) { /* CSS names are read in any case */
+static bool material_same_name(const char *table, const char *given) { /* Returns true if the names are equal; in CSS
+                                                                        * names, upper and lower case are the same. */
   for (; *table && *given; table++, given++)
     if (*table != (*given >= 'A' && *given <= 'Z' ? *given + 32 : *given)) return false;
   return *table == *given;

@@ -1,5 +1,5 @@
-/* Owns the growth of arrays: to twice the room, to FIRST_ROOM elements, or to the number needed, the largest of these.
- * An array that cannot grow remains unchanged. */
+/* Grows arrays: to twice their room, to FIRST_ROOM elements or to the needed room, the largest of these. An array that
+ * cannot grow remains unchanged. */
 #include "model/store/array.h"
 
 #include <stdint.h>
@@ -15,7 +15,7 @@ bool vs_room_grow(void *slot, size_t *room, size_t need, size_t size) {
   if (more < need) more = need;
   if (more > SIZE_MAX / size) return false;
   void *old, *grown;
-  memcpy(&old, slot, sizeof old); /* slot is the address of a pointer of any type */
+  memcpy(&old, slot, sizeof old); /* slot is the address of a pointer of any type: copy its bytes */
   grown = realloc(old, more * size);
   if (!grown) return false;
   memcpy(slot, &grown, sizeof grown);

@@ -1,4 +1,4 @@
-/* Owns the world cache: one hash table with chains, one list by last use. See cache.h. */
+/* Implements the world cache of cache.h: a hash table with chains, and a list of its entries by last use. */
 #include "model/store/cache.h"
 
 #include <string.h>
@@ -8,26 +8,26 @@
 
 typedef struct entry entry;
 struct entry {
-  vs_cached result; /* first: callers receive its address */
-  entry *chain;     /* of the same bucket */
+  vs_cached result; /* must be the first member: callers hold its address */
+  entry *chain;     /* next entry of the same bucket */
   entry *newer, *older;
   uint64_t hash, turn;
   size_t holders;
-  size_t own, bytes; /* of this block; with the memory of its node */
-  vs_node *node;     /* retained, or NULL */
+  size_t own, bytes; /* own: bytes of this entry; bytes: own plus those of its node */
+  vs_node *node;     /* node of the key, retained; may be NULL */
   size_t count;
   uint32_t kind;
-  _Alignas(16) unsigned char block[]; /* the words, then the result */
+  _Alignas(16) unsigned char block[]; /* the words of the key, then the result */
 };
 
 struct vs_cache {
   vs_store *store;
   entry **buckets;
-  size_t room; /* a power of two */
+  size_t room; /* number of buckets, a power of two */
   entry *newest, *oldest;
   size_t limit;
   uint64_t turn, serial;
-  bool keeps, busy; /* busy: the table or an entry is being allocated */
+  bool keeps, busy; /* busy: the table or an entry is being allocated, and no entry may be dropped */
   vs_cache_stats stats;
 };
 
@@ -55,7 +55,7 @@ static void link_newest(vs_cache *c, entry *e) {
   c->newest = e;
 }
 
-/* Drops an entry that no caller holds. */
+/* Removes and frees an entry that no caller holds. */
 static void drop(vs_cache *c, entry *e) {
   entry **at = &c->buckets[e->hash & (c->room - 1)];
   VS_ASSERT(e->holders == 0);
@@ -95,7 +95,7 @@ static uint64_t hash_of(const vs_cache_key *k) {
 static bool same(const entry *e, uint64_t hash, const vs_cache_key *k) {
   if (e->hash != hash || e->kind != k->kind || e->count != k->count || !e->node != !k->node) return false;
   if (k->count && memcmp(e->block, k->words, k->count * sizeof *k->words) != 0) return false;
-  /* when memory is out the result is not found, and is made again */
+  /* when memory is out, the nodes count as different, and the result is computed again */
   return e->node == k->node || (e->node->hash == k->node->hash && vs_node_equal(e->node, k->node, NULL));
 }
 
@@ -103,7 +103,7 @@ const vs_cached *vs_cache_find(vs_cache *c, const vs_cache_key *key) {
   if (!vs_cache_asks(c)) return NULL;
   uint64_t hash = hash_of(key);
   entry *e = c->room ? c->buckets[hash & (c->room - 1)] : NULL;
-  c->busy = true; /* Comparing may allocate, and then no entry may be dropped. */
+  c->busy = true; /* Comparing nodes may allocate memory. No entry may be dropped meanwhile. */
   while (e && !same(e, hash, key)) e = e->chain;
   c->busy = false;
   if (!e) return c->stats.misses[key->kind]++, NULL;
@@ -132,12 +132,13 @@ bool vs_cache_shrink(vs_cache *c, size_t bytes) {
   return c->stats.bytes < before;
 }
 
-/* Makes room for so many more bytes by dropping entries of earlier turns. */
+/* Makes room for more bytes: drops entries that were last used in earlier turns. Returns false if they do not
+ * suffice. */
 static bool make_room(vs_cache *c, size_t bytes) {
   if (bytes > c->limit / 2) return false;
   for (entry *e = c->oldest, *next; e && c->stats.bytes > c->limit - bytes; e = next) {
     next = e->newer;
-    if (e->turn == c->turn) break; /* by last use: all that follow are of this turn, too */
+    if (e->turn == c->turn) break; /* the list is sorted by last use: all further entries are of this turn */
     if (e->holders) continue;
     drop(c, e);
     c->stats.evicted++;
@@ -145,8 +146,8 @@ static bool make_room(vs_cache *c, size_t bytes) {
   return c->stats.bytes <= c->limit - bytes;
 }
 
-/* Sums the bytes of the node and of all nodes below it, which others may hold too. Returns false if they are unknown,
- * or too many to be worth counting. */
+/* Sums the bytes of the node and its descendants, including those that other references keep alive. Returns false if
+ * the sum exceeds `most`, or memory is out. */
 static bool node_bytes(vs_node *n, size_t most, size_t *bytes) {
   *bytes = 0;
   if (!n) return true;
@@ -181,7 +182,7 @@ static bool grow(vs_cache *c) {
   if (c->stats.entries < c->room) return true;
   size_t room = c->room ? c->room * 2 : LEAST;
   entry **grown = vs_store_realloc(c->store, NULL, 0, room * sizeof *grown);
-  if (!grown) return c->room > 0; /* longer chains will do */
+  if (!grown) return c->room > 0; /* without a larger table, chains become longer */
   memset(grown, 0, room * sizeof *grown);
   for (entry *e = c->oldest; e; e = e->newer) {
     e->chain = grown[e->hash & (room - 1)];
@@ -197,7 +198,7 @@ static entry *keep(vs_cache *c, const vs_cache_key *key, const vs_cache_piece *p
   size_t size = 0, words = (key->count * sizeof *key->words + 15) & ~(size_t)15, held;
   for (size_t i = 0; i < count; i++) size += (pieces[i].size + 15) & ~(size_t)15;
   size_t own = sizeof(entry) + words + size;
-  /* A ticket belongs to the program: nothing that outlives the program may hold it. */
+  /* A ticket belongs to one program, and the cache outlives programs: nodes with tickets are not cached. */
   if (key->node && key->node->flags & VS_NODE_SUGAR) return NULL;
   if (own > c->limit / 2 || !node_bytes(key->node, c->limit / 2, &held) || !make_room(c, own + held) || !grow(c))
     return NULL;
@@ -224,7 +225,7 @@ static entry *keep(vs_cache *c, const vs_cache_key *key, const vs_cache_piece *p
 
 const vs_cached *vs_cache_keep(vs_cache *c, const vs_cache_key *key, const vs_cache_piece *pieces, size_t count) {
   if (!vs_cache_keeps(c)) return NULL;
-  c->busy = true; /* no shrinking while the new entry is allocated: its position in the table would be lost */
+  c->busy = true; /* no entry may be dropped while the new one is allocated: its place in the table would be lost */
   entry *e = keep(c, key, pieces, count);
   c->busy = false;
   if (!e) return c->stats.refused++, NULL;

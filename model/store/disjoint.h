@@ -1,17 +1,18 @@
-/* Owns disjoint sets of numbers, as a forest of parents: a set's root is its smallest member, so results do not depend
- * on the order of unions. */
+/* Implements disjoint sets of numbers (union-find) as a forest of parents. The root of a set is its smallest number, so
+ * that results do not depend on the order of unions. */
 #ifndef VS_MODEL_STORE_DISJOINT_H
 #define VS_MODEL_STORE_DISJOINT_H
 
 #include <stdatomic.h>
 #include <stdint.h>
 
-/* parent[i] is i for the root of a set, and for every number at first; else a smaller member. */
+/* Makes each number a set of its own: parent[i] = i. Later, parent[i] is i for the root of a set, and a smaller member
+ * for other numbers. */
 static inline void vs_disjoint(uint32_t *parent, uint32_t count) {
   for (uint32_t i = 0; i < count; i++) parent[i] = i;
 }
 
-/* Returns the root of x's set; halves the path to it (Tarjan, van Leeuwen 1984). parent[x] is x or smaller. */
+/* Returns the root of the set of x. Halves the path to the root (Tarjan, van Leeuwen 1984). parent[x] is at most x. */
 static inline uint32_t vs_find(uint32_t *parent, uint32_t x) {
   VS_ASSERT(parent[x] <= x);
   while (parent[x] != x) x = parent[x] = parent[parent[x]];
@@ -25,14 +26,14 @@ static inline void vs_unite(uint32_t *parent, uint32_t a, uint32_t b) {
   else parent[a] = b;
 }
 
-/* The same for threads that unite at the same time: the roots are the sets' smallest members in any order of the
+/* Returns the root of the set of x while other threads unite sets. The root is the smallest member, in any order of the
  * unions. */
 static inline uint32_t vs_find_shared(_Atomic uint32_t *parent, uint32_t x) {
   for (;;) {
     uint32_t up = atomic_load_explicit(&parent[x], memory_order_relaxed);
     if (up == x) return x;
     uint32_t over = atomic_load_explicit(&parent[up], memory_order_relaxed);
-    /* The value is some ancestor, regardless of the order of writes. */
+    /* Any ancestor is a valid parent, so that the order of these writes does not matter. */
     if (over != up) atomic_store_explicit(&parent[x], over, memory_order_relaxed);
     x = over;
   }

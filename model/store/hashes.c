@@ -1,4 +1,4 @@
-/* Owns the hashes by which interned values are found. */
+/* Computes the hashes by which the store finds interned values. */
 #include "model/store/hashes.h"
 
 #include <string.h>
@@ -18,7 +18,7 @@ uint64_t vs_hash_bytes(uint64_t h, const void *bytes, size_t size) {
 
 uint64_t vs_hash_real(uint64_t h, double d) {
   uint64_t v;
-  d += 0.0; /* -0 is 0 */
+  d += 0.0; /* adding 0.0 changes -0 to 0 */
   memcpy(&v, &d, sizeof v);
   return vs_hash_mix(h, v);
 }

@@ -1,4 +1,4 @@
-/* Owns the hashes by which interned values are found. */
+/* Declares the hashes by which the store finds interned values. */
 #ifndef VS_MODEL_STORE_HASHES_H
 #define VS_MODEL_STORE_HASHES_H
 

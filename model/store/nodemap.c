@@ -1,11 +1,11 @@
-/* Owns a map from nodes to 64-bit words: open addressing, linear probes, at most two thirds full. */
+/* Implements a hash map from nodes to 64-bit words: open addressing, linear probing, at most two thirds full. */
 #include "model/store/nodemap.h"
 
 #include <string.h>
 
 #include "model/store/store_inside.h"
 
-/* Returns the position of the key, or a free one; the room is a power of two. */
+/* Returns the slot of the key, or the free slot for it. m->room is a power of two. */
 static size_t nodemap_place(const vs_nodemap *m, const void *key) {
   size_t at = (size_t)vs_hash_mix(5, (uintptr_t)key) & (m->room - 1);
   VS_ASSERT(m->room > 0 && (m->room & (m->room - 1)) == 0);

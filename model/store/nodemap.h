@@ -1,5 +1,4 @@
-/* Owns a map from nodes (by address) to 64-bit words, in which passes and measures keep a result for each shared
- * node. */
+/* Declares a map from node addresses to 64-bit words. Passes and measures store a result for each shared node in it. */
 #ifndef VS_MODEL_STORE_NODEMAP_H
 #define VS_MODEL_STORE_NODEMAP_H
 
@@ -9,14 +8,14 @@ typedef struct { const void *key; uint64_t value; } vs_nodemap_slot;
 /* { .store = s } is an empty map */
 typedef struct { vs_store *store; vs_nodemap_slot *slots; size_t count, room; } vs_nodemap;
 
-void vs_nodemap_free(vs_nodemap *m); /* leaves it empty and usable */
-uint64_t *vs_nodemap_get(const vs_nodemap *m, const void *key); /* NULL: the map lacks the key; the address is valid
-                                                                 * until the next put */
-/* Returns the address of the value, which is 0 at first; *found (found may be NULL): the map had the key. NULL: out of
- * memory. */
+void vs_nodemap_free(vs_nodemap *m); /* Frees the map's memory; the map is then empty and may be used again. */
+uint64_t *vs_nodemap_get(const vs_nodemap *m, const void *key); /* Returns the address of the key's value, valid until
+                                                                 * the next put, or NULL if the map lacks the key. */
+/* Adds the key if the map lacks it, with the value 0. Returns the address of the value, or NULL when memory is out.
+ * Sets *found (may be NULL): whether the map already had the key. */
 uint64_t *vs_nodemap_put(vs_nodemap *m, const void *key, bool *found);
-/* As vs_nodemap_put, for a map that retains its nodes: a temporary node could else be freed, and another take its
- * address. Such a map is freed by vs_nodemap_free_held, and all its keys are put by this function. */
+/* Like vs_nodemap_put, but retains the key. Without a reference, a temporary node could be freed and another node get
+ * its address. All keys of such a map are added by this function, and vs_nodemap_free_held frees it. */
 uint64_t *vs_nodemap_put_held(vs_nodemap *m, vs_node *key, bool *found);
 void vs_nodemap_free_held(vs_nodemap *m);
 

@@ -1,4 +1,4 @@
-/* Owns sorting that can be interrupted: runs by qsort, then merges; each checks whether to continue. */
+/* Implements an interruptible sort: sorts runs by qsort, then merges them, and checks for interrupts between. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -7,11 +7,12 @@
 
 typedef int sort_compare(const void *, const void *);
 typedef struct { const char *at, *end; } sort_run;
-typedef struct { size_t size; sort_compare *compare; } sort_order; /* of elements of so many bytes */
+typedef struct { size_t size; sort_compare *compare; } sort_order; /* size: bytes of an element */
 
-enum { RUN = 1 << 14, SORT_WORK = 1 << 6 /* the work for an element in a merge */, RUN_WORK = 1 << 20 };
+/* SORT_WORK: work of merging one element, in the unit of vs_store_going */
+enum { RUN = 1 << 14, SORT_WORK = 1 << 6, RUN_WORK = 1 << 20 };
 
-/* Merges two runs into one. Returns false on an interrupt. */
+/* Merges the sorted runs a and b into `to`. Returns false on an interrupt. */
 static bool sort_merge(vs_store *s, sort_run a, sort_run b, char *to, sort_order by, vs_error *e) {
   size_t size = by.size;
   for (; a.at < a.end || b.at < b.end; to += size) {

@@ -1,9 +1,10 @@
-/* Owns the small allocations of a store, mostly nodes: pieces cut from slabs, and for each size a list of free ones.
+/* Allocates small objects of a store, mostly nodes. Objects are cut from slabs; freed ones are kept in a list for each
+ * size.
  *
- * A drawing of a million primitives is a million pieces, so one costs a few instructions and no header. Slabs grow with
- * the number of pieces, up to SLAB_MOST, and are freed with their last piece (except one, for the next). Under a
- * sanitizer and in the stress build each piece is a separate allocation, so that a use after free, and a refusal
- * anywhere, is detected. */
+ * A drawing of a million primitives is a million pieces, so that one must cost few instructions and no header. New
+ * slabs are larger when there are more pieces, up to SLAB_MOST. All slabs but one are freed when no piece is in use.
+ * With a sanitizer and in the stress build each piece is a separate allocation, so that a use after free is detected
+ * and each allocation can be made to fail. */
 #include "model/store/piece.h"
 
 #include "model/store/store_inside.h"
@@ -38,10 +39,10 @@ static bool slab_add(vs_store *s, size_t least) {
   size_t room = s->slab_bytes / 4;
   if (room < SLAB_LEAST) room = SLAB_LEAST;
   if (room > SLAB_MOST) room = SLAB_MOST;
-  if (room > HUGE_PAGE) room -= room % HUGE_PAGE; /* the host may have huge pages for them */
+  if (room > HUGE_PAGE) room -= room % HUGE_PAGE; /* rounded down to whole huge pages, which the host may use */
   room -= sizeof(vs_slab);
   vs_slab *slab = s->alloc(s->context, NULL, 0, sizeof *slab + room);
-  /* little memory may be left: the next try is smaller */
+  /* little memory may be left: try a smaller slab */
   if (!slab && room > least) slab = s->alloc(s->context, NULL, 0, sizeof *slab + (room = least));
   if (!slab) return false;
   *slab = (vs_slab){ .next = s->slabs, .room = room };
@@ -63,7 +64,7 @@ void vs_store_slabs_free(vs_store *s) {
   s->slabs = NULL;
 }
 
-/* Frees the slabs after the last piece. */
+/* Frees all slabs but one, when no piece is in use. */
 static void slabs_empty(vs_store *s) {
   vs_slab *kept = s->slabs;
   memset(s->given_back, 0, sizeof s->given_back);

@@ -1,14 +1,14 @@
-/* Owns small pieces of a store's memory, of which there may be millions. */
+/* Declares the allocation of small pieces of a store's memory, of which there may be millions. */
 #ifndef VS_MODEL_STORE_PIECE_H
 #define VS_MODEL_STORE_PIECE_H
 
 #include "model/store/store.h"
 
-/* Returns a piece; NULL: out of memory. The caller frees it with the same size. */
+/* Returns a piece of that size, or NULL when memory is out. The caller frees it with the same size. */
 void *vs_store_piece(vs_store *s, size_t bytes);
-/* Frees a piece; its bytes are among those counted. */
+/* Frees a piece of that size, and subtracts its bytes from the store's count. */
 void vs_store_piece_free(vs_store *s, void *piece, size_t bytes);
 
-void vs_store_slabs_free(vs_store *s); /* piece.c */
+void vs_store_slabs_free(vs_store *s); /* Frees all slabs; defined in piece.c. */
 
 #endif

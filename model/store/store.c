@@ -1,8 +1,8 @@
-/* Owns the store, which allocates, counts and, in tests, refuses every byte of a model. It interns texts, origins and
- * materials, so that equal ones have one address and nodes hold them without counting.
+/* Implements the store. It allocates and counts every byte of a model and, in tests, lets allocations fail. It interns
+ * texts, origins and materials: equal values have one address, and nodes refer to them without reference counts.
  *
- * Interned values are in 16 KB blocks until the store is freed: a session has few different ones. A lookup costs a hash
- * and a probe. */
+ * Interned values lie in blocks of 16 KB that are freed with the store, since a session has few different ones. To find
+ * one costs a hash and a probe. */
 #include "model/store/store.h"
 
 #include <stdlib.h>
@@ -114,7 +114,7 @@ static void *store_keep(vs_store *s, size_t size) {
     if (!b) return NULL;
     b->size = room;
     b->used = 0;
-    if (room == size && s->blocks) { /* a large item's block goes after the one being filled */
+    if (room == size && s->blocks) { /* the block of a large item is inserted after the block being filled */
       b->next = s->blocks->next;
       s->blocks->next = b;
     } else {
@@ -132,8 +132,8 @@ static void *store_keep(vs_store *s, size_t size) {
 typedef uint64_t vs_intern_hash_fn(const void *item);
 typedef bool vs_intern_same_fn(const void *item, const void *key);
 
-/* Returns the slot with an equal item, or the empty slot for it; NULL: out of memory. The room is 0 or a power of
- * two. */
+/* Returns the slot of an equal item, or the empty slot for it; NULL when memory is out. The table's room is 0 or a
+ * power of two. */
 static void **intern_find(vs_store *s, vs_intern *t, uint64_t hash, const void *key, vs_intern_same_fn *same,
                           vs_intern_hash_fn *hash_of) {
   VS_ASSERT((t->room & (t->room - 1)) == 0);
@@ -189,7 +189,7 @@ uint64_t vs_text_hash(const char *interned) {
 }
 
 static uint64_t origin_hash(const void *item) {
-  const vs_origin *o = item; /* by address: only the table uses this hash, no output depends on it */
+  const vs_origin *o = item; /* hashes addresses: only the table uses this hash, so that no output depends on it */
   uint64_t h = vs_hash_mix((uintptr_t)o->file, (uint64_t)o->line << 32 | o->column);
   return vs_hash_mix(h, (uintptr_t)o->caller);
 }
@@ -268,7 +268,7 @@ bool vs_store_grow(vs_store *s, void *slot, size_t *room, size_t need, size_t si
   size_t more = *room + *room / 2 + 16;
   if (more < need) more = need;
   void *old, *fresh;
-  memcpy(&old, slot, sizeof old); /* slot is the address of a pointer of any type */
+  memcpy(&old, slot, sizeof old); /* slot is the address of a pointer of any type: copy its bytes */
   fresh = more <= SIZE_MAX / size ? vs_store_realloc(s, old, *room * size, more * size) : NULL;
   if (fresh == NULL) return false;
   memcpy(slot, &fresh, sizeof fresh);

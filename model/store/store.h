@@ -1,4 +1,4 @@
-/* Owns the store: the memory of a model, its interned values, and the callback that may stop long work. */
+/* Declares the store: the memory of a model, its interned values, and the callback that may stop long computations. */
 #ifndef VS_MODEL_STORE_STORE_H
 #define VS_MODEL_STORE_STORE_H
 
@@ -8,44 +8,45 @@
 #include "model/model_error.h"
 
 typedef struct vs_store vs_store;
-typedef struct vs_cache vs_cache; /* cache.h */
+typedef struct vs_cache vs_cache; /* defined in cache.h */
 
-/* As realloc; new_size 0 frees; returns NULL on failure. */
+/* Reallocates like realloc. new_size 0 frees. Returns NULL when memory is out. */
 typedef void *vs_alloc_fn(void *context, void *old, size_t old_size, size_t new_size);
-/* Returns a new store, as one reference; NULL: out of memory. alloc NULL: the C library's. */
+/* Returns a new store with one reference, or NULL when memory is out. alloc NULL: the C library's allocator. */
 vs_store *vs_store_new(vs_alloc_fn *alloc, void *context);
-/* The store is alive. */
+/* Adds a reference to the store and returns it. */
 vs_store *vs_store_retain(vs_store *s);
 void vs_store_release(vs_store *s);
-size_t vs_store_bytes(const vs_store *s); /* bytes that nodes and arrays now hold: they count towards the interpreter's
-                                           * memory budget */
-/* Sets the callback of long work. If it returns false, the work stops with the error of an interrupt. NULL: it never
- * stops. */
+size_t vs_store_bytes(const vs_store *s); /* Returns the bytes that nodes and arrays hold now. They count towards the
+                                           * interpreter's memory budget. */
+/* Sets the callback of long computations. If it returns false, the computation stops with the error "interrupted".
+ * NULL: computations never stop early. */
 void vs_store_watch(vs_store *s, bool (*going)(void *context), void *context);
-/* Calls the callback once in a million steps, each of about a nanosecond. s NULL: returns true. */
+/* Counts work steps of about a nanosecond, and calls the callback once in a million. Returns false, with the error in
+ * e, if the callback does. s NULL: returns true. */
 bool vs_store_going(vs_store *s, uint32_t work, vs_error *e);
-/* Reallocates and counts; new_size 0 frees. The old bytes are among those counted. */
+/* Reallocates and counts the bytes. new_size 0 frees. old_size is the size that was allocated. */
 void *vs_store_realloc(vs_store *s, void *old, size_t old_size, size_t new_size);
-/* Makes room for `need` elements of `size` bytes in the store's array whose address is in *slot; *room is in elements.
- * Returns false when memory is out; nothing is then changed. size is not 0. */
+/* Makes room for `need` elements of `size` bytes (above 0) in the array whose address is in *slot. *room is the number
+ * of elements that fit. Returns false when memory is out, and then changes nothing. */
 bool vs_store_grow(vs_store *s, void *slot, size_t *room, size_t need, size_t size);
-/* tests: the n-th allocation from now fails and so do those after it; 0: none */
+/* For tests: the n-th allocation from now and all later ones fail. 0: none fails. */
 void vs_store_fail_at(vs_store *s, size_t n);
-/* Returns the address of a pointer, NULL at first, with which geometry/ keeps data that took time to make (fonts) as
- * long as the store lives. let_go frees the data then. */
+/* Returns the address of a pointer, initially NULL, in which geometry/ keeps data that is slow to create (fonts) until
+ * the store is freed. let_go then frees the data. */
 void **vs_store_kept(vs_store *s, void (*let_go)(vs_store *s, void *kept));
-/* interned, NUL-terminated; NULL: out of memory */
+/* Returns an interned, NUL-terminated copy of the text, or NULL when memory is out. */
 const char *vs_store_text(vs_store *s, const char *text, size_t length);
-/* interned; NULL: oom */
+/* Returns the interned origin with these members, or NULL when memory is out. */
 const vs_origin *vs_store_origin(vs_store *s, const char *file, uint32_t line, uint32_t column,
                                  const vs_origin *caller);
-/* interned by value; NULL: out of memory */
+/* Returns an interned copy of the material, or NULL when memory is out. */
 const vs_material *vs_store_material(vs_store *s, const vs_material *m);
-/* Returns a copy of the picture and its bytes, interned by path and bytes; NULL: out of memory. */
+/* Returns an interned copy of the picture and its bytes, or NULL when memory is out. */
 const vs_picture *vs_store_picture(vs_store *s, const vs_picture *p);
-uint64_t vs_text_hash(const char *interned); /* the store keeps it with the text */
-/* Sets the callback that is called when the last reference to a ticket is released; NULL: none. It must not use
- * nodes. */
+uint64_t vs_text_hash(const char *interned); /* Returns the hash of an interned text, which the store keeps beside
+                                              * it. */
+/* Sets the callback for the release of the last reference to a ticket, or NULL. The callback must not use nodes. */
 void vs_store_on_ticket(vs_store *s, void (*gone)(void *context, uint32_t id), void *context);
 
 #endif

@@ -1,39 +1,40 @@
-/* Owns the inside of the store, for model/ alone: the counting of bytes, the hash tables of interned values, and the
- * arena. */
+/* Declares the members of the store for the files of model/: the count of bytes, the hash tables of interned values,
+ * and the blocks and slabs of memory. */
 #ifndef VS_MODEL_STORE_STORE_INSIDE_H
 #define VS_MODEL_STORE_STORE_INSIDE_H
 
 #include "model/store/store.h"
 #include "model/store/hashes.h"
 
-typedef struct { void **slots; size_t count, room; } vs_intern; /* open addressing, room a power of two */
+typedef struct { void **slots; size_t count, room; } vs_intern; /* hash table with open addressing; its room is a power
+                                                                 * of two */
 typedef struct vs_block vs_block;
 typedef struct vs_slab vs_slab;
 typedef struct vs_piece vs_piece;
-enum { VS_PIECE_MOST = 256 }; /* bytes; larger ones are separate allocations */
+enum { VS_PIECE_MOST = 256 }; /* greatest size of a piece in bytes; larger objects are separate allocations */
 
 struct vs_store {
-  size_t refs; /* by its owners and by every node */
+  size_t refs; /* references by owners and by nodes; each node counts as one */
   size_t bytes;
   vs_alloc_fn *alloc;
   void *context;
-  size_t fail_at; /* counts down; the allocation that reaches 0 fails, as do all after it until it is set again */
+  size_t fail_at; /* for tests: number of allocations until they fail; 0 once they fail or if none is to fail */
   bool failing;
   vs_intern texts, origins, materials;
-  const vs_picture *pictures; /* few: a list */
-  void *kept;           /* data that geometry/ keeps as long as the store lives (fonts); let_go frees it first */
+  const vs_picture *pictures; /* list of the store's pictures, which are few */
+  void *kept;           /* data that geometry/ keeps until the store is freed (fonts); let_go frees it */
   void (*let_go)(vs_store *s, void *kept);
-  bool (*going)(void *context); /* the callback that may stop long work; NULL: none */
+  bool (*going)(void *context); /* callback that may stop a long computation, or NULL */
   void *going_context;
-  uint32_t work;        /* steps since its last call */
-  struct vs_tally *tally; /* the owner's; NULL: none (tally.h) */
-  vs_cache *cache;      /* the owner's, which frees it before the store; NULL: none (cache.h) */
+  uint32_t work;        /* work since the last call of `going`, in the unit of vs_store_going */
+  struct vs_tally *tally; /* account of times and memory (tally.h), or NULL; the caller owns it */
+  vs_cache *cache;      /* world cache (cache.h), or NULL; the caller owns it and frees it before the store */
   void (*ticket_gone)(void *context, uint32_t id);
   void *ticket_context;
-  vs_block *blocks; /* the memory of interned values, freed with the store */
-  vs_slab *slabs;   /* piece.c: pieces come from the first */
+  vs_block *blocks; /* memory of interned values, freed with the store */
+  vs_slab *slabs;   /* memory of pieces (piece.c); new pieces are cut from the first slab */
   size_t slab_bytes, piece_count;
-  vs_piece *given_back[VS_PIECE_MOST / 8 + 1]; /* by size in words */
+  vs_piece *given_back[VS_PIECE_MOST / 8 + 1]; /* given_back[i]: list of freed pieces of i words */
 };
 
 #endif
