@@ -1,6 +1,6 @@
-/* Owns the advice that an error gets when it is shown: the program's own text and the arguments of the call show the
- * form that the program probably meant. An error keeps the data: the call in its payload (vm/machine/arguments.c), #t
- * if the called value is no procedure (vm/machine/run_failures.h). */
+/* Computes the advice that is added to error messages. From the program's text and the arguments of the failed call, it
+ * guesses the form that the user meant. The arguments are in the payload of the error (vm/machine/arguments.c). A
+ * payload of #t means that the called value is no procedure (vm/machine/run_failures.h). */
 #include "session/advice.h"
 
 #include <stdarg.h>
@@ -18,7 +18,7 @@
 #include "vm/front/source.h"
 #include "vm/front/suggest.h"
 
-/* ---- the text around a place ---- */
+/* ---- the text at a place in a source ---- */
 
 typedef struct { const vs_source *source; const char *at, *end; } place;
 
@@ -32,7 +32,7 @@ static bool find_place(const vs_session *s, vs_span span, place *out) {
       if (at) at++;
     }
     if (!at) return false;
-    for (uint32_t c = 1; c < span.column && at < end && *at != '\n'; c++) /* columns are characters */
+    for (uint32_t c = 1; c < span.column && at < end && *at != '\n'; c++) /* columns count characters, not bytes */
       for (at++; at < end && ((unsigned char)*at & 0xC0) == 0x80;) at++;
     *out = (place){ source, at, end };
     return at < end;
@@ -49,7 +49,7 @@ static bool match(void *context, const vs_outline_item *item) {
   return w->found = true, false;
 }
 
-/* Returns the line of the first top-level definition of the name in that source; 0: it has none. */
+/* Returns the line of the first top-level definition of the name in the source, or 0 if there is none. */
 static uint32_t defined_on(const vs_source *source, const char *name, size_t length) {
   wanted_definition w = { .name = name, .length = length, .first_line = source->first_line };
   vs_outline_each(source->text, source->length, match, &w);
@@ -66,9 +66,9 @@ static bool put(vs_text *t, const char *format, ...) {
   return vs_text_puts(t, text);
 }
 
-/* ---- names that are not defined ---- */
+/* ---- undefined names ---- */
 
-/* Returns true if the line is "x = 5" or "x := 5"; then *value is the text after the sign. */
+/* Returns true if the line is "x = 5" or "x := 5". Sets *value to the text after the sign. */
 static bool is_assignment(place p, size_t name, const char **value, size_t *length) {
   const char *at = p.at + name;
   while (at < p.end && (*at == ' ' || *at == '\t')) at++;
@@ -90,8 +90,9 @@ static bool is_word_of(const char *words, const char *word, size_t n) {
   return false;
 }
 
-/* Returns the operator of the call around the name at `p`, and the word just before the name, which may be a keyword.
- * It also counts parentheses within strings: it then finds another operator, and mostly gives no advice. */
+/* Returns the operator of the call that contains the name at `p`. Sets *before to the word before the name, which may
+ * be a keyword. Parentheses inside strings are counted, too; the operator is then wrong, and usually leads to no
+ * advice. */
 static const char *operator_around(place p, size_t *length, const char **before, size_t *before_length) {
   const char *start = p.source->text, *at = p.at;
   while (at > start && (at[-1] == ' ' || at[-1] == '\t' || at[-1] == '\n')) at--;
@@ -108,9 +109,9 @@ static const char *operator_around(place p, size_t *length, const char **before,
   return NULL;
 }
 
-/* Calls and keywords in which a name without quotes was meant as a text or as a quoted word: (color crimson o), (units
- * cm), #:align center. A row with words is for these words only, and replaces other advice. `first`: as the first
- * argument only. */
+/* Calls and keywords whose argument is a text or a quoted word, but was written as a plain name: (color crimson o),
+ * (units cm), #:align center. A row with `words` holds only for these words, and replaces other advice. first: only the
+ * first argument. */
 static const struct { const char *operators, *keywords, *words; bool first; const char *mark, *what; } meant[] = {
   { "color", "#:color #:pattern-color", NULL, true, "\"", "the name of a colour is a text" },
   { "layer", "", NULL, true, "\"", "the name of a layer is a text" },
@@ -159,20 +160,20 @@ static bool advise_unbound(place p, vs_span at, vs_text *t) {
   uint32_t line = defined_on(p.source, p.at, n);
   bare = n + sizeof is_not - 1;
   if (line >= at.line && line) {
-    t->count = bare; /* a similar name is not the probable meaning */
+    t->count = bare; /* removes the advice about a similar name, which is probably not meant */
     return put(t, " yet: line %u defines it, after this use; move the definition up", (unsigned)line);
   }
   if (is_assignment(p, n, &value, &m)) {
-    while (call && m && (value[m - 1] == ')' || value[m - 1] == ' ')) m--; /* (x = 5) */
+    while (call && m && (value[m - 1] == ')' || value[m - 1] == ' ')) m--; /* removes the parenthesis of (x = 5) */
     return !m || put(t, "; (define %.*s %.*s) names a value", (int)n, p.at, (int)m, value);
   }
   return call || advise_word(p, n, bare, t);
 }
 
-/* ---- a called value that is no procedure ---- */
+/* ---- calls of a value that is no procedure ---- */
 
-/* Returns the length of the operator of "(x > 3)", which follows the n characters of the first operand at p. *operand
- * and *length: the next operand, if it is a single word. */
+/* Returns the length of the operator in "(x > 3)", or 0. The operator follows the first operand, which has n characters
+ * at p. *operand and *length receive the next operand if it is a single word. */
 static size_t operator_behind(const char *p, size_t n, const char *end, const char **operator, const char ** operand,
                               size_t *length) {
   uint32_t unused = 0;
@@ -210,7 +211,7 @@ static bool advise_callee(place p, vs_span at, vs_value irritants, vs_text *t, v
          (!ours || put(t, "; under another name for that, (%.*s ...) has its old meaning again", (int)n, name));
 }
 
-/* ---- a wrong number of arguments ---- */
+/* ---- wrong numbers of arguments ---- */
 
 static const vs_procedure *procedure_of(const vs_native *native) {
   if (!native->def || native->def->fn != vs_bind_enter) return NULL;
@@ -228,7 +229,8 @@ static bool advise_arity(vs_scheme *vm, vs_value payload, vs_text *t) {
   int n = 0;
   for (vs_value l = vs_cdr(payload); vs_is_pair(l) && n < VS_MAX_ARGUMENTS; l = vs_cdr(l)) a[n++] = vs_car(l);
   char text[300];
-  if (p && p->key[0].mode != VS_ARG_END && p->form[0].at[0].mode == VS_ARG_END && n) { /* only keywords: (sun 210 35) */
+  if (p && p->key[0].mode != VS_ARG_END && p->form[0].at[0].mode == VS_ARG_END && n) { /* the procedure has only keyword
+                                                                                        * arguments: (sun 210 35) */
     if (!put(t, "; its arguments have names: (%s", name)) return false;
     for (int i = 0; i < n && p->key[i].mode != VS_ARG_END; i++)
       if (!put(t, " #:%s ", p->key[i].name) || !vs_print(vm, a[i], VS_PRINT_WRITE, t)) return false;
@@ -236,17 +238,18 @@ static bool advise_arity(vs_scheme *vm, vs_value payload, vs_text *t) {
   }
   if (p && vs_bind_grouped(vm, p, &(vs_plain_call){ name, a, n }, text, sizeof text))
     return put(t, "; perhaps %s", text);
-  if (p && p->form[1].used) { /* the count alone does not show that the procedure has several forms */
+  if (p && p->form[1].used) { /* the message states the number of arguments of one form, but the procedure has
+                               * several */
     vs_bind_forms(p, name, text, sizeof text);
     return put(t, "; it %s", text);
   }
   return vs_foreign_advice(name, t);
 }
 
-/* ---- missing values, texts in single quotes ---- */
+/* ---- missing values, and texts in single quotes ---- */
 
-/* Returns the first argument of the call at p that may give no value: an if without else, a loop, a definition. NULL:
- * there is none. */
+/* Returns the first argument of the call at p that may have no value: an `if` without else, a loop, a definition.
+ * Returns NULL if there is none. */
 static const char *valueless(place p, uint32_t *line, const char **why) {
   static const struct { const char *word; int parts; const char *why; } kinds[] = {
     { "if", 3, "this `if` has no value where its test is false: (if test object (empty-object))" },
@@ -286,7 +289,8 @@ static const char *valueless(place p, uint32_t *line, const char **why) {
   return NULL;
 }
 
-/* Finds 'red' within the form at p: a text in single quotes, which mean another thing here. */
+/* Finds a text in single quotes ('red') within the form at p, and returns its length, or 0. In Scheme a single quote
+ * has another meaning. */
 static size_t quoted_word(place p, const char **word) {
   uint32_t unused = 0;
   const char *stop = vs_outline_datum(p.at, p.end, &unused);
@@ -335,7 +339,7 @@ bool vs_session_advise(vs_session *s, vs_value condition, vs_span at, vs_text *t
   return true;
 }
 
-/* ---- a call without its parentheses ---- */
+/* ---- calls without parentheses ---- */
 
 void vs_session_advise_named(vs_session *s, vs_value v, vs_pos pos) {
   const vs_scheme *vm = s->bind.vm;
@@ -349,13 +353,13 @@ void vs_session_advise_named(vs_session *s, vs_value v, vs_pos pos) {
   while (more < p.end && (*more == ' ' || *more == '\t')) more++;
   if (!n || n > 80 || more == p.end || strchr("\r\n;)]", *more)) return;
   uint32_t line = 0;
-  const char *end = more; /* the end of the text after the name on its line */
+  const char *end = more; /* the text after the name ends with its line */
   for (const char *next = more; !line && next < p.end && *next != ')' && *next != ']';) {
     end = vs_outline_datum(next, p.end, &line);
     next = vs_outline_blanks(end, p.end, &line);
     if (next == p.end) break;
   }
-  if (n <= 2 && strspn(p.at, "+-*/<>=") >= n) /* 3 + 4: the operator follows its first operand */
+  if (n <= 2 && strspn(p.at, "+-*/<>=") >= n) /* 3 + 4: the operator is written after its first operand */
     snprintf(text, sizeof text, "%.*s is only named here, and not called: the operator comes first, (%.*s a b)",
              (int)n, p.at, (int)n, p.at);
   else {
@@ -367,7 +371,7 @@ void vs_session_advise_named(vs_session *s, vs_value v, vs_pos pos) {
   vm->config.warn(s->bind.vm, pos, text);
 }
 
-/* ---- an empty drawing ---- */
+/* ---- drawings without objects ---- */
 
 typedef struct { vs_text *t; size_t count; const char *last; size_t last_length; bool ok; } naming;
 
@@ -385,8 +389,8 @@ bool vs_session_advise_empty(vs_session *s, vs_text *t) {
   size_t before = t->count;
   if (!put(t, ": the program defines ")) return false;
   naming n = { .t = t, .ok = true };
-  /* The program that ran last. The libraries that it imported were read after it; their text defines no procedure
-   * outside of define-library. */
+  /* Searches the source of the program that ran last. The sources of imported libraries come later in the list, but
+   * define procedures only within define-library. */
   for (size_t i = s->source_count; i-- > 0 && !n.count && n.ok;)
     if (!s->sources[i].before) vs_outline_each(s->sources[i].text, s->sources[i].length, name_procedure, &n);
   if (!n.ok) return false;

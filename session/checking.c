@@ -1,8 +1,8 @@
-/* Owns the running of checks: (check-expect expression value) and similar forms, which wait in a queue for the end of
- * the program (vm/machine/check_queue.c). A check is judged here; the listener shows it: `vs test` line by line, a
- * plain run as warnings.
+/* Runs the checks of a program: (check-expect expression value) and similar forms. They wait in a queue until the
+ * program ends (vm/machine/check_queue.c). This file decides whether each check passes. A listener shows the result:
+ * `vs test` prints a line for each check, other runs print failures as warnings.
  *
- * A check may draw and set values, but the program's drawing stays unchanged. */
+ * A check may draw and set variables, but the program's drawing remains unchanged. */
 #include "session/checking.h"
 
 #include <string.h>
@@ -22,19 +22,21 @@
 #include "vm/values/heap.h"
 #include "vm/values/printer.h"
 
-enum { SHOWN = 1000 /* bytes of a value */, LINE = 200 /* of an expression */ };
+/* greatest length of a shown value in bytes */
+enum { SHOWN = 1000, LINE = 200 /* LINE: greatest length of a shown expression in bytes */ };
 
-/* The roots of a check: the check, the results of its procedures, the differences, and two for intermediate values. */
+/* Indices of the garbage collector's roots of a check: the check, the results of its procedures, the differences, and
+ * two intermediate values. */
 enum { CHECK, ACTUAL, EXPECTED, TOLERANCE, FOUND, SHOWN_AS, WORK, ROOTS };
 
 typedef struct {
   vs_session *session;
-  vs_value *r;                         /* ROOTS of them */
-  vs_text expression, gives, expected; /* the texts of the report */
+  vs_value *r;                         /* an array of ROOTS values */
+  vs_text expression, gives, expected; /* texts for the report: the expression, its value, and the expected value */
   bool passed, interrupted;
 } trial;
 
-/* ---- the texts of the report ---- */
+/* ---- texts of the report ---- */
 
 static bool put_cut(vs_scheme *vm, vs_value v, size_t most, vs_text *t) {
   vs_text shown;
@@ -45,7 +47,7 @@ static bool put_cut(vs_scheme *vm, vs_value v, size_t most, vs_text *t) {
   return ok;
 }
 
-/* Calls a hidden procedure of the library. */
+/* Calls a procedure of the library that programs cannot name. Returns false if the call fails. */
 static bool call_library(trial *c, const char *name, size_t n, const vs_value *argv, vs_value *out) {
   vs_scheme *vm = c->session->bind.vm;
   if (!vs_intern_c(vm, name, &c->r[WORK])) return false;
@@ -53,7 +55,8 @@ static bool call_library(trial *c, const char *name, size_t n, const vs_value *a
   return vs_run(vm, c->r[WORK], n, argv, out);
 }
 
-/* Appends the condition in vm->condition, with its place. Notes an interrupt. */
+/* Appends the text and the place of the error in vm->condition, and clears vm->condition. Sets a flag if the error is
+ * an interrupt. */
 static bool put_failure(trial *c, vs_text *t) {
   vs_scheme *vm = c->session->bind.vm;
   vs_value *r = c->r;
@@ -66,7 +69,7 @@ static bool put_failure(trial *c, vs_text *t) {
     const vs_condition *condition = vs_as_condition(r[WORK]);
     c->interrupted = c->interrupted || condition->kind == vm->sym.interrupt;
     vs_session_condition_place(c->session, condition, &at);
-    if (condition->kind == vm->sym.memory) vs_gc_major(vm); /* the values that filled it are garbage now */
+    if (condition->kind == vm->sym.memory) vs_gc_major(vm); /* frees the values that filled the memory */
   }
   bool ok = vs_text_puts(t, "an error: ") && vs_print_condition(vm, r[WORK], t);
   if (!at.file) return ok;
@@ -74,10 +77,10 @@ static bool put_failure(trial *c, vs_text *t) {
   return ok && vs_text_puts(t, " (") && vs_text_puts(t, at.file) && vs_text_puts(t, place);
 }
 
-/* ---- judging ---- */
+/* ---- deciding whether a check passes ---- */
 
-/* Calls a procedure of the check. Its value goes to r[root], and its text to `told`. Returns false if the call failed;
- * `told` then gets the failure. */
+/* Calls a procedure of the check. Stores its value in r[root], and appends the value as text to `told`. If the call
+ * fails, returns false and appends the error instead. */
 static bool ask(trial *c, int word, int root, vs_text *told) {
   vs_scheme *vm = c->session->bind.vm;
   c->r[WORK] = vs_as_vector(c->r[CHECK])->at[word];
@@ -98,10 +101,10 @@ static bool says(vs_scheme *vm, vs_value condition, vs_value string) {
   return ok;
 }
 
-/* Returns true for an error of the program itself, false for a limit or the end of the program. */
+/* Returns true for an error in the program, false for a reached limit or a call of (exit). */
 static bool is_failure(const vs_scheme *vm, vs_value condition) {
   if (vs_session_is_exit(condition)) return false;
-  if (!vs_is(condition, VS_T_CONDITION)) return true; /* (raise 'oops) */
+  if (!vs_is(condition, VS_T_CONDITION)) return true; /* raised by the program: (raise 'oops) */
   vs_value kind = vs_as_condition(condition)->kind;
   return kind != vm->sym.memory && kind != vm->sym.limit && kind != vm->sym.interrupt;
 }
@@ -125,7 +128,7 @@ static void objects_of(vs_value pair, vs_ref objects[2]) {
   objects[1] = vs_bind_take_ref(vs_car(pair));
 }
 
-/* Returns true if the two objects of each pair of r[FOUND] are equal, part by part. */
+/* Returns true if in each pair of r[FOUND] the two objects have equal parts. */
 static bool objects_agree(trial *c) {
   bool same = true;
   for (vs_value l = c->r[FOUND]; same && vs_is_pair(l); l = vs_cdr(l)) {
@@ -155,14 +158,14 @@ static void judge_value(trial *c) {
   c->passed = r[FOUND] != VS_FALSE && objects_agree(c);
 }
 
-/* Takes the oldest check and judges it. Meanwhile drawing has no effect on the program's drawing. */
+/* Removes the oldest check from the queue and runs it. Drawing in a check does not change the program's drawing. */
 static void judge(trial *c) {
   vs_session *s = c->session;
   vs_scheme *vm = s->bind.vm;
   VS_ROOTS(vm, rest, 1);
   c->r[CHECK] = vs_checks_take(vm);
   rest[0] = vm->at.checks;
-  vm->at.checks = VS_TRUE; /* marks that a check is running */
+  vm->at.checks = VS_TRUE; /* the value #t marks that a check is running */
   bool handing = s->bind.handing, away = s->bind.away;
   s->bind.handing = s->bind.away = true;
   put_cut(vm, vs_as_vector(c->r[CHECK])->at[VS_CHECK_EXPRESSION], LINE, &c->expression);
@@ -183,7 +186,7 @@ static void tell_parts(trial *c, const vs_check_listener *to) {
   }
 }
 
-/* Runs the oldest check and reports it to the listener. Returns false without a report if it was interrupted. */
+/* Runs the oldest check and reports it to the listener. If the check is interrupted, returns false without a report. */
 static bool next_check(vs_session *s, const vs_check_listener *to) {
   vs_scheme *vm = s->bind.vm;
   VS_ROOTS(vm, r, ROOTS);
@@ -207,7 +210,7 @@ static bool next_check(vs_session *s, const vs_check_listener *to) {
   return !c.interrupted;
 }
 
-/* ---- several checks ---- */
+/* ---- running all checks ---- */
 
 static void begin(vs_session *s) {
   vs_tally_enter(&s->tally, VS_WORK_RUN);
@@ -255,7 +258,7 @@ vs_outcome vs_check_next(vs_scheme *vm, const vs_check_listener *listener) {
   vs_session *s = vs_session_of(vm);
   if (vs_session_busy(s, "vs_check_next")) return VS_OUTCOME_USAGE;
   if (!vs_checks_wait(vm)) return VS_OUTCOME_DONE;
-  vm->steps = vm->written = 0; /* the checks have limits of their own */
+  vm->steps = vm->written = 0; /* the limits of steps and output count anew for checks */
   vm->started = vs_session_clock(s);
   begin(s);
   return end(s, next_check(s, listener));

@@ -1,11 +1,12 @@
-/* Owns the interface of checking.c: the running of the checks that wait. */
+/* Declares the running of a program's checks, which checking.c implements. */
 #ifndef VS_SESSION_CHECKING_H
 #define VS_SESSION_CHECKING_H
 
 #include "session/session.h"
 
-/* After a program that ended well, unless the flags keep the checks: runs all checks within the limits of the program,
- * and warns of those that fail. Returns DONE, or INTERRUPTED. */
+/* Runs all waiting checks after a program that ended without error, and warns of each check that fails. Does nothing if
+ * the flags postpone checks. Checks have the same limits as the program. Returns VS_OUTCOME_DONE or
+ * VS_OUTCOME_INTERRUPTED. */
 vs_outcome vs_session_check(vs_session *s, unsigned flags);
 
 #endif

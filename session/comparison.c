@@ -1,5 +1,5 @@
-/* Owns the comparison of two drawings in the public header: it keeps the first, and reports the parts of the second
- * that differ (solids/changed_parts.h). Both count as they would appear in a format without marks. */
+/* Implements the comparison of two drawings (visualscheme.h). It keeps the first drawing, and reports the parts of the
+ * second that differ (solids/changed_parts.h). Both drawings are compared as formats without marks show them. */
 #include "session/comparison.h"
 
 #include <string.h>
@@ -31,12 +31,12 @@ vs_outcome vs_drawing_keep(vs_scheme *vm) {
   return vs_session_take(s, &s->kept, &s->kept_count);
 }
 
-/* ---- the text of a part ---- */
+/* ---- the text that describes a part ---- */
 
-enum { TOLD = 100 /* bytes of an expression */ };
+enum { TOLD = 100 /* greatest length of an expression in bytes */ };
 typedef struct { char text[TOLD + 8]; size_t count; bool cut; } told;
 
-/* Returns false when the text is long enough. */
+/* Appends to the text until it has TOLD bytes. Returns false when it is full. */
 static bool put_told(void *context, const char *text, size_t length) {
   told *t = context;
   size_t room = TOLD - t->count, n = length < room ? length : room;
@@ -62,7 +62,8 @@ static void tell(told *t, const vs_drawn_part *p, vs_part_info *out) {
     }
     put_told(t, "))", 2);
   } else if (placed) put_told(t, " ...)", 5);
-  while (t->cut && t->count && ((unsigned char)t->text[t->count - 1] & 0xc0) == 0x80) t->count--; /* whole characters */
+  while (t->cut && t->count && ((unsigned char)t->text[t->count - 1] & 0xc0) == 0x80) t->count--; /* cut between two
+                                                                                                   * characters */
   if (t->cut && t->count && (unsigned char)t->text[t->count - 1] >= 0xc0) t->count--;
   strcpy(t->text + t->count, t->cut ? " ..." : "");
   const vs_origin *at = p->thing.origin;
@@ -72,10 +73,11 @@ static void tell(told *t, const vs_drawn_part *p, vs_part_info *out) {
 
 typedef bool each_part(void *context, vs_part_difference what, const vs_part_info *before, const vs_part_info *after);
 
-/* The parts of two drawings, a before b, and their matches: `before` for those of a, `after` for those of b. */
+/* The parts of drawing a (the earlier) and drawing b (the later), and their matches: before[i] is that of part i of a,
+ * after[i] that of part i of b. */
 typedef struct {
   vs_drawn_parts a, b;
-  vs_part_match *before, *after; /* a single block, NULL: not allocated yet */
+  vs_part_match *before, *after; /* arrays in one block; `before` is NULL until they are allocated */
   size_t bytes;
 } pairing;
 
@@ -129,7 +131,7 @@ static void count_parts(const pairing *p, vs_comparison *out) {
   }
 }
 
-/* Computes the parts of one object as of a drawing of it alone, without sugar. */
+/* Computes the parts of a drawing that contains only this object, without highlights and other marks. */
 static bool parts_of(vs_session *s, vs_ref object, vs_drawn_parts *out, vs_error *e) {
   static const vs_sugar_options plain = { .highlights = VS_MARKS_DROP, .keeps_text = true };
   vs_scene scene = s->bind.scene;
@@ -154,7 +156,7 @@ bool vs_session_compare_objects(vs_session *s, const vs_ref objects[2], bool *sa
   return ok;
 }
 
-/* ---- the picture ---- */
+/* ---- the picture of the differences ---- */
 
 static const struct { vs_change change; vs_material paint; } shown[] = {
   { VS_CHANGE_ADDED, { "added", .16, .66, .27, .6, 0, 0, 1.5, { 0 } } },
@@ -176,7 +178,7 @@ static vs_node *painted(vs_store *store, vs_node *n, const vs_material *paint) {
   return layered;
 }
 
-/* Returns false, which ends long work, if the host interrupts. */
+/* Callback of long computations: returns false, to stop them, if the host interrupts. */
 static bool going(void *session, double done) {
   (void)done;
   return !vs_session_interrupted(session);
@@ -206,8 +208,8 @@ bool vs_session_swell(vs_session *s, size_t number, vs_ref *ref, vs_error *e) {
   vs_kernel_options options = { .progress = going, .context = s, .cache = vs_store_cache(s->bind.store) };
   const struct vs_material *paint = VS_AS(material, s->change[number].node->children[0].node);
   vs_node *n = s->change[number].node->children[0].node->children[0].node, *swollen;
-  if (!strcmp(paint->material->name, shown[VS_CHANGES - 1].paint.name)) return true; /* unchanged parts keep their
-                                                                                      * size */
+  if (!strcmp(paint->material->name, shown[VS_CHANGES - 1].paint.name)) return true; /* unchanged parts are not
+                                                                                      * enlarged */
   if (!vs_drawn_parts_swell(n, vs_bind_tolerance(s->bind.vm), &options, &swollen, e)) return false;
   swollen = painted(s->bind.store, swollen, paint->material);
   if (!swollen) return vs_error_memory(e, NULL);
@@ -236,7 +238,7 @@ vs_outcome vs_drawing_compare(vs_scheme *vm, vs_comparison *out, each_part *each
   if (outcome != VS_OUTCOME_DONE) return outcome;
   pairing p = { .a.store = s->bind.store, .b.store = s->bind.store };
   vs_error e = { 0 };
-  s->writing = true, s->late = false; /* the limit of time is that of an output */
+  s->writing = true, s->late = false; /* the limit of time for an output applies */
   s->write_began = vs_session_clock(s), s->write_worker = s->tally.of[VS_WORK_WORKER].seconds;
   bool ok = vs_drawn_parts_take(&p.a, s->kept, s->kept_count, &e) && vs_drawn_parts_take(&p.b, now, count, &e) &&
             pairing_open(&p, &e) && compare(s, &p, out, &e);

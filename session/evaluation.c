@@ -1,4 +1,4 @@
-/* Owns the two ends of an evaluation: its begin, from which the limits count, and the outcome at its end. */
+/* Begins and ends an evaluation: limits are counted from its begin; the end computes its outcome. */
 #include "session/evaluation.h"
 
 #include <string.h>
@@ -33,8 +33,8 @@ bool vs_session_is_exit(vs_value condition) {
 vs_outcome vs_session_finish(vs_session *s, bool ok, bool usage) {
   vs_scheme *vm = s->bind.vm;
   ok = vs_session_pass(s, ok);
-  vm->step.mode = VS_STEP_CONTINUE, vm->step.stops = false; /* procedures that the drawing calls later run without
-                                                             * stops */
+  vm->step.mode = VS_STEP_CONTINUE, vm->step.stops = false; /* later calls, for the drawing, must not stop for the
+                                                             * debugger */
   vs_session_release_objects(s);
   s->phase = NULL;
   vs_tally_enter(&s->tally, VS_WORK_NONE);
@@ -44,14 +44,14 @@ vs_outcome vs_session_finish(vs_session *s, bool ok, bool usage) {
     s->exit_code = (int)vs_fixnum(vs_as_condition(vm->condition)->payload);
   }
   if (!ok && vs_is_stop(vm, vm->condition)) return vs_session_stopped(s);
-  if (ok) vs_bind_finish(&s->bind); /* warns of objects that were thrown away */
-  /* its own calls, not those of an earlier error */
+  if (ok) vs_bind_finish(&s->bind); /* warns of objects that are not used */
+  /* Reports the calls of the stop, not those of an earlier error. */
   if (ok && vs_is_pair(vm->at.stops)) vm->condition = vs_car(vm->at.stops);
   if (ok) return VS_OUTCOME_DONE;
   vs_outcome outcome = vs_session_report_condition(s, vm->condition, usage);
   if (outcome == VS_OUTCOME_MACHINE) {
     vm->condition = vm->value = VS_FALSE;
-    vs_gc_major(vm); /* the values that filled the memory are garbage now: the interpreter goes on */
+    vs_gc_major(vm); /* frees the values that filled the memory, so that the interpreter can continue */
   }
   return outcome;
 }

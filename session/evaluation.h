@@ -1,15 +1,15 @@
-/* Owns the interface of evaluation.c: the two ends of an evaluation. */
+/* Declares the begin and the end of an evaluation. */
 #ifndef VS_SESSION_EVALUATION_H
 #define VS_SESSION_EVALUATION_H
 
 #include "session/session.h"
 
-/* Begins an evaluation: the limits count from here; forgets the traces of the last one. */
+/* Begins an evaluation: limits are counted from here; data about the previous evaluation is deleted. */
 void vs_session_begin(vs_session *s, unsigned flags);
-/* Ends an evaluation and reports its condition if it failed. usage: the fault is the caller's, exit 2. */
+/* Ends an evaluation, and reports its error unless ok. usage: the error is the caller's fault, with exit status 2. */
 vs_outcome vs_session_finish(vs_session *s, bool ok, bool usage);
 
-/* Returns true for the condition with which (exit code) unwinds. */
+/* Returns true if the condition is the one that (exit code) raises. */
 bool vs_session_is_exit(vs_value condition);
 
 #endif

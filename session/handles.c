@@ -1,8 +1,8 @@
-/* Owns the table of a host's handles, and the calls with which hosts make and read values.
+/* Implements a host's handles: the table of handles, and the functions by which hosts create and read values.
  *
- * A handle is an index of the table and the stamp of that entry. Each use of an entry has a new stamp, and the stamps
- * of each interpreter begin at another number. Therefore a handle that was released, or belongs to another interpreter,
- * is refused. The values themselves are in a vector of the heap, which the collector can find and move. */
+ * A handle contains the index of a table entry and a stamp. The stamp of an entry changes with each new use, and each
+ * interpreter begins with another stamp. A handle that was released, or belongs to another interpreter, is therefore
+ * detected. The values themselves are in a vector of the heap, where the garbage collector finds them. */
 #include "session/handles.h"
 
 #include <stdarg.h>
@@ -22,7 +22,7 @@
 #include "vm/numbers/number_text.h"
 #include "vm/values/heap.h"
 
-enum { HOST_HELD = 5 }; /* the place of the vector of held values in at.host */
+enum { HOST_HELD = 5 }; /* index in at.host of the vector of values */
 
 /* ---- errors ---- */
 
@@ -43,7 +43,7 @@ bool vs_session_busy(vs_session *s, const char *who) {
   return true;
 }
 
-/* ---- the table ---- */
+/* ---- the table of handles ---- */
 
 static vs_handles *table(vs_session *s) {
   if (s->handles) return s->handles;
@@ -64,7 +64,7 @@ static bool grow(vs_session *s, void *array, size_t *room, size_t need, size_t s
   return true;
 }
 
-/* The vector of values grows with the table. */
+/* Enlarges the vector of values to at least `need` elements. */
 static bool grow_values(vs_session *s, size_t need) {
   vs_scheme *vm = s->bind.vm;
   VS_ROOTS(vm, r, 1);
@@ -97,7 +97,7 @@ vs_handle vs_session_hold(vs_session *s, const vs_value *value) {
   return (uint64_t)t->stamp << 32 | (i + 1);
 }
 
-/* Returns the entry of a handle; NULL with the error reported if there is none. */
+/* Returns the table entry of the handle. If there is none, reports an error and returns NULL. */
 static vs_held *entry(vs_session *s, const char *who, vs_handle h) {
   vs_handles *t = s->handles;
   size_t i = (size_t)(h & 0xffffffff);
@@ -130,8 +130,8 @@ void vs_handle_release(vs_scheme *vm, vs_handle h) {
 
 /* ---- the host's objects ---- */
 
-/* A foreign object of the heap holds a host's object. When the collector frees it, the object waits in the list `gone`;
- * the host is called after the collection. */
+/* An object of the host, to which a value of the heap refers. When the collector frees that value, the object is put in
+ * the list `gone`; the host's release function is called after the collection. */
 struct vs_host_object {
   vs_session *session;
   void *object;
@@ -152,7 +152,7 @@ void vs_session_release_objects(vs_session *s) {
   const char *phase = s->phase;
   for (vs_host_object *o; s->handles && (o = s->handles->gone) != NULL;) {
     s->handles->gone = o->next;
-    s->phase = "evaluating"; /* the host's function sees a busy interpreter */
+    s->phase = "evaluating"; /* the host's function runs while the interpreter counts as busy */
     if (o->release) o->release(o->context, o->object);
     s->phase = phase;
     vs_session_memory(s, o, sizeof *o, 0);
@@ -164,7 +164,8 @@ vs_handle vs_handle_host(vs_scheme *vm, void *object, void (*release)(void *cont
   VS_ROOTS(vm, r, 1);
   vs_host_object *o = table(s) ? vs_session_memory(s, NULL, 0, sizeof *o) : NULL;
   if (!o) return vs_session_out_of_memory(s), 0;
-  *o = (vs_host_object){ .session = s, .object = object }; /* if the rest fails, the host keeps the object */
+  *o = (vs_host_object){ .session = s, .object = object }; /* release is not set yet: if memory is out below, the host
+                                                            * keeps its object */
   if (!vs_make_foreign(vm, &host_object_type, o, sizeof *o, &r[0])) return vs_session_out_of_memory(s), 0;
   vs_handle made = vs_session_hold(s, r);
   if (made) o->release = release, o->context = context;
@@ -198,7 +199,7 @@ void vs_session_free_handles(vs_session *s) {
   s->handles = NULL;
 }
 
-/* ---- making values ---- */
+/* ---- functions that create values ---- */
 
 vs_handle vs_handle_boolean(vs_scheme *vm, bool b) { return vs_session_hold(vs_session_of(vm),
     &(vs_value){ vs_bool(b) }); }
@@ -248,7 +249,7 @@ vs_handle vs_handle_list(vs_scheme *vm, const vs_handle *items, size_t count) {
   return vs_session_hold(s, r);
 }
 
-/* ---- reading values ---- */
+/* ---- functions that read values ---- */
 
 static bool is_record(vs_value v, const char *type) {
   if (!vs_is(v, VS_T_RECORD)) return false;
@@ -274,7 +275,7 @@ vs_handle_kind vs_handle_kind_of(vs_scheme *vm, vs_handle h) {
   return vs_is(v, VS_T_NATIVE) || vs_is(v, VS_T_CLOSURE) || vs_is(v, VS_T_CASE) ? VS_HANDLE_PROCEDURE : VS_HANDLE_OTHER;
 }
 
-bool vs_handle_get_boolean(vs_scheme *vm, vs_handle h) { /* as in Scheme, all values but #f are true */
+bool vs_handle_get_boolean(vs_scheme *vm, vs_handle h) { /* as in Scheme, every value except #f counts as true */
   vs_value v;
   return vs_session_held(vs_session_of(vm), "vs_handle_get_boolean", h, &v) && v != VS_FALSE;
 }
@@ -348,14 +349,14 @@ bool vs_handle_same(vs_scheme *vm, vs_handle a, vs_handle b) {
   return vs_session_held(s, "vs_handle_same", a, &x) && vs_session_held(s, "vs_handle_same", b, &y) && x == y;
 }
 
-/* ---- the program's names ---- */
+/* ---- names of the program ---- */
 
 vs_handle vs_lookup(vs_scheme *vm, const char *name) {
   VS_ROOTS(vm, r, 1);
   if (!vs_intern(vm, name, strlen(name), &r[0])) return vs_session_out_of_memory(vs_session_of(vm)), 0;
   vs_meaning m = vs_environment_find(vm->at.program, r[0]);
-  /* A program in another language lacks this language's names, so its core is searched, too. The language's own
-   * procedures, %..., stay hidden. */
+  /* A program in another language does not see Scheme's names, so the core library is searched, too. Its internal
+   * procedures (%...) stay hidden. */
   if (m.kind != VS_MEANS_CELL && name[0] != '%') m = vs_environment_find(vm->at.core, r[0]);
   if (m.kind != VS_MEANS_CELL || vs_as_cell(m.value)->value == VS_UNDEFINED)
     return usage(vs_session_of(vm), "vs_lookup: %.200s is not defined", name), 0;
@@ -363,14 +364,14 @@ vs_handle vs_lookup(vs_scheme *vm, const char *name) {
   return vs_session_hold(vs_session_of(vm), r);
 }
 
-/* ---- calling ---- */
+/* ---- calling procedures ---- */
 
 static vs_outcome run(vs_session *s, const vs_value *procedure, size_t count, const vs_value *argv, vs_value *result) {
   vs_scheme *vm = s->bind.vm;
   VS_ROOTS(vm, r, 1);
-  uint64_t stopped = vm->top_place; /* the place of a stopped program that waits meanwhile */
+  uint64_t stopped = vm->top_place; /* saves the place of a stopped program, which continues later */
   vs_session_begin(s, 0);
-  vm->top_place = 0; /* the call has no place in a text */
+  vm->top_place = 0; /* the host's call has no place in a source text */
   bool ok = vs_run(vm, *procedure, count, argv, &r[0]);
   if (ok && result) *result = r[0];
   vs_outcome outcome = vs_session_finish(s, ok, false);
@@ -400,14 +401,14 @@ vs_outcome vs_apply(vs_scheme *vm, vs_handle procedure, const vs_handle *argumen
   return outcome;
 }
 
-/* ---- the host's procedures ---- */
+/* ---- procedures of the host ---- */
 
 void vs_host_fail(vs_scheme *vm, const char *message) {
   vs_handles *t = table(vs_session_of(vm));
   if (t) snprintf(t->failure, sizeof t->failure, "%s", message);
 }
 
-/* Arguments: number argument ... */
+/* The arguments in a: the number of the host's procedure, then its own arguments. */
 vs_status vs_session_host_call(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   enum { MOST = 64 };
   vs_session *s = vs_session_of(vm);
@@ -416,7 +417,7 @@ vs_status vs_session_host_call(vs_scheme *vm, vs_value *a, int n, vs_value *out)
   size_t number = (size_t)vs_fixnum(a[0]), count = (size_t)n - 1, made = 0;
   if (!t || number >= t->procedure_count) return vs_fail(vm, vm->sym.error, "the host's procedure is gone");
   vs_host_entry p = t->procedures[number];
-  vm->native = NULL; /* errors begin with the host's name for the procedure */
+  vm->native = NULL; /* errors begin with the name that the host gave the procedure */
   if (count > MOST) return vs_fail(vm, vm->sym.arity, "%s: at most %d arguments reach the host", p.name, MOST);
   while (made < count && (handles[made] = vs_session_hold(s, &a[made + 1])) != 0) made++;
   *t->failure = 0;
@@ -454,7 +455,7 @@ bool vs_define(vs_scheme *vm, const char *name, vs_handle value) {
   return vs_session_invoke(s, "%host-define", 2, r, NULL) == VS_OUTCOME_DONE;
 }
 
-/* ---- posted changes ---- */
+/* ---- posted changes of properties ---- */
 
 bool vs_post(vs_scheme *vm, vs_handle property, vs_handle value) {
   vs_session *s = vs_session_of(vm);
@@ -471,8 +472,8 @@ vs_outcome vs_update(vs_scheme *vm) {
   vs_outcome outcome = VS_OUTCOME_DONE;
   VS_ROOTS(vm, r, 2);
   if (vs_session_busy(s, "vs_update")) return VS_OUTCOME_USAGE;
-  size_t count = s->handles ? s->handles->posted_count : 0; /* changes that subscribers post meanwhile wait for the next
-                                                             * update */
+  size_t count = s->handles ? s->handles->posted_count : 0; /* changes posted by callbacks during the update wait for
+                                                             * the next one */
   for (size_t i = 0; i < count; i++) {
     vs_posted p = s->handles->posted[i];
     bool held = vs_session_held(s, "vs_update", p.property, &r[0]) && vs_session_held(s, "vs_update", p.value, &r[1]);

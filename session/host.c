@@ -1,5 +1,5 @@
-/* Owns the interpreter's calls of the system: memory, time, files, the console. They go to the embedder's callbacks if
- * it gave some. The VM has no other system calls. */
+/* Implements the system calls of the interpreter: memory, time, files, console. They use the embedder's callbacks where
+ * it has set them. The VM makes no other system calls. */
 #include "session/host.h"
 
 #include "session/inputs/inputs.h"
@@ -33,7 +33,7 @@ static void *session_memory(vs_session *s, void *old, size_t old_bytes, size_t b
   return p;
 }
 
-/* Allocates, grows or frees memory; drops cached results when memory is refused. */
+/* Allocates, reallocates or frees memory. If memory is out, drops cached results and tries again. */
 void *vs_session_memory(void *session, void *old, size_t old_bytes, size_t bytes) {
   vs_session *s = session;
   void *p = session_memory(s, old, old_bytes, bytes);
@@ -53,8 +53,8 @@ double vs_session_clock(void *session) {
   return (double)t.tv_sec + (double)t.tv_nsec * 1e-9;
 }
 
-/* Returns true if the current output has used its time. The time of a worker does not count: a picture takes longer
- * than its model. */
+/* Returns true if the current output has used its limit of time. The time of an external program does not count:
+ * rendering a picture takes longer than computing the model. */
 static bool write_late(vs_session *s) {
   if (!s->writing || s->options.limit_time <= 0 || s->tally.now == VS_WORK_WORKER) return false;
   double took = vs_session_clock(s) - s->write_began - (s->tally.of[VS_WORK_WORKER].seconds - s->write_worker);
@@ -88,7 +88,7 @@ static const char *environment(void *session, const char *name) {
   return ((vs_session *)session)->options.untrusted ? NULL : getenv(name);
 }
 
-extern char **environ; /* POSIX requires programs to declare it */
+extern char **environ; /* POSIX requires programs to declare it themselves */
 
 static const char *variable(void *session, size_t i) {
   return ((vs_session *)session)->options.untrusted ? NULL : environ[i];
@@ -102,7 +102,7 @@ static bool refuse(vs_session *s, const char *reason, const char **why) {
   return false;
 }
 
-/* returns the usual English name of an error */
+/* Returns a text for the errno value, in plain English for the usual ones. */
 static const char *reason(int error) {
   if (error == ENOENT) return "no such file";
   if (error == EACCES) return "not permitted to read it";
@@ -160,14 +160,14 @@ vs_outcome vs_session_unread(vs_session *s, const char *path, const char *why) {
   return outcome;
 }
 
-/* ---- sources ---- */
+/* ---- kept source texts ---- */
 
 static void drop(vs_session *s, vs_source *source) {
   vs_session_memory(s, source->name, source->name_bytes, 0);
   vs_session_memory(s, source->text, source->room, 0);
 }
 
-/* Makes a line end of a \r without a \n, too. */
+/* Replaces each \r that is not followed by \n by \n. */
 static void unify_line_ends(char *text, size_t length) {
   for (size_t i = 0; i < length; i++)
     if (text[i] == '\r' && (i + 1 == length || text[i + 1] != '\n')) text[i] = '\n';
@@ -179,8 +179,8 @@ static size_t count_lines(const char *text, size_t length) {
   return lines;
 }
 
-/* Appends lines typed at a prompt to the source's text, so that a later error in a procedure can show its line. Fills
- * the lines in between with blank ones. Returns false if the lines do not follow, or memory is out. */
+/* Appends lines typed at a prompt to a kept source, so that messages can show them later. Inserts blank lines for
+ * missing line numbers. Returns false if the lines precede the end of the source, or memory is out. */
 static bool continue_source(vs_session *s, vs_source *old, unsigned first_line, const char *text, size_t length) {
   enum { MOST = 1 << 18 };
   size_t gap;
@@ -201,11 +201,12 @@ static bool continue_source(vs_session *s, vs_source *old, unsigned first_line, 
   return true;
 }
 
-/* A long text is cut at a bound: messages about later places show no line. */
+/* A text longer than MOST is cut; messages about later places then show no line. */
 bool vs_session_keep_source(vs_session *s, const char *name, unsigned first_line, const char *text, size_t length) {
   enum { MOST = 1 << 22 };
   size_t i = 0, bytes = strlen(name) + 1, room = length < MOST ? length : MOST;
-  if (room > 0 && !memchr(text, '\n', room) && room == MOST) room = 0; /* one endless line: binary */
+  if (room > 0 && !memchr(text, '\n', room) && room == MOST) room = 0; /* a text without a line end is binary data, and
+                                                                        * not kept */
   while (i < s->source_count && strcmp(s->sources[i].name, name)) i++;
   if (i < s->source_count && continue_source(s, &s->sources[i], first_line, text, length)) return true;
   if (i == s->source_room) {
@@ -241,7 +242,7 @@ void vs_session_free_sources(vs_session *s) {
   s->sources = NULL, s->source_count = s->source_room = 0;
 }
 
-/* ---- streams ---- */
+/* ---- files and streams ---- */
 
 static int64_t open_stream(void *session, const char *path, vs_io_mode mode, const char **why) {
   vs_session *s = session;
@@ -264,7 +265,7 @@ static int64_t open_stream(void *session, const char *path, vs_io_mode mode, con
 
 static ptrdiff_t read_console(vs_session *s, void *to, size_t room) {
   const vs_host *h = &s->options.host;
-  vs_stream *in = &s->stream[VS_IO_STDIN]; /* the rest of the last line */
+  vs_stream *in = &s->stream[VS_IO_STDIN]; /* a last line without a line end */
   if (in->at == in->length) {
     size_t n;
     const char *line = h->input ? h->input(h->context, &n) : NULL;

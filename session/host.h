@@ -1,16 +1,19 @@
-/* Owns the interface of host.c: the interpreter's calls of the system. */
+/* Declares the system calls of the interpreter, which host.c implements. */
 #ifndef VS_SESSION_HOST_H
 #define VS_SESSION_HOST_H
 
 #include "session/session.h"
 
-void *vs_session_memory(void *session, void *old, size_t old_bytes, size_t bytes);  /* for the VM and the store */
-double vs_session_clock(void *session);                                            /* seconds, monotonic */
+void *vs_session_memory(void *session, void *old, size_t old_bytes, size_t bytes);  /* Allocates, reallocates or
+                                                                                     * frees memory, for the VM and
+                                                                                     * the store. */
+double vs_session_clock(void *session);                                            /* Returns monotonic time in
+                                                                                    * seconds. */
 bool vs_session_interrupted(void *session);
-/* Reads a whole file as malloc'ed text; source: also keeps it as a source, for messages. Returns false with the reason
- * in *why. */
+/* Reads a whole file as text, which the caller frees. source: also keeps the text, for messages. If it fails, returns
+ * false and sets *why to the reason. */
 bool vs_session_read(vs_session *s, const char *path, bool source, char **text, size_t *length, const char **why);
-/* Reports that vs_session_read failed. Returns the outcome. */
+/* Reports that the file could not be read, for the reason `why` of vs_session_read. Returns the outcome. */
 vs_outcome vs_session_unread(vs_session *s, const char *path, const char *why);
 bool vs_session_keep_source(vs_session *s, const char *name, unsigned first_line, const char *text, size_t length);
 void vs_session_close_files(vs_session *s);

@@ -1,9 +1,9 @@
-/* Owns the meshes in the public header: a back-end without output that keeps one mesh and the places of each distinct
- * shape, and the comparison with the meshes that the host already has.
+/* Implements the meshes for a host (vs_mesh_next). A back-end without an output file keeps one mesh, and the
+ * placements, of each distinct shape. It compares them with the meshes that the host already has.
  *
- * A shape's id comes from its node's hash, the fineness and its paint. Therefore a shape that the host has is
- * recognised before it is meshed. The session allocates the memory, so limits hold. The mesh of a new shape is copied
- * once from the driver's. */
+ * The id of a shape is a hash of its node, the fineness and its material. A shape that the host already has is
+ * therefore recognised before its mesh is computed. All memory is the session's, so that limits apply. The mesh of a
+ * new shape is copied once from the driver's. */
 #include "session/host_meshes.h"
 
 #include <string.h>
@@ -22,9 +22,9 @@ typedef struct {
   uint64_t id, places_hash;
   size_t place_count, place_room;
   double (*places)[3][4];
-  bool made;               /* new in this round: the host does not have it, and its mesh is here */
-  vs_mesh mesh;            /* its arrays are in the session's memory */
-  vs_shading shading;      /* in the session's memory */
+  bool made;               /* whether the host does not have the shape yet; only then it has a mesh here */
+  vs_mesh mesh;            /* its arrays are allocated by the session */
+  vs_shading shading;      /* its arrays are allocated by the session */
   vs_mesh_part *parts;
   size_t part_count;
 } shape;
@@ -32,23 +32,25 @@ typedef struct {
 typedef struct {
   shape *at;
   size_t count, room;
-  uint32_t *slots;         /* the table from id to index + 1; its size is a power of two */
+  uint32_t *slots;         /* hash table from id to index + 1; its size is a power of two */
   size_t slot_count;
 } shapes;
 
 typedef struct { const char *name; uint64_t id; } known_material;
 
 struct vs_host_meshes {
-  vs_backend backend;      /* first: an emitter's back-end points to it */
+  vs_backend backend;      /* must be the first member: an emitter's pointer to it is converted to vs_host_meshes */
   vs_format format;
   vs_session *session;
-  shapes had, now;         /* the shapes that the host has, of which only ids and hashes of places are kept; the shapes
-                            * of the drawing */
-  const char **layers;     /* the open layers, outermost first */
+  shapes had, now;         /* had: shapes that the host has, with their ids and hashes of placements only; now: shapes
+                            * of the current drawing */
+  const char **layers;     /* names of the open layers, outermost first */
   size_t layer_count, layer_room;
-  size_t removed, told;    /* the progress of vs_mesh_next, in had and in now */
-  size_t last;             /* index + 1 of the last shape passed to the host, whose arrays live until the next call */
-  bool open;               /* a round has begun */
+  size_t removed, told;    /* removed: next index in `had`; told: next index in `now`; for the next call of
+                            * vs_mesh_next */
+  size_t last;             /* index + 1 of the shape passed to the host last, whose arrays it may use until the next
+                            * call */
+  bool open;               /* whether vs_mesh_next is passing the shapes of a drawing */
   uint64_t (*material)(void *context, const char *name);
   void *material_context;
   known_material *known;
@@ -94,7 +96,7 @@ static void drop_shapes(vs_session *s, shapes *l) {
   *l = (shapes){ 0 };
 }
 
-/* ---- the table ---- */
+/* ---- the hash table of shapes ---- */
 
 static size_t slot_of(const shapes *l, uint64_t id) {
   size_t i = (size_t)id & (l->slot_count - 1);
@@ -123,7 +125,7 @@ static shape *put(vs_session *s, shapes *l, uint64_t id) {
   return &l->at[l->count - 1];
 }
 
-/* ---- the back-end ---- */
+/* ---- the back-end that receives the shapes ---- */
 
 static vs_host_meshes *meshes_of(vs_emitter *e) { return (vs_host_meshes *)(uintptr_t)e->backend; }
 
@@ -156,7 +158,7 @@ static void paint(vs_mesh_part *p, const vs_material *m, const char *layer, cons
   if (o) p->file = o->file, p->line = o->line, p->column = o->column;
 }
 
-/* Copies the driver's mesh, which lives until the next one. */
+/* Copies the driver's mesh, which is valid only until its next mesh. */
 static bool keep(vs_emitter *e, shape *f, const vs_solid *from, const vs_origin *origin, double crease) {
   vs_host_meshes *m = meshes_of(e);
   vs_session *s = m->session;
@@ -184,8 +186,8 @@ static bool keep(vs_emitter *e, shape *f, const vs_solid *from, const vs_origin 
   return vs_shading_make_in(e, vs_session_memory, s, &faces, &f->shading);
 }
 
-/* Returns the shape with this id, adding it to the round if it is new; *make: the caller must add its mesh. NULL: out
- * of memory. */
+/* Returns the shape with this id; adds it if the drawing had no such shape yet. Sets *make if the caller must compute
+ * its mesh. Returns NULL when memory is out. */
 static shape *shape_of(vs_emitter *e, uint64_t id, bool *make) {
   vs_host_meshes *m = meshes_of(e);
   shape *f = find(&m->now, id);
@@ -197,7 +199,8 @@ static shape *shape_of(vs_emitter *e, uint64_t id, bool *make) {
   return f;
 }
 
-/* Returns true if the shape has the same mesh at any fineness; false for a shape with too many parts to test. */
+/* Returns true if the mesh of the node is the same at any fineness. Returns false for curved nodes, and for nodes with
+ * too many parts to examine. */
 static bool is_angular(const vs_node *n) {
   enum { MOST = 200 };
   const vs_node *wait[MOST];
@@ -212,7 +215,7 @@ static bool is_angular(const vs_node *n) {
       if (n->child_count > MOST - count) return false;
       for (uint32_t i = 0; i < n->child_count; i++) wait[count++] = n->children[i].node;
       break;
-    default: return false; /* round, or made of shapes that may be */
+    default: return false; /* curved, or made from children that may be curved */
     }
   }
   return true;
@@ -255,7 +258,8 @@ static vs_emit_status host_boolean(vs_emitter *e, const vs_ref *ref, vs_phase ph
   return emit_shape(e, ref, vs_shade_crease(true)) ? VS_WHOLE : VS_FAILED;
 }
 
-/* A curve is a mesh without triangles: its points in order, with the first again at the end if it is closed. */
+/* Adds a curve as a mesh without triangles. Its vertices are the curve's points, with the first repeated at the end of
+ * a closed curve. */
 static vs_emit_status host_line(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   const struct vs_line *l = VS_AS(line, ref->node);
@@ -276,7 +280,7 @@ static vs_emit_status host_line(vs_emitter *e, const vs_ref *ref, vs_phase phase
   return place(e, f, &e->placement) ? VS_EMITTED : VS_FAILED;
 }
 
-/* Enters a placement, paint, layer or union. */
+/* Accepts a placement, material, layer or union, whose children follow; keeps the name of the layer. */
 static vs_emit_status host_through(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   vs_host_meshes *m = meshes_of(e);
   if (ref->node->kind != VS_LAYER) return VS_EMITTED;
@@ -293,7 +297,7 @@ static bool host_end(vs_emitter *e) { return (void)e, true; }
 static const vs_backend host_backend = {
   .begin = host_begin, .end = host_end, VS_EMIT_SHAPES(host_leaf, host_line, host_through, host_boolean) };
 
-/* ---- the public side ---- */
+/* ---- public functions ---- */
 
 static vs_host_meshes *open_meshes(vs_session *s) {
   if (s->meshes) return s->meshes;
@@ -325,12 +329,12 @@ vs_outcome vs_meshes_begin(vs_scheme *vm, const vs_output_options *options) {
   if (vs_session_busy(s, "vs_meshes_begin")) return VS_OUTCOME_USAGE;
   vs_host_meshes *m = open_meshes(s);
   if (!m) return VS_OUTCOME_MACHINE;
-  if (m->open) { /* the rest of the last round is passed in this one: the host has only the shapes that it got */
+  if (m->open) { /* shapes that were not passed yet are compared again: the host does not have them */
     drop_shapes(s, &m->now);
     m->open = false;
   }
   vs_output_options o = options ? *options : vs_output_options_default();
-  o.passes &= ~(1u << VS_PASS_FOLD); /* copies stay copies */
+  o.passes &= ~(1u << VS_PASS_FOLD); /* objects of equal shape stay copies: folding would combine them */
   vs_byte_sink nowhere = { take_nothing, NULL };
   vs_outcome outcome = vs_session_write(s, NULL, &m->format, &o, &nowhere);
   bool nothing = outcome == VS_OUTCOME_MODEL && !m->now.count && !s->bind.scene.drawn_count && !s->bind.returned_count;
@@ -341,14 +345,17 @@ vs_outcome vs_meshes_begin(vs_scheme *vm, const vs_output_options *options) {
 
 static uint64_t id_of_material(vs_host_meshes *m, const char *name) {
   if (!m->material || !*name) return 0;
-  for (size_t i = 0; i < m->known_count; i++) if (m->known[i].name == name) return m->known[i].id; /* interned */
+  for (size_t i = 0; i < m->known_count; i++) if (m->known[i].name == name) return m->known[i].id; /* names are
+                                                                                                    * interned, and
+                                                                                                    * compared by
+                                                                                                    * address */
   uint64_t id = m->material(m->material_context, name);
   if (grow(m->session, &m->known, &m->known_room, m->known_count + 1, sizeof *m->known))
     m->known[m->known_count++] = (known_material){ name, id };
   return id;
 }
 
-/* Ends the round: the host now has the shapes of the drawing. */
+/* Ends the passing of a drawing: the host now has all its shapes. Returns false. */
 static bool end_round(vs_host_meshes *m) {
   drop_shapes(m->session, &m->had);
   m->had = m->now, m->now = (shapes){ 0 };
@@ -373,7 +380,8 @@ bool vs_mesh_next(vs_scheme *vm, vs_mesh_info *out) {
   vs_host_meshes *m = s->meshes;
   *out = (vs_mesh_info){ 0 };
   if (!m || !m->open || vs_session_busy(s, "vs_mesh_next")) return false;
-  if (m->last) drop_shape(s, &m->now.at[m->last - 1]); /* the host has it: only its id and its places' hash are kept */
+  if (m->last) drop_shape(s, &m->now.at[m->last - 1]); /* only the id and the hash of placements of a passed shape are
+                                                        * kept */
   m->last = 0;
   while (m->removed < m->had.count) {
     const shape *f = &m->had.at[m->removed++];

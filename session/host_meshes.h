@@ -1,5 +1,5 @@
-/* Owns the interface of host_meshes.c: the meshes that a drawing host has, by the hash of their shapes, and their
- * places. */
+/* Declares the meshes that a host receives of a drawing, by the hash of each shape, with their placements. Implemented
+ * in host_meshes.c. */
 #ifndef VS_SESSION_HOST_MESHES_H
 #define VS_SESSION_HOST_MESHES_H
 

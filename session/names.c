@@ -1,5 +1,5 @@
-/* Owns the answers to a host's questions about a program: the meaning of a name, the calls that the last error ended,
- * and the procedures that take the time. */
+/* Answers a host's questions about a program: what a name means, which calls led to the last error, and which
+ * procedures take the most time. */
 #include "session/names.h"
 
 #include <stdio.h>
@@ -18,7 +18,7 @@
 #include "vm/machine/activation.h"
 #include "vm/front/suggest.h"
 
-/* Returns the text, kept by the store; "" when memory is out. */
+/* Returns a copy of the text that lives as long as the store; "" when memory is out. */
 static const char *kept(vs_session *s, vs_text *t) {
   const char *text = vs_text_end(t) ? vs_store_text(s->bind.store, t->at, t->count) : NULL;
   return text ? text : "";
@@ -27,9 +27,9 @@ static const char *kept(vs_session *s, vs_text *t) {
 static bool put(vs_text *t, const char *a, const char *b, const char *c) { return vs_text_puts(t, a) &&
     vs_text_puts(t, b) && vs_text_puts(t, c); }
 
-/* ---- names ---- */
+/* ---- meanings of names ---- */
 
-static const char *const all_forms[] = { /* the parameters that the definitions by syntax-rules and the expander lack */
+static const char *const all_forms[] = { /* argument lists of special forms, which their definitions do not contain */
   "(define name value)\n(define (name parameter ...) body ...)", "define", "(if test then else)", "if",
       "(cond [test value ...] ... [else value ...])", "cond",
   "(let ([name value] ...) body ...)\n(let loop ([name value] ...) body ...)", "let",
@@ -52,7 +52,7 @@ static const char *form_of_syntax(const char *name) {
   return "";
 }
 
-/* Writes the forms of a procedure of the table, one on each line. */
+/* Writes the argument lists of a built-in procedure, one on each line. */
 static bool put_forms(vs_text *t, const vs_procedure *p, const char *name) {
   for (int i = 0; i < VS_MAX_FORMS && p->form[i].used; i++) {
     if (!put(t, i ? "\n(" : "(", name, "")) return false;
@@ -94,7 +94,8 @@ static bool put_call(vs_text *t, vs_value f, const char *name) {
   return !form || put(t, "(", name, form + 1 + strcspn(form + 1, " )"));
 }
 
-/* Returns the helper of a procedure of geometry.scm, whose row describes it: %subtract for subtract. */
+/* Returns the native that a procedure of geometry.scm calls, such as %subtract for subtract. Its table row describes
+ * both. Returns #f if there is none. */
 static vs_value helper_of(vs_scheme *vm, const char *name) {
   char room[80];
   vs_value symbol, value;
@@ -113,7 +114,7 @@ bool vs_name_get(vs_scheme *vm, const char *name, vs_name_info *out) {
   if (m.kind != VS_MEANS_CELL || vs_as_cell(m.value)->value == VS_UNDEFINED) return false;
   r[1] = vs_as_cell(m.value)->value;
   vs_meaning language = vs_environment_find(vm->at.core, r[0]);
-  /* a program that uses a name of the language has its own cell with the same value */
+  /* A program that uses a name of the language has its own cell for it, with the same value. */
   out->own = language.kind != VS_MEANS_CELL || vs_as_cell(language.value)->value != r[1];
   vs_text t;
   if (vs_is(r[1], VS_T_NATIVE) || vs_is(r[1], VS_T_CLOSURE) || vs_is(r[1], VS_T_CASE) || vs_is(r[1], VS_T_PARAMETER)) {
@@ -163,13 +164,13 @@ bool vs_disassemble(vs_scheme *vm, const char *name, bool (*each)(void *context,
   return vs_code_dump(vm, vs_as_closure(r[1])->code, each, context);
 }
 
-/* ---- the calls that an error ended ---- */
+/* ---- the calls that led to an error ---- */
 
 const vs_value *vs_session_call(vs_session *s, vs_value calls, size_t index, vs_span *at) {
   if (!vs_is_vector(calls)) return NULL;
   const vs_vector *v = vs_as_vector(calls);
   for (size_t i = 0; i < v->length && vs_is(v->at[i + VS_CALL_PROCEDURE], VS_T_CLOSURE); i += VS_CALL_WORDS)
-    /* the library's own calls do not concern users */
+    /* Calls inside the library are omitted: they do not concern users. */
     if (vs_session_span(s, vs_pos_of(v->at[i + VS_CALL_PLACE]), at) && !index--) return v->at + i;
   return NULL;
 }
@@ -198,7 +199,7 @@ bool vs_call_get(vs_scheme *vm, size_t index, vs_call_info *out) {
   vs_text_open(vm, &t, 600);
   bool ok = true;
   for (size_t k = first + VS_CALL_VARIABLES; ok && k < first + VS_CALL_WORDS; k += 2) {
-    vs_value symbol = vs_as_vector(r[0])->at[k];     /* read again each time: printing may move the vector */
+    vs_value symbol = vs_as_vector(r[0])->at[k];     /* fetched anew in each step, since printing may move the vector */
     if (!vs_is_symbol(symbol)) break;
     ok = put(&t, t.count ? ", " : "", vs_as_symbol(symbol)->name, " = ") &&
          vs_session_put_value(vm, &t, vs_as_vector(r[0])->at[k + 1], 60);
@@ -208,9 +209,9 @@ bool vs_call_get(vs_scheme *vm, size_t index, vs_call_info *out) {
   return true;
 }
 
-/* ---- where time goes ---- */
+/* ---- where the time goes ---- */
 
-/* Takes a sample: each procedure on the stack counts once, by its place in the program. */
+/* Takes a sample: counts each procedure on the call stack once, identified by its place in the program. */
 void vs_session_look(vs_session *s) {
   enum { MOST = 64 };
   vs_value name[MOST];
@@ -220,7 +221,7 @@ void vs_session_look(vs_session *s) {
   bool first = true;
   for (size_t i = 0; i < n; i++) {
     if (vs_pos_file(place[i]) < s->bind.library_files || !vs_is_symbol(name[i])) continue;
-    bool before = false; /* a procedure that calls itself counts once */
+    bool before = false; /* whether an inner call of the same procedure was already counted */
     for (size_t k = 0; k < i && !before; k++) before = name[k] == name[i];
     if (before) continue;
     size_t at = 0;

@@ -1,5 +1,5 @@
-/* Owns the scene in the public header: nodes, properties, actions and picks. Each function calls the procedure of the
- * language that does the same, so hosts and programs get the same rules and messages. */
+/* Implements the public functions on scene nodes, properties, actions and picks. Each calls the corresponding procedure
+ * of the language, so that hosts and programs have the same rules and messages. */
 #include <stdio.h>
 #include <string.h>
 
@@ -8,7 +8,8 @@
 #include "session/host.h"
 #include "session/report.h"
 
-/* Calls the procedure with handles as its arguments; *result becomes a handle to its value, 0 after a failure. */
+/* Calls a procedure of the language with the values of handles. Sets *result to a handle of its value, or to 0 if the
+ * call fails. */
 static vs_outcome call(vs_scheme *vm, const char *who, const char *procedure, const vs_handle *arguments, size_t count,
                        vs_handle *result) {
   enum { MOST = 5 };
@@ -24,7 +25,8 @@ static vs_outcome call(vs_scheme *vm, const char *who, const char *procedure, co
   return *result ? VS_OUTCOME_DONE : VS_OUTCOME_MACHINE;
 }
 
-/* The same for functions that return only the value: 0 if it is #f, or the call failed. */
+/* Calls a procedure of the language and returns a handle of its value. Returns 0 if the value is #f or the call
+ * fails. */
 static vs_handle ask(vs_scheme *vm, const char *who, const char *procedure, const vs_handle *arguments, size_t count) {
   vs_handle result;
   if (call(vm, who, procedure, arguments, count, &result) != VS_OUTCOME_DONE || vs_handle_get_boolean(vm, result))
@@ -33,11 +35,12 @@ static vs_handle ask(vs_scheme *vm, const char *who, const char *procedure, cons
   return 0;
 }
 
-/* A question about a property of a group: the function of the interface that asks, and the procedure that answers. */
+/* A call about a property: the public function `who`, the procedure of the language that it calls, the group, and the
+ * property's name. */
 typedef struct { const char *who, *procedure; vs_handle group; const char *name; } named;
 
-/* Calls q's procedure with the name as a symbol, whose handle is released afterwards. last NULL: there is no further
- * argument. */
+/* Calls q->procedure with the group, the name as a symbol, and the argument *last (NULL: none). Releases the symbol's
+ * handle. */
 static vs_outcome call_named(vs_scheme *vm, const named *q, const vs_handle *last, vs_handle *result) {
   vs_handle symbol = vs_handle_symbol(vm, q->name);
   const vs_handle arguments[] = { q->group, symbol, last ? *last : 0 };
@@ -72,8 +75,8 @@ vs_handle vs_node_find(vs_scheme *vm, const char *name) {
   return found;
 }
 
-/* Returns a part of a node as a handle; 0 if there is none. It runs no code, so it is allowed at any time. Refuses any
- * other value as the procedure of the language does. */
+/* Returns a handle of a part of a node, or 0 if the node lacks it. Runs no program, and is therefore allowed at any
+ * time. If `node` is no node, fails with the error of the language's procedure. */
 static vs_handle part_of(vs_scheme *vm, const char *who, const char *procedure, vs_node_part part, vs_handle node) {
   vs_session *s = vs_session_of(vm);
   VS_ROOTS(vm, r, 2);
@@ -194,15 +197,15 @@ vs_outcome vs_scene_frame(vs_scheme *vm, double seconds) {
   return outcome;
 }
 
-/* Passes a hit of %pick-for-host to the callback: (distance point node path file line column), the last three #f if
- * they are not known. */
+/* Passes a hit of %pick-for-host to the callback. The hit is a list (distance point node path file line column); the
+ * last three are #f if unknown. */
 static bool tell_hit(vs_scheme *vm, vs_handle hit, bool (*each)(void *context, vs_scheme *vm, const vs_hit *hit),
     void *context, bool *go_on) {
   enum { DISTANCE, POINT, NODE, PATH, FILE_NAME, LINE, COLUMN, PARTS };
   vs_handle part[PARTS] = { 0 };
   vs_hit told = { .file = NULL };
   double place[2] = { 0, 0 };
-  char *file = NULL; /* the callback may request other texts */
+  char *file = NULL; /* the callback may call vs_handle_text, which overwrites the text of a handle */
   size_t bytes = 0;
   bool ok = true;
   for (size_t i = 0; ok && i < PARTS; i++) ok = (part[i] = vs_handle_item(vm, hit, i)) != 0;
@@ -247,9 +250,10 @@ vs_outcome vs_pick(vs_scheme *vm, const double from[3], const double direction[3
   return outcome;
 }
 
-/* ---- gizmos and input ---- */
+/* ---- gizmos, and input by mouse and keys ---- */
 
-/* A gizmo of %gizmos-for-host: (node kind value low high step size at handles axes); #f for each part that it lacks. */
+/* Positions in a gizmo of %gizmos-for-host: (node kind value low high step size at handles axes). A part that the gizmo
+ * lacks is #f. */
 enum { NODE, KIND, VALUE, LOW, HIGH, STEP, SIZE, AT, HANDLES, AXES, PARTS };
 
 static size_t numbers_of(vs_scheme *vm, vs_handle list, double out[3][3]) {

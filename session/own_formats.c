@@ -1,8 +1,8 @@
-/* Owns the formats that a host defines (vs_register_format). Each is a back-end like the library's own; its emit
- * functions are the host's callbacks.
+/* Implements the formats that a host defines (vs_register_format). Each is a back-end like those of the library; its
+ * emit functions call the host's callbacks.
  *
- * The driver walks the drawing and lowers kinds without a callback, as for every format. Placements, materials, layers
- * and unions need no callback: each object comes with its place, paint and layer. */
+ * As for every format, the driver walks the drawing, and replaces kinds without a callback by simpler ones. Placements,
+ * materials, layers and unions need no callback: each object is passed with its placement, material and layer. */
 #include "session/own_formats.h"
 
 #include <string.h>
@@ -11,28 +11,28 @@
 #include "session/session.h"
 
 struct vs_own_format {
-  vs_backend backend; /* first: an emitter's back-end points to it */
+  vs_backend backend; /* must be the first member: an emitter's pointer to it is converted to vs_own_format */
   vs_format format;
-  vs_format_kind kinds[VS_KIND_COUNT]; /* by kind; `write` is NULL if the host has no callback */
+  vs_format_kind kinds[VS_KIND_COUNT]; /* kinds[k]: callbacks for kind k; `write` is NULL if the host has none */
   bool (*begin)(void *context, vs_output *out);
   bool (*end)(void *context, vs_output *out);
   void *context;
   vs_own_format *next;
 };
 
-/* The state of the emitter while such a format is written. */
+/* The emitter's state while it writes a format of the host. */
 typedef struct {
-  const char **layers; /* the open layers, outermost first */
+  const char **layers; /* names of the open layers, outermost first */
   size_t layer_count, layer_room;
-  const vs_ref *now;   /* the object being written, for the place of an error */
+  const vs_ref *now;   /* the object being written, for the place in an error message */
 } own_state;
 
-/* Returns the emitter, which is the same object as the output. */
+/* Converts an output to its emitter: they are the same object. */
 static vs_emitter *own_emitter(vs_output *out) { return (vs_emitter *)(void *)out; }
 static vs_output *own_output(vs_emitter *e) { return (vs_output *)(void *)e; }
 static const vs_own_format *own_format(const vs_emitter *e) { return (const vs_own_format *)(const void *)e->backend; }
 
-/* ---- functions for callbacks ---- */
+/* ---- functions that the host's callbacks may call ---- */
 
 bool vs_output_write(vs_output *out, const void *bytes, size_t count) {
   return vs_put(own_emitter(out)->out, bytes, count);
@@ -90,7 +90,7 @@ bool vs_thing_triangles(vs_output *out, const vs_thing *t, vs_triangles *result)
   return true;
 }
 
-/* ---- the back-end ---- */
+/* ---- the back-end that calls the host's callbacks ---- */
 
 static bool own_begin(vs_emitter *e) {
   own_state *s = vs_store_realloc(e->scene->store, NULL, 0, sizeof *s);
@@ -141,7 +141,7 @@ static vs_emit_status own_emit(vs_emitter *e, const vs_ref *ref, vs_phase phase)
   own_state *s = e->state;
   const char *layer = s->layer_count > 0 ? s->layers[s->layer_count - 1] : "";
   if (!own_layer(e, ref, phase)) return VS_FAILED;
-  if (row->write == NULL) return VS_EMITTED; /* a placement, paint, layer or union: its children follow */
+  if (row->write == NULL) return VS_EMITTED; /* a placement, material, layer or union: its children follow */
   static const vs_thing_phase phases[] = { [VS_PHASE_LEAF] = VS_THING_LEAF, [VS_PHASE_ENTER] = VS_THING_ENTER,
       [VS_PHASE_LEAVE] = VS_THING_LEAVE };
   const vs_material *m = e->material;
@@ -156,9 +156,9 @@ static vs_emit_status own_emit(vs_emitter *e, const vs_ref *ref, vs_phase phase)
   return own_status(e, row->write(f->context, own_output(e), &t), phase);
 }
 
-/* ---- registering ---- */
+/* ---- registering a format ---- */
 
-/* Returns true for 1 to 16 ASCII letters and digits. */
+/* Returns true if the text has 1 to 16 characters, all of them ASCII letters or digits. */
 static bool own_suffix(const char *text) {
   static const char plain[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789";
   size_t n = text != NULL ? strspn(text, plain) : 0;
@@ -178,8 +178,8 @@ static bool own_fill(vs_session *s, vs_own_format *f, const vs_format_own *given
     f->kinds[kind] = given->kinds[i];
     f->backend.emit[kind].fn = own_emit;
   }
-  if (f->kinds[VS_POLYFACE_MESH].write == NULL) return false; /* the kind to which all solids and surfaces can be
-                                                               * lowered */
+  if (f->kinds[VS_POLYFACE_MESH].write == NULL) return false; /* a callback for polyhedra is required: all solids and
+                                                               * surfaces can be replaced by them */
   f->backend.hulls = f->kinds[VS_HULL].write != NULL;
   for (size_t i = 0; i < sizeof through / sizeof *through; i++) f->backend.emit[through[i]].fn = own_emit;
   char text[120];
@@ -211,7 +211,7 @@ bool vs_register_format(vs_scheme *vm, const vs_format_own *given) {
   return true;
 }
 
-/* Returns true if text is the word, or a path or name that ends in a dot and the word. */
+/* Returns true if text equals the word, or ends in a dot and the word. */
 static bool own_means(const char *text, const char *word) {
   size_t length = strlen(text), end = strlen(word);
   return !strcmp(text, word) || (length > end && text[length - end - 1] == '.' && !strcmp(text + length - end, word));

@@ -1,5 +1,5 @@
-/* Owns the reports to a host: conditions, errors of the layers below, warnings; each with its place, the line of the
- * source, and the user's own calls that led there. */
+/* Reports errors and warnings to the host. Each report has a place, the line of the source text there, and the user's
+ * calls that led to the error. */
 #include "session/report.h"
 
 #include <inttypes.h>
@@ -12,9 +12,9 @@
 
 #include "vm/values/printer.h"
 
-enum { NOTES = 12 }; /* the most callers shown, innermost first */
+enum { NOTES = 12 }; /* greatest number of callers shown, innermost first */
 
-/* ---- the line ---- */
+/* ---- source lines ---- */
 
 const char *vs_session_source_line(const vs_session *s, const char *file, uint32_t line, char *room, size_t size) {
   for (size_t i = 0; file && line && i < s->source_count; i++) {
@@ -30,7 +30,7 @@ const char *vs_session_source_line(const vs_session *s, const char *file, uint32
     size_t n = (size_t)((stop ? stop : end) - at);
     if (n && at[n - 1] == '\r') n--;
     if (n >= size)
-      for (n = size - 1; n && ((unsigned char)at[n] & 0xC0) == 0x80;) n--; /* cut before a character */
+      for (n = size - 1; n && ((unsigned char)at[n] & 0xC0) == 0x80;) n--; /* cut between two characters */
     memcpy(room, at, n);
     room[n] = 0;
     return room;
@@ -46,7 +46,8 @@ static void print_place(const vs_span *at) {
   fputc(' ', stderr);
 }
 
-/* Writes to standard error for a host without `diagnose`: a line for the message, and one for each note. */
+/* Prints the report to standard error if the host has no callback `diagnose`: a line for the message and one for each
+ * note. */
 static void print(const vs_diagnostic *d) {
   print_place(&d->at);
   fprintf(stderr, "%s%s\n",
@@ -60,7 +61,7 @@ static void print(const vs_diagnostic *d) {
   }
 }
 
-/* Passes d to the host, with its line of the source. */
+/* Passes the report to the host, together with its source line. */
 static void tell(vs_session *s, vs_diagnostic d) {
   char line[2048];
   d.source_line = vs_session_source_line(s, d.at.file, d.at.line, line, sizeof line);
@@ -107,7 +108,7 @@ vs_outcome vs_session_report_error(vs_session *s, const vs_error *e) {
   return outcome;
 }
 
-/* ---- conditions ---- */
+/* ---- reporting errors ---- */
 
 bool vs_session_span(vs_session *s, vs_pos place, vs_span *out) {
   *out =
@@ -116,7 +117,7 @@ bool vs_session_span(vs_session *s, vs_pos place, vs_span *out) {
   return out->file != NULL;
 }
 
-/* Returns true if the limit of an output's time stopped it, and not an interrupt. */
+/* Returns true if the interrupt came from the limit of time for outputs, and not from the user. */
 static bool is_late(const vs_session *s) { return s->writing && s->late; }
 
 static vs_outcome outcome_of(const vs_session *s, vs_value kind, bool usage) {
@@ -127,7 +128,8 @@ static vs_outcome outcome_of(const vs_session *s, vs_value kind, bool usage) {
   return usage || s->bind.bad_parameter ? VS_OUTCOME_USAGE : VS_OUTCOME_MODEL;
 }
 
-/* Writes callers as notes. A link of the chain is a call inside a procedure; the first is the failing call itself. */
+/* Fills notes with the callers, and returns their number. Each link of the chain is a call inside a procedure; the
+ * first is the call that failed. */
 static size_t callers(vs_session *s, vs_value chain, vs_span at, vs_diagnostic_note *notes) {
   size_t n = 0;
   const char *before_file = at.file;
@@ -182,14 +184,14 @@ vs_outcome vs_session_report_condition(vs_session *s, vs_value condition, bool u
   if (is_condition) {
     const vs_condition *c = vs_as_condition(r[0]);
     outcome = outcome_of(s, c->kind, usage);
-    /* the host may hold the rest of the process to the limit as well */
+    /* the host may apply the limit of memory to its whole process */
     limited = c->kind == vm->sym.memory && s->options.limit_memory;
     late = c->kind == vm->sym.interrupt && is_late(s);
-    /* in a macro's procedure that the library calls: the place of the macro's use */
+    /* In a macro procedure that the library calls, the place is that of the macro's use. */
     if (!vs_session_condition_place(s, c, &at)) vs_session_span(s, vm->top_place, &at);
     count = callers(s, vs_as_condition(r[0])->chain, at, notes);
     printed = printed && vs_session_advise(s, r[0], at, &t);
-    if (s->bind.bad_parameter) { /* the fault is in the value from outside, not in the line that defines the
+    if (s->bind.bad_parameter) { /* the parameter's value from outside is wrong, not the line that defines the
                                   * parameter */
       notes[0] = (vs_diagnostic_note){ at, "the parameter is defined here" };
       count = at.file != NULL;
@@ -197,7 +199,7 @@ vs_outcome vs_session_report_condition(vs_session *s, vs_value condition, bool u
     }
   }
   if (printed && vs_text_end(&t)) message = t.at;
-  else if (outcome != VS_OUTCOME_INTERRUPTED) outcome = VS_OUTCOME_MACHINE; /* memory for its text is out */
+  else if (outcome != VS_OUTCOME_INTERRUPTED) outcome = VS_OUTCOME_MACHINE; /* no memory is left for the message */
   if (late) {
     snprintf(limit, sizeof limit, "the output: stopped after %g seconds, the limit", s->options.limit_time);
     message = limit;
@@ -207,7 +209,7 @@ vs_outcome vs_session_report_condition(vs_session *s, vs_value condition, bool u
   tell(s, (vs_diagnostic){ .severity = VS_SEVERITY_ERROR, .outcome = outcome, .at = at, .message = message,
                            .notes = notes, .note_count = count });
   vs_text_close(&t);
-  /* the reader reports further errors: (place . message) for each */
+  /* A syntax error may contain further ones: a list of pairs (place . message). */
   if (is_condition && vs_as_condition(r[0])->kind == vm->sym.read)
     for (vs_value l = vs_as_condition(r[0])->payload; vs_is_pair(l); l = vs_cdr(l)) {
       vs_value more = vs_car(l);

@@ -1,5 +1,5 @@
-/* Owns the outside of one interpreter: the embedder's options, memory, files, sources kept for messages, the
- * interrupt flag. session/visualscheme.c implements the public functions; vm->host and vm->config.user both point to
+/* Declares the session: one interpreter with the embedder's options, memory, files, kept source texts and the
+ * interrupt flag. session/visualscheme.c implements the public functions. vm->host and vm->config.user both point to
  * the session. */
 #ifndef VS_SESSION_SESSION_H
 #define VS_SESSION_SESSION_H
@@ -17,46 +17,47 @@
 #include "vm/library/port.h"
 #include "vm/values/text.h"
 
-/* The text of a source, from which messages show lines. */
+/* The text of a source file, kept because messages show its lines. */
 typedef struct {
   char *name, *text;
-  size_t name_bytes, length, room, lines /* lines: the number of lines that end in it */;
+  size_t name_bytes, length, room, lines /* lines: number of line ends in the text */;
   unsigned first_line;
-  bool before; /* it was read before vs_restart, and not since */
+  bool before; /* whether it was read before the last vs_restart and not again since */
 } vs_source;
 
-/* A file that the program has read or created (inputs.c). */
+/* A file that the program has read or (made) created (inputs.c). */
 typedef struct { uint64_t device, node; char *path; bool made; } vs_known_file;
 
 enum { VS_STREAMS = 64 };
 typedef struct {
   bool open, reading;
-  FILE *file;               /* a file being written, or a large file being read */
-  char *text; size_t length, at; /* a file read whole; free() frees it */
+  FILE *file;               /* a file open for writing, or a large file open for reading */
+  char *text; size_t length, at; /* text of a file that was read completely; freed by free() */
 } vs_stream;
 
-/* The stages of a drawing on its way to an output (spine.c). */
+/* The stages of a drawing on its way to an output (spine.c); the rows of stages.def. */
 typedef enum {
 #define VS_STAGE(upper, lower, when, formats, doc) VS_STAGE_##upper,
 #include "session/stages.def"
   VS_STAGE_COUNT
 } vs_stage;
 
-/* The account of one output: time, memory and counts. NAN: not counted. */
+/* The account of one output: time, memory and counts. NAN means not counted. */
 typedef struct {
-  char *path; size_t path_bytes; /* path: "" for an output to a callback */
-  const char *format;       /* owned by the library */
+  char *path; size_t path_bytes; /* path: "" if the output goes to a callback */
+  const char *format;       /* name of the format, owned by the library */
   bool done;
-  vs_tally tally;           /* the differences from begin to end; the peaks are the output's own */
-  double nodes, distinct;   /* of the drawing as a tree: all nodes, and different ones by value */
+  vs_tally tally;           /* times and counts of this output alone; peak members count from its begin */
+  double nodes, distinct;   /* nodes: nodes of the drawing as a tree; distinct: different values among them */
   vs_pass_stats passes;
-  /* commands with this pass only; with all other requested passes */
+  /* alone[i]: number of commands with only pass i; without[i]: with all requested passes except i. */
   double alone[VS_PASS_COUNT], without[VS_PASS_COUNT];
-  vs_cache_stats cache;     /* hits and misses: the differences */
-  double stages[VS_STAGE_COUNT]; /* seconds of each stage; NAN: the format skips it, or the output had failed before */
+  vs_cache_stats cache;     /* hits and misses of this output alone */
+  double stages[VS_STAGE_COUNT]; /* seconds of each stage; NAN if the format skips it, or the output failed earlier */
 } vs_output_record;
 
-/* A procedure that samples have found running (names.c). */
+/* A procedure that samples have found running (names.c). own: samples in the procedure itself; whole: samples in it or
+ * in procedures that it called. */
 typedef struct { vs_value name; vs_pos place; uint64_t own, whole; } vs_profile_row;
 
 typedef struct vs_own_format vs_own_format;
@@ -65,36 +66,38 @@ typedef struct vs_host_meshes vs_host_meshes;
 typedef struct vs_scan_fit vs_scan_fit;
 
 typedef struct {
-  vs_bind bind;             /* first: vm->host points to it */
+  vs_bind bind;             /* must be the first member: vs_bind pointers are converted to vs_session */
   vs_options options;
-  void *texts; size_t text_bytes; /* the block with the copied texts of the options */
-  size_t bytes;             /* the bytes allocated for heap and model together */
-  vs_tally tally;           /* the time and memory of each kind of work */
-  bool limited;             /* the limit refused the last request for memory, not the machine */
+  void *texts; size_t text_bytes; /* one block with copies of all texts in the options */
+  size_t bytes;             /* bytes allocated for the heap and the model together */
+  vs_tally tally;           /* time and memory of each phase of work */
+  bool limited;             /* whether the last refusal of memory came from the limit, not from the system */
   atomic_bool interrupted;
   bool exit_requested;
   int exit_code;
-  double told_progress;     /* clock of the last progress call */
-  const char *phase;        /* the text of the progress line while the program runs; NULL: nothing runs */
+  double told_progress;     /* clock in seconds at the last call of the host's progress */
+  const char *phase;        /* text of the progress line while a program runs; NULL if none runs */
   vs_stream stream[VS_STREAMS];
   vs_source *sources;
   size_t source_count, source_room;
   vs_known_file *inputs;
   size_t input_count, input_room;
-  char why[256];            /* the reason of the last failed file operation */
+  char why[256];            /* reason why the last file operation failed */
   double evaluate_seconds, write_seconds;
-  bool writing, late;       /* an output is being written; the limit of time has stopped it */
-  double write_began, write_worker; /* the clock at its begin; the seconds that workers had taken by then */
-  vs_output_record *outputs; /* the last ones, oldest first */
+  bool writing, late;       /* writing: an output is being written; late: the limit of time has stopped it */
+  double write_began, write_worker; /* write_began: clock at the output's begin; write_worker: seconds that external
+                                     * programs had used until then */
+  vs_output_record *outputs; /* accounts of the latest outputs, oldest first */
   size_t output_count, output_room;
-  vs_ref *kept; size_t kept_count; /* the objects of vs_drawing_keep; nodes retained (comparison.c) */
-  vs_ref *change; size_t change_count; /* the objects that show the differences of vs_drawing_compare; nodes retained */
-  vs_own_format *own_formats; /* the host's formats, newest first (own_formats.c) */
-  vs_scan_fit *fit;         /* the last fit (fit/scan_fit.c); NULL: there was none */
-  vs_handles *handles;      /* the host's handles (handles.c); NULL: none so far */
-  vs_host_meshes *meshes;   /* the host's meshes (host_meshes.c); NULL: none */
-  unsigned flags;           /* VS_EVAL_... of the current evaluation */
-  unsigned results;         /* the number of names $1, $2 ... in use */
+  vs_ref *kept; size_t kept_count; /* objects of vs_drawing_keep, whose nodes are retained (comparison.c) */
+  vs_ref *change; size_t change_count; /* objects that show the differences of vs_drawing_compare, whose nodes are
+                                        * retained */
+  vs_own_format *own_formats; /* formats of the host, newest first (own_formats.c) */
+  vs_scan_fit *fit;         /* the latest fit to a scan (fit/scan_fit.c), or NULL */
+  vs_handles *handles;      /* handles of the host (handles.c), or NULL if it has none yet */
+  vs_host_meshes *meshes;   /* meshes passed to the host (host_meshes.c), or NULL if there are none */
+  unsigned flags;           /* flags VS_EVAL_... of the current evaluation */
+  unsigned results;         /* number of result names $1, $2 ... in use */
   bool profiling;
   uint64_t looks;
   vs_profile_row profile[256];

@@ -1,5 +1,5 @@
-/* Owns the outline of a source text as it was written. It knows strings, characters, comments and parentheses of all
- * three shapes, and nothing else of the language. Messages use it: a wrong guess costs only a hint. */
+/* Finds definitions, calls and words in a source text, without reading it as a program. It knows only strings,
+ * characters, comments and the three kinds of parentheses. Messages use it: a wrong guess only loses a hint. */
 #include "session/source_outline.h"
 
 #include <string.h>
@@ -14,7 +14,7 @@ size_t vs_outline_word(const char *at, const char *end) {
   return (size_t)(p - at);
 }
 
-/* Returns the place just after the |# that closes the block comment at `at`. */
+/* Returns the place after the |# that closes the block comment at `at`; nested comments are included. */
 static const char *block_comment(const char *at, const char *end, uint32_t *line) {
   int depth = 0;
   while (at < end) {
@@ -39,7 +39,7 @@ const char *vs_outline_blanks(const char *at, const char *end, uint32_t *line) {
   return at;
 }
 
-/* Skips a token that opens nothing: a word, a string, a character. */
+/* Skips a token that is no list: a word, a string or a character. */
 static const char *atom(const char *at, const char *end, uint32_t *line) {
   if (*at == '"') {
     for (at++; at < end && *at != '"'; at++) {
@@ -89,7 +89,8 @@ void vs_outline_each(const char *text, size_t length, bool (*each)(void *context
     uint32_t unused = line;
     const char *in = is_open(*at) ? vs_outline_blanks(at + 1, end, &unused) : end;
     size_t head = vs_outline_word(in, end);
-    bool library = head == 14 && !memcmp(in, "define-library", 14); /* its name is a list, and no procedure */
+    bool library = head == 14 && !memcmp(in, "define-library", 14); /* define-library is followed by a list as its name,
+                                                                     * and defines no procedure */
     if (head >= 6 && !memcmp(in, "define", 6) && !library) {
       in = vs_outline_blanks(in + head, end, &unused);
       while (in < end && is_open(*in)) item.procedure = true, in = vs_outline_blanks(in + 1, end, &unused);

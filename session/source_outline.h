@@ -1,5 +1,5 @@
-/* Owns the interface of source_outline.c: for messages, the places of a text's top-level definitions, and the forms of
- * a call. */
+/* Declares functions that find top-level definitions and the parts of calls in a source text, for messages. Implemented
+ * in source_outline.c. */
 #ifndef VS_SESSION_SOURCE_OUTLINE_H
 #define VS_SESSION_SOURCE_OUTLINE_H
 
@@ -8,22 +8,22 @@
 #include <stdint.h>
 
 typedef struct {
-  const char *name;   /* in the text, without a NUL */
+  const char *name;   /* name in the text, without a NUL */
   size_t length;
-  uint32_t line;      /* the line of the definition, with the text's own first line as 1 */
-  bool procedure;     /* (define (name ...) ...) or (define name (lambda ...)) */
+  uint32_t line;      /* line of the definition; the first line of the text is 1 */
+  bool procedure;     /* whether a procedure is defined: (define (name ...) ...) or (define name (lambda ...)) */
 } vs_outline_item;
 
-/* Passes every top-level definition of the text (define, define-parameter, define-syntax and the like) to `each`, in
- * order, until it returns false. */
+/* Calls `each` for every top-level definition of the text, in order, until it returns false. Definitions are define,
+ * define-parameter, define-syntax and the like. */
 void vs_outline_each(const char *text, size_t length, bool (*each)(void *context, const vs_outline_item *item),
     void *context);
 
-/* Skips blanks and comments from `at`; adds the passed newlines to *line. */
+/* Returns the first place from `at` that is neither blank nor comment. Adds the number of line ends passed to *line. */
 const char *vs_outline_blanks(const char *at, const char *end, uint32_t *line);
-/* Skips one datum from `at`, which is not blank. Returns the end if no datum begins there or it is not closed. */
+/* Returns the end of the datum that begins at `at`. Returns `end` if no datum begins there, or it is not closed. */
 const char *vs_outline_datum(const char *at, const char *end, uint32_t *line);
-/* Returns the length of the word at `at`: up to a blank, a parenthesis, a quote or a comment. */
+/* Returns the length of the word at `at`, which ends before a blank, parenthesis, quote or comment. */
 size_t vs_outline_word(const char *at, const char *end);
 
 #endif

@@ -1,4 +1,4 @@
-/* Owns the spine: the way of a drawing through the stages of stages.def to one output.
+/* Implements the stages of stages.def, through which a drawing becomes one output.
  *
  *   text → data           the reader            vm/front/reader.c
  *   data → core tree      the expander          vm/front/expand.c
@@ -8,8 +8,8 @@
  *   tree → meshes         where a format needs  solids/solid_meshes.c, kernel/evaluate.c
  *   tree → file           the last stage        backends/driver.c, backends/export.c
  *
- * vs_eval_text and vs_eval_file (visualscheme.c) run the first four for each form. This file has all others, from top
- * to bottom. */
+ * vs_eval_text and vs_eval_file (visualscheme.c) perform the first four steps for each form. This file performs all
+ * others, in this order. */
 #include "bind/back_ends.h"
 #include "bind/call/take.h"
 #include "bind/custom.h"
@@ -44,21 +44,22 @@
 
 typedef struct {
   vs_session *session;
-  const vs_format *format;       /* NULL: the drawing is only measured */
+  const vs_format *format;       /* format of the output; NULL if the drawing is only measured */
   const vs_output_options *options;
-  const char *path;              /* NULL: the output goes to `to` */
+  const char *path;              /* path of the output; NULL if it goes to `to` */
   vs_byte_sink *to;
-  vs_scene scene;                /* with an array of references that the job owns */
+  vs_scene scene;                /* a copy of the scene, with its own array of references */
   vs_export_options export;
-  vs_output_record *record;      /* NULL: there is no output */
-  vs_error error;                /* the reason of a failed stage, unless outcome is set */
-  vs_outcome outcome;            /* the outcome of a failure that a stage has reported itself */
-  char *text;                    /* the text of the program's own back-end, in bytes; NULL: none */
+  vs_output_record *record;      /* account of the output; NULL if there is no output */
+  vs_error error;                /* error of a failed stage, unless `outcome` is set */
+  vs_outcome outcome;            /* outcome of a failure that the stage has already reported */
+  char *text;                    /* text written by a back-end of the program, and its length in bytes; NULL if there is
+                                  * none */
   size_t text_bytes;
-  double told;                   /* clock of the last call of the host's progress */
+  double told;                   /* clock in seconds at the last call of the host's progress */
 } vs_job;
 
-/* ---- callbacks of the stages ---- */
+/* ---- callbacks for interrupts and progress ---- */
 
 static bool keep_resolving(void *session, double done) {
   (void)done;
@@ -69,8 +70,7 @@ static void job_warn(void *job, const vs_origin *origin, const char *message) {
   vs_session_warn(((vs_job *)job)->session, origin, message);
 }
 
-/* Reports the progress of the output to the host, at most ten times a second; a quick output has no report. Returns
- * false if the host interrupts. */
+/* Reports the progress of the output to the host, at most ten times a second. Returns false if the host interrupts. */
 static bool job_progress(void *job, const char *stage, double fraction) {
   vs_job *j = job;
   const vs_host *h = &j->session->options.host;
@@ -84,7 +84,7 @@ static bool job_progress(void *job, const char *stage, double fraction) {
 
 static bool job_is_input(void *job, const char *path) { return vs_session_is_input(((vs_job *)job)->session, path); }
 
-/* ---- options ---- */
+/* ---- options of the output ---- */
 
 void vs_session_aim(const vs_output_options *o, vs_scene *scene) {
   if (o->has_sun) scene->has_sun = true, scene->sun_azimuth = o->sun[0], scene->sun_altitude = o->sun[1];
@@ -102,7 +102,7 @@ void vs_session_size(const vs_output_options *o, vs_export_options *e) {
   if (!e->width) e->width = 1024, e->height = 768;
 }
 
-/* Sets the export's options from the caller's, the program's, and the session's limits. */
+/* Computes the export options from those of the caller and the program, and from the session's limits. */
 static void set_options(vs_job *j) {
   static const vs_render_quality qualities[] = {
     [VS_QUALITY_DRAFT] = VS_RENDER_DRAFT, [VS_QUALITY_GOOD] = VS_RENDER_GOOD, [VS_QUALITY_FINAL] = VS_RENDER_FINAL
@@ -132,11 +132,11 @@ static void set_options(vs_job *j) {
   vs_session_aim(o, scene);
 }
 
-/* ---- the stages: each returns false with the job's error set, or with its outcome set where it has reported the
- * failure itself ---- */
+/* ---- stages. A stage that fails returns false, and sets the job's error, or its outcome if it has already reported
+ * the failure ---- */
 
-/* Computes the objects that the tree of nodes shows, as a separate evaluation. *beside is false if the drawing belongs
- * to a node; the objects then include the root's drawing. */
+/* Computes the objects that the tree of scene nodes shows, as a separate evaluation. Sets *beside to false if the
+ * drawing belongs to a node; the objects then include that of the root. */
 static bool show_nodes(vs_job *j, bool *beside, vs_value *objects) {
   vs_session *s = j->session;
   if (!vs_nodes_are_there(&s->bind)) return true;
@@ -148,8 +148,8 @@ static bool show_nodes(vs_job *j, bool *beside, vs_value *objects) {
   return ok;
 }
 
-/* A node that only dead values hold would count as shared, so the heap is collected. The copy retains its references,
- * because later stages replace them. */
+/* Collects garbage first: a node that only dead values refer to would look shared. The scene's copy retains its
+ * references, because later stages replace them. */
 static bool stage_collect(vs_job *j) {
   vs_session *s = j->session;
   bool beside = true, change = j->options && j->options->change;
@@ -181,16 +181,18 @@ static bool stage_collect(vs_job *j) {
   return true;
 }
 
-/* The drawing functions are a separate evaluation with its own limits: the output's time counts from their end. */
+/* Calls the drawing functions as a separate evaluation with its own limits. The time limit of the output begins after
+ * them. */
 static bool stage_hand_over(vs_job *j) {
   vs_session *s = j->session;
   const vs_format *f = j->format;
   const char *names[4] = { NULL };
   size_t n = 0;
-  if (!f) names[n++] = "*"; /* functions for one format, if none is for all formats */
+  if (!f) names[n++] = "*"; /* also functions for one format only, unless a function is for all formats */
   if (f) names[n++] = f->name, names[n++] = f->suffix;
   if (f && vs_export_family(f)) names[n++] = vs_export_family(f);
-  bool handed = j->options && j->options->change; /* the parts of a comparison have been through them already */
+  bool handed = j->options && j->options->change; /* drawing functions were already called for the two drawings of a
+                                                   * comparison */
   if (!handed && vs_bind_hands_on(&s->bind)) {
     vs_session_begin(s, 0);
     bool ok = vs_bind_hand_on(&s->bind, j->scene.drawn, j->scene.drawn_count, names);
@@ -214,7 +216,7 @@ static bool stage_sugar(vs_job *j) {
                    : vs_scene_sugar(&j->scene, &solids_only, &j->error);
 }
 
-/* Appends the names of the model's views to message. */
+/* Appends the names of the model's views to the message. */
 static void list_views(const vs_scene *scene, char *message, size_t room) {
   size_t used = strlen(message);
   for (size_t i = 0; i < scene->view_count && used + 2 < room; i++) {
@@ -226,11 +228,11 @@ static void list_views(const vs_scene *scene, char *message, size_t room) {
 static bool stage_view(vs_job *j) {
   vs_scene *scene = &j->scene;
   const char *name = j->record ? j->options->view : NULL;
-  /* A drawing finds its own. */
+  /* A format of drawings chooses its views itself. */
   if (!j->format || j->format->backend->draws || (name && !strcmp(name, "*"))) return true;
   const vs_scene_view *view = name ? vs_scene_find_view(scene, name) : j->options->has_camera ? NULL
       : vs_scene_own_view(scene);
-  /* A view that is not requested cuts no part off a mesh or a page. */
+  /* Only a view that was requested may cut a mesh or a page. */
   if (!name && (!view || (view->cut == VS_CUT_PLANE && !j->format->backend->frames))) return true;
   if (!view) {
     char message[400];
@@ -247,7 +249,7 @@ static bool stage_resolve(vs_job *j) {
   return vs_scene_resolve(&j->scene, &options, &(vs_resolve_notes){ job_warn, j }, &j->error);
 }
 
-/* A back-end of the program's own gets the drawing before the passes, unless it requests them. */
+/* A back-end of the program receives the drawing before the passes, unless it requests the optimised drawing. */
 static bool stage_optimise(vs_job *j) {
   const vs_bind_back_end *own =
       j->format->backend == &vs_backend_given ? vs_bind_back_end_find(&j->session->bind, j->format->name) : NULL;
@@ -266,7 +268,7 @@ static bool stage_flush(vs_job *j) { return vs_scene_part_flush(&j->scene, &j->e
 
 static bool stage_group(vs_job *j) { return vs_scene_group(&j->scene, &j->error); }
 
-/* The call is a separate evaluation. */
+/* Calls the program's back-end as a separate evaluation. */
 static bool stage_defined(vs_job *j) {
   vs_session *s = j->session;
   vs_session_begin(s, 0);
@@ -287,15 +289,15 @@ static bool write_bytes(void *sink, const void *bytes, size_t count) {
 static bool stage_write(vs_job *j) {
   vs_tally_enter(&j->session->tally, VS_WORK_EMIT);
   vs_scene scene = j->scene;
-  /* its text is ready */
+  /* The text of the program's back-end is complete: there are no objects to write. */
   if (j->format->backend == &vs_backend_given) scene.drawn = NULL, scene.drawn_count = scene.drawn_room = 0;
   return j->to ? vs_export_to(&scene, j->format, write_bytes, j->to, &j->export, &j->error)
                : vs_export(&scene, j->format, j->path, &j->export, &j->error);
 }
 
-/* ---- the table, and the order of the stages ---- */
+/* ---- the table of the stages, and their order ---- */
 
-/* Returns true for a format that shows the tree unchanged. */
+/* Returns true for a format that shows the unchanged tree. */
 static bool shows_tree(const vs_backend *b) { return b->verbatim && b != &vs_backend_given; }
 
 static bool runs_for(vs_stage stage, const vs_backend *b) {
@@ -307,7 +309,7 @@ static bool runs_for(vs_stage stage, const vs_backend *b) {
   return false;
 }
 
-/* Returns the seconds of work so far, in all phases. */
+/* Returns the seconds of work in all phases so far. */
 static double worked(vs_session *s) {
   double sum = 0;
   vs_work_phase was = vs_tally_enter(&s->tally, VS_WORK_NONE);
@@ -333,8 +335,8 @@ static bool go_through(vs_job *j, vs_stage last) {
   return ok;
 }
 
-/* Reports that nothing is drawn, with the procedures that the program defines and never calls. Returns false when
- * memory is out. */
+/* Reports the error that nothing is drawn. Lists the procedures that the program defines and never calls. Returns false
+ * when memory is out. */
 static bool report_nothing(vs_session *s, const char *message) {
   vs_text why;
   vs_text_open(s->bind.vm, &why, 0);
@@ -344,7 +346,7 @@ static bool report_nothing(vs_session *s, const char *message) {
   return told;
 }
 
-/* Releases the job's references. Returns the outcome, and reports the error of a failed stage. */
+/* Releases the job's references, reports the error of a failed stage, and returns the outcome. */
 static vs_outcome end_job(vs_job *j, bool ok) {
   vs_session *s = j->session;
   bool stopped = s->writing && s->late && j->error.kind == VS_ERROR_INTERRUPT;
@@ -379,7 +381,7 @@ vs_outcome vs_session_write(vs_session *s, const char *path, const vs_format *fo
   return outcome;
 }
 
-/* ---- the drawing without an output ---- */
+/* ---- measuring the drawing without an output ---- */
 
 static bool summarise(vs_session *s, const vs_scene *scene, vs_summary *out, vs_error *e) {
   vs_bounds all;

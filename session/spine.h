@@ -1,28 +1,28 @@
-/* Owns the interface of spine.c: a session's drawing is written to an output, or summed up. Both go through the stages
- * of stages.def. */
+/* Declares the functions of spine.c, which write or measure a session's drawing through the stages of stages.def. */
 #ifndef VS_SESSION_SPINE_H
 #define VS_SESSION_SPINE_H
 
 #include "backends/export.h"
 #include "session/session.h"
 
-/* Receives an output's bytes if it has no path. write returns false to stop. */
+/* Receives the bytes of an output without a path. Writing stops when `write` returns false. */
 typedef struct { bool (*write)(void *context, const void *bytes, size_t count); void *context; } vs_byte_sink;
 
-/* Writes the drawing as a format to path, or to the sink if path is NULL. Reports a failure to the host and returns its
- * kind. */
+/* Writes the drawing in a format to path, or to the sink if path is NULL. Reports a failure to the host, and returns
+ * the outcome. */
 vs_outcome vs_session_write(vs_session *s, const char *path, const vs_format *format, const vs_output_options *options,
                             vs_byte_sink *to);
-/* Sets *out to the counts and the bounds of the drawing. Reports a failure to the host and returns its kind. */
+/* Sets *out to the counts and the bounds of the drawing. Reports a failure to the host, and returns the outcome. */
 vs_outcome vs_session_summary(vs_session *s, vs_summary *out);
 
-/* Sets the width and height of pictures, in pixels, from these options. */
+/* Sets the width and height of pictures in e, in pixels, from the options o. */
 void vs_session_size(const vs_output_options *o, vs_export_options *e);
-/* Sets the scene's camera and sun by the options, which override the program. */
+/* Sets the scene's camera and sun from the options, which override the program. */
 void vs_session_aim(const vs_output_options *o, vs_scene *scene);
 
-/* Returns the drawing, without sugar and resolved, as references that the caller owns: nodes retained; the array, of
- * *count + 1 elements, from the store. Reports a failure to the host and returns its kind. */
+/* Sets *out to the references of the drawing after all stages before writing. The caller owns them: the nodes are
+ * retained, and the store allocated the array of *count + 1 elements. Reports a failure to the host, and returns the
+ * outcome. */
 vs_outcome vs_session_take(vs_session *s, vs_ref **out, size_t *count);
 
 #endif

@@ -1,7 +1,8 @@
-/* Owns the statistics of an interpreter: the account of each output, the counts of its drawing, and the keys for both.
+/* Computes the statistics of an interpreter: the account of each output, the counts of its drawing, and the keys under
+ * which they are listed.
  *
- * The phases of work share all time. Therefore an output's phases add up to its time, and outputs and programs to the
- * whole. */
+ * At any time exactly one phase of work is active. The phases of an output therefore add up to its time, and the times
+ * of programs and outputs to the total. */
 #include "session/statistics.h"
 
 #include "session/host.h"
@@ -15,9 +16,10 @@
 #include "model/order.h"
 #include "model/store/array.h"
 
-enum { OUTPUTS = 64 }; /* the most records */
+enum { OUTPUTS = 64 }; /* greatest number of accounts kept */
 
-/* ---- the account of an output: the totals at its begin, replaced by the differences at its end ---- */
+/* ---- the account of an output. At its begin it contains the totals so far; at its end these become differences
+ * ---- */
 
 static void drop(vs_session *s, vs_output_record *r) { vs_session_memory(s, r->path, r->path_bytes, 0); }
 
@@ -37,7 +39,7 @@ bool vs_session_output_begin(vs_session *s, const char *path, const char *format
     drop(s, &s->outputs[0]);
     memmove(s->outputs, s->outputs + 1, --s->output_count * sizeof *s->outputs);
   }
-  vs_tally_enter(t, VS_WORK_NONE); /* the time before goes to its own phase */
+  vs_tally_enter(t, VS_WORK_NONE); /* adds the time until now to the phase that was active */
   vs_output_record *r = &s->outputs[s->output_count++];
   *r = (vs_output_record){ .path = copy,
                            .path_bytes = bytes,
@@ -49,8 +51,8 @@ bool vs_session_output_begin(vs_session *s, const char *path, const char *format
                            .cache = vs_cache_count(vs_store_cache(s->bind.store)) };
   for (int i = 0; i < VS_PASS_COUNT; i++) r->alone[i] = r->without[i] = NAN;
   for (int i = 0; i < VS_STAGE_COUNT; i++) r->stages[i] = NAN;
-  for (int i = 0; i < VS_WORK_COUNT; i++) t->of[i].peak = 0; /* the output has its own peaks; the others are restored at
-                                                              * its end */
+  for (int i = 0; i < VS_WORK_COUNT; i++) t->of[i].peak = 0; /* peaks begin at 0 for each output; the peaks of the
+                                                              * session are restored at its end */
   return true;
 }
 
@@ -65,7 +67,7 @@ void vs_session_output_end(vs_session *s, bool done) {
     r->tally.of[i] = (vs_phase_use){ all->seconds - before.seconds, all->growth - before.growth, all->peak };
     if (before.peak > all->peak) all->peak = before.peak;
   }
-  /* without the time of the counting, which only statistics need */
+  /* Time for counting nodes is not included: only statistics need it. */
   for (int i = 0; i < VS_WORK_NONE; i++) s->write_seconds += r->tally.of[i].seconds;
   r->tally.written = t->written - r->tally.written;
   r->tally.clusters = t->clusters - r->tally.clusters;
@@ -87,15 +89,15 @@ void vs_session_free_outputs(vs_session *s) {
   s->outputs = NULL, s->output_count = s->output_room = 0;
 }
 
-/* ---- counting ---- */
+/* ---- counting nodes and commands ---- */
 
 static int by_value(const void *a, const void *b) {
   const uint64_t *x = a, *y = b;
   return *x < *y ? -1 : *x > *y;
 }
 
-/* Counts the tree's nodes, and the different values among them, distinguished by their 64-bit hashes. Lone leaves have
- * no number in the order: each counts as one node in one place. */
+/* Sets *all to the number of nodes of the tree, and *distinct to the number of different values among them, by their
+ * 64-bit hashes. Lone leaves have no number in the order; each counts as one distinct node. */
 static bool count_nodes(const vs_scene *scene, double *all, double *distinct, vs_error *e) {
   vs_order order = { .store = scene->store };
   if (!vs_order_make(&order, scene->drawn, scene->drawn_count, e)) return false;
@@ -131,7 +133,7 @@ static bool count_nodes(const vs_scene *scene, double *all, double *distinct, vs
   return ok || vs_error_memory(e, NULL);
 }
 
-/* Counts the commands that the passes of the mask would leave of the scene, which does not change. */
+/* Counts the commands of the scene after these passes. The scene itself does not change. */
 static bool count_commands(const vs_scene *scene, unsigned passes, double *commands, vs_error *e) {
   vs_scene copy = *scene;
   vs_pass_stats stats;
@@ -148,8 +150,8 @@ static bool count_commands(const vs_scene *scene, unsigned passes, double *comma
 
 bool vs_session_output_nodes(vs_session *s, const vs_scene *scene, unsigned passes, vs_error *e) {
   vs_output_record *r = &s->outputs[s->output_count - 1];
-  vs_work_phase was = vs_tally_enter(&s->tally, VS_WORK_NONE); /* this time counts for no phase: only the statistics
-                                                                * need it */
+  vs_work_phase was = vs_tally_enter(&s->tally, VS_WORK_NONE); /* time for counting nodes belongs to no phase, since
+                                                                * only statistics need it */
   bool ok = count_nodes(scene, &r->nodes, &r->distinct, e);
   for (unsigned i = 0; ok && i < VS_PASS_COUNT; i++) {
     unsigned one = 1u << i;
@@ -159,7 +161,7 @@ bool vs_session_output_nodes(vs_session *s, const vs_scene *scene, unsigned pass
   return ok;
 }
 
-/* ---- keys ---- */
+/* ---- keys of statistics ---- */
 
 typedef struct { vs_statistic *out; size_t room, count; } list;
 
@@ -192,7 +194,7 @@ static void add_work(list *l, const vs_tally *t) {
   add(l, "texts.remembered.bytes", (double)t->bytes_found, "bytes");
 }
 
-/* Adds the keys of one output's drawing; r NULL: there was none. */
+/* Adds the keys of the drawing of one output; r NULL: there was no output. */
 static void add_drawing(list *l, const vs_output_record *r) {
   add(l, "nodes", r ? r->nodes : NAN, "");
   add(l, "nodes.distinct", r ? r->distinct : NAN, "");
@@ -205,7 +207,7 @@ static void add_drawing(list *l, const vs_output_record *r) {
 #include "passes/passes.def"
 }
 
-/* Adds the keys of one output; r NULL: the sums over all remembered ones. */
+/* Adds the times of the stages of output r, or with r NULL their sums over all kept outputs. */
 static void add_stages(list *l, const vs_session *s, const vs_output_record *r) {
   static const char *const keys[] = {
 #define VS_STAGE(upper, lower, when, formats, doc) "time.stage." #lower,

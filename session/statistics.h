@@ -1,4 +1,4 @@
-/* Owns the interface of statistics.c: the statistics of an interpreter. */
+/* Declares the statistics of an interpreter, which statistics.c computes. */
 #ifndef VS_SESSION_STATISTICS_H
 #define VS_SESSION_STATISTICS_H
 

@@ -1,4 +1,4 @@
-/* Owns the answers to a host's questions about a stopped program, and its continuation (vm/stepping/step.h). */
+/* Answers a host's questions about a program that has stopped (vm/stepping/step.h), and continues it. */
 #include "session/stops.h"
 
 #include <string.h>
@@ -25,15 +25,15 @@ void vs_session_arm(vs_session *s, unsigned flags) {
 
 static vs_vector *details(vs_value stop) { return vs_as_vector(vs_as_condition(stop)->payload); }
 
-/* Returns the character at a column of the line, counted in characters from 1; the line's end if it is shorter. */
+/* Returns the character at a column of the line, counted in characters from 1. Returns the end of a shorter line. */
 static const char *at_column(const char *line, uint32_t column) {
   for (uint32_t i = 1; i < column && *line; i++)
     for (line++; ((unsigned char)*line & 0xC0) == 0x80;) line++;
   return line;
 }
 
-/* Returns true for a call that a macro made. Its place is that of the macro's use, where the text begins with the name
- * of a form. */
+/* Returns true for a call that a macro created. Its place is that of the macro's use, where the source has the name of
+ * a form. */
 static bool is_hidden(vs_session *s, vs_value stop) {
   vs_scheme *vm = s->bind.vm;
   VS_ROOTS(vm, r, 2);
@@ -45,7 +45,7 @@ static bool is_hidden(vs_session *s, vs_value stop) {
   if (vs_bind_is_library(&s->bind, vs_pos_file(place))) return true;
   if (!vs_session_span(s, place, &at) || !vs_session_source_line(s, at.file, at.line, line, sizeof line)) return false;
   const char *head = at_column(line, at.column);
-  if (*head != '(' && *head != '[') return true; /* 'x, `(x ,y) and the like */
+  if (*head != '(' && *head != '[') return true; /* a quoted datum such as 'x or `(x ,y) */
   head++;
   size_t n = vs_outline_word(head, head + strlen(head));
   return n && vs_intern(vm, head, n, &r[1]) && vs_environment_find(vm->at.program, r[1]).kind == VS_MEANS_MACRO;
@@ -56,7 +56,7 @@ bool vs_session_pass(vs_session *s, bool ok) {
   VS_ROOTS(vm, r, 1);
   while (!ok && vs_is_stop(vm, vm->condition)) {
     r[0] = vm->condition;
-    if (!is_hidden(s, r[0]) || vm->condition != r[0]) break; /* another condition: memory is out */
+    if (!is_hidden(s, r[0]) || vm->condition != r[0]) break; /* memory ran out in is_hidden, which set vm->condition */
     ok = vs_step_resume(vm, r[0], VS_STEP_SAME, &vm->value);
   }
   return ok;
@@ -102,7 +102,7 @@ bool vs_session_bindings(vs_session *s, vs_value *out) {
   return *out = r[1], true;
 }
 
-/* ---- the text of a stop ---- */
+/* ---- texts that describe a stop ---- */
 
 static vs_value name_of(vs_value procedure) {
   if (vs_is(procedure, VS_T_CLOSURE)) return vs_as_code(vs_as_closure(procedure)->code)->name;
@@ -112,7 +112,7 @@ static vs_value name_of(vs_value procedure) {
   return VS_FALSE;
 }
 
-/* Writes "(area 3 4)", or the value. */
+/* Writes the call, such as "(area 3 4)", or the value at which the program stopped. */
 static bool put_subject(vs_scheme *vm, vs_value stop, vs_stop_kind kind, vs_text *t) {
   VS_ROOTS(vm, r, 2);
   r[0] = stop;
@@ -139,8 +139,8 @@ static bool put_subject(vs_scheme *vm, vs_value stop, vs_stop_kind kind, vs_text
   return vs_text_puts(t, ")");
 }
 
-/* Returns the column after the datum that begins at `column` of the line (in characters, from 1); the line's end if it
- * ends on a later line. */
+/* Returns the column after the datum that begins at `column` of the line. Columns are in characters, from 1. If the
+ * datum ends on a later line, returns the column after this line's end. */
 static uint32_t end_of(const char *line, uint32_t column) {
   const char *at = at_column(line, column);
   uint32_t lines = 0, end = column;
@@ -178,7 +178,7 @@ bool vs_stop_get(vs_scheme *vm, vs_stop_info *out) {
   return true;
 }
 
-/* ---- continuation ---- */
+/* ---- continuing a stopped program ---- */
 
 bool vs_session_take_stop(vs_session *s, vs_value *stop, unsigned *flags) {
   vs_scheme *vm = s->bind.vm;

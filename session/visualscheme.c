@@ -1,4 +1,4 @@
-/* Owns the implementation of visualscheme.h: it joins interpreter, model, geometry's procedures and back-ends to one
+/* Implements visualscheme.h. Combines the interpreter, the model, the geometric procedures and the back-ends in one
  * object. */
 #include "bind/back_ends.h"
 #include "bind/call/take.h"
@@ -48,16 +48,17 @@
 #include "vm/stepping/step.h"
 #include "vm/stepping/resume.h"
 
-extern const vs_shipped vs_shipped_library[]; /* library/, which the Makefile links into the program */
-extern const vs_image vs_library_image; /* the library, loaded at build time (scripts/stage0.c) */
+extern const vs_shipped vs_shipped_library[]; /* the files of library/, which the Makefile links into the program */
+extern const vs_image vs_library_image; /* image of the heap after the library was loaded, made at build time by
+                                         * scripts/stage0.c */
 
 const char *vs_version(void) { return VS_VERSION; }
 
-/* ---- life ---- */
+/* ---- opening and closing ---- */
 
 vs_options vs_options_default(void) { return (vs_options){ .library_path = NULL }; }
 
-/* Gives the value the next of the names $1, $2 ... */
+/* Defines the next of the names $1, $2 ... as the value. */
 static bool name_result(vs_session *s, vs_value v) {
   vs_scheme *vm = s->bind.vm;
   VS_ROOTS(vm, r, 3);
@@ -69,8 +70,8 @@ static bool name_result(vs_session *s, vs_value v) {
   return true;
 }
 
-/* Shows an object in a line: its expression if that is short, otherwise its kind; then the size of its bounding box, or
- * a bound of it if the exact one would take long. */
+/* Shows an object in one line: its expression if it is short, else its kind; then the size of its bounding box. If the
+ * exact box would take long to compute, shows an upper bound. */
 static bool tell_object(vs_session *s, vs_value v) {
   vs_scheme *vm = s->bind.vm;
   enum { SHORT = 60 };
@@ -113,7 +114,7 @@ static bool tell_object(vs_session *s, vs_value v) {
   return ok;
 }
 
-/* Returns the number of objects in the list; 0 if v is no list, or contains other values. */
+/* Returns the number of objects in the list. Returns 0 if v is no list, or contains other values. */
 static size_t objects_in_list(vs_value v) {
   size_t n = 0;
   for (; vs_is_pair(v); v = vs_cdr(v), n++)
@@ -121,18 +122,18 @@ static size_t objects_in_list(vs_value v) {
   return v == VS_NIL ? n : 0;
 }
 
-/* Takes a top-level expression's value: it is the model if nothing is drawn, and the prompt shows it. */
+/* Receives the value of a top-level expression. The prompt shows it. If nothing is drawn, the value is the model. */
 static bool take_value(vs_scheme *vm, vs_value v, vs_pos place) {
   vs_session *s = vs_session_of(vm);
   const vs_host *h = &s->options.host;
-  VS_ROOTS(vm, r, 1); /* naming the value may move it */
+  VS_ROOTS(vm, r, 1); /* protects the value, since naming it may move it */
   r[0] = v;
   if (!vs_bind_returned(&s->bind, r[0], s->flags & VS_EVAL_PRINT)) return false;
   if (!(s->flags & VS_EVAL_PRINT)) vs_session_advise_named(s, r[0], place);
   if (!(s->flags & VS_EVAL_PRINT) || !h->value || r[0] == VS_UNSPECIFIC) return true;
   if (s->flags & VS_EVAL_NUMBER && !name_result(s, r[0])) return false;
   if (s->flags & VS_EVAL_NUMBER && vs_bind_take_ref(r[0]).node) return tell_object(s, r[0]);
-  /* The most bytes shown: a drawing of thousands of parts is no readable answer; a numbered value can be asked
+  /* Greatest lengths of shown values in bytes. Thousands of parts cannot be read; a value with a number can be examined
    * further. */
   enum { MOST = 4000, MOST_NUMBERED = 1000 };
   vs_text shown, t;
@@ -141,7 +142,7 @@ static bool take_value(vs_scheme *vm, vs_value v, vs_pos place) {
   bool ok = vs_print(vm, r[0], VS_PRINT_WRITE, &shown);
   size_t objects = shown.cut && s->flags & VS_EVAL_NUMBER ? objects_in_list(r[0]) : 0;
   char note[60] = "";
-  /* Cuts between words: half a number is another number. */
+  /* Cut between words, since a number that is cut would be a different number. */
   while (shown.cut && shown.count && shown.at[shown.count - 1] != ' ') shown.count--;
   if (shown.cut && shown.count) shown.count--;
   if (objects) snprintf(note, sizeof note, "#<list of %zu objects>", objects);
@@ -151,25 +152,25 @@ static bool take_value(vs_scheme *vm, vs_value v, vs_pos place) {
   ok = ok && (objects || vs_text_put(&t, shown.at ? shown.at : "", shown.count)) && vs_text_puts(&t, note);
   vs_bind_counts parts;
   vs_ref object = shown.cut ? vs_bind_take_ref(r[0]) : (vs_ref){ NULL, NULL };
-  if (ok && object.node && vs_bind_count(object, &parts)) { /* (unite ... ; 3000 objects */
+  if (ok && object.node && vs_bind_count(object, &parts)) { /* comment after the value: (unite ... ; 3000 objects */
     char text[60];
     snprintf(text, sizeof text, " ; %.15g object%s", parts.all, parts.all == 1 ? "" : "s");
     ok = vs_text_puts(&t, text);
   }
-  if (ok && vs_is_ratio(r[0])) { /* 1/3 ; 0.333333 */
+  if (ok && vs_is_ratio(r[0])) { /* comment after the value: 1/3 ; 0.333333 */
     double d;
     char text[40];
     ok = vs_number_double(vm, r[0], &d);
     snprintf(text, sizeof text, " ; %.6g", d);
     ok = ok && vs_text_puts(&t, text);
   }
-  if (ok && t.count) h->value(h->context, t.at, t.count); /* (values) shows nothing */
+  if (ok && t.count) h->value(h->context, t.at, t.count); /* nothing is shown for (values) */
   vs_text_close(&shown);
   vs_text_close(&t);
   return ok;
 }
 
-/* Passes a warning of the expander, at its place in the user's text; omits those about the library's own text. */
+/* Reports a warning of the expander at its place in the user's text. Omits warnings about the library's own text. */
 static void warn_program(vs_scheme *vm, vs_pos place, const char *message) {
   vs_session *s = vs_session_of(vm);
   vs_span at;
@@ -177,8 +178,8 @@ static void warn_program(vs_scheme *vm, vs_pos place, const char *message) {
     vs_session_report_at(s, VS_SEVERITY_WARNING, VS_OUTCOME_DONE, at, message);
 }
 
-/* Returns true for a name of the library's formats, for register-drawing-function and define-back-end; as
- * vs_format_find, but without paths. */
+/* Returns true if the name is that of a built-in format, for register-drawing-function and define-back-end. Unlike
+ * vs_format_find it accepts no paths. */
 static bool is_built_in(const char *name) { return !strpbrk(name, "./") && vs_export_format_find(name) != NULL; }
 static bool is_format(const vs_bind *b, const char *name) {
   return is_built_in(name) || (!strpbrk(name, "./") && vs_bind_back_end_find(b, name) != NULL);
@@ -191,7 +192,8 @@ static void warn_vm(vs_scheme *vm, const char *kind, const char *message) {
 
 static double tally_clock(void *session) { return vs_session_clock(session); }
 
-/* Switches the phase of work: the phases of source text are the first of the table, in the same order. */
+/* Switches the phase of work, and returns the previous one. The VM's phases are the first phases of tally.def, in the
+ * same order. */
 static vs_vm_phase vm_phase(void *session, vs_vm_phase phase) {
   vs_work_phase was = vs_tally_enter(&((vs_session *)session)->tally, (vs_work_phase)phase);
   return was <= VS_WORK_RUN ? (vs_vm_phase)was : VS_VM_RUN;
@@ -217,7 +219,7 @@ static bool open_program(vs_scheme *vm) {
   return vs_flat_register(vm, &rules) && vs_front_open(vm) && vs_program_new(vm, &vm->at.program);
 }
 
-/* ---- the texts of the options: copied into one block, the array of the command line first ---- */
+/* ---- copies of the texts in the options: one block that begins with the array for the command line ---- */
 
 static size_t text_bytes(const vs_options *o) {
   size_t bytes = o->command_line_count * sizeof(char *);
@@ -225,7 +227,7 @@ static size_t text_bytes(const vs_options *o) {
   return bytes + (o->library_path ? strlen(o->library_path) + 1 : 0);
 }
 
-/* Returns false when memory is out, without a copy. */
+/* Copies the texts of the options. If memory is out, returns false, and the session has no copies. */
 static bool copy_texts(vs_session *s) {
   vs_options *o = &s->options;
   size_t bytes = s->text_bytes = text_bytes(o);
@@ -285,10 +287,10 @@ vs_scheme *vs_new(const vs_options *options) {
   vs_scheme *vm = store && copied ? vs_open_vm(&config) : NULL;
   bool ok = vm && vs_bind_open(&s->bind, vm, store) && open_program(vm);
   if (ok) s->bind.library_files = vs_bind_file_count(vm);
-  if (store) vs_store_release(store); /* bind holds it */
+  if (store) vs_store_release(store); /* s->bind retains the store */
   if (ok) vs_store_set_tally(store, &s->tally);
   if (ok) vs_store_watch(store, keep_making, s);
-  if (ok && o.cache != SIZE_MAX) { /* without memory for it, nothing is cached */
+  if (ok && o.cache != SIZE_MAX) { /* if memory is out, the session works without a cache */
     enum { USUAL = 256 };
     vs_cache_new(store, o.cache ? o.cache : o.limit_memory ? o.limit_memory / 4 : (size_t)USUAL << 20);
   }
@@ -315,20 +317,20 @@ vs_outcome vs_restart(vs_scheme *vm) {
     if (fresh) vs_close_vm(fresh);
     return vs_session_out_of_memory(s);
   }
-  vs_replace_vm(vm, fresh); /* releases the objects, which hold nodes */
+  vs_replace_vm(vm, fresh); /* closes the old VM and releases its objects, which refer to nodes */
   vs_bind_restart(&s->bind);
   vs_session_forget_handles(s);
   for (size_t i = 0; i < s->source_count; i++) s->sources[i].before = true;
   s->exit_requested = false;
   s->results = 0;
-  s->profile_count = 0; /* names of the old heap */
+  s->profile_count = 0; /* these names belong to the old heap */
   return VS_OUTCOME_DONE;
 }
 
 void vs_free(vs_scheme *vm) {
   if (!vm) return;
   vs_session *s = vs_session_of(vm);
-  vs_close_vm(vm); /* releases the objects, which hold nodes */
+  vs_close_vm(vm); /* releases the VM's objects, which refer to nodes */
   if (!s) return;
   vs_session_free_own_formats(s);
   vs_session_free_handles(s);
@@ -348,21 +350,22 @@ void vs_free(vs_scheme *vm) {
 void vs_interrupt(vs_scheme *vm) { atomic_store(&vs_session_of(vm)->interrupted, true); }
 void vs_interrupt_clear(vs_scheme *vm) { atomic_store(&vs_session_of(vm)->interrupted, false); }
 
-/* ---- running ---- */
+/* ---- running programs ---- */
 
-/* Returns true if an interrupt came while nothing ran. */
+/* Returns true, and reports it, if an interrupt came while no program ran. */
 static bool was_interrupted(vs_session *s) {
   if (!atomic_exchange(&s->interrupted, false)) return false;
   vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_INTERRUPTED, (vs_span){ 0 }, "interrupted");
   return true;
 }
 
-/* Returns false for an interrupt that came while nothing ran: it ends the next evaluation before its begin. */
+/* Returns false if an interrupt came while no program ran. The next evaluation then ends before it begins. */
 static bool may_run(vs_session *s) {
   return !vs_session_interrupted(s) || vs_fail(s->bind.vm, s->bind.vm->sym.interrupt, "interrupted");
 }
 
-/* Runs the checks of a program that ended well, unless the flags keep them; forgets those of other programs. */
+/* Runs the checks of a program that ended without error, unless the flags postpone them. Deletes the checks of other
+ * programs. */
 static vs_outcome check(vs_session *s, vs_outcome outcome, unsigned flags) {
   if (outcome == VS_OUTCOME_DONE && !s->exit_requested) return vs_session_check(s, flags);
   if (outcome != VS_OUTCOME_STOPPED) vs_session_check(s, flags | VS_EVAL_PASS);
@@ -397,7 +400,7 @@ vs_outcome vs_resume(vs_scheme *vm, vs_resume_way way) {
   return check(s, vs_session_finish(s, vs_step_resume(vm, r[0], modes[way], &vm->value), false), flags);
 }
 
-/* Sets the title of the drawing: "house" for "out/house.vs". */
+/* Sets the title of the drawing to the file name without folder and suffix: "house" for "out/house.vs". */
 static bool set_title(vs_session *s, const char *path) {
   const char *slash = strrchr(path, '/'), *base = slash ? slash + 1 : path, *dot = strrchr(base, '.');
   size_t n = dot && dot > base ? (size_t)(dot - base) : strlen(base);
@@ -440,7 +443,8 @@ vs_read_status vs_read_check(vs_scheme *vm, const char *text, size_t length) {
                                           [VS_TEXT_OPEN] = VS_READ_INCOMPLETE,
                                           [VS_TEXT_BAD] = VS_READ_BAD };
   vs_text_check c = { 0 };
-  vm->steps = 0, vm->started = vs_session_clock(vs_session_of(vm)); /* not part of the evaluation before */
+  vm->steps = 0, vm->started = vs_session_clock(vs_session_of(vm)); /* steps and time before this point do not belong to
+                                                                     * the evaluation */
   vs_refuel(vm);
   if (!vs_read_whole(vm, text, length, &c))
     return (vs_read_status){ .state = VS_READ_BAD, .line = 1, .column = 1, .message = "out of memory" };
@@ -451,7 +455,7 @@ vs_read_status vs_read_check(vs_scheme *vm, const char *text, size_t length) {
                            .message = c.state == VS_TEXT_BAD ? c.trouble : NULL };
 }
 
-/* ---- completion ---- */
+/* ---- completing names ---- */
 
 typedef struct {
   vs_scheme *vm;
@@ -485,7 +489,8 @@ size_t vs_complete(vs_scheme *vm, const char *prefix, bool (*each)(void *context
   vs_environment_each(vm->at.program, collect, &l);
   if (!l.failed && l.count) qsort(l.names, l.count, sizeof *l.names, by_name);
   for (size_t i = 0; !l.failed && i < l.count; i++) {
-    if (i && l.names[i] == l.names[i - 1]) continue; /* interned: own and imported */
+    if (i && l.names[i] == l.names[i - 1]) continue; /* the same name, own and imported: interned texts have equal
+                                                      * addresses */
     given++;
     if (!each(context, l.names[i])) break;
   }
@@ -588,8 +593,8 @@ const vs_format_info *vs_format_find(const char *text) {
   return NULL;
 }
 
-/* Returns the format for a name or an ending: the library's own, otherwise the host's, otherwise the program's, which
- * *room then holds. */
+/* Returns the format with this name or suffix: a built-in format, else one of the host, else one of the program. *room
+ * is the storage for a format of the program. */
 static const vs_format *format_of(const vs_session *s, const char *text, vs_format *room) {
   const vs_format *own = vs_export_format_find(text);
   if (!own) own = vs_session_own_format(s, text);
@@ -612,7 +617,7 @@ bool vs_format_of(const vs_scheme *vm, const char *text, vs_format_info *out) {
   return true;
 }
 
-/* ---- writing ---- */
+/* ---- writing outputs ---- */
 
 const char *const *vs_pass_list(size_t *count) {
   static const char *const names[] = {
@@ -623,7 +628,8 @@ const char *const *vs_pass_list(size_t *count) {
   return names;
 }
 
-/* Returns false, with the fault reported, if the part is empty or extends beyond the picture. */
+/* Returns true if the crop rectangle is not empty and lies in the picture. Otherwise reports the fault and returns
+ * false. */
 static bool crop_is_within(vs_session *s, const vs_output_options *o) {
   const int *c = o->crop;
   if (!c[0] && !c[1] && !c[2] && !c[3]) return true;

@@ -1,5 +1,5 @@
-/* Owns the fit of a program to a scan in the public header: runs the program for geometry/fitting/, and reports the
- * quality of the result. */
+/* Implements the fit of a program's parameters to a scan (visualscheme.h). Runs the program for geometry/fitting/, and
+ * reports the quality of the result. */
 #include "session/fit/scan_fit.h"
 
 #include <errno.h>
@@ -22,7 +22,8 @@
 #include "session/spine.h"
 #include "solids/solid_meshes.h"
 
-enum { USUAL_POINTS = 20000, MOST_NAMES = 300, MOST_DOUBT = 600 /* bytes */ };
+/* MOST_NAMES, MOST_DOUBT: lengths of texts in bytes */
+enum { USUAL_POINTS = 20000, MOST_NAMES = 300, MOST_DOUBT = 600 };
 
 typedef struct {
   const char *name;
@@ -34,10 +35,10 @@ typedef struct {
 struct vs_scan_fit {
   vs_scan_points scan;
   vs_model_fit fit;
-  fitted *parameters; /* the program's parameters, in order; the store owns the names */
-  size_t *number;     /* number[i]: the parameter of the fitted number i */
+  fitted *parameters; /* parameters of the program, in their order; the store owns the names */
+  size_t *number;     /* number[i]: index in `parameters` of fitted number i */
   size_t parameter_count, number_count;
-  double *distances; /* the distance of each point of the file */
+  double *distances; /* distances[i]: distance of point i of the file from the model */
 };
 
 vs_fit_options vs_fit_options_default(void) { return (vs_fit_options){ .points = USUAL_POINTS, .confidence = .95 }; }
@@ -59,10 +60,10 @@ typedef struct {
   vs_scheme *vm;
   const char *model;
   vs_scan_fit *f;
-  vs_host host; /* the embedder's host, which gets no output of trials */
+  vs_host host; /* the embedder's callbacks; output of trial runs is not passed on */
   double began;
   bool late;
-  char message[200]; /* the last error in a trial */
+  char message[200]; /* text of the last error in a trial run */
   char phase[100];
 } job;
 
@@ -87,7 +88,8 @@ static bool list_embedder(void *context, const char *path, bool (*take)(void *to
   return j->host.list_folder(j->host.context, path, take, to, why);
 }
 
-/* Hides the program's output and messages from the embedder; it still reads files. */
+/* Replaces the embedder's callbacks, so that output and messages of trial runs are not shown. The program can still
+ * read files. */
 static void hush(job *j) {
   vs_host *h = &j->session->options.host;
   *h = (vs_host){ .context = j,
@@ -103,7 +105,7 @@ static bool going(void *context) {
   job *j = context;
   vs_session *s = j->session;
   if (s->options.limit_time > 0 && vs_session_clock(s) - j->began > s->options.limit_time) j->late = true;
-  s->phase = NULL; /* the fit has a progress line of its own */
+  s->phase = NULL; /* the fit reports its own progress */
   return !vs_session_interrupted(s) && !j->late;
 }
 
@@ -116,7 +118,7 @@ static void progress(void *context, unsigned iteration, double spread) {
   j->host.progress(j->host.context, &(vs_progress){ .phase = j->phase, .fraction = -1 });
 }
 
-/* Returns true after the limit of time, so that the best result is evaluated once more; false at twice the limit. */
+/* Returns true until twice the limit of time has passed: after the limit, the best result is evaluated once more. */
 static bool keep_combining(void *context, double done) {
   job *j = context;
   bool go = going(j);
@@ -124,13 +126,13 @@ static bool keep_combining(void *context, double done) {
   return go || (j->late && vs_session_clock(j->session) - j->began < 2 * j->session->options.limit_time);
 }
 
-/* Runs the program with the current parameters. */
+/* Runs the program with the current values of its parameters. */
 static vs_outcome run(job *j) {
   vs_outcome outcome = vs_restart(j->vm);
   return outcome == VS_OUTCOME_DONE ? vs_eval_file(j->vm, j->model, VS_EVAL_CHECK_LATER) : outcome;
 }
 
-/* Makes an error of an outcome and the kept message. Returns false. */
+/* Sets *e from the outcome and the last message of a run. Returns false. */
 static bool failed(const job *j, vs_outcome outcome, vs_error *e) {
   vs_error_kind kind = outcome == VS_OUTCOME_INTERRUPTED ? VS_ERROR_INTERRUPT
                        : outcome == VS_OUTCOME_MACHINE   ? VS_ERROR_MEMORY
@@ -138,7 +140,7 @@ static bool failed(const job *j, vs_outcome outcome, vs_error *e) {
   return vs_error_set(e, kind, NULL, "%s", j->message);
 }
 
-/* Computes the mesh of the drawing. tolerance 0: the drawing's own. */
+/* Computes the mesh of the drawing, with this tolerance, or the drawing's own if it is 0. */
 static bool mesh_drawn(job *j, double tolerance, vs_mesh *out, vs_error *e) {
   vs_session *s = j->session;
   vs_ref *refs;
@@ -174,7 +176,8 @@ static bool set_numbers(job *j, const double *numbers) {
   return true;
 }
 
-/* Sets the parameters to the result of the fit (found), otherwise to their start. Returns false when memory is out. */
+/* Sets the program's parameters to the fitted values if `found`, else to their initial values. Returns false when
+ * memory is out. */
 static bool set_back(job *j, bool found) {
   char text[40];
   const vs_scan_fit *f = j->f;
@@ -185,7 +188,7 @@ static bool set_back(job *j, bool found) {
   return true;
 }
 
-/* vs_fit_model.make */
+/* Implements vs_fit_model.make: runs the program with these numbers, and computes its mesh. */
 static bool make(void *context, const double *numbers, double tolerance, vs_mesh *out, vs_error *e) {
   job *j = context;
   *j->message = 0;
@@ -195,7 +198,7 @@ static bool make(void *context, const double *numbers, double tolerance, vs_mesh
   return mesh_drawn(j, tolerance, out, e);
 }
 
-/* ---- the parameters ---- */
+/* ---- the program's parameters ---- */
 
 static bool is_held(const vs_fit_options *o, const char *name) {
   for (size_t i = 0; i < o->held_count; i++)
@@ -203,8 +206,8 @@ static bool is_held(const vs_fit_options *o, const char *name) {
   return false;
 }
 
-/* Reads the parameters after the first run. Returns false when memory is out, or if a name is no parameter, which it
- * reports. */
+/* Reads the parameters after the first run. Returns false when memory is out, or if an option names an unknown
+ * parameter, which it reports. */
 static bool take_parameters(job *j, const vs_fit_options *o, vs_fit_number **numbers, vs_outcome *outcome) {
   vs_session *s = j->session;
   vs_scan_fit *f = j->f;
@@ -260,7 +263,7 @@ static bool take_parameters(job *j, const vs_fit_options *o, vs_fit_number **num
   return false;
 }
 
-/* ---- the scan ---- */
+/* ---- the points of the scan ---- */
 
 static bool keep_reading(void *session) { return !vs_session_interrupted(session); }
 
@@ -306,13 +309,13 @@ static vs_outcome read_scan(job *j, const char *path, const vs_fit_options *o) {
   return VS_OUTCOME_DONE;
 }
 
-/* ---- doubts ---- */
+/* ---- warnings about the result ---- */
 
 static void warn(const job *j, const char *text) {
   vs_session_report_at(j->session, VS_SEVERITY_WARNING, VS_OUTCOME_DONE, (vs_span){ .file = j->model }, text);
 }
 
-/* Writes the names of the parameters in this state, with commas. Returns false if there are none. */
+/* Writes the names of all parameters in the state, separated by commas. Returns false if there are none. */
 static bool names_of(const vs_scan_fit *f, vs_fit_state state, char text[MOST_NAMES]) {
   size_t used = 0;
   *text = 0;
@@ -370,7 +373,7 @@ static void warn_all(const job *j, const vs_fit_result *r) {
   }
 }
 
-/* ---- the whole ---- */
+/* ---- running a fit ---- */
 
 static bool take_result(job *j, vs_fit_result *r) {
   static const vs_fit_state states[] = { [VS_FIT_NUMBER_FITTED] = VS_FIT_FITTED,
@@ -415,14 +418,14 @@ static bool take_result(job *j, vs_fit_result *r) {
   return true;
 }
 
-/* Returns the first parameter that differs in the rival result, or 0. */
+/* Returns the first number that differs by more than 5 percent in the second-best result, or 0. */
 static size_t rival_number(const vs_model_fit *m, size_t count) {
   for (size_t i = 0; i < count; i++)
     if (fabs(m->numbers[i].value - m->numbers[i].rival) > .05 * fabs(m->numbers[i].value)) return i;
   return 0;
 }
 
-/* Writes the reason to doubt the result, and possible remedies. Returns false if there is no doubt. */
+/* Writes the reason why the result may be wrong, and possible remedies. Returns false if there is no such reason. */
 static bool tell_doubt(const job *j, const vs_fit_result *r, char text[MOST_DOUBT]) {
   const vs_scan_fit *f = j->f;
   const vs_model_fit *m = &f->fit;
@@ -465,7 +468,7 @@ static bool tell_doubt(const job *j, const vs_fit_result *r, char text[MOST_DOUB
   return false;
 }
 
-/* Reports the result. */
+/* Reports the result of the fit, and returns its outcome. */
 static vs_outcome conclude(job *j, const vs_fit_result *r) {
   vs_session *s = j->session;
   char text[MOST_DOUBT];
@@ -555,15 +558,15 @@ const double *vs_fit_distances(const vs_scheme *vm, size_t *count) {
   return f ? f->distances : NULL;
 }
 
-/* ---- the map ---- */
+/* ---- the picture of distances ---- */
 
 static int compare_sizes(const void *p, const void *q) {
   double a = *(const double *)p, b = *(const double *)q;
   return a < b ? -1 : a > b;
 }
 
-/* Returns the distance that 98 of 100 points do not exceed, rounded up to 1, 2 or 5 times a power of ten. 0: out of
- * memory. */
+/* Returns the distance that 98 percent of the points do not exceed, rounded up to 1, 2 or 5 times a power of ten.
+ * Returns 0 when memory is out. */
 static double usual_range(const vs_scan_fit *f) {
   double *sizes = NULL, range;
   size_t room = 0, count = 0;

@@ -1,4 +1,4 @@
-/* Owns the data that a session keeps of the last fit. */
+/* Declares the data that a session keeps of its last fit to a scan. */
 #ifndef VS_SESSION_FIT_SCAN_FIT_H
 #define VS_SESSION_FIT_SCAN_FIT_H
 

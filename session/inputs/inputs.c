@@ -1,8 +1,8 @@
-/* Owns the list of the files that a session has read: no output may overwrite one of them.
+/* Keeps the list of files that a session has read, since no output may overwrite them.
  *
- * A file is identified by its device and inode, so links and other spellings of its name count as the same file. It is
- * also identified by its name, because an editor that saves it meanwhile creates another file of that name. A file that
- * the program itself has created is its own: the program may read and write it again. */
+ * A file is identified by device and inode, so that links and other spellings of its name count as the same file. It is
+ * also identified by its name, because an editor that saves a file creates a new one of that name. A file that the
+ * program has created is no input: the program may read it and overwrite it. */
 
 #include "session/inputs/inputs.h"
 

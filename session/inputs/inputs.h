@@ -1,4 +1,4 @@
-/* Owns the interface of inputs.c: the files that a session has read, which no output may overwrite. */
+/* Declares the list of files that a session has read, and that no output may overwrite. */
 #ifndef VS_SESSION_INPUTS_INPUTS_H
 #define VS_SESSION_INPUTS_INPUTS_H
 
@@ -6,14 +6,14 @@
 
 #include "session/session.h"
 
-/* Notes an open file that was read, or (made) that the program itself has created. Ignores pipes and others that are no
- * regular files. Returns false when memory is out. */
+/* Adds an open file that was read or, with made true, that the program itself created. Ignores pipes and everything
+ * that is not a regular file. Returns false when memory is out. */
 bool vs_session_note(vs_session *s, const char *path, int file, bool made);
-/* As vs_session_note with made false, for the file at path; returns true also if there is no file. */
+/* Adds the file at path as read. Returns false when memory is out, and true even if there is no such file. */
 bool vs_session_note_path(vs_session *s, const char *path);
-/* Returns true if the file at path was read, under any name. */
+/* Returns true if the file at path was read, even under another name. */
 bool vs_session_is_input(const vs_session *s, const char *path);
-/* Returns the name of the index-th file read; NULL after the last. */
+/* Returns the name of the file read with this index, or NULL if there is none. */
 const char *vs_session_input(const vs_session *s, size_t index);
 void vs_session_free_inputs(vs_session *s);
 

@@ -1,5 +1,5 @@
-/* Owns the public functions on EXR pictures: they read the file, call geometry/pictures/, and write a file that appears
- * complete. */
+/* Implements the public functions on EXR pictures. Each reads a file, calls geometry/pictures/, and writes a file that
+ * appears only when it is complete. */
 #include "session/light/pictures.h"
 
 #include <errno.h>
@@ -30,7 +30,7 @@ vs_tone vs_session_tone(const vs_development *d) {
   return (vs_tone){ .curve = curves[d->curve], .fixed = d->fixed, .stops = d->exposure };
 }
 
-/* ---- files ---- */
+/* ---- reading and writing files ---- */
 
 static bool no_file(vs_error *e, const char *doing, const char *path) {
   if (errno == ENOMEM) return vs_error_memory(e, NULL);
@@ -84,7 +84,7 @@ static const char *bare(const char *path) {
   return slash ? slash + 1 : path;
 }
 
-/* Reads the wanted channels of an EXR file; NULL: all channels. */
+/* Reads these channels of an EXR file; `wanted` NULL: all channels. */
 static bool take(vs_session *s, const char *path, const char *const *wanted, vs_exr *out, vs_error *e) {
   vs_store *store = s->bind.store;
   vs_made_bytes b = { 0 };
@@ -97,7 +97,8 @@ static bool take(vs_session *s, const char *path, const char *const *wanted, vs_
 
 static const char *const colors[] = { "R", "G", "B", "Y", NULL };
 
-/* Reads the picture's light; a picture with only luminance gives it for all three colours. */
+/* Sets *out to the red, green and blue light of the picture. A picture that has only luminance uses it for all
+ * three. */
 static bool light_of(const vs_exr *x, const char *path, vs_light *out, vs_error *e) {
   const float *y = vs_exr_find(x, "Y");
   *out = (vs_light){ vs_exr_find(x, "R"), vs_exr_find(x, "G"), vs_exr_find(x, "B"), x->columns, x->rows };
@@ -117,7 +118,7 @@ static bool write_png(vs_session *s, const char *path, const vs_pixels *picture,
   return ok;
 }
 
-/* Writes numbers as false colours to a PNG. */
+/* Writes an array of numbers, one for each pixel, as false colours to a PNG file. */
 static bool write_false(vs_session *s, const char *path, const float *at, const vs_exr *x, const vs_color_scale *scale,
                         vs_error *e) {
   vs_store *store = s->bind.store;
@@ -155,11 +156,11 @@ vs_outcome vs_picture_tone(vs_scheme *vm, const char *from, const char *to, cons
   return end(s, ok, &e);
 }
 
-/* A picture in false colours: at: a number for each pixel; unit: their unit; least, most: receive the ends of its
- * scale, or NULL. */
+/* Numbers for a picture in false colours. at: one number for each pixel; unit: their unit; least, most: receive the
+ * ends of the colour scale, or are NULL. */
 typedef struct { const float *at; const char *unit; double *least, *most; } quantity;
 
-/* Writes the logarithms of numbers as false colours, with a legend, and sets the ends of the scale. */
+/* Writes the numbers as false colours on a logarithmic scale, with a legend. Sets the ends of the scale. */
 static bool write_scaled(vs_session *s, vs_exr *x, const char *to, const quantity *q, vs_error *e) {
   vs_color_scale scale = vs_color_scale_of(q->at, (size_t)x->columns * x->rows, true, q->unit);
   if (q->least) *q->least = scale.least;
@@ -211,7 +212,7 @@ vs_outcome vs_picture_illuminance(vs_scheme *vm, const char *from, const char *t
   return end(s, ok, &e);
 }
 
-/* Copies the n-th line of the text, from 1, cut to room. */
+/* Copies line n of the text, counted from 1, to `to`, and cuts it to `room` bytes. */
 static bool line_of(const char *text, size_t n, char *to, size_t room) {
   for (; text && n > 1; n--) {
     text = strchr(text, '\n');

@@ -1,7 +1,7 @@
-/* Owns vs_sun_study: the sunlit places of a model through a day, as pictures and as numbers.
+/* Implements vs_sun_study: shows as pictures and as numbers where sunlight reaches a model during a day.
  *
- * Rays from places on the model towards the sun, at the middle of each step, count the hours of sun: a place is lit if
- * the model's solids do not block its ray. POV-Ray renders the pictures of shadows. */
+ * For the middle of each time step, rays from points on the model towards the sun are traced. A point is lit if no
+ * solid blocks its ray. POV-Ray renders the pictures of shadows. */
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
@@ -28,7 +28,7 @@
 
 enum { TIMES = 500, PATH_ROOM = 4096 };
 
-typedef struct { double from, hours; /* hours of mean local time, and the length of the study */ double azimuth,
+typedef struct { double from, hours; /* begin in hours of mean local time, and length in hours */ double azimuth,
     altitude; vs_vec3 towards; } sun;
 
 typedef struct {
@@ -45,7 +45,7 @@ typedef struct {
   vs_error error;
 } study;
 
-/* ---- the day ---- */
+/* ---- positions of the sun ---- */
 
 static double radians(double degrees) { return degrees * (3.14159265358979323846 / 180); }
 
@@ -73,7 +73,7 @@ static bool make_suns(study *t) {
   return true;
 }
 
-/* ---- rays ---- */
+/* ---- hours of sun, by rays ---- */
 
 static double hours_at(const study *t, vs_vec3 place, vs_vec3 normal) {
   vs_vec3 from = vs_v3_add(place, vs_v3_scale(normal, 1e-6 * t->diagonal));
@@ -91,14 +91,14 @@ static void corners_of(const vs_mesh *m, size_t triangle, vs_vec3 p[3]) {
   for (int k = 0; k < 3; k++) p[k] = m->vertices[m->triangles[triangle][k]];
 }
 
-/* Returns twice the area along the normal. */
+/* Returns the triangle's normal, with twice its area as length. */
 static vs_vec3 turned_area(const vs_vec3 p[3]) { return vs_v3_cross(vs_v3_sub(p[1], p[0]), vs_v3_sub(p[2], p[0])); }
 
 /* ---- false colours ---- */
 
 typedef struct { float *hours; vs_vec3 *normal; double *depth; uint32_t wide, high; } view;
 
-/* Computes the hit in a pixel: the model, the ground below it, or none. */
+/* Computes the surface visible in a pixel: the model, the ground below it, or none. */
 static void see(const study *t, const vs_look *look, const view *v, uint32_t column, uint32_t row) {
   size_t i = (size_t)row * v->wide + column;
   vs_look_line line = vs_look_ray(look, v->wide, v->high, column, row);
@@ -118,7 +118,7 @@ static void see(const study *t, const vs_look *look, const view *v, uint32_t col
   v->hours[i] = (float)hours_at(t, vs_v3_add(from, vs_v3_scale(direction, at)), normal);
 }
 
-/* Returns true if there is an edge of the model between a pixel and its neighbour to the right or below. */
+/* Returns true if an edge of the model lies between pixels a and b, which are neighbours. */
 static bool edge_between(const view *v, size_t a, size_t b) {
   if (isfinite(v->depth[a]) != isfinite(v->depth[b])) return true;
   if (!isfinite(v->depth[a])) return false;
@@ -144,7 +144,7 @@ static bool path_in(study *t, const char *name, char path[PATH_ROOM]) {
       t->folder);
 }
 
-/* The files of a study besides a picture for each sun. */
+/* The files of a study, apart from one picture for each position of the sun. */
 typedef enum { HOURS, HOURS_PLAN, HOURS_MODEL, SHADOWS, NAMES } study_file;
 static const char *const names[NAMES] = { [HOURS] = "hours.csv", [HOURS_PLAN] = "hours-plan.png",
                                           [HOURS_MODEL] = "hours-model.png", [SHADOWS] = "shadows.png" };
@@ -153,7 +153,7 @@ static void name_shadow(size_t number, char name[NAME_ROOM]) {
   snprintf(name, NAME_ROOM, "shadow-%03zu.png", number + 1);
 }
 
-/* Refuses before any output: returns false if an output is a file that the model has read. */
+/* Checks all output files before any is written. Returns false if the model has read one of them. */
 static bool may_write_all(study *t) {
   char name[NAME_ROOM], path[PATH_ROOM];
   size_t days = 0;
@@ -200,7 +200,7 @@ static bool write_hours(study *t, const vs_look *look, uint32_t wide, uint32_t h
   return ok;
 }
 
-/* Returns a look from above, north up, with room for the shadows around the model. */
+/* Returns the view from above, with north up and room for shadows around the model. */
 static vs_look plan_look(const study *t, uint32_t wide, uint32_t high) {
   vs_vec3 size = vs_v3_sub(t->bounds.max, t->bounds.min), middle = vs_v3_scale(vs_v3_add(t->bounds.min,
       t->bounds.max), 0.5);
@@ -210,9 +210,9 @@ static vs_look plan_look(const study *t, uint32_t wide, uint32_t high) {
   return l;
 }
 
-/* ---- faces ---- */
+/* ---- hours of sun for each face ---- */
 
-/* A triangle with its plane and part; sorting puts the triangles of a face together. */
+/* Sort key of a triangle: its plane and part. Sorting makes the triangles of a face neighbours. */
 typedef struct { int64_t plane[4]; uint32_t part, triangle; } key;
 
 static int by_face(const void *a, const void *b) {
@@ -223,7 +223,8 @@ static int by_face(const void *a, const void *b) {
   return x->triangle < y->triangle ? -1 : x->triangle > y->triangle;
 }
 
-/* Returns the mean over a triangle, from the middles of smaller ones; a larger triangle has more of them. */
+/* Returns the mean hours of sun on a triangle, sampled at the centres of smaller triangles. A triangle with a larger
+ * share of the area has more samples. */
 static double hours_on(const study *t, const vs_vec3 p[3], vs_vec3 normal, double share) {
   int n = (int)fmin(fmax(ceil(sqrt(share * 4000)), 1), 12);
   double sum = 0;
@@ -246,7 +247,7 @@ static bool put_face(const study *t, FILE *to, const face *f) {
   fputc('"', to);
   for (const char *c = o ? o->file : ""; *c; c++) fputs(*c == '"' ? "\"\"" : (char[]){ *c, 0 }, to);
   if (o) fprintf(to, ":%u:%u", o->line, o->column);
-  bool level = fabs(f->normal.z) > 1 - 1e-9; /* horizontal: faces no side */
+  bool level = fabs(f->normal.z) > 1 - 1e-9; /* a horizontal face has no compass direction */
   return fprintf(to,
       "\",%.1f,%.1f,%.6g,%.6g,%.6g,%.6g,%.3f\n", level ? 0 : azimuth < -1e-9 ? azimuth + 360 : fabs(azimuth),
                  tilt, m.x + 0.0, m.y + 0.0, m.z + 0.0, f->area, f->hours / f->area) > 0;
@@ -277,7 +278,7 @@ static bool put_faces(study *t, FILE *to, key *keys, size_t *faces) {
   return ok;
 }
 
-/* Writes hours.csv, one line for each face. */
+/* Writes hours.csv, with one line for each face. */
 static bool write_faces(study *t, size_t *faces) {
   const vs_mesh *m = &t->solid.mesh;
   size_t bytes = (m->triangle_count + 1) * sizeof(key);
@@ -340,7 +341,8 @@ static void put_picture(const sheet *s, size_t number, const unsigned char *rgb,
   vs_picture_text(&s->picture, x, y + s->cell_high + 4, caption);
 }
 
-/* Renders with one sun, develops, writes shadow-NNN.png, and puts it on the sheet. */
+/* Renders the model with one position of the sun, applies the tone, and writes shadow-NNN.png. Also draws the picture
+ * on the sheet. */
 static vs_outcome shade(study *t, const vs_output_options *o, const sun *s, size_t number, vs_tone *tone,
     const sheet *to) {
   static const char *const wanted[] = { "R", "G", "B", NULL };
@@ -376,7 +378,7 @@ static vs_outcome shade_all(study *t, const vs_output_options *options, size_t *
   vs_output_options o = *options;
   if (o.quality != VS_QUALITY_FINAL) o.quality = VS_QUALITY_DRAFT;
   if (!o.width) o.width = 320;
-  memset(o.crop, 0, sizeof o.crop); /* the sheet has uncropped pictures */
+  memset(o.crop, 0, sizeof o.crop); /* pictures on the sheet are not cropped */
   if (!o.height) o.height = (o.width * 3 + 2) / 4;
   sheet s = { .cell_wide = (uint32_t)o.width, .cell_high = (uint32_t)o.height };
   vs_tone tone = vs_session_tone(&o.development);
@@ -384,7 +386,7 @@ static vs_outcome shade_all(study *t, const vs_output_options *options, size_t *
   for (size_t i = 0; i < t->count; i++) days += t->suns[i].altitude > 0;
   if (!days) return VS_OUTCOME_DONE;
   if (!begin_sheet(t, &s, days)) return vs_session_report_error(t->session, &t->error);
-  /* the highest sun comes first: all pictures get its exposure, for comparison */
+  /* Begins with the highest sun: its exposure is used for all pictures, so that they can be compared. */
   size_t number[TIMES], high = 0, n = 0;
   for (size_t i = 0; i < t->count; i++) {
     number[i] = n;
@@ -404,14 +406,14 @@ static vs_outcome shade_all(study *t, const vs_output_options *options, size_t *
   return outcome;
 }
 
-/* ---- the whole ---- */
+/* ---- running a study ---- */
 
 static bool keep_going(void *session, double done) {
   (void)done;
   return !vs_session_interrupted(session);
 }
 
-/* Computes the mesh of the drawing's references, and the tree of its triangles. */
+/* Computes the mesh of the drawn references, and the tree of its triangles for ray tracing. */
 static bool take_model(study *t, const vs_ref *refs, size_t count) {
   const vs_scene *scene = &t->session->bind.scene;
   vs_fineness facets = { .tolerance = vs_bind_tolerance(t->session->bind.vm), .segments = scene->segments };
