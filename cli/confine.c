@@ -1,9 +1,9 @@
-/* Owns the confinement of an untrusted model's process and of its worker: Landlock for files, a seccomp filter for the
- * rest.
+/* Confines the process of an untrusted model, and its external programs: Landlock restricts files, a seccomp filter all
+ * other system calls.
  *
- * This is the second defence. The first is that the library opens no file by itself for an untrusted model, and that
- * untrusted.c reads only files below the model's folder. The confinement holds even if an attacker takes over a library
- * that decodes a picture or a font. */
+ * This is the second defence. The first is that the library opens no file itself for an untrusted model, and that
+ * untrusted.c reads only files below the model's folder. The confinement holds even if an attacker takes control of a
+ * library that decodes a picture or a font. */
 #define _GNU_SOURCE
 #include "cli/confine.h"
 
@@ -20,9 +20,9 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
-/* ---- files ---- */
+/* ---- access to files ---- */
 
-/* Landlock's numbers, which older system headers lack. */
+/* Constants of Landlock, which older system headers lack. */
 enum { RULESET_CREATE = 444, RULESET_ADD = 445, RULESET_RESTRICT = 446, RULESET_VERSION = 1, RULE_BENEATH = 1 };
 enum {
   FS_EXECUTE = 1 << 0,
@@ -34,9 +34,9 @@ enum {
   FS_MAKE_FOLDER = 1 << 7,
   FS_MAKE = 1 << 8,
   FS_ALL_1 = (1 << 13) - 1,
-  FS_REFER = 1 << 13 /* version 2 */,
-  FS_TRUNCATE = 1 << 14 /* 3 */,
-  NET_ALL = 3 /* 4: bind and connect */
+  FS_REFER = 1 << 13 /* Landlock version 2 */,
+  FS_TRUNCATE = 1 << 14 /* Landlock version 3 */,
+  NET_ALL = 3 /* Landlock version 4: bind and connect */
 };
 typedef struct { uint64_t files, net; } ruleset;
 typedef struct __attribute__((packed)) { uint64_t allowed; int32_t parent; } rule;
@@ -44,7 +44,7 @@ typedef struct __attribute__((packed)) { uint64_t allowed; int32_t parent; } rul
 static void allow(int rules, const char *path, uint64_t what, uint64_t handled) {
   struct stat info;
   rule r = { what & handled, open(path, O_PATH | O_CLOEXEC) };
-  if (r.parent < 0) return; /* a missing file needs no rule */
+  if (r.parent < 0) return; /* a file that does not exist needs no rule */
   if (fstat(r.parent, &info) == 0 && !S_ISDIR(info.st_mode)) r.allowed &= FS_EXECUTE | FS_WRITE | FS_READ | FS_TRUNCATE;
   syscall(RULESET_ADD, rules, RULE_BENEATH, &r, 0);
   close(r.parent);
@@ -73,7 +73,7 @@ static bool confine_files(const char *model, const char *const *written, size_t 
   return ok;
 }
 
-/* ---- the rest ---- */
+/* ---- other system calls ---- */
 
 #if defined(__x86_64__)
 #define ARCHITECTURE AUDIT_ARCH_X86_64
@@ -121,11 +121,14 @@ static void confine_calls(void) {
   code[n++] = (struct sock_filter)BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, ARCHITECTURE, 1, 0);
   code[n++] = (struct sock_filter)BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_KILL_PROCESS);
   code[n++] = (struct sock_filter)BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(struct seccomp_data, nr));
-  code[n++] = (struct sock_filter)BPF_JUMP(BPF_JMP | BPF_JGE | BPF_K, 0x40000000, REFUSED + 1, 0); /* x32's numbers */
+  code[n++] = (struct sock_filter)BPF_JUMP(BPF_JMP | BPF_JGE | BPF_K, 0x40000000, REFUSED + 1, 0); /* system calls of
+                                                                                                    * the x32 ABI are
+                                                                                                    * refused */
   for (unsigned char i = 0; i < REFUSED; i++)
     code[n++] = (struct sock_filter)BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, refused[i], (unsigned char)(REFUSED - i), 0);
   code[n++] = (struct sock_filter)BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW);
-  code[n++] = (struct sock_filter)BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | 1 /* EPERM */);
+  code[n++] = (struct sock_filter)BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | 1 /* the refused call fails with
+                                                                                   * EPERM */);
   struct sock_fprog program = { n, code };
   prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program);
 #endif

@@ -1,14 +1,14 @@
-/* Owns the rights of an untrusted model's process: see confine.c. */
+/* Declares the confinement of an untrusted model's process, implemented in confine.c. */
 #ifndef VS_CLI_CONFINE_H
 #define VS_CLI_CONFINE_H
 
 #include <stdbool.h>
 #include <stddef.h>
 
-/* Removes rights, for this process and its descendants, for good: sockets, tracing and the like, and all files except
- * these: the system's programs and libraries (to read and to start), files below `model` (to read), files directly in
- * `written` and below `scratch` (to write; NULL: none). Open descriptors stay. Returns false if the system has no
- * Landlock, so that files stay accessible. */
+/* Removes rights of this process and its descendants permanently: network, tracing and the like, and access to files.
+ * These remain accessible: programs and libraries of the system (read, execute), files below `model` (read), files
+ * directly in the folders `written` and below `scratch` (write; scratch may be NULL). Open descriptors stay usable.
+ * Returns false if the system has no Landlock; files then stay accessible. */
 bool cli_confine(const char *model, const char *const *written, size_t count, const char *scratch);
 
 #endif

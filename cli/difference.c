@@ -1,4 +1,4 @@
-/* Owns `vs diff A B`: the differences of two models, as lines or as JSON. */
+/* Implements `vs diff A B`: prints the differences of two models, as lines or as JSON. */
 #include "cli/difference.h"
 
 #include <stdlib.h>
@@ -7,17 +7,17 @@
 #include "cli/json.h"
 #include "cli/main.h"
 
-/* ---- the facts of a model, kept while the next one runs ---- */
+/* ---- data about a model, kept while the second one runs ---- */
 
-typedef struct { const char *name, *value, *range; /* "0 to 10 by 1", "a b c", "" */ } parameter;
+typedef struct { const char *name, *value, *range; /* allowed values: "0 to 10 by 1", "a b c" or "" */ } parameter;
 typedef struct {
-  char *parameters; size_t parameter_bytes; /* a name, a value and a range each, with their NULs */
-  char *unused; size_t unused_bytes;        /* names of -D that the model did not use */
-  vs_summary summary;                       /* its units and advice are not kept */
+  char *parameters; size_t parameter_bytes; /* name, value and range of each parameter, each ending in NUL */
+  char *unused; size_t unused_bytes;        /* names of -D that the model did not use, each ending in NUL */
+  vs_summary summary;                       /* its members units and advice are not kept */
 } model;
 
-/* Writes the range as the program gives it. An end that the program does not give derives from the default, which may
- * change alone. */
+/* Writes the range of the parameter as the program gives it. A limit that the program does not give is omitted: it is
+ * computed from the default value. */
 static void put_range(FILE *to, const vs_parameter_info *p) {
   if (p->has_range) {
     if (p->has_min && p->has_max) fprintf(to, "%.15g to %.15g", p->min, p->max);
@@ -31,7 +31,7 @@ static void put_range(FILE *to, const vs_parameter_info *p) {
 
 static void put_text(FILE *to, const char *text) { fwrite(text, 1, strlen(text) + 1, to); }
 
-/* Takes the facts of the model that has run. Returns false when memory is out. */
+/* Copies the data about the model that has run. Returns false when memory is out. */
 static bool model_take(model *m, vs_scheme *s) {
   vs_parameter_info p;
   const char *name;
@@ -52,10 +52,10 @@ static void model_free(model *m) {
   free(m->unused);
 }
 
-/* Returns the next text. */
+/* Returns the text after the NUL of this one. */
 static const char *next_text(const char *text) { return text + strlen(text) + 1; }
 
-/* Gives the parameter whose texts begin at *at, and moves *at after them. Returns false if there are no more. */
+/* Sets *out to the parameter whose texts begin at *at, and moves *at past them. Returns false if there are no more. */
 static bool next_parameter(const model *m, const char **at, parameter *out) {
   if (!*at) *at = m->parameters;
   if ((size_t)(*at - m->parameters) >= m->parameter_bytes) return false;
@@ -72,16 +72,16 @@ static bool parameter_named(const model *m, const char *name, parameter *out) {
   return false;
 }
 
-/* ---- the report ---- */
+/* ---- the report of the differences ---- */
 
-enum { LISTED = 40 /* the most parts that the lines name; JSON has all */ };
+enum { LISTED = 40 /* LISTED: greatest number of parts that the lines name; JSON has all */ };
 typedef struct {
-  bool json, any;       /* any: the report contains a parameter */
-  bool begun;           /* the text before the parts is written */
+  bool json, any;       /* any: whether the report contains a parameter */
+  bool begun;           /* whether the text before the parts was written */
   const model *before, *after;
   vs_comparison found;
-  const char *gap;      /* JSON: the text before the next item */
-  size_t told, passed;  /* parts */
+  const char *gap;      /* JSON: the text before the next item, such as a comma */
+  size_t told, passed;  /* numbers of parts: named in the report, and omitted */
 } report;
 
 static const char *const words[] = {
@@ -93,7 +93,7 @@ static void json_member(const char *before, const char *name, const char *text) 
   cli_json_text(stdout, text);
 }
 
-/* Writes a parameter: of both models, or of one. */
+/* Writes the change of a parameter. old or new is NULL if only one model has it. */
 static void tell_parameter(report *r, const parameter *old, const parameter *new) {
   bool value = !old || !new || strcmp(old->value, new->value) != 0;
   bool range = old && new && strcmp(old->range, new->range) != 0;
@@ -154,7 +154,7 @@ static void print_counts(const vs_comparison *found) {
   puts(any ? "" : "parts: none");
 }
 
-/* Writes the text before the parts. A failed comparison writes nothing. */
+/* Writes the text before the parts. It is written only when the comparison has succeeded so far. */
 static void begin(report *r) {
   const vs_comparison *f = &r->found;
   if (r->begun) return;
@@ -232,7 +232,7 @@ static void print_box(const vs_summary *s) {
               s->max[1] + 0.0, s->max[2] + 0.0);
 }
 
-/* Returns true if both agree except in their last digits, as sums in another order do. */
+/* Returns true if a and b agree except for rounding errors, which depend on the order of sums. */
 static bool near(double a, double b) {
   double size = a < 0 ? -a : a, off = a < b ? b - a : a - b;
   return off <= 1e-12 * size || off <= 1e-300;
@@ -270,7 +270,8 @@ static void finish(report *r, bool parts, bool bounds, bool same) {
   printf(",\n  \"same\": %s\n}\n", same ? "true" : "false");
 }
 
-/* Compares the second model, which has run, with the first, and writes the report. *same: there is no difference. */
+/* Compares the second model, which has run, with the first, and writes the report. Sets *same to whether there is no
+ * difference. */
 static vs_outcome tell(cli_session *c, const model *before, const model *after, bool *same) {
   report r = {.json = c->options->json, .gap = "", .before = before, .after = after};
   vs_outcome outcome = vs_drawing_compare(c->scheme, &r.found, tell_part, &r);
@@ -284,7 +285,8 @@ static vs_outcome tell(cli_session *c, const model *before, const model *after, 
   return outcome;
 }
 
-/* Reports names of -D that neither model has, as mistakes of the command line. */
+/* Returns true unless a name of -D is a parameter of neither model. Reports such a name as a mistake of the command
+ * line. */
 static bool all_used(const model *a, const model *b) {
   for (const char *i = a->unused; i < a->unused + a->unused_bytes; i = next_text(i))
     for (const char *k = b->unused; k < b->unused + b->unused_bytes; k = next_text(k))
@@ -295,7 +297,7 @@ static bool all_used(const model *a, const model *b) {
   return true;
 }
 
-/* Runs the model of this number. */
+/* Runs the model with this number on the command line, and copies its data to m. */
 static vs_outcome run(cli_session *c, size_t which, model *m) {
   free(c->model);
   c->model = strdup(c->options->sources[which].text);
@@ -309,7 +311,7 @@ static vs_outcome run(cli_session *c, size_t which, model *m) {
 vs_outcome cli_difference(cli_session *c) {
   model before = {0}, after = {0};
   bool same = true, quiet = c->options->quiet;
-  c->options->quiet = true; /* the command prints differences, not the summary of each */
+  c->options->quiet = true; /* the command prints only differences, not a summary of each model */
   vs_outcome outcome = run(c, 0, &before);
   if (outcome == VS_OUTCOME_DONE) outcome = vs_drawing_keep(c->scheme);
   if (outcome == VS_OUTCOME_DONE) outcome = run(c, 1, &after);

@@ -1,4 +1,4 @@
-/* Owns the writing of JSON: text and numbers. It reads nothing, so a library would be larger than these lines. */
+/* Writes texts and numbers as JSON. Nothing is read, so that a JSON library would be larger than this file. */
 #include "cli/json.h"
 
 #include <math.h>

@@ -1,7 +1,9 @@
-/* Owns the allocation of the command's large blocks: each is mapped separately, aligned for huge pages, and asks for
- * them. A large model touches all of its memory once. For each small page the system then needs longer than the model
- * needs to fill it: a million cylinders spend a quarter of their time there. The C library allocates smaller blocks. */
-#define _GNU_SOURCE /* mremap */
+/* Allocates the command's large blocks of memory. Each is a separate mapping, aligned and marked for huge pages.
+ *
+ * A large model writes to all of its memory once. With small pages, the system needs longer to provide them than the
+ * model needs to fill them: a million cylinders spend a quarter of their time on it. Smaller blocks come from the C
+ * library. */
+#define _GNU_SOURCE /* for mremap */
 #include "cli/large_blocks.h"
 
 #include <stdbool.h>
@@ -21,7 +23,8 @@ static void *map(size_t size, int protection) {
   return p == MAP_FAILED ? NULL : p;
 }
 
-/* Maps `size` bytes at the start of a huge page, or anywhere if there is none. */
+/* Maps `size` bytes at a multiple of the size of huge pages. If memory does not suffice for that, maps them
+ * anywhere. */
 static char *map_aligned(size_t size, int protection) {
   char *p = map(size + HUGE_PAGE, protection);
   if (!p) return map(size, protection);
@@ -33,7 +36,7 @@ static char *map_aligned(size_t size, int protection) {
 
 static void ask_for_huge_pages(void *p, size_t size) {
 #ifdef MADV_HUGEPAGE
-  madvise(p, size, MADV_HUGEPAGE); /* if refused, the pages stay small */
+  madvise(p, size, MADV_HUGEPAGE); /* without effect if the system refuses: the pages stay small */
 #else
   (void)p, (void)size;
 #endif
@@ -45,7 +48,7 @@ static void *map_new(size_t bytes) {
   return p;
 }
 
-/* Resizes a mapped block to another mapped size. The pages move; nothing is copied. */
+/* Changes the size of a mapped block. Its pages are moved without copying. Returns NULL when memory is out. */
 static void *map_resize(void *old, size_t old_bytes, size_t bytes) {
   if (bytes > SIZE_MAX - 2 * (size_t)HUGE_PAGE) return NULL;
   size_t old_size = mapped_size(old_bytes), size = mapped_size(bytes);

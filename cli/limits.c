@@ -1,13 +1,13 @@
-/* Owns the limits that the process enforces itself, on work that the library cannot count or stop: inside GEOS,
- * FreeType, OpenEXR and libpng, the scratch memory of a geometric algorithm, a long stretch between two polls.
+/* Enforces the limits of memory and time for work that the library cannot count or stop. Such work is done in GEOS,
+ * FreeType, OpenEXR and libpng, in temporary memory of geometric algorithms, and between two distant polls.
  *
- * Memory. The library counts the heap, the model and the kernel's meshes, and refuses more with a message that has a
- * place. The rest comes from malloc. The system refuses that past RLIMIT_DATA, and a refused malloc is an error like
- * any other. The command sets only the soft limit, so that a worker program can have its own.
+ * Memory: the library counts the heap, the model and the kernel's meshes, and refuses more with a message that has a
+ * place. All other memory comes from malloc. The system makes malloc fail beyond RLIMIT_DATA, which is an error like
+ * any other. The command sets only the soft limit, so that an external program can have another.
  *
- * Time. The library polls often, and ends by itself at its limit. A thread watches: if the limit has passed and there
- * was no poll for a while, the process reports this and ends. Output files have no name until they are whole, so none
- * is left behind. */
+ * Time: the library polls often, and ends by itself at its limit. A thread watches it. If the limit has passed and
+ * there was no poll for a while, the process reports this and ends. Output files get their names only when they are
+ * complete, so that none is left incomplete. */
 #define _GNU_SOURCE
 #include "cli/limits.h"
 
@@ -24,18 +24,18 @@
 #include "model/signals.h"
 #include "visualscheme.h"
 
-#define GRACE 0.3         /* seconds past the limit, and without a poll */
-#define GRACE_AT_PROMPT 3 /* at the prompt, the end of the process loses the typed text */
-#define ASLEEP 5  /* seconds without a poll, for a step that waits and takes no processor time */
+#define GRACE 0.3         /* seconds after the limit, and without a poll, until the process ends */
+#define GRACE_AT_PROMPT 3 /* the same seconds at the prompt, where the end of the process loses the typed text */
+#define ASLEEP 5  /* seconds without a poll after which a step ends that waits and uses no processor time */
 
 enum {
-  BESIDE = 4 << 20 /* bytes above a tenth more than the limit: stacks of threads, tables of libraries */,
+  BESIDE = 4 << 20 /* bytes in addition to 1.1 times the limit, for stacks of threads and tables of libraries */,
   STACK = 256 << 10
 };
 
-/* ---- memory ---- */
+/* ---- limiting memory ---- */
 
-/* Returns the bytes that the process may write to already. */
+/* Returns the number of bytes of data that the process has now. */
 static size_t data_now(void) {
   unsigned long pages = 0;
   FILE *f = fopen("/proc/self/statm", "r");
@@ -44,14 +44,15 @@ static size_t data_now(void) {
   return (size_t)pages * (size_t)sysconf(_SC_PAGESIZE);
 }
 
-/* Lowers the soft limit; with `for_good` also the hard one, which no process can raise again. */
+/* Lowers the soft limit of data to `most` bytes. With for_good, also lowers the hard limit, which the process cannot
+ * raise again. */
 static void lower_data_limit(rlim_t most, bool for_good) {
 #ifdef __SANITIZE_ADDRESS__
-  return; /* the address sanitizer needs several times the memory, and ends a process that is refused any */
+  return; /* the address sanitizer needs several times the memory, and ends a process when it is refused any */
 #endif
   struct rlimit r;
   if (getrlimit(RLIMIT_DATA, &r) != 0) return;
-  if (r.rlim_cur > most) r.rlim_cur = most; /* without a limit it is the largest number */
+  if (r.rlim_cur > most) r.rlim_cur = most; /* an unlimited rlim_cur is the largest number */
   if (for_good && r.rlim_max > most) r.rlim_max = most;
   setrlimit(RLIMIT_DATA, &r);
 }
@@ -62,7 +63,7 @@ void cli_limits_memory(size_t limit) {
 
 void cli_limits_memory_for_good(size_t most) { lower_data_limit((rlim_t)most, true); }
 
-/* ---- time ---- */
+/* ---- limiting time ---- */
 
 static double seconds(clockid_t clock) {
   struct timespec t;
@@ -72,8 +73,8 @@ static double seconds(clockid_t clock) {
 
 static double now(void) { return seconds(CLOCK_MONOTONIC); }
 
-/* Returns the seconds for which the process was ready to run and had no processor: these do not count against the
- * library. */
+/* Returns the seconds for which the process was ready to run but had no processor. They do not count towards the
+ * limit. */
 static double starved(int file) {
   char text[100];
   unsigned long long ran, waited = 0;
@@ -87,13 +88,15 @@ static void end_here(cli_watch *w) {
   int n =
       snprintf(text, sizeof text, "%.200s: stopped after %g seconds, the limit, in a step that cannot be interrupted\n",
                w->name, w->limit);
-  if (ftrylockfile(stdout) == 0) fflush_unlocked(stdout); /* the program's output, unless it is printing now */
-  if (!atomic_load(&w->told) && n > 0 && write(STDERR_FILENO, text, (size_t)n) < 0) { /* no reader is left */
+  if (ftrylockfile(stdout) == 0) fflush_unlocked(stdout); /* writes the program's buffered output, unless another thread
+                                                           * is printing now */
+  if (!atomic_load(&w->told) && n > 0 && write(STDERR_FILENO, text, (size_t)n) < 0) { /* ignores a failed write: nobody
+                                                                                       * reads standard error */
   }
   _exit(VS_OUTCOME_MACHINE);
 }
 
-/* Waits until the watch is closed, or for so many nanoseconds. Returns true if it is closed. */
+/* Waits until the watch is closed, but at most this number of nanoseconds. Returns true if it is closed. */
 static bool closed_within(cli_watch *w, long nanoseconds) {
   struct timespec until;
   clock_gettime(CLOCK_MONOTONIC, &until);
@@ -112,8 +115,8 @@ static void *look_on(void *context) {
     if (began != began_seen) began_seen = began, began_starved = lost, began_ran = ran;
     if (polled != polled_seen) polled_seen = polled, polled_starved = lost, polled_ran = ran;
     if (began == 0 || at - began <= w->limit + grace) continue;
-    /* The system counts a wait for a processor only when it ends. During a wait, the processor time alone shows that
-     * the library could not poll. */
+    /* The system adds a wait for a processor to its count only when the wait ends. During such a wait, only the
+     * processor time shows that the library could not poll. */
     double since_began = at - began - (lost - began_starved), since_polled = at - polled - (lost - polled_starved),
            most = w->limit + grace + 0.1;
     bool silent = since_polled > grace && ran - polled_ran > grace, asleep = at - polled > ASLEEP;

@@ -1,4 +1,4 @@
-/* Owns the command `vs`: it runs the programs of the command line, then writes the outputs. Exit codes are those of
+/* Implements the command `vs`: runs the programs of the command line, then writes the outputs. Exit codes are those of
  * vs_outcome. */
 #include "cli/main.h"
 
@@ -31,19 +31,19 @@
 #include "cli/test_command.h"
 #include "live/live.h"
 
-/* A signal handler has no context. Therefore the command's only globals are the interpreter that a signal interrupts,
- * and the signals so far. SIGINT ends the current run; SIGTERM and SIGHUP also end the prompt. None kills at once, so
- * that half-written files and POV-Ray end too. */
+/* The interpreter to interrupt, and the numbers of signals so far: the only global variables, because a signal handler
+ * has no context. SIGINT ends the current run; SIGTERM and SIGHUP also end the prompt. No signal ends the process at
+ * once, so that incomplete files are removed and POV-Ray is ended. */
 static vs_scheme *volatile interrupted_by_signal;
 static volatile sig_atomic_t interrupts, ended;
 
 static void on_interrupt(int signal_number) {
   if (signal_number != SIGINT) ended = 1;
-  if (++interrupts > 3) _exit(VS_OUTCOME_INTERRUPTED); /* the user holds the key down: the process hangs, so end it */
+  if (++interrupts > 3) _exit(VS_OUTCOME_INTERRUPTED); /* the user repeats Ctrl-C because the process hangs: end it */
   if (interrupted_by_signal) vs_interrupt(interrupted_by_signal);
 }
 
-/* ---- the host's side of the interpreter ---- */
+/* ---- callbacks of the interpreter ---- */
 
 static bool print_output(void *context, const char *text, size_t length) {
   cli_session *c = context;
@@ -57,7 +57,7 @@ static bool print_output(void *context, const char *text, size_t length) {
 
 static const char *read_input(void *context, size_t *length) {
   cli_session *c = context;
-  fflush(stdout); /* a question precedes its answer */
+  fflush(stdout); /* shows a question before its answer is read */
   if (c->editor) return cli_repl_line(c, length);
   ssize_t got = getline(&c->line, &c->line_room, stdin);
   if (got < 0) return NULL;
@@ -70,7 +70,7 @@ static void print_value(void *context, const char *text, size_t length) {
   char name[24];
   c->results++;
   struct live_follower *view = c->view;
-  c->view = NULL; /* it prints values by itself */
+  c->view = NULL; /* print_output must not copy the value to the live view, which prints values itself */
   if (c->editor) print_output(c, name, (size_t)snprintf(name, sizeof name, cli_colours(1) ? "\033[2m$%u =\033[0m "
       : "$%u = ", c->results));
   print_output(c, text, length);
@@ -100,9 +100,9 @@ static void print_progress(void *context, const vs_progress *p) {
   cli_report_progress(&((cli_session *)context)->reporter, p);
 }
 
-/* ---- running ---- */
+/* ---- running programs ---- */
 
-/* Returns allocated text; NULL with errno set. */
+/* Returns all text of the stream, which the caller frees. If it fails, returns NULL and sets errno. */
 static char *read_all(FILE *from, size_t *length) {
   size_t room = 65536, used = 0;
   char *text = malloc(room);
@@ -176,7 +176,7 @@ static const char *title(const cli_options *o) {
   return "-e";
 }
 
-/* Reports names of -D that the model did not use, as mistakes of the command line. */
+/* Returns true if the model has used all names of -D. Reports others as mistakes of the command line. */
 static bool all_parameters_used(cli_session *c) {
   const char *name;
   vs_parameter_info p;
@@ -214,7 +214,7 @@ vs_outcome cli_session_write(cli_session *c, const cli_target *t) {
   return outcome;
 }
 
-/* Returns true if a worker program draws it: a picture of one view. */
+/* Returns true if the target is a picture of one view, made by an external program. */
 static bool is_picture(const cli_target *t) {
   const vs_format_info *f = t->format ? vs_format_find(t->format) : NULL;
   return f && f->worker && strcmp(t->path, "-") != 0;
@@ -222,7 +222,8 @@ static bool is_picture(const cli_target *t) {
 
 enum { PATH_ROOM = 4096 };
 
-/* Writes the name of a picture of one view, or of a frame: a-street.png for a.png. Returns false if it is too long. */
+/* Writes the name of the picture of a view or a frame: a-street.png for a.png. Returns false, after a message, if it is
+ * too long. */
 static bool path_with(const char *path, const char *view, char name[PATH_ROOM]) {
   const char *dot = strrchr(path, '.'), *slash = strrchr(path, '/');
   size_t stem = dot && (!slash || dot > slash) ? (size_t)(dot - path) : strlen(path);
@@ -232,10 +233,10 @@ static bool path_with(const char *path, const char *view, char name[PATH_ROOM]) 
   return false;
 }
 
-/* Writes one output: cli_session_write, or may_write. */
+/* Function called for each output file: cli_session_write or may_write. */
 typedef vs_outcome write_fn(cli_session *c, const cli_target *t);
 
-/* Returns VS_OUTCOME_DONE unless the target is a file that the run has read; then reports it. */
+/* Returns VS_OUTCOME_DONE if the run has not read the target file. Otherwise reports it. */
 static vs_outcome may_write(cli_session *c, const cli_target *t) {
   if (strcmp(t->path, "-") == 0 || !vs_is_input(c->scheme, t->path)) return VS_OUTCOME_DONE;
   cli_report_settle(&c->reporter);
@@ -244,7 +245,7 @@ static vs_outcome may_write(cli_session *c, const cli_target *t) {
   return VS_OUTCOME_USAGE;
 }
 
-/* Writes a picture of each of the model's views. */
+/* Calls `write` for a picture of each of the model's views. */
 static vs_outcome write_views(cli_session *c, const cli_target *t, write_fn *write) {
   vs_outcome outcome = VS_OUTCOME_DONE;
   const char *view;
@@ -259,7 +260,7 @@ static vs_outcome write_views(cli_session *c, const cli_target *t, write_fn *wri
   return outcome;
 }
 
-/* OUT-007.png */
+/* writes OUT-007.png for OUT.png and frame 7 */
 static bool frame_path(const char *path, const cli_frames *f, long frame, char name[PATH_ROOM]) {
   char number[CLI_FRAME_ROOM];
   cli_frame_number(f, frame, number);
@@ -281,8 +282,8 @@ static vs_outcome write_target(cli_session *c, const cli_target *t, write_fn *wr
   return outcome;
 }
 
-/* Writes all outputs; none, if one would replace an input. Tries every output even after a failure; the first failure
- * is the exit code. */
+/* Writes all outputs, or none if one would replace an input. Continues after a failure; the first failure is the
+ * outcome. */
 static vs_outcome write_all(cli_session *c) {
   vs_outcome outcome = VS_OUTCOME_DONE;
   cli_inputs_tell(c->told, c->scheme);
@@ -298,7 +299,7 @@ static vs_outcome write_all(cli_session *c) {
   return outcome;
 }
 
-/* Runs all sources, and prints a line about their drawing. again: the prompt repeats the run. */
+/* Runs all sources, and prints a line about their drawing. again: whether the prompt repeats the run. */
 static vs_outcome run_sources(cli_session *c, bool again) {
   cli_options *o = c->options;
   cli_source model = {CLI_SOURCE_FILE, c->model};
@@ -308,9 +309,9 @@ static vs_outcome run_sources(cli_session *c, bool again) {
   for (size_t i = 0; i < count && outcome == VS_OUTCOME_DONE && !vs_exit_requested(c->scheme, &c->exit_code); i++)
     outcome = run_source(c, &sources[i]);
   cli_report_settle(&c->reporter);
-  /* in a later run the values may be for another model */
+  /* When the prompt repeats the run, the values of -D may be for another model. */
   if (outcome == VS_OUTCOME_DONE && !again && !all_parameters_used(c)) outcome = VS_OUTCOME_USAGE;
-  bool files = o->command != CLI_COMMAND_sunstudy; /* not a folder */
+  bool files = o->command != CLI_COMMAND_sunstudy; /* the output of sunstudy is a folder */
   if (outcome == VS_OUTCOME_DONE && !again && files && !cli_options_late(o, c->scheme)) outcome = VS_OUTCOME_USAGE;
   if (outcome == VS_OUTCOME_DONE && !o->quiet && count) {
     vs_summary summary;
@@ -334,9 +335,9 @@ vs_outcome cli_session_run(cli_session *c) {
   return outcome == VS_OUTCOME_DONE ? run_sources(c, true) : outcome;
 }
 
-/* ---- frames ---- */
+/* ---- running frames ---- */
 
-/* Returns true if every output of the frame is newer than the model's files. With several views it returns false: their
+/* Returns true if every output of the frame is newer than the model's files. Returns false with several views, whose
  * names are unknown before the model runs. */
 static bool frame_stands(const cli_session *c, long frame) {
   const cli_options *o = c->options;
@@ -369,8 +370,8 @@ static bool frame_parameter_used(cli_session *c, const cli_frames *f) {
   return true;
 }
 
-/* Runs the model once for each frame, and keeps meshes between frames. The first failure ends the run, since the next
- * frame would fail too. */
+/* Runs the model once for each frame; meshes are kept between frames. Ends at the first failure, since the next frame
+ * would fail, too. */
 static vs_outcome run_frames(cli_session *c) {
   const cli_frames *f = &c->options->frames;
   vs_outcome outcome = VS_OUTCOME_DONE;
@@ -412,8 +413,8 @@ static vs_outcome run_batch(cli_session *c) {
   return outcome;
 }
 
-/* A process that ends returns its memory at once. Freeing a million nodes first helps only a search for leaks. exit
- * flushes the files that the program left open. */
+/* The process ends without freeing its memory, which the system frees at once. Only a leak checker needs the nodes
+ * freed. exit() flushes files that the program left open. */
 #ifdef __has_feature
 #if __has_feature(address_sanitizer)
 #define TIDY 1
@@ -426,8 +427,8 @@ static vs_outcome run_batch(cli_session *c) {
 #define TIDY 0
 #endif
 
-/* Opens a closed standard stream so that its use fails. Otherwise the next file, such as an output, would get its
- * number, and receive the program's text. */
+/* Opens each closed standard stream in a way that reading or writing it fails. Otherwise the next opened file would get
+ * its number, and receive the program's text. */
 static void hold_standard_streams(void) {
   for (int i = 0; i <= STDERR_FILENO; i++)
     if (fcntl(i, F_GETFD) == -1 && errno == EBADF && open("/dev/null", i == STDIN_FILENO ? O_WRONLY : O_RDONLY) != i)
@@ -441,12 +442,12 @@ static void hear_signals(void) {
   sigemptyset(&action.sa_mask);
   static const int heard[] = {SIGINT, SIGTERM, SIGHUP};
   for (size_t i = 0; i < sizeof heard / sizeof *heard; i++) {
-    struct sigaction old; /* nohup and background jobs of a script ignore some signals: that stays */
+    struct sigaction old; /* a signal that is ignored (nohup, background jobs) stays ignored */
     if (sigaction(heard[i], NULL, &old) == 0 && old.sa_handler != SIG_IGN) sigaction(heard[i], &action, NULL);
   }
 }
 
-/* Runs `vs view`: here ctrl-C ends the command, not only the current run. */
+/* Runs `vs view`. Ctrl-C ends the command, not only the current run. */
 static vs_outcome view_model(const cli_options *o) {
   live_options live = { .model = o->sources[0].text,
                         .interpreter = o->interpreter,
@@ -462,8 +463,8 @@ static vs_outcome view_model(const cli_options *o) {
   return live_view(&live);
 }
 
-/* Runs the files and texts of the command line in an interpreter, and then the prompt if asked. Returns the exit code;
- * *told: standard error has reported a failure of standard output. */
+/* Runs the files and texts of the command line in an interpreter, then the prompt if requested. Returns the exit code.
+ * Sets *told if a failure of standard output was reported. */
 static int run_session(cli_options *o, bool *told) {
   bool own_output = o->to_stdout || o->command == CLI_COMMAND_params || o->command == CLI_COMMAND_diff ||
                     o->command == CLI_COMMAND_fit || o->command == CLI_COMMAND_test;
@@ -487,7 +488,7 @@ static int run_session(cli_options *o, bool *told) {
   if (o->interpreter.limit_memory) cli_limits_memory(o->interpreter.limit_memory);
   session.watch.limit = o->interpreter.limit_time;
   session.watch.prompt = o->interactive || o->source_count == 0;
-  /* the library's own polls remain */
+  /* If the watching thread cannot start, only the library's own polls limit the time. */
   if (session.watch.limit > 0 && !cli_limits_watch(&session.watch)) session.watch.limit = 0;
   session.scheme = vs_new(&o->interpreter);
   vs_outcome outcome = VS_OUTCOME_MACHINE;
@@ -507,7 +508,7 @@ static int run_session(cli_options *o, bool *told) {
       vs_exit_requested(session.scheme, &session.exit_code);
     }
     if (ended) outcome = VS_OUTCOME_INTERRUPTED;
-    /* there was no memory left for a better message */
+    /* Memory was out before a better message could be written. */
     if (outcome == VS_OUTCOME_MACHINE && session.reporter.errors == 0) fputs("vs: out of memory\n", stderr);
     interrupted_by_signal = NULL;
     if (TIDY) vs_free(session.scheme);
@@ -521,23 +522,24 @@ static int run_session(cli_options *o, bool *told) {
   return outcome == VS_OUTCOME_DONE ? session.exit_code : (int)outcome;
 }
 
-/* Does the same in a separate process, for vs test, whose parent reports a failure of standard output. */
+/* Runs the session in a separate process, for vs test. A failure of standard output is reported by the parent
+ * process. */
 static int run_test(cli_options *o) {
   bool told = false;
   int code = run_session(o, &told);
   return fflush(stdout) == 0 && !ferror(stdout) ? code : VS_OUTCOME_USAGE;
 }
 
-/* Runs the whole command. Returns the exit code; *told: standard error has reported a failure of standard output. */
+/* Runs the command. Returns the exit code. Sets *told if a failure of standard output was reported. */
 static int run_command(int argc, char **argv, bool *told) {
-  if (argc >= 3 && strcmp(argv[1], "help") == 0) { /* vs help WORD: the manual */
+  if (argc >= 3 && strcmp(argv[1], "help") == 0) { /* vs help WORD: prints from the manual */
     for (int i = 2; i < argc; i++)
       if (cli_command_help(argv[i], stdout)) {
         putchar('\n');
         cli_manual_command(argv[i], stdout);
       } else if (!cli_manual_print(argv[i], stdout)) {
         vs_options plain = vs_options_default();
-        vs_scheme *scheme = vs_new(&plain); /* it knows the words of other programs */
+        vs_scheme *scheme = vs_new(&plain); /* it advises on the words of other programs */
         const char *advice = scheme ? vs_name_advice(scheme, argv[i]) : "";
         bool guess = strncmp(advice, "did you mean", 12) == 0 || strncmp(advice, "perhaps", 7) == 0;
         printf("The manual has no %s.\n", argv[i]);
@@ -590,8 +592,8 @@ static int run_command(int argc, char **argv, bool *told) {
 
 int main(int argc, char **argv) {
   hold_standard_streams();
-  /* A write to a pipe without a reader fails, and so does a file past the allowed size: outputs are then finished or
-   * removed, and the exit code shows it. */
+  /* A write to a pipe without a reader, or beyond the largest allowed file size, fails instead of ending the process.
+   * Outputs are then completed or removed, and the exit code shows the failure. */
   signal(SIGPIPE, SIG_IGN);
   signal(SIGXFSZ, SIG_IGN);
   bool told = false;

@@ -1,6 +1,6 @@
-/* Owns the wording and layout of all messages of a run.
+/* Prints all messages of a run, and determines their layout.
  *
- * A diagnostic is `file:line:col: message`, then the source line with carets below the span, then its notes:
+ * A diagnostic is `file:line:col: message`, then the source line with carets below the marked part, then its notes:
  *
  *   house.vs:12:3: make-sphere: r must be positive, got -2
  *     12 | (make-sphere (xyz 0 0 0) -2)
@@ -14,14 +14,15 @@
 #include <string.h>
 #include <time.h>
 
-enum { WINDOW = 120, BEFORE = 60 }; /* characters shown of a long source line, and those before the caret */
+enum { WINDOW = 120, BEFORE = 60 }; /* WINDOW: characters shown of a long source line; BEFORE: of these, before the
+                                     * caret */
 
 void cli_report_settle(cli_reporter *r) {
   if (r->shown) fputs("\r\033[K", stderr);
   r->shown = false;
 }
 
-/* ---- diagnostics ---- */
+/* ---- errors and warnings ---- */
 
 static const char *next_character(const char *at) {
   if (*at) at++;
@@ -42,7 +43,7 @@ static int well_formed(const char *c) {
   return length;
 }
 
-/* Prints the text of a source file, which may contain any byte: control characters become blanks or question marks. */
+/* Prints a source text, which may contain any byte. Control characters become blanks or question marks. */
 static void print_safely(const char *from, const char *to) {
   while (from < to) {
     int length = well_formed(from);
@@ -62,7 +63,7 @@ static void print_place(const vs_span *at) {
   fputs(": ", stderr);
 }
 
-/* behind: shown after the carets, or NULL */
+/* Prints the source line with carets. behind: a text to print after the carets, or NULL. */
 static void print_source(const vs_diagnostic *d, const char *behind) {
   uint32_t first = 1, width = d->at.end_line == d->at.line && d->at.end_column > d->at.column
                                   ? d->at.end_column - d->at.column
@@ -88,7 +89,7 @@ static void print_source(const vs_diagnostic *d, const char *behind) {
 }
 
 void cli_report_diagnostic(cli_reporter *r, const vs_diagnostic *d) {
-  fflush(stdout); /* earlier output of the program comes first */
+  fflush(stdout); /* prints earlier output of the program first */
   cli_report_settle(r);
   if (d->severity == VS_SEVERITY_ERROR) r->errors++;
   if (d->severity == VS_SEVERITY_WARNING) r->warnings++;
@@ -104,7 +105,7 @@ void cli_report_diagnostic(cli_reporter *r, const vs_diagnostic *d) {
   }
 }
 
-/* Prints the expression that the span marks in the line; shortens a long one. */
+/* Prints the expression at which the program has stopped; a long one is cut. */
 static void print_expression(const vs_stop_info *stop) {
   enum { MOST = 50 };
   const char *at = stop->source_line, *end;
@@ -146,14 +147,14 @@ bool cli_report_calls(vs_scheme *scheme, FILE *to) {
   return i > 0;
 }
 
-/* Returns the seconds of a monotonic clock. */
+/* Returns monotonic time in seconds. */
 static double now(void) {
   struct timespec t;
   clock_gettime(CLOCK_MONOTONIC, &t);
   return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* Writes the time that the rest of a phase will take at its speed so far, once it can be estimated. */
+/* Writes the estimated time until the phase ends, at its speed so far; an empty text if it cannot be estimated yet. */
 static void time_left(cli_reporter *r, const vs_progress *p, char *text, size_t room) {
   double at = now();
   *text = 0;
@@ -191,7 +192,7 @@ static void count_of(size_t n, const char *one, const char *many, bool *any) {
   *any = true;
 }
 
-#define LARGEST_BUILDING 4000 /* metres: anything larger is a landscape, or drawn in other units */
+#define LARGEST_BUILDING 4000 /* in metres: a larger object is a landscape, or is drawn in other units */
 
 void cli_report_summary(const char *title, const vs_summary *s) {
   bool any = false;
@@ -201,7 +202,7 @@ void cli_report_summary(const char *title, const vs_summary *s) {
     return;
   }
   count_of(s->objects, "object", "objects", &any);
-  if (s->objects != s->solids) { /* else it is obvious */
+  if (s->objects != s->solids) { /* if all objects are solids, their number is not repeated */
     bool inner = false;
     fputs(" (", stderr);
     count_of(s->solids, "solid", "solids", &inner);
@@ -221,14 +222,14 @@ void cli_report_summary(const char *title, const vs_summary *s) {
   fputc('\n', stderr);
   double largest = 0;
   for (int i = 0; i < 3 && s->has_bounds && !s->bounds_at_most; i++) largest = fmax(largest, s->max[i] - s->min[i]);
-  if (largest >= LARGEST_BUILDING && strcmp(s->units, "m") == 0) /* a house drawn in millimetres */
+  if (largest >= LARGEST_BUILDING && strcmp(s->units, "m") == 0) /* probably a house drawn in millimetres */
     fprintf(stderr, "%s: that is %.3g km; (units 'mm), or 'cm, says that lengths are not in metres\n", title,
             largest / 1000);
 }
 
 /* ---- parameters ---- */
 
-/* Writes a value as the model wrote it: JSON's numbers and booleans as such, all else (1/3, symbols, lists) as text. */
+/* Writes a value as JSON: numbers and booleans as such, everything else (1/3, symbols, lists) as text. */
 static void json_datum(FILE *to, vs_parameter_type type, const char *datum) {
   if (type == VS_PARAMETER_BOOLEAN) { fputs(strcmp(datum, "#f") == 0 ? "false" : "true", to); return; }
   double v;

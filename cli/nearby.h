@@ -1,4 +1,4 @@
-/* Owns "perhaps you mean": the nearest of some names, ignoring case. */
+/* Declares the search for "perhaps you mean": the most similar of some names; upper and lower case are the same. */
 #ifndef VS_CLI_NEARBY_H
 #define VS_CLI_NEARBY_H
 
@@ -6,15 +6,15 @@
 #include <stddef.h>
 
 typedef struct {
-  const char *wanted, *best; /* best: NULL if no offered name was near enough */
-  size_t distance;           /* of best */
+  const char *wanted, *best; /* best: the most similar name so far, or NULL if none was similar enough */
+  size_t distance;           /* distance of `best` from `wanted` */
 } cli_nearby;
 
 cli_nearby cli_nearby_start(const char *wanted);
-void cli_nearby_offer(cli_nearby *n, const char *name); /* name must outlive n */
+void cli_nearby_offer(cli_nearby *n, const char *name); /* Compares a name, which must outlive *n. */
 
-/* Writes the path of the program that was probably meant by a path without a file: the nearest name in its folder, or,
- * for a name without an ending, that name with one. Returns false if there is none. */
+/* Writes the path of the file that was probably meant by a path that does not exist. It has the most similar name in
+ * the same folder, or the same name with a suffix. Returns false if there is none. */
 bool cli_nearby_program(const char *path, char *room, size_t size);
 
 #endif

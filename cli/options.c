@@ -1,4 +1,4 @@
-/* Owns reading the command line and printing the help, both from options.def. */
+/* Reads the command line and prints the help, both from the table options.def. */
 #include "cli/options.h"
 
 #include <errno.h>
@@ -15,7 +15,7 @@
 
 typedef enum { VALUE_NONE, VALUE_REQUIRED, VALUE_OPTIONAL } value_rule;
 typedef struct option_row option_row;
-/* Reads the value v of an option. Returns false with the message printed. */
+/* Reads the value v of an option into o. Returns false after printing a message. */
 typedef bool take_fn(cli_options *o, const option_row *row, const char *v);
 struct option_row {
   char letter;
@@ -23,12 +23,12 @@ struct option_row {
   value_rule rule;
   const char *value, *help;
   take_fn *take;
-  size_t member, size;    /* where take writes in cli_options, and how many bytes */
-  long least, most;       /* of a whole number */
-  const char *expected;   /* in messages */
-  void (*print)(void);    /* instead of take */
+  size_t member, size;    /* offset and size in bytes of the member of cli_options to set */
+  long least, most;       /* limits of an integer value */
+  const char *expected;   /* description of a valid value, for messages */
+  void (*print)(void);    /* function that prints a text; `take` is then not used */
 };
-/* The table itself is behind the functions that it names. */
+/* Returns row i of the table of options, or NULL. The table follows the functions that it contains. */
 static const option_row *option_at(size_t i);
 
 static const struct { const char *name, *arguments; unsigned takes; const char *help; } commands[] = {
@@ -56,7 +56,8 @@ bool cli_command_suggest(const char *word, FILE *to) {
 
 /* ---- help ---- */
 
-extern const char vs_licenses_text[], vs_licenses_text_end[]; /* LICENSE and NOTICE, embedded by the Makefile */
+extern const char vs_licenses_text[], vs_licenses_text_end[]; /* the texts of LICENSE and NOTICE, embedded by the
+                                                               * Makefile */
 
 static void print_version(void) { printf("vs %s\n", vs_version()); }
 
@@ -97,7 +98,7 @@ static void print_help(void) {
   puts("3 a worker program is missing or failed, 4 out of memory or past a limit, 130 interrupted.");
 }
 
-/* ---- values ---- */
+/* ---- reading values ---- */
 
 static bool expected(const option_row *row, const char *value, const char *what) {
   if (row->letter) fprintf(stderr, "vs: -%c %s: expected %s\n", row->letter, value, what);
@@ -135,7 +136,8 @@ static bool take_size(cli_options *o, const option_row *row, const char *text) {
   return true;
 }
 
-/* The size, known later, decides whether it lies within the picture. */
+/* Reads the four numbers of --crop. The size of the picture is known only later; crop_is_within compares them with
+ * it. */
 static bool take_crop(cli_options *o, const option_row *row, const char *text) {
   const char *at = text;
   for (int i = 0; i < 4; i++) {
@@ -171,7 +173,8 @@ static bool take_camera(cli_options *o, const option_row *row, const char *text)
   return true;
 }
 
-/* Reads "24" or "24,twist=0..90". It searches for the dots first, since strtod would take one of them. */
+/* Reads "24" or "24,twist=0..90". Searches for the two dots first, since strtod would read one of them as a decimal
+ * point. */
 static bool take_frames(cli_options *o, const option_row *row, const char *text) {
   cli_frames *out = &o->frames;
   char *end, from[40] = "";
@@ -215,7 +218,7 @@ static bool take_curve(cli_options *o, const option_row *row, const char *text) 
   return bad(row, text);
 }
 
-/* Reads "1.5", "auto", "auto-0.5". */
+/* Reads the exposure: "1.5", "auto" or "auto-0.5". */
 static bool take_exposure(cli_options *o, const option_row *row, const char *text) {
   vs_development *out = &o->output.development;
   const char *stops = strncmp(text, "auto", 4) == 0 ? text + 4 : text;
@@ -225,7 +228,7 @@ static bool take_exposure(cli_options *o, const option_row *row, const char *tex
   return (ok && out->exposure <= 100) || bad(row, text);
 }
 
-/* v: the part after -O; NULL: none. */
+/* Reads the part of a word after -O; v is NULL if there is none. */
 static bool take_passes(cli_options *o, const option_row *row, const char *v) {
   const char *text = v ? v : "";
   vs_output_options *out = &o->output;
@@ -257,7 +260,7 @@ static bool take_passes(cli_options *o, const option_row *row, const char *v) {
   return true;
 }
 
-/* Adds folders, separated by ':', after the known ones. Returns false, after a message, when memory is out. */
+/* Appends folders, separated by ':', to o->library_path. Returns false after a message when memory is out. */
 static bool add_folders(cli_options *o, const char *folders) {
   size_t have = o->library_path ? strlen(o->library_path) : 0, more = strlen(folders);
   char *path = realloc(o->library_path, have + more + 2);
@@ -268,8 +271,8 @@ static bool add_folders(cli_options *o, const char *folders) {
   return true;
 }
 
-/* Returns false, after a message, if one of the folders does not exist. A folder of VS_LIBRARY_PATH need not exist, as
- * in any such variable. */
+/* Returns true if all folders exist; otherwise prints a message. Only -L is checked: a folder of VS_LIBRARY_PATH need
+ * not exist, as in similar environment variables. */
 static bool are_folders(const char *option, const char *folders) {
   for (const char *at = folders; *at;) {
     size_t n = strcspn(at, ":");
@@ -285,7 +288,7 @@ static bool are_folders(const char *option, const char *folders) {
   return true;
 }
 
-/* ---- values of one kind, into the row's member ---- */
+/* ---- functions for values of one type; they set the row's member ---- */
 
 static void *member_of(cli_options *o, const option_row *row) { return (char *)o + row->member; }
 
@@ -299,7 +302,7 @@ static bool take_text(cli_options *o, const option_row *row, const char *v) {
   return *v || !row->expected || bad(row, "''");
 }
 
-/* Members that hold whole numbers have several types. */
+/* Reads an integer; the members for integers have several types. */
 static bool take_whole(cli_options *o, const option_row *row, const char *v) {
   long whole = 0;
   if (!parse_whole(v, row->least, row->most, &whole)) return bad(row, v);
@@ -320,7 +323,7 @@ static bool take_megabytes(cli_options *o, const option_row *row, const char *v)
   return true;
 }
 
-/* ---- values of one option ---- */
+/* ---- functions for one option ---- */
 
 static bool take_output(cli_options *o, const option_row *row, const char *v) {
   o->targets[o->target_count++].path = v;
@@ -368,7 +371,7 @@ static bool take_parameters(cli_options *o, const option_row *row, const char *v
   return only_json(row, v);
 }
 
-/* ---- the table ---- */
+/* ---- the table of options ---- */
 
 #define AT(member) offsetof(cli_options, member), sizeof(((cli_options *)NULL)->member)
 #define FLAG(member) take_flag, AT(member), 0, 0, NULL, NULL
@@ -385,7 +388,7 @@ static const option_row rows[] = {
 
 static const option_row *option_at(size_t i) { return i < sizeof rows / sizeof *rows ? &rows[i] : NULL; }
 
-/* ---- words ---- */
+/* ---- the words of the command line ---- */
 
 static bool unknown(const char *word) {
   char name[64];
@@ -400,7 +403,7 @@ static bool unknown(const char *word) {
   return false;
 }
 
-/* Returns the row that an option's word names, or NULL; *value: its value in the same word, NULL: none. */
+/* Returns the row of the option that a word names, or NULL. Sets *value to the value in the same word, or to NULL. */
 static const option_row *named_row(const char *word, const char **value) {
   bool long_name = word[1] == '-';
   size_t length = long_name ? strcspn(word + 2, "=") : 0;
@@ -415,7 +418,7 @@ static const option_row *named_row(const char *word, const char **value) {
   return NULL;
 }
 
-/* Reads argv[*at] and its arguments. */
+/* Reads the option argv[*at] and its value, and moves *at to its last word. */
 static bool read_option(cli_options *o, int argc, char **argv, int *at, cli_verdict *verdict) {
   const char *word = argv[*at], *value;
   const option_row *row = named_row(word, &value);
@@ -436,14 +439,14 @@ static bool read_option(cli_options *o, int argc, char **argv, int *at, cli_verd
   return row->take(o, row, value);
 }
 
-/* ---- outputs ---- */
+/* ---- output files ---- */
 
 static const char *ending_of(const char *path) {
   const char *base = strrchr(path, '/');
   return strcmp(path, "-") == 0 ? NULL : strrchr(base ? base + 1 : path, '.');
 }
 
-/* Finds the format of a target among those that the program defines (scheme NULL: none). Returns false after a message
+/* Finds the format of a target among those that the program defines. scheme may be NULL. Returns false after a message
  * on standard error. */
 static bool late_format(const cli_options *o, cli_target *t, const vs_scheme *scheme) {
   const char *ending = ending_of(t->path);
@@ -469,14 +472,15 @@ static bool late_format(const cli_options *o, cli_target *t, const vs_scheme *sc
   return false;
 }
 
-/* Finds the format of a target among the library's own; for another ending or name the program may define one
- * (cli_options_late). */
+/* Finds the format of a target among the built-in formats. Another name or suffix may belong to a format that the
+ * program defines (cli_options_late). */
 static bool find_format(cli_options *o, cli_target *t) {
   const char *ending = ending_of(t->path);
   if (strcmp(t->path, "-") == 0) o->to_stdout = true;
   const vs_format_info *said = o->format ? vs_format_find(o->format) : NULL,
                        *own = ending ? vs_format_find(ending) : NULL;
-  if (own && said && strcmp(said->suffix, own->suffix) == 0) own = said; /* another notation with the same ending */
+  if (own && said && strcmp(said->suffix, own->suffix) == 0) own = said; /* --format names another notation with the
+                                                                          * same suffix */
   if (!own) own = said;
   if (own) t->format = own->name;
   return own || o->format || (ending && ending[1]) || late_format(o, t, NULL);
@@ -488,7 +492,7 @@ bool cli_options_late(cli_options *o, const vs_scheme *scheme) {
   return true;
 }
 
-/* Reports failures that are predictable before minutes of work. */
+/* Returns true if the output file can probably be written. Otherwise reports it now, before long work begins. */
 static bool reachable(const cli_target *t) {
   if (strcmp(t->path, "-") == 0) return true;
   struct stat status;
@@ -499,7 +503,7 @@ static bool reachable(const cli_target *t) {
   const char *slash = strrchr(t->path, '/');
   size_t length = slash ? (size_t)(slash - t->path) : 0;
   char *folder = malloc(length + 2);
-  if (!folder) return true; /* the writer will report the fault */
+  if (!folder) return true; /* memory is out: writing the output will report it */
   memcpy(folder, t->path, length);
   strcpy(folder + length, slash ? (length ? "" : "/") : ".");
   bool found = stat(folder, &status) == 0, ok = found && S_ISDIR(status.st_mode) && access(folder, W_OK | X_OK) == 0;
@@ -511,7 +515,7 @@ static bool reachable(const cli_target *t) {
   return ok;
 }
 
-/* Does the same for commands on pictures. */
+/* Returns true if a command on pictures has the files that it requires. Otherwise prints a message. */
 static bool picture_files(const cli_options *o, unsigned takes) {
   size_t want = takes & CLI_TAKES_POINT ? 3 : takes & CLI_TAKES_TWO ? 2 : 1;
   bool files = o->source_count == want && !o->define_count && !o->untrusted && !o->frames.count;
@@ -554,8 +558,8 @@ static bool test_files(const cli_options *o) {
   return files;
 }
 
-/* Returns false, after a message on standard error, unless the command has the files that it takes, and -o only if it
- * writes a file. */
+/* Returns true if the command has the files that it requires, and -o only if it writes a file. Otherwise prints a
+ * message on standard error. */
 static bool command_files(const cli_options *o, unsigned takes) {
   if (takes & CLI_TAKES_PICTURE) return picture_files(o, takes);
   if (takes & CLI_TAKES_MANY) return batch_files(o);
@@ -578,7 +582,7 @@ static bool command_files(const cli_options *o, unsigned takes) {
   return false;
 }
 
-/* Returns true if the word is that name, apart from hyphens (sun-study). */
+/* Returns true if the word equals the name of a command, apart from hyphens (sun-study). */
 static bool is_command(const char *word, const char *name) {
   if (*word == '-') return false;
   for (; *word; word++)
@@ -586,7 +590,8 @@ static bool is_command(const char *word, const char *name) {
   return !*name;
 }
 
-/* Returns true for an option that vs render itself passes to the run of each picture. */
+/* Returns true for options that `vs render` processes itself. It passes all other options to the run of each
+ * picture. */
 static bool is_of_batch(const char *word) {
   static const char *const own[] = {"output", "view", "all-views", "set", "jobs", "manifest", "sheet",
                                     "frames", "resume", "film", "quiet", "threads"};
@@ -596,7 +601,7 @@ static bool is_of_batch(const char *word) {
   return false;
 }
 
-/* A folder gets .png pictures. */
+/* Returns true if the path ends in .png or has no suffix. A path without suffix is a folder for .png pictures. */
 static bool is_png_or_folder(const char *path) {
   const char *ending = ending_of(path);
   return !ending || strcmp(ending, ".png") == 0 || path[strlen(path) - 1] == '/';
@@ -615,7 +620,7 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
     return CLI_BAD_USAGE;
   }
   o->held = o->words + room, o->sets = o->held + room, o->passed = o->sets + room;
-  bool names_only = false; /* after a -- that no model precedes */
+  bool names_only = false; /* whether a -- without a model before it was read */
   o->words[o->word_count++] = "vs";
   int first = 1;
   for (size_t i = 0; argc > 1 && i < COMMANDS; i++)
@@ -626,7 +631,7 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
   }
   for (int i = first; i < argc; i++) {
     const char *word = argv[i];
-    if (strcmp(word, "--") == 0 && o->source_count) { /* the rest is the program's */
+    if (strcmp(word, "--") == 0 && o->source_count) { /* all words after -- are arguments of the program */
       while (++i < argc) o->words[o->word_count++] = argv[i];
     } else if (names_only || word[0] != '-' || !word[1])
       o->sources[o->source_count++] = (cli_source){ CLI_SOURCE_FILE, word };
@@ -691,7 +696,7 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
       fprintf(stderr, "vs: %s is neither a command nor a file; vs --help lists the commands\n", argv[1]);
     return CLI_BAD_USAGE;
   }
-  /* vs model.vs a.stl */
+  /* Finds sources that are probably outputs: vs model.vs a.stl. */
   for (size_t i = 0; !(takes & (CLI_TAKES_PICTURE | CLI_TAKES_SCAN)) && i < o->source_count; i++) {
     const char *path = o->sources[i].text;
     const vs_format_info *f = o->sources[i].kind == CLI_SOURCE_FILE && strchr(path, '.') ? vs_format_find(path) : NULL;

@@ -1,4 +1,4 @@
-/* Owns the command line, as data. */
+/* Declares the options and files of the command line. */
 #ifndef VS_CLI_OPTIONS_H
 #define VS_CLI_OPTIONS_H
 
@@ -9,76 +9,79 @@
 
 typedef struct {
   enum { CLI_SOURCE_FILE, CLI_SOURCE_EXPRESSION } kind;
-  const char *text; /* a path ("-": standard input) or an expression */
+  const char *text; /* path of a file ("-" for standard input), or an expression */
 } cli_source;
 
 typedef struct {
-  const char *path;             /* "-": standard output */
-  const char *format; /* its name or ending; NULL: not one of the library's, perhaps one that the program defines */
+  const char *path;             /* path of the output file; "-" for standard output */
+  const char *format; /* name or suffix of the format; NULL if it is not built in and the program may define it */
 } cli_target;
 
-/* The commands: the first word of the command line. */
+/* The commands; a command is the first word of the command line. */
 typedef enum {
   CLI_COMMAND_NONE,
 #define COMMAND(name, arguments, takes, help) CLI_COMMAND_##name,
 #include "cli/commands.def"
 } cli_command;
-/* The arguments of a command besides one file: the third column of commands.def. --json and --xml are for commands
- * only. */
-enum { CLI_TAKES_JSON = 1, CLI_TAKES_XML = 2, CLI_TAKES_TWO = 4 /* files */, CLI_TAKES_OUTPUT = 8 /* -o */,
-       CLI_TAKES_FOLDER = 16 /* -o, of a folder */, CLI_TAKES_LANGUAGE = 32 /* --to, and -o of a program in that
-                                                                             * language */,
-       CLI_TAKES_PICTURE = 64 /* its files are EXR pictures */, CLI_TAKES_POINT = 128 /* two numbers after the file */,
-       CLI_TAKES_TARGET = 256 /* -o, exactly once */,
+/* Flags of the column `takes` of commands.def: arguments of a command other than a single file. Only commands accept
+ * --json and --xml. */
+enum { CLI_TAKES_JSON = 1, CLI_TAKES_XML = 2, CLI_TAKES_TWO = 4 /* two files */,
+       CLI_TAKES_OUTPUT = 8 /* the option -o */,
+       CLI_TAKES_FOLDER = 16 /* the option -o with a folder */,
+       CLI_TAKES_LANGUAGE = 32 /* the option --to, and -o for a program in that language */,
+       CLI_TAKES_PICTURE = 64 /* the files are EXR pictures */, CLI_TAKES_POINT = 128 /* two numbers after the file */,
+       CLI_TAKES_TARGET = 256 /* the option -o, exactly once */,
        CLI_TAKES_SCAN = 512 /* a second file, which is read as points */,
-       CLI_TAKES_SUN = 1024 /* --place, --date and hours */,
-       CLI_TAKES_MANY = 2048 /* any number of files; -o of a file or a folder */,
-       CLI_TAKES_PROGRAMS = 4096 /* any number of files, and no -o */ };
+       CLI_TAKES_SUN = 1024 /* the options --place, --date and hours */,
+       CLI_TAKES_MANY = 2048 /* any number of files; -o with a file or a folder */,
+       CLI_TAKES_PROGRAMS = 4096 /* any number of files, without -o */ };
 
 typedef struct {
   cli_command command;
-  /* Texts point into argv. The arrays have room for argc entries and belong to the options. */
+  /* The texts are words of argv. The arrays have room for argc entries and belong to cli_options. */
   cli_source *sources; size_t source_count;
   cli_target *targets; size_t target_count;
-  char **defines; size_t define_count; /* NAME=VALUE; each contains a = */
-  const char **words; size_t word_count; /* (command-line): the model's name and the words after the -- that follows
-                                          * it */
-  char *library_path;           /* allocated: the folders of -L, then those of VS_LIBRARY_PATH; NULL: none */
+  char **defines; size_t define_count; /* the texts NAME=VALUE of -D */
+  const char **words; size_t word_count; /* the value of (command-line): the model's name and the words after the --
+                                          * that follows it */
+  char *library_path;           /* folders of -L, then those of VS_LIBRARY_PATH, or NULL; allocated */
   const char *format;
-  const char *language;         /* of vs translate; NULL: by the ending of the output */
-  vs_options interpreter;              /* the limits and the texts above; main adds the host */
+  const char *language;         /* vs translate: the language of --to; NULL: by the suffix of the output */
+  vs_options interpreter;              /* limits and texts of the interpreter; main adds the callbacks */
   vs_output_options output;
   cli_frames frames;
-  const char *place, *date, *from, *step; /* of vs sunstudy, with language for --to; NULL: not given */
-  double candelas;              /* cd/m2 of the number 1 in a picture; 0: not given */
-  bool lux;                     /* illuminance of floors, not luminance */
-  const char **held; size_t held_count; /* --hold of vs fit; stored after `words` */
-  size_t points;                       /* --points; 0: the default */
-  /* of vs render; the first two are stored after `held` */
-  const char **sets, **passed; size_t set_count, passed_count; /* passed: the options of every picture */
-  size_t jobs;                         /* 0: not given */
-  int results;                         /* in a process of vs test: the pipe for its results */
-  const char *manifest, *sheet;        /* NULL: not given */
-  long film;                           /* frames a second; 0: no film */
+  const char *place, *date, *from, *step; /* vs sunstudy: its options, NULL if not given; --to is in `language` */
+  double candelas;              /* luminance in cd/m2 of the pixel value 1; 0 if not given */
+  bool lux;                     /* whether the picture shows illuminance of floors instead of luminance */
+  const char **held; size_t held_count; /* vs fit: the names of --hold; stored after `words` */
+  size_t points;                       /* --points: number of points; 0: the default */
+  /* vs render: its options. sets and passed are stored after `held`. */
+  const char **sets, **passed; size_t set_count, passed_count; /* passed: options that are passed on to the run of each
+                                                                * picture */
+  size_t jobs;                         /* --jobs: number of processes; 0 if not given */
+  int results;                         /* vs test: in the process of a file, the pipe for its results */
+  const char *manifest, *sheet;        /* NULL if not given */
+  long film;                           /* frames per second; 0: no film */
   bool interactive, check, quiet, stats, stats_json, parameters, to_stdout, untrusted, verbose, all_views, json, xml;
-  bool placed, near, any_pose; /* of vs fit */
+  bool placed, near, any_pose; /* options of vs fit */
 } cli_options;
 
-/* The job that the command line asks for. */
+/* The result of reading the command line. */
 typedef enum {
   CLI_GO,
-  CLI_STOP /* all done: --help, --version */,
-  CLI_BAD_USAGE /* exit 2, after a message on standard error */
+  CLI_STOP /* nothing is left to do after --help or --version */,
+  CLI_BAD_USAGE /* exit status 2; a message was printed on standard error */
 } cli_verdict;
 
 cli_verdict cli_options_parse(cli_options *o, int argc, char **argv);
-/* Finds, among the formats that the program defines, those of the targets that the library lacks. Returns false after a
+/* Sets the formats of targets that are not built in, from the formats that the program defines. Returns false after a
  * message on standard error. */
 bool cli_options_late(cli_options *o, const vs_scheme *scheme);
 void cli_options_free(cli_options *o);
-/* Prints a line about the command of that name, and how to call it. Returns false if there is none. */
+/* Prints one line of help on the command of that name, and how to call it. Returns false if there is no such
+ * command. */
 bool cli_command_help(const char *name, FILE *to);
-/* Prints the command that a word without a file probably means. Returns false if there is none. */
+/* Prints the command that was probably meant by a word that is no file. Returns false if no command is similar. */
 bool cli_command_suggest(const char *word, FILE *to);
 
 #endif

@@ -1,8 +1,9 @@
-/* Owns the output of --stats: tables for readers, one line of JSON for programs.
+/* Prints the statistics of --stats: tables for readers, one line of JSON for programs.
  *
- * Both derive from the library's keys. Each NAME with a key memory.NAME.peak is a phase, with time.stage.NAME a stage,
- * with time.mesh.NAME a step, with cache.NAME.hits a kind of cached result; passes are those of vs_pass_list. A new one
- * appears without a change here. The row of the program is the total minus the outputs. */
+ * Both are computed from the library's keys. A key memory.NAME.peak belongs to a phase, time.stage.NAME to a stage,
+ * time.mesh.NAME to a step, and cache.NAME.hits to a kind of cached result. The passes are those of vs_pass_list. New
+ * phases and passes therefore appear without a change in this file. The row of the program is the total minus the
+ * outputs. */
 #include "cli/stats.h"
 
 #include <math.h>
@@ -33,7 +34,7 @@ static double get(const table *t, const char *before, const char *name, const ch
   return NAN;
 }
 
-/* Gives the NAME of each key PREFIX NAME SUFFIX, in order. */
+/* Copies the NAME of each key PREFIX NAME SUFFIX to names, in order, and returns their number. */
 static size_t names_of(const table *t, const char *prefix, const char *suffix, char names[NAMES][KEY]) {
   size_t n = 0, before = strlen(prefix), after = strlen(suffix);
   for (size_t i = 0; i < t->count && n < NAMES; i++) {
@@ -47,14 +48,14 @@ static size_t names_of(const table *t, const char *prefix, const char *suffix, c
   return n;
 }
 
-/* ---- JSON ---- */
+/* ---- output as JSON ---- */
 
 static void json_members(const table *t, bool first) {
   for (size_t i = 0; i < t->count; i++) {
     fputs(first && i == 0 ? "" : ", ", stderr);
     cli_json_text(stderr, t->at[i].key);
     fputs(": ", stderr);
-    double v = t->at[i].value; /* of times, whole nanoseconds */
+    double v = t->at[i].value; /* times are rounded to nanoseconds */
     cli_json_number(stderr, strcmp(t->at[i].unit, "s") == 0 ? round(v * 1e9) / 1e9 : v);
   }
 }
@@ -76,7 +77,7 @@ static void print_json(vs_scheme *s, const table *all) {
   fputs("}\n", stderr);
 }
 
-/* ---- tables ---- */
+/* ---- output as tables ---- */
 
 static void cell(double v, int decimals) {
   if (isnan(v)) fprintf(stderr, "%*s", WIDE, "-");
@@ -129,7 +130,8 @@ static void times(vs_scheme *s, const table *all) {
   fputc('\n', stderr);
 }
 
-/* Prints a row for each key that begins with the prefix: the stages of an output, the steps of the phase mesh. */
+/* Prints a row for each key that begins with the prefix, with a column for each output. Such keys are the stages, and
+ * the steps of the phase MESH. */
 static void parts(vs_scheme *s, const table *all, const char *title, const char *prefix) {
   char names[NAMES][KEY];
   size_t count = names_of(all, prefix, "", names);
@@ -187,7 +189,7 @@ static void kept(const table *all) {
   }
 }
 
-/* Returns true if the key is in one of the tables. */
+/* Returns true if one of the tables shows the key. */
 static bool tabled(const char *key) {
   static const char *const prefixes[] = { "commands.", "passes.", "nodes", "time.", "triangles", "bytes" };
   size_t length = strlen(key);

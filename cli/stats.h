@@ -1,9 +1,10 @@
-/* Owns the interface of stats.c: the output of --stats. */
+/* Declares the output of --stats. */
 #ifndef VS_CLI_STATS_H
 #define VS_CLI_STATS_H
 
 #include "visualscheme.h"
 
-void cli_report_statistics(vs_scheme *s, bool json); /* statistics.c */
+void cli_report_statistics(vs_scheme *s, bool json); /* Prints the statistics of the interpreter, as JSON or as
+                                                      * tables. */
 
 #endif

@@ -1,4 +1,4 @@
-/* Owns the commands that read a program without running it. They share one analysis of a file. */
+/* Implements the commands that analyse a program without running it. They share one analysis of the file. */
 #include "cli/study.h"
 
 #include <errno.h>
@@ -18,7 +18,7 @@
 
 typedef struct { knowledge k; cli_reporter reporter; vs_scheme *scheme; } study;
 
-/* Ignores the interpreter's messages while the analysis queries it. */
+/* Receives messages of the interpreter. While the analysis queries it (muted), only the first error is kept. */
 static void diagnose(void *context, const vs_diagnostic *d) {
   study *s = context;
   if (s->k.reading && !d->at.line) return;
@@ -35,7 +35,7 @@ static vs_outcome tell(study *s, const cli_options *o) {
   return VS_OUTCOME_DONE;
 }
 
-/* Prints the findings; they are faults of the model: exit code 1. */
+/* Prints the faults found in the program. Returns exit status 1 if there are any. */
 static vs_outcome check(study *s, const cli_options *o) {
   know_findings found;
   vs_outcome outcome = VS_OUTCOME_DONE;
@@ -48,12 +48,12 @@ static vs_outcome check(study *s, const cli_options *o) {
   return outcome;
 }
 
-/* ---- a text in an editor ---- */
+/* ---- checking a text in an editor ---- */
 
 enum { CHECK_SECONDS = 5, CHECK_MEMORY = 512 << 20 };
 typedef struct { knowledge k; know_place at; char message[300]; } draft;
 
-/* Keeps the first error of the text itself. */
+/* Receives messages of the interpreter, and keeps the first error in the text itself. */
 static void keep_error(void *context, const vs_diagnostic *d) {
   draft *t = context;
   if (d->severity != VS_SEVERITY_ERROR || !d->at.line) return;
@@ -98,9 +98,10 @@ bool cli_study_check_text(const vs_options *interpreter, const char *path, const
   return ok;
 }
 
-/* ---- vs doc ---- */
+/* ---- pages of vs doc ---- */
 
-enum { PICTURE_SECONDS = 20 /* the most seconds for a picture, for a program and for each of its procedures */ };
+enum { PICTURE_SECONDS = 20 /* PICTURE_SECONDS: time limit in seconds for a picture of the program or of one of its
+                             * procedures */ };
 typedef struct {
   const cli_options *options;
   const knowledge *k;
@@ -108,7 +109,7 @@ typedef struct {
   bool failed, worker_missing;
 } painter;
 
-/* Ignores the output of a procedure that is tried. */
+/* Ignores messages of a procedure that is tried. */
 static void ignore(void *context, const vs_diagnostic *d) { (void)context, (void)d; }
 
 static bool begin_model(painter *p) {
@@ -128,7 +129,8 @@ static bool begin_model(painter *p) {
   return ok;
 }
 
-/* Runs the program in the form that records the first results of its procedures; if this fails, as it is. */
+/* Runs the program in a form that records the first results of its procedures. If this fails, runs the unchanged
+ * program. */
 static bool run_model(painter *p) {
   const char *path = p->options->sources[0].text;
   size_t length = 0;
@@ -138,7 +140,7 @@ static bool run_model(painter *p) {
   return ok || (begin_model(p) && vs_eval_file(p->scheme, path, VS_EVAL_PASS) == VS_OUTCOME_DONE);
 }
 
-/* Makes a picture of the whole model, or of an expression's value. */
+/* Makes a picture of the complete model, or of the value of an expression. */
 static bool paint(void *context, const char *expression, const char *path) {
   painter *p = context;
   if (p->failed || p->worker_missing) return false;
@@ -199,7 +201,7 @@ static vs_outcome document(study *s, const cli_options *o) {
   return s->k.outcome;
 }
 
-/* ---- vs translate ---- */
+/* ---- translating a program ---- */
 
 static void unable(void *context, const know_place *at, const char *text) {
   study *s = context;
@@ -213,7 +215,7 @@ static void unable(void *context, const know_place *at, const char *text) {
   cli_report_diagnostic(&s->reporter, &d);
 }
 
-/* The file appears whole or not at all. */
+/* Writes a file that appears only when it is complete. */
 static bool write_whole(const char *path, const char *text, size_t length) {
   if (!path || !strcmp(path, "-")) return fwrite(text, 1, length, stdout) == length;
   char part[4096];
@@ -231,7 +233,7 @@ static bool write_whole(const char *path, const char *text, size_t length) {
   return ok;
 }
 
-enum { FACETS = 64 /* of a full turn, without --segments */ };
+enum { FACETS = 64 /* facets in a full turn if --segments is not given */ };
 
 static vs_outcome translate(study *s, const cli_options *o) {
   const char *path = o->target_count ? o->targets[0].path : NULL, *language = know_language(o->language, path);
@@ -261,7 +263,7 @@ static vs_outcome translate(study *s, const cli_options *o) {
   return ok ? VS_OUTCOME_DONE : VS_OUTCOME_USAGE;
 }
 
-/* Returns false, after a message on standard error, if the target language is not known. */
+/* Returns true if the target language is known. Otherwise prints a message on standard error. */
 static bool has_language(const cli_options *o) {
   const char *path = o->target_count ? o->targets[0].path : NULL;
   if (o->command != CLI_COMMAND_translate || know_language(o->language, path)) return true;

@@ -1,8 +1,9 @@
-/* Owns `vs test FILE...`: it runs programs with their checks, prints the checks that fail with the reasons, and counts.
+/* Implements `vs test FILE...`: runs programs with their checks, prints failed checks with their reasons, and counts
+ * all.
  *
- * Each file has its own process, which sends every result as a byte into a pipe. Therefore a program that ends or
- * damages its process affects neither later files nor its earlier results. The program prints to standard error, so
- * that standard output has only the results. */
+ * Each file has its own process, which sends each result as a byte through a pipe. A program that ends or crashes its
+ * process therefore affects neither later files nor its earlier results. Programs print to standard error, so that
+ * standard output has only the results. */
 #define _GNU_SOURCE
 #include "cli/test_command.h"
 
@@ -15,15 +16,15 @@
 
 #include "cli/difference.h"
 
-/* The limits of a program, and of each check, without options. */
+/* Limits of a program, and of each check, if no options are given. */
 #define SECONDS 10
 enum { MEMORY = 1 << 30, PRINTED = 10 << 20 };
 
-/* The bytes that a process sends: a check passed, a check failed, something else failed, a file could not be read, an
+/* Bytes that a process sends: a check passed, a check failed, something else failed, a file could not be read, an
  * interrupt, and the end. */
 enum { PASSED = '+', FAILED = '-', BROKEN = '!', UNREAD = '?', INTERRUPTED = '^', END = '.' };
 
-/* ---- in the process of a file ---- */
+/* ---- functions in the process of a file ---- */
 
 static void tell(const cli_session *c, char what) {
   fflush(stdout);
@@ -47,7 +48,7 @@ static bool print_part(void *context, vs_part_difference what, const vs_part_inf
   return true;
 }
 
-/* Reports a failure other than that of a check. */
+/* Reports a failure outside of checks. */
 static void broken(const cli_session *c, const char *path, const char *first, const char *more) {
   printf("%s: %s%s\n", path, first, more);
   tell(c, BROKEN);
@@ -77,12 +78,12 @@ vs_outcome cli_test_run(cli_session *c, vs_outcome (*run_file)(cli_session *c, c
   return outcome;
 }
 
-/* ---- over all files ---- */
+/* ---- starting processes and counting results ---- */
 
 typedef struct { size_t passed, failed; bool ended, unread, interrupted; } tally;
 
-/* Starts the process of a file; *from is the end of its pipe for reading. -1: failed, after a message on standard
- * error. */
+/* Starts the process for a file. Sets *from to the reading end of its pipe. If it fails, prints a message on standard
+ * error and returns -1. */
 static pid_t start(cli_options *o, cli_source *source, int *from, int (*run)(cli_options *)) {
   int ends[2];
   fflush(stdout);
@@ -91,7 +92,7 @@ static pid_t start(cli_options *o, cli_source *source, int *from, int (*run)(cli
   if (process < 0) return fprintf(stderr, "vs: a process for %s: %s\n", source->text, strerror(errno)), -1;
   if (process == 0) {
     close(ends[0]);
-    o->sources = source, o->source_count = 1; /* the process ends before they are freed */
+    o->sources = source, o->source_count = 1; /* the child process ends before these arrays are freed */
     o->words[0] = source->text;
     o->results = ends[1];
     int code = run(o);
@@ -102,14 +103,15 @@ static pid_t start(cli_options *o, cli_source *source, int *from, int (*run)(cli
   return process;
 }
 
-/* Counts the results of the process until it ends. Returns its status. */
+/* Counts the results that the process sends until it ends. Returns its exit status. */
 static int listen(pid_t process, int from, const volatile sig_atomic_t *interrupts, tally *t) {
   char told[256];
   ssize_t n;
   int status = 0;
   t->ended = false;
   while ((n = read(from, told, sizeof told)) > 0 || (n < 0 && errno == EINTR)) {
-    if (n < 0 && *interrupts) kill(process, SIGINT); /* the signal may have reached only this process */
+    if (n < 0 && *interrupts) kill(process, SIGINT); /* the user's signal may have reached only this process: pass it
+                                                      * on */
     for (ssize_t i = 0; i < n; i++) {
       t->passed += told[i] == PASSED;
       t->failed += told[i] == FAILED || told[i] == BROKEN;
@@ -132,7 +134,7 @@ static void set_limits(vs_options *i) {
 
 int cli_test_command(cli_options *o, const volatile sig_atomic_t *interrupts, int (*run)(cli_options *o)) {
   tally t = { 0 };
-  if (!o->untrusted) set_limits(&o->interpreter); /* cli_untrusted_begin has its own */
+  if (!o->untrusted) set_limits(&o->interpreter); /* cli_untrusted_begin sets limits of its own */
   o->quiet = true;
   for (size_t i = 0; i < o->source_count; i++) {
     int from;

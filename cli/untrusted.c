@@ -1,10 +1,10 @@
-/* Owns `vs --untrusted model.vs`: default limits, an empty environment, files of the model's folder only, and a
- * confined process.
+/* Implements `vs --untrusted model.vs`: sets default limits, empties the environment, permits only files of the model's
+ * folder, and confines the process.
  *
- * A path is walked name by name from the open folder. No name may be `..` or a symbolic link, and the result must be an
- * ordinary file. Therefore neither a link nor /proc, a device or a FIFO leads out of the folder, even if files change
- * meanwhile. */
-#define _GNU_SOURCE /* clearenv, strchrnul, O_PATH */
+ * A path is opened name by name, from the model's folder. No name may be `..` or a symbolic link, and the result must
+ * be a regular file. Neither a link nor /proc, a device or a FIFO therefore leads out of the folder, even if files
+ * change meanwhile. */
+#define _GNU_SOURCE /* for clearenv, strchrnul and O_PATH */
 #include "cli/untrusted.h"
 
 #include <dirent.h>
@@ -22,13 +22,13 @@
 #include "cli/confine.h"
 #include "cli/limits.h"
 
-/* The limits of an untrusted model, without options. */
+/* Limits of an untrusted model if no options are given. */
 #define SECONDS 10
 #define WORKER_SECONDS 120
 enum { MEMORY = 512 << 20, PRINTED = 10 << 20, TRIANGLES = 5000000 };
-#define PROCESS_MEMORY ((size_t)2 << 30) /* of the worker, and the hard limit of this process */
+#define PROCESS_MEMORY ((size_t)2 << 30) /* memory limit of external programs, and hard limit of this process */
 
-/* ---- files ---- */
+/* ---- reading files ---- */
 
 static bool refuse(cli_untrusted *u, const char *reason, const char **why) {
   snprintf(u->why, sizeof u->why, "%s", reason);
@@ -36,8 +36,8 @@ static bool refuse(cli_untrusted *u, const char *reason, const char **why) {
   return false;
 }
 
-/* Refuses a file or folder that could not be opened, by errno; leads_out: no attempt was made. A machine without free
- * resources is not the model's fault. */
+/* Refuses a file or folder that could not be opened, with a reason from errno. leads_out: it was not opened, since the
+ * path leaves the folder. A lack of system resources is reported as such, since the model did not cause it. */
 static bool refuse_open(cli_untrusted *u, bool leads_out, const char *missing, const char *outside, const char **why) {
   int problem = leads_out ? ELOOP : errno;
   bool machine = problem == EMFILE || problem == ENFILE || problem == ENOMEM || problem == EIO;
@@ -47,7 +47,8 @@ static bool refuse_open(cli_untrusted *u, bool leads_out, const char *missing, c
                                        : outside, why);
 }
 
-/* Opens the path's file below the folder; -1: errno, which is ELOOP for any path that leads out of it. */
+/* Opens a file below the folder. If it fails, returns -1 and sets errno, which is ELOOP for every path that leaves the
+ * folder. */
 static int open_beneath(int folder, const char *path) {
   int at = dup(folder);
   while (at >= 0) {
@@ -98,7 +99,7 @@ bool cli_untrusted_read(cli_untrusted *u, const char *path, char **text, size_t 
   }
   close(file);
   if (!to) return refuse(u, memory ? "cannot be read" : "out of memory", why);
-  *text = to, *length = used < room ? used : (size_t)info.st_size; /* a file that grows meanwhile is cut */
+  *text = to, *length = used < room ? used : (size_t)info.st_size; /* a file that grows while it is read is cut */
   return true;
 }
 
@@ -106,7 +107,7 @@ bool cli_untrusted_list(cli_untrusted *u, const char *path, bool (*take)(void *t
                         void *to, const char **why) {
   static const char outside[] = "an untrusted model reads only its own folder and those in it, and no links";
   size_t prefix = strlen(u->prefix);
-  /* without its slash */
+  /* The path is the model's folder without the slash. */
   if (u->folder >= 0 && prefix && strlen(path) + 1 == prefix && strncmp(path, u->prefix, prefix - 1) == 0) path = ".";
   else if (u->folder < 0 || strncmp(path, u->prefix, prefix) != 0) return refuse(u, outside, why);
   else path += prefix;
@@ -121,21 +122,21 @@ bool cli_untrusted_list(cli_untrusted *u, const char *path, bool (*take)(void *t
   return ok;
 }
 
-/* ---- the worker's folder ---- */
+/* ---- the temporary folder of external programs ---- */
 
 static int remove_one(const char *path, const struct stat *info, int kind, struct FTW *where) {
   return (void)info, (void)kind, (void)where, remove(path), 0;
 }
 
-/* Starts a child that waits for the end of this process and then removes the folder; this process itself cannot, once
- * it is confined. */
+/* Starts a child process that removes the temporary folder when this process ends. A confined process cannot remove it
+ * itself. */
 static bool keep_scratch(cli_untrusted *u) {
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) return false;
   u->keeper = fork();
   if (u->keeper == 0) {
     char byte;
-    setsid(); /* signals of the terminal are not for it */
+    setsid(); /* a new session, so that signals of the terminal do not reach it */
     signal(SIGTERM, SIG_IGN);
     for (int i = 0; i <= STDERR_FILENO; i++) close(i);
     close(ends[1]);
@@ -148,7 +149,7 @@ static bool keep_scratch(cli_untrusted *u) {
   return u->keeper > 0;
 }
 
-/* ---- beginning ---- */
+/* ---- starting an untrusted run ---- */
 
 static char *folder_of(const char *path) {
   const char *slash = strrchr(path, '/');
@@ -170,7 +171,7 @@ static bool open_model(cli_untrusted *u, const cli_options *o, char **model) {
     u->folder = open(*model, O_PATH | O_DIRECTORY | O_CLOEXEC);
     return u->folder >= 0 || failed(*model);
   }
-  *model = strdup("/dev/null"); /* text of the command line or of standard input has no folder */
+  *model = strdup("/dev/null"); /* a text of the command line or standard input has no folder */
   u->prefix = strdup("");
   return (*model && u->prefix) || failed("memory");
 }
@@ -192,7 +193,7 @@ bool cli_untrusted_begin(cli_untrusted *u, cli_options *o) {
   ok = ok && open_model(u, o, &model);
   for (; ok && count < o->target_count; count++) {
     {
-    /* the program's own formats have no worker */
+    /* Formats that the program defines need no external program. */
     const vs_format_info *format = o->targets[count].format ? vs_format_find(o->targets[count].format) : NULL;
     worker = worker || (format && format->worker);
   }

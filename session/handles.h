@@ -6,8 +6,8 @@
 #include "session/session.h"
 
 /* An entry of the table of handles. Its value is in the heap, at the same index of a vector (at.host, beside the entry
- * of nodes.scm). */
-/* uses: number of references by the host; 0 if the entry is free */
+ * of nodes.scm).
+ * uses: number of references by the host; 0 if the entry is free */
 typedef struct { uint32_t stamp, uses, next; } vs_held;
 
 /* A procedure of the host. The Scheme procedure that calls it contains its index. */

@@ -1,5 +1,5 @@
-/* Answers a host's questions about a program: what a name means, which calls led to the last error, and which
- * procedures take the most time. */
+/* Answers a host's questions about a program: the meaning of a name, the calls that led to the last error, the
+ * procedures that take the most time. */
 #include "session/names.h"
 
 #include <stdio.h>

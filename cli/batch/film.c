@@ -1,5 +1,5 @@
-/* Owns the frames of --frames, their numbers and the values of the changing parameter, and films of them: H.264 in
- * .mp4, made by ffmpeg. */
+/* Computes the names of the frames of --frames and the values of their changing parameter. Makes films of them (H.264
+ * in .mp4) by ffmpeg. */
 #define _GNU_SOURCE
 #include "cli/batch/film.h"
 
@@ -13,13 +13,13 @@
 
 enum { PATH_ROOM = 4096, NUMBER_ROOM = 24, NO_FFMPEG = 127 };
 
-/* The part of the name before "-001.png". */
+/* Returns the length of the part of the name before "-001.png". */
 static size_t stem_of(const char *first) {
   const char *dash = strrchr(first, '-');
   return dash ? (size_t)(dash - first) : strlen(first);
 }
 
-/* Writes the pattern of the frames' names for ffmpeg: a % in the name is doubled, the number is %03d. */
+/* Writes the pattern of the frames' names for ffmpeg: each % in the name is doubled, and the number becomes %03d. */
 static bool put_pattern(const char *first, char *out, size_t room) {
   size_t stem = stem_of(first), used = (size_t)snprintf(out, room, "file:");
   for (size_t i = 0; i < stem && used + NUMBER_ROOM + 2 < room; i++) {
@@ -31,7 +31,8 @@ static bool put_pattern(const char *first, char *out, size_t room) {
   return used + NUMBER_ROOM + 2 < room;
 }
 
-/* Returns ffmpeg's exit code. H.264 needs even sizes; with bitexact the file contains no version of ffmpeg. */
+/* Runs ffmpeg and returns its exit code. H.264 requires even sizes. The option bitexact keeps ffmpeg's version out of
+ * the file. */
 static int run_ffmpeg(const cli_film *f, const char *part) {
   char rate[NUMBER_ROOM], number[NUMBER_ROOM], from[2 * PATH_ROOM], to[PATH_ROOM + NUMBER_ROOM];
   const char *digits = f->first + stem_of(f->first);
@@ -75,7 +76,7 @@ vs_outcome cli_film_make(const cli_film *f) {
   return VS_OUTCOME_WORKER;
 }
 
-/* ---- frames ---- */
+/* ---- numbers and values of frames ---- */
 
 void cli_frame_number(const cli_frames *f, long frame, char out[CLI_FRAME_ROOM]) {
   int digits = snprintf(out, CLI_FRAME_ROOM, "%ld", f->count);

@@ -1,5 +1,5 @@
-/* Owns the messages between a batch and its runs. */
-#define _GNU_SOURCE /* memfd_create */
+/* Passes messages between the batch of `vs render` and its runs, which are processes. */
+#define _GNU_SOURCE /* for memfd_create */
 #include "cli/batch/inputs_told.h"
 
 #include <fcntl.h>
@@ -18,7 +18,7 @@ int cli_inputs_begin(void) {
   char number[24];
   int list = memfd_create("visualscheme-inputs", 0);
   if (list < 0) return -1;
-  fcntl(list, F_SETFL, O_APPEND); /* the runs share the file's position: each appends */
+  fcntl(list, F_SETFL, O_APPEND); /* the runs share the file's position, so each appends */
   snprintf(number, sizeof number, "%d", list);
   if (setenv(variable, number, 1) == 0) return list;
   close(list);

@@ -1,9 +1,9 @@
-/* Owns `vs render`: one picture for each model, set of parameters, view and frame, and films of the frames.
+/* Implements `vs render`: makes one picture for each model, set of parameters, view and frame, and films of the frames.
  *
- * A picture is up to date if the manifest of the last run lists it with the same scene and options, and with the bytes
- * that its file has now. The scene is the text of its .pov. Therefore `vs render` notices each change of a file that
- * changes the picture, and ignores all others. Every picture is made by its own process of this program, so that a
- * failing model takes no other with it; `--jobs` of them run at a time. */
+ * A picture is up to date if the manifest of the last run lists it with the same hashes of scene, options and file. The
+ * scene is the text of the .pov file. `vs render` therefore notices every change of a file that changes the picture,
+ * and ignores all others. Each picture is made by a separate process of this program, so that a model that fails
+ * affects no other. `--jobs` processes run at a time. */
 #define _GNU_SOURCE
 #include "cli/batch/render_command.h"
 
@@ -29,8 +29,8 @@ enum { PATH_ROOM = 4096, MOST = 100000, EXPOSURE_ROOM = 24 };
 
 typedef enum { MADE, STANDS, FAILED, NOT_TRIED } fate;
 typedef struct {
-  uint64_t model;          /* the hash of the scene, as the model gives it, and of the options */
-  uint64_t scene;          /* the same with the exposure */
+  uint64_t model;          /* hash of the options and of the model's scene, before the exposure is set */
+  uint64_t scene;          /* hash of options, scene and exposure */
   uint64_t bytes;
   double seconds;
   int code;
@@ -38,42 +38,47 @@ typedef struct {
 } result;
 typedef struct {
   const char *model;
-  char *set, *view, *file; /* set: "a=1,b=2", or NULL; view NULL: the model's own */
-  const char *given;       /* the part of set from --set; the rest belongs to the frame; NULL: none */
-  char exposure[EXPOSURE_ROOM]; /* the exposure of a film's frames, in stops; empty: the options' */
-  uint64_t metered;        /* the hash of the scene, the first frame's, from which the exposure derives */
-  long frame;              /* of --frames, from 1; 0: none. The frames of a film are consecutive. */
+  char *set, *view, *file; /* set: parameters as "a=1,b=2", or NULL; view: name, or NULL for the model's default view */
+  const char *given;       /* the part of `set` from --set (NULL: none); the other part is the parameter of --frames */
+  char exposure[EXPOSURE_ROOM]; /* exposure in stops for all frames of a film; empty: that of the options */
+  uint64_t metered;        /* hash of the first frame's scene, from which the exposure was computed */
+  long frame;              /* number of the frame from 1, or 0 without --frames; the frames of a film are consecutive in
+                            * the batch */
   pid_t process;
-  int told;                /* the end of a pipe for the result */
-  bool known, failed;      /* the model has run, and result.model is set; or it failed, without a message so far */
+  int told;                /* reading end of a pipe for the result */
+  bool known, failed;      /* known: the model has run, and result.model is set; failed: it has failed, without a
+                            * message so far */
   result result;
 } picture;
 typedef struct {
   const cli_options *options;
-  const volatile sig_atomic_t *ended; /* a signal ended the run; its children receive it too */
+  const volatile sig_atomic_t *ended; /* not 0 after a signal that ends the run; child processes receive the signal,
+                                       * too */
   picture *at;
   size_t count, room;
   char *manifest, program[PATH_ROOM];
-  char threads[24];           /* processors of each picture, a share of all if several are made at a time; empty: all */
-  const char *manifest_path;  /* NULL: none */
-  int lock;                   /* the manifest's file, locked; -1 */
-  bool unwritten;             /* the manifest could not be written; the message is out */
-  int told;                   /* the list of the files that the runs read, or -1 */
-  vs_outcome failed;          /* the outcome of the first model whose views could not be found; else done */
-  vs_scheme *inputs;          /* knows the files that were read, which no output may replace */
+  char threads[24];           /* number of processors for each picture, as text, if several are made at a time; empty:
+                               * all */
+  const char *manifest_path;  /* path of the manifest, or NULL */
+  int lock;                   /* descriptor of the locked manifest, or -1 */
+  bool unwritten;             /* whether writing the manifest failed, which was already reported */
+  int told;                   /* descriptor of the file for the names of files read by the runs, or -1 */
+  vs_outcome failed;          /* outcome of the first model whose views could not be found, else VS_OUTCOME_DONE */
+  vs_scheme *inputs;          /* an interpreter that records the files read, which no output may replace */
 } batch;
 
 static bool no_memory(void) { return fputs("vs: out of memory\n", stderr), false; }
 
-static uint64_t hash_more(uint64_t h, const void *bytes, size_t count) { /* FNV-1a */
+static uint64_t hash_more(uint64_t h, const void *bytes, size_t count) { /* the hash function FNV-1a */
   for (const unsigned char *c = bytes; count-- > 0; c++) h = (h ^ *c) * UINT64_C(0x100000001b3);
   return h;
 }
 static const uint64_t hash_begin = UINT64_C(0xcbf29ce484222325);
 
-/* ---- the pictures of the batch ---- */
+/* ---- the list of pictures ---- */
 
-/* Writes "name" for "models/name.vs", without characters that a file's name cannot hold. */
+/* Appends the text to `to`, with stem "name" for "models/name.vs". Replaces characters that a file name cannot
+ * contain. */
 static void put_word(char *to, size_t room, const char *text, bool stem) {
   const char *slash = strrchr(text, '/'), *from = stem && slash ? slash + 1 : text;
   const char *dot = stem ? strrchr(from, '.') : NULL;
@@ -104,8 +109,8 @@ static bool add_picture(batch *b, const char *model, const char *set, const char
   return true;
 }
 
-/* Writes the set as a part of a name: "r=4,n=2". A long set, or one that a name cannot hold, gets a number of its own,
- * so that two sets never share a name, in this run or the next. */
+/* Appends the set to a file name: "r=4,n=2". A long set, or one with characters that a name cannot contain, is replaced
+ * by a number, so that names of different sets always differ. */
 static void put_set(char *to, size_t room, const char *set) {
   enum { LONGEST = 80 };
   size_t used = strlen(to), from = used;
@@ -121,7 +126,8 @@ static void put_set(char *to, size_t room, const char *set) {
   snprintf(to + used, room - used, "-%08" PRIx32, (uint32_t)(hash_more(hash_begin, set, strlen(set)) >> 16));
 }
 
-/* Writes the picture's name: FOLDER/model-set-view-frame.png for a folder, a-set-view-frame.png for a file a.png. */
+/* Writes the name of a picture: FOLDER/model-set-view-frame.png for a folder, a-set-view-frame.png for a file a.png.
+ * Returns false, after a message, if it is too long. */
 static bool name_picture(const batch *b, const char *model, size_t set, const char *view, long frame,
                          char name[PATH_ROOM]) {
   const cli_options *o = b->options;
@@ -137,7 +143,7 @@ static bool name_picture(const batch *b, const char *model, size_t set, const ch
     const char *slash = strrchr(out, '/'), *dot = strrchr(out, '.');
     if (dot && (!slash || dot > slash)) ending = dot;
     snprintf(name, PATH_ROOM - 200, "%.*s", (int)(dot && (!slash || dot > slash) ? dot - out : (ptrdiff_t)length), out);
-  } else { /* beside the model */
+  } else { /* no -o: the picture is written beside the model */
     const char *slash = strrchr(model, '/'), *dot = strrchr(model, '.');
     snprintf(name, PATH_ROOM - 200, "%.*s", (int)(dot && (!slash || dot > slash) ? dot - model
                                                                                   : (ptrdiff_t)strlen(model)), model);
@@ -167,7 +173,7 @@ static void say(void *context, const vs_diagnostic *d) {
             d->message);
 }
 
-/* Adds a picture, or a picture for each frame; a frame's parameter value follows the values of the set. */
+/* Adds a picture, or with --frames one for each frame, whose parameter is appended to the set. */
 static bool add_frames(batch *b, const char *model, size_t set, const char *view) {
   const cli_options *o = b->options;
   const char *given = o->set_count ? o->sets[set] : NULL;
@@ -186,8 +192,8 @@ static bool add_frames(batch *b, const char *model, size_t set, const char *view
   return ok;
 }
 
-/* Adds the pictures of a model. With --all-views it runs the model once, for the names of its views. A failing model
- * does not end the batch; b keeps the first failure. Returns false, after a message, if a picture cannot be named. */
+/* Adds the pictures of a model. With --all-views, runs the model once for the names of its views. If this fails, b
+ * keeps the first failure and the batch continues. Returns false, after a message, if a picture cannot be named. */
 static bool add_model(batch *b, const char *model, size_t set) {
   const cli_options *o = b->options;
   const char *view;
@@ -231,8 +237,8 @@ static char *read_text(const char *path) {
   return text;
 }
 
-/* Returns the line of the file in the manifest of the last run, without its comma and its end; NULL: none.
- * write_manifest writes a line for each picture. A manifest in any other form only costs a rendering. */
+/* Returns the line about the picture in the manifest of the last run, without comma and line end, or NULL.
+ * write_manifest writes one line for each picture. If the manifest has another form, pictures are just made again. */
 static const char *line_of(const batch *b, const picture *p, size_t *length) {
   char *key = NULL;
   size_t size = 0;
@@ -248,7 +254,7 @@ static const char *line_of(const batch *b, const picture *p, size_t *length) {
   return line;
 }
 
-/* Returns true if the manifest lists the file with this scene, and the file still has those bytes. */
+/* Returns true if the manifest lists the picture with this scene, and its file still has the listed hash. */
 static bool is_up_to_date(const batch *b, const picture *p, uint64_t scene) {
   char wanted[80];
   uint64_t bytes;
@@ -280,7 +286,7 @@ static void manifest_picture(FILE *to, const picture *p) {
   fprintf(to, ", \"outcome\": \"%s\"}", fates[p->result.fate]);
 }
 
-/* Returns false, after a message, if a model of the batch has read the file at path. */
+/* Returns true if no model of the batch has read the file at path. Otherwise prints a message. */
 static bool may_write(const batch *b, const char *path) {
   cli_inputs_hear(b->told, b->inputs);
   if (!vs_is_input(b->inputs, path)) return true;
@@ -288,13 +294,15 @@ static bool may_write(const batch *b, const char *path) {
   return false;
 }
 
-/* Does the same for the film that begins with the picture, if any. */
+/* Returns true if no model of the batch has read the file of the film that begins with this picture. Otherwise prints a
+ * message. Without a film, returns true. */
 static bool may_film(const batch *b, const picture *p) {
   char film[PATH_ROOM];
   return b->options->film <= 0 || p->frame != 1 || (cli_film_name(p->file, film, sizeof film), may_write(b, film));
 }
 
-/* Writes by `fill` and gives the file its name last. lock: locks the file before it has its name; *lock holds it. */
+/* Writes a file by `fill`, which gets its name only when it is complete. With lock not NULL, the file is locked before
+ * it gets its name, and *lock is its descriptor. */
 static bool write_whole(const batch *b, const char *path, void (*fill)(const batch *b, FILE *to), int *lock) {
   char part[PATH_ROOM];
   if (!may_write(b, path)) return false;
@@ -313,7 +321,7 @@ static bool write_whole(const batch *b, const char *path, void (*fill)(const bat
 static void fill_manifest(const batch *b, FILE *to) {
   fprintf(to, "{\"vs\": \"%s\", \"pictures\": [\n", vs_version());
   for (size_t i = 0; i < b->count; i++) {
-    /* a picture that this run has not reached keeps its old line */
+    /* A picture that this run has not tried keeps its line of the old manifest. */
     size_t length = 0;
     const char *line = b->at[i].result.fate == NOT_TRIED ? line_of(b, &b->at[i], &length) : NULL;
     if (line) fwrite(line, 1, length, to);
@@ -329,7 +337,7 @@ static void put_html(FILE *to, const char *text) {
     fwrite(spelled, 1, vs_spell_xml_value(&at, end, spelled), to);
 }
 
-/* Writes the page. It refers to the pictures relative to its folder, or by their full paths. */
+/* Writes the contact sheet as HTML. It refers to pictures by paths relative to its folder, or by absolute paths. */
 static void fill_sheet(const batch *b, FILE *to) {
   const char *sheet = b->options->sheet, *slash = strrchr(sheet, '/');
   size_t folder = slash ? (size_t)(slash + 1 - sheet) : 0;
@@ -355,10 +363,11 @@ static void fill_sheet(const batch *b, FILE *to) {
   }
 }
 
-/* ---- one picture ---- */
+/* ---- making one picture ---- */
 
-/* Returns the words of a command: this program with the model, its options and the picture's own, to write `file`, "-"
- * for its scene. Allocated; NULL: out of memory. */
+/* Returns the words of the command that makes the picture: this program, the model and all options. The output is
+ * `file`, or the scene on standard output if file is "-". The caller frees the array. Returns NULL when memory is
+ * out. */
 static const char **words_of(const batch *b, const picture *p, char **defines, const char *file) {
   const cli_options *o = b->options;
   size_t n = 0, room = o->passed_count + 2 * strlen(p->set ? p->set : "") + 20;
@@ -382,10 +391,12 @@ static const char **words_of(const batch *b, const picture *p, char **defines, c
   return w;
 }
 
-/* In a child: asks the system to end it when its parent is killed; it then takes its own children and files with it. */
+/* In a child process: asks the system for this signal when the parent is killed. The child then also ends its own
+ * children and removes its temporary files. */
 static void die_with_parent(int how) { prctl(PR_SET_PDEATHSIG, how); }
 
-/* Waits for a process, and passes a signal on to it: a terminal signals both, another program perhaps only this one. */
+/* Waits for a process, and sends it the signal that ends the batch. A terminal sends signals to both, but another
+ * program may send them only to the batch. */
 static void await(const batch *b, pid_t process, int *status) {
   bool asked = false;
   for (pid_t one = 0; one == 0;) {
@@ -396,7 +407,8 @@ static void await(const batch *b, pid_t process, int *status) {
   }
 }
 
-/* Runs it, and returns its exit code. *hash: of its standard output, if hash is not NULL. */
+/* Runs the command for the picture and returns its exit code. With hash not NULL, updates *hash with its standard
+ * output. */
 static int run(const batch *b, const picture *p, const char *file, uint64_t *hash) {
   int ends[2] = {-1, -1}, status = 0;
   char *defines = NULL;
@@ -423,7 +435,7 @@ static int run(const batch *b, const picture *p, const char *file, uint64_t *has
   return child < 0 ? VS_OUTCOME_MACHINE : WIFEXITED(status) ? WEXITSTATUS(status) : VS_OUTCOME_INTERRUPTED;
 }
 
-/* Computes the hash of the picture's scene and options. Returns the exit code of the model's run. */
+/* Sets *out to the hash of the picture's scene and options. Returns the exit code of the model's run. */
 static int hash_model(const batch *b, const picture *p, uint64_t *out) {
   const cli_options *o = b->options;
   const char *version = vs_version();
@@ -432,7 +444,7 @@ static int hash_model(const batch *b, const picture *p, uint64_t *out) {
   return run(b, p, "-", out);
 }
 
-/* Runs the model alone, to know the files that it reads. */
+/* Runs the model without making a picture, to learn which files it reads. */
 static result try_model(const batch *b, const picture *p) {
   result r = {.scene = hash_begin, .fate = NOT_TRIED};
   r.code = hash_model(b, p, &r.model);
@@ -474,7 +486,7 @@ static bool recall_exposure(const batch *b, picture *p) {
   return true;
 }
 
-/* Renders the frame as light, and computes its exposure. */
+/* Renders the frame without exposure (as linear light), and computes the exposure for it. */
 static int meter(const batch *b, picture *p) {
   char light[PATH_ROOM + 20], developed[PATH_ROOM + 20];
   double stops = 0;
@@ -497,7 +509,7 @@ static bool is_png(const char *file) {
   return dot && !strcmp(dot, ".png");
 }
 
-/* Sets the exposures of all films; marks the first frame of a film as failed if it fails here. */
+/* Sets the exposure of each film from its first frame. A first frame that fails is marked as failed. */
 static void expose_films(batch *b, const volatile sig_atomic_t *ended) {
   for (size_t from = 0, to; from < b->count && !*ended; from = to) {
     picture *p = &b->at[from];
@@ -515,7 +527,7 @@ static void expose_films(batch *b, const volatile sig_atomic_t *ended) {
   }
 }
 
-/* ---- the run ---- */
+/* ---- running the batch ---- */
 
 static void share_processors(batch *b) {
   long all = sysconf(_SC_NPROCESSORS_ONLN), jobs = (long)b->options->jobs, each = b->options->output.threads;
@@ -523,7 +535,7 @@ static void share_processors(batch *b) {
   if (each) snprintf(b->threads, sizeof b->threads, "%ld", each);
 }
 
-/* The work of a picture's process. */
+/* The function that a process executes for a picture. */
 typedef result picture_work(const batch *b, const picture *p);
 
 static bool start(batch *b, picture *p, picture_work *work) {
@@ -532,7 +544,7 @@ static bool start(batch *b, picture *p, picture_work *work) {
   p->process = fork();
   if (p->process == 0) {
     close(ends[0]);
-    die_with_parent(SIGKILL); /* it waits for a program, and would ignore a gentler signal */
+    die_with_parent(SIGKILL); /* the process waits for another program, and would ignore SIGTERM */
     result r = work(b, p);
     ssize_t sent = write(ends[1], &r, sizeof r);
     _exit(sent == sizeof r ? 0 : 1);
@@ -542,7 +554,7 @@ static bool start(batch *b, picture *p, picture_work *work) {
   return p->process > 0;
 }
 
-/* Writes the manifest anew; the lock moves from the old file to the new one. Returns false after a message. */
+/* Writes the manifest again. The lock moves from the old file to the new one. Returns false after a message. */
 static bool write_manifest(batch *b) {
   int was = b->lock;
   b->lock = -1;
@@ -552,8 +564,8 @@ static bool write_manifest(batch *b) {
   return ok;
 }
 
-/* Locks the manifest for this run, and reads it. Returns false, after a message, if another run has it, or if it cannot
- * be written. */
+/* Locks the manifest for this run, and reads it. Returns false, after a message, if another run has locked it or it
+ * cannot be written. */
 static bool take_manifest(batch *b) {
   const char *path = b->manifest_path;
   struct stat mine, named;
@@ -577,7 +589,7 @@ static void take_result(picture *p) {
   p->process = 0;
 }
 
-/* Records and prints the result of the picture. */
+/* Records the result of the picture in the manifest, and prints it. */
 static void finish(batch *b, picture *p) {
   p->failed = false;
   write_manifest(b);
@@ -588,14 +600,14 @@ static void finish(batch *b, picture *p) {
   fflush(stdout);
 }
 
-/* Returns true for a frame of a film with a failed frame: the next frames would fail in the same way. */
+/* Returns true if an earlier frame of the same film has failed, since later frames would fail in the same way. */
 static bool is_of_failed_film(const batch *b, size_t i) {
   for (size_t k = i; b->at[i].frame && k-- > 0 && b->at[k].frame < b->at[k + 1].frame;)
     if (b->at[k].result.fate == FAILED) return true;
   return false;
 }
 
-/* Does the work for each picture that has not failed, in processes side by side. */
+/* Runs `work` for each picture that has not failed, in several processes at a time. */
 static void run_all(batch *b, const volatile sig_atomic_t *ended, picture_work *work) {
   bool asked = false;
   size_t next = 0, running = 0, jobs = b->options->jobs > 0 ? b->options->jobs : 1;
@@ -628,7 +640,8 @@ static void run_all(batch *b, const volatile sig_atomic_t *ended, picture_work *
   }
 }
 
-/* Returns true if the picture replaces a file that no earlier run of this manifest has made, which may be an input. */
+/* Returns true if the picture would replace a file that no earlier run with this manifest has made. Such a file may be
+ * an input. */
 static bool takes_place(const batch *b, const picture *p) {
   char film[PATH_ROOM], wanted[40];
   uint64_t bytes;
@@ -643,8 +656,8 @@ static bool takes_place(const batch *b, const picture *p) {
   return !found || found >= line + length;
 }
 
-/* If pictures would replace files, first runs the models without pictures: a model may read another's output. Returns
- * false, after a message and before anything is written, if one does. */
+/* If pictures would replace other files, first runs all models without making pictures, since a model may read the
+ * output of another. Returns false, after a message and before anything is written, if an output is an input. */
 static bool try_models(batch *b) {
   bool any = false, ok = true;
   for (size_t i = 0; b->count > 1 && i < b->count; i++) any = any || takes_place(b, &b->at[i]);
@@ -653,13 +666,13 @@ static bool try_models(batch *b) {
   for (size_t i = 0; ok && i < b->count; i++) ok = may_write(b, b->at[i].file) && may_film(b, &b->at[i]);
   ok = ok && (!b->options->sheet || may_write(b, b->options->sheet)) &&
       (!b->manifest_path || may_write(b, b->manifest_path));
-  if (!ok && b->lock >= 0 && !b->manifest) remove(b->manifest_path); /* made empty, for the lock */
+  if (!ok && b->lock >= 0 && !b->manifest) remove(b->manifest_path); /* the manifest was created empty, for the lock */
   return ok;
 }
 
 /* ---- films ---- */
 
-/* Makes a film of each sequence of frames, if a frame is new or the film is missing. */
+/* Makes a film of each sequence of frames if a frame has changed or the film is missing. */
 static vs_outcome make_films(const batch *b) {
   vs_outcome outcome = VS_OUTCOME_DONE;
   for (size_t from = 0, to; outcome == VS_OUTCOME_DONE && from < b->count; from = to) {
@@ -673,15 +686,15 @@ static vs_outcome make_films(const batch *b) {
   return outcome;
 }
 
-/* Writes the manifest's name for frames that go into no folder of their own: f.manifest.json for f.png, since a model
- * may read f.json. */
+/* Writes the name of the manifest if frames are written without a folder of their own: f.manifest.json for f.png. The
+ * name f.json might be that of an input of the model. */
 static const char *manifest_beside(const char *path, char name[PATH_ROOM]) {
   const char *slash = strrchr(path, '/'), *dot = strrchr(path, '.');
   size_t stem = dot && (!slash || dot > slash) ? (size_t)(dot - path) : strlen(path);
   return snprintf(name, PATH_ROOM, "%.*s.manifest.json", (int)stem, path) < PATH_ROOM ? name : NULL;
 }
 
-/* Makes the folder of the pictures if needed. Returns false after a message. */
+/* Creates the folder of the pictures if it is missing. Returns false after a message. */
 static bool make_folder(const cli_options *o) {
   struct stat is;
   const char *out = o->target_count ? o->targets[0].path : NULL, *slash = out ? strrchr(out, '/') : NULL;
@@ -693,7 +706,7 @@ static bool make_folder(const cli_options *o) {
   return fprintf(stderr, "vs render: the folder %s cannot be made: %s\n", folder, strerror(errno)), false;
 }
 
-/* Returns the manifest's name; room: for the name. NULL: no manifest. */
+/* Returns the name of the manifest, for which room is the storage, or NULL if there is none. */
 static const char *manifest_of(const cli_options *o, char room[PATH_ROOM]) {
   struct stat is;
   const char *out = o->target_count ? o->targets[0].path : NULL;
@@ -703,7 +716,7 @@ static const char *manifest_of(const cli_options *o, char room[PATH_ROOM]) {
   return o->frames.count ? manifest_beside(out ? out : o->sources[0].text, room) : NULL;
 }
 
-/* Records the models, and finds the pictures. Returns false after a message. */
+/* Records the models as inputs, and lists the pictures. Returns false after a message. */
 static bool prepare(batch *b) {
   const cli_options *o = b->options;
   bool ok = true;

@@ -1,4 +1,4 @@
-/* Owns `vs render`: pictures of many models, views and sets of parameters. */
+/* Declares `vs render`, which makes pictures of many models, views and sets of parameters. */
 #ifndef VS_CLI_BATCH_RENDER_COMMAND_H
 #define VS_CLI_BATCH_RENDER_COMMAND_H
 
@@ -6,7 +6,8 @@
 
 #include "cli/options.h"
 
-/* ended: not 0 when the command must end. Returns the outcome of the first picture that failed. */
+/* Makes all pictures. *ended is not 0 when the command must end. Returns the outcome of the first picture that failed,
+ * or VS_OUTCOME_DONE. */
 vs_outcome cli_render_command(const cli_options *o, const volatile sig_atomic_t *ended);
 
 #endif

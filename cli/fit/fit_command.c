@@ -1,4 +1,4 @@
-/* Owns the output of `vs fit`: parameters with their intervals, the place of the scan, distances and their
+/* Prints the results of `vs fit`: parameters with their intervals, the place of the scan, distances and their
  * histogram. */
 #include "cli/fit/fit_command.h"
 
@@ -8,14 +8,14 @@
 #include "cli/json.h"
 
 enum { BINS = 16, BAR = 40 };
-#define REACH 4. /* half the width of the histogram, in spreads */
+#define REACH 4. /* half the width of the histogram, in multiples of the spread */
 
 typedef struct {
   double edge[BINS + 1];
   size_t count[BINS], below, above;
 } histogram;
 
-/* The names of a state: in JSON, and at the end of a parameter's line. */
+/* The names of the states of a parameter: `word` in JSON, `remark` at the end of its line. */
 static const struct {
   const char *word, *remark;
 } states[] = { [VS_FIT_FITTED] = { "fitted", "" },
@@ -43,14 +43,14 @@ static void fill(histogram *h, const vs_scheme *s, double spread) {
   }
 }
 
-/* Gives a rotation's axis and angle in degrees. */
+/* Sets axis to the unit axis of a rotation, and returns its angle in degrees. */
 static double turn_of(const vs_fit_result *r, double axis[3]) {
   const double(*m)[4] = r->place;
   double s[3] = { m[2][1] - m[1][2], m[0][2] - m[2][0], m[1][0] - m[0][1] };
   double sine = sqrt(s[0] * s[0] + s[1] * s[1] + s[2] * s[2]) / 2, cosine = (m[0][0] + m[1][1] + m[2][2] - 1) / 2;
   if (sine > 1e-6) {
     for (int i = 0; i < 3; i++) axis[i] = s[i] / (2 * sine);
-  } else { /* half a turn, or none: the longest column of (m + 1) */
+  } else { /* an angle of 0 or 180 degrees: the axis is the longest column of m + 1 */
     int k = 0;
     for (int i = 1; i < 3; i++)
       if (m[i][i] > m[k][k]) k = i;
@@ -81,7 +81,7 @@ static void print_histogram(const histogram *h) {
   print_bar("above", right, h->above, most);
 }
 
-/* Writes the value with two digits more than its error allows. */
+/* Writes the value with two digits more than its uncertainty justifies. */
 static void value_text(char text[40], const vs_fit_parameter *p) {
   int digits = 9;
   if (p->error > 0 && isfinite(p->error) && p->value != 0) digits = (int)ceil(log10(fabs(p->value) / p->error)) + 2;

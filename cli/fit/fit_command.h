@@ -1,11 +1,11 @@
-/* Owns `vs fit MODEL SCAN`. */
+/* Declares `vs fit MODEL SCAN`. */
 #ifndef VS_CLI_FIT_FIT_COMMAND_H
 #define VS_CLI_FIT_FIT_COMMAND_H
 
 #include "cli/command.h"
 
-/* Fits the model to the scan, prints the result on standard output, and writes the maps of -o. Also prints the best
- * result of an interrupted or untrusted fit; the outcome tells which. */
+/* Fits the model to the scan, prints the result on standard output, and writes the pictures of -o. Also prints the best
+ * result of a fit that was interrupted or is doubtful. The outcome distinguishes these cases. */
 vs_outcome cli_fit(cli_session *c);
 
 #endif

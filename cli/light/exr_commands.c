@@ -1,4 +1,4 @@
-/* Owns the commands on EXR pictures: their arguments and their output. */
+/* Reads the arguments and prints the results of the commands on EXR pictures. */
 #include "cli/light/exr_commands.h"
 
 #include <errno.h>
@@ -17,7 +17,7 @@ static void diagnose(void *context, const vs_diagnostic *d) { cli_report_diagnos
 static const char *file_of(const job *j, size_t i) { return j->options->sources[i].text; }
 static const char *target_of(const job *j) { return j->options->target_count ? j->options->targets[0].path : NULL; }
 
-/* Returns true if the path ends so, in any case. */
+/* Returns true if the path ends in `ending`; upper and lower case are the same. */
 static bool has_ending(const char *path, const char *ending) {
   size_t length = strlen(path), have = strlen(ending);
   if (length <= have) return false;
@@ -34,8 +34,8 @@ static vs_outcome tone(const job *j) {
   return outcome;
 }
 
-/* The sun of our scenes has strength 3.2, which we equate with 100,000 lx, a high sun in a clear sky. A white surface
- * that faces it has 100,000 / pi cd/m2, and the number 3.2. */
+/* Luminance in cd/m2 of the pixel value 1. The sun of our scenes has strength 3.2, which is taken as 100,000 lx, a high
+ * sun in a clear sky. A white surface that faces it has 100,000 / pi cd/m2, and the pixel value 3.2. */
 enum { CANDELAS_OF_ONE = 10000 };
 
 static double candelas_of_one(const job *j) {
@@ -126,7 +126,7 @@ static vs_outcome compare(const job *j) {
   printf(",\n  \"max_at\": [%ld, %ld]", d.column, d.row);
   json_number("mean", d.mean);
   json_number("rms", d.root_mean_square);
-  json_number("psnr", d.psnr); /* null: infinite */
+  json_number("psnr", d.psnr); /* written as null if infinite */
   json_number("ssim", d.ssim);
   puts("\n}");
   return outcome;

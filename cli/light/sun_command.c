@@ -1,4 +1,4 @@
-/* Owns the arguments and the output of `vs sunstudy`; the library does the work (vs_sun_study). */
+/* Reads the arguments and prints the results of `vs sunstudy`. vs_sun_study of the library computes them. */
 #include "cli/light/sun_command.h"
 
 #include <math.h>
@@ -12,7 +12,7 @@ static bool bad(const char *option, const char *value, const char *wanted) {
   return false;
 }
 
-/* Reads "8", "8.5", "8:30". */
+/* Reads a number of hours: "8", "8.5" or "8:30". Returns false for other texts. */
 static bool read_hours(const char *text, double *out) {
   char *end;
   *out = strtod(text, &end);

@@ -1,8 +1,9 @@
-/* Owns the editing of lines on a terminal by libedit, and the keys that libedit lacks.
+/* Edits lines on a terminal by libedit, and implements keys that libedit lacks.
  *
- * libedit edits one buffer. It shows a newline in it as a line break, so a recalled expression is edited as its several
- * lines. Lines typed one by one are returned one by one, under a prompt that shows the open parentheses; the up key on
- * an empty line takes all of them back into the buffer. */
+ * libedit edits one buffer. A newline in the buffer is shown as a line break, so that an expression of several lines
+ * can be recalled and edited. Lines that are typed one by one are also returned one by one. The prompt then shows the
+ * number of open parentheses. The up key on an empty line moves all lines of the unfinished expression back into the
+ * buffer. */
 #include "cli/prompt/editor.h"
 #include "cli/prompt/line_buffer.h"
 #include "geometry/dynamic.h"
@@ -20,12 +21,13 @@
 #include <unistd.h>
 #include <wchar.h>
 
-enum { LOOK_MS = 40, HISTORY_ENTRIES = 2000, FLASH = 250 /* milliseconds that a matching parenthesis is shown */ };
-#define FLASHED "\033[9999~" /* a key that no keyboard has */
+enum { LOOK_MS = 40, HISTORY_ENTRIES = 2000, FLASH = 250 /* FLASH: milliseconds for which a matching parenthesis is
+                                                          * shown */ };
+#define FLASHED "\033[9999~" /* code of a key that no keyboard has */
 
-/* libedit's functions, loaded when the first editor opens: linked in, it and its three libraries would take an eighth
- * of the time of every run. They are not in cli_editor: libedit passes only the EditLine to its callbacks, and only
- * el_get can tell to which editor it belongs. */
+/* The functions of libedit, which is loaded when the first editor opens. If it were linked, loading it and its three
+ * libraries would take an eighth of the time of every run. The table is global: libedit passes only the EditLine to
+ * callbacks, and el_get is needed to find its cli_editor. */
 static struct {
 #define EDIT(name) __typeof__(&name) name;
 #include "cli/prompt/libedit.def"
@@ -48,17 +50,17 @@ struct cli_editor {
   vs_scheme *scheme;
   EditLine *line;
   History *history;
-  char *history_path;   /* NULL: none was found or made */
+  char *history_path;   /* path of the history file; NULL if there is none */
   const char *prompt, *open;
-  line_buffer pasted;   /* the lines that a paste ended; returned together */
-  line_buffer rest;     /* the text after the last newline of a paste: the next buffer begins with it */
-  bool taken_back;      /* the buffer contains the open lines too */
-  int back;             /* characters from the shown parenthesis back to the cursor's place; 0: none is shown */
-  ptrdiff_t closed;     /* the place where completion has closed a string: a quote typed there counts as that one; 0:
-                         * none */
+  line_buffer pasted;   /* complete lines of a paste, returned together */
+  line_buffer rest;     /* the text of a paste after its last newline, with which the next buffer begins */
+  bool taken_back;      /* whether the buffer contains the lines of the unfinished expression, too */
+  int back;             /* number of characters from the shown parenthesis back to the cursor; 0 if none is shown */
+  ptrdiff_t closed;     /* position where completion has inserted a closing quote, so that typing one there only moves
+                         * past it; 0 if there is none */
   void (*commands)(void (*each)(void *context, const char *name), void *context);
   cli_idle idle;
-  mbstate_t partial;    /* of a character whose bytes have not all arrived */
+  mbstate_t partial;    /* state of a character whose bytes have not all been read */
 };
 
 bool cli_colours(int descriptor) {
@@ -71,9 +73,10 @@ int cli_terminal_width(void) {
   return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
 }
 
-/* ---- history ---- */
+/* ---- the history of lines ---- */
 
-/* Returns $XDG_STATE_HOME/visualscheme/history, and makes its folders; allocated, or NULL. */
+/* Returns the path $XDG_STATE_HOME/visualscheme/history, after creating its folders. The caller frees it. Returns NULL
+ * if this fails. */
 static char *history_path(void) {
   const char *state = getenv("XDG_STATE_HOME"), *home = getenv("HOME");
   const char *const tail = "/visualscheme/history";
@@ -108,9 +111,10 @@ void cli_editor_remember(cli_editor *e, const char *line, size_t length) {
   free(copy);
 }
 
-/* ---- the place of the cursor ---- */
+/* ---- the text at the cursor ---- */
 
-/* Returns the open lines and the buffer up to the cursor, allocated; NULL: no memory. */
+/* Returns the unfinished lines and the buffer up to the cursor. The caller frees the text. Returns NULL when memory is
+ * out. */
 static char *text_before(cli_editor *e) {
   const LineInfo *info = libedit.el_line(e->line);
   size_t open = e->taken_back ? 0 : strlen(e->open), n = (size_t)(info->cursor - info->buffer);
@@ -122,8 +126,8 @@ static char *text_before(cli_editor *e) {
   return all;
 }
 
-/* Scans Scheme text as its reader would. open[0..depth): the places of the parentheses that are open at its end.
- * Returns the depth; *in_string: the end is within a string. */
+/* Scans Scheme text. Stores in `open` the positions of up to `room` parentheses that are open at its end, and returns
+ * their number. Sets *in_string if the text ends within a string. */
 static size_t scan(const char *at, size_t length, size_t *open, size_t room, bool *in_string) {
   size_t depth = 0;
   bool string = false;
@@ -146,7 +150,7 @@ static size_t scan(const char *at, size_t length, size_t *open, size_t room, boo
 
 enum { DEEP = 256 };
 
-/* Writes the name of the procedure whose call contains the cursor; returns false if there is none. */
+/* Writes the name of the procedure whose call contains the cursor. Returns false if there is none. */
 static bool called(const char *before, char *room, size_t size) {
   size_t open[DEEP], depth = scan(before, strlen(before), open, DEEP, NULL);
   while (depth-- > 0) {
@@ -160,7 +164,7 @@ static bool called(const char *before, char *room, size_t size) {
   return false;
 }
 
-/* Shows "  (make-sphere c r) #:segments" below the current line. */
+/* Shows how a procedure is called, such as "  (make-sphere c r) #:segments", below the current line. */
 static bool show_call(cli_editor *e, const char *name) {
   vs_name_info info;
   if (!vs_name_get(e->scheme, name, &info) || !*info.call) return false;
@@ -188,7 +192,7 @@ static unsigned char signature(EditLine *line, int key) {
   return shown ? CC_REDISPLAY : CC_ERROR;
 }
 
-/* ---- completion ---- */
+/* ---- completion of words ---- */
 
 typedef struct { char **at; size_t count, room; bool failed; const char *prefix; } names;
 
@@ -214,7 +218,7 @@ static void collect_matching(void *context, const char *name) {
 
 static int by_text(const void *a, const void *b) { return strcmp(*(char *const *)a, *(char *const *)b); }
 
-/* Collects files whose path begins with the prefix; folders end in a slash. */
+/* Collects the paths of files that begin with the prefix. Paths of folders end in a slash. */
 static void collect_files(names *n) {
   const char *slash = strrchr(n->prefix, '/');
   size_t folder = slash ? (size_t)(slash - n->prefix) + 1 : 0;
@@ -262,7 +266,7 @@ static void print_names(const names *n) {
   fflush(stdout);
 }
 
-/* The beginning of the word before the cursor, and its kind. */
+/* The kind of the word before the cursor. */
 typedef enum { WORD_NAME, WORD_KEYWORD, WORD_FILE, WORD_COMMAND } word_kind;
 
 static word_kind word_at(const char *before, const char **start) {
@@ -271,7 +275,7 @@ static word_kind word_at(const char *before, const char **start) {
   const char *end = before + n, *line = before + n;
   while (line > before && line[-1] != '\n') line--;
   const char *first = line + strspn(line, " \t");
-  if (*first == ',') { /* a command, and its file or name */
+  if (*first == ',') { /* a command of the prompt, or its argument: a file or a name */
     const char *space = strpbrk(first, " \t");
     if (!space) return *start = first + 1, WORD_COMMAND;
     const char *argument = space + strspn(space, " \t");
@@ -291,7 +295,7 @@ static word_kind word_at(const char *before, const char **start) {
   return (*start)[0] == '#' && (*start)[1] == ':' ? WORD_KEYWORD : WORD_NAME;
 }
 
-/* Adds the quote after the complete name of a file. */
+/* Inserts the closing quote after the complete name of a file. */
 static bool close_string(cli_editor *e) {
   const LineInfo *info = libedit.el_line(e->line);
   if (info->cursor < info->lastchar && *info->cursor == '"') return true;
@@ -301,7 +305,7 @@ static bool close_string(cli_editor *e) {
   return true;
 }
 
-/* Inserts a quote; if completion has put it there already, moves past it. */
+/* Inserts a quote, or moves past the one that completion has inserted. */
 static unsigned char quote(EditLine *line, int key) {
   (void)key;
   cli_editor *e = editor_of(line);
@@ -331,7 +335,8 @@ static unsigned char complete(EditLine *line, int key) {
     while (same < common && n.at[i][same] == n.at[0][same]) same++;
     common = same;
   }
-  while (common > length && ((unsigned char)n.at[0][common] & 0xC0) == 0x80) common--; /* whole characters only */
+  while (common > length && ((unsigned char)n.at[0][common] & 0xC0) == 0x80) common--; /* shortened to whole
+                                                                                        * characters */
   unsigned char result = CC_ERROR;
   if (common > length || n.count == 1) {
     bool shown = false;
@@ -355,7 +360,7 @@ static unsigned char complete(EditLine *line, int key) {
   return result;
 }
 
-/* ---- keys ---- */
+/* ---- functions of keys ---- */
 
 static int characters(const char *from, const char *to) {
   int n = 0;
@@ -363,7 +368,7 @@ static int characters(const char *from, const char *to) {
   return n;
 }
 
-/* Inserts the parenthesis, and shows for a moment the one that it closes. */
+/* Inserts a closing parenthesis, and briefly moves the cursor to the matching one. */
 static unsigned char close_parenthesis(EditLine *line, int key) {
   char c[2] = {(char)key, 0};
   size_t open[DEEP];
@@ -374,14 +379,15 @@ static unsigned char close_parenthesis(EditLine *line, int key) {
   cli_editor *e = editor_of(line);
   if (!e || !depth || in_string) return CC_REFRESH;
   struct pollfd more = {.fd = STDIN_FILENO, .events = POLLIN};
-  if (poll(&more, 1, 0) > 0) return CC_REFRESH; /* a paste, or a fast typist */
+  if (poll(&more, 1, 0) > 0) return CC_REFRESH; /* more characters are waiting, as in a paste: do not move the cursor */
   e->back = characters(info->buffer + open[depth - 1], info->cursor);
   libedit.el_cursor(line, -e->back);
-  libedit.el_push(line, FLASHED); /* libedit draws only between keys: our own key follows once the cursor is there */
+  libedit.el_push(line, FLASHED); /* libedit draws only between keys: this key without a keyboard calls flashed() after
+                                   * drawing */
   return CC_REFRESH;
 }
 
-/* Moves the cursor from the matching parenthesis back to its place, after a moment or at the next key. */
+/* Waits for a moment or the next key, and moves the cursor from the matching parenthesis back. */
 static unsigned char flashed(EditLine *line, int key) {
   (void)key;
   cli_editor *e = editor_of(line);
@@ -392,7 +398,8 @@ static unsigned char flashed(EditLine *line, int key) {
   return CC_CURSOR;
 }
 
-/* Returns the column of the cursor within its line of the buffer; tells whether there are lines above and below. */
+/* Returns the column of the cursor in its line of the buffer. Sets *above and *below to whether the buffer has lines
+ * before and after it. */
 static size_t column_of(const LineInfo *info, bool *above, bool *below) {
   const char *line = info->cursor;
   while (line > info->buffer && line[-1] != '\n') line--;
@@ -410,7 +417,7 @@ static unsigned char line_up(EditLine *line, int key) {
   bool above, below;
   size_t column = column_of(info, &above, &below);
   if (above) {
-    const char *end = info->cursor; /* of the line above: its newline */
+    const char *end = info->cursor; /* the newline at the end of the line above */
     while (end[-1] != '\n') end--;
     const char *start = --end;
     while (start > info->buffer && start[-1] != '\n') start--;
@@ -418,7 +425,8 @@ static unsigned char line_up(EditLine *line, int key) {
     libedit.el_cursor(line, -(characters(start, info->cursor) - (int)(column < width ? column : width)));
     return CC_CURSOR;
   }
-  if (e && *e->open && !e->taken_back && info->lastchar == info->buffer) { /* the open lines, for editing */
+  if (e && *e->open && !e->taken_back && info->lastchar == info->buffer) { /* moves the lines of the unfinished
+                                                                            * expression into the buffer */
     size_t n = strlen(e->open);
     char *copy = strdup(e->open);
     if (!copy) return CC_ERROR;
@@ -449,8 +457,8 @@ static unsigned char line_down(EditLine *line, int key) {
   return CC_CURSOR;
 }
 
-/* Returns the blanks at the beginning of the line after this text: two more than the column of the innermost open
- * parenthesis. */
+/* Returns the number of blanks for the start of the line after this text: two more than the column of the innermost
+ * open parenthesis, at most 60. */
 static size_t indentation(const char *all) {
   size_t open[DEEP], depth = scan(all, strlen(all), open, DEEP, NULL), column = 0;
   if (!depth) return 0;
@@ -458,7 +466,7 @@ static size_t indentation(const char *all) {
   return column + 2 < 60 ? column + 2 : 60;
 }
 
-/* Ends the line; within an unfinished expression of several lines it begins another line. */
+/* Ends the buffer. If it contains an unfinished expression of several lines, begins another line instead. */
 static unsigned char enter(EditLine *line, int key) {
   (void)key;
   cli_editor *e = editor_of(line);
@@ -473,7 +481,8 @@ static unsigned char enter(EditLine *line, int key) {
     blanks[n + 1] = 0;
     return libedit.el_insertstr(line, blanks) == 0 ? CC_REFRESH : CC_ERROR;
   }
-  if (several && info->cursor < info->lastchar) { /* the output comes below all of it */
+  if (several && info->cursor < info->lastchar) { /* moves the cursor to the end, so that output appears below all
+                                                   * lines */
     libedit.el_cursor(line, characters(info->cursor, info->lastchar));
     libedit.el_push(line, "\015");
     return CC_CURSOR;
@@ -488,8 +497,8 @@ static unsigned char new_line(EditLine *line, int key) {
   return libedit.el_insertstr(line, "\n") == 0 ? CC_REFRESH : CC_ERROR;
 }
 
-/* Inserts pasted text, which a terminal sends between ESC [ 200 ~ and ESC [ 201 ~: none of its characters is a key.
- * Tabs become blanks. Whole lines end the buffer; the rest begins the next. */
+/* Inserts pasted text, which a terminal sends between ESC [ 200 ~ and ESC [ 201 ~. Its characters do not count as keys;
+ * tabs become blanks. Complete lines end the buffer, and the text after them begins the next. */
 static unsigned char paste(EditLine *line, int key) {
   (void)key;
   static const char end[] = "\033[201~";
@@ -516,16 +525,16 @@ static unsigned char paste(EditLine *line, int key) {
          cli_line_buffer_add(&e->rest, last + 1, strlen(last + 1)) &&
          cli_line_buffer_add(&e->rest, info->cursor, (size_t)(info->lastchar - info->cursor));
     if (ok) {
-      fwrite(got.at, 1, (size_t)(last + 1 - got.at), stdout); /* as if it had been typed */
+      fwrite(got.at, 1, (size_t)(last + 1 - got.at), stdout); /* shows the lines as if they had been typed */
       fflush(stdout);
-      result = CC_NEWLINE; /* the buffer itself has ended */
+      result = CC_NEWLINE; /* the paste ended the buffer */
     }
   }
   free(got.at);
   return result;
 }
 
-/* ---- the editor ---- */
+/* ---- opening and closing the editor ---- */
 
 static char *prompt_text(EditLine *line) {
   cli_editor *e = editor_of(line);
@@ -555,7 +564,7 @@ cli_editor *cli_editor_open(vs_scheme *scheme, void (*commands)(void (*each)(voi
       {"\\e[A", "vs-up"}, {"\\eOA", "vs-up"}, {"\\e[B", "vs-down"}, {"\\eOB", "vs-down"}, {"\\e^M", "vs-newline"},
           {"\\e?", "vs-signature"},
       {"\\eOP", "vs-signature"}, {"\\e[11~", "vs-signature"},
-      /* words, as xterm, screen, rxvt, the Linux console and others send them */
+      /* Keys that move by words, as sent by xterm, screen, rxvt, the Linux console and others. */
       {"\\e[1;5D", "ed-prev-word"}, {"\\e[1;5C", "em-next-word"}, {"\\e[1;3D", "ed-prev-word"}, {"\\e[1;3C",
           "em-next-word"}, {"\\e[1;9D", "ed-prev-word"},
       {"\\e[1;9C", "em-next-word"}, {"\\e[5D", "ed-prev-word"}, {"\\e[5C", "em-next-word"}, {"\\eOd",
@@ -607,7 +616,7 @@ cli_editor *cli_editor_open(vs_scheme *scheme, void (*commands)(void (*each)(voi
   return e;
 }
 
-/* Reads a character as libedit does, and runs the idle functions while none comes. */
+/* Reads a character as libedit does. While no key is pressed, calls the idle functions. */
 static int read_key(EditLine *line, wchar_t *key) {
   cli_editor *e = editor_of(line);
   for (;;) {
@@ -628,7 +637,7 @@ static int read_key(EditLine *line, wchar_t *key) {
     size_t used = mbrtowc(key, &byte, 1, &e->partial);
     if (used == (size_t)-2) continue;
     if (used != (size_t)-1) return 1;
-    memset(&e->partial, 0, sizeof e->partial); /* not a character: it is dropped */
+    memset(&e->partial, 0, sizeof e->partial); /* invalid bytes are dropped */
   }
 }
 

@@ -1,4 +1,4 @@
-/* Owns the editing of lines on a terminal: keys, completion, history, paste (libedit). */
+/* Declares the editor for lines on a terminal: keys, completion, history and paste, by libedit. */
 #ifndef VS_CLI_PROMPT_EDITOR_H
 #define VS_CLI_PROMPT_EDITOR_H
 
@@ -6,26 +6,27 @@
 
 typedef struct cli_editor cli_editor;
 
-/* Returns a new editor; NULL: there is no terminal, or no memory. `commands` passes the names of the prompt's own
- * commands to each. */
+/* Returns a new editor, or NULL without a terminal or memory. commands must call `each` with the name of every command
+ * of the prompt. */
 cli_editor *cli_editor_open(vs_scheme *scheme,
                             void (*commands)(void (*each)(void *context, const char *name), void *context));
-void cli_editor_close(cli_editor *e); /* saves the history; NULL is fine */
+void cli_editor_close(cli_editor *e); /* Saves the history and frees the editor. NULL is permitted. */
 
-/* Returns a line with its newline, or several that were pasted or recalled; NULL at the end of input, or at an
- * interrupt (errno EINTR). open: the lines of the unfinished expression ("": none). *whole: the result includes those
- * lines. */
+/* Returns a line with its newline, or several lines that were pasted or recalled. open is the text of the unfinished
+ * expression so far, or "". Sets *whole if the result includes this text. Returns NULL at the end of input or, with
+ * errno EINTR, at an interrupt. */
 const char *cli_editor_line(cli_editor *e, const char *prompt, const char *open, size_t *length, bool *whole);
-/* Work while no key comes: the editor calls `look` every few hundredths of a second. If it returns true, the editor
- * removes the line, calls `act`, and shows the line again after its output. */
+/* Functions that the editor calls while no key is pressed. It calls `look` every 40 ms. If that returns true, the
+ * editor removes the line, calls `act`, and shows the line again after its output. */
 typedef struct { bool (*look)(void *context); void (*act)(void *context); void *context; } cli_idle;
 void cli_editor_idle(cli_editor *e, cli_idle idle);
-/* Adds a whole expression, or a command, to the history. */
+/* Adds a complete expression or command to the history. */
 void cli_editor_remember(cli_editor *e, const char *text, size_t length);
-/* Returns true if more input waits already, as after a paste on a terminal that does not mark it. */
+/* Returns true if more input is waiting, as after a paste on a terminal that does not mark it. */
 bool cli_editor_has_more(const cli_editor *e);
 
-bool cli_colours(int descriptor);   /* true if colours are allowed there: a terminal, without NO_COLOR */
-int cli_terminal_width(void);       /* in columns; 80 if it is not known */
+bool cli_colours(int descriptor);   /* Returns true if colours may be used on this descriptor: it is a terminal, and
+                                     * NO_COLOR is not set. */
+int cli_terminal_width(void);       /* Returns the width of the terminal in columns, or 80 if it is unknown. */
 
 #endif

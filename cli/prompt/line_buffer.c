@@ -1,4 +1,4 @@
-/* Owns the growth of the prompt's text: at least to twice the need, with a 0 after the last byte. */
+/* Implements the prompt's growing text buffer. It grows to twice the needed size, and its text always ends in NUL. */
 #include "cli/prompt/line_buffer.h"
 
 #include <stdlib.h>

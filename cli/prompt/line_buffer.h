@@ -1,4 +1,4 @@
-/* Owns a growing text of the prompt: typed and unfinished text, or pasted text. */
+/* Declares a growing text buffer of the prompt, for typed, unfinished or pasted text. */
 #ifndef VS_CLI_PROMPT_LINE_BUFFER_H
 #define VS_CLI_PROMPT_LINE_BUFFER_H
 
@@ -6,11 +6,11 @@
 #include <stddef.h>
 
 typedef struct {
-  char *at; /* NULL while it is empty; ends in NUL; the owner frees it */
+  char *at; /* the text, ending in NUL, or NULL while it is empty; the owner frees it */
   size_t length, room;
 } line_buffer;
 
-/* Appends length bytes. Returns false, and changes nothing, when memory is out. */
+/* Appends `length` bytes of `more`. Returns false, and changes nothing, when memory is out. */
 bool cli_line_buffer_add(line_buffer *b, const char *more, size_t length);
 
 #endif

@@ -1,4 +1,4 @@
-/* Owns the manual inside the command. The build joins the pages of manual/ into one text (Makefile), with a line
+/* Searches the manual, which is part of the command. The Makefile joins the pages of manual/ into one text, with a line
  * "\001PATH" before each. markdown.c prints it. */
 #include "cli/prompt/manual.h"
 
@@ -21,7 +21,8 @@ static const char *after(part line) { return line.end < vs_manual_text_end ? lin
 
 static int level(part line) { return cli_markdown_level(line.at, (size_t)(line.end - line.at)); }
 
-static bool is_word_of(part line, const char *word) { /* anywhere in it, in any case, as a whole word */
+static bool is_word_of(part line, const char *word) { /* returns true if the line contains the word as a whole; upper
+                                                       * and lower case are the same */
   size_t n = strlen(word);
   for (const char *p = line.at; n && p + n <= line.end; p++) {
     if (strncasecmp(p, word, n) != 0) continue;
@@ -32,7 +33,7 @@ static bool is_word_of(part line, const char *word) { /* anywhere in it, in any 
   return false;
 }
 
-/* Returns true if the heading describes the name: `name` or `(name argument ...)`. */
+/* Returns true if the heading describes the name, as `name` or `(name argument ...)`. */
 static bool describes(part line, const char *name) {
   size_t n = strlen(name);
   for (const char *p = line.at; p + 1 < line.end; p++) {
@@ -45,9 +46,10 @@ static bool describes(part line, const char *name) {
   return false;
 }
 
-/* ---- printing ---- */
+/* ---- printing a section ---- */
 
-/* Prints the text from a heading to the next one of its level or above, or to the end of the page. */
+/* Prints the text from a heading to the next one of the same or a higher level. With whole_page, prints to the end of
+ * the page. */
 static bool print_section(const char *at, FILE *to, bool whole_page) {
   const char *from = at;
   bool code = false;
@@ -63,9 +65,9 @@ static bool print_section(const char *at, FILE *to, bool whole_page) {
   return cli_markdown_print(from, (size_t)(at - from), cli_terminal_width(), bold, to);
 }
 
-/* ---- searching ---- */
+/* ---- searching the pages ---- */
 
-/* Returns the name of a page: points for language/points.md, language for language/README.md, which opens a folder. */
+/* Returns the name of a page: "points" for language/points.md, "language" for language/README.md. */
 static part page_name(part line) {
   const char *from = line.at + 1, *to = line.end, readme[] = "/README.md";
   size_t n = sizeof readme - 1;
@@ -80,7 +82,7 @@ static bool same(part p, const char *word) {
   return (size_t)(p.end - p.at) == strlen(word) && !strncasecmp(p.at, word, strlen(word));
 }
 
-/* Returns the heading of the entry on a name of the language; NULL: none. */
+/* Returns the heading of the entry for a name of the language, or NULL. */
 static const char *find_entry(const char *word) {
   for (const char *at = vs_manual_text; at < vs_manual_text_end;) {
     part line = line_at(at);
@@ -90,8 +92,8 @@ static const char *find_entry(const char *word) {
   return NULL;
 }
 
-/* Returns true if an item of a list of calls, "- `(make-box p q)`, `(make-wedge p q)`: ...", begins with a call of the
- * name. */
+/* Returns true if the line is an item of a list of calls, "- `(make-box p q)`, `(make-wedge p q)`: ...", and one of
+ * them calls the name. */
 static bool calls(part line, const char *name) {
   if (line.end - line.at < 4 || memcmp(line.at, "- `", 3) != 0) return false;
   bool code = false;
@@ -100,8 +102,8 @@ static bool calls(part line, const char *name) {
   return describes((part){line.at, p}, name);
 }
 
-/* Returns the first line of the page with that name, or else of the page whose list of calls, "- `(make-box p q)`:
- * ...", contains the name; NULL: none. */
+/* Returns the first line of the page with that name. If there is none, returns that of a page whose list of calls ("-
+ * `(make-box p q)`: ...") contains the name, or NULL. */
 static const char *find_page(const char *word) {
   const char *page = NULL, *called = NULL;
   for (const char *at = vs_manual_text; at < vs_manual_text_end;) {
@@ -124,7 +126,7 @@ static const char *find_section(const char *word) {
   return NULL;
 }
 
-/* Returns true if the cell contains the word: "point, gvector", or several words: "radians". */
+/* Returns true if a cell such as "point, gvector" contains the word, in singular or plural ("radians" for "radian"). */
 static bool has_word(part cell, const char *word) {
   size_t n = strlen(word);
   for (const char *p = cell.at; p < cell.end;) {
@@ -138,8 +140,8 @@ static bool has_word(part cell, const char *word) {
   return false;
 }
 
-/* Prints the entry of the page of words for beginners: "radian: the angle whose ...". Returns false if there is
- * none. */
+/* Prints the explanation of a word from the page of words for beginners: "radian: the angle whose ...". Returns false
+ * if the page lacks the word. */
 static bool print_meaning(const char *word, FILE *to) {
   bool on = false;
   for (const char *at = vs_manual_text; at < vs_manual_text_end;) {
@@ -150,7 +152,7 @@ static bool print_meaning(const char *word, FILE *to) {
     part cell = { line.at + 2, memchr(line.at + 2, '|', (size_t)(line.end - line.at - 2)) };
     char text[600];
     if (!cell.end || cell.end[-1] != ' ' || !has_word((part){ cell.at, cell.end - 1 }, word)) continue;
-    const char *meaning = cell.end + 2, *end = line.end - 2; /* before the last " |" */
+    const char *meaning = cell.end + 2, *end = line.end - 2; /* end: before the last " |" */
     int n = meaning < end ? snprintf(text, sizeof text, "%.*s: %.*s\n", (int)(cell.end - 1 - cell.at), cell.at,
                                      (int)(end - meaning), meaning) : -1;
     if (n < 0 || (size_t)n >= sizeof text) continue;

@@ -1,8 +1,8 @@
-/* Owns the layout of the manual's pages in a terminal.
+/* Prints the manual's pages, in Markdown, on a terminal.
  *
- * The lines of a block (a paragraph, an item, a cell) are joined into plain text with three marks: BOLD and PLAIN
- * switch the type, and TIED is a blank at which no line may break, so that a short call stays in one piece. Lines are
- * then filled from that text. */
+ * The lines of a block (a paragraph, an item, a cell) are joined into one plain text with three marks. BOLD and PLAIN
+ * switch the type. TIED is a blank at which no line may break, so that a short call stays on one line. This text is
+ * then broken into lines of the terminal's width. */
 #include "cli/prompt/markdown.h"
 
 #include <stdlib.h>
@@ -18,14 +18,14 @@ typedef struct {
   FILE *to;
   int width;
   bool bold;
-  bool blank;    /* the last printed line was empty, or none was printed */
-  line_buffer source;  /* the lines of a block, joined */
-  line_buffer plain;   /* the same, with marks in place of Markdown's signs */
+  bool blank;    /* whether the last printed line was empty, or nothing was printed yet */
+  line_buffer source;  /* the joined lines of a block */
+  line_buffer plain;   /* the joined lines, with marks in place of Markdown's signs */
 } printer;
 
 static bool add_sign(line_buffer *t, char sign) { return cli_line_buffer_add(t, &sign, 1); }
 
-/* ---- kinds of line ---- */
+/* ---- kinds of lines ---- */
 
 static part line_at(const char *at, const char *end) {
   const char *stop = memchr(at, '\n', (size_t)(end - at));
@@ -43,8 +43,8 @@ int cli_markdown_level(const char *line, size_t length) {
 }
 static int level(part line) { return cli_markdown_level(line.at, (size_t)(line.end - line.at)); }
 
-/* Returns the columns of the item's sign with the blanks around it: 2 for "- word", 3 for "1. word"; 0 if the line is
- * no item. */
+/* Returns the width of an item's sign with the blanks around it, such as 2 for "- word" and 3 for "1. word". Returns 0
+ * if the line is no item. */
 static int item_sign(part line) {
   const char *p = line.at;
   while (p < line.end && *p == ' ') p++;
@@ -59,14 +59,14 @@ static bool is_empty(part line) {
   while (line.at < line.end && *line.at == ' ') line.at++;
   return line.at == line.end;
 }
-static bool goes_on(part line) { /* true if the line belongs to the paragraph or item before it */
+static bool goes_on(part line) { /* returns true if the line continues the paragraph or item before it */
   return !is_empty(line) && !level(line) && !item_sign(line) && !begins(line, "```") && !begins(line, "|") &&
       !begins(line, "![");
 }
 
-/* ---- within a block ---- */
+/* ---- signs within a block ---- */
 
-/* Returns the end of the code that begins at p, a `; NULL if it is not closed. */
+/* Returns the end of the code that begins with the ` at p, or NULL if it is not closed. */
 static const char *code_end(const char *p, const char *end) { return memchr(p + 1, '`', (size_t)(end - p - 1)); }
 
 static bool add_code(line_buffer *plain, const char *at, const char *end) {
@@ -80,7 +80,7 @@ static bool add_code(line_buffer *plain, const char *at, const char *end) {
 /* Appends the text to `plain`, with marks in place of Markdown's signs. */
 static bool add_plain(line_buffer *plain, part from) {
   bool strong = false;
-  const char *link = NULL; /* the end of a link's words: the ] of ](to) */
+  const char *link = NULL; /* end of the text of a link: the ] of ](to) */
   for (const char *p = from.at; p < from.end; p++) {
     const char *close = *p == '`' ? code_end(p, from.end) : NULL;
     if (close) {
@@ -112,7 +112,7 @@ static int columns(const char *at, const char *end) {
   return n;
 }
 
-/* Takes from the text the words that fit `width` columns, at least one. */
+/* Returns as many words of *rest as fit `width` columns, at least one, and removes them from *rest. */
 static part take_line(part *rest, int width) {
   while (rest->at < rest->end && *rest->at == ' ') rest->at++;
   part line = {rest->at, rest->at};
@@ -134,7 +134,7 @@ static void print_blanks(printer *o, int n) {
   for (int i = 0; i < n; i++) fputc(' ', o->to);
 }
 
-/* Prints a line's words. *bold: the type at the end of the text before it, and then of this line. */
+/* Prints the words of a line. *bold is whether its text begins in bold type; it is set to whether it ends so. */
 static void print_words(printer *o, part line, bool *bold) {
   if (*bold && o->bold) fputs("\033[1m", o->to);
   for (const char *p = line.at; p < line.end; p++) {
@@ -147,7 +147,7 @@ static void print_words(printer *o, part line, bool *bold) {
   if (*bold && o->bold) fputs("\033[0m", o->to);
 }
 
-/* Prints the text in lines, with `indent` blanks before each except the first. */
+/* Prints the text in lines, with `indent` blanks before each line except the first. */
 static void fill(printer *o, part rest, int indent, bool bold) {
   int before = 0;
   do {
@@ -165,7 +165,7 @@ static void leave_blank(printer *o) {
   o->blank = true;
 }
 
-/* ---- blocks; each returns the beginning of the next one, or NULL without memory ---- */
+/* ---- printing blocks; each function returns the start of the next block, or NULL when memory is out ---- */
 
 static const char *after(part line, const char *end) { return line.end < end ? line.end + 1 : end; }
 
@@ -183,7 +183,7 @@ static const char *print_code(printer *o, const char *at, const char *end) {
   return at;
 }
 
-/* Prints a paragraph, or an item of a list with its words to the right of its sign. */
+/* Prints a paragraph or a list item. The text of an item is indented by the width of its sign. */
 static const char *print_text(printer *o, const char *at, const char *end) {
   part first = line_at(at, end), line = first;
   int sign = item_sign(line);
@@ -206,7 +206,7 @@ static const char *print_heading(printer *o, const char *at, const char *end) {
   part line = line_at(at, end);
   o->plain.length = 0;
   if (!add_plain(&o->plain, (part){line.at + level(line) + 1, line.end})) return NULL;
-  for (size_t i = 0; i < o->plain.length; i++) /* all of it is bold */
+  for (size_t i = 0; i < o->plain.length; i++) /* the paragraph is bold as a whole */
     if (o->plain.at[i] == PLAIN) o->plain.at[i] = BOLD;
   leave_blank(o);
   fill(o, (part){o->plain.at, o->plain.at + o->plain.length}, 2, true);
@@ -214,18 +214,18 @@ static const char *print_heading(printer *o, const char *at, const char *end) {
   return after(line, end);
 }
 
-/* ---- tables ---- */
+/* ---- printing tables ---- */
 
-typedef struct { size_t from, to; } cell; /* in `plain` */
+typedef struct { size_t from, to; } cell; /* positions in `plain` */
 typedef struct { cell cells[MOST_COLUMNS]; int count; } row;
 
-static bool is_rule(part line) { /* |---|---| */
+static bool is_rule(part line) { /* returns true for a line such as |---|---| */
   for (const char *p = line.at; p < line.end; p++)
     if (!strchr("|-: ", *p)) return false;
   return true;
 }
 
-/* Splits |a|b| at the bars that are neither in `code` nor after a backslash. */
+/* Splits a row |a|b| at its bars. A bar within `code` or after a backslash does not count. */
 static bool read_row(printer *o, part line, row *r) {
   r->count = 0;
   while (line.end > line.at && line.end[-1] == ' ') line.end--;
@@ -250,8 +250,8 @@ static bool read_row(printer *o, part line, row *r) {
   return true;
 }
 
-/* Computes the widths of columns: that of the widest cell. If the sum is too large, the widest columns shrink until all
- * fit, at most to their longest word. */
+/* Reduces the widths of columns, initially those of their widest cells, until their sum fits `width`. The widest
+ * columns are reduced first, and none below its longest word. */
 static void share_width(int *wide, const int *least, int count, int width) {
   int room = width - GAP * (count - 1), cap = 0;
   for (int i = 0; i < count; i++) cap = wide[i] > cap ? wide[i] : cap;
@@ -302,7 +302,7 @@ static void print_row(printer *o, const row *r, const int *wide, int count, bool
 }
 
 static const char *print_table(printer *o, const char *at, const char *end) {
-  line_buffer read = {0}; /* of rows */
+  line_buffer read = {0}; /* the rows of the table */
   bool fine = true;
   o->plain.length = 0;
   while (fine && at < end && *at == '|') {
@@ -338,7 +338,7 @@ static const char *print_table(printer *o, const char *at, const char *end) {
   return fine ? at : NULL;
 }
 
-/* ---- pages ---- */
+/* ---- printing a text ---- */
 
 bool cli_markdown_print(const char *start, size_t length, int width, bool bold, FILE *to) {
   printer o = {.to = to, .width = width < 20 ? 20 : width, .bold = bold, .blank = true};

@@ -1,4 +1,4 @@
-/* Owns the layout of the manual's pages in a terminal. It handles the part of Markdown that the manual uses: headings,
+/* Declares functions that print Markdown on a terminal. They support the parts that the manual uses: headings,
  * paragraphs, lists, tables, blocks of code, and `code`, **strong** and [links](to) within a line. */
 #ifndef VS_CLI_PROMPT_MARKDOWN_H
 #define VS_CLI_PROMPT_MARKDOWN_H
@@ -11,9 +11,9 @@
  * headings, code and strong words are in bold type. Omits pictures. Returns false when memory is out; the output then
  * ends early. */
 bool cli_markdown_print(const char *text, size_t length, int width, bool bold, FILE *to);
-/* Prints a line of it without bold type and without a newline, as in a list of headings. */
+/* Prints one line of Markdown without bold type and without a newline, for lists of headings. */
 void cli_markdown_print_line(const char *text, size_t length, FILE *to);
-/* Returns the number of # of the heading at the beginning of this line; 0 if the line is no heading. */
+/* Returns the number of # of the heading on this line, or 0 if the line is no heading. */
 int cli_markdown_level(const char *line, size_t length);
 
 #endif

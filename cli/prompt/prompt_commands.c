@@ -1,4 +1,4 @@
-/* Owns the prompt's own commands; prompt_commands.def lists them. */
+/* Implements the commands of the prompt, which prompt_commands.def lists. */
 #include "cli/prompt/prompt_commands.h"
 
 #include <ctype.h>
@@ -18,9 +18,9 @@
 #include "cli/prompt/show.h"
 #include "cli/stats.h"
 
-/* ---- files ---- */
+/* ---- running and loading files ---- */
 
-/* Returns a file's name, which needs no quotes here, without its quotes. */
+/* Returns the file name without its quotes, which are optional. */
 static char *unquoted(char *name) {
   size_t n = strlen(name);
   if (n < 2 || name[0] != '"' || name[n - 1] != '"') return name;
@@ -40,7 +40,7 @@ static void write_file(cli_session *c, const char *path, const char *command) {
   }
 }
 
-/* Runs FILE, or the last file, from the start. */
+/* Runs the file, or with "" the last one, from the start. */
 static vs_outcome run_model(cli_session *c, const char *path) {
   const cli_options *o = c->options;
   if (*path && access(path, R_OK) != 0) {
@@ -78,11 +78,11 @@ static void run_file(cli_session *c, cli_prompt *p, const char *path) {
   if (outcome == VS_OUTCOME_USAGE) return;
   cli_prompt_forget_stopped(p);
   if (outcome == VS_OUTCOME_STOPPED) cli_prompt_stopped(c, p, (cli_entry){NULL, 0, 0, 0});
-  for (size_t i = 0; i < p->known; i++) free(p->entries[i].text); /* typed entries are dropped too */
+  for (size_t i = 0; i < p->known; i++) free(p->entries[i].text); /* typed entries are deleted, too */
   p->count = p->known = 0;
 }
 
-/* Loads as (load "FILE") does: it makes an entry, for ,undo and ,save. */
+/* Evaluates (load "FILE"), which becomes an entry for ,undo and ,save. With "", loads the last file again. */
 static void load_file(cli_session *c, cli_prompt *p, const char *path) {
   if (*path) {
     char *copy = strdup(path);
@@ -101,7 +101,7 @@ static void load_file(cli_session *c, cli_prompt *p, const char *path) {
   cli_prompt_evaluate(c, p, text, strlen(text), p->line++);
 }
 
-/* ---- parameters ---- */
+/* ---- setting and listing parameters ---- */
 
 void cli_prompt_set(cli_session *c, char *rest) {
   size_t length = strcspn(rest, " \t"), count = vs_parameter_count(c->scheme);
@@ -127,7 +127,7 @@ void cli_prompt_set(cli_session *c, char *rest) {
     fputs("; ,parameters lists them\n", stderr);
   } else if (!c->model && !c->options->source_count) {
     fprintf(stderr, "%s was defined at the prompt; do that again: (define-parameter %s %s)\n", rest, rest, value);
-  /* refused: the old value stays */
+  /* the new value was refused: restore the old one */
   } else if (vs_parameter_set(c->scheme, rest, value) && run_model(c, "") == VS_OUTCOME_USAGE && was &&
       vs_parameter_set(c->scheme, rest, was)) {
     printf("; %s stays %s\n", rest, was);
@@ -136,7 +136,7 @@ void cli_prompt_set(cli_session *c, char *rest) {
   free(was);
 }
 
-/* Prints a line for each parameter: name, value, range, label. */
+/* Prints a line for each parameter: name, value, range and label. */
 static void list_parameters(cli_session *c) {
   size_t count = vs_parameter_count(c->scheme);
   vs_parameter_info p;
@@ -163,7 +163,7 @@ static void show_drawing(cli_session *c) {
   if (vs_drawing_summary(c->scheme, &summary) == VS_OUTCOME_DONE) cli_report_summary("drawing", &summary);
 }
 
-/* ---- help ---- */
+/* ---- help on commands and names ---- */
 
 static void list_commands(void) {
 #define COMMAND(name, argument, help, action) printf("  ,%-18s %s\n", #name argument, help);
@@ -201,7 +201,7 @@ static void help(cli_session *c, const char *name) {
   if (*info.value) printf("  %s is %s\n", name, info.value);
 }
 
-/* Returns true if the text contains the word, in any case. */
+/* Returns true if the text contains the word; upper and lower case are the same. */
 static bool has(const char *text, const char *word) {
   size_t n = strlen(word);
   for (; *text; text++) {
@@ -248,7 +248,7 @@ static void apropos(cli_session *c, const char *word) {
   cli_manual_mentions(word, stdout);
 }
 
-/* Evaluates the expression with `before` and `after` around it. */
+/* Evaluates the concatenation of `before`, expression and `after`. */
 static void ask(cli_session *c, const char *before, const char *expression, const char *after) {
   size_t n = strlen(before) + strlen(expression) + strlen(after) + 1;
   char *text = malloc(n);
@@ -269,9 +269,9 @@ static void expand(cli_session *c, const char *form) {
   else fputs(",expand needs a form, as in ,expand (for/list ([i 3]) i)\n", stderr);
 }
 
-/* ---- entries ---- */
+/* ---- undoing and saving entries ---- */
 
-/* Runs everything from the start up to the last entry in force, without printing values. */
+/* Restarts, and runs all files and all entries that are not undone, without printing values. */
 static vs_outcome replay(cli_session *c, cli_prompt *p) {
   FILE *output = c->output;
   bool quiet = c->options->quiet;
@@ -322,7 +322,7 @@ static void redo(cli_session *c, cli_prompt *p) {
   replay(c, p);
 }
 
-/* Returns the number of the entry's value that a later entry refers to by its number; 0: none. */
+/* Returns the number n of a value $n of this entry that a later entry uses, or 0 if there is none. */
 static unsigned named_later(const cli_prompt *p, size_t entry) {
   const cli_entry *e = &p->entries[entry];
   for (size_t i = entry + 1; e->results && i < p->count; i++)
@@ -333,7 +333,7 @@ static unsigned named_later(const cli_prompt *p, size_t entry) {
   return 0;
 }
 
-/* Returns true if the text is one expression in parentheses, or one word. */
+/* Returns true if the text is a single expression in parentheses, or a single word. */
 static bool is_one(cli_session *c, const char *text, size_t n) {
   if (*text != '(' && *text != '[') return memchr(text, ' ', n) == NULL && memchr(text, '\n', n) == NULL;
   for (size_t k = 2; k < n; k++)
@@ -342,7 +342,7 @@ static bool is_one(cli_session *c, const char *text, size_t n) {
   return true;
 }
 
-/* Writes an entry as a line of a program. If a later entry refers to its value by number, the value gets a name. */
+/* Writes an entry as a line of a program. If a later entry uses its value, the value gets a name. */
 static void save_entry(cli_session *c, const cli_prompt *p, size_t entry, FILE *f) {
   const char *text = p->entries[entry].text;
   text += strspn(text, " \t\r\n");
@@ -357,13 +357,13 @@ static void save_entry(cli_session *c, const cli_prompt *p, size_t entry, FILE *
     fprintf(stderr, "; $%u is not in the program: it is the value of one of several expressions in a line\n", named);
 }
 
-/* Returns true if the entry only traces: (trace f). */
+/* Returns true if the entry only switches tracing: (trace f) or (untrace f). */
 static bool only_watches(const char *text) {
   text += strspn(text, " \t\r\n");
   return strncmp(text, "(trace ", 7) == 0 || strncmp(text, "(untrace ", 9) == 0;
 }
 
-/* Writes the entries as a program: the model's files first, then every entry. */
+/* Writes the model's files and all entries as one program. */
 static void save(cli_session *c, cli_prompt *p, const char *path) {
   if (!*path) {
     fputs(",save needs a file name, as in ,save house.vs\n", stderr);
@@ -400,7 +400,7 @@ static void save(cli_session *c, cli_prompt *p, const char *path) {
            definitions);
 }
 
-/* ---- tracing ---- */
+/* ---- tracing and timing ---- */
 
 static double seconds(void) {
   struct timespec t;
@@ -496,7 +496,7 @@ static void locals(cli_session *c, const char *number) {
     const char *end = at;
     int depth = 0;
     bool string = false;
-    for (; *end; end++) { /* to a comma between two of them */
+    for (; *end; end++) { /* to the comma before the next name */
       if (*end == '"') string = !string;
       if (!string && *end == '(') depth++;
       if (!string && *end == ')') depth--;

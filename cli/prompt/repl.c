@@ -1,8 +1,8 @@
-/* Owns the prompt's loop: it reads lines until they are complete data, evaluates them and prints their values. An error
- * does not end it.
+/* Implements the prompt. It reads lines until they form a complete expression, evaluates it and prints its value. An
+ * error does not end the prompt.
  *
- * On a terminal, editor.c edits the lines. Otherwise (a pipe) the loop reads plain lines and shows no prompt. A line
- * that begins with a comma is a command to the prompt itself, even within an unfinished expression. */
+ * On a terminal, editor.c edits the lines. If standard input is a pipe, lines are read without editing and no prompt is
+ * shown. A line that begins with a comma is a command of the prompt, even within an unfinished expression. */
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
@@ -15,7 +15,7 @@
 #include "cli/prompt/standard_output.h"
 #include "live/live.h"
 
-/* Returns the next line with its newline, or NULL: the end, or an interrupt (errno EINTR). */
+/* Returns the next line with its newline. Returns NULL at the end of input, or, with errno EINTR, at an interrupt. */
 static const char *next_line(cli_session *c, const char *prompt, const char *open, size_t *length, bool *whole) {
   *whole = false;
   errno = 0;
@@ -31,7 +31,7 @@ const char *cli_repl_line(cli_session *c, size_t *length) {
   return next_line(c, "", "", length, &whole);
 }
 
-/* ---- evaluating ---- */
+/* ---- evaluating typed text ---- */
 
 static bool has_room(cli_entry **entries, size_t count, size_t *room) {
   if (count < *room) return true;
@@ -60,7 +60,7 @@ unsigned cli_prompt_results(cli_session *c, cli_prompt *p) {
 }
 
 static bool remember(cli_session *c, cli_prompt *p, const char *text, size_t length, unsigned first_line) {
-  for (size_t i = p->count; i < p->known; i++) free(p->entries[i].text); /* undone entries are dropped */
+  for (size_t i = p->count; i < p->known; i++) free(p->entries[i].text); /* undone entries are deleted */
   p->known = p->count;
   if (!has_room(&p->entries, p->count, &p->room)) return false;
   char *copy = malloc(length + 1);
@@ -81,17 +81,17 @@ void cli_prompt_free(cli_prompt *p) {
   free(p->loaded);
 }
 
-/* Explains that 3 + 4 is three values. */
+/* Explains that the line 3 + 4 is three separate values. Returns false for other lines. */
 static bool advise_infix(const char *line) {
   char a[40], sign[3], b[40], rest[2];
   if (sscanf(line, "%39[^ ()\"'] %2[-+*/<>=^%%] %39[^ ()\"']%1s", a, sign, b, rest) != 3) return false;
-  if (sign[0] == '=' && !sign[1]) return false; /* x = 5: the error explains it */
+  if (sign[0] == '=' && !sign[1]) return false; /* x = 5: the error message already explains it */
   fprintf(stderr, "; the operator comes first: (%s %s %s)\n", strcmp(sign, "^") == 0 ? "expt" : strcmp(sign,
       "==") == 0 ? "=" : sign, a, b);
   return true;
 }
 
-/* Advises on a line typed as in a shell: `load "x.vs"` is two values, and `show` is no name. */
+/* Advises on a line that is typed as in a shell, such as `load "x.vs"` or `show`. */
 static void advise_bare_call(cli_session *c, const char *line, bool failed) {
   char name[40];
   size_t length = strcspn(line, " ");
@@ -105,12 +105,12 @@ static void advise_bare_call(cli_session *c, const char *line, bool failed) {
   } else {
     char command[sizeof name + 1];
     snprintf(command, sizeof command, ",%s", name);
-    if (!failed || strstr(vs_name_advice(c->scheme, name), command)) return; /* the error has explained it */
+    if (!failed || strstr(vs_name_advice(c->scheme, name), command)) return; /* the error message already explains it */
   }
   cli_command_advise(name, stderr);
 }
 
-/* Advises on an evaluated line without parentheses around it. */
+/* Advises on an evaluated line that has no parentheses around it. */
 static void advise(cli_session *c, const char *text, size_t length, bool failed) {
   char line[120];
   while (length && strchr(" \t\r\n", text[length - 1])) length--;
@@ -123,7 +123,7 @@ static void advise(cli_session *c, const char *text, size_t length, bool failed)
 
 /* ---- paused programs ---- */
 
-/* Calls vs_resume, with the watch. */
+/* Calls vs_resume, with the time watched (limits.h). */
 static vs_outcome resume(cli_session *c, vs_resume_way way) {
   c->drawn = true;
   cli_watch_begin(&c->watch, true);
@@ -204,7 +204,7 @@ vs_outcome cli_prompt_evaluate_with(cli_session *c, cli_prompt *p, const char *t
     outcome = cli_prompt_stopped(c, p, (cli_entry){copy.at, first_line, 0, 0});
   } else if (outcome == VS_OUTCOME_DONE) {
     advise(c, text, length, false);
-    /* questions to a paused program make no sense outside of it */
+    /* Expressions that only inspect a paused program are not kept as entries. */
     if ((!p->stopped_count || cli_is_definition(text)) && !remember(c, p, text, length,
         first_line)) fputs("vs: out of memory\n", stderr);
   } else if (outcome == VS_OUTCOME_MODEL) {
@@ -227,7 +227,7 @@ static bool view_asked(void *context) {
   return p->asked.kind != LIVE_NOTHING;
 }
 
-/* Carries out a window's request, as if it had been typed. */
+/* Performs the request of a window as if it had been typed. */
 static void view_act(void *context) {
   cli_prompt *p = context;
   cli_session *c = p->session;
@@ -265,24 +265,25 @@ void cli_prompt_view(cli_session *c, cli_prompt *p) {
   puts("; the page follows the drawing for as long as this prompt lives");
 }
 
-/* Shows the result of the last line in the view, before the next prompt. */
+/* Shows the result of the last line in the live view. */
 static void show_view(cli_session *c) {
   if (!c->view) return;
   if (c->drawn) live_follow_show(c->view);
   c->drawn = false;
 }
 
-/* ---- the loop ---- */
+/* ---- the loop of the prompt ---- */
 
-/* Returns "2 open, from line 1> ": the depth, and the line of the innermost open parenthesis. */
+/* Returns the prompt for an unfinished expression, "2 open, from line 1> ": the number of open parentheses, and the
+ * line of the innermost. */
 static const char *continuation(const vs_read_status *status, char *room, size_t size) {
   if (status->depth) snprintf(room, size, "%u open, from line %u> ", status->depth, status->line);
   else snprintf(room, size, "open from line %u> ", status->line);
   return room;
 }
 
-/* Prints where the abandoned expression probably lacks its parenthesis: at the end of the line before the first one
- * that begins at the left edge. */
+/* Prints where the abandoned expression probably lacks a parenthesis: at the end of the line before the first later
+ * line that begins with a parenthesis at the left margin. */
 static void tell_given_up(const char *text, const vs_read_status *status) {
   unsigned line = 1, lacks = 0;
   for (const char *at = text; *at; line++) {
@@ -295,7 +296,7 @@ static void tell_given_up(const char *text, const vs_read_status *status) {
   else printf("; given up: the parenthesis of line %u, column %u is not closed\n", status->line, status->column);
 }
 
-/* Returns "> "; "break> " if a program is paused, "2 break> " if another is paused below it. */
+/* Returns the prompt: "> ", or "break> " if a program is paused, or "2 break> " if two are. */
 static const char *top_prompt(const cli_prompt *p, char *room, size_t size) {
   if (!p->stopped_count) return "> ";
   const char *how = p->again ? "step" : "break";
@@ -309,19 +310,19 @@ vs_outcome cli_repl(cli_session *c) {
   c->editor = cli_editor_open(c->scheme, cli_command_names);
   if (c->editor && !c->options->quiet) printf("VisualScheme %s. ,help lists commands, ,quit ends.\n", vs_version());
   line_buffer pending = {0};
-  unsigned first_line = 1; /* of the pending text */
+  unsigned first_line = 1; /* line number at which the pending text begins */
   int code;
   vs_outcome outcome = VS_OUTCOME_DONE;
   vs_read_status status = {0};
   c->stops = VS_EVAL_STOP;
-  /* the command line's program has paused */
+  /* A program of the command line has paused. */
   if (vs_stop_depth(c->scheme)) cli_prompt_stopped(c, &p, (cli_entry){NULL, 0, 0, 0});
   while (p.going && !*c->ended && !vs_exit_requested(c->scheme, &code)) {
     cli_output_flush(c);
     size_t length = 0;
     char room[64];
     bool whole;
-    if (c->editor && c->midline) putchar('\n'); /* the prompt begins a line */
+    if (c->editor && c->midline) putchar('\n'); /* the prompt must begin a line */
     c->midline = false;
     show_view(c);
     const char *line = next_line(c, pending.length ? continuation(&status, room, sizeof room) : top_prompt(&p, room,
@@ -329,18 +330,18 @@ vs_outcome cli_repl(cli_session *c) {
         ? pending.at : "", &length, &whole);
     if (line && c->view) live_follow_begin(c->view);
     if (!line && *c->ended) break;
-    if (!line && errno == EINTR && c->editor) { /* ctrl-C drops the typed text */
+    if (!line && errno == EINTR && c->editor) { /* Ctrl-C deletes the typed text */
       vs_interrupt_clear(c->scheme);
       putchar('\n');
       pending.length = 0;
       continue;
     }
-    if (!line && c->editor && p.stopped_count && !pending.length) { /* ctrl-D */
+    if (!line && c->editor && p.stopped_count && !pending.length) { /* Ctrl-D ends a paused program */
       puts(" given up");
       cli_prompt_drop(c, &p);
       continue;
     }
-    if (line && whole) pending.length = 0; /* the open lines come again, edited */
+    if (line && whole) pending.length = 0; /* `line` contains the pending lines, too, after editing */
     if (!pending.length) first_line = p.line;
     size_t blanks = line ? strspn(line, " \t") : 0;
     if (line && line[blanks] == ',' && (!pending.length || c->editor)) {
@@ -365,7 +366,7 @@ vs_outcome cli_repl(cli_session *c) {
       cli_prompt_resume(c, &p, (vs_resume_way)(p.again - 1));
       continue;
     }
-    /* an empty line */
+    /* An empty line abandons the unfinished expression. */
     if (line && c->editor && pending.length && blanks + 1 >= length && !cli_editor_has_more(c->editor)) {
       tell_given_up(pending.at, &status);
       p.line++;
@@ -387,9 +388,9 @@ vs_outcome cli_repl(cli_session *c) {
     if (status.state == VS_READ_INCOMPLETE && p.going) continue;
     if (status.state != VS_READ_EMPTY && pending.length) {
       if (c->editor) cli_editor_remember(c->editor, pending.at, pending.length);
-      /* An entry that is not valid is evaluated too: the reader's error gives the reason. */
+      /* Invalid text is evaluated, too: the reader's error message gives the reason. */
       vs_outcome one = cli_prompt_evaluate(c, &p, pending.at, pending.length, first_line);
-      /* errors of a pipe's lines may pass unseen: the first one is the exit code */
+      /* Without a terminal nobody may see an error: the first one decides the exit status. */
       if (!c->editor && outcome == VS_OUTCOME_DONE && one != VS_OUTCOME_STOPPED) outcome = one;
       if (one == VS_OUTCOME_INTERRUPTED && !c->editor) {
         outcome = one;
@@ -398,7 +399,7 @@ vs_outcome cli_repl(cli_session *c) {
     }
     pending.length = 0;
   }
-  if (vs_exit_requested(c->scheme, &code)) outcome = VS_OUTCOME_DONE; /* the program gives the code */
+  if (vs_exit_requested(c->scheme, &code)) outcome = VS_OUTCOME_DONE; /* (exit n) decides the exit status */
   free(pending.at);
   live_follow_close(c->view);
   c->view = NULL;

@@ -1,7 +1,8 @@
-/* Owns ,show: a picture of the drawing on the terminal. Its triangles come from the PLY writer, each with its colour. A
- * small rasteriser with a depth buffer draws them, seen from the front left above. Terminals with the protocols of
- * sixel, kitty or iTerm show pixels. On all others each character shows two, one above the other (the upper half block
- * in 24-bit colour). */
+/* Implements ,show: draws a picture of the drawing on the terminal. The coloured triangles come from the PLY writer. A
+ * small rasteriser with a depth buffer draws them in parallel projection from the upper front left.
+ *
+ * Terminals with the protocol of sixel, kitty or iTerm show pixels. On all others, each character is the upper half
+ * block in 24-bit colours, and shows two pixels. */
 #include "cli/prompt/show.h"
 
 #include <math.h>
@@ -28,7 +29,7 @@ static bool take(void *context, const void *more, size_t count) {
   return true;
 }
 
-/* ---- the mesh: little-endian PLY as the library writes it ---- */
+/* ---- reading the mesh: little-endian PLY as the library writes it ---- */
 
 typedef struct { size_t vertices, faces, vertex_bytes; bool wide; const unsigned char *body;
     const unsigned char *end; } ply;
@@ -69,7 +70,7 @@ static uint32_t index_at(const unsigned char *at) {
   return memcpy(&i, at, sizeof i), i;
 }
 
-/* ---- the picture ---- */
+/* ---- drawing the picture ---- */
 
 typedef struct { int width, height; float *depth; unsigned char *rgb; } picture;
 typedef struct { double x, y, z; } vec;
@@ -80,9 +81,9 @@ static vec corner(const ply *p, uint32_t i) {
   return (vec){number_at(at, p->wide), number_at(at + step, p->wide), number_at(at + 2 * step, p->wide)};
 }
 
-/* Projects a point in parallel, from the front left above: x to the right, y up, z towards the eye. */
+/* Projects a point in parallel: x to the right, y upwards, z towards the eye, which is at the upper front left. */
 static vec seen(vec v) {
-  /* turned by 30 degrees about Z, tilted by 30 */
+  /* rotation by 30 degrees about Z, then a tilt by 30 degrees */
   const double c = .8660254037844387, s = .5, ct = .8660254037844386, st = .5;
   double x = c * v.x - s * v.y, y = s * v.x + c * v.y;
   return (vec){x, st * y + ct * v.z, ct * -y + st * v.z};
@@ -112,9 +113,9 @@ static void fill(picture *p, const vec t[3], const unsigned char rgb[3]) {
     }
 }
 
-enum { FACE = 17 }; /* a count, three corners, red, green, blue and opacity */
+enum { FACE = 17 }; /* FACE: bytes of a face: a count, three corners, red, green, blue and opacity */
 
-/* Returns false if there is no memory, or nothing to see. */
+/* Draws the mesh. Returns false if memory is out or nothing is visible. */
 static bool draw(const ply *m, int width, int height, picture *p) {
   size_t pixels = (size_t)width * (size_t)height;
   *p = (picture){width, height, malloc(pixels * sizeof(float)), calloc(pixels, 3)};
@@ -138,7 +139,7 @@ static bool draw(const ply *m, int width, int height, picture *p) {
       vec s = seen(corner(m, c));
       t[k] = (vec){dx + scale * s.x, dy - scale * s.y, scale * s.z};
     }
-    vec swap = t[1]; /* y points down in the picture, so the order of corners changes */
+    vec swap = t[1]; /* y points downwards in the picture, which reverses the order of the corners */
     t[1] = t[2], t[2] = swap;
     if (fits) fill(p, t, face + 13);
     face += FACE;
@@ -146,7 +147,7 @@ static bool draw(const ply *m, int width, int height, picture *p) {
   return true;
 }
 
-/* ---- showing it ---- */
+/* ---- showing the picture ---- */
 
 static bool inked(const picture *p, int x, int y) { return x < p->width && y < p->height &&
     isfinite(p->depth[(size_t)y * (size_t)p->width + (size_t)x]); }
@@ -169,7 +170,7 @@ static void show_blocks(const picture *p) {
   }
 }
 
-/* Shows the brightness, without colours, as a character for each two pixels. */
+/* Shows the brightness without colours; each character represents two pixels, one above the other. */
 static void show_characters(const picture *p) {
   static const char ramp[] = " .:-=+*#%@";
   for (int y = 0; y < p->height; y += 2) {
@@ -194,7 +195,7 @@ static void base64(const unsigned char *at, size_t n) {
   }
 }
 
-/* Shows raw pixels with opacity by kitty's protocol, in pieces of 3072 bytes. */
+/* Shows the pixels with opacity by kitty's protocol, in pieces of 3072 bytes. */
 static void show_kitty(const picture *p) {
   enum { PIECE = 3072 };
   size_t pixels = (size_t)p->width * (size_t)p->height, n = 4 * pixels;
@@ -213,7 +214,7 @@ static void show_kitty(const picture *p) {
   free(rgba);
 }
 
-/* Shows a portable pixmap by iTerm's protocol, which takes files. */
+/* Shows the picture by iTerm's protocol, which transfers files, as a portable pixmap. */
 static void show_iterm(const picture *p) {
   size_t pixels = (size_t)p->width * (size_t)p->height, head;
   unsigned char *file = malloc(3 * pixels + 40);
@@ -227,7 +228,7 @@ static void show_iterm(const picture *p) {
   free(file);
 }
 
-/* Returns the index in the 216 colours of a cube with six steps a side, for sixels. */
+/* Returns the index of a colour among the 216 colours of sixels: 6 levels each of red, green and blue. */
 static int cube(const unsigned char *c) {
   return (c[0] * 5 + 127) / 255 * 36 + (c[1] * 5 + 127) / 255 * 6 + (c[2] * 5 + 127) / 255;
 }
@@ -262,19 +263,20 @@ static void show_sixel(const picture *p) {
   fputs("\033\\\n", stdout);
 }
 
-/* ---- the choice of protocol ---- */
+/* ---- choosing the protocol ---- */
 
 typedef enum { SHOW_BLOCKS, SHOW_KITTY, SHOW_ITERM, SHOW_SIXEL, SHOW_CHARACTERS } way;
 
-/* Chooses by the terminal's own description; VS_SHOW overrides it: kitty, iterm, sixel, blocks or characters. */
+/* Chooses the protocol from environment variables that describe the terminal. VS_SHOW overrides it: kitty, iterm,
+ * sixel, blocks or characters. */
 static way best_way(void) {
   static const char *const names[] = {"blocks", "kitty", "iterm", "sixel", "characters"};
   const char *wanted = getenv("VS_SHOW"), *term = getenv("TERM"), *program = getenv("TERM_PROGRAM");
   for (int i = 0; wanted && i < 5; i++)
     if (!strcmp(wanted, names[i])) return (way)i;
   if (!isatty(STDOUT_FILENO) || !cli_colours(STDOUT_FILENO)) return SHOW_CHARACTERS;
-  bool inside = getenv("TMUX") || (term && !strncmp(term, "screen", 6)); /* the description is not that of the terminal
-                                                                          * that shows it */
+  bool inside = getenv("TMUX") || (term && !strncmp(term, "screen", 6)); /* within tmux and screen, these variables may
+                                                                          * describe another terminal */
   if (!inside && (getenv("KITTY_WINDOW_ID") || (term && strstr(term, "kitty")) || (program &&
       !strcmp(program, "ghostty")))) return SHOW_KITTY;
   if (!inside && program && (!strcmp(program, "iTerm.app") || !strcmp(program, "WezTerm"))) return SHOW_ITERM;

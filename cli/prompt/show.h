@@ -1,4 +1,4 @@
-/* Owns the interface of show.c: ,show. */
+/* Declares the command ,show of the prompt. */
 #ifndef VS_CLI_PROMPT_SHOW_H
 #define VS_CLI_PROMPT_SHOW_H
 

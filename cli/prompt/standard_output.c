@@ -1,4 +1,4 @@
-/* Owns the reaction to a standard output that cannot be written. */
+/* Reports that standard output cannot be written. */
 #include "cli/prompt/standard_output.h"
 
 #include <errno.h>
@@ -16,7 +16,7 @@ void cli_output_flush(cli_session *c) {
   if (fflush(stdout) != 0) cli_output_fails(c);
 }
 
-/* Returns true if the reader of standard output has gone. It wants no more, and gets no message. */
+/* Returns true if the process that reads standard output has closed it. It needs no message. */
 static bool reader_is_gone(void) {
   struct pollfd out = { .fd = STDOUT_FILENO, .events = POLLOUT };
   return poll(&out, 1, 0) > 0 && (out.revents & (POLLERR | POLLHUP)) != 0;
@@ -24,9 +24,10 @@ static bool reader_is_gone(void) {
 
 int cli_output_end(int code, bool told) {
   errno = 0;
-  bool failed = fflush(stdout) != 0; /* errno is 0 if an earlier write failed and left nothing to write */
+  bool failed = fflush(stdout) != 0; /* errno is 0 if an earlier write failed and nothing was left to write */
   if (!failed && !ferror(stdout) && !told) return code;
-  if (code != VS_OUTCOME_DONE && code != VS_OUTCOME_MODEL) return code; /* with its own message */
+  if (code != VS_OUTCOME_DONE && code != VS_OUTCOME_MODEL) return code; /* the failure that this code means was already
+                                                                         * reported */
   if (!told && errno && errno != EPIPE) fprintf(stderr, "vs: standard output: %s\n", strerror(errno));
   else if (!told && !errno && !reader_is_gone()) fputs("vs: standard output: not all could be written\n", stderr);
   return VS_OUTCOME_USAGE;

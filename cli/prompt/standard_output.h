@@ -1,16 +1,16 @@
-/* Owns the reaction to a standard output that cannot be written: one message, and the exit code of a file that cannot
- * be written. */
+/* Declares the reaction to a standard output that cannot be written: one message, and the exit status of an unwritable
+ * file. */
 #ifndef VS_CLI_PROMPT_STANDARD_OUTPUT_H
 #define VS_CLI_PROMPT_STANDARD_OUTPUT_H
 
 #include "cli/command.h"
 
-void cli_output_fails(cli_session *c); /* errno has the reason */
-/* Writes the pending output. */
+void cli_output_fails(cli_session *c); /* Reports the failure once; errno has the reason. */
+/* Writes the buffered standard output; reports a failure. */
 void cli_output_flush(cli_session *c);
-/* Ends standard output. Returns the exit code: 2 if output was lost, even if the model then failed because of it, or if
- * the two models of `vs diff` differ. told: standard error has reported it already. A reader that has gone gets no
- * message. */
+/* Closes standard output, and returns the exit status. It is 2 if output was lost, even if `code` is 1 because the
+ * model failed or the models of `vs diff` differ. told: the loss was already reported. No message is printed if the
+ * reader has closed standard output. */
 int cli_output_end(int code, bool told);
 
 #endif
