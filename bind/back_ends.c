@@ -1,6 +1,6 @@
-/* Owns, for programs, the drawing as a value and the list of the back-ends that programs define. The session searches
- * the list, and calls a back-end's procedure as an evaluation of the run loop. back_ends.scm contains the procedures
- * themselves. */
+/* Implements, for programs, the drawing as a value and the list of the back-ends that programs define. The session
+ * searches the list and calls a back-end's procedure as a separate evaluation. back_ends.scm contains these
+ * procedures. */
 #include "bind/back_ends.h"
 
 #include "bind/build.h"
@@ -22,7 +22,7 @@
 #include "vm/machine/run.h"
 #include "vm/values/heap.h"
 
-/* ---- the drawing as a value ---- */
+/* ---- the drawing as a list of objects ---- */
 
 vs_status vs_p_drawing(vs_args *f, vs_value *out) {
   vs_bind *b = f->bind;
@@ -37,7 +37,7 @@ vs_status vs_p_drawing(vs_args *f, vs_value *out) {
   return VS_OK;
 }
 
-/* ---- an object in simpler kinds ---- */
+/* ---- replacing an object by simpler kinds ---- */
 
 static vs_status lower_triangles(vs_args *f, const vs_fineness *facets, vs_node **made) {
   const vs_ref *ref = &f->arg[0].ref;
@@ -62,7 +62,7 @@ static vs_status lower_triangles(vs_args *f, const vs_fineness *facets, vs_node 
 vs_status vs_p_lowered(vs_args *f, vs_value *out) {
   vs_error e = { 0 };
   vs_bounds bounds;
-  /* The outline of a shadow is computed before its triangles. */
+  /* Whether the object contains a shadow or the like, whose outline is computed before its triangles. */
   bool worked_out = (f->arg[0].ref.node->flags & VS_NODE_UNRESOLVED) != 0;
   if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return VS_ERROR;
   const vs_node *n = f->arg[0].ref.node;
@@ -90,7 +90,7 @@ vs_status vs_p_lowered(vs_args *f, vs_value *out) {
   return vs_bind_give_node(f, made, out);
 }
 
-/* ---- the list ---- */
+/* ---- the list of the program's back-ends ---- */
 
 const vs_bind_back_end *vs_bind_back_end_find(const vs_bind *b, const char *text) {
   const char *dot = strrchr(text, '.'), *slash = strrchr(text, '/');
@@ -115,8 +115,8 @@ vs_status vs_p_back_end(vs_args *f, vs_value *out) {
   if (b->is_built_in && b->is_built_in(made.suffix))
     return vs_bind_refuse(f, "suffix", "an ending that no format has yet", f->arg[1].value);
   for (size_t i = 0; i < b->back_end_count; i++)
-    if (same_name(&b->back_ends[i], made.name)) return b->back_ends[i] = made, VS_OK; /* A file that is loaded again
-                                                                                       * defines the name again. */
+    if (same_name(&b->back_ends[i], made.name)) return b->back_ends[i] = made, VS_OK; /* a file that is loaded again may
+                                                                                       * define the same name again */
   if (b->back_end_count == b->back_end_room) {
     size_t room = b->back_end_room ? 2 * b->back_end_room : 4;
     vs_bind_back_end *more =
@@ -128,14 +128,15 @@ vs_status vs_p_back_end(vs_args *f, vs_value *out) {
   return VS_OK;
 }
 
-/* ---- writing ---- */
+/* ---- calling a back-end's procedure ---- */
 
-enum { HOST_WRITE = 3 }; /* the place where back_ends.scm stores its procedure at the first definition */
+enum { HOST_WRITE = 3 }; /* index in at.host where back_ends.scm stores its procedure at the first definition of a
+                          * back-end */
 
 bool vs_bind_back_end_write(vs_bind *b, const char *name, const vs_ref *refs, size_t count, char **text,
                             size_t *bytes) {
   vs_scheme *vm = b->vm;
-  VS_ROOTS(vm, r, 4); /* the procedure, the name, the list of objects, and one object, later the result */
+  VS_ROOTS(vm, r, 4); /* roots: the procedure, the name, the list of objects, and an object, later the result */
   *text = NULL;
   r[0] = vs_as_vector(vm->at.host)->at[HOST_WRITE];
   r[2] = VS_NIL;

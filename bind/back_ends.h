@@ -1,4 +1,4 @@
-/* Owns the interface of back_ends.c: the drawing as a value, and the list of the back-ends that programs define. */
+/* Declares the drawing as a value, and the list of the back-ends that programs define. Implemented in back_ends.c. */
 #ifndef VS_BIND_BACK_ENDS_H
 #define VS_BIND_BACK_ENDS_H
 
@@ -7,13 +7,15 @@
 
 typedef struct vs_bind vs_bind;
 
-/* A back-end that the program defined; the texts are the store's. */
+/* A back-end that the program has defined. The store owns the texts. */
 typedef struct vs_bind_back_end { const char *name, *suffix, *doc; bool binary, optimised; } vs_bind_back_end;
 
-/* Returns the program's back-end of this name, or of this ending of a path; NULL if there is none. */
+/* Returns the program's back-end with this name, or the one for a path with this suffix. Returns NULL if there is
+ * none. */
 const vs_bind_back_end *vs_bind_back_end_find(const vs_bind *b, const char *text);
-/* Calls the back-end's procedure with these objects. *text gets *bytes bytes and room for one more, from vs_mem; the
- * caller frees it. Returns false with the condition set. */
+/* Calls the back-end's procedure with these objects. Sets *text to the result and *bytes to its length; the memory
+ * comes from vs_mem, has room for one byte more, and is freed by the caller. If it fails, returns false and sets the
+ * condition. */
 bool vs_bind_back_end_write(vs_bind *b, const char *name, const vs_ref *refs, size_t count, char **text, size_t *bytes);
 
 #endif

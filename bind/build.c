@@ -1,4 +1,4 @@
-/* Owns the last steps of each procedure of the geometry: they make a value, a node or the empty object. */
+/* Implements the last steps of geometric procedures: they create the resulting value, node or empty object. */
 #include "bind/build.h"
 
 #include "bind/call/call.h"
@@ -35,12 +35,12 @@ vs_affine vs_bind_take_matrix(const double *sixteen) {
   return m;
 }
 
-/* Lengths end at 1e60: their third power must still be a number, also after placements have scaled it. */
+/* Greatest permitted length. Its third power, even after a scaling by placements, must not overflow. */
 static const double LARGEST = 1e60;
 static bool too_large(double d) { return !(fabs(d) <= LARGEST); }
 
-/* Returns the name of a field of the node's data that is too large for any drawing, or NULL. Angles are fields, too: no
- * real angle is that large. */
+/* Returns the name of a field in the node's data with a number above LARGEST, or NULL. Angles are also tested: none is
+ * that large in practice. */
 static const char *largest_field(vs_kind kind, const void *data) {
   const vs_kind_info *k = vs_kind_get(kind);
   if (vs_kind_within(kind, data, LARGEST)) return NULL;
@@ -58,8 +58,8 @@ static const char *largest_field(vs_kind kind, const void *data) {
   return NULL;
 }
 
-/* Refuses the field. It names the last argument of a placement, from which its matrix comes, unless that is the object
- * itself. */
+/* Refuses a field that is too large. The matrix of a placement is computed from the last argument, which the message
+ * names instead. */
 static vs_status refuse_large(vs_args *f, const char *field) {
   const vs_bind_param *p = f->procedure->form[f->form].at;
   bool given = strcmp(field, "matrix") != 0;
@@ -85,7 +85,7 @@ vs_status vs_bind_each_part(vs_args *f, vs_procedure_fn *one, vs_value *out) {
   size_t count, made = 0;
   vs_status status = VS_OK;
   if (!vs_several_parts(whole, &parts, &count)) return vs_bind_give_node(f, NULL, out);
-  for (; status == VS_OK && made < count; made++) { /* the result gets its part's origin */
+  for (; status == VS_OK && made < count; made++) { /* each result gets the origin of its part */
     f->arg[0].ref = parts[made];
     status = one(f, out);
     if (status != VS_OK) break;
@@ -107,11 +107,11 @@ vs_status vs_bind_empty(vs_args *f, const char *why, vs_value *out) {
   return vs_bind_make(f, VS_EMPTY, &(struct vs_empty){ 0 }, NULL, 0, out);
 }
 
-/* ---- figures in another plane ---- */
+/* ---- moving figures into another plane ---- */
 
-/* Computes the plane's own directions. *u, the figure's X, is horizontal and points along +X, or along +Y where it has
- * no component along X. *v, its Y, points upwards. In a horizontal plane they are X and Y. Therefore a figure in 'xz
- * looks from the front as the same figure in XY looks from above. */
+/* Computes the axes of a figure in the plane. *u, the figure's X, is horizontal and points towards +X, or towards +Y if
+ * it is perpendicular to X. *v, the figure's Y, points upwards. In a horizontal plane they are X and Y. A figure in 'xz
+ * therefore looks from the front as the figure in XY looks from above. */
 static void plane_directions(vs_vec3 normal, vs_vec3 *u, vs_vec3 *v) {
   vs_vec3 n = vs_v3_unit(normal), up = vs_v3(0, 0, 1);
   *u = vs_v3(1, 0, 0), *v = vs_v3(0, 1, 0);
@@ -136,7 +136,7 @@ vs_status vs_bind_stand(vs_args *f, const vs_arg *plane, vs_value *out) {
   return vs_bind_make(f, VS_TRANSFORM, &(struct vs_transform){ .matrix = m }, &ref, 1, out);
 }
 
-/* (%stand object plane), for the figures of geometry.scm */
+/* (%stand object plane): moves a figure of geometry.scm from XY into the plane. */
 vs_status vs_p_stand(vs_args *f, vs_value *out) {
   *out = f->arg[0].value;
   return vs_bind_stand(f, &f->arg[1], out);

@@ -1,8 +1,8 @@
-/* Owns objects of users' kinds in C: their nodes and numbers, the rebuilding of a node with other children, and the
- * calls of the drawing functions.
+/* Implements objects of users' kinds: their nodes and numbers, nodes with replaced children, and the calls of drawing
+ * functions.
  *
- * All nodes with the same number share a ticket. When the last of them is released, the number joins a list.
- * primitives.scm takes numbers from the list, and forgets the arguments of their objects. */
+ * All nodes with the same number share a ticket. When the last of these nodes is released, the number is added to a
+ * list. primitives.scm reads this list, and deletes the arguments of those objects. */
 #include "bind/custom.h"
 
 #include "bind/build.h"
@@ -14,7 +14,8 @@
 
 void vs_bind_ticket_gone(void *bind, uint32_t number) {
   vs_bind *b = bind;
-  if (number >= b->ticket_count || !b->tickets[number]) return; /* a ticket of another interpreter's tree */
+  if (number >= b->ticket_count || !b->tickets[number]) return; /* a ticket of a tree that an earlier interpreter
+                                                                 * created */
   b->tickets[number] = NULL;
   if (b->gone_count < b->ticket_room) b->gone[b->gone_count++] = number;
 }
@@ -27,7 +28,7 @@ static bool tickets_grow(vs_bind *b, size_t need) {
   if (!tickets) return false;
   b->tickets = tickets;
   uint32_t *gone = vs_store_realloc(b->store, b->gone, old * sizeof *gone, room * sizeof *gone);
-  if (!gone) { /* both arrays have the smaller room: the grown array is shrunk again */
+  if (!gone) { /* both arrays keep the smaller room: the one that has grown is shrunk again */
     vs_ticket **less = vs_store_realloc(b->store, tickets, room * sizeof *tickets, old ? old * sizeof *tickets : 0);
     b->tickets = less;
     return false;
@@ -52,14 +53,14 @@ vs_status vs_p_custom_new(vs_args *f, vs_value *out) {
   b->tickets[number] = t;
   d.values = t;
   vs_node *n = vs_node_new(b->store, VS_CUSTOM, &d, child.node ? &child : NULL, child.node ? 1 : 0);
-  if (fresh) vs_ticket_release(b->store, t); /* the node holds the ticket, or the node could not be made */
+  if (fresh) vs_ticket_release(b->store, t); /* now the node holds the ticket, or no node could be created */
   return vs_bind_give_node(f, n, out);
 }
 
-/* Returns a number that no node holds any more, or #f. */
+/* Returns a number that no node has any more, or #f. */
 vs_status vs_p_custom_gone(vs_args *f, vs_value *out) {
   vs_bind *b = f->bind;
-  /* skips numbers that have nodes again */
+  /* Skips numbers that nodes have got again. */
   while (b->gone_count && b->tickets[b->gone[b->gone_count - 1]]) b->gone_count--;
   *out = b->gone_count ? vs_fix(b->gone[--b->gone_count]) : VS_FALSE;
   return VS_OK;
@@ -77,7 +78,7 @@ vs_status vs_p_custom_open(vs_args *f, vs_value *out) {
   return VS_OK;
 }
 
-/* Returns a number for the node: equal for the same node. */
+/* Returns a number for the node. The same node always has the same number. */
 vs_status vs_p_node_number(vs_args *f, vs_value *out) {
   *out = vs_fix((int64_t)((uintptr_t)f->arg[0].ref.node >> 3));
   return VS_OK;
@@ -95,8 +96,8 @@ static const char *class_noun(const vs_node *n) {
   return "a union of several kinds";
 }
 
-/* Returns the same operation on other children, with the origins of the old ones. Placements, wrappers and unions
- * accept any children; other operations accept children of the old classes only. */
+/* Returns a node of the same kind with other children, which get the origins of the old ones. Placements, wrappers and
+ * unions accept any children. Other operations require children of the same classes as the old ones. */
 vs_status vs_p_object_with(vs_args *f, vs_value *out) {
   const vs_ref *o = &f->arg[0].ref, *kids = f->arg[1].refs.at;
   const vs_node *n = o->node;
@@ -123,7 +124,7 @@ vs_status vs_p_object_with(vs_args *f, vs_value *out) {
   return s;
 }
 
-/* Sets whether drawing functions are running; returns the value before. */
+/* Sets whether drawing functions are running, and returns the previous value. */
 vs_status vs_p_handing(vs_args *f, vs_value *out) {
   *out = vs_bool(f->bind->handing);
   f->bind->handing = f->arg[0].value != VS_FALSE;
@@ -135,9 +136,10 @@ vs_status vs_p_is_format(vs_args *f, vs_value *out) {
   return VS_OK;
 }
 
-/* ---- at the hand-over ---- */
+/* ---- calling drawing functions ---- */
 
-enum { HOST_HAND_ON = 2 }; /* the place where primitives.scm stores its procedure at the first registration */
+enum { HOST_HAND_ON = 2 }; /* index in at.host where primitives.scm stores its procedure when a drawing function is
+                            * first registered */
 
 bool vs_bind_hands_on(const vs_bind *b) {
   vs_value all = b->vm->at.host;
@@ -146,7 +148,7 @@ bool vs_bind_hands_on(const vs_bind *b) {
 
 bool vs_bind_hand_on(vs_bind *b, vs_ref *refs, size_t count, const char *const *names) {
   vs_scheme *vm = b->vm;
-  VS_ROOTS(vm, r, 4); /* the procedure, the objects, the names, and one object or name */
+  VS_ROOTS(vm, r, 4); /* roots: the procedure, the objects, the names, and an object or name */
   r[0] = vs_as_vector(vm->at.host)->at[HOST_HAND_ON];
   r[1] = r[2] = VS_NIL;
   for (size_t i = count; i-- > 0;)

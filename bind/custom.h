@@ -1,5 +1,5 @@
-/* Owns the interface of custom.c: objects of users' kinds in C, with their nodes and numbers; the rebuilding of a node
- * with other children; and the calls of the drawing functions. */
+/* Declares objects of users' kinds: their nodes and numbers, nodes with replaced children, and the calls of drawing
+ * functions. Implemented in custom.c. */
 #ifndef VS_BIND_CUSTOM_H
 #define VS_BIND_CUSTOM_H
 
@@ -7,10 +7,11 @@
 
 typedef struct vs_bind vs_bind;
 
-void vs_bind_ticket_gone(void *bind, uint32_t number); /* custom.c */
-/* Replaces objects by the results of the drawing functions for a format of these names (NULL at the end), in place,
- * with new references. Needs a registered function. Returns false with the condition set. */
-bool vs_bind_hands_on(const vs_bind *b); /* returns true if a drawing function is registered */
+void vs_bind_ticket_gone(void *bind, uint32_t number); /* Callback for the release of the last node with this number. */
+/* Replaces objects, in place, by the results of the drawing functions for a format with these names (NULL at the end).
+ * The caller owns the new references. At least one function must be registered. If it fails, sets the condition and
+ * returns false. */
+bool vs_bind_hands_on(const vs_bind *b); /* Returns true if a drawing function is registered. */
 bool vs_bind_hand_on(vs_bind *b, vs_ref *refs, size_t count, const char *const *names);
 
 #endif

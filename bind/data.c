@@ -1,7 +1,7 @@
-/* Owns the reading of data files for programs: texts, the names in a folder, JSON. bind/data.scm reads CSV.
+/* Reads data files for programs: texts, the names in a folder, JSON. bind/data.scm reads CSV.
  *
- * A relative name begins at the program's own file, as in load-mesh. The VM's host (vs_io) reads the files, so its
- * restrictions hold here, too. jansson, which parses JSON, is loaded at its first use. */
+ * A relative name begins at the folder of the program's file, as in load-mesh. The VM's host (vs_io) reads the files,
+ * so that its restrictions apply. The library jansson, which parses JSON, is loaded when it is first used. */
 
 #include "bind/data.h"
 
@@ -18,7 +18,7 @@
 #include "vm/numbers/integer.h"
 #include "vm/values/heap.h"
 
-/* Returns the file of the innermost call outside of the language's own libraries; 0: none. */
+/* Returns the number of the file that contains the innermost call outside of the language's own libraries, or 0. */
 static uint32_t calling_file(vs_scheme *vm) {
   enum { FAR = 64 };
   vs_pos place[FAR];
@@ -28,7 +28,8 @@ static uint32_t calling_file(vs_scheme *vm) {
   return 0;
 }
 
-/* Sets *path to the file's place by a[0], ending in a NUL. Returns false if a[0] is no string or memory is out. */
+/* Sets *path to the path of the file named by a[0], ending in a NUL. Returns false if a[0] is no string or memory is
+ * out. */
 static bool path_of(vs_scheme *vm, vs_value *a, vs_text *path) {
   return vs_arg_type(vm, a, 0, VS_T_STRING) && vs_source_path(vm, a[0], calling_file(vm), path) && vs_text_end(path);
 }
@@ -43,7 +44,7 @@ static vs_status data_path(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return ok;
 }
 
-/* (%file->string path) and similar: return a file's text, without a byte order mark. */
+/* (%file->string path) and similar procedures: return the text of a file, without a byte order mark. */
 static vs_status data_text(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   vs_text path, text;
@@ -61,7 +62,7 @@ static vs_status data_text(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return ok;
 }
 
-/* ---- folders ---- */
+/* ---- names in folders ---- */
 typedef struct { vs_scheme *vm; vs_value *list; } names;
 
 static bool take_name(void *context, const char *name, size_t length) {
@@ -70,7 +71,7 @@ static bool take_name(void *context, const char *name, size_t length) {
   return vs_string_from_utf8(l->vm, name, length, &r[0]) && vs_cons(l->vm, r[0], *l->list, l->list);
 }
 
-/* (%directory-files path): returns the names in a folder, in no order. */
+/* (%directory-files path): returns the names in a folder, in no particular order. */
 static vs_status directory_files(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   VS_ROOTS(vm, r, 1);
@@ -84,7 +85,7 @@ static vs_status directory_files(vs_scheme *vm, vs_value *a, int n, vs_value *ou
   bool listed = ok && io && io->list && io->list(vm->config.user, path.at, take_name, &l, &why);
   vs_text_close(&path);
   if (ok && !listed) {
-    if (!why && io && io->list) return VS_ERROR; /* out of memory: the error is set */
+    if (!why && io && io->list) return VS_ERROR; /* the folder could be listed, but memory is out: the error is set */
     return vs_cons(vm, a[0], VS_NIL, &r[0]) &&
            vs_fail_with(vm, vm->sym.file, r[0], "cannot read the folder (%s)", why ? why : "not available here");
   }
@@ -92,7 +93,7 @@ static vs_status directory_files(vs_scheme *vm, vs_value *a, int n, vs_value *ou
   return ok;
 }
 
-/* ---- JSON ---- */
+/* ---- reading JSON ---- */
 #define JANSSON_FUNCTIONS                                                              \
   JANSSON(load, json_loadb, json_t *, (const char *, size_t, size_t, json_error_t *)) \
   JANSSON(discard, json_delete, void, (json_t *))                                     \
@@ -119,15 +120,15 @@ static const vs_dynamic_name jansson_names[] = {
 #undef JANSSON
 };
 
-/* An array or object in conversion: the index of the next element, or the iterator of the next member. Its Scheme value
- * is in the list `containers` of take_json, at the same depth: the vector, or the pairs of the association list that
- * are not filled yet. */
+/* An array or object that is being converted, with its next element (index) or next member (iterator). Its Scheme value
+ * is in the list `containers` of take_json, at the same depth. For an array, that is the vector; for an object, the
+ * pairs of the association list that have no value yet. */
 typedef struct { json_t *node; void *iterator; size_t index; } level;
 
-/* Sets *out to the value of one node of JSON. An array becomes a vector that is not filled yet; an object becomes an
- * association list without its values. */
+/* Converts one node of JSON. An array becomes a vector of the same length, without its elements yet. An object becomes
+ * an association list of its keys, without values yet. */
 static bool shallow(vs_scheme *vm, const jansson *j, json_t *node, vs_value *out) {
-  VS_ROOTS(vm, r, 3); /* the list, its last pair, the new value */
+  VS_ROOTS(vm, r, 3); /* roots: the list, its last pair, the new value */
   switch (json_typeof(node)) {
     case JSON_OBJECT:
       r[0] = r[1] = VS_NIL;
@@ -154,9 +155,9 @@ static bool shallow(vs_scheme *vm, const jansson *j, json_t *node, vs_value *out
   return false;
 }
 
-/* Converts jansson's tree to Scheme data, with an explicit stack. */
+/* Converts jansson's tree to Scheme data, with an explicit stack instead of recursion. */
 static bool take_json(vs_scheme *vm, const jansson *j, json_t *root, vs_value *out) {
-  VS_ROOTS(vm, r, 3); /* the result, the containers (innermost first), a value */
+  VS_ROOTS(vm, r, 3); /* roots: the result, the containers (innermost first), a value */
   level *levels = NULL;
   size_t depth = 0, room = 0;
   bool ok = shallow(vm, j, root, &r[0]);
@@ -198,7 +199,7 @@ static bool take_json(vs_scheme *vm, const jansson *j, json_t *root, vs_value *o
   return ok;
 }
 
-/* Parses the text. Messages call its source `name`. */
+/* Parses JSON text. `name` is the name of the source in messages. */
 static vs_status json_parse(vs_scheme *vm, const char *text, size_t length, const char *name, vs_value *out) {
   static const char *const files[] = { "libjansson.so.4", "libjansson.4.dylib", NULL };
   static const vs_dynamic_library library = { files, "libjansson4", "JSON" };
@@ -214,7 +215,7 @@ static vs_status json_parse(vs_scheme *vm, const char *text, size_t length, cons
     return vs_fail(vm, vm->sym.error, "%s:%d:%d: %s", name, wrong.line > 0 ? wrong.line : 1,
                    wrong.column > 0 ? wrong.column : 1, wrong.text);
   bool ok = take_json(vm, &j, root, out);
-  /* as json_decref, which would link to the library by name */
+  /* the same as json_decref, which would need jansson when the program is linked */
   if (root->refcount != (size_t)-1 && --root->refcount == 0) j.discard(root);
   return ok;
 }
@@ -226,7 +227,7 @@ static vs_status load_json(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   vs_text_open(vm, &text, 0);
   VS_ROOTS(vm, r, 1);
   bool ok = path_of(vm, a, &path) && vs_io_read_file(vm, path.at, &r[0]);
-  if (ok) { /* a copy: the collector may move the bytes during the conversion */
+  if (ok) { /* parses a copy, since the garbage collector may move the bytes */
     const char *at = (const char *)vs_as_bytes(r[0])->at;
     size_t count = (size_t)vs_as_bytes(r[0])->length, mark = count >= 3 && !memcmp(at, "\xEF\xBB\xBF", 3) ? 3 : 0;
     ok = vs_text_put(&text, at + mark, count - mark) && vs_text_end(&text);
@@ -250,8 +251,8 @@ static vs_status string_to_json(vs_scheme *vm, vs_value *a, int n, vs_value *out
 
 static const vs_native_def defs[] = {
   { "%data-path", "file", data_path, 0, NULL },
-  { "%file->string %file->lines %load-csv %load-mtl", "file", data_text, 0, NULL }, /* one row for each caller: errors
-                                                                                     * name it */
+  { "%file->string %file->lines %load-csv %load-mtl", "file", data_text, 0, NULL }, /* one row for several procedures,
+                                                                                     * whose names errors show */
   { "%directory-files", "folder", directory_files, 0, NULL },
   { "load-json", "file", load_json, 0, "the data of a JSON file: objects are association lists, arrays vectors" },
   { "string->json", "text", string_to_json, 0, "the data of a JSON text" },

@@ -1,4 +1,4 @@
-/* Owns the interface of data.c: the reading of data files for programs. */
+/* Declares the reading of data files for programs, implemented in data.c. */
 #ifndef VS_BIND_DATA_H
 #define VS_BIND_DATA_H
 

@@ -1,4 +1,5 @@
-/* Owns drawing, looks and view: the objects that the program shows, their materials, and the camera. */
+/* Implements the drawing, materials and the view: the objects that the program shows, their appearance, and the
+ * camera. */
 #include "bind/build.h"
 #include "bind/call/call.h"
 #include "bind/call/refuse.h"
@@ -17,10 +18,10 @@
 #include "vm/library/port.h"
 #include "vm/front/source.h"
 
-/* ---- the drawing ---- */
+/* ---- drawing and erasing ---- */
 
-/* Returns true if the node is among the last few that were drawn. A procedure that draws, and whose result is drawn
- * again, makes such nodes. */
+/* Returns true if the node is among the last 16 drawn before. This happens if a procedure draws an object, and its
+ * result is drawn again. */
 static bool drawn_just_now(const vs_bind *b, size_t before, const vs_node *node) {
   enum { MOST = 16 };
   for (size_t i = before; i-- > 0 && before - i <= MOST;)
@@ -60,8 +61,8 @@ vs_status vs_p_draw(vs_args *f, vs_value *out) {
   return status;
 }
 
-/* Removes each drawn object that is one of the objects or equal to one. An object that is not in the drawing is an
- * error. */
+/* Removes the given objects, and objects equal to them, from the drawing. It is an error if the drawing does not
+ * contain one of them. */
 vs_status vs_p_erase(vs_args *f, vs_value *out) {
   (void)out;
   vs_scene *scene = &f->bind->scene;
@@ -72,7 +73,7 @@ vs_status vs_p_erase(vs_args *f, vs_value *out) {
     for (size_t k = 0; k < count; k++) {
       bool same = scene->drawn[k].node == node || (scene->drawn[k].node->hash == node->hash &&
           vs_node_equal(scene->drawn[k].node, node, NULL));
-      if (same) vs_node_release(scene->drawn[k].node); /* the argument keeps its own reference */
+      if (same) vs_node_release(scene->drawn[k].node); /* the argument has another reference to the object */
       else scene->drawn[kept++] = scene->drawn[k];
     }
     scene->drawn_count = kept;
@@ -88,7 +89,7 @@ vs_status vs_p_erase_all(vs_args *f, vs_value *out) {
   return VS_OK;
 }
 
-/* ---- looks: a node above the objects ---- */
+/* ---- materials and marks: a node is put above the objects ---- */
 
 static vs_status around(vs_args *f, vs_kind kind, const void *data, const vs_arg *objects, vs_value *out) {
   vs_ref child;
@@ -108,7 +109,7 @@ vs_status vs_p_with_material(vs_args *f, vs_value *out) {
   return around(f, VS_MATERIAL, &(struct vs_material){ .material = f->arg[0].material }, &f->arg[1], out);
 }
 
-/* only a material keeps the name of a named colour; color takes the colour alone */
+/* Only a material has a name; color uses only the colour of a named one. */
 vs_status vs_p_color(vs_args *f, vs_value *out) {
   return around(f, VS_MATERIAL, &(struct vs_material){ .material = f->arg[0].material }, &f->arg[1], out);
 }
@@ -127,7 +128,8 @@ vs_status vs_p_ghost(vs_args *f, vs_value *out) {
 }
 vs_status vs_p_only(vs_args *f, vs_value *out) { return around(f, VS_ONLY, &(struct vs_only){ 0 }, &f->arg[0], out); }
 
-/* Puts the picture of a file on the surface. Its mean colour becomes the material's, unless the call gave one. */
+/* Sets the material's pattern to the picture of a file. The material's colour becomes the mean of the picture, unless
+ * the call gave a colour. */
 static vs_status picture_of(vs_args *f, const vs_arg *image, bool colored, vs_material *m) {
   const char *shown;
   double mean[3];
@@ -137,8 +139,8 @@ static vs_status picture_of(vs_args *f, const vs_arg *image, bool colored, vs_ma
   return VS_OK;
 }
 
-/* Reads the pattern's five keywords, which begin at k. The second colour is a darker shade of the first unless the call
- * gives it. */
+/* Reads the five keywords of a pattern, which begin at k. Without #:pattern-color, the second colour is the first,
+ * darkened. */
 static vs_status pattern_of(vs_args *f, const vs_arg *k, bool colored, vs_material *m) {
   vs_material_pattern *p = &m->pattern;
   const double darker = 0.75;
@@ -159,7 +161,8 @@ static vs_status pattern_of(vs_args *f, const vs_arg *k, bool colored, vs_materi
 }
 
 vs_status vs_p_make_material(vs_args *f, vs_value *out) {
-  const vs_arg *k = f->key; /* name color roughness metallic transparency ior, the pattern's four, image */
+  const vs_arg *k = f->key; /* keywords in order: name color roughness metallic transparency ior, the pattern's four,
+                             * image */
   vs_material m = { "", .8, .8, .8, .5, 0, 0, 1.5, { 0 } };
   if (k[0].given && !(m.name = vs_store_text(f->store, k[0].text.at, k[0].text.length)))
     return vs_fail_memory(f->vm);
@@ -179,7 +182,7 @@ vs_status vs_p_is_material(vs_args *f, vs_value *out) {
   return VS_OK;
 }
 
-/* ---- the view ---- */
+/* ---- the camera ---- */
 
 vs_status vs_p_view_from(vs_args *f, vs_value *out) {
   static const struct { const char *name; vs_view view; } views[] = {
@@ -203,7 +206,8 @@ vs_status vs_p_zoom_extents(vs_args *f, vs_value *out) {
 
 /* ---- the sun ---- */
 
-/* "15:00+01:00", "15:00:30Z", "15:00" (mean local time by the longitude): hours UT */
+/* Reads a time, and sets *hours to hours of universal time: "15:00+01:00", "15:00:30Z", or "15:00" for mean local time
+ * at the longitude. Returns false for other texts. */
 static bool read_time(const char *text, double longitude, double *hours) {
   int h, m, s = 0, used = 0, more = 0, zh, zm;
   if (sscanf(text, "%2d:%2d%n:%2d%n", &h, &m, &used, &s, &more) < 2) return false;
@@ -218,7 +222,7 @@ static bool read_time(const char *text, double longitude, double *hours) {
 }
 
 vs_status vs_p_sun(vs_args *f, vs_value *out) {
-  const vs_arg *k = f->key; /* azimuth altitude latitude longitude date time */
+  const vs_arg *k = f->key; /* keywords in order: azimuth altitude latitude longitude date time */
   vs_scene *s = &f->bind->scene;
   double azimuth, altitude;
   (void)out;
@@ -271,7 +275,7 @@ vs_status vs_p_sky(vs_args *f, vs_value *out) {
 }
 
 vs_status vs_p_lamp(vs_args *f, vs_value *out) {
-  const vs_arg *k = f->key; /* ies lumens to turn dim color */
+  const vs_arg *k = f->key; /* keywords in order: ies lumens to turn dim color */
   vs_scene_lamp l = { .at = f->arg[0].point, .dim = k[4].given ? k[4].real : 1, .color = { 1, 1, 1 } };
   (void)out;
   l.to = k[2].given ? k[2].point : vs_v3_add(l.at, vs_v3(0, 0, -1));

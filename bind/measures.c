@@ -1,5 +1,5 @@
-/* Owns the measures of objects: volume, area, length, centroid; by formula if geometry has one, otherwise by the solid
- * mesh that every back-end writes. */
+/* Computes measures of objects: volume, area, length, centroid. Uses a formula if geometry/ has one, otherwise the mesh
+ * of the solid that formats write. */
 #include "bind/measures.h"
 
 #include <stdlib.h>
@@ -22,7 +22,7 @@
 
 bool vs_bind_keep_going(void *vm, double done) {
   (void)done;
-  return vs_poll(vm, UINT64_C(1) << 20); /* false: the condition is set */
+  return vs_poll(vm, UINT64_C(1) << 20); /* returns false, with the condition set, on an interrupt */
 }
 
 vs_status vs_bind_resolve(vs_args *f, int i) {
@@ -65,9 +65,9 @@ bool vs_bind_drawn_bounds(vs_args *f, int i, vs_bounds *out) {
   return false;
 }
 
-/* ---- results kept for a program that runs again ---- */
+/* ---- measures kept in the world cache, for a program that runs again ---- */
 
-enum { SOLID_MEASURE /* and one for each vs_ask */ };
+enum { SOLID_MEASURE /* SOLID_MEASURE is followed by a number for each vs_ask */ };
 
 static bool known(vs_args *f, uint64_t what, const vs_fineness *facets, void *out, size_t size) {
   vs_cache *cache = vs_store_cache(f->store);
@@ -98,7 +98,7 @@ static vs_status measure_solid(vs_args *f, vs_measure *m, vs_ask ask) {
   return VS_OK;
 }
 
-/* Measures one or several surfaces: the area and its centre, by fine triangles. */
+/* Measures one or several surfaces: their area and its centroid, by a fine mesh. */
 static vs_status measure_surface(vs_args *f, vs_measure *m) {
   vs_error e = { 0 };
   vs_bounds b;
@@ -169,7 +169,7 @@ vs_status vs_p_area(vs_args *f, vs_value *out) {
   if (f->arg[0].ref.node->class_ != VS_CURVE && !vs_bind_resolve(f, 0)) return VS_ERROR;
   vs_class c = (vs_class)f->arg[0].ref.node->class_;
   if (c == VS_NOTHING) return vs_bind_give_real(f, 0, out);
-  if (c == VS_CURVE && f->arg[0].ref.node->flags & VS_NODE_CLOSED) { /* a closed curve counts as filled */
+  if (c == VS_CURVE && f->arg[0].ref.node->flags & VS_NODE_CLOSED) { /* a closed curve counts as a filled area */
     if (!vs_bind_uncrossed(f, f->arg[0].ref, "a closed curve that is taken as filled")) return VS_ERROR;
     vs_node *region = vs_node_new(f->store, VS_REGION, &(struct vs_region){ 0 }, &f->arg[0].ref, 1);
     if (!vs_bind_keep(f, region)) return VS_ERROR;

@@ -1,4 +1,4 @@
-/* Owns the interface of measures.c: the measures of objects. */
+/* Declares the measures of objects, implemented in measures.c. */
 #ifndef VS_BIND_MEASURES_H
 #define VS_BIND_MEASURES_H
 
@@ -8,15 +8,15 @@
 
 typedef struct vs_args vs_args;
 
-/* Polls during long work of the layers below; context is the vs_scheme. Returns false with the condition set. */
+/* Callback of long computations; vm is the vs_scheme. On an interrupt, sets the condition and returns false. */
 bool vs_bind_keep_going(void *vm, double done);
-/* Replaces sections, shadows and edges in argument i by their geometry in space. */
+/* Replaces sections, shadows and edges in argument i by the curves and regions that they are. */
 vs_status vs_bind_resolve(vs_args *f, int i);
-/* Sets *out to the bounds that (bounding-box o) returns for argument i, which must be finite and resolved. Returns
- * false with the error set. */
+/* Sets *out to the bounds that (bounding-box o) returns for argument i, which must be finite and resolved. If it fails,
+ * sets the error and returns false. */
 bool vs_bind_drawn_bounds(vs_args *f, int i, vs_bounds *out);
-/* Sets *out to bounds of an object; of a cut one, to those of its parts. Resolves the object if its bounds need it.
- * Returns false with *e set. */
+/* Sets *out to the bounds of an object. For an object that is cut, these are the bounds of its parts. Resolves the
+ * object if that is necessary. If it fails, sets *e and returns false. */
 bool vs_bind_bounds(vs_scheme *vm, vs_ref ref, vs_bounds *out, vs_error *e);
 
 #endif

@@ -1,4 +1,4 @@
-/* Owns the model's values in Scheme: objects (references to nodes) and paints (materials). */
+/* Implements the model's values in Scheme: objects (references to nodes) and paints (materials). */
 #include "bind/objects.h"
 
 #include "bind/origins.h"
@@ -33,7 +33,7 @@ vs_status vs_bind_give_ref(vs_bind *b, vs_ref ref, vs_value *out) {
   return wrap(b, (vs_ref){ vs_node_retain(ref.node), ref.origin ? ref.origin : vs_bind_origin(b) }, 0, out);
 }
 
-/* ---- paints: interned materials, which live as long as the store ---- */
+/* ---- paints: interned materials, which exist as long as the store ---- */
 
 static void paint_release(void *object) { (void)object; }
 static bool paint_print(vs_scheme *vm, const void *object, bool (*put)(void *to, const char *s, size_t n), void *to) {

@@ -1,4 +1,4 @@
-/* Owns the interface of objects.c: objects and paints as values. */
+/* Declares objects and paints as Scheme values, implemented in objects.c. */
 #ifndef VS_BIND_OBJECTS_H
 #define VS_BIND_OBJECTS_H
 
@@ -7,11 +7,12 @@
 
 typedef struct vs_bind vs_bind;
 
-#define VS_BIND_NO_VALUE "one expression gave no value" /* in messages about lists of objects */
+#define VS_BIND_NO_VALUE "one expression gave no value" /* part of messages about lists of objects */
 
-/* a shape owns a reference to a node, with its origin; a paint wraps an interned vs_material */
+/* vs_shape_type: an object, which owns a reference to a node, with its origin. vs_paint_type: a paint, which refers to
+ * an interned vs_material. */
 extern const vs_foreign_type vs_shape_type, vs_paint_type;
-/* Returns the reference that a Scheme object holds, not retained; its node is NULL if v is no object. */
+/* Returns the reference in a Scheme object, without retaining it. Its node is NULL if v is no object. */
 static inline vs_ref vs_bind_take_ref(vs_value v) {
   vs_node *node = (vs_node *)vs_foreign_get(v, &vs_shape_type);
   return (vs_ref){ node, node ? (const vs_origin *)vs_as_foreign(v)->with : NULL };
@@ -19,8 +20,9 @@ static inline vs_ref vs_bind_take_ref(vs_value v) {
 
 static inline bool vs_bind_is_empty(const vs_node *n) { return n->kind == VS_EMPTY; }
 
-vs_status vs_bind_give_ref(vs_bind *b, vs_ref ref /* retained */, vs_value *out); /* an object of this node and
-                                                                                   * origin */
-vs_status vs_bind_give_object(vs_bind *b, vs_node *node /* taken over; NULL: out of memory */, vs_value *out);
+/* Sets *out to an object of this node and origin. Retains the node. */
+vs_status vs_bind_give_ref(vs_bind *b, vs_ref ref, vs_value *out);
+/* Sets *out to an object of the node, whose reference it takes over. node NULL: memory is out. */
+vs_status vs_bind_give_object(vs_bind *b, vs_node *node, vs_value *out);
 
 #endif

@@ -1,4 +1,4 @@
-/* Owns the places of calls: the origin of an object or a warning, and its callers. */
+/* Computes the origins of objects and warnings: the place of a call and its callers. */
 #include "bind/origins.h"
 
 #include <string.h>
@@ -9,16 +9,16 @@
 #include "vm/machine/activation.h"
 #include "vm/values/text.h"
 
-/* The chain of calls to this place, innermost first, with at most CHAIN callers. CHAIN calls are enough to reach the
- * user's own text, and bound the work for each object. The chain is first looked up by its key; if it is new, its calls
- * are interned one by one. */
+/* Greatest number of callers in the chain of calls to a place, innermost first. Eight suffice to reach the user's own
+ * text, and limit the work for each object. The chain is first searched by a key; if it is new, its calls are interned
+ * one by one. */
 
 enum { CHAIN = 8 };
 
 uint32_t vs_bind_file_count(vs_scheme *vm) {
   vs_value files = vm->at.files;
   uint32_t n = vs_is_vector(files) ? (uint32_t)vs_as_vector(files)->length : 0;
-  while (n > 1 && !vs_is_string(vs_as_vector(files)->at[n - 1])) n--; /* the vector has spare room at its end */
+  while (n > 1 && !vs_is_string(vs_as_vector(files)->at[n - 1])) n--; /* the vector has unused elements at its end */
   return n;
 }
 
@@ -59,7 +59,8 @@ static const vs_origin *intern_chain(vs_bind *b, const vs_pos *place, size_t n) 
 const vs_origin *vs_bind_origin(vs_bind *b) {
   uint64_t key = vs_call_key(b->vm, CHAIN);
   size_t slot = key % (sizeof b->recent / sizeof *b->recent);
-  if (b->recent_collection != b->vm->collections) { /* since a collection, an address may belong to other code */
+  if (b->recent_collection != b->vm->collections) { /* after a garbage collection, another code object may have the same
+                                                     * address */
     memset(b->recent, 0, sizeof b->recent);
     b->recent_collection = b->vm->collections;
   }

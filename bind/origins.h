@@ -1,4 +1,4 @@
-/* Owns the interface of origins.c: the places of calls. */
+/* Declares the places of calls, implemented in origins.c. */
 #ifndef VS_BIND_ORIGINS_H
 #define VS_BIND_ORIGINS_H
 
@@ -7,14 +7,14 @@
 
 typedef struct vs_bind vs_bind;
 
-/* Returns the place of the running native's call, with its callers. NULL: not known, or out of memory, which has no
- * other effect. */
+/* Returns the place of the running native's call, with its callers. Returns NULL if it is unknown or memory is out;
+ * there is no error. */
 const vs_origin *vs_bind_origin(vs_bind *b);
-/* Returns the name of a position's file, a text of the store; NULL for no file, and for the language's own sources,
- * which do not concern users. */
+/* Returns the name of the place's file, a text of the store. Returns NULL for a place without file, and for sources of
+ * the language itself, which do not concern users. */
 const char *vs_bind_file_name(vs_bind *b, vs_pos place);
-bool vs_bind_is_library(vs_bind *b, uint32_t file); /* returns true if the file of this number is one of those
-                                                     * sources */
-uint32_t vs_bind_file_count(vs_scheme *vm); /* the number of files that have a number */
+bool vs_bind_is_library(vs_bind *b, uint32_t file); /* Returns true if the file with this number is a source of the
+                                                     * language itself. */
+uint32_t vs_bind_file_count(vs_scheme *vm); /* Returns the greatest number of a file. */
 
 #endif

@@ -1,4 +1,4 @@
-/* Owns define-parameter: values that a command line, a slider or a host may set before the program runs. */
+/* Implements define-parameter: values that the command line, a slider or a host may set before the program runs. */
 #include "bind/parameters.h"
 
 #include <math.h>
@@ -46,7 +46,7 @@ bool vs_bind_set_parameter(vs_bind *b, const char *name, const char *datum) {
   return true;
 }
 
-/* Returns the value's text for the host; NULL: the error is set. */
+/* Returns the value as text for the host. If memory is out, sets the error and returns NULL. */
 static const char *written(vs_args *f, vs_value v) {
   vs_text t;
   const char *text = NULL;
@@ -76,15 +76,16 @@ static const char *type_name(vs_bind_parameter_type t) {
   return "one datum";
 }
 
-/* Refuses a value. If the command line set it, the fault is the command line's (exit 2), and the report shows the
- * definition's place as a note. */
+/* Refuses a parameter's value. If `set`, the value came from the command line; the exit status is then 2, and the place
+ * of the definition is shown as a note. */
 static vs_status wrong(vs_args *f, bool set, const char *name, const char *must, const char *got) {
   f->bind->bad_parameter = set;
   return vs_fail_at(f->vm, f->vm->sym.range, vs_call_place(f->vm), VS_NIL, "parameter %s must be %s, got %s", name,
                     must, got);
 }
 
-/* Reads (xyz x y z) or (xy x y), as the reader returned it, as a point. Returns false if the list is no point. */
+/* Reads the coordinates of (xyz x y z) or (xy x y), which the reader has read as `list`. Returns false if it is no
+ * point. */
 static bool point_setting(const vs_args *f, const char *datum, vs_value list, double xyz[3]) {
   const char *name = datum + strspn(datum, " (");
   size_t length = strcspn(name, " ()"), count = 0;
@@ -95,14 +96,14 @@ static bool point_setting(const vs_args *f, const char *datum, vs_value list, do
   return list == VS_NIL && count == length && isfinite(xyz[0]) && isfinite(xyz[1]) && isfinite(xyz[2]);
 }
 
-/* Sets *out to the setting as a value of the default's kind: an exact default needs an exact number, a real one takes
- * any number, a string takes the bare text. */
+/* Sets *out to the setting, converted to the type of the default value `like`. An exact default requires an exact
+ * number, and a real default any number. For a string the text needs no quotes. */
 static vs_status read_setting(vs_args *f, const char *name, const char *datum, vs_value like, vs_value *out) {
   vs_bind_parameter_type t = type_of(like);
   if (t == VS_P_STRING) return vs_string_from_utf8(f->vm, datum, strlen(datum), out);
   size_t bytes = strlen(datum), used = 0;
   bool point = vs_is_flat(like, VS_FLAT_POINT);
-  VS_ROOTS(f->vm, kept, 1); /* the reader may move the default */
+  VS_ROOTS(f->vm, kept, 1); /* protects the default, since the reader may move it */
   kept[0] = like;
   if (!vs_read_datum(f->vm, datum, bytes, out, &used)) {
     VS_ROOTS(f->vm, r, 1);
@@ -189,11 +190,12 @@ static void set_range(vs_args *f, vs_bind_parameter *p, double d) {
            : k[KEY_MAX].given && k[KEY_MAX].real <= 0 ? 2 * fmin(d, k[KEY_MAX].real)
                                                       : fmin(0, 2 * d);
   p->max = k[KEY_MAX].given ? k[KEY_MAX].real : fmax(fmax(0, 2 * d), p->min);
-  if (p->max == p->min && !k[KEY_MIN].given && !k[KEY_MAX].given) p->max = p->min + 1; /* the default is 0 */
+  if (p->max == p->min && !k[KEY_MIN].given && !k[KEY_MAX].given) p->max = p->min + 1; /* the default is 0, from which
+                                                                                        * no range can be computed */
   p->step = k[KEY_STEP].given ? k[KEY_STEP].real : p->type == VS_P_INTEGER ? 1 : 0;
 }
 
-/* Keeps the parameter. A second definition (at the prompt) replaces the first. */
+/* Stores the parameter. A second definition of the same name (at the prompt) replaces the first. */
 static vs_status keep(vs_args *f, const vs_bind_parameter *p) {
   vs_bind *b = f->bind;
   for (size_t i = 0; i < b->parameter_count; i++)
@@ -245,7 +247,7 @@ static vs_status define(vs_args *f, vs_bind_parameter *p, vs_value *value, vs_va
   return keep(f, p);
 }
 
-/* (%define-parameter 'name default #:min ...): returns the value for the name. */
+/* (%define-parameter 'name default #:min ...): returns the value of the parameter. */
 vs_status vs_p_parameter(vs_args *f, vs_value *out) {
   vs_bind_parameter p = { 0 };
   VS_ROOTS(f->vm, r, 2);

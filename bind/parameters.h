@@ -1,4 +1,4 @@
-/* Owns the interface of parameters.c: define-parameter. */
+/* Declares define-parameter, implemented in parameters.c. */
 #ifndef VS_BIND_PARAMETERS_H
 #define VS_BIND_PARAMETERS_H
 
@@ -6,23 +6,23 @@
 
 typedef struct vs_bind vs_bind;
 
-/* the same as in the public header */
+/* The types of parameters; the same as in visualscheme.h. */
 typedef enum { VS_P_BOOLEAN, VS_P_INTEGER, VS_P_REAL, VS_P_STRING, VS_P_DATUM } vs_bind_parameter_type;
 typedef struct vs_bind_parameter {
-  const char *name, *label, *group, *unit; /* these texts are the store's */
+  const char *name, *label, *group, *unit; /* owned by the store */
   vs_bind_parameter_type type;
-  const char *value, *default_value; /* as written data, strings without quotes */
+  const char *value, *default_value; /* the values as written in a program; strings without quotes */
   bool has_range;
-  bool least, most;     /* the definition gave min, max: values outside are refused */
+  bool least, most;     /* least: the definition has #:min; most: it has #:max; values outside are refused */
   double min, max, step;
-  const char **choices; /* written as value is; choice_count of them; owned by this table */
+  const char **choices; /* choice_count texts in the notation of `value`; the array belongs to this row */
   size_t choice_count;
   vs_pos at;
 } vs_bind_parameter;
-typedef struct vs_bind_setting { const char *name, *datum; bool used; } vs_bind_setting; /* one -D of the command
-                                                                                          * line */
+typedef struct vs_bind_setting { const char *name, *datum; bool used; } vs_bind_setting; /* An option -D of the command
+                                                                                          * line. */
 
-/* Stores a setting for a later define-parameter; a NULL datum deletes it. Returns false when memory is out. */
+/* Stores a setting for a later define-parameter; datum NULL deletes it. Returns false when memory is out. */
 bool vs_bind_set_parameter(vs_bind *b, const char *name, const char *datum);
 
 #endif

@@ -1,5 +1,4 @@
-/* Owns points, gvectors, axes, planes and matrices: their construction, parts and arithmetic; and sequences of numbers,
- * or of points on a line or an arc. */
+/* Implements points, gvectors, axes, planes and matrices, and sequences of numbers or of points on a line or an arc. */
 #include "bind/build.h"
 #include "bind/call/call.h"
 #include "bind/call/refuse.h"
@@ -20,13 +19,13 @@ static vs_vec3 spherical(double rho, double phi, double psi) { /* psi is the ang
   vs_sincos(psi, &s, &c);
   return polar(rho * s, phi, rho * c);
 }
-/* return the point that f's arguments from number i on give, in the four coordinate systems */
+/* These return the point given by f's arguments from number i on, in one of four coordinate systems. */
 static vs_vec3 cartesian_at(const vs_args *f, int i) { return vs_v3(X(i), X(i + 1), X(i + 2)); }
 static vs_vec3 polar_at(const vs_args *f, int i) { return polar(X(i), X(i + 1), 0); }
 static vs_vec3 cylindrical_at(const vs_args *f, int i) { return polar(X(i), X(i + 1), X(i + 2)); }
 static vs_vec3 spherical_at(const vs_args *f, int i) { return spherical(X(i), X(i + 1), X(i + 2)); }
 
-/* ---- points ---- */
+/* ---- creating points ---- */
 vs_status vs_p_xyz(vs_args *f, vs_value *out) { return vs_bind_give_point(f, cartesian_at(f, 0), out); }
 vs_status vs_p_xy(vs_args *f, vs_value *out) { return vs_bind_give_point(f, vs_v3(X(0), X(1), 0), out); }
 vs_status vs_p_xz(vs_args *f, vs_value *out) { return vs_bind_give_point(f, vs_v3(X(0), 0, X(1)), out); }
@@ -49,7 +48,7 @@ vs_status vs_p_add_pol(vs_args *f, vs_value *out) { return moved(f, polar_at(f, 
 vs_status vs_p_add_cyl(vs_args *f, vs_value *out) { return moved(f, cylindrical_at(f, 1), out); }
 vs_status vs_p_add_sph(vs_args *f, vs_value *out) { return moved(f, spherical_at(f, 1), out); }
 
-/* ---- selectors ---- */
+/* ---- coordinates of points ---- */
 vs_status vs_p_cx(vs_args *f, vs_value *out) { return vs_bind_give_real(f, P(0).x, out); }
 vs_status vs_p_cy(vs_args *f, vs_value *out) { return vs_bind_give_real(f, P(0).y, out); }
 vs_status vs_p_cz(vs_args *f, vs_value *out) { return vs_bind_give_real(f, P(0).z, out); }
@@ -92,7 +91,7 @@ vs_status vs_p_v_over_r(vs_args *f, vs_value *out) {
   return vs_bind_give_vector(f, vs_v3(P(0).x / X(1), P(0).y / X(1), P(0).z / X(1)), out);
 }
 
-static vs_vec3 unit(vs_vec3 v) { /* scaled first, against overflow and underflow */
+static vs_vec3 unit(vs_vec3 v) { /* scales v before computing its length, against overflow and underflow */
   double most = fmax(fabs(v.x), fmax(fabs(v.y), fabs(v.z)));
   v = vs_v3(v.x / most, v.y / most, v.z / most);
   double l = vs_v3_length(v);
@@ -119,8 +118,8 @@ vs_status vs_p_intermediate_point(vs_args *f, vs_value *out) {
   return vs_bind_give_point(f, between(P(0), P(1), X(2)), out);
 }
 
-/* Compares two numbers, or two values of one kind: numbers, axes, planes and matrices by their largest difference,
- * points and gvectors by their distance. */
+/* Returns whether two values of one kind are equal within a tolerance. Numbers, axes, planes and matrices are compared
+ * by their largest difference, points and gvectors by their distance. */
 vs_status vs_p_near(vs_args *f, vs_value *out) {
   double tolerance = f->arg[2].given ? X(2) : 1e-9, apart = 0;
   vs_value a = f->arg[0].value, b = f->arg[1].value;
@@ -214,9 +213,9 @@ vs_status vs_p_matrix_inverse(vs_args *f, vs_value *out) {
   return vs_bind_give_matrix(f, &inverse, out);
 }
 
-/* ---- sequences: geometry.scm has those that take procedures ---- */
+/* ---- sequences; those with a procedure as argument are in geometry.scm ---- */
 
-/* Returns a list of n values made by make(f, i), built from its end. */
+/* Sets *out to a list of n values, created by make(f, i) from the last to the first. */
 static vs_status listed(vs_args *f, int64_t n, vs_status (*make)(vs_args *, int64_t i, vs_value *out),
                         vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
@@ -229,7 +228,7 @@ static vs_status listed(vs_args *f, int64_t n, vs_status (*make)(vs_args *, int6
   return VS_OK;
 }
 
-/* Returns a + (b - a) i / n, exact if a and b are: (enumerate 0 4 4) is (0 1 2 3). */
+/* Sets *out to a + (b - a) i / n, which is exact if a and b are: (enumerate 0 4 4) is (0 1 2 3). */
 static vs_status part(vs_args *f, int64_t i, int64_t n, vs_value *out) {
   vs_value a = f->arg[0].value, b = f->arg[1].value;
   if (vs_is_fixnum(a) && vs_is_fixnum(b)) {
@@ -257,7 +256,7 @@ static vs_status on_line(vs_args *f, int64_t i, vs_value *out) {
 }
 vs_status vs_p_line_sequence(vs_args *f, vs_value *out) { return listed(f, f->arg[2].integer, on_line, out); }
 
-/* Returns the point at horizontal distance h and height v from p, in the vertical plane at azimuth phi. */
+/* Sets *out to the point at horizontal distance h and height v from p, in the vertical plane at azimuth phi. */
 static vs_status raised(vs_args *f, double h, double v, vs_value *out) {
   double s, c;
   vs_vec3 p = f->arg[0].point;
@@ -266,7 +265,8 @@ static vs_status raised(vs_args *f, double h, double v, vs_value *out) {
 }
 static double fraction(int64_t i, int64_t n) { return n > 1 ? (double)i / (double)(n - 1) : 0; }
 
-/* In all of these psi is the zenith angle, as in sph: 0 is above the centre, pi/2 level with it. */
+/* Sets *out to point i of an arc. In all arcs psi is the zenith angle, as in sph: 0 is above the centre, pi/2 at its
+ * height. */
 static vs_status on_arc(vs_args *f, int64_t i, vs_value *out) {
   double s, c, t = fraction(i, f->arg[5].integer), psi = t == 1 ? X(4) : X(3) + (X(4) - X(3)) * t;
   vs_sincos(psi, &s, &c);
@@ -274,9 +274,10 @@ static vs_status on_arc(vs_args *f, int64_t i, vs_value *out) {
 }
 vs_status vs_p_arc_sequence(vs_args *f, vs_value *out) { return listed(f, f->arg[5].integer, on_arc, out); }
 
-/* Divides the arc in equal steps of the sine. The zenith angle of a step is the inverse sine in the half turn [(k -
- * 1/2) pi, (k + 1/2) pi] that contains both ends. If no half turn does, some points of the arc lie above each other and
- * their height is ambiguous: the cosine then takes its sign from the middle of the arc. */
+/* Sets *out to point i of an arc that is divided into equal horizontal steps, that is, equal steps of the sine. The
+ * zenith angle is the inverse sine in the half turn [(k - 1/2) pi, (k + 1/2) pi] that contains both ends. If there
+ * is none, two points of the arc may lie above each other. The sign of the cosine is then that at the middle of the
+ * arc. */
 static vs_status on_arc_horizontally(vs_args *f, int64_t i, vs_value *out) {
   double s0, c0, s1, c1, sm, cm, t = fraction(i, f->arg[5].integer);
   vs_sincos(X(3), &s0, &c0), vs_sincos(X(4), &s1, &c1), vs_sincos((X(3) + X(4)) / 2, &sm, &cm);

@@ -1,5 +1,5 @@
-/* Owns the text of an object: the expression that makes it, by the field table of prims.def. It uses an explicit stack,
- * so trees may be deep. */
+/* Writes an object as text: the expression that creates it, by the table of fields in prims.def. An explicit stack
+ * instead of recursion permits deep trees. */
 #include "bind/print.h"
 
 #include "model/store/array.h"
@@ -54,7 +54,8 @@ static bool rows(const sink *k, const vs_points *p, size_t columns) {
   return text(k, "))");
 }
 
-static bool faces(const sink *k, const vs_faces *f) { /* writes indices from 1, as the constructor takes them */
+static bool faces(const sink *k, const vs_faces *f) { /* Writes indices counted from 1, as the constructor expects
+                                                       * them. */
   if (!text(k, "'(")) return false;
   for (uint32_t i = 0; i < f->count; i++) {
     if (!text(k, i ? " (" : "(")) return false;
@@ -79,7 +80,7 @@ static bool material(const sink *k, const vs_material *m) {
          number(k, m->blue) && text(k, ")");
 }
 
-/* Writes a field that follows the children; if there are none, it comes first. */
+/* Writes a field of the node's data. */
 static bool field(const sink *k, const vs_field_info *f, const void *data) {
   const char *at = (const char *)data + f->offset;
   switch (f->type) {
@@ -105,7 +106,8 @@ static const vs_field_info *find(const vs_node *n, const char *argument) {
   return NULL;
 }
 
-/* Writes " field" for each of the named fields; segments only if given, as a keyword. */
+/* Writes a blank and the field for each of the names. Then writes the field `segments` as a keyword, if the
+ * constructor's call gave it. */
 static bool named(const sink *k, const vs_node *n, const char *const *names) {
   for (; *names; names++) {
     const vs_field_info *f = find(n, *names);
@@ -116,7 +118,8 @@ static bool named(const sink *k, const vs_node *n, const char *const *names) {
          (text(k, " #:segments ") && field(k, s, vs_node_data(n)));
 }
 
-/* Writes "(make-NAME" with the fields in the table's order; segments only if given. */
+/* Writes "(make-NAME" and the fields in the order of prims.def. `segments` is last and only written if the
+ * constructor's call gave it. */
 static bool by_row(const sink *k, const vs_node *n) {
   const vs_kind_info *i = vs_kind_get((vs_kind)n->kind);
   if (!text(k, "(make-") || !text(k, i->name)) return false;
@@ -131,7 +134,7 @@ static bool half_space(const sink *k, const struct vs_half_space *h) {
          triple(k, "vxyz", h->normal) && text(k, ")");
 }
 
-/* Writes the rows of heights over the rectangle from the first to the last point. */
+/* Writes a height field: the rows of heights, and the rectangle from the first to the last point. */
 static bool height_field(const sink *k, const struct vs_height_field *h) {
   const vs_points *p = h->points;
   if (!text(k, "(make-height-field '(")) return false;
@@ -159,13 +162,13 @@ static bool letters(const sink *k, const vs_node *n) {
   return ok;
 }
 
-/* Writes "(make-sphere" and the fields before the children. */
+/* Writes the start of an expression: "(make-sphere" and the fields before the children. */
 static bool opening(const sink *k, const vs_node *n) {
   const char *name = vs_kind_get((vs_kind)n->kind)->name;
   static const char *const none[] = { NULL };
   switch ((vs_kind)n->kind) {
     case VS_EMPTY: return text(k, "(empty-object");
-    case VS_LINE: /* one point: the apex of a loft */
+    case VS_LINE: /* a line of one point is the apex of a loft */
       if (VS_AS(line, n)->points->count == 1) {
         vs_vec3 p = VS_AS(line, n)->points->at[0];
         return text(k, "(xyz ") && number(k, p.x) && text(k, " ") && number(k, p.y) && text(k, " ") && number(k, p.z);
@@ -193,7 +196,7 @@ static bool opening(const sink *k, const vs_node *n) {
       return text(k, "(hull") &&
              (!VS_AS(hull, n)->points->count || named(k, n, (const char *const[]){ "points", NULL }));
     case VS_SLICE: return text(k, "(do-slice");
-    case VS_DEFORM: { /* scopes face -Y, and their y is Z */
+    case VS_DEFORM: { /* scopes are seen from -Y, and their y is the Z of the world */
       const struct vs_deform *d = VS_AS(deform, n);
       const vs_vec3 corner[8] = { d->c010, d->c110, d->c011, d->c111, d->c000, d->c100, d->c001, d->c101 };
       bool ok = text(k, "(scope-place (make-ffd-scope");
@@ -222,7 +225,8 @@ static bool opening(const sink *k, const vs_node *n) {
     case VS_NATIVE:
       return text(k, "(native '") && text(k, VS_AS(native, n)->target) &&
              named(k, n, (const char *const[]){ "text", NULL }) && text(k, " #:otherwise");
-    case VS_CUSTOM: return text(k, VS_AS(custom, n)->made); /* the object that it was replaced by is not printed */
+    case VS_CUSTOM: return text(k, VS_AS(custom, n)->made); /* written as the user's call, without the child that a
+                                                             * drawing function created */
     case VS_HIGHLIGHT: case VS_GHOST: case VS_ONLY: return text(k, "(") && text(k, name);
     case VS_LAYER: return text(k, "(layer") && named(k, n, (const char *const[]){ "name", NULL });
     case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: return text(k, "(") && text(k, name);
@@ -292,8 +296,8 @@ static bool closing(const sink *k, const vs_node *n) {
   return text(k, ")");
 }
 
-/* Writes the text before a child. After the last section of a guided loft, it ends the list of sections and begins that
- * of the guides. */
+/* Writes the text before a child. After the last section of a guided loft, ends the list of sections and begins the
+ * list of guides. */
 enum { GUIDES = 1 << 30 };
 static bool between(const sink *k, uint32_t *left) {
   if (!*left || --*left & (GUIDES - 1)) return true;
@@ -303,12 +307,12 @@ static bool between(const sink *k, uint32_t *left) {
 }
 
 bool vs_bind_print_node(const vs_node *n, bool (*put)(void *to, const char *s, size_t n), void *to) {
-  enum { MOST = 20000 }; /* the written text of a shared tree can be exponentially long */
+  enum { MOST = 20000 }; /* limits the text, since that of a tree with shared nodes can be exponentially long */
   sink k = { put, to };
   vs_walk *w = vs_walk_new(n->store, (vs_ref){ (vs_node *)(uintptr_t)n, NULL });
   vs_ref ref;
   size_t depth, printed = 0;
-  /* at each depth: the number of sections that a guided loft has yet to write, plus 1 */
+  /* left[depth]: number of sections of a guided loft that are not yet written, plus 1. */
   uint32_t *left = vs_zeros((size_t)n->depth + 1, sizeof *left);
   bool ok = w != NULL && left != NULL;
   while (ok) {

@@ -1,4 +1,4 @@
-/* Owns the table of procedures as C data, and the one native that runs all of them. */
+/* Contains the table of procedures as C data, and the native that runs all of them. */
 #include "bind/procedures.h"
 
 #include "bind/call/contract.h"
@@ -48,8 +48,8 @@ const vs_procedure vs_bind_procedures[] = {
 
 #define PROC(id, name, fn, doc, forms, keys) fn,
 #define PROCS(id, name, signature, fn, doc, forms, keys) fn,
-/* The functions are apart from the rows. Without addresses the rows' 320 KB need no relocation when the program is
- * loaded. */
+/* The C functions of the procedures, in an array separate from the rows. Without addresses, the 320 KB of rows need no
+ * relocation when the program is loaded. */
 static vs_procedure_fn *const functions[] = {
 #include "bind/procedures.def"
 };

@@ -1,9 +1,8 @@
-/* Owns the interface of procedures.c: the tables of procedures, their natives, and the native that runs them.
+/* Declares the tables of procedures, their natives, and the native that runs them. Implemented in procedures.c.
  *
- * Plan. procedures.def lists every procedure with the forms of its arguments. All of them are one C native,
- * vs_bind_enter, which finds the row of the running native. call/contract.c chooses the form, checks and converts the
- * arguments, and calls the row's C function with plain C data. Therefore no constructor repeats a check that its row
- * states. */
+ * procedures.def lists every procedure with the forms of its arguments. All are one C native, vs_bind_enter, which
+ * finds the row of the running native. call/contract.c chooses the form, checks and converts the arguments, and calls
+ * the row's C function with C data. No constructor therefore repeats a check that its row states. */
 #ifndef VS_BIND_PROCEDURES_H
 #define VS_BIND_PROCEDURES_H
 
@@ -14,12 +13,13 @@ typedef struct vs_args vs_args;
 typedef vs_status vs_procedure_fn(vs_args *f, vs_value *out);
 
 extern const vs_procedure vs_bind_procedures[];
-extern const vs_native_def vs_bind_defs[]; /* in the same order; an entry without a name ends them */
+extern const vs_native_def vs_bind_defs[]; /* the natives, in the order of vs_bind_procedures; the last entry has no
+                                            * name */
 extern const vs_native_table vs_bind_table;
 
 vs_native_fn vs_bind_enter;
 
-/* the C functions of procedures.def */
+/* declares the C functions of procedures.def */
 #define PROC(id, name, fn, doc, forms, keys) vs_procedure_fn fn;
 #define PROCS(id, name, signature, fn, doc, forms, keys) vs_procedure_fn fn;
 #include "bind/procedures.def"

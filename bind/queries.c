@@ -1,4 +1,4 @@
-/* Owns the questions of a program about an object: its kind and parts, its bounds and measures. */
+/* Implements questions about an object: its kind and parts, its bounds and measures. */
 #include "bind/queries.h"
 
 #include "bind/build.h"
@@ -18,7 +18,7 @@ static vs_status truth(bool b, vs_value *out) {
   *out = vs_bool(b);
   return VS_OK;
 }
-static const vs_node *node_of(const vs_args *f) { /* returns NULL if argument 0 is no object */
+static const vs_node *node_of(const vs_args *f) { /* returns the node of argument 0, or NULL if it is no object */
   return vs_bind_take_ref(f->arg[0].value).node;
 }
 static vs_status is_class(const vs_args *f, vs_class c, vs_value *out) {
@@ -45,7 +45,7 @@ vs_status vs_p_object_kind(vs_args *f, vs_value *out) {
   return vs_intern_c(f->vm, n->kind == VS_CUSTOM ? VS_AS(custom, n)->name : vs_kind_get((vs_kind)n->kind)->name, out);
 }
 
-/* ---- fields as values ---- */
+/* ---- fields of a node as Scheme values ---- */
 
 static vs_status list_points(vs_args *f, const vs_points *p, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
@@ -91,7 +91,7 @@ static vs_status field_value(vs_args *f, const vs_field_info *i, const vs_node *
   return vs_fail_memory(f->vm);
 }
 
-/* Omits segments that follow the tolerance, since the call did not give them. */
+/* Returns the arguments of the constructor's call. Omits `segments` if the call did not give it. */
 vs_status vs_p_object_arguments(vs_args *f, vs_value *out) {
   const vs_node *n = f->arg[0].ref.node;
   const vs_kind_info *k = vs_kind_get((vs_kind)n->kind);
@@ -144,7 +144,7 @@ vs_status vs_p_contains(vs_args *f, vs_value *out) {
   if (n->class_ == VS_NOTHING) return truth(false, out);
   if (n->class_ == VS_REGION_CLASS)
     return vs_region_contains(n, f->arg[1].point, &inside, &e) ? truth(inside, out) : vs_bind_error(f->vm, &e);
-  if (n->class_ == VS_CURVE && n->flags & VS_NODE_CLOSED) { /* counts as filled */
+  if (n->class_ == VS_CURVE && n->flags & VS_NODE_CLOSED) { /* a closed curve counts as filled */
     if (!vs_bind_uncrossed(f, f->arg[0].ref, "a closed curve that is taken as filled")) return VS_ERROR;
     vs_node *region = vs_node_new(f->store, VS_REGION, &(struct vs_region){ 0 }, &f->arg[0].ref, 1);
     if (!vs_bind_keep(f, region)) return VS_ERROR;

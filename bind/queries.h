@@ -1,4 +1,4 @@
-/* Owns the interface of queries.c: the questions of a program about an object. */
+/* Declares questions about an object, implemented in queries.c. */
 #ifndef VS_BIND_QUERIES_H
 #define VS_BIND_QUERIES_H
 
@@ -6,7 +6,7 @@
 
 typedef struct vs_args vs_args;
 
-/* Checks that argument i, an object, is finite; the error says how to bound it. */
+/* Checks that the object in argument i is finite. If it is not, the error tells how to bound it. */
 vs_status vs_bind_finite(vs_args *f, int i);
 
 #endif

@@ -1,4 +1,4 @@
-/* Owns the errors of names that the language reserves for later. */
+/* Raises the errors for names that are reserved for future versions of the language. */
 #include "bind/reserved.h"
 
 #include "vm/machine/activation.h"

@@ -1,4 +1,4 @@
-/* Owns the interface of reserved.c: the errors of names that the language reserves. */
+/* Declares the errors for reserved names, implemented in reserved.c. */
 #ifndef VS_BIND_RESERVED_H
 #define VS_BIND_RESERVED_H
 

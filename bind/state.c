@@ -1,5 +1,5 @@
-/* Owns the life of bind/'s data outside of the heap, and the rule for a file's model: the objects that it drew,
- * otherwise the values of its top-level expressions. */
+/* Creates and frees the data that an interpreter has outside of its heap. Also determines the model of a file: the
+ * objects that it draws, else the values of its top-level expressions. */
 #include "bind/state.h"
 
 #include "bind/back_ends.h"
@@ -34,7 +34,7 @@ static void forget_returned(vs_bind *b) {
   b->drawn_last = b->drawn_away = NULL;
 }
 
-/* Forgets the data of one run of a program. */
+/* Frees the data of one run of a program. */
 static void forget_run(vs_bind *b) {
   vs_store *s = b->store;
   forget_returned(b);
@@ -77,12 +77,12 @@ void vs_bind_close(vs_bind *b) {
   if (!s) return;
   forget_run(b);
   vs_store_realloc(s, b->settings, b->setting_room * sizeof *b->settings, 0);
-  vs_cache_free(vs_store_cache(s)); /* holds nodes */
+  vs_cache_free(vs_store_cache(s)); /* the cache holds references to nodes */
   vs_store_release(s);
   *b = (vs_bind){ 0 };
 }
 
-/* Removes the objects; camera, sun and the like keep their settings. */
+/* Removes all objects from the drawing. The settings of camera, sun and the like remain. */
 void vs_bind_clear_drawing(vs_bind *b) {
   for (size_t i = 0; i < b->scene.drawn_count; i++) vs_node_release(b->scene.drawn[i].node);
   b->scene.drawn_count = 0;
@@ -91,7 +91,7 @@ void vs_bind_clear_drawing(vs_bind *b) {
 }
 
 static bool remember(vs_bind *b, vs_ref ref, bool shown) {
-  if (ref.node->flags & VS_NODE_ENDLESS) { /* a drawing cannot contain it */
+  if (ref.node->flags & VS_NODE_ENDLESS) { /* an unbounded object cannot be drawn */
     if (!shown && b->warn) b->warn(b->warn_context, ref.origin, VS_ENDLESS_MESSAGE);
     return true;
   }
@@ -108,7 +108,7 @@ static bool remember(vs_bind *b, vs_ref ref, bool shown) {
   return true;
 }
 
-/* A list counts if all its elements are objects. Other lists are the program's own data. */
+/* Keeps a top-level value as a part of the model. A list counts only if all its elements are objects. */
 bool vs_bind_returned(vs_bind *b, vs_value v, bool shown) {
   if (b->away) return true;
   vs_ref one = vs_bind_take_ref(v);
@@ -125,8 +125,8 @@ bool vs_bind_returned(vs_bind *b, vs_value v, bool shown) {
   return ok;
 }
 
-/* Returns true if the node was drawn by itself, or if it is a union of which each child was drawn: (draw a list) draws
- * the objects of the list and returns their union. A part drawn alone is not found, which is rare. */
+/* Returns true if the node itself was drawn, or if it is a union and each of its children was drawn. (draw a list)
+ * draws the objects of the list and returns their union. Parts that were drawn alone are not found, which is rare. */
 static bool drawn(const vs_nodemap *all, const vs_node *n) {
   if (vs_nodemap_get(all, n)) return true;
   if (n->kind != VS_UNION) return false;
@@ -138,9 +138,9 @@ static bool drawn(const vs_nodemap *all, const vs_node *n) {
 bool vs_bind_finish(vs_bind *b) {
   vs_bind_tell_dropped(b);
   if (!b->drew) return true;
-  if (b->away) return false; /* the drawing belongs to a node */
+  if (b->away) return false; /* a node other than the root has the focus */
   vs_nodemap all = { .store = b->store };
-  bool known = b->returned_count > 0; /* when memory for the test is out, there are no warnings */
+  bool known = b->returned_count > 0; /* if memory for the test is out, there are no warnings */
   for (size_t i = 0; known && i < b->scene.drawn_count; i++)
     known = vs_nodemap_put(&all, b->scene.drawn[i].node, NULL) != NULL;
   for (size_t i = 0; known && i < b->returned_count; i++)
@@ -151,7 +151,7 @@ bool vs_bind_finish(vs_bind *b) {
   return false;
 }
 
-/* ---- counting: one sum for each shared node, so that a DAG costs its number of nodes ---- */
+/* ---- counting objects; one sum is kept for each shared node, so that a DAG costs only its number of nodes ---- */
 
 static bool is_transparent(const vs_node *n) {
   return n->kind == VS_UNION || n->kind == VS_TRANSFORM || vs_node_is_wrapper(n);
@@ -160,7 +160,8 @@ static bool is_transparent(const vs_node *n) {
 static vs_bind_counts count_node(const vs_node *n, const vs_nodemap *known, const vs_bind_counts *sums) {
   vs_bind_counts c = { 0 };
   if (n->class_ == VS_NOTHING) {
-    c.all = n->kind == VS_NATIVE; /* native text: an object for one target program, without a class in others */
+    c.all = n->kind == VS_NATIVE; /* native text without a child counts as an object, though other formats show
+                                   * nothing */
     return c;
   }
   if (!is_transparent(n)) {
@@ -233,7 +234,8 @@ vs_status vs_p_warn(vs_args *f, vs_value *out) {
   return VS_OK;
 }
 
-/* (%reserved name instead): raises the error of a reserved name, for the syntax that geometry.scm defines. */
+/* (%reserved name instead): raises the error for the use of a reserved name, for the macros that geometry.scm
+ * defines. */
 vs_status vs_p_reserved(vs_args *f, vs_value *out) {
   (void)out;
   return vs_fail_at(f->vm, f->vm->sym.unbound, vs_call_place(f->vm), VS_NIL,

@@ -1,4 +1,4 @@
-/* Owns the interface of state.c: the life of bind/'s data outside of the heap, and the rule for a file's model. */
+/* Declares the data that an interpreter has outside of its heap, and the functions of state.c on it. */
 #ifndef VS_BIND_STATE_H
 #define VS_BIND_STATE_H
 
@@ -11,78 +11,84 @@ typedef struct vs_bind_parameter vs_bind_parameter;
 typedef struct vs_bind_setting vs_bind_setting;
 typedef struct vs_bind_back_end vs_bind_back_end;
 
-/* The drawing and all other data that an interpreter has beside its heap; vm->host points to it. */
+/* The drawing and all other data of an interpreter outside of its heap. vm->host points to it. */
 struct vs_bind {
   vs_scheme *vm;
   vs_store *store;
   vs_scene scene;
-  /* Top-level values: the model if nothing was drawn. Each may be a list. `returned` holds its own references. */
-  /* shown: printed at the prompt, or drawn and later replaced; no warning that it was thrown away */
+  /* Values of top-level expressions, which are the model if nothing was drawn. The nodes are retained. */
+  /* shown: the value was printed at the prompt, or was drawn and later replaced, so that no warning about an unused
+   * object is necessary */
   struct { vs_node *node; const vs_origin *origin; bool shown; } *returned;
   size_t returned_count, returned_room;
-  bool drew;                       /* the root has a drawing: top-level values do not count */
-  const vs_node *drawn_last;       /* the result of the last draw: an address for comparisons, not a reference */
-  const vs_node *drawn_away;       /* the same for a draw in a node that has lost the focus since */
-  /* objects that bodies threw away, one for each place (thrown.c); holds its own references */
+  bool drew;                       /* whether the root node has a drawing, so that top-level values are not the model */
+  const vs_node *drawn_last;       /* node that the last `draw` returned, for comparisons; not retained */
+  const vs_node *drawn_away;       /* node that the last `draw` returned in a scene node that has lost the focus; not
+                                    * retained */
+  /* objects of unused expressions in bodies, one for each place (thrown.c); nodes retained */
   struct { vs_node *node; const vs_origin *origin; } dropped[16];
   size_t dropped_count;
-  uint64_t *told;                  /* the given warnings: hashes of place and kind, open addressing, 0 is free */
+  uint64_t *told;                  /* hash table of the warnings given: hashes of place and kind; 0 is a free slot */
   size_t told_count, told_room;
-  /* the origins of the latest call chains, valid since that collection */
+  /* Cache of origins of recent call chains, valid until the next garbage collection. */
   struct { uint64_t key; const vs_origin *origin; } recent[64];
   uint64_t recent_collection;
   vs_bind_parameter *parameters;
   size_t parameter_count, parameter_room;
   vs_bind_setting *settings;
   size_t setting_count, setting_room;
-  size_t refused;                  /* the number of refused allocations; distinguishes 'no such thing' from 'no
-                                    * memory' */
-  uint32_t library_files;          /* smaller numbers are the language's own files; so are the files of
+  size_t refused;                  /* number of refused allocations, by which 'not found' is distinguished from 'memory
+                                    * is out' */
+  uint32_t library_files;          /* files with smaller numbers are part of the language, and so are those of
                                     * vs_config.shipped */
-  vs_inside_cache *inside;         /* the data that contains? has prepared; NULL at first */
-  /* Users' kinds (custom.c): the ticket of each number that some node holds, and the numbers that no node holds any
+  vs_inside_cache *inside;         /* data prepared for contains?, or NULL */
+  /* Users' kinds (custom.c). tickets[n]: ticket of number n if a node has it. gone: numbers that no node has any
    * more. */
   vs_ticket **tickets;
   uint32_t *gone;
   size_t ticket_count, ticket_room, gone_count;
-  vs_error handed;                 /* The fault of a drawing function's result, with the object's place; kind NONE: no
-                                    * fault. */
-  /* A node of the scene has the focus: the drawing is that node's, and top-level values are no model. */
+  vs_error handed;                 /* Fault of a drawing function's result, with the place of the object; kind
+                                    * VS_ERROR_NONE: no fault. */
+  /* Whether a scene node other than the root has the focus. The drawing is then that of the node, and top-level values
+   * are not the model. */
   bool away;
-  /* Calls the host's procedure of the number in the first argument; NULL: there is no host. */
+  /* Calls the host's procedure whose number is the first argument; NULL if there is no host. */
   vs_native_fn *host_call;
-  bool handing;                    /* a drawing function is running: draw returns its object, and nothing changes the
-                                    * scene */
-  struct vs_derivation *growing;   /* the derivation of the running rule; NULL: none (rules/derivation.h) */
-  /* The results of derivations with their records (rules/lineage.h); dead ones are removed at the limit. */
+  bool handing;                    /* whether a drawing function is running; draw then only returns its object, and the
+                                    * scene does not change */
+  struct vs_derivation *growing;   /* derivation of the running rule (rules/derivation.h), or NULL */
+  /* Objects of derivations with their records (rules/lineage.h). At the limit, those without other references are
+   * removed. */
   struct vs_kept_lineage *records;
   size_t record_count, record_room, record_limit;
   vs_bind_back_end *back_ends;
   size_t back_end_count, back_end_room;
-  bool (*is_built_in)(const char *name); /* returns true for a name or an ending of the library's own formats */
-  bool (*is_format)(const vs_bind *b, const char *name); /* returns true if `register-drawing-function` may name it */
-  size_t mesh_triangles;           /* the most triangles of an output, also for meshes made before the output; 0: no
-                                    * limit */
-  bool bad_parameter;              /* the current error is the fault of a -D value: exit 2 */
-  /* The host's procedure that shows a warning; origin NULL: no place. */
+  bool (*is_built_in)(const char *name); /* returns true if the name or suffix is that of a built-in format */
+  bool (*is_format)(const vs_bind *b, const char *name); /* returns true if the name is that of a format for
+                                                          * register-drawing-function */
+  size_t mesh_triangles;           /* greatest number of triangles in an output, also for meshes computed before the
+                                    * output; 0: no limit */
+  bool bad_parameter;              /* whether the current error is caused by a value of -D; exit status 2 */
+  /* Callback that shows a warning; origin NULL: without a place. */
   void (*warn)(void *context, const vs_origin *origin, const char *message);
   void *warn_context;
 };
 
 static inline vs_bind *vs_bind_of(vs_scheme *vm) { return (vs_bind *)vm->host; }
 
-/* Counts of objects: a union counts its children, once for each placement; any other operation is one object. By class,
- * from index VS_CURVE. Returns false when memory is out. */
+/* Counts of objects. A union counts as its children, once for each placement; every other operation is one object.
+ * of[c] is the number of objects of class c. */
 typedef struct { double all, of[VS_INHERIT]; } vs_bind_counts;
 
-bool vs_bind_open(vs_bind *b, vs_scheme *vm, vs_store *store); /* b must be zero; returns false when memory is out */
+bool vs_bind_open(vs_bind *b, vs_scheme *vm, vs_store *store); /* Initialises b, all bytes of which must be zero.
+                                                                * Returns false when memory is out. */
 void vs_bind_close(vs_bind *b);
-void vs_bind_restart(vs_bind *b); /* resets b except for the settings of parameters; the old heap must be gone */
+void vs_bind_restart(vs_bind *b); /* Resets b except for parameter settings. The old heap must have been freed. */
 void vs_bind_clear_drawing(vs_bind *b);
-/* Keeps the objects in a top-level value. Returns false with the error set. */
+/* Keeps the objects in a top-level value. If it fails, sets the error and returns false. */
 bool vs_bind_returned(vs_bind *b, vs_value v, bool shown);
-/* Returns true if nothing was drawn, so the top-level values are the model. Otherwise warns of those that the program
- * threw away. */
+/* Returns true if nothing was drawn, so that the top-level values are the model. Otherwise warns of top-level values
+ * that are not used. */
 bool vs_bind_finish(vs_bind *b);
 bool vs_bind_count(vs_ref ref, vs_bind_counts *out);
 

@@ -1,10 +1,10 @@
-/* Owns warnings of objects that a program makes and throws away: objects from a body's expression before its last, or
- * at the top of a file that draws others.
+/* Warns of objects that a program creates but does not use: values of expressions in a body before its last, or at the
+ * top level of a file that draws other objects.
  *
- * The run loop passes each object that such an expression of a body gave; from a list, the first. The result of the
- * last `draw` does not count. Of the others, the first at each place is kept, for a limited number of places. At the
- * end of the evaluation, those in the model are removed from them: the program may have put them into a list of its
- * own. */
+ * The run loop reports each object that is the unused value of an expression in a body; of a list, its first object.
+ * The result of the last `draw` does not count. The first object at each place is kept, for at most sixteen places. At
+ * the end of the evaluation, objects that are part of the model are removed again, since the program may have stored
+ * them in a list. */
 #include "bind/thrown.h"
 
 #include "bind/objects.h"
@@ -46,7 +46,7 @@ void vs_bind_warn_thrown(vs_bind *b, const vs_node *node, const vs_origin *origi
           : "this object is made and thrown away: others are drawn, this one is not; unite them, or (draw ...) it too");
 }
 
-/* Removes from `left` the objects that are at or below the root. */
+/* Removes from `left` the objects that are the root or its descendants. */
 static bool look_below(vs_bind *b, vs_nodemap *seen, vs_ref root, bool *left, size_t *count) {
   vs_walk *w = vs_walk_new(b->store, root);
   vs_ref at;
@@ -73,7 +73,7 @@ static bool look_below(vs_bind *b, vs_nodemap *seen, vs_ref root, bool *left, si
 void vs_bind_tell_dropped(vs_bind *b) {
   size_t count = b->dropped_count;
   if (count == 0) return;
-  /* when memory for the test is out, there are no warnings */
+  /* If memory for the test is out, there are no warnings. */
   bool left[sizeof b->dropped / sizeof *b->dropped], ok = true;
   for (size_t i = 0; i < count; i++) left[i] = true;
   vs_nodemap seen = { .store = b->store };

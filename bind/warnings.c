@@ -1,4 +1,4 @@
-/* Owns warnings: each is given once for each place. */
+/* Gives warnings, each only once for each place in the program. */
 #include "bind/warnings.h"
 
 #include <stdarg.h>
@@ -8,7 +8,7 @@
 #include "bind/origins.h"
 #include "bind/state.h"
 
-/* Returns true if the warning was given before. Returns false also when memory for its key is out. */
+/* Returns true if the warning with this key was given before. Returns false if memory for the key is out. */
 static bool told(vs_bind *b, uint64_t key) {
   if (!key) key = 1;
   if (2 * b->told_count >= b->told_room) {
@@ -33,7 +33,7 @@ static bool told(vs_bind *b, uint64_t key) {
 }
 
 bool vs_bind_warned(vs_bind *b, const vs_origin *o, const char *kind) {
-  /* the place, regardless of its callers */
+  /* The key is computed from place and kind; the callers do not matter. */
   uint64_t key = o ? ((uint64_t)o->line << 20 | o->column) ^ (uint64_t)(uintptr_t)o->file : 0;
   for (const char *c = kind; *c; c++) key = (key ^ (unsigned char)*c) * UINT64_C(0x100000001B3);
   key ^= key >> 31;

@@ -1,5 +1,5 @@
-/* Owns the arguments of a checked call, as C data for the body of a procedure. Headers that only pass vs_args on
- * declare the type without this header. */
+/* Declares the arguments of a checked call, as C data for the function that implements a procedure. Headers that only
+ * pass vs_args on declare the type themselves. */
 #ifndef VS_BIND_CALL_CALL_H
 #define VS_BIND_CALL_CALL_H
 
@@ -9,27 +9,27 @@
 
 typedef struct vs_bind vs_bind;
 
-/* The room for the arguments of one call. procedure.h bounds the length of a row; contract.c asserts that each row
- * fits. */
+/* Greatest numbers of arguments and of keywords in one call. procedure.h limits the rows of the table, and contract.c
+ * asserts that each row fits. */
 enum { VS_CALL_ARGUMENTS = 16, VS_CALL_KEYS = 11 };
 
 typedef struct vs_arg {
   bool given;
-  vs_value value; /* unconverted; it lies in the native's arguments, which root it */
+  vs_value value; /* the unconverted argument; it is a root, since it lies in the native's arguments */
   union {
     double real;
     int64_t integer;
     bool boolean;
-    vs_vec3 point;                             /* points, gvectors, factors */
-    struct { vs_vec3 at, direction; } line;    /* an axis; a plane by a point and its normal */
+    vs_vec3 point;                             /* a point, a gvector or three factors */
+    struct { vs_vec3 at, direction; } line;    /* an axis, or a plane by a point and its normal */
     vs_affine matrix;
-    vs_ref ref;                                /* one object; for a list its union */
-    struct { vs_ref *at; size_t count; } refs; /* a flattened list of objects */
+    vs_ref ref;                                /* an object; for a list of objects their union */
+    struct { vs_ref *at; size_t count; } refs; /* a list of objects, without nested lists */
     struct { vs_vec3 *at; size_t count; } points;
-    /* objects, and points between them */
+    /* Objects, and the points that were listed between them. */
     struct { vs_ref *at; size_t count; vs_vec3 *points; size_t point_count; } things;
     struct { const vs_value *at; size_t count; } values; /* the remaining arguments, unconverted */
-    struct { uint32_t *starts, *corners; size_t count; } faces; /* starts has count + 1 */
+    struct { uint32_t *starts, *corners; size_t count; } faces; /* starts has count + 1 elements */
     const vs_material *material;
     struct vs_scope *scope;
     struct { const char *at; size_t length; } text;
@@ -42,14 +42,15 @@ typedef vs_status vs_procedure_fn(vs_args *f, vs_value *out);
 struct vs_args {
   vs_scheme *vm;
   vs_bind *bind;
-  vs_store *store;              /* the store of bind */
+  vs_store *store;              /* the store of `bind` */
   const struct vs_procedure *procedure;
-  vs_procedure_fn *function;    /* the procedure's C function */
-  const char *names;            /* the procedure's names, with spaces between them; a helper's begins with '%' */
-  int form, count;              /* the number of the chosen form; the number of positional arguments (a rest counts as
-                                 * one) */
+  vs_procedure_fn *function;    /* the C function of the procedure */
+  const char *names;            /* names of the procedure, separated by spaces; the name of an internal procedure begins
+                                 * with '%' */
+  int form, count;              /* form: index of the chosen form; count: number of positional arguments, where a rest
+                                 * counts as one */
   vs_arg arg[VS_CALL_ARGUMENTS], key[VS_CALL_KEYS];
-  struct vs_scratch *scratch;   /* freed when the call ends */
+  struct vs_scratch *scratch;   /* memory that is freed when the call ends */
 };
 
 #endif

@@ -1,8 +1,8 @@
-/* Owns the checked call: it converts a native's arguments to the C data of its row in procedures.def, or sets the error
+/* Implements checked calls. Converts the arguments of a native to C data by its row in procedures.def, or sets an error
  * that names the fault.
  *
- * A call makes one pass over the form's parameters; it allocates only if an argument is a list. The memory of the
- * checks belongs to the arguments. It is freed when the call ends, also after an error. */
+ * A call makes one pass over the form's parameters. It allocates memory only if an argument is a list. This memory
+ * belongs to the arguments, and is freed when the call ends, even after an error. */
 #include "bind/call/contract.h"
 
 #include <math.h>
@@ -42,10 +42,10 @@ static vs_status convert(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg 
   return converters[p->contract](f, p, v, out);
 }
 
-/* ---- choosing the form ---- */
+/* ---- choosing the form of a call ---- */
 
-/* Returns true if v has this contract's kind, for the contracts that distinguish the forms of one procedure; true for
- * all others. It sets no error. */
+/* Returns true if v is of the kind that the contract requires. Only contracts that distinguish forms of a procedure are
+ * tested; for all others returns true. Sets no error. */
 static bool looks_like(vs_args *f, vs_contract c, vs_value v) {
   vs_arg unused;
   if (c == VS_C_POINT) return vs_is_flat(v, VS_FLAT_POINT);
@@ -75,8 +75,8 @@ void vs_bind_forms(const vs_procedure *procedure, const char *name, char *text, 
   }
 }
 
-/* Refuses the count: no form takes it. The error shows all forms; for three numbers, the corners that a beginner
- * probably means. */
+/* Refuses the number of arguments. The error shows all forms. For three numbers it shows the corners of the box that
+ * was probably meant. */
 static vs_status refuse_count(vs_args *f, const vs_value *a, int n) {
   char name[64], text[512], hint[300];
   vs_bind_forms(f->procedure, vs_bind_own_name(f, name), text, sizeof text);
@@ -85,7 +85,7 @@ static vs_status refuse_count(vs_args *f, const vs_value *a, int n) {
       f->procedure->form[0].at[2].mode == VS_ARG_END;
   if (two_corners && n == 3 && vs_bind_take_number(f->vm, a[0], &d[0]) && vs_bind_take_number(f->vm, a[1], &d[1]) &&
       vs_bind_take_number(f->vm, a[2], &d[2])) {
-    char x[32], y[32], z[32]; /* the other corner is the origin */
+    char x[32], y[32], z[32]; /* the three numbers are the corner opposite to the origin */
     vs_bind_number_text(x, d[0]), vs_bind_number_text(y, d[1]), vs_bind_number_text(z, d[2]);
     snprintf(hint, sizeof hint, "(%s (xyz 0 0 0) (xyz %s %s %s))", name, x, y, z);
     return vs_fail(f->vm, f->vm->sym.arity, "%s; perhaps %s", text, hint);
@@ -95,8 +95,8 @@ static vs_status refuse_count(vs_args *f, const vs_value *a, int n) {
   return vs_fail(f->vm, f->vm->sym.arity, "%s, got %d argument%s", text, n, n == 1 ? "" : "s");
 }
 
-/* Returns how many of the n arguments, from the first on, have the kinds of the form's parameters (0 if there is no
- * other form); -1 if the form does not take n arguments. */
+/* Returns how many arguments, counted from the first, are of the kinds that the form requires (0 if the procedure has
+ * only one form). Returns -1 if the form does not accept n arguments. */
 static int form_fits(vs_args *f, const vs_form *form, const vs_value *a, int n) {
   int fits = f->procedure->form[1].used ? 0 : -1;
   const vs_bind_param *p = form->at;
@@ -104,12 +104,12 @@ static int form_fits(vs_args *f, const vs_form *form, const vs_value *a, int n) 
     if (p->mode == VS_ARG_END) return -1;
     if (fits == i && looks_like(f, (vs_contract)p->contract, a[i])) fits++;
   }
-  if (p->mode == VS_ARG_REQUIRED) return -1; /* required parameters come before optional ones */
+  if (p->mode == VS_ARG_REQUIRED) return -1; /* required parameters precede optional ones */
   if (p->mode == VS_ARG_REST && fits >= 0 && fits < n && looks_like(f, (vs_contract)p->contract, a[fits])) fits++;
   return fits < 0 ? 0 : fits;
 }
 
-/* Returns the number of the form, or -1 with the error set. */
+/* Returns the index of the form that fits best. If none accepts n arguments, sets the error and returns -1. */
 static int choose_form(vs_args *f, const vs_value *a, int n) {
   int best = -1, best_fits = -1;
   for (int i = 0; i < VS_MAX_FORMS && f->procedure->form[i].used; i++) {
@@ -121,16 +121,17 @@ static int choose_form(vs_args *f, const vs_value *a, int n) {
   return best;
 }
 
-/* Sets an absent argument: every member that a body reads is 0. A matrix is not cleared, since no body reads an absent
- * one. */
+/* Marks an argument as absent, and clears the members that a body may read. The matrix is not cleared: no body reads an
+ * absent one. */
 static inline void set_absent(vs_arg *to) {
   to->given = false, to->value = VS_ABSENT;
   to->line.at = to->line.direction = vs_v3(0, 0, 0);
 }
 
-/* The fast path for most calls, with points and numbers that keep their contracts: enter_quickly chooses the form and
- * converts its arguments in one pass. It returns false for all other calls; enter_slowly handles those. */
-typedef enum { QUICK_FITS, QUICK_OTHER /* looks_like returns false */, QUICK_UNSURE } quick;
+/* Results of testing an argument on the fast path, for calls with points and numbers that keep their contracts.
+ * enter_quickly chooses the form and converts the arguments in one pass. It returns false for all other calls, which
+ * enter_slowly handles. QUICK_OTHER: the argument is of another kind, so that looks_like would return false. */
+typedef enum { QUICK_FITS, QUICK_OTHER, QUICK_UNSURE } quick;
 static inline quick convert_quickly(const vs_bind_param *p, vs_value v, vs_arg *out) {
   out->given = true, out->value = v;
   if (p->contract == VS_C_POINT) {
@@ -162,9 +163,9 @@ static bool enter_quickly(vs_args *f, const vs_value *a, int n) {
   return false;
 }
 
-/* ---- the one native ---- */
+/* ---- the native that makes checked calls ---- */
 
-/* Converts the arguments of the chosen form one after the other. */
+/* Chooses the form and converts the arguments one after the other. Returns false with the error set. */
 static bool enter_slowly(vs_args *f, const vs_value *a, int given) {
   f->form = choose_form(f, a, given);
   if (f->form < 0) return false;
@@ -192,14 +193,15 @@ static bool enter_slowly(vs_args *f, const vs_value *a, int given) {
 static vs_status run(vs_args *f, const vs_bind_row *row, vs_value *a, int n, vs_value *out) {
   bool keyed = f->procedure->key[0].mode != VS_ARG_END;
   int given = n, places = n;
-  /* a[] holds a value for each positional parameter, then the keywords; a rest has no unused places */
+  /* a[] contains a value for each positional parameter, then one for each keyword. With a rest there are no unused
+   * places. */
   if (keyed && f->vm->native->max != UINT32_MAX) {
     places = (int)f->vm->native->max;
     for (given = 0; given < places && a[given] != VS_ABSENT; given++) {}
   }
   if (!enter_quickly(f, a, given)) {
     vs_status status;
-    bool duals = vs_is_fixnum(vs_lib_get(f->vm, VS_LIB_DUALS)); /* a differentiation has begun */
+    bool duals = vs_is_fixnum(vs_lib_get(f->vm, VS_LIB_DUALS)); /* whether a differentiation has begun */
     if (duals && vs_dual_level(a, (size_t)given) >= 0 && row->differentiate(f->vm, f->function, a, given, out, &status))
       return status;
     if (!enter_slowly(f, a, given)) return VS_ERROR;
@@ -217,7 +219,7 @@ static vs_status run(vs_args *f, const vs_bind_row *row, vs_value *a, int n, vs_
 }
 
 vs_status vs_bind_call(vs_scheme *vm, const vs_bind_row *row, vs_value *a, int n, vs_value *out) {
-  vs_args f; /* members are set one by one: clearing the whole struct would cost more than most procedures */
+  vs_args f; /* the members are set one by one: clearing the struct would take longer than most procedures */
   f.vm = vm, f.bind = vs_bind_of(vm), f.store = f.bind ? f.bind->store : NULL, f.scratch = NULL, f.count = 0;
   f.procedure = row->procedure, f.function = row->function, f.names = row->names;
   vs_status s = run(&f, row, a, n, out);

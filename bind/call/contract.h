@@ -1,4 +1,4 @@
-/* Owns the interface of contract.c: the checked call. */
+/* Declares checked calls, implemented in contract.c. */
 #ifndef VS_BIND_CALL_CONTRACT_H
 #define VS_BIND_CALL_CONTRACT_H
 
@@ -12,14 +12,14 @@ typedef vs_status vs_procedure_fn(vs_args *f, vs_value *out);
 typedef struct {
   const vs_procedure *procedure;
   vs_procedure_fn *function;
-  const char *names; /* separated by spaces */
-  /* Runs the call if an argument is a number that is being differentiated, and sets *status. Returns false, without an
-   * error, if the procedure takes only plain numbers. */
+  const char *names; /* names of the procedure, separated by spaces */
+  /* Called if an argument is a dual number (of a differentiation). Runs the call and sets *status. Returns false,
+   * without an error, if the procedure accepts only plain numbers. */
   bool (*differentiate)(vs_scheme *vm, vs_procedure_fn *procedure, vs_value *a, int n, vs_value *out,
                         vs_status *status);
 } vs_bind_row;
 
-/* Calls the row's function with n arguments, after checks and conversion. Returns VS_ERROR with the error set. */
+/* Checks and converts n arguments, and calls the row's function. If it fails, sets the error and returns VS_ERROR. */
 vs_status vs_bind_call(vs_scheme *vm, const vs_bind_row *row, vs_value *a, int n, vs_value *out);
 /* Writes all forms of the call: "takes (make-plane point normal) or (make-plane p q r)". */
 void vs_bind_forms(const vs_procedure *procedure, const char *name, char *text, size_t room);

@@ -1,4 +1,4 @@
-/* Owns the interface of the converters, convert_*.c. The converter of a row turns one argument into C data. */
+/* Declares the converters of convert_*.c. The converter of a contract turns one argument into C data. */
 #ifndef VS_BIND_CALL_CONVERT_H
 #define VS_BIND_CALL_CONVERT_H
 
@@ -53,9 +53,10 @@ vs_status vs_convert_all_refs(vs_args *f, const vs_bind_param *p, const vs_value
 vs_status vs_convert_all_points(vs_args *f, const vs_bind_param *p, const vs_value *v, size_t n, vs_arg *out);
 vs_status vs_convert_all_things(vs_args *f, const vs_bind_param *p, const vs_value *v, size_t n, vs_arg *out);
 
-/* Flattens a list of objects. Returns false with the non-object in *bad; if the error is set, *bad is absent. */
+/* Flattens a list of objects. If an element is no object, returns false and sets *bad to it. If another error is
+ * already set, *bad is VS_ABSENT. */
 bool vs_bind_take_refs(vs_args *f, vs_value list, vs_ref **out, size_t *count, vs_value *bad);
-/* Fills out->line and returns true if v is an axis; sets no error. */
+/* If v is an axis, sets out->line and returns true. Sets no error. */
 bool vs_bind_take_axis(vs_value v, vs_arg *out);
 
 #endif

@@ -1,6 +1,5 @@
-/* Owns the conversion of arguments that are objects, points or lists of them, materials or colours. Each function
- * vs_convert_* is a row of contracts.def: it fills `out` or sets the error. Lists of lists are flattened without
- * recursion. */
+/* Converts arguments that are objects, points, lists of them, materials or colours. Each function vs_convert_* belongs
+ * to a row of contracts.def: it sets *out, or the error. Nested lists are flattened without recursion. */
 #include "bind/call/call.h"
 #include "bind/call/convert.h"
 
@@ -28,11 +27,11 @@
 static bool finite3(const double *d) { return isfinite(d[0]) && isfinite(d[1]) && isfinite(d[2]); }
 static vs_vec3 vec_of(const double *d) { return vs_v3(d[0], d[1], d[2]); }
 
-/* Flattens values (each an item or a list of lists of items) with an explicit stack: each open list, with its remaining
- * elements; `add` takes one item. Returns false with *bad the value that is neither a list nor an item, or absent if
- * the error is set. Nothing here allocates Scheme objects, so plain locals are safe. A list that contains itself would
- * make the stack grow for ever with a cycle of lists. Therefore each new list is compared with the list at the highest
- * power of two below (Brent's algorithm). */
+/* Flattens values, each an item or a nested list of items, and calls `add` for each item. If a value is neither list
+ * nor item, returns false and sets *bad to it, or to VS_ABSENT if the error is already set. An explicit stack has the
+ * remaining elements of each open list. No Scheme objects are allocated, so that C variables need not be roots. A list
+ * that contains itself would make the stack grow forever. Each new list is therefore compared with the list at the next
+ * lower power of two (Brent's cycle detection). */
 static bool flatten(vs_args *f, const vs_value *values, size_t count,
                     bool (*add)(vs_args *, vs_value, void *, bool *oom), void *to, vs_value *bad) {
   struct open { vs_value list, rest; } fixed[32], *open = fixed;
@@ -79,7 +78,7 @@ static bool add_curve(vs_args *f, vs_value v, void *to, bool *oom) {
   const vs_node *n = vs_bind_take_ref(v).node;
   return n && (n->class_ == VS_CURVE || vs_bind_is_empty(n)) && add_ref(f, v, to, oom);
 }
-/* Adds a section: a curve, a region, or a point, which becomes a line of one point. */
+/* Adds a section of a loft: a curve, a region, or a point, which becomes a line with one point. */
 static bool add_section(vs_args *f, vs_value v, void *to, bool *oom) {
   const vs_node *object = vs_bind_take_ref(v).node;
   if (object)
@@ -116,9 +115,9 @@ bool vs_bind_take_refs(vs_args *f, vs_value list, vs_ref **out, size_t *count, v
   return true;
 }
 
-/* Writes the points that numbers in their place probably mean. For 0 0 1 0, for (0 0) (1 0) or for a list of either,
- * that is (make-polygon (xy 0 0) (xy 1 0)). If the points are one argument among others, it is (list (xy 0 0) (xy 1
- * 0)). Returns false if other values are among them. */
+/* Writes the points that were probably meant if numbers were given instead. For 0 0 1 0, for (0 0) (1 0) and for lists
+ * of these, it writes (make-polygon (xy 0 0) (xy 1 0)). If the points are one of several arguments, it writes (list (xy
+ * 0 0) (xy 1 0)). Returns false if there are values other than numbers. */
 static bool points_meant(vs_args *f, const vs_bind_param *p, const vs_value *v, size_t n, char *text, size_t room) {
   enum { MOST = 64, SHOWN = 4 };
   vs_value item[MOST];
@@ -136,7 +135,7 @@ static bool points_meant(vs_args *f, const vs_bind_param *p, const vs_value *v, 
     for (size_t k = 0; k < listed; k++) all[numbers++] = d[k];
   }
   if (each == 1) each = numbers % 2 == 0 ? 2 : 3;
-  if (numbers < 2 * each || numbers % each != 0) return false; /* one point is no line: nobody means it */
+  if (numbers < 2 * each || numbers % each != 0) return false; /* one point is no line, and was not meant */
   char name[64], x[3][32];
   size_t at = (size_t)snprintf(text, room, "(%s", p->mode == VS_ARG_REST ? vs_bind_own_name(f, name) : "list");
   for (size_t i = 0; i < numbers; i += each) {
@@ -152,11 +151,11 @@ static bool points_meant(vs_args *f, const vs_bind_param *p, const vs_value *v, 
   return true;
 }
 
-/* Refuses the item. If the call contains a value of none, names the usual causes: an `if` without else, a `for-each`
- * instead of a `map`. */
+/* Refuses an item of a list. If the call contains the value of an expression without a result, names the usual causes:
+ * an `if` without else, a `for-each` instead of a `map`. */
 static vs_status refuse_item(vs_args *f, const vs_bind_param *p, const vs_value *given, size_t count, vs_value bad,
                              const char *item) {
-  if (bad == VS_ABSENT) return VS_ERROR; /* the error is set */
+  if (bad == VS_ABSENT) return VS_ERROR; /* the error is already set */
   if (bad == VS_UNSPECIFIC)
     return vs_fail(f->vm, f->vm->sym.type, "%s must hold only %ss, but " VS_BIND_NO_VALUE, p->name, item);
   if (vs_bind_refuse_uncalled(f, p, bad)) return VS_ERROR;
@@ -203,14 +202,14 @@ vs_status vs_convert_all_things(vs_args *f, const vs_bind_param *p, const vs_val
   return VS_OK;
 }
 
-/* Sets *out to one object, or to the union of a list. */
+/* Sets *out to an object; for a list of objects to their union. */
 static vs_status one_object(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
   out->ref = vs_bind_take_ref(v);
   if (out->ref.node) return VS_OK;
   vs_arg list;
   if (!vs_convert_all_refs(f, p, &v, 1, &list)) return VS_ERROR;
   if (list.refs.count == 1) return out->ref = list.refs.at[0], VS_OK;
-  /* several closed curves form one profile */
+  /* Several closed curves form one profile. */
   if (p->contract == VS_C_PROFILE && !vs_bind_fill(f, list.refs.at, list.refs.count)) return VS_ERROR;
   vs_node *n = vs_node_new(f->store, list.refs.count ? VS_UNION : VS_EMPTY,
                            list.refs.count ? (const void *)&(struct vs_union){ 0 } : &(struct vs_empty){ 0 },
@@ -220,7 +219,7 @@ static vs_status one_object(vs_args *f, const vs_bind_param *p, vs_value v, vs_a
   return VS_OK;
 }
 
-static bool has_no_end(const vs_node *n) { /* returns true for an xline or a ray, placed or not */
+static bool has_no_end(const vs_node *n) { /* returns true for an xline or a ray, perhaps placed */
   while (n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER) n = n->children[0].node;
   return vs_node_has(n, VS_IS_UNRESOLVED) && !n->child_count;
 }
@@ -234,7 +233,7 @@ static bool class_fits(vs_contract c, const vs_node *n) {
   return c != VS_C_SOLID || n->class_ == VS_SOLID;
 }
 
-/* Returns true for a list of three elements, as nearly all faces are. */
+/* Returns true for a list of three elements. Most faces are triangles. */
 static bool has_three(vs_value v) {
   for (int i = 0; i < 3; i++, v = vs_cdr(v))
     if (!vs_is_pair(v)) return false;
@@ -267,7 +266,8 @@ vs_status vs_convert_faces(vs_args *f, const vs_bind_param *p, vs_value v, vs_ar
   return VS_OK;
 }
 
-/* Converts one object, or a list to its union, of the contract's class. */
+/* Converts an object, or a list of objects to their union. Refuses an object that is not of the class in the
+ * contract. */
 vs_status vs_convert_object(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
   if (!one_object(f, p, v, out)) return VS_ERROR;
   return class_fits((vs_contract)p->contract, out->ref.node) ? VS_OK : vs_bind_refuse_kind(f, p, v);
@@ -285,7 +285,7 @@ vs_status vs_convert_things(vs_args *f, const vs_bind_param *p, vs_value v, vs_a
   return vs_convert_all_things(f, p, &v, 1, out);
 }
 
-/* Converts the amount of an extrusion: a curve, a gvector, or a height along Z. */
+/* Converts the argument that tells how far a profile is extruded: a curve, a gvector, or a height along Z. */
 vs_status vs_convert_path(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
   out->ref = vs_bind_take_ref(v);
   if (out->ref.node) return class_fits(VS_C_CURVE, out->ref.node) ? VS_OK : vs_bind_refuse_kind(f, p, v);
@@ -304,9 +304,10 @@ vs_status vs_convert_rule(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg
   return vs_is_rule(v) ? VS_OK : vs_bind_refuse_kind(f, p, v);
 }
 
-/* ---- looks ---- */
+/* ---- materials and colours ---- */
 
-/* Refuses the name, with the probable spelling: "#f80", or the nearest known name. */
+/* Refuses the name of a material, and suggests the probable spelling: "#ff8800" for "#f80", or the most similar
+ * name. */
 static vs_status refuse_material(vs_args *f, const vs_bind_param *p, vs_value got, const char *name) {
   char hint[64];
   const char *near = vs_nearest_word(name, vs_ready_material_name);
@@ -317,8 +318,8 @@ static vs_status refuse_material(vs_args *f, const vs_bind_param *p, vs_value go
   return vs_bind_refuse_hint(f, p->name, vs_contract_noun(p->contract), got, hint);
 }
 
-/* Refuses three numbers of which some lie outside of 0 to 1. If they lie between 0 and 255, and not all are small, the
- * error suggests their 255th parts, since other programs use that range. */
+/* Refuses a colour of three numbers outside of 0 to 1. If all lie between 0 and 255, the error suggests them divided by
+ * 255, since other programs use that range. */
 static vs_status refuse_parts(vs_args *f, const vs_bind_param *p, vs_value got) {
   double c[3];
   char hint[96];
@@ -331,13 +332,13 @@ static vs_status refuse_parts(vs_args *f, const vs_bind_param *p, vs_value got) 
   return vs_bind_refuse_hint(f, p->name, vs_contract_noun(p->contract), got, hint);
 }
 
-/* a material from a paint, or from a name; a colour also from three numbers */
+/* Returns true if the name is that of a photograph's file. */
 static bool is_photograph(const char *name) {
   const char *dot = strrchr(name, '.');
   return dot && (!strcasecmp(dot, ".png") || !strcasecmp(dot, ".jpg") || !strcasecmp(dot, ".jpeg"));
 }
 
-/* Makes the material of a photograph: a matt surface; the picture covers a metre. */
+/* Creates the material of a photograph: a matt surface, on which the picture is one metre wide. */
 static vs_status convert_photograph(vs_args *f, vs_value v, vs_arg *out) {
   vs_material m = { .roughness = 0.9, .ior = 1.5, .pattern = { .kind = VS_PATTERN_PICTURE } };
   double mean[3];

@@ -1,5 +1,5 @@
-/* Owns the conversion of arguments that are values: numbers, booleans, texts, points, lines, planes, matrices. Each
- * function is a row of contracts.def: it fills `out` or sets the error. */
+/* Converts arguments that are values: numbers, booleans, texts, points, lines, planes, matrices. Each function belongs
+ * to a row of contracts.def: it sets *out, or the error. */
 
 #include <math.h>
 #include <stdio.h>
@@ -22,7 +22,7 @@ static bool has_length(vs_vec3 v) { return v.x != 0 || v.y != 0 || v.z != 0; }
 
 static bool symbol_is(vs_value v, const char *name) { return vs_is_symbol(v) && !strcmp(vs_as_symbol(v)->name, name); }
 
-/* The names of the world's axes, and of the planes across them. */
+/* The names of the world's axes, and of the planes perpendicular to them. */
 static const char *const axis_names[3] = { "x", "y", "z" }, *const plane_names[3] = { "yz", "xz", "xy" };
 
 static bool world_axis(vs_value v, const char *const names[3], vs_vec3 *out) {
@@ -31,8 +31,8 @@ static bool world_axis(vs_value v, const char *const names[3], vs_vec3 *out) {
   return false;
 }
 
-/* Converts a line through the origin along x, y or z, given by one of three names or by a vector; or any line, given by
- * an object of that kind. */
+/* Converts an axis or a plane to out->line. A name or a gvector means a line through the origin; a value of the flat
+ * kind `kind` has its own point and direction. */
 static bool convert_line(vs_value v, const char *const names[3], uint32_t kind, vs_arg *out) {
   out->line.at = vs_v3(0, 0, 0);
   if (world_axis(v, names, &out->line.direction)) return true;
@@ -43,7 +43,7 @@ static bool convert_line(vs_value v, const char *const names[3], uint32_t kind, 
 }
 
 bool vs_bind_take_axis(vs_value v, vs_arg *out) { return convert_line(v, axis_names, VS_FLAT_AXIS, out); }
-static bool is_plane(vs_value v, vs_arg *out) { /* reads its normal */
+static bool is_plane(vs_value v, vs_arg *out) { /* reads a plane as its point and normal */
   return convert_line(v, plane_names, VS_FLAT_PLANE, out);
 }
 
@@ -91,8 +91,8 @@ vs_status vs_convert_unit(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg
   return out->real >= 0 && out->real <= 1 ? VS_OK : vs_bind_refuse_condition(f, p, v);
 }
 
-/* Warns if an exact integer above one turn seems to be an angle in degrees. It does not warn if the same call had a
- * smaller integer before, as in a loop that counts. */
+/* Converts an angle. Warns if an integer above 6 is probably in degrees. Does not warn if the same call had a smaller
+ * integer before, as in a loop that counts. */
 vs_status vs_convert_angle(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
   if (!vs_convert_real(f, p, v, out)) return VS_ERROR;
   if (vs_is_fixnum(v) && out->real != 0 && fabs(out->real) <= 6) vs_bind_clear(f->bind, "degrees");
@@ -175,7 +175,7 @@ vs_status vs_convert_plane(vs_args *f, const vs_bind_param *p, vs_value v, vs_ar
   return is_plane(v, out) ? check_line(f, p, v, out) : vs_bind_refuse_kind(f, p, v);
 }
 
-/* Converts a plane. A height means the horizontal plane there; its lower side is kept. */
+/* Converts a cutting plane. A height means the horizontal plane there, of which the lower side is kept. */
 vs_status vs_convert_cut(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
   if (v == VS_FALSE) return VS_OK;
   if (!vs_bind_take_number(f->vm, v, &out->real)) return vs_convert_plane(f, p, v, out);
@@ -206,7 +206,7 @@ vs_status vs_convert_factor(vs_args *f, const vs_bind_param *p, vs_value v, vs_a
   return finite3(d) && d[0] > 0 && d[1] > 0 && d[2] > 0 ? VS_OK : vs_bind_refuse_condition(f, p, v);
 }
 
-/* Converts a tangent. An angle means the direction in the XY plane. */
+/* Converts a tangent. An angle means a direction in the XY plane. */
 vs_status vs_convert_tangent(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
   if (vs_is_flat(v, VS_FLAT_VECTOR)) {
     out->point = vec_of(vs_as_flat(v)->at);

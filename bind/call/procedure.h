@@ -1,4 +1,4 @@
-/* Owns the row of a procedure in the table: the contracts of its arguments, its forms and its keywords. */
+/* Declares a row of the table of procedures: forms, keywords and the contracts of arguments. */
 #ifndef VS_BIND_CALL_PROCEDURE_H
 #define VS_BIND_CALL_PROCEDURE_H
 
@@ -11,7 +11,7 @@ typedef enum {
 #undef VS_CONTRACT
 } vs_contract;
 
-/* The bounds of one row: a longer one does not compile. */
+/* Greatest numbers of a row's arguments, forms and keywords; a row with more does not compile. */
 enum { VS_MAX_ARGUMENTS = 16, VS_MAX_FORMS = 4, VS_MAX_KEYS = 11 };
 
 typedef enum { VS_ARG_END, VS_ARG_REQUIRED, VS_ARG_OPTIONAL, VS_ARG_REST } vs_parameter_mode;

@@ -1,5 +1,5 @@
-/* Owns the errors of a checked call that refuses an argument: its name, its contract, the value, and the form that the
- * program probably meant. */
+/* Sets the errors of checked calls that refuse an argument. An error contains the argument's name, its contract, the
+ * value, and the form that was probably meant. */
 #include "bind/call/refuse.h"
 
 #include <stdio.h>
@@ -50,8 +50,8 @@ vs_status vs_bind_refuse_hint(vs_args *f, const char *param, const char *expecte
   return vs_bind_refuse(f, param, text, got);
 }
 
-/* Refuses a procedure in place of its result: "..., got the procedure wall; call it: (wall length)". Returns false,
- * without an error, if v is no procedure. */
+/* Refuses a procedure that was passed instead of its result: "..., got the procedure wall; call it: (wall length)".
+ * Returns false, without an error, if v is no procedure. */
 bool vs_bind_refuse_uncalled(vs_args *f, const vs_bind_param *p, vs_value v) {
   char form[120];
   if (!vs_is(v, VS_T_CLOSURE) && !vs_is(v, VS_T_NATIVE)) return false;
@@ -67,8 +67,8 @@ bool vs_bind_refuse_uncalled(vs_args *f, const vs_bind_param *p, vs_value v) {
   return true;
 }
 
-/* Refuses a value of the wrong kind. For a point in place of a gvector, or the other way round, the error shows how to
- * write the other. */
+/* Refuses a value of the wrong kind. If a point was given for a gvector, or a gvector for a point, the error shows the
+ * correct form. */
 vs_status vs_bind_refuse_kind(vs_args *f, const vs_bind_param *p, vs_value got) {
   if (vs_is_dual(got))
     return vs_fail(f->vm, f->vm->sym.type,
@@ -95,7 +95,7 @@ vs_status vs_bind_refuse_kind(vs_args *f, const vs_bind_param *p, vs_value got) 
   if (vs_bind_refuse_uncalled(f, p, got)) return VS_ERROR;
   const vs_bind_param *first = f->procedure->form[0].at;
   if (wants_point && vs_bind_take_number(f->vm, got, d) && (!strcmp(p->name, "apex") || !strcmp(p->name, "c2"))) {
-    char number[32], hint[96]; /* a height in place of the solid's other end */
+    char number[32], hint[96]; /* suggests a point for a number that was meant as the height of the solid */
     vs_bind_number_text(number, d[0]);
     snprintf(hint, sizeof hint, "(+z %s %s)", first->name, number);
     return vs_bind_refuse_hint(f, p->name, vs_contract_noun(p->contract), got, hint);
@@ -104,7 +104,7 @@ vs_status vs_bind_refuse_kind(vs_args *f, const vs_bind_param *p, vs_value got) 
       vs_bind_take_ref(got).node)
     return vs_bind_refuse_hint(f, p->name, vs_contract_noun(p->contract), got,
                        "the sections stand in one list: (list section ...)");
-  vs_arg word; /* suggests 'walls for "walls", "top" for 'top */
+  vs_arg word; /* suggests 'walls for "walls", and "top" for 'top */
   if (((p->contract == VS_C_TEXT && vs_is_symbol(got)) || (p->contract == VS_C_NAME && vs_is_string(got))) &&
       vs_convert_text(f, p, got, &word) && word.text.length < 40 &&
       strcspn(word.text.at, " \t\n\"'()") == word.text.length) {

@@ -1,4 +1,4 @@
-/* Owns the interface of refuse.c: the errors of arguments. Each sets the error and returns VS_ERROR. */
+/* Declares the functions of refuse.c that refuse arguments. Each sets the error and returns VS_ERROR. */
 #ifndef VS_BIND_CALL_REFUSE_H
 #define VS_BIND_CALL_REFUSE_H
 
@@ -8,25 +8,25 @@
 typedef struct vs_args vs_args;
 typedef struct vs_bind_param vs_bind_param;
 
-/* Return the contract's two texts: the kind of thing, and the condition on it. */
+/* Return the two texts of a contract: the kind of value, and the condition on it. */
 const char *vs_contract_noun(uint8_t contract);
 const char *vs_contract_condition(uint8_t contract);
 
-/* Returns the first name of f's procedure, in room. A helper speaks for the procedure that it helps: the mark before
- * its name is omitted. */
+/* Returns the first name of f's procedure, stored in room. An internal procedure has the name of the procedure that
+ * calls it, without the initial %. */
 const char *vs_bind_own_name(const vs_args *f, char room[64]);
 
-/* Sets "PARAM must be EXPECTED, got GOT". */
+/* Sets the error "PARAM must be EXPECTED, got GOT". */
 vs_status vs_bind_refuse(vs_args *f, const char *param, const char *expected, vs_value got);
-/* The same, with "(HINT?)" after the expectation: the form that was probably meant. */
+/* Sets the error "PARAM must be EXPECTED (HINT?), got GOT". hint is the form that was probably meant. */
 vs_status vs_bind_refuse_hint(vs_args *f, const char *param, const char *expected, vs_value got, const char *hint);
-/* Refuses a value of the wrong kind for p's contract. */
+/* Refuses a value that is not of the kind in p's contract. */
 vs_status vs_bind_refuse_kind(vs_args *f, const vs_bind_param *p, vs_value got);
-/* Refuses a value of the right kind that fails the contract's condition. */
+/* Refuses a value that is of the kind in p's contract but does not fulfil its condition. */
 vs_status vs_bind_refuse_condition(vs_args *f, const vs_bind_param *p, vs_value got);
-/* Refuses a procedure in place of its result. Returns false, without an error, if v is no procedure. */
+/* Refuses a procedure that was passed instead of its result. Returns false, without an error, if v is no procedure. */
 bool vs_bind_refuse_uncalled(vs_args *f, const vs_bind_param *p, vs_value v);
-/* Sets "NAME: ..." with the message of a lower layer. */
+/* Sets the error to "NAME: ..." with the message of *e. */
 vs_status vs_bind_error(vs_scheme *vm, const vs_error *e);
 
 #endif

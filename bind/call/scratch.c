@@ -1,4 +1,4 @@
-/* Owns the memory of a checked call. */
+/* Allocates memory for checked calls, which is freed when the call ends. */
 #include "bind/call/scratch.h"
 
 #include <string.h>

@@ -1,4 +1,4 @@
-/* Owns the memory of a checked call: blocks, nodes and growing arrays, all freed when the call ends. */
+/* Declares the memory of a checked call: blocks, nodes and growing arrays that are freed when the call ends. */
 #ifndef VS_BIND_CALL_SCRATCH_H
 #define VS_BIND_CALL_SCRATCH_H
 
@@ -7,16 +7,18 @@
 
 typedef struct vs_args vs_args;
 
-/* Returns a block of these bytes, freed when the call ends; NULL with the error set when memory is out. */
-void *vs_bind_scratch(vs_args *f, size_t bytes);
-/* Takes over a reference to node and releases it when the call ends. Returns false with the memory error set if node is
+/* Returns a block of this size, which is freed when the call ends. When memory is out, sets the error and returns
  * NULL. */
+void *vs_bind_scratch(vs_args *f, size_t bytes);
+/* Takes over a reference to the node, and releases it when the call ends. If node is NULL, sets the memory error and
+ * returns false. */
 bool vs_bind_keep(vs_args *f, vs_node *node);
 void vs_bind_scratch_free(vs_args *f);
 
-/* A growing array. The newest block grows in place; any other moves, and its old block stays until the call ends. */
+/* A growing array. The latest block of a call grows in place. Another block is copied, and its old memory remains until
+ * the call ends. */
 typedef struct { void *at; size_t count, room, size; } vs_growing;
-/* Returns the next element's place; NULL with the error set when memory is out. */
+/* Returns the address of a new element at the end. When memory is out, sets the error and returns NULL. */
 void *vs_bind_grow(vs_args *f, vs_growing *g);
 
 #endif

@@ -1,4 +1,4 @@
-/* Owns the reading of plain C data out of values and parameter objects (take.h). */
+/* Reads C data from values and from parameter objects (take.h). */
 #include "bind/call/take.h"
 
 #include <string.h>
@@ -39,7 +39,7 @@ bool vs_bind_take_text(vs_scheme *vm, vs_value v, char **out, size_t *bytes) {
   return ok;
 }
 
-/* ---- (current-segments), (current-tolerance): parameter objects of geometry.scm ---- */
+/* ---- (current-segments) and (current-tolerance), parameter objects of geometry.scm ---- */
 
 enum { CURRENT_SEGMENTS, CURRENT_TOLERANCE };
 
@@ -50,7 +50,7 @@ static double current(vs_scheme *vm, size_t which) {
   vs_value parameter = vs_as_vector(all)->at[which];
   if (!vs_is(parameter, VS_T_PARAMETER)) return 0;
   v = vs_as_parameter(parameter)->value;
-  for (vs_value l = vm->parameters; vs_is_pair(l); l = vs_cdr(l)) /* parameterize: innermost first */
+  for (vs_value l = vm->parameters; vs_is_pair(l); l = vs_cdr(l)) /* values of parameterize, innermost first */
     if (vs_car(vs_car(l)) == parameter) { v = vs_cdr(vs_car(l)); break; }
   return vs_bind_take_number(vm, v, &d) ? d : 0;
 }

@@ -1,22 +1,22 @@
-/* Owns the reading of plain C data out of values.
+/* Declares functions that read C data from values.
  *
- * Names in bind/ follow one rule: vs_bind_take_X reads an X out of a value; vs_bind_give_X makes a value of an X
+ * Names in bind/ follow one rule: vs_bind_take_X reads an X from a value; vs_bind_give_X creates a value from an X
  * (build.h, objects.h, rules/scope.h). */
 #ifndef VS_BIND_CALL_TAKE_H
 #define VS_BIND_CALL_TAKE_H
 
 #include "vm/machine/native.h"
 
-/* Reads any real number. Returns false, without an error, for other values. */
+/* Reads a real number of any type. Returns false, without an error, for other values. */
 bool vs_bind_take_number(vs_scheme *vm, vs_value v, double *out);
-/* Reads two or three numbers from a list or a vector. Returns their count; 0 for other values. */
+/* Reads two or three numbers from a list or vector. Returns how many; 0 for other values. */
 int vs_bind_take_numbers(vs_scheme *vm, vs_value v, double d[3]);
 
-/* Copies a string's or symbol's UTF-8 with a NUL into memory from vs_mem; the caller frees *bytes. Returns false with
- * the error set. */
+/* Copies the UTF-8 of a string or symbol, with a NUL, into memory of vs_mem; the caller frees *out. If it fails, sets
+ * the error and returns false. */
 bool vs_bind_take_text(vs_scheme *vm, vs_value string_or_symbol, char **out, size_t *bytes);
 
-int32_t vs_bind_segments(vs_scheme *vm); /* (current-segments); 0: by tolerance */
-double vs_bind_tolerance(vs_scheme *vm); /* (current-tolerance); 0: by the drawing's size */
+int32_t vs_bind_segments(vs_scheme *vm); /* Returns (current-segments); 0: computed from the tolerance. */
+double vs_bind_tolerance(vs_scheme *vm); /* Returns (current-tolerance); 0: computed from the size of the drawing. */
 
 #endif

@@ -1,4 +1,4 @@
-/* Owns the constructors of curves and regions. */
+/* Implements the procedures that create curves and regions. */
 #include "bind/build.h"
 #include "bind/call/call.h"
 #include "bind/call/refuse.h"
@@ -17,7 +17,8 @@ static int32_t segments(const vs_args *f) {
 
 /* ---- polylines ---- */
 
-static double extent(const vs_vec3 *at, size_t n) { /* the size of the whole, as the scale for closeness */
+static double extent(const vs_vec3 *at, size_t n) { /* returns the size of all points, to which distances are
+                                                     * compared */
   double size = 0;
   for (size_t i = 1; i < n; i++) size = fmax(size, vs_v3_length(vs_v3_sub(at[i], at[0])));
   return size;
@@ -36,7 +37,7 @@ static vs_node *points_node(vs_store *s, vs_kind kind, const vs_vec3 *at, size_t
   return node;
 }
 
-/* Removes repeated neighbours. Returns true if the last point met the first and was removed, too. */
+/* Removes points that equal their predecessor. If the last point equals the first, removes it and returns true. */
 static bool tidy(vs_vec3 *at, size_t *count) {
   size_t n = 0;
   for (size_t i = 0; i < *count; i++)
@@ -95,7 +96,7 @@ vs_status vs_p_make_regular_polygon(vs_args *f, vs_value *out) {
   return vs_bind_give_node(f, points_node(f->store, VS_LINE, at, n, true, NULL), out);
 }
 
-/* ---- round curves ---- */
+/* ---- circles, ellipses and arcs ---- */
 
 static vs_node *circle(vs_store *s, vs_vec3 c, double r, int32_t n) {
   return vs_node_new(s, VS_CIRCLE, &(struct vs_circle){ .center = c, .radius = r, .segments = n }, NULL, 0);
@@ -117,7 +118,7 @@ vs_status vs_p_make_arc(vs_args *f, vs_value *out) {
   return vs_bind_make(f, VS_ARC, &d, NULL, 0, out);
 }
 
-/* an ellipse is a circle, scaled across */
+/* An ellipse is a circle, scaled along one axis. */
 vs_status vs_p_make_ellipse(vs_args *f, vs_value *out) {
   double rx = REAL(1), ry = REAL(2);
   if (rx == 0 || ry == 0) return vs_bind_empty(f, "rx or ry is 0", out);
@@ -132,7 +133,8 @@ vs_status vs_p_make_ellipse(vs_args *f, vs_value *out) {
 
 /* ---- splines ---- */
 
-static vs_status tangent(vs_args *f, int i, const char *name, vs_vec3 *out) { /* #f: natural */
+static vs_status tangent(vs_args *f, int i, const char *name, vs_vec3 *out) { /* #f means a natural end: the zero
+                                                                               * vector */
   vs_value v = f->arg[i].value;
   double angle, s, c;
   *out = vs_v3(0, 0, 0);
@@ -149,7 +151,7 @@ static vs_status tangent(vs_args *f, int i, const char *name, vs_vec3 *out) { /*
   return vs_bind_refuse(f, name, "a gvector longer than 0, or an angle in the XY plane", v);
 }
 
-/* (%make-spline points start end segments): geometry.scm has chosen the form */
+/* (%make-spline points start end segments): geometry.scm has converted the arguments of make-spline to this form. */
 vs_status vs_p_make_spline(vs_args *f, vs_value *out) {
   vs_vec3 *at = f->arg[0].points.at;
   size_t n = f->arg[0].points.count;
@@ -160,7 +162,7 @@ vs_status vs_p_make_spline(vs_args *f, vs_value *out) {
   bool closed = tidy(at, &n);
   if (n < 2) return vs_bind_empty(f, "all points are the same", out);
   if (closed && n < 3) closed = false;
-  if (closed) d.start_tangent = d.end_tangent = vs_v3(0, 0, 0); /* smooth at all points */
+  if (closed) d.start_tangent = d.end_tangent = vs_v3(0, 0, 0); /* a closed spline is smooth at all points */
   return vs_bind_give_node(f, points_node(f->store, VS_SPLINE, at, n, closed, &d), out);
 }
 

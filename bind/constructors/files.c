@@ -1,5 +1,4 @@
-/* Owns the reading of a program's files for geometry and looks: meshes and pictures; and the names of the prefabs in
- * the language. */
+/* Reads files of a program with meshes and pictures. Also lists the names of the prefabs. */
 #include "bind/constructors/files.h"
 
 #include "bind/call/call.h"
@@ -15,13 +14,13 @@
 #include "vm/machine/activation.h"
 #include "vm/values/heap.h"
 
-/* Reads the file; sets *shown to its name without folders, and *whole to its path. The store owns both. */
+/* Reads a file. Sets *shown to its name without folders, and *whole to its path; the store owns both. */
 static vs_status file_of(vs_args *f, vs_value name, vs_value *bytes, const char **shown, const char **whole) {
   vs_scheme *vm = f->vm;
   vs_text path, own;
   vs_text_open(vm, &path, 0);
   vs_text_open(vm, &own, 0);
-  /* before any allocation on the heap, which may move the name */
+  /* Copies the name before anything is allocated on the heap, since that may move it. */
   bool ok = vs_text_string(&own, name) && vs_text_end(&own);
   ok = ok && vs_source_path(vm, name, vs_pos_file(vs_call_place(vm)), &path) && vs_text_end(&path) &&
        vs_io_read_file(vm, path.at, bytes);
@@ -42,7 +41,7 @@ vs_status vs_bind_file(vs_args *f, const vs_arg *name, vs_value *bytes, const ch
   return file_of(f, name->value, bytes, shown, &whole);
 }
 
-/* Keeps a picture of this format in the store. `read` has its path, and its columns and rows if they are known. */
+/* Stores the bytes of a picture. `read` has its path and format, and its columns and rows if they are known. */
 static vs_status keep_picture(vs_args *f, vs_picture read, const vs_bytes *bytes, const vs_picture **out) {
   read.bytes = bytes->at, read.size = (size_t)bytes->length;
   *out = vs_store_picture(f->store, &read);
@@ -63,7 +62,8 @@ vs_status vs_bind_picture(vs_args *f, vs_value name, const vs_picture **out, con
   return keep_picture(f, kept, bytes, out);
 }
 
-/* Removes the sun from a picture of light. *out is the remaining picture; NULL if the picture has no sun. */
+/* Removes the sun from the EXR or HDR picture of a sky. Sets *out to the picture without sun, or to NULL if it shows no
+ * sun. */
 static vs_status take_sun(vs_args *f, const char *shown, const char *whole, const vs_bytes *bytes, bool exr,
                           const vs_picture **out, vs_panorama_sun *sun) {
   static const char *const wanted[] = { "R", "G", "B", NULL };
@@ -84,7 +84,7 @@ static vs_status take_sun(vs_args *f, const char *shown, const char *whole, cons
   return ok ? VS_OK : vs_bind_error(f->vm, &e);
 }
 
-/* The first bytes identify the format. */
+/* The file format is recognised by the first bytes. */
 vs_status vs_bind_sky_picture(vs_args *f, vs_value name, const vs_picture **out, const vs_picture **sunless,
                               vs_panorama_sun *sun) {
   static const struct { const char *format; unsigned char bytes[4]; size_t count;
@@ -120,9 +120,9 @@ vs_status vs_bind_lamp_file(vs_args *f, vs_value name, const vs_picture **out) {
   return keep_picture(f, (vs_picture){ .path = whole, .format = "ies" }, bytes, out);
 }
 
-/* ---- prefabs: prefabs.scm runs their files ---- */
+/* ---- names of the prefabs, whose files prefabs.scm runs ---- */
 
-/* (prefab-names): in alphabetical order, the order of the files in the program */
+/* (prefab-names): returns the names in alphabetical order, in which the files are stored. */
 vs_status vs_p_prefab_names(vs_args *f, vs_value *out) {
   static const char folder[] = "prefabs/", ending[] = ".vs";
   const size_t before = sizeof folder - 1, after = sizeof ending - 1;

@@ -1,4 +1,4 @@
-/* Owns text: the choice of the font, the object made of letters, and text for a target program. */
+/* Implements text: chooses the font, creates objects of letters, and creates native text for a target program. */
 
 #include <stdio.h>
 
@@ -13,7 +13,7 @@
 #include "vm/front/source.h"
 #include "vm/machine/activation.h"
 
-/* The host reads the font file; its name is relative to the program, like that of a loaded file. */
+/* Reads a font file through the host. Its name is relative to the program, like that of a loaded file. */
 static vs_status font_file(vs_args *f, const vs_arg *font, const char **out) {
   vs_scheme *vm = f->vm;
   vs_text path;
@@ -39,7 +39,8 @@ static vs_status font_of(vs_args *f, const vs_arg *font, const char **out) {
   return vs_font_get(f->store, *out, &e) ? VS_OK : vs_bind_error(f->vm, &e);
 }
 
-/* Returns one of the words, a constant; NULL with the error set if the argument is none of them. */
+/* Returns the word that equals the argument, or the first if the argument is absent. If none equals it, sets the error
+ * and returns NULL. */
 static const char *word_of(vs_args *f, const char *param, const vs_arg *a, const char *const *words,
                            const char *expected) {
   if (!a->given) return words[0];
@@ -49,7 +50,7 @@ static const char *word_of(vs_args *f, const char *param, const vs_arg *a, const
   return NULL;
 }
 
-/* Accepts the British and the common spelling. The store keeps the word, like every text of a node. */
+/* Replaces the spelling "centre" by "center", and stores the word, as nodes require. */
 static bool kept_word(vs_args *f, const char **word) {
   if (!strcmp(*word, "centre")) *word = "center";
   *word = vs_store_text(f->store, *word, strlen(*word));
@@ -109,8 +110,8 @@ vs_status vs_p_text_width(vs_args *f, vs_value *out) {
   return vs_bind_give_real(f, width, out);
 }
 
-/* ---- native: text of the user's that a target program gets unchanged. Its braces, strings and comments must be
- * complete, so that it neither hides nor ends the text around it. ---- */
+/* ---- native: text that the user writes for a target program. Its braces, strings and comments must be complete, so
+ * that they do not affect the text around it ---- */
 
 typedef struct { const char *name, *comment; bool directives; } native_target;
 static const native_target targets[] = {
@@ -120,7 +121,7 @@ static const native_target targets[] = {
 
 enum { DEPTH_MAX = 256 };
 
-/* Returns true for a word after # that needs an #end; NULL ends the list. */
+/* Returns true if the word after # requires an #end. */
 static bool opens(const char *word, size_t length) {
   static const char *const words[] = { "if", "ifdef", "ifndef", "while", "for", "switch", "macro" };
   for (size_t i = 0; i < sizeof words / sizeof *words; i++)
@@ -134,7 +135,7 @@ static size_t word_length(const char *at) {
   return n;
 }
 
-/* Returns the fault of the text; NULL if it is complete. */
+/* Returns the fault of the text as words for a message, or NULL if it is complete. */
 static const char *trouble(const native_target *t, const char *text) {
   char open[DEPTH_MAX];
   size_t depth = 0, directives = 0, comment = strlen(t->comment);

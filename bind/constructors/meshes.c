@@ -1,4 +1,5 @@
-/* Owns objects made of faces: given one by one, or read from a file; checked, and repaired on request. */
+/* Creates objects from faces, which are given one by one or read from a file. Checks them, and repairs them if
+ * requested. */
 #include "bind/build.h"
 #include "bind/call/call.h"
 #include "bind/call/refuse.h"
@@ -22,10 +23,10 @@
 
 #define POINT(i) (f->arg[i].point)
 
-/* ---- checking ---- */
+/* ---- checking faces ---- */
 
-/* Returns true if every corner lies on or below every face: then the mesh, of one shell, is convex. The cost is the
- * product of both counts, so it answers only for small meshes. */
+/* Returns true if every corner lies on or below the plane of every face. The mesh, a single closed surface, is then
+ * convex. Returns false for larger meshes, since the time grows with the product of corners and faces. */
 static bool is_convex(const vs_mesh *m) {
   if (m->triangle_count != 2 * m->vertex_count - 4 || m->triangle_count * m->vertex_count > 4096) return false;
   vs_bounds b = vs_mesh_bounds(m);
@@ -45,8 +46,8 @@ static void place_text(char text[112], vs_vec3 p) {
   snprintf(text, 112, "(xyz %s %s %s)", x, y, z);
 }
 
-/* Checks a mesh. mesh: the triangles of a closed polyface mesh, tagged by face; if it is empty, the function makes
- * them. *flawless: no faces overlap. */
+/* Checks a polyface mesh for flaws. mesh: its triangles, tagged by face; if it is empty, the function computes them.
+ * Sets *flawless to whether no faces overlap. */
 static vs_status inspect(vs_args *f, vs_node *n, vs_mesh *mesh, vs_mesh_flaws *flaws, bool *flawless) {
   const struct vs_polyface_mesh *d = VS_AS(polyface_mesh, n);
   vs_kernel_counts counts = { 0 };
@@ -67,7 +68,7 @@ static vs_status inspect(vs_args *f, vs_node *n, vs_mesh *mesh, vs_mesh_flaws *f
   vs_tally_enter(vs_store_tally(f->store), was);
   vs_solid_tally_steps(f->store, &counts);
   if (!looked) {
-    if (why.status == VS_KERNEL_INTERRUPTED) return VS_ERROR; /* the condition is set */
+    if (why.status == VS_KERNEL_INTERRUPTED) return VS_ERROR; /* the condition is already set */
     return why.status == VS_KERNEL_OUT_OF_MEMORY ? vs_fail_memory(f->vm)
                                                  : vs_fail(f->vm, f->vm->sym.range, "%s", why.message);
   }
@@ -106,7 +107,7 @@ static vs_status refuse_open(vs_args *f, const char *file, const vs_face_list *l
                  open.face + 1, more);
 }
 
-/* ---- repair ---- */
+/* ---- repairing faces ---- */
 
 static bool list_of_mesh(vs_face_list *l, const vs_mesh *m) {
   bool ok = true;
@@ -119,15 +120,16 @@ static bool list_of_mesh(vs_face_list *l, const vs_mesh *m) {
   return ok;
 }
 
-/* Appends "VERB 3 THINGs" at `at`, after a comma if the text is not empty; nothing for 0. Returns the new end. */
+/* Appends "VERB 3 THINGs" to the text at position `at`, after a comma if the text is not empty. Appends nothing if
+ * count is 0. Returns the new end. */
 static size_t note(char *text, size_t room, size_t at, size_t count, const char *verb, const char *thing) {
   if (!count) return at;
   int n = snprintf(text + at, room - at, "%s%s %zu %s%s", at ? ", " : "", verb, count, thing, count == 1 ? "" : "s");
   return n > 0 && at + (size_t)n < room ? at + (size_t)n : at;
 }
 
-/* Repairs l and sets *out to its node, a new reference, which may be empty; a warning lists the repairs. *sheet: the
- * result is a surface, or encloses nothing although holes were closed. */
+/* Repairs the faces, and sets *out to a new node of them, which may be empty. A warning lists the repairs. Sets *sheet
+ * if the result is a surface, or encloses no volume after its holes were closed. */
 static vs_status repaired(vs_args *f, const char *file, vs_face_list *l, bool *sheet, vs_node **out) {
   vs_repair_notes notes;
   vs_error e = { 0 };
@@ -172,7 +174,8 @@ static vs_status repaired(vs_args *f, const char *file, vs_face_list *l, bool *s
 
 /* ---- faces given one by one ---- */
 
-/* Takes over n. sheet: the faces are a surface. */
+/* Sets *out to the object of n, whose reference it takes over. sheet: whether the faces form a surface; used if n is
+ * empty. */
 static vs_status finished(vs_args *f, vs_node *n, bool sheet, vs_value *out) {
   if (!vs_bind_is_empty(n)) return vs_bind_give_node(f, n, out);
   vs_node_release(n);
@@ -250,11 +253,11 @@ vs_status vs_p_make_irregular_pyramid(vs_args *f, vs_value *out) {
   if (!at || !starts || !corner) return VS_ERROR;
   memcpy(at, f->arg[0].points.at, n * sizeof *at);
   at[n] = POINT(1);
-  vs_vec3 spread = { 0, 0, 0 }; /* twice the base's area, along its normal */
+  vs_vec3 spread = { 0, 0, 0 }; /* sum of normals: twice the area of the base, along its normal */
   for (size_t i = 1; i + 1 < n; i++)
     spread = vs_v3_add(spread, vs_v3_cross(vs_v3_sub(at[i], at[0]), vs_v3_sub(at[i + 1], at[0])));
-  /* the size of the base; the apex's height; the largest distance of a base corner from the plane; twice the area of
-   * the largest triangle tried */
+  /* size: of the base; up: height of the apex; off: greatest distance of a base corner from the plane; widest: twice
+   * the area of the largest triangle tried. */
   double size = 0, up = 0, off = 0, widest = 0;
   vs_vec3 normal = vs_v3_unit(spread);
   for (size_t i = 1; i < n; i++) {
@@ -273,7 +276,8 @@ vs_status vs_p_make_irregular_pyramid(vs_args *f, vs_value *out) {
   up = fabs(vs_v3_dot(normal, vs_v3_sub(at[n], at[0])));
   if (up <= 1e-12 * size) return vs_bind_empty(f, "the apex lies in the plane of the base", out);
   starts[0] = 0;
-  /* the base, seen from below; all faces are reversed if necessary */
+  /* The base, clockwise seen from above, so that it faces downwards. All faces are reversed later if the apex is
+   * below. */
   for (size_t i = 0; i < n; i++) corner[i] = (uint32_t)(n - 1 - i);
   starts[1] = (uint32_t)n;
   for (size_t i = 0; i < n; i++) {
@@ -295,14 +299,15 @@ vs_status vs_p_make_3dface(vs_args *f, vs_value *out) {
   if (n == 4) b = vs_v3_length(vs_v3_cross(vs_v3_sub(at[2], at[0]), vs_v3_sub(at[3], at[0])));
   double nothing = 1e-14 * size * size;
   if (a <= nothing && b <= nothing) return vs_bind_empty(f, "all corners are on one line", out);
-  /* one of the two triangles has no area */
+  /* If one triangle has no area, only the other is used. */
   if (n == 4 && a <= nothing) memcpy(corner, corner + 3, sizeof corner / 2), b = 0;
   return polyface(f, &(vs_polygons){ at, n, starts, corner, n == 4 && b > nothing ? 2 : 1 }, out);
 }
 
-/* ---- faces from a file ---- */
+/* ---- reading faces from a file ---- */
 
-static bool keep_reading(void *vm) { return vs_poll(vm, 1 << 16); } /* false: the condition is set */
+static bool keep_reading(void *vm) { return vs_poll(vm, 1 << 16); } /* returns false, with the condition set, on an
+                                                                     * interrupt */
 
 static vs_status read_list(vs_args *f, const char **name, vs_face_list *l) {
   vs_error e = { 0 };

@@ -1,4 +1,4 @@
-/* Owns the operations: booleans, placements, and objects made from a profile. */
+/* Implements operations on objects: booleans, placements, and objects made from a profile. */
 #include "bind/constructors/operations.h"
 
 #include <stdio.h>
@@ -29,18 +29,18 @@
 #define POINT(i) (f->arg[i].point)
 #define NODE(i) (f->arg[i].ref.node)
 
-/* ---- booleans ---- */
+/* ---- boolean operations ---- */
 
 static vs_status same(vs_args *f, vs_ref ref, vs_value *out) {
   return vs_bind_give_node(f, vs_node_retain(ref.node), out);
 }
 
-/* ---- sets of areas: regions and closed curves, which count as filled ---- */
+/* ---- booleans of areas: regions, and closed curves, which count as filled ---- */
 
 typedef enum { AREAS_NOT, AREAS_APART, AREAS_ONE_PLANE } areas;
 
-/* Classifies the objects, except empty ones: areas of one plane, of several planes, or other objects. a and b: two
- * areas whose planes differ. */
+/* Classifies the objects: areas of one plane, areas of several planes, or other objects. Empty objects are ignored. For
+ * several planes, *a and *b are two that differ. */
 static areas look_at_areas(const vs_ref *ref, size_t n, vs_shape_plane *a, vs_shape_plane *b) {
   bool any = false;
   for (size_t i = 0; i < n; i++) {
@@ -59,8 +59,8 @@ static areas look_at_areas(const vs_ref *ref, size_t n, vs_shape_plane *a, vs_sh
   return any ? AREAS_ONE_PLANE : AREAS_NOT;
 }
 
-/* Refuses a closed curve that intersects itself. The constructor has checked regions; open curves may intersect
- * themselves; circles cannot. */
+/* Refuses a closed curve that intersects itself. Regions need no test, since their constructor has made it. Open curves
+ * may intersect themselves. */
 vs_status vs_bind_uncrossed(vs_args *f, vs_ref ref, const char *what) {
   const vs_node *n = ref.node;
   vs_crossing x;
@@ -104,7 +104,7 @@ vs_status vs_p_unite(vs_args *f, vs_value *out) {
 
 static void plane_text(const vs_shape_plane *p, char out[160]) {
   char n[6][32];
-  /* the plane's point nearest the origin: equal for all figures in the plane */
+  /* The point of the plane nearest the origin, which is the same for all figures in the plane. */
   vs_vec3 at = vs_v3_scale(p->normal, vs_v3_dot(p->normal, p->point));
   const double d[6] = { p->normal.x, p->normal.y, p->normal.z, at.x, at.y, at.z };
   for (int i = 0; i < 6; i++) vs_bind_number_text(n[i], round(d[i] * 1e6) / 1e6 + 0.0);
@@ -112,8 +112,8 @@ static void plane_text(const vs_shape_plane *p, char out[160]) {
            n[2]);
 }
 
-/* Checks the operands of intersect and subtract: only solids, or only regions and closed curves, which count as filled.
- * Replaces the curves by regions in place. */
+/* Checks the operands of intersect and subtract: either solids, or regions and closed curves. Replaces the closed
+ * curves by regions, in place. */
 static vs_status filled(vs_args *f, vs_ref *ref, size_t n) {
   bool planar = false, solid = false;
   vs_shape_plane a, b;
@@ -192,8 +192,8 @@ vs_status vs_p_do_scale(vs_args *f, vs_value *out) {
 vs_status vs_p_do_mirror(vs_args *f, vs_value *out) {
   return placed(f, vs_affine_mirror(f->arg[1].line.at, f->arg[1].line.direction), out);
 }
-/* Solids: intersected with the half-space. Regions: intersected with the half-plane in their plane. Curves and surfaces
- * become a node of the kind for slices. */
+/* Slices an object. A solid is intersected with the half-space, a region with the half-plane in its plane. A curve or
+ * surface becomes a node of kind SLICE. */
 vs_status vs_p_do_slice(vs_args *f, vs_value *out) {
   struct vs_half_space h = { .point = f->arg[1].line.at, .normal = vs_v3_unit(f->arg[1].line.direction) };
   vs_ref pair[2] = { f->arg[0].ref };
@@ -220,16 +220,16 @@ vs_status vs_p_do_transform(vs_args *f, vs_value *out) {
   return placed(f, f->arg[1].matrix, out);
 }
 
-/* (do-resize o dx dy dz): scales the bounds to these sizes; the least corner stays. An axis with #f takes the others'
- * factor, of two the geometric mean. */
+/* (do-resize o dx dy dz): scales the object so that its bounds have these sizes. Their least corner is fixed. An axis
+ * with #f is scaled by the factor of the other axis, or by the geometric mean of two. */
 vs_status vs_p_do_resize(vs_args *f, vs_value *out) {
   static const char *const names[] = { "o", "dx", "dy", "dz" };
   vs_bounds b;
   if (vs_bind_is_empty(NODE(0))) return same(f, f->arg[0].ref, out);
-  vs_ref whole = f->arg[0].ref; /* the placed object; its bounds are those of the resolved one */
+  vs_ref whole = f->arg[0].ref; /* the object to be placed; the bounds are computed from its resolved form */
   if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0) || !vs_bind_drawn_bounds(f, 0, &b)) return VS_ERROR;
   f->arg[0].ref = whole;
-  if (vs_bounds_is_empty(&b)) return same(f, whole, out); /* an intersection of solids that do not meet */
+  if (vs_bounds_is_empty(&b)) return same(f, whole, out); /* an intersection of solids that have no common point */
   double size[3] = { b.max.x - b.min.x, b.max.y - b.min.y, b.max.z - b.min.z }, k[3], product = 1;
   int given = 0;
   for (int i = 0; i < 3; i++) {
@@ -249,7 +249,7 @@ vs_status vs_p_do_resize(vs_args *f, vs_value *out) {
   return placed(f, vs_affine_scaling(b.min, vs_v3(k[0], k[1], k[2])), out);
 }
 
-/* (hull o ...): a solid; a region if all lies in one plane; a line if all lies on one line */
+/* (hull o ...): creates a solid; a region if all points lie in one plane; a line if they lie on one line. */
 vs_status vs_p_hull(vs_args *f, vs_value *out) {
   vs_ref *child = f->arg[0].things.at;
   size_t count = 0;
@@ -273,8 +273,8 @@ vs_status vs_p_hull(vs_args *f, vs_value *out) {
   vs_cloud cloud = { 0 };
   vs_error e = { 0 };
   vs_status ok = VS_OK;
-  vs_ref whole = { vs_node_retain(made), vs_bind_origin(f->bind) }; /* the resolved object decides between these
-                                                                     * classes */
+  vs_ref whole = { vs_node_retain(made), vs_bind_origin(f->bind) }; /* whether the hull is a solid, region or line can
+                                                                     * be decided only for the resolved object */
   vs_kernel_options options = { .progress = vs_bind_keep_going, .context = f->vm };
   if (!vs_resolve(&whole, 1, &(vs_fineness){ .tolerance = 0 }, &options, &e) || !vs_node_bounds(whole.node, &b, &e) ||
       !vs_hull_points(whole.node, &(vs_fineness){ .tolerance = vs_fineness_tolerance(&b) }, &cloud, &e))
@@ -290,8 +290,8 @@ vs_status vs_p_hull(vs_args *f, vs_value *out) {
     ok = vs_bind_empty(f, d.dimension ? "there is nothing to hold" : "all of it is one point", out);
   else if (ok && d.dimension == 2) {
     d.points = VS_AS(hull, made)->points;
-    bool planar = true; /* curves and regions stay; a surface gives its corners, since planar evaluation has no
-                         * meshes */
+    bool planar = true; /* whether all children can be used directly; a surface is replaced by its corners, since planar
+                         * hulls use no meshes */
     for (size_t i = 0; i < count; i++)
       planar = planar && (child[i].node->class_ == VS_CURVE || child[i].node->class_ == VS_REGION_CLASS);
     vs_points *corners = planar ? NULL : vs_points_new(f->store, cloud.at, cloud.count);
@@ -305,7 +305,7 @@ vs_status vs_p_hull(vs_args *f, vs_value *out) {
   return ok;
 }
 
-/* ---- from a profile ---- */
+/* ---- objects made from a profile ---- */
 
 enum { MOST_TURNS = 1000 };
 
@@ -314,12 +314,12 @@ static vs_status check_twist(vs_args *f, double twist, vs_value got) {
   return vs_bind_refuse(f, "twist", "at most 1000 turns (6283 radians)", got);
 }
 
-/* Checks a profile: closed ones and regions must lie in one plane. *empty: the profile encloses no area, and *out is
- * the empty object. */
+/* Checks a profile: a region or closed curve must be plane. If it has no area, sets *empty, and *out to the empty
+ * object. */
 static vs_status check_profile(vs_args *f, vs_shape_plane *plane, bool *empty, vs_value *out) {
   const vs_node *n = NODE(0);
   *empty = false;
-  plane->normal = vs_v3(0, 0, 0); /* an open curve has no plane */
+  plane->normal = vs_v3(0, 0, 0); /* an open curve need not be plane */
   if (n->class_ != VS_REGION_CLASS && !(n->flags & VS_NODE_CLOSED)) return VS_OK;
   switch (vs_node_plane(n, plane)) {
     case VS_PLANE_ONE: return vs_bind_uncrossed(f, f->arg[0].ref, "profile");
@@ -329,8 +329,8 @@ static vs_status check_profile(vs_args *f, vs_shape_plane *plane, bool *empty, v
   return vs_bind_refuse(f, "profile", "in one plane", f->arg[0].value);
 }
 
-/* Samples a curve coarsely, and computes whether it leaves the plane through its start with this normal, or the line
- * along this direction. */
+/* Samples a curve coarsely. Sets *out to whether it leaves the plane through its start with this normal, or the line
+ * through its start in this direction. */
 typedef enum { LEAVES_PLANE, LEAVES_LINE } leaving;
 static vs_status leaves(vs_args *f, const vs_node *curve, leaving what, vs_vec3 direction, bool *out) {
   vs_fineness coarse = { 1e300, 8 };
@@ -349,7 +349,7 @@ static vs_status leaves(vs_args *f, const vs_node *curve, leaving what, vs_vec3 
   return VS_OK;
 }
 
-/* Computes whether the curve is one straight line, and its vector from start to end. */
+/* Sets *out to whether the curve is one straight line, and *way to the vector from its start to its end. */
 static vs_status is_straight(vs_args *f, const vs_node *curve, vs_vec3 *way, bool *out) {
   vs_fineness coarse = { .segments = 32 };
   vs_polyline line = { 0 };
@@ -364,7 +364,7 @@ static vs_status is_straight(vs_args *f, const vs_node *curve, vs_vec3 *way, boo
   return VS_OK;
 }
 
-/* Returns false with the error set. */
+/* Returns false, with the error set, if a taper is not possible here. */
 static bool check_taper(vs_args *f, const struct vs_extrude *d) {
   if (d->twist != 0 || d->scale != 1) return vs_fail(f->vm, f->vm->sym.range,
       "a taper does not go with #:twist or #:scale"), false;
@@ -374,8 +374,8 @@ static bool check_taper(vs_args *f, const struct vs_extrude *d) {
   return true;
 }
 
-/* A taper depends on the height above the profile's plane. Therefore the curve must rise from the plane over its whole
- * length. */
+/* Checks that the curve rises from the profile's plane along its whole length, since the taper depends on the height
+ * above this plane. */
 static bool check_rising(vs_args *f, const vs_node *curve, vs_vec3 normal) {
   vs_fineness coarse = { .segments = 64 };
   vs_polyline line = { 0 };
@@ -436,7 +436,7 @@ vs_status vs_p_do_extrude(vs_args *f, vs_value *out) {
       char x[32], y[32], z[32];
       vs_bind_number_text(x, round(n.x * 1e6) / 1e6), vs_bind_number_text(y, round(n.y * 1e6) / 1e6),
           vs_bind_number_text(z, round(n.z * 1e6) / 1e6);
-      /* an arch in the ground plane with the depth of a wall as its amount */
+      /* The user probably drew an arch in the ground plane, and gave the depth of the wall as a gvector. */
       bool flat_arch = fabs(n.z) > .999999 && vs_is_flat(f->arg[1].value, VS_FLAT_VECTOR);
       const char *cure = "";
       if (flat_arch && fabs(d.along.x) > fabs(d.along.y)) cure = ", or stand it up: #:plane 'yz where it is made";

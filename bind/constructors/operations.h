@@ -1,4 +1,4 @@
-/* Owns the interface of operations.c: the operations. */
+/* Declares functions of operations.c that other constructors use. */
 #ifndef VS_BIND_CONSTRUCTORS_OPERATIONS_H
 #define VS_BIND_CONSTRUCTORS_OPERATIONS_H
 
@@ -7,9 +7,9 @@
 
 typedef struct vs_args vs_args;
 
-/* refuses a closed curve that intersects itself; `what` is its noun in the error */
+/* Refuses a closed curve that intersects itself. The last argument is the curve's noun in the error. */
 vs_status vs_bind_uncrossed(vs_args *f, vs_ref ref, const char *what);
-/* replaces closed curves by regions if all objects are regions and closed curves of one plane */
+/* Replaces closed curves by regions, in place, if all objects are regions and closed curves of one plane. */
 vs_status vs_bind_fill(vs_args *f, vs_ref *ref, size_t n);
 
 #endif

@@ -1,4 +1,5 @@
-/* Owns the procedures that make regions from curves, join curves, and derive curves and regions from other objects. */
+/* Implements procedures that make regions from curves, join curves, and compute curves and regions from other
+ * objects. */
 #include "bind/build.h"
 #include "bind/call/call.h"
 #include "bind/call/refuse.h"
@@ -37,9 +38,10 @@ static const char *point_text(vs_vec3 p, char out[112]) {
   return out;
 }
 
-/* ---- curves that meet end to end ---- */
+/* ---- joining curves end to end ---- */
 
-/* Replaces united curves, and the edges of a solid, by separate references. The arguments own the new references. */
+/* Replaces each union of curves, and the edges of a solid, by references to its parts. The call's memory holds these
+ * references. */
 static vs_status each_apart(vs_args *f) {
   vs_arg given = f->arg[0];
   vs_ref *refs = given.refs.at, *all = NULL;
@@ -72,8 +74,8 @@ static vs_status each_apart(vs_args *f) {
   return status;
 }
 
-/* Sets *out to the curves of the first argument without empty ones, with open ones joined. The arguments own the new
- * references. */
+/* Sets *out to the curves of the first argument: empty ones are removed and open ones joined. The call's memory holds
+ * these references. */
 static vs_status joined(vs_args *f, vs_ref **out, size_t *count) {
   if (!each_apart(f)) return VS_ERROR;
   vs_ref *c = f->arg[0].refs.at;
@@ -90,7 +92,7 @@ static vs_status joined(vs_args *f, vs_ref **out, size_t *count) {
   *count = n;
   vs_status status = VS_OK;
   for (size_t i = 0; i < n; i++)
-    if (!vs_bind_keep(f, c[i].node)) status = VS_ERROR; /* it is released in that case, as are the others */
+    if (!vs_bind_keep(f, c[i].node)) status = VS_ERROR; /* if it fails, vs_bind_keep has released the node */
   return status;
 }
 
@@ -141,7 +143,7 @@ vs_status vs_p_make_region(vs_args *f, vs_value *out) {
     if (planes == VS_PLANE_NONE)
       return vs_fail(f->vm, f->vm->sym.type, "curves must lie in one plane; curve %lu leaves every plane",
                      (unsigned long)i + 1);
-    if (planes == VS_PLANE_MANY) continue; /* all on one line: the area is 0 */
+    if (planes == VS_PLANE_MANY) continue; /* all curves so far lie on one line: the area is 0 */
     if (kept && !vs_plane_same(&first, &here)) {
       char other[112];
       return vs_fail(f->vm, f->vm->sym.type,
@@ -177,7 +179,7 @@ vs_status vs_p_make_ray(vs_args *f, vs_value *out) {
 
 /* ---- offsets ---- */
 
-/* Counts the loops of an offset: 0, 1 or more; for an open curve 0 or 1. */
+/* Sets *count to the number of closed curves of the offset; for an open curve to 0 or 1. */
 static bool what_is_left(const vs_node *n, size_t *count, vs_error *e) {
   vs_bounds b;
   vs_offset_exact exact;

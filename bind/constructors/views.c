@@ -1,4 +1,4 @@
-/* Owns named views, and the notes of drawings: dimensions, labels, levels, axes. */
+/* Implements named views, and the notes on drawings: dimensions, labels, levels and axes. */
 #include <math.h>
 #include <string.h>
 
@@ -19,16 +19,16 @@ static const struct { const char *name; vs_view view; vs_cut cut; } kinds[] = {
 static const char kinds_told[] =
     "one of 'perspective 'panorama 'axonometric 'isometric 'plan 'section 'top 'bottom 'front 'back 'left 'right";
 
-/* Interns the argument's text in the store; *out is NULL if the argument is absent. Returns false when memory is
- * out. */
+/* Sets *out to the argument's text, which the store interns, or to NULL if the argument is absent. Returns false when
+ * memory is out. */
 static bool keep_text(vs_args *f, const vs_arg *a, const char **out) {
   *out = NULL;
   if (a->given && !(*out = vs_store_text(f->store, a->text.at, a->text.length))) return vs_fail_memory(f->vm);
   return true;
 }
 
-/* Returns true for one line of text without a slash, since a name becomes part of a file's name and of a drawing's
- * text. */
+/* Returns true if the text may be a view's name: at most 100 bytes, one line, no slash. The name becomes part of file
+ * names and of texts in drawings. */
 static bool is_name(const vs_arg *a) {
   for (size_t i = 0; i < a->text.length; i++)
     if ((unsigned char)a->text.at[i] < ' ' || a->text.at[i] == '/' || a->text.at[i] == 0x7f) return false;
@@ -42,7 +42,7 @@ static bool is_sheet(const char *name) {
   return false;
 }
 
-/* Sets the eye and the target of the view, by its kind and #:from and #:to. */
+/* Sets the eye and the target of the view from its kind, #:from and #:to. */
 static vs_status take_place(vs_args *f, vs_scene_view *v, const vs_arg *from, const vs_arg *to) {
   bool round = v->view == VS_VIEW_PANORAMA;
   bool pointed = round || v->view == VS_VIEW_CAMERA || (v->view == VS_VIEW_ALONG && v->cut != VS_CUT_PLANE);
@@ -76,7 +76,7 @@ static vs_status take_cut(vs_args *f, vs_scene_view *v, const vs_arg *cut) {
   return VS_OK;
 }
 
-/* Sets the aperture of a lens at v's eye, and its focus: the target unless the program gives another point. */
+/* Sets the view's aperture, and the point in focus: the target unless the program gives another. */
 static vs_status take_aperture(vs_args *f, vs_scene_view *v, const vs_arg *aperture, const vs_arg *focus) {
   v->focus = focus->given ? focus->point : v->target;
   v->aperture = aperture->given ? aperture->real : 0;
@@ -87,7 +87,7 @@ static vs_status take_aperture(vs_args *f, vs_scene_view *v, const vs_arg *apert
   return VS_OK;
 }
 
-/* Sets whether verticals stay vertical. */
+/* Sets whether vertical lines are vertical in the picture. */
 static vs_status take_upright(vs_args *f, vs_scene_view *v, const vs_arg *upright) {
   vs_vec3 ahead = vs_v3_sub(v->target, v->eye);
   v->upright = upright->given && upright->boolean;
@@ -97,7 +97,7 @@ static vs_status take_upright(vs_args *f, vs_scene_view *v, const vs_arg *uprigh
 }
 
 vs_status vs_p_camera(vs_args *f, vs_value *out) {
-  const vs_arg *k = f->key; /* lens upright aperture focus */
+  const vs_arg *k = f->key; /* keywords in order: lens upright aperture focus */
   vs_scene_view v = { .view = VS_VIEW_CAMERA, .eye = f->arg[0].point, .target = f->arg[1].point };
   (void)out;
   if (vs_v3_equal(v.eye, v.target)) return vs_bind_refuse(f, "target", "another point than eye", f->arg[1].value);
@@ -108,7 +108,7 @@ vs_status vs_p_camera(vs_args *f, vs_value *out) {
 }
 
 vs_status vs_p_view(vs_args *f, vs_value *out) {
-  const vs_arg *k = f->key; /* from to lens upright cut scale sheet hidden aperture focus */
+  const vs_arg *k = f->key; /* keywords in order: from to lens upright cut scale sheet hidden aperture focus */
   vs_scene_view v = { .view = VS_VIEW_CAMERA, .cut = VS_CUT_NONE, .lens = 35 };
   (void)out;
   if (!is_name(&f->arg[0])) return vs_bind_refuse(f, "name", "a name of 1 to 100 letters, without / and line breaks",
@@ -134,7 +134,7 @@ vs_status vs_p_view(vs_args *f, vs_value *out) {
   return f->bind->handing || vs_scene_add_view(&f->bind->scene, &v) ? VS_OK : vs_fail_memory(f->vm);
 }
 
-/* ---- notes ---- */
+/* ---- notes on drawings ---- */
 
 static vs_status add_note(vs_args *f, vs_scene_note note, const vs_arg *text, const vs_arg *view) {
   if (!keep_text(f, text, &note.text) || !keep_text(f, view, &note.view)) return VS_ERROR;
@@ -142,7 +142,7 @@ static vs_status add_note(vs_args *f, vs_scene_note note, const vs_arg *text, co
 }
 
 vs_status vs_p_dimension(vs_args *f, vs_value *out) {
-  const vs_arg *k = f->key; /* offset text view */
+  const vs_arg *k = f->key; /* keywords in order: offset text view */
   (void)out;
   if (vs_v3_equal(f->arg[0].point, f->arg[1].point)) return vs_bind_refuse(f, "q", "another point than p",
       f->arg[1].value);

@@ -1,8 +1,9 @@
-/* Owns points and gvectors made of dual numbers (dual_points.h).
+/* Implements points and gvectors of dual numbers (dual_points.h), for derivatives.
  *
- * Plan. A dual point is a dual number whose value is a point and whose slope is a gvector. Each procedure here splits
- * its arguments into coordinates, which are numbers or duals, computes with the arithmetic of the number tower, and
- * joins the results. Therefore duals of any depth work. Coordinates lie in roots. */
+ * A dual point is a dual number whose value is a point and whose slope is a gvector. Each procedure here splits its
+ * arguments into coordinates, which are numbers or dual numbers. It computes with the arithmetic of numbers, and joins
+ * the results to a point. Nested dual numbers therefore need no special code. Coordinates are kept in roots of the
+ * garbage collector. */
 #include "bind/functions/dual_points.h"
 
 #include <math.h>
@@ -12,7 +13,7 @@
 #include "vm/numbers/dual.h"
 #include "vm/values/heap.h"
 
-/* Returns coordinate i of a point or gvector, dual or plain. */
+/* Sets *out to coordinate i of a point or gvector, which may be dual. */
 static bool coordinate(vs_scheme *vm, vs_value v, int i, vs_value *out) {
   if (!vs_is_dual(v)) return *out = vs_flonum(vs_as_flat(v)->at[i]), true;
   VS_ROOTS(vm, r, 3);
@@ -23,7 +24,7 @@ static bool coordinate(vs_scheme *vm, vs_value v, int i, vs_value *out) {
          vs_make_dual(vm, vs_fixnum(vs_as_dual(r[0])->level), r[1], r[2], out);
 }
 
-/* Makes the record with this tag and three coordinates; `at` lies in roots. */
+/* Creates the value of kind `tag` from three coordinates. `at` points to roots. */
 static bool together(vs_scheme *vm, uint32_t tag, const vs_value *at, vs_value *out) {
   int64_t level = vs_dual_level(at, 3);
   if (level < 0) {
@@ -49,7 +50,7 @@ static bool length3(vs_scheme *vm, const vs_value *a, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   return dot3(vm, a, a, &r[0]) && vs_dual_function(vm, sqrt, r[0], out);
 }
-/* (rho cos phi, rho sin phi) */
+/* sets out[0] to rho cos phi and out[1] to rho sin phi */
 static bool polar2(vs_scheme *vm, vs_value rho, vs_value phi, vs_value *out) {
   VS_ROOTS(vm, r, 2);
   r[0] = rho, r[1] = phi;
@@ -77,9 +78,9 @@ typedef enum {
   TURNS
 } rule;
 
-/* The arguments of each procedure. `shape` has a letter for each argument, p a point or gvector, n a number. `tag` is
- * the result's type, 0 a number. `with` gives the coordinates that the numbers are, or the coordinate to return. A
- * first p before numbers is the point that they move. */
+/* The procedures that accept dual numbers. `shape` has a letter for each argument: p for a point or gvector, n for a
+ * number. `tag` is the kind of the result, 0 for a number. `with` has a bit for each coordinate that the numbers are,
+ * or the index of the coordinate to return. A p before numbers is the point that they move. */
 static const struct {
   vs_procedure_fn *fn;
   const char *shape;
@@ -128,8 +129,8 @@ static const struct {
   { vs_p_radians_degrees, "n", TURNS, 0, 1 },
 };
 
-/* r[0..2]: the first record's coordinates; r[3..5]: the second's; r[6..8]: the numbers; r[9..11]: the result; r[12..]:
- * scratch. */
+/* Computes a procedure. r[0..2]: coordinates of the first point; r[3..5]: of the second; r[6..8]: the numbers;
+ * r[9..11]: the result; r[12..]: temporary values. */
 static bool compute(vs_scheme *vm, size_t row, const char *shape, int n, vs_value *r, vs_value *out) {
   vs_value *p = r, *q = r + 3, *x = r + 6, *to = r + 9, *s = r + 12;
   bool ok = true, moved = shape[0] == 'p' && n > 1;

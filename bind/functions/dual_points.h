@@ -1,4 +1,4 @@
-/* Owns the interface of dual_points.c: the procedures of points when a number is being differentiated. */
+/* Declares the procedures of points for dual numbers, implemented in dual_points.c. */
 #ifndef VS_BIND_FUNCTIONS_DUAL_POINTS_H
 #define VS_BIND_FUNCTIONS_DUAL_POINTS_H
 
@@ -7,8 +7,8 @@
 typedef struct vs_args vs_args;
 typedef vs_status vs_procedure_fn(vs_args *f, vs_value *out);
 
-/* Calls a procedure with n arguments, one of them dual, and sets *status, if the procedure makes points or reads their
- * parts. Returns false, without an error, for other procedures: objects hold plain numbers. */
+/* Calls a procedure that creates points or reads their coordinates, with n arguments of which one is a dual number.
+ * Sets *status. Returns false, without an error, for other procedures: objects cannot contain dual numbers. */
 bool vs_dual_points(vs_scheme *vm, vs_procedure_fn *procedure, vs_value *a, int n, vs_value *out, vs_status *status);
 
 #endif

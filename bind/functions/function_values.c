@@ -1,5 +1,5 @@
-/* Owns the natives of functions.scm: levels of differentiation, dual numbers, procedures that keep their expression,
- * tapes as Scheme objects. */
+/* Implements the natives of functions.scm: levels of differentiation, dual numbers, procedures with their expression,
+ * and tapes as Scheme objects. */
 #include "bind/functions/function_values.h"
 
 #include <math.h>
@@ -17,7 +17,7 @@
 
 /* ---- dual numbers ---- */
 
-/* (%dual-level): returns the level of a new differentiation, higher than all before it. */
+/* (%dual-level): returns the level of a new differentiation, which is higher than all levels before. */
 static vs_status dual_level(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)a, (void)n;
   if (!vs_lib_open(vm)) return VS_ERROR;
@@ -27,7 +27,7 @@ static vs_status dual_level(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-/* (%dual level value slope) */
+/* (%dual level value slope): returns a dual number. */
 static vs_status dual(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!vs_is_scalar(a[1]) && !vs_is(vs_dual_base(a[1]), VS_T_FLAT))
@@ -35,8 +35,8 @@ static vs_status dual(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return vs_make_dual(vm, vs_fixnum(a[0]), a[1], a[2], out);
 }
 
-/* (%dual-slope level v): returns the derivative of v, 0 if it does not depend on the variable; #f if v is no number,
- * point or gvector. */
+/* (%dual-slope level v): returns the derivative of v in the variable of this level, 0 if v does not depend on it.
+ * Returns #f if v is no number, point or gvector. */
 static vs_status dual_slope(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   int64_t level = vs_fixnum(a[0]);
@@ -49,9 +49,9 @@ static vs_status dual_slope(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return vs_make_flat(vm, VS_FLAT_VECTOR, zero, 3, out);
 }
 
-/* ---- procedures with a note ---- */
+/* ---- procedures that keep their expression ---- */
 
-/* (%function closure note): returns the procedure, which behaves as the closure and keeps the note. */
+/* (%function closure note): returns a procedure that behaves like the closure and keeps the note. */
 static vs_status function(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!vs_is(a[0], VS_T_CLOSURE)) return vs_fail_type(vm, 0, "a procedure in Scheme", a[0]);
@@ -108,7 +108,8 @@ static vs_status tape_input(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return step(vm, t, vs_tape_input(t, (uint32_t)vs_fixnum(a[1])), out);
 }
 
-/* (%tape-op t name a b c): returns the step's number, or #f if no operator of this name has as many operands. */
+/* (%tape-op t name a b c): appends an operation to the tape and returns its number. Returns #f if no operation of this
+ * name has that many operands. */
 static vs_status tape_op(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   vs_tape *t = vs_foreign_get(a[0], &vs_tape_type);
   uint32_t of[3] = { 0, 0, 0 };
@@ -118,7 +119,7 @@ static vs_status tape_op(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return step(vm, t, vs_tape_add(t, op, of[0], of[1], of[2]), out);
 }
 
-/* (%tape-field t field x y z) */
+/* (%tape-field t field x y z): appends the value of a field at a point, and returns its number. */
 static vs_status tape_field(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   vs_tape *t = vs_foreign_get(a[0], &vs_tape_type);
@@ -128,7 +129,7 @@ static vs_status tape_field(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return step(vm, t, vs_tape_add_field(t, f, at[0], at[1], at[2]), out);
 }
 
-/* (%tape-done t step ...): returns a tape of the steps that these need. */
+/* (%tape-done t step ...): returns a tape that computes these steps, with only the steps that they need. */
 static vs_status tape_done(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   vs_tape *t = vs_foreign_get(a[0], &vs_tape_type);
   t->outputs = (uint32_t)(n - 1);
@@ -137,7 +138,7 @@ static vs_status tape_done(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return c ? vs_make_foreign(vm, &vs_tape_type, c, 0, out) : vs_fail_memory(vm);
 }
 
-/* (%tape-level t level): returns a tape of t's value minus the level. */
+/* (%tape-level t level): returns a tape that computes the value of t minus the level. */
 static vs_status tape_level(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   double level;
@@ -154,7 +155,7 @@ static vs_status tape_outputs(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
   return *out = vs_fix(((const vs_tape *)vs_foreign_get(a[0], &vs_tape_type))->outputs), VS_OK;
 }
 
-/* (%tape-text t output language names): returns text; #f if the language cannot express it. */
+/* (%tape-text t output language names): returns the formula as text, or #f if the language cannot express it. */
 static vs_status tape_text(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   const vs_tape *t = vs_foreign_get(a[0], &vs_tape_type);
@@ -174,10 +175,10 @@ static vs_status tape_text(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return ok;
 }
 
-/* ---- values over a grid ---- */
+/* ---- values at the points of a grid ---- */
 
-/* (%tape-samples t ranges): returns a vector of the values at every point of the grid, the last parameter's range
- * innermost; points for tapes of three outputs. A range is #(a b n): n numbers from a to b, both ends included. */
+/* (%tape-samples t ranges): returns a vector of the values at all points of a grid; the last range varies fastest. The
+ * values of a tape with three outputs are points. A range is #(a b n): n numbers from a to b, including both. */
 static vs_status tape_samples(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   const vs_tape *t = vs_foreign_get(a[0], &vs_tape_type);
@@ -188,7 +189,7 @@ static vs_status tape_samples(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
     if (!vs_number_double(vm, v->at[0], &r[i].a) || !vs_number_double(vm, v->at[1], &r[i].b)) return VS_ERROR;
     r[i].n = vs_fixnum(v->at[2]);
     vs_sample_begin(&r[i]);
-    total *= r[i].n; /* functions.scm has bounded it */
+    total *= r[i].n; /* functions.scm has checked that the product is not too large */
   }
   enum { BATCH = VS_SAMPLE_BATCH };
   double in[VS_TAPE_INPUTS][BATCH], results[VS_TAPE_OUTPUTS][BATCH];
@@ -197,7 +198,8 @@ static vs_status tape_samples(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
   for (int i = 0; i < VS_TAPE_INPUTS; i++) from[i] = in[i];
   for (int i = 0; i < VS_TAPE_OUTPUTS; i++) to[i] = results[i];
   VS_ROOTS(vm, root, 1);
-  vs_vector *made = (vs_vector *)(void *)vs_gc_alloc(vm, VS_T_VECTOR, 2 + (size_t)total); /* zeros */
+  vs_vector *made = (vs_vector *)(void *)vs_gc_alloc(vm, VS_T_VECTOR, 2 + (size_t)total); /* the new vector contains
+                                                                                           * zeros */
   if (!made) return VS_ERROR;
   made->length = (size_t)total;
   a[1] = vs_from_object(made);
@@ -208,7 +210,7 @@ static vs_status tape_samples(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
     int count = total - at < BATCH ? (int)(total - at) : BATCH;
     vs_sample_points(r, t->inputs, in, count);
     vs_sample(s, from, (size_t)count, to);
-    if (t->outputs == 1) { /* doubles are no addresses: the collector needs no notice */
+    if (t->outputs == 1) { /* doubles are no addresses: the garbage collector need not be notified */
       vs_value *values = vs_as_vector(a[1])->at + at;
       memcpy(values, results[0], (size_t)count * sizeof *values);
       if (vs_sample_nan(results[0], count))
@@ -226,7 +228,7 @@ static vs_status tape_samples(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
   return ok;
 }
 
-/* ---- intervals ---- */
+/* ---- intervals of values ---- */
 
 static bool enclosure_of(vs_scheme *vm, vs_value v, vs_enclosure *out) {
   *out = (vs_enclosure){ 0, 0, false };
@@ -236,7 +238,7 @@ static bool enclosure_of(vs_scheme *vm, vs_value v, vs_enclosure *out) {
     return vs_fail(vm, vm->sym.type, "an interval is combined with numbers and intervals, not with %s", vs_noun(vm, v));
   if (!vs_number_double(vm, v, &d)) return false;
   out->low = out->high = d;
-  if (!vs_is_fixnum(v) && !vs_is_double(v)) /* the exact number may lie beside its double */
+  if (!vs_is_fixnum(v) && !vs_is_double(v)) /* a bignum or ratio may differ from its nearest double */
     out->low = nextafter(d, -INFINITY), out->high = nextafter(d, INFINITY);
   return true;
 }
@@ -293,7 +295,8 @@ static vs_status interval_high(vs_scheme *vm, vs_value *a, int n, vs_value *out)
   return (void)n, interval_end(vm, a, 1, out);
 }
 
-/* (%tape-bounds t vector): returns an interval that contains every value of t's output over these intervals. */
+/* (%tape-bounds t vector): returns an interval that contains all values of t's output, if its inputs lie in the
+ * intervals of the vector. */
 static vs_status tape_bounds(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   const vs_tape *t = vs_foreign_get(a[0], &vs_tape_type);

@@ -1,4 +1,4 @@
-/* Owns solids made of functions: make-isosurface. */
+/* Implements make-isosurface, which creates solids from functions. */
 #include "bind/build.h"
 #include "bind/call/call.h"
 #include "bind/call/refuse.h"
@@ -31,7 +31,7 @@ static vs_status refuse(vs_args *f, vs_contour_outcome outcome, const vs_contour
   case VS_CONTOUR_EMPTY:
     return vs_fail(f->vm, f->vm->sym.range,
                    "f is nowhere below the level in the box, or in parts smaller than a cell alone");
-  case VS_CONTOUR_STOPPED: return VS_ERROR; /* the condition is set */
+  case VS_CONTOUR_STOPPED: return VS_ERROR; /* the condition is already set */
   case VS_CONTOUR_MANY:
     return vs_fail(f->vm, f->vm->sym.limit, VS_SHAPES_OVER, c->most, VS_ON_THE_WAY, f->bind->mesh_triangles);
   case VS_CONTOUR_MEMORY:
@@ -40,14 +40,14 @@ static vs_status refuse(vs_args *f, vs_contour_outcome outcome, const vs_contour
   return vs_fail_memory(f->vm);
 }
 
-/* Contours with more and more cells until the middles of the triangles are within the tolerance of the surface. */
+/* Computes the surface with smaller and smaller cells, until the centres of its triangles are within the tolerance. */
 static vs_contour_outcome refined(vs_args *f, const vs_tape *t, double tolerance, vs_contour *c) {
   int cells = FIRST_CELLS;
   for (;;) {
     c->most = f->bind->mesh_triangles * VS_ON_THE_WAY;
     vs_contour_grid grid = { f->arg[1].point, f->arg[2].point, cells, tolerance };
     vs_contour_outcome outcome = vs_contour_make(t, &grid, (vs_long_work){ vs_bind_keep_going, f->vm }, c);
-    bool missed = outcome == VS_CONTOUR_EMPTY; /* smaller cells may find it */
+    bool missed = outcome == VS_CONTOUR_EMPTY; /* smaller cells may find the surface */
     if ((outcome != VS_CONTOUR_DONE && !missed) || (!missed && c->deviation <= tolerance)) return outcome;
     if (cells == VS_CONTOUR_CELLS || (missed && cells >= 128)) {
       if (!missed)
@@ -56,13 +56,14 @@ static vs_contour_outcome refined(vs_args *f, const vs_tape *t, double tolerance
       return outcome;
     }
     double more =
-        missed ? 2 : sqrt(c->deviation / tolerance) * 1.1; /* the distance falls with the square of a cell's size */
+        missed ? 2 : sqrt(c->deviation / tolerance) * 1.1; /* the deviation is proportional to the square of the size of
+                                                            * a cell */
     cells = (int)fmin(VS_CONTOUR_CELLS, ceil(cells * fmin(4, fmax(1.3, more))));
     vs_contour_free(c);
   }
 }
 
-/* (%make-isosurface tape p q #:cells #:tolerance) */
+/* (%make-isosurface tape p q #:cells #:tolerance): creates the solid. */
 vs_status vs_p_make_isosurface(vs_args *f, vs_value *out) {
   const vs_tape *t = vs_foreign_get(f->arg[0].value, &vs_tape_type);
   vs_vec3 p = f->arg[1].point, q = f->arg[2].point;

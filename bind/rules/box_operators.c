@@ -1,8 +1,8 @@
-/* Owns the operators that divide a scope: split, repeat, component, extrude; prism and round corner, triangulate,
- * subdivide. Each leaves scopes on the stack for their rules.
+/* Implements operators that divide a scope: split, repeat, component, extrude, prism, round corner, triangulate,
+ * subdivide. Each pushes the resulting scopes on the stack of scopes that wait for their rules.
  *
- * The part of a hexahedron between two planes of its own coordinates is a hexahedron, since the map is linear along
- * each axis. */
+ * A hexahedron that is cut by two planes of constant x, y or z of its own coordinates is again a hexahedron, since its
+ * map is linear along each axis. */
 #include "bind/call/call.h"
 #include "bind/call/refuse.h"
 #include "bind/call/scratch.h"
@@ -23,8 +23,8 @@
 
 static vs_vec3 between(vs_vec3 a, vs_vec3 b, double t) { return vs_v3_add(a, vs_v3_scale(vs_v3_sub(b, a), t)); }
 
-/* A part of a scope along an axis. whole: the length of the scope; from: the begin of the part; size: its length. The
- * part becomes child number index of count. */
+/* A part of a scope along an axis. whole: length of the scope; from: start of the part; size: length of the part. The
+ * part becomes child `index` of `count`. */
 typedef struct { int axis; double whole, from, size; uint32_t index, count; } slice;
 
 static vs_scope *part_of(vs_derivation *d, vs_scope *s, const char *op, const slice *p) {
@@ -51,14 +51,14 @@ static double size_along(const vs_scope *s, int axis) {
   return axis == 0 ? size.x : axis == 1 ? size.y : size.z;
 }
 
-/* ---- split ---- */
+/* ---- the operator split ---- */
 
 typedef struct {
   double size, weight;
   vs_value rule;
 } part;
 
-/* Reads a part: (absolute n rule), (relative n rule) and (rest rule) are vectors #(kind number rule). */
+/* Reads a part of a split. (absolute n rule), (relative n rule) and (rest rule) are vectors #(kind number rule). */
 static bool read_part(vs_args *f, vs_value v, double whole, part *out) {
   const vs_vector *p = vs_is_vector(v) && vs_as_vector(v)->length == 3 ? vs_as_vector(v) : NULL;
   double n;
@@ -122,7 +122,7 @@ vs_status vs_p_scope_split(vs_args *f, vs_value *out) {
   return vs_task_push(d, t) ? VS_OK : VS_ERROR;
 }
 
-/* ---- repeat ---- */
+/* ---- the operator repeat ---- */
 
 static bool count_parts(vs_args *f, double whole, double approx, uint32_t *n) {
   double parts = floor(whole / approx + .5);
@@ -155,10 +155,10 @@ vs_status vs_p_scope_repeat(vs_args *f, vs_value *out) {
   return vs_task_push(d, t) ? VS_OK : VS_ERROR;
 }
 
-/* ---- component ---- */
+/* ---- the operator component ---- */
 
-/* The faces of a box by their corners: the first corner, the next one along the face's x, and the next one along its y.
- * From outside, y points up. */
+/* The faces of a box, each by three corners: its first corner, the next one along the face's x, and the next one along
+ * its y. Seen from outside, y points up. */
 enum { FRONT, BACK, LEFT, RIGHT, TOP, BOTTOM, FACES };
 static const struct {
   const char *name;
@@ -167,10 +167,10 @@ static const struct {
   [FRONT] = { "front", 4, 5, 6 }, [BACK] = { "back", 1, 0, 3 }, [LEFT] = { "left", 0, 4, 2 },
   [RIGHT] = { "right", 5, 1, 7 }, [TOP] = { "top", 6, 7, 2 },   [BOTTOM] = { "bottom", 0, 1, 4 },
 };
-static const uint8_t side_order[] = { FRONT, RIGHT, BACK, LEFT }; /* in the order around the box */
+static const uint8_t side_order[] = { FRONT, RIGHT, BACK, LEFT }; /* the sides in order around the box */
 static const uint8_t face_order[] = { FRONT, RIGHT, BACK, LEFT, TOP, BOTTOM };
 
-/* Sets s to a flat box with its first corner at a, x towards b, and y towards c, made perpendicular to x. */
+/* Sets s to a box without depth: its first corner is a, x points towards b, and y, perpendicular to x, towards c. */
 static void lay_box(vs_scope *s, vs_vec3 a, vs_vec3 b, vs_vec3 c) {
   vs_vec3 u = vs_v3_sub(b, a), v = vs_v3_sub(c, a), x = vs_v3_unit(u);
   vs_vec3 y = vs_v3_unit(vs_v3_sub(v, vs_v3_scale(x, vs_v3_dot(x, v))));
@@ -178,16 +178,17 @@ static void lay_box(vs_scope *s, vs_vec3 a, vs_vec3 b, vs_vec3 c) {
   s->as.box.size = vs_v3(vs_v3_length(u), fabs(vs_v3_dot(y, v)), 0);
 }
 
-/* Sets child to a face of s. The frame's own axes serve also if the scope has no size along one of them. */
+/* Sets child to a face of the box or hexahedron s. Uses the frame's axes, so that s may have no size along one of
+ * them. */
 static void lay_face(vs_scope *child, const vs_scope *s, int face) {
   const uint8_t first = faces[face].first, along = faces[face].along, up = faces[face].up;
-  if (s->class_ == VS_SCOPE_FFD) { /* a flat hexahedron: its edges along z have no length */
+  if (s->class_ == VS_SCOPE_FFD) { /* child becomes a hexahedron whose edges along z have length 0 */
     const uint8_t at[4] = { first, along, up, (uint8_t)(along ^ up ^ first) };
     for (int c = 0; c < 8; c++) child->as.corner[c] = s->as.corner[at[c & 3]];
     return;
   }
-  static const uint8_t axis_of[8] = { 0, 0, 1, 0, 2, 0, 0, 0 }; /* the axis of the one bit in which two corners
-                                                                 * differ */
+  static const uint8_t axis_of[8] = { 0, 0, 1, 0, 2, 0, 0, 0 }; /* axis_of[bit]: axis along which two corners differ
+                                                                 * whose numbers differ in this bit */
   int ax = axis_of[first ^ along], ay = axis_of[first ^ up];
   double sx = along > first ? 1 : -1, sy = up > first ? 1 : -1;
   vs_vec3 x = vs_v3_scale(vs_affine_column(&s->as.box.frame, ax), sx),
@@ -198,8 +199,8 @@ static void lay_face(vs_scope *child, const vs_scope *s, int face) {
   child->as.box.size = vs_v3(size[ax], size[ay], 0);
 }
 
-/* Sets child to the edge from corner a to corner b. Its y is nearest the scope's y; that of an edge along y is nearest
- * the scope's x. */
+/* Sets child to the edge from corner a to corner b. Its y is the perpendicular to the edge that is nearest the y of s;
+ * for an edge along y, nearest the x of s. */
 static void lay_edge(vs_scope *child, const vs_scope *s, int a, int b) {
   vs_affine frame = vs_scope_frame(s);
   vs_vec3 from = vs_scope_corner(s, a & 1, a >> 1 & 1, a >> 2), to = vs_scope_corner(s, b & 1, b >> 1 & 1, b >> 2);
@@ -243,7 +244,7 @@ static vs_status box_components(vs_args *f, const char *of, vs_value *out) {
       c->as.box.frame = vs_scope_frame(s);
       vs_vec3 at = vs_scope_corner(s, i & 1, i >> 1 & 1, i >> 2 & 1);
       c->as.box.frame.m[0][3] = at.x, c->as.box.frame.m[1][3] = at.y, c->as.box.frame.m[2][3] = at.z;
-    } else { /* the i-th pair of corners that differ in one bit */
+    } else { /* finds pair i of corners whose numbers differ in one bit */
       int a = 0, bit = 0;
       for (;; edge++) {
         a = (int)edge & 7, bit = 1 << (edge >> 3);
@@ -257,7 +258,7 @@ static vs_status box_components(vs_args *f, const char *of, vs_value *out) {
   return vs_task_push(d, t) ? VS_OK : VS_ERROR;
 }
 
-/* ---- loops: polygons, triangles and curves ---- */
+/* ---- sides of polygons, triangles and curves ---- */
 
 static double outer_angle(vs_vec3 before, vs_vec3 at, vs_vec3 after, vs_vec3 normal) {
   vs_vec3 a = vs_v3_sub(at, before), b = vs_v3_sub(after, at);
@@ -268,7 +269,7 @@ typedef struct {
   vs_vec3 a, b;
   double left, right;
 } side;
-/* Returns side k, counted through all loops in order. */
+/* Returns side k of s, counted through all its loops in order. */
 static side side_of(const vs_scope *s, uint32_t k) {
   const vs_vec3 *at = s->loops->points->at;
   uint32_t l = 0;
@@ -279,8 +280,8 @@ static side side_of(const vs_scope *s, uint32_t k) {
   return (side){ a, b, outer_angle(p, a, b, z), outer_angle(a, b, q, z) };
 }
 
-/* Sets c to edge i of a curve's samples, upright like the edges of meshes. The last vertex of an open curve has the
- * last edge's frame. */
+/* Sets c to edge or vertex i of a sampled curve, with y as near as possible to the world's Z. The last vertex of an
+ * open curve has the frame of the last edge. */
 static void lay_sample(vs_scope *c, const vs_scope *s, uint32_t i, bool vertex) {
   const vs_points *p = s->loops->points;
   bool end = !s->closed && i + 1 == p->count;
@@ -334,10 +335,10 @@ vs_status vs_p_scope_component(vs_args *f, vs_value *out) {
   return box_components(f, of ? of : "faces", out);
 }
 
-/* ---- extrude ---- */
+/* ---- the operator extrude ---- */
 
-/* A polygon becomes boxes of height h without depth around it, and the polygon at the top; the polygon at the bottom
- * faces down. A flat box counts as the polygon of its corners. */
+/* Divides an extruded polygon: each side becomes a box of height h without depth; further children are the polygons at
+ * the top and, facing down, at the bottom. A box without depth counts as the polygon of its corners. */
 vs_status vs_p_scope_extrude(vs_args *f, vs_value *out) {
   vs_scheme *vm = f->vm;
   VS_ROOTS(vm, r, 4);
@@ -359,7 +360,7 @@ vs_status vs_p_scope_extrude(vs_args *f, vs_value *out) {
     c->left = e.left, c->right = e.right;
     t->rules[i] = r[0];
   }
-  for (uint32_t k = 0; k < 2; k++) { /* the top, the bottom */
+  for (uint32_t k = 0; k < 2; k++) { /* k = 0: the top; k = 1: the bottom */
     if (r[1 + k] == VS_FALSE) continue;
     vs_scope *c = t->child[sides + k] = vs_rules_child(d, s, (vs_scope_class)s->class_, k ? "bottom" : "top", 0, 1);
     t->rules[sides + k] = r[1 + k];
@@ -388,7 +389,7 @@ vs_status vs_p_scope_place(vs_args *f, vs_value *out) {
   return vs_rules_place(d, s, f->arg[1].ref, vs_bind_origin(f->bind)) ? VS_OK : VS_ERROR;
 }
 
-/* ---- corners and triangles: prism and round corner, triangulate, subdivide ---- */
+/* ---- the operators prism, round corner, triangulate and subdivide ---- */
 
 static vs_vec3 at_angle(const vs_scope *s, double x, double angle, int j) {
   double sine, cosine;
@@ -396,8 +397,8 @@ static vs_vec3 at_angle(const vs_scope *s, double x, double angle, int j) {
   return vs_affine_point(&s->as.box.frame, vs_v3(x * cosine, j * s->as.box.size.y, x * sine));
 }
 
-/* Makes half of a corner of that angle: the wedge between the front rectangle of a box and the same rectangle with its
- * edge at x-max moved along z. Makes nothing for an angle of 0 or less. */
+/* Creates half of a corner of this angle: the wedge between the front rectangle of a box and the same rectangle rotated
+ * so that its edge at the greatest x moves along z. Creates nothing if the angle is not positive. */
 vs_status vs_p_scope_prism(vs_args *f, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   if (!vs_rules_class(f, 0, VS_SCOPE_BIT(BOX))) return VS_ERROR;
@@ -423,8 +424,8 @@ vs_status vs_p_scope_prism(vs_args *f, vs_value *out) {
   return vs_task_push(d, t) ? VS_OK : VS_ERROR;
 }
 
-/* Turns the front rectangle about its y edge at x = 0, from x towards z, and divides the result into wedges of about
- * `approx` each. */
+/* Rotates the front rectangle about its edge at x = 0, from x towards z. Divides the swept sector into wedges of about
+ * the angle `approx`. */
 vs_status vs_p_scope_round_corner(vs_args *f, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   if (!vs_rules_class(f, 0, VS_SCOPE_BIT(BOX))) return VS_ERROR;
@@ -451,7 +452,7 @@ vs_status vs_p_scope_round_corner(vs_args *f, vs_value *out) {
   return vs_task_push(d, t) ? VS_OK : VS_ERROR;
 }
 
-/* Adds a triangle scope of three points as child i of n. Returns false with the error set. */
+/* Adds a triangle scope with these three points as child i. If it fails, sets the error and returns false. */
 static bool add_triangle(vs_derivation *d, vs_rule_task *t, vs_scope *parent, const char *op, uint32_t i,
                          const vs_vec3 p[3]) {
   vs_scope *c = t->child[i] = vs_rules_child(d, parent, VS_SCOPE_TRIANGLE, op, i, t->count);
@@ -494,7 +495,8 @@ vs_status vs_p_scope_triangulate(vs_args *f, vs_value *out) {
   return t && vs_task_push(d, t) ? VS_OK : VS_ERROR;
 }
 
-/* Divides a triangle into four by the middles of its edges: first the three at the corners, then the middle one. */
+/* Divides a triangle into four at the midpoints of its edges: first the three at its corners, then the one in the
+ * middle. */
 vs_status vs_p_scope_subdivide(vs_args *f, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   if (!vs_rules_class(f, 0, VS_SCOPE_BIT(TRIANGLE))) return VS_ERROR;

@@ -1,5 +1,5 @@
-/* Owns derivations: their begin and end, the stack from which rules.scm takes scopes, the objects that rules have made,
- * and their random numbers. */
+/* Implements derivations: their begin and end, the stack of waiting scopes, the objects that rules have created, and
+ * their random numbers. */
 #include "bind/rules/derivation.h"
 
 #include <stdio.h>
@@ -18,7 +18,7 @@
 #include "vm/library/system.h"
 #include "vm/values/heap.h"
 
-/* ---- life ---- */
+/* ---- creating and freeing derivations ---- */
 
 static void mark_task(vs_scheme *vm, vs_rule_task *t, void (*mark)(vs_scheme *vm, vs_value *slot)) {
   if (!t->many) mark(vm, &t->rules[0]);
@@ -36,7 +36,7 @@ void vs_task_drop(vs_derivation *d, vs_rule_task *t) {
   vs_store_realloc(d->store, t, t->bytes, 0);
 }
 
-/* Releases the objects: they were returned, or the derivation failed. */
+/* Releases the objects: they were returned as a union, or the derivation failed. */
 static void forget_made(vs_derivation *d) {
   vs_store *s = d->store;
   for (size_t i = 0; i < d->made_count; i++) {
@@ -54,7 +54,7 @@ static void derivation_release(void *object) {
   vs_derivation *d = object;
   vs_bind *b = d->bind;
   vs_store *s = b->store;
-  if (b->growing == d) b->growing = NULL; /* an error ended it, and nothing restored the outer one */
+  if (b->growing == d) b->growing = NULL; /* an error ended the inner derivation, and b->growing was not restored */
   while (d->count) vs_task_drop(d, d->stack[--d->count]);
   vs_store_realloc(s, d->stack, d->room * sizeof *d->stack, 0);
   while (d->waiting_count) vs_task_drop(d, d->waiting[--d->waiting_count].task);
@@ -68,7 +68,8 @@ static void derivation_release(void *object) {
 const vs_foreign_type vs_derivation_type = { "a derivation", derivation_release, NULL, NULL,
                                              NULL,           derivation_trace,   false };
 
-/* Returns the mark of a live wrapper: the derivation's address, with 1 added if the rule is to run at once. */
+/* Returns the mark of a live scope's Scheme object: the address of its derivation, plus 1 if the rule is to run at
+ * once. */
 static const void *live_mark(const vs_derivation *d, bool run) { return (const char *)d + run; }
 static bool is_live(const vs_bind *b, vs_value wrapper, bool *run) {
   const void *with = vs_as_foreign(wrapper)->with;
@@ -77,8 +78,8 @@ static bool is_live(const vs_bind *b, vs_value wrapper, bool *run) {
   return *run || with == live_mark(b->growing, false);
 }
 
-/* Forgets a derivation that an uncaught error has ended: such an error does not restore the outer one. A running
- * derivation has a winder; therefore it has ended if there are no winders. */
+/* Ends a derivation that an uncaught error has left: such an error does not restore b->growing. A running derivation
+ * has a winder, so that it must have ended if there are no winders. */
 static void forget_ended(vs_bind *b) {
   if (!b->growing || b->vm->winders != VS_NIL) return;
   if (!b->growing->outer) vs_random_restore(b->vm, b->growing->random);
@@ -94,14 +95,15 @@ static vs_derivation *derivation_new(vs_bind *b, vs_value *holder) {
   };
   const vs_derivation *outer = b->growing;
   if (outer) {
-    d->name = outer->name, d->steps = 1000 * ++b->growing->steps; /* the scopes that it makes have other paths */
+    d->name = outer->name, d->steps = 1000 * ++b->growing->steps; /* makes the paths of its scopes differ from those of
+                                                                   * other derivations of this rule */
     d->entry = outer->entry, d->position = outer->position;
   }
   d->lineage = outer ? vs_lineage_retain(outer->lineage) : vs_lineage_new(b->store);
   if (!d->lineage) return vs_store_realloc(b->store, d, sizeof *d, 0), (void)vs_fail_memory(b->vm), NULL;
   return vs_make_foreign(b->vm, &vs_derivation_type, d, sizeof *d, holder) ? d
-                                                                           : NULL; /* on failure, vs_make_foreign has
-                                                                                    * released it */
+                                                                           : NULL; /* if it fails, vs_make_foreign has
+                                                                                    * released the derivation */
 }
 
 vs_derivation *vs_rules_begin(vs_args *f, vs_value *holder) {
@@ -114,7 +116,7 @@ vs_derivation *vs_rules_begin(vs_args *f, vs_value *holder) {
   return b->growing;
 }
 
-/* ---- the stack ---- */
+/* ---- the stack of waiting scopes ---- */
 
 vs_rule_task *vs_task_new(vs_derivation *d, uint32_t count, bool many) {
   size_t rules = many && count ? count : 1;
@@ -128,7 +130,7 @@ vs_rule_task *vs_task_new(vs_derivation *d, uint32_t count, bool many) {
   return t;
 }
 
-/* Adds an entry to the record: the running rule made t. Returns false when memory is out. */
+/* Adds an entry to the record: the running rule created the scopes of t. Returns false when memory is out. */
 static bool record(vs_derivation *d, vs_rule_task *t, const char *rule, const char *op) {
   uint32_t index = t->count == 1 && t->child[0] ? t->child[0]->index : 0;
   return vs_lineage_add(d->lineage,
@@ -164,7 +166,7 @@ static vs_status too_deep(vs_derivation *d, const vs_scope *s) {
   vs_scope_path_text(s, path, sizeof path);
   vs_scheme *vm = d->vm;
   const vs_native *native = vm->native;
-  vm->native = NULL; /* the error names the rule, not the native */
+  vm->native = NULL; /* the error message begins with the rule's name, not the native's */
   vs_fail(vm, vm->sym.recursion,
           "%s: the derivation is %u levels deep, at %s; a rule that calls itself needs a clause that ends, or (derive "
           "scope rule #:depth n)",
@@ -208,7 +210,7 @@ const char *vs_rules_operator(vs_args *f) {
   return !strncmp(name, "scope-", 6) ? name + 6 : name;
 }
 
-/* ---- the objects made ---- */
+/* ---- the objects that rules have created ---- */
 
 bool vs_rules_gather(vs_derivation *d, vs_ref ref, vs_scope_flags *flags) {
   if (ref.node->kind == VS_EMPTY) return true;
@@ -224,7 +226,7 @@ bool vs_rules_gather(vs_derivation *d, vs_ref ref, vs_scope_flags *flags) {
   return true;
 }
 
-/* ---- the loop's steps, called by rules.scm ---- */
+/* ---- steps of the loop in rules.scm ---- */
 
 static vs_derivation *derivation_of(vs_args *f) { return vs_foreign_get(f->arg[0].value, &vs_derivation_type); }
 
@@ -252,14 +254,15 @@ vs_status vs_p_derivation_leave(vs_args *f, vs_value *out) {
   return vs_random_restore(f->vm, d->random) ? VS_OK : VS_ERROR;
 }
 
-/* Begins the run of a rule on s: random numbers now depend on the scope. */
+/* Begins a rule on s: from now on, random numbers depend on the scope's path. */
 static bool rule_begins(vs_derivation *d, const char *name, const vs_scope *s) {
   d->name = name;
   d->steps = 0;
   return vs_random_branch(d->vm, vs_scope_mix(s->hash, text_hash(name)));
 }
 
-/* Moves the scopes that waited for signals to the stack, the first of them on top. Returns false with the error set. */
+/* Moves the scopes that waited for signals to the stack, with the first of them on top. If it fails, sets the error and
+ * returns false. */
 static bool waiting_begin(vs_derivation *d) {
   if (!vs_store_grow(d->store, &d->stack, &d->room, d->waiting_count, sizeof *d->stack))
     return vs_fail_memory(d->vm);
@@ -267,8 +270,8 @@ static bool waiting_begin(vs_derivation *d) {
   return true;
 }
 
-/* (%derivation-next d): returns the next scope whose rule is a procedure, which %derivation-rule then returns; #f at
- * the end. Objects in place of rules are placed here. */
+/* (%derivation-next d): returns the next scope whose rule is a procedure, or #f at the end. %derivation-rule then
+ * returns that rule. If the rule of a scope is an object, places it. */
 vs_status vs_p_derivation_next(vs_args *f, vs_value *out) {
   vs_derivation *d = derivation_of(f);
   VS_ROOTS(f->vm, r, 2);
@@ -315,7 +318,7 @@ vs_status vs_p_derivation_rule(vs_args *f, vs_value *out) {
   return VS_OK;
 }
 
-/* Sets an error whose text begins with the name of the running rule, not of the library's helper. Returns false. */
+/* Sets an error that begins with the name of the running rule, not of the native that found it. Returns false. */
 static bool refuse_of_rule(vs_args *f, const char *what, const char *expected, vs_value got) {
   VS_ROOTS(f->vm, r, 2);
   const vs_derivation *d = f->bind->growing;
@@ -347,7 +350,7 @@ static bool gather_value(vs_args *f, vs_derivation *d, const vs_scope *s, vs_val
   return refuse_of_rule(f, what, expected, v);
 }
 
-/* (%derivation-made d value): adds the value of a procedure to the objects, in the scope that it got. */
+/* (%derivation-made d value): adds the value of a rule that is a procedure to the objects of the derivation. */
 vs_status vs_p_derivation_made(vs_args *f, vs_value *out) {
   (void)out;
   vs_derivation *d = derivation_of(f);
@@ -357,7 +360,7 @@ vs_status vs_p_derivation_made(vs_args *f, vs_value *out) {
   return gather_value(f, d, d->now, v, "what a rule gives", expected) ? VS_OK : VS_ERROR;
 }
 
-/* (%derivation-object d): returns all objects as one, and ends the derivation. */
+/* (%derivation-object d): returns the union of all objects, and ends the derivation. */
 vs_status vs_p_derivation_object(vs_args *f, vs_value *out) {
   vs_derivation *d = derivation_of(f);
   vs_store *s = f->store;
@@ -381,7 +384,7 @@ vs_status vs_p_derivation_object(vs_args *f, vs_value *out) {
   return status;
 }
 
-/* (%derive s rule depth): returns a derivation that begins with the rule on s, for `derive`. */
+/* (%derive s rule depth): returns a derivation that begins by applying the rule to s, for `derive`. */
 vs_status vs_p_derivation(vs_args *f, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   r[0] = f->arg[1].value;
@@ -399,24 +402,24 @@ vs_status vs_p_derivation(vs_args *f, vs_value *out) {
   return record(d, t, d->name, "derive") ? VS_OK : vs_fail_memory(f->vm);
 }
 
-/* ---- rules ---- */
+/* ---- procedures that are rules ---- */
 
-/* (%marked procedure): returns the procedure, marked as a rule or an operator: it accepts live scopes. */
+/* (%marked procedure): marks the procedure as a rule or operator, which accepts live scopes, and returns it. */
 vs_status vs_p_marked(vs_args *f, vs_value *out) {
   if (vs_is(f->arg[0].value, VS_T_CLOSURE)) vs_object_of(f->arg[0].value)->flags |= VS_F_MARKED;
   *out = f->arg[0].value;
   return VS_OK;
 }
 
-/* (%marked-as procedure like): returns the procedure, marked if `like` is. */
+/* (%marked-as procedure like): marks the procedure if `like` is marked, and returns it. */
 vs_status vs_p_marked_as(vs_args *f, vs_value *out) {
   vs_value like = f->arg[1].value;
   *out = f->arg[0].value;
   return vs_is(like, VS_T_CLOSURE) && vs_object_of(like)->flags & VS_F_MARKED ? vs_p_marked(f, out) : VS_OK;
 }
 
-/* (%live procedure s): returns s as a form of a sequence passes it to the procedure: live if the procedure is
- * marked. */
+/* (%live procedure s): returns s for a call of the procedure in a sequence of a rule. If the procedure is marked, s is
+ * live, that is, refers to the running derivation. */
 vs_status vs_p_live(vs_args *f, vs_value *out) {
   vs_value procedure = f->arg[0].value, self = f->arg[1].value;
   *out = self;
@@ -429,8 +432,8 @@ vs_status vs_p_live(vs_args *f, vs_value *out) {
   return VS_OK;
 }
 
-/* (%enter self name body): returns #t if the rule's body is to run now, #f if it waits on the stack, otherwise a
- * derivation that runs it. */
+/* (%enter self name body): returns #t if the rule's body is to run now, #f if it waits on the stack, and otherwise a
+ * new derivation that runs it. */
 vs_status vs_p_rule_enter(vs_args *f, vs_value *out) {
   vs_bind *b = f->bind;
   vs_scope *s = f->arg[0].scope;
@@ -450,7 +453,7 @@ vs_status vs_p_rule_enter(vs_args *f, vs_value *out) {
   vs_rule_task *t = d ? vs_task_new(d, 1, false) : NULL;
   if (!t) return VS_ERROR;
   t->body = true, t->name = name, t->rules[0] = r[0];
-  if (live) { /* the rule's scope is one level deeper: two calls on one scope differ */
+  if (live) { /* the path gets one more level, so that two calls on one scope differ */
     vs_scope *child = vs_rules_child(d, s, (vs_scope_class)s->class_, name, 0, 1);
     if (!child) return vs_task_drop(d, t), VS_ERROR;
     vs_scope_become(child, s);
@@ -467,9 +470,9 @@ vs_status vs_p_rule_enter(vs_args *f, vs_value *out) {
   return record(d, t, d->name, name) ? VS_OK : vs_fail_memory(f->vm);
 }
 
-/* ---- signals ---- */
+/* ---- signals between scopes ---- */
 
-/* (%scope-await s name rule): makes the rule wait until no other scope is left. */
+/* (%scope-await s name rule): applies the rule to s only when no other scope is left on the stack. */
 vs_status vs_p_scope_await(vs_args *f, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   vs_scope *s = f->arg[0].scope;
@@ -493,7 +496,7 @@ vs_status vs_p_scope_await(vs_args *f, vs_value *out) {
   return VS_OK;
 }
 
-/* (scope-signal s name): sends the signal to all scopes that wait for it and touch s. */
+/* (scope-signal s name): sends the signal to all scopes that wait for this name and touch s. */
 vs_status vs_p_scope_signal(vs_args *f, vs_value *out) {
   vs_scope *s = f->arg[0].scope;
   const char *name = vs_store_text(f->store, f->arg[1].text.at, f->arg[1].text.length);
@@ -511,7 +514,7 @@ vs_status vs_p_scope_signal(vs_args *f, vs_value *out) {
   return VS_OK;
 }
 
-/* (scope-signals s): returns the scopes that sent a signal to s, in the order of the signals. */
+/* (scope-signals s): returns the scopes that have sent a signal to s, in the order of the signals. */
 vs_status vs_p_scope_signals(vs_args *f, vs_value *out) {
   const vs_scope_extra *e = f->arg[0].scope->extra;
   VS_ROOTS(f->vm, r, 2);
@@ -523,8 +526,8 @@ vs_status vs_p_scope_signals(vs_args *f, vs_value *out) {
   return VS_OK;
 }
 
-/* (%took self value): handles the value of a form of a sequence. A scope becomes the next self; objects are added to
- * those made. */
+/* (%took self value): processes the value of an expression in a rule's sequence. A scope becomes the new `self`;
+ * objects are added to those of the derivation. */
 vs_status vs_p_took(vs_args *f, vs_value *out) {
   vs_value v = f->arg[1].value;
   *out = f->arg[0].value;
@@ -537,8 +540,8 @@ vs_status vs_p_took(vs_args *f, vs_value *out) {
              : VS_ERROR;
 }
 
-/* (%choose p ...): returns the number of the chosen sequence of a clause. Each p is a chance, or #f for an equal share
- * of the rest. If all chances are given and sum to less than 1, the rest chooses no sequence: -1. */
+/* (%choose p ...): returns the index of the sequence to run in a clause of a rule. Each p is a probability, or #f for
+ * an equal share of the remainder to 1. If all are given and sum to less than 1, may return -1: no sequence. */
 vs_status vs_p_choose(vs_args *f, vs_value *out) {
   size_t n = f->arg[0].values.count, open = 0;
   const vs_value *v = f->arg[0].values.at;
@@ -566,12 +569,12 @@ vs_status vs_p_choose(vs_args *f, vs_value *out) {
     if (x < p) return *out = vs_fix((int64_t)i), VS_OK;
     x -= p;
   }
-  /* A remainder comes from rounding, or is the chance of no sequence. */
+  /* The sum is below 1 by rounding, or -1 was chosen. */
   *out = vs_fix(sum < 1 - 1e-9 && !open ? -1 : (int64_t)n - 1);
   return VS_OK;
 }
 
-/* Returns the position of a place in a file that has a number; 0: none. */
+/* Returns the position of the origin in the numbered files, or 0. */
 static vs_pos position_of(vs_scheme *vm, const vs_origin *o) {
   vs_value files = vm->at.files;
   for (size_t i = 1; o && vs_is_vector(files) && i < vs_as_vector(files)->length; i++) {
@@ -581,8 +584,8 @@ static vs_pos position_of(vs_scheme *vm, const vs_origin *o) {
   return 0;
 }
 
-/* (%rule-refuses name predicate place self): raises the error that the scope is not of the rule's class. It names two
- * places: that of the operator that applies the rule, and that of the rule. */
+/* (%rule-refuses name predicate place self): raises the error that the scope is not of the class that the rule
+ * requires. The error names the place of the operator that applies the rule, and that of the rule. */
 vs_status vs_p_rule_refuses(vs_args *f, vs_value *out) {
   vs_scheme *vm = f->vm;
   vs_bind *b = f->bind;
@@ -615,7 +618,8 @@ vs_status vs_p_rule_refuses(vs_args *f, vs_value *out) {
   return VS_ERROR;
 }
 
-/* (%cons-at form head tail): returns a pair with the place of the form, for macros whose output appears in messages. */
+/* (%cons-at form head tail): returns a pair that has the place of the form, for macros whose results may appear in
+ * messages. */
 vs_status vs_p_cons_at(vs_args *f, vs_value *out) {
   vs_value form = f->arg[0].value;
   vs_pos pos = vs_is_pair(form) ? vs_pair_pos(form) : 0;

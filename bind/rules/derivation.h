@@ -1,11 +1,13 @@
-/* Owns derivations: the stack of scopes that wait for their rules, and the objects that rules have made.
+/* Declares derivations. A derivation has a stack of scopes that wait for their rules, and the objects that rules have
+ * created.
  *
  * A derivation begins when a program calls an operator or a rule outside of any rule. It ends when its stack is empty;
- * all objects are then united to one. Inside a sequence of a rule the same operators only push their scopes. Calls do
- * not nest at any depth of rules: rules.scm has the loop.
+ * its value is the union of all objects. Operators inside a rule only push scopes. The loop that applies the rules is
+ * in rules.scm, so that calls do not nest, even if rules are nested deeply.
  *
- * An operator recognises this by its scope. A form of a sequence passes a live scope, whose wrapper names the running
- * derivation. Wrappers that programs see are plain: the operator or rule that gets a live one removes the mark. */
+ * Operators distinguish the two cases by their scope. An expression in a rule's sequence passes a live scope: its
+ * Scheme object refers to the running derivation. Scopes in variables of the program are not live. An operator or rule
+ * that receives a live scope removes the reference. */
 #ifndef VS_BIND_RULES_DERIVATION_H
 #define VS_BIND_RULES_DERIVATION_H
 
@@ -20,17 +22,17 @@ typedef struct vs_args vs_args;
 /* Scopes that wait for their rules, in order. */
 typedef struct vs_rule_task {
   size_t bytes;
-  uint32_t entry;       /* the number of its entry in the record */
-  uint32_t count, next; /* child[next ...] still wait */
-  bool many;            /* each child has its own rule; otherwise all have rules[0] */
-  bool body;            /* rules[0] is the body of the rule `name`, with its arguments bound */
+  uint32_t entry;       /* number of the task's entry in the record */
+  uint32_t count, next; /* count: number of children; next: first child that still waits */
+  bool many;            /* whether each child has its own rule; otherwise rules[0] is the rule of all */
+  bool body;            /* whether rules[0] is the body of the rule `name`, with its arguments bound */
   const char *name;
-  const vs_origin *origin; /* the place of the operator's call */
-  vs_value *rules;         /* after the children, in the same block */
+  const vs_origin *origin; /* place of the operator's call */
+  vs_value *rules;         /* stored after the children in the same block */
   vs_scope *child[];
 } vs_rule_task;
 
-/* A scope that waits for signals of this name, until no other scope is left. */
+/* A scope that waits for signals of this name until no other scope is left. */
 typedef struct {
   vs_rule_task *task;
   const char *name; /* owned by the store */
@@ -38,29 +40,30 @@ typedef struct {
 
 typedef struct vs_derivation {
   vs_scheme *vm;
-  vs_bind *bind;      /* vm's */
-  vs_store *store;    /* bind's */
+  vs_bind *bind;      /* belongs to the interpreter */
+  vs_store *store;    /* the store of `bind` */
   vs_rule_task **stack;
   size_t count, room;
-  size_t begun; /* the number of tasks when the running rule began; the tasks above it are in the order of its forms */
-  vs_ref *made; /* holds its own references */
+  size_t begun; /* number of tasks when the running rule began; tasks above it are in the order in which its expressions
+                 * created them */
+  vs_ref *made; /* the objects created; their nodes are retained */
   size_t made_count, made_room;
-  vs_scope_flags **made_flags; /* the flags of each object; no flags from flags_room on */
+  vs_scope_flags **made_flags; /* flags of object i; objects from flags_room on have none */
   size_t flags_room;
   vs_waiting *waiting;
   size_t waiting_count, waiting_room;
-  vs_scope *now;               /* the scope whose rule runs; retained. NULL: none yet */
-  vs_lineage *lineage;         /* shared with the derivations that its rules began */
-  uint32_t entry, position;    /* the place in the record of the scope whose rule runs */
-  vs_surroundings *around;     /* the surroundings, for questions of rules; NULL: no rule has asked yet */
-  vs_value rule;               /* the next rule to call */
-  const char *name;            /* the name of the running rule; NULL: none yet */
-  uint32_t steps;              /* the number of operators that it has called */
-  uint32_t most;               /* the most levels of a path */
-  bool over;                   /* its object was returned */
-  struct vs_derivation *outer; /* valid while this one runs */
-  uint64_t random[4];          /* the state of the program's generator, restored at the end */
-  /* The bounds of the last placed object: a repeat places the same object many times. */
+  vs_scope *now;               /* scope to which the running rule is applied, retained, or NULL */
+  vs_lineage *lineage;         /* the record, shared with derivations that began within its rules */
+  uint32_t entry, position;    /* entry and position, in the record, of the scope to which the rule is applied */
+  vs_surroundings *around;     /* the objects around, for questions of rules; NULL before the first question */
+  vs_value rule;               /* next rule to call */
+  const char *name;            /* name of the running rule, or NULL */
+  uint32_t steps;              /* number of operators that the running rule has called */
+  uint32_t most;               /* greatest number of levels of a path */
+  bool over;                   /* whether the resulting object was returned */
+  struct vs_derivation *outer; /* the derivation during which this one began; valid while this one runs */
+  uint64_t random[4];          /* state of the program's random generator, restored at the end */
+  /* The object placed last and its bounds, since a repeat places the same object many times. */
   vs_node *fitted; /* retained, or NULL */
   vs_bounds fitted_bounds;
 } vs_derivation;
@@ -69,23 +72,26 @@ extern const vs_foreign_type vs_derivation_type;
 
 enum { VS_RULES_DEPTH = 1000, VS_RULES_PARTS = 10000000 };
 
-/* Returns the derivation that the operator f works for: the running one if argument 0 is live, otherwise a new one,
- * which *holder then is. *holder is the operator's result and must be rooted. NULL: the error is set. */
+/* Returns the derivation to which the operator f adds its scopes. If argument 0 is live, that is the running one.
+ * Otherwise it is a new one, and *holder is its Scheme object. *holder becomes the value of the operator, and must be a
+ * root. If it fails, sets the error and returns NULL. */
 vs_derivation *vs_rules_begin(vs_args *f, vs_value *holder);
-/* Returns a task for count scopes; many: each has its own rule. The caller fills child[] and rules[], and pushes or
- * drops it. NULL: the error is set. */
+/* Returns a task for `count` scopes; many: each has its own rule. The caller sets child[] and rules[], and pushes or
+ * drops the task. If it fails, sets the error and returns NULL. */
 vs_rule_task *vs_task_new(vs_derivation *d, uint32_t count, bool many);
 void vs_task_drop(vs_derivation *d, vs_rule_task *t);
-/* Pushes t. Returns false with t dropped and the error set. */
+/* Pushes the task on the stack. If it fails, drops it, sets the error and returns false. */
 bool vs_task_push(vs_derivation *d, vs_rule_task *t);
-/* Returns a scope of class c as child index of count of the operator op, with path, depth and flags set. NULL with the
- * error set: memory is out, or the path is too long. */
+/* Returns a new scope of class c as child `index` of `count` of the operator op, with path, depth and flags set. If
+ * memory is out or the path is too long, sets the error and returns NULL. */
 vs_scope *vs_rules_child(vs_derivation *d, vs_scope *parent, vs_scope_class c, const char *op, uint32_t index,
                          uint32_t count);
-/* Adds an object, made in a scope with these flags. Returns false with the error set. */
+/* Adds an object that was created in a scope with these flags. If it fails, sets the error and returns false. */
 bool vs_rules_gather(vs_derivation *d, vs_ref ref, vs_scope_flags *flags);
-/* Returns true if argument i is of one of these classes, the bits of VS_SCOPE_BIT; otherwise sets the error. */
+/* Returns true if argument i is a scope of one of these classes, given as bits VS_SCOPE_BIT. Otherwise sets the
+ * error. */
 bool vs_rules_class(vs_args *f, int i, unsigned classes);
-const char *vs_rules_operator(vs_args *f); /* returns its name in a path: that of the procedure without "scope-" */
+const char *vs_rules_operator(vs_args *f); /* Returns the operator's name for paths: that of the procedure without
+                                            * "scope-". */
 
 #endif

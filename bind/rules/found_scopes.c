@@ -1,5 +1,5 @@
-/* Owns the search for marked scopes in an object. A mark is an object of its own kind without geometry. rules.scm makes
- * it as define-primitive makes its objects, so it moves and multiplies with the objects around it. */
+/* Searches an object for marked scopes. A mark is an object of its own kind without geometry. rules.scm creates marks
+ * like objects of define-primitive, so that they are moved and copied together with the objects around them. */
 #include "bind/build.h"
 #include "bind/call/call.h"
 #include "bind/rules/derivation.h"
@@ -14,8 +14,8 @@
 
 typedef struct {
   const vs_node *node;
-  uint32_t next; /* the next child */
-  bool found;    /* a mark is below */
+  uint32_t next; /* next: index of the next child to visit */
+  bool found;    /* whether the node or a descendant is a mark */
 } visit;
 
 static const char mark_kind[] = "marked-scope";
@@ -23,7 +23,7 @@ static bool is_mark(const vs_node *n) { return n->kind == VS_CUSTOM && !strcmp(V
 
 enum { WITHOUT = 1, WITH = 2 };
 
-/* Notes for each node under n whether it contains a mark. Returns false when memory is out. */
+/* Stores in `known`, for each node below n, whether it contains a mark. Returns false when memory is out. */
 static bool note_marks(const vs_node *n, vs_nodemap *known) {
   visit *stack = NULL;
   size_t count = 0, room = 0;
@@ -37,7 +37,7 @@ static bool note_marks(const vs_node *n, vs_nodemap *known) {
       if (seen)
         v->found = v->found || *seen == WITH;
       else if (!child->child_count && !is_mark(child))
-        continue; /* a lone leaf has no entry: there may be a million */
+        continue; /* a lone leaf gets no entry, since there may be a million */
       else if ((ok = VS_GROW(stack, room, count + 1)))
         stack[count++] = (visit){ child, 0, is_mark(child) };
       continue;
@@ -57,8 +57,8 @@ typedef struct {
   vs_affine map;
 } placed;
 
-/* (%find-scopes o): returns a list of (number . matrix), in order: the mark's number, and the matrix that has moved
- * it. */
+/* (%find-scopes o): returns a list of (number . matrix) in the order of the tree: the number of a mark, and the
+ * placement of the mark. */
 vs_status vs_p_marks(vs_args *f, vs_value *out) {
   vs_nodemap known = { .store = f->store };
   placed *stack = NULL, *found = NULL;
@@ -92,7 +92,7 @@ vs_status vs_p_marks(vs_args *f, vs_value *out) {
   return ok ? VS_OK : VS_ERROR;
 }
 
-/* Returns a copy of s with the mark of this number. NULL: the error is set. */
+/* Returns a copy of s that has the mark of this number. If it fails, sets the error and returns NULL. */
 static vs_scope *with_mark(vs_args *f, vs_scope *s, int64_t number) {
   const vs_bind *b = f->bind;
   vs_scope *c = NULL;
@@ -105,7 +105,7 @@ static vs_scope *with_mark(vs_args *f, vs_scope *s, int64_t number) {
   return c;
 }
 
-/* (%scope-mark s mark): adds the mark to the objects made, and returns s with it. */
+/* (%scope-mark s mark): adds the mark to the objects of the derivation, and returns a copy of s that has the mark. */
 vs_status vs_p_scope_mark(vs_args *f, vs_value *out) {
   const vs_node *n = f->arg[1].ref.node;
   vs_derivation *d = f->bind->growing;
@@ -115,7 +115,7 @@ vs_status vs_p_scope_mark(vs_args *f, vs_value *out) {
   return s ? vs_bind_give_scope(f->vm, s, out) : VS_ERROR;
 }
 
-/* (%scope-found s number matrix): returns s, moved by the matrix, with its mark. */
+/* (%scope-found s number matrix): returns a copy of s that is moved by the matrix and has the mark of this number. */
 vs_status vs_p_scope_found(vs_args *f, vs_value *out) {
   vs_scope *s = with_mark(f, f->arg[0].scope, f->arg[1].integer);
   if (!s) return VS_ERROR;
@@ -124,7 +124,7 @@ vs_status vs_p_scope_found(vs_args *f, vs_value *out) {
   return vs_bind_give_scope(f->vm, at, out);
 }
 
-/* (%scope-mark-number s): returns the number of the mark, or #f. */
+/* (%scope-mark-number s): returns the number of the scope's mark, or #f. */
 vs_status vs_p_scope_mark_number(vs_args *f, vs_value *out) {
   const vs_scope_extra *e = f->arg[0].scope->extra;
   *out = e && e->mark ? vs_fix(e->mark->id) : VS_FALSE;

@@ -1,4 +1,4 @@
-/* Owns the records of derivations (lineage.h), and the table from objects to records. */
+/* Implements the records of derivations (lineage.h), and the table that finds the record of an object. */
 #include "bind/rules/lineage.h"
 
 #include "bind/call/call.h"
@@ -21,7 +21,7 @@ void vs_lineage_release(vs_lineage *r) {
 }
 
 bool vs_lineage_add(vs_lineage *r, vs_lineage_entry entry, const char *rule, const char *op, uint32_t *number) {
-  /* Programs have some tens of sites, and mostly use the last one again. */
+  /* A program has a few dozen pairs of rule and operator, and mostly uses the latest again: search from the end. */
   size_t site = r->site_count;
   while (site > 0 && (r->sites[site - 1].rule != rule || r->sites[site - 1].op != op)) site--;
   if (site == 0) {
@@ -36,10 +36,10 @@ bool vs_lineage_add(vs_lineage *r, vs_lineage_entry entry, const char *rule, con
   return true;
 }
 
-/* ---- records of objects ---- */
+/* ---- the table of objects and their records ---- */
 
 struct vs_kept_lineage {
-  vs_node *node; /* retained */
+  vs_node *node; /* the object's node, retained */
   vs_lineage *record;
 };
 
@@ -71,7 +71,8 @@ void vs_lineage_free(vs_bind *b) {
   b->records = NULL, b->record_room = b->record_limit = 0;
 }
 
-/* Returns the latest record of the node, or of the only child below it. NULL: there is none. */
+/* Returns the latest record of the node or, through nodes with one child, of a node below it. Returns NULL if there is
+ * none. */
 static const vs_lineage *record_of(const vs_bind *b, const vs_node *n) {
   for (;;) {
     for (size_t i = b->record_count; i-- > 0;)
@@ -86,8 +87,8 @@ static bool symbol_or_false(vs_scheme *vm, const char *name, vs_value *out) {
   return !name || vs_intern_c(vm, name, out);
 }
 
-/* (%derivation-record o): returns #f, or a vector of six values for each entry, in order, parents first: the parent,
- * the position in it, the number of scopes, the index of a single one, rule, operator. */
+/* (%derivation-record o): returns #f, or a vector with six values for each entry, parents first. They are: the number
+ * of the parent, the position in it, the number of scopes, the index of a single scope, the rule, the operator. */
 vs_status vs_p_derivation_record(vs_args *f, vs_value *out) {
   const vs_lineage *r = record_of(f->bind, f->arg[0].ref.node);
   VS_ROOTS(f->vm, v, 2);

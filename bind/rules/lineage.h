@@ -1,8 +1,8 @@
-/* Owns the record of a derivation: a tree of the scopes, with the rule and the operator that made them. All scopes that
- * one operator made take twenty bytes together; frames and sizes are not kept.
+/* Declares the record of a derivation: the tree of its scopes, with the rule and the operator that created them. An
+ * entry for all scopes of one operator's call has twenty bytes. Frames and sizes are not recorded.
  *
- * A table of the interpreter keeps the records with their objects. It holds a reference to each object. When it has
- * doubled, it releases the objects that have no other references. */
+ * The interpreter has a table of records and their objects, which holds a reference to each object. When the table has
+ * doubled in size, objects without other references are removed. */
 #ifndef VS_BIND_RULES_LINEAGE_H
 #define VS_BIND_RULES_LINEAGE_H
 
@@ -11,18 +11,18 @@
 
 typedef struct vs_bind vs_bind;
 
-/* The scopes that one operator made from the scope at `position` of the entry `parent`. The first entry is the root,
- * its own parent. */
+/* The scopes that one operator created from the scope at `position` of entry `parent`. The first entry is the root,
+ * which is its own parent. */
 typedef struct {
   uint32_t parent, position, count;
-  uint32_t index; /* the index of a single scope; with several scopes, their positions are their indices */
-  uint32_t site;  /* rule and operator, by their number in the record's table */
+  uint32_t index; /* index of a single scope; the index of one of several scopes is its position */
+  uint32_t site;  /* index in the record's table of pairs of rule and operator */
 } vs_lineage_entry;
 
 typedef struct vs_lineage vs_lineage;
 struct vs_lineage {
   uint32_t refs;
-  vs_store *store; /* retained */
+  vs_store *store; /* the store, retained */
   vs_lineage_entry *at;
   size_t count, room;
   struct vs_lineage_site {
@@ -31,18 +31,18 @@ struct vs_lineage {
   size_t site_count, site_room;
 };
 
-vs_lineage *vs_lineage_new(vs_store *s); /* NULL: out of memory */
+vs_lineage *vs_lineage_new(vs_store *s); /* Returns an empty record, or NULL when memory is out. */
 static inline vs_lineage *vs_lineage_retain(vs_lineage *r) {
   r->refs++;
   return r;
 }
-void vs_lineage_release(vs_lineage *r); /* NULL is fine */
-/* Adds an entry for the operator op of a rule (NULL: outside of any rule); the store owns the texts. *number: the
- * entry's place. Returns false when memory is out. */
+void vs_lineage_release(vs_lineage *r); /* Releases a reference to the record. NULL is permitted. */
+/* Adds an entry for operator op of a rule (NULL: outside of any rule); the store owns the names. Sets *number to the
+ * entry's index. Returns false when memory is out. */
 bool vs_lineage_add(vs_lineage *r, vs_lineage_entry entry, const char *rule, const char *op, uint32_t *number);
 
-/* Keeps the record of a derivation's object. Returns false when memory is out. */
+/* Adds the record of a derivation and its object n to the table. Returns false when memory is out. */
 bool vs_lineage_keep(vs_bind *b, vs_node *n, vs_lineage *r);
-void vs_lineage_free(vs_bind *b); /* releases all of them */
+void vs_lineage_free(vs_bind *b); /* Frees the table, and releases all its objects and records. */
 
 #endif

@@ -1,4 +1,4 @@
-/* Owns the constructors of scopes, and the procedures that read a scope. */
+/* Implements the procedures that create scopes, and those that read the properties of scopes. */
 #include "bind/rules/make_scopes.h"
 
 #include "bind/build.h"
@@ -16,10 +16,10 @@
 #include "vm/machine/fail.h"
 #include "vm/values/heap.h"
 
-/* ---- constructors ---- */
+/* ---- creating scopes ---- */
 
-/* Makes s a child of the running rule's scope: it continues that path and its flags, and its random numbers depend on
- * both places. */
+/* Makes s a child of the scope of the running rule. s then continues its path and has its flags; random numbers depend
+ * on the places of both. */
 static void stand_in(vs_scope *s, const vs_derivation *d, const char *op) {
   s->parent = vs_scope_retain(d->now), s->depth = d->now->depth + 1;
   s->rule = d->name, s->op = op;
@@ -63,7 +63,7 @@ vs_status vs_p_make_turtle_scope(vs_args *f, vs_value *out) {
   return made(f, s, f->arg[0].point, out);
 }
 
-/* Sets the scope's frame and size to the object's bounds, like those of a root box. */
+/* Sets the frame and size of the scope s to the bounds of an object, with the axes of a root box. */
 static bool box_around(vs_args *f, vs_scope *s, vs_ref object) {
   vs_bounds b;
   vs_error e = { 0 };
@@ -91,8 +91,8 @@ vs_status vs_p_make_surface_scope(vs_args *f, vs_value *out) {
   return object_scope(f, VS_SCOPE_SURFACE, out);
 }
 
-/* Returns the loops of one area of a region: an outer loop and its holes. *next is the first loop, and afterwards the
- * next area's. NULL: the error is set. */
+/* Returns the loops of one area of a region: its outer loop and its holes. *next is the index of the outer loop, and is
+ * set to that of the next area. If it fails, sets the error and returns NULL. */
 vs_scope_loops *vs_rules_outline_loops(vs_args *f, const vs_outline *o, size_t *next) {
   size_t first = *next, end = first + 1, points = 0;
   while (end < o->count && o->hole[end]) end++;
@@ -168,7 +168,7 @@ vs_status vs_p_make_curve_scope(vs_args *f, vs_value *out) {
   return made(f, s, s->loops->points->at[0], out);
 }
 
-/* ---- reading a scope ---- */
+/* ---- properties of a scope ---- */
 
 static vs_status is_class(vs_args *f, vs_scope_class c, vs_value *out) {
   const vs_scope *s = vs_bind_take_scope(f->arg[0].value);
@@ -228,8 +228,8 @@ vs_status vs_p_scope_parent(vs_args *f, vs_value *out) {
   return vs_bind_give_scope(f->vm, vs_scope_retain(parent), out);
 }
 
-/* Returns a list of (rule operator index), from the root on; the rule is #f if the operator was called outside of
- * any. */
+/* Returns the path of a scope, from the root, as a list of (rule operator index). The rule is #f if the operator was
+ * called outside of any rule. */
 vs_status vs_p_scope_path(vs_args *f, vs_value *out) {
   vs_scheme *vm = f->vm;
   VS_ROOTS(vm, r, 3);
@@ -247,7 +247,7 @@ vs_status vs_p_scope_path(vs_args *f, vs_value *out) {
   return VS_OK;
 }
 
-/* (scope-region s): returns the region in the loops of a polygon or triangle scope. */
+/* (scope-region s): returns the region that the loops of a polygon or triangle scope bound. */
 vs_status vs_p_scope_region(vs_args *f, vs_value *out) {
   if (!vs_rules_class(f, 0, VS_SCOPE_BIT(POLYGON) | VS_SCOPE_BIT(TRIANGLE))) return VS_ERROR;
   const vs_scope_loops *l = f->arg[0].scope->loops;
@@ -264,7 +264,7 @@ vs_status vs_p_scope_region(vs_args *f, vs_value *out) {
   return vs_bind_make(f, VS_REGION, &(struct vs_region){ 0 }, lines, l->count, out);
 }
 
-/* ---- flags ---- */
+/* ---- flags of scopes ---- */
 
 vs_status vs_p_flag(vs_args *f, vs_value *out) {
   const char *name = vs_store_text(f->store, f->arg[1].text.at, f->arg[1].text.length);
@@ -283,7 +283,8 @@ vs_status vs_p_scope_flags(vs_args *f, vs_value *out) {
   return VS_OK;
 }
 
-/* (%with-flags s flags rule): flags is a list of symbols, and of pairs of a symbol and a boolean. */
+/* (%with-flags s flags rule): applies the rule to s with these flags. `flags` is a list of symbols, and of pairs of a
+ * symbol and a boolean. */
 vs_status vs_p_with_flags(vs_args *f, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   vs_scope *s = f->arg[0].scope;

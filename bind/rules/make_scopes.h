@@ -1,4 +1,4 @@
-/* Owns the interface of make_scopes.c: the constructors of scopes, and the procedures that read a scope. */
+/* Declares functions of make_scopes.c that other operators use. */
 #ifndef VS_BIND_RULES_MAKE_SCOPES_H
 #define VS_BIND_RULES_MAKE_SCOPES_H
 
@@ -8,7 +8,8 @@
 
 typedef struct vs_args vs_args;
 
-/* returns the loops of one area of an outline; NULL: the error is set */
+/* Returns the loops of one area of an outline. *next is the index of its outer loop, and is set to that of the next
+ * area. If it fails, sets the error and returns NULL. */
 vs_scope_loops *vs_rules_outline_loops(vs_args *f, const vs_outline *o, size_t *next);
 
 #endif

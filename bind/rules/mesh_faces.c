@@ -1,8 +1,8 @@
-/* Owns the components of mesh scopes: the faces of an object, each a polygon scope, and their edges and vertices.
+/* Computes the components of mesh scopes: the faces of an object as polygon scopes, and their edges and vertices.
  *
- * Polyface meshes and boxes give their own faces; regions and closed curves give a face for each of their areas; all
- * other solids and surfaces give the triangles of their mesh. An edge of several faces occurs once, as does a
- * vertex. */
+ * The faces of polyface meshes and boxes are their own; a region or closed curve has a face for each of its areas;
+ * other solids and surfaces have the triangles of their mesh. An edge or a vertex that several faces share occurs
+ * once. */
 #include "bind/rules/mesh_faces.h"
 
 #include "bind/call/call.h"
@@ -24,7 +24,7 @@
 
 typedef struct {
   vs_args *f;
-  vs_scope_loops **at; /* scratch */
+  vs_scope_loops **at; /* allocated in the call's scratch memory */
   size_t count, room;
 } faces;
 
@@ -96,7 +96,7 @@ static bool add_leaf(faces *all, vs_ref ref, const vs_affine *map) {
   return ok;
 }
 
-/* Adds the faces of an object. It enters unions, placements and wrappers with an explicit stack. */
+/* Adds the faces of an object. Visits unions, placements and wrappers with an explicit stack. */
 static bool add_object(faces *all, vs_ref root) {
   typedef struct {
     vs_ref ref;
@@ -127,7 +127,7 @@ static bool add_object(faces *all, vs_ref root) {
   return true;
 }
 
-/* An edge of a face, from a to b in the face's direction; a vertex if both are equal. */
+/* An edge of a face, from a to b in the order of its corners; a vertex if a and b are equal. */
 typedef struct { vs_vec3 a, b; size_t order; } face_edge;
 
 static int by_place(vs_vec3 p, vs_vec3 q) {
@@ -136,7 +136,7 @@ static int by_place(vs_vec3 p, vs_vec3 q) {
   return p.z == q.z ? 0 : p.z < q.z ? -1 : 1;
 }
 
-/* Compares edges regardless of their direction. */
+/* Compares two edges by their end points; the direction does not matter. */
 static int compare_edges(const face_edge *p, const face_edge *q) {
   bool p_back = by_place(p->a, p->b) > 0, q_back = by_place(q->a, q->b) > 0;
   int low = by_place(p_back ? p->b : p->a, q_back ? q->b : q->a);
@@ -154,7 +154,8 @@ static int by_order(const void *p, const void *q) {
   return (e->order > f->order) - (e->order < f->order);
 }
 
-/* Returns the edges or vertices of all faces, each once, in the faces' order: *out, *count, in scratch. */
+/* Sets *out to the edges or vertices of all faces, each once, in the order of the faces, and *count to their number.
+ * The memory is the call's. */
 static bool edges_once(const faces *all, bool vertices, face_edge **out, size_t *count) {
   size_t n = 0, kept = 0;
   for (size_t i = 0; i < all->count; i++) n += all->at[i]->points->count;
@@ -175,8 +176,8 @@ static bool edges_once(const faces *all, bool vertices, face_edge **out, size_t 
   return true;
 }
 
-/* Sets c to the i-th component: a face with its loops, or an edge or a vertex in the mesh's own frame. The y of a
- * vertical edge is nearest the frame's x. */
+/* Sets c to component i: a face with its loops, or an edge or vertex with a frame parallel to that of the mesh. The y
+ * of a vertical edge is nearest the x of that frame. */
 static bool lay_component(vs_scope *c, const vs_scope *s, faces *all, const face_edge *edges, size_t i) {
   if (!edges) {
     c->loops = all->at[i], all->at[i] = NULL;
@@ -211,7 +212,7 @@ vs_status vs_mesh_components(vs_args *f, const char *of, vs_value *out) {
       vs_task_drop(d, t), t = NULL;
       break;
     }
-    if (!lay_component(c, s, &all, edges, i)) vs_scope_release(c), t->child[i] = NULL; /* a face without area */
+    if (!lay_component(c, s, &all, edges, i)) vs_scope_release(c), t->child[i] = NULL; /* omits a face without area */
   }
   for (size_t i = 0; i < all.count; i++) vs_scope_loops_release(f->store, all.at[i]);
   *out = r[1];

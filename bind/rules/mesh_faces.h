@@ -1,4 +1,4 @@
-/* Owns the interface of mesh_faces.c: the components of mesh scopes. */
+/* Declares the components of mesh scopes, computed by mesh_faces.c. */
 #ifndef VS_BIND_RULES_MESH_FACES_H
 #define VS_BIND_RULES_MESH_FACES_H
 
@@ -6,7 +6,7 @@
 
 typedef struct vs_args vs_args;
 
-/* scope-component of a mesh scope */
+/* Implements scope-component for mesh scopes. */
 vs_status vs_mesh_components(vs_args *f, const char *of, vs_value *out);
 
 #endif

@@ -1,4 +1,4 @@
-/* Owns the operators that move, turn or resize a scope. Sizes, frames and paths: scope.h. */
+/* Implements operators that move, rotate or resize a scope. scope.h explains sizes, frames and paths. */
 #include "bind/rules/move_scopes.h"
 
 #include "bind/call/call.h"
@@ -8,14 +8,15 @@
 
 #include <string.h>
 
-/* Returns a copy with the same path, since a changed scope counts as the same. NULL: the error is set. */
+/* Returns a copy of argument 0 with the same path: operators of this file create no level of a path. If it fails, sets
+ * the error and returns NULL. */
 static vs_scope *changed(vs_args *f) {
   vs_scope *s = vs_scope_copy(f->arg[0].scope);
   if (!s) vs_fail_memory(f->vm);
   return s;
 }
 
-/* Moves a scope's shape by m. Copies its loops. */
+/* Applies the map m to the shape of a scope, of which s is the only owner. Copies its loops. */
 static bool moved(vs_scope *s, const vs_affine *m) {
   if (s->class_ == VS_SCOPE_FFD) {
     for (int c = 0; c < 8; c++) s->as.corner[c] = vs_affine_point(m, s->as.corner[c]);
@@ -36,15 +37,15 @@ static bool moved(vs_scope *s, const vs_affine *m) {
   const vs_scope_loops *old = s->loops;
   vs_scope_loops *l = vs_scope_loops_new(s->store, old->points->at, old->start, old->count);
   if (!l) return false;
-  vs_vec3 *at = (vs_vec3 *)(uintptr_t)l->points->at; /* no other scope has it yet */
+  vs_vec3 *at = (vs_vec3 *)(uintptr_t)l->points->at; /* this copy belongs to no other scope yet */
   for (uint32_t i = 0; i < l->points->count; i++) at[i] = vs_affine_point(m, at[i]);
   vs_scope_loops_release(s->store, s->loops);
   s->loops = l;
   return true;
 }
 
-/* Makes the columns of a frame unit vectors of a right-handed system, if they are perpendicular; their lengths go to
- * the size. Returns false if the box has become a parallelepiped. */
+/* If the columns of the frame are perpendicular, makes them unit vectors of a right-handed system, and multiplies the
+ * size by their lengths. Returns false if they are not, that is, the box has become a parallelepiped. */
 static bool box_again(vs_affine *frame, vs_vec3 *size) {
   vs_vec3 c[3], at = vs_affine_column(frame, 3);
   double *extent[3] = { &size->x, &size->y, &size->z };
@@ -54,7 +55,8 @@ static bool box_again(vs_affine *frame, vs_vec3 *size) {
   }
   for (int i = 0; i < 3; i++)
     if (fabs(vs_v3_dot(c[i], c[(i + 1) % 3])) > 1e-9) return false;
-  if (vs_v3_dot(vs_v3_cross(c[0], c[1]), c[2]) < 0) /* a mirror: x is reversed and begins at the other end */
+  if (vs_v3_dot(vs_v3_cross(c[0], c[1]), c[2]) < 0) /* after mirroring, x is reversed and begins at the other end of the
+                                                     * box */
     at = vs_v3_add(at, vs_v3_scale(c[0], size->x)), c[0] = vs_v3_scale(c[0], -1);
   *frame = vs_affine_columns(c[0], c[1], c[2], at);
   return true;
@@ -81,7 +83,7 @@ vs_scope *vs_scope_placed(const vs_scope *of, const vs_affine *m) {
     return s;
   }
   if (s->class_ != VS_SCOPE_BOX || !(sheared = vs_scope_fresh(s->store, VS_SCOPE_FFD))) return s;
-  /* Fields that both classes have have equal offsets; a scope's shape comes last. */
+  /* Copies the corners and the path to a scope of another class. */
   vs_scope_corners(s, sheared->as.corner);
   vs_scope_take_path(sheared, s);
   vs_scope_release(s);
@@ -101,8 +103,8 @@ vs_status vs_p_scope_move(vs_args *f, vs_value *out) {
   return give_moved(f, &m, out);
 }
 
-/* Relabels the axes of a hexahedron, which does not move: a quarter turn about axis a. With b and c the axes after a,
- * the new b is the old c, and the new c is the old b reversed. */
+/* Renames the axes of a hexahedron, which itself does not move, by quarter turns about axis a. With b and c the axes
+ * after a, the new b is the old c, and the new c is the old b reversed. */
 static vs_status turn_hexahedron(vs_args *f, int a, int quarters, vs_value *out) {
   vs_scope *s = changed(f);
   if (!s) return VS_ERROR;
@@ -134,8 +136,8 @@ vs_status vs_p_scope_turn(vs_args *f, vs_value *out) {
 
 #define SIZED (VS_SCOPE_BIT(BOX) | VS_SCOPE_BIT(TURTLE))
 
-/* Returns the scope with sizes along x, y, z; -1 keeps a size. The first corner stays; a turtle's cross-section grows
- * from its middle. */
+/* Sets *out to the scope with these sizes along x, y and z; -1 keeps a size. The first corner of a box remains fixed;
+ * the cross-section of a turtle grows from its middle. */
 static vs_status give_sized(vs_args *f, vs_vec3 size, vs_value *out) {
   vs_scope *s = changed(f);
   if (!s) return VS_ERROR;

@@ -1,6 +1,6 @@
-/* Owns the placing of objects in scopes: the bounds of the object become the box of the scope. An object's X goes along
- * x, its Z (up) along y, and its front, which faces -Y, faces out of the scope's face. Therefore it has the same
- * directions as in a root scope. */
+/* Places objects in scopes: the bounds of the object are mapped to the box of the scope. The object's X is mapped to x,
+ * its Z (up) to y, and its front, which faces -Y, to the outer side of the scope's face. In a root scope, the object
+ * therefore keeps its directions. */
 #include "bind/rules/place.h"
 
 #include "bind/measures.h"
@@ -10,7 +10,7 @@
 #include "geometry/measure/node_measures.h"
 #include "solids/deformed.h"
 
-/* Computes the bounds of an object; those of the last object are kept. */
+/* Computes the bounds of an object. Stores those of the latest object for the next call. */
 static bool bounds_of(vs_derivation *d, vs_ref object, vs_bounds *b) {
   vs_error e = { 0 };
   if (d->fitted == object.node) return *b = d->fitted_bounds, true;
@@ -21,10 +21,10 @@ static bool bounds_of(vs_derivation *d, vs_ref object, vs_bounds *b) {
   return true;
 }
 
-/* Returns the factor from an extent to a size; 1 if either is 0. */
+/* Returns the factor by which an extent is scaled to a size; 1 if either is 0. */
 static double factor(double size, double extent) { return size > 0 && extent > 0 ? size / extent : 1; }
 
-/* Returns the map from object space to a box of the given frame and size. */
+/* Returns the map from the bounds of an object to a box with this frame and size. */
 static vs_affine fit(const vs_affine *frame, vs_vec3 size, const vs_bounds *b) {
   vs_vec3 x = vs_v3_scale(vs_affine_column(frame, 0), factor(size.x, b->max.x - b->min.x));
   vs_vec3 y = vs_v3_scale(vs_affine_column(frame, 1), factor(size.y, b->max.z - b->min.z));
@@ -35,7 +35,8 @@ static vs_affine fit(const vs_affine *frame, vs_vec3 size, const vs_bounds *b) {
   return m;
 }
 
-/* Returns the corner of a hexahedron for corner c of an object's bounds, with the bits X, Y, Z. */
+/* Returns the corner of a hexahedron to which corner c of an object's bounds is mapped. The bits of c are X, Y and
+ * Z. */
 static vs_vec3 object_corner(const vs_vec3 corner[8], int c) {
   int i = c & 1, j = c >> 2 & 1, k = 1 - (c >> 1 & 1);
   return corner[i + 2 * j + 4 * k];
@@ -47,7 +48,7 @@ bool vs_rules_place(vs_derivation *d, const vs_scope *s, vs_ref object, const vs
   if (object.node->kind == VS_EMPTY) return true;
   if (!bounds_of(d, object, &b)) return false;
   if (vs_bounds_is_empty(&b)) return true;
-  /* The rule is the origin of an object that it placed, also after passes merge the placement into the object. */
+  /* The placed object has the rule as its origin, even after passes have merged the placement into it. */
   vs_ref placed = { object.node, origin };
   vs_node *n;
   if (s->class_ == VS_SCOPE_FFD) {
@@ -66,7 +67,7 @@ bool vs_rules_place(vs_derivation *d, const vs_scope *s, vs_ref object, const vs
   } else {
     vs_affine frame = vs_scope_frame(s);
     vs_vec3 size = vs_scope_size(s);
-    if (s->class_ == VS_SCOPE_TURTLE) { /* the origin of its cross-section is the middle */
+    if (s->class_ == VS_SCOPE_TURTLE) { /* the origin of a turtle's cross-section is its centre, not a corner */
       vs_vec3 at = vs_scope_corner(s, 0, 0, 1);
       frame.m[0][3] = at.x, frame.m[1][3] = at.y, frame.m[2][3] = at.z;
     }

@@ -1,11 +1,11 @@
-/* Owns the interface of place.c: the placing of objects in scopes. */
+/* Declares the placing of objects in scopes, implemented in place.c. */
 #ifndef VS_BIND_RULES_PLACE_H
 #define VS_BIND_RULES_PLACE_H
 
 #include "bind/rules/derivation.h"
 
-/* Fits the object into the scope's box, or deforms it to the hexahedron, and adds it to the objects made, with the
- * given origin. Returns false with the error set. */
+/* Scales the object to the scope's box, or deforms it to its hexahedron. Adds it, with this origin, to the objects of
+ * the derivation. If it fails, sets the error and returns false. */
 bool vs_rules_place(vs_derivation *d, const vs_scope *s, vs_ref object, const vs_origin *origin);
 
 #endif

@@ -1,4 +1,4 @@
-/* Owns the life of scopes: reference counts, copies, hashes of paths, flags, printing. */
+/* Implements scopes: reference counts, copies, hashes of paths, flags, printing. */
 #include "bind/rules/scope.h"
 
 #include "model/store/piece.h"
@@ -15,7 +15,7 @@ static const struct {
 };
 const char *vs_scope_noun(const vs_scope *s) { return classes[s->class_].noun; }
 
-/* ---- life ---- */
+/* ---- reference counts and copies ---- */
 
 vs_scope *vs_scope_retain(vs_scope *s) {
   if (s) s->refs++;
@@ -52,7 +52,7 @@ vs_scope_loops *vs_scope_loops_new(vs_store *store, const vs_vec3 *at, const uin
 }
 
 void vs_scope_release(vs_scope *s) {
-  vs_scope_extra *dead = NULL; /* extras whose senders are still to be released */
+  vs_scope_extra *dead = NULL; /* list of extras whose senders must still be released */
   for (;;) {
     while (s && --s->refs == 0) {
       vs_scope *parent = s->parent;
@@ -126,7 +126,7 @@ vs_status vs_bind_give_scope(vs_scheme *vm, vs_scope *s, vs_value *out) {
   return vs_make_foreign(vm, &vs_scope_type, s, 0, out) ? VS_OK : VS_ERROR;
 }
 
-/* ---- paths ---- */
+/* ---- paths of scopes ---- */
 
 uint64_t vs_scope_mix(uint64_t hash, uint64_t more) {
   uint64_t z = (hash ^ more) + UINT64_C(0x9E3779B97F4A7C15);
@@ -136,7 +136,7 @@ uint64_t vs_scope_mix(uint64_t hash, uint64_t more) {
 }
 
 void vs_scope_plant(vs_scope *s, vs_vec3 at) {
-  const double d[3] = { at.x + 0., at.y + 0., at.z + 0. }; /* adding 0 turns -0 into 0 */
+  const double d[3] = { at.x + 0., at.y + 0., at.z + 0. }; /* adding 0 changes -0 to 0 */
   uint64_t word;
   for (int i = 0; i < 3; i++) {
     memcpy(&word, &d[i], sizeof word);
@@ -147,14 +147,14 @@ void vs_scope_plant(vs_scope *s, vs_vec3 at) {
 enum { PATH_LEVELS = 400 };
 
 void vs_scope_path_text(const vs_scope *s, char *text, size_t room) {
-  const vs_scope *level[PATH_LEVELS]; /* innermost first */
+  const vs_scope *level[PATH_LEVELS]; /* scopes of the path, innermost first */
   size_t n = 0, at = 0, all = 0;
   for (const vs_scope *p = s; p; p = p->parent) {
     if (!p->op) continue;
     all++;
     if (n < PATH_LEVELS) level[n++] = p;
   }
-  /* The text omits the beginning of a longer path: the end is more useful if rules call themselves. */
+  /* A long path is shown without its beginning: for recursive rules, its end is more useful. */
   size_t shown = n < 12 ? n : 12;
   text[0] = 0;
   if (all > shown) at = (size_t)snprintf(text, room, ".../");
@@ -178,7 +178,7 @@ static bool scope_print(vs_scheme *vm, const void *object, bool (*put)(void *to,
 static void scope_release(void *object) { vs_scope_release(object); }
 const vs_foreign_type vs_scope_type = { "a scope", scope_release, NULL, NULL, scope_print, NULL, false };
 
-/* ---- flags ---- */
+/* ---- flags of scopes ---- */
 
 bool vs_scope_flags_have(const vs_scope_flags *flags, const char *name) {
   for (uint32_t i = 0; flags && i < flags->count; i++)
@@ -202,7 +202,7 @@ bool vs_scope_add_flags(vs_scope *s, const char *const *names, size_t count) {
   }
   uint32_t room = have + fresh;
   while (f->count < room)
-    f->name[f->count++] = names[0]; /* a name was given twice: the array keeps its size */
+    f->name[f->count++] = names[0]; /* a name was given twice: the array has unused room at its end */
   vs_scope_flags_release(s->store, s->flags);
   s->flags = f;
   return true;
@@ -210,8 +210,8 @@ bool vs_scope_add_flags(vs_scope *s, const char *const *names, size_t count) {
 
 /* ---- marks and signals ---- */
 
-/* Makes s's extra its own. A copy of a shared one has no signals, since those are for the scope that waited. NULL: out
- * of memory. */
+/* Returns the extra of s, after replacing a shared one by a copy. The copy has no signals, since they were sent to the
+ * scope that waited. Returns NULL when memory is out. */
 static vs_scope_extra *own_extra(vs_scope *s) {
   vs_scope_extra *old = s->extra;
   if (old && old->refs == 1) return old;
@@ -239,7 +239,7 @@ bool vs_scope_add_signal(vs_scope *s, vs_scope *from) {
   return true;
 }
 
-/* ---- place ---- */
+/* ---- corners, sizes and frames ---- */
 
 vs_vec3 vs_scope_corner(const vs_scope *s, int i, int j, int k) {
   if (s->class_ == VS_SCOPE_FFD) return s->as.corner[i + 2 * j + 4 * k];

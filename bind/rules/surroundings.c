@@ -1,12 +1,13 @@
-/* Owns the questions of a rule about its surroundings: whether its scope touches the objects made so far, or lies
- * inside of them.
+/* Answers questions of a rule about its surroundings: whether its scope touches the objects created so far, or lies
+ * inside them.
  *
- * Plan. The bounds of the objects form a tree in the order in which they were made. The objects of one rule are close
- * together, so sixteen neighbours share a box, sixteen such boxes share the next, and so on. Where bounds meet, the
- * test is exact. The scope is one convex piece, six tetrahedra for a hexahedron, or a flat piece for each triangle of a
- * polygon or a mesh and for each segment of a curve. A triangle of the object touches the scope if a part of it remains
- * after it is cut by the planes of a piece. A scope that no triangle touches lies wholly inside or outside: one point
- * decides. The same holds for an object in a scope that is a closed mesh. */
+ * A tree contains the bounds of the objects in the order of their creation. The objects of one rule are close together,
+ * so that sixteen consecutive objects share a box, sixteen such boxes share a larger box, and so on. Where bounds
+ * overlap, the test is exact. A scope consists of convex pieces: one for a box, six tetrahedra for a hexahedron, a flat
+ * piece for each triangle of a polygon or mesh and for each segment of a curve. A triangle of an object touches the
+ * scope if a part of it remains after it was cut by the planes of a piece. A scope that no triangle touches lies
+ * completely inside or outside the object, so that testing one point suffices. The same is true of an object and a
+ * scope that is a closed mesh. */
 #include "bind/rules/surroundings.h"
 
 #include "bind/build.h"
@@ -29,12 +30,12 @@ struct vs_surroundings {
   struct {
     vs_bounds *at;
     size_t count, room;
-  } level[LEVELS]; /* level 0: the bounds of each object */
+  } level[LEVELS]; /* level[0]: bounds of each object */
   struct {
-    vs_node *node;     /* retained, or NULL */
-    vs_node *resolved; /* the same, with its meshes made (solids/resolve.h); retained */
+    vs_node *node;     /* node of the object, retained, or NULL */
+    vs_node *resolved; /* the same object after vs_resolve (solids/resolve.h), retained */
     vs_bend_leaves leaves;
-  } kept[KEPT]; /* objects with their triangles, by address */
+  } kept[KEPT]; /* cache of objects with their triangles, by the address of the node */
 };
 
 static void drop_one(vs_surroundings *a, size_t i) {
@@ -71,22 +72,22 @@ static vs_surroundings *surroundings_of(vs_derivation *d) {
 typedef struct {
   vs_vec3 normal;
   double at;
-} half_space; /* normal · p <= at; unit normal */
+} half_space; /* points p with normal · p <= at; the normal has unit length */
 typedef struct {
   half_space side[6];
-  int count, paired; /* the first `paired` sides are pairs with opposite normals */
-  vs_vec3 triangle[3]; /* the triangle of a flat piece */
+  int count, paired; /* count: number of sides; the first `paired` sides are pairs with opposite normals */
+  vs_vec3 triangle[3]; /* corners of the triangle, if the piece is flat */
 } piece;
 typedef struct {
   vs_store *store;
   vs_bounds bounds;
-  vs_vec3 corner[8]; /* the corners of the box around it */
-  vs_vec3 point;     /* a point in it */
-  double slack;      /* the length below which a distance counts as 0 */
+  vs_vec3 corner[8]; /* corners of the box around the scope */
+  vs_vec3 point;     /* a point in the scope */
+  double slack;      /* distances below this length count as 0 */
   piece own[6];
-  piece *flat; /* instead of own, for a polygon, a curve or a mesh; owned by the store */
+  piece *flat; /* flat pieces of a polygon, curve or mesh, instead of `own`; owned by the store */
   size_t count, room;
-  vs_node *solid; /* a closed mesh, whose inside belongs to the body; or NULL */
+  vs_node *solid; /* a closed mesh, whose inside belongs to the scope, or NULL */
 } body;
 static const piece *pieces_of(const body *b) { return b->flat ? b->flat : b->own; }
 static void body_drop(body *b) {
@@ -98,7 +99,7 @@ static half_space half_space_of(vs_vec3 normal, vs_vec3 at) {
   return (half_space){ normal, vs_v3_dot(normal, at) };
 }
 
-/* Adds the frame's own box, also if it has no size along an axis. */
+/* Adds the box of the scope's frame, which may have no size along an axis. */
 static void box_piece(body *b, const vs_scope *s) {
   vs_affine m = vs_scope_frame(s);
   piece *p = &b->own[b->count++];
@@ -112,7 +113,7 @@ static void box_piece(body *b, const vs_scope *s) {
   }
 }
 
-/* Adds the tetrahedra of a hexahedron about its diagonal from corner 0 to 7, without flat ones. */
+/* Adds the six tetrahedra of a hexahedron that share the diagonal from corner 0 to corner 7. Omits flat ones. */
 static void tetrahedra(body *b) {
   static const int way[6][2] = { { 1, 3 }, { 1, 5 }, { 2, 3 }, { 2, 6 }, { 4, 5 }, { 4, 6 } };
   for (int t = 0; t < 6; t++) {
@@ -130,7 +131,7 @@ static void tetrahedra(body *b) {
   }
 }
 
-/* Adds a flat piece: a triangle, or a segment if two corners are equal. */
+/* Adds a flat piece: a triangle, or a segment if two of its corners are equal. */
 static bool add_flat(body *b, const vs_vec3 t[3]) {
   vs_vec3 x = vs_v3_sub(t[1], t[0]), z = vs_v3_cross(x, vs_v3_sub(t[2], t[0]));
   bool line = vs_v3_length(z) <= b->slack * b->slack;
@@ -140,7 +141,7 @@ static bool add_flat(body *b, const vs_vec3 t[3]) {
   piece *p = &b->flat[b->count++];
   *p = (piece){ .triangle = { t[0], t[1], t[2] } };
   vs_vec3 ux = vs_v3_unit(x);
-  if (line) { /* two pairs of planes along the segment, and one pair across its ends */
+  if (line) { /* a segment has two pairs of planes parallel to it, and a pair across its ends */
     vs_vec3 away = fabs(ux.x) < .6 ? vs_v3(1, 0, 0) : vs_v3(0, 1, 0), uy = vs_v3_unit(vs_v3_cross(ux, away));
     vs_vec3 uz = vs_v3_cross(ux, uy), end = vs_v3_length(vs_v3_sub(t[1], t[0])) > 0 ? t[1] : t[2];
     const vs_vec3 across[2] = { uy, uz };
@@ -200,7 +201,8 @@ static bool curve_pieces(body *b, const vs_scope *s) {
   return ok;
 }
 
-/* Adds the faces of the object below a mesh or surface scope. Sets *set if the condition is set. */
+/* Adds the faces of the object of a mesh or surface scope. If it fails, returns false, and sets *set if the condition
+ * is set. */
 static bool object_pieces(vs_bind *bind, body *b, const vs_scope *s, bool *set) {
   vs_bend_leaves leaves;
   vs_ref object = { vs_node_retain(s->object.node), s->object.origin };
@@ -219,7 +221,7 @@ static bool object_pieces(vs_bind *bind, body *b, const vs_scope *s, bool *set) 
   return ok;
 }
 
-/* Computes the body of a scope; the caller drops it. Returns false with the condition set. */
+/* Computes the pieces of a scope; the caller frees them. If it fails, sets the condition and returns false. */
 static bool body_of(vs_bind *bind, const vs_scope *s, body *b) {
   *b = (body){ .store = bind->store, .bounds = vs_bounds_empty() };
   vs_scope_corners(s, b->corner);
@@ -237,8 +239,8 @@ static bool body_of(vs_bind *bind, const vs_scope *s, body *b) {
   return ok || set ? ok : vs_fail_memory(bind->vm);
 }
 
-/* Returns true if a part of the triangle lies in the piece. Its sides move out by slack; a negative one moves them in,
- * except for pairs that are too close. */
+/* Returns true if a part of the triangle lies in the piece. The sides of the piece are first moved outwards by slack,
+ * or inwards if it is negative; pairs of sides that are too close are not moved inwards. */
 static bool triangle_meets(const piece *p, const vs_vec3 triangle[3], double slack) {
   vs_vec3 corner[2][16];
   size_t n = 3;
@@ -287,21 +289,21 @@ static bool surfaces_touch(const body *a, const body *b) {
   static const int face[6][4] = { { 0, 1, 3, 2 }, { 4, 5, 7, 6 }, { 0, 1, 5, 4 },
                                   { 2, 3, 7, 6 }, { 0, 2, 6, 4 }, { 1, 3, 7, 5 } };
   for (int i = 0; i < 6 && !b->flat; i++)
-    for (int k = 0; k < 2; k++) { /* the diagonals from 0 and 7, as of the tetrahedra */
+    for (int k = 0; k < 2; k++) { /* k = 0, 1: the diagonals from corners 0 and 7, as in the tetrahedra */
       const vs_vec3 t[3] = { b->corner[face[i][0]], b->corner[face[i][1 + k]], b->corner[face[i][2 + k]] };
       if (body_meets(a, t, slack)) return true;
     }
   return false;
 }
 
-/* Tests whether the point lies inside of the closed mesh of a body. */
+/* Sets *in if the point lies inside the closed mesh of b. If it fails, sets the condition and returns false. */
 static bool solid_holds(vs_bind *bind, const body *b, vs_vec3 p, bool *in) {
   vs_error e = { 0 };
   if (!b->solid || vs_inside_cached(&bind->inside, b->solid, p, in, &e)) return true;
   return e.kind == VS_ERROR_INTERRUPT ? false : vs_fail(bind->vm, bind->vm->sym.error, "%s", e.message);
 }
 
-/* Tests whether two bodies have a common point. Returns false with the condition set. */
+/* Sets *touch to whether the scopes a and b have a common point. If it fails, sets the condition and returns false. */
 static bool bodies_touch(vs_bind *bind, const body *a, const body *b, bool *touch) {
   *touch = surfaces_touch(a, b);
   if (*touch || !vs_bounds_overlap(&a->bounds, &b->bounds, fmax(a->slack, b->slack))) return true;
@@ -317,7 +319,7 @@ bool vs_scopes_touch(vs_bind *bind, const vs_scope *x, const vs_scope *y, bool *
   return ok;
 }
 
-/* ---- one object ---- */
+/* ---- tests with one object ---- */
 
 static const vs_bend_leaves *taken_apart(vs_surroundings *a, vs_ref object, vs_node **resolved) {
   size_t i = (size_t)(((uintptr_t)object.node >> 4) * UINT64_C(0x9E3779B97F4A7C15) >> 32) % KEPT;
@@ -333,7 +335,8 @@ static const vs_bend_leaves *taken_apart(vs_surroundings *a, vs_ref object, vs_n
   return &a->kept[i].leaves;
 }
 
-/* Returns true if a triangle or a segment of a curve meets the body, with its sides moved out by slack. */
+/* Returns true if a triangle of the part, or a segment of its curve, touches b, whose sides are moved outwards by
+ * slack. */
 static bool leaf_meets(const vs_bend_leaf *l, const vs_affine *map, const body *b, double slack) {
   const vs_mesh *m = &l->mesh;
   size_t count = !l->curve ? m->triangle_count : m->vertex_count - (l->closed ? 0 : m->vertex_count > 0);
@@ -357,7 +360,7 @@ static bool leaf_point(const vs_bend_leaf *l, const vs_affine *map, vs_vec3 *out
 typedef struct {
   vs_args *f;
   body body;
-  bool inside; /* the question is whether the body lies inside; otherwise whether it touches */
+  bool inside; /* true: asks whether the scope lies inside an object; false: whether it touches one */
   const char *flag;
   bool failed;
 } question;
@@ -370,8 +373,8 @@ static bool holds(question *q, const vs_node *n, vs_vec3 p) {
   return in;
 }
 
-/* Returns true if the object contains the points, each moved a little towards their middle, since a scope may lie on
- * the object's faces. */
+/* Returns true if the object contains all the points. Each is first moved a little towards their mean, since a scope
+ * may lie on the object's faces. */
 static bool holds_all(question *q, const vs_node *n, const vs_affine *back, const vs_vec3 *at, int count) {
   vs_vec3 middle = vs_v3(0, 0, 0);
   for (int i = 0; i < count; i++) middle = vs_v3_add(middle, vs_v3_scale(at[i], 1.0 / count));
@@ -383,7 +386,7 @@ static bool holds_all(question *q, const vs_node *n, const vs_affine *back, cons
   return all;
 }
 
-/* Returns true if the answer is yes for this object. */
+/* Returns true if the scope lies inside this object, or touches it, as the question asks. */
 static bool answers(question *q, vs_surroundings *a, vs_ref object) {
   vs_affine map = vs_affine_identity();
   vs_ref base = object;
@@ -413,9 +416,9 @@ static bool answers(question *q, vs_surroundings *a, vs_ref object) {
   return !meets && !q->failed;
 }
 
-/* ---- all objects ---- */
+/* ---- tests with all objects ---- */
 
-/* Adds the objects made since the last question to the tree. */
+/* Adds the objects created since the last question to the tree of bounds. */
 static bool catch_up(vs_derivation *d, vs_surroundings *a) {
   vs_error e = { 0 };
   for (size_t i = a->level[0].count; i < d->made_count; i++) {
@@ -440,7 +443,8 @@ static bool any_answers(question *q, vs_derivation *d) {
   if (!a || !catch_up(d, a)) return q->failed = true, false;
   int level = LEVELS - 1;
   size_t at = 0;
-  /* In order: down into a box that meets; otherwise to the next box, or up after the last one of a level. */
+  /* Visits the tree in order: enters a box that overlaps; otherwise continues with the next box, or the parent's next
+   * after the last of a level. */
   while (at < a->level[level].count) {
     const vs_bounds *box = &a->level[level].at[at];
     bool meet = !vs_bounds_is_empty(box) && vs_bounds_overlap(box, &q->body.bounds, q->body.slack);
@@ -458,7 +462,8 @@ static bool any_answers(question *q, vs_derivation *d) {
   return false;
 }
 
-/* Returns true if the body touches a waiting scope, which counts as the objects that will come from it. */
+/* Returns true if the scope touches a scope that waits for signals. The waiting scope counts as an object, since it
+ * will create objects there. */
 static bool any_waits(question *q, const vs_derivation *d) {
   bool touch = false;
   for (size_t i = 0; i < d->waiting_count && !q->inside && !touch && !q->failed; i++) {
@@ -493,8 +498,8 @@ static vs_status ask(vs_args *f, bool inside, vs_value *out) {
 vs_status vs_p_scope_touches(vs_args *f, vs_value *out) { return ask(f, false, out); }
 vs_status vs_p_scope_is_inside(vs_args *f, vs_value *out) { return ask(f, true, out); }
 
-/* (scope-overlap s other): returns two points in s's own coordinates, the corners of the intersection of s's box with
- * other's bounds along s's axes; or #f. */
+/* (scope-overlap s other): returns #f, or two points in the coordinates of s. They are the corners of the intersection
+ * of s's box with the bounds of `other` along the axes of s. */
 vs_status vs_p_scope_overlap(vs_args *f, vs_value *out) {
   vs_affine frame = vs_scope_frame(f->arg[0].scope), back;
   vs_vec3 size = vs_scope_size(f->arg[0].scope), corner[8];
@@ -515,9 +520,9 @@ vs_status vs_p_scope_overlap(vs_args *f, vs_value *out) {
   return VS_OK;
 }
 
-/* (scope-detail s #:width): returns the length of the scope's diagonal in pixels, on a picture of that width by the
- * drawing's camera. The distance is that of the scope's nearest point. +inf: the camera is in the scope, or there is no
- * camera. */
+/* (scope-detail s #:width): returns the length of the scope's diagonal in pixels, for a picture of this width by the
+ * drawing's camera. The length is that at the scope's nearest point. Returns +inf if the camera is in the scope, or
+ * there is no camera. */
 vs_status vs_p_scope_detail(vs_args *f, vs_value *out) {
   const vs_scene *scene = &f->bind->scene;
   vs_vec3 corner[8], middle = { 0, 0, 0 };

@@ -1,7 +1,8 @@
-/* Owns the turtle: moves and turns of its frame, its cross-section, and the hexahedra between two cross-sections.
+/* Implements the turtle: it moves and rotates its frame, changes its cross-section, and creates the hexahedra between
+ * two cross-sections.
  *
- * The frame's columns are left (x), up (y) and ahead (z). A yaw turns to the left, a pitch upwards, a roll to the right
- * about the heading, like an aircraft that banks. */
+ * The columns of the frame are left (x), up (y) and ahead (z). A yaw rotates to the left, a pitch upwards, and a roll
+ * to the right about the direction ahead, as an aircraft banks. */
 #include "bind/call/call.h"
 #include "bind/rules/derivation.h"
 
@@ -24,7 +25,7 @@ vs_status vs_p_turtle_forward(vs_args *f, vs_value *out) {
   return vs_bind_give_scope(f->vm, s, out);
 }
 
-/* Turns about the turtle's own axis, through its position. */
+/* Rotates the turtle about one of its own axes, through its position. */
 static vs_status turned(vs_args *f, int axis, double angle, vs_value *out) {
   vs_scope *s = changed(f);
   if (!s) return VS_ERROR;
@@ -50,7 +51,7 @@ vs_status vs_p_turtle_height(vs_args *f, vs_value *out) {
   return vs_bind_give_scope(f->vm, s, out);
 }
 
-/* Tropism: turns the heading towards the vector, by the strength times the angle between them. */
+/* Rotates the direction ahead towards the vector (tropism), by the strength times the angle between them. */
 vs_status vs_p_turtle_toward(vs_args *f, vs_value *out) {
   vs_scope *s = changed(f);
   if (!s) return VS_ERROR;
@@ -64,7 +65,7 @@ vs_status vs_p_turtle_toward(vs_args *f, vs_value *out) {
   return vs_bind_give_scope(f->vm, s, out);
 }
 
-/* Makes the cross-section the back of the next hexahedron. */
+/* Makes the current cross-section the back of the next hexahedron. */
 vs_status vs_p_turtle_back(vs_args *f, vs_value *out) {
   vs_scope *s = changed(f);
   if (!s) return VS_ERROR;
@@ -73,7 +74,7 @@ vs_status vs_p_turtle_back(vs_args *f, vs_value *out) {
   return vs_bind_give_scope(f->vm, s, out);
 }
 
-/* Makes the cross-section the front of a hexahedron, to which the rule applies. */
+/* Makes the current cross-section the front of a hexahedron, and applies the rule to it. */
 vs_status vs_p_turtle_front(vs_args *f, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   if (!vs_rules_class(f, 0, TURTLE)) return VS_ERROR;

@@ -1,7 +1,7 @@
-/* Owns the natives of the scene: matrices, rays, and the drawing of a node.
+/* Implements the natives of the scene: matrices, rays, and the drawings of nodes.
  *
- * There is one current drawing, to which `draw` adds. When the focus moves to another node, drawing_swap returns the
- * objects of the old node as a list, and the objects of the new one become the drawing. */
+ * At any time there is one drawing, to which `draw` adds. When another node gets the focus, drawing_swap returns the
+ * objects of the drawing as a list for the old node, and replaces them by the objects of the new node. */
 #include "bind/scene/node_natives.h"
 
 #include <math.h>
@@ -30,7 +30,7 @@ const vs_native_table *const *vs_nodes_tables(void) {
   return tables;
 }
 
-/* ---- frames ---- */
+/* ---- matrices of nodes ---- */
 
 static const double degree = 3.141592653589793 / 180;
 
@@ -41,8 +41,8 @@ static vs_status give_matrix(vs_scheme *vm, const vs_affine *m, vs_value *out) {
   return vs_make_flat(vm, VS_FLAT_MATRIX, d, 16, out);
 }
 
-/* translate rotate scale, gvectors: returns the matrix that scales, then turns about X, Y and Z in this order, then
- * moves. */
+/* (translate rotate scale), three gvectors: returns the matrix that scales, then rotates about X, Y and Z in this
+ * order, then moves. */
 static vs_status node_matrix(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   const double *t = vs_as_flat(a[0])->at, *r = vs_as_flat(a[1])->at, *s = vs_as_flat(a[2])->at;
@@ -57,8 +57,8 @@ static vs_status node_matrix(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return give_matrix(vm, &m, out);
 }
 
-/* The inverse of node_matrix: returns a list of translate, rotate and scale that give the matrix; #f if its columns are
- * not perpendicular or one of them is 0. A mirror goes into the scale along X. */
+/* Inverts node_matrix: returns a list of translate, rotate and scale that results in the given matrix. Returns #f if
+ * its columns are not perpendicular, or one is 0. If the matrix mirrors, the scale along X is negative. */
 static vs_status matrix_parts(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   vs_affine m = vs_bind_take_matrix(vs_as_flat(a[0])->at);
@@ -73,7 +73,8 @@ static vs_status matrix_parts(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
   if (flat > 1e-12) {
     r[0] = atan2(column[1].z, column[2].z) / degree;
     r[2] = atan2(column[0].y, column[0].x) / degree;
-  } else r[0] = atan2(-column[2].y, column[1].y) / degree; /* X is vertical: turns about X and Z are the same */
+  } else r[0] = atan2(-column[2].y, column[1].y) / degree; /* X is vertical: rotations about X and Z have the same
+                                                            * axis */
   const double *const parts[3] = { t, r, s };
   VS_ROOTS(vm, root, 2);
   root[0] = VS_NIL;
@@ -84,7 +85,7 @@ static vs_status matrix_parts(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
   return VS_OK;
 }
 
-/* matrix point: returns the point moved by the matrix. */
+/* (matrix point): returns the point mapped by the matrix. */
 static vs_status matrix_point(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   vs_affine m = vs_bind_take_matrix(vs_as_flat(a[0])->at);
@@ -94,17 +95,17 @@ static vs_status matrix_point(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
   return vs_make_flat(vm, VS_FLAT_POINT, at, 3, out);
 }
 
-/* ---- picking ---- */
+/* ---- rays that pick objects ---- */
 
 static vs_status fail_ray(vs_scheme *vm, const vs_error *e) {
-  if (e->kind == VS_ERROR_INTERRUPT) return VS_ERROR; /* the condition is set */
+  if (e->kind == VS_ERROR_INTERRUPT) return VS_ERROR; /* the condition is already set */
   if (e->kind == VS_ERROR_MEMORY) return vs_fail_memory(vm);
   return vs_fail(vm, vm->sym.error, "%s", *e->message ? e->message : "the ray's hits cannot be computed");
 }
 
-/* object matrix from direction: intersects the ray, in the world's coordinates, with the object, placed by the matrix.
- * Returns #f for no hit, (lengths . #f) with the distance in lengths of direction, or (lengths file line column) if the
- * object's origin is known. */
+/* (object matrix from direction): intersects a ray with the object, placed by the matrix. Returns #f if it misses.
+ * Otherwise returns (distance . #f), or (distance file line column) if the object's origin is known. The distance is a
+ * multiple of the length of direction. */
 static vs_status ray_meets(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   vs_affine m = vs_bind_take_matrix(vs_as_flat(a[1])->at), back;
@@ -112,7 +113,7 @@ static vs_status ray_meets(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   vs_ray_hit hit;
   vs_error e = { 0 };
   *out = VS_FALSE;
-  if (!vs_affine_invert(&m, &back)) return VS_OK; /* flat: no ray meets it */
+  if (!vs_affine_invert(&m, &back)) return VS_OK; /* a singular matrix makes the object flat: no ray hits it */
   vs_vec3 from = vs_affine_point(&back, vs_v3(p[0], p[1], p[2]));
   vs_vec3 direction = vs_affine_vector(&back, vs_v3(d[0], d[1], d[2]));
   if (!vs_ray_meets(vm, vs_bind_take_ref(a[0]), from, direction, &hit, &e)) return fail_ray(vm, &e);
@@ -142,8 +143,8 @@ static vs_status drawing_list(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
   return VS_OK;
 }
 
-/* Called before the root's drawing is replaced. Marks returned objects as shown if they are in the drawing, themselves
- * or all their parts; a program does not throw these away. When memory is out, it marks none. */
+/* Called before the drawing of the root is replaced. A program does not throw away an object that it has drawn, itself
+ * or all its parts. Marks such objects among the top-level values. When memory is out, marks none. */
 static void was_shown(vs_bind *b) {
   if (b->returned_count == 0 || b->scene.drawn_count == 0) return;
   vs_nodemap all = { .store = b->store };
@@ -152,22 +153,23 @@ static void was_shown(vs_bind *b) {
     known = vs_nodemap_put(&all, b->scene.drawn[i].node, NULL) != NULL;
   for (size_t i = 0; known && i < b->returned_count; i++) {
     const vs_node *n = b->returned[i].node;
-    bool parts = n->kind == VS_UNION; /* (draw a list) returns the union */
+    bool parts = n->kind == VS_UNION; /* a union: (draw a list) draws the parts and returns their union */
     for (uint32_t k = 0; parts && k < n->child_count; k++) parts = vs_nodemap_get(&all, n->children[k].node) != NULL;
     if (parts || vs_nodemap_get(&all, n)) b->returned[i].shown = true;
   }
   vs_nodemap_free(&all);
 }
 
-/* objects, a list: become the drawing; away: it is not the root's. Returns the old drawing. */
+/* (objects away): replaces the drawing by a list of objects, and returns the old drawing. away: whether the new drawing
+ * is not the root's. */
 static vs_status drawing_swap(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   vs_bind *b = vs_bind_of(vm);
   VS_ROOTS(vm, r, 1);
   if (!drawing_list(vm, a, n, &r[0])) return VS_ERROR;
   size_t before = b->scene.drawn_count, kept = 0;
   if (!b->away && a[1] == VS_FALSE) was_shown(b);
-  for (vs_value l = a[0]; vs_is_pair(l); l = vs_cdr(l)) /* appended after the old objects, so that a failure loses
-                                                         * nothing */
+  for (vs_value l = a[0]; vs_is_pair(l); l = vs_cdr(l)) /* added after the old objects, so that these remain if it
+                                                         * fails */
     if (!vs_scene_draw(&b->scene, vs_bind_take_ref(vs_car(l)))) {
       while (b->scene.drawn_count > before) vs_node_release(b->scene.drawn[--b->scene.drawn_count].node);
       return vs_fail_memory(vm);
@@ -179,19 +181,19 @@ static vs_status drawing_swap(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
   if (b->drawn_last) b->drawn_away = b->drawn_last;
   b->drawn_last = NULL;
   b->away = a[1] != VS_FALSE;
-  b->drew = b->drew || (!b->away && kept > 0); /* node-setdrawing may give the root a drawing without a call of draw */
+  b->drew = b->drew || (!b->away && kept > 0); /* node-setdrawing can set the root's drawing without a call of draw */
   *out = r[0];
   return VS_OK;
 }
 
-/* ---- new programs ---- */
+/* ---- starting new programs ---- */
 
 static vs_status new_program(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)a, (void)n;
   return vs_program_new(vm, out);
 }
 
-/* environment name: returns whether the program itself has given the name a value. */
+/* (environment name): returns whether the program itself has defined the name. */
 static vs_status program_defines(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)vm, (void)n;
   vs_meaning m = vs_environment_find(a[0], a[1]);
@@ -199,7 +201,7 @@ static vs_status program_defines(vs_scheme *vm, vs_value *a, int n, vs_value *ou
   return VS_OK;
 }
 
-/* ---- the host's procedures ---- */
+/* ---- calling the host's procedures ---- */
 
 static vs_status host_call(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   vs_bind *b = vs_bind_of(vm);
@@ -207,23 +209,23 @@ static vs_status host_call(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return b->host_call(vm, a, n, out);
 }
 
-/* ---- handing over ---- */
+/* ---- passing the scene to the session ---- */
 
-enum { HOST_SCENE = 4 }; /* the place where nodes.scm stores its procedure at the first node */
+enum { HOST_SCENE = 4 }; /* index in at.host where nodes.scm stores its procedure when the first node is created */
 
 bool vs_nodes_are_there(const vs_bind *b) {
   vs_value host = b->vm->at.host;
   return vs_is_vector(host) && vs_as_vector(host)->at[HOST_SCENE] != VS_FALSE;
 }
 
-/* Reads the field of an accessor of nodes.scm. Returns false if v is no record of its type. */
+/* Calls an accessor of nodes.scm on v without the run loop. Returns false if v is no record of its type. */
 static bool read_field(vs_scheme *vm, const char *accessor, vs_value v, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   if (!vs_intern_c(vm, accessor, &r[0])) return false;
   r[0] = vs_environment_value(vm->at.core, r[0]);
   int64_t fuel = vm->fuel;
-  vm->fuel = 2; /* enough for a call from outside of the run loop */
-  vs_value arguments[2] = { v, VS_UNSPECIFIC }; /* room for a modifier's second argument, which this call lacks */
+  vm->fuel = 2; /* just enough steps for a call from outside of the run loop */
+  vs_value arguments[2] = { v, VS_UNSPECIFIC }; /* the second argument is for a modifier, and is unused here */
   bool ok = vs_is(r[0], VS_T_CLOSURE) && vs_record_call(vm, r[0], arguments, 1, out);
   vm->fuel = fuel;
   return ok;
@@ -232,7 +234,7 @@ static bool read_field(vs_scheme *vm, const char *accessor, vs_value v, vs_value
 bool vs_node_read(vs_scheme *vm, vs_value v, vs_node_part part, vs_value *out) {
   static const char *const accessors[] = { [VS_NODE_NAME] = "%node-name", [VS_NODE_PARENT] = "%node-parent",
                                            [VS_NODE_CHILDREN] = "%node-children" };
-  VS_ROOTS(vm, r, 3); /* the part, the list, a child */
+  VS_ROOTS(vm, r, 3); /* roots: the part, the list, a child */
   vs_value of;
   *out = VS_FALSE;
   if (!read_field(vm, accessors[part], v, &r[0])) return false;

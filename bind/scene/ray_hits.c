@@ -1,7 +1,7 @@
-/* Owns the intersection of a ray with an object.
+/* Computes where a ray hits an object.
  *
- * A ray that misses the object's bounds needs no mesh. Otherwise, solids are evaluated to one mesh whose triangles have
- * their origins, and surfaces are tessellated one after the other; the nearest triangle is the hit. */
+ * If the ray misses the object's bounds, no mesh is computed. Otherwise, all solids are evaluated to one mesh whose
+ * triangles have origins, surfaces are tessellated one by one, and the nearest triangle is the hit. */
 #include "bind/scene/ray_hits.h"
 
 #include <math.h>
@@ -15,7 +15,7 @@
 #include "solids/resolve.h"
 #include "solids/solid_meshes.h"
 
-/* Returns the number of the nearest triangle that the ray meets; count if it meets none. */
+/* A ray, by its start and direction. */
 typedef struct { vs_vec3 from, direction; } ray;
 
 static size_t meets_mesh(const vs_mesh *m, const ray *r, double *at) {

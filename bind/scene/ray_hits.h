@@ -1,16 +1,17 @@
-/* Owns the interface of ray_hits.c: the first hit of a ray on solids and surfaces, by triangles as fine as those of
- * measures. */
+/* Declares the first hit of a ray on solids and surfaces, computed by ray_hits.c with the triangles that measures
+ * use. */
 #ifndef VS_BIND_SCENE_RAY_HITS_H
 #define VS_BIND_SCENE_RAY_HITS_H
 
 #include "model/node.h"
 #include "vm/machine/native.h"
 
-/* A hit: after `at` lengths of the ray's direction, on a part made at origin (NULL: not known). at INFINITY: no hit. */
+/* A hit. at: distance from the ray's start, as a multiple of the length of its direction; INFINITY if there is no hit.
+ * origin: of the part that was hit, or NULL if it is unknown. */
 typedef struct { double at; const vs_origin *origin; } vs_ray_hit;
 
-/* Computes the nearest hit at or after `from`; tests the object's bounds first. Ignores curves and regions. Returns
- * false with the reason in *e; an empty *e: the condition is set. */
+/* Computes the nearest hit at or after `from`. Curves and regions are ignored. If it fails, returns false and sets *e,
+ * or leaves *e empty if the condition is already set. */
 bool vs_ray_meets(vs_scheme *vm, vs_ref object, vs_vec3 from, vs_vec3 direction, vs_ray_hit *hit, vs_error *e);
 
 #endif

@@ -1,4 +1,4 @@
-/* Owns questions about places along a curve, and pipes. */
+/* Implements questions about points along a curve, and pipes. */
 #include "bind/shapes/along_curves.h"
 
 #include <stdio.h>
@@ -29,7 +29,8 @@ vs_status vs_bind_stations(vs_args *f, int i, vs_stations *out) {
   return vs_stations_open(curve, &facets, out, &e) ? VS_OK : vs_bind_error(f->vm, &e);
 }
 
-/* Computes the station at the distance of argument 1; distances go round a closed curve several times. */
+/* Computes the point and frame (station) at the distance in argument 1. On a closed curve, the distance may exceed its
+ * length. */
 static vs_status station(vs_args *f, vs_station *out) {
   vs_stations s;
   double at = f->arg[1].real;
@@ -80,7 +81,7 @@ vs_status vs_p_curve_division(vs_args *f, vs_value *out) {
   if (!vs_bind_stations(f, 0, &s)) return VS_ERROR;
   bool ok = true;
   r[1] = VS_NIL;
-  for (int64_t i = n; ok && i >= 0; i--) { /* the end of a closed curve equals its start to the last bit */
+  for (int64_t i = n; ok && i >= 0; i--) { /* the end of a closed curve is exactly its start */
     vs_station at = vs_station_at(&s, s.path.closed && i == n ? 0 : s.length * (double)i / (double)n);
     ok = vs_bind_give_point(f, at.at, &r[0]) && vs_cons(f->vm, r[0], r[1], &r[1]) && vs_poll(f->vm, 64);
   }
@@ -89,7 +90,7 @@ vs_status vs_p_curve_division(vs_args *f, vs_value *out) {
   return ok ? VS_OK : VS_ERROR;
 }
 
-/* ---- walks: curves with many questions ---- */
+/* ---- curve walks: sampled curves for many questions ---- */
 
 static void walk_free(void *p) {
   vs_stations_close(p);
@@ -97,7 +98,7 @@ static void walk_free(void *p) {
 }
 static const vs_foreign_type walk_type = { .name = "a curve's places", .release = walk_free };
 
-/* (%curve-walk c) */
+/* (%curve-walk c): returns the sampled curve. */
 vs_status vs_p_curve_walk(vs_args *f, vs_value *out) {
   vs_stations *s = NULL;
   size_t room = 0;
@@ -106,8 +107,8 @@ vs_status vs_p_curve_walk(vs_args *f, vs_value *out) {
   return vs_make_foreign(f->vm, &walk_type, s, 0, out);
 }
 
-/* Returns the place at the share arg[1] of the length of the walk arg[0]. *along: the length straight on beyond the
- * curve's end; negative before its start, 0 on the curve. A closed curve goes round. */
+/* Returns the station at the fraction arg[1] of the length of curve walk arg[0]. Sets *along to the length by which the
+ * point lies beyond an end of an open curve: negative before the start, 0 on the curve. A closed curve is repeated. */
 static vs_station walk_station(const vs_args *f, double *along) {
   const vs_stations *w = vs_foreign_get(f->arg[0].value, &walk_type);
   double share = f->arg[1].real;
@@ -117,22 +118,23 @@ static vs_station walk_station(const vs_args *f, double *along) {
   return vs_station_at(w, within * w->length);
 }
 
-/* Returns the point at arg[2] along x, arg[3] along y and `along` along the tangent from the place s. */
+/* Sets *out to the point at distance arg[2] along x, arg[3] along y and `along` along the tangent from the station
+ * s. */
 static vs_status walk_point(vs_args *f, const vs_station *s, vs_vec3 x, vs_vec3 y, double along, vs_value *out) {
   vs_vec3 across = vs_v3_add(vs_v3_scale(x, f->arg[2].real), vs_v3_scale(y, f->arg[3].real));
   return vs_bind_give_point(f, vs_v3_add(vs_v3_add(s->at, vs_v3_scale(s->tangent, along)), across), out);
 }
 
-/* (%walk-place walk s x y): returns the point x and y across the curve at the share s of its length; beyond an open
- * curve's ends, on its tangent. */
+/* (%walk-place walk s x y): returns the point at distances x and y across the curve, at the fraction s of its length.
+ * Beyond the ends of an open curve, follows the tangents. */
 vs_status vs_p_walk_place(vs_args *f, vs_value *out) {
   double along;
   vs_station s = walk_station(f, &along);
   return walk_point(f, &s, s.across, vs_v3_cross(s.tangent, s.across), along, out);
 }
 
-/* (%walk-upright walk s x y up): the same with y perpendicular to the curve and nearest `up`, and x to the left of the
- * direction of travel; #f if the curve is parallel to `up`. */
+/* (%walk-upright walk s x y up): like %walk-place, but y is perpendicular to the curve and nearest `up`, and x points
+ * to the left of the direction of travel. Returns #f if the curve is parallel to `up`. */
 vs_status vs_p_walk_upright(vs_args *f, vs_value *out) {
   double along;
   vs_station s = walk_station(f, &along);
@@ -142,7 +144,7 @@ vs_status vs_p_walk_upright(vs_args *f, vs_value *out) {
   return walk_point(f, &s, vs_v3_cross(y, s.tangent), y, along, out);
 }
 
-/* ---- pipes ---- */
+/* ---- pipes along a curve ---- */
 
 enum { AROUND = 128, RINGS = 192 };
 
@@ -156,7 +158,7 @@ static bool pipe_open(vs_args *f, vs_pipe *p, vs_error *e) {
   return vs_pipe_open(curve, segments ? segments : RINGS, tolerance, p, e);
 }
 
-/* (%pipe-places c segments): returns the places of a pipe's rings, as shares of the length from 0 to 1. */
+/* (%pipe-places c segments): returns the places of a pipe's rings, as fractions of the length from 0 to 1. */
 vs_status vs_p_pipe_places(vs_args *f, vs_value *out) {
   vs_error e = { 0 };
   vs_pipe p;
@@ -171,7 +173,7 @@ vs_status vs_p_pipe_places(vs_args *f, vs_value *out) {
   return ok ? VS_OK : VS_ERROR;
 }
 
-/* (%make-pipe c segments radii): makes a ring of each radius at these places. */
+/* (%make-pipe c segments radii): creates a pipe; each of the radii is that of a ring at these places. */
 vs_status vs_p_make_pipe(vs_args *f, vs_value *out) {
   vs_error e = { 0 };
   vs_pipe p;
@@ -186,7 +188,8 @@ vs_status vs_p_make_pipe(vs_args *f, vs_value *out) {
   for (size_t i = 0; ok && i < n; i++, l = vs_cdr(l))
     ok = vs_is_pair(l) && vs_bind_take_number(f->vm, vs_car(l), &radius[i]);
   bool turns = ok && !vs_pipe_rings(&p, radius, around, grid + caps * around, &at);
-  for (size_t k = 0; ok && caps && k < around; k++) { /* the ends are flat: a row of one point closes each */
+  for (size_t k = 0; ok && caps && k < around; k++) { /* a row whose points are all equal closes each end, which is
+                                                       * flat */
     grid[k] = vs_station_at(&p.stations, 0).at;
     grid[(n + 1) * around + k] = vs_station_at(&p.stations, p.stations.length).at;
   }

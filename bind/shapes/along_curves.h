@@ -1,4 +1,4 @@
-/* Owns the interface of along_curves.c: the stations of a curve, for the natives of this folder. */
+/* Declares the stations of a curve for other natives of this folder, implemented in along_curves.c. */
 #ifndef VS_BIND_SHAPES_ALONG_CURVES_H
 #define VS_BIND_SHAPES_ALONG_CURVES_H
 
@@ -7,8 +7,8 @@
 
 typedef struct vs_args vs_args;
 
-/* Opens argument i, a curve, sampled to a millionth of its size. Returns VS_ERROR with the error set, and with nothing
- * to close. */
+/* Samples the curve in argument i to a millionth of its size. If it fails, sets the error and returns VS_ERROR; nothing
+ * must then be closed. */
 vs_status vs_bind_stations(vs_args *f, int i, vs_stations *out);
 
 #endif

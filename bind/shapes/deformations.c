@@ -1,4 +1,4 @@
-/* Owns the natives of do-deform: the deformation of an object by a map, which Scheme or a tape computes. */
+/* Implements the natives of do-deform, which deforms an object by a map. The map is a Scheme procedure or a tape. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -21,8 +21,8 @@ enum { ROUNDS = 14, PART_OF_SIZE = 8 };
 typedef struct {
   vs_bind *bind;
   vs_bend_leaves leaves;
-  vs_bending **at;  /* one for each leaf */
-  size_t room, now; /* the number of the current leaf */
+  vs_bending **at;  /* deformation of each leaf (part) of the object */
+  size_t room, now; /* now: number of the current leaf */
 } deformation;
 
 static void deformation_free(void *p) {
@@ -35,7 +35,7 @@ static void deformation_free(void *p) {
 static const vs_foreign_type deformation_type = { .name = "a deformation", .release = deformation_free };
 static deformation *given(vs_args *f) { return vs_foreign_get(f->arg[0].value, &deformation_type); }
 
-/* (%deform o): begins the deformation of the object, taken apart. */
+/* (%deform o): begins to deform the object, and divides it into leaves. */
 vs_status vs_p_deform(vs_args *f, vs_value *out) {
   deformation *d = NULL;
   size_t one = 0;
@@ -56,7 +56,7 @@ vs_status vs_p_deform(vs_args *f, vs_value *out) {
   return vs_make_foreign(f->vm, &deformation_type, d, 0, out);
 }
 
-/* (%deform-wanted d): returns a list of points whose images the deformation needs next; () at the end. */
+/* (%deform-wanted d): returns a list of points whose images are needed next, or () at the end. */
 vs_status vs_p_deform_wanted(vs_args *f, vs_value *out) {
   deformation *d = given(f);
   VS_ROOTS(f->vm, r, 2);
@@ -72,14 +72,14 @@ vs_status vs_p_deform_wanted(vs_args *f, vs_value *out) {
   return VS_OK;
 }
 
-/* (%deform-give d images): takes as many images as there were points. */
+/* (%deform-give d images): stores the images of the points that %deform-wanted returned last. */
 vs_status vs_p_deform_give(vs_args *f, vs_value *out) {
   deformation *d = given(f);
   (void)out;
   return vs_bending_give(d->at[d->now], f->arg[1].points.at) ? VS_OK : vs_fail_memory(f->vm);
 }
 
-/* (%deform-by-tape d t): computes all images by a tape of three inputs and outputs; returns #t, or a point at which the
+/* (%deform-by-tape d t): computes all images by a tape with three inputs and outputs. Returns #t, or a point where the
  * tape has no value. */
 vs_status vs_p_deform_by_tape(vs_args *f, vs_value *out) {
   deformation *d = given(f);

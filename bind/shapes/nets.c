@@ -1,5 +1,5 @@
-/* Owns the natives of form-find and similar procedures, with a program's lists as nets of points and members, which
- * nets.scm checks; and triangulations and Voronoi cells of points in a plane. */
+/* Implements the natives of form-find and similar procedures, which nets.scm calls with checked arguments: nets of
+ * points and members are flat lists. Also implements triangulations and Voronoi cells of points in a plane. */
 
 #include <math.h>
 #include <stdio.h>
@@ -23,7 +23,7 @@
 #include "geometry/plane/voronoi.h"
 #include "vm/machine/fail.h"
 
-/* Returns the next number of a list; nets.scm has checked the list. */
+/* Returns the next number of a list, which nets.scm has checked, and advances *l. */
 static double next(vs_scheme *vm, vs_value *l) {
   double d = 0;
   if (!vs_is_pair(*l)) return 0;
@@ -63,16 +63,16 @@ static vs_status unsettled(vs_args *f, vs_relax_outcome outcome, const vs_relax_
     return vs_fail(f->vm, f->vm->sym.range,
                    "no equilibrium was found in %zu steps: a share of %s of the forces is not balanced", report->steps,
                    a);
-  case VS_RELAX_STOPPED: return VS_ERROR; /* the condition is set */
+  case VS_RELAX_STOPPED: return VS_ERROR; /* the condition is already set */
   case VS_RELAX_MEMORY:
   case VS_RELAX_DONE: break;
   }
   return vs_fail_memory(f->vm);
 }
 
-/* (%form-find points members fixed loads weight stiffness tolerance): returns the list of points, the members' forces,
- * the residual and the number of steps. members: a flat list of numbers. Each member has four: from, to (from 0),
- * length and density. loads: gvectors. */
+/* (%form-find points members fixed loads weight stiffness tolerance): returns the list of points, the forces of the
+ * members, the residual and the number of steps. members is a flat list of four numbers each: from, to (indices from
+ * 0), length, density. loads are gvectors. */
 vs_status vs_p_form_find(vs_args *f, vs_value *out) {
   size_t n = f->arg[0].points.count;
   vs_value l = f->arg[1].value;
@@ -111,8 +111,8 @@ vs_status vs_p_form_find(vs_args *f, vs_value *out) {
   return ok && vs_cons(f->vm, r[0], r[1], &r[1]) && point_list(f, net.at, n, &r[2]) && vs_cons(f->vm, r[2], r[1], out);
 }
 
-/* (%planarise points faces fixed tolerance): returns the moved points, and the largest distance of a corner from its
- * face. faces: a flat list of numbers: the number of corners, then these, from 0. */
+/* (%planarise points faces fixed tolerance): returns the moved points, and the greatest distance of a corner from the
+ * plane of its face. faces is a flat list: for each face the number of its corners, then their indices from 0. */
 vs_status vs_p_planarise(vs_args *f, vs_value *out) {
   size_t n = f->arg[0].points.count, corners = 0, faces = 0;
   int64_t numbers = vs_list_length(f->arg[1].value);
@@ -141,7 +141,7 @@ vs_status vs_p_planarise(vs_args *f, vs_value *out) {
   vs_plane_outcome outcome = vs_net_planarise(&net, f->arg[3].real, work, &worst);
   VS_ROOTS(f->vm, r, 2);
   switch (outcome) {
-  case VS_PLANE_STOPPED: return VS_ERROR; /* the condition is set */
+  case VS_PLANE_STOPPED: return VS_ERROR; /* the condition is already set */
   case VS_PLANE_MEMORY: return vs_fail_memory(f->vm);
   case VS_PLANE_FAR: {
     char text[32];
@@ -156,7 +156,7 @@ vs_status vs_p_planarise(vs_args *f, vs_value *out) {
          vs_cons(f->vm, r[0], r[1], out);
 }
 
-/* (%shortest-path ways n from to): returns the numbers of the points on the way, from 0; ways: a flat list, three
+/* (%shortest-path ways n from to): returns the indices, from 0, of the points on the path. ways is a flat list of three
  * numbers each. */
 vs_status vs_p_shortest_path(vs_args *f, vs_value *out) {
   int64_t numbers = vs_list_length(f->arg[0].value);
@@ -183,11 +183,11 @@ vs_status vs_p_shortest_path(vs_args *f, vs_value *out) {
   return ok ? VS_OK : VS_ERROR;
 }
 
-/* The region that an argument is, as loops in its own plane; zeroed is empty. */
+/* A region or closed curve of an argument, as loops in its own plane. If all bytes are zero, it is empty. */
 typedef struct {
-  vs_outline outline; /* in space, with the frame of its plane */
-  vs_affine back;     /* into that frame */
-  vs_area whole;      /* in the frame */
+  vs_outline outline; /* the loops in space, with the frame of their plane */
+  vs_affine back;     /* the map from space to the frame of the plane */
+  vs_area whole;      /* the area in coordinates of the plane */
 } flat_region;
 
 static void flat_region_free(flat_region *r) {
@@ -195,8 +195,8 @@ static void flat_region_free(flat_region *r) {
   vs_outline_free(&r->outline);
 }
 
-/* Flattens the region or closed curve of argument i, as fine as the program asks, else `finer` times as fine as the
- * drawing rule. Fails with the condition set; the caller frees *out only after a success. */
+/* Samples the region or closed curve of argument i, and maps it to its plane. The fineness is that of the program, or
+ * `finer` times that of drawings. If it fails, sets the condition; the caller must then not free *out. */
 static bool flatten(vs_args *f, int i, double finer, flat_region *out) {
   vs_error e = { 0 };
   vs_bounds b;
@@ -215,7 +215,7 @@ static bool flatten(vs_args *f, int i, double finer, flat_region *out) {
   return vs_fail_memory(f->vm);
 }
 
-/* (%pack-circles region n least gap): returns a list of pairs, centre and radius, the largest first. */
+/* (%pack-circles region n least gap): returns a list of pairs (centre . radius), from the largest circle. */
 vs_status vs_p_pack_circles(vs_args *f, vs_value *out) {
   flat_region g;
   size_t n = (size_t)f->arg[1].integer, count = 0;
@@ -236,7 +236,7 @@ vs_status vs_p_pack_circles(vs_args *f, vs_value *out) {
   return ok ? VS_OK : VS_ERROR;
 }
 
-/* ---- tilings ---- */
+/* ---- triangulations and Voronoi cells ---- */
 
 static vs_vec2 *flat_points(vs_args *f, const vs_affine *to_plane) {
   size_t n = f->arg[0].points.count;
@@ -248,7 +248,7 @@ static vs_vec2 *flat_points(vs_args *f, const vs_affine *to_plane) {
   return flat;
 }
 
-/* (delaunay points): returns triangles as lists of three of the points, counterclockwise from above. */
+/* (delaunay points): returns the triangles as lists of three points, counterclockwise seen from above. */
 vs_status vs_p_delaunay(vs_args *f, vs_value *out) {
   size_t n = f->arg[0].points.count, count;
   vs_affine identity = vs_affine_identity();
@@ -272,7 +272,7 @@ vs_status vs_p_delaunay(vs_args *f, vs_value *out) {
   return ok ? VS_OK : VS_ERROR;
 }
 
-/* Returns a region node for an area of the plane, with polylines as loops. NULL: out of memory. */
+/* Returns a node for an area of the plane: a region bounded by polylines. Returns NULL when memory is out. */
 static vs_node *region_of(vs_args *f, const vs_area *a, const vs_affine *frame) {
   vs_store *s = f->store;
   if (!a->loop_count) return vs_node_new(s, VS_EMPTY, &(struct vs_empty){ 0 }, NULL, 0);
@@ -290,7 +290,7 @@ static vs_node *region_of(vs_args *f, const vs_area *a, const vs_affine *frame) 
   return loops && at ? vs_node_new(s, VS_REGION, &(struct vs_region){ 0 }, loops, a->loop_count) : NULL;
 }
 
-/* (voronoi points region): returns a region for each point, in order; empty if the cell lies outside of the region. */
+/* (voronoi points region): returns a region for each point, in order. A cell outside of the given region is empty. */
 vs_status vs_p_voronoi(vs_args *f, vs_value *out) {
   size_t n = f->arg[0].points.count;
   vs_error e = { 0 };

@@ -1,5 +1,5 @@
-/* Owns the natives for intersections and nearest points: curve-intersections, the questions of probes.scm about an
- * object's triangles, and the distance from a solid as a field. */
+/* Implements the natives for intersections and nearest points: curve-intersections, the probes of probes.scm, and the
+ * distance from a solid as a field. */
 
 #include <math.h>
 #include <stdlib.h>
@@ -22,9 +22,9 @@
 #include "model/store/array.h"
 #include "solids/solid_meshes.h"
 
-/* ---- curves with curves ---- */
+/* ---- intersections of curves ---- */
 
-/* (curve-intersections a b): returns points in the order of a. */
+/* (curve-intersections a b): returns the common points of two curves, in order along a. */
 vs_status vs_p_curve_intersections(vs_args *f, vs_value *out) {
   vs_stations a, b;
   vs_meeting *found = NULL;
@@ -51,7 +51,7 @@ vs_status vs_p_curve_intersections(vs_args *f, vs_value *out) {
   return ok ? VS_OK : VS_ERROR;
 }
 
-/* ---- probes: objects with many questions ---- */
+/* ---- probes: meshes of objects for many questions ---- */
 
 typedef struct {
   vs_mesh mesh;
@@ -70,7 +70,7 @@ static void probe_free(void *p) {
 }
 static const vs_foreign_type probe_type = { .name = "an object's triangles", .release = probe_free };
 
-/* (%probe o) */
+/* (%probe o): returns a probe of the solid or surface. */
 vs_status vs_p_probe(vs_args *f, vs_value *out) {
   probe *w = NULL;
   size_t room = 0;
@@ -90,7 +90,7 @@ vs_status vs_p_probe(vs_args *f, vs_value *out) {
   return vs_make_foreign(f->vm, &probe_type, w, 0, out);
 }
 
-/* (%probe-near probe p): returns the point of the triangles that is nearest to p. */
+/* (%probe-near probe p): returns the point on the triangles nearest to p. */
 vs_status vs_p_probe_near(vs_args *f, vs_value *out) {
   const probe *w = vs_foreign_get(f->arg[0].value, &probe_type);
   vs_vec3 p = f->arg[1].point, slope = { 0, 0, 0 };
@@ -98,7 +98,7 @@ vs_status vs_p_probe_near(vs_args *f, vs_value *out) {
   return vs_bind_give_point(f, vs_v3_sub(p, vs_v3_scale(slope, d)), out);
 }
 
-/* (%probe-ray probe p v): returns the first hit of the ray from p along v, or #f. */
+/* (%probe-ray probe p v): returns the first point where the ray from p along v hits the triangles, or #f. */
 vs_status vs_p_probe_ray(vs_args *f, vs_value *out) {
   const probe *w = vs_foreign_get(f->arg[0].value, &probe_type);
   vs_vec3 p = f->arg[1].point, v = vs_v3_unit(f->arg[2].point);
@@ -108,14 +108,14 @@ vs_status vs_p_probe_ray(vs_args *f, vs_value *out) {
   return vs_bind_give_point(f, vs_v3_add(p, vs_v3_scale(v, at)), out);
 }
 
-/* Returns the height of p above the plane of triangle t. */
+/* Returns the signed distance of p from the plane of triangle t. */
 static double above(const probe *w, size_t t, vs_vec3 p) {
   const uint32_t *k = w->mesh.triangles[t];
   vs_vec3 a = w->mesh.vertices[k[0]], b = w->mesh.vertices[k[1]], c = w->mesh.vertices[k[2]];
   return vs_v3_dot(vs_v3_unit(vs_v3_cross(vs_v3_sub(b, a), vs_v3_sub(c, a))), vs_v3_sub(p, a));
 }
 
-/* Returns the place of the curve between low and high at which it intersects the plane of triangle t. */
+/* Returns the distance along the curve, between low and high, at which it intersects the plane of triangle t. */
 static double passes(const probe *w, const vs_stations *c, size_t t, double low, double high) {
   bool below = above(w, t, vs_station_at(c, low).at) < 0;
   for (int i = 0; i < 60; i++) {
@@ -128,7 +128,7 @@ static double passes(const probe *w, const vs_stations *c, size_t t, double low,
   return .5 * (low + high);
 }
 
-/* (%probe-curve probe c): returns the intersections of the curve with the triangles, in the curve's order. */
+/* (%probe-curve probe c): returns the points where the curve intersects the triangles, in order along the curve. */
 vs_status vs_p_probe_curve(vs_args *f, vs_value *out) {
   const probe *w = vs_foreign_get(f->arg[0].value, &probe_type);
   vs_stations c;
@@ -174,7 +174,7 @@ vs_status vs_p_curve_near(vs_args *f, vs_value *out) {
   if (!vs_bind_stations(f, 0, &c)) return VS_ERROR;
   double best = INFINITY, at = 0;
   size_t n = c.path.count - (c.path.closed ? 0 : 1);
-  for (size_t i = 0; i < n; i++) { /* within a span, the minimum of the distance follows from its slope, beginning in
+  for (size_t i = 0; i < n; i++) { /* in each span, finds the minimum of the distance from its derivative, starting in
                                     * the middle */
     double low = c.along[i], high = c.along[i + 1], s = .5 * (low + high);
     vs_vec3 a = c.path.at[i].at;
@@ -193,8 +193,8 @@ vs_status vs_p_curve_near(vs_args *f, vs_value *out) {
   return vs_bind_give_real(f, at, out);
 }
 
-/* (%probe-geodesic probe p q): returns the points of the shortest way over the triangles; the empty list if there is no
- * way. */
+/* (%probe-geodesic probe p q): returns the points of the shortest path on the triangles, or the empty list if there is
+ * none. */
 vs_status vs_p_probe_geodesic(vs_args *f, vs_value *out) {
   const probe *w = vs_foreign_get(f->arg[0].value, &probe_type);
   vs_vec3 *at;
@@ -220,7 +220,8 @@ static bool polled(void *context) {
   return !p->stopped;
 }
 
-/* (%probe-offset probe c d n): returns the lines of the curve's offset on the triangles, each a list of points. */
+/* (%probe-offset probe c d n): returns the curves on the triangles at distance d from the curve c, each as a list of
+ * points. */
 vs_status vs_p_probe_offset(vs_args *f, vs_value *out) {
   const probe *w = vs_foreign_get(f->arg[0].value, &probe_type);
   vs_stations c;
@@ -274,7 +275,8 @@ static void release(vs_tape_field *f) {
   free(d);
 }
 
-/* (%distance-field o): returns the field of a solid, by its mesh at a quarter of the usual tolerance. */
+/* (%distance-field o): returns the distance from a solid as a field. Uses a mesh with a quarter of the usual
+ * tolerance. */
 vs_status vs_p_distance_field(vs_args *f, vs_value *out) {
   distance_field *d = NULL;
   size_t room = 0;
@@ -296,7 +298,7 @@ vs_status vs_p_distance_field(vs_args *f, vs_value *out) {
   return vs_make_foreign(f->vm, &vs_tape_field_type, &d->field, 0, out);
 }
 
-/* (%field-value field x y z) */
+/* (%field-value field x y z): returns the value of the field at a point. */
 vs_status vs_p_field_value(vs_args *f, vs_value *out) {
   const vs_tape_field *field = vs_foreign_get(f->arg[0].value, &vs_tape_field_type);
   return vs_bind_give_real(

@@ -1,5 +1,5 @@
-/* Owns the natives of the Bezier and NURBS procedures: a rational B-spline as a value, its points, and its curves and
- * surfaces. shapes.scm checks counts and reports faults. */
+/* Implements the natives of the Bezier and NURBS procedures: rational B-splines as values, their points, and curves and
+ * surfaces from them. shapes.scm checks counts and reports faults. */
 
 #include <stdlib.h>
 #include <string.h>
@@ -27,7 +27,8 @@ static void spline_free(void *p) {
 }
 static const vs_foreign_type spline_type = { .name = "a spline", .release = spline_free };
 
-/* Copies the numbers of a list to *out, which the caller frees; NULL for #f. Returns false with the error set. */
+/* Copies the numbers of a list to *out, which the caller frees. For #f, sets *out to NULL. If it fails, sets the error
+ * and returns false. */
 static bool numbers(vs_args *f, vs_value l, double **out, size_t *count) {
   size_t room = 0;
   *out = NULL, *count = 0;
@@ -40,8 +41,8 @@ static bool numbers(vs_args *f, vs_value l, double **out, size_t *count) {
   return true;
 }
 
-/* (%nurbs points degree-u degree-v weights knots-u knots-v): returns the value, or a list (fault direction number): the
- * number of a vs_nurbs_fault, 0 for u and 1 for v, and the place of the fault. */
+/* (%nurbs points degree-u degree-v weights knots-u knots-v): returns the spline, or a list (fault direction number): a
+ * vs_nurbs_fault, 0 for u or 1 for v, and the position of the fault. */
 vs_status vs_p_nurbs(vs_args *f, vs_value *out) {
   spline *s = NULL;
   size_t room = 0, points_room = 0, n = f->arg[0].points.count, weights, ku, kv;
@@ -69,14 +70,14 @@ vs_status vs_p_nurbs(vs_args *f, vs_value *out) {
 static const vs_nurbs *given(vs_args *f) { return &((spline *)vs_foreign_get(f->arg[0].value, &spline_type))->n; }
 static double within(const vs_nurbs_knots *k, double t) { return fmin(fmax(t, vs_nurbs_low(k)), vs_nurbs_high(k)); }
 
-/* (%nurbs-point n u v): a curve ignores v. */
+/* (%nurbs-point n u v): returns a point of the spline; v is ignored for a curve. */
 vs_status vs_p_nurbs_point(vs_args *f, vs_value *out) {
   const vs_nurbs *n = given(f);
   double v = n->v.count ? within(&n->v, f->arg[2].real) : 0;
   return vs_bind_give_point(f, vs_nurbs_point(n, within(&n->u, f->arg[1].real), v, NULL, NULL), out);
 }
 
-/* (%nurbs-range n): returns the list u0 u1, for a surface u0 u1 v0 v1. */
+/* (%nurbs-range n): returns the range of the parameters: (u0 u1) for a curve, (u0 u1 v0 v1) for a surface. */
 vs_status vs_p_nurbs_range(vs_args *f, vs_value *out) {
   const vs_nurbs *n = given(f);
   double ends[4] = { vs_nurbs_low(&n->u), vs_nurbs_high(&n->u) };
@@ -97,8 +98,8 @@ vs_status vs_p_make_nurbs_curve(vs_args *f, vs_value *out) {
   return vs_bind_empty(f, "all points are the same", out);
 }
 
-/* Sets *out to parameters of `steps` equal steps, or as many as the chord needs. Returns their number; 0 when memory is
- * out. */
+/* Sets *out to parameters at `steps` equal steps; if steps is 0, to as many as the chord tolerance requires. Returns
+ * their number, or 0 when memory is out. */
 static size_t parameters(const vs_nurbs *n, bool along_v, int64_t steps, double chord, double **out) {
   const vs_nurbs_knots *k = along_v ? &n->v : &n->u;
   size_t room = 0;
@@ -110,7 +111,8 @@ static size_t parameters(const vs_nurbs *n, bool along_v, int64_t steps, double 
   return (size_t)steps + 1;
 }
 
-/* (%make-nurbs-surface n nu nv): for 0, the tolerance gives the number of samples. */
+/* (%make-nurbs-surface n nu nv): creates the surface from nu times nv samples. If a number is 0, it is computed from
+ * the tolerance. */
 vs_status vs_p_make_nurbs_surface(vs_args *f, vs_value *out) {
   const vs_nurbs *n = given(f);
   vs_bounds b = vs_bounds_empty();

@@ -1,4 +1,4 @@
-/* Owns the surfaces made from an object's faces: make-subdivision with its creases, and make-crust, which thickens a
+/* Implements surfaces made from an object's faces: make-subdivision with its creases, and make-crust, which thickens a
  * surface or hollows a solid. */
 #include <stdlib.h>
 #include <string.h>
@@ -53,7 +53,7 @@ static vs_status faces_of(vs_args *f, vs_ref object, vs_face_list *l) {
   return ok ? VS_OK : vs_fail_memory(f->vm);
 }
 
-/* Merges corners at equal places, and removes faces that thereby lose corners. */
+/* Merges corners with equal coordinates, and removes faces that then have too few corners. */
 static bool share_points(vs_face_list *l) {
   vs_face_list out = { 0 };
   uint32_t *place = NULL, *number = NULL;
@@ -97,7 +97,8 @@ static bool point_number(vs_args *f, const vs_face_list *l, vs_value v, uint32_t
   return best <= 1e-6 * vs_bounds_diagonal(&b) || vs_bind_refuse(f, "creases", "of points of the mesh", v);
 }
 
-/* Reads a list of creases: each has two points, or their numbers from 1, and the sharpness if it is finite. */
+/* Reads a list of creases. Each is a list of two points of an edge, or their numbers from 1, and the sharpness if it is
+ * finite. */
 static bool creases_of(vs_args *f, const vs_face_list *l, vs_crease **out, size_t *count) {
   static const char *const expected = "lists of two points of an edge, or their numbers, and how sharp it is";
   size_t room = 0;
@@ -134,7 +135,7 @@ static bool going(void *context, double done) {
   return !h->stopped;
 }
 
-/* (%make-subdivision o n creases #:scheme #:limit) */
+/* (%make-subdivision o n creases #:scheme #:limit): creates the subdivided surface. */
 vs_status vs_p_make_subdivision(vs_args *f, vs_value *out) {
   vs_face_list l = { 0 };
   vs_crease *creases = NULL;
@@ -175,9 +176,9 @@ vs_status vs_p_make_subdivision(vs_args *f, vs_value *out) {
   return status ? vs_bind_give_node(f, node, out) : VS_ERROR;
 }
 
-/* ---- crusts ---- */
+/* ---- crusts of a given thickness ---- */
 
-/* (make-crust o thickness #:side): 'in, 'out or 'both */
+/* (make-crust o thickness #:side): creates the crust; #:side is 'in, 'out or 'both. */
 vs_status vs_p_make_crust(vs_args *f, vs_value *out) {
   double t = f->arg[1].real, outwards = 0, inwards = t;
   if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return VS_ERROR;

@@ -1,4 +1,4 @@
-/* Owns the functions of taken_apart.h, by which natives take objects apart. */
+/* Implements taken_apart.h, by which natives divide objects into parts. */
 #include "bind/shapes/taken_apart.h"
 #include "bind/call/refuse.h"
 #include "bind/call/take.h"

@@ -1,5 +1,5 @@
-/* Owns the interface of taken_apart.c: natives take objects apart at the program's own fineness; failures set its
- * condition. */
+/* Declares functions by which natives divide objects into parts, with the fineness that the program has set. If they
+ * fail, they set the interpreter's condition. */
 #ifndef VS_BIND_SHAPES_TAKEN_APART_H
 #define VS_BIND_SHAPES_TAKEN_APART_H
 
@@ -9,18 +9,20 @@
 #include "model/mesh.h"
 #include "model/node.h"
 
-/* Returns the fineness for triangles or points that are kept: the program's own, otherwise the drawing's rule at the
- * object's size. */
+/* Returns the fineness for triangles or points that become part of an object: the program's own, or that of drawings
+ * for an object of this size. */
 vs_fineness vs_bend_facets(vs_scheme *vm, const vs_node *n);
-/* Replaces ref's node, which the caller owns, like vs_resolve (solids/resolve.h). Returns false with the condition
- * set. */
+/* Replaces *ref's node, which the caller owns, as vs_resolve does (solids/resolve.h). If it fails, sets the condition
+ * and returns false. */
 bool vs_bend_resolve(vs_scheme *vm, vs_ref *ref);
-/* As vs_take_apart (solids/deformed.h), also for an unresolved object. Returns false with the condition set. */
+/* Divides an object into leaves as vs_take_apart does (solids/deformed.h); resolves it first. If it fails, sets the
+ * condition and returns false. */
 bool vs_bend_take_apart(vs_scheme *vm, vs_ref object, const char *no_regions, vs_bend_leaves *out);
-/* As vs_mesh_without_overlaps (solids/overlaps.h). Returns false with the condition set. */
+/* Removes overlaps from a mesh as vs_mesh_without_overlaps does (solids/overlaps.h). If it fails, sets the condition
+ * and returns false. */
 bool vs_bend_solid(vs_scheme *vm, vs_mesh *m);
-/* Returns the triangles of a solid or surface. Without a tolerance of the program's, they get a quarter of the
- * drawing's, since they are kept. */
+/* Computes the triangles of a solid or surface. If the program has set no tolerance, uses a quarter of that of
+ * drawings, since the triangles become part of an object. */
 vs_status vs_bend_triangles(vs_scheme *vm, vs_ref ref, vs_mesh *out);
 
 #endif
