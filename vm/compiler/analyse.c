@@ -1,26 +1,29 @@
-/* Owns the analysis of core trees, in two passes.
+/* Analyses core trees in two passes.
  *
- * A home is a LAMBDA whose calls have an activation of their own: all but loops.
+ * A home is a LAMBDA whose calls have an activation of their own. Every LAMBDA is a home except loops.
  *
  * Loops: the first pass finds the FIX-bound lambdas that can run in the activation that defines them. All their
  * references must be calls with the right number of arguments, in tail position of the FIX's body or of their own body.
- * Scopes (struct tail) are chained from the inside out: a call is such a tail call if the chain from it reaches the
- * FIX. If the chain passes through another candidate's body, this is so only if that candidate becomes a loop, too;
- * these conditions are kept and resolved at the end.
+ * Scopes (struct tail) are chained from the inside out. A call is such a tail call if the chain from it reaches the
+ * FIX. If the chain passes through the body of another candidate, that candidate must become a loop, too; these
+ * conditions are stored and resolved at the end.
  *
  * Homes: the second pass finds the LAMBDA that contains each variable, the captures of every lambda, and the variables
- * that must be boxed. Moments are counted per tree. If a lambda captures a variable and is made at a moment before the
- * variable is ready, the variable is boxed and its references are checked. Consecutive lambdas of a FIX are made at one
- * moment: they may capture each other, and the compiler patches them.
+ * that need a box. Each step of the tree that defines a variable or creates a closure is a moment, numbered from 1. If
+ * a closure that captures a variable is created before the moment at which the variable gets its value, the variable is
+ * boxed and its references are checked. Consecutive lambdas of a FIX are created at one moment: they may capture each
+ * other, and the compiler patches them.
  *
- * Both recurse within a home only (VS_AST_DEPTH times the few loops nested in it); lambdas wait in a list. */
+ * Both passes recurse only within a home (VS_AST_DEPTH times the few loops nested in it). Lambdas wait in a list. */
 #include "vm/compiler/analyse.h"
 
 #include "vm/machine/native.h"
 
-enum { MOST_LOOPS = 24 /* nested or side by side: any may be compiled inside any */, MOST_DEPTH = 1500 };
+enum { MOST_LOOPS = 24 /* greatest number of loops in a home, nested or in sequence, since each may be compiled inside
+                        * another */, MOST_DEPTH = 1500 };
 
-struct tail { struct tail *parent; vs_core_node *fix; vs_var *var; /* the body of var's lambda, or (NULL) of fix */ };
+struct tail { struct tail *parent; vs_core_node *fix; vs_var *var; /* scope of the body of var's lambda, or of fix if
+                                                                    * var is NULL */ };
 struct job { struct job *next; vs_core_node *lambda; struct tail *tail; int loops; };
 struct needs { struct needs *next; vs_var *loop, *through; };
 
@@ -54,7 +57,7 @@ static bool plain(const vs_core_node *lambda) {
   return true;
 }
 
-/* ---- first pass ---- */
+/* ---- first pass: loops ---- */
 static bool called(struct analysis *a, vs_var *v, const vs_core_node *call, struct tail *t) {
   vs_var_info *info = vs_info(v);
   v->calls++;
@@ -72,7 +75,7 @@ static bool called(struct analysis *a, vs_var *v, const vs_core_node *call, stru
   return true;
 }
 
-/* t: the chain of scopes for which this is in tail position, or NULL */
+/* Finds loops below n. t is the chain of scopes in whose tail position n is, or NULL. */
 static bool find_loops(struct analysis *a, vs_core_node *n, struct tail *t, int depth, int loops) {
   if (!n) return true;
   if (!vs_poll(a->ast->vm, 16)) return false;
@@ -100,7 +103,9 @@ static bool find_loops(struct analysis *a, vs_core_node *n, struct tail *t, int 
       vs_core_node *f = n->as.call.callee;
       if (f->kind == VS_AST_LAMBDA && f->count && f->count == n->count && plain(f) && !n->as.call.keywords &&
           depth < MOST_DEPTH / 3) {
-        vs_core_node *list = vs_ast_list(a->ast, VS_AST_LET, n->count, n->pos);      /* ((lambda (x ...) body) v ...) */
+        vs_core_node *list = vs_ast_list(a->ast, VS_AST_LET, n->count, n->pos);      /* a call of a lambda, ((lambda
+                                                                                      * (x ...) body) v ...), becomes
+                                                                                      * a LET */
         if (!list) return false;
         for (uint32_t i = 0; i < n->count; i++) {
           list->as.let.vars[i] = f->as.lambda.params[i].var;
@@ -168,7 +173,7 @@ static bool find_loops_in(struct analysis *a, const struct job *j) {
   return find_loops(a, l->as.lambda.body, j->tail, 0, j->loops);
 }
 
-/* ---- second pass ---- */
+/* ---- second pass: homes ---- */
 static vs_lambda_info *info_of(vs_core_node *lambda) { return lambda->as.lambda.extra; }
 
 static bool make_info(struct analysis *a, vs_core_node *lambda, vs_core_node *parent, uint32_t made) {
@@ -180,13 +185,13 @@ static bool make_info(struct analysis *a, vs_core_node *lambda, vs_core_node *pa
   return add_job(a, lambda, NULL, 0);
 }
 
-/* Returns the place of a variable in the index; the room is a power of two. */
+/* Returns the first slot for a variable in the hash index. The room of the index is a power of two. */
 static uint32_t home(const vs_lambda_info *f, const vs_var *v) {
   VS_ASSERT(f->index_room > 0 && (f->index_room & (f->index_room - 1)) == 0);
   return (uint32_t)((uintptr_t)v >> 4) * 2654435761u & (f->index_room - 1);
 }
 
-/* Puts the i-th captured variable into the index. */
+/* Adds captured variable i to the hash index. */
 static void index_put(vs_lambda_info *f, uint32_t i) {
   uint32_t at = home(f, f->free[i]);
   VS_ASSERT(i < f->free_count);
@@ -205,7 +210,7 @@ uint32_t vs_free_index(const vs_lambda_info *f, const vs_var *v) {
   return UINT32_MAX;
 }
 
-/* Captures v, which f does not capture yet. */
+/* Adds v to the captured variables of f, which does not capture it yet. */
 static bool capture(struct analysis *a, vs_lambda_info *f, vs_var *v) {
   VS_ASSERT(vs_free_index(f, v) == UINT32_MAX);
   if (f->free_count == f->free_room) {
@@ -218,7 +223,7 @@ static bool capture(struct analysis *a, vs_lambda_info *f, vs_var *v) {
     f->free = at;
     f->early = early;
     f->free_room = room;
-    if (room >= 16) {                          /* many: hashing finds them from here on */
+    if (room >= 16) {                          /* there are many captured variables: build a hash index */
       f->index_room = room * 2;
       if (!(f->index = vs_ast_alloc(a->ast, f->index_room * sizeof *f->index))) return false;
       for (uint32_t i = 0; i < f->free_count; i++) index_put(f, i);
@@ -229,7 +234,7 @@ static bool capture(struct analysis *a, vs_lambda_info *f, vs_var *v) {
   return true;
 }
 
-/* Notes that the home `in` uses v now; *early: perhaps before it has a value. */
+/* Records that the home `in` uses v. Sets *early to whether that may be before v has a value. */
 static bool use(struct analysis *a, vs_core_node *in, vs_var *v, bool *early) {
   vs_var_info *info = vs_info(v);
   *early = false;
@@ -237,7 +242,8 @@ static bool use(struct analysis *a, vs_core_node *in, vs_var *v, bool *early) {
     *early = info->ready == VS_NOT_READY;
   } else {
     v->captured = true;
-    /* up to a home that captures it already, which knows the answer, or to the outermost one */
+    /* Goes outwards until a home that already captures the variable, and knows whether it is early, or to the
+     * outermost. */
     vs_core_node *at = in;
     uint32_t known;
     for (;; at = info_of(at)->parent) {
@@ -298,7 +304,7 @@ static bool find_homes(struct analysis *a, vs_core_node *n, vs_core_node *in) {
         vs_var *v = n->as.let.vars[i];
         vs_var_info *info = vs_info(v);
         if (info->loop) { info->ready = 0; continue; }
-        if (v->value) {                       /* a run of lambdas is one moment */
+        if (v->value) {                       /* consecutive lambdas are created at one moment */
           if (!run) a->now++;
           run = true;
           if (!make_info(a, v->value, in, a->now)) return false;

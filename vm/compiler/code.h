@@ -1,4 +1,4 @@
-/* Owns the layout of compiled code: opcodes, instruction fields, the table of places. */
+/* Declares the format of compiled code: opcodes, fields of instructions, tables of places. */
 #ifndef VS_VM_COMPILER_CODE_H
 #define VS_VM_COMPILER_CODE_H
 
@@ -19,31 +19,37 @@ enum {
 #define VS_C(i) ((i) >> 24)
 #define VS_BX(i) ((i) >> 16)
 
-/* code->places: in order of pc, an entry for every instruction that can fail. In the heap image it is a fixnum, one
- * place for the whole procedure: messages show no places in the language's own sources. If the interpreter keeps the
- * calls that errors end, it is a pair of the entries and a vector of variables, VS_VARIABLE_WORDS each: a symbol; the
- * register, or -1 - i for the i-th captured one; the instructions [from, to) in which the variable has its value. */
+/* An entry of code->places: the place of an instruction that can fail. Entries are sorted by pc. In the heap image,
+ * code->places is a fixnum, one place for the whole procedure, since messages show no places in the language's own
+ * sources. If the interpreter keeps the calls that lead to errors, it is a pair of the entries and a vector of
+ * variables. A variable has VS_VARIABLE_WORDS words: its symbol; its register, or -1 - i for captured variable i; the
+ * instructions [from, to) in which it has its value. */
 typedef struct vs_place { uint32_t pc, high, low; } vs_place;
 enum { VS_VARIABLE_WORDS = 4 };
-/* code->inlined: the cell (constant index) of the procedure that the instruction at pc replaces */
+/* An entry of code->inlined: the instruction at pc replaces a call of the procedure in this cell (a constant index). */
 typedef struct vs_inlined { uint32_t pc, constant; } vs_inlined;
 
-vs_pos vs_code_place(const vs_code *code, uint32_t pc);               /* of the instruction at or before pc */
-uint32_t vs_code_place_start(const vs_code *code, uint32_t pc);       /* that instruction's index */
-const vs_vector *vs_code_variables(const vs_code *code);              /* NULL: unknown */
-uint32_t vs_code_inlined(const vs_code *code, uint32_t pc);           /* constant index */
-/* op is an opcode. */
+vs_pos vs_code_place(const vs_code *code, uint32_t pc);               /* Returns the place of the instruction at or
+                                                                       * before pc. */
+uint32_t vs_code_place_start(const vs_code *code, uint32_t pc);       /* Returns the index of the last instruction at or
+                                                                       * before pc that has a place. */
+const vs_vector *vs_code_variables(const vs_code *code);              /* Returns the vector of variables, or NULL if the
+                                                                       * code has none. */
+uint32_t vs_code_inlined(const vs_code *code, uint32_t pc);           /* Returns the constant index of the cell whose
+                                                                       * procedure the instruction at pc replaces. */
+/* Returns the generic form of an opcode (opcodes.def). */
 int vs_op_generic(uint32_t op);
-/* op is an opcode. */
+/* Returns the letters for the operands of an opcode (opcodes.def). */
 const char *vs_op_operands(uint32_t op);
-/* op is an opcode. */
+/* Returns the number of extra words of an opcode. */
 uint32_t vs_op_extra(uint32_t op);
 
-/* Returns which of define-record-type's procedures these instructions of `required` parameters are; 0: none. */
+/* Returns which of the procedures that define-record-type creates has these instructions, or 0. required: number of its
+ * parameters. */
 uint32_t vs_code_record(const uint32_t *ins, size_t words, uint32_t required);
 
-/* Clears VS_F_CONSTANT of a cell that will get another value, and patches all code that inlined it. The environment
- * calls it before a redefinition; SETGLOBAL and DEFGLOBAL do so themselves. */
+/* Removes VS_F_CONSTANT from a cell that is to get another value, and patches all code in which calls of it were
+ * replaced by opcodes. The environment calls it before a redefinition; SETGLOBAL and DEFGLOBAL do so themselves. */
 void vs_cell_redefine(vs_value cell);
 
 static inline uint32_t *vs_code_ins(const vs_code *c) { return (uint32_t *)(void *)vs_as_bytes(c->ins)->at; }

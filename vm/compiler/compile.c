@@ -1,11 +1,12 @@
-/* Owns the translation of core trees to instructions.
+/* Translates core trees to instructions.
  *
- * Every expression is compiled for a target: a register that gets its value, EFFECT (the value is not needed), or TAIL
- * (return it). Registers are a stack: locals below, temporaries above. Therefore a call's window is the next free
- * registers, and all below it are live. An expression writes its target only after it has read all its operands.
+ * Every expression is compiled for a target: a register for its value, EFFECT (the value is not needed), or TAIL (the
+ * value is returned). Registers form a stack: variables below, temporary values above. A call's window is therefore the
+ * next free registers, and all registers below are in use. An expression writes its target only after it has read all
+ * its operands.
  *
- * A FIX variable that is a loop (analyse.h) has no value: its parameters are registers of the activation around it, its
- * body is compiled in place of the first call, and later calls move the arguments and jump there. */
+ * A FIX variable that is a loop (analyse.h) has no value. Its parameters are registers of the enclosing activation, and
+ * its body is compiled at its first call. Later calls assign the parameters and jump there. */
 #include "vm/compiler/compile.h"
 
 #include "vm/compiler/analyse.h"
@@ -25,20 +26,22 @@ typedef struct compiler { vs_emit e; struct job *jobs; } compiler;
 static bool gen(compiler *c, vs_core_node *n, uint32_t to);
 static bool test(compiler *c, vs_core_node *n, bool sense, vs_jumps *list);
 
-/* Returns true if the variable is in a box. Assigned variables are places in the heap, also for a continuation that
- * restores the activation. A variable with in_register set that is not captured stays in its register. */
+/* Returns true if the variable has a box. Assigned variables have boxes, since a continuation that restores the
+ * activation must not restore their old values. A variable with in_register set that is not captured remains in its
+ * register. */
 static bool boxed(const vs_var *v) { return vs_info(v)->boxed || (v->assigned && !(v->in_register && !v->captured)); }
 static bool is_value(uint32_t to) { return to < TAIL; }
 static vs_value pool(const compiler *c, uint32_t i) { return c->e.ast->pool[i]; }
 
-/* Completes an expression whose value is in `from`, a temporary if the target is no register. */
+/* Completes an expression whose value is in register `from`: moves or returns it, as the target requires. */
 static bool finish(compiler *c, uint32_t from, uint32_t to) {
   if (to == TAIL) return vs_emit_op(&c->e, VS_O_RETURN, from, 0, 0);
   if (to == EFFECT || from == to) return true;
   return vs_emit_op(&c->e, VS_O_MOVE, to, from, 0);
 }
 
-/* Gives the register in which to compute a value for `to`; frees nothing: the caller resets next. */
+/* Sets *reg to a register in which to compute a value for target `to`, which may be a new temporary one. The caller
+ * frees it. */
 static bool landing(compiler *c, uint32_t to, uint32_t *reg) {
   if (is_value(to)) { *reg = to; return true; }
   return vs_emit_register(&c->e, reg);
@@ -60,7 +63,7 @@ static uint32_t free_index(const compiler *c, const vs_var *v) {
   return vs_free_index(c->e.lambda->as.lambda.extra, v);
 }
 
-/* Loads the variable's register or captured value; a boxed variable's box. */
+/* Loads a variable's register or captured value; for a boxed variable that is its box. */
 static bool load_raw(compiler *c, const vs_var *v, uint32_t to) {
   if (vs_info(v)->lambda == c->e.lambda) return to == v->reg || vs_emit_op(&c->e, VS_O_MOVE, to, v->reg, 0);
   return vs_emit_op(&c->e, VS_O_FREE, to, free_index(c, v), 0);
@@ -89,7 +92,8 @@ static bool load_global(compiler *c, const vs_core_node *n, uint32_t to) {
          vs_emit_op1(&c->e, VS_O_GLOBAL, to, 0, 0, k);
 }
 
-/* Gives a register with n's value for the next instruction: a local's own, or a temporary. */
+/* Sets *reg to a register with the value of n for the next instruction: that of a local variable, or a temporary
+ * one. */
 static bool operand(compiler *c, vs_core_node *n, uint32_t *reg) {
   if (n->kind == VS_AST_LOCAL && !n->flag && !boxed(n->as.var) && vs_info(n->as.var)->lambda == c->e.lambda) {
     *reg = n->as.var->reg;
@@ -98,7 +102,7 @@ static bool operand(compiler *c, vs_core_node *n, uint32_t *reg) {
   return vs_emit_register(&c->e, reg) && gen(c, n, *reg);
 }
 
-/* Returns true if the evaluation of n may assign v, which is in a register; true in doubt. */
+/* Returns true if evaluating n may assign v, which is in a register. Returns true if that is not certain. */
 static bool writes(const vs_core_node *n, const vs_var *v, int depth) {
   if (!n) return false;
   if (depth > 6) return true;
@@ -116,8 +120,8 @@ static bool writes(const vs_core_node *n, const vs_var *v, int depth) {
   }
 }
 
-/* Gives the operand of argument i of a call: a copy of a variable that a later argument may assign. i is less than the
- * number of arguments. */
+/* Sets *reg to a register with the value of argument i of a call. If a later argument may assign the variable, it is a
+ * copy. */
 static bool operand_of(compiler *c, vs_core_node *call, uint32_t i, uint32_t *reg) {
   vs_core_node *n = call->as.call.at[i];
   bool written = false;
@@ -127,7 +131,7 @@ static bool operand_of(compiler *c, vs_core_node *call, uint32_t i, uint32_t *re
   return written ? vs_emit_register(&c->e, reg) && gen(c, n, *reg) : operand(c, n, reg);
 }
 
-/* ---- calls that are opcodes ---- */
+/* ---- calls that become opcodes ---- */
 static bool small(const compiler *c, const vs_core_node *n, uint32_t *bits) {
   if (n->kind != VS_AST_CONST) return false;
   vs_value v = pool(c, n->as.constant);
@@ -136,7 +140,7 @@ static bool small(const compiler *c, const vs_core_node *n, uint32_t *bits) {
   return true;
 }
 
-/* Returns the row for this call, or NULL; *native is the cell's procedure. */
+/* Returns the row of inline.def for this call, or NULL. Sets *native to the procedure in the cell. */
 static const vs_inline_row *row_of(const compiler *c, const vs_core_node *n, const vs_native **native) {
   const vs_core_node *f = n->as.call.callee;
   if (n->kind != VS_AST_CALL || f->kind != VS_AST_GLOBAL || n->as.call.keywords) return NULL;
@@ -150,7 +154,7 @@ static bool is_test(const vs_inline_row *row, const vs_core_node *n) {
   return row && (row->way == VS_WAY_TEST || row->way == VS_WAY_TYPE) && n->count == row->args;
 }
 
-/* Notes that the next instruction replaces the call n of a global variable. */
+/* Records that the next instruction replaces the call n of a global variable. */
 static bool stands_for(compiler *c, const vs_core_node *n) {
   uint32_t k;
   VS_ASSERT(n->kind == VS_AST_CALL && n->as.call.callee->kind == VS_AST_GLOBAL);
@@ -158,7 +162,8 @@ static bool stands_for(compiler *c, const vs_core_node *n) {
          vs_emit_inlined(&c->e, k);
 }
 
-/* Loads far operands into near registers first: stands_for must apply to the opcode itself, not to these loads. */
+/* Copies an operand from a far register (VS_FAR or higher) to a scratch register. This must precede stands_for, which
+ * applies to the next instruction only. */
 static bool near(compiler *c, uint32_t *reg, unsigned i) {
   if (*reg < VS_FAR) return true;
   uint32_t scratch = VS_NEAR + 4 + i;
@@ -168,7 +173,7 @@ static bool near(compiler *c, uint32_t *reg, unsigned i) {
   return true;
 }
 
-/* The operands b and c of an instruction, and the number of registers among them, which come first. */
+/* The operands B and C of an instruction, and how many of them are registers; those come first. */
 typedef struct { uint32_t b, c; unsigned registers; } operands;
 
 static bool emit_value_op(compiler *c, const vs_core_node *n, unsigned op, uint32_t to, operands o) {
@@ -182,7 +187,8 @@ static bool emit_value_op(compiler *c, const vs_core_node *n, unsigned op, uint3
   return vs_emit_word(&c->e, VS_INSX(VS_O_FARSTORE, target, to));
 }
 
-/* Puts the arguments into a row of new near registers; sets *ok to false if there is no room for it. */
+/* Evaluates the arguments to new consecutive registers. Sets *ok to false if an instruction cannot name so many
+ * registers. */
 static bool in_a_row(compiler *c, vs_core_node *n, uint32_t *first, bool *ok) {
   *ok = c->e.next + n->count < VS_NEAR;
   if (!*ok) return true;
@@ -194,7 +200,7 @@ static bool in_a_row(compiler *c, vs_core_node *n, uint32_t *first, bool *ok) {
   return true;
 }
 
-/* Emits n if it is a call that is an opcode; *done: it was. */
+/* Emits n if it is a call that becomes an opcode, and sets *done to whether it was. */
 static bool gen_inline(compiler *c, vs_core_node *n, uint32_t to, bool *done) {
   const vs_native *native;
   const vs_inline_row *row = row_of(c, n, &native);
@@ -276,8 +282,8 @@ static bool gen_inline(compiler *c, vs_core_node *n, uint32_t to, bool *done) {
       if (near_target != target && e->most < VS_FAR) e->most = VS_FAR;
       break;
     }
-    case VS_WAY_RECORD: {              /* (%record-ref record type index name), (%record-set! record type index value
-                                        * name) */
+    case VS_WAY_RECORD: {              /* the calls (%record-ref record type index name) and (%record-set! record type
+                                        * index value name) */
       bool set = row->op == VS_O_RECSET;
       vs_core_node *index = n->as.call.at[2], *name = n->as.call.at[row->args - 1];
       uint32_t k;
@@ -323,7 +329,7 @@ static bool gen_inline(compiler *c, vs_core_node *n, uint32_t to, bool *done) {
   return true;
 }
 
-/* ---- tests: jumps (into list) if the truth of n is `sense`, else continues ---- */
+/* ---- tests: code that jumps (to be patched by `list`) if the truth of n is `sense`, and continues otherwise ---- */
 static bool test(compiler *c, vs_core_node *n, bool sense, vs_jumps *list) {
   vs_emit *e = &c->e;
   uint32_t keep = e->next, r[2], bits;
@@ -334,7 +340,7 @@ static bool test(compiler *c, vs_core_node *n, bool sense, vs_jumps *list) {
     case VS_AST_IF: {
       vs_jumps no = 0, end = 0;
       vs_core_node *otherwise = n->as.branch.otherwise;
-      /* and */
+      /* The form (and a b). */
       if (!sense && otherwise && otherwise->kind == VS_AST_CONST && pool(c, otherwise->as.constant) == VS_FALSE)
         return test(c, n->as.branch.test, false, list) && test(c, n->as.branch.then, false, list);
       if (!test(c, n->as.branch.test, false, &no) || !test(c, n->as.branch.then, sense, list) ||
@@ -345,7 +351,7 @@ static bool test(compiler *c, vs_core_node *n, bool sense, vs_jumps *list) {
       vs_emit_here(e, end);
       return true;
     }
-    case VS_AST_LET: {                         /* or: (let ((t a)) (if t t b)) */
+    case VS_AST_LET: {                         /* the form (or a b): (let ((t a)) (if t t b)) */
       vs_core_node *b = n->as.let.body;
       vs_var *v = n->count == 1 ? n->as.let.vars[0] : NULL;
       if (!v || b->kind != VS_AST_IF || v->refs != 2 || v->assigned || v->captured || !b->as.branch.otherwise ||
@@ -384,14 +390,14 @@ static bool test(compiler *c, vs_core_node *n, bool sense, vs_jumps *list) {
       e->next = keep;
       return true;
     }
-    default: break;                            /* the others are usual values */
+    default: break;                            /* tested by their value */
   }
   if (!operand(c, n, &r[0])) return false;
   e->next = keep;
   return vs_emit_branch(e, sense ? VS_O_JTRUE : VS_O_JFALSE, r[0], 0, 0, list);
 }
 
-/* ---- lambda ---- */
+/* ---- closures ---- */
 static bool code_for(compiler *c, vs_core_node *lambda, uint32_t *index) {
   vs_scheme *vm = c->e.ast->vm;
   vs_lambda_info *f = lambda->as.lambda.extra;
@@ -427,7 +433,8 @@ static bool gen_lambda(compiler *c, vs_core_node *lambda, uint32_t to) {
 /* ---- calls ---- */
 static bool gen_loop_call(compiler *c, vs_core_node *n, uint32_t to);
 
-/* Gives a window of n registers beyond procedure and return slot, from `first` (already taken) or the next free one. */
+/* Allocates a window for a call with `count` arguments: procedure, return slot, arguments. Sets *first to its first
+ * register, which is `to` if `reuse` permits. */
 static bool window(compiler *c, uint32_t count, bool reuse, uint32_t to, uint32_t *first) {
   vs_emit *e = &c->e;
   if (reuse && to < VS_NEAR && to + 1 == e->next && to + 2 + count < VS_NEAR) {
@@ -441,8 +448,8 @@ static bool window(compiler *c, uint32_t count, bool reuse, uint32_t to, uint32_
   return vs_emit_register(e, &slot);
 }
 
-/* Returns true for an undefined word of another language, or of a library that was not imported. It is looked up before
- * the operands, so that (defun f (x) x) reports defun and not f. */
+/* Returns true if the global variable is a word of another language, or of a library that was not imported. Such a
+ * variable is evaluated before the arguments, so that (defun f (x) x) reports defun and not f. */
 static bool unknown_word(const compiler *c, const vs_core_node *global) {
   const vs_cell *cell = vs_as_cell(pool(c, global->as.global.cell));
   return cell->value == VS_UNDEFINED && vs_is_symbol(cell->name) &&
@@ -462,7 +469,7 @@ static bool gen_call(compiler *c, vs_core_node *n, uint32_t to, bool fresh) {
   bool far = w >= VS_NEAR || n->count > 250 || n->as.call.keywords, global = f->kind == VS_AST_GLOBAL && !far;
   if (global && unknown_word(c, f)) {
     global = false;
-    f->pos = n->pos; /* the place for other names in a call's head */
+    f->pos = n->pos; /* the place of an unknown name at the head of a call */
   }
   e->fresh = VS_NO_REGISTER;
   if (!global) {
@@ -483,12 +490,13 @@ static bool gen_call(compiler *c, vs_core_node *n, uint32_t to, bool fresh) {
   else if (global)
     ok = vs_emit_word(e, VS_INS(to == TAIL ? VS_O_TAILG : VS_O_CALLG, w, n->count, 0)) && vs_emit_word(e, k);
   else ok = vs_emit_word(e, VS_INS(to == TAIL ? VS_O_TAIL : VS_O_CALL, w, n->count, 0));
-  if (to == EFFECT) ok = ok && vs_emit_op(e, VS_O_DROP, w, 0, 0);      /* also marks that the value is not used here */
+  if (to == EFFECT) ok = ok && vs_emit_op(e, VS_O_DROP, w, 0, 0);      /* the instruction also tells the run loop that
+                                                                        * the value is not used */
   e->next = keep;
-  return ok && finish(c, w, to);        /* also behind a tail call: a native may return there */
+  return ok && finish(c, w, to);        /* needed even after a tail call, since a native returns here */
 }
 
-/* Returns true if the evaluation of n reads v; true in doubt. */
+/* Returns true if evaluating n reads v. Returns true if that is not certain. */
 static bool reads(const vs_core_node *n, const vs_var *v, int depth) {
   if (!n) return false;
   if (depth > 6) return true;
@@ -504,8 +512,8 @@ static bool reads(const vs_core_node *n, const vs_var *v, int depth) {
   }
 }
 
-/* Returns true if n may be compiled directly into a register that it reads itself: its last instruction alone
- * writes. */
+/* Returns true if n may be compiled into a register that it also reads: only its last instruction writes the
+ * register. */
 static bool lands_last(compiler *c, const vs_core_node *n) {
   const vs_native *native;
   if (n->kind != VS_AST_CALL)
@@ -545,7 +553,8 @@ static bool gen_loop_call(compiler *c, vs_core_node *n, uint32_t to) {
   if (info->emitted) return vs_emit_back(e, VS_O_LOOP, info->top);
   info->emitted = true;
   info->top = (uint32_t)e->count;
-  for (uint32_t i = 0; i < lambda->count; i++) {          /* a captured, assigned loop variable is new in each turn */
+  for (uint32_t i = 0; i < lambda->count; i++) {          /* a captured, assigned variable of a loop gets a new box in
+                                                           * each iteration */
     vs_var *p = lambda->as.lambda.params[i].var;
     if (boxed(p) && !vs_emit_op(e, VS_O_BOX, p->reg, p->reg, 0)) return false;
   }
@@ -557,7 +566,7 @@ static bool gen_loop_call(compiler *c, vs_core_node *n, uint32_t to) {
   return true;
 }
 
-/* ---- binding ---- */
+/* ---- binding forms ---- */
 static bool gen_let(compiler *c, vs_core_node *n, uint32_t to) {
   vs_emit *e = &c->e;
   uint32_t keep = e->next;
@@ -575,7 +584,7 @@ static bool gen_let(compiler *c, vs_core_node *n, uint32_t to) {
   return true;
 }
 
-/* Makes the lambdas [from, to) of a FIX, which may capture each other. from <= to <= its number of variables. */
+/* Creates the closures [from, to) of a FIX, which may capture each other. */
 static bool gen_run(compiler *c, vs_core_node *n, uint32_t from, uint32_t to) {
   vs_emit *e = &c->e;
   uint32_t keep = e->next, temp;
@@ -600,7 +609,7 @@ static bool gen_run(compiler *c, vs_core_node *n, uint32_t from, uint32_t to) {
       if (vs_info(g)->fix != n || boxed(g) || vs_info(g)->lambda != e->lambda) continue;
       uint32_t j = i;
       while (j < to && n->as.let.vars[j] != g) j++;
-      if (j == to) continue;                   /* existed when it was captured */
+      if (j == to) continue;                   /* the variable had its value when it was captured */
       uint32_t closure = v->reg;
       if (boxed(v) && (!vs_emit_register(e, &temp) || !vs_emit_op(e, VS_O_UNBOX, temp, v->reg, 0))) return false;
       if (boxed(v)) closure = temp;
@@ -651,7 +660,8 @@ static bool gen_set(compiler *c, vs_core_node *n, uint32_t to) {
   vs_emit *e = &c->e;
   vs_var *v = n->as.set.var;
   uint32_t keep = e->next, value, box;
-  if (!boxed(v)) {                             /* in a register of this activation: the capturing closure boxes it */
+  if (!boxed(v)) {                             /* a captured variable in a register of this activation gets a box in the
+                                                * closure that captures it */
     value = v->reg;
     bool direct = lands_last(c, n->as.set.value);
     if ((!direct && !vs_emit_register(e, &value)) || !gen(c, n->as.set.value, value) ||
@@ -700,7 +710,7 @@ static bool gen_check(compiler *c, vs_core_node *n, uint32_t to, bool fresh) {
   VS_ROOTS(vm, r, 1);
   uint32_t keep = e->next, w, at[3], k, kn;
   if (!vs_make_vector(vm, 3, VS_FALSE, &r[0])) return false;
-  vs_vector *info = vs_as_vector(r[0]);        /* just made: no barrier */
+  vs_vector *info = vs_as_vector(r[0]);        /* a new object needs no write barrier */
   info->at[0] = pool(c, n->as.check.name);
   info->at[1] = pool(c, n->as.check.text);
   info->at[2] = pool(c, n->as.check.who);
@@ -811,7 +821,7 @@ static bool gen(compiler *c, vs_core_node *n, uint32_t to) {
   return false;
 }
 
-/* ---- a whole procedure ---- */
+/* ---- compiling a procedure ---- */
 static bool set_parameters(compiler *c, vs_core_node *l, vs_value code) {
   vs_scheme *vm = c->e.ast->vm;
   vs_vector *names =
@@ -857,19 +867,20 @@ static bool gen_parameters(compiler *c, vs_core_node *l) {
     }
     if (boxed(p->var) && !vs_emit_op(e, VS_O_BOX, p->var->reg, p->var->reg, 0)) return false;
   }
-  for (uint32_t i = 0; i < l->count; i++) /* their variables may have other names than their keywords */
+  for (uint32_t i = 0; i < l->count; i++) /* the name of a keyword parameter may differ from its keyword */
     if (l->as.lambda.params[i].keyword && !vs_emit_variable(e, l->as.lambda.params[i].var)) return false;
   vs_var *rest = l->as.lambda.rest;
   return !rest || !boxed(rest) || vs_emit_op(e, VS_O_BOX, rest->reg, rest->reg, 0);
 }
 
-/* Returns the procedure's documentation: a string at the beginning of its body, with more behind it; else #f. */
+/* Returns the procedure's documentation, a string at the start of its body that is followed by other expressions, or
+ * #f. */
 static vs_value doc_of(const compiler *c, const vs_core_node *body) {
   if (body->kind == VS_AST_SEQ && body->count > 1 && body->as.seq.at[0]->kind == VS_AST_CHECK)
     body = body->as.seq.at[body->count - 1];
   const vs_core_node *first = NULL;
   if (body->kind == VS_AST_SEQ && body->count > 1) first = body->as.seq.at[0];
-  /* before definitions: body.c gives expressions there the name _ */
+  /* A string before definitions: body.c binds it to the name _. */
   if (body->kind == VS_AST_FIX && body->count > 0) {
     vs_value name = pool(c, body->as.let.vars[0]->name);
     if (vs_is_symbol(name) && strcmp(vs_as_symbol(name)->name, "_") == 0) first = body->as.let.values[0];
@@ -878,7 +889,7 @@ static vs_value doc_of(const compiler *c, const vs_core_node *body) {
   return text ? pool(c, first->as.constant) : VS_FALSE;
 }
 
-/* Compiles one LAMBDA into the code object made for it. */
+/* Compiles a LAMBDA into its code object. */
 static bool compile_procedure(compiler *c, vs_core_node *l) {
   vs_ast *ast = c->e.ast;
   vs_value code = ast->pool[((vs_lambda_info *)l->as.lambda.extra)->code - 1];

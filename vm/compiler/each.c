@@ -1,4 +1,4 @@
-/* Owns the results of a row. */
+/* Collects the results of EACH and MORE (each.h). */
 #include "vm/compiler/each.h"
 
 bool vs_each_keep(vs_scheme *vm, vs_value *row) {

@@ -1,10 +1,10 @@
-/* Owns the row of registers for EACH and MORE, which call a procedure with the elements of a list in order and return
- * the result of the row. The window of the call ends the row. Therefore the data for the next call are at fixed places
- * below the activation of the procedure that returns.
+/* Declares the registers of EACH and MORE, which call a procedure with each element of a list and return the results.
+ * These registers are called the row. The window of the calls is at the end of the row. The data for the next call are
+ * therefore at fixed positions below the activation of the called procedure.
  *
- * Results are a list that grows at its end while no continuation can return to the shorter list. After a continuation
- * was made since the start, the list grows at its front, in reverse; no pair of it changes, and the end of the row
- * copies it. */
+ * The results are a list. It grows at its end as long as no continuation can return to the shorter list. Once a
+ * continuation was created, the list grows at its front, in reverse order. Its pairs are then never changed, and a copy
+ * reverses it at the end. */
 #ifndef VS_VM_COMPILER_EACH_H
 #define VS_VM_COMPILER_EACH_H
 
@@ -12,28 +12,30 @@
 
 enum {
   VS_EACH_PROCEDURE,
-  VS_EACH_CAPTURES,     /* the number of continuations at the start; #f: the list of results is reversed */
-  VS_EACH_RESULTS,      /* the list of results; unspecific if none are kept */
-  VS_EACH_LAST,         /* its last pair, or '(); #f if no results are kept */
-  VS_EACH_LIST,         /* the remaining elements */
+  VS_EACH_CAPTURES,     /* number of continuations at the start; #f: the list of results is in reverse order */
+  VS_EACH_RESULTS,      /* list of results, or the unspecific value if results are not kept */
+  VS_EACH_LAST,         /* last pair of the results, or '(); #f if results are not kept */
+  VS_EACH_LIST,         /* list of the remaining elements */
   VS_EACH_WINDOW
 };
 
-/* Keeps the result of a call, row[VS_EACH_WINDOW]. Returns false when memory is out or a limit is reached. */
+/* Adds the result of a call, row[VS_EACH_WINDOW], to the results. Returns false when memory is out or a limit is
+ * reached. */
 bool vs_each_keep(vs_scheme *vm, vs_value *row);
 
-/* Ends the row: row[VS_EACH_RESULTS] is its result. Returns false as above. */
+/* Completes the row: sets row[VS_EACH_RESULTS] to its result. Returns false when memory is out or a limit is
+ * reached. */
 bool vs_each_end(vs_scheme *vm, vs_value *row);
 
-/* Takes v, which the procedure of the row below is about to return from the activation at base, for the element of the
- * call. No continuation was made during the call, as it would have moved the row. Returns 0, with no effect, if MORE
- * has to handle it; 1: the activation has the next element; 2: there is none. Allocates only in the nursery, and moves
- * nothing. */
+/* Adds v, which the procedure called by the row at `base` is about to return, to the results, and prepares the next
+ * call in the same activation. No continuation was created during the call, since it would have moved the row. Returns
+ * 1 if there is a next element, and 2 if there is none. Returns 0, without effect, if the instruction MORE must do the
+ * work. Allocates only in the nursery, and moves nothing. */
 static inline int vs_each_again(vs_scheme *vm, vs_value *base, vs_value v) {
   vs_value *row = base - 2 - VS_EACH_WINDOW, last = row[VS_EACH_LAST], list = row[VS_EACH_LIST];
   if (base[-2] != row[VS_EACH_PROCEDURE] || vm->fuel <= 1) return 0;
   if (last == VS_FALSE) {
-    if (vs_is_object(v)) return 0;        /* MORE handles dropped objects */
+    if (vs_is_object(v)) return 0;        /* an object may be unused, which MORE reports */
   } else {
     if (vs_is(v, VS_T_VALUES) || vm->end - vm->free < (ptrdiff_t)sizeof(vs_pair)) return 0;
     if (last != VS_NIL && !vs_gc_is_young(vm, vs_as_pair(last))) return 0;
@@ -52,7 +54,7 @@ static inline int vs_each_again(vs_scheme *vm, vs_value *base, vs_value v) {
   return 1;
 }
 
-/* A register of the row, relative to the base of the called activation. */
+/* A register of the row, addressed from the base of the called activation. */
 #define VS_EACH_BELOW(base, which) ((base)[(which) - VS_EACH_WINDOW - 2])
 
 #endif

@@ -1,4 +1,4 @@
-/* Owns the construction of one procedure's instructions. */
+/* Emits the instructions of one procedure. */
 #include "vm/compiler/emit.h"
 
 #include "vm/compiler/analyse.h"
@@ -40,14 +40,15 @@ bool vs_emit_word(vs_emit *e, uint32_t w) {
   return true;
 }
 
-/* Copies between a scratch register and one that no instruction can name, VS_FAR or higher. */
+/* Copies between a scratch register and a far one (VS_FAR or higher), which instructions cannot name. */
 static bool far_copy(vs_emit *e, unsigned op, uint32_t scratch, uint32_t far) {
   VS_ASSERT(far >= VS_FAR && scratch < VS_FAR);
   if (e->most < VS_FAR) e->most = VS_FAR;
   return vs_emit_word(e, VS_INSX(op, scratch, far));
 }
 
-/* Loads the read operands; *store: the place of a far result. */
+/* Copies far operands that are read to scratch registers. Sets *store to the far register for the result, or to
+ * VS_NO_REGISTER. */
 static bool operands(vs_emit *e, unsigned op, uint32_t r[3], uint32_t *store) {
   const char *how = vs_op_operands(op);
   *store = VS_NO_REGISTER;
@@ -61,7 +62,7 @@ static bool operands(vs_emit *e, unsigned op, uint32_t r[3], uint32_t *store) {
   return true;
 }
 
-/* Emits an instruction; its first operand is a register that it can name. */
+/* Emits an instruction whose operands are registers that it can name. */
 static bool encode(vs_emit *e, unsigned op, const uint32_t r[3]) {
   VS_ASSERT(r[0] < VS_FAR);
   return vs_emit_word(e, vs_op_operands(op)[1] == 'x' ? VS_INSX(op, r[0], r[1]) : VS_INS(op, r[0], r[1], r[2]));
@@ -82,7 +83,7 @@ bool vs_emit_op1(vs_emit *e, unsigned op, uint32_t a, uint32_t b, uint32_t c, ui
 bool vs_emit_branch(vs_emit *e, unsigned op, uint32_t a, uint32_t b, uint32_t c, vs_jumps *list) {
   uint32_t r[3] = {a, b, c}, store;
   if (!operands(e, op, r, &store) || !encode(e, op, r) || !vs_emit_word(e, *list)) return false;
-  *list = (uint32_t)e->count;                 /* 1 + index of the word */
+  *list = (uint32_t)e->count;                 /* 1 + index of the offset word */
   return true;
 }
 
@@ -94,7 +95,7 @@ bool vs_emit_back(vs_emit *e, unsigned op, uint32_t target) {
 void vs_emit_here(vs_emit *e, vs_jumps list) {
   while (list) {
     uint32_t at = list - 1, before = e->ins[at];
-    VS_ASSERT(at < e->count && before < list); /* the list goes back through the emitted words */
+    VS_ASSERT(at < e->count && before < list); /* follows the list, which is stored in the offset words, backwards */
     e->ins[at] = (uint32_t)(e->count - at - 1);
     list = before;
   }
@@ -129,8 +130,8 @@ bool vs_emit_inlined(vs_emit *e, uint32_t cell) {
   return true;
 }
 
-/* Returns true for a variable of the source, whose value a programmer wants to see. Procedures defined inside are
- * not. */
+/* Returns true for a variable of the source text that a debugger should show. Procedures defined within a body are
+ * omitted. */
 static bool worth_showing(const vs_emit *e, const vs_var *v) {
   vs_value name = e->ast->pool[v->name];
   return e->ast->vm->config.keep_calls && !v->introduced && !v->value && vs_is_symbol(name) &&
@@ -150,7 +151,7 @@ void vs_emit_scope_end(vs_emit *e, size_t first) {
     if (e->variables[i].to == UINT32_MAX) e->variables[i].to = (uint32_t)e->count;
 }
 
-/* Adds the captured variables after the others. */
+/* Adds the captured variables to the table of variables. */
 static bool captured_variables(vs_emit *e) {
   const vs_lambda_info *f = e->lambda->as.lambda.extra;
   for (uint32_t i = 0; i < f->free_count; i++) {
@@ -161,7 +162,7 @@ static bool captured_variables(vs_emit *e) {
   return true;
 }
 
-/* code->places: adds the variables, if there are any, to the entries */
+/* Adds the table of variables, if it is not empty, to code->places. */
 static bool add_variables(vs_emit *e, vs_code *c) {
   vs_scheme *vm = e->ast->vm;
   VS_ROOTS(vm, r, 2);
@@ -180,7 +181,7 @@ static bool add_variables(vs_emit *e, vs_code *c) {
   return true;
 }
 
-/* old space: the run loop keeps addresses into these */
+/* Allocates in old space, since the run loop keeps addresses of these bytes. */
 static bool old_bytes(vs_scheme *vm, const void *at, size_t n, vs_value *out) {
   vs_bytes *b = (vs_bytes *)(void *)vs_gc_alloc_old(vm, VS_T_BYTES, 2 + (n + 7) / 8);
   if (!b) return false;
@@ -193,7 +194,7 @@ static bool old_bytes(vs_scheme *vm, const void *at, size_t n, vs_value *out) {
 bool vs_emit_finish(vs_emit *e, vs_value code) {
   vs_scheme *vm = e->ast->vm;
   VS_ROOTS(vm, r, 1);
-  vs_code *c = vs_as_code(code);              /* old: does not move */
+  vs_code *c = vs_as_code(code);              /* objects in old space do not move */
   VS_ASSERT(!vs_gc_is_young(vm, vs_object_of(code)));
   if (e->count >= 1u << 28)
     return vs_fail_at(vm, vm->sym.syntax, e->lambda->pos, VS_NIL, "this procedure is too large: split it");

@@ -1,52 +1,60 @@
-/* Owns the construction of one procedure's instructions: registers, constants, jumps, places. Only compile.c uses
- * it. */
+/* Declares functions that emit the instructions of one procedure: registers, constants, jumps, places. Only compile.c
+ * uses them. */
 #ifndef VS_VM_COMPILER_EMIT_H
 #define VS_VM_COMPILER_EMIT_H
 
 #include "vm/front/ast.h"
 #include "vm/compiler/code.h"
 
-/* Instructions cannot name registers from VS_FAR on: these are copied to and from scratch registers VS_NEAR... */
+/* Instructions can name registers below VS_FAR only. Others are copied to and from scratch registers, which begin at
+ * VS_NEAR. */
 enum { VS_NEAR = 240, VS_FAR = 256, VS_MOST_REGISTERS = 60000 };
 #define VS_NO_REGISTER UINT32_MAX
 
-/* name: index into the tree's pool; the rest as in code.h */
+/* A variable in the table of variables. name: index in the tree's pool; other members as in code.h. */
 typedef struct vs_named_register { uint32_t name; int64_t where; uint32_t from, to; } vs_named_register;
 
 typedef struct vs_emit {
   vs_ast *ast;
-  vs_core_node *lambda;                     /* the LAMBDA being compiled */
-  uint32_t next, most;                /* first free register; number of registers used */
-  uint32_t fresh;                     /* a register just taken for the next expression, still without a value */
+  vs_core_node *lambda;                     /* LAMBDA that is being compiled */
+  uint32_t next, most;                /* next: first free register; most: number of registers used */
+  uint32_t fresh;                     /* register allocated for the next expression, which has no value yet */
   uint32_t *ins; size_t count, room;
-  uint32_t *consts; size_t const_count, const_room;          /* indices into the tree's pool */
+  uint32_t *consts; size_t const_count, const_room;          /* constants of the procedure, as indices into the tree's
+                                                              * pool */
   vs_place *places; size_t place_count, place_room;
   vs_inlined *inlined; size_t inlined_count, inlined_room;
-  vs_named_register *variables; size_t variable_count, variable_room;     /* only if errors keep their calls */
+  vs_named_register *variables; size_t variable_count, variable_room;     /* used only if the interpreter keeps the
+                                                                           * calls that lead to errors */
 } vs_emit;
 
-typedef uint32_t vs_jumps;            /* 0, or 1 + index of the last open offset word; that contains the one before */
+typedef uint32_t vs_jumps;            /* List of jumps to be patched: 0, or 1 + index of the last offset word, which
+                                       * contains the previous element. */
 
 void vs_emit_close(vs_emit *e);
-bool vs_emit_register(vs_emit *e, uint32_t *out);                         /* takes the next one, marks it fresh */
+bool vs_emit_register(vs_emit *e, uint32_t *out);                         /* allocates the next register and marks it as
+                                                                           * fresh */
 bool vs_emit_word(vs_emit *e, uint32_t w);
 bool vs_emit_op(vs_emit *e, unsigned op, uint32_t a, uint32_t b, uint32_t c);
-/* Emits an op with one extra word. */
+/* Emits an instruction with one extra word. */
 bool vs_emit_op1(vs_emit *e, unsigned op, uint32_t a, uint32_t b, uint32_t c, uint32_t word);
 bool vs_emit_branch(vs_emit *e, unsigned op, uint32_t a, uint32_t b, uint32_t c, vs_jumps *list);
-bool vs_emit_back(vs_emit *e, unsigned op, uint32_t target);              /* JUMP or LOOP to an emitted instruction */
-void vs_emit_here(vs_emit *e, vs_jumps list);                             /* the jumps of the list come here */
-/* The index is one of the tree's pool. */
-bool vs_emit_constant(vs_emit *e, uint32_t pool_index, uint32_t *out);    /* index in this procedure's constants */
-bool vs_emit_value(vs_emit *e, vs_value v, uint32_t *out);                /* the same for a value */
-bool vs_emit_place(vs_emit *e, vs_pos pos);                               /* of the next instruction */
-/* The next instruction replaces a call of this constant. */
+bool vs_emit_back(vs_emit *e, unsigned op, uint32_t target);              /* Emits JUMP or LOOP to an instruction
+                                                                           * emitted before. */
+void vs_emit_here(vs_emit *e, vs_jumps list);                             /* Makes the jumps of the list go to the next
+                                                                           * instruction. */
+/* Sets *out to the index, among this procedure's constants, of a constant of the tree's pool. */
+bool vs_emit_constant(vs_emit *e, uint32_t pool_index, uint32_t *out);
+bool vs_emit_value(vs_emit *e, vs_value v, uint32_t *out);                /* Sets *out to the index of the value among
+                                                                           * this procedure's constants. */
+bool vs_emit_place(vs_emit *e, vs_pos pos);                               /* Sets the place of the next instruction. */
+/* Records that the next instruction replaces a call of the procedure in this cell, a constant. */
 bool vs_emit_inlined(vs_emit *e, uint32_t cell);
-/* From the next instruction on the variable is in its register, up to the last one before vs_emit_scope_end, which gets
- * the earlier variable_count. */
+/* Records that from the next instruction on the variable is in its register. vs_emit_scope_end ends this for all
+ * variables from the index `first` on, an earlier variable_count. */
 bool vs_emit_variable(vs_emit *e, const vs_var *v);
 void vs_emit_scope_end(vs_emit *e, size_t first);
-/* Fills `code` (already allocated, old) with the emitted instructions. */
+/* Stores the emitted instructions in `code`, which is an object in old space. */
 bool vs_emit_finish(vs_emit *e, vs_value code);
 
 #endif

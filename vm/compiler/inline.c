@@ -1,9 +1,9 @@
-/* Owns the table of natives that are opcodes. */
+/* Contains the table of natives that become opcodes. */
 #include "vm/compiler/inline.h"
 
 #include "vm/values/flat.h"
 
-/* the immediate column is an opcode or, for TYPE rows, an object type */
+/* The column "with immediate" is an opcode; in rows TYPE it is a type of objects. */
 #define IMMEDIATE_VALUE(x) VS_O_##x
 #define IMMEDIATE_TEST(x) VS_O_##x
 #define IMMEDIATE_EFFECT(x) VS_O_##x

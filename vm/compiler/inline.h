@@ -1,4 +1,5 @@
-/* Owns the choice of natives that are opcodes: rows of inline.def, and the host's flat record makers and getters. */
+/* Declares the search for natives that become opcodes: rows of inline.def, and the host's flat record makers and
+ * getters. */
 #ifndef VS_VM_COMPILER_INLINE_H
 #define VS_VM_COMPILER_INLINE_H
 
@@ -16,10 +17,10 @@ typedef enum {
   VS_WAY_RECORD,
   VS_WAY_EACH
 } vs_inline_way;
-enum { VS_ANY_COUNT = 255 };    /* vs_inline_row.args: any number, at least one */
+enum { VS_ANY_COUNT = 255 };    /* value of vs_inline_row.args for any number of arguments, at least one */
 typedef struct vs_inline_row { const char *name; uint8_t args, way, op, immediate, many; } vs_inline_row;
 
-/* Gives the row number (0: none) and its argument (of the host's table) for a native of this name. */
+/* Sets *row to the number of the row for a native of this name (0: none), and *arg to its index in the host's table. */
 void vs_inline_find(const vs_scheme *vm, const char *name, size_t length, uint32_t *row, uint32_t *arg);
 const vs_inline_row *vs_inline_get(uint32_t row);
 

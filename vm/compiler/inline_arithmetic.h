@@ -1,14 +1,14 @@
-/* Owns the arithmetic that instructions do themselves, without a call: on fixnums and doubles, and on the host's flat
- * records (points and vectors). The library's procedure of the instruction handles all other cases (a fixnum that
- * overflows, a result that is not finite, other operands) and reports the errors. */
+/* Implements the arithmetic of instructions without a call: on fixnums and doubles, and on the host's flat records
+ * (points and vectors). The procedure that the instruction replaces handles all other cases: a fixnum that overflows, a
+ * result that is not finite, other operands. It also reports errors. */
 #ifndef VS_VM_COMPILER_INLINE_ARITHMETIC_H
 #define VS_VM_COMPILER_INLINE_ARITHMETIC_H
 
 #include "vm/machine/vs.h"
 #include "vm/numbers/number.h"
 
-/* Gets the doubles of n finite numbers in registers, for a flat record. Returns false, without an error, if one is
- * none: the library's procedure then reports it. */
+/* Converts n numbers in registers to doubles for a flat record. Returns false, without an error, if one is no finite
+ * number. */
 static inline bool flat_numbers(const vs_value *at, size_t n, double *d) {
   for (size_t i = 0; i < n; i++) {
     if (vs_is_double(at[i])) d[i] = vs_double(at[i]);
@@ -21,12 +21,12 @@ static inline bool flat_numbers(const vs_value *at, size_t n, double *d) {
 
 static inline bool flat_operand(vs_value v) { return vs_is(v, VS_T_FLAT); }
 
-/* Returns true if there is a rule for these two. */
+/* Returns true if the host has a rule for the operation on these two values. */
 static inline bool flat_rule(const vs_scheme *vm, vs_flat_op op, vs_value a, vs_value b) {
   bool fa = flat_operand(a), fb = flat_operand(b);
   if (!(fa || fb) || !vm->flat) return false;
   if (!(fa || vs_is_double(a) || vs_is_fixnum(a)) || !(fb || vs_is_double(b) || vs_is_fixnum(b))) return false;
-  /* the library's / reports it */
+  /* The procedure / reports a division by 0. */
   if (op == VS_OP_DIV && (b == vs_fix(0) || (vs_is_double(b) && vs_double(b) == 0))) return false;
   return vm->flat->at[op][fa ? vs_as_flat(a)->h.flags : 0][fb ? vs_as_flat(b)->h.flags : 0].rule != VS_RULE_NONE;
 }
@@ -37,9 +37,9 @@ static inline bool to_double(vs_value v, double *d) {
   return false;
 }
 
-/* Applies the host's binary procedure of this row to x and y; the result is three numbers or one. Returns the record's
- * tag, 0 for a number. Returns a negative number, for other operands or a result that is not finite, if the procedure
- * itself must run. */
+/* Applies the host's binary procedure of this row to x and y, with three numbers or one in d as its result. Returns the
+ * kind of the record, or 0 for a number. Returns a negative number if the procedure itself must run: for other
+ * operands, or a result that is not finite. */
 static inline int flat_binary(const vs_flat_rules *rules, uint32_t row, vs_value x, vs_value y, double *d) {
   int kind = rules->binary[row].kind, result = rules->binary[row].result;
   if (!vs_is_flat(x, rules->binary[row].left)) return -1;
@@ -75,7 +75,7 @@ static inline bool both_fixnums(vs_value a, vs_value b) {
   return (((a ^ VS_TAG_FIXNUM << 48) | (b ^ VS_TAG_FIXNUM << 48)) >> 48) == 0;
 }
 
-/* Computes a op b for doubles, or a fixnum in place of one; returns false for other operands. */
+/* Computes a op b if at least one is a double and the other a double or fixnum. Returns false for other operands. */
 static inline bool quick_double(vs_flat_op op, vs_value a, vs_value b, vs_value *out) {
   double x, y;
   if (vs_is_double(a) && vs_is_double(b)) { x = vs_double(a); y = vs_double(b); }
@@ -83,7 +83,7 @@ static inline bool quick_double(vs_flat_op op, vs_value a, vs_value b, vs_value 
   switch (op) {
     case VS_OP_ADD: x += y; break;
     case VS_OP_SUB: x -= y; break;
-    case VS_OP_MUL:      /* also for exact 0 with a double: 0 * 1.5 = 0.0 as in the general case */
+    case VS_OP_MUL:      /* also for an exact 0 and a double: 0 * 1.5 = 0.0, as the procedure computes it */
       x *= y; break;
     case VS_OP_DIV: if (b == vs_fix(0)) return false; x /= y; break;
     default: return false;
@@ -92,8 +92,8 @@ static inline bool quick_double(vs_flat_op op, vs_value a, vs_value b, vs_value 
   return true;
 }
 
-/* Computes a op b for fixnums and doubles; returns false for other operands, or if a fixnum overflows. Sums use the
- * upper 48 bits, where the machine detects overflow. */
+/* Computes a op b for fixnums and doubles. Returns false for other operands, or if a fixnum overflows. Sums use the
+ * upper 48 bits, where the processor detects overflow. */
 static inline bool quick(vs_flat_op op, vs_value a, vs_value b, vs_value *out) {
   if (!both_fixnums(a, b)) return quick_double(op, a, b, out);
   int64_t i, j, r;
@@ -113,7 +113,7 @@ static inline bool quick(vs_flat_op op, vs_value a, vs_value b, vs_value *out) {
 }
 
 typedef enum { LT, LE, GT, GE, EQ } relation;
-/* Returns 0 or 1; -1 if the operands are not fixnums and doubles. */
+/* Returns the result of the comparison, 0 or 1, or -1 if an operand is neither fixnum nor double. */
 static inline int compare(relation rel, vs_value a, vs_value b) {
   if (both_fixnums(a, b)) {
     int64_t i = (int64_t)(a << 16), j = (int64_t)(b << 16);

@@ -1,12 +1,12 @@
-/* Owns (%renamed procedure name), with which the library gives a procedure a second name. It copies the code with every
- * constant of the old name replaced, so that errors use the name in the program. */
+/* Implements (%renamed procedure name), by which the library gives a procedure a second name. The code is copied with
+ * the old name replaced in every constant, so that errors show the name in the program. */
 #include "vm/compiler/code.h"
 #include "vm/machine/native.h"
 
-enum { DEEPEST = 16 };      /* levels of procedures within procedures, in the library's own code */
+enum { DEEPEST = 16 };      /* greatest nesting of procedures in the library's own code */
 
 static bool rename_code(vs_scheme *vm, vs_value code, vs_value from, vs_value to, int depth, vs_value *out) {
-  VS_ROOTS(vm, r, 5);       /* code, its copy, constants, one constant, its copy */
+  VS_ROOTS(vm, r, 5);       /* roots: code, its copy, constants, a constant, its copy */
   if (depth > DEEPEST) return vs_fail(vm, vm->sym.internal, "nested too deeply");
   r[0] = code;
   vs_code *copy = (vs_code *)(void *)vs_gc_alloc_old(vm, VS_T_CODE, VS_WORDS(vs_code));
@@ -33,7 +33,7 @@ static bool rename_code(vs_scheme *vm, vs_value code, vs_value from, vs_value to
   return true;
 }
 
-/* Renames a closure without captured variables, as those of a library's top level are. */
+/* Renames a closure without captured variables, such as a procedure at a library's top level. */
 static bool rename_closure(vs_scheme *vm, vs_value closure, vs_value to, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   vs_value code = vs_as_closure(closure)->code;
@@ -48,7 +48,7 @@ static bool rename_closure(vs_scheme *vm, vs_value closure, vs_value to, vs_valu
 
 static vs_status renamed(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
-  if (vs_is(a[0], VS_T_PARAMETER)) {       /* not copied: it gets the name */
+  if (vs_is(a[0], VS_T_PARAMETER)) {       /* a parameter object is not copied: its name is set */
     vs_gc_store(vm, vs_as_parameter(a[0]), &vs_as_parameter(a[0])->name, a[1]);
     *out = a[0];
     return VS_OK;

@@ -1,4 +1,4 @@
-/* Owns the arena of core trees and their constant pools. */
+/* Allocates core trees and their pools of constants. */
 #include "vm/front/ast.h"
 
 #include "vm/machine/native.h"
@@ -58,7 +58,8 @@ void *vs_ast_alloc(vs_ast *ast, size_t bytes) {
 }
 
 bool vs_ast_const(vs_ast *ast, vs_value v, uint32_t *index) {
-  /* equal constants are mostly among the last; the compiler merges the rest per procedure */
+  /* Compares with the latest constants only, among which equal ones mostly are. The compiler merges all equal constants
+   * of a procedure. */
   size_t from = ast->pool_count > 16 ? ast->pool_count - 16 : 0;
   for (size_t i = ast->pool_count; i-- > from;)
     if (ast->pool[i] == v) { *index = (uint32_t)i; return true; }

@@ -1,4 +1,4 @@
-/* Owns the core syntax that binds: let let* letrec letrec* do, named let, let-syntax letrec-syntax. */
+/* Expands the binding syntax: let let* letrec letrec* do, named let, let-syntax letrec-syntax. */
 #include "vm/front/body.h"
 #include "vm/front/derived_syntax.h"
 #include "vm/front/expand.h"
@@ -7,7 +7,7 @@
 #include "vm/machine/fail.h"
 #include "vm/values/heap.h"
 
-/* Checks bindings of the form ((name value) ...). The message for usual mistakes shows the right form. */
+/* Checks bindings of the form ((name value) ...). For usual mistakes, the message shows the right form. */
 static bool check_bindings(vs_expansion *x, vs_value list, vs_pos outer, int form, bool step) {
   const char *name = vs_form_shape(form);
   if (vs_list_length(list) < 0) return vs_expand_fail(x, outer, list, "the bindings are a list: %s; not", name);
@@ -27,7 +27,7 @@ static bool check_bindings(vs_expansion *x, vs_value list, vs_pos outer, int for
   return true;
 }
 
-/* Makes variables for `list` in vars, and binds them in the scope. */
+/* Creates a variable for each name of `list`, stores it in vars, and binds it in the scope. */
 static bool bind_names(vs_expansion *x, vs_value list, vs_value scope, vs_var **vars) {
   VS_ROOTS(x->vm, r, 2);
   r[0] = list; r[1] = scope;
@@ -53,7 +53,7 @@ static bool push_values(vs_expansion *x, vs_value list, vs_value env, vs_core_no
   return ok;
 }
 
-/* (let name ((v e) ...) body ...): FIX name = LAMBDA, with a call of it */
+/* (let name ((v e) ...) body ...) becomes a FIX of name = LAMBDA, with a call of it as its body. */
 static bool named_let(vs_expansion *x) {
   VS_ROOTS(x->vm, r, 2);
   vs_value form = x->now.form, id = vs_car(vs_cdr(form)), list = vs_car(vs_cdr(vs_cdr(form)));
@@ -78,7 +78,8 @@ static bool named_let(vs_expansion *x) {
          push_values(x, vs_car(vs_cdr(vs_cdr(x->now.form))), x->now.env, call->as.call.at, NULL, x->now.depth + 2);
 }
 
-/* Notes the names of this let that have no meaning around it. If a later value uses such a name, let* was intended. */
+/* Stores the names of this let that are not defined outside. If a later value uses such a name, the message suggests
+ * let*. */
 static bool mention_let_star(vs_expansion *x, vs_value list) {
   VS_ROOTS(x->vm, r, 2);
   for (r[0] = list; vs_is_pair(vs_cdr(r[0])); r[0] = vs_cdr(r[0])) {
@@ -89,8 +90,8 @@ static bool mention_let_star(vs_expansion *x, vs_value list) {
   return true;
 }
 
-/* Returns true if the evaluation of this value of a letrec may make a continuation: not for a procedure, nor for an
- * expression that is no call; true in doubt. */
+/* Returns true if evaluating this value of a letrec may create a continuation. That is not so for a procedure, nor for
+ * an expression that is no call. */
 static bool may_return_again(vs_value value) {
   if (!vs_is_pair(value)) return false;
   if (!vs_is_identifier(vs_car(value))) return true;
@@ -104,9 +105,9 @@ static size_t returning_again(vs_value list) {
   return n;
 }
 
-/* Completes a letrec with `again` values that may be given a second time. Their variables are boxes in the heap, set
- * when all these values are computed: FIX (procedure value) ... (a' value) ... (a a') ... with names a' that nobody
- * sees. */
+/* Completes a letrec whose last `again` values may be computed a second time, by a continuation. Their variables are
+ * boxes that are set when all these values are computed: FIX (procedure value) ... (a' value) ... (a a') ... with
+ * hidden names a'. */
 static bool letrec_apart(vs_expansion *x, vs_core_node *fix, vs_var **vars, size_t again, vs_value env,
                          uint32_t depth) {
   VS_ROOTS(x->vm, r, 2);
@@ -162,7 +163,7 @@ static bool binding_form(vs_expansion *x, int form, int kind) {
 }
 
 bool vs_form_let(vs_expansion *x) { return binding_form(x, VS_FORM_let, VS_AST_LET); }
-/* A let whose variables may be assigned in their registers: no continuation made in it returns twice. */
+/* Expands a let whose variables may be assigned in their registers: no continuation created in it is entered twice. */
 bool vs_form_let_registers(vs_expansion *x) {
   vs_core_node **into = x->now.into;
   if (!binding_form(x, VS_FORM_let_registers, VS_AST_LET)) return false;
@@ -173,7 +174,7 @@ bool vs_form_let_registers(vs_expansion *x) {
 bool vs_form_letrec(vs_expansion *x) { return binding_form(x, VS_FORM_letrec, VS_AST_FIX); }
 bool vs_form_letrec_star(vs_expansion *x) { return binding_form(x, VS_FORM_letrec_star, VS_AST_FIX); }
 
-/* binds the first, then makes a let* of the others */
+/* Binds the first variable, and makes a let* of the others the body. */
 bool vs_form_let_star(vs_expansion *x) {
   if (!x->now.chained && vs_list_length(x->now.form) < 3) return vs_expand_shape(x, VS_FORM_let_star);
   vs_value l = vs_cdr(x->now.form);
@@ -207,8 +208,8 @@ bool vs_form_let_star(vs_expansion *x) {
   return true;
 }
 
-/* (do ((v start step) ...) (test result ...) body ...): FIX loop = LAMBDA of IF test result (SEQ body ... (loop step
- * ...)) */
+/* (do ((v start step) ...) (test result ...) body ...) becomes a FIX of loop = LAMBDA with the body IF test result (SEQ
+ * body ... (loop step ...)). */
 bool vs_form_do(vs_expansion *x) {
   if (vs_list_length(x->now.form) < 3) return vs_expand_shape(x, VS_FORM_do);
   vs_value l = vs_cdr(x->now.form), list = vs_car(l), end = vs_car(vs_cdr(l)), body = vs_cdr(vs_cdr(l)), name;
@@ -262,8 +263,8 @@ bool vs_form_do(vs_expansion *x) {
   return push_values(x, vs_car(vs_cdr(x->now.form)), x->now.env, call->as.call.at, NULL, x->now.depth + 2);
 }
 
-/* Binds transformers that are syntax-rules in a scope. Others become define-syntax at the head of a body, which can
- * wait for their values. */
+/* Binds macros in a scope. If their transformers are all syntax-rules, that is done directly. Otherwise they become
+ * define-syntax forms at the start of a body, which can wait for the values of transformers. */
 static bool syntax_binding(vs_expansion *x, bool recursive, int form) {
   vs_scheme *vm = x->vm;
   if (vs_list_length(x->now.form) < 3) return vs_expand_shape(x, form);

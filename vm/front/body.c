@@ -1,10 +1,11 @@
-/* Owns definitions: bodies, the top level, the forms of define and define-syntax, transformers.
+/* Expands definitions: bodies, the top level, define, define-syntax and transformers.
  *
- * A body is handled form by form. Its head is expanded until it is a definition (the body's scope binds its name at
- * once; its value is kept), a begin (spliced) or an expression. When every name is known, the kept forms are expanded:
- * all definitions and the expressions between them become one FIX (letrec*), and the rest its body. The definitions are
- * a list, newest first, of vectors #(variable form place parameters): variable is a fixnum address, or #f for an
- * expression; parameters are VS_ABSENT for a plain value, else form is the procedure's body. */
+ * A body is expanded form by form. Macros at the head of a form are expanded until it is a definition, a `begin` or an
+ * expression. The name of a definition is bound at once, and its value kept for later; the forms of a `begin` are
+ * inserted. When all names are known, the kept forms are expanded. All definitions, with the expressions between them,
+ * become one FIX (letrec*), and the expressions after them its body. The kept forms are a list, newest first, of
+ * vectors #(variable form place parameters). variable is a fixnum address, or #f for an expression. parameters is
+ * VS_ABSENT for a plain value; otherwise form is the procedure's body. */
 #include "vm/front/body.h"
 
 #include "vm/front/derived_syntax.h"
@@ -17,7 +18,7 @@
 
 
 /* ---- the parts of a define ---- */
-/* A curried define, (define ((f a) b) ...), becomes a procedure with a lambda as its body. */
+/* Divides a define form. A curried definition (define ((f a) b) ...) becomes a procedure with a lambda as its body. */
 bool vs_define_parts(vs_expansion *x, vs_value form, vs_value parts[3], bool *procedure) {
   vs_scheme *vm = x->vm;
   vs_value *name = &parts[0], *params = &parts[1], *rest = &parts[2];
@@ -28,7 +29,7 @@ bool vs_define_parts(vs_expansion *x, vs_value form, vs_value parts[3], bool *pr
   r[0] = vs_car(vs_cdr(form));
   r[1] = vs_cdr(vs_cdr(form));
   *procedure = vs_is_pair(r[0]);
-  while (vs_is_pair(r[0]) && vs_is_pair(vs_car(r[0]))) {          /* curried */
+  while (vs_is_pair(r[0]) && vs_is_pair(vs_car(r[0]))) {          /* a curried definition */
     if (!vs_core_name(vm, "lambda", &r[2]) || !vs_cons(vm, vs_cdr(r[0]), r[1], &r[1]) ||
         !vs_cons_at(vm, r[2], r[1], pos, &r[1]) || !vs_cons(vm, r[1], VS_NIL, &r[1]))
       return false;
@@ -66,14 +67,15 @@ bool vs_define_parts(vs_expansion *x, vs_value form, vs_value parts[3], bool *pr
   return true;
 }
 
-/* ---- transformers ---- */
+/* ---- transformers of macros ---- */
 bool vs_expand_transformer(vs_expansion *x, vs_value spec, vs_value env, vs_value *macro, bool *done) {
   vs_scheme *vm = x->vm;
   VS_ROOTS(vm, r, 4);
   r[0] = spec; r[1] = env;
   *done = true;
   vs_pos pos = vs_form_pos(spec, x->now.pos);
-  if (vs_is(spec, VS_T_MACRO)) {                      /* the value of a transformer expression */
+  if (vs_is(spec, VS_T_MACRO)) {                      /* the value of a transformer expression, which is already a
+                                                       * macro */
     vs_macro *m = (vs_macro *)(void *)vs_gc_alloc(vm, VS_T_MACRO, VS_WORDS(vs_macro));
     if (!m) return false;
     const vs_macro *from = vs_as_macro(r[0]);
@@ -82,13 +84,13 @@ bool vs_expand_transformer(vs_expansion *x, vs_value spec, vs_value env, vs_valu
     *macro = vs_from_object(m);
     return true;
   }
-  if (vs_is_identifier(spec)) {                       /* (define-syntax mine if) */
+  if (vs_is_identifier(spec)) {                       /* another name for syntax: (define-syntax mine if) */
     vs_meaning m = vs_environment_find(env, spec);
     if (m.kind == VS_MEANS_MACRO) { *macro = m.value; return true; }
   }
   if (vs_is_pair(spec) && vs_is_form(env, vs_car(spec), VS_FORM_syntax_rules))
     return vs_rules_make(x, spec, env, pos, macro);
-  if (vs_is_pair(spec) && vs_is_identifier(vs_car(spec))) {      /* a macro that makes a transformer */
+  if (vs_is_pair(spec) && vs_is_identifier(vs_car(spec))) {      /* a macro that expands to a transformer */
     vs_meaning m = vs_environment_find(env, vs_car(spec));
     if (m.kind == VS_MEANS_MACRO && vs_as_macro(m.value)->kind == vs_fix(VS_MACRO_RULES))
       return vs_rules_expand(x, m.value, spec, env, pos, &r[2]) && vs_expand_transformer(x, r[2], r[1], macro, done);
@@ -104,8 +106,8 @@ bool vs_expand_transformer(vs_expansion *x, vs_value spec, vs_value env, vs_valu
   return true;
 }
 
-/* Binds (define-syntax name spec) in env. PLT's (define-syntax-rule ...) is a macro of the prelude. *wait: a call must
- * run first; its value replaces the spec. */
+/* Binds (define-syntax name spec) in env. (define-syntax-rule ...) is a macro of the prelude. Sets *wait if a call must
+ * run first, whose value replaces spec. */
 static bool define_syntax(vs_expansion *x, vs_value form, vs_value env, bool *wait) {
   VS_ROOTS(x->vm, r, 3);
   r[0] = form; r[1] = env;
@@ -119,7 +121,7 @@ static bool define_syntax(vs_expansion *x, vs_value form, vs_value env, bool *wa
   return vs_environment_bind(x->vm, r[1], vs_car(vs_cdr(r[0])), r[2]);
 }
 
-/* Rewrites (define-syntax name spec) to (define-syntax name value). */
+/* Replaces the spec of (define-syntax name spec) by the value. */
 static bool with_value(vs_scheme *vm, vs_value form, vs_value value, vs_pos pos, vs_value *out) {
   VS_ROOTS(vm, r, 2);
   r[0] = form;
@@ -164,7 +166,8 @@ static bool expand_kept(vs_expansion *x, vs_value kept, vs_core_node **into, uin
 
 static bool finish_body(vs_expansion *x) {
   vs_scheme *vm = x->vm;
-  size_t total = 0, defined = 0;                    /* kept; those up to the last definition */
+  size_t total = 0, defined = 0;                    /* total: kept forms; defined: kept forms up to the last
+                                                     * definition */
   for (vs_value l = x->now.acc; vs_is_pair(l); l = vs_cdr(l)) {
     if (!defined && vs_is_fixnum(vs_as_vector(vs_car(l))->at[0])) defined = 1;
     else if (defined) defined++;
@@ -190,7 +193,8 @@ static bool finish_body(vs_expansion *x) {
   }
   uint32_t depth = x->now.depth + (fix != NULL) + (seq != NULL);
   bool ok = true;
-  for (size_t i = total; ok && i-- > 0; r[0] = vs_cdr(r[0])) {      /* newest first: the tasks then run in order */
+  for (size_t i = total; ok && i-- > 0; r[0] = vs_cdr(r[0])) {      /* from the newest to the oldest, so that the tasks
+                                                                     * run in the order of the text */
     const vs_vector *v = vs_as_vector(vs_car(r[0]));
     if (i >= defined) {
       ok = expand_kept(x, vs_car(r[0]), seq ? &seq->as.seq.at[i - defined] : into, depth);
@@ -208,7 +212,7 @@ static bool finish_body(vs_expansion *x) {
   return ok;
 }
 
-/* Puts the forms of a begin before the rest of the body. */
+/* Inserts the forms of a `begin` before the remaining forms of the body. */
 static bool splice(vs_expansion *x, vs_value forms) {
   vs_scheme *vm = x->vm;
   VS_ROOTS(vm, r, 4);
@@ -270,7 +274,7 @@ bool vs_body_step(vs_expansion *x) {
   return finish_body(x);
 }
 
-/* Takes the value for which a body or a top-level task waits. */
+/* Continues a task of a body or of the top level with the value for which it waited. */
 bool vs_body_resume(vs_expansion *x, vs_value value) {
   vs_scheme *vm = x->vm;
   VS_ROOTS(vm, r, 1);
@@ -287,8 +291,8 @@ bool vs_body_resume(vs_expansion *x, vs_value value) {
 }
 
 /* ---- the top level ---- */
-/* Binds the names of a macro's (begin (define name ...) ...) before any of its forms is expanded, so that the first may
- * refer to the last. A name of the program would be found by its symbol, but no other code knows these. */
+/* Binds the names of (begin (define name ...) ...) of a macro before any of its forms is expanded, so that the first
+ * may refer to the last. The names are renamed by the macro, so that only this code can refer to them. */
 static bool bind_renamed(vs_expansion *x, vs_value forms) {
   VS_ROOTS(x->vm, r, 1);
   for (r[0] = forms; vs_is_pair(r[0]); r[0] = vs_cdr(r[0])) {
@@ -311,12 +315,12 @@ bool vs_top_step(vs_expansion *x) {
   if (!vs_expand_settle(x, &r[0], &m, &pos)) return false;
   x->now.form = r[0];
   x->now.pos = pos;
-  /* a transformer of a body */
+  /* A transformer of a macro defined in a body. */
   if (!vs_is_top(x->now.env)) return vs_expand_push(x, VS_TASK_EXPR, r[0], x->now.env, pos, x->now.into, 0);
   int form = m.kind == VS_MEANS_MACRO ? (int)vs_fixnum(vs_as_macro(m.value)->kind) : vs_unit_word(&m);
   if (form != VS_FORM_begin && form != VS_FORM_import && form != VS_FORM_define_library &&
       vs_environment_intake(x->now.env) == VS_INTAKE_FRESH)
-    vs_environment_set_intake(x->now.env, VS_INTAKE_OPEN);        /* it does not begin with an import */
+    vs_environment_set_intake(x->now.env, VS_INTAKE_OPEN);        /* the program does not begin with an import */
   switch (form) {
   case VS_FORM_begin:
     if (vs_list_length(r[0]) < 0) return vs_expand_shape(x, VS_FORM_begin);
@@ -339,7 +343,7 @@ bool vs_top_step(vs_expansion *x) {
       return vs_expand_lambda(x, &lambda, &n->as.global.value);
     }
     if (!vs_expand_push(x, VS_TASK_EXPR, r[3], x->now.env, pos, &n->as.global.value, 1)) return false;
-    /* a lambda takes its name from it */
+    /* the variable's name becomes the name of a lambda */
     return (vs_expand_top(x)->var = vs_ast_var(&x->ast, vs_identifier_symbol(r[1]))) != NULL;
   }
   case VS_FORM_define_syntax: {

@@ -1,18 +1,18 @@
-/* Owns the interface of body.c: definitions. */
+/* Declares the expansion of definitions, implemented in body.c. */
 #ifndef VS_VM_FRONT_BODY_H
 #define VS_VM_FRONT_BODY_H
 
 #include "vm/front/expand.h"
 
-/* Turns the transformer spec into a MACRO, or into a call that returns one. *done false: the call (x->procedure) must
- * run; then set `waiting`. */
+/* Converts the transformer spec to a MACRO, or to a call that returns one. Sets *done to false if the call of
+ * x->procedure must run first; the caller then sets `waiting`. */
 bool vs_expand_transformer(vs_expansion *x, vs_value spec, vs_value env, vs_value *macro, bool *done);
-/* steps of the tasks, and the value for a waiting one */
+/* Perform a step of a task, and pass the value to a waiting one. */
 bool vs_body_step(vs_expansion *x);
 bool vs_top_step(vs_expansion *x);
 bool vs_body_resume(vs_expansion *x, vs_value value);
-/* Divides form, (define . rest), into roots: the name; the parameters, VS_ABSENT if it defines no procedure; the body,
- * or the value's form. Returns false with the error set. */
+/* Divides form, (define . rest), into three roots: the name; the parameters, or VS_ABSENT if no procedure is defined;
+ * the body or the value's form. If it fails, sets the error and returns false. */
 bool vs_define_parts(vs_expansion *x, vs_value form, vs_value parts[3], bool *procedure);
 
 #endif

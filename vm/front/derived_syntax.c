@@ -1,4 +1,4 @@
-/* Owns the syntax that is rewritten to other syntax: define-record-type, include, cond-expand. */
+/* Expands syntax by rewriting it to other syntax: define-record-type, include, cond-expand. */
 #include "vm/front/derived_syntax.h"
 
 #include "vm/front/expand.h"
@@ -23,13 +23,13 @@ bool vs_make_form_list(vs_scheme *vm, vs_value *out, size_t n, const vs_value *i
   return true;
 }
 
-/* Makes (head a b ...) with the library's head; items are in roots and end with VS_ABSENT. */
+/* Sets *out to the form (head a b ...), where head is a name of the library. The items are in roots. */
 static bool make(vs_scheme *vm, const char *head, size_t n, const vs_value *items, vs_value *out) {
   VS_ROOTS(vm, r, 2);
   return vs_make_form_list(vm, &r[0], n, items) && vs_core_name(vm, head, &r[1]) && vs_cons(vm, r[1], r[0], out);
 }
 
-/* Adds (define name value) to the list of definitions, newest first. */
+/* Adds (define name value) to the list of definitions, which is newest first. */
 static bool define(vs_scheme *vm, vs_value name, vs_value value, vs_pos pos, vs_value *list) {
   VS_ROOTS(vm, r, 3);
   r[0] = name; r[1] = value;
@@ -51,8 +51,8 @@ static int64_t field_index(vs_value fields, vs_value id) {
   return -1;
 }
 
-/* Rewrites to (define type (%make-record-type 'name '(field ...))) (define constructor (lambda (field ...) (%record
- * type field ...))) ... */
+/* Rewrites define-record-type to (define type (%make-record-type 'name '(field ...))), (define constructor (lambda
+ * (field ...) (%record type field ...))) and so on. */
 bool vs_form_define_record_type(vs_expansion *x, vs_value *form) {
   vs_scheme *vm = x->vm;
   enum { NAME, MAKER, PRED, FIELDS, OUT, A, B, C, D, E, COUNT };
@@ -81,9 +81,10 @@ bool vs_form_define_record_type(vs_expansion *x, vs_value *form) {
       return vs_expand_fail(x, vs_element_pos(l, false, pos), f,
                             "a field is (name accessor) or (name accessor modifier), not");
   }
-  /* the type */
+  /* The definition of the type. */
   r[A] = VS_NIL;
-  for (l = r[FIELDS]; vs_is_pair(l); l = vs_cdr(l)) {          /* names, newest first, then reversed */
+  for (l = r[FIELDS]; vs_is_pair(l); l = vs_cdr(l)) {          /* collects the names, newest first; they are reversed
+                                                                * below */
     r[B] = l;
     if (!vs_cons(vm, vs_is_pair(vs_car(l)) ? vs_car(vs_car(l)) : vs_car(l), r[A], &r[A])) return false;
     l = r[B];
@@ -94,7 +95,7 @@ bool vs_form_define_record_type(vs_expansion *x, vs_value *form) {
   VS_ROOTS(vm, p, 5);
   p[0] = r[C]; p[1] = r[D];
   if (!make(vm, "%make-record-type", 2, p, &r[C]) || !define(vm, r[NAME], r[C], pos, &r[OUT])) return false;
-  /* the constructor */
+  /* The definition of the constructor. */
   if (r[MAKER] != VS_FALSE) {
     if (r[MAKER] == VS_TRUE)
       return vs_expand_fail(x, pos, VS_ABSENT, "define-record-type: the constructor needs a name: %s",
@@ -145,13 +146,13 @@ bool vs_form_define_record_type(vs_expansion *x, vs_value *form) {
   return vs_core_name(vm, "begin", &r[B]) && vs_cons_at(vm, r[B], r[A], pos, form);
 }
 
-/* Rewrites (include "a" "b") to (begin forms of a, forms of b). */
+/* Rewrites (include "a" "b") to a `begin` with the forms of both files. */
 static bool include(vs_expansion *x, vs_value *form, bool fold) {
   vs_scheme *vm = x->vm;
   vs_pos pos = x->now.pos;
   if (vs_list_length(*form) < 2)
     return vs_expand_fail(x, pos, *form, "include is written %s, not", vs_form_shape(VS_FORM_include));
-  VS_ROOTS(vm, r, 4);      /* names, all forms newest first, forms of one file, result */
+  VS_ROOTS(vm, r, 4);      /* roots: names, all forms newest first, forms of one file, result */
   r[0] = vs_cdr(*form);
   r[1] = VS_NIL;
   for (; vs_is_pair(r[0]); r[0] = vs_cdr(r[0])) {
@@ -171,7 +172,7 @@ static bool include(vs_expansion *x, vs_value *form, bool fold) {
 bool vs_form_include(vs_expansion *x, vs_value *form) { return include(x, form, false); }
 bool vs_form_include_ci(vs_expansion *x, vs_value *form) { return include(x, form, true); }
 
-/* (syntax-error "message" form ...): a macro's error about its use */
+/* (syntax-error "message" form ...): reports an error in the use of a macro. */
 bool vs_form_syntax_error(vs_expansion *x, vs_value *form) {
   vs_scheme *vm = x->vm;
   vs_value l = vs_cdr(*form);
@@ -216,7 +217,8 @@ static bool is_word(vs_value v, const char *word) {
   return vs_is_identifier(v) && !strcmp(vs_as_symbol(vs_identifier_symbol(v))->name, word);
 }
 
-/* Returns 1 if the requirement is met, 0 if not, -1 with an error. The depth of its nesting is limited. */
+/* Returns 1 if the requirement is fulfilled, 0 if not, and -1 with the error set. The nesting of requirements is
+ * limited. */
 static int holds(vs_expansion *x, vs_value q, int depth) {
   if (depth > 50) return vs_expand_fail(x, x->now.pos, VS_ABSENT, "this requirement is nested too deeply") - 1;
   if (vs_is_identifier(q)) {
@@ -250,7 +252,8 @@ static int holds(vs_expansion *x, vs_value q, int depth) {
          1;
 }
 
-/* Sets *forms to those of the first clause with a met requirement, VS_NIL if there is none. */
+/* Sets *forms to those of the first clause whose requirement is fulfilled, or to VS_NIL. If it fails, sets the error
+ * and returns false. */
 bool vs_cond_expand(vs_expansion *x, vs_value form, vs_value *forms) {
   *forms = VS_NIL;
   for (vs_value l = vs_cdr(form); vs_is_pair(l); l = vs_cdr(l)) {

@@ -1,10 +1,10 @@
-/* Owns the tables, chains and imports of environments (environment.h). */
+/* Implements environments (environment.h): their tables, chains and imports. */
 #include "vm/front/environment.h"
 #include "vm/compiler/code.h"
 #include "vm/machine/native.h"
 #include "vm/values/heap.h"
 
-/* ---- identifier tables ---- */
+/* ---- tables of identifiers ---- */
 enum { FIRST_ROOM = 4 };
 
 static uint64_t id_hash(vs_value id) {
@@ -90,7 +90,7 @@ bool vs_make_alias(vs_scheme *vm, vs_value name, vs_value env, vs_value *out) {
   return true;
 }
 
-/* Stripping uses a stack of places still to visit. It first tests whether there is any alias: most data have none. */
+/* A stack of places to visit, for replacing aliases by symbols. Most data contain no alias, which is tested first. */
 typedef struct { vs_scheme *vm; vs_value *at; size_t count, room; struct vs_roots roots; } stack;
 static bool push(stack *s, vs_value v) {
   if (s->count == s->room) {
@@ -109,7 +109,7 @@ bool vs_datum_any(vs_scheme *vm, vs_value datum, vs_datum_test (*test)(vs_scheme
   stack s = {.vm = vm};
   bool ok = push(&s, datum);
   size_t seen = 0, lap = 1;
-  vs_value turtle = VS_FALSE;              /* a cyclic datum (from labels) has nothing new after its first round */
+  vs_value turtle = VS_FALSE;              /* a cyclic datum (from labels) contains nothing new after its first round */
   *yes = false;
   while (ok && s.count && !*yes) {
     vs_value v = s.at[--s.count];
@@ -133,15 +133,15 @@ bool vs_datum_any(vs_scheme *vm, vs_value datum, vs_datum_test (*test)(vs_scheme
   return ok;
 }
 
-/* A vector of the reader contains only source data; macros make vectors of their own. GML's reader quotes procedures
- * within procedures, so each is tested once. */
+/* Tests a datum for aliases. An immutable vector comes from the reader and contains only source data; vectors of macros
+ * are mutable. Stopping there saves time for GML programs, whose procedures are nested quotations. */
 static vs_datum_test is_alias(vs_scheme *vm, vs_value v) {
   (void)vm;
   if (vs_is(v, VS_T_ALIAS)) return VS_DATUM_YES;
   return vs_is_vector(v) && vs_object_of(v)->flags & VS_F_IMMUTABLE ? VS_DATUM_NO_MORE : VS_DATUM_NO;
 }
 
-/* Copies one level: *v becomes a copy with the same parts. */
+/* Replaces *v by a copy with the same elements. */
 static bool copy_level(vs_scheme *vm, vs_value *v) {
   VS_ROOTS(vm, r, 2);
   r[0] = *v;
@@ -163,7 +163,8 @@ bool vs_strip(vs_scheme *vm, vs_value datum, vs_value *out) {
   VS_ROOTS(vm, v, 2);
   v[0] = datum;
   if (!copy_level(vm, &v[0])) return false;
-  stack s = {.vm = vm, .roots = {NULL, vm, NULL, 0}};       /* copied objects with the parts of the originals */
+  stack s = {.vm = vm, .roots = {NULL, vm, NULL, 0}};       /* stack of copied objects whose elements are still those of
+                                                             * the originals */
   vs_gc_link(&s.roots);
   bool ok = push(&s, v[0]);
   while (ok && s.count) {
@@ -189,7 +190,7 @@ bool vs_strip(vs_scheme *vm, vs_value datum, vs_value *out) {
   return ok;
 }
 
-/* ---- environments ---- */
+/* ---- environments and scopes ---- */
 enum { SKIP = 16, DEPTH_BITS = 24 };
 
 static int64_t depth_of(vs_value env) {
@@ -203,8 +204,8 @@ static bool can_skip(const vs_environment *scope) {
   return scope->imports != VS_NIL && vs_fixnum(scope->name) >> DEPTH_BITS == late_bindings(scope);
 }
 
-/* Copies the missing names of `from` to *table. They mean `scope`, or, if that is VACANT, the scopes that they mean in
- * `from`. */
+/* Adds the names of `from` that *table lacks. Their value is `scope` or, if that is VACANT, the scope to which `from`
+ * maps them. */
 static bool skip_add(vs_scheme *vm, vs_value *table, vs_value from, vs_value scope) {
   VS_ROOTS(vm, r, 4);
   r[0] = from; r[1] = scope;
@@ -215,9 +216,9 @@ static bool skip_add(vs_scheme *vm, vs_value *table, vs_value from, vs_value sco
   return true;
 }
 
-/* Makes the table of a new scope (a root). */
+/* Creates the table of bindings around a new scope. scope points to a root. */
 static bool skip_make(vs_scheme *vm, const vs_value *scope) {
-  VS_ROOTS(vm, r, 2);              /* the scope on the way out, the table */
+  VS_ROOTS(vm, r, 2);              /* roots: the current scope on the way outwards, the table */
   int64_t depth = depth_of(*scope), span = SKIP;
   while (depth % (span * SKIP) == 0) span *= SKIP;
   if (!vs_idtable_new(vm, &r[1])) return false;
@@ -283,8 +284,8 @@ bool vs_environment_bind(vs_scheme *vm, vs_value env, vs_value id, vs_value bind
 
 static bool is_private(vs_value symbol) { return vs_as_symbol(symbol)->name[0] == '%'; }
 
-/* Returns the export of library `env` under `name` (a symbol); VS_VACANT if there is none. Libraries re-export by a
- * table onto their imports, so this follows imports, as deep as libraries import each other. */
+/* Returns the binding that library `env` exports under `name`, or VS_VACANT. Follows imports, since a library may
+ * export what it imports; `depth` limits the recursion. */
 static vs_value exported(vs_value env, vs_value name, int depth);
 
 static vs_value imported(vs_value env, vs_value name, int depth) {
@@ -319,7 +320,7 @@ void vs_environment_set_intake(vs_value env, vs_intake intake) {
 }
 void vs_environment_forget_imports(vs_value env) { vs_as_environment(env)->imports = VS_NIL; }
 
-/* Returns the export of `from` under the local name; VS_VACANT if there is none. */
+/* Returns the binding that `from` exports, and `mapping` gives the local name, or VS_VACANT. */
 static vs_value offered(vs_value from, vs_value mapping, vs_value name) {
   vs_value there = mapping == VS_TRUE ? name : vs_idtable_get(mapping, name);
   return there == VS_VACANT ? VS_VACANT : exported(from, there, 0);
@@ -332,8 +333,8 @@ static bool same_binding(vs_value a, vs_value b) {
          vs_as_cell(a)->value == vs_as_cell(b)->value;
 }
 
-/* Returns a name that env would get from two libraries with two meanings; VS_VACANT if there is none. Any other binding
- * replaces one of the whole library. */
+/* Returns a name for which two imports of env have different bindings, or VS_VACANT. The import of the whole library is
+ * not counted: any other binding replaces it. */
 static vs_value find_clash(vs_scheme *vm, vs_value env, vs_value from, vs_value mapping) {
   const vs_environment *e = vs_as_environment(env);
   vs_value names = mapping != VS_TRUE                            ? mapping
@@ -352,9 +353,9 @@ static vs_value find_clash(vs_scheme *vm, vs_value env, vs_value from, vs_value 
   return VS_VACANT;
 }
 
-/* Adapts the names to which env's code already refers to the imports: cells without a definition and copies of
- * constants get the new value. A definition of env's own is an error in *clash; at the prompt it is replaced; it stays
- * if the new meaning is only the whole library's. look: only searches for the clash. */
+/* Adapts env's existing cells to an import. Cells without a definition and copies of constants get the imported value.
+ * A definition of env itself is an error in *clash, but is replaced at the prompt, and stays if the import is the whole
+ * library. look: only searches for a clash. */
 static void settle(vs_scheme *vm, vs_value env, vs_value from, vs_value mapping, bool look, vs_value *clash) {
   vs_vector *table = vs_as_vector(vs_as_environment(env)->table);
   vs_intake intake = vs_environment_intake(env);
@@ -390,7 +391,7 @@ bool vs_environment_import(vs_scheme *vm, vs_value env, vs_value from, vs_value 
     if (mapping == VS_TRUE && vs_car(vs_car(l)) == from && vs_cdr(vs_car(l)) == VS_TRUE &&
         (whole || l == vs_as_environment(env)->imports))
       return true;
-    last = l;                                   /* once is enough */
+    last = l;                                   /* the library is already imported */
   }
   if (vs_environment_intake(env) == VS_INTAKE_STRICT && !whole) *clash = find_clash(vm, env, from, mapping);
   if (*clash == VS_VACANT && !whole) { settle(vm, env, from, mapping, true, clash); *own = *clash != VS_VACANT; }
@@ -399,7 +400,7 @@ bool vs_environment_import(vs_scheme *vm, vs_value env, vs_value from, vs_value 
     return false;
   vs_environment *e = vs_as_environment(r[0]);
   if (!whole || last == VS_NIL) vs_gc_store(vm, e, &e->imports, r[3]);
-  else {                                        /* after all others */
+  else {                                        /* appended at the end of the list */
     for (last = e->imports; vs_is_pair(vs_cdr(last));) last = vs_cdr(last);
     vs_gc_store(vm, vs_as_pair(last), &vs_as_pair(last)->cdr, r[3]);
   }
@@ -411,7 +412,7 @@ bool vs_environment_import(vs_scheme *vm, vs_value env, vs_value from, vs_value 
 vs_meaning vs_environment_find(vs_value env, vs_value id) {
   for (;;) {
     vs_value own = VS_VACANT;
-    /* Most names of a program have their top-level meaning: they skip the scopes at any depth. */
+    /* Most names of a program have no local binding: their search omits all scopes. */
     if (!vs_is_top(env) && !(vs_object_of(id)->flags & VS_F_LOCAL)) env = vs_as_environment(env)->top;
     while (!vs_is_top(env)) {
       const vs_environment *e = vs_as_environment(env);
@@ -442,7 +443,8 @@ vs_meaning vs_environment_find(vs_value env, vs_value id) {
   return m;
 }
 
-/* Two programs' copies of one imported constant have the same meaning under the same name. */
+/* Returns true if two identifiers have the same meaning. Copies of one imported constant in two programs have, if their
+ * names are equal. */
 bool vs_same_meaning(vs_value env_a, vs_value a, vs_value env_b, vs_value b) {
   vs_meaning m = vs_environment_find(env_a, a), n = vs_environment_find(env_b, b);
   if (m.kind != n.kind) return false;
@@ -465,7 +467,7 @@ bool vs_environment_cell(vs_scheme *vm, const vs_meaning *m, vs_value *cell) {
   if (!vs_make_cell(vm, vs_identifier_symbol(m->id), value, &r[2])) return false;
   if (m->kind == VS_MEANS_CELL) vs_object_of(r[2])->flags |= VS_F_CONSTANT;
   if (!vs_environment_bind(vm, r[0], r[1], r[2])) return false;
-  *cell = r[2];        /* not earlier: binding may move it */
+  *cell = r[2];        /* set only now, since binding may move the cell */
   return true;
 }
 
@@ -479,13 +481,13 @@ bool vs_environment_define(vs_scheme *vm, vs_value env, vs_value id, vs_value *c
     if (vs_object_of(own)->flags & VS_F_CONSTANT) vs_cell_redefine(own);
     return true;
   }
-  /* (define sqrt (traced sqrt)): until then it is the imported one */
+  /* A new definition may use the imported value: (define sqrt (traced sqrt)). */
   vs_meaning m = vs_environment_find(env, id);
   vs_value before =
       own == VS_VACANT && m.foreign && m.kind == VS_MEANS_CELL ? vs_as_cell(m.value)->value : VS_UNDEFINED;
   if (!vs_make_cell(vm, vs_identifier_symbol(id), before, &r[2])) return false;
   if (!vs_environment_bind(vm, r[0], r[1], r[2])) return false;
-  *cell = r[2];        /* not earlier: binding may move it */
+  *cell = r[2];        /* set only now, since binding may move the cell */
   return true;
 }
 
@@ -499,7 +501,8 @@ static bool each_own(vs_value env, vs_value shown, bool (*each)(void *, vs_value
   for (size_t i = 0; vs_idtable_slot(vs_as_environment(env)->table, i, &key, &value); i++) {
     if (key == VS_VACANT || !vs_is(key, VS_T_SYMBOL) || is_private(key)) continue;
     if (vs_is(value, VS_T_CELL) && vs_as_cell(value)->value == VS_UNDEFINED) continue;
-    if (shown != VS_VACANT && vs_idtable_get(shown, key) != VS_VACANT) continue;      /* already passed on */
+    if (shown != VS_VACANT && vs_idtable_get(shown, key) != VS_VACANT) continue;      /* this name was already passed to
+                                                                                       * the callback */
     if (!each(context, key, value)) return false;
   }
   return true;

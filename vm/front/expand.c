@@ -1,4 +1,4 @@
-/* Owns the expander's machine: tasks, expressions, applications, macro uses (expand.h). */
+/* Implements the expander's loop of tasks, expressions, applications and uses of macros (expand.h). */
 #include "vm/front/expand.h"
 #include "vm/front/body.h"
 #include "vm/front/forms.h"
@@ -15,7 +15,7 @@
 #include <stdio.h>
 
 enum { MOST_ARGUMENTS = 2000 };
-enum { DEPTH_LIMIT = 180 };   /* depth in tasks; a task adds at most two levels of tree (VS_AST_DEPTH) */
+enum { DEPTH_LIMIT = 180 };   /* greatest depth in tasks; a task adds at most two levels of the tree (VS_AST_DEPTH) */
 
 enum { KIND_CORE, KIND_DEFINITION, KIND_AUXILIARY, KIND_REWRITE };
 static const struct { const char *name, *shape; bool rewrite, auxiliary; } form_table[] = {
@@ -46,7 +46,7 @@ static rewrite_fn *const rewrite_table[] = {
 #undef VS_FORM
 };
 
-/* ---- life ---- */
+/* ---- creating and freeing ---- */
 static void trace(vs_scheme *vm, void *object, void (*mark)(vs_scheme *vm, vs_value *slot)) {
   vs_expansion *x = object;
   mark(vm, &x->now.form); mark(vm, &x->now.env); mark(vm, &x->now.acc);
@@ -56,7 +56,7 @@ static void trace(vs_scheme *vm, void *object, void (*mark)(vs_scheme *vm, vs_va
     mark(vm, &x->tasks[i].env);
     mark(vm, &x->tasks[i].acc);
   }
-  if (vs_gc_is_minor(vm)) x->old = x->count; /* a task on the stack does not change: its values are old now */
+  if (vs_gc_is_minor(vm)) x->old = x->count; /* waiting tasks do not change, so that their values have become old */
 }
 
 static void release(void *object) {
@@ -104,7 +104,7 @@ bool vs_expand_push(vs_expansion *x, vs_task_kind kind, vs_value form, vs_value 
   return push_task(x, &t);
 }
 
-/* ---- places ---- */
+/* ---- places of forms ---- */
 vs_pos vs_form_pos(vs_value form, vs_pos outer) {
   vs_pos p = vs_is_pair(form) ? vs_pair_pos(form) : 0;
   return p ? p : outer;
@@ -119,7 +119,7 @@ vs_pos vs_element_pos(vs_value pair, bool first, vs_pos outer) {
   return first ? vs_pos_make(vs_pos_file(p), vs_pos_line(p), vs_pos_col(p) + 1) : p;
 }
 
-/* ---- errors ---- */
+/* ---- reporting errors ---- */
 bool vs_expand_fail(vs_expansion *x, vs_pos pos, vs_value what, const char *format, ...) {
   vs_scheme *vm = x->vm;
   VS_ROOTS(vm, r, 1);
@@ -139,7 +139,7 @@ bool vs_expand_shape(vs_expansion *x, int form) {
                         form_table[form].shape);
 }
 
-/* ---- nodes ---- */
+/* ---- creating nodes ---- */
 vs_core_node *vs_expand_node(vs_expansion *x, int kind, vs_pos pos) { return vs_ast_node(&x->ast, kind, pos); }
 vs_core_node *vs_expand_many(vs_expansion *x, int kind, size_t n, vs_pos pos) {
   return vs_ast_list(&x->ast, kind, n, pos);
@@ -171,7 +171,7 @@ bool vs_is_form(vs_value env, vs_value id, int form) {
   if (!vs_is_identifier(id)) return false;
   vs_meaning m = vs_environment_find(env, id);
   if (m.kind == VS_MEANS_MACRO) return vs_as_macro(m.value)->kind == vs_fix(form);
-  /* else, =>, ... keep their usual meaning also if they were not imported */
+  /* Words such as else and => keep their meaning even if they were not imported. */
   return m.kind == VS_MEANS_NOTHING && form_table[form].auxiliary &&
          !strcmp(vs_as_symbol(vs_identifier_symbol(id))->name, form_table[form].name);
 }
@@ -191,8 +191,9 @@ static bool defines(vs_value form, vs_value name) {
   return what == name;
 }
 
-/* Reports a call of an undefined name that is syntax in the library or in a shipped one: expanding its operands would
- * report misleading errors. If a later form of the unit defines the name, it is a procedure. */
+/* Reports a call of an undefined name that is syntax in the library or a shipped library, since expanding its operands
+ * would report misleading errors. If a later form of the unit defines the name, it is a procedure, and there is no
+ * error. */
 static bool check_imported(vs_expansion *x, vs_value id, vs_pos pos) {
   vs_scheme *vm = x->vm;
   vs_value name = vs_identifier_symbol(id), known = vs_idtable_get(vs_as_environment(vm->at.core)->table, name);
@@ -216,7 +217,7 @@ static bool not_an_expression(vs_expansion *x, vs_value id, const vs_meaning *m,
   return vs_expand_fail(x, pos, VS_ABSENT, "%s is syntax and has no value; it comes first in parentheses", name);
 }
 
-/* Returns the variable of a local meaning; NULL with an error if it belongs to another expansion. */
+/* Returns the variable of a local meaning. If it belongs to another expansion, reports an error and returns NULL. */
 static vs_var *local(vs_expansion *x, const vs_meaning *m, vs_value id, vs_pos pos) {
   if (vs_as_environment(m->env)->data != vs_fix(x->serial)) {
     vs_expand_fail(x, pos, VS_ABSENT, "%s is a variable that has no value yet when macros are expanded",
@@ -226,7 +227,8 @@ static vs_var *local(vs_expansion *x, const vs_meaning *m, vs_value id, vs_pos p
   return (vs_var *)(uintptr_t)vs_fixnum(m->value);
 }
 
-/* Searches the local names for one similar to an undefined name; m keeps its value during the search. */
+/* Searches the local names for one that is similar to an undefined name. m keeps its meaning, though its objects may
+ * move. */
 static bool near_local(vs_expansion *x, vs_value env, vs_meaning *m) {
   VS_ROOTS(x->vm, r, 2);
   r[0] = m->env; r[1] = m->id;
@@ -307,8 +309,8 @@ static bool is_keyword(vs_value v) {
   return vs_is_symbol(v) && vs_as_symbol(v)->length > 2 && !memcmp(vs_as_symbol(v)->name, "#:", 2);
 }
 
-/* Divides a call with more arguments than an activation should contain: (apply f (append (list ...) (list ...) ...)),
- * as for a mesh written as data. */
+/* Divides a call with too many arguments for one activation, such as a mesh written as data: (apply f (append (list
+ * ...) (list ...) ...)). */
 static bool long_application(vs_expansion *x, size_t n) {
   vs_pos pos = x->now.pos;
   size_t lists = (n + MOST_ARGUMENTS - 1) / MOST_ARGUMENTS;
@@ -332,7 +334,7 @@ static bool long_application(vs_expansion *x, size_t n) {
   return ok;
 }
 
-/* an error of the call, not of the text: a program can handle it */
+/* The error is one of the call at run time, not a syntax error, so that a program can handle it. */
 static bool given_twice(vs_expansion *x, vs_value name) {
   char text[300];
   VS_ROOTS(x->vm, r, 1);
@@ -396,15 +398,16 @@ static bool application(vs_expansion *x) {
   return ok;
 }
 
-/* ---- macro uses ---- */
-/* Replaces the current task's first form (its form, or the first of a body's forms). Sets *wait if the task has to wait
+/* ---- uses of macros ---- */
+/* Expands one use of a macro: the current task's form, or the first of a body's forms. Sets *wait if the task must wait
  * for the transformer. */
 static bool use_macro(vs_expansion *x, vs_value macro, vs_value form, vs_pos pos, vs_value *out, bool *wait) {
   vs_scheme *vm = x->vm;
   *wait = false;
   if (!vs_poll(vm, 256)) return false;
   if (vs_as_macro(macro)->kind == vs_fix(VS_MACRO_RULES)) return vs_rules_expand(x, macro, form, x->now.env, pos, out);
-  /* (transformer form rename compare): a procedure of the library makes both procedures from the two environments */
+  /* Calls (transformer form rename compare). A procedure of the library creates rename and compare from the two
+   * environments. */
   VS_ROOTS(vm, r, 4);
   r[0] = form; r[1] = macro;
   if (!vs_cons(vm, x->now.env, VS_NIL, &r[2]) || !vs_cons(vm, vs_as_macro(r[1])->env, r[2], &r[2]) ||
@@ -413,13 +416,13 @@ static bool use_macro(vs_expansion *x, vs_value macro, vs_value form, vs_pos pos
     return false;
   x->procedure = vs_environment_value(vm->at.core, r[3]);
   x->args = r[2];
-  vm->top_place = pos;        /* for errors in the transformer's calls */
+  vm->top_place = pos;        /* place for errors in the transformer's calls */
   *wait = true;
   return true;
 }
 
-/* Expands macros at the head of *form until it is core syntax, an application or no pair. *m: the head's meaning. Also
- * returns false when the task has to wait: x->now.waiting is then set. */
+/* Expands macros at the head of *form until it is core syntax, an application or no pair. Sets *m to the meaning of its
+ * head. Returns false on an error, or with x->now.waiting set if the task must wait. */
 bool vs_expand_settle(vs_expansion *x, vs_value *form, vs_meaning *m, vs_pos *pos) {
   for (;;) {
     *m = (vs_meaning){.kind = VS_MEANS_NOTHING, .value = VS_VACANT, .env = x->now.env, .id = VS_FALSE};
@@ -453,10 +456,9 @@ bool vs_expand_outline(vs_expansion *x) {
   return true;
 }
 
-/* ---- a procedure as a test ---- */
+/* ---- tests that are procedures ---- */
 
-/* Returns true if the identifier names a procedure of the library, or one that the program has defined under this
- * name. */
+/* Returns true if the identifier names a procedure of the library, or a procedure that the program has defined. */
 static bool names_procedure(vs_value id, vs_value env) {
   vs_meaning m = vs_environment_find(env, id);
   if (m.kind != VS_MEANS_CELL || !vs_is(m.value, VS_T_CELL)) return false;
@@ -475,7 +477,7 @@ static bool combines_predicates(vs_value id, vs_value env) {
   return false;
 }
 
-/* A procedure counts as true: (and integer? positive?) is positive?. Warns of a test that is certainly a procedure. */
+/* Warns of a test whose value is certainly a procedure, which counts as true: (and integer? positive?) is positive?. */
 static void warn_of_procedure(vs_expansion *x, vs_value form, const vs_meaning *head) {
   vs_scheme *vm = x->vm;
   char text[300];
@@ -550,7 +552,7 @@ static bool expression(vs_expansion *x) {
   }
 }
 
-/* ---- the machine ---- */
+/* ---- the loop of tasks ---- */
 
 bool vs_expansion_begin(vs_expansion *x, vs_value form, vs_value env, vs_pos pos) {
   x->count = 0;
@@ -568,7 +570,7 @@ bool vs_expansion_begin(vs_expansion *x, vs_value form, vs_value env, vs_pos pos
 }
 
 vs_expand_result vs_expansion_step(vs_expansion *x, vs_value value) {
-  x->vm->native = NULL;      /* errors belong to the program, not to the native that runs this */
+  x->vm->native = NULL;      /* errors shall not show the native that runs the expansion */
   while (x->count) {
     x->now = x->tasks[--x->count];
     bool ok = vs_poll(x->vm, 64);
@@ -588,7 +590,7 @@ vs_expand_result vs_expansion_step(vs_expansion *x, vs_value value) {
     }
     if (x->now.waiting) return push_task(x, &x->now) ? VS_EXPAND_CALL : VS_EXPAND_ERROR;
     if (!ok) {
-      vs_value c = x->vm->condition;      /* an error other than syntax: a missing file */
+      vs_value c = x->vm->condition;      /* an error other than a syntax error, such as a missing file */
       if (vs_is(c, VS_T_CONDITION) && !vs_as_condition(c)->place) vs_as_condition(c)->place = x->now.pos;
       x->count = 0;
       x->now = no_task;

@@ -1,15 +1,16 @@
-/* Owns the expander's machine: it turns a form of a program into a core tree (ast.h), with macros expanded and names
+/* Declares the expander. It converts a form of a program to a core tree (ast.h): macros are expanded and names are
  * resolved.
  *
- * Plan. A stack of tasks, each "expand this form in this environment and store the node there". A task may push others;
- * nothing recurses on the C stack. x->now is the current task. Its values are traced, so a handler reads them from
- * there again after an allocation. If the transformer of a macro is a Scheme procedure, the task stays on the stack,
- * marked as waiting, and the machine returns VS_EXPAND_CALL; it is entered again with the result.
+ * The expander has a stack of tasks, each "expand this form in this environment and store the node there". A task may
+ * push others; nothing recurses on the C stack. x->now is the current task. The garbage collector updates its values,
+ * so that a function must read them again after an allocation. If the transformer of a macro is a Scheme procedure, the
+ * task stays on the stack, marked as waiting, and vs_expansion_step returns VS_EXPAND_CALL. It is called again with the
+ * value.
  *
- * Depth: the compiler recurses over the tree within one lambda. Therefore the expander puts a subexpression at
- * DEPTH_LIMIT levels into a procedure without parameters, which is called at once.
+ * The compiler recurses over the tree within one lambda. At DEPTH_LIMIT levels, the expander therefore puts a
+ * subexpression into a procedure without parameters that is called at once.
  *
- * Life: a vs_expansion is inside a foreign object, with hooks that trace and free it. */
+ * A vs_expansion is inside a foreign object, with functions that trace and free it. */
 #ifndef VS_VM_FRONT_EXPAND_H
 #define VS_VM_FRONT_EXPAND_H
 
@@ -23,25 +24,28 @@ enum {
 #undef VS_FORM
   VS_FORM_COUNT
 };
-enum { VS_MACRO_RULES = -1, VS_MACRO_PROCEDURE = -2 };   /* vs_macro.kind as a fixnum: a VS_FORM_, or one of these */
+enum { VS_MACRO_RULES = -1, VS_MACRO_PROCEDURE = -2 };   /* special values of vs_macro.kind, a fixnum that is otherwise
+                                                          * a VS_FORM_ */
 
 typedef enum {
-  VS_TASK_EXPR,      /* form: an expression */
-  VS_TASK_BODY,      /* form: the rest of a body; acc: its definitions and expressions, newest first (body.c) */
-  VS_TASK_TOP,       /* form: a top-level form */
-  VS_TASK_QUASI,     /* form: a template; n: its level */
-  VS_TASK_CASE,      /* form: the clauses of a case; var: the key's variable */
-  VS_TASK_PREDICATE  /* form: a contract's predicate: and, or, not, list-of in it combine predicates (lambda.c) */
+  VS_TASK_EXPR,      /* form is an expression */
+  VS_TASK_BODY,      /* form: remaining forms of a body; acc: its definitions and expressions, newest first (body.c) */
+  VS_TASK_TOP,       /* form is a top-level form */
+  VS_TASK_QUASI,     /* form is a quasiquote template; n is its level */
+  VS_TASK_CASE,      /* form: the clauses of a case; var: variable of the key */
+  VS_TASK_PREDICATE  /* form: predicate of a contract, in which and, or, not and list-of combine predicates
+                      * (lambda.c) */
 } vs_task_kind;
 
 typedef struct vs_task {
   uint8_t kind;
-  bool test;         /* only the truth of the value matters */
-  bool decides;      /* its truth decides what is evaluated next: a procedure here is a mistake */
-  bool waiting;      /* a transformer was called */
-  bool chained;      /* the rest of a form whose shape has been checked: (and b c) of (and a b c) */
+  bool test;         /* whether only the truth of the value matters */
+  bool decides;      /* whether the truth of the value decides what is evaluated next, so that a procedure is a
+                      * mistake */
+  bool waiting;      /* whether the task waits for the value of a transformer */
+  bool chained;      /* whether the form is the rest of one whose shape was checked: (and b c) of (and a b c) */
   uint32_t depth, n;
-  vs_pos pos;        /* of the form, if the form has no position */
+  vs_pos pos;        /* place to use if the form itself has none */
   vs_core_node **into;
   vs_var *var;
   vs_value form, env, acc;
@@ -59,72 +63,77 @@ typedef enum {
 typedef struct vs_expansion {
   vs_scheme *vm;
   vs_ast ast;
-  bool tree;               /* ast is open */
+  bool tree;               /* whether `ast` is open */
   vs_task now, *tasks;
   size_t count, room;
-  size_t old;              /* the first task that a minor collection still has to visit */
-  int64_t serial;          /* of the top-level form: scopes with another number are dead */
+  size_t old;              /* index of the first task that a minor collection must visit */
+  int64_t serial;          /* number of the top-level form; scopes with another number are no longer valid */
   vs_core_node *root;
   vs_expand_result result;
-  bool definition;         /* NODE: of a definition: no value to report */
-  vs_value procedure, args;   /* CALL, RUN: the procedure to call, and the list of arguments */
-  vs_value forms;          /* FORMS: to be expanded instead, in order */
-  vs_value later;          /* the top-level forms after this one: they may define a missing name */
+  bool definition;         /* result NODE: whether it is a definition, whose value is not reported */
+  vs_value procedure, args;   /* results CALL and RUN: the procedure to call and its list of arguments */
+  vs_value forms;          /* result FORMS: the forms to expand instead, in order */
+  vs_value later;          /* later top-level forms, which may define a missing name */
   int poll;
 } vs_expansion;
 
 extern const vs_foreign_type vs_expansion_type;
-bool vs_expansion_make(vs_scheme *vm, vs_value *out);                         /* a foreign object */
+bool vs_expansion_make(vs_scheme *vm, vs_value *out);                         /* Sets *out to a foreign object with a
+                                                                               * new expansion. */
 
-/* Begins a top-level form of `env`, in its environment. Then step until the result is neither ERROR nor CALL.
- *   CALL     call x->procedure with x->args and step again with the value
+/* Begins to expand a top-level form in environment `env`. vs_expansion_step is then called until its result is neither
+ * ERROR nor CALL.
+ *   CALL     the caller calls x->procedure with x->args, and passes the value to the next step
  *   NODE     x->root is the tree of the form
  *   FORMS    x->forms replace the form
- *   RUN      call x->procedure with x->args; the form is then finished
+ *   RUN      the caller calls x->procedure with x->args; the form is then finished
  *   NOTHING  the form is finished */
 bool vs_expansion_begin(vs_expansion *x, vs_value form, vs_value env, vs_pos pos);
 vs_expand_result vs_expansion_step(vs_expansion *x, vs_value value);
 
-/* ---- for the forms ---- */
+/* ---- functions for the files that expand forms ---- */
 bool vs_expand_push(vs_expansion *x, vs_task_kind kind, vs_value form, vs_value env, vs_pos pos, vs_core_node **into,
                     uint32_t depth);
-vs_task *vs_expand_top(vs_expansion *x);                               /* the task pushed last */
-/* Expands element number nth of the current form, which has it, as an expression one level down. */
+vs_task *vs_expand_top(vs_expansion *x);                               /* Returns the task pushed last. */
+/* Expands element `nth` of the current form as an expression, one level deeper. */
 bool vs_expand_nth(vs_expansion *x, int64_t nth, vs_value env, vs_core_node **into);
-/* Expands the elements of `list` (a tail of the current form) into a node's `at`. */
+/* Expands each element of `list`, a tail of the current form, to at[0], at[1], ... */
 bool vs_expand_list(vs_expansion *x, vs_value list, vs_value env, vs_core_node **at, uint32_t depth);
-/* Beyond some depth puts the task's form into a procedure that is called at once, so that recursion over the tree stays
+/* At DEPTH_LIMIT, puts the task's form into a procedure that is called at once, so that the tree of each lambda is
  * shallow. */
 bool vs_expand_outline(vs_expansion *x);
-/* Expands a body: definitions and expressions, in a new scope of env. */
+/* Expands a body (definitions and expressions) in a new scope of env. */
 bool vs_expand_body(vs_expansion *x, vs_value forms, vs_value env, vs_pos pos, vs_core_node **into, uint32_t depth);
 
 vs_core_node *vs_expand_node(vs_expansion *x, int kind, vs_pos pos);
 vs_core_node *vs_expand_many(vs_expansion *x, int kind, size_t n, vs_pos pos);
-/* Returns a reference to the library's own variable. */
+/* Returns a reference to a variable of the library. */
 vs_core_node *vs_expand_core(vs_expansion *x, const char *name, vs_pos pos);
-/* Returns a call of it with room for n arguments. */
+/* Returns a call of a procedure of the library, with room for n arguments. */
 vs_core_node *vs_expand_call(vs_expansion *x, const char *name, size_t n, vs_pos pos);
 vs_core_node *vs_expand_ref(vs_expansion *x, vs_value id, vs_value env, vs_pos pos);
-bool vs_expand_var(vs_expansion *x, vs_value id, vs_value scope, vs_var **var);     /* a new variable, bound in scope */
+bool vs_expand_var(vs_expansion *x, vs_value id, vs_value scope, vs_var **var);     /* Creates a variable and binds it
+                                                                                     * in the scope. */
 bool vs_expand_scope(vs_expansion *x, vs_value env, vs_value *out);
 
-/* form is a VS_FORM_. */
-bool vs_is_form(vs_value env, vs_value id, int form);                  /* whether id means that syntax here */
-vs_pos vs_form_pos(vs_value form, vs_pos outer);                       /* of a pair */
-vs_pos vs_element_pos(vs_value pair, bool first, vs_pos outer);        /* of the car of a pair of a list */
-/* Reports a syntax error at pos; adds `what`, written, unless it is VS_ABSENT. */
+/* Returns true if id means the syntax `form` (a VS_FORM_) in env. */
+bool vs_is_form(vs_value env, vs_value id, int form);
+vs_pos vs_form_pos(vs_value form, vs_pos outer);                       /* Returns the place of a pair, or `outer` if it
+                                                                        * has none. */
+vs_pos vs_element_pos(vs_value pair, bool first, vs_pos outer);        /* Returns the place of the first element of
+                                                                        * `pair`, a part of a list. */
+/* Reports a syntax error at pos. Appends the text of `what`, unless it is VS_ABSENT. */
 bool vs_expand_fail(vs_expansion *x, vs_pos pos, vs_value what, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
-/* form is a VS_FORM_. */
-bool vs_expand_shape(vs_expansion *x, int form);                       /* error "this is written (...)" there */
+/* Reports the error "this is written (...)" for the syntax `form` (a VS_FORM_). */
+bool vs_expand_shape(vs_expansion *x, int form);
 
-/* Expands macros at the head of *form until it is core syntax, an application or no pair; *m is the head's meaning.
- * Also returns false when the task has to wait (x->now.waiting is then set). */
+/* Expands macros at the head of *form until it is core syntax, an application or no pair. Sets *m to the meaning of its
+ * head. Returns false on an error, or with x->now.waiting set if the task must wait. */
 bool vs_expand_settle(vs_expansion *x, vs_value *form, vs_meaning *m, vs_pos *pos);
 
-/* Returns the form of the words import and define-library, or -1. They structure a program also if no import binds
- * them. m: the meaning of a top-level form's head. */
+/* Returns VS_FORM_import or VS_FORM_define_library for these words, else -1. They structure a program even if no import
+ * binds them. m is the meaning of a top-level form's head. */
 int vs_unit_word(const vs_meaning *m);
 
 #define VS_FORM(id, name, kind, shape) VS_FORM_DECLARE_##kind(id)
@@ -140,6 +149,6 @@ int vs_unit_word(const vs_meaning *m);
 #undef VS_FORM_DECLARE_AUXILIARY
 
 const char *vs_form_shape(int form);
-bool vs_front_open(vs_scheme *vm);     /* makes vm->at.core, the core environment with its syntax */
+bool vs_front_open(vs_scheme *vm);     /* Creates vm->at.core, the environment with the core syntax. */
 
 #endif

@@ -1,4 +1,4 @@
-/* Owns the core syntax of choice and sequence: quote if begin cond case and or when unless assert, quasiquote. */
+/* Expands the syntax of choice and sequence: quote if begin cond case and or when unless assert, quasiquote. */
 #include "vm/front/forms.h"
 
 #include "vm/front/expand.h"
@@ -34,7 +34,7 @@ bool vs_form_if(vs_expansion *x) {
   return true;
 }
 
-/* expressions in sequence; the last one has the form's own place */
+/* Expands expressions in sequence. The last one has the place of the whole form. */
 static bool sequence(vs_expansion *x, vs_value forms, vs_pos pos, vs_core_node **into, uint32_t depth) {
   int64_t n = vs_list_length(forms);
   if (n == 1)
@@ -50,7 +50,7 @@ bool vs_form_begin(vs_expansion *x) {
   return sequence(x, vs_cdr(x->now.form), x->now.pos, x->now.into, x->now.depth);
 }
 
-/* the rest of a chain (and, or, cond): the same keyword with fewer parts */
+/* Expands the rest of a chain (and, or, cond) as the same form with fewer parts. */
 static bool chain(vs_expansion *x, vs_value rest, vs_core_node **into, bool test) {
   VS_ROOTS(x->vm, r, 1);
   vs_pos pos = vs_is_pair(rest) ? vs_element_pos(rest, false, x->now.pos) : x->now.pos;
@@ -61,8 +61,8 @@ static bool chain(vs_expansion *x, vs_value rest, vs_core_node **into, bool test
   return true;
 }
 
-/* Returns the length of the current form, -1 if it is no list. For the rest of a chain it counts only as far as needed:
- * the rest is known to be a list, and a count at each part would make long chains slow. */
+/* Returns the length of the current form, or -1 if it is no list. For the rest of a chain, which is known to be a list,
+ * counts at most 4 elements: counting all at each part would make long chains slow. */
 static int64_t parts(const vs_expansion *x) {
   if (!x->now.chained) return vs_list_length(x->now.form);
   int64_t n = 0;
@@ -87,7 +87,7 @@ bool vs_form_and(vs_expansion *x) {
   return true;
 }
 
-/* Returns a LET with one anonymous variable; the caller pushes the value. */
+/* Returns a LET with one variable that programs cannot name; the caller pushes its value. */
 static vs_core_node *let_temporary(vs_expansion *x, const char *name, vs_pos pos) {
   vs_value symbol;
   vs_core_node *let = vs_expand_many(x, VS_AST_LET, 1, pos);
@@ -130,7 +130,7 @@ static bool when_unless(vs_expansion *x, bool when, int form) {
   vs_core_node *node = branch(x), *nothing = when ? NULL : unspecific(x, x->now.pos);
   if (!node || (!when && !nothing)) return false;
   if (!when) node->as.branch.then = nothing;
-  /* a body: may contain definitions */
+  /* The body of when and unless may contain definitions. */
   if (!vs_expand_body(x, vs_cdr(vs_cdr(x->now.form)), x->now.env, x->now.pos,
                       when ? &node->as.branch.then : &node->as.branch.otherwise, x->now.depth + 1))
     return false;
@@ -141,7 +141,7 @@ static bool when_unless(vs_expansion *x, bool when, int form) {
 bool vs_form_when(vs_expansion *x) { return when_unless(x, true, VS_FORM_when); }
 bool vs_form_unless(vs_expansion *x) { return when_unless(x, false, VS_FORM_unless); }
 
-/* (assert test detail ...): the details are values for the message */
+/* (assert test detail ...): the values of the details are shown in the message. */
 bool vs_form_assert(vs_expansion *x) {
   int64_t n = vs_list_length(x->now.form);
   if (n < 2) return vs_expand_shape(x, VS_FORM_assert);
@@ -168,7 +168,7 @@ bool vs_form_cond(vs_expansion *x) {
   vs_pos pos = vs_element_pos(clauses, false, x->now.pos), outer = x->now.pos;
   int64_t n = vs_list_length(clause);
   if (n < 1) return vs_expand_fail(x, pos, clause, "a clause of cond is (test value ...), not");
-  /* (cond (> x 3) 'big ...) */
+  /* A missing parenthesis: (cond (> x 3) 'big ...). */
   if (n > 1 && vs_is_identifier(vs_car(clause)) && vs_is_form(env, vs_car(clause), VS_FORM_quote))
     return vs_expand_fail(x, pos, VS_ABSENT, "a clause of cond is in parentheses with its test: ((> x 3) 'big)");
   if (vs_is_form(env, vs_car(clause), VS_FORM_else)) {
@@ -224,7 +224,7 @@ bool vs_form_case(vs_expansion *x) {
   return vs_expand_nth(x, 1, x->now.env, &let->as.let.values[0]);
 }
 
-/* Returns (or (eqv? key 'd) ...), with eq? where it is equivalent; memv searches many data. */
+/* Returns (or (eqv? key 'd) ...), with eq? where it is equivalent. More than six data are searched by memv. */
 static vs_core_node *key_test(vs_expansion *x, vs_value data, vs_pos pos) {
   VS_ROOTS(x->vm, r, 2);
   int64_t n = vs_list_length(data);
@@ -292,14 +292,14 @@ bool vs_case_step(vs_expansion *x) {
                         &call->as.call.callee, depth + 1);
 }
 
-/* ---- quasiquote: one task per list, its spine at once ---- */
+/* ---- quasiquote: one task for each list, which processes all its elements ---- */
 static vs_datum_test is_comma(vs_scheme *vm, vs_value v) {
   if (!vs_is_identifier(v)) return VS_DATUM_NO;
   v = vs_identifier_symbol(v);
   return v == vm->sym.unquote || v == vm->sym.unquote_splicing ? VS_DATUM_YES : VS_DATUM_NO;
 }
 
-enum { RUN = 64 };   /* elements in one call of list */
+enum { RUN = 64 };   /* greatest number of elements in one call of list */
 
 bool vs_form_quasiquote(vs_expansion *x) {
   bool comma;
@@ -314,7 +314,7 @@ bool vs_form_quasiquote(vs_expansion *x) {
   return true;
 }
 
-/* Returns the form of (unquote e) and the like, or -1. */
+/* Returns the form that v is: VS_FORM_unquote for (unquote e), and so on, or -1. */
 static int quasi_kind(vs_value env, vs_value v) {
   if (!vs_is_pair(v) || !vs_is_pair(vs_cdr(v)) || vs_cdr(vs_cdr(v)) != VS_NIL || !vs_is_identifier(vs_car(v)))
     return -1;
@@ -354,7 +354,7 @@ bool vs_quasi_step(vs_expansion *x) {
     return vs_expand_push(x, VS_TASK_EXPR, vs_car(l), x->now.env, vs_element_pos(l, false, pos), x->now.into,
                           x->now.depth);
   }
-  /* ``(a ,,@l): a list like others */
+  /* in ``(a ,,@l), the inner list is an ordinary list */
   bool spliced = kind >= 0 && level == 2 && quasi_kind(x->now.env, vs_car(vs_cdr(form))) == VS_FORM_unquote_splicing;
   if (kind >= 0 && !(spliced && kind != VS_FORM_quasiquote)) {
     if (kind == VS_FORM_unquote_splicing && level == 1)
@@ -369,10 +369,11 @@ bool vs_quasi_step(vs_expansion *x) {
                       kind == VS_FORM_quasiquote ? level + 1 : level - 1);
   }
   level -= kind >= 0;
-  /* the spine: runs of plain elements and spliced lists, then a tail */
+  /* Counts the elements, the spliced lists, and the runs of plain elements between them. */
   size_t elements = 0, splices = 0, runs = 0;
   size_t in_run = 0;
-  vs_value l = form, met = VS_NIL; /* Brent: met is a pair before l, set to l each time the distance has doubled */
+  vs_value l = form, met = VS_NIL; /* Brent's cycle detection: `met` is an earlier pair, set to l each time the distance
+                                    * has doubled */
   for (; vs_is_pair(l) && (l == form || quasi_kind(x->now.env, l) < 0); l = vs_cdr(l)) {
     if (l == met) return vs_expand_fail(x, pos, VS_ABSENT, "a list without an end (#0#) cannot stand around , or ,@");
     if ((elements & (elements - 1)) == 0) met = l;

@@ -1,4 +1,4 @@
-/* Owns the interface of forms.c: the core syntax of choice and sequence. */
+/* Declares the expansion of the syntax of choice and sequence, implemented in forms.c. */
 #ifndef VS_VM_FRONT_FORMS_H
 #define VS_VM_FRONT_FORMS_H
 

@@ -1,25 +1,25 @@
-/* Owns parameter lists: lambda, case-lambda and the procedures of define; contracts, optional and keyword parameters.
+/* Expands parameter lists: lambda, case-lambda and the procedures of define; contracts, optional and keyword
+ * parameters.
  *
  * A parameter is one of
  *   name   [name predicate]   [name predicate default]
- * and the same after #:key; the rest is
- *   . name   or   . [name predicate]
- * The predicate is evaluated once, outside the lambda: a LET around it, unless it is a constant of the library. The
- * checks are a SEQ before the body, one CHECK per parameter, in order. The checks of the parameters that a computed
- * default can use precede it. */
+ * and the same after #:key. The rest parameter is . name or . [name predicate]. The predicate is evaluated once,
+ * outside the lambda: in a LET around it, unless it is a constant of the library. The checks are a SEQ before the body,
+ * one CHECK for each parameter, in order. Before a computed default, the parameters that it can use are checked. */
 #include "vm/front/lambda.h"
 
 #include "vm/front/expand.h"
 #include "vm/machine/fail.h"
 
 typedef struct {
-  vs_value id, predicate, fallback;     /* predicate, fallback: forms, or VS_ABSENT */
+  vs_value id, predicate, fallback;     /* forms of the source, or VS_ABSENT */
   vs_pos pos;
-  vs_var *var, *contract;               /* contract: the LET's variable for the predicate, or NULL: a constant */
-  uint32_t keyword;                     /* as in vs_param */
+  vs_var *var, *contract;               /* contract: variable of the LET for the predicate; NULL if the predicate is a
+                                         * constant */
+  uint32_t keyword;                     /* as vs_param.keyword */
 } parameter;
 
-/* The parameters of a lambda while it is built; their values are rooted. */
+/* The parameters of a lambda that is being built. Their values are roots. */
 typedef struct {
   vs_scheme *vm;
   parameter *at;
@@ -54,7 +54,8 @@ static bool specification(vs_expansion *x, parameters *p, vs_value spec, vs_pos 
                                : "a parameter is a name, [name predicate] or [name predicate default], not");
   vs_value id = vs_car(spec), predicate = vs_car(vs_cdr(spec)),
            fallback = n == 3 ? vs_car(vs_cdr(vs_cdr(spec))) : VS_ABSENT;
-  /* [width 5], a default as in other Schemes: reported here, since a call without the argument would fail first */
+  /* A default as in other Schemes, [width 5]. Reported here, since a call without the argument would report another
+   * error. */
   if (n == 2 && (vs_is_fixnum(predicate) || vs_is_double(predicate) || vs_is(predicate, VS_T_STRING) ||
                  predicate == VS_TRUE || predicate == VS_FALSE))
     return vs_expand_fail(x, pos, spec,
@@ -62,7 +63,7 @@ static bool specification(vs_expansion *x, parameters *p, vs_value spec, vs_pos 
   return add(p, id, predicate, fallback, pos, keyword);
 }
 
-/* Parses the parameter list. The values of p->at are valid only until the next allocation; `reload` then reads them
+/* Parses the parameter list. The values in p->at are valid only until the next allocation; `reload` then reads them
  * again. */
 static bool parse(vs_expansion *x, parameters *p, vs_value list, vs_pos outer) {
   vs_value l = list;
@@ -100,13 +101,13 @@ static bool parse(vs_expansion *x, parameters *p, vs_value list, vs_pos outer) {
   return true;
 }
 
-/* In a contract and, or and not combine predicates, at any depth and within list-of: there they are the library's
- * procedures of these names. */
+/* In a contract, and, or and not combine predicates, at any depth and within list-of. There they mean procedures of the
+ * library. */
 static const struct { int form; const char *word, *procedure; } combinations[] = {
   { VS_FORM_and, NULL, "and-of" }, { VS_FORM_or, NULL, "or-of" }, { -1, "not", "not-of" }, { -1, "list-of", "list-of" },
 };
 
-/* Returns the procedure that a form of a contract calls, or NULL if the form is a usual expression. */
+/* Returns the procedure that a form in a contract means, or NULL if the form is an ordinary expression. */
 static const char *combination(vs_value form, vs_value env) {
   if (!vs_is_pair(form) || vs_list_length(form) < 1 || !vs_is_identifier(vs_car(form))) return NULL;
   for (size_t i = 0; i < sizeof combinations / sizeof *combinations; i++) {
@@ -114,7 +115,7 @@ static const char *combination(vs_value form, vs_value env) {
       return combinations[i].procedure;
     if (combinations[i].form >= 0) continue;
     vs_meaning m = vs_environment_find(env, vs_car(form));
-    /* a name of the program's own */
+    /* The program has defined this name itself. */
     if (m.kind != VS_MEANS_CELL || !(vs_object_of(m.value)->flags & VS_F_CONSTANT)) continue;
     if (!strcmp(vs_as_symbol(vs_as_cell(m.value)->name)->name, combinations[i].word)) return combinations[i].procedure;
   }
@@ -137,7 +138,7 @@ bool vs_predicate_step(vs_expansion *x) {
   return ok;
 }
 
-/* Reads ids and forms from the list again: allocation has moved them. */
+/* Reads the values of the parameters from the list again, since an allocation has moved them. */
 static void reload(parameters *p, vs_value list) {
   size_t i = 0;
   bool first = !p->tail;
@@ -168,7 +169,7 @@ static vs_core_node *check(vs_expansion *x, const parameter *q, vs_value env, ui
   return n->as.check.predicate ? n : NULL;
 }
 
-/* Returns true for a predicate that needs no evaluation: a variable of the library that is never assigned. */
+/* Returns true for a predicate that need not be evaluated: a variable of the library, which is never assigned. */
 static bool is_constant(vs_value form, vs_value env) {
   if (!vs_is_identifier(form)) return false;
   vs_meaning m = vs_environment_find(env, form);
@@ -180,14 +181,15 @@ static bool is_constant(vs_value form, vs_value env) {
 typedef struct {
   vs_expansion *x;
   parameters *p;
-  vs_value *roots;           /* ROOT_LIST ... */
-  uint32_t who;              /* its name, a constant */
+  vs_value *roots;           /* roots; indices are ROOT_LIST ... */
+  uint32_t who;              /* constant index of the lambda's name */
   vs_pos pos;
-  vs_core_node *let;         /* the LET of the evaluated contracts; NULL: there are none */
-  size_t contracts;          /* number of contracts already in it */
+  vs_core_node *let;         /* LET of the evaluated predicates; NULL if there are none */
+  size_t contracts;          /* number of predicates that are already in the LET */
   vs_core_node *lambda;
 } making;
-enum { ROOT_LIST, ROOT_BODY, ROOT_ENV, ROOT_SCOPE /* of the lambda */, ROOT_EARLIER /* scope of a default */, ROOTS };
+/* scope of the lambda */
+enum { ROOT_LIST, ROOT_BODY, ROOT_ENV, ROOT_SCOPE, ROOT_EARLIER /* scope of a default value */, ROOTS };
 
 static void again(making *m) { reload(m->p, m->roots[ROOT_LIST]); }
 
@@ -195,14 +197,14 @@ static bool is_evaluated(const making *m, const parameter *q) {
   return q->predicate != VS_ABSENT && !is_constant(q->predicate, m->roots[ROOT_ENV]);
 }
 
-/* Returns the number of the first n parameters with a predicate. */
+/* Returns how many of the first n parameters have a predicate. */
 static size_t checks_of(const parameters *p, size_t n) {
   size_t checks = 0;
   for (size_t i = 0; i < n; i++) checks += p->at[i].predicate != VS_ABSENT;
   return checks;
 }
 
-/* Makes the LET at *outer if a contract is evaluated, and moves *outer to its body; and the lambda at *into. */
+/* If predicates are evaluated, creates the LET at *outer, and sets *outer to its body. Creates the lambda at *into. */
 static bool make_frame(making *m, vs_core_node ***outer, vs_core_node **into) {
   size_t evaluated = 0;
   for (size_t i = 0; i < m->p->count; i++) evaluated += is_evaluated(m, &m->p->at[i]);
@@ -219,7 +221,7 @@ static bool make_frame(making *m, vs_core_node ***outer, vs_core_node **into) {
   return true;
 }
 
-/* Gives the contract of parameter i a variable of the LET. */
+/* Adds a variable for the predicate of parameter i to the LET. */
 static bool make_contract(making *m, size_t i) {
   parameter *q = &m->p->at[i];
   if (!is_evaluated(m, q)) return true;
@@ -233,7 +235,7 @@ static bool make_contract(making *m, size_t i) {
   return true;
 }
 
-/* Makes the checks of the first n parameters, before the code that follows: moves *at to it. */
+/* Creates the checks of the first n parameters at *at, and sets *at to the place of the code after them. */
 static bool make_checks(making *m, size_t n, vs_pos pos, vs_core_node ***at) {
   size_t checks = checks_of(m->p, n), done = 0;
   if (!checks) return true;
@@ -251,15 +253,16 @@ static bool make_checks(making *m, size_t n, vs_pos pos, vs_core_node ***at) {
   return true;
 }
 
-/* Makes the default of parameter i. It sees the parameters before it; if it is computed, their checks come first. */
+/* Creates the default value of parameter i. It may use the parameters before it, which are checked first if the default
+ * is computed. */
 static bool make_default(making *m, size_t i, vs_param *param) {
   vs_value *r = m->roots;
   parameter *q = &m->p->at[i];
   vs_core_node **at = &param->fallback;
   bool plain = !vs_is_pair(q->fallback) && !vs_is_identifier(q->fallback);
   if (!plain && !make_checks(m, i, q->pos, &at)) return false;
-  /* A separate scope: when the default is expanded, the lambda's scope already binds later parameters, which it must
-   * not see. */
+  /* A default has its own scope, since the lambda's scope already binds later parameters, which the default must not
+   * use. */
   if (!vs_expand_scope(m->x, r[ROOT_ENV], &r[ROOT_EARLIER])) return false;
   for (size_t k = 0; k < i; k++) {
     again(m);
@@ -286,7 +289,7 @@ static bool make_parameter(making *m, size_t i) {
   return true;
 }
 
-/* *outer: the place of the contracts' LET, and then its body */
+/* Builds the lambda. *outer is the place for the LET of predicates, and is set to the LET's body. */
 static bool build(making *m, vs_value name, vs_core_node ***outer, vs_core_node **into) {
   vs_value *r = m->roots;
   if (!vs_ast_const(&m->x->ast, name, &m->who) || !vs_expand_scope(m->x, r[ROOT_ENV], &r[ROOT_SCOPE])) return false;
@@ -297,7 +300,8 @@ static bool build(making *m, vs_value name, vs_core_node ***outer, vs_core_node 
     if (!make_parameter(m, i)) return false;
   into = &m->lambda->as.lambda.body;
   return make_checks(m, m->p->count, m->pos, &into) &&
-         vs_expand_body(m->x, r[ROOT_BODY], r[ROOT_SCOPE], m->pos, into, 2); /* the depth begins again in a lambda */
+         vs_expand_body(m->x, r[ROOT_BODY], r[ROOT_SCOPE], m->pos, into, 2); /* the depth is counted anew in each
+                                                                              * lambda */
 }
 
 static bool expand_lambda(vs_expansion *x, const vs_lambda_form *form, vs_core_node ***outer, vs_core_node **into) {
@@ -341,7 +345,7 @@ bool vs_form_case_lambda(vs_expansion *x) {
   VS_ROOTS(x->vm, r, 1);
   bool ok = true;
   size_t i = 0;
-  vs_core_node **outer = x->now.into;        /* the LETs of all clauses' contracts enclose the whole */
+  vs_core_node **outer = x->now.into;        /* the LETs for the predicates of all clauses are around the case-lambda */
   for (r[0] = vs_cdr(x->now.form); ok && vs_is_pair(r[0]); r[0] = vs_cdr(r[0]), i++) {
     vs_value clause = vs_car(r[0]);
     if (vs_list_length(clause) < 2)

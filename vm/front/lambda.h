@@ -1,20 +1,20 @@
-/* Owns the interface of lambda.c: parameter lists. */
+/* Declares the expansion of parameter lists, implemented in lambda.c. */
 #ifndef VS_VM_FRONT_LAMBDA_H
 #define VS_VM_FRONT_LAMBDA_H
 
 #include "vm/front/expand.h"
 
-/* A lambda's source. Its values need not be rooted: the expansion does so. */
+/* The source of a lambda. Its values need not be roots. */
 typedef struct {
-  vs_value params, body; /* the parameter list, and the list of the body's forms */
-  bool tail;             /* params followed a name, as in (define (name . params) ...): [ ] around all of it then is a
-                          * rest parameter with its predicate */
-  vs_value env, name;    /* its environment; its symbol, or #f */
+  vs_value params, body; /* params: the parameter list; body: the list of the body's forms */
+  bool tail;             /* whether params follow a name, as in (define (name . params) ...), so that [ ] around them is
+                          * a rest parameter with its predicate */
+  vs_value env, name;    /* env: environment of the lambda; name: its symbol, or #f */
   vs_pos pos;
 } vs_lambda_form;
 
-/* Expands a parameter list and a body to a LAMBDA, in a LET of its contracts if need be. Returns false with the error
- * set. */
+/* Expands a parameter list and a body to a LAMBDA, if necessary in a LET of its predicates. If it fails, sets the error
+ * and returns false. */
 bool vs_expand_lambda(vs_expansion *x, const vs_lambda_form *form, vs_core_node **into);
 bool vs_predicate_step(vs_expansion *x);
 

@@ -1,15 +1,15 @@
-/* Owns the reader: it turns text in memory into data, with the place of every pair.
+/* Implements the reader, which converts text to data with the place of every pair.
  *
- * Plan. A stack of open things (lists, vectors, quotes, datum comments, labels) is in accounted memory, two rooted
- * values each: the first pair and the last pair of the elements. A finished datum is delivered to the top of the stack
- * until it has its place. The reader notes mistakes and continues behind them, so one reading reports all.
+ * A stack contains all data that are being read (lists, vectors, quotes, datum comments, labels). It is in counted
+ * memory, with two roots for each level: the first and the last pair of the elements. A complete datum is added to the
+ * level on top. The reader collects mistakes and continues after them, so that one reading reports all.
  *
- * The end of the text reveals an unclosed parenthesis, too late to help. Therefore the reader notes the first line that
- * begins at or left of the column of an open parenthesis: by the indentation, the line before should have closed it. It
- * then reads the text a second time, and begins anew at each (define at the left margin (`anew`). Therefore it reports
- * every form left open, not only the first. A missing quote exchanges the inside and outside of all later strings.
- * Therefore the reader notes the first string over several lines whose end touches a word: the missing quote is
- * probably there. */
+ * The end of the text shows that a parenthesis is not closed, but not where. The reader therefore records the first
+ * line that begins at or left of the column of an open parenthesis: by its indentation, the line before should have
+ * closed it. It then reads the text a second time, in which each (define at the left margin begins a new form (`anew`).
+ * It thus reports every unclosed form, not only the first. A missing quote exchanges the inside and outside of all
+ * later strings. The reader therefore records the first string of several lines whose end touches a word: the missing
+ * quote is probably there. */
 #include "vm/front/reader.h"
 #include "vm/numbers/number.h"
 #include "vm/numbers/number_text.h"
@@ -27,8 +27,8 @@ typedef enum { LIST, VECTOR, BYTEVECTOR, QUOTE, COMMENT, LABEL } frame_kind;
 
 typedef struct {
   frame_kind kind;
-  char open;                 /* ( or [ */
-  uint8_t dot;               /* LIST: 1 the next datum is the tail, 2 the tail has been read */
+  char open;                 /* opening parenthesis: ( or [ */
+  uint8_t dot;               /* LIST: 1 if the next datum is the tail after a dot, 2 if the tail has been read */
   vs_pos pos;
   quote_kind quote;
 } level;
@@ -38,29 +38,30 @@ typedef struct {
   const char *text;
   size_t size, at;
   uint32_t file, line;
-  size_t line_start;         /* offset of the current line */
-  size_t col_at; uint32_t col;   /* column of an offset in this line, moving forward */
-  bool located, fold, blank_line;   /* blank_line: only blanks until now on this line */
+  size_t line_start;         /* offset at which the current line begins */
+  size_t col_at; uint32_t col;   /* col: column of offset col_at in the current line, cached */
+  bool located, fold, blank_line;   /* blank_line: whether the current line has only blanks so far */
   level *levels; size_t depth, room;
-  vs_value *slots;           /* two per level, then the labels */
+  vs_value *slots;           /* two roots for each level, then the labels */
   struct vs_roots roots;
-  vs_value labels;           /* list of (number . box); rooted by vs_read_... */
+  vs_value labels;           /* list of (number . box); a root of vs_read_... */
   bool label_used;
   size_t quasi;              /* number of levels that are quasiquotes */
   size_t problems; bool more;
   struct { vs_pos pos; char text[PROBLEM_TEXT]; } problem[PROBLEMS];
-  /* the first line with an indentation that contradicts the parentheses */
+  /* suspect: place of the first line whose indentation contradicts the parentheses. */
   vs_pos suspect; uint32_t suspect_line;
-  uint32_t content_line;     /* of the last token */
-  uint32_t comma_line;       /* the line of the last comma between elements that was reported */
-  bool cut;                  /* a string or |symbol| contains the rest of the text: the levels open there are no
-                              * mistakes of their own */
-  bool anew, left_open;      /* the second reading; a form was open at the end, or where another began anew */
-  vs_pos odd_string; uint32_t odd_end;   /* the string that probably contains the quote of the next; its last line */
+  uint32_t content_line;     /* line of the last token */
+  uint32_t comma_line;       /* line of the last comma between elements that was reported */
+  bool cut;                  /* whether an unclosed string or |symbol| contains the rest of the text, so that the open
+                              * levels are not separate mistakes */
+  bool anew, left_open;      /* anew: this is the second reading; left_open: a form was not closed */
+  vs_pos odd_string; uint32_t odd_end;   /* odd_string: the string that probably lacks its closing quote; odd_end: its
+                                          * last line */
   vs_pos last_top; uint32_t last_close_line; bool stray; vs_pos stray_top; uint32_t stray_line;
 } reader;
 
-/* Returns the column, from 1, of a byte of the current line. */
+/* Returns the column, counted in characters from 1, of an offset in the current line. */
 static uint32_t column(reader *r, size_t offset) {
   VS_ASSERT(offset >= r->line_start);
   if (offset < r->col_at || r->col_at < r->line_start) { r->col_at = r->line_start; r->col = 1; }
@@ -90,7 +91,7 @@ static int peek(const reader *r, size_t ahead) {
   return r->at + ahead < r->size ? (unsigned char)r->text[r->at + ahead] : -1;
 }
 
-/* Returns the bytes of the blank character at the reader's place; 0 if there is none. */
+/* Returns the length in bytes of the blank character at the reader's position, or 0 if there is none. */
 static size_t blank(const reader *r) {
   int c = peek(r, 0);
   if (c < 0) return 0;
@@ -101,7 +102,7 @@ static size_t blank(const reader *r) {
   return u == 0xA0 || u == 0xFEFF || u == 0x3000 || (u >= 0x2000 && u <= 0x200B) || u == 0x2028 ? n : 0;
 }
 
-/* Returns true if the byte c, just read, ends a line: \n, or \r without \n behind it. */
+/* Returns true if the byte c, just read, ends a line: \n, or \r that is not followed by \n. */
 static bool ends_line(const reader *r, int c) { return c == '\n' || (c == '\r' && peek(r, 0) != '\n'); }
 
 static bool is_delimiter(const reader *r) {
@@ -125,7 +126,7 @@ static void skip_block(reader *r) {
   problem(r, pos, "this comment #| is never closed by |#");
 }
 
-/* Skips blanks and comments (not #;). Returns false at the end of the text. */
+/* Skips blanks and comments (except #;). Returns false at the end of the text. */
 static bool skip(reader *r) {
   for (;;) {
     int c = peek(r, 0);
@@ -136,7 +137,7 @@ static bool skip(reader *r) {
     else if (c == '#' && peek(r, 1) == '|') skip_block(r);
     else if (c == '#' && r->size - r->at > 5 && !memcmp(r->text + r->at, "#lang", 5) && peek(r, 5) <= ' ') skip_line(r);
     else if (c == '#' && peek(r, 1) == '!' && r->at == 0 && (peek(r, 2) == '/' || peek(r, 2) == ' '))
-      skip_line(r); /* #!/usr/bin/env vs_scheme */
+      skip_line(r); /* a first line such as #!/usr/bin/env vs_scheme */
     else if (c == '#' && peek(r, 1) == '!') {
       size_t start = r->at;
       r->at += 2;
@@ -149,7 +150,7 @@ static bool skip(reader *r) {
   }
 }
 
-/* ---- the stack ---- */
+/* ---- the stack of levels ---- */
 static bool push(reader *r, frame_kind kind, vs_pos pos, char open, quote_kind quote) {
   if (r->depth == r->room) {
     size_t room = r->room ? 2 * r->room : 32;
@@ -157,7 +158,7 @@ static bool push(reader *r, frame_kind kind, vs_pos pos, char open, quote_kind q
     if (!levels) return false;
     r->levels = levels;
     vs_value *slots = vs_mem(r->vm, r->slots, 2 * r->room * sizeof *slots, 2 * room * sizeof *slots);
-    if (!slots) {   /* both arrays stay equal */
+    if (!slots) {   /* both arrays keep the same room */
       r->levels = vs_mem(r->vm, levels, room * sizeof *levels, r->room * sizeof *levels);
       return false;
     }
@@ -171,7 +172,7 @@ static bool push(reader *r, frame_kind kind, vs_pos pos, char open, quote_kind q
   return true;
 }
 
-/* Removes the level on top; there is one. */
+/* Removes the level on top, which must exist. */
 static void pop(reader *r) {
   VS_ASSERT(r->depth > 0);
   level *f = &r->levels[--r->depth];
@@ -183,7 +184,7 @@ static bool cons(reader *r, vs_value car, vs_value cdr, vs_pos pos, vs_value *ou
   return r->located ? vs_cons_at(r->vm, car, cdr, pos, out) : vs_cons(r->vm, car, cdr, out);
 }
 
-/* Puts v (a root) in its place. *done: it is a datum of the outermost level, in *v. */
+/* Adds the datum *v (a root) to the level on top. If there is no level, sets *done: the datum is complete. */
 static bool deliver(reader *r, vs_value *v, vs_pos pos, bool *done) {
   *done = false;
   for (;;) {
@@ -233,7 +234,7 @@ static bool deliver(reader *r, vs_value *v, vs_pos pos, bool *done) {
   }
 }
 
-/* Pops the level on top, which exists, and sets *out to its value. */
+/* Removes the level on top, which must exist, and sets *out to its datum. */
 static bool close_frame(reader *r, vs_value *out) {
   level f = r->levels[r->depth - 1];
   vs_value head = r->slots[2 * (r->depth - 1)];
@@ -253,13 +254,13 @@ static bool close_frame(reader *r, vs_value *out) {
         vs_as_bytes(*out)->at[i] = (uint8_t)vs_fixnum(e);
       else problem(r, f.pos, "a bytevector holds integers from 0 to 255");
     }
-    if (r->located) vs_object_of(*out)->flags |= VS_F_IMMUTABLE;      /* a literal of a program */
+    if (r->located) vs_object_of(*out)->flags |= VS_F_IMMUTABLE;      /* a literal in a program */
   }
   pop(r);
   return true;
 }
 
-/* ---- tokens that make a value ---- */
+/* ---- tokens that are data ---- */
 static const struct { const char *name; uint32_t c;
 } char_names[] = {
   { "space", ' ' }, { "newline", '\n' }, { "tab", '\t' },      { "return", '\r' }, { "null", 0 },
@@ -313,7 +314,7 @@ static bool read_escape(reader *r, vs_text *t) {
   vs_pos pos = place(r, r->at - 1);
   int c = peek(r, 0);
   size_t start = r->at;
-  if (c >= 0) r->at++; /* the text may end with the backslash */
+  if (c >= 0) r->at++; /* the text may end after the backslash */
   switch (c) {
   case 'a': return vs_text_char(t, 7);
   case 'b': return vs_text_char(t, 8);
@@ -332,7 +333,8 @@ static bool read_escape(reader *r, vs_text *t) {
     if (peek(r, 0) == ';') r->at++;
     return vs_text_char(t, u);
   }
-  case ' ': case '\t': case '\n': case '\r': {        /* a continued line: omits blanks, newline, blanks */
+  case ' ': case '\t': case '\n': case '\r': {        /* a backslash at the end of a line: omits the blanks around it
+                                                       * and the line end */
     r->at = start;
     while (peek(r, 0) == ' ' || peek(r, 0) == '\t' || (peek(r, 0) == '\r' && peek(r, 1) == '\n')) r->at++;
     if (peek(r, 0) != '\n' && peek(r, 0) != '\r') {
@@ -375,8 +377,8 @@ static bool read_delimited(reader *r, char end, vs_text *t) {
       return true;
     }
     if (c == '\\') { if (!read_escape(r, t)) return false; }
-    else {                                              /* lines of a string end with \n for any line ends of the file;
-                                                         * a symbol keeps its characters */
+    else {                                              /* every line end in a string becomes \n; in a symbol it
+                                                         * remains */
       const char kept = (char)c;
       bool ends = ends_line(r, c);
       if (ends) newline(r, r->at);
@@ -424,7 +426,8 @@ static bool read_symbol(reader *r, vs_value *out) {
     if (ok && vs_is_number(*out) && !r->quasi && peek(r, 0) == ',' && peek(r, 1) >= '0' && peek(r, 1) <= '9') {
       size_t more = 1;
       while (peek(r, more) >= '0' && peek(r, more) <= '9') more++;
-      if (peek(r, more) == ',' || (r->depth && r->levels[r->depth - 1].open == '[')) {      /* [1,2,3] */
+      if (peek(r, more) == ',' || (r->depth && r->levels[r->depth - 1].open == '[')) {      /* a list of other
+                                                                                             * languages: [1,2,3] */
         problem(r, pos, "no commas stand between elements, only blanks: (list 1 2 3), or (xyz 1 2 3) for a point");
         while (peek(r, more) >= 0 &&
                (peek(r, more) == ',' || peek(r, more) == '.' || (peek(r, more) >= '0' && peek(r, more) <= '9')))
@@ -435,7 +438,7 @@ static bool read_symbol(reader *r, vs_value *out) {
       r->at += more;
     }
   }
-  /* POV-Ray's <0,0,0> */
+  /* A vector of POV-Ray: <0,0,0>. */
   if (ok && !bars && c == '<' && length > 1 && strchr("+-.0123456789", s[1]) && peek(r, 0) == ',' && !r->quasi) {
     char numbers[80];
     size_t more = 0, used = 0;
@@ -446,7 +449,7 @@ static bool read_symbol(reader *r, vs_value *out) {
     numbers[used] = 0;
     problem(r, pos, "a point is written (xyz %s), a gvector (vxyz %s)", numbers, numbers);
     r->at += more;
-    while (!is_delimiter(r)) r->at++; /* the > */
+    while (!is_delimiter(r)) r->at++; /* to the closing > */
     *out = VS_UNSPECIFIC;
   }
   if (ok && !bars && c == 0xE2 && length >= 3 && (unsigned char)s[1] == 0x80 && (unsigned char)s[2] >= 0x98 &&
@@ -457,7 +460,7 @@ static bool read_symbol(reader *r, vs_value *out) {
   return ok;
 }
 
-/* Returns true if the token here is this word, in any case. */
+/* Returns true if the token here is this word; upper and lower case are the same. */
 static bool same(const reader *r, const char *word) {
   size_t n = strlen(word);
   if (r->size - r->at < n) return false;
@@ -467,7 +470,7 @@ static bool same(const reader *r, const char *word) {
   return is_delimiter(&after);
 }
 
-/* Reads a token that begins with #. *prefix: it was no datum (a prefix was pushed). */
+/* Reads a token that begins with #. Sets *prefix if it is a prefix of the next datum, for which a level was pushed. */
 static bool read_hash(reader *r, vs_value *out, bool *prefix) {
   static const struct { const char *word; vs_value value; } words[] = {
     {"#t", VS_TRUE}, {"#true", VS_TRUE}, {"#f", VS_FALSE}, {"#false", VS_FALSE}, {"#!eof", VS_EOF}};
@@ -509,7 +512,7 @@ static bool read_hash(reader *r, vs_value *out, bool *prefix) {
   if (c == '\\') { read_char(r, out); return true; }
   for (size_t i = 0; i < sizeof words / sizeof *words; i++)
     if (same(r, words[i].word)) { r->at += strlen(words[i].word); *out = words[i].value; return true; }
-  if (c == ':') {                                    /* a keyword reads as the symbol of the whole token */
+  if (c == ':') {                                    /* a keyword becomes a symbol with the name of the whole token */
     size_t start = r->at;
     while (!is_delimiter(r)) r->at++;
     return vs_intern(r->vm, r->text + start, r->at - start, out);
@@ -517,10 +520,10 @@ static bool read_hash(reader *r, vs_value *out, bool *prefix) {
   return read_symbol(r, out);
 }
 
-/* Reads a closing parenthesis of the kind c. *out is the datum if *got. */
+/* Reads a closing parenthesis of kind c. Sets *got if that completes a datum, *out. */
 static bool read_close(reader *r, char c, vs_pos pos, vs_value *out, bool *got) {
   *got = false;
-  while (r->depth && r->levels[r->depth - 1].kind >= QUOTE) {     /* '), #;) */
+  while (r->depth && r->levels[r->depth - 1].kind >= QUOTE) {     /* a prefix without a datum: '), #;) */
     if (r->levels[r->depth - 1].quote == QUOTE_PLAIN)
       problem(r, r->levels[r->depth - 1].pos,
               "a datum is missing behind this '; a text is written in double quotes, \"like this\"");
@@ -544,7 +547,7 @@ static bool read_close(reader *r, char c, vs_pos pos, vs_value *out, bool *got) 
   return close_frame(r, out);
 }
 
-/* At the first token of a line: notes an open parenthesis that should, by the indentation, be closed. */
+/* At the first token of a line: records an open parenthesis that, by the indentation, should be closed. */
 static void watch_indentation(reader *r, vs_pos pos) {
   uint32_t col = vs_pos_col(pos);
   if (r->depth && !r->suspect) {
@@ -563,7 +566,7 @@ static void watch_indentation(reader *r, vs_pos pos) {
   r->blank_line = false;
 }
 
-/* Reports the innermost of the first `count` open things, which should all be closed. count is at most the depth. */
+/* Reports that the first `count` levels were not closed, at the innermost of them. */
 static void never_closed(reader *r, size_t count) {
   VS_ASSERT(count <= r->depth);
   if (!count) return;
@@ -578,7 +581,7 @@ static void never_closed(reader *r, size_t count) {
   else problem(r, f->pos, "this parenthesis is never closed: a %c is missing", close);
 }
 
-/* In the second reading: closes the things that are open where a definition begins at the margin. */
+/* In the second reading: closes all open levels where a definition begins at the left margin. */
 static void begin_anew(reader *r, vs_pos pos) {
   static const char word[] = "(define";
   if (vs_pos_col(pos) != 1 || r->size - r->at < sizeof word || memcmp(r->text + r->at, word, sizeof word - 1)) return;
@@ -589,7 +592,8 @@ static void begin_anew(reader *r, vs_pos pos) {
   r->suspect = 0;
 }
 
-/* Reads to the end of a datum of the outermost level. Returns 1; 0 at the end; -1 with an error: no memory, a limit. */
+/* Reads a datum that is in no other. Returns 1, or 0 at the end of the text. If memory is out or a limit is reached,
+ * sets the error and returns -1. */
 static int next(reader *r, vs_value *out, vs_pos *where) {
   while (skip(r)) {
     vs_pos pos = place(r, r->at);
@@ -627,7 +631,7 @@ static int next(reader *r, vs_value *out, vs_pos *where) {
     case ',': {
       bool splice = peek(r, 1) == '@';
       char before = r->at ? r->text[r->at - 1] : ' ';
-      /* (list 1, 2, 3) */
+      /* Commas between elements, as in (list 1, 2, 3), are reported. */
       if (r->located && !r->quasi && peek(r, 1) == ' ' && before > ' ' && !strchr("([{'`,;", before)) {
         if (r->comma_line != r->line) problem(r, pos, "no commas stand between elements, only blanks: (list 1 2 3)");
         r->comma_line = r->line;
@@ -677,7 +681,7 @@ static int next(reader *r, vs_value *out, vs_pos *where) {
   return 0;
 }
 
-/* ---- labels: every box of a label is replaced by its value ---- */
+/* ---- labels: every box of a label is replaced by the labelled datum ---- */
 typedef struct { vs_value *at; size_t count, room; struct vs_roots roots; vs_scheme *vm; } work;
 static bool work_push(work *w, vs_value v) {
   if (w->count == w->room) {
@@ -692,10 +696,10 @@ static bool work_push(work *w, vs_value v) {
 }
 static bool is_label(vs_value v) { return vs_is(v, VS_T_BOX); }
 static vs_value label_value(vs_value v) {
-  for (int i = 0; is_label(v) && i < 1000; i++) v = vs_as_box(v)->value;     /* #0=#1=x */
+  for (int i = 0; is_label(v) && i < 1000; i++) v = vs_as_box(v)->value;     /* several labels for one datum: #0=#1=x */
   return v;
 }
-/* Replaces the boxes of labels. Makes no object, so nothing moves. The datum is a tree until then. */
+/* Replaces the boxes of labels. Creates no objects, so that nothing moves. Before this, the datum is a tree. */
 static bool resolve_labels(reader *r, vs_value *root) {
   work w = {.vm = r->vm};
   *root = label_value(*root);
@@ -719,7 +723,7 @@ static bool resolve_labels(reader *r, vs_value *root) {
   return ok;
 }
 
-/* ---- whole texts ---- */
+/* ---- reading texts ---- */
 static bool start(reader *r, vs_scheme *vm, const vs_passage *text, uint32_t file, bool located) {
   memset(r, 0, sizeof *r);
   r->vm = vm;
@@ -754,7 +758,7 @@ bool vs_check_utf8(vs_scheme *vm, const char *text, size_t size, uint32_t file, 
     if (!n) {
       uint32_t col = 1;
       for (size_t k = begin; k < i; k++) col += ((unsigned char)text[k] & 0xC0) != 0x80;
-      /* FF FE and FE FF begin a text in UTF-16, as some editors save it */
+      /* A text in UTF-16, as some editors save it, begins with FF FE or FE FF. */
       bool wide = i == 0 && size > 1 && (!memcmp(text, "\xFF\xFE", 2) || !memcmp(text, "\xFE\xFF", 2));
       return vs_fail_at(vm, vm->sym.read, vs_pos_make(file, line, col), VS_NIL,
                         "this is not a text in UTF-8 (byte %02X at offset %zu)%s", c, i,
@@ -765,7 +769,8 @@ bool vs_check_utf8(vs_scheme *vm, const char *text, size_t size, uint32_t file, 
   return true;
 }
 
-/* Orders by place, then in the order found: an unclosed parenthesis is found last, but its place is first. */
+/* Compares mistakes by place, then by the order of their detection. An unclosed parenthesis is detected last, but its
+ * place is early. */
 static int by_place(const void *a, const void *b) {
   const vs_pos *p = a, *q = b;
   return *p < *q ? -1 : *p > *q;
@@ -787,9 +792,10 @@ static bool report(reader *r) {
   return false;
 }
 
-/* *anew: this is the second reading; on return: whether a second one is needed. */
+/* Reads all data of the text. *anew is true in the second reading; it is set to whether a second reading is
+ * necessary. */
 static bool read_all(vs_scheme *vm, const vs_passage *text, uint32_t file, bool fold, bool *anew, vs_value *forms) {
-  VS_ROOTS(vm, v, 3);                                  /* head, last, datum */
+  VS_ROOTS(vm, v, 3);                                  /* roots: first pair, last pair, datum */
   reader r;
   start(&r, vm, text, file, true);
   r.fold = fold;
@@ -815,7 +821,7 @@ static bool read_all(vs_scheme *vm, const vs_passage *text, uint32_t file, bool 
   vs_pos reached = place(&r, r.at);
   vm->roots = labels.next;
   finish(&r);
-  /* drops the data read, so that there is room to report how far the reading came */
+  /* Releases the data, so that memory remains for the report of the place that was reached. */
   if (!ok && vm->condition == vm->at.no_memory) {
     v[0] = v[1] = v[2] = VS_NIL;
     bool over_limit = vm->over_limit;
@@ -838,7 +844,7 @@ bool vs_read_all(vs_scheme *vm, const vs_passage *text, uint32_t file, bool fold
 bool vs_read_number(vs_scheme *vm, const char *s, size_t n, vs_pos place, vs_value *out) {
   if (vs_number_parse(vm, s, n, 10, out)) return true;
   vs_value why = vm->condition;
-  if (!vs_is(why, VS_T_CONDITION) || vs_as_condition(why)->kind != vm->sym.range) return false; /* out of memory */
+  if (!vs_is(why, VS_T_CONDITION) || vs_as_condition(why)->kind != vm->sym.range) return false; /* memory is out */
   return vs_fail_at(vm, vm->sym.read, place, VS_NIL, "%.*s%s: this exact number is too large to be written out",
                     (int)(n > 60 ? 60 : n), s, n > 60 ? "..." : "");
 }
@@ -879,7 +885,7 @@ bool vs_file_number(vs_scheme *vm, const char *name, size_t bytes, uint32_t *num
       return true;
     }
   }
-  /* slots are filled in order; a vector with room at its end would need a count of its own, and files are few */
+  /* Numbers are assigned in order. There are few files, so that the vector grows by one element at a time. */
   if (!vs_make_vector(vm, n ? n + 1 : 2, VS_FALSE, &v[1])) return false;
   for (size_t i = 0; i < n; i++)
     vs_gc_store(vm, vs_as_vector(v[1]), &vs_as_vector(v[1])->at[i], vs_as_vector(vm->at.files)->at[i]);

@@ -1,30 +1,32 @@
-/* Owns the conversion of text to data: whole files with positions, and single data from ports.
+/* Declares the reader, which converts text to data: whole files with places, and single data from ports.
  *
- * Data from source files consist of located pairs: the first pair of a list has the place of its parenthesis, every
- * further pair the place of its element. Therefore an atom's place follows from its pair (vs_form_pos in expand.h).
- * `#:name` reads as the symbol "#:name". Nothing recurses on the C stack. */
+ * Data from source files consist of pairs with places. The first pair of a list has the place of its parenthesis, every
+ * other pair the place of its element. The place of an atom is therefore found from its pair (vs_form_pos in expand.h).
+ * `#:name` becomes the symbol "#:name". The reader does not recurse on the C stack. */
 #ifndef VS_VM_FRONT_READER_H
 #define VS_VM_FRONT_READER_H
 
 #include "vm/machine/native.h"
 
-/* A text to read: its bytes, without NUL, and the number of its first line in its file. */
+/* A text to read: its bytes, without NUL, and the number in its file of its first line. */
 typedef struct vs_passage { const char *at; size_t size; uint32_t line; } vs_passage;
 
-/* Sets *number to the number of a source file in positions; the same name has the same number. */
+/* Sets *number to the number of a source file, which places contain. The same name always has the same number. */
 bool vs_file_number(vs_scheme *vm, const char *name, size_t bytes, uint32_t *number);
 
-/* Returns false with the error set, at the first bad byte, if the text is not UTF-8. */
+/* Returns true if the text is valid UTF-8. Otherwise sets the error, at the first invalid byte. */
 bool vs_check_utf8(vs_scheme *vm, const char *text, size_t size, uint32_t file, uint32_t line);
 
-/* Reads all data of a text, in order, as one located list. A text with mistakes gives one condition of kind `read` for
- * the first; its payload is a list of (place . message) of the others, in order. fold: as after #!fold-case. */
+/* Reads all data of a text as one list. If the text has mistakes, sets a condition of kind `read` for the first, whose
+ * payload is a list of (place . message) for the others. fold: letters are converted to lower case, as after
+ * #!fold-case. */
 bool vs_read_all(vs_scheme *vm, const vs_passage *text, uint32_t file, bool fold, vs_value *forms);
 
-/* Does vs_number_parse in radix 10; reports a number that is too large at its place. */
+/* Reads a number in radix 10, as vs_number_parse does. Reports a number that is too large at its place. */
 bool vs_read_number(vs_scheme *vm, const char *s, size_t n, vs_pos place, vs_value *out);
 
-/* Reads the first datum of a text, without positions, or VS_EOF. *used: bytes up to its end. */
+/* Reads the first datum of a text, without places, or VS_EOF if there is none. Sets *used to the number of bytes up to
+ * its end. */
 bool vs_read_datum(vs_scheme *vm, const char *text, size_t size, vs_value *out, size_t *used);
 
 #endif

@@ -1,5 +1,5 @@
-/* Owns the machine that finds the end of a datum without building it, for continuation lines and for reading from
- * ports. */
+/* Finds the end of a datum without building it, for continuation lines and for reading from ports. It is a state
+ * machine. */
 #include "vm/front/scan.h"
 #include "vm/values/text.h"
 
@@ -34,7 +34,7 @@ static bool is_blank(uint32_t c) {
 }
 static bool is_delimiter(uint32_t c) { return is_blank(c) || (c < 128 && strchr("()[]\";,'`", (int)c)); }
 
-/* A datum at this depth is complete. More data are expected. */
+/* Called when a datum is complete. Returns `how` if no further data are expected. */
 static vs_scan_result ended(vs_scan *s, vs_scan_result how) {
   VS_ASSERT(s->wanted > 0);
   s->state = BLANK;
@@ -75,7 +75,7 @@ bool vs_scan_feed(vs_scan *s, uint32_t c, vs_scan_result *result) {
 again:
   switch (s->state) {
   case BLANK: ok = begin(s, c, result); break;
-  case HASH:                                       /* the character after # */
+  case HASH:                                       /* after a # */
     s->any = s->any || (c != '|' && c != ';' && c != '!');
     if (c == ';') { s->wanted += s->depth == 0; s->state = BLANK; }
     else if (c == '|') { s->state = BLOCK; s->comment = 1; s->after_hash = 0; }
@@ -86,17 +86,17 @@ again:
       s->state = ATOM;
       s->after_hash = c == 'u' || (c >= '0' && c <= '9') ? '#' : 0;
       goto again;
-    } /* #u8(, #0=; #t( is two data */
+    } /* #u8( and #0= continue a datum; in #t( a second one begins */
     break;
-  case CHARACTER: s->state = ATOM; s->after_hash = 0; break;   /* any character belongs to it */
+  case CHARACTER: s->state = ATOM; s->after_hash = 0; break;   /* the character after #\ may be any */
   case ATOM:
     if (c == '|') { s->state = BARS; break; }
-    /* #u8( */
+    /* the prefix #u8( */
     if (s->after_hash == '#' && c == '(') { s->after_hash = 0; s->state = BLANK; ok = push(s, c); break; }
-    /* #0= */
+    /* the label #0= */
     if (s->after_hash == '#' && c == '=') { s->after_hash = 0; s->state = BLANK; break; }
     if (!is_delimiter(c)) break;
-    /* #!fold-case */
+    /* a directive such as #!fold-case */
     if (s->after_hash == '!') { s->after_hash = 0; s->state = BLANK; goto again; }
     s->after_hash = 0;
     *result = ended(s, VS_SCAN_WHOLE);
@@ -119,7 +119,7 @@ again:
     else s->after_hash = c == '|' || c == '#' ? (uint8_t)c : 0;
     break;
   }
-  if (c == '\r' || c == '\n') {                       /* \r alone, \n alone or both in this order end a line */
+  if (c == '\r' || c == '\n') {                       /* a line ends with \r, \n or both in this order */
     s->line += c == '\r' || !s->returned;
     s->col = 1;
   } else s->col++;
@@ -142,7 +142,7 @@ bool vs_read_whole(vs_scheme *vm, const char *text, size_t size, vs_text_check *
     ok = vs_scan_feed(&s, c, &r) && vs_poll_turn(vm, i, 4);
     if (r == VS_SCAN_BAD) { *out = (vs_text_check){VS_TEXT_BAD, 0, s.token_line, s.token_col, s.trouble}; break; }
     if (r != VS_SCAN_MORE) { any = true; s.wanted = 1; s.any = false; }
-    if (r != VS_SCAN_WHOLE) i += n;                /* feeds a delimiter that ended an atom again */
+    if (r != VS_SCAN_WHOLE) i += n;                /* reads the delimiter that ended an atom once more */
   }
   if (ok && out->state != VS_TEXT_BAD) {
     if (!vs_scan_end(&s) || s.wanted > 1) {

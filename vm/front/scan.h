@@ -1,37 +1,40 @@
-/* Owns the test whether a text is complete. */
+/* Declares a test whether a text is complete. */
 #ifndef VS_VM_FRONT_SCAN_H
 #define VS_VM_FRONT_SCAN_H
 
 #include "vm/machine/native.h"
 
-/* ---- is it complete? A machine that gets one character at a time, for the prompt and for (read) from a port ---- */
+/* ---- a state machine that reads one character at a time, for the prompt and for (read) from a port ---- */
 typedef enum {
   VS_SCAN_MORE,
-  VS_SCAN_WHOLE /* ended before this character */,
-  VS_SCAN_WHOLE_WITH /* ended with it */,
+  VS_SCAN_WHOLE /* the data are complete and end before this character */,
+  VS_SCAN_WHOLE_WITH /* the data are complete and end with this character */,
   VS_SCAN_BAD
 } vs_scan_result;
 typedef struct vs_scan {
   vs_scheme *vm;
   uint8_t state, after_hash;
-  bool any, escaped, returned;    /* a character but blanks has come; the last was a backslash; it was a \r */
-  uint32_t comment;               /* depth of block comments */
-  uint32_t wanted;                /* number of data still expected at depth 0 */
+  bool any, escaped, returned;    /* any: there was a character other than blanks; escaped: the last was a backslash;
+                                   * returned: it was \r */
+  uint32_t comment;               /* nesting depth of block comments */
+  uint32_t wanted;                /* number of data that are still expected outside of parentheses */
   size_t depth, room;
   struct vs_scan_open { char open; uint32_t line, col; } *at;
-  uint32_t line, col;             /* of the next character */
-  const char *trouble;            /* BAD: the reason */
-  uint32_t token_line, token_col; /* the begin of the last string, comment or |symbol| */
+  uint32_t line, col;             /* line and column of the next character */
+  const char *trouble;            /* for BAD: the reason */
+  uint32_t token_line, token_col; /* place at which the last string, comment or |symbol| begins */
 } vs_scan;
 void vs_scan_open(vs_scheme *vm, vs_scan *s);
 void vs_scan_close(vs_scan *s);
-bool vs_scan_feed(vs_scan *s, uint32_t c, vs_scan_result *result);    /* returns false when memory is out */
-bool vs_scan_end(vs_scan *s);                                         /* true: nothing is open at the end */
+bool vs_scan_feed(vs_scan *s, uint32_t c, vs_scan_result *result);    /* Processes one character. Returns false when
+                                                                       * memory is out. */
+bool vs_scan_end(vs_scan *s);                                         /* Returns true if nothing is open at the end of
+                                                                       * the text. */
 
 typedef enum { VS_TEXT_EMPTY, VS_TEXT_WHOLE, VS_TEXT_OPEN, VS_TEXT_BAD } vs_text_state;
 typedef struct vs_text_check { vs_text_state state; uint32_t depth, line, col; const char *trouble; } vs_text_check;
-/* Tests whether this text is complete: any number of whole data. OPEN: line and col of the parenthesis, string or
- * comment opened last; BAD: of the mistake. */
+/* Tests whether the text is complete, that is, any number of complete data. For OPEN, sets line and column of the
+ * innermost open parenthesis, string or comment; for BAD, of the mistake. Returns false when memory is out. */
 bool vs_read_whole(vs_scheme *vm, const char *text, size_t size, vs_text_check *out);
 
 #endif

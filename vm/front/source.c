@@ -1,4 +1,4 @@
-/* Owns source files: the search for a file, its language, and the reading of its forms. */
+/* Finds source files, determines their language, and reads their forms. */
 #include "vm/front/source.h"
 
 #include <string.h>
@@ -9,7 +9,7 @@
 #include "vm/library/port.h"
 #include "vm/values/string_chars.h"
 
-/* ---- paths ---- */
+/* ---- paths of files ---- */
 static size_t folder_length(const char *name) {
   const char *slash = strrchr(name, '/');
   return slash ? (size_t)(slash - name) + 1 : 0;
@@ -30,7 +30,7 @@ static bool exists(vs_scheme *vm, vs_text *path) {
   return vm->config.io && vm->config.io->exists && vm->config.io->exists(vm->config.user, path->at);
 }
 
-/* Turns a/./b and a/c/../b into a/b, so that a file has one name. */
+/* Replaces a/./b and a/c/../b by a/b, so that each file has one name. */
 static void normalise(vs_text *path) {
   char *s = path->at;
   size_t n = path->count, out = 0, i = 0;
@@ -39,7 +39,7 @@ static void normalise(vs_text *path) {
     while (end < n && s[end] != '/') end++;
     size_t length = end - i;
     bool dot = length == 1 && s[i] == '.', up = length == 2 && s[i] == '.' && s[i + 1] == '.';
-    size_t last = out > 1 ? out - 1 : 0;                   /* the folder before, if .. leaves it */
+    size_t last = out > 1 ? out - 1 : 0;                   /* the start of the last folder, which .. removes */
     while (last > 0 && s[last - 1] != '/') last--;
     bool can = up && out > 1 && !(out - last == 3 && s[last] == '.' && s[last + 1] == '.');
     if (can) out = last;
@@ -61,7 +61,7 @@ bool vs_source_name(vs_scheme *vm, uint32_t file, vs_text *t) {
   return vs_text_string(t, vs_as_vector(vm->at.files)->at[file]) && vs_text_end(t);
 }
 
-/* Takes `folder` followed by `name` as the path if that file exists, or if it is the first place searched. */
+/* Sets the path to `folder` followed by `name` if that file exists, or if it is the first place searched. */
 static bool try_place(vs_scheme *vm, const char *folder, size_t length, const vs_text *name, vs_text *path,
                       bool *found) {
   if (*found) return true;
@@ -108,7 +108,8 @@ bool vs_source_find(vs_scheme *vm, vs_value name, uint32_t from, size_t up, vs_t
   vs_text_close(&plain);
   vs_text_close(&base);
   if (ok && !vs_source_is_shipped(path->count ? path->at : "")) normalise(path);
-  return ok;       /* not found: the first place; the reading reports the missing file */
+  return ok;       /* if no file was found, the path is in the first place searched; reading it reports the missing
+                    * file */
 }
 
 bool vs_source_path(vs_scheme *vm, vs_value name, uint32_t from, vs_text *path) {
@@ -120,7 +121,7 @@ bool vs_source_path(vs_scheme *vm, vs_value name, uint32_t from, vs_text *path) 
 typedef bool read_fn(vs_scheme *vm, const char *text, size_t size, uint32_t file, uint32_t line, vs_value *forms);
 typedef struct { const char *ending, *language; read_fn *read; } front_end;
 
-/* Returns the front end of a file of this name; NULL: this language. */
+/* Returns the front end for a file of this name; NULL if it is in Scheme. */
 static const front_end *front_end_of(const char *name) {
   static const front_end all[] = {
 #define VS_FRONT_END(ending, language, read) { ending, language, read },
@@ -157,12 +158,12 @@ static vs_value including(const vs_scheme *vm, uint32_t file) {
   return VS_FALSE;
 }
 
-/* Notes that text in `from` (0: none) includes `file`. */
+/* Records that the file `from` (0: none) includes `file`. */
 static bool note_included(vs_scheme *vm, uint32_t file, uint32_t from) {
   VS_ROOTS(vm, r, 2);
   vs_value pair = including(vm, file);
   if (vs_is_pair(pair)) {
-    vs_as_pair(pair)->cdr = vs_fix(from); /* no object, so no barrier */
+    vs_as_pair(pair)->cdr = vs_fix(from); /* a fixnum needs no write barrier */
     return true;
   }
   if (!from) return true;
@@ -180,7 +181,7 @@ static bool in_circle(const vs_scheme *vm, uint32_t file, uint32_t from) {
   return from != 0;
 }
 
-/* ---- reading ---- */
+/* ---- reading files ---- */
 bool vs_source_text(vs_scheme *vm, const char *name, const vs_passage *text, bool fold, vs_value *forms) {
   uint32_t file;
   vs_vm_phase was = vs_enter_phase(vm, VS_VM_READ);
@@ -213,7 +214,7 @@ bool vs_source_read(vs_scheme *vm, const char *path, bool fold, vs_value *forms)
   }
   if (!vs_io_read_file(vm, path, &r[0])) return false;
   size_t size = (size_t)vs_as_bytes(r[0])->length;
-  char *text = vs_mem(vm, NULL, 0, size + 1);        /* the reader allocates, and the bytes may move */
+  char *text = vs_mem(vm, NULL, 0, size + 1);        /* copied, since the reader allocates, and the bytes may move */
   if (!text) return false;
   memcpy(text, vs_as_bytes(r[0])->at, size);
   bool ok = vs_source_text(vm, path, &(vs_passage){text, size, 1}, fold, forms);

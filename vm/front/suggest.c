@@ -1,5 +1,5 @@
-/* Owns the advice for names that are not defined: tokens intended as numbers, words of other programs (foreign.def),
- * the right stem with another prefix, and similar names. */
+/* Computes advice for names that are not defined: numbers with units, words of other programs (foreign.def), a known
+ * name with another prefix, similar names. */
 #include "vm/front/suggest.h"
 #include "vm/front/environment.h"
 #include "vm/library/standard.h"
@@ -33,7 +33,7 @@ static const struct { const char *words, *instead; } keywords[] = {
 
 enum { LONGEST = 48, SLIP = 1, EDIT = 2 };
 
-/* Returns true if both keys are neighbours on a keyboard. QWERTY's rows; each is half a key further right than the one
+/* Returns true if the two keys are neighbours on a QWERTY keyboard. Each row is half a key further right than the one
  * above. */
 static bool neighbours(int a, int b) {
   static const char *const rows[] = {"1234567890-", "qwertyuiop", "asdfghjkl;", "zxcvbnm,./"};
@@ -48,11 +48,11 @@ static bool neighbours(int a, int b) {
       (right == 0 || right == 1));
 }
 
-/* Returns the edit distance, ignoring case. An insertion, a deletion and a change cost an EDIT each; typing slips cost
- * half of one: neighbouring keys, two letters in the wrong order, a letter twice, a hyphen too many or too few. Returns
- * limit + 1 for more than `limit`. */
+/* Returns the edit distance of two names; upper and lower case are the same. An insertion, deletion or replacement
+ * costs EDIT. A typing slip costs SLIP, half as much: neighbouring keys, two letters exchanged, a letter twice, a
+ * hyphen too many or too few. Returns limit + 1 if the distance exceeds limit. */
 static int distance(const char *a, size_t n, const char *b, size_t m, int limit) {
-  int change = n <= 4 ? EDIT + SLIP : EDIT; /* in a short word another letter makes another word: set is not sec */
+  int change = n <= 4 ? EDIT + SLIP : EDIT; /* replacing a letter of a short word costs more: set is not sec */
   int row[3][LONGEST + 1];
   if (n > LONGEST || m > LONGEST || (int)(n > m ? n - m : m - n) > limit) return limit + 1;
   row[0][0] = 0;
@@ -78,13 +78,14 @@ static int distance(const char *a, size_t n, const char *b, size_t m, int limit)
   return row[n % 3][m];
 }
 
-/* Returns the greatest distance for a name of this length: a third of its letters, in a short one a slip. */
+/* Returns the greatest permitted distance for a name of this length: about a third of its letters, and one slip if it
+ * is short. */
 static int tolerance(size_t length) { return length <= 2 ? SLIP : length <= 4 ? EDIT : length <= 6 ? EDIT + SLIP
     : length <= 9 ? 2 * EDIT : 3 * EDIT; }
 
-/* ---- prefixes ---- */
+/* ---- prefixes of names ---- */
 
-/* Returns the name without "make-", "do-" and the like. */
+/* Returns the name without a prefix such as "make-" or "do-". */
 static const char *stem(const char *name) {
   static const char *const prefixes[] = {"make-", "do-", "create-", "add-", "draw-", "new-", "get-", "build-", "gen-"};
   for (size_t i = 0; i < sizeof prefixes / sizeof *prefixes; i++) {
@@ -94,7 +95,7 @@ static const char *stem(const char *name) {
   return name;
 }
 
-/* Does the same for a prefix with a slip: creat-box. */
+/* Returns the name without a prefix that has a typing slip, as in creat-box. */
 static const char *near_stem(const char *name) {
   static const char *const words[] = {"make", "create", "draw", "build"};
   size_t n = strcspn(name, "-");
@@ -103,7 +104,7 @@ static const char *near_stem(const char *name) {
   return name;
 }
 
-/* Writes makeBox, MakeBox, make_box and rs.MakeBox as make-box; returns false if the name is too long. */
+/* Converts makeBox, MakeBox, make_box and rs.MakeBox to make-box. Returns false if the name is too long. */
 static bool plain_name(const char *name, char out[LONGEST + 1]) {
   const char *dot = strrchr(name, '.');
   if (dot && dot > name && dot[1] && isalpha((unsigned char)*name) && isalpha((unsigned char)dot[1])) name = dot + 1;
@@ -121,25 +122,25 @@ typedef struct {
   const vs_symbol *wanted, *best;
   int distance;
   bool own;
-  vs_value core /* environment of the library */;
+  vs_value core /* core: environment of the library */;
 } search;
 
 static bool consider(void *context, vs_value symbol, vs_value binding) {
   search *s = context;
   (void)binding;
   const vs_symbol *name = vs_as_symbol(symbol), *w = s->wanted;
-  size_t same = 0; /* a common "make-" does not make names similar */
+  size_t same = 0; /* the length of the common start, without a common "make-" */
   if (stem(w->name) - w->name == stem(name->name) - name->name) same = (size_t)(stem(w->name) - w->name);
   if (same && strncasecmp(w->name, name->name, same)) same = 0;
   int limit = tolerance(same && name->length > w->length ? name->length - same : w->length - same);
-  /* few words begin with a slip */
+  /* A typing slip at the start of a word is rare, so that less distance is permitted. */
   if (limit > SLIP && tolower((unsigned char)w->name[same]) != tolower((unsigned char)name->name[same])) limit -= SLIP;
   if (limit > s->distance) limit = s->distance;
   int d = distance(w->name, w->length, name->name, name->length, limit);
   bool own = vs_idtable_get(vs_as_environment(s->core)->table, symbol) == VS_VACANT;
   if (d > limit) return true;
-  /* ties: the program's names go first; then the name that sorts first, so that the advice does not depend on the order
-   * of a table */
+  /* Of equally similar names, one of the program is preferred, then the first in alphabetical order. The advice
+   * therefore does not depend on the order of a table. */
   if (d == s->distance && s->best && (own != s->own ? s->own : strcmp(name->name, s->best->name) >= 0)) return true;
   s->best = name;
   s->own = own;
@@ -147,8 +148,8 @@ static bool consider(void *context, vs_value symbol, vs_value binding) {
   return true;
 }
 
-/* The search for the same stem behind another prefix. Of several names one with a prefix goes first, then the one that
- * sorts first. */
+/* The search for a name with the same stem and another prefix. A name with a prefix is preferred, then the first in
+ * alphabetical order. */
 typedef struct { const char *stem; const vs_symbol *best; } stem_search;
 
 static bool consider_stem(void *context, vs_value symbol, vs_value binding) {
@@ -184,7 +185,7 @@ static bool has_word(const char *words, const char *word) {
   return false;
 }
 
-/* Returns the row of the table with the word, or -1. */
+/* Returns the row of foreign.def with the word, or -1. */
 static int foreign_word(const char *name) {
   for (int i = 0; i < (int)(sizeof foreign / sizeof *foreign); i++)
     if (has_word(foreign[i].words, name)) return i;
@@ -223,9 +224,9 @@ bool vs_suggest_local(vs_scheme *vm, vs_value env, vs_value symbol) {
 
 bool vs_suggest_let_star(vs_scheme *vm, vs_value symbol) { return remember(vm, symbol, symbol); }
 
-/* ---- the intended meaning of a name ---- */
+/* ---- guessing the intended name ---- */
 
-/* Advises on a multiple of pi that has no name: 3pi/4, 0.5pi. */
+/* Advises on a multiple of pi that is written as one word: 3pi/4, 0.5pi. */
 static bool advise_angle(const char *name, vs_text *t) {
   char text[200];
   size_t n = strspn(name, "+-.0123456789/"), digits = strspn(name, "+-0123456789");
@@ -240,7 +241,7 @@ static bool advise_angle(const char *name, vs_text *t) {
   return vs_text_puts(t, text);
 }
 
-/* Advises on a number with a unit or a sign that no number has here: 3m, 45°, –1. */
+/* Advises on a number with a unit, or with a sign that is not ASCII: 3m, 45°, –1. */
 static bool advise_number(const char *name, vs_text *t) {
   char number[LONGEST + 1], text[200];
   static const char *const dashes[] = {"\xE2\x80\x93", "\xE2\x80\x94", "\xE2\x88\x92", "\xE2\x80\x90"};
@@ -273,7 +274,7 @@ static bool advise_number(const char *name, vs_text *t) {
   return vs_text_puts(t, text);
 }
 
-/* Advises on a keyword as other languages write it, azimuth: or :azimuth; and on the name of a file without quotes. */
+/* Advises on keywords as other languages write them (azimuth: or :azimuth), and on file names without quotes. */
 static bool advise_spelling(const char *name, vs_text *t) {
   static const char *const endings[] = {"vs",   "js",  "gml", "stl", "obj",  "off", "ply", "png", "jpg", "jpeg",
                                         "exr",  "hdr", "csv", "json", "mtl", "ies", "txt", "ttf", "otf"};
@@ -317,14 +318,17 @@ bool vs_suggest(vs_scheme *vm, vs_value env, vs_value symbol, vs_text *t) {
   if (local == symbol)
     return vs_text_puts(t, " here: let names it for its body alone; write let* where a value that follows uses it");
   size_t before = t->count;
-  bool ours = vs_idtable_get(vs_as_environment(vm->at.core)->table, symbol) != VS_VACANT; /* only not imported */
+  bool ours = vs_idtable_get(vs_as_environment(vm->at.core)->table, symbol) != VS_VACANT; /* a name of the library that
+                                                                                           * the program has not
+                                                                                           * imported */
   int i = ours ? -1 : foreign_word(wanted->name);
   if (i >= 0) return put_foreign(i, t);
   if (!advise_angle(wanted->name, t)) return false;
   if (t->count == before && !advise_number(wanted->name, t)) return false;
   if (t->count == before && !advise_spelling(wanted->name, t)) return false;
   if (t->count > before) return true;
-  size_t sign = strcspn(wanted->name, "+*/<>=");          /* i+1, n*2, a<b: a single name, without blanks */
+  size_t sign = strcspn(wanted->name, "+*/<>=");          /* an expression without blanks, which is read as one name:
+                                                           * i+1, n*2, a<b */
   const char *name = wanted->name;
   if (sign && sign + 1 < wanted->length && (name[sign + 1] == '=' ? sign + 2 < wanted->length : true) &&
       isalnum((unsigned char)name[sign - 1])) {
@@ -350,7 +354,7 @@ bool vs_suggest(vs_scheme *vm, vs_value env, vs_value symbol, vs_text *t) {
     if ((i = foreign_word(plain)) >= 0 || (i = foreign_word(same.stem)) >= 0) return put_foreign(i, t);
   }
   search s = {.core = vm->at.core, .wanted = wanted, .distance = 3 * EDIT};
-  if (local != VS_VACANT) {                       /* a local name goes before others that are equally similar */
+  if (local != VS_VACANT) {                       /* a local name is preferred to others that are equally similar */
     consider(&s, local, VS_FALSE);
     if (s.best) s.distance--;
   }

@@ -1,9 +1,9 @@
-/* Owns syntax-rules: patterns, templates, and the renaming of the names that a template introduces.
+/* Implements syntax-rules: matches patterns, expands templates, and renames the names that a template introduces.
  *
- * A rule is matched directly from its pattern. The variables of a pattern get slots in the order of matching, so those
- * of a subpattern are a range; under an ellipsis every slot of the range is the list of its values. A rule is #(pattern
- * template variables depths): `variables` is a vector of identifiers, `depths` the number of ellipses over each.
- * Recursion here is as deep as patterns and templates, which is limited. */
+ * A rule is #(pattern template variables depths): `variables` is a vector of identifiers, `depths` has the number of
+ * ellipses over each. Matching works directly on the pattern. The variables of a pattern have slots in the order of
+ * matching, so that those of a subpattern are a range of slots. Under an ellipsis, each slot of the range is the list
+ * of its values. Recursion is as deep as the pattern or template, which is limited. */
 #include "vm/front/syntax_rules.h"
 
 #include "vm/machine/fail.h"
@@ -17,11 +17,11 @@ enum { DATA_LITERALS, DATA_ELLIPSIS, DATA_RULES, DATA_SIZE };
 typedef struct {
   vs_expansion *x;
   vs_scheme *vm;
-  vs_value *r;             /* roots: see R_ below */
+  vs_value *r;             /* roots, with the indices R_... */
   vs_pos pos;
   bool underscore_is_literal;
 } rules;
-enum { R_MACRO, R_ENV /* of the use */, R_RULE, R_SLOTS, R_RENAMES, R_DEPTHS, R_FORM, R_COUNT };
+enum { R_MACRO, R_ENV /* environment of the macro's use */, R_RULE, R_SLOTS, R_RENAMES, R_DEPTHS, R_FORM, R_COUNT };
 
 static vs_value field(vs_value v, size_t i) { return vs_as_vector(v)->at[i]; }
 static vs_value data(const rules *s, size_t i) { return field(vs_as_macro(s->r[R_MACRO])->data, i); }
@@ -31,14 +31,14 @@ static bool member(vs_value list, vs_value id) {
   return false;
 }
 
-/* #:name in a pattern or template is a datum, not a variable */
+/* Returns true for an identifier. #:name in a pattern or template is a datum. */
 static bool is_name(vs_value v) {
   return vs_is(v, VS_T_ALIAS) ||
          (vs_is_symbol(v) && (vs_as_symbol(v)->length < 3 || memcmp(vs_as_symbol(v)->name, "#:", 2)));
 }
 
 static bool is_literal(const rules *s, vs_value id) { return member(data(s, DATA_LITERALS), id); }
-/* Returns true for the ellipsis that the macro names, or for an identifier that means ... where the macro was
+/* Returns true for the macro's own ellipsis or, if it has none, for an identifier that means ... where the macro was
  * defined. */
 static bool is_ellipsis(const rules *s, vs_value v) {
   if (!vs_is_identifier(v)) return false;
@@ -50,8 +50,8 @@ static bool is_underscore(const rules *s, vs_value v) {
   return vs_is_form(vs_as_macro(s->r[R_MACRO])->env, v, VS_FORM_underscore);
 }
 
-/* ---- definition ---- */
-/* Appends the variables of a pattern, in the order of matching, to lists in r[0] (identifiers) and r[1] (depths),
+/* ---- checking patterns ---- */
+/* Adds the variables of a pattern, in the order of matching, to the lists lists[0] (identifiers) and lists[1] (depths),
  * newest first. */
 static bool collect(rules *s, vs_value pattern, vs_value *lists, int64_t ellipses, int depth) {
   vs_scheme *vm = s->vm;
@@ -89,9 +89,9 @@ static bool collect(rules *s, vs_value pattern, vs_value *lists, int64_t ellipse
   return true;
 }
 
-/* ---- a template is checked when the macro is defined, so that its errors are reported before its first use ---- */
-/* lists[0]: the variables of the rule's pattern, lists[1]: the number of ellipses over each. Returns that of id, -1 if
- * id is no variable. */
+/* ---- checking templates, when the macro is defined, so that mistakes are reported before its first use ---- */
+/* Returns the number of ellipses over the pattern variable id, or -1 if id is no pattern variable. lists[0]: the
+ * variables; lists[1]: the number of ellipses over each. */
 static int64_t ellipses_of(const vs_value *lists, vs_value id) {
   vs_value depths = lists[1];
   for (vs_value l = lists[0]; vs_is_pair(l); l = vs_cdr(l), depths = vs_cdr(depths))
@@ -113,7 +113,7 @@ static bool no_repetition(rules *s, vs_pos pos) {
   return vs_expand_fail(s->x, pos, VS_ABSENT, "an ellipsis of the template follows nothing that repeats");
 }
 
-/* `outside`: the number of ellipses over the subtemplate t. */
+/* Checks the subtemplate t, over which there are `outside` ellipses. */
 static bool check_template(rules *s, const vs_value *lists, vs_value t, bool dots, int64_t outside, vs_pos pos,
                            int depth) {
   if (depth > PATTERN_DEPTH) return vs_expand_fail(s->x, s->pos, VS_ABSENT, "this template is nested too deeply");
@@ -125,7 +125,7 @@ static bool check_template(rules *s, const vs_value *lists, vs_value t, bool dot
   }
   if (vs_is_vector(t)) {
     size_t n = vs_as_vector(t)->length;
-    if (dots && n && is_ellipsis(s, field(t, 0))) return true;   /* #(... template) is checked when it is used */
+    if (dots && n && is_ellipsis(s, field(t, 0))) return true;   /* #(... template) is checked only when it is used */
     for (size_t i = 0, next; i < n; i = next) {
       for (next = i + 1; dots && next < n && is_ellipsis(s, field(t, next)); next++) {
         if (!repeats(lists, field(t, i), outside + (int64_t)(next - i - 1), 0)) return no_repetition(s, pos);
@@ -135,7 +135,8 @@ static bool check_template(rules *s, const vs_value *lists, vs_value t, bool dot
     return true;
   }
   for (bool first = true; vs_is_pair(t); first = false) {
-    if (dots && is_ellipsis(s, vs_car(t)) && !first) break;                         /* (a . (... b)) */
+    if (dots && is_ellipsis(s, vs_car(t)) && !first) break;                         /* an escaped ellipsis in the tail:
+                                                                                     * (a . (... b)) */
     int64_t level = 0;
     vs_value rest = vs_cdr(t), sub = vs_car(t);
     vs_pos place = vs_element_pos(t, first, pos);
@@ -186,7 +187,7 @@ bool vs_rules_make(vs_expansion *x, vs_value spec, vs_value env, vs_pos pos, vs_
   vs_gc_store(vm, d, &d->at[DATA_ELLIPSIS], t[2]);
   vs_gc_store(vm, vs_as_macro(r[R_MACRO]), &vs_as_macro(r[R_MACRO])->data, t[4]);
   rules s = {.x = x, .vm = vm, .r = r, .pos = pos};
-  VS_ROOTS(vm, lists, 4);     /* variables, depths, rules already made, scratch */
+  VS_ROOTS(vm, lists, 4);     /* roots: variables, depths, rules so far, temporary */
   lists[2] = VS_NIL;
   for (t[1] = vs_cdr(t[1]); vs_is_pair(t[1]); t[1] = vs_cdr(t[1])) {
     t[5] = vs_car(t[1]);
@@ -215,7 +216,8 @@ bool vs_rules_make(vs_expansion *x, vs_value spec, vs_value env, vs_pos pos, vs_
   return true;
 }
 
-/* ---- matching: 1 yes, 0 no, -1 error; *slot advances over the pattern's variables ---- */
+/* ---- matching. Functions return 1 if the form matches, 0 if not, -1 with the error set. *slot is the slot of the next
+ * variable ---- */
 static size_t count_vars(const rules *s, vs_value p, int depth) {
   size_t n = 0;
   if (depth > PATTERN_DEPTH) return 0;
@@ -237,7 +239,7 @@ static bool vector_list(vs_scheme *vm, vs_value vector, vs_value *out) {
 
 static int match(rules *s, vs_value pattern, vs_value form, size_t *slot) {
   vs_scheme *vm = s->vm;
-  VS_ROOTS(vm, r, 4);      /* pattern, form, values under an ellipsis, scratch */
+  VS_ROOTS(vm, r, 4);      /* roots: pattern, form, values under an ellipsis, temporary */
   r[0] = pattern; r[1] = form;
   for (;;) {
     if (is_name(r[0])) {
@@ -265,7 +267,8 @@ static int match(rules *s, vs_value pattern, vs_value form, size_t *slot) {
           vs_gc_store(vm, vs_as_vector(r[2]), &vs_as_vector(r[2])->at[k], r[3]);
         }
       }
-      for (size_t k = 0; k < n; k++) {                     /* collected backwards */
+      for (size_t k = 0; k < n; k++) {                     /* from the last to the first, so that the lists are in
+                                                            * order */
         vs_value l = field(r[2], k), done = VS_NIL;
         while (vs_is_pair(l)) {
           vs_value next = vs_cdr(l);
@@ -298,7 +301,7 @@ static int match(rules *s, vs_value pattern, vs_value form, size_t *slot) {
   }
 }
 
-/* ---- templates ---- */
+/* ---- expanding templates ---- */
 static int64_t slot_of(const rules *s, vs_value id) {
   const vs_vector *vars = vs_as_vector(field(s->r[R_RULE], RULE_VARS));
   for (size_t i = 0; i < vars->length; i++) if (vars->at[i] == id) return (int64_t)i;
@@ -318,7 +321,7 @@ static bool rename_id(rules *s, vs_value id, vs_value *out) {
 
 static bool instantiate(rules *s, vs_value template, bool dots, vs_value *out, int depth);
 
-/* Marks the slots of a subtemplate that are still under an ellipsis. */
+/* Marks the slots of the variables in a subtemplate over which there are ellipses left. */
 static void mark_slots(const rules *s, vs_value t, bool *used, bool dots, int depth) {
   if (depth > PATTERN_DEPTH) return;
   for (; vs_is_pair(t); t = vs_cdr(t)) mark_slots(s, vs_car(t), used, dots, depth + 1);
@@ -338,10 +341,10 @@ static bool copy_vector(vs_scheme *vm, vs_value v, vs_value *out) {
   return true;
 }
 
-/* Puts the results of sub under `level` ellipses, newest first, before *list. */
+/* Adds the expansions of sub under `level` ellipses to the start of *list, newest first. */
 static bool repeat(rules *s, vs_value sub, int level, vs_value *list, int depth) {
   vs_scheme *vm = s->vm;
-  VS_ROOTS(vm, r, 6);     /* sub, saved slots, saved depths, current slots, current depths, result */
+  VS_ROOTS(vm, r, 6);     /* roots: sub, saved slots, saved depths, current slots, current depths, result */
   r[0] = sub;
   size_t n = vs_as_vector(field(s->r[R_RULE], RULE_VARS))->length;
   bool small[64], *used = n <= 64 ? small : vs_mem(vm, NULL, 0, n);
@@ -389,7 +392,7 @@ static bool repeat(rules *s, vs_value sub, int level, vs_value *list, int depth)
 static bool instantiate(rules *s, vs_value template, bool dots, vs_value *out, int depth) {
   vs_scheme *vm = s->vm;
   if (depth > PATTERN_DEPTH) return vs_expand_fail(s->x, s->pos, VS_ABSENT, "this template is nested too deeply");
-  VS_ROOTS(vm, r, 4);      /* rest of the template, first, last, scratch */
+  VS_ROOTS(vm, r, 4);      /* roots: rest of the template, first, last, temporary */
   r[0] = template;
   r[1] = r[2] = VS_NIL;
   if (dots && vs_is_pair(r[0]) && is_ellipsis(s, vs_car(r[0]))) {
@@ -405,16 +408,18 @@ static bool instantiate(rules *s, vs_value template, bool dots, vs_value *out, i
     return to_vector(vm, r[2], out);
   }
   while (vs_is_pair(r[0])) {
-    if (dots && is_ellipsis(s, vs_car(r[0])) && r[1] != VS_NIL) break;             /* (a . (... b)) */
+    if (dots && is_ellipsis(s, vs_car(r[0])) && r[1] != VS_NIL) break;             /* an escaped ellipsis in the tail:
+                                                                                    * (a . (... b)) */
     int level = 0;
     vs_value rest = vs_cdr(r[0]);
     while (dots && vs_is_pair(rest) && is_ellipsis(s, vs_car(rest))) { level++; rest = vs_cdr(rest); }
     vs_value square = vs_object_of(r[0])->flags & VS_F_SQUARE;
-    VS_ROOTS(vm, t, 2);                                                           /* new pairs, newest first */
+    VS_ROOTS(vm, t, 2);                                                           /* roots: the new pairs, newest
+                                                                                   * first */
     t[0] = VS_NIL;
     if (level) { if (!repeat(s, vs_car(r[0]), level, &t[0], depth)) return false; }
     else if (!instantiate(s, vs_car(r[0]), dots, &t[1], depth + 1) || !vs_cons(vm, t[1], t[0], &t[0])) return false;
-    vs_value chain = VS_NIL;                                                      /* reversed in place */
+    vs_value chain = VS_NIL;                                                      /* reverses the list in place */
     for (vs_value l = t[0]; vs_is_pair(l);) {
       vs_value next = vs_cdr(l);
       vs_gc_store(vm, vs_as_pair(l), &vs_as_pair(l)->cdr, chain);

@@ -1,4 +1,4 @@
-/* Owns the interface of syntax_rules.c: syntax-rules. */
+/* Declares the expansion of syntax-rules, implemented in syntax_rules.c. */
 #ifndef VS_VM_FRONT_SYNTAX_RULES_H
 #define VS_VM_FRONT_SYNTAX_RULES_H
 

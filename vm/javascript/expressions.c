@@ -1,9 +1,8 @@
-/* Owns the translation of expressions.
+/* Translates expressions of JavaScript.
  *
- * Every number of a script is a double. If both operands of + - * / and of comparisons are numbers, the language's own
- * instructions compute them. The test for numbers is an instruction, too, and is omitted if the text shows the
- * operands' types. Operands that are more than a name or a constant are first bound to l: and r:, in the order of the
- * text. */
+ * Every number of a script is a double. If both operands of + - * / or of a comparison are numbers, instructions of the
+ * VM compute the result. The test for numbers is an instruction, too, and is omitted if the text shows the types of the
+ * operands. Operands other than names and constants are first bound to l: and r:, in the order of the text. */
 #include "vm/javascript/expressions.h"
 
 #include <string.h>
@@ -17,7 +16,7 @@
 
 static const vs_script_node *node(const vs_translation *t, uint32_t i) { return vs_script_at(t->s, i); }
 
-/* ---- the type of a value, by the text ---- */
+/* ---- types of values that the text shows ---- */
 
 static bool arithmetic(vs_script_operator op) {
   return op != VS_OPERATOR_PLUS &&
@@ -36,7 +35,7 @@ static vs_static_type sum_type(const vs_translation *t, uint32_t a, uint32_t b, 
                                                                                                         : VS_TYPE_ANY;
 }
 
-/* Examines a few levels: the type of a deeper expression is unknown. */
+/* Returns the type of a value. Examines only a few levels: a deeper expression has an unknown type. */
 static vs_static_type type_of(const vs_translation *t, uint32_t i, unsigned depth) {
   const vs_script_node *n = node(t, i);
   if (depth > 6) return VS_TYPE_ANY;
@@ -75,7 +74,7 @@ static vs_variable *variable(const vs_translation *t, uint32_t i) {
   return v ? &t->k->variables[v] : NULL;
 }
 
-/* Returns true if the value has no side effects and may be read any number of times. */
+/* Returns true if the expression has no side effects, and may be evaluated any number of times. */
 static bool simple(const vs_translation *t, uint32_t i) {
   const vs_script_node *n = node(t, i);
   if (n->kind == VS_SCRIPT_NAME) {
@@ -86,7 +85,7 @@ static bool simple(const vs_translation *t, uint32_t i) {
          n->kind == VS_SCRIPT_FALSE || n->kind == VS_SCRIPT_NULL || n->kind == VS_SCRIPT_THIS;
 }
 
-/* ---- operators of two operands ---- */
+/* ---- binary operators ---- */
 
 typedef struct {
   const char *fast, *slow;
@@ -119,7 +118,7 @@ static operator_words words_of(vs_script_operator op) {
   }
 }
 
-/* An operand: a node, or, if that is 0, a word of the translation. */
+/* An operand: a node or, if that is 0, a word of the translation. */
 typedef struct {
   uint32_t node;
   const char *word;
@@ -134,7 +133,7 @@ static bool put_call(vs_translation *t, const char *word, operand l, operand r) 
   return vs_translate_call(t, word) && put(t, l) && put(t, r) && vs_translate_close(t);
 }
 
-/* Both operands may be written more than once. */
+/* Writes an operation with tests of its operands. Each operand may occur more than once. */
 static bool guarded(vs_translation *t, vs_script_operator op, operand l, operand r) {
   operator_words w = words_of(op);
   bool ln = l.type == VS_TYPE_NUMBER, rn = r.type == VS_TYPE_NUMBER;
@@ -155,7 +154,7 @@ static bool binary(vs_translation *t, vs_script_operator op, operand l, operand 
               !(l.type == VS_TYPE_NUMBER && r.type == VS_TYPE_NUMBER);
   bool ls = l.word || simple(t, l.node), rs = r.word || simple(t, r.node), bind_l = both && !(ls && rs),
        bind_r = both && !rs;
-  /* a name on the left is read before the right side may change it */
+  /* a name on the left must be read before the right side may change it */
   if (bind_l && ls && (l.word || node(t, l.node)->kind != VS_SCRIPT_NAME)) bind_l = false;
   vs_script_place at = t->at;
   if (bind_l || bind_r) {
@@ -173,7 +172,7 @@ static bool binary(vs_translation *t, vs_script_operator op, operand l, operand 
 
 static operand of(const vs_translation *t, uint32_t i) { return (operand){ i, NULL, type(t, i) }; }
 
-/* == and === with a constant that is no number need only a simple test. */
+/* Translates == and === with a constant other than a number, which need only a simple test. */
 static bool equality(vs_translation *t, const vs_script_node *n, bool *done) {
   bool same = n->op == VS_OPERATOR_SAME || n->op == VS_OPERATOR_NOT_SAME;
   vs_script_kind kind = (vs_script_kind)node(t, n->b)->kind;
@@ -209,7 +208,7 @@ static bool name_value(vs_translation *t, uint32_t i) {
          vs_translate_close(t);
 }
 
-/* (js:get o key) */
+/* Translates the value of a property: (js:get o key). */
 static bool member_value(vs_translation *t, const vs_script_node *n, const char *object) {
   bool member = n->kind == VS_SCRIPT_MEMBER, length = member && vs_script_is(t->s, node(t, n->b)->name, "length");
   TRY(vs_translate_call(t, length ? "js:length" : member ? "js:get" : "js:at"));
@@ -218,10 +217,10 @@ static bool member_value(vs_translation *t, const vs_script_node *n, const char 
   return vs_translate_close(t);
 }
 
-/* Assigns a value, that of a node or a word, to a place. The value of the form is unspecified for a variable. */
+/* Assigns the value of a node or word to a variable. The value of the resulting expression is not used. */
 static bool assign_name(vs_translation *t, uint32_t name, operand value) {
   const vs_variable *v = variable(t, name);
-  if (v && v->kind == VS_VARIABLE_SELF) return put(t, value); /* a function expression's own name cannot be assigned */
+  if (v && v->kind == VS_VARIABLE_SELF) return put(t, value); /* the name of a function expression cannot be assigned */
   return vs_translate_call(t, "js:set!") && vs_translate_name(t, node(t, name)->name) && put(t, value) &&
          vs_translate_close(t);
 }
@@ -245,7 +244,7 @@ static bool let_one(vs_translation *t, const char *word) {
 }
 static bool let_body(vs_translation *t) { return vs_translate_close(t) && vs_translate_close(t); }
 
-/* Binds o: and, for an index, k: to the parts of a property. */
+/* Binds o: to the object of a property and, for an index, k: to the index. */
 static bool bind_property(vs_translation *t, const vs_script_node *n) {
   TRY(let_one(t, "o:") && vs_translate_value(t, n->a) && vs_translate_close(t));
   if (n->kind == VS_SCRIPT_INDEX)
@@ -290,7 +289,7 @@ static bool assignment(vs_translation *t, const vs_script_node *n, bool wanted) 
 
 static bool one(vs_translation *t) { return vs_translate_item(t, (vs_item){ .kind = VS_ITEM_NUMBER, .number = 1 }); }
 
-/* (+ v: 1), where v: is a number */
+/* Writes (+ v: 1) or (- v: 1), where v: is a number. */
 static bool stepped(vs_translation *t, const vs_script_node *n, const char *word) {
   return vs_translate_call(t, n->op == VS_OPERATOR_PLUS ? "js:+" : "js:-") && vs_translate_word(t, word) && one(t) &&
          vs_translate_close(t);
@@ -328,14 +327,15 @@ static bool update(vs_translation *t, const vs_script_node *n, bool wanted) {
   return vs_translate_close(t) && (is_name || vs_translate_close(t));
 }
 
-/* ---- calls ---- */
+/* ---- calls of functions ---- */
 
 static bool arguments(vs_translation *t, uint32_t i) {
   for (; i; i = node(t, i)->next) TRY(vs_translate_value(t, i));
   return true;
 }
 
-/* ((js:if (js:procedure? f:) f: (js:not-callable "name")) arguments #:this o:), the last if there is an object */
+/* Writes ((js:if (js:procedure? f:) f: (js:not-callable "name")) arguments #:this o:), the last part only for a
+ * method. */
 static bool call_bound(vs_translation *t, const vs_script_node *n, const char *self, uint32_t name) {
   TRY(vs_translate_open(t) && vs_translate_call(t, "js:if") && vs_translate_call(t, "js:procedure?") &&
       vs_translate_word(t, "f:") && vs_translate_close(t) && vs_translate_word(t, "f:") &&
@@ -345,11 +345,11 @@ static bool call_bound(vs_translation *t, const vs_script_node *n, const char *s
          (!self || (vs_translate_word(t, "#:this") && vs_translate_word(t, self))) && vs_translate_close(t);
 }
 
-/* Calls a function known by its name: its procedure, with as many values as it has parameters. */
+/* Calls a function that is known by its name: its procedure has exactly its parameters. */
 static bool direct_call(vs_translation *t, const vs_script_node *n, const vs_variable *v) {
   uint32_t wanted = node(t, v->declaration)->count;
   bool more = n->count > wanted;
-  if (more) { /* evaluates surplus arguments, too, last */
+  if (more) { /* surplus arguments are evaluated last, for their effects */
     TRY(vs_translate_call(t, "js:let") && vs_translate_open(t));
     uint32_t at = n->b;
     for (uint32_t i = 0; at; at = node(t, at)->next, i++)
@@ -393,7 +393,7 @@ static bool call(vs_translation *t, const vs_script_node *n) {
   return call_bound(t, n, NULL, f->kind == VS_SCRIPT_NAME ? f->name : 0) && vs_translate_close(t);
 }
 
-/* ---- literals ---- */
+/* ---- arrays, objects and other literals ---- */
 
 enum { AT_ONCE = 50 };
 

@@ -1,13 +1,14 @@
-/* Owns the translation of expressions. */
+/* Declares the translation of expressions of JavaScript. */
 #ifndef VS_VM_JAVASCRIPT_EXPRESSIONS_H
 #define VS_VM_JAVASCRIPT_EXPRESSIONS_H
 
 #include "vm/javascript/translation.h"
 
 bool vs_translate_value(vs_translation *t, uint32_t node);
-bool vs_translate_effect(vs_translation *t, uint32_t node); /* an expression whose value is not used */
-bool vs_translate_test(vs_translation *t, uint32_t node);   /* #f or true */
-/* Assigns the value of the items, (words...) around a made name, to the variable at the NAME, MEMBER or INDEX node. */
+bool vs_translate_effect(vs_translation *t, uint32_t node); /* Translates an expression whose value is not used. */
+bool vs_translate_test(vs_translation *t, uint32_t node);   /* Translates an expression as a test: its value is #f or
+                                                             * true. */
+/* Assigns (procedure word:number) to the variable or property at the node `target`, a NAME, MEMBER or INDEX. */
 bool vs_translate_assign_made(vs_translation *t, uint32_t target, const char *procedure, const char *word,
                               uint32_t number);
 

@@ -1,7 +1,7 @@
-/* Owns the conversion of a script's translation to data.
+/* Converts the items that a script was translated to into data.
  *
- * It handles the items from the last to the first. Data wait in a list, which is a stack; a closing bracket puts a mark
- * there. At an opening bracket the data above the mark are, in order, the list itself: its last pair is cut off, and
+ * Items are processed from the last to the first. Data are kept on a stack, which is a list; a closing bracket pushes a
+ * mark. At an opening bracket, the data above the mark are already the list, in order: its last pair is cut off, and
  * nothing is copied. A pair has the place of its datum; the first pair of a list has the place of the list. */
 #include "vm/javascript/read_script.h"
 
@@ -19,7 +19,7 @@ static void *resize(void *context, void *at, size_t used, size_t fresh) { return
 
 static vs_pos place(uint32_t file, uint32_t line, uint32_t column) { return vs_pos_make(file, line, column); }
 
-/* ---- native text ---- */
+/* ---- native text in a script ---- */
 
 typedef struct {
   vs_scheme *vm;
@@ -27,19 +27,19 @@ typedef struct {
   uint32_t scope;
 } native_names;
 
-/* Returns true if the symbol is a variable of the script at the place of the text. Any other symbol has its meaning in
- * the language. */
+/* Returns true if the symbol is a variable of the script at the place of the text. Other symbols have their meaning in
+ * Scheme. */
 static bool is_variable(const native_names *n, vs_value symbol) {
   const char *text = vs_as_symbol(symbol)->name;
   uint32_t name = vs_script_name_known(n->k->s, text, strlen(text));
   return name && vs_scopes_resolve(n->k, n->scope, name);
 }
 
-/* Renames the symbols of the data in place, with a list of waiting pairs. The data are new, and no macro has seen
- * them. */
+/* Renames the variables in the data, in place. A list contains the pairs still to visit. The data are new, so that
+ * nothing else refers to them. */
 static bool rename_names(const native_names *n, vs_value forms) {
   vs_scheme *vm = n->vm;
-  VS_ROOTS(vm, r, 5); /* waiting, the pair, a name, its alias, the aliases: a name has one */
+  VS_ROOTS(vm, r, 5); /* roots: pairs to visit, the pair, a name, its alias, the aliases (one for each name) */
   if (!vs_cons(vm, forms, VS_NIL, &r[0]) || !vs_idtable_new(vm, &r[4])) return false;
   while (vs_is_pair(r[0])) {
     r[1] = vs_car(r[0]);
@@ -65,7 +65,7 @@ static bool rename_names(const native_names *n, vs_value forms) {
   return true;
 }
 
-/* Reads the data of native text, with their own places: blanks precede its first line, up to its column. */
+/* Reads the data of a native text with their places: blanks are put before it, so that it begins in its column. */
 static bool native_data(const native_names *n, const vs_item *item, uint32_t file, vs_value *forms) {
   size_t indent = item->column + 2, size = indent + item->b;
   char *text = vs_mem(n->vm, NULL, 0, size + 1);
@@ -78,7 +78,7 @@ static bool native_data(const native_names *n, const vs_item *item, uint32_t fil
   return ok && rename_names(n, *forms);
 }
 
-/* ---- data ---- */
+/* ---- building data ---- */
 
 static bool symbol_of(vs_scheme *vm, const vs_script *s, const vs_item *item, vs_value *out) {
   char small[200];
@@ -103,7 +103,7 @@ static bool symbol_of(vs_scheme *vm, const vs_script *s, const vs_item *item, vs
   return ok;
 }
 
-/* Removes the list above the mark from the stack. */
+/* Removes the list above the mark from the stack, and returns it. */
 static vs_value take_list(vs_scheme *vm, vs_value *stack, vs_pos pos) {
   vs_value head = *stack, last = VS_NIL, at = head, tail = VS_NIL;
   for (; vs_car(at) != VS_VACANT && vs_car(at) != VS_ABSENT; at = vs_cdr(at)) last = at;
@@ -134,7 +134,7 @@ static bool push_native(vs_scheme *vm, const vs_translation *t, const vs_item *i
 }
 
 static bool build(vs_scheme *vm, const vs_translation *t, uint32_t file, vs_value *forms) {
-  VS_ROOTS(vm, r, 3); /* the stack, a datum */
+  VS_ROOTS(vm, r, 3); /* roots: the stack, a datum, and a temporary */
   r[0] = VS_NIL;
   bool ok = true;
   for (size_t i = t->count; ok && i--;) {
@@ -154,7 +154,7 @@ static bool build(vs_scheme *vm, const vs_translation *t, uint32_t file, vs_valu
       break;
     case VS_ITEM_NATIVE: ok = push_native(vm, t, item, file, &r[0]); break;
     case VS_ITEM_WORD:
-      if (!strcmp(item->word, ".")) { /* the top is the tail of the list, with the list's mark below it */
+      if (!strcmp(item->word, ".")) { /* the datum on top becomes the tail of a dotted list, whose mark is below it */
         r[1] = vs_car(r[0]);
         r[0] = vs_cdr(vs_cdr(r[0]));
         ok = push(vm, r[1], &r[0], pos) && push(vm, VS_ABSENT, &r[0], pos);
@@ -172,7 +172,7 @@ static bool build(vs_scheme *vm, const vs_translation *t, uint32_t file, vs_valu
   return ok;
 }
 
-/* Finds names that are assigned but not declared: they may be variables of a script that the program ran before. */
+/* Finds names that are assigned but not declared: they may be variables of a script that ran before. */
 static bool find_elsewhere(vs_scheme *vm, vs_scopes *k) {
   for (uint32_t i = k->scopes[1].first; i; i = k->variables[i].next) {
     vs_variable *v = &k->variables[i];

@@ -1,6 +1,7 @@
-/* Owns the search for scopes, in two walks over the tree: the first declares, the second assigns and follows jumps.
+/* Finds the scopes of a script in two walks over its tree. The first collects declarations, the second assignments and
+ * jumps.
  *
- * The walks recurse; the tree's height is bounded. */
+ * The walks recurse, since the height of the tree is limited. */
 #include "vm/javascript/script_scopes.h"
 
 #include "model/assert.h"
@@ -63,7 +64,7 @@ static bool table_grow(vs_scopes *k) {
   return true;
 }
 
-/* Declares a variable. A second declaration only marks it as assigned. */
+/* Declares a variable. A second declaration marks it as assigned. */
 static bool declare(walker *w, uint32_t scope, uint32_t name, vs_variable_kind kind, uint32_t declaration) {
   vs_scopes *k = w->k;
   uint32_t known = bound(k, scope, name);
@@ -71,7 +72,7 @@ static bool declare(walker *w, uint32_t scope, uint32_t name, vs_variable_kind k
     vs_variable *v = &k->variables[known];
     if (kind != VS_VARIABLE_FUNCTION) return true;
     v->assigned = true;
-    v->declaration = declaration; /* the last one counts */
+    v->declaration = declaration; /* of several function declarations with one name, the last is valid */
     if (v->kind == VS_VARIABLE_VAR) v->kind = VS_VARIABLE_FUNCTION;
     return true;
   }
@@ -102,14 +103,14 @@ static bool new_scope(walker *w, uint32_t parent, uint32_t node, uint32_t *out) 
 
 static const vs_script_node *node(const walker *w, uint32_t i) { return vs_script_at(w->s, i); }
 
-/* Returns the scope of the enclosing function, for var and function declarations. */
+/* Returns the scope of the enclosing function, in which var and function declarations are visible. */
 static uint32_t function_scope(const walker *w) {
   uint32_t at = w->scope;
   while (at > 1 && node(w, w->k->scopes[at].node)->kind != VS_SCRIPT_FUNCTION) at = w->k->scopes[at].parent;
   return at;
 }
 
-/* ---- the first walk ---- */
+/* ---- the first walk: declarations ---- */
 
 static bool declare_in(walker *w, uint32_t i);
 
@@ -176,12 +177,13 @@ static bool declare_in(walker *w, uint32_t i) {
   case VS_SCRIPT_LABEL: return declare_in(w, n->b);
   case VS_SCRIPT_CONTINUE:
   case VS_SCRIPT_BREAK: return true;
-  case VS_SCRIPT_NATIVE: /* may name any variable */ w->k->scopes[function_scope(w)].uses_this = true; return true;
+  /* native text may name any variable */
+  case VS_SCRIPT_NATIVE: w->k->scopes[function_scope(w)].uses_this = true; return true;
   default: return declare_in(w, n->a) && declare_in(w, n->b) && declare_in(w, n->c) && declare_in(w, n->d);
   }
 }
 
-/* ---- the second walk: returns the least depth of a target of a jump in the node ---- */
+/* ---- the second walk: assignments and jumps. *least is set to the least depth of a jump's target in the node ---- */
 
 static bool follow(walker *w, uint32_t i, unsigned *least);
 
@@ -203,7 +205,7 @@ static bool is_loop(vs_script_kind kind) {
   return kind == VS_SCRIPT_FOR || kind == VS_SCRIPT_FOR_IN || kind == VS_SCRIPT_WHILE || kind == VS_SCRIPT_DO;
 }
 
-/* Returns the loop or statement that the labels precede. */
+/* Returns the loop or other statement after the labels of node i. */
 static uint32_t labelled(const walker *w, uint32_t i) {
   while (node(w, i)->kind == VS_SCRIPT_LABEL) i = node(w, i)->b;
   return i;
@@ -232,7 +234,7 @@ static bool jump(walker *w, uint32_t i, unsigned *least) {
     to = labelled(w, to);
     if (!is_loop((vs_script_kind)node(w, to)->kind))
       return vs_script_fail(w->s, node(w, n->a)->at, "continue goes to a loop, and this label is of none");
-    while (t->node != to) { /* the loop is an inner target, already passed */
+    while (t->node != to) { /* the loop itself is a target further inside, which was already passed */
       jump_target *inner = w->jump_targets;
       while (inner->up != t) inner = inner->up;
       t = inner;
@@ -320,7 +322,8 @@ static bool follow_parts(walker *w, uint32_t i, unsigned *least) {
   return follow(w, n->a, least) && follow(w, n->b, least) && follow(w, n->c, least) && follow(w, n->d, least);
 }
 
-/* Depths: 0 is a function's end, then the targets from the outside in. */
+/* Walks over node i. The depth of a function's end is 0; the targets of jumps have increasing depths from the outside
+ * in. */
 static bool follow(walker *w, uint32_t i, unsigned *least) {
   if (!i) return true;
   const vs_script_node *n = node(w, i);

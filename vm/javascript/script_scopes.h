@@ -1,6 +1,6 @@
-/* Owns the facts about a script that its translation needs: its scopes and variables, and the targets of its jumps.
+/* Declares facts about a script that its translation needs: scopes, variables, and the targets of jumps.
  *
- * A scope is the program's, a function's, that of a function expression's own name, or a catch's. */
+ * There is a scope for the program, each function, the name of each function expression, and each catch. */
 #ifndef VS_VM_JAVASCRIPT_SCRIPT_SCOPES_H
 #define VS_VM_JAVASCRIPT_SCRIPT_SCOPES_H
 
@@ -16,11 +16,11 @@ typedef enum {
 } vs_variable_kind;
 
 typedef struct {
-  uint32_t scope, name, next; /* next: the next variable of the scope, in the order of the text */
-  uint32_t declaration;       /* FUNCTION: the node */
+  uint32_t scope, name, next; /* next: next variable of the scope, in the order of the text */
+  uint32_t declaration;       /* for functions: the node of the declaration */
   uint8_t kind;
-  bool elsewhere; /* declared by a script that ran before */
-  bool assigned;  /* assigned somewhere after its declaration */
+  bool elsewhere; /* whether a script that ran before has declared the variable */
+  bool assigned;  /* whether the variable is assigned after its declaration */
 } vs_variable;
 
 typedef struct {
@@ -28,31 +28,32 @@ typedef struct {
   bool uses_this, uses_arguments;
 } vs_scope_of_script;
 
-/* The facts known of a node. */
+/* Flags of a node. */
 enum {
-  VS_JUMPS_OUT = 1, /* a statement: a return, break or continue in it leaves it */
-  VS_STAYS = 2,     /* its end is never reached */
-  VS_BROKEN = 4,    /* a loop, switch or label: a break leaves it */
-  VS_CONTINUED = 8  /* a loop: a continue belongs to it */
+  VS_JUMPS_OUT = 1, /* a return, break or continue in the statement leaves it */
+  VS_STAYS = 2,     /* the end of the statement is never reached */
+  VS_BROKEN = 4,    /* a loop, switch or label that a break leaves */
+  VS_CONTINUED = 8  /* a loop in which there is a continue */
 };
 
 typedef struct {
   vs_script *s;
   vs_variable *variables;
-  size_t variable_count, variable_room; /* 0: none */
+  size_t variable_count, variable_room; /* variable 0 does not exist */
   vs_scope_of_script *scopes;
-  size_t scope_count, scope_room; /* 0: none, 1: the program's */
+  size_t scope_count, scope_room; /* scope 0 does not exist; scope 1 is that of the program */
   uint32_t *table;
-  size_t slots;      /* variables by scope and name */
-  uint8_t *facts;    /* index: node */
-  uint32_t *targets; /* index: node. BREAK and CONTINUE: their statement; FUNCTION and TRY: their scope */
+  size_t slots;      /* size of the hash table from scope and name to variable */
+  uint8_t *facts;    /* facts[node]: flags of the node */
+  uint32_t *targets; /* targets[node]: for BREAK and CONTINUE their statement, for FUNCTION and TRY their scope */
   size_t room;
 } vs_scopes;
 
-/* Returns false with the mistake in s, or when memory is out. Call vs_scopes_close in each case. */
+/* Finds the scopes of s. Returns false if there is a mistake, which s then has, or memory is out. Call vs_scopes_close
+ * in each case. */
 bool vs_scopes_find(vs_scopes *k, vs_script *s);
 void vs_scopes_close(vs_scopes *k);
-/* Returns the variable of the name in the scope, which is one of k's; 0: not declared. */
+/* Returns the variable that the name means in the scope, or 0 if it is not declared. */
 uint32_t vs_scopes_resolve(const vs_scopes *k, uint32_t scope, uint32_t name);
 
 #endif

@@ -1,13 +1,13 @@
-/* Owns the translation of statements and functions.
+/* Translates statements and functions of JavaScript.
  *
- * Plan. A list of statements becomes one expression. Statements that no jump leaves run in sequence. A statement that
- * jumps leave (a return within an if, a continue) is in tail position, and gets the place to which control goes at its
- * end (vs_then): the code that follows it in the text is translated there, in its branches. If several branches go to
- * one place, that becomes a procedure without parameters, which they call; a loop is such a procedure, too. All these
- * calls are in tail position, so the compiler makes them jumps within one activation, without captures or unwinding.
+ * A list of statements becomes one expression. Statements that no jump leaves run in sequence. A statement that a jump
+ * leaves (such as a return within an if) is in tail position. It receives a description of where control continues
+ * after it (vs_then), and the code that follows in the text is translated into its branches. If several branches
+ * continue at one place, that becomes a procedure without parameters, which they call. A loop is such a procedure, too.
+ * All these calls are in tail position, so that the compiler makes them jumps within one activation.
  *
- * The parts of a try are procedures that other code calls. A jump that leaves them returns a number, 0 if they just
- * end; after the try, control goes to the place with that number. */
+ * The parts of a try are procedures that other code calls. A jump that leaves them returns a number, or 0 if they just
+ * end. After the try, control continues at the place with that number. */
 #include "vm/javascript/statements.h"
 
 #include <string.h>
@@ -31,9 +31,9 @@ static bool leaving(vs_translation *t, uint32_t i, const vs_then *then);
 static bool range(vs_translation *t, uint32_t first, uint32_t stop, const vs_then *then);
 static bool done(vs_translation *t, uint32_t i);
 
-/* ---- the destination of control ---- */
+/* ---- where control continues ---- */
 
-/* Returns true if the jump takes only a word or two, at each of its places. */
+/* Returns true if the code to continue there consists of a word or two, so that it may be repeated. */
 static bool cheap(const vs_translation *t, const vs_then *then) {
   if (then->kind == VS_THEN_LOOP) {
     const vs_script_node *n = node(t, then->node);
@@ -42,8 +42,8 @@ static bool cheap(const vs_translation *t, const vs_then *then) {
   return then->kind == VS_THEN_NOTHING || then->kind == VS_THEN_END || then->kind == VS_THEN_MADE;
 }
 
-/* Opens (js:letrec ((to:n (js:lambda () ...))) and makes *named a call of it, unless `then` is cheap. *opened: the
- * caller must close it. */
+/* Opens (js:letrec ((to:n (js:lambda () ...))) and sets *named to a call of to:n, unless `then` is cheap. Sets *opened
+ * if the caller must close it. */
 static bool name_it(vs_translation *t, const vs_then *then, vs_then *named, bool *opened) {
   *named = *then;
   *opened = !cheap(t, then);
@@ -62,7 +62,7 @@ static bool made_call(vs_translation *t, const char *word, uint32_t number) {
   return vs_translate_open(t) && vs_translate_made(t, word, number) && vs_translate_close(t);
 }
 
-/* The next turn of a loop. */
+/* Writes the next iteration of a loop. */
 static bool turn(vs_translation *t, const vs_then *then) {
   const vs_script_node *n = node(t, then->node);
   if (n->kind == VS_SCRIPT_DO)
@@ -79,7 +79,7 @@ static bool turn(vs_translation *t, const vs_then *then) {
 
 static bool jump(vs_translation *t, uint32_t i);
 
-/* After a try: continues, or goes to the place with the number. */
+/* Writes the code after a try: it continues there, or at the place with the returned number. */
 static bool outcome(vs_translation *t, const vs_then *then) {
   vs_jump_target *f = then->target;
   const vs_script_node *n = node(t, f->node);
@@ -92,7 +92,7 @@ static bool outcome(vs_translation *t, const vs_then *then) {
         vs_translate_item(t, (vs_item){ .kind = VS_ITEM_COUNT, .a = (uint32_t)e + 1 }) && vs_translate_close(t));
     if (f->exits[e])
       TRY(jump(t, f->exits[e]));
-    else { /* a return, with its value waiting */
+    else { /* a return, whose value was kept */
       vs_jump_target *outer = f->up;
       while (outer && !outer->guard) outer = outer->up;
       if (!outer)
@@ -128,7 +128,7 @@ static bool go(vs_translation *t, const vs_then *then) {
   return false;
 }
 
-/* A break or continue: jumps to its statement's place, or returns a number if a try is between. */
+/* Writes a break or continue: continues at the place of its statement or, if a try is between, returns a number. */
 static bool jump(vs_translation *t, uint32_t i) {
   uint32_t to = t->k->targets[i];
   for (vs_jump_target *f = t->targets; f; f = f->up) {
@@ -149,8 +149,8 @@ static bool jump(vs_translation *t, uint32_t i) {
   return false;
 }
 
-/* The value of a return. An expression that may fail is bound first, so that it is no tail call and the function's
- * place is known. */
+/* Writes the value of a return. An expression that may fail is bound first. It is then no tail call, so that an error
+ * shows the function's place. */
 static bool kept_value(vs_translation *t, uint32_t i) {
   vs_script_kind kind = (vs_script_kind)node(t, i)->kind;
   if (kind == VS_SCRIPT_NAME || kind == VS_SCRIPT_NUMBER || kind == VS_SCRIPT_STRING || kind == VS_SCRIPT_FUNCTION)
@@ -176,16 +176,16 @@ static bool give_back(vs_translation *t, const vs_script_node *n) {
          vs_translate_close(t);
 }
 
-/* ---- loops and switch ---- */
+/* ---- loops and switch statements ---- */
 
-/* Opens (loop:n ...) for the first time. */
+/* Opens the first call of (loop:n ...). */
 static bool first_turn(vs_translation *t, bool in, uint32_t number) {
   if (!in) return made_call(t, "loop:", number);
   return vs_translate_open(t) && vs_translate_made(t, "loop:", number) && vs_translate_call(t, "js:keys") &&
          vs_translate_made(t, "of:", number) && vs_translate_close(t) && vs_translate_close(t);
 }
 
-/* Binds keys: to the remaining keys, opens the test for one, and assigns the first to the variable. */
+/* Binds keys: to the remaining keys, opens the test whether there is one, and assigns the first to the variable. */
 static bool take_key(vs_translation *t, const vs_script_node *n, uint32_t number) {
   const vs_script_node *a = node(t, n->a);
   uint32_t target = a->kind == VS_SCRIPT_VAR ? node(t, a->a)->a : n->a;
@@ -199,7 +199,7 @@ static bool take_key(vs_translation *t, const vs_script_node *n, uint32_t number
          vs_translate_assign_made(t, target, "js:key-text", "keys:", number);
 }
 
-/* A while, do, for or for-in from its first turn on. */
+/* Writes a while, do, for or for-in loop. */
 static bool turns(vs_translation *t, uint32_t i, uint32_t number, const vs_then *then) {
   const vs_script_node *n = node(t, i);
   bool opened = false, turned = false, in = n->kind == VS_SCRIPT_FOR_IN;
@@ -234,7 +234,7 @@ static bool turns(vs_translation *t, uint32_t i, uint32_t number, const vs_then 
 static bool loop(vs_translation *t, uint32_t i, const vs_then *then) {
   const vs_script_node *n = node(t, i);
   uint32_t number = t->numbers++;
-  if (n->kind == VS_SCRIPT_FOR_IN) { /* evaluates its object once */
+  if (n->kind == VS_SCRIPT_FOR_IN) { /* the object of a for-in is evaluated only once */
     TRY(vs_translate_call(t, "js:begin") && (node(t, n->a)->kind != VS_SCRIPT_VAR || done(t, n->a)));
     TRY(vs_translate_call(t, "js:let") && vs_translate_open(t) && vs_translate_open(t));
     TRY(vs_translate_made(t, "of:", number) && vs_translate_value(t, n->b) && vs_translate_close(t) &&
@@ -247,8 +247,7 @@ static bool loop(vs_translation *t, uint32_t i, const vs_then *then) {
   return turns(t, i, number, then) && vs_translate_close(t);
 }
 
-/* Translates a switch: each case is a procedure, with a call of the next case at its end; the tests choose the first
- * one. */
+/* Translates a switch: each case is a procedure that calls the next case at its end. Tests choose the first one. */
 static bool switch_statement(vs_translation *t, uint32_t i, const vs_then *then) {
   const vs_script_node *n = node(t, i);
   uint32_t number = t->numbers, fallback = 0;
@@ -297,7 +296,7 @@ static bool switch_statement(vs_translation *t, uint32_t i, const vs_then *then)
   return vs_translate_close(t) && (!opened || vs_translate_close(t)) && vs_translate_close(t);
 }
 
-/* ---- try ---- */
+/* ---- try statements ---- */
 
 static bool thunk(vs_translation *t, uint32_t block) {
   return vs_translate_call(t, "js:lambda") && vs_translate_open(t) && vs_translate_close(t) &&
@@ -341,7 +340,7 @@ static bool try_statement(vs_translation *t, uint32_t i, const vs_then *then) {
 
 /* ---- statements ---- */
 
-/* A statement whose end goes to `then`, in tail position. */
+/* Writes a statement in tail position, after which control continues at `then`. */
 static bool one_to(vs_translation *t, uint32_t i, const vs_then *then) {
   if (fact(t, i, VS_JUMPS_OUT)) return leaving(t, i, then);
   if (then->kind == VS_THEN_NOTHING) return done(t, i);
@@ -386,7 +385,7 @@ static bool leaving_part(vs_translation *t, uint32_t i, const vs_then *then) {
   }
 }
 
-/* A statement that jumps leave, or whose parts are translated in the same way. */
+/* Writes a statement that jumps leave. */
 static bool leaving(vs_translation *t, uint32_t i, const vs_then *then) {
   if (++t->depth > MOST_DEPTH)
     return vs_script_fail(t->s, node(t, i)->at,
@@ -408,7 +407,7 @@ static bool declarations(vs_translation *t, const vs_script_node *n) {
   return vs_translate_item(t, (vs_item){ .kind = VS_ITEM_COUNT, .a = 0 }) && vs_translate_close(t);
 }
 
-/* A statement that no jump leaves, as an expression whose value is not used. */
+/* Writes a statement that no jump leaves, as an expression whose value is not used. */
 static bool done(vs_translation *t, uint32_t i) {
   const vs_script_node *n = node(t, i);
   t->at = n->at;
@@ -426,7 +425,7 @@ static bool done(vs_translation *t, uint32_t i) {
   }
 }
 
-/* The native text at the end of a function supplies the function's value. */
+/* Writes native text at the end of a function, whose value is that of the function. */
 static bool native_value(vs_translation *t, uint32_t i) {
   const vs_script_node *n = node(t, i);
   t->at = n->at;
@@ -436,7 +435,7 @@ static bool native_value(vs_translation *t, uint32_t i) {
          vs_translate_close(t) && vs_translate_close(t);
 }
 
-/* Statements up to `stop`; jumps leave fewer than IN_ONE_ROW of them. */
+/* Writes statements up to `stop`. Jumps leave fewer than IN_ONE_ROW of them. */
 static bool row(vs_translation *t, uint32_t first, uint32_t stop, const vs_then *then) {
   if (first == stop) return go(t, then);
   TRY(vs_translate_call(t, "js:begin"));
@@ -451,12 +450,13 @@ static bool row(vs_translation *t, uint32_t first, uint32_t stop, const vs_then 
       return native_value(t, i) && vs_translate_close(t);
     TRY(done(t, i));
     if (fact(t, i, VS_STAYS))
-      return vs_translate_word(t, "js:undefined") && vs_translate_close(t); /* the code behind it is not reached */
+      return vs_translate_word(t, "js:undefined") && vs_translate_close(t); /* the statements after it are never
+                                                                             * reached */
   }
   return go(t, then) && vs_translate_close(t);
 }
 
-/* Divides long lists into rows, each a procedure of its own, to avoid nesting them. */
+/* Divides a long list of statements into several procedures, to limit their nesting. */
 static bool range(vs_translation *t, uint32_t first, uint32_t stop, const vs_then *then) {
   uint32_t leaving_count = 0, rows = 0, cut = 0;
   for (uint32_t i = first; i != stop && !cut; i = node(t, i)->next)
@@ -492,13 +492,13 @@ static bool range(vs_translation *t, uint32_t first, uint32_t stop, const vs_the
 bool vs_translate_has_direct(const vs_translation *t, uint32_t i) {
   const vs_scope_of_script *o = &t->k->scopes[t->k->targets[i]];
   if (o->uses_this || o->uses_arguments) return false;
-  for (uint32_t p = node(t, i)->a; p; p = node(t, p)->next) /* the same name twice */
+  for (uint32_t p = node(t, i)->a; p; p = node(t, p)->next) /* two parameters have the same name */
     for (uint32_t q = node(t, p)->next; q; q = node(t, q)->next)
       if (node(t, p)->name == node(t, q)->name) return false;
   return true;
 }
 
-/* Returns true if a function's name is never assigned: (js:letrec ((f: ...) (f ...)) . */
+/* Returns true if a function's name is never assigned, so that it can be defined by (js:letrec ((f: ...) (f ...)). */
 static bool settled(const vs_translation *t, const vs_variable *v) {
   return v->kind == VS_VARIABLE_FUNCTION && !v->assigned && v->declaration &&
          node(t, v->declaration)->kind == VS_SCRIPT_FUNCTION;
@@ -553,7 +553,7 @@ static bool body(vs_translation *t, uint32_t i) {
   return (!functions || vs_translate_close(t)) && (!locals || vs_translate_close(t));
 }
 
-/* The keyword for `this` of a function that uses it. A caller without it, such as the language itself, leaves `this`
+/* Writes the keyword parameter for `this`, if the function uses it. A caller that does not pass it leaves `this`
  * undefined. */
 static bool self_parameter(vs_translation *t, bool asks) {
   if (!asks) return true;
@@ -561,8 +561,8 @@ static bool self_parameter(vs_translation *t, bool asks) {
          vs_translate_word(t, "js:any?") && vs_translate_word(t, "js:undefined") && vs_translate_close(t);
 }
 
-/* The parameters of a named function for calls from anywhere: the values, which are optional, `this` if it uses it, and
- * the rest. */
+/* Writes the parameters of a function that any code may call. All are optional; `this` (if it is used) and the rest
+ * follow. */
 static bool open_parameters(vs_translation *t, const vs_script_node *n, bool asks) {
   for (uint32_t p = n->a; p; p = node(t, p)->next) {
     bool again = false;
@@ -648,7 +648,8 @@ static bool define(vs_translation *t, uint32_t name, const char *value) {
          vs_translate_close(t);
 }
 
-/* Returns the form for var depth = gui_number(3, 1, 9); which is a parameter of the model; NULL for other variables. */
+/* Returns the form for a declaration such as var depth = gui_number(3, 1, 9), which defines a parameter of the model.
+ * Returns NULL for other variables. */
 static const char *parameter_word(const vs_translation *t, uint32_t declarator) {
   const vs_script_node *n = node(t, declarator);
   if (!n->b || node(t, n->b)->kind != VS_SCRIPT_CALL) return NULL;

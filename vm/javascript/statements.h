@@ -1,15 +1,15 @@
-/* Owns the translation of statements and functions. */
+/* Declares the translation of statements and functions of JavaScript. */
 #ifndef VS_VM_JAVASCRIPT_STATEMENTS_H
 #define VS_VM_JAVASCRIPT_STATEMENTS_H
 
 #include "vm/javascript/translation.h"
 
-/* Translates a function as the value of an expression, or its direct procedure. */
+/* Translates a function as the value of an expression or, if `direct`, as a procedure with exactly its parameters. */
 bool vs_translate_function(vs_translation *t, uint32_t node, bool direct);
-/* Returns true if the function has a procedure that takes exactly its parameters. */
+/* Returns true if the function has a procedure with exactly its parameters. */
 bool vs_translate_has_direct(const vs_translation *t, uint32_t node);
 
-/* Translates the whole script to the forms of a program. */
+/* Translates the script to the forms of a program. */
 bool vs_translate_script(vs_translation *t);
 
 #endif

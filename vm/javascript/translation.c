@@ -1,4 +1,4 @@
-/* Owns the writing of items. */
+/* Writes the items to which a script is translated. */
 #include "vm/javascript/translation.h"
 
 #include <stdio.h>
