@@ -90,8 +90,8 @@ static bool mention_let_star(vs_expansion *x, vs_value list) {
   return true;
 }
 
-/* Returns true if evaluating this value of a letrec may create a continuation. That is not so for a procedure, nor for
- * an expression that is no call. */
+/* Returns true if evaluating this value of a letrec may create a continuation. Procedures and expressions
+ * that are no calls create none. */
 static bool may_return_again(vs_value value) {
   if (!vs_is_pair(value)) return false;
   if (!vs_is_identifier(vs_car(value))) return true;

@@ -1,6 +1,6 @@
-/* Owns the reader of the Generative Modeling Language: tokens become forms of this language.
+/* Implements the reader of the Generative Modeling Language, which converts tokens to forms of Scheme.
  *
- * Plan. Each token becomes one form at the token's place, so that errors, limits and warnings refer to the token:
+ * Each token becomes one form at the token's place, so that errors, limits and warnings refer to the token:
  *
  *   add          (gml:call 'add)
  *   A.b.c   .b   (gml:path '(A b c))   (gml:member '(b))
@@ -9,8 +9,8 @@
  *   !x   :x  ;x  (set! !x (gml:pop '!x))   (gml:register !x '!x)   (gml:value !x '!x)
  *   { ... }      (gml:push (gml:procedure '#(tokens) (lambda () forms ... #t)))
  *
- * A register is a variable of the nearest enclosing braces with usereg, or else of the file. The last #t of a body
- * keeps the activation of the call before it, so that an error reports that call. Open braces wait on an explicit
+ * A register is a variable of the nearest enclosing braces with usereg, or else of the file. The final #t of a body
+ * keeps the activation of the call before it, so that an error reports that call. Open braces are on an explicit
  * stack. */
 #include "vm/gml/gml_reader.h"
 #include "vm/front/environment.h"
@@ -21,9 +21,8 @@
 
 #include <stdio.h>
 
-/* The work between two braces: two lists with their last pairs, the literals not yet pushed, the registers (VS_NIL:
- * none yet), and the enclosing work. It is a vector: with a root for each, every collection would visit as many as
- * there are open braces. */
+/* The data for a pair of braces: two lists with their last pairs, the literals not yet pushed, the registers (VS_NIL:
+ * none yet), and the data of the enclosing braces. They are a vector, so that one root suffices for all open braces. */
 enum { FORMS, FORMS_LAST, TOKENS, TOKENS_LAST, LITERALS, LITERALS_LAST, REGISTERS, AROUND, SLOTS };
 
 typedef struct { vs_pos pos, literals; bool usereg; } level;
@@ -35,7 +34,7 @@ typedef struct {
   uint32_t file, line, col;
   level *levels;
   size_t depth, room;
-  vs_value *work;          /* rooted: the vector of the innermost level */
+  vs_value *work;          /* a root: the vector of the innermost braces */
 } reader;
 
 static vs_pos place(const reader *r) { return vs_pos_make(r->file, r->line, r->col); }
@@ -76,7 +75,7 @@ static size_t name_length(const reader *r, size_t from) {
   return n;
 }
 
-/* ---- lists under construction ---- */
+/* ---- lists that are being built ---- */
 
 static bool append(reader *r, int list, vs_value v, vs_pos pos) {
   VS_ROOTS(r->vm, p, 1);
@@ -91,7 +90,7 @@ static bool append(reader *r, int list, vs_value v, vs_pos pos) {
   return true;
 }
 
-/* Makes (word a), or (word a b) if b is not VS_ABSENT; the caller roots a and b. */
+/* Sets *out to (word a), or to (word a b) if b is given; a and b point to roots. */
 static bool form(reader *r, const char *word, const vs_value *a, const vs_value *b, vs_pos pos, vs_value *out) {
   VS_ROOTS(r->vm, p, 2);
   p[0] = VS_NIL;
@@ -121,14 +120,15 @@ static bool flush(reader *r) {
   return true;
 }
 
-/* Adds a datum to the innermost level's literals; there is a level. */
+/* Adds a datum to the literals of the innermost braces, which must exist. */
 static bool literal(reader *r, const vs_value *v, vs_pos pos) {
   VS_ASSERT(r->depth > 0);
   if (slot(r, LITERALS) == VS_NIL) r->levels[r->depth - 1].literals = pos;
   return append(r, LITERALS, *v, pos) && append(r, TOKENS, *v, pos);
 }
 
-/* Adds a token that acts: its form, and (token argument) to the tokens that a program may examine. */
+/* Adds a token that is not a literal: its form, and (token argument) to the list of tokens, which a program may
+ * examine. */
 static bool active(reader *r, const char *word, const vs_value *argument, const char *token, vs_pos pos) {
   VS_ROOTS(r->vm, p, 2);
   return flush(r) && quoted(r, argument, pos, &p[0]) && emit(r, word, &p[0], NULL, pos) &&
@@ -137,7 +137,7 @@ static bool active(reader *r, const char *word, const vs_value *argument, const 
 
 /* ---- registers ---- */
 
-/* name is rooted by the caller */
+/* Adds the register to those of the innermost braces. name points to a root. */
 static bool know_register(reader *r, const vs_value *name) {
   VS_ROOTS(r->vm, p, 1);
   p[0] = slot(r, REGISTERS);
@@ -162,7 +162,7 @@ static bool read_register(reader *r, int mark, vs_pos pos) {
          append(r, TOKENS, p[2], pos);
 }
 
-/* ---- braces ---- */
+/* ---- opening and closing braces ---- */
 
 static bool open_frame(reader *r, vs_pos pos) {
   if (r->depth == r->room) {
@@ -181,7 +181,8 @@ static bool open_frame(reader *r, vs_pos pos) {
   return true;
 }
 
-/* Puts ((!x gml:unset) ...), or (define !x gml:unset) forms, for the level's registers before `rest`. */
+/* Puts ((!x gml:unset) ...), or at top level (define !x gml:unset) ..., for the registers of the innermost braces
+ * before `rest`. */
 static bool declare(reader *r, bool top, vs_pos pos, vs_value rest, vs_value *out) {
   VS_ROOTS(r->vm, p, 4);
   p[0] = rest;
@@ -198,8 +199,8 @@ static bool declare(reader *r, bool top, vs_pos pos, vs_value rest, vs_value *ou
   return true;
 }
 
-/* Passes the registers in *from, of braces without usereg, to the enclosing braces, now the innermost. If these have
- * none, they get the table itself, so that a name in a million braces is entered once. */
+/* Adds the registers in *from, of braces without usereg, to those of the enclosing braces, which are now the innermost.
+ * If these have none, they get the table itself, so that nesting a million braces takes no longer. */
 static bool pass_registers(reader *r, const vs_value *from) {
   vs_value key, value;
   VS_ROOTS(r->vm, p, 1);
@@ -243,10 +244,10 @@ static bool close_frame(reader *r) {
          form(r, "procedure", &p[1], NULL, pos, &p[2]) && append(r, TOKENS, p[2], pos);
 }
 
-/* ---- tokens ---- */
+/* ---- reading tokens ---- */
 
-/* Returns the bytes of a number at the reader's place, 0 if there is none. Digits that continue as a name are no
- * number: 2nd. */
+/* Returns the length in bytes of the number at offset `from`, or 0 if there is none. Digits that continue as a name,
+ * such as 2nd, are no number. */
 static size_t number_length(const reader *r, size_t from) {
   size_t n = from;
   if (peek(r, n) == '-' || peek(r, n) == '+') n++;
@@ -323,7 +324,7 @@ static bool read_string(reader *r, vs_pos pos) {
   return ok && literal(r, &p[0], pos);
 }
 
-/* Reads a name, or names with dots between; `from`: after a mark of one byte. */
+/* Reads a name, or several names with dots between, into a list. Sets *count to the number of dots. */
 static bool read_names(reader *r, size_t *count, vs_value *list) {
   VS_ROOTS(r->vm, p, 2);
   p[0] = VS_NIL;

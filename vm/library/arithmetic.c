@@ -1,5 +1,5 @@
-/* Owns the procedures of arithmetic: predicates, + - * /, comparison, integer division, parts of numbers, rounding,
- * bits, texts. */
+/* Implements the procedures of arithmetic: predicates, + - * /, comparison, integer division, parts of numbers,
+ * rounding, bits, texts. */
 #include <math.h>
 
 #include "vm/machine/fail.h"
@@ -8,9 +8,9 @@
 #include "vm/numbers/number_text.h"
 #include "vm/values/string_chars.h"
 
-/* ---- argument checks ---- */
+/* ---- checking arguments ---- */
 
-/* duals are numbers: each procedure below defines its result for them */
+/* dual numbers are accepted: each procedure below defines its result for them */
 static bool want_number(vs_scheme *vm, const vs_value *a, int i) {
   return vs_is_scalar(a[i]) || vs_fail_type(vm, i, "a number", a[i]);
 }
@@ -37,14 +37,14 @@ static bool want_exact_integer(vs_scheme *vm, const vs_value *a, int i) {
     vs_value v = vs_dual_base(a[0]);                                       \
     return *out = vs_bool(expression), VS_OK;                              \
   }
-/* of numbers only */
+/* Predicates whose argument must be a number. */
 #define NUMBER_PREDICATE(name, expression)                                 \
   static vs_status name(vs_scheme *vm, vs_value *a, int n, vs_value *out) {       \
     (void)n;                                                               \
     vs_value v = vs_dual_base(a[0]);                                       \
     return want_number(vm, a, 0) ? (*out = vs_bool(expression), VS_OK) : VS_ERROR; \
   }
-static int sign_of(vs_value v) {          /* 0 for NaN */
+static int sign_of(vs_value v) {          /* returns -1, 0 or 1; 0 for NaN */
   if (vs_is_double(v)) return (vs_double(v) > 0) - (vs_double(v) < 0);
   return vs_int_sign(vs_is_ratio(v) ? vs_as_ratio(v)->num : v);
 }
@@ -80,7 +80,7 @@ static vs_status is_even(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 
 static bool want_addable(vs_scheme *vm, vs_value v) {
   vs_value ignored;
-  /* the last for its message */
+  /* The last test fails, and sets the error. */
   return vs_is_number(v) || vs_is(v, VS_T_FLAT) || vs_is_dual(v) || vs_number_add(vm, v, vs_fix(0), &ignored);
 }
 
@@ -105,7 +105,8 @@ static vs_status mul(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 static vs_status sub(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (n == 1) {
     if (vs_flat_callable(vm, a, 1)) return vm->flat->call(vm, "-", a, 1, out);
-    if (vs_is_double(a[0])) return *out = vs_flonum(-vs_double(a[0])), VS_OK;         /* 0 - 0.0 would be +0 */
+    if (vs_is_double(a[0])) return *out = vs_flonum(-vs_double(a[0])), VS_OK;         /* 0 - 0.0 would be +0 instead of
+                                                                                       * -0 */
     return vs_number_sub(vm, vs_fix(0), a[0], out);
   }
   *out = a[0];
@@ -149,7 +150,7 @@ static vs_status sign(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-/* ---- comparison: checks every argument, also after a false result ---- */
+/* ---- comparison; every argument is checked, even after a false result ---- */
 
 static vs_status compare(vs_scheme *vm, vs_relation relation, const vs_value *a, int n, vs_value *out) {
   bool all = true, one;
@@ -167,7 +168,7 @@ static vs_status equal(vs_scheme *vm, vs_value *a, int n, vs_value *out) { retur
 static vs_status at_least(vs_scheme *vm, vs_value *a, int n, vs_value *out) { return compare(vm, VS_GE, a, n, out); }
 static vs_status greater(vs_scheme *vm, vs_value *a, int n, vs_value *out) { return compare(vm, VS_GT, a, n, out); }
 
-/* An inexact argument makes the result inexact; NaN wins. */
+/* Returns the maximum or minimum. It is inexact if any argument is, and NaN if any is NaN. */
 static vs_status extreme(vs_scheme *vm, vs_relation better, vs_value *a, int n, vs_value *out) {
   bool inexact = false, take;
   int best = 0;
@@ -199,7 +200,7 @@ static vs_status modulo(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   return vs_number_modulo(vm, a[0], a[1], out);
 }
-/* (x - (x modulo y)) / y */
+/* Computes (x - (x modulo y)) / y. */
 static vs_status floor_quotient(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   VS_ROOTS(vm, r, 1);
@@ -255,7 +256,7 @@ static vs_status lcm(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-/* ---- parts and rounding ---- */
+/* ---- parts of numbers, and rounding ---- */
 
 static vs_status part(vs_scheme *vm, vs_value *a, bool denominator, vs_value *out) {
   if (!vs_is_exact(a[0]) && !(vs_is_double(a[0]) && isfinite(vs_double(a[0]))))
@@ -279,11 +280,12 @@ static vs_status denominator(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 
 typedef enum { TO_FLOOR, TO_CEILING, TO_ZERO, TO_NEAREST } rounding;
 
-/* r[0] is a ratio; r has 4 slots */
+/* Rounds the ratio r[0] to an integer. r has 4 roots. */
 static bool round_ratio(vs_scheme *vm, rounding how, vs_value *r, vs_value *out) {
   r[1] = vs_as_ratio(r[0])->num, r[2] = vs_as_ratio(r[0])->den;
   bool negative = vs_int_sign(r[1]) < 0;
-  /* floor((2 num + den) / (2 den)), and back to even from a tie: den = 2 */
+  /* Rounds to nearest: floor((2 num + den) / (2 den)). A tie, which only den = 2 has, is corrected to the even
+   * neighbour. */
   if (how == TO_NEAREST) {
     bool tie = r[2] == vs_fix(2);
     if (!vs_int_add(vm, r[1], r[1], &r[1]) || !vs_int_add(vm, r[1], r[2], &r[1]) ||
@@ -301,7 +303,7 @@ static bool round_ratio(vs_scheme *vm, rounding how, vs_value *r, vs_value *out)
 
 static bool round_number(vs_scheme *vm, rounding how, const vs_value *a, vs_value *out) {
   if (!want_number(vm, a, 0)) return false;
-  if (vs_is_dual(a[0])) { /* steps have slope 0 */
+  if (vs_is_dual(a[0])) { /* rounding is constant between steps: its slope is 0 */
     vs_value base = vs_dual_base(a[0]);
     return round_number(vm, how, &base, out);
   }
@@ -354,7 +356,7 @@ static vs_status inexact(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-/* ---- bits ---- */
+/* ---- bit operations ---- */
 
 static vs_status bitwise(vs_scheme *vm, char op, int64_t start, vs_value *a, int n, vs_value *out) {
   *out = vs_fix(start);
@@ -388,7 +390,7 @@ static vs_status integer_length(vs_scheme *vm, vs_value *a, int n, vs_value *out
   return vs_int_from_uint64(vm, vs_int_bits(r[0]), out);
 }
 
-/* ---- texts ---- */
+/* ---- numbers as texts ---- */
 
 static vs_status number_to_string(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   int64_t radix = 10;

@@ -1,4 +1,4 @@
-/* Owns basic procedures of all values: equivalence, booleans, boxes, records, and the procedures of hash tables. */
+/* Implements basic procedures: equivalence, booleans, boxes, records and hash tables. */
 #include "vm/machine/fail.h"
 #include "vm/values/equal.h"
 #include "vm/values/heap.h"
@@ -67,7 +67,7 @@ static vs_status set_box(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-/* ---- records, for define-record-type; a type's fields are a vector of symbols ---- */
+/* ---- records, for define-record-type. The fields of a type are a vector of symbols ---- */
 
 static vs_status make_record_type(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
@@ -85,7 +85,7 @@ static vs_status make_record_type(vs_scheme *vm, vs_value *a, int n, vs_value *o
   return *out = vs_from_object(t), VS_OK;
 }
 
-/* (%record type value ...): a missing field is #f */
+/* (%record type value ...): returns a record; a missing field is #f. */
 static vs_status record(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (!vs_arg_type(vm, a, 0, VS_T_RECORD_TYPE)) return VS_ERROR;
   size_t count = vs_as_vector(vs_as_record_type(a[0])->fields)->length;
@@ -102,9 +102,9 @@ static vs_status is_record(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-/* Returns true if a[0] is a record of the type a[1] with a field a[2], else false with "WHO: expected a TYPE, got V";
- * a[who] is the accessor's name. The type may be any value: its name is a variable, which the program may redefine,
- * also as another type with fewer fields. */
+/* Returns true if a[0] is a record of the type a[1] with a field number a[2]. Otherwise sets the error "WHO: expected a
+ * TYPE, got V", where a[who] is the accessor's name. The type may be any value, since the program may redefine the
+ * variable that names it. */
 static bool has_field(vs_scheme *vm, const vs_value *a, int who) {
   VS_ROOTS(vm, r, 1);
   bool its = vs_is(a[0], VS_T_RECORD) && vs_as_record(a[0])->type == a[1];
@@ -118,13 +118,13 @@ static bool has_field(vs_scheme *vm, const vs_value *a, int who) {
                                                           vs_is_symbol(type) ? vs_as_symbol(type)->name : "record");
 }
 
-/* arguments: record type index who */
+/* (%record-ref record type index who): returns the field. */
 static vs_status record_ref(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   return has_field(vm, a, 3) ? (*out = vs_as_record(a[0])->at[vs_fixnum(a[2])], VS_OK) : VS_ERROR;
 }
 
-/* arguments: record type index value who */
+/* (%record-set! record type index value who): sets the field. */
 static vs_status record_set(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n, (void)out;
   if (!has_field(vm, a, 4)) return VS_ERROR;
@@ -151,7 +151,7 @@ static vs_status make_eqv(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return make_hash(vm, VS_TABLE_EQV, a, n, out);
 }
 
-/* (hash k v ...) */
+/* (hash k v ...): returns a new hash table. */
 static vs_status hash(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (n % 2) return vs_fail(vm, vm->sym.arity, "keys and values come in pairs, got %d arguments", n);
   if (!vs_make_table(vm, VS_TABLE_EQUAL, out)) return VS_ERROR;
@@ -193,10 +193,10 @@ static vs_status hash_count(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 }
 
 typedef enum { LIST_KEYS, LIST_VALUES, LIST_PAIRS } list_what;
-/* in insertion order */
+/* Returns the keys, values or entries of a hash table as a list in insertion order. */
 static vs_status hash_list(vs_scheme *vm, vs_value *a, list_what what, vs_value *out) {
   if (!vs_arg_type(vm, a, 0, VS_T_TABLE)) return VS_ERROR;
-  VS_ROOTS(vm, r, 3);                             /* first pair, last pair, the new element */
+  VS_ROOTS(vm, r, 3);                             /* roots: first pair, last pair, new element */
   uint32_t position = 0;
   vs_value key, value;
   r[0] = r[1] = VS_NIL;

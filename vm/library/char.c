@@ -1,4 +1,4 @@
-/* Owns characters: their procedures, with utf8proc's Unicode tables for case and category. */
+/* Implements the procedures of characters, with the Unicode tables of utf8proc for case and category. */
 #include <utf8proc.h>
 
 #include "vm/machine/native.h"
@@ -30,12 +30,12 @@ static vs_status integer_to_char(vs_scheme *vm, vs_value *a, int n, vs_value *ou
   return VS_OK;
 }
 
-/* ---- case ---- */
+/* ---- upper and lower case ---- */
 
-/* of one character: one with two capitals (the sharp s) stays */
+/* Return the upper or lower case of a character. The sharp s, whose upper case has two letters, stays unchanged. */
 static uint32_t char_up(uint32_t c) { return c == 0xDF ? c : (uint32_t)utf8proc_toupper((utf8proc_int32_t)c); }
 static uint32_t char_down(uint32_t c) { return (uint32_t)utf8proc_tolower((utf8proc_int32_t)c); }
-/* the dotted and dotless i stay distinct */
+/* Returns the folded case. The i with and the i without a dot remain different. */
 static uint32_t char_fold(uint32_t c) { return c == 0x130 || c == 0x131 ? c : char_down(char_up(c)); }
 
 #define CASE(name, map)                                                        \
@@ -48,7 +48,7 @@ static uint32_t char_fold(uint32_t c) { return c == 0x130 || c == 0x131 ? c : ch
 CASE(upcase, char_up) CASE(downcase, char_down) CASE(foldcase, char_fold)
 #undef CASE
 
-/* ---- order ---- */
+/* ---- comparison ---- */
 
 static vs_status char_compare(vs_scheme *vm, const vs_value *a, int n, vs_text_order order, bool fold, vs_value *out) {
   bool holds = true;
@@ -70,7 +70,7 @@ static vs_status char_compare(vs_scheme *vm, const vs_value *a, int n, vs_text_o
 VS_ORDERS(O)
 #undef O
 
-/* ---- categories ---- */
+/* ---- Unicode categories ---- */
 
 static bool is_alphabetic(uint32_t c) {
   utf8proc_category_t k = utf8proc_category((utf8proc_int32_t)c);
@@ -86,8 +86,8 @@ static bool is_upper(uint32_t c) {
   return char_down(c) != c || utf8proc_category((utf8proc_int32_t)c) == UTF8PROC_CATEGORY_LU;
 }
 
-/* Returns true for small letters by Unicode's Other_Lowercase that are neither of category Ll nor have a capital:
- * ordinals and raised letters. */
+/* Returns true for characters with Unicode's property Other_Lowercase that are not of category Ll and have no upper
+ * case: ordinal indicators and superscript letters. */
 static bool is_other_lower(uint32_t c) {
   static const uint32_t range[][2] = { { 0xAA, 0xAA },     { 0xBA, 0xBA },     { 0x2B0, 0x2B8 },   { 0x2C0, 0x2C1 },
                                        { 0x2E0, 0x2E4 },   { 0x345, 0x345 },   { 0x37A, 0x37A },   { 0x10FC, 0x10FC },
@@ -115,15 +115,15 @@ static bool is_lower(uint32_t c) {
 CATEGORIES(C)
 #undef C
 
-/* Decimal digits are in runs of ten. Therefore the value is the distance from the run's zero, the first one back
- * without a digit before it, at most nine. */
+/* Returns the value of a decimal digit. Decimal digits form runs of ten, from 0 to 9. The value is the distance from
+ * the start of the run, at most nine characters back. */
 static vs_status char_digit_value(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!arg_char(vm, a, 0)) return VS_ERROR;
   uint32_t c = vs_char(a[0]), back = 0;
   *out = VS_FALSE;
   if (!is_numeric(c)) return VS_OK;
-  if (c >= 0x1D7CE && c <= 0x1D7FF) { /* mathematical digits: five runs without a gap */
+  if (c >= 0x1D7CE && c <= 0x1D7FF) { /* the mathematical digits are five runs without gaps */
     *out = vs_fix((c - 0x1D7CE) % 10);
     return VS_OK;
   }

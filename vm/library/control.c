@@ -1,12 +1,12 @@
-/* Owns the procedures of control: continuations, dynamic-wind, values, apply, handlers and raise, parameters, promises,
- * contracts.
+/* Implements the procedures of control: continuations, dynamic-wind, values, apply, handlers and raise, parameters,
+ * promises, contracts.
  *
  * The dynamic state is three lists in struct vs_scheme, each part of a continuation:
  *   winders     vectors (before after handlers parameters), innermost first
- *   handlers    procedures; a list of a continuation among them is a contract's: the continuation gets #f
+ *   handlers    procedures; a list with a continuation belongs to a contract: a raise returns #f to the continuation
  *   parameters  (parameter . value)
  * The natives here keep their state in their activations (native.h, VS_CALL), so that each may be left and entered
- * again. */
+ * again. In comments, arguments are followed after a bar by the slots for this state. */
 #include "vm/machine/activation.h"
 #include "vm/machine/fail.h"
 #include "vm/machine/native.h"
@@ -15,9 +15,9 @@
 #include "vm/values/printer.h"
 #include "vm/machine/run.h"
 
-/* ---- continuations ---- */
+/* ---- continuations and dynamic-wind ---- */
 
-/* Sets *out to the continuation of the native with its arguments at vm->base; the activation moves. */
+/* Sets *out to the continuation of the running native, whose arguments are at vm->base. The activation moves. */
 static bool capture(vs_scheme *vm, vs_value *out) {
   if (!vs_activation_capture(vm, vm->base - 2, (size_t)(vm->top - vm->base), out)) return false;
   vm->captures++;
@@ -49,8 +49,8 @@ static void enter_state_of(vs_scheme *vm, vs_value winder) {
   vm->parameters = vs_as_vector(winder)->at[3];
 }
 
-/* Arguments: k value | the winders that apply once the running before thunk has returned, or #f. Leaves and enters one
- * dynamic-wind after the other; each entry computes the remaining ones again. */
+/* Arguments: k value | the winders after the running before thunk has returned, or #f. Leaves and enters one
+ * dynamic-wind after the other; each time, computes the remaining ones again. */
 static vs_status throw_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (a[2] != VS_FALSE) { vm->winders = a[2]; a[2] = VS_FALSE; }
@@ -72,7 +72,7 @@ static vs_status throw_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_THROW;
 }
 
-/* arguments: before thunk after | phase, result */
+/* Arguments: before thunk after | phase, result. */
 static vs_status dynamic_wind(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (n >= 0) {
     for (int i = 0; i < 3; i++)
@@ -83,7 +83,7 @@ static vs_status dynamic_wind(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
   if (a[3] == vs_fix(0)) {
     VS_ROOTS(vm, r, 1);
     if (!vs_make_vector(vm, 4, VS_FALSE, &r[0])) return VS_ERROR;
-    vs_vector *winder = vs_as_vector(r[0]);       /* just made: no barrier */
+    vs_vector *winder = vs_as_vector(r[0]);       /* a new object needs no write barrier */
     winder->at[0] = a[0]; winder->at[1] = a[2]; winder->at[2] = vm->handlers; winder->at[3] = vm->parameters;
     if (!vs_cons(vm, r[0], vm->winders, &vm->winders)) return VS_ERROR;
     a[3] = vs_fix(1);
@@ -99,10 +99,10 @@ static vs_status dynamic_wind(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
   return VS_OK;
 }
 
-/* ---- values and apply ---- */
+/* ---- several values, and apply ---- */
 static vs_status values(vs_scheme *vm, vs_value *a, int n, vs_value *out) { return vs_several(vm, a, (size_t)n, out); }
 
-/* arguments: producer consumer | - */
+/* Arguments: producer consumer | unused. */
 static vs_status call_with_values(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (n >= 0) return vs_call(vm, a[0], 0, NULL);
   if (!vs_is(*out, VS_T_VALUES)) return vs_tailcall(vm, a[1], 1, out);
@@ -127,7 +127,7 @@ static vs_status apply(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_TAILCALL;
 }
 
-/* (%apply-self procedure list this): applies the procedure as a script calls a method of `this` */
+/* (%apply-self procedure list this): calls the procedure as a script calls a method of the object `this`. */
 static vs_status apply_self(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n; (void)out;
   vs_value list = a[1];
@@ -139,8 +139,8 @@ static vs_status apply_self(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_TAILCALL;
 }
 
-/* Returns true for a function of a script: it takes any number of values, and its translation names the rest or
- * `this`. */
+/* Returns true for a function of a script. It accepts any number of values, and its translation has parameters for
+ * `this` or the rest. */
 static bool is_script_function(vs_scheme *vm, const vs_code *code) {
   const vs_vector *params = vs_as_vector(code->params);
   size_t before = (size_t)code->required + code->optional;
@@ -149,14 +149,14 @@ static bool is_script_function(vs_scheme *vm, const vs_code *code) {
   return vs_is_symbol(params->at[before]) && !strcmp(vs_as_symbol(params->at[before])->name, "more:");
 }
 
-/* (%procedure-shape procedure): #(least most script?), the numbers of values it takes; most is #f if there is no limit.
- * For a script's function both are the number of its parameters. */
+/* (%procedure-shape procedure): returns #(least most script?), the numbers of arguments that it accepts. most is #f if
+ * there is no limit. For a function of a script, both are its number of parameters. */
 static vs_status procedure_shape(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!vs_is_procedure(a[0])) return vs_fail_type(vm, 0, "a procedure", a[0]);
   uint32_t least = 0, most = UINT32_MAX;
   bool script = false;
-  if (vs_is(a[0], VS_T_CASE) && vs_as_case(a[0])->count) { /* the clause tried first */
+  if (vs_is(a[0], VS_T_CASE) && vs_as_case(a[0])->count) { /* uses the clause that is tried first */
     const vs_code *code = vs_as_code(vs_as_closure(vs_as_case(a[0])->clause[0])->code);
     least = code->required;
   } else if (vs_is(a[0], VS_T_CLOSURE)) {
@@ -174,8 +174,8 @@ static vs_status procedure_shape(vs_scheme *vm, vs_value *a, int n, vs_value *ou
   return VS_OK;
 }
 
-/* ---- handlers ---- */
-/* arguments: handler thunk | outer handlers */
+/* ---- handlers and raise ---- */
+/* Arguments: handler thunk | outer handlers. */
 static vs_status with_exception_handler(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)out;
   if (n >= 0) {
@@ -187,7 +187,7 @@ static vs_status with_exception_handler(vs_scheme *vm, vs_value *a, int n, vs_va
   return VS_OK;
 }
 
-/* arguments: obj | handlers at the raise */
+/* Arguments: obj | handlers at the raise. */
 static vs_status raise_either(vs_scheme *vm, vs_value *a, int n, bool continuable) {
   if (n >= 0) {
     vm->native = NULL;
@@ -205,7 +205,7 @@ static vs_status raise_either(vs_scheme *vm, vs_value *a, int n, bool continuabl
     }
     a[1] = vm->handlers;
     vs_value handler = vs_car(vm->handlers);
-    if (vs_is_pair(handler)) {          /* a contract's predicate: a raise in it, unless memory is out, makes #f */
+    if (vs_is_pair(handler)) {          /* a raise in a contract's predicate makes its value #f, unless memory is out */
       if (vs_is(a[0], VS_T_CONDITION) && vs_as_condition(a[0])->kind == vm->sym.memory) {
         vm->handlers = vs_cdr(vm->handlers);
         return vs_fail_object(vm, a[0]);
@@ -220,7 +220,8 @@ static vs_status raise_either(vs_scheme *vm, vs_value *a, int n, bool continuabl
     vm->handlers = a[1];
     return VS_OK;
   }
-  /* The handler must not return. The raised object goes to the outer handlers; a plain error remains the same error. */
+  /* The handler has returned, which is not permitted. The raised object is passed to the outer handlers; an error
+   * raised by `error` remains the same object. */
   vm->handlers = vs_cdr(a[1]);
   vm->native = NULL;
   if (vs_is(a[0], VS_T_CONDITION)) return vs_fail_object(vm, a[0]);
@@ -239,7 +240,7 @@ static vs_status raise_continuable(vs_scheme *vm, vs_value *a, int n, vs_value *
 }
 
 /* ---- parameters ---- */
-/* arguments: value [converter] | called */
+/* Arguments: value [converter] | called. */
 static vs_status make_parameter(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (n >= 0 && a[1] != VS_ABSENT && a[1] != VS_FALSE) return vs_call(vm, a[1], 1, a);
   if (n < 0) a[0] = *out;
@@ -252,8 +253,9 @@ static vs_status make_parameter(vs_scheme *vm, vs_value *a, int n, vs_value *out
   return VS_OK;
 }
 
-/* Arguments: parameters values thunk | phase (0 converting, 1 running), the bindings until now or the outer list. Runs
- * the form parameterize, which expands to a call of this with lists of parameters and of new values. */
+/* Implements the form parameterize, which expands to a call of this with lists of parameters and of new values.
+ * Arguments: parameters values thunk | phase (0: converting values, 1: running), the bindings so far or the outer
+ * list. */
 static vs_status parameterize(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (n < 0 && a[3] == vs_fix(1)) { vm->parameters = a[4]; return VS_OK; }
   VS_ROOTS(vm, r, 1);
@@ -286,8 +288,8 @@ static vs_status parameterize(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
   return vs_call(vm, a[2], 0, NULL);
 }
 
-/* ---- promises: done #t: the value; #f: the thunk, which returns a promise; VS_ABSENT: the same as the promise in
- * value ---- */
+/* ---- promises. done #t: value is the result; #f: value is a thunk that returns a promise; VS_ABSENT: value is a
+ * promise with the same result ---- */
 static bool new_promise(vs_scheme *vm, vs_value done, vs_value *value, vs_value *out) {
   vs_promise *p = (vs_promise *)(void *)vs_gc_alloc(vm, VS_T_PROMISE, VS_WORDS(vs_promise));
   if (!p) return false;
@@ -305,7 +307,7 @@ static vs_status lazy(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   return new_promise(vm, VS_FALSE, &a[0], out);
 }
-/* as make-promise, but a promise of a promise stays one: for delay */
+/* (%kept-promise v): like make-promise, but wraps a promise in another promise, for delay. */
 static vs_status kept_promise(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   return new_promise(vm, VS_TRUE, &a[0], out);
@@ -322,7 +324,7 @@ static vs_value promise_root(vs_value p) {
   return p;
 }
 
-/* arguments: promise | - */
+/* Arguments: promise | unused. */
 static vs_status force(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (!vs_is(a[0], VS_T_PROMISE)) { *out = a[0]; return VS_OK; }
   vs_value root = promise_root(a[0]);
@@ -351,7 +353,7 @@ static vs_status any(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-/* predicate value: calls it; a raise makes #f */
+/* Arguments: predicate value. Returns (predicate value), or #f if it raises an error. */
 static vs_status guarded(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)a; (void)n;
   VS_ROOTS(vm, r, 1);
@@ -360,14 +362,14 @@ static vs_status guarded(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return vs_tailcall(vm, vm->base[0], 1, &vm->base[1]);
 }
 
-/* Writes a contract as in the program, without the % of the library's own names. */
+/* Appends a contract as the program writes it, without the % of internal names. */
 static bool contract_text(vs_text *t, vs_value v) {
   if (!vs_is_symbol(v)) return vs_print(t->vm, v, VS_PRINT_WRITE, t);
   const char *name = vs_as_symbol(v)->name;
   return vs_text_puts(t, name[0] == '%' && name[1] ? name + 1 : name);
 }
 
-/* arguments: predicate value #(name text who) | outer handlers */
+/* Arguments: predicate value #(name text who) | outer handlers. */
 static vs_status check(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   bool predicate = vs_is_procedure(a[0]);
   if (n >= 0 && predicate) {
@@ -394,7 +396,9 @@ static vs_status check(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
               "%s: in [%s %s] there is no predicate; [%s any? %s] gives %s a default and checks nothing", f, name.at,
               text.at, name.at, text.at, name.at);
     vs_condition *c = vs_is(vm->condition, VS_T_CONDITION) ? vs_as_condition(vm->condition) : NULL;
-    if (c && predicate && vs_is_pair(c->chain) && vs_is_pair(vs_cdr(c->chain))) {      /* the caller is at fault */
+    if (c && predicate && vs_is_pair(c->chain) && vs_is_pair(vs_cdr(c->chain))) {      /* the error has the place of the
+                                                                                        * caller, whose argument is
+                                                                                        * wrong */
       do vs_gc_store(vm, c, &c->chain, vs_cdr(c->chain));
       while (vs_car(vs_car(c->chain)) == VS_TRUE && vs_is_pair(vs_cdr(c->chain)));
       c->place = vs_pos_of(vs_cdr(vs_car(c->chain)));

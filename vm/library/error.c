@@ -1,13 +1,12 @@
-/* Owns the library's side of errors: raising them (error), reading them (error-object-message ...), and leaving
- * (exit). */
+/* Implements the procedures of errors: error, error-object-message and similar, and exit. */
 #include "vm/library/format.h"
 #include "vm/numbers/number.h"
 #include "vm/values/heap.h"
 
 static bool is_condition(vs_value v) { return vs_is(v, VS_T_CONDITION); }
 
-/* (error message irritant ...), R7RS; (error 'who "format" v ...), PLT; a message that is no string appears as
- * displayed */
+/* Raises an error: (error message irritant ...) as in R7RS, or (error 'who "format" v ...) as in PLT. A message that is
+ * no string is converted as by display. */
 static vs_status error(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)out;
   VS_ROOTS(vm, r, 1);
@@ -18,12 +17,13 @@ static vs_status error(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
             (!plt || (vs_text_puts(&t, ": ") && vs_format(vm, a, 1, n, &t))) && vs_text_end(&t);
   r[0] = VS_NIL;
   for (int i = n; ok && !plt && i-- > 1;) ok = vs_cons(vm, a[i], r[0], &r[0]);
-  vm->native = NULL;                              /* the message is the program's, without "error: " before it */
+  vm->native = NULL;                              /* the message is that of the program, without "error: " before it */
   if (ok) {
     vs_fail_with(vm, vm->sym.error, r[0], "%s", t.at);
     if (is_condition(vm->condition) && vm->condition != vm->at.no_memory) {
       vs_condition *c = vs_as_condition(vm->condition);
-      if (vs_is_string(a[0])) vs_gc_store(vm, c, &c->message, a[0]);         /* unchanged, with zero characters */
+      if (vs_is_string(a[0])) vs_gc_store(vm, c, &c->message, a[0]);         /* the original string, which may contain
+                                                                              * zero characters */
     }
   }
   vs_text_close(&t);
@@ -59,7 +59,7 @@ static vs_status kind(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   return want_condition(vm, a) ? (*out = vs_as_condition(a[0])->kind, VS_OK) : VS_ERROR;
 }
-/* the whole text: message and irritants */
+/* Returns the message and the irritants as text. */
 static vs_status report(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!want_condition(vm, a)) return VS_ERROR;
@@ -70,15 +70,16 @@ static vs_status report(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return ok;
 }
 
-/* (exit [code]): runs the after procedures of every entered dynamic-wind, then ends the program with a condition of
- * kind `exit` that no handler gets; its payload is the code, a fixnum. */
+/* (exit [code]): runs the after procedures of every entered dynamic-wind. Then ends the program with a condition of
+ * kind `exit`, which no handler receives. Its payload is the code, a fixnum. */
 static vs_status leave(vs_scheme *vm, vs_value code, vs_value *out) {
   (void)out;
   VS_ROOTS(vm, r, 2);
   r[0] = code == VS_TRUE || code == VS_ABSENT ? vs_fix(0)
          : vs_is_fixnum(code)                 ? vs_fix(vs_fixnum(code) & 255)
                                               : vs_fix(1);
-  if (r[0] == vs_fix(0) && vs_is_fixnum(code) && code != vs_fix(0)) r[0] = vs_fix(1);      /* 256 is no success */
+  if (r[0] == vs_fix(0) && vs_is_fixnum(code) && code != vs_fix(0)) r[0] = vs_fix(1);      /* a code such as 256 must
+                                                                                            * not become 0, success */
   if (!vs_intern_c(vm, "exit", &r[1])) return VS_ERROR;
   vm->native = NULL;
   vs_fail(vm, r[1], "exit");

@@ -1,5 +1,5 @@
-/* Owns the procedures that read characters, lines, bytes and data from ports, and the questions about a port or a
- * file. */
+/* Implements the procedures that read characters, lines, bytes and data from ports, and questions about ports and
+ * files. */
 #include "vm/machine/fail.h"
 #include "vm/numbers/number.h"
 #include "vm/library/port.h"
@@ -16,7 +16,7 @@ static bool in_port(vs_scheme *vm, const vs_value *a, int n, int i, uint32_t kin
   return !(flags & VS_PORT_CLOSED) || vs_fail_type(vm, i, "an open port", *port);
 }
 
-/* ---- text ---- */
+/* ---- reading text ---- */
 
 static vs_status read_char(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   vs_value port;
@@ -34,8 +34,8 @@ static vs_status peek_char(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-/* Reads up to `count` characters; with `line` not beyond the line's end (\n, \r or both in this order), which is
- * dropped. */
+/* Reads up to `count` characters. If `line`, ends after the line end (\n, \r or both in this order), which is
+ * omitted. */
 static vs_status read_some(vs_scheme *vm, vs_value port, int64_t count, bool line, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   r[0] = port;
@@ -66,7 +66,7 @@ static vs_status read_line(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 static vs_status read_string(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   vs_value port;
   int64_t k;
-  /* PLT and older systems give the port first */
+  /* The port may be the first argument, as in PLT and older systems. */
   if (n == 2 && vs_is(a[0], VS_T_PORT)) {
     vs_value swap = a[0];
     a[0] = a[1], a[1] = swap;
@@ -75,7 +75,7 @@ static vs_status read_string(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
          read_some(vm, port, k, false, out);
 }
 
-/* Keeps the directives before a datum in the port's flags: they also apply to later reads. */
+/* Stores the directives before a datum in the port's flags, since they also apply to later reads. */
 static void keep_directives(const vs_text *t, uint32_t *flags) {
   static const struct {
     const char *text;
@@ -94,7 +94,7 @@ static void keep_directives(const vs_text *t, uint32_t *flags) {
   }
 }
 
-/* Reads a datum: takes characters until it is complete. If that is a directive (#!fold-case), continues with it. */
+/* Reads a datum: reads characters until it is complete. If it is only a directive (#!fold-case), continues. */
 static vs_status read_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   if (!in_port(vm, a, n, 0, 0, &r[0])) return VS_ERROR;
@@ -119,7 +119,7 @@ static vs_status read_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return ok;
 }
 
-/* ---- bytes ---- */
+/* ---- reading bytes ---- */
 
 static vs_status next_u8(vs_scheme *vm, vs_value *a, int n, bool take, vs_value *out) {
   VS_ROOTS(vm, r, 1);
@@ -174,7 +174,7 @@ static vs_status u8_ready(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return *out = VS_TRUE, in_port(vm, a, n, 0, VS_PORT_BINARY, &port);
 }
 
-/* ---- ports ---- */
+/* ---- opening and testing ports ---- */
 
 static vs_status open_input_file(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
@@ -224,7 +224,7 @@ static vs_status close_output_port(vs_scheme *vm, vs_value *a, int n, vs_value *
   return (fits || vs_fail_type(vm, 0, "an output port", a[0])) && vs_port_close(vm, a[0]);
 }
 
-/* Sets *out to whether it is a port with all flags of `on` and none of `off`. */
+/* Sets *out to whether the argument is a port with all flags of `on` and none of `off`. */
 static vs_status port_has(const vs_value *a, uint32_t on, uint32_t off, vs_value *out) {
   uint32_t flags = vs_is(a[0], VS_T_PORT) ? vs_as_port(a[0])->flags : 0;
   *out = vs_bool(vs_is(a[0], VS_T_PORT) && (flags & on) == on && !(flags & off));
@@ -265,9 +265,10 @@ static vs_status is_eof(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return (void)vm, (void)n, *out = vs_bool(a[0] == VS_EOF), VS_OK;
 }
 
-/* ---- files ---- */
+/* ---- testing and removing files ---- */
 
-/* Asks the host about the file named a[0]. Returns false when memory is out or a[0] is no name. */
+/* Tests (or, if `remove`, removes) the file named by a[0] through the host. Returns false with the error set if memory
+ * is out or a[0] is no name. */
 static bool ask_file(vs_scheme *vm, vs_value *a, bool remove, bool *yes, const char **why) {
   if (!vs_arg_type(vm, a, 0, VS_T_STRING)) return false;
   const vs_io *io = vm->config.io;

@@ -1,5 +1,5 @@
-/* Owns libraries: define-library becomes a run of its body in a separate environment, import a mapping of names,
- * require a run of a file. */
+/* Implements libraries. define-library runs its body in a separate environment, import maps names, require runs a
+ * file. */
 #include "vm/library/library.h"
 #include "vm/front/derived_syntax.h"
 #include "vm/library/standard.h"
@@ -56,7 +56,7 @@ static bool not_exported(vs_scheme *vm, vs_pos pos, vs_value symbol) {
                     vs_is_symbol(symbol) ? vs_as_symbol(symbol)->name : "such name");
 }
 
-/* `name` is the library's */
+/* Imports `from` into env. `name` is the library's name. */
 static bool take(vs_scheme *vm, vs_value env, vs_value from, vs_value mapping, vs_value name, vs_pos pos) {
   VS_ROOTS(vm, r, 1);
   r[0] = name;
@@ -78,7 +78,7 @@ static bool take(vs_scheme *vm, vs_value env, vs_value from, vs_value mapping, v
 }
 
 bool vs_library_import_set(vs_scheme *vm, vs_value set, vs_value env, vs_pos pos, vs_value *missing) {
-  VS_ROOTS(vm, r, 8);      /* the set, env, stack of modifiers, library, table, table, name, scratch */
+  VS_ROOTS(vm, r, 8);      /* roots: the set, env, stack of modifiers, library, two tables, name, temporary */
   r[0] = set; r[1] = env; r[2] = VS_NIL;
   *missing = VS_ABSENT;
   if (!vs_strip(vm, r[0], &r[0])) return false;
@@ -92,7 +92,7 @@ bool vs_library_import_set(vs_scheme *vm, vs_value set, vs_value env, vs_pos pos
   if (!vs_library_find(vm, r[0], &r[3])) return false;
   if (r[3] == VS_FALSE) { *missing = r[0]; return true; }
   if (r[2] == VS_NIL) return take(vm, r[1], r[3], VS_TRUE, r[7], pos);
-  /* a table from local name to the library's */
+  /* Creates a table from local names to names of the library. */
   if (!vs_idtable_new(vm, &r[4])) return false;
   for (size_t i = 0;; i++) {
     const vs_environment *e = vs_as_environment(r[3]);
@@ -152,7 +152,7 @@ bool vs_library_import_set(vs_scheme *vm, vs_value set, vs_value env, vs_pos pos
   return take(vm, r[1], r[3], r[4], r[7], pos);
 }
 
-/* (a b 1) as a/b/1.sld */
+/* Writes the file name of a library: a/b/1.sld for (a b 1). */
 static bool library_file(vs_scheme *vm, vs_value name, vs_text *t) {
   bool ok = true;
   for (bool first = true; ok && vs_is_pair(name); name = vs_cdr(name), first = false) {
@@ -161,8 +161,8 @@ static bool library_file(vs_scheme *vm, vs_value name, vs_text *t) {
   return ok && vs_text_puts(t, ".sld");
 }
 
-/* Sets *depth to the number of levels from the file `from` up to the folder to which its library's name is relative: 1
- * for (towers spiral) in towers/spiral.sld. 0: the environment env is no library's, or its file has another name. */
+/* Sets *depth to the number of folders from the file `from` up to the folder to which library names are relative: 1 for
+ * (towers spiral) in towers/spiral.sld. Sets it to 0 if env is no library, or its file has another name. */
 static bool library_depth(vs_scheme *vm, vs_value env, uint32_t from, size_t *depth) {
   vs_value name = vs_as_environment(env)->name;
   int64_t parts = vs_list_length(name);
@@ -181,7 +181,7 @@ static bool library_depth(vs_scheme *vm, vs_value env, uint32_t from, size_t *de
   return ok;
 }
 
-/* Finds the path of the file that may define a library, for an import in the file `from` and the environment env. */
+/* Finds the file that may define a library, for an import in the file `from` and the environment env. */
 static bool library_path(vs_scheme *vm, vs_value name, uint32_t from, vs_value env, vs_text *path, bool *found) {
   VS_ROOTS(vm, r, 2);
   vs_text t;
@@ -203,7 +203,7 @@ static bool core_value(vs_scheme *vm, const char *name, vs_value *out) {
   return true;
 }
 
-/* Returns the replacement for a library that other Schemes have and this one lacks; NULL for any other name. */
+/* Returns the replacement for a library that other Schemes have and VisualScheme lacks, or NULL for other names. */
 static const char *instead_of(vs_value name) {
   static const struct { int number; const char *instead; } absent[] = {
 #define VS_ABSENT_LIBRARY(number, instead) {number, instead},
@@ -226,7 +226,7 @@ static const char *instead_of(vs_value name) {
   return NULL;
 }
 
-/* Fails: no library has this name. */
+/* Reports that there is no library of this name. */
 static bool no_library(vs_expansion *x, vs_pos pos, vs_value name) {
   const char *instead = instead_of(name);
   if (!instead) return vs_expand_fail(x, pos, name, "import: there is no library");
@@ -239,12 +239,12 @@ static bool no_library(vs_expansion *x, vs_pos pos, vs_value name) {
   return false;
 }
 
-/* ---- import, at top level ---- */
+/* ---- the form import ---- */
 bool vs_library_import(vs_expansion *x) {
   vs_scheme *vm = x->vm;
   VS_ROOTS(vm, r, 5);
   if (vs_list_length(x->now.form) < 1) return vs_expand_shape(x, VS_FORM_import);
-  /* a program that begins with an import sees only its imports */
+  /* only imports are visible in a program that begins with an import */
   if (vs_environment_intake(x->now.env) == VS_INTAKE_FRESH) {
     vs_environment_forget_imports(x->now.env);
     vs_environment_set_intake(x->now.env, VS_INTAKE_STRICT);
@@ -254,7 +254,7 @@ bool vs_library_import(vs_expansion *x) {
     vs_pos pos = vs_element_pos(r[0], false, x->now.pos);
     if (!vs_library_import_set(vm, vs_car(r[0]), x->now.env, pos, &r[1])) return false;
     if (r[1] == VS_ABSENT) continue;
-    /* not found: its file may define it; the import then runs again */
+    /* The library is not loaded: its file may define it. Then the import is tried again. */
     vs_text t;
     vs_text_open(vm, &t, 0);
     bool found, ok = library_path(vm, r[1], vs_pos_file(x->now.pos), x->now.env, &t, &found);
@@ -262,7 +262,7 @@ bool vs_library_import(vs_expansion *x) {
     vs_text_close(&t);
     if (!ok) return false;
     if (!found || x->now.n) return no_library(x, pos, r[1]);
-    VS_ROOTS(vm, quoted, 2);      /* (%load-library path 'name) */
+    VS_ROOTS(vm, quoted, 2);      /* the call (%load-library path 'name) */
     if (!vs_core_name(vm, "quote", &quoted[0]) || !vs_cons(vm, r[1], VS_NIL, &quoted[1]) ||
         !vs_cons(vm, quoted[0], quoted[1], &quoted[0]) || !vs_cons(vm, quoted[0], VS_NIL, &r[4]) ||
         !vs_cons(vm, r[2], r[4], &r[4]) || !core_value(vm, "%load-library", &r[3]) ||
@@ -278,14 +278,14 @@ bool vs_library_import(vs_expansion *x) {
   return true;
 }
 
-/* ---- define-library ---- */
+/* ---- the form define-library ---- */
 typedef struct { vs_expansion *x; vs_value *r; } library;
 enum {
   L_NAME,
   L_ENV,
   L_EXPORTS,
-  L_FORMS /* newest first */,
-  L_LATER /* declarations still to handle */,
+  L_FORMS /* list, newest first */,
+  L_LATER /* declarations that are not yet processed */,
   L_A,
   L_B,
   L_C,
@@ -329,7 +329,7 @@ bool vs_library_define(vs_expansion *x) {
       for (r[L_A] = vs_cdr(d); vs_is_pair(r[L_A]); r[L_A] = vs_cdr(r[L_A]))
         if (!vs_cons(vm, vs_car(r[L_A]), r[L_FORMS], &r[L_FORMS])) return false;
     } else if (is_word(head, "import") || is_word(head, "include") || is_word(head, "include-ci")) {
-      r[L_A] = d;      /* by the library's own name for it: the new environment is still empty */
+      r[L_A] = d;      /* compared by the core name, since the new environment is still empty */
       if (!vs_core_name(vm,
                         is_word(head, "import")    ? "import"
                         : is_word(head, "include") ? "include"
@@ -338,7 +338,7 @@ bool vs_library_define(vs_expansion *x) {
           !vs_cons_at(vm, r[L_B], vs_cdr(r[L_A]), pos, &r[L_B]) || !vs_cons(vm, r[L_B], r[L_FORMS], &r[L_FORMS]))
         return false;
     } else if (is_word(head, "cond-expand")) {
-      r[L_B] = x->now.env;      /* (library ...) is tested as the library's own imports are */
+      r[L_B] = x->now.env;      /* a requirement (library ...) is tested like an import of the library */
       x->now.env = r[L_ENV];
       bool ok = vs_cond_expand(x, d, &r[L_A]);
       x->now.env = r[L_B];
@@ -365,7 +365,7 @@ bool vs_library_define(vs_expansion *x) {
   }
   vs_environment *e = vs_as_environment(r[L_ENV]);
   vs_gc_store(vm, e, &e->exports, r[L_EXPORTS]);
-  /* imports come first at any place; the last form registers the library */
+  /* Imports are processed first, wherever they are. The last form registers the library. */
   VS_ROOTS(vm, q, 3);
   if (!vs_core_name(vm, "quote", &q[0]) || !vs_cons(vm, r[L_NAME], VS_NIL, &q[1]) || !vs_cons(vm, q[0], q[1], &q[0]) ||
       !vs_cons(vm, r[L_ENV], VS_NIL, &q[1]) || !vs_cons(vm, q[0], q[1], &q[1]) ||
@@ -384,13 +384,13 @@ bool vs_library_define(vs_expansion *x) {
   return true;
 }
 
-/* ---- require ---- */
+/* ---- the form require ---- */
 bool vs_library_require(vs_expansion *x) {
   vs_scheme *vm = x->vm;
   VS_ROOTS(vm, r, 4);
   int64_t n = vs_list_length(x->now.form);
   if (n < 2) return vs_expand_shape(x, VS_FORM_require);
-  if (n > 2) {                                     /* in order */
+  if (n > 2) {                                     /* several files, in order */
     r[1] = VS_NIL;
     for (r[0] = vs_cdr(x->now.form); vs_is_pair(r[0]); r[0] = vs_cdr(r[0])) {
       vs_pos pos = vs_element_pos(r[0], false, x->now.pos);
@@ -406,7 +406,7 @@ bool vs_library_require(vs_expansion *x) {
   vs_value spec = vs_car(vs_cdr(x->now.form));
   vs_pos pos = vs_element_pos(vs_cdr(x->now.form), false, x->now.pos);
   if (!vs_is_string(spec)) {
-    /* PLT's (lib "..."), (only-in ...), (prefix-in ...) around a built-in library */
+    /* PLT's (lib "..."), (only-in ...) and (prefix-in ...) around a built-in library. */
     for (int i = 0; i < 8 && vs_is_pair(spec) && vs_list_length(spec) > 1 && !vs_library_is_built_in(spec); i++) {
       if (is_word(vs_car(spec), "lib") || is_word(vs_car(spec), "planet")) { spec = VS_FALSE; break; }
       spec = is_word(vs_car(spec), "prefix-in") && vs_list_length(spec) > 2 ? vs_car(vs_cdr(vs_cdr(spec)))
@@ -416,7 +416,7 @@ bool vs_library_require(vs_expansion *x) {
       return vs_expand_fail(x, pos, vs_car(vs_cdr(x->now.form)),
                             "require: this is not built in, and a file is named by a string:");
     x->result = VS_EXPAND_NOTHING;
-    /* (srfi 26) has names that are visible in no other way */
+    /* The names of (srfi 26) are not visible without an import. */
     return vs_library_import_set(vm, spec, x->now.env, pos, &r[1]);
   }
   vs_text path;

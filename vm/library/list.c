@@ -1,22 +1,23 @@
-/* Owns pairs and lists: every list procedure without procedure arguments (the others are Scheme, in prelude.scm and
- * library/srfi.scm).
+/* Implements the procedures of pairs and lists that have no procedure arguments. The others are written in Scheme
+ * (prelude.scm and library/srfi.scm).
  *
- * New lists grow at the tail by means of a list_maker in roots. Procedures measure a user's list before they read it
- * (vs_list_length), so an improper or circular one is an error and never a hang. */
+ * New lists grow at their end by means of a list_maker in roots. Procedures determine the length of a user's list
+ * before they read it (vs_list_length). An improper or circular list is therefore an error, and never an endless
+ * loop. */
 #include "vm/machine/fail.h"
 #include "vm/values/equal.h"
 #include "vm/machine/native.h"
 #include "vm/numbers/number.h"
 #include "vm/values/pairs.h"
 
-enum { POLL_STEP = 1024, POLL_COST = 4 * POLL_STEP /* a step reads or makes a pair */ };
+enum { POLL_STEP = 1024, POLL_COST = 4 * POLL_STEP /* POLL_STEP: pairs read or created between two polls */ };
 
-/* ---- building ---- */
+/* ---- building lists ---- */
 
-enum { HEAD, TAIL, NEW, MAKER_ROOTS }; /* the roots of a list_maker */
+enum { HEAD, TAIL, NEW, MAKER_ROOTS }; /* number of roots of a list_maker */
 #define LIST_MAKER(vm, r) VS_ROOTS(vm, r, MAKER_ROOTS); r[HEAD] = r[TAIL] = VS_NIL
 
-/* x may be any value: vs_cons keeps it safe */
+/* Appends an element to the list of a list_maker. x need not be a root: vs_cons protects it. */
 static bool maker_add(vs_scheme *vm, vs_value *r, vs_value x) {
   if (!vs_cons(vm, x, VS_NIL, &r[NEW])) return false;
   if (r[HEAD] == VS_NIL) r[HEAD] = r[NEW];
@@ -30,7 +31,7 @@ static void maker_end(vs_scheme *vm, vs_value *r, vs_value last) {
   else vs_gc_store(vm, vs_object_of(r[TAIL]), &vs_as_pair(r[TAIL])->cdr, last);
 }
 
-/* Appends copies of the first n pairs' cars of *list (a root), and moves *list behind them. n is 0 or more. */
+/* Appends the first n elements of *list (a root), and advances *list past them. */
 static bool maker_copy(vs_scheme *vm, vs_value *r, vs_value *list, int64_t n) {
   VS_ASSERT(n >= 0);
   for (int64_t i = 0; i < n; i++) {
@@ -45,9 +46,10 @@ static bool arg_list(vs_scheme *vm, const vs_value *a, int arg, int64_t *length)
   return *length >= 0 || vs_fail_type(vm, arg, "a list", a[arg]);
 }
 
-/* Returns the last cdr of a list that ends, with () or not; VS_ABSENT for a circular one. */
+/* Returns the last cdr of a list, () for a proper one, or VS_ABSENT for a circular one. */
 static vs_value last_cdr(vs_value list) {
-  vs_value mark = list;                 /* Brent: one pointer advances, the other follows at powers of two */
+  vs_value mark = list;                 /* Brent's cycle detection: one pointer advances, the other follows at powers of
+                                         * two */
   for (uint64_t n = 0, jump = 2; vs_is_pair(list); n++) {
     list = vs_cdr(list);
     if (list == mark && vs_is_pair(list)) return VS_ABSENT;
@@ -60,7 +62,7 @@ static bool arg_ends(vs_scheme *vm, const vs_value *a, int arg) {
   return last_cdr(a[arg]) != VS_ABSENT || vs_fail_type(vm, arg, "a list that ends", a[arg]);
 }
 
-/* Checks that a[arg] begins with at least n pairs, and sets *at to the rest. */
+/* Checks that a[arg] begins with at least n pairs, and sets *at to the part after them. */
 static bool arg_pairs(vs_scheme *vm, const vs_value *a, int arg, int64_t n, vs_value *at) {
   vs_value l = a[arg];
   for (int64_t i = 0; i < n; i++, l = vs_cdr(l)) {
@@ -99,13 +101,14 @@ static vs_status list_set_cdr(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
   return VS_OK;
 }
 
-/* path: the letters between c and r, applied from the right */
+/* Applies car and cdr as given by the letters between c and r, from the right to the left. */
 static vs_status list_path(vs_scheme *vm, vs_value *a, const char *path, size_t length, vs_value *out) {
   vs_value v = a[0];
   for (size_t i = length; i-- > 0;) {
     if (!vs_is_pair(v)) {
       if (v == a[0]) return vs_fail_type(vm, 0, "a pair", v);
-      size_t tails = strspn(path + 1, "d");        /* cddr, cadr, caddr ... require lists of so many elements */
+      size_t tails = strspn(path + 1, "d");        /* for cddr, cadr, caddr and so on, the message states the required
+                                                    * number of elements */
       static const char *const lists[] = { "a list of two elements or more", "a list of three elements or more",
                                            "a list of four elements or more" };
       return vs_fail_type(vm, 0,
@@ -150,7 +153,7 @@ static vs_status list_list_p(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-/* ---- making ---- */
+/* ---- creating lists ---- */
 
 static vs_status list_list(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   *out = VS_NIL;
@@ -177,8 +180,8 @@ static vs_status list_make_list(vs_scheme *vm, vs_value *a, int n, vs_value *out
   return VS_OK;
 }
 
-/* Makes a list of count numbers from + i*step, each computed from the start, so that no error accumulates. count is 0
- * or more. */
+/* Sets *out to a list of count numbers from + i*step. Each is computed from the start, so that errors do not
+ * accumulate. */
 static vs_status list_numbers(vs_scheme *vm, int64_t count, const vs_value *from, const vs_value *step, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   VS_ASSERT(count >= 0);
@@ -203,9 +206,9 @@ static vs_status list_iota(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return list_numbers(vm, count, &r[0], &r[1], out);
 }
 
-/* (range end) (range start end [step]): without end itself */
+/* (range end), (range start end [step]): returns a list without `end` itself. */
 static vs_status list_range(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
-  VS_ROOTS(vm, r, 4); /* start, end, step, scratch */
+  VS_ROOTS(vm, r, 4); /* roots: start, end, step, temporary */
   for (int i = 0; i < n; i++) {
     double d;
     if (!vs_is_number(a[i])) return vs_fail_type(vm, i, "a number", a[i]);
@@ -224,7 +227,7 @@ static vs_status list_range(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
     return VS_ERROR;
   double guess = (end - from) / step;
   int64_t count = guess > 0 ? guess < 1e15 ? (int64_t)guess : INT64_C(1000000000000000) : 0;
-  if (count > 0) count--; /* the estimate may be too high by 1; the exact test decides */
+  if (count > 0) count--; /* the estimate may be 1 too large; the exact test decides */
   for (;; count++) {
     if (!vs_number_mul(vm, vs_fix(count), r[2], &r[3]) || !vs_number_add(vm, r[0], r[3], &r[3]) ||
         !vs_number_test(vm, down ? VS_GT : VS_LT, r[3], r[1], &more))
@@ -234,7 +237,7 @@ static vs_status list_range(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return list_numbers(vm, count, &r[0], &r[2], out);
 }
 
-/* ---- measuring and selecting ---- */
+/* ---- lengths and selection ---- */
 
 static vs_status list_length(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
@@ -330,7 +333,7 @@ static vs_status list_last(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-/* ---- copying ---- */
+/* ---- copying lists ---- */
 
 static vs_status list_append(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   LIST_MAKER(vm, r);
@@ -343,7 +346,7 @@ static vs_status list_append(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-/* Makes the list of the elements of a[0], a proper list, reversed, in front of tail. */
+/* Sets *out to the elements of the proper list a[0] in reverse order, followed by tail. */
 static vs_status list_reverse_onto(vs_scheme *vm, vs_value *a, vs_value tail, vs_value *out) {
   int64_t length;
   return arg_list(vm, a, 0, &length) && vs_list_onto(vm, a, tail, out);
@@ -359,15 +362,15 @@ static vs_status list_reverse_own(vs_scheme *vm, vs_value *a, int n, vs_value *o
   return vs_list_own_turned(vm, &a[0], a[1], out);
 }
 
-/* Returns #t if map and for-each may begin; if not, they report the error. */
+/* Returns #t if map and for-each may use their fast path. Otherwise they check their arguments and report the error. */
 static vs_status list_each_p(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)vm, (void)n;
   *out = vs_bool(vs_is_procedure(a[0]) && vs_list_length(a[1]) >= 0);
   return VS_OK;
 }
 
-/* Arguments: procedure list | results until now, reversed; continuations at the start. The call of these two is an
- * instruction if the activation has registers left for it (run_loop.c). */
+/* Implements map for one list. Arguments: procedure list | results so far, reversed; number of continuations at the
+ * start. Instructions replace the call if the activation has enough registers (run_loop.c). */
 static vs_status list_map_each(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (n >= 0) a[2] = VS_NIL, a[3] = vs_captures(vm);
   else if (!vs_cons(vm, *out, a[2], &a[2])) return VS_ERROR;
@@ -377,7 +380,7 @@ static vs_status list_map_each(vs_scheme *vm, vs_value *a, int n, vs_value *out)
   return vs_call(vm, a[0], 1, &element);
 }
 
-/* arguments: procedure list */
+/* Implements for-each for one list. Arguments: procedure list. */
 static vs_status list_do_each(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   *out = VS_UNSPECIFIC;
@@ -392,7 +395,7 @@ static vs_status list_append_reverse(vs_scheme *vm, vs_value *a, int n, vs_value
   return list_reverse_onto(vm, a, a[1], out);
 }
 
-/* R7RS: the last tail is kept, so a dotted list is copied too */
+/* Copies a list. As in R7RS the last cdr is kept, so that dotted lists are copied, too. */
 static vs_status list_copy(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   LIST_MAKER(vm, r);
@@ -415,7 +418,7 @@ static vs_status list_take(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-/* Sets *pairs to the number of pairs of a list that ends, with () or not. */
+/* Sets *pairs to the number of pairs of a list, which may be dotted. Reports a circular list. */
 static bool arg_dotted(vs_scheme *vm, const vs_value *a, int arg, int64_t *pairs) {
   if (last_cdr(a[arg]) == VS_ABSENT) return vs_fail_type(vm, arg, "a list that ends", a[arg]);
   *pairs = 0;
@@ -450,13 +453,13 @@ static vs_status list_split_at(vs_scheme *vm, vs_value *a, int n, vs_value *out)
   return vs_several(vm, a, 2, out);
 }
 
-/* Makes the list of all elements of lists within lists, in order; any other value is one element. A list of the ways
- * back replaces recursion. A list that contains itself would be entered without end; therefore each list entered is
- * compared with the one at a depth of a power of two above. */
+/* Returns the list of all elements of nested lists, in order; any other value is one element. A list of places to
+ * return to replaces recursion. A list that contains itself would be entered without end. Each list that is entered is
+ * therefore compared with the one entered at a smaller depth that is a power of two. */
 static vs_status list_flatten(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   LIST_MAKER(vm, r);
-  VS_ROOTS(vm, at, 3);      /* the rest, the ways back, the list for the comparison */
+  VS_ROOTS(vm, at, 3);      /* roots: the remaining elements, the places to return to, the list for the comparison */
   at[0] = a[0]; at[1] = VS_NIL; at[2] = VS_ABSENT;
   uint64_t depth = 0, mark = 0;
   if (!arg_ends(vm, a, 0)) return VS_ERROR;
@@ -486,7 +489,7 @@ static vs_status list_flatten(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
   return VS_OK;
 }
 
-/* ---- searching ---- */
+/* ---- searching in lists ---- */
 
 typedef enum { BY_EQ, BY_EQV, BY_EQUAL } same_kind;
 
@@ -496,7 +499,8 @@ static bool list_same(vs_scheme *vm, same_kind kind, vs_value x, vs_value y, boo
   return true;
 }
 
-/* Searches a[1] for a[0]; with `entries` it compares the entries' cars. a[] are roots: vs_equal may move objects. */
+/* Searches a[1] for a[0]. If `entries`, compares the cars of the elements. a[] are roots, since vs_equal may move
+ * objects. */
 static vs_status list_search(vs_scheme *vm, vs_value *a, same_kind kind, bool entries, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   r[0] = a[1];
@@ -513,7 +517,7 @@ static vs_status list_search(vs_scheme *vm, vs_value *a, same_kind kind, bool en
       *out = entries ? vs_car(r[0]) : r[0];
       return VS_OK;
     }
-    /* circular: reported once it looks so */
+    /* A long list is tested for being circular. */
     if (i == (uint64_t)1 << 20 && vs_list_length(a[1]) < 0) return vs_fail_type(vm, 1, "a list that ends", a[1]);
   }
   if (r[0] != VS_NIL) return vs_fail_type(vm, 1, "a list", a[1]);
@@ -530,7 +534,7 @@ SEARCH(memq, BY_EQ, false) SEARCH(memv, BY_EQV, false) SEARCH(member, BY_EQUAL, 
 SEARCH(assq, BY_EQ, true) SEARCH(assv, BY_EQV, true) SEARCH(assoc, BY_EQUAL, true)
 #undef SEARCH
 
-/* ---- checks for the procedures in Scheme, in the name of `who` ---- */
+/* ---- checks for list procedures in Scheme; errors are reported in the name of `who` ---- */
 
 static vs_status fail_list(vs_scheme *vm, vs_value who, vs_value list) {
   VS_ROOTS(vm, r, 1);
@@ -545,14 +549,15 @@ static vs_status fail_list(vs_scheme *vm, vs_value who, vs_value list) {
                       vs_as_symbol(who)->name);
 }
 
-/* a proper list */
+/* (%need-list who v): checks that v is a proper list. */
 static vs_status need_list(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n, (void)out;
   int64_t length = vs_list_length(a[1]);
   return length < 0 ? fail_list(vm, a[0], a[1]) : vs_poll(vm, (uint64_t)length);
 }
 
-/* lists for one walk: at least one, at least one of them proper, and no other value */
+/* (%need-lists who lists): checks the lists of one traversal: at least one, at least one of them proper, and no other
+ * values. */
 static vs_status need_lists(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n, (void)out;
   if (a[1] == VS_NIL) {
@@ -570,7 +575,8 @@ static vs_status need_lists(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return ends || fail_list(vm, a[0], bad);
 }
 
-/* searches call this now and then, since they may stop before the end of an endless list */
+/* (%need-end who lists): checks that at least one list ends. Called repeatedly during a search, which may stop before
+ * the end of an endless list. */
 static vs_status need_end(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n, (void)out;
   for (vs_value l = a[1]; vs_is_pair(l); l = vs_cdr(l))

@@ -1,5 +1,5 @@
-/* Owns the procedures that print: display, write and their kind, format and printf. Each first makes its whole text and
- * then passes it to the port, so that an error or interrupt in the middle prints nothing. */
+/* Implements the procedures that print: display, write and similar, format and printf. Each first creates its complete
+ * text and then passes it to the port, so that an error or interrupt does not print a part of it. */
 #include <math.h>
 #include <stdio.h>
 
@@ -12,7 +12,7 @@
 #include "vm/values/heap.h"
 #include "vm/values/string_chars.h"
 
-/* Gets the port among the arguments, or the current one, and checks it. */
+/* Sets *port to argument i, or to the current output port, and checks it. */
 static bool out_port(vs_scheme *vm, const vs_value *a, int n, int i, uint32_t kind, vs_value *port) {
   *port = n > i ? a[i] : vs_port_current_output(vm);
   if (!vs_is(*port, VS_T_PORT)) return n > i ? vs_fail_type(vm, i, "an output port", *port) : false;
@@ -104,19 +104,19 @@ static vs_status write_bytevector(vs_scheme *vm, vs_value *a, int n, vs_value *o
   int64_t length = (int64_t)vs_as_bytes(a[0])->length, start = 0, end = length;
   if ((n > 3 && !vs_arg_index(vm, a, 3, 0, length, &end)) || (n > 2 && !vs_arg_index(vm, a, 2, 0, end, &start)))
     return VS_ERROR;
-  vs_text t;                                      /* a copy: the port may allocate, and bytevectors move */
+  vs_text t;                                      /* copied, since the port may allocate, and bytevectors move */
   vs_text_open(vm, &t, 0);
   return flush_text(vm, port, &t, vs_text_put(&t, (const char *)vs_as_bytes(a[0])->at + start, (size_t)(end - start)));
 }
 
-/* ---- format ---- */
+/* ---- formatted output ---- */
 
-/* The text between ~ and the letter: ~8a, ~8@a, ~2,'0d, ~8,2f. -1: not given. */
+/* The field of a directive between ~ and the letter, as in ~8a, ~8@a, ~2,'0d and ~8,2f; -1 means not given. */
 typedef struct { int64_t width, decimals; uint32_t pad; bool before; } format_field;
 
 enum { WIDEST = 10000, MOST_DECIMALS = 100 };
 
-/* Takes the number or the 'c at character *i of the control string; returns false if there is none. */
+/* Reads a number or 'c at position *i of the control string. Returns false if there is none. */
 static bool format_parameter(vs_value control, size_t *i, size_t length, int64_t *number, uint32_t *pad) {
   if (*i + 1 < length && vs_string_at(control, *i) == '\'') {
     *pad = vs_string_at(control, *i + 1);
@@ -143,7 +143,7 @@ static format_field format_field_at(vs_value control, size_t *i, size_t length) 
   return f;
 }
 
-/* ~8,2f: a number rounded to so many decimals; without them as usual. */
+/* Writes a number rounded to `decimals` digits after the point, as in ~8,2f. Without them, writes it as usual. */
 static bool format_fixed(vs_scheme *vm, vs_value v, int64_t decimals, vs_text *t) {
   double d;
   if (!vs_number_double(vm, v, &d)) return false;
@@ -151,7 +151,7 @@ static bool format_fixed(vs_scheme *vm, vs_value v, int64_t decimals, vs_text *t
   char text[512];
   int n = snprintf(text, sizeof text, "%.*f", (int)decimals, d);
   const char *shown = text;
-  if (*shown == '-' && strspn(shown + 1, "0.") == strlen(shown + 1)) shown++;      /* -0.00 is 0.00 */
+  if (*shown == '-' && strspn(shown + 1, "0.") == strlen(shown + 1)) shown++;      /* -0.00 is written as 0.00 */
   return n > 0 && (size_t)n < sizeof text && vs_text_puts(t, shown);
 }
 
@@ -166,7 +166,7 @@ static bool format_number(vs_scheme *vm, vs_value v, char directive, const forma
   return vs_number_print(vm, v, directive == 'b' ? 2 : directive == 'o' ? 8 : 16, t);
 }
 
-/* control is less than n. */
+/* Appends a[control] with its directives replaced by the arguments after it. */
 bool vs_format(vs_scheme *vm, const vs_value *a, int control, int n, vs_text *t) {
   size_t length = vs_as_string(a[control])->length;
   int next = control + 1;
@@ -189,7 +189,7 @@ bool vs_format(vs_scheme *vm, const vs_value *a, int control, int n, vs_text *t)
       if (!vs_text_put(t, d == '~' ? "~" : "\n", 1)) return false;
       continue;
     }
-    if (d == '\n' || d == ' ') {                  /* the line continues after the next line's blanks */
+    if (d == '\n' || d == ' ') {                  /* omits the line end and the blanks that begin the next line */
       while (i + 1 < length && (vs_string_at(a[control], i + 1) == ' ' || vs_string_at(a[control], i + 1) == '\n')) i++;
       continue;
     }
@@ -204,7 +204,7 @@ bool vs_format(vs_scheme *vm, const vs_value *a, int control, int n, vs_text *t)
     bool number = strchr("boxef", d) != NULL;
     bool ok = number ? format_number(vm, v, d, &field, to)
                      : vs_print(vm, v, d == 'a' || d == 'd' || d == 'c' ? VS_PRINT_DISPLAY : VS_PRINT_WRITE, to);
-    /* aligns numbers right and all else left, and the reverse with @ */
+    /* Aligns numbers to the right and other values to the left; the reverse with @. */
     if (ok && to == &own) {
       int64_t shown = 0;
       for (size_t k = 0; k < own.count; k++) shown += ((unsigned char)own.at[k] & 0xC0) != 0x80;
@@ -221,7 +221,7 @@ bool vs_format(vs_scheme *vm, const vs_value *a, int control, int n, vs_text *t)
   return true;
 }
 
-/* (format "..." v ...), also (format #f "..." v ...); (format #t ...) and (format port ...) print */
+/* (format "..." v ...) and (format #f "..." v ...) return a string; (format #t ...) and (format port ...) print. */
 static vs_status format(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   int control = vs_is_string(a[0]) ? 0 : 1;
@@ -254,7 +254,7 @@ static vs_status fprintf_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return flush_text(vm, r[0], &t, vs_format(vm, a, 1, n, &t));
 }
 
-/* ---- output ports ---- */
+/* ---- opening output ports ---- */
 
 static vs_status open_output(vs_scheme *vm, vs_value *a, uint32_t flags, vs_io_mode mode, vs_value *out) {
   return vs_arg_type(vm, a, 0, VS_T_STRING) && vs_port_open_file(vm, a[0], mode, VS_PORT_OUTPUT | flags, out);
@@ -288,7 +288,7 @@ static bool want_collector(vs_scheme *vm, const vs_value *a, uint32_t kind, cons
 static vs_status get_output_string(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!want_collector(vm, a, 0, "a port from open-output-string")) return VS_ERROR;
-  vs_text t;                                      /* a copy: making the string may move the buffer */
+  vs_text t;                                      /* copied, since creating the string may move the buffer */
   vs_text_open(vm, &t, 0);
   const vs_port *p = vs_as_port(a[0]);
   bool ok = (p->position == 0 || vs_text_put(&t, (const char *)vs_as_bytes(p->buffer)->at, p->position)) &&

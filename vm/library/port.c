@@ -1,8 +1,8 @@
-/* Owns ports (port.h): input and output of characters and bytes, for files, the console, strings and bytevectors.
+/* Implements ports (port.h): input and output of characters and bytes, for files, the console, strings and bytevectors.
  *
- * An input port has all its data in `buffer` (BYTES) from `position` to `limit`; only the console adds to it, one line
- * at a time. An output port into memory collects in `buffer`, with `position` bytes; all others pass their bytes to the
- * host. */
+ * An input port has all its data in `buffer` (BYTES) from `position` to `limit`. Only the console adds data, one line
+ * at a time. An output port into memory collects data in `buffer`, of which `position` bytes are used. All others pass
+ * their bytes to the host. */
 #include "vm/library/port.h"
 
 #include "vm/library/kept.h"
@@ -63,7 +63,7 @@ static vs_value port_current(vs_scheme *vm, int slot) {
 vs_value vs_port_current_output(vs_scheme *vm) { return port_current(vm, VS_LIB_OUTPUT); }
 vs_value vs_port_current_input(vs_scheme *vm) { return port_current(vm, VS_LIB_INPUT); }
 
-/* ---- files ---- */
+/* ---- opening and reading files ---- */
 
 static bool fail_file(vs_scheme *vm, const char *what, const char *path, const char *why) {
   bool memory = why && !strcmp(why, VS_IO_NO_MEMORY);
@@ -71,7 +71,7 @@ static bool fail_file(vs_scheme *vm, const char *what, const char *path, const c
                  why ? why : "not available here");
 }
 
-/* Reads *stream to its end, into BYTES of at least that length; *count of them are data. */
+/* Reads the stream to its end, into BYTES of at least that length. Sets *count to the number of bytes read. */
 static bool read_stream(vs_scheme *vm, int64_t stream, const char *path, vs_value *out, size_t *count) {
   const vs_io *io = vm->config.io;
   vs_text t;
@@ -149,10 +149,10 @@ bool vs_port_close(vs_scheme *vm, vs_value port) {
   return vs_fail(vm, vm->sym.file, "the file could not be written to its end");
 }
 
-/* ---- output ---- */
+/* ---- writing ---- */
 
 static bool collect(vs_scheme *vm, vs_value port, const char *bytes, size_t n) {
-  if (n == 0) return true; /* there may be no buffer yet */
+  if (n == 0) return true; /* without data there may be no buffer */
   VS_ROOTS(vm, r, 2);
   r[0] = port;
   vs_port *p = vs_as_port(port);
@@ -173,7 +173,7 @@ bool vs_port_write(vs_scheme *vm, vs_value port, const char *bytes, size_t n) {
   vs_port *p = vs_as_port(port);
   if (n == 0) return true;
   if (!(p->flags & VS_PORT_BINARY) || p->host >= 0) {
-    const char *end = NULL;                       /* the column, for fresh-line */
+    const char *end = NULL;                       /* updates the column, for fresh-line */
     for (size_t i = n; i-- > 0 && !end;)
       if (bytes[i] == '\n') end = bytes + i;
     p->col = (uint32_t)(end ? 1 + (size_t)(bytes + n - end - 1) : p->col + n);
@@ -184,14 +184,14 @@ bool vs_port_write(vs_scheme *vm, vs_value port, const char *bytes, size_t n) {
     return vs_fail(vm, vm->sym.limit, "the program printed more than the limit of %llu bytes",
                    (unsigned long long)vm->config.output_limit);
   const vs_io *io = vm->config.io;
-  if ((!io || !io->write) && p->host <= VS_IO_STDERR) return true;       /* no console: the text is dropped */
+  if ((!io || !io->write) && p->host <= VS_IO_STDERR) return true;       /* without a console, the text is ignored */
   if (io && io->write && io->write(vm->config.user, p->host, bytes, n)) return true;
   return vs_fail(vm, vm->sym.file, "writing failed");
 }
 
-/* ---- input ---- */
+/* ---- reading ---- */
 
-/* Reads more from the console; *any: some bytes came. */
+/* Reads more data from the console. Sets *any if there were some. */
 static bool refill(vs_scheme *vm, vs_value port, bool *any) {
   *any = false;
   vs_port *p = vs_as_port(port);
@@ -203,7 +203,8 @@ static bool refill(vs_scheme *vm, vs_value port, bool *any) {
   if (n == 0) return true;
   VS_ROOTS(vm, r, 2);
   r[0] = port;
-  size_t left = (size_t)(p->limit - p->position);                    /* the start of a character, or a peeked datum */
+  size_t left = (size_t)(p->limit - p->position);                    /* bytes not yet read: the start of a character, or
+                                                                      * of a datum that was peeked */
   if (!vs_make_bytes(vm, left + (size_t)n, &r[1])) return false;
   p = vs_as_port(r[0]);
   if (left) memcpy(vs_as_bytes(r[1])->at, vs_as_bytes(p->buffer)->at + p->position, left);
@@ -214,7 +215,7 @@ static bool refill(vs_scheme *vm, vs_value port, bool *any) {
   return *any = true;
 }
 
-/* Gives the available bytes, after a refill if there are fewer than `wanted` and more can come. */
+/* Sets *at and *count to the available bytes. If there are fewer than `wanted`, first reads more. */
 bool vs_port_fill(vs_scheme *vm, vs_value port, size_t wanted, const uint8_t **at, size_t *count) {
   VS_ROOTS(vm, r, 1);
   r[0] = port;
@@ -226,7 +227,7 @@ bool vs_port_fill(vs_scheme *vm, vs_value port, size_t wanted, const uint8_t **a
   return true;
 }
 
-/* Gets the next character and its length in bytes; -1 at the end. */
+/* Sets *c to the next character, or to -1 at the end, and *used to its length in bytes. */
 static bool look(vs_scheme *vm, vs_value *port, int32_t *c, size_t *used) {
   const uint8_t *at;
   size_t count;

@@ -1,8 +1,8 @@
-/* Owns ports, and vs_io: the VM's requests to its host for files, the console and the clock (vm/ makes no system
- * calls).
+/* Declares ports and vs_io: the functions of the host for files, the console and the clock (vm/ makes no system calls).
  *
- * Output is not buffered here: each procedure that prints passes its whole text to the host at once. Files are read
- * whole when they are opened; console input comes one line at a time. Text is UTF-8; bad bytes read as U+FFFD. */
+ * Output is not buffered here: each procedure that prints passes its text to the host at once. Files are read
+ * completely when they are opened; the console is read one line at a time. Text is UTF-8; invalid bytes are read as
+ * U+FFFD. */
 #ifndef VS_VM_LIBRARY_PORT_H
 #define VS_VM_LIBRARY_PORT_H
 
@@ -10,64 +10,66 @@
 #include "vm/values/text.h"
 
 typedef enum { VS_IO_READ, VS_IO_WRITE, VS_IO_APPEND } vs_io_mode;
-enum { VS_IO_STDIN = 0, VS_IO_STDOUT = 1, VS_IO_STDERR = 2 };       /* streams that are always open */
+enum { VS_IO_STDIN = 0, VS_IO_STDOUT = 1, VS_IO_STDERR = 2 };       /* numbers of the streams that are always open */
 
-/* Any member may be NULL: the procedure then fails with "not available here". */
-/* The text of `why` if memory, and not the file, is the cause. */
+/* Functions of the host. Any may be NULL; procedures that need it then fail with "not available here". */
+/* The text of *why if memory, not the file, is the cause of a failure. */
 #define VS_IO_NO_MEMORY "out of memory"
 
 typedef struct vs_io {
-  /* returns a stream's number > 2, or -1 with *why ("no such file"), which lives until the next call */
+  /* Returns the number of a stream, above 2. If it fails, returns -1 and sets *why ("no such file"), valid until the
+   * next call. */
   int64_t (*open)(void *user, const char *path, vs_io_mode mode, const char **why);
-  ptrdiff_t (*read)(void *user, int64_t stream, void *to, size_t room);      /* returns the number of bytes, 0 at the
-                                                                              * end, -1 on failure */
+  ptrdiff_t (*read)(void *user, int64_t stream, void *to, size_t room);      /* Returns the number of bytes read, 0 at
+                                                                              * the end, -1 on failure. */
   bool (*write)(void *user, int64_t stream, const char *bytes, size_t n);
   bool (*flush)(void *user, int64_t stream);
-  /* returns false if the data could not be written to the end */
+  /* Returns false if the data could not be written completely. */
   bool (*close)(void *user, int64_t stream);
   bool (*exists)(void *user, const char *path);
   bool (*remove)(void *user, const char *path, const char **why);
-  /* Passes each name in a folder, except . and .. , to `take`. Returns false with *why, or, if `take` returned false,
-   * with *why unchanged. */
+  /* Calls `take` with each name in the folder, except . and .. . Returns false if it fails, and sets *why. Also returns
+   * false, with *why unchanged, if `take` does. */
   bool (*list)(void *user, const char *path, bool (*take)(void *context, const char *name, size_t length),
                void *context, const char **why);
-  double (*now)(void *user);                                                 /* seconds since 1970 */
+  double (*now)(void *user);                                                 /* returns seconds since 1970 */
   const char *(*getenv)(void *user, const char *name);
-  /* returns the i-th variable of the environment, as NAME=value; NULL beyond the last */
+  /* Returns environment variable i as NAME=value, or NULL if there is none. */
   const char *(*variable)(void *user, size_t i);
 } vs_io;
 
-enum {                       /* vs_port.flags */
+enum {                       /* flags of a port */
   VS_PORT_INPUT = 1, VS_PORT_OUTPUT = 2, VS_PORT_BINARY = 4, VS_PORT_CLOSED = 8, VS_PORT_STRING = 16, VS_PORT_EOF = 32,
-  VS_PORT_FOLD = 64            /* #!fold-case was read */
+  VS_PORT_FOLD = 64            /* whether #!fold-case was read */
 };
 
 bool vs_port_open_file(vs_scheme *vm, vs_value path, vs_io_mode mode, uint32_t flags, vs_value *out);
-/* input from memory */
+/* Opens an input port that reads `count` bytes of a bytevector. */
 bool vs_port_open_bytes(vs_scheme *vm, vs_value bytes, size_t count, uint32_t flags, vs_value *out);
-/* a string output port */
+/* Opens an output port that collects a string. */
 bool vs_port_open_text(vs_scheme *vm, vs_value *out);
 bool vs_port_write(vs_scheme *vm, vs_value port, const char *bytes, size_t n);
-/* *c is the code point, or -1 at the end */
+/* Sets *c to the next code point, or to -1 at the end. */
 bool vs_port_read_char(vs_scheme *vm, vs_value port, int32_t *c);
 bool vs_port_peek_char(vs_scheme *vm, vs_value port, int32_t *c);
-/* Gives at least `wanted` bytes, if there are so many, at *at. They stay in the port: the caller moves its
- * `position`. */
+/* Sets *at and *count to the available bytes, at least `wanted` if there are so many. The bytes remain in the port
+ * until the caller advances its `position`. */
 bool vs_port_fill(vs_scheme *vm, vs_value port, size_t wanted, const uint8_t **at, size_t *count);
 bool vs_port_close(vs_scheme *vm, vs_value port);
-/* Gives the parameter object of the current input (0), output (1) or error port (2). */
+/* Sets *out to the parameter object of the current input (0), output (1) or error port (2). */
 bool vs_port_parameter(vs_scheme *vm, int stream, vs_value *out);
-/* Returns true if the parameter may have this value: for those three a port of its direction, for others any value. */
+/* Returns true if v is allowed as the parameter's value: for the parameters of the current ports, a port of the right
+ * direction; for others any value. */
 bool vs_port_parameter_fits(const vs_scheme *vm, vs_value parameter, vs_value v);
-/* the current ports: parameters' values, else the standard ones */
+/* Return the current ports: the values of their parameters, else the standard ports. */
 vs_value vs_port_current_output(vs_scheme *vm);
 vs_value vs_port_current_input(vs_scheme *vm);
 
-/* Makes the three standard ports and their parameters (vm->at.standard_..., vm->at.lib) if there are none. The
- * procedures call it at their first use. */
+/* Creates the three standard ports and their parameters (vm->at.standard_..., vm->at.lib) if they do not exist.
+ * Procedures call it when they are first used. */
 bool vs_port_setup(vs_scheme *vm);
 
-/* Reads a whole file as BYTES (accounted, with limits); an error names the file. For load, include and ports. */
+/* Reads a file into BYTES, counted by the limits; an error names the file. Used by load, include and ports. */
 bool vs_io_read_file(vs_scheme *vm, const char *path, vs_value *out);
 
 #endif

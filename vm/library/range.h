@@ -1,11 +1,11 @@
-/* Owns the optional [start end] arguments of the string, vector and bytevector procedures. */
+/* Reads the optional arguments [start end] of string, vector and bytevector procedures. */
 #ifndef VS_VM_LIBRARY_RANGE_H
 #define VS_VM_LIBRARY_RANGE_H
 
 #include "vm/machine/native.h"
 
-/* Checks a[arg] and a[arg + 1], if given, for 0 <= *start <= *end <= length; the defaults are 0 and length. length is 0
- * or more. */
+/* Sets *start and *end to a[arg] and a[arg + 1], or to 0 and length if they are absent. Checks that 0 <= *start <= *end
+ * <= length. Returns false with the error set. */
 static inline bool vs_arg_range(vs_scheme *vm, const vs_value *a, int n, int arg, int64_t length, int64_t *start,
                                 int64_t *end) {
   VS_ASSERT(length >= 0);

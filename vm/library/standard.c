@@ -1,6 +1,6 @@
-/* Owns the built-in libraries: (scheme base), (srfi 1) and the rest of libraries.def. Each is an environment with a
- * table of the same cells and macros as the VM's one library, made at its first use. (visualscheme) is that one library
- * itself. */
+/* Implements the built-in libraries of libraries.def, such as (scheme base) and (srfi 1). Each is an environment with a
+ * table of some cells and macros of the complete library, created when it is first used. (visualscheme) is the complete
+ * library itself. */
 #include "vm/library/standard.h"
 
 #include "vm/front/source.h"
@@ -19,11 +19,11 @@ static const struct { const char *name, *exports; } libraries[] = {
 };
 enum { LIBRARIES = sizeof libraries / sizeof *libraries };
 
-/* ---- names ---- */
+/* ---- names of libraries ---- */
 static bool starts(const char *s, const char *with) { return !strncmp(s, with, strlen(with)); }
 
-/* Returns the row of a library's name in a program: (scheme base), (srfi 1), (srfi 1 lists), (srfi :1 lists); PLT's
- * srfi/1. -1: none. */
+/* Returns the row of a library by its name in a program, or -1. Accepts (scheme base), (srfi 1), (srfi 1 lists), (srfi
+ * :1 lists), and PLT's srfi/1. */
 static int row_of(vs_value name) {
   char text[64];
   if (vs_is_symbol(name)) {
@@ -46,7 +46,8 @@ static int row_of(vs_value name) {
   return -1;
 }
 
-/* names of the whole library: (visualscheme), and in PLT's require the languages that it replaces */
+/* Returns true for names of the complete library: (visualscheme), and in PLT's require the languages that it
+ * replaces. */
 static bool is_whole(vs_value name) {
   if (vs_is_pair(name))
     return vs_is_symbol(vs_car(name)) && !strcmp(vs_as_symbol(vs_car(name))->name, "visualscheme") &&
@@ -57,7 +58,7 @@ static bool is_whole(vs_value name) {
          starts(s, "racket/") || starts(s, "mzlib/");
 }
 
-/* Returns the next word of an export list from *s on, and its length, 0 at the end. *inside: the name in the
+/* Returns the next word of an export list from *s on and its length, 0 at the end. Sets *inside to the name inside the
  * library. */
 static const char *next_word(const char **s, size_t *length, const char **inside, size_t *inside_length) {
   const char *word = *s + strspn(*s, " "), *end = word + strcspn(word, " "),
@@ -73,7 +74,7 @@ static const char *next_word(const char **s, size_t *length, const char **inside
   return word;
 }
 
-/* ---- environments ---- */
+/* ---- environments of libraries ---- */
 static bool fill(vs_scheme *vm, vs_value env, const char *exports) {
   VS_ROOTS(vm, r, 3);
   r[0] = env;
@@ -93,7 +94,7 @@ bool vs_library_built_in(vs_scheme *vm, vs_value name, vs_value *env) {
   int row = row_of(name);
   if (row < 0) return true;
   VS_ROOTS(vm, r, 3);
-  /* made before? it is registered by the short name */
+  /* Searches the library under its short name among those created before. */
   if (!vs_intern_c(vm, libraries[row].name, &r[0])) return false;
   for (vs_value l = vm->at.libraries; vs_is_pair(l); l = vs_cdr(l))
     if (vs_car(vs_car(l)) == r[0]) { *env = vs_cdr(vs_car(l)); return true; }
@@ -106,9 +107,10 @@ bool vs_library_built_in(vs_scheme *vm, vs_value name, vs_value *env) {
 
 bool vs_library_is_built_in(vs_value name) { return is_whole(name) || row_of(name) >= 0; }
 
-/* ---- the libraries that have a name ---- */
+/* ---- finding the libraries that export a name ---- */
 
-/* Returns true if the (export ...) of a shipped library's text, from at to end, contains the name. Skips comments. */
+/* Returns true if the (export ...) in a shipped library's text, from `at` to `end`, contains the name. Skips
+ * comments. */
 static bool exports_name(const char *at, const char *end, const vs_symbol *name) {
   static const char form[] = "(export";
   while (at < end && !((size_t)(end - at) > sizeof form && !memcmp(at, form, sizeof form - 1))) {
@@ -135,7 +137,7 @@ static bool exports_name(const char *at, const char *end, const vs_symbol *name)
   return false;
 }
 
-/* Returns true if a shipped text defines the name as syntax, (define-syntax name ...). */
+/* Returns true if a shipped text defines the name as syntax: (define-syntax name ...). */
 static bool defines_syntax(const vs_shipped *f, const vs_symbol *name) {
   static const char form[] = "(define-syntax ";
   size_t head = sizeof form - 1, whole = head + name->length + 1;
@@ -148,8 +150,8 @@ static bool defines_syntax(const vs_shipped *f, const vs_symbol *name) {
   return false;
 }
 
-/* Does the same for all files of a shipped library, given by the file that exports the name: the files that it includes
- * are in the folder of its name. */
+/* Returns true if a file of a shipped library defines the name as syntax. `library` is the file that exports it; the
+ * files that it includes are in the folder of the same name. */
 static bool exports_syntax(vs_scheme *vm, const vs_shipped *library, const vs_symbol *name) {
   size_t stem = (size_t)(strstr(library->name, ".sld") - library->name);
   for (const vs_shipped *part = vm->config.shipped; part->name; part++)
@@ -158,7 +160,7 @@ static bool exports_syntax(vs_scheme *vm, const vs_shipped *library, const vs_sy
   return false;
 }
 
-/* "srfi/115.sld" is (srfi 115) */
+/* Writes the name of a library from that of its file: (srfi 115) for "srfi/115.sld". */
 static bool put_shipped_name(const char *file, vs_text *t) {
   size_t n = strcspn(file, "."), part = strcspn(file, "/");
   return part >= n ? vs_text_put(t, file, n) :

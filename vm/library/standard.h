@@ -1,13 +1,13 @@
-/* Owns the interface of standard.c: the built-in libraries. */
+/* Declares the built-in libraries, implemented in standard.c. */
 #ifndef VS_VM_LIBRARY_STANDARD_H
 #define VS_VM_LIBRARY_STANDARD_H
 
 #include "vm/values/text.h"
 
-/* Appends "; (import (scheme write)) brings it" to t if a built-in or shipped library has the name. syntax: of the
- * shipped ones only if it is syntax there, as match of (match). */
+/* Appends "; (import (scheme write)) brings it" to t if a built-in or shipped library exports the name. syntax: a
+ * shipped library counts only if the name is syntax there, such as match of (match). */
 bool vs_library_advice(vs_scheme *vm, vs_value symbol, bool syntax, vs_text *t);
-/* the libraries of libraries.def, and the whole */
+/* Find a library of libraries.def, or the complete library. */
 bool vs_library_built_in(vs_scheme *vm, vs_value name, vs_value *env);
 bool vs_library_is_built_in(vs_value name);
 /* Calls each(vm, context, n) for every (srfi n) that exists, until it returns false. */

@@ -1,9 +1,9 @@
-/* Owns strings and symbols: all their procedures without procedure arguments.
+/* Implements the procedures of strings and symbols that have no procedure arguments.
  *
- * A string's characters are in a BYTES store, one byte each while all are below U+0100, else four
- * (vm/values/string_chars.h): string-ref takes constant time, and string-set! may widen once. Procedures that build
- * text of unknown width use a vs_text (UTF-8), and make it a string at the end; those with a known length write in
- * place. Case and categories are utf8proc's. */
+ * The characters of a string are in a BYTES store. Each takes one byte while all are below U+0100, else four
+ * (vm/values/string_chars.h). string-ref therefore takes constant time, and string-set! may once convert the store.
+ * Procedures that build text of unknown width use a vs_text (UTF-8), and convert it to a string at the end. If the
+ * length is known, they write into the string. Case and categories are those of utf8proc. */
 #include "vm/library/string.h"
 
 #include "vm/machine/fail.h"
@@ -27,7 +27,8 @@ static bool arg_mutable(vs_scheme *vm, const vs_value *a, int arg) {
 }
 static int64_t length_of(vs_value s) { return vs_as_string(s)->length; }
 
-/* Returns the greatest of characters start..end, which are in the string; 0 if there are none. */
+/* Returns the greatest code point of the characters start..end, or 0 if there are none. For a string of one-byte
+ * characters, returns 0xFF. */
 static uint32_t widest_of(vs_value s, size_t start, size_t end) {
   uint32_t widest = 0;
   VS_ASSERT(start <= end && end <= vs_as_string(s)->length);
@@ -39,7 +40,7 @@ static uint32_t widest_of(vs_value s, size_t start, size_t end) {
   return widest;
 }
 
-/* ---- shared with the rest of vm/ ---- */
+/* ---- functions for the other files of vm/ ---- */
 
 bool vs_string_set(vs_scheme *vm, vs_value *s, size_t k, uint32_t c) {
   VS_ASSERT(k < vs_as_string(*s)->length);
@@ -79,7 +80,7 @@ bool vs_string_slice(vs_scheme *vm, const vs_value *s, size_t start, size_t end,
 
 int vs_string_compare(vs_value a, vs_value b) {
   size_t n = vs_as_string(a)->length, m = vs_as_string(b)->length;
-  /* bytes, in the order of their code points */
+  /* With one byte for each character, memcmp compares by code points. */
   if (!((vs_object_of(a)->flags | vs_object_of(b)->flags) & VS_F_WIDE)) {
     int order = memcmp(vs_as_bytes(vs_as_string(a)->store)->at, vs_as_bytes(vs_as_string(b)->store)->at, n < m ? n : m);
     return order ? (order < 0 ? -1 : 1) : n < m ? -1 : n > m;
@@ -106,7 +107,7 @@ static vs_status string_make(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return vs_make_string(vm, (size_t)count, n > 1 ? vs_char(a[1]) : ' ', out);
 }
 
-/* (string #\a #\b): characters only */
+/* (string #\a #\b): returns a string of these characters. */
 static vs_status string_string(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   uint32_t widest = 0;
   for (int i = 0; i < n; i++) {
@@ -252,9 +253,9 @@ static vs_status string_reverse(vs_scheme *vm, vs_value *a, int n, vs_value *out
   return VS_OK;
 }
 
-/* ---- order ---- */
+/* ---- comparison ---- */
 
-/* Replaces *s by its full case folding (ß is ss). */
+/* Replaces *s by its full case folding: ß becomes ss. */
 static bool string_fold(vs_scheme *vm, vs_value *s) {
   vs_text t;
   vs_text_open(vm, &t, 0);
@@ -292,10 +293,10 @@ static vs_status string_compare(vs_scheme *vm, vs_value *a, int n, vs_text_order
 VS_ORDERS(O)
 #undef O
 
-/* ---- case ---- */
+/* ---- upper and lower case ---- */
 
-/* Unicode's Cased and Case_Ignorable, which define the end of a word: a letter with a mark, an apostrophe or a full
- * stop behind it does not end one. */
+/* These are Unicode's properties Cased and Case_Ignorable, which define the end of a word. A mark, an apostrophe or a
+ * full stop after a letter does not end a word. */
 static bool is_cased(uint32_t c) {
   utf8proc_category_t k = utf8proc_category((utf8proc_int32_t)c);
   return k >= UTF8PROC_CATEGORY_LU && k <= UTF8PROC_CATEGORY_LT;
@@ -311,8 +312,7 @@ static bool is_case_ignorable(uint32_t c) {
          k == UTF8PROC_CATEGORY_LM || k == UTF8PROC_CATEGORY_SK;
 }
 
-/* Returns true if the i-th character, a sigma, is the last letter of a word of two or more (Unicode's Final_Sigma). i
- * is in range. */
+/* Returns true if character i, a sigma, is the last letter of a word of two or more letters (Unicode's Final_Sigma). */
 static bool ends_word(vs_value s, size_t i) {
   size_t before = i, after = i + 1, length = (size_t)length_of(s);
   VS_ASSERT(i < length);
@@ -321,9 +321,9 @@ static bool ends_word(vs_value s, size_t i) {
   return before > 0 && is_cased(vs_string_at(s, before - 1)) && !(after < length && is_cased(vs_string_at(s, after)));
 }
 
-/* Appends the capitals of one character. A letter that is no capital, with a full case folding of several characters
- * (ß, the ligature ff, j with a caron), has the capitals of those: this equals the unconditional rows of Unicode's
- * SpecialCasing. */
+/* Appends the upper case of a character. A letter other than a capital whose full case folding has several characters
+ * (ß, the ligature ff, j with a caron) becomes the upper case of those. This agrees with the unconditional rows of
+ * Unicode's SpecialCasing. */
 static bool put_capitals(vs_text *t, uint32_t c) {
   utf8proc_int32_t folded[8];
   utf8proc_ssize_t m = c < 0x80 || utf8proc_category((utf8proc_int32_t)c) == UTF8PROC_CATEGORY_LU
@@ -348,8 +348,8 @@ static vs_status string_upcase(vs_scheme *vm, vs_value *a, int n, vs_value *out)
   return ok;
 }
 
-/* A sigma at the end of a word becomes the final one, and the dotted capital I an i with a dot above: the rows of
- * Unicode's SpecialCasing. */
+/* Converts to lower case by Unicode's SpecialCasing: a sigma at the end of a word becomes the final sigma, and the
+ * capital I with a dot becomes i with a dot above. */
 static vs_status string_downcase(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!arg_string(vm, a, 0)) return VS_ERROR;
@@ -374,10 +374,11 @@ static vs_status string_foldcase(vs_scheme *vm, vs_value *a, int n, vs_value *ou
   return VS_OK;
 }
 
-/* ---- searching ---- */
+/* ---- searching in strings ---- */
 
-/* The text to search, and for each of its prefixes the longest shorter one that also ends it (Knuth, Morris and Pratt),
- * so that no character of the text is compared again and again. `border` is NULL for one character. */
+/* The text to search. border[i] is the length of the longest proper prefix of its first i + 1 characters that is
+ * also their suffix. With it, no character is compared again (Knuth, Morris and Pratt). `border` is NULL for one
+ * character. */
 typedef struct { uint32_t *border; int64_t length; } needle;
 
 static bool needle_open(vs_scheme *vm, vs_value text, needle *d) {
@@ -401,7 +402,7 @@ static void needle_close(vs_scheme *vm, needle *d) {
   d->border = NULL;
 }
 
-/* Sets *at to the first place from `from` on at which s contains the text of d; -1: none. from is 0 or more. */
+/* Sets *at to the first position, not before `from`, at which s contains the text, or to -1. */
 static bool find_from(vs_scheme *vm, vs_value s, vs_value text, const needle *d, int64_t from, int64_t *at) {
   int64_t n = length_of(s), k = 0;
   VS_ASSERT(from >= 0);
@@ -416,7 +417,7 @@ static bool find_from(vs_scheme *vm, vs_value s, vs_value text, const needle *d,
   return true;
 }
 
-/* the same for one search */
+/* Searches once: prepares the text, searches, and frees the table. */
 static bool find_once(vs_scheme *vm, vs_value s, vs_value text, int64_t from, int64_t *at) {
   needle d;
   bool ok = needle_open(vm, text, &d) && find_from(vm, s, text, &d, from, at);
@@ -483,10 +484,10 @@ static bool is_space(uint32_t c) {
          (c > 0xFF && utf8proc_category((utf8proc_int32_t)c) == UTF8PROC_CATEGORY_ZS);
 }
 
-/* Without a separator: splits at stretches of blanks, and ignores them at the ends. With one: splits at each. */
+/* Splits a string at each separator. Without a separator, splits at runs of blanks, and ignores blanks at the ends. */
 static vs_status string_split(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (!arg_string(vm, a, 0)) return VS_ERROR;
-  VS_ROOTS(vm, r, 3); /* head, tail, the piece */
+  VS_ROOTS(vm, r, 3); /* roots: first pair, last pair, the piece */
   r[0] = r[1] = VS_NIL;
   int64_t length = length_of(a[0]), start = 0;
   bool blanks = n < 2;
@@ -546,7 +547,8 @@ static vs_status string_trim_right(vs_scheme *vm, vs_value *a, int n, vs_value *
   return string_trimmed(vm, a, false, true, out);
 }
 
-/* SRFI 13: pads to exactly `width` characters; a longer text loses characters on the padded side */
+/* Pads to exactly `width` characters, as in SRFI 13. A longer text loses characters on the side that would be
+ * padded. */
 static vs_status string_padded(vs_scheme *vm, vs_value *a, int n, bool left, vs_value *out) {
   int64_t width;
   if (!arg_string(vm, a, 0) || !vs_arg_index(vm, a, 1, 0, LONGEST, &width)) return VS_ERROR;
@@ -574,7 +576,7 @@ static vs_status string_pad_right(vs_scheme *vm, vs_value *a, int n, vs_value *o
   return string_padded(vm, a, n, false, out);
 }
 
-/* replaces every `from` in the string by `to` */
+/* Replaces every occurrence of `from` in the string by `to`. */
 static vs_status string_replace(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   for (int i = 0; i < 3; i++)
@@ -627,7 +629,7 @@ static vs_status symbol_equal_p(vs_scheme *vm, vs_value *a, int n, vs_value *out
 static vs_status symbol_to_string(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!arg_symbol(vm, a, 0)) return VS_ERROR;
-  vs_text t; /* a copy: making the string may move the symbol */
+  vs_text t; /* copied, since creating the string may move the symbol */
   vs_text_open(vm, &t, 0);
   bool ok = vs_text_put(&t, vs_as_symbol(a[0])->name, vs_as_symbol(a[0])->length) && vs_text_to_string(&t, out);
   vs_text_close(&t);

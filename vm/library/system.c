@@ -1,7 +1,7 @@
-/* Owns random numbers, clocks, and the questions of a program about its environment.
+/* Implements random numbers, clocks, and questions of a program about its environment.
  *
- * Random numbers are xoshiro256** (Blackman and Vigna), seeded by splitmix64; the state is a bytevector in vm->at.lib,
- * so it is part of the heap image and the same at every start. */
+ * The random generator is xoshiro256** (Blackman and Vigna), seeded by splitmix64. Its state is a bytevector in
+ * vm->at.lib, so that it is part of the heap image, and the same at every start. */
 #include "vm/library/system.h"
 
 #include <math.h>
@@ -14,7 +14,7 @@
 #include "vm/numbers/number_text.h"
 #include "vm/values/heap.h"
 
-enum { FIRST_SEED = 1, RANDOM_BYTES = 40 /* of a state: four words, and the seed */ };
+enum { FIRST_SEED = 1, RANDOM_BYTES = 40 /* RANDOM_BYTES: size of the state: four words, and the seed */ };
 
 /* ---- random numbers ---- */
 
@@ -28,8 +28,8 @@ static void seed_state(uint64_t s[4], uint64_t seed) {
   }
 }
 
-/* Returns the state's four words, followed by the seed that the program gave; NULL when memory is out. Valid until the
- * next allocation. */
+/* Returns the four words of the state, followed by the seed that the program has set. The address is valid until the
+ * next allocation. Returns NULL when memory is out. */
 static uint64_t *random_state(vs_scheme *vm) {
   if (vs_lib_get(vm, VS_LIB_RANDOM) == VS_FALSE) {
     VS_ROOTS(vm, r, 1);
@@ -52,7 +52,8 @@ static uint64_t random_next(uint64_t s[4]) {
   return result;
 }
 
-static double random_unit(uint64_t s[4]) { return (double)(random_next(s) >> 11) * 0x1p-53; }        /* [0, 1) */
+static double random_unit(uint64_t s[4]) { return (double)(random_next(s) >> 11) * 0x1p-53; }        /* returns a number
+                                                                                                      * in [0, 1) */
 
 bool vs_random_keep(vs_scheme *vm, uint64_t state[4]) {
   const uint64_t *s = random_state(vm);
@@ -75,18 +76,19 @@ bool vs_random_unit(vs_scheme *vm, double *out) {
   return s != NULL;
 }
 
-/* Sets *out to an integer uniform in 0 .. n-1 for an exact integer n > 0. */
+/* Sets *out to a random integer from 0 to n - 1, uniformly distributed, for an exact integer n > 0. */
 static bool random_below(vs_scheme *vm, vs_value n, vs_value *out) {
   uint64_t *s = random_state(vm);
   VS_ASSERT(vs_is_exact_integer(n) && vs_int_sign(n) > 0);
   if (!s) return false;
-  if (vs_is_fixnum(n)) {                          /* values beyond the last whole multiple of n are drawn again */
+  if (vs_is_fixnum(n)) {                          /* values not below the greatest multiple of n are rejected, so that
+                                                   * there is no bias */
     uint64_t bound = (uint64_t)vs_fixnum(n), least = (0 - bound) % bound, x;
     do x = random_next(s);
     while (x < least);
     return *out = vs_fix((int64_t)(x % bound)), true;
   }
-  /* a number 64 bits longer than n, modulo n: the bias is below 2^-64 */
+  /* A bignum: a random number 64 bits longer than n, modulo n. Its bias is below 2^-64. */
   VS_ROOTS(vm, r, 3);
   r[0] = n;
   r[1] = vs_fix(0);
@@ -112,7 +114,8 @@ static vs_status random_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return *out = vs_flonum(x < d ? x : 0), VS_OK;
 }
 
-/* exact integers: one of a .. b, both inclusive; else a number from a up to b */
+/* Returns a random number. For exact integers a and b, it is an integer from a to b, including both; otherwise a number
+ * from a up to b. */
 static vs_status random_range(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   for (int i = 0; i < 2; i++)
@@ -139,8 +142,8 @@ static vs_status random_seed(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-/* (%random-state): a copy of the generator's state; (%random-state! copy) restores it. A state of zeros, which would
- * never change, is refused. */
+/* (%random-state): returns a copy of the generator's state, which (%random-state! copy) restores. A state of zeros,
+ * which would never change, is refused. */
 static vs_status random_copy(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)a, (void)n;
   VS_ROOTS(vm, r, 1);
@@ -193,7 +196,7 @@ static vs_status runtime(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return (void)a, (void)n, *out = vs_flonum(seconds_running(vm)), VS_OK;
 }
 
-/* ---- environment ---- */
+/* ---- environment of the program ---- */
 
 static vs_status command_line(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)a, (void)n;
@@ -245,7 +248,7 @@ static vs_status gc(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-/* makes a symbol distinct from all others: it is not interned, so that its name need not be unique */
+/* Returns a new symbol, which is different from all others since it is not interned. Its name need not be unique. */
 static vs_status generate_symbol(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (n && !vs_is_symbol(a[0]) && !vs_is_string(a[0])) return vs_fail_type(vm, 0, "a symbol or a string", a[0]);
   if (!vs_lib_open(vm)) return VS_ERROR;

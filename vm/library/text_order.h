@@ -1,4 +1,4 @@
-/* Owns the five orders of characters and strings, each with case and with case folded: char<? … string-ci>?. */
+/* Declares the five orders of characters and strings, with and without upper and lower case: char<? ... string-ci>?. */
 #ifndef VS_VM_LIBRARY_TEXT_ORDER_H
 #define VS_VM_LIBRARY_TEXT_ORDER_H
 
@@ -6,14 +6,15 @@
 
 typedef enum { VS_LESS, VS_LESS_EQUAL, VS_EQUAL, VS_GREATER_EQUAL, VS_GREATER } vs_text_order;
 
-/* O(name, order, folded) */
+/* O(name, order, whether case is folded) */
 #define VS_ORDERS(O) \
   O(lt, VS_LESS, false) O(le, VS_LESS_EQUAL, false) O(eq, VS_EQUAL, false) O(ge, VS_GREATER_EQUAL, false) \
   O(gt, VS_GREATER, false) \
   O(ci_lt, VS_LESS, true) O(ci_le, VS_LESS_EQUAL, true) O(ci_eq, VS_EQUAL, true) O(ci_ge, VS_GREATER_EQUAL, true) \
   O(ci_gt, VS_GREATER, true)
 
-/* sign: of the comparison of the first with the second; below 0 if the first is less */
+/* Returns whether the order holds. sign is the result of a comparison: below 0 if the first value is less than the
+ * second. */
 static inline bool vs_order_holds(vs_text_order order, int sign) {
   switch (order) {
   case VS_LESS: return sign < 0;

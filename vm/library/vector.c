@@ -1,4 +1,4 @@
-/* Owns vectors and bytevectors: all their procedures without procedure arguments. Literals do not change. */
+/* Implements the procedures of vectors and bytevectors that have no procedure arguments. Literals are immutable. */
 #include "vm/machine/fail.h"
 #include "vm/machine/native.h"
 #include "vm/machine/poll.h"
@@ -7,7 +7,8 @@
 #include "vm/values/heap.h"
 #include "vm/values/string_chars.h"
 
-static const int64_t LONGEST = INT64_C(1) << 31; /* an object's size is 32 bits of words */
+static const int64_t LONGEST = INT64_C(1) << 31; /* greatest length of a vector: the size of an object is 32 bits, in
+                                                  * words */
 
 static bool arg_vector(vs_scheme *vm, const vs_value *a, int arg) { return vs_arg_type(vm, a, arg, VS_T_VECTOR); }
 
@@ -23,7 +24,7 @@ static bool arg_mutable(vs_scheme *vm, const vs_value *a, int arg, int type) {
 
 static int64_t vector_length(vs_value v) { return (int64_t)vs_as_vector(v)->length; }
 
-/* Copies elements start..end of *from (a root), which are in the vector, to a new *out. */
+/* Sets *out to a new vector of the elements start..end of *from, a root. */
 static bool vector_slice(vs_scheme *vm, const vs_value *from, int64_t start, int64_t end, vs_value *out) {
   VS_ASSERT(0 <= start && start <= end && end <= (int64_t)vs_as_vector(*from)->length);
   if (!vs_make_vector(vm, (size_t)(end - start), VS_FALSE, out)) return false;
@@ -125,7 +126,7 @@ static vs_status vector_copy(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
          vector_slice(vm, &a[0], start, end, out);
 }
 
-/* arguments: to at from [start end]; the stretches may overlap */
+/* (vector-copy! to at from [start end]): the two ranges may overlap. */
 static vs_status vector_copy_to(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)out;
   int64_t at, start, end;
@@ -187,7 +188,8 @@ static vs_status string_to_vector(vs_scheme *vm, vs_value *a, int n, vs_value *o
       !vs_make_vector(vm, (size_t)(end - start), VS_FALSE, out))
     return VS_ERROR;
   for (int64_t i = start; i < end; i++) {
-    vs_as_vector(*out)->at[i - start] = VS_CHAR(vs_string_at(a[0], (size_t)i)); /* immediates: no barrier */
+    vs_as_vector(*out)->at[i - start] = VS_CHAR(vs_string_at(a[0], (size_t)i)); /* characters are immediate values and
+                                                                                 * need no write barrier */
     if (!vs_poll_turn(vm, (uint64_t)i, 1)) return VS_ERROR;
   }
   return VS_OK;
@@ -313,7 +315,7 @@ static vs_status utf8_to_string(vs_scheme *vm, vs_value *a, int n, vs_value *out
     if (!used) return vs_fail(vm, vm->sym.range, "the bytes are not UTF-8 from index %lld on", (long long)i);
     i += (int64_t)used;
   }
-  vs_text_open(vm, &t, 0); /* a copy: making the string may move the bytes */
+  vs_text_open(vm, &t, 0); /* copied, since creating the string may move the bytes */
   bool ok =
       vs_text_put(&t, (const char *)vs_as_bytes(a[0])->at + start, (size_t)(end - start)) && vs_text_to_string(&t, out);
   vs_text_close(&t);

@@ -1,4 +1,4 @@
-/* Owns the moves of activations between the working stretch and the heap, and the walk over them for the call chain. */
+/* Moves activations between the working stretch of the stack and the heap, and walks over them for the call chain. */
 #include "vm/machine/activation.h"
 
 #include "vm/compiler/code.h"
@@ -7,10 +7,10 @@
 #include "vm/machine/native.h"
 #include "vm/front/source.h"
 
-/* A walk over activations, innermost first. It contains addresses, so no code may allocate during it. */
+/* A walk over activations, innermost first. It contains addresses, so that nothing may allocate during it. */
 struct walk { const vs_value *base; vs_value under; uint64_t depth; bool force; };
 
-/* Goes to the caller; sets *pc to that of the call. Returns false at the end. */
+/* Goes to the caller. Sets *pc to that of the call. Returns false at the end. */
 static bool walk_up(struct walk *w, size_t *pc, bool *native) {
   vs_value ret = w->base[-1];
   if (ret & VS_RET_STOP) return false;
@@ -33,11 +33,11 @@ static bool walk_up(struct walk *w, size_t *pc, bool *native) {
 }
 
 struct link { vs_value name; vs_pos place; const vs_value *base; size_t pc; bool gap;
-    /* calls between this one and the one before left no activations */ };
+    /* whether calls between this and the previous one left no activations */ };
 
-/* Returns true if the code at pc called another procedure than the one that runs above: the called one, or a later one,
- * then ended with a tail call. Tests only calls by the program's own names: the value that a local variable had at the
- * call is lost, and the tail calls in the library would tell nothing. pc: behind the call. */
+/* Returns true if the procedure called before pc is not the one that is running above: it, or a later one, has ended
+ * with a tail call. Tests only calls by global names of the program. For others, the called value is lost; tail calls
+ * inside the library would not help users. */
 static bool ended_in_tail_call(const vs_code *code, size_t pc, vs_value running) {
   const uint32_t *ins = vs_code_ins(code);
   if (pc < 2 || (ins[pc - 2] & 255) != VS_O_CALLG || ins[pc - 1] >= vs_as_vector(code->consts)->length ||
@@ -75,24 +75,25 @@ static size_t chain(vs_scheme *vm, struct link *at, size_t max) {
   return count;
 }
 
-/* The window is the innermost complete activation: the error's call chain begins with its caller. Returns NULL. */
+/* Called when memory is out. Makes the window w the innermost activation, so that the call chain of the error begins
+ * with its caller. Returns NULL. */
 static vs_value *flush_failed(vs_scheme *vm, vs_value *w) {
   vm->base = w + 2;
   vm->pc = NULL;
   return NULL;
 }
 
-/* Returns the limit, in slots, of nested calls that are not tail calls: 256 MB, some 5 million calls of a small
- * procedure. Deeper recursion is endless, and its author should hear so at once, also on a small computer. If the
- * memory is limited, the calls may take a third of it: the collector copies them, so more would exhaust the memory
- * first, with a message that does not name the cause. */
+/* Returns the greatest number of stack slots for nested calls that are not tail calls. The limit of 256 MB suffices for
+ * about 5 million calls of a small procedure; deeper recursion is probably endless, and is reported early. If memory is
+ * limited, the calls may use a third of it. The collector copies them, so that more would exhaust memory first, with a
+ * message that does not name the cause. */
 static size_t most_slots(const vs_scheme *vm) {
   size_t bytes = (size_t)256 << 20;
   if (vm->config.memory_limit && vm->config.memory_limit / 3 < bytes) bytes = vm->config.memory_limit / 3;
   return bytes / sizeof(vs_value);
 }
 
-/* Reports the procedure that calls itself: the most frequent one of the innermost callers. */
+/* Reports an endless recursion, with the procedure that is most frequent among the innermost callers. */
 static bool fail_endless(vs_scheme *vm) {
   enum { MOST = 64 };
   struct link at[MOST];
@@ -170,10 +171,10 @@ bool vs_call_chain(vs_scheme *vm, size_t max, vs_value *out) {
   return true;
 }
 
-/* Notes a variable of a call, if there is room. Of variables with one name the innermost counts: a local one hides
- * those around it, and a captured one counts only if there is no other. */
+/* Adds a variable of a call, if there is room. If several have one name, the innermost is shown, and captured ones only
+ * if there is no other. */
 static void note_variable(vs_scheme *vm, vs_vector *v, vs_value *call, vs_value name, vs_value x, bool captured) {
-  if (vs_is(x, VS_T_BOX)) x = vs_as_box(x)->value; /* assigned variables are in boxes */
+  if (vs_is(x, VS_T_BOX)) x = vs_as_box(x)->value; /* an assigned variable is in a box */
   if (!vs_is_symbol(name) || x == VS_UNDEFINED || x == VS_ABSENT || vs_is(x, VS_T_STACK)) return;
   vs_value *to = call + VS_CALL_VARIABLES, *end = call + VS_CALL_WORDS;
   while (to < end && vs_is_symbol(to[0]) && to[0] != name) to += 2;
@@ -182,9 +183,9 @@ static void note_variable(vs_scheme *vm, vs_vector *v, vs_value *call, vs_value 
   vs_gc_store(vm, v, &to[1], x);
 }
 
-/* Sets *out to a vector of VS_CALL_WORDS per call, innermost first: the procedure, its place as a fixnum, then names
- * and values of its variables: parameters, those of let, do and definitions around the call, captured ones. The name #f
- * ends them. A parameter's register that was reused since may contain another value. */
+/* Sets *out to a vector of VS_CALL_WORDS elements for each call, innermost first. They are: the procedure, its place as
+ * a fixnum, then names and values of variables (parameters, those of let, do and definitions, captured ones). The name
+ * #f ends them. If the register of a parameter was reused, its value is another. */
 bool vs_call_variables(vs_scheme *vm, vs_value *out) {
   enum { MOST = 24 };
   struct link at[MOST];
@@ -199,7 +200,8 @@ bool vs_call_variables(vs_scheme *vm, vs_value *out) {
     const vs_vector *params = vs_as_vector(code->params), *more = vs_code_variables(code);
     vs_gc_store(vm, v, &to[VS_CALL_PROCEDURE], at[i].base[-2]);
     vs_gc_store(vm, v, &to[VS_CALL_PLACE], vs_fix((int64_t)at[i].place));
-    size_t keywords = (size_t)code->required + code->optional; /* they are in the table, by their variables' names */
+    size_t keywords = (size_t)code->required + code->optional; /* keyword parameters are in the table, by the names of
+                                                                * their variables */
     for (size_t k = 0; k < params->length; k++)
       if (k < keywords || k >= keywords + code->keywords) note_variable(vm, v, to, params->at[k], at[i].base[k], false);
     for (const vs_value *x = more ? more->at : NULL; more && x < more->at + more->length; x += VS_VARIABLE_WORDS) {
@@ -257,7 +259,7 @@ uint64_t vs_call_key(vs_scheme *vm, size_t max) {
     vs_value ret = w.base[-1];
     if (w.force || ret & VS_RET_FLAGS) {
       up = walk_up(&w, &pc, &native);
-    } else { /* most returns take this way, without a call */
+    } else { /* most returns are of this kind, which needs no function call */
       pc = vs_ret_pc(ret);
       native = false;
       w.base -= vs_ret_distance(ret) + 2;

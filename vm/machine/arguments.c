@@ -1,4 +1,4 @@
-/* Owns the arrangement of arguments other than exactly the required ones. */
+/* Arranges the arguments of calls that differ from exactly the required ones. */
 #include "vm/machine/arguments.h"
 #include "vm/machine/signature.h"
 #include "vm/values/text.h"
@@ -7,13 +7,13 @@
 #include <stdio.h>
 #include <string.h>
 
-/* Returns the name for messages. They omit the % of our own names, as vs_fail does. */
+/* Returns a name for messages, without the % of internal names. */
 static const char *name_of(vs_value name) {
   const char *text = vs_is_symbol(name) ? vs_as_symbol(name)->name : "the procedure";
   return text + (text[0] == '%' && text[1]);
 }
 
-/* the parameters as a signature: " (from to [step])"; omits those that do not fit */
+/* The parameters as text for messages: " (from to [step])". Parameters that do not fit are omitted. */
 typedef struct { char text[160]; size_t used; } wanted;
 
 static void want(wanted *w, const char *before, const char *name, size_t length, const char *after) {
@@ -55,8 +55,8 @@ static const char *want_native(const vs_native *native, wanted *w) {
   return want_end(w);
 }
 
-/* Adds the call, (callee argument ...), to the current error, for advice on it (session/advice.c). Returns false, since
- * the error is set. */
+/* Adds the call, (callee argument ...), to the current error, for session/advice.c. Returns false, since the error is
+ * set. */
 static bool keep_call(vs_scheme *vm, vs_value callee, const vs_value *a, size_t n) {
   VS_ROOTS(vm, r, 3);
   r[0] = vm->condition, r[1] = VS_NIL, r[2] = callee;
@@ -69,7 +69,7 @@ static bool keep_call(vs_scheme *vm, vs_value callee, const vs_value *a, size_t 
   return false;
 }
 
-/* Returns "; the others go by keyword: #:segments #:plane", for a call with more than the positional arguments. */
+/* Returns "; the others go by keyword: #:segments #:plane", for a call with too many positional arguments. */
 static const char *want_keywords(const vs_value *names, size_t count, wanted *w) {
   for (size_t i = 0; i < count && w->used < sizeof w->text; i++) {
     const char *name = name_of(names[i]);
@@ -80,11 +80,11 @@ static const char *want_keywords(const vs_value *names, size_t count, wanted *w)
   return w->text + 2; /* without the parenthesis that begins a list of names */
 }
 
-/* the arguments that a procedure takes */
+/* The arguments that a procedure accepts. */
 typedef struct {
-  size_t min, max;          /* positional arguments; SIZE_MAX: any number */
-  const char *names;        /* of the required ones, as text */
-  const vs_value *keywords; /* `count` symbols */
+  size_t min, max;          /* least and greatest number of positional arguments; SIZE_MAX: no limit */
+  const char *names;        /* names of the required arguments, as text */
+  const vs_value *keywords; /* names of keywords, `count` symbols */
   size_t count;
 } taken;
 
@@ -103,7 +103,7 @@ static bool fail_count(vs_scheme *vm, vs_value name, const taken *t, size_t got)
   return vs_fail(vm, vm->sym.arity, "%s needs %zu to %zu arguments%s, got %zu%s", who, min, max, names, got, others);
 }
 
-/* Reports an unknown keyword. names: the known keywords, `count` symbols. */
+/* Reports an unknown keyword. names: the keywords of the procedure, `count` symbols. */
 static bool fail_keyword(vs_scheme *vm, vs_value name, vs_value keyword, const vs_value *names, size_t count) {
   wanted w = {.used = 0};
   for (size_t i = 0; i < count && w.used < sizeof w.text; i++)
@@ -114,14 +114,14 @@ static bool fail_keyword(vs_scheme *vm, vs_value name, vs_value keyword, const v
   bool ok = vs_keyword_advice(name_of(keyword), &advice) && vs_text_end(&advice);
   const char *more = ok ? advice.at : "";
   if (!*there) vs_fail(vm, vm->sym.arity, "%s has no keyword #:%s%s", name_of(name), name_of(keyword), more);
-  /* without parentheses */
+  /* without parentheses around the names */
   else vs_fail(vm, vm->sym.arity, "%s has no keyword #:%s; it has %.*s%s", name_of(name), name_of(keyword),
       (int)strlen(there) - 3, there + 2, more);
   vs_text_close(&advice);
   return false;
 }
 
-/* Returns the first unknown keyword of a call, or NULL. A call with too few arguments gets its own error first:
+/* Returns the first unknown keyword of a call, or NULL. A call with too few arguments is reported as such instead:
  * (make-sphere p #:radius 2). */
 static const vs_value *unknown_keyword(vs_value kw, const vs_value *names, size_t count) {
   const vs_keywords *k = vs_as_keywords(kw);
@@ -181,7 +181,7 @@ bool vs_leaves_self(const vs_scheme *vm, vs_value f, vs_value kw) {
   return true;
 }
 
-/* Moves the values of the named arguments a[n - named ..) into vm->call_args. named is at most n. */
+/* Moves the values of the last `named` arguments, which are passed by keyword, to vm->call_args. */
 static bool stash(vs_scheme *vm, const vs_value *a, size_t n, size_t named) {
   VS_ASSERT(named <= n);
   vs_call_begin(vm, VS_FALSE);
@@ -190,7 +190,7 @@ static bool stash(vs_scheme *vm, const vs_value *a, size_t n, size_t named) {
   return true;
 }
 
-/* Puts them back in the order of `names`, the `count` elements of a vector of symbols from `first` on. */
+/* Moves these values back to `at`, in the order of `names`, which are `count` symbols. */
 static bool place(vs_scheme *vm, vs_value who, vs_value kw, const vs_value *names, size_t count, vs_value *at) {
   for (size_t i = 0; i < count; i++) at[i] = VS_ABSENT;
   const vs_keywords *k = kw == VS_FALSE ? NULL : vs_as_keywords(kw);
@@ -219,7 +219,8 @@ bool vs_arguments_closure(vs_scheme *vm, const vs_code *code, vs_value *a, size_
     return fail_count(vm, code->name, &t, given);
   }
   if (named && !code->keywords) return fail_keyword(vm, code->name, vs_as_keywords(kw)->name[0], NULL, 0);
-  bool self = named && code->keywords == 1 && names_self_alone(vm, kw); /* the usual call of scripts */
+  bool self = named && code->keywords == 1 && names_self_alone(vm, kw); /* a call of a script's function with `this` and
+                                                                         * no other keyword */
   if (named && !self && !stash(vm, a, n, named)) return false;
   VS_ROOTS(vm, r, 2);
   r[0] = VS_NIL;
@@ -256,7 +257,7 @@ bool vs_arguments_native(vs_scheme *vm, const vs_native *native, vs_value *a, si
     return fail_keyword(vm, native->name, vs_as_keywords(kw)->name[0], NULL, 0);
   if (!vs_native_laid_out(native)) return true;
   if (named && !stash(vm, a, n, named)) return false;
-  if (max == SIZE_MAX) max = positional;          /* the keywords' values follow the given arguments */
+  if (max == SIZE_MAX) max = positional;          /* the keyword values follow the given arguments */
   for (size_t i = positional; i < max; i++) a[i] = VS_ABSENT;
   size_t at = max;
   if (native->keywords != VS_FALSE) {

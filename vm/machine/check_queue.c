@@ -1,5 +1,5 @@
-/* Owns the queue of the checks that a program has met. They wait for the end of the program, so a check may precede the
- * definitions that it uses. The queue is a pair of its first and its last link. */
+/* Implements the queue of a program's checks. They wait until the program ends, so that a check may precede the
+ * definitions that it uses. The queue is a pair of its first and its last pair. */
 #include "vm/machine/check_queue.h"
 
 #include "vm/front/environment.h"
@@ -7,8 +7,8 @@
 #include "vm/machine/native.h"
 #include "vm/values/heap.h"
 
-/* The arguments: form expression actual [expected [tolerance]]. A continuation that a check enters may meet checks,
- * too; to run these would never end. */
+/* Adds a check to the queue. Arguments: form expression actual [expected [tolerance]]. While a check runs, a
+ * continuation may reach other checks; these are refused, since running them might never end. */
 static vs_status check_later(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   VS_ROOTS(vm, r, 2);
   vs_pos place = vs_call_place(vm);

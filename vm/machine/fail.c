@@ -1,4 +1,4 @@
-/* Owns the failure of natives: the conditions and the text of the common errors. */
+/* Implements the errors of natives: creates conditions with the texts of common errors. */
 #include "vm/machine/fail.h"
 
 #include <stdarg.h>
@@ -49,7 +49,7 @@ static vs_status fail(vs_scheme *vm, vs_value kind, const vs_pos *place, vs_valu
   if (vm->native && !place) {
     vs_value name = vm->native->name;
     const char *shown = vs_is_symbol(name) ? vs_as_symbol(name)->name : "procedure";
-    /* %subtract helps subtract and reports in its name */
+    /* the name of the procedure for which it works: subtract for %subtract */
     used = snprintf(text, sizeof text / 2, "%s: ", shown + (*shown == '%'));
     if (used > (int)sizeof text / 2 - 1) used = (int)sizeof text / 2 - 1;
   }
@@ -57,7 +57,8 @@ static vs_status fail(vs_scheme *vm, vs_value kind, const vs_pos *place, vs_valu
   va_copy(again, list);
   int length = vsnprintf(text + used, sizeof text - (size_t)used, format, list);
   bool ok;
-  if (length >= 0 && (size_t)(used + length) >= sizeof text) {        /* too long: again, into allocated memory */
+  if (length >= 0 && (size_t)(used + length) >= sizeof text) {        /* too long: written again, into allocated
+                                                                       * memory */
     size_t bytes = (size_t)used + (size_t)length + 1;
     char *more = vs_mem(vm, NULL, 0, bytes);
     ok = more != NULL;
@@ -117,7 +118,7 @@ vs_status vs_fail_type(vs_scheme *vm, int arg, const char *expected, vs_value go
   const char *noun = strncmp(expected, "a ", 2) == 0    ? expected + 2
                      : strncmp(expected, "an ", 3) == 0 ? expected + 3
                                                         : "";
-  /* not "pair must be a pair" */
+  /* avoids "pair must be a pair" */
   if (strcmp(name, noun) == 0) return vs_fail_with(vm, vm->sym.type, r[0], "expected %s, got", expected);
   return vs_fail_with(vm, vm->sym.type, r[0], "%s must be %s, got", name, expected);
 }
@@ -156,7 +157,8 @@ bool vs_arg_type(vs_scheme *vm, const vs_value *a, int arg, int type) {
 
 /* ---- lists ---- */
 int64_t vs_list_length(vs_value list) {
-  vs_value mark = list;                 /* Brent: one pointer advances, the other follows at powers of two */
+  vs_value mark = list;                 /* Brent's cycle detection: one pointer advances, the other follows at powers of
+                                         * two */
   int64_t n = 0, jump = 2;
   while (vs_is_pair(list)) {
     list = vs_cdr(list);

@@ -1,11 +1,12 @@
-/* Owns the writing and loading of the heap image.
+/* Writes and loads the heap image.
  *
- * Layout, in 64-bit words: magic, sum of the native tables, words of objects, words of those that are natives, then
- * vm->sym, then vm->at, then the objects in sequence, natives first. A pointer is the address of its object if the
- * image is at IMAGE_HOME. A native's `def` is its number, counted through all tables. Loading maps the image there
- * (image_map), and writes only to the natives. If it cannot be mapped, it is copied, and one pass over the traced words
- * (vm/values/layout.h) moves the pointers: about a millisecond per megabyte. Tables keyed by address are marked, so
- * that their first use inserts every entry again. */
+ * Its layout in 64-bit words is: magic, sum of the native tables, words of objects, words of those that are natives,
+ * then vm->sym, vm->at, and the objects in sequence, natives first. A pointer is the address of its object if the image
+ * is at IMAGE_HOME. The `def` of a native is its number, counted through all tables.
+ *
+ * Loading maps the image there (image_map), and writes only to the natives. If it cannot be mapped, it is copied, and
+ * one pass over the traced words (vm/values/layout.h) adjusts the pointers: about a millisecond per megabyte. Tables
+ * keyed by address are marked, so that their first use inserts every entry again. */
 #define _GNU_SOURCE
 #include "vm/machine/image.h"
 
@@ -21,16 +22,16 @@
 #include "vm/values/layout.h"
 #include "vm/machine/native.h"
 
-#define MAGIC UINT64_C(0x31656D6865537356) /* "VsSheme1", least byte first */
+#define MAGIC UINT64_C(0x31656D6865537356) /* "VsSheme1", least significant byte first */
 enum {
   SYMBOLS = sizeof((vs_scheme *)0)->sym / sizeof(vs_value),
   ANCHORS = sizeof((vs_scheme *)0)->at / sizeof(vs_value),
-  FIRST = 4, /* of the symbols */
+  FIRST = 4, /* index of the first symbol */
   HEADER = FIRST + SYMBOLS + ANCHORS
 };
-/* The address for which the image is written: its pointers are valid if it is mapped there. It is below 2^39, the least
- * address space of 64-bit systems, above the addresses of programs with fixed addresses and below those of libraries
- * and stacks. */
+/* The address for which the image is written: its pointers are valid if it is mapped there. It is below 2^39, the
+ * smallest address space of 64-bit systems. It is above programs with fixed addresses and below libraries and
+ * stacks. */
 #define IMAGE_HOME UINT64_C(0x2000000000)
 #define OBJECTS_HOME (IMAGE_HOME + HEADER * 8)
 
@@ -45,16 +46,17 @@ static const vs_native_table *const own_tables[] = {
 };
 enum { OWN_TABLES = sizeof own_tables / sizeof own_tables[0] };
 
-/* ---- natives by number ---- */
+/* ---- numbers of natives ---- */
 
-/* Returns the i-th table, the VM's own first; NULL beyond the last. */
+/* Returns table i of natives, with the VM's own first, or NULL if there is none. */
 static const vs_native_table *image_table(const vs_scheme *vm, size_t i) {
   if (i < OWN_TABLES) return own_tables[i];
   return vm->config.tables ? vm->config.tables[i - OWN_TABLES] : NULL;
 }
 
 static uint64_t image_sum(const vs_scheme *vm) {
-  uint64_t sum = UINT64_C(14695981039346656037); /* FNV-1a over every name, and the numbers of symbols and anchors */
+  uint64_t sum = UINT64_C(14695981039346656037); /* FNV-1a hash of every name, and of the numbers of symbols and
+                                                  * anchors */
   const vs_native_table *t;
   for (size_t i = 0; (t = image_table(vm, i)); i++)
     for (const vs_native_def *d = t->defs; d->name; d++)
@@ -77,7 +79,7 @@ static bool image_native_number(const vs_scheme *vm, const vs_native_def *def, u
   return false;
 }
 
-/* Lists every def in the order of their numbers; the caller frees *count * sizeof(void *) bytes. */
+/* Lists all natives in the order of their numbers. The caller frees *count * sizeof(void *) bytes. */
 static bool image_native_list(vs_scheme *vm, const vs_native_def ***list, size_t *count) {
   size_t n = 0;
   const vs_native_table *t;
@@ -92,20 +94,20 @@ static bool image_native_list(vs_scheme *vm, const vs_native_def ***list, size_t
   return true;
 }
 
-/* ---- writing: number the reachable objects breadth first, then pass them on with new pointers ---- */
+/* ---- writing: numbers the reachable objects breadth first, then writes them with new pointers ---- */
 
 struct place { const vs_object *o; uint64_t offset; };
 struct writer {
   vs_scheme *vm;
   const vs_object **order;
   size_t count, room;
-  struct place *places; /* open addressing by address */
+  struct place *places; /* hash table by address, with open addressing */
   size_t slots;
   uint64_t bytes, native_bytes;
   bool foreign;
 };
 
-/* Returns the slot of an object, or the free slot for it; the number of slots is a power of two. */
+/* Returns the slot of an object, or the free slot for it. The number of slots is a power of two. */
 static size_t writer_slot(const struct writer *w, const vs_object *o) {
   size_t i = (size_t)((uint64_t)(uintptr_t)o * UINT64_C(0x9E3779B97F4A7C15) >> 20) & (w->slots - 1);
   VS_ASSERT(w->slots > 0 && (w->slots & (w->slots - 1)) == 0);
@@ -149,7 +151,7 @@ static bool writer_reach(struct writer *w, vs_value v) {
   return true;
 }
 
-/* Gives the objects their places, natives first, in the order of places[]. */
+/* Assigns positions to the objects, natives first, in the order in which they were found. */
 static bool writer_place(struct writer *w) {
   const vs_object **order = vs_mem(w->vm, NULL, 0, w->room * sizeof *order);
   size_t n = 0;
@@ -187,7 +189,7 @@ static bool writer_object(struct writer *w, const vs_object *o, uint64_t *copy) 
       return vs_fail(w->vm, w->vm->sym.internal, "a native of no table cannot be in the heap image");
     }
     ((vs_native *)(void *)h)->def = (const vs_native_def *)(uintptr_t)number;
-  } else if (o->type == VS_T_TABLE) { /* addresses will differ: the next use inserts every entry again */
+  } else if (o->type == VS_T_TABLE) { /* keys will have other addresses: the next use inserts every entry again */
     ((vs_table *)(void *)h)->young = 0;
     ((vs_table *)(void *)h)->epoch = UINT64_MAX;
   }
@@ -200,7 +202,7 @@ bool vs_image_write(vs_scheme *vm, bool (*put)(void *to, const uint64_t *words, 
                  *anchors = (const vs_value *)(const void *)&vm->at;
   uint64_t header[HEADER], *copy = NULL;
   size_t copy_words = 1;
-  vs_gc_major(vm); /* no object moves from here on: vs_mem does not collect */
+  vs_gc_major(vm); /* from here on no object moves, since vs_mem does not collect */
   bool ok = true;
   for (size_t i = 0; ok && i < SYMBOLS; i++) ok = writer_reach(&w, symbols[i]);
   for (size_t i = 0; ok && i < ANCHORS; i++) ok = writer_reach(&w, anchors[i]);
@@ -231,13 +233,13 @@ bool vs_image_write(vs_scheme *vm, bool (*put)(void *to, const uint64_t *words, 
   return ok;
 }
 
-/* ---- the mapping of the program's own file ---- */
+/* ---- mapping a part of the program's file ---- */
 
 #if defined(__linux__) && UINTPTR_MAX == UINT64_MAX
-typedef struct { uintptr_t from, end; off_t offset; } wanted; /* offset in the file; -1: unknown */
+typedef struct { uintptr_t from, end; off_t offset; } wanted; /* offset in the file, or -1 if unknown */
 
-/* Searches only the first module, which is the program: /proc/self/exe remains the file that was started, but a
- * library's name may now belong to a newer file. */
+/* Searches only the first module, which is the program. /proc/self/exe is the file that was started, while the name of
+ * a library may now belong to a newer file. */
 static int find_in_program(struct dl_phdr_info *module, size_t size, void *to) {
   wanted *w = to;
   (void)size;
@@ -250,9 +252,9 @@ static int find_in_program(struct dl_phdr_info *module, size_t size, void *to) {
   return 1;
 }
 
-/* Maps the image, a constant of the program, a second time at IMAGE_HOME, where writing does not change the file.
- * Unused pages cost neither time nor memory. Returns NULL if this fails, and the image has to be copied: another
- * interpreter of the process is there already, the image is part of a shared library, or the system has no such
+/* Maps the image, a constant in the program's file, a second time at IMAGE_HOME. Writing there does not change the
+ * file; unused pages cost neither time nor memory. Returns NULL if that fails, so that the image must be copied:
+ * another interpreter of the process uses the address, the image is part of a shared library, or the system has no such
  * mapping. */
 static void *image_map(const void *image, size_t bytes) {
   wanted w = { (uintptr_t)image, (uintptr_t)image + bytes, -1 };
@@ -279,11 +281,11 @@ static void image_unmap(vs_scheme *vm, void *objects, size_t bytes) { (void)vm, 
 
 #endif
 
-/* ---- loading ---- */
+/* ---- loading the image ---- */
 
 static void image_free(vs_scheme *vm, void *at, size_t bytes) { vs_mem(vm, at, bytes, 0); }
 
-/* Moves a pointer from the image's intended place to its own: addition keeps the tag. */
+/* Adjusts a pointer by the distance from IMAGE_HOME to the image's address. Addition keeps the tag. */
 static inline void image_relocate(vs_value *slot, uint64_t by) {
   if (vs_is_object(*slot)) *slot += by;
 }
@@ -298,8 +300,8 @@ static void image_relocate_all(char *at, size_t bytes, uint64_t by) {
   }
 }
 
-/* Returns true if the image is this build's. Tests the mapped words: a look at the constant would load its pages,
- * too. */
+/* Returns true if this build has written the image. Reads the mapped words, since reading the constant would load its
+ * pages, too. */
 static bool image_fits(vs_scheme *vm, const uint64_t *words, size_t count) {
   return words[0] == MAGIC && words[1] == image_sum(vm) && count == HEADER + words[2];
 }

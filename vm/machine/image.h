@@ -1,10 +1,9 @@
-/* Owns the heap image: the state of an interpreter after its library is loaded, as words from which a later process
- * starts.
+/* Declares the heap image: the state of an interpreter after its library was loaded, from which a later process starts.
  *
- * A stage-0 interpreter writes the image during the build, the binary contains it as a constant array, and vs_open_vm
- * loads it. It contains all objects reachable from vm->sym and vm->at. Pointers are addresses at the place where it is
- * mapped. Natives are numbered in the order of their tables, so the loading binary must register the same tables in the
- * same order; a sum of their names checks this. */
+ * During the build, an interpreter writes the image; the program contains it as a constant array, and vs_open_vm loads
+ * it. It contains all objects reachable from vm->sym and vm->at. Pointers are addresses at the place where it is
+ * mapped. Natives are numbered in the order of their tables, so that the program must register the same tables in the
+ * same order. A sum of their names checks this. */
 #ifndef VS_VM_MACHINE_IMAGE_H
 #define VS_VM_MACHINE_IMAGE_H
 
@@ -12,12 +11,12 @@
 
 typedef struct vs_image { const uint64_t *words; size_t count; } vs_image;
 
-/* Passes the image to put, in pieces. Returns false with the error set: memory is out, an object of the host is
+/* Passes the image to `put`, in pieces. Returns false with the error set if memory is out, an object of the host is
  * reachable, or put returned false. */
 bool vs_image_write(vs_scheme *vm, bool (*put)(void *to, const uint64_t *words, size_t count), void *to);
 
-/* Fills vm->sym and vm->at of a new interpreter. Returns false with the error set: memory is out, or another build
- * wrote the image. */
+/* Sets vm->sym and vm->at of a new interpreter from the image. Returns false with the error set if memory is out, or
+ * another build wrote the image. */
 bool vs_image_load(vs_scheme *vm, const vs_image *image);
 
 #endif

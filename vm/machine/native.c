@@ -1,11 +1,11 @@
-/* Owns the registration of natives as procedure objects, and the calls that natives request of the run loop. */
+/* Registers natives as procedure objects, and stores the calls that natives request from the run loop. */
 #include "vm/machine/native.h"
 
 #include "vm/compiler/inline.h"
 #include "vm/machine/signature.h"
 
-/* ---- procedures ---- */
-/* Makes the procedure of def with the name `symbol`, one of def's names, which its errors use. */
+/* ---- creating procedures ---- */
+/* Creates the procedure of def whose name, for errors, is `symbol`, one of the names in def. */
 static bool native_make(vs_scheme *vm, const vs_native_def *def, vs_value symbol, vs_value *out) {
   VS_ROOTS(vm, r, 2);
   vs_signature g = vs_signature_read(def->signature);
@@ -48,7 +48,7 @@ bool vs_native_define(vs_scheme *vm, const vs_native_table *table,
   return true;
 }
 
-/* ---- parameters ---- */
+/* ---- parameter objects ---- */
 vs_value vs_parameter_value(const vs_scheme *vm, vs_value parameter) {
   for (vs_value l = vm->parameters; vs_is_pair(l); l = vs_cdr(l))
     if (vs_car(vs_car(l)) == parameter) return vs_cdr(vs_car(l));

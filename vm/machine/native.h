@@ -1,4 +1,5 @@
-/* Owns the interface between C builtins and the VM: how a native is described, fails, returns, calls and polls.
+/* Declares the interface between natives (procedures in C) and the VM: how a native is described, fails, returns, calls
+ * procedures and polls.
  *
  * A native:
  *   static vs_status string_ref(vs_scheme *vm, vs_value *a, int n, vs_value *out);
@@ -48,87 +49,97 @@ enum {
   VS_TAILCALL = 2,
   VS_CALL = 3,
   VS_THROW = 4,
-  VS_UNCAUGHT = 5 /* control.c alone uses these two */,
+  VS_UNCAUGHT = 5 /* used only by control.c */,
   VS_SEVERAL = 6
 };
 
 typedef vs_status vs_native_fn(vs_scheme *vm, vs_value *a, int n, vs_value *out);
 
 typedef struct vs_native_def {
-  const char *name;          /* or several: "call/cc call-with-current-continuation": a procedure for each, named in its
-                              * errors */
+  const char *name;          /* name of the procedure; several names, separated by blanks, define one procedure each,
+                              * whose errors show its own name */
   const char *signature;
   vs_native_fn *fn;
   int slots;
-  const char *doc;           /* one line for help, or NULL */
+  const char *doc;           /* one line of help, or NULL */
 } vs_native_def;
 
 typedef struct vs_native_table {
   const char *name;
-  const vs_native_def *defs; /* ends with a NULL name */
+  const vs_native_def *defs; /* the last one has the name NULL */
 } vs_native_table;
 
-/* Makes the procedures of a table and passes each to define(vm, context, symbol, procedure), which the environment
- * supplies. */
+/* Creates the procedures of a table, and calls define(vm, context, symbol, procedure) with each. The caller supplies
+ * `define`. */
 bool vs_native_define(vs_scheme *vm, const vs_native_table *table,
                       bool (*define)(vs_scheme *vm, void *context, vs_value symbol, vs_value procedure), void *context);
 
-/* ---- calls (see above); argv are copied ---- */
-vs_status vs_call(vs_scheme *vm, vs_value procedure, size_t n, const vs_value *argv);       /* returns VS_CALL */
-vs_status vs_tailcall(vs_scheme *vm, vs_value procedure, size_t n, const vs_value *argv);   /* returns VS_TAILCALL */
-/* for long argument lists: begin, push ..., then return VS_CALL or VS_TAILCALL */
+/* ---- requesting calls (see above); the arguments in argv are copied ---- */
+vs_status vs_call(vs_scheme *vm, vs_value procedure, size_t n, const vs_value *argv);       /* Stores the call for the
+                                                                                             * run loop, and returns
+                                                                                             * VS_CALL. */
+vs_status vs_tailcall(vs_scheme *vm, vs_value procedure, size_t n, const vs_value *argv);   /* Stores the call for the
+                                                                                             * run loop, and returns
+                                                                                             * VS_TAILCALL. */
+/* For long argument lists: vs_call_begin, then vs_call_push for each argument; the native then returns VS_CALL or
+ * VS_TAILCALL. */
 void vs_call_begin(vs_scheme *vm, vs_value procedure);
 /* Adds an argument. call_count is at most call_room. */
 bool vs_call_push(vs_scheme *vm, vs_value v);
-/* Returns n values; `at` is in roots or arguments. The run loop makes sure that the receiver takes that many. */
+/* Sets *out to n values; `at` points to roots or arguments. The run loop checks that the caller accepts that many. */
 static inline vs_status vs_several(vs_scheme *vm, const vs_value *at, size_t n, vs_value *out) {
   return !vs_make_values(vm, at, n, out) ? VS_ERROR : n == 1 ? VS_OK : VS_SEVERAL;
 }
 
-/* Returns the current value of a call of the parameter. */
+/* Returns the current value of a parameter object. */
 vs_value vs_parameter_value(const vs_scheme *vm, vs_value parameter);
 
-/* ---- errors: all return VS_ERROR (false) ---- */
-/* "NAME: PARAM must be EXPECTED, got VALUE". PARAM comes from the signature, by the argument's index in a[]; NAME is
- * the running native's. */
+/* ---- errors; all functions return VS_ERROR (false) ---- */
+/* Sets the error "NAME: PARAM must be EXPECTED, got VALUE". NAME is the running native's, and PARAM the name of
+ * argument a[arg] in its signature. */
 vs_status vs_fail_type(vs_scheme *vm, int arg, const char *expected, vs_value got);
-/* "NAME: PARAM is out of range: VALUE, must be from LOW to HIGH" (HIGH inclusive) */
+/* Sets the error "NAME: PARAM is out of range: VALUE, must be from LOW to HIGH" (HIGH inclusive). */
 vs_status vs_fail_range(vs_scheme *vm, int arg, vs_value got, int64_t low, int64_t high);
-/* "NAME: " (if a native runs) and a text by printf's formats; kind is vm->sym.error and the like. */
+/* Sets an error with a text in printf's format, after "NAME: " if a native is running. kind is vm->sym.error or the
+ * like. */
 vs_status vs_fail(vs_scheme *vm, vs_value kind, const char *format, ...) __attribute__((format(printf, 3, 4)));
-/* Does the same with irritants, a list, written after the text. */
+/* Sets an error as vs_fail does, with a list of irritants that is written after the text. */
 vs_status vs_fail_with(vs_scheme *vm, vs_value kind, vs_value irritants, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
-/* Does the same with a place of its own (reader, expander), without NAME and call chain. */
+/* Sets an error as vs_fail_with does, with the given place, and without NAME and call chain. Used by reader and
+ * expander. */
 vs_status vs_fail_at(vs_scheme *vm, vs_value kind, vs_pos place, vs_value irritants, const char *format, ...)
     __attribute__((format(printf, 5, 6)));
 vs_status vs_fail_memory(vs_scheme *vm);
 /* Raises any object, as (raise object) does. */
 vs_status vs_fail_object(vs_scheme *vm, vs_value object);
 
-/* ---- checked arguments: return the value, or false with a type error ---- */
-/* an exact integer in [low, high] */
+/* ---- checking arguments; functions return false with a type error set ---- */
+/* Sets *out to a[arg], which must be an exact integer from low to high. */
 bool vs_arg_index(vs_scheme *vm, const vs_value *a, int arg, int64_t low, int64_t high, int64_t *out);
 
-/* ---- limits: long builtins call it with the work since the last call (1 = a cheap inner step) ---- */
+/* ---- limits. Long natives call vs_poll with the work since the last call, where 1 is a cheap step ---- */
 bool vs_poll(vs_scheme *vm, uint64_t work);
-/* The same at turn i of a loop with turns of `cost` cheap steps each (a step: some 5 ns). */
+/* Polls once in 1024 iterations; called in iteration i of a loop whose iterations have `cost` cheap steps each (about 5
+ * ns). */
 static inline bool vs_poll_turn(vs_scheme *vm, uint64_t i, unsigned cost) {
   return (i & 1023) != 1023 || vs_poll(vm, 1024 * (uint64_t)cost);
 }
 
 /* ---- foreign objects ---- */
 typedef struct vs_foreign_type {
-  const char *name;                                             /* "an object": for messages */
-  /* drops one reference; must not call back; may not recurse deeply */
+  const char *name;                                             /* noun for messages, such as "an object" */
+  /* Releases one reference. Must not call the VM, nor recurse deeply. */
   void (*release)(void *object);
-  bool (*equal)(const void *a, const void *b);                  /* equal?, or NULL: identity */
-  uint64_t (*hash)(const void *object);                         /* agrees with equal, or NULL */
-  /* Appends the text for the printer, UTF-8, with put; NULL prints #<name>. */
+  bool (*equal)(const void *a, const void *b);                  /* implements equal?; NULL: objects are compared by
+                                                                 * identity */
+  uint64_t (*hash)(const void *object);                         /* hash that is the same for equal objects, or NULL */
+  /* Appends the text of the object, in UTF-8, by calling `put`. NULL: it is printed as #<name>. */
   bool (*print)(vs_scheme *vm, const void *object, bool (*put)(void *to, const char *s, size_t n), void *to);
-  /* Marks the Scheme values inside, or NULL. If not NULL, the collector always treats the object as just written. */
+  /* Marks the Scheme values in the object; NULL if it has none. If it is not NULL, every collection visits the
+   * object. */
   void (*trace)(vs_scheme *vm, void *object, void (*mark)(vs_scheme *vm, vs_value *slot));
-  /* reserved, false: foreign objects are not in the heap image */
+  /* unused, false: the heap image contains no foreign objects */
   bool callable_image;
 } vs_foreign_type;
 

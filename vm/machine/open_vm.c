@@ -1,4 +1,4 @@
-/* Owns the creation and the end of an interpreter. The layer above (environments) loads its libraries. */
+/* Creates and frees interpreters. The layer above (environments) loads their libraries. */
 #include "vm/machine/open_vm.h"
 
 #include <stdlib.h>
@@ -17,7 +17,7 @@ enum { STACK_SLOTS = 1024 };
 enum { STACK_SLOTS = 8 << 10 };
 #endif
 
-/* natives that the run loop itself calls */
+/* Keeps the natives that the run loop itself calls. */
 static bool keep(vs_scheme *vm, void *context, vs_value symbol, vs_value procedure) {
   (void)context;
   const char *name = vs_as_symbol(symbol)->name;
@@ -61,7 +61,8 @@ vs_scheme *vs_open_vm(const vs_config *config) {
   if (vm->stack) {
     vm->stack_end = vm->stack + STACK_SLOTS;
     vm->top = vm->stack;
-    memset(vm->stack, 0, STACK_SLOTS * sizeof *vm->stack);       /* slots are traced before they are written */
+    memset(vm->stack, 0, STACK_SLOTS * sizeof *vm->stack);       /* the garbage collector visits slots before they are
+                                                                  * written */
   }
   vm->traceback = &vs_call_traceback;
   if (!vm->stack || !vs_gc_open(vm) || !(config->image ? vs_image_load(vm, config->image) : fresh(vm))) {

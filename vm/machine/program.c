@@ -1,5 +1,5 @@
-/* Owns the running of programs: the native %run, which expands, compiles and runs one top-level form after the other,
- * and the procedures that use it: eval, load, require, libraries, the host's entries. */
+/* Runs programs. The native %run expands, compiles and runs one top-level form after the other; eval, load, require,
+ * libraries and the functions for the host use it. */
 #include "vm/machine/program.h"
 
 #include "vm/front/derived_syntax.h"
@@ -16,14 +16,14 @@
 
 #include <stdio.h>
 
-/* ---- %run: all its state is in its activation, so that a continuation may enter it again ---- */
+/* ---- %run. All its state is in its activation, so that a continuation may enter it again ---- */
 enum {
   RUN_FORMS,
   RUN_ENV,
   RUN_TELL,
-  RUN_X /* the expansion */,
+  RUN_X /* the expansion, a foreign object */,
   RUN_PHASE,
-  RUN_VALUE /* of the last form */,
+  RUN_VALUE /* value of the last form */,
   RUN_SERIAL,
   RUN_PLACE,
   RUN_SLOTS = 5
@@ -36,7 +36,7 @@ static vs_status call_list(vs_scheme *vm, vs_value procedure, vs_value list) {
   return VS_CALL;
 }
 
-/* Rewrites root to (let ((value root)) value). */
+/* Replaces the tree root by (let ((value root)) value). */
 static bool keep_call(vs_expansion *x) {
   vs_value name;
   vs_core_node *let = vs_expand_many(x, VS_AST_LET, 1, x->root->pos);
@@ -89,14 +89,14 @@ static vs_status step_forms(vs_scheme *vm, vs_value *a, vs_value *out) {
     case VS_EXPAND_CALL: a[RUN_PHASE] = vs_fix(TRANSFORMING); return call_list(vm, x->procedure, x->args);
     case VS_EXPAND_NODE: {
       VS_ROOTS(vm, r, 1);
-      /* a call at top level keeps its activation, so that errors can report its place */
+      /* A call at top level is made no tail call, so that errors can report its place. */
       if (a[RUN_TELL] != VS_FALSE && x->root->kind == VS_AST_CALL && !keep_call(x)) return VS_ERROR;
       vs_enter_phase(vm, VS_VM_COMPILE);
       if (!vs_compile(vm, &x->ast, x->root, &r[0])) return VS_ERROR;
       vs_ast_clear(&x->ast);
       a[RUN_FORMS] = vs_cdr(a[RUN_FORMS]);
       a[RUN_PHASE] = vs_fix(x->definition ? RUNNING_DEFINITION : RUNNING);
-      /* the last expression of eval is a tail call */
+      /* The last expression of eval is a tail call. */
       if (a[RUN_FORMS] == VS_NIL && a[RUN_TELL] == VS_FALSE && !x->definition) return vs_tailcall(vm, r[0], 0, NULL);
       return vs_call(vm, r[0], 0, NULL);
     }
@@ -108,7 +108,7 @@ static vs_status step_forms(vs_scheme *vm, vs_value *a, vs_value *out) {
         if (!vs_cons_at(vm, vs_car(r[0]), r[1], pos ? pos : vs_pos_of(a[RUN_PLACE]), &r[1])) return VS_ERROR;
       }
       r[2] = vs_cdr(a[RUN_FORMS]);
-      while (vs_is_pair(r[1])) {            /* reversed in place: the pairs are new */
+      while (vs_is_pair(r[1])) {            /* reverses new pairs in place */
         vs_value next = vs_cdr(r[1]);
         vs_gc_store(vm, vs_as_pair(r[1]), &vs_as_pair(r[1])->cdr, r[2]);
         r[2] = r[1];
@@ -128,11 +128,12 @@ static vs_status step_forms(vs_scheme *vm, vs_value *a, vs_value *out) {
       break;
     }
   }
-  *out = a[RUN_TELL] == VS_UNSPECIFIC ? VS_UNSPECIFIC : a[RUN_VALUE];     /* load has already passed its values on */
+  *out = a[RUN_TELL] == VS_UNSPECIFIC ? VS_UNSPECIFIC : a[RUN_VALUE];     /* load has already passed the values to the
+                                                                           * host */
   return VS_OK;
 }
 
-/* The steps of a macro's procedure count as the program's. */
+/* Runs a step of %run. The steps of macro procedures count as those of the program. */
 static vs_status run(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   vs_status status = step_forms(vm, a, out);
@@ -147,9 +148,9 @@ static bool core_value(vs_scheme *vm, const char *name, vs_value *out) {
   return true;
 }
 
-/* ---- eval ---- */
-/* Runs the forms as a tail call. tell: the receiver of the values: #f none, #t the host, #unspecific the host and not
- * the caller. */
+/* ---- eval and environments ---- */
+/* Evaluates the forms by a tail call of %run. tell: who receives the values. #f: only the caller; #t: also the host;
+ * #unspecific: only the host. */
 static vs_status tail_run(vs_scheme *vm, vs_value forms, vs_value env, vs_value tell) {
   VS_ROOTS(vm, r, 3);
   vs_value procedure;
@@ -171,7 +172,8 @@ static vs_status interaction(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-/* (scheme-report-environment 5), (null-environment 5): the names of R5RS, and only its syntax */
+/* (scheme-report-environment 5) returns an environment with the names of R5RS; (null-environment 5) one with only its
+ * syntax. */
 static vs_status report(vs_scheme *vm, vs_value *a, int n, bool syntax, vs_value *out) {
   VS_ROOTS(vm, r, 5);
   if (n && a[0] != vs_fix(5))
@@ -210,8 +212,8 @@ static vs_status environment(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-/* ---- macros that are procedures ---- */
-/* (er-macro-transformer procedure): makes a macro; define-syntax gives it its environment */
+/* ---- macros whose transformer is a procedure ---- */
+/* (er-macro-transformer procedure): returns a macro, whose environment define-syntax sets. */
 static vs_status er_transformer(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!vs_is_procedure(a[0])) return vs_fail_type(vm, 0, "a procedure of form, rename and compare", a[0]);
@@ -222,14 +224,15 @@ static vs_status er_transformer(vs_scheme *vm, vs_value *a, int n, vs_value *out
   return VS_OK;
 }
 
-/* (%eval-transformer spec env): for define-syntax with an expression */
+/* (%eval-transformer spec env): evaluates the expression in a define-syntax. */
 static vs_status eval_transformer(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n; (void)out;
   VS_ROOTS(vm, r, 1);
   return vs_cons(vm, a[0], VS_NIL, &r[0]) ? tail_run(vm, r[0], a[1], VS_FALSE) : VS_ERROR;
 }
 
-/* (%rename table env id): table is a list with one element, an association list from id to alias */
+/* (%rename table env id): returns the alias for id. table is a list whose only element is an association list from id
+ * to alias. */
 static vs_status rename_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!vs_is_identifier(a[2])) return vs_fail_type(vm, 2, "a symbol", a[2]);
@@ -265,15 +268,15 @@ static vs_status syntax_to_datum(vs_scheme *vm, vs_value *a, int n, vs_value *ou
   return vs_strip(vm, a[0], out);
 }
 
-/* ---- files ---- */
-/* A file that is loaded while it runs. If each file on the way loads the next in a top-level form of its own, the
- * second time repeats the first. Otherwise a condition may end the loading, at most LOADS times. */
+/* ---- loading files ---- */
+/* A file that is loaded while it is running. If each file on the way loads the next in a top-level form, loading it
+ * again would repeat itself. Otherwise a condition in the program may end the loading, which is tried LOADS times. */
 typedef struct {
   vs_value run;        /* the native %run */
   uint32_t file;
-  unsigned calls;      /* activations since the last %run: the load itself, and its callers */
-  vs_pos place;        /* of the outermost of these calls */
-  bool plain;          /* until now each form was the call itself */
+  unsigned calls;      /* number of activations since the last %run: the load itself, and its callers */
+  vs_pos place;        /* place of the outermost of these calls */
+  bool plain;          /* whether each form so far was only the call */
   bool endless;
   unsigned times, others;
 } nesting;
@@ -295,7 +298,7 @@ static bool see_nesting(void *to, vs_value procedure, const vs_value *base, vs_p
   return !n->endless;
 }
 
-/* Returns false with the error set if the file runs already and loading it again would never end. */
+/* Returns false with the error set if the file is already running and loading it again would never end. */
 static bool may_load(vs_scheme *vm, const char *path) {
   nesting n = {.plain = true};
   if (!vs_file_number(vm, path, strlen(path), &n.file) || !core_value(vm, "%run", &n.run)) return false;
@@ -325,7 +328,7 @@ static vs_status load(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return load_path(vm, a[0], vs_pos_file(vs_call_place(vm)), n > 1 ? a[1] : vm->at.program, VS_UNSPECIFIC);
 }
 
-/* Arguments: path name | its entry in vm->at.required. Runs the file that must define the library. */
+/* Runs the file that must define a library. Arguments: path name | its entry in vm->at.required. */
 static vs_status load_library(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   VS_ROOTS(vm, r, 4);
   if (n >= 0) {
@@ -366,7 +369,7 @@ static vs_status register_library(vs_scheme *vm, vs_value *a, int n, vs_value *o
   return vs_library_register(vm, a[0], a[1]);
 }
 
-/* (%require path env), once per path */
+/* (%require path env): loads the file unless it was loaded before. */
 static vs_status require(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (a[2] == VS_FALSE) {
@@ -406,7 +409,7 @@ static vs_status features(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return vs_features(vm, out);
 }
 
-/* (macroexpand form): expands macros at the form's head until it is core syntax, a call or no pair */
+/* (macroexpand form): expands macros at the form's head until it is core syntax, a call or no pair. */
 static vs_status macroexpand(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   vs_expansion *x;
   if (n >= 0) {
@@ -414,7 +417,7 @@ static vs_status macroexpand(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
     x = vs_foreign_get(a[1], &vs_expansion_type);
     if (!vs_expansion_begin(x, a[0], vm->at.program, vs_call_place(vm))) return VS_ERROR;
     x->now = x->tasks[--x->count];
-  } else {                                /* the result of a macro's procedure */
+  } else {                                /* the value of a macro's procedure */
     a[0] = *out;
     x = vs_foreign_get(a[1], &vs_expansion_type);
     x->now.waiting = false;
@@ -464,7 +467,7 @@ static const vs_native_def defs[] = {
 };
 const vs_native_table vs_unit_natives = {"unit", defs};
 
-/* ---- the library and the host ---- */
+/* ---- the library, and functions for the host ---- */
 static bool define_constant(vs_scheme *vm, void *context, vs_value symbol, vs_value procedure) {
   (void)context;
   VS_ROOTS(vm, r, 1);
@@ -488,7 +491,7 @@ bool vs_front_open(vs_scheme *vm) {
 #include "vm/front/forms.def"
 #undef VS_FORM
   };
-  if (vs_is(vm->at.core, VS_T_ENVIRONMENT)) return true;       /* from an image */
+  if (vs_is(vm->at.core, VS_T_ENVIRONMENT)) return true;       /* already loaded from an image */
   VS_ROOTS(vm, r, 2);
   if (!vs_intern_c(vm, "visualscheme", &r[0]) || !vs_environment_new(vm, r[0], &vm->at.core)) return false;
   vm->at.libraries = vm->at.required = VS_NIL;
@@ -524,7 +527,8 @@ static bool run_forms(vs_scheme *vm, vs_value forms, vs_value env, bool tell, vs
   vm->top_place = 0;
   if (!core_value(vm, "%run", &procedure)) return false;
   if (vs_run(vm, procedure, 3, r, last ? last : &r[3])) return true;
-  vs_value c = vm->condition;           /* tail calls may have left no place: it is then the top-level form's */
+  vs_value c = vm->condition;           /* after tail calls the condition may have no place: uses that of the top-level
+                                         * form */
   if (vs_is(c, VS_T_CONDITION) && c != vm->at.no_memory && !vs_as_condition(c)->place)
     vs_as_condition(c)->place = vm->top_place;
   return false;
@@ -538,10 +542,10 @@ bool vs_library_load(vs_scheme *vm, const char *name, const char *text, size_t s
 
 void vs_library_done(vs_scheme *vm) {
   vs_environment_seal(vm->at.core);
-  vm->at.nearby = VS_FALSE; /* advice for programs does not use the library's own names */
+  vm->at.nearby = VS_FALSE; /* the similar names found in the library's own text are not for the program */
 }
 
-/* a program may require files again that a failed run loaded only in part */
+/* Deletes the entries of files that a failed run has loaded only in part, so that they can be required again. */
 static bool forget_unfinished(vs_scheme *vm) {
   VS_ROOTS(vm, r, 2);
   r[0] = vm->at.required; r[1] = VS_NIL;
@@ -551,13 +555,13 @@ static bool forget_unfinished(vs_scheme *vm) {
   return true;
 }
 
-/* Notes the file that the host runs: load and import search its folder. */
+/* Sets the file that the host runs, in whose folder load and import search. */
 static bool begin_program(vs_scheme *vm, const char *name) {
   return vs_file_number(vm, name, strlen(name), &vm->program_file) && forget_unfinished(vm);
 }
 
-/* A script sees its own library only. Text of this language after it, at the prompt or by -e, also sees the names of a
- * program; the script's own names win. */
+/* Sets the imports of a program. A script sees only its own library. Scheme text after a script, at the prompt or by
+ * -e, also sees the names of the complete library; names of the script replace them. */
 static bool beside_script(vs_scheme *vm, const char *name) {
   vs_value clash;
   bool own;
@@ -565,7 +569,8 @@ static bool beside_script(vs_scheme *vm, const char *name) {
   vs_intake intake = vs_environment_intake(vm->at.program);
   if (intake == VS_INTAKE_FRESH) vm->scripted = script;
   if (script || !vm->scripted) return true;
-  vs_environment_set_intake(vm->at.program, VS_INTAKE_OPEN); /* else it would replace the script's variables */
+  vs_environment_set_intake(vm->at.program, VS_INTAKE_OPEN); /* otherwise imports would replace the script's
+                                                              * variables */
   bool ok = vs_environment_import(vm, vm->at.program, vm->at.core, VS_TRUE, &clash, &own);
   vs_environment_set_intake(vm->at.program, intake);
   return ok;
@@ -578,7 +583,7 @@ bool vs_program_text(vs_scheme *vm, const char *name, const vs_passage *text, bo
          vs_source_text(vm, name, text, false, &r[0]) && run_forms(vm, r[0], vm->at.program, true, last);
 }
 
-/* Returns true for forms that bind names at top level, or that are meaningful only there. */
+/* Returns true for a form that binds names at top level, or is valid only there. */
 static bool is_top_form(vs_value form) {
   static const char *const words[] = {"import", "require", "provide", "begin", "load", "include"};
   if (!vs_is_pair(form) || !vs_is_symbol(vs_car(form))) return false;
@@ -587,9 +592,9 @@ static bool is_top_form(vs_value form) {
   return !strncmp(head, "define", 6);
 }
 
-/* Rewrites form to ((lambda (name ...) form) (quote value) ...), with the library's lambda and quote. */
+/* Replaces the form by ((lambda (name ...) form) (quote value) ...), with the library's lambda and quote. */
 static bool bind_around(vs_scheme *vm, vs_value *form, vs_pos pos, vs_value bindings) {
-  VS_ROOTS(vm, r, 6);                     /* bindings, names, values, quote, lambda, scratch */
+  VS_ROOTS(vm, r, 6);                     /* roots: bindings, names, values, quote, lambda, temporary */
   r[0] = bindings; r[1] = r[2] = VS_NIL;
   if (!vs_intern_c(vm, "lambda", &r[5]) || !vs_make_alias(vm, r[5], vm->at.core, &r[4]) ||
       !vs_make_alias(vm, vm->sym.quote, vm->at.core, &r[3])) return false;
@@ -602,7 +607,7 @@ static bool bind_around(vs_scheme *vm, vs_value *form, vs_pos pos, vs_value bind
 }
 
 bool vs_program_within(vs_scheme *vm, const char *name, const vs_passage *text, vs_value bindings, vs_value *last) {
-  VS_ROOTS(vm, r, 4);                     /* forms, bindings, rewritten forms, the current form */
+  VS_ROOTS(vm, r, 4);                     /* roots: forms, bindings, rewritten forms, the current form */
   r[1] = bindings;
   vs_environment_set_intake(vm->at.program, VS_INTAKE_PROMPT);
   if (!vs_source_text(vm, name, text, false, &r[0])) return false;

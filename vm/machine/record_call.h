@@ -1,7 +1,7 @@
-/* Owns calls of the procedures that define-record-type makes. Their code is one instruction between the type and the
- * return, and an activation costs several times as much as that instruction. Therefore the run loop reads that code
- * here and makes no activation. In unusual cases (another number of arguments, a record of another type or without the
- * field, a full nursery) the code itself runs and reports the error. */
+/* Calls the procedures that define-record-type creates. Their code consists of one instruction between the loading of
+ * the type and the return, and an activation would cost several times as much. The run loop therefore interprets this
+ * code here without an activation. In unusual cases (another number of arguments, a record of another type, a full
+ * nursery) the code itself runs, and reports errors. */
 #ifndef VS_VM_MACHINE_RECORD_CALL_H
 #define VS_VM_MACHINE_RECORD_CALL_H
 
@@ -9,8 +9,8 @@
 #include "vm/machine/vs.h"
 #include "vm/values/gc.h"
 
-/* Allocates a record of the type. The code from ins on takes its fields from the arguments at `at` or from constants.
- * Returns false if it does not fit before a collection. */
+/* Allocates a record of the type, as the instructions from ins on do: each field is an argument of `at` or a constant.
+ * Returns false if the nursery is full. */
 static inline bool vs_record_make(vs_scheme *vm, const uint32_t *ins, vs_value type, const vs_value *at,
                                   vs_value *out) {
   if (!vs_is(type, VS_T_RECORD_TYPE)) return false;
@@ -30,8 +30,8 @@ static inline bool vs_record_make(vs_scheme *vm, const uint32_t *ins, vs_value t
   return true;
 }
 
-/* Calls f, a closure whose code has a flag of VS_CODE_RECORD, with n arguments at `at`. Returns false, with no effect,
- * if its code has to run. It counts as a call for the limit of steps, as calls with activations do. */
+/* Calls f, a closure whose code has a flag of VS_CODE_RECORD, with n arguments at `at`. Returns false, without effect,
+ * if its code must run instead. It counts as a call for the limit of steps. */
 static inline bool vs_record_call(vs_scheme *vm, vs_value f, const vs_value *at, size_t n, vs_value *out) {
   const vs_closure *c = vs_as_closure(f);
   const vs_code *code = vs_as_code(c->code);

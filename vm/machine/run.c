@@ -1,4 +1,4 @@
-/* Owns the entry into the run loop, and the state at its begin and end. */
+/* Starts the run loop for calls from outside, and restores the state after it. */
 #include "vm/machine/run.h"
 
 #include "vm/machine/activation.h"
@@ -18,7 +18,8 @@ static void reset(vs_scheme *vm) {
   vm->winders = vm->handlers = vm->parameters = VS_NIL;
 }
 
-/* Memory is out, and no code caught the error: drops the program's data, so that there is room to report the place. */
+/* Called when memory is out and no code caught the error. Frees the program's data, so that there is memory to report
+ * the place. */
 static void fail_memory_placed(vs_scheme *vm) {
   enum { CALLERS = 16 };
   VS_ROOTS(vm, r, CALLERS + 2);
@@ -54,7 +55,7 @@ bool vs_run(vs_scheme *vm, vs_value procedure, size_t n, const vs_value *argv, v
   vs_refuel(vm);
   vs_value result = VS_UNSPECIFIC;
   bool ok = (vm->step.mode == VS_STEP_CONTINUE ? vs_run_loop : vs_step_loop)(vm, w, n, &result);
-  vm->steps -= (uint64_t)(vm->fuel > 0 ? vm->fuel : 0);       /* those taken, not those granted */
+  vm->steps -= (uint64_t)(vm->fuel > 0 ? vm->fuel : 0);       /* counts only the turns that were used */
   if (!ok && vm->condition == vm->at.no_memory) fail_memory_placed(vm);
   reset(vm);
   if (ok) *out = result;

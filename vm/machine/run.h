@@ -1,12 +1,12 @@
-/* Owns the entry into the run loop, and the error that the host gets. */
+/* Declares the entry into the run loop. */
 #ifndef VS_VM_MACHINE_RUN_H
 #define VS_VM_MACHINE_RUN_H
 
 #include "vm/machine/native.h"
 
-/* Calls a procedure from outside and runs until it returns. Returns false on an uncaught error; vm->condition is then
- * the raised object, a CONDITION or any other. Not for natives: they return VS_CALL. A program may enter a captured
- * continuation of an earlier vs_run: it then ends the current one. */
+/* Calls a procedure from outside the run loop, and runs until it returns. Returns false on an uncaught error;
+ * vm->condition is then the raised object, a CONDITION or any other. Natives must return VS_CALL instead. A program may
+ * enter a continuation that was captured in an earlier vs_run, which then ends the current one. */
 bool vs_run(vs_scheme *vm, vs_value procedure, size_t n, const vs_value *argv, vs_value *out);
 
 #endif

@@ -1,5 +1,5 @@
-/* Owns the errors that the run loop itself finds: names without a value, objects that cannot be called, several values
- * where one is expected. Each function makes the condition and returns false. */
+/* Implements the errors that the run loop itself detects: undefined names, calls of objects that are no procedures,
+ * several values where one is expected. Each function sets the condition and returns false. */
 #ifndef VS_VM_MACHINE_RUN_FAILURES_H
 #define VS_VM_MACHINE_RUN_FAILURES_H
 
@@ -8,7 +8,7 @@
 #include "vm/numbers/number.h"
 
 static bool fail_undefined(vs_scheme *vm, vs_value name) {
-  vs_text advice;                       /* words of other languages, similar names */
+  vs_text advice;                       /* advice about words of other languages, and similar names */
   vs_text_open(vm, &advice, 300);
   bool ok = vs_suggest(vm, vm->at.program, name, &advice) && vs_text_end(&advice) &&
             vs_fail(vm, vm->sym.unbound, "%s is not defined%s",
@@ -22,7 +22,8 @@ static bool fail_early(vs_scheme *vm, vs_value name) {
                  vs_is_symbol(name) ? vs_as_symbol(name)->name : "a variable");
 }
 
-/* Returns the name of an operator between its operands, as other languages write it: (5 + 3). */
+/* Returns the name of an operator that was written between its operands, as in other languages: (5 + 3). Returns NULL
+ * if there is none. */
 static const char *operator_name(vs_value v) {
   vs_value name = vs_is(v, VS_T_NATIVE) ? vs_as_native(v)->name : VS_FALSE;
   const char *s = vs_is_symbol(name) ? vs_as_symbol(name)->name : "";
@@ -52,8 +53,8 @@ static bool fail_callee_as(vs_scheme *vm, vs_value f, const vs_value *at, size_t
   return vs_fail_with(vm, vm->sym.type, r[0], "%s", what);
 }
 
-/* The error's payload, #t, means that the called object is at fault. session/advice.c looks for its origin when the
- * error is shown. */
+/* Reports that f cannot be called. The error's payload #t tells session/advice.c that the called object is wrong, and
+ * to search for its origin. */
 static bool fail_callee(vs_scheme *vm, vs_value f, const vs_value *at, size_t n) {
   fail_callee_as(vm, f, at, n);
   if (vs_is(vm->condition, VS_T_CONDITION) &&

@@ -1,12 +1,11 @@
-/* Owns the run loop: instructions, calls, returns, and the handling of errors. (activation.h has the layout of the
- * stack.)
+/* Implements the run loop: instructions, calls, returns, and the handling of errors. activation.h describes the stack.
  *
- * The machine's registers are C locals: base (the activation's registers), pc, k (its constants). SAVE stores them
- * before code that can allocate or fail. After code that can allocate, values are read again from registers; code and
- * constants do not move.
+ * The registers of the machine are C variables: base (the activation's registers), pc, k (its constants). SAVE stores
+ * them before code that can allocate or fail. After code that can allocate, values are read again from registers; code
+ * and constants do not move.
  *
- * step_loop.c compiles the loop a second time, with VS_STEPPING, for programs that are stepped through (step.h): it
- * then checks every instruction before it runs. Other programs have no cost. */
+ * step_loop.c compiles the loop a second time, with VS_STEPPING, for programs that are stepped through (step.h). It
+ * then checks every instruction before running it. Other programs are not slower for that. */
 #ifndef VS_STEPPING
 #define VS_STEPPING 0
 #endif
@@ -28,9 +27,8 @@
 #include "vm/values/heap.h"
 #include "vm/values/string_chars.h"
 
-/* ---- cases outside the loop ---- */
-/* Returns true if the code at pc, to which a call returns, takes any number of values: it ignores them, or returns them
- * further. */
+/* ---- functions for rare cases ---- */
+/* Returns true if the code at pc, to which a call returns, accepts any number of values: it ignores or returns them. */
 static bool takes_several(const uint32_t *pc) {
   uint32_t op = *pc & 255;
   return op == VS_O_DROP || op == VS_O_RETURN || (op == VS_O_MORE && VS_B(*pc)) ||
@@ -73,10 +71,10 @@ static void trace(const uint32_t *ins, const vs_value *base) {
 #define trace(ins, base) ((void)0)
 #endif
 
-/* Runs the call in the window w (at the stack's bottom) until its activation returns. */
+/* Runs the call in the window w, at the start of the stack, until its activation returns. */
 static bool loop(vs_scheme *vm, vs_value *w, size_t n, vs_value *out) {
-  vs_value *base = w;                 /* no activation yet */
-  const uint32_t *pc = NULL, *start = NULL;      /* start: the first instruction of the activation's code */
+  vs_value *base = w;                 /* there is no activation yet */
+  const uint32_t *pc = NULL, *start = NULL;      /* start: first instruction of the activation's code */
   vs_value *k = NULL;
   vs_value ret = VS_TAG_FIXNUM << 48 | VS_RET_STOP, kw = VS_FALSE, v;
   bool tail = false;
@@ -85,7 +83,7 @@ static bool loop(vs_scheme *vm, vs_value *w, size_t n, vs_value *out) {
   VS_ASSERT(w == vm->stack);
 
 #pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wpedantic"      /* labels as values */
+#pragma GCC diagnostic ignored "-Wpedantic"      /* permits labels as values */
   static const void *const labels[] = {
 #define VS_OP(name, operands, extra, generic) &&op_##name,
 #include "vm/compiler/opcodes.def"
@@ -110,8 +108,8 @@ static bool loop(vs_scheme *vm, vs_value *w, size_t n, vs_value *out) {
 #define SAVE (vm->base = base, vm->pc = pc, vm->top = base + REGISTERS, vm->native = NULL)
 #define BRANCH_IF(truth) do { if ((truth) == (bool)C) pc += (int32_t)*pc + 1; else pc++; NEXT; } while (0)
 
-/* Calls a closure with exactly its parameters and room on the stack: most calls. All others go the long way, to
- * `call`. */
+/* Calls a closure with exactly its required arguments, if there is room on the stack, as in most calls. Others continue
+ * at `call`. */
 #define PLAIN(callee, count, at)                                                                           \
   ((callee)->flags & VS_CODE_SIMPLE && (callee)->required == (count) &&                                    \
    (const char *)vm->stack_end - (const char *)(at) >=                                                     \
@@ -436,7 +434,7 @@ look:
     RA = vs_flonum_raw(vs_as_flat(x)->at[vm->flat->getter[C].index]);
     NEXT;
   }
-/* room in the nursery; without it the procedure runs, which may collect */
+/* If the nursery is full, the procedure of the instruction runs, which may collect garbage. */
 #define ROOM(words) (vm->end - vm->free >= (ptrdiff_t)((words) * 8))
   OP(FLAT1): {
     vs_value x = RB;
@@ -508,7 +506,7 @@ look:
       if (!vs_each_keep(vm, row)) goto fail;
     }
   }
-each: {                                   /* the instruction at pc is MORE, with the same A as the current one */
+each: {                                   /* the instruction at pc is MORE with the same operand A */
     vs_value *row = &RA, list = row[VS_EACH_LIST];
     if (!vs_is_pair(list)) {
       SAVE;
@@ -578,9 +576,9 @@ each: {                                   /* the instruction at pc is MORE, with
       : OP(G_ABC)
       : OP(G_AB)
       : OP(G_ABI) : OP(G_N) : OP(G_N1) : OP(G_JABC) : OP(G_JAI) : OP(G_JA) : OP(G_SET) : OP(G_SETV) : goto generic;
-  OP(NONE): goto generic;                 /* never emitted */
+  OP(NONE): goto generic;                 /* an opcode that the compiler never emits */
 
-  /* Runs the instruction at pc - 1 by a call of its procedure. */
+  /* Replaces the instruction at pc - 1 by a call of its procedure. */
 generic: {
     const vs_code *code = vs_as_code(vs_as_closure(base[-2])->code);
     size_t at = HERE - 1;
@@ -604,7 +602,8 @@ generic: {
     goto call;
   }
 
-  /* Calls the case-lambda in w[0] with w[2..2+n): its first clause at once, if it takes that many. */
+  /* Calls the case-lambda in w[0] with the arguments w[2..2+n). If its first clause accepts their number, calls it at
+   * once. */
 call_case: {
     const vs_case *c = vs_as_case(w[0]);
     const vs_code *callee = c->count ? CALLEE(c->clause[0]) : NULL;
@@ -618,14 +617,14 @@ call_case: {
     goto call;
   }
 
-  /* Calls the procedure of a record in w[0] with w[2..2+n): it needs no activation. */
+  /* Calls a procedure of define-record-type in w[0] with the arguments w[2..2+n), without an activation. */
 call_record:
   if (vs_record_call(vm, w[0], w + 2, n, &w[0])) NEXT;
   ret = vs_ret_make(A, HERE); kw = VS_FALSE; tail = false;
   goto call;
 
-  /* Calls w[0] with w[2..2+n), keywords kw. Not tail: the result is for `ret`, and the caller is the activation at base
-   * (or none yet). Tail: the activation at base ends. */
+  /* Calls w[0] with the arguments w[2..2+n) and the keywords kw. For a tail call, the activation at base ends.
+   * Otherwise the result is returned as `ret` tells, and the caller is the activation at base (or none yet). */
 call: {
     vs_value f = w[0];
     if (!vs_is_object(f)) goto no_procedure;
@@ -642,7 +641,8 @@ call: {
         }
         size_t need = n > code->registers ? n : code->registers;
         if (vm->stack_end - w < (ptrdiff_t)(need + 2 + VS_ACTIVATION_SLACK)) {
-          if (tail) {                             /* moves out of the activation first, so that it is not kept */
+          if (tail) {                             /* moves the window to the activation's start first, so that the
+                                                   * activation is not kept */
             memmove(base, w + 2, n * sizeof *w);
             base[-2] = f;
             w = base - 2; ret = base[-1];
@@ -655,7 +655,7 @@ call: {
             vs_value *moved = vs_activation_flush(vm, w, n, need + 2);
             if (!moved) goto stack_full;
             w = moved; ret = w[1];
-            base = w + 2;                         /* the caller is in the heap now, or has ended */
+            base = w + 2;                         /* the caller has moved to the heap, or has ended */
           }
           f = w[0];
         }
@@ -681,13 +681,15 @@ call: {
         const vs_native *native = vs_as_native(f);
         size_t given = n, total = n;
         bool laid_out = vs_native_laid_out(native);
-        /* apply, call/cc ... must not keep the activation; plain natives keep it for the error's place */
+        /* apply, call/cc and similar natives must not keep the activation; other natives keep it, for the place of
+         * errors. */
         if (tail && native->def->slots) {
           memmove(base, w + 2, n * sizeof *w);
           base[-2] = f;
           w = base - 2; ret = base[-1];
           tail = false;
-          pc = NULL;                            /* its code ends: the native returns to the caller's */
+          pc = NULL;                            /* its code has ended: the native returns to the caller of this
+                                                 * activation */
         } else if (tail) {
           ret = vs_ret_make((size_t)(w - base), HERE);
         }
@@ -712,7 +714,8 @@ call: {
         vm->native = NULL;
         if (status == VS_OK) {
           if (tail) { v = vm->value; goto give; }
-          if (pc && !(ret & VS_RET_FLAGS)) { w[0] = vm->value; NEXT; }      /* back in the activation at base, at pc */
+          if (pc && !(ret & VS_RET_FLAGS)) { w[0] = vm->value; NEXT; }      /* continues in the activation at base, at
+                                                                             * pc */
         } else if (status == VS_SEVERAL && tail) {
           v = vm->value;
           goto give_several;
@@ -724,7 +727,7 @@ call: {
         const vs_case *c = vs_as_case(f);
         size_t i = 0;
         while (i < c->count && !vs_arguments_fit(vs_as_code(vs_as_closure(c->clause[i])->code), n, kw)) i++;
-        if (i == c->count && vs_case_note(c) != VS_FALSE) i = 0; /* its one clause defines its arguments */
+        if (i == c->count && vs_case_note(c) != VS_FALSE) i = 0; /* only one clause defines how arguments are passed */
         if (i == c->count) {
           w[1] = tail ? VS_FALSE : ret;
           vm->base = pc ? base : w + 2; vm->pc = pc;
@@ -777,10 +780,11 @@ no_procedure:
   fail_callee(vm, w[0], w + 2, n);
 fail_above:                               /* an error of the caller at base, found while its window was in use */
   if (pc) goto fail;
-  ret = w[1];                             /* the caller is a native or in the heap: the error replaces the call */
+  ret = w[1];                             /* the caller is a native or in the heap: the error takes the place of the
+                                           * call */
   goto raise;
 
-  /* A native's function has returned `status`; its activation is at base (== vm->base), its last slot below vm->top. */
+  /* A native has returned `status`. Its activation is at base (== vm->base), and its last slot is below vm->top. */
 native_done:
   w = base - 2;
   switch (status) {
@@ -814,7 +818,7 @@ native_done:
       vm->call_count = 0;
       vm->call_procedure = VS_FALSE;
       base = w + 2;
-      pc = NULL;                              /* no code activation at base */
+      pc = NULL;                              /* there is no activation of code at base */
       goto call;
     }
     case VS_THROW: {
@@ -833,8 +837,8 @@ native_done:
     default: goto uncaught;
   }
 
-  /* Returns v, several values, from the activation at base. Natives and the host take any number. Code is tested here,
-   * or below in `give` if its activation has to be found first. */
+  /* Returns several values, v, from the activation at base. Natives and the host accept any number. For code this is
+   * tested here, or below at `give` if its activation must be found first. */
 give_several:
   ret = base[-1];
   if (!(ret & VS_RET_FLAGS)) {
@@ -873,7 +877,7 @@ give: {
         memcpy(vm->stack, s->at + first, size * sizeof *s->at);
         if (first == 0) { vm->under = s->under; vm->under_depth = s->depth; }
         else { vm->stack[1] |= VS_RET_UNDER; vm->under_depth = first; }
-        base = vm->stack + size + 2;              /* the place of the callee's activation */
+        base = vm->stack + size + 2;              /* address of the activation to which control returns */
       }
       base -= 2 + distance;
       vm->top = base + distance;
@@ -921,8 +925,8 @@ give: {
     NEXT;
   }
 
-  /* The native at base, or the code at base and pc, has raised vm->condition. No handler catches limits and
-   * interrupts. */
+  /* The native at base, or the code at base and pc, has raised vm->condition. Limits and interrupts are not passed to
+   * handlers. */
 fail_native:
   w = base;                               /* overwrites its arguments, which are no longer needed */
   ret = vs_ret_make(0, 0) | VS_RET_NATIVE;
@@ -945,7 +949,7 @@ raise:
   n = 1; kw = VS_FALSE; tail = false;
   goto call;
 
-stack_full:                               /* the refused allocation has set the error */
+stack_full:                               /* the refused allocation has already set the error */
 uncaught:
   return false;
 #pragma GCC diagnostic pop

@@ -1,4 +1,4 @@
-/* Owns the parser of native signatures. */
+/* Parses the signatures of natives. */
 #include "vm/machine/signature.h"
 
 #include "model/assert.h"

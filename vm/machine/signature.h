@@ -1,4 +1,4 @@
-/* Owns the parser of native signatures: "c r [start end] #:segments" (native.h gives their meaning). */
+/* Declares the parser for signatures of natives, such as "c r [start end] #:segments" (native.h explains them). */
 #ifndef VS_VM_MACHINE_SIGNATURE_H
 #define VS_VM_MACHINE_SIGNATURE_H
 
@@ -9,12 +9,11 @@
 typedef struct vs_signature { uint32_t required, optional, keywords; bool rest; } vs_signature;
 typedef enum { VS_SIG_END, VS_SIG_REQUIRED, VS_SIG_OPTIONAL, VS_SIG_KEYWORD, VS_SIG_REST } vs_signature_kind;
 
-/* Returns the kind of the next name of the signature at *at; *depth is the number of open brackets, 0 at first. The
- * name is *length bytes at *name. */
+/* Returns the kind of the next name in the signature at *at, and advances *at. Sets *name and *length to the name.
+ * *depth is the number of open brackets, 0 at first. */
 vs_signature_kind vs_signature_next(const char **at, int *depth, const char **name, size_t *length);
 vs_signature vs_signature_read(const char *text);
-/* Writes the name of the arg-th argument, by its index in a[], cut to size; "argument N" beyond the end. size includes
- * the zero byte. */
+/* Writes the name of argument a[arg], cut to `size` bytes with the NUL. If there is none, writes "argument N". */
 void vs_signature_parameter(const char *text, int arg, char *name, size_t size);
 
 #endif

@@ -1,5 +1,5 @@
-/* Owns the arithmetic of dual numbers (dual.h). Every rule uses the operations of the numeric tower, so duals within
- * duals are differentiated again. Recursion is at most as deep as duals are nested, VS_DUAL_DEPTH. */
+/* Implements the arithmetic of dual numbers (dual.h). Every rule uses the general operations on numbers, so that nested
+ * duals are differentiated, too. Recursion is at most as deep as duals are nested, VS_DUAL_DEPTH. */
 #include "vm/numbers/dual.h"
 
 #include <math.h>
@@ -36,7 +36,7 @@ bool vs_dual_arith(vs_scheme *vm, vs_flat_op op, vs_value a, vs_value b, vs_valu
   enum { AV, AS, BV, BS, V, S, ROOTS };
   VS_ROOTS(vm, r, ROOTS);
   int64_t la = vs_dual_level(&a, 1), lb = vs_dual_level(&b, 1), level = la > lb ? la : lb;
-  bool va = la == level, vb = lb == level; /* whether a, b vary at this level */
+  bool va = la == level, vb = lb == level; /* whether a and b depend on the variable of this level */
   VS_ASSERT(la >= 0 || lb >= 0);
   r[AV] = vs_dual_value(a, level), r[AS] = vs_dual_slope(a, level);
   r[BV] = vs_dual_value(b, level), r[BS] = vs_dual_slope(b, level);
@@ -67,7 +67,7 @@ bool vs_dual_arith(vs_scheme *vm, vs_flat_op op, vs_value a, vs_value b, vs_valu
         ok = ok && vs_number_add(vm, r[S], r[AS], &r[S]);
     }
     break;
-  case VS_OP_DIV: /* (a' - q b') / b */
+  case VS_OP_DIV: /* the derivative of q = a / b: (a' - q b') / b */
     ok = vs_number_div(vm, r[AV], r[BV], &r[V]);
     if (ok && vb) {
       ok = vs_number_mul(vm, r[V], r[BS], &r[S]) && vs_number_sub(vm, va ? r[AS] : vs_fix(0), r[S], &r[AS]);
@@ -81,7 +81,7 @@ bool vs_dual_arith(vs_scheme *vm, vs_flat_op op, vs_value a, vs_value b, vs_valu
 
 /* ---- functions of one number ---- */
 
-/* Computes d = f'(x), where y = f(x); r[2] is scratch that the caller roots. All four are slots of roots. */
+/* Sets *d to f'(x), where y = f(x). scratch is a temporary root. All pointers are to roots. */
 static bool slope_of(vs_scheme *vm, double (*f)(double), const vs_value *x, const vs_value *y, vs_value *scratch,
                      vs_value *d) {
   if (f == exp) return *d = *y, true;
@@ -93,9 +93,9 @@ static bool slope_of(vs_scheme *vm, double (*f)(double), const vs_value *x, cons
   if (f == tanh) return vs_number_mul(vm, *y, *y, d) && vs_number_sub(vm, vs_fix(1), *d, d);
   if (f == sinh) return vs_dual_function(vm, cosh, *x, d);
   if (f == cosh) return vs_dual_function(vm, sinh, *x, d);
-  if (f == cbrt) /* y / 3x */
+  if (f == cbrt) /* derivative of the cube root: y / 3x */
     return vs_number_mul(vm, *x, vs_flonum(3), scratch) && vs_number_div(vm, *y, *scratch, d);
-  if (f == asin || f == acos) /* 1 / sqrt(1 - x x) */
+  if (f == asin || f == acos) /* derivative of the arc sine: 1 / sqrt(1 - x x) */
     return vs_number_mul(vm, *x, *x, d) && vs_number_sub(vm, vs_fix(1), *d, d) && vs_dual_function(vm, sqrt, *d, d) &&
            vs_number_div(vm, vs_flonum(f == asin ? 1 : -1), *d, d);
   if (f == atan)
@@ -126,7 +126,7 @@ bool vs_dual_function(vs_scheme *vm, double (*f)(double), vs_value v, vs_value *
          vs_number_mul(vm, r[XS], r[D], &r[D]) && vs_make_dual(vm, level, r[Y], r[D], out);
 }
 
-/* ---- functions of two ---- */
+/* ---- functions of two numbers ---- */
 
 bool vs_dual_atan(vs_scheme *vm, vs_value y, vs_value x, vs_value *out) {
   if (!vs_is_dual(y) && !vs_is_dual(x)) {
@@ -140,7 +140,7 @@ bool vs_dual_atan(vs_scheme *vm, vs_value y, vs_value x, vs_value *out) {
   int64_t level = vs_dual_level(both, 2);
   r[YV] = vs_dual_value(y, level), r[YS] = vs_dual_slope(y, level);
   r[XV] = vs_dual_value(x, level), r[XS] = vs_dual_slope(x, level);
-  /* (x y' - y x') / (x x + y y) */
+  /* Derivative of atan(y, x): (x y' - y x') / (x x + y y). */
   return vs_dual_atan(vm, r[YV], r[XV], &r[V]) && vs_number_mul(vm, r[XV], r[YS], &r[S]) &&
          vs_number_mul(vm, r[YV], r[XS], &r[T]) && vs_number_sub(vm, r[S], r[T], &r[S]) &&
          vs_number_mul(vm, r[XV], r[XV], &r[XS]) && vs_number_mul(vm, r[YV], r[YV], &r[YS]) &&
@@ -148,7 +148,8 @@ bool vs_dual_atan(vs_scheme *vm, vs_value y, vs_value x, vs_value *out) {
          vs_make_dual(vm, level, r[V], r[S], out);
 }
 
-/* Computes a power with an integer exponent by products: this is correct for negative bases and 0, and stays exact. */
+/* Computes a power with an integer exponent by multiplication. This is correct for negative bases and 0, and keeps
+ * exact numbers exact. */
 static bool whole_power(vs_scheme *vm, vs_value base, int64_t n, vs_value *out) {
   VS_ROOTS(vm, r, 2);
   r[0] = base, r[1] = vs_fix(1);

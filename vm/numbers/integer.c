@@ -1,10 +1,10 @@
-/* Owns the arithmetic of exact integers (integer.h).
+/* Implements the arithmetic of exact integers (integer.h).
  *
- * Every operation has these steps: put the operands into roots, compute the size of the result, make a bignum of that
- * capacity, get views of the operands (after this nothing allocates), and compute the limbs in place. `settle` then
- * drops leading zeros and makes a fixnum if the result fits. Therefore a bignum may have a word or two of unused
- * capacity behind its limbs. GMP allocates scratch of its own in mpn_mul, mpn_tdiv_qr and mpn_gcd, at most a small
- * multiple of the operands. */
+ * Every operation puts the operands into roots, computes the size of the result, and creates a bignum of that capacity.
+ * It then gets views of the operands; after this nothing allocates. It computes the limbs in place. int_settle removes
+ * leading zeros, and returns a fixnum if the result fits. A bignum may therefore have a word or two of unused capacity
+ * after its limbs. GMP itself allocates temporary memory in mpn_mul, mpn_tdiv_qr and mpn_gcd, at most a small multiple
+ * of the operands. */
 #include "vm/numbers/integer.h"
 
 #include <float.h>
@@ -35,7 +35,7 @@ void vs_int_look(vs_value v, vs_int_view *w) {
   }
 }
 
-/* Makes a bignum with room for n limbs, all zero. */
+/* Creates a bignum with room for n limbs, all zero. */
 static bool int_new(vs_scheme *vm, mp_size_t n, vs_value *out) {
   if (n > VS_INT_MAX_LIMBS) return int_too_large(vm);
   if (n < 1) n = 1;
@@ -48,10 +48,10 @@ static bool int_new(vs_scheme *vm, mp_size_t n, vs_value *out) {
 
 static mp_limb_t *int_limbs(vs_value v) { return vs_as_bignum(v)->limb; }
 
-/* Polls before a multiplication of n limbs in all: some 100 ns per limb when they are many, less when they are few. */
+/* Polls before a multiplication of n limbs in total. Large operands take about 100 ns per limb, small ones less. */
 static bool int_poll(vs_scheme *vm, mp_size_t n) { return n < 64 || vs_poll(vm, (uint64_t)n * (n < 1024 ? 4 : 32)); }
 
-/* Returns the integer of a bignum whose lowest n limbs are filled. */
+/* Returns the integer of a bignum whose lowest n limbs are set. */
 static vs_value int_settle(vs_value v, mp_size_t n, bool negative) {
   vs_bignum *b = vs_as_bignum(v);
   VS_ASSERT(n >= 0 && (uint64_t)n <= b->count);
@@ -64,7 +64,7 @@ static vs_value int_settle(vs_value v, mp_size_t n, bool negative) {
   return v;
 }
 
-/* Gets the views of two integers. Repeat it after each allocation: a collection may move them. */
+/* Gets the views of two integers. It must be repeated after each allocation, since a collection may move them. */
 static void int_look_two(const vs_value of[2], vs_int_view *x, vs_int_view *y) {
   vs_int_look(of[0], x);
   vs_int_look(of[1], y);
@@ -88,7 +88,7 @@ bool vs_int_from_int64(vs_scheme *vm, int64_t n, vs_value *out) {
   return true;
 }
 
-/* Computes a + b, or a - b if flip is set. */
+/* Computes a + b, or a - b if flip is true. */
 static bool int_sum(vs_scheme *vm, vs_value a, vs_value b, bool flip, vs_value *out) {
   if (vs_is_fixnum(a) && vs_is_fixnum(b))
     return vs_int_from_int64(vm, flip ? vs_fixnum(a) - vs_fixnum(b) : vs_fixnum(a) + vs_fixnum(b), out);
@@ -147,7 +147,8 @@ bool vs_int_divide(vs_scheme *vm, vs_value a, vs_value b, vs_value *quotient, vs
   if (vs_is_fixnum(a) && vs_is_fixnum(b)) {
     int64_t n = vs_fixnum(a), d = vs_fixnum(b);
     if (remainder) *remainder = vs_fix(n % d);
-    return !quotient || vs_int_from_int64(vm, n / d, quotient);       /* the least fixnum divided by -1 does not fit */
+    return !quotient || vs_int_from_int64(vm, n / d, quotient);       /* the quotient of the least fixnum and -1 is no
+                                                                       * fixnum */
   }
   VS_ROOTS(vm, r, 4);
   r[0] = a;
@@ -206,7 +207,8 @@ static uint64_t gcd_words(uint64_t a, uint64_t b) {
   return a;
 }
 
-/* Copies the number, which is not 0, without trailing zero bits; returns how many it had. *n shrinks. */
+/* Copies a number other than 0 without its trailing zero bits, and returns how many it had. Sets *n to the number of
+ * limbs left. */
 static uint64_t int_copy_odd(mp_limb_t *to, const mp_limb_t *from, mp_size_t *n) {
   uint64_t zeros = mpn_scan1(from, 0);
   mp_size_t limbs = (mp_size_t)(zeros / 64);
@@ -227,7 +229,7 @@ bool vs_int_gcd(vs_scheme *vm, vs_value a, vs_value b, vs_value *out) {
   if (x.n == 0) return y.negative ? vs_int_negate(vm, b, out) : (*out = b, true);
   if (y.n == 0) return x.negative ? vs_int_negate(vm, a, out) : (*out = a, true);
   if (x.n == 1 && y.n == 1) return vs_int_from_uint64(vm, gcd_words(x.at[0], y.at[0]), out);
-  if (x.n == 1 || y.n == 1) {      /* the usual case of a fraction's reduction: one small operand */
+  if (x.n == 1 || y.n == 1) {      /* one operand is small, as usual when a fraction is reduced */
     mp_limb_t one = x.n == 1 ? x.at[0] : y.at[0];
     mp_limb_t rest = x.n == 1 ? mpn_mod_1(y.at, y.n, one) : mpn_mod_1(x.at, x.n, one);
     return vs_int_from_uint64(vm, gcd_words(one, rest), out);
@@ -301,7 +303,8 @@ bool vs_int_power(vs_scheme *vm, vs_value a, uint64_t n, vs_value *out) {
   r[1] = vs_fix(1);
   uint64_t bits = vs_int_bits(a);
   if (bits > 1 && n > (uint64_t)VS_INT_MAX_LIMBS * 64 / (bits - 1)) return int_too_large(vm);
-  if (bits <= 1 && n > 1) n = 2 + (n & 1);           /* 0, 1, -1 */
+  if (bits <= 1 && n > 1) n = 2 + (n & 1);           /* for the bases 0, 1 and -1 only the parity of the exponent
+                                                      * matters */
   for (;; n >>= 1) {
     if ((n & 1) && !vs_int_mul(vm, r[1], r[0], &r[1])) return false;
     if (n <= 1) break;
@@ -364,12 +367,13 @@ bool vs_int_bitwise(vs_scheme *vm, char op, vs_value a, vs_value b, vs_value *ou
   return true;
 }
 
-/* ---- text ---- GMP's conversions are single calls without a poll. Therefore they get pieces of PIECE digits; a longer
- * number is divided by, or composed with, the radix to the power of PIECE * 2^k. GMP does about the same inside. */
+/* ---- integers as texts. GMP's conversions do not poll, so that they convert at most PIECE digits. A longer number is
+ * divided by, or composed with, radix to the power PIECE * 2^k, about as GMP does internally ---- */
 
 enum { PIECE = 20000, SQUARINGS = 14 /* PIECE * 2^14 digits exceed the largest number */ };
 
-/* Fills p[k] = radix^(PIECE * 2^k) while it has fewer digits than `digits`; sets *count. */
+/* Sets p[k] = radix^(PIECE * 2^k) for all k for which that has fewer digits than `digits`, and *count to their
+ * number. */
 static bool piece_powers(vs_scheme *vm, int radix, double digits, vs_value *p, int *count) {
   int k = 0;
   for (double of_one = PIECE; of_one < digits && k < SQUARINGS; of_one *= 2, k++)
@@ -378,7 +382,7 @@ static bool piece_powers(vs_scheme *vm, int radix, double digits, vs_value *p, i
   return true;
 }
 
-/* Prints the digits of |a|, at most about PIECE, with zeros before them up to `width`. The radix is 2 to 36. */
+/* Writes the digits of |a|, at most about PIECE, with leading zeros up to `width`. The radix is 2 to 36. */
 static bool print_piece(vs_scheme *vm, vs_value a, int radix, size_t width, vs_text *t) {
   static const char digit[] = "0123456789abcdefghijklmnopqrstuvwxyz";
   vs_int_view x;
@@ -394,7 +398,7 @@ static bool print_piece(vs_scheme *vm, vs_value a, int radix, size_t width, vs_t
     vs_fail_memory(vm);
   } else {
     if (x.n) {
-      mpn_copyi(copy, x.at, x.n);                                  /* mpn_get_str destroys its input */
+      mpn_copyi(copy, x.at, x.n);                                  /* mpn_get_str overwrites its input */
       n = mpn_get_str(s, radix, copy, x.n);
     }
     while (skip < n && s[skip] == 0) skip++;
@@ -422,14 +426,14 @@ bool vs_int_print(vs_scheme *vm, vs_value a, int radix, vs_text *t) {
     return vs_text_put(t, s + i, sizeof s - i);
   }
   VS_ROOTS(vm, p, SQUARINGS);
-  VS_ROOTS(vm, r, SQUARINGS + 2);            /* the parts not yet printed, the highest digits last */
+  VS_ROOTS(vm, r, SQUARINGS + 2);            /* roots: the parts not yet written, the highest digits last */
   struct { int level; bool first; } todo[SQUARINGS + 2];
   int count, top = 0;
   r[0] = a;
   if (!piece_powers(vm, radix, (double)vs_int_bits(a) / log2(radix), p, &count)) return false;
   todo[0].level = count;
   todo[0].first = true;
-  while (top >= 0) {                         /* each is less than p[level - 1]^2, or at level 0 less than p[0] */
+  while (top >= 0) {                         /* each part is less than p[level - 1]^2, or at level 0 less than p[0] */
     int level = todo[top].level;
     bool first = todo[top].first;
     if (level == 0) {
@@ -442,7 +446,7 @@ bool vs_int_print(vs_scheme *vm, vs_value a, int radix, vs_text *t) {
     todo[top].level = todo[top + 1].level = level - 1;
     todo[top + 1].first = first;
     todo[top].first = first && r[top + 1] == vs_fix(0);
-    if (!todo[top].first) top++;             /* omit leading zeros */
+    if (!todo[top].first) top++;             /* the first part has no leading zeros */
   }
   return true;
 }
@@ -464,7 +468,7 @@ static bool piece_from_digits(vs_scheme *vm, const unsigned char *digits, size_t
 
 bool vs_int_from_digits(vs_scheme *vm, const unsigned char *digits, size_t n, int radix, bool negative, vs_value *out) {
   VS_ROOTS(vm, p, SQUARINGS);
-  VS_ROOTS(vm, r, 3);                        /* the pieces, the lowest first; two of them */
+  VS_ROOTS(vm, r, 3);                        /* roots: the pieces, the lowest first, and two of them */
   int count;
   VS_ASSERT(radix >= 2 && radix <= 36);
   while (n && *digits == 0) digits++, n--;
@@ -479,7 +483,8 @@ bool vs_int_from_digits(vs_scheme *vm, const unsigned char *digits, size_t n, in
     if (!piece_from_digits(vm, digits + end - width, width, radix, &r[1])) return false;
     vs_gc_store(vm, vs_as_vector(r[0]), &vs_as_vector(r[0])->at[i], r[1]);
   }
-  for (int k = 0; pieces > 1; k++, pieces = (pieces + 1) / 2)      /* two of a level make one of the next */
+  for (int k = 0; pieces > 1; k++, pieces = (pieces + 1) / 2)      /* joins pairs of pieces of one level to pieces of
+                                                                    * the next */
     for (size_t i = 0; i < (pieces + 1) / 2; i++) {
       r[1] = vs_as_vector(r[0])->at[2 * i];
       if (2 * i + 1 < pieces &&
@@ -491,9 +496,9 @@ bool vs_int_from_digits(vs_scheme *vm, const unsigned char *digits, size_t n, in
   return !negative || vs_int_negate(vm, *out, out);
 }
 
-/* ---- doubles ---- */
+/* ---- integers as doubles ---- */
 
-/* Returns top * 2^e, correctly rounded, subnormals included. Bit 63 of top is set; `sticky`: nonzero bits follow. */
+/* Returns top * 2^e, correctly rounded, even if subnormal. Bit 63 of top is set. sticky: bits other than 0 follow. */
 static double round_top(uint64_t top, bool sticky, int64_t e) {
   int64_t high = e + 63;                         /* exponent of the leading bit */
   VS_ASSERT(top >> 63 == 1);
@@ -507,7 +512,7 @@ static double round_top(uint64_t top, bool sticky, int64_t e) {
   return ldexp((double)kept, (int)(e + shift));
 }
 
-/* Returns the limbs times 2^e. */
+/* Returns the number of n limbs, times 2^e, correctly rounded. */
 static double limbs_double(const mp_limb_t *at, mp_size_t n, bool sticky, int64_t e) {
   while (n && at[n - 1] == 0) n--;
   if (n == 0) return 0.0;
@@ -533,11 +538,12 @@ double vs_int_double(vs_value a) {
 
 bool vs_int_ratio_double(vs_scheme *vm, vs_value num, vs_value den, double *out) {
   VS_ASSERT(vs_int_sign(num) > 0 && vs_int_sign(den) > 0);
-  if (vs_is_fixnum(num) && vs_is_fixnum(den)) {      /* both are exact as doubles, so the division rounds once */
+  if (vs_is_fixnum(num) && vs_is_fixnum(den)) {      /* both are exact as doubles, so that the division rounds only
+                                                      * once */
     *out = (double)vs_fixnum(num) / (double)vs_fixnum(den);
     return true;
   }
-  /* scaled so that the quotient has 66 or 67 bits: two limbs contain it, and the remainder is the sticky bit */
+  /* Scales so that the quotient has 66 or 67 bits. Two limbs contain it, and the remainder is the sticky bit. */
   VS_ROOTS(vm, r, 4);
   r[0] = num;
   r[1] = den;

@@ -1,7 +1,7 @@
-/* Owns the generic arithmetic of the tower (number.h): dispatch over fixnum, bignum, ratio, double and flat record.
+/* Implements the general arithmetic of numbers (number.h) for fixnums, bignums, ratios, doubles and flat records.
  *
  * Every operation tests the cases in one order: doubles (one double makes the result a double), flat records, exact
- * numbers. A ratio among exact numbers leads to numerators and denominators. */
+ * numbers. If one of two exact numbers is a ratio, it computes with numerators and denominators. */
 #include "vm/numbers/number.h"
 
 #include <math.h>
@@ -13,7 +13,8 @@
 
 static const char *const op_name[] = {[VS_OP_ADD] = "+", [VS_OP_SUB] = "-", [VS_OP_MUL] = "*", [VS_OP_DIV] = "/"};
 
-/* Reports "NAME: expected EXPECTED, got V". NAME is the running native's, or `who` if the operator was inlined. */
+/* Sets the error "NAME: expected EXPECTED, got V". NAME is the running native's, or `who` if an instruction replaced
+ * the call. */
 static bool number_bad(vs_scheme *vm, const char *who, const char *expected, vs_value v) {
   VS_ROOTS(vm, r, 1);
   if (!vs_cons(vm, v, VS_NIL, &r[0])) return false;
@@ -25,7 +26,7 @@ static bool number_divide_by_zero(vs_scheme *vm, const char *who) {
   return vs_fail(vm, vm->sym.divide, "%s%sdivision by zero", vm->native ? "" : who, vm->native ? "" : ": ");
 }
 
-/* ---- conversions ---- */
+/* ---- conversions between types ---- */
 
 bool vs_number_ratio(vs_scheme *vm, vs_value num, vs_value den, vs_value *out) {
   VS_ROOTS(vm, r, 3);
@@ -73,7 +74,8 @@ bool vs_number_exact(vs_scheme *vm, vs_value v, vs_value *out) {
   if (!isfinite(d)) return number_bad(vm, "exact", "a finite number", v);
   if (d == floor(d)) return vs_int_from_double(vm, d, out);
   int e;
-  double m = frexp(d, &e);                       /* |e| small or negative: the value has a fraction */
+  double m = frexp(d, &e);                       /* the exponent is small or negative, so that the value has a
+                                                  * fractional part */
   VS_ROOTS(vm, r, 2);
   return vs_int_from_int64(vm, (int64_t)ldexp(m, 53), &r[0]) && vs_int_shift(vm, vs_fix(1), 53 - e, &r[1]) &&
          vs_number_ratio(vm, r[0], r[1], out);
@@ -87,7 +89,7 @@ static bool ratio_part(vs_value v, bool den, vs_value *out) {
   return true;
 }
 
-/* Computes an exact a op b: a ratio is among them, or op is a division. */
+/* Computes a op b exactly, if one of them is a ratio or op is a division. */
 static bool ratio_arith(vs_scheme *vm, vs_flat_op op, vs_value a, vs_value b, vs_value *out) {
   VS_ROOTS(vm, r, 6);
   VS_ASSERT(vs_is_exact(a) && vs_is_exact(b));
@@ -120,11 +122,11 @@ bool vs_flat_arith(vs_scheme *vm, vs_flat_op op, vs_value a, vs_value b, vs_valu
     const vs_value both[2] = {a, b};
     return vm->flat->call(vm, (const char *const[]){"+", "-", "*", "/"}[op], both, 2, out);
   }
-  double number = 0;   /* the operand that is no record; may be a ratio or a bignum */
+  double number = 0;   /* the operand that is no record, which may be a ratio or bignum */
   vs_value other = ta ? b : a;
   bool numbers = (ta && tb) || (vs_is_number(other) && vs_number_double(vm, other, &number));
   int rule = vm->flat && numbers ? vm->flat->at[op][ta][tb].rule : VS_RULE_NONE;
-  if (op == VS_OP_SUB && !ta && a != vs_fix(0)) rule = VS_RULE_NONE;   /* only (- x), which is 0 - x */
+  if (op == VS_OP_SUB && !ta && a != vs_fix(0)) rule = VS_RULE_NONE;   /* permitted only as (- x), which is 0 - x */
   if (rule == VS_RULE_NONE) {
     if (op == VS_OP_SUB) return vs_fail(vm, vm->sym.type, "cannot subtract %s from %s", vs_noun(vm, b), vs_noun(vm, a));
     return vs_fail(vm, vm->sym.type, "cannot %s %s %s %s", word[op], vs_noun(vm, a), joint[op], vs_noun(vm, b));
@@ -164,7 +166,7 @@ static bool number_arith(vs_scheme *vm, vs_flat_op op, vs_value a, vs_value b, v
   if (!exact_a && !vs_is_double(a)) return number_bad(vm, op_name[op], "a number", a);
   if (!exact_b && !vs_is_double(b)) return number_bad(vm, op_name[op], "a number", b);
   if (op == VS_OP_DIV && b == vs_fix(0)) return number_divide_by_zero(vm, "/");
-  /* exact zero times anything */
+  /* The product with an exact 0 is the exact 0. */
   if (op == VS_OP_MUL && (a == vs_fix(0) || b == vs_fix(0))) return *out = vs_fix(0), true;
   VS_ROOTS(vm, r, 2);
   r[0] = a;
@@ -190,11 +192,11 @@ bool vs_number_div(vs_scheme *vm, vs_value a, vs_value b, vs_value *out) {
 
 /* ---- comparison ---- */
 
-/* Sets *order to -1, 0 or 1; 2 if a number is NaN. Both are numbers. */
+/* Sets *order to -1, 0 or 1, or to 2 if a number is NaN. Both are numbers. */
 static bool number_compare(vs_scheme *vm, vs_value a, vs_value b, int *order) {
   bool da = vs_is_double(a), db = vs_is_double(b);
   VS_ASSERT(vs_is_number(a) && vs_is_number(b));
-  if ((da || vs_is_fixnum(a)) && (db || vs_is_fixnum(b))) {          /* fixnums are exact as doubles */
+  if ((da || vs_is_fixnum(a)) && (db || vs_is_fixnum(b))) {          /* doubles represent all fixnums exactly */
     double x = da ? vs_double(a) : (double)vs_fixnum(a), y = db ? vs_double(b) : (double)vs_fixnum(b);
     *order = x < y ? -1 : x > y ? 1 : x == y ? 0 : 2;
     return true;
@@ -270,7 +272,7 @@ uint64_t vs_number_hash(vs_value v) {
   return h;
 }
 
-/* ---- integers, exact or not ---- */
+/* ---- integer division, exact or not ---- */
 
 typedef enum { DIVIDE_QUOTIENT, DIVIDE_REMAINDER, DIVIDE_MODULO } divide_kind;
 
@@ -284,7 +286,7 @@ static bool number_divide(vs_scheme *vm, divide_kind kind, const char *who, vs_v
   if (b == vs_fix(0) || (vs_is_double(b) && vs_double(b) == 0)) return number_divide_by_zero(vm, who);
   if (vs_is_double(a) || vs_is_double(b)) {
     double x, y, rest;
-    /* integers: nothing is allocated */
+    /* The operands are integral doubles or fixnums: nothing is allocated. */
     if (!vs_number_double(vm, a, &x) || !vs_number_double(vm, b, &y)) return false;
     rest = fmod(x, y);
     if (kind == DIVIDE_QUOTIENT) return *out = vs_flonum((x - rest) / y), true;
@@ -312,7 +314,7 @@ bool vs_number_modulo(vs_scheme *vm, vs_value a, vs_value b, vs_value *out) {
 
 bool vs_number_abs(vs_scheme *vm, vs_value a, vs_value *out) {
   if (vs_is_double(a)) return *out = vs_flonum_raw(fabs(vs_double(a))), true;
-  if (vs_is_dual(a)) { /* not differentiable at 0: the slope of the right side */
+  if (vs_is_dual(a)) { /* the derivative at 0, where there is none, is that on the right side */
     bool below;
     if (!vs_number_test(vm, VS_LT, a, vs_fix(0), &below)) return false;
     return below ? vs_number_sub(vm, vs_fix(0), a, out) : (*out = a, true);
@@ -329,7 +331,7 @@ bool vs_number_is_zero(vs_scheme *vm, vs_value a, bool *out) {
   return true;
 }
 
-/* Sets *out to the exact root of an exact integer >= 0; #f if it is not an integer. */
+/* Sets *out to the square root of an exact integer >= 0 if that is an integer, else to #f. */
 static bool int_exact_sqrt(vs_scheme *vm, vs_value n, vs_value *out) {
   VS_ROOTS(vm, r, 2);
   VS_ASSERT(vs_is_exact_integer(n) && vs_int_sign(n) >= 0);
@@ -357,7 +359,8 @@ bool vs_number_sqrt(vs_scheme *vm, vs_value a, vs_value *out) {
   }
   double d;
   if (!vs_number_double(vm, r[0], &d)) return false;
-  /* out of range, but the root is in range: compute at least 64 bits of it with integers */
+  /* The number is outside the range of doubles, but its root is not: computes at least 64 bits of the root with
+   * integers. */
   if (isinf(d) || d == 0) {
     ratio_part(r[0], false, &r[1]), ratio_part(r[0], true, &r[2]);
     int64_t up = ((int64_t)vs_int_bits(r[2]) - (int64_t)vs_int_bits(r[1]) + 256) & ~INT64_C(1);

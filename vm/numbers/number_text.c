@@ -1,10 +1,10 @@
-/* Owns the texts of numbers: shortest printing and correct reading of doubles in every radix, exact numbers, R7RS'
- * syntax.
+/* Converts numbers to and from text: doubles in every radix, exact numbers, and the syntax of R7RS.
  *
- * Burger and Dybvig's free-format algorithm prints doubles: the shortest digits that read back as the same double, and
- * of those the nearest. It uses integers of at most some 20 limbs on the C stack. Two quick ways before it handle
- * integers and decimals of up to 15 digits, which cover most typed numbers. Reading uses Clinger's quick way (a
- * mantissa and a power of ten that are both exact doubles round once), else an exact ratio, correctly rounded. */
+ * Doubles are written by Burger and Dybvig's free-format algorithm: the shortest digits that read back as the same
+ * double, and of those the nearest. It uses integers of at most about 20 limbs on the C stack. Two faster methods are
+ * tried first, for integers and for decimals of up to 15 digits. Reading uses Clinger's fast path: a mantissa and a
+ * power of ten that are both exact doubles round only once. Other numbers are read as an exact ratio, and correctly
+ * rounded. */
 #include "vm/numbers/number_text.h"
 
 #include <float.h>
@@ -14,10 +14,11 @@
 
 #include "vm/numbers/number.h"
 
-/* ---- a double as digits ---- */
+/* ---- the digits of a double ---- */
 
-enum { BIG_LIMBS = 40, MAX_DIGITS = 1100 /* of a double in base 2 */ };
-typedef struct { mp_limb_t at[BIG_LIMBS]; mp_size_t n; } big;       /* n: limbs in use, without leading zeros */
+enum { BIG_LIMBS = 40, MAX_DIGITS = 1100 /* MAX_DIGITS: digits of a double in base 2 */ };
+typedef struct { mp_limb_t at[BIG_LIMBS]; mp_size_t n; } big;       /* n: number of limbs in use, without leading
+                                                                     * zeros */
 
 static void big_set(big *b, uint64_t v) {
   b->at[0] = v;
@@ -70,7 +71,7 @@ static int big_compare_sum(const big *a, const big *b, const big *c) {
   return big_compare(&sum, c);
 }
 
-/* Subtracts b from a as often as possible (fewer than 37 times); returns how often. */
+/* Subtracts b from a as often as possible, which is fewer than 37 times. Returns how often. */
 static unsigned big_divide(big *a, const big *b) {
   unsigned q = 0;
   while (big_compare(a, b) >= 0) {
@@ -81,19 +82,19 @@ static unsigned big_divide(big *a, const big *b) {
   return q;
 }
 
-/* Writes the digits D (values, not characters) of d = 0.D1D2... * radix^*point, for a finite d > 0; returns their
- * number. */
+/* Writes the digits D1, D2 ... (values, not characters) of d = 0.D1D2... * radix^*point. d is finite and above 0.
+ * Returns their number. */
 static int double_digits(double d, unsigned radix, unsigned char *digits, int *point) {
   int e;
   uint64_t f = (uint64_t)ldexp(frexp(d, &e), DBL_MANT_DIG);
   VS_ASSERT(d > 0 && isfinite(d));
   e -= DBL_MANT_DIG;
-  if (e < DBL_MIN_EXP - DBL_MANT_DIG) {                  /* subnormal: fewer bits */
+  if (e < DBL_MIN_EXP - DBL_MANT_DIG) {                  /* a subnormal number has fewer bits */
     f >>= DBL_MIN_EXP - DBL_MANT_DIG - e;
     e = DBL_MIN_EXP - DBL_MANT_DIG;
   }
   bool even = !(f & 1), edge = f == UINT64_C(1) << (DBL_MANT_DIG - 1) && e > DBL_MIN_EXP - DBL_MANT_DIG;
-  /* d = r / s; the midpoints to the neighbours are (r - low) / s and (r + high) / s */
+  /* d = r / s. The midpoints between d and its neighbours are (r - low) / s and (r + high) / s. */
   big r, s, low, high;
   big_set(&r, f), big_set(&s, 1), big_set(&low, 1), big_set(&high, 1);
   unsigned extra = edge ? 2 : 1;
@@ -131,7 +132,7 @@ static int double_digits(double d, unsigned radix, unsigned char *digits, int *p
   }
 }
 
-/* Does the same in base 10, with a quick way for short decimals. d > 0 is finite. */
+/* Writes the digits of d in base 10, as double_digits does, with a fast path for short decimals. */
 static int decimal_digits(double d, unsigned char *digits, int *point) {
   static const double ten[] = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7};
   VS_ASSERT(d > 0 && isfinite(d));
@@ -139,7 +140,7 @@ static int decimal_digits(double d, unsigned char *digits, int *point) {
     for (int k = 0; k < 8; k++) {
       double scaled = d * ten[k];
       if (scaled >= 1e15) break;
-      /* m / 10^k rounds to d, and m has 15 digits: it is d's text */
+      /* m / 10^k rounds to d, and m has at most 15 digits: m is the shortest text of d. */
       if (scaled != floor(scaled) || scaled / ten[k] != d) continue;
       unsigned char reversed[20] = {0};
       int n = 0, count = 0, skip = 0;
@@ -165,7 +166,7 @@ size_t vs_double_text(double d, char out[VS_DOUBLE_TEXT]) {
   }
   unsigned char digits[VS_DOUBLE_TEXT] = {0};
   int point, n = decimal_digits(d, digits, &point);
-  if (point > 21 || point < -5) {                       /* d.ddde+x */
+  if (point > 21 || point < -5) {                       /* with an exponent: d.ddde+x */
     *p++ = (char)('0' + digits[0]);
     if (n > 1) *p++ = '.';
     for (int i = 1; i < n; i++) *p++ = (char)('0' + digits[i]);
@@ -192,7 +193,7 @@ static bool double_print(double d, int radix, vs_text *t) {
     char s[VS_DOUBLE_TEXT];
     return vs_text_put(t, s, vs_double_text(d, s));
   }
-  /* without an exponent: in other radices its letter is a digit */
+  /* Writes no exponent, since in other radices its letter is a digit. */
   static const char name[] = "0123456789abcdefghijklmnopqrstuvwxyz";
   unsigned char digits[MAX_DIGITS];
   int point, n = double_digits(fabs(d), (unsigned)radix, digits, &point);
@@ -214,7 +215,7 @@ bool vs_number_print(vs_scheme *vm, vs_value v, int radix, vs_text *t) {
          vs_int_print(vm, vs_as_ratio(r[0])->den, radix, t);
 }
 
-/* ---- reading ---- */
+/* ---- reading numbers ---- */
 
 static int digit_value(char c, int radix) {
   int v = c >= '0' && c <= '9'   ? c - '0'
@@ -230,7 +231,7 @@ typedef struct scan {
   vs_scheme *vm;
   const char *s, *end;
   int radix;
-  char exactness;            /* 'e', 'i' or 0 */
+  char exactness;            /* 'e' after #e, 'i' after #i, or 0 */
   bool negative;
 } scan;
 
@@ -266,7 +267,7 @@ static bool finish_exact(const scan *in, vs_value v, vs_value *out) {
   return in->negative ? vs_number_sub(in->vm, vs_fix(0), r[0], out) : (*out = r[0], true);
 }
 
-/* Computes the mantissa's digits (values) * radix^exponent as a double, or exactly with #e. */
+/* Sets *out to the digits (values) of the mantissa times radix^exponent: a double, or exact after #e. */
 static bool scaled_number(const scan *in, const unsigned char *digits, size_t n, int64_t exponent, vs_value *out) {
   vs_scheme *vm = in->vm;
   while (n && digits[0] == 0) digits++, n--;
@@ -288,7 +289,7 @@ static bool scaled_number(const scan *in, const unsigned char *digits, size_t n,
   } else if (exponent > 1000000 || exponent < -1000000) {
     return vs_fail(vm, vm->sym.range, "the exponent of an exact number is too large");
   }
-  /* more digits than can matter: one sticky digit replaces the rest */
+  /* Digits after the first KEEP cannot change the result except by being non-zero: one digit replaces them. */
   enum { KEEP = 1200 };
   unsigned char kept[KEEP + 1];
   if (!exact && n > KEEP) {
@@ -341,7 +342,7 @@ static bool scan_decimal(const scan *in, const char *p, vs_value *out) {
     }
     if (minus) exponent = -exponent;
   } else if (!point) {
-    return true;                                  /* a plain integer was tried before */
+    return true;                                  /* plain integers were already tried */
   }
   unsigned char small[64], *digits = n <= sizeof small ? small : vs_mem(in->vm, NULL, 0, n);
   if (!digits) return vs_fail_memory(in->vm);
@@ -364,7 +365,7 @@ static bool equals(const char *p, const char *end, const char *lower) {
 
 bool vs_number_parse(vs_scheme *vm, const char *s, size_t n, int radix, vs_value *out) {
   VS_ASSERT(radix >= 2 && radix <= 36);
-  /* A number plus an exact 0 times the imaginary unit is that number; there are no other complex numbers. */
+  /* A number plus an exact 0 times the imaginary unit is that number. There are no other complex numbers. */
   if (n > 3 && is_letter(s[n - 1], 'i') && s[n - 2] == '0' && (s[n - 3] == '+' || s[n - 3] == '-') &&
       !is_letter(s[n - 4], 'e') && s[n - 4] != '#')
     n -= 3;

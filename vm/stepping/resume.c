@@ -1,4 +1,4 @@
-/* Owns the continuation of a stopped program. */
+/* Continues stopped programs. */
 #include "vm/stepping/resume.h"
 
 #include "vm/front/environment.h"

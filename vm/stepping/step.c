@@ -1,12 +1,12 @@
-/* Owns the stops of a program: the stepping run loop's check for them, (break), and continuing.
+/* Implements stops of a program: the check of each instruction in the stepping run loop, (break), and continuing.
  *
- * A step goes from one call in the program's own text to the next, in the order in which they are made; procedures that
- * are opcodes count as calls. An expression is shown when its operands have their values, (* 4 2), and then with its
- * result. Calls in the library do not stop.
+ * A step goes from one call in the program's own text to the next, in the order in which they are executed. Procedures
+ * that are opcodes count as calls. An expression is shown when its operands have their values, such as (* 4 2), and
+ * again with its result. Calls in the library do not stop.
  *
- * An activation's level is its distance from the bottom of the stack, with the parts in the heap. A callee's is larger
- * than its caller's; an activation that replaces another by a tail call has the same level. Stepping over an expression
- * skips all activations above its own until it has its value. */
+ * The level of an activation is its distance from the bottom of the stack, including the parts in the heap. The level
+ * of a callee is greater than that of its caller. An activation that replaces another by a tail call has the same
+ * level. Stepping over an expression skips all activations above its own until it has its value. */
 #include "vm/stepping/step.h"
 
 #include "vm/compiler/code.h"
@@ -36,8 +36,8 @@ static bool is_branch(uint32_t op) {
 
 static uint32_t length_of(uint32_t op) { return 1 + vs_op_extra(op); }
 
-/* Gets the result of the call at ins when the activation has come to `at` (both indices). Returns false if it has no
- * result to show. */
+/* Sets *out to the result of the call at index `call`, when the activation is about to run the instruction at index
+ * `at`. Returns false if there is no result to show. */
 static bool value_of(const vs_code *code, const vs_value *base, uint32_t call, uint32_t at, vs_value *out) {
   const uint32_t *ins = vs_code_ins(code) + call;
   uint32_t op = *ins & 255;
@@ -47,7 +47,7 @@ static bool value_of(const vs_code *code, const vs_value *base, uint32_t call, u
     default: break;
   }
   switch (vs_op_generic(op)) {
-    case VS_O_G_JABC: case VS_O_G_JAI: case VS_O_G_JA: /* takes the branch if the truth is C */
+    case VS_O_G_JABC: case VS_O_G_JAI: case VS_O_G_JA: /* the branch is taken if the truth of the result equals C */
       *out = vs_bool((at != call + length_of(op)) == (bool)VS_C(*ins));
       return true;
     case VS_O_NONE: case VS_O_G_SET: case VS_O_G_SETV: case VS_O_G_RECSET: return false;
@@ -55,8 +55,8 @@ static bool value_of(const vs_code *code, const vs_value *base, uint32_t call, u
   }
 }
 
-/* Gets the procedure and the arguments of the call at ins; args: room behind the activation's registers. Returns the
- * number of arguments. The instruction at ins is a call. */
+/* Gets the procedure, keywords and arguments of the call at ins. *args may be room after the activation's registers.
+ * Returns the number of arguments. */
 static size_t operands_of(const vs_code *code, vs_value *base, const uint32_t *ins, vs_value *procedure,
                           const vs_value **args, vs_value *keywords) {
   const vs_value *k = vs_code_consts(code);
@@ -92,9 +92,10 @@ static size_t operands_of(const vs_code *code, vs_value *base, const uint32_t *i
   }
 }
 
-/* ---- stopping ---- */
+/* ---- stopping a program ---- */
 
-/* Makes the condition, without the continuation. of: roots with the subject, the arguments, the keywords. */
+/* Creates the condition of a stop, without its continuation. of: roots with the subject, the arguments and the
+ * keywords. */
 static bool make_stop(vs_scheme *vm, vs_stop_kind kind, const vs_value *of, uint64_t level, bool tail) {
   VS_ROOTS(vm, r, 1);
   if (!vs_make_vector(vm, VS_STOP_WORDS, VS_FALSE, &r[0])) return false;
@@ -114,7 +115,7 @@ static bool make_stop(vs_scheme *vm, vs_stop_kind kind, const vs_value *of, uint
   return true;
 }
 
-/* Puts the continuation of the window w, with its return information in slot 1, into the stop in vm->condition. */
+/* Stores the continuation of the window w, which has its return information in slot 1, in the stop vm->condition. */
 static bool hold(vs_scheme *vm, vs_value *w, size_t n) {
   VS_ROOTS(vm, r, 1);
   VS_ASSERT(vs_is_stop(vm, vm->condition));
@@ -127,7 +128,7 @@ static bool hold(vs_scheme *vm, vs_value *w, size_t n) {
   return true;
 }
 
-/* The place where an activation stops: before the instruction `at`, because of the instruction `shown`. */
+/* Where an activation stops: before the instruction at index `at`. `shown` is the index of the instruction to show. */
 typedef struct { vs_value *base; uint32_t at, shown; uint64_t level; } stopped;
 
 static vs_step_verdict stop(vs_scheme *vm, const stopped *s, vs_stop_kind kind, vs_value subject) {
@@ -152,7 +153,7 @@ static vs_step_verdict stop(vs_scheme *vm, const stopped *s, vs_stop_kind kind, 
   vs_value *w = base + code->registers;
   w[0] = VS_FALSE;
   w[1] = vs_ret_make(code->registers, at);
-  hold(vm, w, 0);       /* when memory is out, the activations may be in the heap: no handler can catch the error */
+  hold(vm, w, 0);       /* if memory is out, the activations may be in the heap, and no handler can catch the error */
   return VS_LOOK_STOP;
 }
 
@@ -161,8 +162,7 @@ static bool is_own(const vs_scheme *vm, const vs_code *code, uint32_t at) {
   return vs_pos_file(vs_code_place(code, at)) >= vm->step.first_file;
 }
 
-/* Returns true for a call that a form of the library has inserted: its procedure has a name that programs cannot
- * write. */
+/* Returns true for a call that syntax of the library has inserted: the name of its procedure begins with %. */
 static bool is_hidden(const vs_code *code, const uint32_t *ins) {
   if ((*ins & 255) != VS_O_CALLG && (*ins & 255) != VS_O_TAILG) return false;
   vs_value name = vs_as_cell(vs_code_consts(code)[ins[1]])->name;
@@ -214,11 +214,12 @@ static vs_status break_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
       VS_UNCAUGHT : VS_ERROR;
 }
 
-/* ---- continuing ---- */
+/* ---- continuing a program ---- */
 
 static vs_status resume(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
-  vs_call_begin(vm, a[0]);        /* without its winders' before thunks: the program never left them */
+  vs_call_begin(vm, a[0]);        /* the before thunks of its dynamic-winds do not run, since the program has not left
+                                   * them */
   *out = VS_UNSPECIFIC;
   return VS_THROW;
 }

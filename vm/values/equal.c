@@ -1,8 +1,8 @@
-/* Owns equal? and the hashes (equal.h). Nothing here allocates Scheme objects, so addresses stay the same.
+/* Implements equal? and hashes (equal.h). Nothing here allocates Scheme objects, so that addresses remain valid.
  *
- * equal? walks both structures with an explicit stack. After more steps than most data needs, it begins to note the
- * pairs of objects under comparison. It takes a pair that it meets again for equal, as if both were unfolded forever.
- * Therefore cycles end, and shared structure is compared once. */
+ * equal? walks over both structures with an explicit stack. After more steps than most data need, it records the pairs
+ * of objects that are being compared. A pair that occurs again counts as equal, as if both structures were unfolded
+ * forever. Cycles therefore end, and shared structure is compared once. */
 #include "vm/values/equal.h"
 
 enum { EQUAL_STEPS_BEFORE_NOTES = 100000, HASH_NODES = 64 };
@@ -12,7 +12,8 @@ typedef struct equal_pair { vs_value a, b; } equal_pair;
 typedef struct equal_walk {
   vs_scheme *vm;
   equal_pair *todo; size_t count, room;
-  equal_pair *notes; size_t noted, slots;          /* open addressing; a = 0: a free slot (0 is no object) */
+  equal_pair *notes; size_t noted, slots;          /* hash table of pairs, with open addressing; a = 0 in a free slot (0
+                                                    * is no object) */
 } equal_walk;
 
 static uint64_t mix(uint64_t h, uint64_t v) {
@@ -40,7 +41,7 @@ static equal_pair *equal_slot(equal_pair *notes, size_t slots, vs_value a, vs_va
   return &notes[i];
 }
 
-/* Notes the pair; sets *known if it was noted before. Returns false when memory is out. */
+/* Records the pair. Sets *known if it was already recorded. Returns false when memory is out. */
 static bool equal_note(equal_walk *w, vs_value a, vs_value b, bool *known) {
   if (w->noted * 2 >= w->slots) {
     size_t slots = w->slots ? w->slots * 2 : 1024;
@@ -64,7 +65,7 @@ static bool equal_note(equal_walk *w, vs_value a, vs_value b, bool *known) {
   return true;
 }
 
-/* Returns the i-th character; i is less than the length. */
+/* Returns character i of a string. */
 static uint32_t string_at(const vs_string *s, uint32_t i) {
   const uint8_t *at = vs_as_bytes(s->store)->at;
   VS_ASSERT(i < s->length);
@@ -153,7 +154,7 @@ static uint64_t string_hash(const vs_string *s) {
   return mix(h, s->length);
 }
 
-/* Returns the hash of v alone, without its parts. */
+/* Returns the hash of v without its elements. */
 static uint64_t hash_atom(vs_scheme *vm, vs_value v, bool deep, bool *moves) {
   if (!vs_is_object(v)) return mix(1, v);
   const vs_object *o = vs_object_of(v);
@@ -170,7 +171,7 @@ static uint64_t hash_atom(vs_scheme *vm, vs_value v, bool deep, bool *moves) {
       uint64_t h = o->flags;
       for (uint32_t i = 0; i < vs_flat_count(vs_as_flat(v)); i++) {
         double d = vs_as_flat(v)->at[i];
-        h = mix(h, vs_flonum(d == 0 ? 0.0 : d));                    /* -0 and 0 are equal there */
+        h = mix(h, vs_flonum(d == 0 ? 0.0 : d));                    /* -0 and 0 must have equal hashes */
       }
       return h;
     }
@@ -189,7 +190,7 @@ uint64_t vs_hash(vs_scheme *vm, vs_value v, uint32_t kind, bool *moves) {
   *moves = false;
   bool deep = kind == VS_TABLE_EQUAL || kind == VS_TABLE_STRING;
   if (!deep || !vs_is_object(v) || (!vs_is_pair(v) && !vs_is_vector(v))) return hash_atom(vm, v, deep, moves);
-  /* hashes the first nodes of the structure only: enough to distinguish, and cycles end */
+  /* Only the first nodes of a structure are hashed. This suffices to distinguish most data, and ends for cycles. */
   vs_value todo[HASH_NODES + 1];
   size_t count = 0, nodes = 0;
   todo[count++] = v;

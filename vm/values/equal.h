@@ -1,4 +1,4 @@
-/* Owns equivalence: eqv?, equal? (for cycles and any depth) and the hashes that agree with them. */
+/* Declares the equivalences eqv? and equal? (for any depth, and for cycles), and hashes that agree with them. */
 #ifndef VS_VM_VALUES_EQUAL_H
 #define VS_VM_VALUES_EQUAL_H
 
@@ -7,12 +7,12 @@
 static inline bool vs_eqv(vs_value a, vs_value b) {
   return a == b || (vs_is_object(a) && vs_is_object(b) && vs_number_eqv(a, b));
 }
-bool vs_equal(vs_scheme *vm, vs_value a, vs_value b, bool *out);      /* Sets *out to whether both are equal. Returns
-                                                                       * false when memory is out or a limit is
-                                                                       * reached. */
-/* Returns the hash of v for a table of this kind, VS_TABLE_EQ to VS_TABLE_STRING. Sets *moves if the hash is that of a
- * young object's address: it is then valid only until vm->collections changes. EQ and EQV hash addresses; EQUAL does
- * for procedures, ports and the like. */
+bool vs_equal(vs_scheme *vm, vs_value a, vs_value b, bool *out);      /* Sets *out to whether a and b are equal.
+                                                                       * Returns false when memory is out or a limit
+                                                                       * is reached. */
+/* Returns the hash of v for a table of this kind, VS_TABLE_EQ to VS_TABLE_STRING. Sets *moves if it is computed from
+ * the address of a young object, and thus valid only until vm->collections changes. EQ and EQV hash the addresses of
+ * objects; EQUAL does so for procedures, ports and the like. */
 uint64_t vs_hash(vs_scheme *vm, vs_value v, uint32_t kind, bool *moves);
 
 #endif

@@ -1,4 +1,4 @@
-/* Owns the registered types of flat records (flat.h). */
+/* Implements the registered types of flat records (flat.h). */
 #include "vm/values/flat.h"
 
 #include <float.h>

@@ -1,27 +1,28 @@
-/* Owns flat records: a tag and at most VS_FLAT_FIELDS doubles, immutable; and their types and rules of arithmetic,
- * which the host registers. */
+/* Declares flat records: immutable objects with a tag and at most VS_FLAT_FIELDS doubles. The host registers their
+ * types and the rules of their arithmetic. */
 #ifndef VS_VM_VALUES_FLAT_H
 #define VS_VM_VALUES_FLAT_H
 
 #include "vm/machine/vs.h"
 
-enum { VS_FLAT_TAGS = 32, VS_FLAT_FIELDS = 16 };                 /* tag 0 means a number in the rules below */
+enum { VS_FLAT_TAGS = 32, VS_FLAT_FIELDS = 16 };                 /* in the rules below, tag 0 means a number */
 typedef struct vs_flat_type {
-  const char *name;        /* the noun of messages, as in "a point" */
+  const char *name;        /* noun for messages, such as "a point" */
   const char *noun;
-  const char *constructor; /* the printed form is (constructor f0 f1 ...) with the first `fields` doubles */
+  const char *constructor; /* a record is printed as (constructor f0 f1 ...) with its first `fields` doubles */
   int fields;
-  const char *parts[2];    /* each, if set, is the constructor of the next three doubles: (make-axis (xyz ...) (vxyz
-                            * ...)) */
+  const char *parts[2];    /* if not NULL: constructors of the first and the next three doubles, as in (make-axis (xyz
+                            * ...) (vxyz ...)) */
 } vs_flat_type;
 
 typedef enum { VS_RULE_NONE, VS_RULE_ADD, VS_RULE_SUB, VS_RULE_MUL, VS_RULE_DIV, VS_RULE_CALL } vs_flat_rule;
-/* componentwise, a number counts for every component; CALL: vs_flat_rules.call computes it */
+/* The rules are applied to each component; a number counts for every component. VS_RULE_CALL: vs_flat_rules.call
+ * computes the result. */
 typedef enum { VS_OP_ADD, VS_OP_SUB, VS_OP_MUL, VS_OP_DIV, VS_OP_COUNT } vs_flat_op;
 typedef enum {
   VS_FLAT_PLUS,
   VS_FLAT_MINUS,
-  VS_FLAT_FROM /* right - left */,
+  VS_FLAT_FROM /* right operand minus left */,
   VS_FLAT_TIMES,
   VS_FLAT_OVER,
   VS_FLAT_DOT,
@@ -30,25 +31,26 @@ typedef enum {
   VS_FLAT_LENGTH
 } vs_flat_kind;
 typedef struct vs_flat_rules {
-  int tags;                                                     /* 1 + the number of types */
+  int tags;                                                     /* 1 + number of types */
   vs_flat_type type[VS_FLAT_TAGS];
-  /* [operator][left tag][right tag]; unary minus is 0 - x */
+  /* at[operator][left tag][right tag]: rule and tag of the result; unary minus is 0 - x */
   struct { uint8_t rule, tag; } at[VS_OP_COUNT][VS_FLAT_TAGS][VS_FLAT_TAGS];
-  /* Procedures that run as one opcode. A `maker` makes a record of n numbers; a `field` returns the double at an index
-   * of a record whose tag is in the mask. The native of the same name handles the general case and reports errors. */
+  /* Procedures that become one opcode. A `maker` creates a record of n numbers. A getter returns the double at an index
+   * of a record whose tag is in the mask. The native of the same name handles all other cases, and reports errors. */
   int makers, getters;
   struct { const char *name; uint8_t tag, n; } maker[64];
   struct { const char *name; uint64_t mask; uint8_t index; } getter[64];
-  /* Procedures of two records of three fields, of a record and a number (right tag 0), or of one record. Each returns a
-   * record with the tag `result`; a number if `result` is 0. */
-  /* Computes the procedure of this name for n arguments, at least one a record of a type with VS_RULE_CALL. The
-   * procedures are those of arithmetic or of one number; tests return #t or #f. NULL: no type has that rule. */
+  /* Procedures of two records with three fields, of a record and a number (right tag 0), or of one record. The result
+   * is a record with the tag `result`, or a number if that is 0. */
+  /* Computes the named procedure for n arguments, at least one of which is a record of a type with VS_RULE_CALL. The
+   * procedures are arithmetic, functions of one number, and tests, which return #t or #f. NULL if no type has that
+   * rule. */
   bool (*call)(vs_scheme *vm, const char *name, const vs_value *a, int n, vs_value *out);
   int binaries, unaries;
   struct { const char *name; uint8_t kind, left, right, result; } binary[32];
   struct { const char *name; uint8_t kind, tag, result; } unary[16];
 } vs_flat_rules;
-/* Returns the length of (x y z). Scales the vector if the sum of squares overflows or loses digits to underflow. */
+/* Returns the length of (x y z). Scales the vector if the sum of squares overflows, or loses digits by underflow. */
 double vs_flat_length(double x, double y, double z);
 /* Returns true if one of the n arguments is a record that `call` handles. */
 bool vs_flat_callable(const vs_scheme *vm, const vs_value *a, int n);

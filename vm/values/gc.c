@@ -1,17 +1,17 @@
-/* Owns the collector.
+/* Implements the garbage collector.
  *
- * The old space consists of blocks of BLOCK bytes. Each block has cells of one size class. Chunks of CHUNK_BLOCKS
- * blocks, or more in a large heap (the host may then use huge pages), supply the blocks. A class has a free list of
- * cells and one block from which it takes new cells in sequence. Objects larger than the largest class are single
- * allocations in a list. Old objects never move.
+ * The old space consists of blocks of BLOCK bytes. Each block has cells of one size class. Blocks are parts of chunks,
+ * which have CHUNK_BLOCKS blocks, or more in a large heap (the host may then use huge pages). A class has a list of
+ * free cells, and one block from which new cells are taken in sequence. Objects larger than the largest class are
+ * separate allocations in a list. Old objects never move.
  *
- * A minor collection must not fail half way. Therefore gc_reserve sets aside the blocks that it might need before the
- * nursery is used again. Its worklist needs no memory: the old copy of a promoted object links to the next. A major
- * collection marks with a stack of (object, next slot). If that stack cannot grow, the collector walks the heap again
- * for the objects that it could not push.
+ * A minor collection must not fail before it is complete. gc_reserve therefore reserves the blocks that it might need
+ * before the nursery is used again. Its worklist needs no memory: the old copy of a promoted object links to the next.
+ * A major collection marks with a stack of (object, next slot). If that stack cannot grow, the collector walks over the
+ * heap again for the objects that it could not push.
  *
- * Costs: a minor collection is proportional to the surviving bytes, a major one to the live bytes plus one access per
- * old cell. */
+ * The time of a minor collection is proportional to the surviving bytes. The time of a major one is proportional to the
+ * live bytes, plus one access for each old cell. */
 #include "vm/values/gc.h"
 
 #include <stdlib.h>
@@ -25,15 +25,14 @@ enum {
   BLOCK = 16 << 10,
   BLOCK_DATA = BLOCK - 32,
   CHUNK_BLOCKS = 64,
-  CHUNK_LEAST = 2 << 20, CHUNK_MOST = 4 << 20,      /* the size of larger chunks, in bytes */
-  /* after a refused allocation, 1/STARVED of the heap must be allocated before the next collection for refused
-   * memory */
+  CHUNK_LEAST = 2 << 20, CHUNK_MOST = 4 << 20,      /* least and greatest size of larger chunks, in bytes */
+  /* After memory was refused, 1/STARVED of the heap must be allocated before the next collection for that reason. */
   STARVED = 64,
   GC_MARK = 1, GC_REMEMBERED = 2, GC_FREE = 4, GC_MOVED = 8, GC_LARGE = 16
 };
-/* A collection at every allocation costs as much as a walk over the roots, and a deep recursion has a million of them.
- * Above STRESS_VISITS visits the collector skips minor collections in proportion. It runs a whole collection, with a
- * check of the heap, once in so many allocations: the heap's bytes / STRESS_BYTES. */
+/* For VS_DEBUG_STRESS. A collection at every allocation visits all roots, of which a deep recursion has a million.
+ * Above STRESS_VISITS visits, minor collections are therefore skipped in proportion. A whole collection, with a check
+ * of the heap, runs once in (heap bytes / STRESS_BYTES) allocations. */
 enum { STRESS_VISITS = 2048, STRESS_BYTES = 256 };
 #if VS_DEBUG_SMALL
 enum { NURSERY = 32 << 10, FIRST_MAJOR = 256 << 10 };
@@ -43,21 +42,22 @@ enum { NURSERY = 1 << 20, FIRST_MAJOR = 16 << 20 };
 
 static const uint16_t class_words[] = { 2,  3,  4,  5,  6,  7,  8,  10, 12,  14,  16, 20,
                                         24, 28, 32, 40, 48, 64, 80, 96, 128, 170, 255 };
-enum { CLASSES = sizeof class_words / sizeof class_words[0], CLASS_MAX = 255 /* larger objects are allocated old,
-                                                                              * alone */ };
+/* CLASS_MAX: greatest size in words of objects in blocks; larger ones are allocated separately in the old space */
+enum { CLASSES = sizeof class_words / sizeof class_words[0], CLASS_MAX = 255 };
 
 struct vs_gc_block {
   struct vs_gc_block *next;
-  uint32_t words;                     /* the size of a cell, in words */
-  uint32_t used;                      /* bytes of data that are cut into cells */
+  uint32_t words;                     /* size of a cell in words */
+  uint32_t used;                      /* bytes of the block that were cut into cells */
   struct vs_gc_chunk *chunk;
   uint64_t unused;
   uint64_t data[];
 };
 struct vs_gc_chunk {
-  struct vs_gc_chunk *next, *open;    /* `open` links the chunks that have unused blocks */
-  uint32_t fresh, live;               /* blocks that were never used; blocks in use, as counted by the sweep */
-  uint32_t count, leaving;            /* number of blocks; whether the chunk is about to be freed */
+  struct vs_gc_chunk *next, *open;    /* open: next chunk with unused blocks */
+  uint32_t fresh, live;               /* fresh: number of blocks that were never used; live: blocks in use, as counted
+                                       * by the sweep */
+  uint32_t count, leaving;            /* count: number of blocks; leaving: whether the chunk is about to be freed */
 };
 struct vs_gc_large { struct vs_gc_large *next; size_t bytes; };
 
@@ -65,33 +65,37 @@ struct free_cell { vs_object h; struct free_cell *next; };
 struct mark_entry { vs_object *o; size_t next; };
 
 struct vs_gc {
-  struct vs_gc_block *blocks, *spare;           /* blocks in use; blocks without cells in use */
+  struct vs_gc_block *blocks, *spare;           /* blocks: list of blocks in use; spare: list of blocks without cells in
+                                                 * use */
   size_t spares;
   struct vs_gc_chunk *chunks, *open;
-  size_t chunk_bytes;                           /* of all chunks */
+  size_t chunk_bytes;                           /* bytes of all chunks */
   struct { struct free_cell *free; struct vs_gc_block *bump; } of[CLASSES];
-  uint8_t class_of[CLASS_MAX + 1];              /* index: words */
+  uint8_t class_of[CLASS_MAX + 1];              /* class_of[n]: size class of objects with n words */
   struct vs_gc_large *large;
-  /* the real end of the nursery; vm->end is lower while every allocation must come here */
+  /* The actual end of the nursery; vm->end is lower while every allocation must use the slow path. */
   char *nursery_end;
-  bool minor;                                   /* a minor collection runs */
-  bool ready;                                   /* the spare blocks for the next minor collection are reserved */
-  size_t old_bytes, major_at;                   /* bytes of old objects; the limit for a major collection */
-  /* bytes of old objects since the last whole collection for refused memory */
+  bool minor;                                   /* whether a minor collection is running */
+  bool ready;                                   /* whether the blocks for the next minor collection are reserved */
+  size_t old_bytes, major_at;                   /* old_bytes: bytes of old objects; major_at: old_bytes at which a major
+                                                 * collection begins */
+  /* Bytes of old objects allocated since the last whole collection for refused memory. */
   size_t granted;
-  size_t external, external_minor;              /* bytes of host objects; the number that forces a minor collection */
+  size_t external, external_minor;              /* external: bytes of host objects; external_minor: their number that
+                                                 * starts a minor collection */
   vs_object **remembered; size_t remembered_count, remembered_room; bool remembered_lost;
   vs_object **young_foreign; size_t young_count, young_room;
-  vs_object **tracing; size_t tracing_count, tracing_room;     /* old foreign objects with a trace hook */
-  vs_object *grey;                              /* worklist of the minor collection: linked old copies */
+  vs_object **tracing; size_t tracing_count, tracing_room;     /* old foreign objects with a trace function */
+  vs_object *grey;                              /* worklist of the minor collection: list of old copies */
   struct mark_entry *marks; size_t mark_count, mark_room; bool mark_lost;
-  char *image; size_t image_bytes;              /* objects loaded from a heap image */
+  char *image; size_t image_bytes;              /* objects that were loaded from a heap image */
   void (*release_image)(vs_scheme *vm, void *image, size_t bytes);
-  /* for VS_DEBUG_STRESS: visits of the last minor collection; allocations until the next minor and whole one */
+  /* For VS_DEBUG_STRESS: visits of the last minor collection; allocations until the next minor and the next whole
+   * one. */
   size_t visits, minor_in, whole_in;
 };
 
-/* ---- memory from the host ---- */
+/* ---- memory of the host ---- */
 static void *default_memory(void *user, void *p, size_t old_bytes, size_t bytes) {
   (void)user; (void)old_bytes;
   if (bytes == 0) { free(p); return NULL; }
@@ -120,7 +124,7 @@ void *vs_mem(vs_scheme *vm, void *p, size_t old_bytes, size_t bytes) {
   return q;
 }
 
-/* Makes room for one more element in a C array; returns false when memory is out. */
+/* Makes room for another element in a C array. Returns false when memory is out. */
 static bool gc_grow(vs_scheme *vm, void *array, size_t *room, size_t count, size_t size) {
   if (count < *room) return true;
   size_t more = *room ? *room * 2 : 64;
@@ -130,13 +134,13 @@ static bool gc_grow(vs_scheme *vm, void *array, size_t *room, size_t count, size
   return true;
 }
 
-/* ---- old space ---- */
+/* ---- chunks, blocks and cells of the old space ---- */
 static size_t chunk_size(size_t blocks) {
   return blocks > CHUNK_BLOCKS ? (blocks + 1) * BLOCK : sizeof(struct vs_gc_chunk) + blocks * BLOCK;
 }
 
-/* Adds a chunk of CHUNK_BLOCKS blocks, or, if a quarter of the heap is CHUNK_LEAST or more, of that quarter at most, in
- * whole huge pages, a power of two of them. */
+/* Adds a chunk of CHUNK_BLOCKS blocks. In a larger heap, the chunk is the largest power of two from CHUNK_LEAST to
+ * CHUNK_MOST bytes that does not exceed a quarter of the heap. */
 static bool gc_add_chunk(vs_scheme *vm) {
   struct vs_gc *gc = vm->gc;
   size_t blocks = CHUNK_BLOCKS;
@@ -159,7 +163,7 @@ static void gc_drop_chunk(vs_scheme *vm, struct vs_gc_chunk *c) {
   vs_mem(vm, c, bytes, 0);
 }
 
-/* Returns the number of spare blocks with which a promotion of the whole nursery cannot fail. */
+/* Returns the number of spare blocks that suffice to promote the whole nursery. */
 static size_t gc_blocks_needed(const vs_scheme *vm) {
   return vm->nursery_bytes / (BLOCK_DATA - BLOCK_DATA / 4) + CLASSES + 1;
 }
@@ -188,7 +192,7 @@ static struct vs_gc_block *gc_block(vs_scheme *vm) {
   return b;
 }
 
-/* Returns a cell for an object of so many words, at most CLASS_MAX; NULL if no block is left. */
+/* Returns a cell for an object of that many words, at most CLASS_MAX, or NULL if no block is left. */
 static vs_object *gc_cell(vs_scheme *vm, size_t words) {
   struct vs_gc *gc = vm->gc;
   unsigned k = gc->class_of[words];
@@ -212,8 +216,8 @@ static vs_object *gc_cell(vs_scheme *vm, size_t words) {
   return &f->h;
 }
 
-/* Returns a cell for an object that is allocated old; NULL when memory is out. The blocks reserved for the next minor
- * collection remain. */
+/* Returns a cell for an object that is allocated in the old space, or NULL when memory is out. The blocks reserved for
+ * the next minor collection remain reserved. */
 static vs_object *gc_born_old(vs_scheme *vm, size_t words) {
   struct vs_gc *gc = vm->gc;
   unsigned k = gc->class_of[words];
@@ -224,8 +228,8 @@ static vs_object *gc_born_old(vs_scheme *vm, size_t words) {
   return gc_cell(vm, words);
 }
 
-/* Returns an object alone, zeroed; NULL when memory is out. A gigabyte takes long enough to poll: *stopped means that
- * the condition is an interrupt, not refused memory. */
+/* Allocates a large object separately, zeroed. Returns NULL when memory is out. Zeroing a gigabyte takes so long that
+ * it polls; *stopped is set if an interrupt, and not refused memory, is the condition. */
 static vs_object *gc_large(vs_scheme *vm, size_t words, bool *stopped) {
   struct vs_gc *gc = vm->gc;
   size_t bytes = words * sizeof(uint64_t);
@@ -241,27 +245,26 @@ static vs_object *gc_large(vs_scheme *vm, size_t words, bool *stopped) {
   return (vs_object *)(void *)(l + 1);
 }
 
-/* ---- allocation ---- */
-static void gc_hold_down(vs_scheme *vm) {      /* for debugging: every allocation takes the slow path */
+/* ---- allocating objects ---- */
+static void gc_hold_down(vs_scheme *vm) {      /* for debugging: every allocation then uses the slow path */
   vm->end = VS_DEBUG_STRESS || vm->fail_after ? vm->nursery : vm->gc->nursery_end;
 }
 
-/* Fills the header of an object of this VS_T_ type, and zeroes the rest. */
+/* Initialises the header of an object of this type (VS_T_...), and zeroes the rest. */
 static vs_object *gc_init(vs_object *o, int type, unsigned gc, size_t words) {
   VS_ASSERT(type >= 0 && type < VS_T_COUNT);
-  if (!(gc & GC_LARGE)) memset(o, 0, words * sizeof(uint64_t));       /* gc_large has zeroed it */
+  if (!(gc & GC_LARGE)) memset(o, 0, words * sizeof(uint64_t));       /* gc_large has already zeroed it */
   o->type = (uint8_t)type; o->gc = (uint8_t)gc; o->words = (uint32_t)words;
   return o;
 }
 
-/* For VS_DEBUG_STRESS: runs the collections due before this allocation. Room may still be missing; gc_alloc_slow
- * handles that. */
+/* For VS_DEBUG_STRESS: runs the collections that are due before this allocation. */
 static void gc_stress(vs_scheme *vm) {
   struct vs_gc *gc = vm->gc;
   if (gc->whole_in-- == 0) {
     vs_gc_major(vm);
     if (!vs_gc_check(vm)) __builtin_trap();
-    /* a period that does not coincide with a loop's */
+    /* The period varies, so that it does not coincide with that of a loop in the program. */
     gc->whole_in = (gc->old_bytes + gc->image_bytes) / STRESS_BYTES + vm->collections % 7;
   } else if (gc->minor_in-- == 0) {
     vs_gc_minor(vm);
@@ -282,11 +285,11 @@ vs_object *vs_gc_alloc_old(vs_scheme *vm, int type, size_t words) {
   if (VS_DEBUG_STRESS && gc->whole_in-- == 0) { gc->whole_in = 0; gc_stress(vm); }
   if (gc->old_bytes + gc->external + words * 8 > gc->major_at || (words > CLASS_MAX && gc_over_limit(vm, words * 8)))
     vs_gc_major(vm);
-  /* room to remember this object, so that this cannot fail later */
+  /* Makes room to remember this object, so that remembering it cannot fail later. */
   if (!gc_grow(vm, &gc->remembered, &gc->remembered_room, gc->remembered_count, sizeof *gc->remembered)) return NULL;
   bool stopped = false;
   vs_object *o = words <= CLASS_MAX ? gc_born_old(vm, words) : gc_large(vm, words, &stopped);
-  /* refused: a collection may free memory, unless one ran a moment ago */
+  /* Memory was refused: a collection may free some, unless one has just run. */
   if (!o) {
     if (stopped || gc->granted < gc->old_bytes / STARVED) return NULL;
     gc->granted = 0;
@@ -296,7 +299,7 @@ vs_object *vs_gc_alloc_old(vs_scheme *vm, int type, size_t words) {
   }
   gc->granted += words * 8;
   gc_init(o, type, words > CLASS_MAX ? GC_LARGE : 0, words);
-  if (vs_layout[type].first) vs_gc_remember(vm, o);     /* its first stores come without the barrier */
+  if (vs_layout[type].first) vs_gc_remember(vm, o);     /* its fields are first set without the write barrier */
   return o;
 }
 
@@ -343,7 +346,7 @@ void vs_gc_remember(vs_scheme *vm, vs_object *o) {
   if (o->gc & GC_REMEMBERED) return;
   o->gc |= GC_REMEMBERED;
   if (gc->remembered_count == gc->remembered_room) {
-    /* refused memory is no error here: the object carries the bit, and a walk over the heap finds it */
+    /* If memory is out, it is enough that the object has the flag: a walk over the heap finds it. */
     vs_value was = vm->condition;
     bool grown = gc_grow(vm, &gc->remembered, &gc->remembered_room, gc->remembered_count, sizeof *gc->remembered);
     vm->condition = was;
@@ -360,13 +363,13 @@ void vs_gc_external(vs_scheme *vm, int64_t bytes) {
   else gc->external = (size_t)((int64_t)gc->external + bytes);
 }
 
-/* The bytes of a host's object are 16 bits of its header: 11 digits, rounded up, and the number of places by which they
- * are shifted. Therefore the same number is added and later subtracted. */
+/* The number of bytes of a host's object is stored in 16 bits of its header: 11 binary digits, rounded up, and the
+ * number of places by which they are shifted. The number that is added is thus equal to the number later subtracted. */
 enum { CHARGE_DIGITS = 11, CHARGE_MASK = (1 << CHARGE_DIGITS) - 1 };
 static uint16_t gc_charge(size_t bytes) {
   unsigned shift = 0;
   for (; bytes > CHARGE_MASK && shift < 31; shift++) bytes = bytes / 2 + bytes % 2;
-  return (uint16_t)(shift << CHARGE_DIGITS | (bytes & CHARGE_MASK)); /* no object takes 4 TB */
+  return (uint16_t)(shift << CHARGE_DIGITS | (bytes & CHARGE_MASK)); /* no object has 4 TB */
 }
 static size_t gc_charged(uint16_t charge) { return (size_t)(charge & CHARGE_MASK) << (charge >> CHARGE_DIGITS); }
 
@@ -404,7 +407,7 @@ static void gc_finalize(vs_scheme *vm, vs_object *o) {
   f->object = NULL;
 }
 
-/* ---- roots, one visit for both collections ---- */
+/* ---- visiting the roots, for both kinds of collection ---- */
 typedef vs_gc_visit gc_visit;
 
 static inline void gc_visit_range(vs_scheme *vm, vs_value *at, size_t n, gc_visit *visit) {
@@ -414,8 +417,8 @@ static inline void gc_visit_range(vs_scheme *vm, vs_value *at, size_t n, gc_visi
 static void gc_visit_roots(vs_scheme *vm, gc_visit *visit) {
   if (vm->stack) {
     gc_visit_range(vm, vm->stack, (size_t)(vm->top - vm->stack), visit);
-    /* slots above the top are dead, but would count as live when an activation grows over them before it writes
-     * there */
+    /* slots above the top are unused. They are zeroed, since they would count as live when an activation includes them
+     * before it writes them. */
     memset(vm->top, 0, (size_t)((char *)vm->stack_end - (char *)vm->top));
   }
   visit(vm, &vm->under);
@@ -428,7 +431,7 @@ static void gc_visit_roots(vs_scheme *vm, gc_visit *visit) {
   vs_gc_visit_trees(vm, visit);
 }
 
-/* ---- minor collection ---- */
+/* ---- minor collections ---- */
 static void minor_visit(vs_scheme *vm, vs_value *slot) {
   vs_value v = *slot;
   if (VS_DEBUG_STRESS) vm->gc->visits++;
@@ -436,13 +439,14 @@ static void minor_visit(vs_scheme *vm, vs_value *slot) {
   vs_object *o = vs_object_of(v);
   uint64_t *corpse = (uint64_t *)(void *)o;
   if (!(o->gc & GC_MOVED)) {
-    vs_object *copy = gc_cell(vm, o->words);      /* cannot fail: the spare blocks are reserved */
+    vs_object *copy = gc_cell(vm, o->words);      /* cannot fail, since blocks are reserved */
     uint64_t *to = (uint64_t *)(void *)copy;
     bool traced = vs_layout[o->type].first != 0;
     size_t words = o->words;
-    for (size_t i = 0; i < words; i++) to[i] = corpse[i];     /* mostly a few words: faster than a call */
-    /* The header holds GC_MOVED in its low bytes and the next old copy above them; word 1 is the new address. An object
-     * without references needs no more work. */
+    for (size_t i = 0; i < words; i++) to[i] = corpse[i];     /* mostly a few words, for which a loop is faster than a
+                                                               * call of memcpy */
+    /* The header of the moved object has GC_MOVED in its low bytes, and the next old copy above them. Word 1 is the new
+     * address. An object without references needs no further work. */
     corpse[0] = (uint64_t)GC_MOVED << 8;
     corpse[1] = (uint64_t)(uintptr_t)copy;
     if (traced) {
@@ -459,7 +463,7 @@ static void minor_trace(vs_scheme *vm, vs_object *o) {
   for (size_t i = 0; i < n; i++) minor_visit(vm, &slots[i]);
 }
 
-/* a function that gets every old object, in no order */
+/* A function that is called with every old object, in no particular order. */
 typedef void gc_each(vs_scheme *vm, vs_object *o);
 static void gc_walk_old(vs_scheme *vm, gc_each *f) {
   struct vs_gc *gc = vm->gc;
@@ -494,17 +498,17 @@ bool vs_gc_is_minor(const vs_scheme *vm) { return vm->gc->minor; }
 
 void vs_gc_minor(vs_scheme *vm) {
   struct vs_gc *gc = vm->gc;
-  if (!gc->ready) return;      /* nothing was allocated */
+  if (!gc->ready) return;      /* no object was allocated */
   gc->grey = NULL;
-  gc->visits = (size_t)(vm->stack_end - vm->top) / 16;      /* these slots are zeroed */
+  gc->visits = (size_t)(vm->stack_end - vm->top) / 16;      /* these slots were zeroed */
   gc->minor = true;
   gc_visit_roots(vm, minor_visit);
   if (gc->remembered_lost) gc_walk_old(vm, minor_remembered);
   else for (size_t i = 0; i < gc->remembered_count; i++) minor_remembered(vm, gc->remembered[i]);
   gc->remembered_count = 0; gc->remembered_lost = false;
   gc_trace_foreign(vm, minor_visit);
-  /* Young objects with hooks count as live until the next major collection only if they moved: the worklist is emptied
-   * first. */
+  /* Young objects with trace functions are treated as live until the next major collection, but only if they moved: the
+   * worklist is emptied first. */
   bool again = true;
   while (again) {
     while (gc->grey) {
@@ -536,12 +540,13 @@ void vs_gc_minor(vs_scheme *vm) {
   vs_value was = vm->condition;
   gc->ready = gc_reserve(vm);
   vm->condition = was;
-  /* the nursery stays closed: the next allocation tries again, and fails if memory is still refused */
+  /* If memory is refused, the nursery remains closed. The next allocation tries again, and fails if memory is still
+   * refused. */
   if (gc->ready) gc_hold_down(vm); else vm->end = vm->free;
   if (VS_DEBUG_CHECK && !vs_gc_check(vm)) __builtin_trap();
 }
 
-/* ---- major collection ---- */
+/* ---- major collections ---- */
 static void major_push(vs_scheme *vm, vs_object *o, size_t next) {
   struct vs_gc *gc = vm->gc;
   if (gc->mark_count == gc->mark_room) {
@@ -568,7 +573,7 @@ static void major_drain(vs_scheme *vm) {
     size_t n;
     vs_value *slots = vs_layout_slots(e.o, &n);
     size_t stop = n;
-    if (n - e.next > 64) {                     /* long objects in pieces, so that the stack stays short */
+    if (n - e.next > 64) {                     /* long objects are visited in pieces, so that the stack remains small */
       stop = e.next + 64;
       major_push(vm, e.o, stop);
       if (gc->mark_lost) stop = n;
@@ -585,7 +590,7 @@ static void major_rescan(vs_scheme *vm, vs_object *o) {
   major_drain(vm);
 }
 
-/* Frees chunks without a block in use while enough spare blocks remain. */
+/* Frees chunks without a block in use, while enough spare blocks remain. */
 static void major_give_back(vs_scheme *vm) {
   struct vs_gc *gc = vm->gc;
   size_t keep = gc_blocks_needed(vm), leaving = 0;
@@ -615,7 +620,7 @@ static void major_sweep(vs_scheme *vm) {
     unsigned k = gc->class_of[b->words];
     struct free_cell *head = gc->of[k].free;
     size_t cells = 0, step = b->words * 8u;
-    bool stays = false;                        /* cells of a block that is freed as a whole are not linked */
+    bool stays = false;                        /* the cells of a block that is freed are not added to the free list */
     for (size_t at = 0; at < b->used && !stays; at += step)
       stays = (((vs_object *)(void *)((char *)b->data + at))->gc & GC_MARK) != 0;
     for (size_t at = 0; at < b->used; at += step) {
@@ -630,7 +635,7 @@ static void major_sweep(vs_scheme *vm) {
       struct free_cell *f = (struct free_cell *)(void *)o;
       f->next = head; head = f;
     }
-    if (cells == 0) {                          /* removes this block's cells from the free list */
+    if (cells == 0) {                          /* removes the block's cells from the free list */
       *link = b->next;
       b->next = gc->spare; gc->spare = b; gc->spares++;
     } else {
@@ -655,7 +660,7 @@ static void major_sweep(vs_scheme *vm) {
   for (size_t i = 0; i < gc->image_bytes;) {
     vs_object *o = (vs_object *)(void *)(gc->image + i);
     size_t slots = 0;
-    /* the collector does not sweep the image: a dead object there must not count as a user of its children */
+    /* Dead objects of the image are not swept. Their references are cleared, so that the check does not follow them. */
     if (VS_DEBUG_STRESS || VS_DEBUG_CHECK) {
       vs_value *slot = vs_layout_slots(o, &slots);
       while (!(o->gc & GC_MARK) && slots > 0) slot[--slots] = VS_FALSE;
@@ -670,12 +675,12 @@ static void major_sweep(vs_scheme *vm) {
 void vs_gc_major(vs_scheme *vm) {
   struct vs_gc *gc = vm->gc;
   vs_gc_minor(vm);
-  if (vm->free != vm->nursery) return;         /* the nursery could not be emptied */
+  if (vm->free != vm->nursery) return;         /* memory was refused, and the nursery could not be emptied */
   gc->mark_lost = false;
   gc_visit_roots(vm, major_visit);
   major_drain(vm);
   for (;;) {
-    /* objects with hooks reach values that only their hooks know */
+    /* Foreign objects with trace functions may refer to values that only these functions can find. */
     size_t before = gc->mark_count;
     for (size_t i = 0; i < gc->tracing_count; i++) {
       vs_foreign *f = (vs_foreign *)(void *)gc->tracing[i];
@@ -692,7 +697,7 @@ void vs_gc_major(vs_scheme *vm) {
   for (size_t i = 0; i < gc->tracing_count; i++)
     if (gc->tracing[i]->gc & GC_MARK) gc->tracing[kept++] = gc->tracing[i];
   gc->tracing_count = kept;
-  /* the minor collection forgets all remembered objects, but a hook may have stored since */
+  /* The minor collection has cleared the remembered set, but a trace function may have stored since. */
   kept = 0;
   for (size_t i = 0; i < gc->remembered_count; i++)
     if (gc->remembered[i]->gc & GC_MARK) gc->remembered[kept++] = gc->remembered[i];
@@ -707,7 +712,7 @@ void vs_gc_major(vs_scheme *vm) {
   if (VS_DEBUG_CHECK && !vs_gc_check(vm)) __builtin_trap();
 }
 
-/* ---- checking ---- */
+/* ---- checking the heap ---- */
 static void check_object(vs_scheme *vm, vs_object *o) {
   size_t n;
   bool good = o->type < VS_T_COUNT && o->words >= 2 && !(o->gc & (GC_FREE | GC_MOVED));
@@ -720,7 +725,7 @@ static void check_object(vs_scheme *vm, vs_object *o) {
       good = good && to->type < VS_T_COUNT && to->words >= 2;
     }
   }
-  if (!good) vm->gc->mark_lost = true;         /* the flag also carries the verdict of the check */
+  if (!good) vm->gc->mark_lost = true;         /* the flag is also the result of the check */
 }
 
 bool vs_gc_check(vs_scheme *vm) {
@@ -736,7 +741,7 @@ void vs_gc_fail_after(vs_scheme *vm, size_t n) {
   if (vm->gc->ready) gc_hold_down(vm);
 }
 
-/* ---- opening and closing ---- */
+/* ---- opening and closing the heap ---- */
 bool vs_gc_open(vs_scheme *vm) {
   struct vs_gc *gc = vs_mem(vm, NULL, 0, sizeof *gc);
   VS_ASSERT(!vm->gc);

@@ -1,5 +1,5 @@
-/* Owns the heap: allocation, roots, the write barrier, collection, and all memory that the interpreter requests of its
- * host.
+/* Declares the heap: allocation, roots, the write barrier, collection, and all memory that the interpreter requests
+ * from its host.
  *
  * Plan. New objects are allocated in sequence in the nursery. A minor collection copies the surviving ones once into
  * the old space, where objects never move: blocks of one size class, swept into free lists, and large objects in a
@@ -38,19 +38,20 @@ static inline void vs_gc_unlink(struct vs_roots *r) {
   __attribute__((cleanup(vs_gc_unlink))) struct vs_roots NAME##_link = {NULL, VM, NAME, N};             \
   vs_gc_link(&NAME##_link)
 
-/* ---- objects ---- */
-/* Returns an object of `words` words, in the nursery if small: the header is filled, the rest zero bytes (which read as
- * the double 0.0). NULL: out of memory. */
+/* ---- allocating objects ---- */
+/* Returns an object of `words` words; small objects are in the nursery. The header is set, and all other bytes are zero
+ * (which read as the double 0.0). Returns NULL when memory is out. */
 vs_object *vs_gc_alloc(vs_scheme *vm, int type, size_t words);
-vs_object *vs_gc_alloc_old(vs_scheme *vm, int type, size_t words);      /* the object never moves */
+vs_object *vs_gc_alloc_old(vs_scheme *vm, int type, size_t words);      /* allocates in the old space, where objects
+                                                                         * never move */
 
 static inline bool vs_gc_is_young(const vs_scheme *vm, const void *o) {
   return (uintptr_t)o - (uintptr_t)vm->nursery < vm->nursery_bytes;
 }
-/* Notes an old object that may contain the address of a young one. */
+/* Adds an old object, which may contain the address of a young one, to the remembered set. */
 void vs_gc_remember(vs_scheme *vm, vs_object *o);
-/* Takes back the note of an object without addresses: the next minor collection skips it until a store puts one
- * there. */
+/* Removes an object without addresses from the remembered set. The next minor collection does not visit it, unless an
+ * address is stored first. */
 void vs_gc_forget(vs_object *o);
 /* Stores v in a field of the object. */
 static inline void vs_gc_store(vs_scheme *vm, void *object, vs_value *field, vs_value v) {
@@ -61,35 +62,35 @@ static inline void vs_gc_store(vs_scheme *vm, void *object, vs_value *field, vs_
 
 bool vs_cons(vs_scheme *vm, vs_value car, vs_value cdr, vs_value *out);
 bool vs_make_vector(vs_scheme *vm, size_t n, vs_value fill, vs_value *out);
-/* `at` is in roots or args; n = 1 gives at[0] */
+/* Sets *out to several values; `at` points to roots or arguments. For n = 1 it is at[0]. */
 bool vs_make_values(vs_scheme *vm, const vs_value *at, size_t n, vs_value *out);
-/* Takes over the caller's reference to `object`, and releases it on failure. */
+/* Sets *out to a foreign object. Takes over the caller's reference to `object`, and releases it on failure. */
 bool vs_make_foreign(vs_scheme *vm, const struct vs_foreign_type *type, void *object, size_t bytes, vs_value *out);
-/* Sets *out to the symbol of these UTF-8 bytes. */
+/* Sets *out to the symbol with these UTF-8 bytes. */
 bool vs_intern(vs_scheme *vm, const char *name, size_t bytes, vs_value *out);
 
-/* For plain objects with traced fields (environment, macro, alias, promise, parameter, record type, ratio ...):
- * allocate with vs_gc_alloc(vm, VS_T_X, VS_WORDS(vs_x)), and set the fields before the next allocation. */
+/* For plain objects with traced fields (environment, macro, alias, promise, parameter, record type, ratio ...): call
+ * vs_gc_alloc(vm, VS_T_X, VS_WORDS(vs_x)), and set the fields before the next allocation. */
 #define VS_WORDS(ctype) ((sizeof(ctype) + 7) / 8)
 
-/* ---- memory outside objects: counted against the limit. `old_bytes` is the size requested before. NULL: refused
- * (without an error if bytes is 0) ---- */
-/* The old bytes have been counted. */
+/* ---- memory outside objects, which counts towards the limit. `old_bytes` is the size of the last request. NULL:
+ * refused, with an error set ---- */
+/* Allocates (p NULL), frees (bytes 0) or resizes memory. */
 void *vs_mem(vs_scheme *vm, void *p, size_t old_bytes, size_t bytes);
 
 void vs_gc_minor(vs_scheme *vm);
-/* Returns true if a minor collection runs. The values that it has visited are old when it ends, so an owner of values
- * that do not change need not pass them to the next one. */
+/* Returns true during a minor collection. The values that it has visited are old when it ends. An owner of values that
+ * do not change therefore need not pass them to the next minor collection. */
 bool vs_gc_is_minor(const vs_scheme *vm);
-void vs_gc_major(vs_scheme *vm);                     /* both generations */
-void vs_gc_external(vs_scheme *vm, int64_t bytes);   /* adds to the host memory that objects keep */
-bool vs_gc_check(vs_scheme *vm);                     /* checks the whole heap; returns true if it is sound */
+void vs_gc_major(vs_scheme *vm);                     /* Collects both generations. */
+void vs_gc_external(vs_scheme *vm, int64_t bytes);   /* Adds to the number of bytes of host memory that objects keep. */
+bool vs_gc_check(vs_scheme *vm);                     /* Checks the whole heap; returns true if it is consistent. */
 
-void vs_gc_fail_after(vs_scheme *vm, size_t n);      /* for tests: refuses the n-th allocation from now; 0: none */
+void vs_gc_fail_after(vs_scheme *vm, size_t n);      /* For tests: the n-th allocation from now is refused; 0: none. */
 
-/* ---- between the parts of vm/ ---- */
+/* ---- functions for other files of vm/ ---- */
 typedef void vs_gc_visit(vs_scheme *vm, vs_value *slot);
-/* image.c: adopts objects made elsewhere; `release` frees them when the heap is closed */
+/* Adds objects that were created elsewhere (by image.c) to the heap. `release` frees them when the heap is closed. */
 void vs_gc_adopt(vs_scheme *vm, void *image, size_t bytes, void (*release)(vs_scheme *vm, void *image, size_t bytes));
 /* Opens the heap of an interpreter that has none. */
 bool vs_gc_open(vs_scheme *vm);

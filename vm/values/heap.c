@@ -1,4 +1,4 @@
-/* Owns the constructors of the basic objects, and the table of symbols. */
+/* Creates basic objects, and implements the table of symbols. */
 #include "vm/values/heap.h"
 
 #include "vm/machine/poll.h"
@@ -83,7 +83,8 @@ bool vs_make_string(vs_scheme *vm, size_t length, uint32_t fill, vs_value *out) 
   return true;
 }
 
-/* Returns a code point from s[0..n) and sets *used to its bytes; U+FFFD and 1 for a bad byte. n is not 0. */
+/* Returns the code point at s[0..n), and sets *used to its number of bytes. For an invalid byte, returns U+FFFD and
+ * sets *used to 1. n is not 0. */
 static uint32_t utf8_next(const unsigned char *s, size_t n, size_t *used) {
   VS_ASSERT(n > 0);
   *used = 1;
@@ -172,8 +173,8 @@ bool vs_make_keywords(vs_scheme *vm, const vs_value *names, size_t n, vs_value *
   return true;
 }
 
-/* ---- symbols: vm->at.symbols is a vector: element 0 is the count as a fixnum, then a power of two of slots; #f: free
- * ---- */
+/* ---- symbols. vm->at.symbols is a vector: element 0 is the count as a fixnum, then a power of two of slots; #f in a
+ * free slot ---- */
 static uint32_t name_hash(const char *s, size_t n) {
   uint32_t h = 2166136261u;
   for (size_t i = 0; i < n; i++) h = (h ^ (unsigned char)s[i]) * 16777619u;
@@ -223,7 +224,7 @@ bool vs_intern(vs_scheme *vm, const char *name, size_t bytes, vs_value *out) {
   vs_gc_store(vm, table, &table->at[k + 1], *out);
   int64_t count = vs_fixnum(table->at[0]) + 1;
   table->at[0] = vs_fix(count);
-  if ((size_t)count * 4 > mask * 3) {          /* `out` may be no root of the caller's; symbols do not move */
+  if ((size_t)count * 4 > mask * 3) {          /* not stored in *out yet, which may be no root; symbols do not move */
     return symbols_grow(vm);
   }
   return true;

@@ -1,15 +1,15 @@
-/* Owns the reversal of lists. */
+/* Reverses lists. */
 #include "vm/values/pairs.h"
 
 #include "vm/machine/native.h"
 
-enum { POLL_STEP = 1024, POLL_COST = 4 * POLL_STEP /* a step reads or makes a pair */ };
+enum { POLL_STEP = 1024, POLL_COST = 4 * POLL_STEP /* POLL_STEP: pairs read or created between two polls */ };
 
 bool vs_list_onto(vs_scheme *vm, vs_value *list, vs_value tail, vs_value *out) {
   *out = tail;
   for (uint64_t i = 1; vs_is_pair(*list); i++, *list = vs_cdr(*list))
     if (!vs_cons(vm, vs_car(*list), *out, out) || (i % POLL_STEP == 0 && !vs_poll(vm, POLL_COST))) return false;
-  VS_ASSERT(*list == VS_NIL); /* the list was a proper one */
+  VS_ASSERT(*list == VS_NIL); /* the list was a proper list */
   return true;
 }
 

@@ -1,11 +1,11 @@
-/* Owns the printer (printer.h). Nothing here allocates Scheme objects, so the values and addresses in its stacks remain
- * valid.
+/* Implements the printer (printer.h). Nothing here allocates Scheme objects, so that the values and addresses on its
+ * stacks remain valid.
  *
- * Plan. A walk with an explicit stack writes the text. Before it, unless the mode is SIMPLE, the printer finds the
- * objects that need a label. For write and display only cycles need labels. The printer first walks the structure as a
- * tree, without notes, with at most as many steps as the heap can hold objects. This suffices unless the structure has
- * cycles or much sharing, and needs no memory for a long list. Otherwise a depth-first walk notes the objects that it
- * enters again while they are open (SHARED: enters twice). */
+ * A walk with an explicit stack writes the text. Unless the mode is SIMPLE, the printer first finds the objects that
+ * need a label. For write and display, only cycles need labels. The structure is then first walked as a tree, without
+ * records of the objects, in at most as many steps as the heap can have objects. This suffices unless the structure has
+ * cycles or much sharing, and needs no memory for a long list. Otherwise, a depth-first walk records the objects that
+ * it enters again while they are open (in mode SHARED: that it enters twice). */
 #include "vm/values/printer.h"
 
 #include <utf8proc.h>
@@ -15,18 +15,18 @@
 
 typedef enum {
   ITEM,        /* print v */
-  TAIL,        /* v is the rest of a list with an open parenthesis */
-  CLOSE,       /* ) */
-  SLOTS,       /* the elements of the vector, values or record v from number i, then ) or > */
-  ENTRIES,     /* the entries of the table v from position i, then ) */
-  DOT          /* " . " */
+  TAIL,        /* print the rest v of a list whose parenthesis is open */
+  CLOSE,       /* print ) */
+  SLOTS,       /* print elements of the vector, values or record v from number i on, then ) or > */
+  ENTRIES,     /* print entries of the table v from position i on, then ) */
+  DOT          /* print " . " */
 } print_step;
 
 typedef struct print_frame { uint8_t step; uint32_t i; vs_value v; } print_frame;
 
-/* the facts about an object: open addressing by address */
+/* Records of objects, in a hash table by address with open addressing. */
 typedef struct print_note { const vs_object *object; int32_t label; } print_note;
-enum { NOTE_OPEN = -1, NOTE_DONE = -2, NOTE_WANTED = -3 };      /* else the printed number */
+enum { NOTE_OPEN = -1, NOTE_DONE = -2, NOTE_WANTED = -3 };      /* values of `label`; any other is the printed number */
 
 typedef struct printer {
   vs_scheme *vm;
@@ -37,7 +37,7 @@ typedef struct printer {
   int32_t labels;
 } printer;
 
-/* ---- the stack and the notes ---- */
+/* ---- the stack and the records of objects ---- */
 
 static bool push(printer *p, print_step step, vs_value v, uint32_t i) {
   if (p->count == p->room) {
@@ -82,7 +82,7 @@ static bool note_add(printer *p, const vs_object *o) {
   return true;
 }
 
-/* ---- which objects need labels ---- */
+/* ---- finding the objects that need labels ---- */
 
 static bool is_compound(vs_value v) {
   if (!vs_is_object(v)) return false;
@@ -93,8 +93,8 @@ static bool is_compound(vs_value v) {
 
 static size_t record_fields(const vs_record *r) { return r->h.words - 2; }
 
-/* A record type with a name that begins with % belongs to the library. Its printed form omits the fields with such
- * names: they may contain the record's owner. */
+/* Returns true if the name begins with %, and thus belongs to the library. Records of such types are printed without
+ * the fields with such names: they may contain the record's owner. */
 static bool is_inner_name(vs_value name) { return vs_is_symbol(name) && *vs_as_symbol(name)->name == '%'; }
 static bool is_hidden(const vs_record *r, uint32_t i) {
   const vs_record_type *type = vs_as_record_type(r->type);
@@ -102,8 +102,7 @@ static bool is_hidden(const vs_record *r, uint32_t i) {
          is_inner_name(vs_as_vector(type->fields)->at[i]);
 }
 
-/* Sets *child to the child number *i of v, which has children, and advances *i; a table's are counted by position.
- * Returns false after the last. */
+/* Sets *child to child number *i of v, which has children, and advances *i. Returns false after the last child. */
 static bool next_child(vs_value v, uint32_t *i, vs_value *child) {
   vs_value other;
   VS_ASSERT(is_compound(v));
@@ -134,7 +133,7 @@ static bool next_child(vs_value v, uint32_t *i, vs_value *child) {
       *child = vs_as_condition(v)->irritants;
       return true;
     case VS_T_TABLE: {
-      /* even steps: the key at position i/2; odd steps: its value */
+      /* For a table, even numbers mean the key at position i/2, odd numbers its value. */
       uint32_t position = *i >> 1;
       const vs_table *t = vs_as_table(v);
       const vs_value *at = vs_as_vector(t->entries)->at;
@@ -150,7 +149,7 @@ static bool next_child(vs_value v, uint32_t *i, vs_value *child) {
   return false;
 }
 
-/* Sets *small if the structure ends, walked as a tree, within `budget` steps. */
+/* Sets *small if walking the structure as a tree ends within `budget` steps. */
 static bool walk_tree(printer *p, vs_value v, size_t budget, bool *small) {
   size_t steps = 0;
   *small = false;
@@ -163,7 +162,7 @@ static bool walk_tree(printer *p, vs_value v, size_t budget, bool *small) {
     if (!next_child(f->v, &f->i, &child)) {
       p->count--;
     } else if (is_compound(child)) {
-      /* the cdr replaces the pair on the stack */
+      /* The cdr takes the place of the pair on the stack. */
       if (vs_object_of(f->v)->type == VS_T_PAIR && f->i == 2) *f = (print_frame){ITEM, 0, child};
       else if (!push(p, ITEM, child, 0)) return false;
     }
@@ -195,7 +194,7 @@ static bool find_labels(printer *p, vs_value v) {
   return true;
 }
 
-/* ---- atoms ---- */
+/* ---- printing atoms ---- */
 
 static const struct { uint32_t c; const char *name;
 } char_names[] = {
@@ -203,7 +202,7 @@ static const struct { uint32_t c; const char *name;
   { 0x7F, "delete" }, { 0x1B, "escape" },  { 8, "backspace" }, { 7, "alarm" },
 };
 
-/* Returns false for control characters, unassigned code points and lone marks, which print as numbers. */
+/* Returns false for control characters, unassigned code points and marks, which are printed as numbers. */
 static bool is_visible(uint32_t c) {
   if (c < 0x20 || (c >= 0x7F && c < 0xA0)) return false;
   if (c < 0x7F) return true;
@@ -239,7 +238,7 @@ static bool put_char(vs_text *t, uint32_t c) {
   return vs_text_put(t, "x", 1) && put_hex(t, c);
 }
 
-/* Appends one character between `quote`s: " of a string or | of a symbol. */
+/* Appends one character of a string (quote is ") or of a symbol (quote is |), with an escape if necessary. */
 static bool put_escaped(vs_text *t, uint32_t c, char quote) {
   if (c == (uint32_t)quote || c == '\\') {
     char s[2] = {'\\', (char)c};
@@ -272,7 +271,7 @@ static bool same_letters(const char *s, const char *lower, size_t n) {
   return true;
 }
 
-/* Returns true if a name has the syntax of a number, here or in other Schemes (+i). number_text.c reads numbers. */
+/* Returns true if the name has the syntax of a number, here or in other Schemes (+i). */
 static bool spells_number(const char *s, size_t n) {
   bool sign = *s == '+' || *s == '-';
   if (sign && n == 2 && (s[1] | 32) == 'i') return true;
@@ -324,7 +323,7 @@ static bool put_symbol(vs_text *t, vs_value v, bool written) {
   return ok && vs_text_put(t, "|", 1);
 }
 
-/* Appends "#<WHAT NAME>"; name is a symbol or a string; any other value: none. */
+/* Appends "#<WHAT NAME>", without NAME if it is neither a symbol nor a string. */
 static bool put_opaque(vs_text *t, const char *what, vs_value name) {
   bool ok = vs_text_put(t, "#<", 2) && vs_text_puts(t, what);
   if (ok && vs_is_symbol(name)) ok = vs_text_put(t, " ", 1) && put_symbol(t, name, false);
@@ -382,7 +381,7 @@ static bool put_atom(printer *p, vs_value v) {
     case VS_T_SYMBOL: return put_symbol(t, v, written);
     case VS_T_BYTES: return put_bytes(t, v);
     case VS_T_FLAT: return put_flat(p->vm, t, v);
-    case VS_T_DUAL: /* prints the plain value: people print numbers to follow a program */
+    case VS_T_DUAL: /* printed without its slope, since users print numbers to follow a program */
       return vs_text_puts(t, "#<dual ") && put_atom(p, vs_dual_base(v)) && vs_text_puts(t, ">");
     case VS_T_CLOSURE: return put_opaque(t, "procedure", vs_as_code(vs_as_closure(v)->code)->name);
     case VS_T_CASE: {
@@ -413,10 +412,10 @@ static bool put_atom(printer *p, vs_value v) {
   return put_opaque(t, "object", VS_FALSE);
 }
 
-/* ---- compounds ---- */
+/* ---- printing compound data ---- */
 
-/* Returns the abbreviation of (quote x) and the like, or NULL. (unquote @x) has none, since ,@x is (unquote-splicing
- * x). */
+/* Returns the abbreviation for (quote x) and the like, or NULL. (unquote @x) has none, since ,@x means
+ * (unquote-splicing x). */
 static const char *abbreviation(const vs_scheme *vm, vs_value v) {
   if (!vs_is_pair(v) || !vs_is_pair(vs_cdr(v)) || vs_cdr(vs_cdr(v)) != VS_NIL) return NULL;
   vs_value head = vs_car(v), quoted = vs_car(vs_cdr(v));
@@ -526,7 +525,8 @@ static bool print_compound(printer *p, vs_value v) {
       case ENTRIES: ok = step_entries(p, f); break;
       case DOT: ok = vs_text_put(p->t, " . ", 3); break;
     }
-    if ((steps & 1023) == 0) ok = ok && vs_poll(p->vm, 64 * 1024);         /* a number takes half a microsecond */
+    if ((steps & 1023) == 0) ok = ok && vs_poll(p->vm, 64 * 1024);         /* printing a number takes half a
+                                                                            * microsecond */
   }
   return ok;
 }
@@ -540,9 +540,9 @@ bool vs_print(vs_scheme *vm, vs_value v, vs_print_mode mode, vs_text *t) {
   return ok;
 }
 
-/* ---- errors ---- */
+/* ---- printing errors ---- */
 
-/* Appends one value of a message, cut after a number of bytes. */
+/* Appends a value for a message, cut after 240 bytes. */
 static bool put_brief(vs_scheme *vm, vs_value v, vs_text *t) {
   vs_text brief;
   vs_text_open(vm, &brief, 240);

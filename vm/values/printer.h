@@ -1,4 +1,4 @@
-/* Owns the external representation of values: display, write, write-simple, write-shared, and the text of errors. */
+/* Declares the printer: display, write, write-simple, write-shared, and the texts of errors. */
 #ifndef VS_VM_VALUES_PRINTER_H
 #define VS_VM_VALUES_PRINTER_H
 
@@ -7,16 +7,16 @@
 
 typedef enum {
   VS_PRINT_DISPLAY,      /* strings and characters without quotes; labels only for cycles */
-  VS_PRINT_WRITE,        /* readable; labels only for cycles */
-  VS_PRINT_SIMPLE,       /* readable; no labels (a cycle reaches the limits) */
-  VS_PRINT_SHARED        /* readable; labels for all shared objects */
+  VS_PRINT_WRITE,        /* can be read again; labels only for cycles */
+  VS_PRINT_SIMPLE,       /* can be read again; no labels, so that a cycle is printed until a limit is reached */
+  VS_PRINT_SHARED        /* can be read again; labels for all shared objects */
 } vs_print_mode;
 
-/* Appends v to t. Depth needs no C stack; a list of a million elements needs no memory beyond its text. */
+/* Appends v to t. Deep structures need no C stack, and a list of a million elements needs no memory beyond its text. */
 bool vs_print(vs_scheme *vm, vs_value v, vs_print_mode mode, vs_text *t);
 
-/* Appends the message and irritants of a CONDITION ("car: expected a pair, got 5"), or "uncaught raise: " and any other
- * object. */
+/* Appends the message and irritants of a CONDITION ("car: expected a pair, got 5"). For any other object, appends
+ * "uncaught raise: " and the object. */
 bool vs_print_condition(vs_scheme *vm, vs_value condition, vs_text *t);
 
 #endif

@@ -1,10 +1,10 @@
-/* Owns access to the characters of strings, 1 or 4 bytes each (value.h). */
+/* Reads and writes the characters of strings, which have 1 or 4 bytes each (value.h). */
 #ifndef VS_VM_VALUES_STRING_CHARS_H
 #define VS_VM_VALUES_STRING_CHARS_H
 
 #include "vm/machine/native.h"
 
-/* Returns the k-th code point; k is in range. */
+/* Returns character k, a code point. */
 static inline uint32_t vs_string_at(vs_value s, size_t k) {
   const uint8_t *at = vs_as_bytes(vs_as_string(s)->store)->at;
   uint32_t c;
@@ -14,8 +14,8 @@ static inline uint32_t vs_string_at(vs_value s, size_t k) {
   return c;
 }
 
-/* Sets the k-th code point of a string that is wide enough for it: vs_make_string got a fill as wide, or vs_string_set
- * widened the string. k is in range. */
+/* Sets character k to the code point c. The string must be wide enough for c: vs_make_string was called with such a
+ * fill, or vs_string_set has converted the string. */
 static inline void vs_string_put(vs_value s, size_t k, uint32_t c) {
   uint8_t *at = vs_as_bytes(vs_as_string(s)->store)->at;
   VS_ASSERT(k < vs_as_string(s)->length);

@@ -1,8 +1,9 @@
-/* Owns hash tables (table.h; vs_table in value.h describes the layout).
+/* Implements hash tables (table.h). value.h describes their layout (vs_table).
  *
- * The index uses linear probing. A removal shifts later entries back, so the index has no tombstones. An entry's hash
- * is a fixnum: 40 bits of the hash, and bit 0 set if it is that of a young object's address. table_sync places such
- * entries again after the nursery was emptied: the survivors are then in the old space, and do not move. */
+ * The index uses linear probing. A removal moves later entries back, so that the index has no marks of removed entries.
+ * The hash of an entry is a fixnum: 40 bits of the hash, and bit 0 set if it is computed from the address of a young
+ * object. After the nursery was emptied, table_sync inserts such entries again. Their keys are then in the old space,
+ * and do not move any more. */
 #include "vm/values/table.h"
 
 #include "vm/values/equal.h"
@@ -21,21 +22,21 @@ static uint64_t table_hash(vs_scheme *vm, const vs_table *t, vs_value key) {
 }
 static uint32_t hash_home(uint64_t stored, uint32_t mask) { return (uint32_t)(stored >> 1) & mask; }
 
-/* Puts the entry with this stored hash into the index, which has room; mask is the index's size, a power of two, minus
- * 1. */
+/* Adds the entry with this stored hash to the index, which has room. mask is the size of the index, a power of two,
+ * minus 1. */
 static void index_place(uint32_t *index, uint32_t mask, vs_value stored, uint32_t entry) {
   uint32_t i = hash_home((uint64_t)vs_fixnum(stored), mask);
   VS_ASSERT((mask & (mask + 1)) == 0);
   while (index[i]) i = (i + 1) & mask;
   index[i] = entry + 1;
 }
-/* Puts an added entry into the table's index. */
+/* Adds a new entry to the table's index. */
 static void table_place(vs_table *t, uint32_t entry) {
   VS_ASSERT(entry < t->used);
   index_place(table_index(t), table_mask(t), table_entries(t)->at[entry * 3 + 2], entry);
 }
 
-/* Frees slot i, which is in use: moves back the later entries that a search would no longer find. */
+/* Frees slot i, which is in use. Moves back later entries that a search would no longer find. */
 static void table_unplace(vs_table *t, uint32_t i) {
   uint32_t *index = table_index(t), mask = table_mask(t);
   VS_ASSERT(i <= mask && index[i] != 0);
@@ -69,8 +70,8 @@ static void table_sync(vs_scheme *vm, vs_table *t) {
   t->epoch = vm->collections;
 }
 
-/* Sets *entry to the entry with this key, -1 if there is none, and *slot to its place in the index. Returns false when
- * a comparison runs out of memory. */
+/* Sets *entry to the entry with this key, or to -1, and *slot to its position in the index. Returns false if memory
+ * runs out during a comparison. */
 static bool table_find(vs_scheme *vm, vs_table *t, vs_value key, uint64_t hash, int64_t *entry, uint32_t *slot) {
   uint32_t *index = table_index(t), mask = table_mask(t);
   vs_value *at = table_entries(t)->at;
@@ -102,8 +103,8 @@ bool vs_make_table(vs_scheme *vm, uint32_t kind, vs_value *out) {
   return true;
 }
 
-/* Makes room for one more entry, and drops removed ones if there are many. `table` is a root. Returns false when memory
- * is out. */
+/* Makes room for another entry. If many entries were removed, compacts the table instead. `table` is a root. Returns
+ * false when memory is out. */
 static bool table_reserve(vs_scheme *vm, const vs_value *table) {
   vs_table *t = vs_as_table(*table);
   uint32_t room = (uint32_t)(table_entries(t)->length / 3);
@@ -123,12 +124,13 @@ static bool table_reserve(vs_scheme *vm, const vs_value *table) {
     for (uint32_t k = 0; k < 3; k++) vs_gc_store(vm, to, &to->at[n * 3 + k], from->at[e * 3 + k]);
     index_place(index, mask, to->at[n * 3 + 2], n);
     n++;
-    if (!vs_poll_turn(vm, e, 8)) return false;      /* the table is unchanged */
+    if (!vs_poll_turn(vm, e, 8)) return false;      /* the table is still unchanged */
   }
   vs_gc_store(vm, t, &t->entries, r[0]);
   vs_gc_store(vm, t, &t->index, r[1]);
   t->used = n;
-  t->young = 0;                                   /* the entries' numbers have changed: table_sync must check all */
+  t->young = 0;                                   /* the numbers of the entries have changed, so that table_sync must
+                                                   * examine all */
   return true;
 }
 

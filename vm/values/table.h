@@ -1,18 +1,18 @@
-/* Owns hash tables: in insertion order, with keys by eq?, eqv?, equal? or string=?. */
+/* Declares hash tables in insertion order, with keys compared by eq?, eqv?, equal? or string=?. */
 #ifndef VS_VM_VALUES_TABLE_H
 #define VS_VM_VALUES_TABLE_H
 
 #include "vm/machine/native.h"
 
-/* kind is VS_TABLE_EQ to VS_TABLE_STRING (value.h). */
+/* Creates a table. kind is VS_TABLE_EQ to VS_TABLE_STRING (value.h). */
 bool vs_make_table(vs_scheme *vm, uint32_t kind, vs_value *out);
-/* Sets *out to the value; VS_VACANT if the key is missing. */
+/* Sets *out to the value of the key, or to VS_VACANT if the key is missing. */
 bool vs_table_get(vs_scheme *vm, vs_value table, vs_value key, vs_value *out);
 bool vs_table_put(vs_scheme *vm, vs_value table, vs_value key, vs_value value);
 bool vs_table_remove(vs_scheme *vm, vs_value table, vs_value key);
 bool vs_table_clear(vs_scheme *vm, vs_value table);
-/* Returns the next entry in insertion order; *position begins at 0. Returns false at the end. An iteration returns
- * entries added meanwhile and skips removed ones. count is at most used. */
+/* Sets *key and *value to the next entry in insertion order; *position begins at 0. Returns false at the end. Entries
+ * added during an iteration are included, and removed ones are not. */
 bool vs_table_next(vs_value table, uint32_t *position, vs_value *key, vs_value *value);
 
 #endif

@@ -1,4 +1,4 @@
-/* Owns vs_text: a growing UTF-8 buffer in accounted memory. The printer, number text and string ports write into it.
+/* Declares vs_text: a growing UTF-8 buffer in counted memory. The printer, number texts and string ports write into it.
  *
  *   vs_text t;
  *   vs_text_open(vm, &t, 0);
@@ -13,24 +13,26 @@
 
 typedef struct vs_text {
   vs_scheme *vm;
-  char *at;              /* ends with a zero byte only if vs_text_end was the last call */
+  char *at;              /* the bytes; a NUL follows only if vs_text_end was called last */
   size_t count, room;
-  size_t limit;          /* number of bytes after which text is dropped and `cut` set (for messages); 0: no limit */
+  size_t limit;          /* number of bytes after which text is omitted and `cut` is set (for messages); 0: no limit */
   bool cut;
 } vs_text;
 
 void vs_text_open(vs_scheme *vm, vs_text *t, size_t limit);
-void vs_text_close(vs_text *t);                                    /* frees; also after a failure, or twice */
-bool vs_text_put(vs_text *t, const char *bytes, size_t n);         /* false: out of memory, in vm->condition */
+void vs_text_close(vs_text *t);                                    /* Frees the buffer; also permitted after a failure,
+                                                                    * or twice. */
+bool vs_text_put(vs_text *t, const char *bytes, size_t n);         /* Appends bytes. When memory is out, sets
+                                                                    * vm->condition and returns false. */
 bool vs_text_puts(vs_text *t, const char *s);
-bool vs_text_char(vs_text *t, uint32_t c);                         /* c is a code point */
-bool vs_text_string(vs_text *t, vs_value string);                  /* the characters of a Scheme string */
-bool vs_text_end(vs_text *t);                                      /* adds a zero byte that `count` does not include */
-bool vs_text_to_string(vs_text *t, vs_value *out);                 /* makes a new mutable string */
+bool vs_text_char(vs_text *t, uint32_t c);                         /* Appends the code point c. */
+bool vs_text_string(vs_text *t, vs_value string);                  /* Appends the characters of a Scheme string. */
+bool vs_text_end(vs_text *t);                                      /* Appends a NUL, which `count` does not include. */
+bool vs_text_to_string(vs_text *t, vs_value *out);                 /* Sets *out to a new mutable string. */
 
-/* Decodes a character of UTF-8. Returns its bytes (1 to 4); 0 if the sequence is bad or incomplete. */
+/* Decodes a UTF-8 character. Returns its number of bytes (1 to 4), or 0 if the bytes are invalid or incomplete. */
 size_t vs_utf8_decode(const char *s, size_t n, uint32_t *out);
-/* Encodes the code point c, at most 0x10FFFF; returns its bytes. */
+/* Encodes the code point c, at most 0x10FFFF. Returns its number of bytes. */
 size_t vs_utf8_encode(uint32_t c, char out[4]);
 
 #endif

@@ -1,4 +1,4 @@
-/* Owns the representation of Scheme values: the NaN-boxed word, the heap objects behind it, and the accessors.
+/* Declares the representation of Scheme values: the NaN-boxed word, the heap objects, and functions on them.
  *
  * A vs_value has 64 bits.
  *   below 0xFFF9 << 48   an IEEE double, unboxed (the NaN that x86 makes, 0xFFF8 << 48, is among them)
@@ -34,17 +34,18 @@ typedef uint64_t vs_value;
 #define VS_FIXNUM_MAX INT64_C(0x7FFFFFFFFFFF)
 #define VS_FIXNUM_MIN (-VS_FIXNUM_MAX - 1)
 
-/* ---- immediates: a kind in bits 32..47, a payload in bits 0..31 ---- */
+/* ---- immediate values: a kind in bits 32..47, a payload in bits 0..31 ---- */
 #define VS_IMMEDIATE(kind, n) ((VS_TAG_IMMEDIATE << 48) | ((uint64_t)(kind) << 32) | (uint64_t)(n))
 #define VS_FALSE       VS_IMMEDIATE(0, 0)
 #define VS_TRUE        VS_IMMEDIATE(0, 1)
 #define VS_NIL         VS_IMMEDIATE(1, 0)
-#define VS_UNSPECIFIC  VS_IMMEDIATE(2, 0)   /* the result of (if #f #f) and set!; a prompt prints nothing for it */
+#define VS_UNSPECIFIC  VS_IMMEDIATE(2, 0)   /* value of (if #f #f) and set!; a prompt prints nothing for it */
 #define VS_EOF         VS_IMMEDIATE(3, 0)
-#define VS_ABSENT      VS_IMMEDIATE(4, 0)   /* an optional or keyword argument that was not given; never a user's
-                                             * value */
-#define VS_UNDEFINED   VS_IMMEDIATE(5, 0)   /* a variable without a value yet (letrec, an undefined global) */
-#define VS_VACANT      VS_IMMEDIATE(6, 0)   /* hash tables: a free slot, a removed entry */
+#define VS_ABSENT      VS_IMMEDIATE(4, 0)   /* an optional or keyword argument that was not given; never visible to
+                                             * programs */
+#define VS_UNDEFINED   VS_IMMEDIATE(5, 0)   /* value of a variable that has none yet (letrec, an undefined global
+                                             * variable) */
+#define VS_VACANT      VS_IMMEDIATE(6, 0)   /* in hash tables: key of a free slot or a removed entry */
 #define VS_CHAR(c)     VS_IMMEDIATE(7, (uint32_t)(c))
 
 static inline vs_value vs_bool(bool b) { return b ? VS_TRUE : VS_FALSE; }
@@ -57,25 +58,25 @@ static inline uint32_t vs_char(vs_value v) {
 }
 
 static inline bool vs_is_double(vs_value v) { return v < (VS_TAG_FIXNUM << 48); }
-/* Returns the double of v, which is one. */
+/* Returns the double of v. */
 static inline double vs_double(vs_value v) {
   double d;
   VS_ASSERT(vs_is_double(v));
   memcpy(&d, &v, sizeof d);
   return d;
 }
-/* Returns the value of d, a double that is no NaN or the canonical one, as our own arithmetic returns. */
+/* Returns the value of a double that is no NaN, or the canonical one. Our arithmetic returns only such doubles. */
 static inline vs_value vs_flonum_raw(double d) { vs_value v; memcpy(&v, &d, sizeof v); return v; }
 /* Returns the value of any double. */
 static inline vs_value vs_flonum(double d) { return d == d ? vs_flonum_raw(d) : UINT64_C(0x7FF8000000000000); }
 
 static inline bool vs_is_fixnum(vs_value v) { return (v >> 48) == VS_TAG_FIXNUM; }
-/* Returns the integer of v, which is a fixnum. */
+/* Returns the integer of a fixnum. */
 static inline int64_t vs_fixnum(vs_value v) {
   VS_ASSERT(vs_is_fixnum(v));
   return (int64_t)(v << 16) >> 16;
 }
-/* Returns the fixnum n; n is in range, or a position or hash of 48 bits. */
+/* Returns the fixnum of n, which is in range, or a position or hash of 48 bits. */
 static inline vs_value vs_fix(int64_t n) {
   VS_ASSERT(n >= VS_FIXNUM_MIN && n <= (int64_t)VS_PAYLOAD);
   return (VS_TAG_FIXNUM << 48) | ((uint64_t)n & VS_PAYLOAD);
@@ -91,42 +92,44 @@ enum {
 };
 
 typedef struct vs_object {
-  uint8_t type;     /* VS_T_... */
-  uint8_t gc;       /* bits of the collector (gc.h) */
-  uint16_t flags;   /* per type, VS_F_... below */
-  uint32_t words;   /* size of the whole object in 8-byte words */
+  uint8_t type;     /* the type, VS_T_... */
+  uint8_t gc;       /* flags of the collector (gc.c) */
+  uint16_t flags;   /* flags VS_F_..., some of which are specific to a type */
+  uint32_t words;   /* size of the object with its header, in words of 8 bytes */
 } vs_object;
 
-enum {                          /* vs_object.flags */
-  VS_F_IMMUTABLE  = 1,          /* literals: strings, vectors, bytes, pairs that the program must not change */
-  VS_F_LOCATED    = 2,          /* pair: a fourth word holds its vs_pos */
-  VS_F_SQUARE     = 4,          /* pair: read from [ ]; for messages and for printing source again */
-  VS_F_WIDE       = 4,          /* string: 4 bytes per character; else 1 byte (Latin-1) */
-  VS_F_CONSTANT   = 4,          /* cell: imported or registered, never assigned: the compiler may inline calls to it */
-  VS_F_UNINTERNED = 4,          /* symbol: from generate-uninterned-symbol */
-  VS_F_LOCAL      = 8,          /* symbol, alias: some local scope has bound it */
-  VS_F_ASSIGNED   = 8,          /* cell: its own unit has a set! of it, so importers share the cell */
-  VS_F_AROUND     = 4,          /* environment: contains other scopes */
-  VS_F_NEGATIVE   = 4,          /* bignum */
-  VS_F_MARKED     = 4           /* closure: the layers above treat it specially */
+enum {                          /* values of vs_object.flags */
+  VS_F_IMMUTABLE  = 1,          /* literals: strings, vectors, bytes and pairs that the program must not change */
+  VS_F_LOCATED    = 2,          /* pair: it has a fourth word, its vs_pos */
+  VS_F_SQUARE     = 4,          /* pair: it was read from [ ]; for messages and for printing sources */
+  VS_F_WIDE       = 4,          /* string: each character has 4 bytes; else 1 byte (Latin-1) */
+  VS_F_CONSTANT   = 4,          /* cell: imported or registered, and never assigned, so that the compiler may inline
+                                 * calls */
+  VS_F_UNINTERNED = 4,          /* symbol: created by generate-uninterned-symbol */
+  VS_F_LOCAL      = 8,          /* symbol, alias: a local scope has bound it */
+  VS_F_ASSIGNED   = 8,          /* cell: assigned by a set! in its own library or program, so that importers share the
+                                 * cell */
+  VS_F_AROUND     = 4,          /* environment: it contains other scopes */
+  VS_F_NEGATIVE   = 4,          /* bignum: it is negative */
+  VS_F_MARKED     = 4           /* closure: marked by the layers above */
 };
 
 static inline bool vs_is_object(vs_value v) { return (v >> 48) == VS_TAG_POINTER; }
-/* Returns the heap object of v, which is an object's address. */
+/* Returns the heap object of v. */
 static inline vs_object *vs_object_of(vs_value v) {
   VS_ASSERT(vs_is_object(v));
   return (vs_object *)(uintptr_t)(v & VS_PAYLOAD);
 }
-/* Returns the value of an address of 48 bits. */
+/* Returns the value that refers to an object. */
 static inline vs_value vs_from_object(const void *o) {
   VS_ASSERT(((uint64_t)(uintptr_t)o & ~VS_PAYLOAD) == 0);
   return (VS_TAG_POINTER << 48) | (uint64_t)(uintptr_t)o;
 }
 static inline bool vs_is(vs_value v, int type) { return vs_is_object(v) && vs_object_of(v)->type == type; }
 
-/* A position in a source file. It has 48 bits, so it fits a fixnum (vs_fix(pos), and back with vs_pos_of): file number
- * (vm->at.files) 12 bits, line 22 bits, column 14 bits, all saturating. Lines and columns count from 1; 0 is unknown.
- * Columns count characters. */
+/* A position in a source file. It has 48 bits, and thus fits a fixnum (vs_fix(pos), and back with vs_pos_of): file
+ * number (vm->at.files) 12 bits, line 22 bits, column 14 bits. Larger numbers are replaced by the greatest that fits.
+ * Lines and columns count from 1; 0 is unknown. Columns count characters. */
 typedef uint64_t vs_pos;
 static inline vs_pos vs_pos_make(uint32_t file, uint32_t line, uint32_t col) {
   if (file > 0xFFF) file = 0;
@@ -143,55 +146,58 @@ static inline vs_pos vs_pos_of(vs_value fixnum) {
 }
 
 typedef struct { vs_object h; vs_value car, cdr; } vs_pair;
-typedef struct { vs_pair pair; vs_pos pos; } vs_located_pair;   /* VS_F_LOCATED */
+typedef struct { vs_pair pair; vs_pos pos; } vs_located_pair;   /* a pair with VS_F_LOCATED */
 
-/* `store` is a BYTES object with the characters, 1 or 4 bytes each (VS_F_WIDE): string-ref takes constant time, and
- * string-set! may widen. Characters are code points, never surrogates. The string module converts. */
+/* A string. `store` is a BYTES object with the characters, 1 or 4 bytes each (VS_F_WIDE): string-ref takes constant
+ * time, and string-set! may convert the store. Characters are code points, never surrogates. */
 typedef struct { vs_object h; uint32_t length, hash; vs_value store; } vs_string;
 
-/* A UTF-8 name, with a zero byte behind it. Interned symbols are unique (vs_intern in gc.h): compare with ==. */
+/* A symbol: a UTF-8 name, followed by a NUL. Interned symbols are unique (vs_intern in gc.h), and are compared by
+ * ==. */
 typedef struct { vs_object h; uint32_t hash, length; char name[]; } vs_symbol;
 
 typedef struct { vs_object h; uint64_t length; vs_value at[]; } vs_vector;
 typedef struct { vs_object h; uint64_t length; uint8_t at[]; } vs_bytes;
 
-/* The magnitude in GMP limbs, least first, the last not 0; never a value that fits a fixnum. The sign is
+/* An integer that fits no fixnum: its magnitude in GMP limbs, the least first, the last not 0. The sign is
  * VS_F_NEGATIVE. */
 typedef struct { vs_object h; uint64_t count; uint64_t limb[]; } vs_bignum;
-typedef struct { vs_object h; vs_value num, den; } vs_ratio;     /* lowest terms, den > 1 */
+typedef struct { vs_object h; vs_value num, den; } vs_ratio;     /* in lowest terms, with den > 1 */
 
-/* A compiled procedure. It is allocated in the old space and never moves, so the run loop may point into it. */
+/* The code of a procedure. It is in the old space and never moves, so that the run loop may point into it. */
 typedef struct {
   vs_object h;
-  vs_value name;        /* symbol or #f */
+  vs_value name;        /* name of the procedure, a symbol or #f */
   vs_value consts;      /* vector in the old space: cells, literals, nested code, keyword lists */
   vs_value ins;         /* BYTES of 32-bit instructions, in the old space */
-  vs_value places;      /* BYTES: pc -> position; or one position as a fixnum: see code.h */
-  vs_value inlined;     /* BYTES of {u32 pc, u32 constant}, by pc: instructions for a call of that constant's cell */
-  vs_value params;      /* vector of symbols for messages: required, optional, keyword, rest */
-  vs_value doc;         /* the documentation that the program attached, or #f */
+  vs_value places;      /* places of the instructions (code.h): BYTES, or one place as a fixnum */
+  vs_value inlined;     /* BYTES of {u32 pc, u32 constant}, by pc: instructions that replace a call of the procedure in
+                         * that cell */
+  vs_value params;      /* vector of symbols for messages: required, optional, keyword and rest parameters */
+  vs_value doc;         /* documentation that the program attached, or #f */
   uint32_t required, optional, keywords, registers;
-  uint32_t flags;       /* VS_CODE_... */
-  uint32_t free;        /* number of variables that a closure of it captures */
+  uint32_t flags;       /* flags VS_CODE_... */
+  uint32_t free;        /* number of variables that a closure captures */
 } vs_code;
 enum {
   VS_CODE_REST = 1,
-  VS_CODE_SIMPLE = 2,           /* only required parameters, and none of the following */
-  VS_CODE_GET = 4,              /* procedures of define-record-type: a field's accessor, its modifier, */
+  VS_CODE_SIMPLE = 2,           /* only required parameters, and none of the following flags */
+  VS_CODE_GET = 4,              /* accessor or modifier of a field, created by define-record-type */
   VS_CODE_SET = 8,
-  VS_CODE_TEST = 16,            /* the predicate, */
-  VS_CODE_MAKE = 32,            /* the constructor; they run without an activation (record_call.h) */
+  VS_CODE_TEST = 16,            /* predicate created by define-record-type */
+  VS_CODE_MAKE = 32,            /* constructor created by define-record-type; procedures with these flags run without an
+                                 * activation (record_call.h) */
   VS_CODE_RECORD = VS_CODE_GET | VS_CODE_SET | VS_CODE_TEST | VS_CODE_MAKE
 };
 
 typedef struct { vs_object h; vs_value code; vs_value free[]; } vs_closure;
-/* case-lambda: closures, tried in order. A word behind the clauses is a note of the layers above. */
+/* A case-lambda: closures, tried in order. A word after the clauses is a note of the layers above. */
 typedef struct { vs_object h; uint64_t count; vs_value clause[]; } vs_case;
 static inline vs_value vs_case_note(const vs_case *c) {
   return c->h.words > 2 + c->count ? c->clause[c->count] : VS_FALSE;
 }
-/* `max` is UINT32_MAX if there is a rest; `keywords` is a vector of symbols or #f; `inlined` is the row of inline.def,
- * with `inlined_arg`. */
+/* A procedure in C. `max` is UINT32_MAX if it has a rest parameter. `keywords` is a vector of symbols, or #f. `inlined`
+ * is the row of inline.def, and `inlined_arg` its argument. */
 typedef struct {
   vs_object h;
   const struct vs_native_def *def;
@@ -200,39 +206,39 @@ typedef struct {
   uint32_t inlined, inlined_arg;
 } vs_native;
 
-/* A global variable. `users` lists the code that inlined it while it was VS_F_CONSTANT; a redefinition patches that
- * code. */
+/* A global variable. `users` lists the code that replaced calls of its value by instructions while it was
+ * VS_F_CONSTANT; a redefinition patches that code. */
 typedef struct { vs_object h; vs_value value, name, users; } vs_cell;
 typedef struct { vs_object h; vs_value value; } vs_box;
-typedef struct { vs_object h; uint64_t count; vs_value at[]; } vs_values;      /* never exactly 1 */
+typedef struct { vs_object h; uint64_t count; vs_value at[]; } vs_values;      /* several values; count is never 1 */
 
 typedef struct { vs_object h; vs_value name, fields /* vector of symbols */, parent, data; } vs_record_type;
 typedef struct { vs_object h; vs_value type; vs_value at[]; } vs_record;
 
-/* At most 16 doubles and a tag (native.h: vs_flat_type); h.flags is the tag. Immutable. */
+/* An immutable record of at most 16 doubles (flat.h). h.flags is its tag. */
 typedef struct { vs_object h; double at[]; } vs_flat;
 static inline uint32_t vs_flat_tag(const vs_flat *f) { return f->h.flags; }
 static inline uint32_t vs_flat_count(const vs_flat *f) { return f->h.words - 1; }
 
-/* A value and its derivative (dual.h). */
-typedef struct { vs_object h; vs_value level /* fixnum */, value, slope; } vs_dual;
+/* A dual number: a value and its derivative (dual.h). */
+typedef struct { vs_object h; vs_value level /* a fixnum */, value, slope; } vs_dual;
 
-/* A hash table in insertion order. `entries` is a vector of triples: key, value, hash (a fixnum); a removed entry's key
- * is VS_VACANT. `index` is BYTES of u32 (entry number + 1; 0: free), with open addressing and a power of two of slots.
- * A key hashed by its address (eq?/eqv? on heap objects) changes its hash when it leaves the nursery. Entries from
- * number `young` on were added since collection number `epoch`; table.c inserts them again when vm->collections has
+/* A hash table in insertion order. `entries` is a vector of triples: key, value, hash (a fixnum); the key of a removed
+ * entry is VS_VACANT. `index` is BYTES of u32 (entry number + 1; 0: free), with open addressing and a power of two of
+ * slots. A key hashed by its address (eq?/eqv? on objects) changes its hash when it leaves the nursery. Entries from
+ * number `young` on were added since collection number `epoch`. table.c inserts them again when vm->collections has
  * changed. */
 typedef struct {
   vs_object h;
   vs_value entries, index;
-  uint32_t count, used;          /* live entries; entries ever added */
-  uint32_t kind, young;          /* VS_TABLE_... */
+  uint32_t count, used;          /* count: number of entries; used: that number and the removed ones in `entries` */
+  uint32_t kind, young;          /* kind: VS_TABLE_... */
   uint64_t epoch;
 } vs_table;
 enum { VS_TABLE_EQ, VS_TABLE_EQV, VS_TABLE_EQUAL, VS_TABLE_STRING };
 
-/* A port (vm/library/port.c): `buffer` is BYTES or #f, `name` a string or #f; `host` is the number of a host's stream
- * or -1. */
+/* A port (vm/library/port.c). `buffer` is BYTES or #f, `name` a string or #f. `host` is the number of a stream of the
+ * host, or -1. */
 typedef struct {
   vs_object h;
   vs_value buffer, name, data;
@@ -243,21 +249,21 @@ typedef struct {
 
 typedef struct {
   vs_object h;
-  vs_value done /* #t, #f */, value /* value or thunk */;
-} vs_promise; /* shared through a box if need be */
+  vs_value done /* #t or #f */, value /* the value, or a thunk */;
+} vs_promise; /* promises with the same result share it through a box */
 typedef struct { vs_object h; vs_value value, converter, name; } vs_parameter;
 
-/* An error of the system or of (error ...). Printed as MESSAGE IRRITANT ...: "make-sphere: r must be positive, got"
- * (-2). `chain` is a list of (procedure-name . position fixnum), innermost first; `place` is the position of the
- * failing call. */
-typedef struct { vs_object h; vs_value kind /* symbol */, message /* string */, irritants /* list */, chain, payload,
-    calls /* activation.c; #f: not kept */; vs_pos place; } vs_condition;
+/* An error of the system or of (error ...). It is printed as MESSAGE IRRITANT ...: "make-sphere: r must be positive,
+ * got" (-2). `chain` is a list of (procedure name . place as a fixnum), innermost first. `place` is the place of the
+ * failing call. `kind` is a symbol. */
+typedef struct { vs_object h; vs_value kind, message /* a string */, irritants /* a list */, chain, payload,
+    calls /* calls with their variables (activation.c), or #f */; vs_pos place; } vs_condition;
 
-/* Captured activations, immutable. `at` is a copy of the stack; `under` is the stretch below it, up to its slot
- * `depth`. */
+/* Captured activations, immutable. `at` is a copy of a stretch of the stack; `under` is the STACK object below it, up
+ * to its slot `depth`. */
 typedef struct { vs_object h; vs_value under; uint64_t depth, count,
-    total /* number of slots, with those of all stretches below */; vs_value at[]; } vs_stack;
-/* `ret` is the return information of the activation into which it returns (run_loop.c). */
+    total /* number of slots, including those of all stretches below */; vs_value at[]; } vs_stack;
+/* A continuation. `ret` is the return information of the activation to which it returns (activation.h). */
 typedef struct {
   vs_object h;
   vs_value stack;
@@ -265,20 +271,20 @@ typedef struct {
   vs_value winders, handlers, parameters, ret;
 } vs_continuation;
 
-/* Objects of the expander. vm/front defines the fields; the collector traces all of them. */
+/* Objects of the expander. vm/front defines the meaning of the fields; the collector traces all of them. */
 typedef struct { vs_object h; vs_value name, table, imports, exports, parent, top, data; } vs_environment;
 typedef struct { vs_object h; vs_value kind, transformer, env, data; } vs_macro;
 typedef struct { vs_object h; vs_value name, env, data; uint64_t mark; } vs_alias;      /* a renamed identifier */
 
-/* The constant descriptor of a call with keywords: the last `count` arguments have these names. */
+/* A constant that describes a call with keywords: these are the names of its last `count` arguments. */
 typedef struct { vs_object h; uint64_t count; vs_value name[]; } vs_keywords;
 
-/* A reference to an object of the host. `type` has the hooks (native.h); release(object) runs when the reference dies.
- * `with` is for the owner's use and begins as NULL. h.flags encodes the bytes that the object adds to the collector's
- * budget (gc.c). */
+/* A reference to an object of the host. `type` has its functions (native.h); release(object) is called when the
+ * reference dies. `with` is for the owner, and NULL at first. h.flags encodes the bytes that the object adds to the
+ * collector's budget (gc.c). */
 typedef struct { vs_object h; const struct vs_foreign_type *type; void *object; const void *with; } vs_foreign;
 
-/* ---- typed access; the caller has tested the type ---- */
+/* ---- access to objects; the caller must have tested the type ---- */
 #define VS_ACCESSOR(name, TYPE)                                                                                        \
   static inline vs_##name *vs_as_##name(vs_value v) {                                                                  \
     VS_ASSERT(vs_is(v, VS_T_##TYPE));                                                                                  \
