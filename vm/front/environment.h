@@ -43,8 +43,8 @@ vs_value vs_identifier_symbol(vs_value id);
 bool vs_make_alias(vs_scheme *vm, vs_value name, vs_value env, vs_value *out);
 /* Sets *out to a copy of the datum in which symbols replace aliases, or to the datum itself if it has none. */
 bool vs_strip(vs_scheme *vm, vs_value datum, vs_value *out);
-/* Result of a test of a datum, for functions that test all parts of a datum until one is VS_DATUM_YES. */
-/* the test is false for the datum and all its parts */
+/* Result of a test of a datum, for functions that test all parts of a datum until one is VS_DATUM_YES.
+ * VS_DATUM_NO_MORE: the test is false for the datum and all its parts. */
 typedef enum { VS_DATUM_NO, VS_DATUM_YES, VS_DATUM_NO_MORE } vs_datum_test;
 bool vs_datum_any(vs_scheme *vm, vs_value datum, vs_datum_test (*test)(vs_scheme *vm, vs_value v), bool *yes);
 

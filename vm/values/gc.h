@@ -74,7 +74,7 @@ bool vs_intern(vs_scheme *vm, const char *name, size_t bytes, vs_value *out);
 #define VS_WORDS(ctype) ((sizeof(ctype) + 7) / 8)
 
 /* ---- memory outside objects, which counts towards the limit. `old_bytes` is the size of the last request. NULL:
- * refused, with an error set ---- */
+ * refused, with an error set unless bytes is 0 ---- */
 /* Allocates (p NULL), frees (bytes 0) or resizes memory. */
 void *vs_mem(vs_scheme *vm, void *p, size_t old_bytes, size_t bytes);
 

@@ -17,7 +17,7 @@ bool vs_list_onto(vs_scheme *vm, vs_value *list, vs_value tail, vs_value *out);
  * its pairs are reversed in place. */
 bool vs_list_own_turned(vs_scheme *vm, vs_value *list, vs_value captures, vs_value *out);
 
-/* Returns 1 if v is a proper list, and 0 if not. Returns -1 if v has more than 32 pairs, or is circular. */
+/* Returns 1 if v is a proper list, and 0 if not. Returns -1 if v has 32 pairs or more, or is circular. */
 static inline int vs_is_short_list(vs_value v) {
   for (int i = 0; i < 32; i++, v = vs_cdr(v))
     if (!vs_is_pair(v)) return v == VS_NIL;
