@@ -9,7 +9,7 @@ typedef struct vs_bind vs_bind;
 /* The types of parameters; the same as in visualscheme.h. */
 typedef enum { VS_P_BOOLEAN, VS_P_INTEGER, VS_P_REAL, VS_P_STRING, VS_P_DATUM } vs_bind_parameter_type;
 typedef struct vs_bind_parameter {
-  const char *name, *label, *group, *unit; /* owned by the store */
+  const char *name, *label, *group, *unit; /* texts of the definition, owned by the store */
   vs_bind_parameter_type type;
   const char *value, *default_value; /* the values as written in a program; strings without quotes */
   bool has_range;

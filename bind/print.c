@@ -10,7 +10,7 @@
 #include <stdlib.h>
 
 void vs_bind_number_text(char out[32], double d) {
-  if (d == 0) d = 0; /* -0 becomes 0 */
+  if (d == 0) d = 0; /* prints -0 as 0 */
   for (int digits = 15; digits <= 17; digits++) {
     snprintf(out, 32, "%.*g", digits, d);
     if (strtod(out, NULL) == d) return;

@@ -10,8 +10,8 @@
 #include "cli/untrusted.h"
 #include "cli/messages.h"
 
-struct cli_editor; /* line editing (repl.c) */
-struct live_follower; /* the live view (live/live.h) */
+struct cli_editor; /* editor of typed lines (prompt/editor.h) */
+struct live_follower; /* live view in a browser (live/live.h) */
 
 typedef struct {
   cli_options *options;
@@ -19,7 +19,7 @@ typedef struct {
   cli_reporter reporter;
   cli_untrusted untrusted;    /* state of the option --untrusted */
   cli_watch watch;            /* watch for the limits that the library cannot enforce */
-  FILE *output;               /* stream for the program's output */
+  FILE *output;               /* stream to which the program prints */
   bool output_failed;         /* whether a failure of the output was already reported */
   bool midline;               /* whether the last output did not end with a line end */
   int exit_code;              /* exit code of (exit n), else 0 */

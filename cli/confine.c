@@ -34,8 +34,8 @@ enum {
   FS_MAKE_FOLDER = 1 << 7,
   FS_MAKE = 1 << 8,
   FS_ALL_1 = (1 << 13) - 1,
-  FS_REFER = 1 << 13 /* Landlock version 2 */,
-  FS_TRUNCATE = 1 << 14 /* Landlock version 3 */,
+  FS_REFER = 1 << 13 /* access right that Landlock knows from version 2 */,
+  FS_TRUNCATE = 1 << 14 /* access right that Landlock knows from version 3 */,
   NET_ALL = 3 /* Landlock version 4: bind and connect */
 };
 typedef struct { uint64_t files, net; } ruleset;
@@ -109,10 +109,10 @@ static void confine_calls(void) {
     SYS_kexec_load,
     SYS_reboot,
     SYS_swapon,
-    425 /* io_uring_setup */,
-    428 /* open_tree */,
-    429 /* move_mount */,
-    430 /* fsopen */,
+    425 /* number of io_uring_setup */,
+    428 /* number of open_tree */,
+    429 /* number of move_mount */,
+    430 /* number of fsopen */,
   };
   enum { REFUSED = sizeof refused / sizeof *refused };
   struct sock_filter code[REFUSED + 7];

@@ -3,7 +3,7 @@
  * A large model writes to all of its memory once. With small pages, the system needs longer to provide them than the
  * model needs to fill them: a million cylinders spend a quarter of their time on it. Smaller blocks come from the C
  * library. */
-#define _GNU_SOURCE /* for mremap */
+#define _GNU_SOURCE /* declares mremap */
 #include "cli/large_blocks.h"
 
 #include <stdbool.h>

@@ -24,7 +24,7 @@ struct option_row {
   const char *value, *help;
   take_fn *take;
   size_t member, size;    /* offset and size in bytes of the member of cli_options to set */
-  long least, most;       /* limits of an integer value */
+  long least, most;       /* least and greatest value of an option that is an integer */
   const char *expected;   /* description of a valid value, for messages */
   void (*print)(void);    /* function that prints a text; `take` is then not used */
 };

@@ -23,14 +23,15 @@ typedef enum {
 #define COMMAND(name, arguments, takes, help) CLI_COMMAND_##name,
 #include "cli/commands.def"
 } cli_command;
-/* Flags of the column `takes` of commands.def: arguments of a command other than a single file. Only commands accept
- * --json and --xml. */
-enum { CLI_TAKES_JSON = 1, CLI_TAKES_XML = 2, CLI_TAKES_TWO = 4 /* two files */,
-       CLI_TAKES_OUTPUT = 8 /* the option -o */,
+/* Flags of the column `takes` of commands.def: the arguments that a command accepts other than a single file. Only
+ * commands accept --json and --xml. */
+enum { CLI_TAKES_JSON = 1, CLI_TAKES_XML = 2, CLI_TAKES_TWO = 4 /* the command requires two files */,
+       CLI_TAKES_OUTPUT = 8 /* the command accepts the option -o */,
        CLI_TAKES_FOLDER = 16 /* the option -o with a folder */,
        CLI_TAKES_LANGUAGE = 32 /* the option --to, and -o for a program in that language */,
-       CLI_TAKES_PICTURE = 64 /* the files are EXR pictures */, CLI_TAKES_POINT = 128 /* two numbers after the file */,
-       CLI_TAKES_TARGET = 256 /* the option -o, exactly once */,
+       CLI_TAKES_PICTURE = 64 /* the files of the command are EXR pictures */,
+       CLI_TAKES_POINT = 128 /* two numbers follow the file */,
+       CLI_TAKES_TARGET = 256 /* the command requires the option -o exactly once */,
        CLI_TAKES_SCAN = 512 /* a second file, which is read as points */,
        CLI_TAKES_SUN = 1024 /* the options --place, --date and hours */,
        CLI_TAKES_MANY = 2048 /* any number of files; -o with a file or a folder */,
@@ -41,7 +42,7 @@ typedef struct {
   /* The texts are words of argv. The arrays have room for argc entries and belong to cli_options. */
   cli_source *sources; size_t source_count;
   cli_target *targets; size_t target_count;
-  char **defines; size_t define_count; /* the texts NAME=VALUE of -D */
+  char **defines; size_t define_count; /* the texts NAME=VALUE of the options -D */
   const char **words; size_t word_count; /* the value of (command-line): the model's name and the words after the --
                                           * that follows it */
   char *library_path;           /* folders of -L, then those of VS_LIBRARY_PATH, or NULL; allocated */
@@ -60,10 +61,10 @@ typedef struct {
                                                                 * picture */
   size_t jobs;                         /* --jobs: number of processes; 0 if not given */
   int results;                         /* vs test: in the process of a file, the pipe for its results */
-  const char *manifest, *sheet;        /* NULL if not given */
+  const char *manifest, *sheet;        /* file names given by --manifest and --sheet, or NULL */
   long film;                           /* frames per second; 0: no film */
   bool interactive, check, quiet, stats, stats_json, parameters, to_stdout, untrusted, verbose, all_views, json, xml;
-  bool placed, near, any_pose; /* options of vs fit */
+  bool placed, near, any_pose; /* vs fit: whether its options --placed, --near and --any-pose are given */
 } cli_options;
 
 /* The result of reading the command line. */

@@ -1,4 +1,4 @@
-/* Declares the output of --stats. */
+/* Declares the output of the option --stats. */
 #ifndef VS_CLI_STATS_H
 #define VS_CLI_STATS_H
 

@@ -1,4 +1,4 @@
-/* Declares `vs test FILE...`. */
+/* Declares the command `vs test FILE...`, which runs the checks of programs. */
 #ifndef VS_CLI_TEST_COMMAND_H
 #define VS_CLI_TEST_COMMAND_H
 

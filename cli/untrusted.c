@@ -4,7 +4,7 @@
  * A path is opened name by name, from the model's folder. No name may be `..` or a symbolic link, and the result must
  * be a regular file. Neither a link nor /proc, a device or a FIFO therefore leads out of the folder, even if files
  * change meanwhile. */
-#define _GNU_SOURCE /* for clearenv, strchrnul and O_PATH */
+#define _GNU_SOURCE /* declares clearenv, strchrnul and O_PATH */
 #include "cli/untrusted.h"
 
 #include <dirent.h>

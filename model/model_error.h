@@ -10,18 +10,18 @@
 typedef struct vs_origin vs_origin;
 struct vs_origin {
   const char *file; /* file name, interned in the store */
-  uint32_t line, column; /* both counted from 1 */
+  uint32_t line, column; /* line and column, both counted from 1 */
   const vs_origin *caller; /* the call that led to this call, or NULL */
 };
 
 /* An error has one message and its place in the user's text, or NULL. */
 typedef enum {
   VS_ERROR_NONE,
-  VS_ERROR_MODEL /* exit status 1 */,
-  VS_ERROR_FILE /* exit status 2 */,
-  VS_ERROR_WORKER /* exit status 3 */,
-  VS_ERROR_MEMORY /* exit status 4 */,
-  VS_ERROR_INTERRUPT /* exit status 130 */
+  VS_ERROR_MODEL /* an error in the model; exit status 1 */,
+  VS_ERROR_FILE /* a file cannot be read or written; exit status 2 */,
+  VS_ERROR_WORKER /* an external program failed; exit status 3 */,
+  VS_ERROR_MEMORY /* memory is out; exit status 4 */,
+  VS_ERROR_INTERRUPT /* interrupted by the user or a time limit; exit status 130 */
 } vs_error_kind;
 typedef struct {
   vs_error_kind kind;

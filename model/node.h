@@ -37,7 +37,7 @@ typedef vs_vec3 vs_field_vector;
 typedef vs_affine vs_field_affine;
 typedef const vs_points *vs_field_points;
 typedef const vs_faces *vs_field_faces;
-typedef const char *vs_field_text; /* interned in the store */
+typedef const char *vs_field_text; /* a text that is interned in the store */
 typedef const vs_material *vs_field_material;
 typedef const vs_ticket *vs_field_ticket;
 typedef enum {
@@ -142,7 +142,7 @@ struct vs_node {
   uint32_t slot;   /* number of the node in the latest order (order.h); no other member ever changes */
   uint32_t form;   /* structural hash without numbers and placements: nodes of different form cannot be copies of each
                     * other */
-  uint64_t hash;   /* structural hash */
+  uint64_t hash;   /* structural hash of kind, payload and children */
   vs_store *store;
   const vs_ref children[]; /* child_count references, followed by the payload */
 };

@@ -37,10 +37,10 @@ typedef struct {
 
 /* The notes that drawings show in addition to the model. */
 typedef enum {
-  VS_NOTE_DIMENSION /* dimension from p to q */,
-  VS_NOTE_LABEL /* text at p */,
+  VS_NOTE_DIMENSION /* a dimension: the distance from p to q */,
+  VS_NOTE_LABEL /* a label: a text at p */,
   VS_NOTE_LEVEL /* level mark of the height p.z */,
-  VS_NOTE_AXIS /* axis from p to q */
+  VS_NOTE_AXIS /* a grid axis from p to q */
 } vs_note_kind;
 typedef struct {
   vs_note_kind kind;
@@ -63,7 +63,7 @@ typedef struct {
 } vs_scene_lamp;
 
 typedef struct {
-  vs_store *store;           /* the store, retained */
+  vs_store *store;           /* the store of the nodes, retained */
   vs_ref *drawn;             /* drawn references in drawing order; their nodes are retained */
   size_t drawn_count, drawn_room;
   const char *title;         /* name of the model file without its folder, or "model"; interned */
@@ -94,7 +94,7 @@ typedef struct {
   const vs_material *fog_color; /* NULL: the colour of the sky at the horizon */
   bool has_ground;
   double ground_z;
-  const vs_material *ground_material; /* NULL: no material was set */
+  const vs_material *ground_material; /* material of the ground; NULL if none was set */
   const char *units;         /* the model's unit: "m", "mm", "cm", "in" or "ft" */
   double tolerance;          /* greatest deviation of facets from curves, in model units; 0: by the rule of
                               * geometry/tessellate.h */

@@ -37,7 +37,7 @@ typedef struct vs_tally {
   size_t from, high;              /* from: bytes held at the begin of this phase; high: the most since, updated by each
                                    * allocator */
   vs_phase_use of[VS_WORK_COUNT];
-  uint64_t written;               /* bytes of output files */
+  uint64_t written;               /* number of bytes written to output files */
   uint64_t clusters, combined, copied, remembered; /* numbers of groups of solids that touch (kernel/cluster.h) */
   uint64_t triangles;             /* triangles in outputs, as their formats write them */
   double steps[VS_STEP_COUNT];    /* seconds of each step of the phase MESH */

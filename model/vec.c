@@ -34,7 +34,7 @@ void vs_turn_sincos(int index, int count, double *sine, double *cosine) {
                                                                                * pi/4 */
   double s = sin(along), c = cos(along), swap;
   if ((odd ? n - rest : rest) == n) s = c = 0.70710678118654752440;
-  switch (((eighths + 1) / 2) & 3) { /* number of the nearest axis */
+  switch (((eighths + 1) / 2) & 3) { /* the number of the axis that is nearest to the angle */
     case 0: if (odd) s = -s; break;
     case 1: swap = odd ? s : -s; s = c; c = swap; break;
     case 2: s = odd ? s : -s; c = -c; break;

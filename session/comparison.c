@@ -62,7 +62,8 @@ static void tell(told *t, const vs_drawn_part *p, vs_part_info *out) {
     }
     put_told(t, "))", 2);
   } else if (placed) put_told(t, " ...)", 5);
-  while (t->cut && t->count && ((unsigned char)t->text[t->count - 1] & 0xc0) == 0x80) t->count--; /* cut between two
+  while (t->cut && t->count && ((unsigned char)t->text[t->count - 1] & 0xc0) == 0x80) t->count--; /* the text is cut
+                                                                                                   * between two
                                                                                                    * characters */
   if (t->cut && t->count && (unsigned char)t->text[t->count - 1] >= 0xc0) t->count--;
   strcpy(t->text + t->count, t->cut ? " ..." : "");
@@ -164,7 +165,8 @@ static const struct { vs_change change; vs_material paint; } shown[] = {
   { VS_CHANGE_KEPT, { "unchanged", .82, .84, .88, .6, 0, .75, 1, { 0 } } },
 };
 
-/* Returns the object on a layer and in a material with the change's name. Takes over the node; NULL: out of memory. */
+/* Returns the object n on a layer and in a material that have the name of the change. Takes over the reference to n.
+ * Returns NULL when memory is out. */
 static vs_node *painted(vs_store *store, vs_node *n, const vs_material *paint) {
   vs_material m = *paint;
   m.name = vs_store_text(store, paint->name, strlen(paint->name));

@@ -30,7 +30,7 @@ const char *vs_session_source_line(const vs_session *s, const char *file, uint32
     size_t n = (size_t)((stop ? stop : end) - at);
     if (n && at[n - 1] == '\r') n--;
     if (n >= size)
-      for (n = size - 1; n && ((unsigned char)at[n] & 0xC0) == 0x80;) n--; /* cut between two characters */
+      for (n = size - 1; n && ((unsigned char)at[n] & 0xC0) == 0x80;) n--; /* the line is cut between two characters */
     memcpy(room, at, n);
     room[n] = 0;
     return room;

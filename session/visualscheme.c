@@ -287,7 +287,7 @@ vs_scheme *vs_new(const vs_options *options) {
   vs_scheme *vm = store && copied ? vs_open_vm(&config) : NULL;
   bool ok = vm && vs_bind_open(&s->bind, vm, store) && open_program(vm);
   if (ok) s->bind.library_files = vs_bind_file_count(vm);
-  if (store) vs_store_release(store); /* s->bind retains the store */
+  if (store) vs_store_release(store); /* the session's reference suffices: s->bind retains the store */
   if (ok) vs_store_set_tally(store, &s->tally);
   if (ok) vs_store_watch(store, keep_making, s);
   if (ok && o.cache != SIZE_MAX) { /* if memory is out, the session works without a cache */

@@ -42,7 +42,7 @@ typedef vs_status vs_procedure_fn(vs_args *f, vs_value *out);
 struct vs_args {
   vs_scheme *vm;
   vs_bind *bind;
-  vs_store *store;              /* the store of `bind` */
+  vs_store *store;              /* the store of `bind`, in which nodes are created */
   const struct vs_procedure *procedure;
   vs_procedure_fn *function;    /* the C function of the procedure */
   const char *names;            /* names of the procedure, separated by spaces; the name of an internal procedure begins

@@ -104,7 +104,8 @@ static int form_fits(vs_args *f, const vs_form *form, const vs_value *a, int n) 
     if (p->mode == VS_ARG_END) return -1;
     if (fits == i && looks_like(f, (vs_contract)p->contract, a[i])) fits++;
   }
-  if (p->mode == VS_ARG_REQUIRED) return -1; /* required parameters precede optional ones */
+  if (p->mode == VS_ARG_REQUIRED) return -1; /* the form requires more arguments; required parameters precede optional
+                                              * ones */
   if (p->mode == VS_ARG_REST && fits >= 0 && fits < n && looks_like(f, (vs_contract)p->contract, a[fits])) fits++;
   return fits < 0 ? 0 : fits;
 }
@@ -201,7 +202,8 @@ static vs_status run(vs_args *f, const vs_bind_row *row, vs_value *a, int n, vs_
   }
   if (!enter_quickly(f, a, given)) {
     vs_status status;
-    bool duals = vs_is_fixnum(vs_lib_get(f->vm, VS_LIB_DUALS)); /* whether a differentiation has begun */
+    bool duals = vs_is_fixnum(vs_lib_get(f->vm, VS_LIB_DUALS)); /* whether a differentiation has begun, so that
+                                                                 * arguments may be dual numbers */
     if (duals && vs_dual_level(a, (size_t)given) >= 0 && row->differentiate(f->vm, f->function, a, given, out, &status))
       return status;
     if (!enter_slowly(f, a, given)) return VS_ERROR;

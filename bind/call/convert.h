@@ -48,7 +48,8 @@ vs_convert_fn vs_convert_things;
 vs_convert_fn vs_convert_unit;
 vs_convert_fn vs_convert_vector;
 
-/* The same for a rest of n arguments: each is an item or a list of lists of items. */
+/* Converts the n arguments of a rest parameter, as a vs_convert_fn converts one. Each is an item or a nested list of
+ * items. */
 vs_status vs_convert_all_refs(vs_args *f, const vs_bind_param *p, const vs_value *v, size_t n, vs_arg *out);
 vs_status vs_convert_all_points(vs_args *f, const vs_bind_param *p, const vs_value *v, size_t n, vs_arg *out);
 vs_status vs_convert_all_things(vs_args *f, const vs_bind_param *p, const vs_value *v, size_t n, vs_arg *out);

@@ -27,7 +27,7 @@ typedef struct vs_rule_task {
   bool many;            /* whether each child has its own rule; otherwise rules[0] is the rule of all */
   bool body;            /* whether rules[0] is the body of the rule `name`, with its arguments bound */
   const char *name;
-  const vs_origin *origin; /* place of the operator's call */
+  const vs_origin *origin; /* place of the operator's call in the program */
   vs_value *rules;         /* stored after the children in the same block */
   vs_scope *child[];
 } vs_rule_task;
@@ -35,13 +35,13 @@ typedef struct vs_rule_task {
 /* A scope that waits for signals of this name until no other scope is left. */
 typedef struct {
   vs_rule_task *task;
-  const char *name; /* owned by the store */
+  const char *name; /* name of the signal, owned by the store */
 } vs_waiting;
 
 typedef struct vs_derivation {
   vs_scheme *vm;
-  vs_bind *bind;      /* belongs to the interpreter */
-  vs_store *store;    /* the store of `bind` */
+  vs_bind *bind;      /* data of the interpreter, not owned by the derivation */
+  vs_store *store;    /* the store of `bind`, in which the objects are created */
   vs_rule_task **stack;
   size_t count, room;
   size_t begun; /* number of tasks when the running rule began; tasks above it are in the order in which its expressions
@@ -56,7 +56,7 @@ typedef struct vs_derivation {
   vs_lineage *lineage;         /* the record, shared with derivations that began within its rules */
   uint32_t entry, position;    /* entry and position, in the record, of the scope to which the rule is applied */
   vs_surroundings *around;     /* the objects around, for questions of rules; NULL before the first question */
-  vs_value rule;               /* next rule to call */
+  vs_value rule;               /* rule that %derivation-rule returns, a procedure */
   const char *name;            /* name of the running rule, or NULL */
   uint32_t steps;              /* number of operators that the running rule has called */
   uint32_t most;               /* greatest number of levels of a path */
@@ -64,7 +64,7 @@ typedef struct vs_derivation {
   struct vs_derivation *outer; /* the derivation during which this one began; valid while this one runs */
   uint64_t random[4];          /* state of the program's random generator, restored at the end */
   /* The object placed last and its bounds, since a repeat places the same object many times. */
-  vs_node *fitted; /* retained, or NULL */
+  vs_node *fitted; /* node of the object placed last, retained, or NULL */
   vs_bounds fitted_bounds;
 } vs_derivation;
 

@@ -39,7 +39,7 @@ bool vs_lineage_add(vs_lineage *r, vs_lineage_entry entry, const char *rule, con
 /* ---- the table of objects and their records ---- */
 
 struct vs_kept_lineage {
-  vs_node *node; /* the object's node, retained */
+  vs_node *node; /* node of the object, retained */
   vs_lineage *record;
 };
 

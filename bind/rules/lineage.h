@@ -22,7 +22,7 @@ typedef struct {
 typedef struct vs_lineage vs_lineage;
 struct vs_lineage {
   uint32_t refs;
-  vs_store *store; /* the store, retained */
+  vs_store *store; /* the store that allocates the record, retained */
   vs_lineage_entry *at;
   size_t count, room;
   struct vs_lineage_site {

@@ -212,7 +212,8 @@ vs_status vs_mesh_components(vs_args *f, const char *of, vs_value *out) {
       vs_task_drop(d, t), t = NULL;
       break;
     }
-    if (!lay_component(c, s, &all, edges, i)) vs_scope_release(c), t->child[i] = NULL; /* omits a face without area */
+    if (!lay_component(c, s, &all, edges, i)) vs_scope_release(c), t->child[i] = NULL; /* a face without area is omitted
+                                                                                        * from the children */
   }
   for (size_t i = 0; i < all.count; i++) vs_scope_loops_release(f->store, all.at[i]);
   *out = r[1];

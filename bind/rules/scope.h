@@ -47,7 +47,7 @@ typedef struct vs_scope_extra vs_scope_extra;
 struct vs_scope_extra {
   uint32_t refs, count;
   size_t room;
-  vs_store *store;       /* the store, retained */
+  vs_store *store;       /* the store that allocates the extra, retained */
   vs_scope_extra *next;  /* next extra in a list of those to be freed */
   const vs_ticket *mark; /* Ticket of the name and properties of scope-mark, which are in the heap (rules.scm), or
                           * NULL. */
@@ -65,7 +65,7 @@ struct vs_scope {
   double left, right;      /* outer angles at the two ends of a polygon's side; 0 for other scopes */
   const char *rule;        /* name of the rule that called the operator, or NULL; owned by the store */
   const char *op;          /* name of the operator that created the scope; NULL for a root */
-  const vs_origin *origin; /* place of the operator's call */
+  const vs_origin *origin; /* place in the program of the operator's call */
   vs_scope *parent;        /* scope from which this one was created; NULL for a root */
   vs_scope_flags *flags;   /* flags of the scope, or NULL */
   vs_scope_extra *extra;   /* mark and signals, or NULL */

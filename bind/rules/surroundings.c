@@ -30,7 +30,7 @@ struct vs_surroundings {
   struct {
     vs_bounds *at;
     size_t count, room;
-  } level[LEVELS]; /* level[0]: bounds of each object */
+  } level[LEVELS]; /* level[0] has the bounds of each object */
   struct {
     vs_node *node;     /* node of the object, retained, or NULL */
     vs_node *resolved; /* the same object after vs_resolve (solids/resolve.h), retained */

@@ -1,5 +1,5 @@
 /* Passes messages between the batch of `vs render` and its runs, which are processes. */
-#define _GNU_SOURCE /* for memfd_create */
+#define _GNU_SOURCE /* declares memfd_create */
 #include "cli/batch/inputs_told.h"
 
 #include <fcntl.h>

@@ -472,7 +472,8 @@ static result make(const batch *b, const picture *p) {
  * frame once more, as light, and uses its exposure for all frames. The manifest stores it with the hash of the first
  * frame's scene, for a run that continues the film. */
 
-/* Takes the exposure of the last run, if the first frame's scene is the same. */
+/* Sets the picture's exposure to that of the last run, if the scene of the first frame has not changed. Returns false
+ * if it has. */
 static bool recall_exposure(const batch *b, picture *p) {
   char wanted[60];
   size_t length, n = 0;

@@ -1,4 +1,4 @@
-/* Declares `vs fit MODEL SCAN`. */
+/* Declares the command `vs fit MODEL SCAN`, which fits parameters of a model to a scan. */
 #ifndef VS_CLI_FIT_FIT_COMMAND_H
 #define VS_CLI_FIT_FIT_COMMAND_H
 

@@ -126,7 +126,7 @@ static vs_outcome compare(const job *j) {
   printf(",\n  \"max_at\": [%ld, %ld]", d.column, d.row);
   json_number("mean", d.mean);
   json_number("rms", d.root_mean_square);
-  json_number("psnr", d.psnr); /* written as null if infinite */
+  json_number("psnr", d.psnr); /* the number is written as null if it is infinite */
   json_number("ssim", d.ssim);
   puts("\n}");
   return outcome;

@@ -1,4 +1,4 @@
-/* Declares `vs sunstudy`. */
+/* Declares the command `vs sunstudy`, which computes the hours of sun on a model. */
 #ifndef VS_CLI_LIGHT_SUN_COMMAND_H
 #define VS_CLI_LIGHT_SUN_COMMAND_H
 

@@ -335,7 +335,8 @@ static unsigned char complete(EditLine *line, int key) {
     while (same < common && n.at[i][same] == n.at[0][same]) same++;
     common = same;
   }
-  while (common > length && ((unsigned char)n.at[0][common] & 0xC0) == 0x80) common--; /* shortened to whole
+  while (common > length && ((unsigned char)n.at[0][common] & 0xC0) == 0x80) common--; /* the common start of the names
+                                                                                        * is shortened to whole
                                                                                         * characters */
   unsigned char result = CC_ERROR;
   if (common > length || n.count == 1) {
@@ -527,7 +528,7 @@ static unsigned char paste(EditLine *line, int key) {
     if (ok) {
       fwrite(got.at, 1, (size_t)(last + 1 - got.at), stdout); /* shows the lines as if they had been typed */
       fflush(stdout);
-      result = CC_NEWLINE; /* the paste ended the buffer */
+      result = CC_NEWLINE; /* the pasted text ends the buffer */
     }
   }
   free(got.at);

@@ -216,7 +216,7 @@ static const char *print_heading(printer *o, const char *at, const char *end) {
 
 /* ---- printing tables ---- */
 
-typedef struct { size_t from, to; } cell; /* positions in `plain` */
+typedef struct { size_t from, to; } cell; /* offsets in `plain` between which the text of the cell lies */
 typedef struct { cell cells[MOST_COLUMNS]; int count; } row;
 
 static bool is_rule(part line) { /* returns true for a line such as |---|---| */
@@ -302,7 +302,7 @@ static void print_row(printer *o, const row *r, const int *wide, int count, bool
 }
 
 static const char *print_table(printer *o, const char *at, const char *end) {
-  line_buffer read = {0}; /* the rows of the table */
+  line_buffer read = {0}; /* array of the rows of the table */
   bool fine = true;
   o->plain.length = 0;
   while (fine && at < end && *at == '|') {

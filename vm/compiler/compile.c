@@ -340,7 +340,7 @@ static bool test(compiler *c, vs_core_node *n, bool sense, vs_jumps *list) {
     case VS_AST_IF: {
       vs_jumps no = 0, end = 0;
       vs_core_node *otherwise = n->as.branch.otherwise;
-      /* The form (and a b). */
+      /* The expression (and a b): jumps if a or b is false. */
       if (!sense && otherwise && otherwise->kind == VS_AST_CONST && pool(c, otherwise->as.constant) == VS_FALSE)
         return test(c, n->as.branch.test, false, list) && test(c, n->as.branch.then, false, list);
       if (!test(c, n->as.branch.test, false, &no) || !test(c, n->as.branch.then, sense, list) ||
@@ -390,7 +390,7 @@ static bool test(compiler *c, vs_core_node *n, bool sense, vs_jumps *list) {
       e->next = keep;
       return true;
     }
-    default: break;                            /* tested by their value */
+    default: break;                            /* all other expressions are evaluated, and their value is tested */
   }
   if (!operand(c, n, &r[0])) return false;
   e->next = keep;

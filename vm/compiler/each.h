@@ -15,7 +15,7 @@ enum {
   VS_EACH_CAPTURES,     /* number of continuations at the start; #f: the list of results is in reverse order */
   VS_EACH_RESULTS,      /* list of results, or the unspecific value if results are not kept */
   VS_EACH_LAST,         /* last pair of the results, or '(); #f if results are not kept */
-  VS_EACH_LIST,         /* list of the remaining elements */
+  VS_EACH_LIST,         /* list of the elements for which the procedure was not yet called */
   VS_EACH_WINDOW
 };
 

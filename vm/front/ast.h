@@ -32,7 +32,7 @@ typedef struct vs_var {
   bool in_register;          /* assigned in its register unless captured: no continuation is entered twice */
   bool given_again;          /* of a FIX: whether its value may be computed a second time, so that it counts as
                               * assigned */
-  /* Set by the compiler. */
+  /* Members that the compiler sets. */
   bool assigned, captured, known;
   uint32_t refs, calls;
   vs_core_node *owner, *value;    /* owner: LAMBDA that contains the variable; value: of a FIX, its initial LAMBDA */
@@ -73,11 +73,11 @@ struct vs_core_node {
     struct { vs_var **vars; vs_core_node **values; vs_core_node *body; } let;
     struct {
       uint32_t name;                                              /* 0, or 1 + constant index of the name, a symbol */
-      vs_param *params;                                           /* `count` parameters */
+      vs_param *params;                                           /* array of `count` parameters */
       vs_var *rest;                                               /* the rest parameter, or NULL */
       vs_core_node *body;
-      void *extra;                                                /* data of the compiler */
-    } lambda;                                                     /* members of a LAMBDA */
+      void *extra;                                                /* data of the compiler about this LAMBDA */
+    } lambda;                                                     /* the members of a LAMBDA node */
     struct { uint32_t name; vs_core_node **at; } clauses;              /* CASE: a case-lambda with its LAMBDAs */
     struct { vs_core_node *predicate, *value; uint32_t name, text, who; } check;
       /* CHECK: a contract. Its value is that of `value` if (predicate value) is true. Otherwise it is the error "WHO:

@@ -29,7 +29,7 @@ bool vs_define_parts(vs_expansion *x, vs_value form, vs_value parts[3], bool *pr
   r[0] = vs_car(vs_cdr(form));
   r[1] = vs_cdr(vs_cdr(form));
   *procedure = vs_is_pair(r[0]);
-  while (vs_is_pair(r[0]) && vs_is_pair(vs_car(r[0]))) {          /* a curried definition */
+  while (vs_is_pair(r[0]) && vs_is_pair(vs_car(r[0]))) {          /* a curried definition: (define ((f a) b) ...) */
     if (!vs_core_name(vm, "lambda", &r[2]) || !vs_cons(vm, vs_cdr(r[0]), r[1], &r[1]) ||
         !vs_cons_at(vm, r[2], r[1], pos, &r[1]) || !vs_cons(vm, r[1], VS_NIL, &r[1]))
       return false;
@@ -201,7 +201,7 @@ static bool finish_body(vs_expansion *x) {
       continue;
     }
     vs_var *var = vs_is_fixnum(v->at[0]) ? (vs_var *)(uintptr_t)vs_fixnum(v->at[0]) : NULL;
-    if (!var) {                                                     /* an expression between definitions */
+    if (!var) {                                                     /* no variable: an expression between definitions */
       vs_value name;
       ok = vs_intern_c(vm, "_", &name) && (var = vs_ast_var(&x->ast, name)) != NULL;
       if (!ok) break;

@@ -81,7 +81,7 @@ bool vs_form_define_record_type(vs_expansion *x, vs_value *form) {
       return vs_expand_fail(x, vs_element_pos(l, false, pos), f,
                             "a field is (name accessor) or (name accessor modifier), not");
   }
-  /* The definition of the type. */
+  /* Creates the definition of the record type. */
   r[A] = VS_NIL;
   for (l = r[FIELDS]; vs_is_pair(l); l = vs_cdr(l)) {          /* collects the names, newest first; they are reversed
                                                                 * below */
@@ -95,7 +95,7 @@ bool vs_form_define_record_type(vs_expansion *x, vs_value *form) {
   VS_ROOTS(vm, p, 5);
   p[0] = r[C]; p[1] = r[D];
   if (!make(vm, "%make-record-type", 2, p, &r[C]) || !define(vm, r[NAME], r[C], pos, &r[OUT])) return false;
-  /* The definition of the constructor. */
+  /* Creates the definition of the constructor. */
   if (r[MAKER] != VS_FALSE) {
     if (r[MAKER] == VS_TRUE)
       return vs_expand_fail(x, pos, VS_ABSENT, "define-record-type: the constructor needs a name: %s",

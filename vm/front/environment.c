@@ -391,7 +391,7 @@ bool vs_environment_import(vs_scheme *vm, vs_value env, vs_value from, vs_value 
     if (mapping == VS_TRUE && vs_car(vs_car(l)) == from && vs_cdr(vs_car(l)) == VS_TRUE &&
         (whole || l == vs_as_environment(env)->imports))
       return true;
-    last = l;                                   /* the library is already imported */
+    last = l;                                   /* a library that is already imported was found above */
   }
   if (vs_environment_intake(env) == VS_INTAKE_STRICT && !whole) *clash = find_clash(vm, env, from, mapping);
   if (*clash == VS_VACANT && !whole) { settle(vm, env, from, mapping, true, clash); *own = *clash != VS_VACANT; }

@@ -382,7 +382,8 @@ static bool application(vs_expansion *x) {
     }
     vs_value names[64];
     if (keys > 64) return vs_expand_fail(x, x->now.pos, VS_ABSENT, "more than 64 keywords");
-    memcpy(names, vs_as_vector(r[0])->at, keys * sizeof *names);      /* symbols do not move */
+    memcpy(names, vs_as_vector(r[0])->at, keys * sizeof *names);      /* symbols do not move in memory, so that they may
+                                                                       * be copied */
     uint32_t index;
     if (!vs_make_keywords(vm, names, keys, &r[1]) || !vs_ast_const(&x->ast, r[1], &index)) return false;
     call->as.call.keywords = 1 + index;

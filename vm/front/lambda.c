@@ -16,7 +16,7 @@ typedef struct {
   vs_pos pos;
   vs_var *var, *contract;               /* contract: variable of the LET for the predicate; NULL if the predicate is a
                                          * constant */
-  uint32_t keyword;                     /* as vs_param.keyword */
+  uint32_t keyword;                     /* 0, or 1 + constant index of the keyword (vs_param.keyword) */
 } parameter;
 
 /* The parameters of a lambda that is being built. Their values are roots. */
@@ -188,8 +188,8 @@ typedef struct {
   size_t contracts;          /* number of predicates that are already in the LET */
   vs_core_node *lambda;
 } making;
-/* scope of the lambda */
-enum { ROOT_LIST, ROOT_BODY, ROOT_ENV, ROOT_SCOPE, ROOT_EARLIER /* scope of a default value */, ROOTS };
+/* ROOT_SCOPE: scope of the lambda. */
+enum { ROOT_LIST, ROOT_BODY, ROOT_ENV, ROOT_SCOPE, ROOT_EARLIER /* ROOT_EARLIER: scope of a default value */, ROOTS };
 
 static void again(making *m) { reload(m->p, m->roots[ROOT_LIST]); }
 

@@ -254,7 +254,7 @@ static bool close_frame(reader *r, vs_value *out) {
         vs_as_bytes(*out)->at[i] = (uint8_t)vs_fixnum(e);
       else problem(r, f.pos, "a bytevector holds integers from 0 to 255");
     }
-    if (r->located) vs_object_of(*out)->flags |= VS_F_IMMUTABLE;      /* a literal in a program */
+    if (r->located) vs_object_of(*out)->flags |= VS_F_IMMUTABLE;      /* literals of a program are immutable */
   }
   pop(r);
   return true;
@@ -449,7 +449,7 @@ static bool read_symbol(reader *r, vs_value *out) {
     numbers[used] = 0;
     problem(r, pos, "a point is written (xyz %s), a gvector (vxyz %s)", numbers, numbers);
     r->at += more;
-    while (!is_delimiter(r)) r->at++; /* to the closing > */
+    while (!is_delimiter(r)) r->at++; /* skips to the > that closes the vector */
     *out = VS_UNSPECIFIC;
   }
   if (ok && !bars && c == 0xE2 && length >= 3 && (unsigned char)s[1] == 0x80 && (unsigned char)s[2] >= 0x98 &&
@@ -844,7 +844,9 @@ bool vs_read_all(vs_scheme *vm, const vs_passage *text, uint32_t file, bool fold
 bool vs_read_number(vs_scheme *vm, const char *s, size_t n, vs_pos place, vs_value *out) {
   if (vs_number_parse(vm, s, n, 10, out)) return true;
   vs_value why = vm->condition;
-  if (!vs_is(why, VS_T_CONDITION) || vs_as_condition(why)->kind != vm->sym.range) return false; /* memory is out */
+  if (!vs_is(why, VS_T_CONDITION) || vs_as_condition(why)->kind != vm->sym.range) return false; /* the text could not be
+                                                                                                 * read because memory
+                                                                                                 * is out */
   return vs_fail_at(vm, vm->sym.read, place, VS_NIL, "%.*s%s: this exact number is too large to be written out",
                     (int)(n > 60 ? 60 : n), s, n > 60 ? "..." : "");
 }

@@ -206,7 +206,7 @@ static bool remember(vs_scheme *vm, vs_value symbol, vs_value near) {
   VS_ROOTS(vm, r, 1);
   if (!vs_is_vector(vm->at.nearby) && !vs_idtable_new(vm, &vm->at.nearby)) return false;
   r[0] = vm->at.nearby;
-  if (!vs_idtable_put(vm, &r[0], symbol, near)) return false;     /* symbols do not move */
+  if (!vs_idtable_put(vm, &r[0], symbol, near)) return false;     /* symbols do not move in memory */
   vm->at.nearby = r[0];
   return true;
 }

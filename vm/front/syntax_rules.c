@@ -419,7 +419,8 @@ static bool instantiate(rules *s, vs_value template, bool dots, vs_value *out, i
     t[0] = VS_NIL;
     if (level) { if (!repeat(s, vs_car(r[0]), level, &t[0], depth)) return false; }
     else if (!instantiate(s, vs_car(r[0]), dots, &t[1], depth + 1) || !vs_cons(vm, t[1], t[0], &t[0])) return false;
-    vs_value chain = VS_NIL;                                                      /* reverses the list in place */
+    vs_value chain = VS_NIL;                                                      /* reverses the list of new pairs in
+                                                                                   * place */
     for (vs_value l = t[0]; vs_is_pair(l);) {
       vs_value next = vs_cdr(l);
       vs_gc_store(vm, vs_as_pair(l), &vs_as_pair(l)->cdr, chain);

@@ -28,7 +28,7 @@ typedef struct {
   bool uses_this, uses_arguments;
 } vs_scope_of_script;
 
-/* Flags of a node. */
+/* Flags of a node of the script's tree. */
 enum {
   VS_JUMPS_OUT = 1, /* a return, break or continue in the statement leaves it */
   VS_STAYS = 2,     /* the end of the statement is never reached */
@@ -39,7 +39,7 @@ enum {
 typedef struct {
   vs_script *s;
   vs_variable *variables;
-  size_t variable_count, variable_room; /* variable 0 does not exist */
+  size_t variable_count, variable_room; /* number of variables; variable 0 does not exist */
   vs_scope_of_script *scopes;
   size_t scope_count, scope_room; /* scope 0 does not exist; scope 1 is that of the program */
   uint32_t *table;

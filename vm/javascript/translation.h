@@ -14,7 +14,7 @@ typedef enum {
   VS_ITEM_WORD,   /* a word of the translation */
   VS_ITEM_NAME,   /* a name in the script */
   VS_ITEM_DIRECT, /* a name in the script, followed by a colon: the direct procedure of a function */
-  VS_ITEM_MADE,   /* the symbol word:number */
+  VS_ITEM_MADE,   /* the symbol word:number, made by the translation */
   VS_ITEM_KEY,    /* a text of the script as a symbol */
   VS_ITEM_NUMBER,
   VS_ITEM_COUNT,
@@ -36,7 +36,7 @@ typedef struct {
 typedef enum {
   VS_THEN_NOTHING,    /* after the expression; its value is not used */
   VS_THEN_END,        /* at the end of the function */
-  VS_THEN_MADE,       /* in the procedure word:number */
+  VS_THEN_MADE,       /* in the procedure with the name word:number */
   VS_THEN_STATEMENTS, /* at the statements from `node` up to `stop`, then at `on` */
   VS_THEN_LOOP,       /* at the next iteration of loop `node`, which has this number */
   VS_THEN_OUTCOME     /* after the finally of `target`, where the ended part would continue */
@@ -78,7 +78,7 @@ typedef enum { VS_TYPE_ANY, VS_TYPE_NUMBER, VS_TYPE_STRING, VS_TYPE_BOOLEAN } vs
 bool vs_translate_open(vs_translation *t);
 bool vs_translate_close(vs_translation *t);
 bool vs_translate_word(vs_translation *t, const char *word);
-bool vs_translate_call(vs_translation *t, const char *word); /* Writes ( and the word. */
+bool vs_translate_call(vs_translation *t, const char *word); /* Writes ( and the word after it. */
 bool vs_translate_name(vs_translation *t, uint32_t name);
 bool vs_translate_direct(vs_translation *t, uint32_t name);
 bool vs_translate_made(vs_translation *t, const char *word, uint32_t number);

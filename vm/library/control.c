@@ -102,7 +102,7 @@ static vs_status dynamic_wind(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
 /* ---- several values, and apply ---- */
 static vs_status values(vs_scheme *vm, vs_value *a, int n, vs_value *out) { return vs_several(vm, a, (size_t)n, out); }
 
-/* Arguments: producer consumer | unused. */
+/* Implements call-with-values. Arguments: producer consumer | unused. */
 static vs_status call_with_values(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (n >= 0) return vs_call(vm, a[0], 0, NULL);
   if (!vs_is(*out, VS_T_VALUES)) return vs_tailcall(vm, a[1], 1, out);
@@ -240,7 +240,7 @@ static vs_status raise_continuable(vs_scheme *vm, vs_value *a, int n, vs_value *
 }
 
 /* ---- parameters ---- */
-/* Arguments: value [converter] | called. */
+/* Implements make-parameter. Arguments: value [converter] | called. */
 static vs_status make_parameter(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (n >= 0 && a[1] != VS_ABSENT && a[1] != VS_FALSE) return vs_call(vm, a[1], 1, a);
   if (n < 0) a[0] = *out;
@@ -324,7 +324,7 @@ static vs_value promise_root(vs_value p) {
   return p;
 }
 
-/* Arguments: promise | unused. */
+/* Implements force. Arguments: promise | unused. */
 static vs_status force(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (!vs_is(a[0], VS_T_PROMISE)) { *out = a[0]; return VS_OK; }
   vs_value root = promise_root(a[0]);

@@ -262,7 +262,7 @@ bool vs_library_import(vs_expansion *x) {
     vs_text_close(&t);
     if (!ok) return false;
     if (!found || x->now.n) return no_library(x, pos, r[1]);
-    VS_ROOTS(vm, quoted, 2);      /* the call (%load-library path 'name) */
+    VS_ROOTS(vm, quoted, 2);      /* roots for the call (%load-library path 'name) */
     if (!vs_core_name(vm, "quote", &quoted[0]) || !vs_cons(vm, r[1], VS_NIL, &quoted[1]) ||
         !vs_cons(vm, quoted[0], quoted[1], &quoted[0]) || !vs_cons(vm, quoted[0], VS_NIL, &r[4]) ||
         !vs_cons(vm, r[2], r[4], &r[4]) || !core_value(vm, "%load-library", &r[3]) ||
@@ -284,7 +284,7 @@ enum {
   L_NAME,
   L_ENV,
   L_EXPORTS,
-  L_FORMS /* list, newest first */,
+  L_FORMS /* list of the forms, newest first */,
   L_LATER /* declarations that are not yet processed */,
   L_A,
   L_B,
@@ -390,7 +390,7 @@ bool vs_library_require(vs_expansion *x) {
   VS_ROOTS(vm, r, 4);
   int64_t n = vs_list_length(x->now.form);
   if (n < 2) return vs_expand_shape(x, VS_FORM_require);
-  if (n > 2) {                                     /* several files, in order */
+  if (n > 2) {                                     /* several files are loaded in order */
     r[1] = VS_NIL;
     for (r[0] = vs_cdr(x->now.form); vs_is_pair(r[0]); r[0] = vs_cdr(r[0])) {
       vs_pos pos = vs_element_pos(r[0], false, x->now.pos);

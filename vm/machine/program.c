@@ -21,9 +21,9 @@ enum {
   RUN_FORMS,
   RUN_ENV,
   RUN_TELL,
-  RUN_X /* the expansion, a foreign object */,
+  RUN_X /* RUN_X: the expansion, a foreign object */,
   RUN_PHASE,
-  RUN_VALUE /* value of the last form */,
+  RUN_VALUE /* value of the last form that was run */,
   RUN_SERIAL,
   RUN_PLACE,
   RUN_SLOTS = 5
@@ -272,7 +272,7 @@ static vs_status syntax_to_datum(vs_scheme *vm, vs_value *a, int n, vs_value *ou
 /* A file that is loaded while it is running. If each file on the way loads the next in a top-level form, loading it
  * again would repeat itself. Otherwise a condition in the program may end the loading, which is tried LOADS times. */
 typedef struct {
-  vs_value run;        /* the native %run */
+  vs_value run;        /* the procedure object of the native %run */
   uint32_t file;
   unsigned calls;      /* number of activations since the last %run: the load itself, and its callers */
   vs_pos place;        /* place of the outermost of these calls */
@@ -491,7 +491,7 @@ bool vs_front_open(vs_scheme *vm) {
 #include "vm/front/forms.def"
 #undef VS_FORM
   };
-  if (vs_is(vm->at.core, VS_T_ENVIRONMENT)) return true;       /* already loaded from an image */
+  if (vs_is(vm->at.core, VS_T_ENVIRONMENT)) return true;       /* the library was already loaded with an image */
   VS_ROOTS(vm, r, 2);
   if (!vs_intern_c(vm, "visualscheme", &r[0]) || !vs_environment_new(vm, r[0], &vm->at.core)) return false;
   vm->at.libraries = vm->at.required = VS_NIL;

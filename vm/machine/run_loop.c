@@ -73,7 +73,7 @@ static void trace(const uint32_t *ins, const vs_value *base) {
 
 /* Runs the call in the window w, at the start of the stack, until its activation returns. */
 static bool loop(vs_scheme *vm, vs_value *w, size_t n, vs_value *out) {
-  vs_value *base = w;                 /* there is no activation yet */
+  vs_value *base = w;                 /* no activation exists before the first call */
   const uint32_t *pc = NULL, *start = NULL;      /* start: first instruction of the activation's code */
   vs_value *k = NULL;
   vs_value ret = VS_TAG_FIXNUM << 48 | VS_RET_STOP, kw = VS_FALSE, v;
@@ -83,7 +83,7 @@ static bool loop(vs_scheme *vm, vs_value *w, size_t n, vs_value *out) {
   VS_ASSERT(w == vm->stack);
 
 #pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wpedantic"      /* permits labels as values */
+#pragma GCC diagnostic ignored "-Wpedantic"      /* for the addresses of labels, an extension of GCC */
   static const void *const labels[] = {
 #define VS_OP(name, operands, extra, generic) &&op_##name,
 #include "vm/compiler/opcodes.def"

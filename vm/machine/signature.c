@@ -1,4 +1,4 @@
-/* Parses the signatures of natives. */
+/* Parses the signatures of natives, such as "c r [start end] #:segments". */
 #include "vm/machine/signature.h"
 
 #include "model/assert.h"

@@ -20,7 +20,7 @@
   A(files)         /* vector of file names (strings), indexed by the file numbers of places; slot 0 is #f */ \
   A(libraries)     /* association list from name to environment (vm/front) */ \
   A(core)          /* the environment of the complete library (vm/front) */ \
-  A(program)       /* environment of the host's program */ \
+  A(program)       /* environment of the program that the host runs */ \
   A(required)      /* list of (path . #t) of the required files; #f instead of #t while a file is being loaded */ \
   A(checks)        /* queue of waiting checks (check_queue.h), or #t while a check runs */ \
   A(included)      /* list of (file number . number of the file that includes it) */ \
@@ -33,7 +33,7 @@
   A(raise) A(check) A(throw) A(guarded) /* natives that the run loop itself calls */ \
   A(no_memory)     /* condition raised if there is no memory to create one */ \
   A(self_call)     /* KEYWORDS object of a call with only #:this, the object of a script's method call */ \
-  A(stop)          /* procedure of the first activation */ \
+  A(stop)          /* procedure of the first activation on the stack */ \
   A(stops)         /* list of the conditions of stopped programs (step.h), the latest first */
 
 /* The phases of a program's work. VS_VM_RUN: the program itself runs. */
@@ -106,14 +106,14 @@ struct vs_scheme {
   size_t nursery_bytes;
 
   /* The stack of the run loop (run_loop.c). */
-  vs_value *stack, *stack_end;     /* the working stretch */
+  vs_value *stack, *stack_end;     /* start and end of the working stretch */
   vs_value *base, *top;            /* base: registers of the current activation; top: first unused slot, below which all
                                     * slots are visited by the collector */
   vs_value under;                  /* STACK object with the activations below the working stretch, or #f */
   uint64_t under_depth;            /* number of its slots that belong to activations which still run */
   const uint32_t *pc;              /* pc of the current activation while a native or the collector runs */
 
-  /* Dynamic state, which continuations contain. */
+  /* Dynamic state of the program, which continuations contain. */
   vs_value winders, handlers, parameters;
 
   /* Data that natives and the run loop exchange (native.h). */
@@ -125,7 +125,7 @@ struct vs_scheme {
   vs_value condition;              /* the raised object, after a function returned false or VS_ERROR */
   vs_value value;                  /* result of a native */
 
-  /* Counts for the limits. */
+  /* Counts of work and memory for the limits. */
   int64_t fuel;                    /* turns until the next poll */
   uint64_t work;                   /* steps of natives that do not yet make a turn */
   uint64_t steps;                  /* turns used up to the last poll */
@@ -167,7 +167,7 @@ struct vs_scheme {
   uint32_t program_file;           /* number of the file that the host runs, or 0 */
   uint64_t top_place;              /* vs_pos of the top-level form that began last, or of a macro use in it */
 
-  void *host;                      /* context of the embedder */
+  void *host;                      /* context pointer of the embedder */
   vs_config config;
 };
 

@@ -453,7 +453,7 @@ bool vs_int_print(vs_scheme *vm, vs_value a, int radix, vs_text *t) {
 
 static bool piece_from_digits(vs_scheme *vm, const unsigned char *digits, size_t n, int radix, vs_value *out) {
   while (n && *digits == 0) digits++, n--;
-  if (n <= 12) {                     /* 36^12 < 2^63 */
+  if (n <= 12) {                     /* 12 digits fit 63 bits in every radix: 36^12 < 2^63 */
     int64_t v = 0;
     for (size_t i = 0; i < n; i++) v = v * radix + digits[i];
     return vs_int_from_int64(vm, v, out);
@@ -500,7 +500,7 @@ bool vs_int_from_digits(vs_scheme *vm, const unsigned char *digits, size_t n, in
 
 /* Returns top * 2^e, correctly rounded, even if subnormal. Bit 63 of top is set. sticky: bits other than 0 follow. */
 static double round_top(uint64_t top, bool sticky, int64_t e) {
-  int64_t high = e + 63;                         /* exponent of the leading bit */
+  int64_t high = e + 63;                         /* exponent of the leading bit of the result */
   VS_ASSERT(top >> 63 == 1);
   if (high > DBL_MAX_EXP) return HUGE_VAL;
   int64_t precision = high >= DBL_MIN_EXP - 1 ? DBL_MANT_DIG : DBL_MANT_DIG + high - (DBL_MIN_EXP - 1);

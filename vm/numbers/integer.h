@@ -30,7 +30,7 @@ bool vs_int_shift(vs_scheme *vm, vs_value a, int64_t left, vs_value *out);      
 bool vs_int_power(vs_scheme *vm, vs_value a, uint64_t n, vs_value *out);
 bool vs_int_sqrt(vs_scheme *vm, vs_value a, vs_value *root, vs_value *rest);           /* a must be 0 or more */
 bool vs_int_negate(vs_scheme *vm, vs_value a, vs_value *out);
-bool vs_int_bitwise(vs_scheme *vm, char op /* '&', '|' or '^' */, vs_value a, vs_value b, vs_value *out);
+bool vs_int_bitwise(vs_scheme *vm, char op /* the operation: '&', '|' or '^' */, vs_value a, vs_value b, vs_value *out);
 int vs_int_compare(vs_value a, vs_value b);
 int vs_int_sign(vs_value a);
 bool vs_int_is_odd(vs_value a);

@@ -166,7 +166,7 @@ size_t vs_double_text(double d, char out[VS_DOUBLE_TEXT]) {
   }
   unsigned char digits[VS_DOUBLE_TEXT] = {0};
   int point, n = decimal_digits(d, digits, &point);
-  if (point > 21 || point < -5) {                       /* with an exponent: d.ddde+x */
+  if (point > 21 || point < -5) {                       /* written with an exponent: d.ddde+x */
     *p++ = (char)('0' + digits[0]);
     if (n > 1) *p++ = '.';
     for (int i = 1; i < n; i++) *p++ = (char)('0' + digits[i]);
@@ -342,7 +342,7 @@ static bool scan_decimal(const scan *in, const char *p, vs_value *out) {
     }
     if (minus) exponent = -exponent;
   } else if (!point) {
-    return true;                                  /* plain integers were already tried */
+    return true;                                  /* the text is a plain integer, which was already tried */
   }
   unsigned char small[64], *digits = n <= sizeof small ? small : vs_mem(in->vm, NULL, 0, n);
   if (!digits) return vs_fail_memory(in->vm);

@@ -1,4 +1,4 @@
-/* Continues stopped programs. */
+/* Continues stopped programs (vm/stepping/step.h). */
 #include "vm/stepping/resume.h"
 
 #include "vm/front/environment.h"

@@ -23,7 +23,7 @@ enum {
   VS_STOP_TAIL,          /* CALL: whether it is a tail call */
   VS_STOP_MODE,          /* previous vs_step_mode, as a fixnum; its target follows */
   VS_STOP_TARGET,
-  VS_STOP_FLAGS,         /* for use by the host */
+  VS_STOP_FLAGS,         /* fixnum for use by the host */
   VS_STOP_WORDS
 };
 

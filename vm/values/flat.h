@@ -22,7 +22,7 @@ typedef enum { VS_OP_ADD, VS_OP_SUB, VS_OP_MUL, VS_OP_DIV, VS_OP_COUNT } vs_flat
 typedef enum {
   VS_FLAT_PLUS,
   VS_FLAT_MINUS,
-  VS_FLAT_FROM /* right operand minus left */,
+  VS_FLAT_FROM /* the right operand minus the left one */,
   VS_FLAT_TIMES,
   VS_FLAT_OVER,
   VS_FLAT_DOT,
@@ -31,7 +31,7 @@ typedef enum {
   VS_FLAT_LENGTH
 } vs_flat_kind;
 typedef struct vs_flat_rules {
-  int tags;                                                     /* 1 + number of types */
+  int tags;                                                     /* 1 + number of registered types of records */
   vs_flat_type type[VS_FLAT_TAGS];
   /* at[operator][left tag][right tag]: rule and tag of the result; unary minus is 0 - x */
   struct { uint8_t rule, tag; } at[VS_OP_COUNT][VS_FLAT_TAGS][VS_FLAT_TAGS];

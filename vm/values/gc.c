@@ -498,9 +498,9 @@ bool vs_gc_is_minor(const vs_scheme *vm) { return vm->gc->minor; }
 
 void vs_gc_minor(vs_scheme *vm) {
   struct vs_gc *gc = vm->gc;
-  if (!gc->ready) return;      /* no object was allocated */
+  if (!gc->ready) return;      /* the nursery is closed: it contains no objects */
   gc->grey = NULL;
-  gc->visits = (size_t)(vm->stack_end - vm->top) / 16;      /* these slots were zeroed */
+  gc->visits = (size_t)(vm->stack_end - vm->top) / 16;      /* zeroing the slots above the top counts as visits, too */
   gc->minor = true;
   gc_visit_roots(vm, minor_visit);
   if (gc->remembered_lost) gc_walk_old(vm, minor_remembered);

@@ -14,12 +14,12 @@
 #include "vm/numbers/number_text.h"
 
 typedef enum {
-  ITEM,        /* print v */
+  ITEM,        /* to do: print v */
   TAIL,        /* print the rest v of a list whose parenthesis is open */
-  CLOSE,       /* print ) */
+  CLOSE,       /* to do: print ) */
   SLOTS,       /* print elements of the vector, values or record v from number i on, then ) or > */
   ENTRIES,     /* print entries of the table v from position i on, then ) */
-  DOT          /* print " . " */
+  DOT          /* to do: print " . " */
 } print_step;
 
 typedef struct print_frame { uint8_t step; uint32_t i; vs_value v; } print_frame;

@@ -124,7 +124,7 @@ static bool table_reserve(vs_scheme *vm, const vs_value *table) {
     for (uint32_t k = 0; k < 3; k++) vs_gc_store(vm, to, &to->at[n * 3 + k], from->at[e * 3 + k]);
     index_place(index, mask, to->at[n * 3 + 2], n);
     n++;
-    if (!vs_poll_turn(vm, e, 8)) return false;      /* the table is still unchanged */
+    if (!vs_poll_turn(vm, e, 8)) return false;      /* if it fails here, the table is still unchanged */
   }
   vs_gc_store(vm, t, &t->entries, r[0]);
   vs_gc_store(vm, t, &t->index, r[1]);

@@ -109,7 +109,7 @@ enum {                          /* values of vs_object.flags */
   VS_F_LOCAL      = 8,          /* symbol, alias: a local scope has bound it */
   VS_F_ASSIGNED   = 8,          /* cell: assigned by a set! in its own library or program, so that importers share the
                                  * cell */
-  VS_F_AROUND     = 4,          /* environment: it contains other scopes */
+  VS_F_AROUND     = 4,          /* environment: it is a scope that contains other scopes */
   VS_F_NEGATIVE   = 4,          /* bignum: it is negative */
   VS_F_MARKED     = 4           /* closure: marked by the layers above */
 };
@@ -146,7 +146,7 @@ static inline vs_pos vs_pos_of(vs_value fixnum) {
 }
 
 typedef struct { vs_object h; vs_value car, cdr; } vs_pair;
-typedef struct { vs_pair pair; vs_pos pos; } vs_located_pair;   /* a pair with VS_F_LOCATED */
+typedef struct { vs_pair pair; vs_pos pos; } vs_located_pair;   /* a pair with the flag VS_F_LOCATED */
 
 /* A string. `store` is a BYTES object with the characters, 1 or 4 bytes each (VS_F_WIDE): string-ref takes constant
  * time, and string-set! may convert the store. Characters are code points, never surrogates. */
@@ -212,7 +212,7 @@ typedef struct { vs_object h; vs_value value, name, users; } vs_cell;
 typedef struct { vs_object h; vs_value value; } vs_box;
 typedef struct { vs_object h; uint64_t count; vs_value at[]; } vs_values;      /* several values; count is never 1 */
 
-typedef struct { vs_object h; vs_value name, fields /* vector of symbols */, parent, data; } vs_record_type;
+typedef struct { vs_object h; vs_value name, fields /* fields: vector of symbols */, parent, data; } vs_record_type;
 typedef struct { vs_object h; vs_value type; vs_value at[]; } vs_record;
 
 /* An immutable record of at most 16 doubles (flat.h). h.flags is its tag. */
@@ -221,7 +221,7 @@ static inline uint32_t vs_flat_tag(const vs_flat *f) { return f->h.flags; }
 static inline uint32_t vs_flat_count(const vs_flat *f) { return f->h.words - 1; }
 
 /* A dual number: a value and its derivative (dual.h). */
-typedef struct { vs_object h; vs_value level /* a fixnum */, value, slope; } vs_dual;
+typedef struct { vs_object h; vs_value level /* level: a fixnum */, value, slope; } vs_dual;
 
 /* A hash table in insertion order. `entries` is a vector of triples: key, value, hash (a fixnum); the key of a removed
  * entry is VS_VACANT. `index` is BYTES of u32 (entry number + 1; 0: free), with open addressing and a power of two of
@@ -249,14 +249,14 @@ typedef struct {
 
 typedef struct {
   vs_object h;
-  vs_value done /* #t or #f */, value /* the value, or a thunk */;
+  vs_value done /* done: #t or #f */, value /* value: the result, or a thunk */;
 } vs_promise; /* promises with the same result share it through a box */
 typedef struct { vs_object h; vs_value value, converter, name; } vs_parameter;
 
 /* An error of the system or of (error ...). It is printed as MESSAGE IRRITANT ...: "make-sphere: r must be positive,
  * got" (-2). `chain` is a list of (procedure name . place as a fixnum), innermost first. `place` is the place of the
- * failing call. `kind` is a symbol. */
-typedef struct { vs_object h; vs_value kind, message /* a string */, irritants /* a list */, chain, payload,
+ * failing call. `kind` is a symbol, `message` a string. */
+typedef struct { vs_object h; vs_value kind, message, irritants /* irritants: a list */, chain, payload,
     calls /* calls with their variables (activation.c), or #f */; vs_pos place; } vs_condition;
 
 /* Captured activations, immutable. `at` is a copy of a stretch of the stack; `under` is the STACK object below it, up
@@ -274,7 +274,8 @@ typedef struct {
 /* Objects of the expander. vm/front defines the meaning of the fields; the collector traces all of them. */
 typedef struct { vs_object h; vs_value name, table, imports, exports, parent, top, data; } vs_environment;
 typedef struct { vs_object h; vs_value kind, transformer, env, data; } vs_macro;
-typedef struct { vs_object h; vs_value name, env, data; uint64_t mark; } vs_alias;      /* a renamed identifier */
+typedef struct { vs_object h; vs_value name, env, data; uint64_t mark; } vs_alias;      /* an alias: a renamed
+                                                                                         * identifier */
 
 /* A constant that describes a call with keywords: these are the names of its last `count` arguments. */
 typedef struct { vs_object h; uint64_t count; vs_value name[]; } vs_keywords;
