@@ -318,8 +318,8 @@ static vs_status refuse_material(vs_args *f, const vs_bind_param *p, vs_value go
   return vs_bind_refuse_hint(f, p->name, vs_contract_noun(p->contract), got, hint);
 }
 
-/* Refuses a colour of three numbers outside of 0 to 1. If all lie between 0 and 255, the error suggests them divided by
- * 255, since other programs use that range. */
+/* Refuses a colour of three numbers outside of 0 to 1. If all lie between 0 and 255, and one is 32 or more, the error
+ * suggests them divided by 255, since other programs use that range. */
 static vs_status refuse_parts(vs_args *f, const vs_bind_param *p, vs_value got) {
   double c[3];
   char hint[96];

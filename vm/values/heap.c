@@ -224,7 +224,7 @@ bool vs_intern(vs_scheme *vm, const char *name, size_t bytes, vs_value *out) {
   vs_gc_store(vm, table, &table->at[k + 1], *out);
   int64_t count = vs_fixnum(table->at[0]) + 1;
   table->at[0] = vs_fix(count);
-  if ((size_t)count * 4 > mask * 3) {          /* not stored in *out yet, which may be no root; symbols do not move */
+  if ((size_t)count * 4 > mask * 3) {          /* symbols do not move: *out stays valid, even if it is no root */
     return symbols_grow(vm);
   }
   return true;
