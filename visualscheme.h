@@ -1,4 +1,4 @@
-/* The public interface: a host runs VisualScheme programs, and writes the objects that they draw.
+/* Declares the public interface: a host runs VisualScheme programs, and writes the objects that they draw.
  *
  *   vs_options o = vs_options_default();
  *   o.host.diagnose = print_it;
@@ -41,7 +41,7 @@ extern "C" {
 
 VS_API const char *vs_version(void); /* Returns the library's version, which may differ from the header's VS_VERSION. */
 
-typedef struct vs_scheme vs_scheme; /* an interpreter: its heap, its program, its drawing */
+typedef struct vs_scheme vs_scheme; /* An interpreter contains its heap, its program and its drawing. */
 
 /* The result of a call. */
 typedef enum {
@@ -50,8 +50,8 @@ typedef enum {
   VS_OUTCOME_USAGE = 2,         /* a bad argument, or a file that cannot be read or written */
   VS_OUTCOME_WORKER = 3,        /* a worker program (POV-Ray, ...) is missing or failed */
   VS_OUTCOME_MACHINE = 4,       /* a limit of memory, time or steps, or a failure of the machine */
-  VS_OUTCOME_STOPPED = -1,      /* not an exit code: (break) paused the program, which happens only with VS_EVAL_STOP;
-      vs_stop_get gives the place, vs_resume continues */
+  VS_OUTCOME_STOPPED = -1,      /* (break) paused the program, which happens only with VS_EVAL_STOP; not an exit code.
+                                 * vs_stop_get gives the place, vs_resume continues */
   VS_OUTCOME_INTERRUPTED = 130
 } vs_outcome;
 
@@ -61,20 +61,20 @@ typedef enum { VS_SEVERITY_ERROR, VS_SEVERITY_WARNING, VS_SEVERITY_NOTE } vs_sev
 
 typedef struct {
   const char *file;         /* the file's name, as given when it was opened; NULL: no source text */
-  uint32_t line, column;    /* of the first character; 0: not known */
-  uint32_t end_line, end_column; /* just after the last character; 0: not known, show one caret */
+  uint32_t line, column;    /* place of the first character; 0: not known */
+  uint32_t end_line, end_column; /* place just after the last character; 0: not known, the host shows a single caret */
 } vs_span;
 
 typedef struct {
   vs_span at;
-  const char *message; /* "called from (tower 5)", ... */
+  const char *message; /* text such as "called from (tower 5)" */
 } vs_diagnostic_note;
 
 typedef struct {
   vs_severity severity;
-  vs_outcome outcome;      /* the kind of failure; DONE for warnings and notes */
+  vs_outcome outcome;      /* kind of the failure; VS_OUTCOME_DONE for warnings and notes */
   vs_span at;
-  const char *message;     /* without the place: "make-sphere: r must be positive, got -2" */
+  const char *message;     /* text without the place, such as "make-sphere: r must be positive, got -2" */
   const char *source_line; /* the text of line `at.line`, without its newline; NULL: not known */
   const vs_diagnostic_note *notes; /* the program's call chain, innermost first, then hints */
   size_t note_count;
@@ -83,9 +83,9 @@ typedef struct {
 /* ---- progress ---- */
 
 typedef struct {
-  const char *phase;     /* "evaluating", "meshing", "rendering", ... in English, for a status line */
+  const char *phase;     /* current work in English, for a status line: "evaluating", "meshing", "rendering", ... */
   const char *subject;   /* the output file, or NULL */
-  double fraction;       /* 0 to 1; negative: not known */
+  double fraction;       /* completed fraction, 0 to 1; negative: not known */
 } vs_progress;
 
 /* ---- the host ---- */
@@ -93,17 +93,17 @@ typedef struct {
 /* The host's callbacks. Each receives `context`. Every member may be NULL. */
 typedef struct {
   void *context;
-  /* Writes text that the program prints (display, write ...). Returns false when it cannot; the program then gets an
-   * error. NULL: the interpreter discards the text. */
+  /* Writes text that the program prints (display, write ...). Returns false on failure; the program then gets an error.
+   * NULL: the interpreter discards the text. */
   bool (*output)(void *context, const char *text, size_t length);
   /* Returns a line of console input for (read-line) and (read), with its newline; NULL at the end. The line must stay
    * valid until the next call. */
   const char *(*input)(void *context, size_t *length);
   /* Receives each error, warning and note. NULL: the interpreter writes them to standard error. */
   void (*diagnose)(void *context, const vs_diagnostic *d);
-  /* The interpreter calls it at most about ten times a second during long work. */
+  /* Receives the progress of long work, at most about ten times a second. */
   void (*progress)(void *context, const vs_progress *p);
-  /* The interpreter calls it every few milliseconds. True interrupts the running program, as vs_interrupt does. */
+  /* Returns true to interrupt the running program, as vs_interrupt does. Called every few milliseconds. */
   bool (*poll)(void *context);
   /* Receives each value of a top-level expression, once, when VS_EVAL_PRINT is set. The text is the one that the prompt
    * prints ("1/3 ; 0.333333"); a long one ends in " ...". */
@@ -113,31 +113,34 @@ typedef struct {
    * text, or one that is valid until the next call. NULL: the interpreter reads from the file system. */
   bool (*read_file)(void *context, const char *path, char **text, size_t *length, const char **why);
   /* Lists a folder for directory-files: passes each name to `take`, in any order, until `take` returns false. Returns
-   * false if `take` did, or on failure with the reason in *why, as above. NULL: the interpreter lists folders of the
-   * file system if read_file is NULL too, and no folder otherwise. */
+   * false if `take` did, or on failure with the reason in *why, as read_file gives it. NULL: the interpreter lists
+   * folders of the file system if read_file is NULL too, and no folder otherwise. */
   bool (*list_folder)(void *context, const char *path, bool (*take)(void *to, const char *name, size_t length),
                       void *to, const char **why);
 } vs_host;
 
-/* Works as realloc does: new_size 0 frees, a result of NULL is a failure. old_size: the size of the last request. */
+/* Allocates, resizes or frees a block, as realloc does: new_size 0 frees, a result of NULL means failure. old_size:
+ * size of the last request for this block. */
 typedef void *vs_alloc_fn(void *context, void *old, size_t old_size, size_t new_size);
 
 typedef struct {
   vs_host host;
-  vs_alloc_fn *alloc;     /* NULL: the C library's allocator */
+  vs_alloc_fn *alloc;     /* allocator; NULL: the C library's */
   void *alloc_context;
-  double limit_time;      /* seconds for one evaluation, and for one output without its worker; for this limit and
-                           * each below, 0 means no limit */
-  size_t limit_memory;    /* bytes of the heap, the model, and the solids that an output combines, together */
-  uint64_t limit_steps;   /* calls and loop turns of one evaluation */
-  size_t limit_output;    /* bytes that one evaluation may print */
-  double limit_worker;    /* seconds of one worker program */
-  size_t limit_triangles; /* triangles in the mesh of one output */
+  double limit_time;      /* seconds for an evaluation, and for an output without its worker. For this limit and each
+                           * below, 0 means no limit */
+  size_t limit_memory;    /* bytes of the heap, of the model and of the solids that an output combines, together */
+  uint64_t limit_steps;   /* number of calls and loop turns of an evaluation */
+  size_t limit_output;    /* number of bytes that an evaluation may print */
+  double limit_worker;    /* seconds for a worker program */
+  size_t limit_triangles; /* number of triangles in the mesh of an output */
   size_t cache;           /* bytes of results (meshes) that the interpreter keeps for later outputs. 0: 256 MB, or a
-                           * quarter of limit_memory; SIZE_MAX: it keeps none */
-  /* An error keeps the parameters of its calls, for vs_call_get. This suits a prompt; each error then costs time. */
+                           * quarter of limit_memory; SIZE_MAX: it keeps nothing */
+  /* Whether an error keeps the parameters of its calls, for vs_call_get. This suits a prompt. Each error then takes
+   * more time. */
   bool keep_calls;
-  bool untrusted;         /* no file access but read_file and list_folder, and no native text */
+  bool untrusted;         /* whether the program is untrusted: it reads no files except by read_file and list_folder,
+                           * and writes no native text */
   const char *library_path; /* folders for load, require and import, separated by ':'. The interpreter searches them
                              * after the folders of the requesting file and of the program. NULL: none */
   /* The result of (command-line): the program's name, then its arguments. A count of 0 means "vs". */
@@ -146,13 +149,13 @@ typedef struct {
 
 VS_API vs_options vs_options_default(void);
 
-/* Returns a new interpreter; the caller frees it by vs_free. o NULL: the defaults. Returns NULL when memory is out. The
- * interpreter copies the data of o, and calls the callbacks until vs_free. */
+/* Returns a new interpreter, which the caller frees by vs_free. Returns NULL if memory is out. o NULL: the defaults.
+ * The interpreter copies the data of o, and calls the callbacks until vs_free. */
 VS_API vs_scheme *vs_new(const vs_options *o);
 VS_API void vs_free(vs_scheme *s); /* s may be NULL. */
 
-/* Ends the running call within about 50 ms, with VS_OUTCOME_INTERRUPTED. If no call is running, the next one ends so,
- * unless vs_interrupt_clear precedes it. Async-signal-safe; any thread may call vs_interrupt. */
+/* Ends the running call within about 50 ms, with VS_OUTCOME_INTERRUPTED. If no call is running, the next call ends in
+ * this way, unless vs_interrupt_clear precedes it. Async-signal-safe; any thread may call vs_interrupt. */
 VS_API void vs_interrupt(vs_scheme *s);
 VS_API void vs_interrupt_clear(vs_scheme *s);
 
@@ -160,7 +163,7 @@ VS_API void vs_interrupt_clear(vs_scheme *s);
 
 /* Flags of an evaluation. */
 enum {
-  VS_EVAL_PRINT = 1u,  /* pass the values of top-level expressions to `value`, as the prompt does */
+  VS_EVAL_PRINT = 1u,  /* passes the values of top-level expressions to `value`, as the prompt does */
   /* The text is a whole program, as a file is. If it begins with an import, it sees only its imports. Without this
    * flag imports add names. */
   VS_EVAL_PROGRAM = 2u,
@@ -168,51 +171,52 @@ enum {
   VS_EVAL_NUMBER = 4u,
   /* (break) pauses the program, with the outcome VS_OUTCOME_STOPPED. Without this flag (break) warns and continues. */
   VS_EVAL_STOP = 8u,
-  /* With STOP: pause before the first call in the text. */
+  /* With STOP: pauses before the first call in the text. */
   VS_EVAL_STEP = 16u,
   /* If a program is paused, the text's expressions see the variables at its place (vs_eval_text). */
   VS_EVAL_WITHIN = 32u,
   /* (break) does nothing, and gives no warning: the text has run before. */
   VS_EVAL_PASS = 64u,
-  /* Checks (check-expect ...) wait for vs_check_next. Without this flag and PASS they run at the text's end; each
-   * failed check is a warning. */
+  /* Checks (check-expect ...) wait for vs_check_next. Without this flag and without PASS they run at the text's end,
+   * and each failed check is a warning. */
   VS_EVAL_CHECK_LATER = 128u
 };
 
-/* Both evaluate the top-level forms in order, in the one program of this interpreter, and end at the first error. The
- * interpreter remembers the objects that top-level expressions return: if the program never draws, they are the
- * model. */
+/* Evaluate the top-level forms of a file or a text in order, in the single program of this interpreter. Both functions
+ * end at the first error. The interpreter remembers the objects that top-level expressions return: if the program never
+ * draws, they are the model. */
 VS_API vs_outcome vs_eval_file(vs_scheme *s, const char *path, unsigned flags);
-/* Returns the name, in words, of the language that the path's ending denotes, if it is another than VisualScheme; else
- * NULL. vs_eval_file runs files of each such language. */
+/* Returns the name, in words, of the language that the path's suffix denotes, if it is a language other than
+ * VisualScheme. Otherwise returns NULL. vs_eval_file runs files of each such language. */
 VS_API const char *vs_language_of(const char *path);
-/* name: the name in diagnostics ("house.vs", "-e"); relative loads start in its folder. first_line: the number of the
- * text's first line in that file. */
+/* Evaluates a text. name: its name in diagnostics ("house.vs", "-e"); relative loads start in its folder. first_line:
+ * number of the text's first line in that file. */
 VS_API vs_outcome vs_eval_text(vs_scheme *s, const char *name, unsigned first_line, const char *text, size_t length,
                                unsigned flags);
 
-/* Starts afresh, as after vs_new, to run a changed file, or the same file with other parameters. Forgets definitions,
- * required files, parameters, the drawing, the camera and its like, and the state of random numbers. Keeps the values
- * from vs_parameter_set, cached meshes, options and statistics. Later outputs have the bytes that a new process would
- * write; unchanged parts take no time. Out of memory: fails and changes nothing. */
+/* Returns to the state after vs_new, to run a changed file, or the same file with other parameters. Forgets
+ * definitions, required files, parameters, the drawing, the camera and other scene settings, and the state of random
+ * numbers. Keeps the values from vs_parameter_set, cached meshes, options and statistics. Later outputs have the bytes
+ * that a new process would write; unchanged parts take no time. Fails, and changes nothing, if memory is out. */
 VS_API vs_outcome vs_restart(vs_scheme *s);
 
 /* Returns true if the program called (exit code). The evaluation then ended with VS_OUTCOME_DONE, and the host should
- * run nothing more. *code: 0 for (exit) and (exit #t), 1 for (exit #f), else the given number. */
+ * run nothing more. *code is 0 for (exit) and (exit #t), 1 for (exit #f), otherwise the given number. */
 VS_API bool vs_exit_requested(const vs_scheme *s, int *code);
 
 /* The state of a text, for continuation lines and editors. vs_read_check evaluates and changes nothing. */
 typedef enum {
-  VS_READ_EMPTY,      /* blanks and comments only */
+  VS_READ_EMPTY,      /* the text contains only blanks and comments */
   VS_READ_COMPLETE,
   VS_READ_INCOMPLETE, /* more text could complete it: a parenthesis, string or comment is open */
   VS_READ_BAD         /* no more text can repair it; line, column and message give the reason */
 } vs_read_state;
 typedef struct {
   vs_read_state state;
-  unsigned depth;          /* INCOMPLETE: the number of open parentheses */
-  unsigned line, column;   /* INCOMPLETE: of the innermost open one; BAD: of the fault; from 1 */
-  const char *message;     /* BAD: "( is closed by ]"; else NULL */
+  unsigned depth;          /* INCOMPLETE: number of open parentheses */
+  unsigned line, column;   /* place, from 1. INCOMPLETE: of the innermost open parenthesis, string or comment. BAD: of
+                            * the fault */
+  const char *message;     /* BAD: reason, such as "( is closed by ]"; otherwise NULL */
 } vs_read_status;
 VS_API vs_read_status vs_read_check(vs_scheme *s, const char *text, size_t length);
 
@@ -224,42 +228,42 @@ VS_API size_t vs_complete(vs_scheme *s, const char *prefix, bool (*each)(void *c
 /* ---- names, for help and editors ---- */
 
 typedef struct {
-  const char *kind;     /* "procedure", "form" (if, define ...), "value" */
-  /* a call of it, "(make-sphere c r)"; one line for each way to call it; "": not known */
+  const char *kind;     /* kind: "procedure", "form" (if, define ...) or "value" */
+  /* A call, such as "(make-sphere c r)", with a line for each form of call; "": not known. */
   const char *call;
-  const char *keywords; /* "#:segments #:plane"; "": none */
-  const char *doc;      /* half a line in English; "": none */
-  const char *value;    /* a value in written form, cut to a line; "" for procedures and forms */
-  bool own;             /* the program or a library defines it, not the language */
-  vs_span at;           /* the place of the definition; file NULL: not known, or part of the language */
+  const char *keywords; /* keywords, such as "#:segments #:plane"; "": none */
+  const char *doc;      /* short description in English, half a line; "": none */
+  const char *value;    /* value in written form, cut to a line; "" for procedures and forms */
+  bool own;             /* whether the program or a library defines the name, not the language */
+  vs_span at;           /* place of the definition; file NULL: not known, or part of the language */
 } vs_name_info;
-/* Describes a name that is visible at top level. Returns false if there is none. */
+/* Describes a name that is visible at top level. Returns false if there is no such name. */
 VS_API bool vs_name_get(vs_scheme *s, const char *name, vs_name_info *out);
 /* Returns the advice that an error gives for an unknown name: "make-box is the name here: ...", "did you mean
  * make-box?". Returns "" if there is no advice. */
 VS_API const char *vs_name_advice(vs_scheme *s, const char *name);
 /* Passes each line of a procedure's compiled instructions to `each`, until `each` returns false. Returns false if the
- * name is not a procedure of Scheme code. */
+ * name does not denote a procedure of Scheme code. */
 VS_API bool vs_disassemble(vs_scheme *s, const char *name, bool (*each)(void *context, const char *line),
                            void *context);
 
 /* ---- paused programs: by (break), or by single steps ---- */
 
-/* While a program is paused, the host may evaluate other text, which may pause in turn: paused programs form a stack.
- * vs_restart drops them all. */
+/* While a program is paused, the host may evaluate other text, which may pause too: paused programs form a stack.
+ * vs_restart drops all of them. */
 
 typedef enum {
   VS_STOPPED_BREAK,       /* the program called (break) */
   VS_STOPPED_CALL,        /* the program is about to make a call */
   VS_STOPPED_VALUE        /* a call has returned a value; only in single steps. The host continues at once by
-      VS_RESUME_SAME */
+                           * VS_RESUME_SAME */
 } vs_stopped;
 typedef struct {
   vs_stopped kind;
-  vs_span at;             /* the expression; the end is known if it is on the same line */
-  const char *source_line; /* the line, or NULL */
-  const char *procedure;  /* the procedure that contains the expression; "": none */
-  const char *text;       /* CALL: the call with the values of its arguments, "(area 3 4)"; VALUE: the value;
+  vs_span at;             /* place of the expression; the end is known if it is on the same line */
+  const char *source_line; /* source text of the line, or NULL */
+  const char *procedure;  /* name of the procedure that contains the expression; "": none */
+  const char *text;       /* CALL: the call with the values of its arguments, such as "(area 3 4)". VALUE: the value.
                            * BREAK: "" */
 } vs_stop_info;
 /* Describes the latest pause. Returns false if no program is paused. The texts are valid until the next call of any
@@ -269,13 +273,13 @@ VS_API bool vs_stop_get(vs_scheme *s, vs_stop_info *out);
 VS_API size_t vs_stop_depth(const vs_scheme *s);
 
 typedef enum {
-  VS_RESUME_CONTINUE,     /* to the next (break) */
-  VS_RESUME_ENTER,        /* to the next call, including calls within the callee */
-  VS_RESUME_OVER,         /* to the next call in the same procedure or its callers */
-  VS_RESUME_OUT,          /* to the next call in its callers */
-  VS_RESUME_SAME          /* as the last time */
+  VS_RESUME_CONTINUE,     /* runs to the next (break) */
+  VS_RESUME_ENTER,        /* runs to the next call, including calls inside the callee */
+  VS_RESUME_OVER,         /* runs to the next call in the same procedure or its callers */
+  VS_RESUME_OUT,          /* runs to the next call in the procedure's callers */
+  VS_RESUME_SAME          /* continues as the last time */
 } vs_resume_way;
-/* Continues the program that paused last, with the flags that started it; returns as vs_eval_text does.
+/* Continues the program that paused last, with the flags that started it. Returns as vs_eval_text does;
  * VS_OUTCOME_USAGE: no program is paused. */
 VS_API vs_outcome vs_resume(vs_scheme *s, vs_resume_way way);
 /* Drops the program that paused last. */
@@ -284,84 +288,89 @@ VS_API void vs_stop_drop(vs_scheme *s);
 /* ---- the calls of the last error, with their variables (vs_options.keep_calls) ---- */
 
 typedef struct {
-  const char *procedure;  /* "": it has no name */
-  const char *variables;  /* "n = 3, points = (...)": its parameters, local and captured variables */
-  vs_span at;             /* the call in progress */
+  const char *procedure;  /* name of the procedure; "": it has no name */
+  const char *variables;  /* its parameters, local and captured variables, such as "n = 3, points = (...)" */
+  vs_span at;             /* place of the call in progress */
 } vs_call_info;
-/* Gives the calls, innermost first. Returns false past the last, or if there was no error. */
+/* Describes a call; index 0 is the innermost. Returns false for an index after the last call, or if there was no
+ * error. */
 VS_API bool vs_call_get(vs_scheme *s, size_t index, vs_call_info *out);
 
 /* ---- profile ---- */
 
-/* Starts (on) or ends sampling: every few milliseconds the interpreter notes the running procedure. A start discards
+/* Starts (on) or ends sampling. Every few milliseconds the interpreter records the running procedure. A start discards
  * earlier samples. */
 VS_API void vs_profile(vs_scheme *s, bool on);
 typedef struct { const char *procedure; vs_span at; double own, whole;
-    /* shares of all samples: in the procedure itself; in it or its callees */ } vs_profile_info;
-/* Gives the procedures, the most time first. Returns false past the last. *looks: the number of samples. */
+    /* fractions of all samples. own: in itself. whole: also in callees */ } vs_profile_info;
+/* Describes a procedure; index 0 has the most time. Returns false for an index after the last. *looks is the number of
+ * samples. */
 VS_API bool vs_profile_get(vs_scheme *s, size_t index, vs_profile_info *out, size_t *looks);
 
 /* ---- parameters: results of (define-parameter ...), as data for sliders and -D ---- */
 
 typedef enum {
   VS_PARAMETER_BOOLEAN,
-  VS_PARAMETER_INTEGER /* exact */,
+  VS_PARAMETER_INTEGER /* exact integer */,
   VS_PARAMETER_REAL,
   VS_PARAMETER_STRING,
   VS_PARAMETER_DATUM
 } vs_parameter_type;
 typedef struct {
-  const char *name, *label, *group;     /* label: the name, if the program gives none; group: "" if it gives none */
-  vs_parameter_type type;               /* of the default */
-  const char *value, *default_value;    /* written data; strings have no quotes */
-  bool has_range;                       /* the next three are set: a number without choices */
-  double min, max, step;                /* step 0: continuous */
-  const char *const *choices;           /* in the form of `value`; NULL: any value */
+  const char *name, *label, *group;     /* label: the name, if the program gives none. group: "" if the program gives
+                                         * none */
+  vs_parameter_type type;               /* type of the default value */
+  const char *value, *default_value;    /* values as written data; strings have no quotes */
+  bool has_range;                       /* whether min, max and step are set: the parameter is a number without
+                                         * choices */
+  double min, max, step;                /* range of the value; step 0: continuous */
+  const char *const *choices;           /* allowed values, in the form of `value`; NULL: any value */
   size_t choice_count;
   vs_span at;
-  const char *unit;                     /* the unit after the number, such as "m"; "": none */
-  bool has_min, has_max;                /* the program gives min, max; otherwise they derive from the default */
+  const char *unit;                     /* unit after the number, such as "m"; "": none */
+  bool has_min, has_max;                /* whether the program gives min, max; otherwise they derive from the default */
 } vs_parameter_info;
 
-/* Sets the value of a later (define-parameter name ...). datum: one datum, which is read and never evaluated; or bare
- * text, if the default is a string. Returns false, after a diagnostic, if the name or the datum cannot be read. If the
- * definition refuses the value (another type, out of range, not a choice), the evaluation ends with
+/* Sets the value of a later (define-parameter name ...). datum: a single datum, which is read and never evaluated, or
+ * bare text if the default is a string. Returns false, after a diagnostic, if the name or the datum cannot be read. If
+ * the definition refuses the value (another type, out of range, not a choice), the evaluation ends with
  * VS_OUTCOME_USAGE. */
 VS_API bool vs_parameter_set(vs_scheme *s, const char *name, const char *datum);
-/* Drops the value from vs_parameter_set: a later (define-parameter name ...) has its default. */
+/* Removes the value from vs_parameter_set: a later (define-parameter name ...) has its default. */
 VS_API void vs_parameter_unset(vs_scheme *s, const char *name);
 VS_API size_t vs_parameter_count(const vs_scheme *s);
 VS_API bool vs_parameter_get(vs_scheme *s, size_t index, vs_parameter_info *out);
-/* Returns the index-th name from vs_parameter_set that no define-parameter has used so far; NULL past the last. */
+/* Returns the index-th name from vs_parameter_set that no define-parameter has used; NULL after the last. */
 VS_API const char *vs_parameter_unused(const vs_scheme *s, size_t index);
 
 /* ---- the drawing ---- */
 
 typedef struct {
-  size_t objects;                 /* drawn (or returned) objects; each placement counts */
-  size_t solids, surfaces, regions, curves; /* the objects of each kind; a mixed union counts as a solid */
-  bool has_bounds;                /* false: the drawing is empty, or has only infinite lines */
+  size_t objects;                 /* number of drawn (or returned) objects; each placement counts */
+  size_t solids, surfaces, regions, curves; /* numbers of objects of each kind; a mixed union counts as a solid */
+  bool has_bounds;                /* whether there are bounds; false if the drawing is empty, or has only infinite
+                                   * lines */
   double min[3], max[3];
-  bool bounds_at_most;            /* the bounds of a cut object are those of the uncut one, since computing the result
-                                   * would take long */
-  const char *units;              /* "m" by default */
-  /* if there are no objects: the unused definitions of the program, "the program defines ..."; else NULL */
+  bool bounds_at_most;            /* whether some bounds are too large: those of a cut object are those of the uncut
+                                   * object, if computing the cut would take long */
+  const char *units;              /* model unit, "m" by default */
+  /* If there are no objects: the unused definitions of the program, "the program defines ..."; otherwise NULL. */
   const char *advice;
 } vs_summary;
 VS_API vs_outcome vs_drawing_summary(vs_scheme *s, vs_summary *out);
 
-/* Returns the name of the index-th view of the model, (view "name" ...); NULL past the last. */
+/* Returns the name of the model's index-th view, (view "name" ...); NULL after the last. */
 VS_API const char *vs_view_name(const vs_scheme *s, size_t index);
 
 /* Returns true if the interpreter has read the file at path, as a program, picture, mesh or data, by this name or
  * another. Every function that writes refuses such a path (VS_OUTCOME_USAGE). A host asks before it writes itself. */
 VS_API bool vs_is_input(const vs_scheme *s, const char *path);
-/* Returns the name of the index-th file that the interpreter has read; NULL past the last. */
+/* Returns the name of the index-th file that the interpreter has read; NULL after the last. */
 VS_API const char *vs_input_name(const vs_scheme *s, size_t index);
-/* Records a file that the host has read itself, for vs_is_input. Returns false when memory is out. */
+/* Records a file that the host itself has read, for vs_is_input. Returns false if memory is out. */
 VS_API bool vs_note_input(vs_scheme *s, const char *path);
 
-VS_API void vs_drawing_clear(vs_scheme *s); /* as (erase-all); forgets returned objects too */
+VS_API void vs_drawing_clear(vs_scheme *s); /* clears the drawing, as (erase-all) does; also forgets returned objects */
 
 /* ---- differences between two drawings ----
  *
@@ -373,26 +382,27 @@ VS_API vs_outcome vs_drawing_keep(vs_scheme *s);
 
 typedef enum {
   VS_PART_WAS_ADDED, VS_PART_WAS_REMOVED,
-  VS_PART_WAS_CHANGED,   /* the same kinds of objects, the same paint, other numbers */
-  VS_PART_WAS_MOVED,     /* the same shape in another place */
-  VS_PART_WAS_REPAINTED  /* the same shape in the same place, with another material or layer */
+  VS_PART_WAS_CHANGED,   /* the part has the same kinds of objects and the same paint, but other numbers */
+  VS_PART_WAS_MOVED,     /* the part has the same shape at another place */
+  VS_PART_WAS_REPAINTED  /* the part has the same shape at the same place, with another material or layer */
 } vs_part_difference;
 
 typedef struct {
   const char *layer, *material; /* names; "": none */
-  const char *text;             /* the expression that makes the part, cut to a line */
-  vs_span at;                   /* the place of that expression in the program; file NULL: not known */
+  const char *text;             /* expression that makes the part, cut to a line */
+  vs_span at;                   /* place of that expression in the program; file NULL: not known */
 } vs_part_info;
 
 typedef struct {
   size_t same, repainted, moved, changed, added, removed; /* numbers of parts */
-  double volume_before, volume_after; /* of all solids together */
-  double volume_added, volume_removed; /* in the second drawing only; in the first only */
+  double volume_before, volume_after; /* volumes of all solids together, in cubic model units */
+  double volume_added, volume_removed; /* volumes: added is only in the second drawing, removed only in the first */
 } vs_comparison;
 
-/* Compares the kept drawing with the current one; without a kept one, with an empty drawing. Fills *out, then passes
- * the parts that differ to `each`, the removed ones first, until `each` returns false. before is NULL for an added
- * part, after for a removed one. The result stays for vs_output_options.change until the next comparison. */
+/* Compares the kept drawing with the current drawing. If no drawing was kept, compares an empty drawing. Fills *out,
+ * then passes the parts that differ to `each`, removed parts first, until `each` returns false. before is NULL for an
+ * added part, after is NULL for a removed part. The result stays for vs_output_options.change until the next
+ * comparison. */
 VS_API vs_outcome vs_drawing_compare(vs_scheme *s, vs_comparison *out,
                                      bool (*each)(void *context, vs_part_difference what, const vs_part_info *before,
                                                   const vs_part_info *after),
@@ -403,15 +413,16 @@ VS_API vs_outcome vs_drawing_compare(vs_scheme *s, vs_comparison *out,
 typedef struct {
   vs_span at;
   bool passed;
-  const char *form;       /* "check-expect" ... */
-  const char *expression; /* its source text, cut to a line */
-  const char *gives;      /* the result: a value as an expression, or "an error: ..." */
-  const char *expected;   /* the expected result, in the same form */
+  const char *form;       /* name of the check form, such as "check-expect" */
+  const char *expression; /* source text of the expression, cut to a line */
+  const char *gives;      /* result: a value as an expression, or "an error: ..." */
+  const char *expected;   /* expected result, in the same form */
 } vs_checked;
 
 typedef struct {
   void *context;
-  void (*told)(void *context, const vs_checked *result); /* receives each result; it owns no text */
+  void (*told)(void *context, const vs_checked *result); /* receives each result; the texts are valid only during the
+                                                          * call */
   /* Receives, after a failed check of objects, the parts that differ, as vs_drawing_compare passes them; before is the
    * expected part. May be NULL. */
   bool (*part)(void *context, vs_part_difference what, const vs_part_info *before, const vs_part_info *after);
@@ -419,11 +430,12 @@ typedef struct {
 
 /* Returns true if a check waits from an evaluation with VS_EVAL_CHECK_LATER since vs_new or vs_restart. */
 VS_API bool vs_check_waits(const vs_scheme *s);
-/* Runs the oldest waiting check, with limits of its own, even after the program failed. The drawing does not change.
- * Returns VS_OUTCOME_DONE once `told` has received the result, passed or failed. If it is interrupted, `told` receives
+/* Runs the oldest waiting check, with its own limits, even if the program failed. The drawing does not change. Returns
+ * VS_OUTCOME_DONE after `told` has received the result, passed or failed. If the check is interrupted, `told` receives
  * nothing. */
 VS_API vs_outcome vs_check_next(vs_scheme *s, const vs_check_listener *listener);
-/* Returns the name of a check form that the program has redefined, so that its uses are no checks; NULL: none. */
+/* Returns the name of a check form that the program has redefined, so that uses of the name are not checks; NULL:
+ * none. */
 VS_API const char *vs_check_redefined(vs_scheme *s);
 
 /* ---- fitting a model to a scan ----
@@ -433,44 +445,48 @@ VS_API const char *vs_check_redefined(vs_scheme *s);
  * it, the program has run with the fitted values, and vs_parameter_set holds them. */
 
 typedef struct {
-  bool placed;   /* the scan is in the model's coordinates; do not move it */
-  bool near;     /* the scan is roughly in place; try no other place */
-  bool any_pose; /* the scan's up direction may differ from the model's */
+  bool placed;   /* whether the scan is in the model's coordinates and must not be moved */
+  bool near;     /* whether the scan is roughly in place, so that no other places are tried */
+  bool any_pose; /* whether the scan's up direction may differ from the model's */
   const char *const *held;
   size_t held_count; /* names of the parameters that keep their values */
-  size_t points;     /* the most points of the scan in the last steps; 0: 20,000 */
-  double confidence; /* of the intervals, between 0 and 1; 0: .95 */
+  size_t points;     /* greatest number of points of the scan in the last steps; 0: 20,000 */
+  double confidence; /* confidence of the intervals, between 0 and 1; 0: .95 */
 } vs_fit_options;
 VS_API vs_fit_options vs_fit_options_default(void);
 
 typedef enum {
   VS_FIT_FITTED,
-  VS_FIT_HELD,        /* held by the options */
-  VS_FIT_NO_NUMBER,   /* its default is exact, or not a number; it keeps its value */
-  VS_FIT_AT_BOUND,    /* fitted, and limited by #:min or #:max */
-  VS_FIT_UNDETERMINED /* the scan does not determine it: a change by half of its value hardly changes the distances */
+  VS_FIT_HELD,        /* the options hold the parameter at its value */
+  VS_FIT_NO_NUMBER,   /* the parameter's default is exact, or not a number, so it keeps its value */
+  VS_FIT_AT_BOUND,    /* the parameter is fitted, and limited by #:min or #:max */
+  VS_FIT_UNDETERMINED /* the scan does not determine the parameter: a change by half of its value hardly changes the
+                       * distances */
 } vs_fit_state;
 typedef struct {
   const char *name;
   vs_fit_state state;
   double start, value;
-  double error;     /* standard error; infinite if undetermined, 0 if it keeps its value */
-  double low, high; /* the interval of the chosen confidence */
+  double error;     /* standard error; infinite if undetermined, 0 if the parameter keeps its value */
+  double low, high; /* interval of the chosen confidence */
 } vs_fit_parameter;
 
 typedef struct {
-  size_t points, nowhere; /* points in the file; those without finite coordinates, which vs_fit omits */
+  size_t points, nowhere; /* points: number in the file. nowhere: number without finite coordinates, which vs_fit
+                           * omits */
   size_t samples,
-      used; /* measured places: the points of a cloud, or places spread over a mesh; those of the last step */
-  size_t outliers; /* samples further away than 4.685 spreads, which have no weight */
-  double spread;   /* 1.4826 times the median distance: the standard deviation, if errors are normal */
-  double median, root_mean_square; /* of the distances of all samples */
-  double correlation;              /* between the distances of neighbours; near 0 if they are only noise */
-  double size;                     /* of the scan: the root mean square distance from its centre */
-  double place[3][4];              /* from the model's coordinates to the scan's */
-  const char *doubt; /* the reason not to trust the result: "far" "tilted" "strays" "shape" "rival"; or "none" */
-  bool converged;                  /* false: the last step still changed the values */
-  unsigned iterations, runs;       /* measurements of all distances; runs of the program */
+      used; /* samples: measured places, which are the points of a cloud, or spread over a mesh. used: those of the last
+             * step */
+  size_t outliers; /* number of samples further away than 4.685 spreads, which have no weight */
+  double spread;   /* 1.4826 times the median distance: the standard deviation, if errors are normally distributed */
+  double median, root_mean_square; /* median and root mean square of the distances of all samples */
+  double correlation;              /* correlation between the distances of neighbours; near 0 if the distances are only
+                                    * noise */
+  double size;                     /* size of the scan: root mean square distance from its centre */
+  double place[3][4];              /* map from the model's coordinates to the scan's */
+  const char *doubt; /* reason not to trust the result: "far" "tilted" "strays" "shape" "rival"; or "none" */
+  bool converged;                  /* whether the last step no longer changed the values */
+  unsigned iterations, runs;       /* iterations: measurements of all distances. runs: runs of the program */
   const char *units;
 } vs_fit_result;
 
@@ -481,32 +497,32 @@ typedef struct {
  *   VS_OUTCOME_INTERRUPTED, or VS_OUTCOME_MACHINE past limit_time: it is the best so far. */
 VS_API vs_outcome vs_fit(vs_scheme *s, const char *model, const char *scan, const vs_fit_options *o,
                          vs_fit_result *out);
-/* Gives the parameters of the last fit, in the program's order. Returns false if there is no such index. */
+/* Describes a parameter of the last fit, in the program's order. Returns false if there is no such index. */
 VS_API bool vs_fit_parameter_get(const vs_scheme *s, size_t index, vs_fit_parameter *out);
 /* Returns the signed distances of the scan's points from the fitted model, negative inside, in the file's order; a NaN
  * for a point without finite coordinates. They are valid until the next vs_fit. Returns NULL if there was no fit. */
 VS_API const double *vs_fit_distances(const vs_scheme *s, size_t *count);
-/* Writes the scan, coloured by these distances, as .ply or .x3d by the path's ending: blue at -range, grey at 0, red at
- * range. range 0: the range that holds 98 % of the points. *used: the range. */
+/* Writes the scan, coloured by these distances, as .ply or .x3d by the path's suffix: blue at -range, grey at 0, red at
+ * range. range 0: the range that contains 98 % of the points. *used is the range. */
 VS_API vs_outcome vs_fit_map(vs_scheme *s, const char *path, double range, double *used);
 
 /* ---- output ---- */
 
 typedef struct {
-  const char *name;    /* "povray", for --format beside the suffix */
-  const char *suffix;  /* "pov", without the dot */
-  const char *doc;     /* half a line in English */
-  const char *worker;  /* the program that must be installed, or NULL */
+  const char *name;    /* name for --format, such as "povray" */
+  const char *suffix;  /* suffix without the dot, such as "pov" */
+  const char *doc;     /* short description in English, half a line */
+  const char *worker;  /* name of the program that must be installed, or NULL */
   bool binary;
 } vs_format_info;
 /* Returns the constant list of the library's output formats. */
 VS_API const vs_format_info *vs_format_list(size_t *count);
-VS_API const char *vs_format_endings(void); /* ".pov .png ...", for messages */
+VS_API const char *vs_format_endings(void); /* returns the suffixes ".pov .png ...", for messages */
 /* Returns the format with this name, suffix or file ("stl", ".stl", "out/a.stl"); NULL: none. */
 VS_API const vs_format_info *vs_format_find(const char *name_or_suffix);
 
-/* Does the same, and searches the formats that the program defines (define-back-end) too. Returns false if there is
- * none. The data at *out is valid until the next evaluation. */
+/* Finds a format as vs_format_find does, also among the formats that the program defines (define-back-end). Returns
+ * false if there is none. The data at *out is valid until the next evaluation. */
 VS_API bool vs_format_of(const vs_scheme *s, const char *name_or_suffix, vs_format_info *out);
 
 /* The names of the optimisation passes; bit i of a mask is the i-th name. */
@@ -519,36 +535,42 @@ typedef enum { VS_QUALITY_DRAFT, VS_QUALITY_GOOD, VS_QUALITY_FINAL } vs_quality;
 typedef enum { VS_CURVE_NEUTRAL, VS_CURVE_AGX, VS_CURVE_FILMIC, VS_CURVE_LINEAR } vs_curve;
 typedef struct {
   vs_curve curve;
-  bool fixed;            /* exposure is relative to the light itself; else to the value from the picture's histogram */
-  double exposure;       /* stops (EV): each doubles the light */
+  bool fixed;            /* whether exposure is relative to the light itself; otherwise it is relative to the value from
+                          * the picture's histogram */
+  double exposure;       /* exposure in stops (EV): each doubles the light */
 } vs_development;
 
 typedef struct {
-  int width, height;     /* pixels; 0: 1024 by 768, or 4:3 with the other */
+  int width, height;     /* size in pixels; 0: 1024 by 768, or 4:3 with the other */
   vs_quality quality;
-  vs_development development; /* of a .png */
-  bool layers;           /* an .exr also has depth, normal, albedo, id, material and ambient occlusion */
-  const char *view;      /* the name of one of the model's views, or NULL; "*": all of them, on a drawing's sheet */
-  bool has_camera;       /* the camera below replaces the model's and the view's */
-  double camera[7];      /* eye, target, lens in mm of a 35 mm film */
-  bool has_sun;          /* the sun below replaces the model's */
-  double sun[2];         /* azimuth from north to east and altitude, degrees */
-  double tolerance;      /* chord height in model units; 0: the model's, or the rule's */
-  int segments;          /* facets of a full turn; 0: by tolerance */
-  unsigned passes;       /* a mask; VS_PASSES_ALL by default */
-  bool count;            /* the statistics count nodes, and commands with and without each pass; the passes then run
-                          * once more for each */
-  bool strict;           /* an error, not a warning, if the format omits or alters part of the model */
-  bool change;           /* write the result of vs_drawing_compare in place of the drawing: green added, red removed */
-  bool last;             /* no drawing and no output follows: the interpreter caches nothing */
-  int crop[4];           /* the part of a .png or .exr to make: left, top, width, height in pixels; all 0: the whole */
-  unsigned threads;      /* processors of POV-Ray for a picture; 0: all. They do not change the picture. */
+  vs_development development; /* development of a .png */
+  bool layers;           /* whether an .exr also contains depth, normal, albedo, id, material and ambient occlusion */
+  const char *view;      /* name of a view of the model, or NULL; "*": all views, on a drawing's sheet */
+  bool has_camera;       /* whether the camera below replaces the model's and the view's */
+  double camera[7];      /* eye, target, and focal length in mm for a 35 mm film */
+  bool has_sun;          /* whether the sun below replaces the model's */
+  double sun[2];         /* azimuth from north to east, and altitude, in degrees */
+  double tolerance;      /* height of chords in model units; 0: the model's tolerance, or that of the rule for
+                          * drawings */
+  int segments;          /* number of facets in a full turn; 0: by tolerance */
+  unsigned passes;       /* mask of optimisation passes; VS_PASSES_ALL by default */
+  bool count;            /* whether the statistics count nodes, and commands with and without each pass; the passes then
+                          * run once more for each count */
+  bool strict;           /* whether an omission or change of part of the model by the format is an error, not a
+                          * warning */
+  bool change;           /* whether to write the result of vs_drawing_compare in place of the drawing: added parts
+                          * green, removed parts red */
+  bool last;             /* whether no drawing and no output follows, so that the interpreter caches nothing */
+  int crop[4];           /* part of a .png or .exr to make: left, top, width, height in pixels; all 0: the whole
+                          * picture */
+  unsigned threads;      /* number of processors that POV-Ray uses for a picture; 0: all. It does not change the
+                          * picture */
 } vs_output_options;
 VS_API vs_output_options vs_output_options_default(void);
 
-/* Writes the drawing to path. An existing file stays until the new one is whole and on disk. format: a name or suffix;
- * NULL: by the path's ending. o NULL: the defaults. A format with a worker starts it, passes its progress to
- * `progress`, and ends it when interrupted. */
+/* Writes the drawing to path. An existing file stays until the new file is complete and on disk. format: a name or
+ * suffix; NULL: by the path's suffix. o NULL: the defaults. If the format has a worker, this starts it, passes its
+ * progress to `progress`, and ends it when interrupted. */
 VS_API vs_outcome vs_write_drawing(vs_scheme *s, const char *path, const char *format, const vs_output_options *o);
 /* Writes the drawing to a callback, in pieces. If the callback returns false, the call ends with VS_OUTCOME_USAGE.
  * Fails for formats of several files. */
@@ -561,41 +583,42 @@ VS_API vs_outcome vs_write_drawing_to(vs_scheme *s, const char *format, const vs
  * written whole, or not at all. Paths always refer to the file system, even if the host reads programs from
  * elsewhere. */
 
-/* Develops a picture into a PNG. how NULL: the defaults of vs_output_options_default. *stops: the exposure used. */
+/* Develops a picture into a PNG. how NULL: the defaults of vs_output_options_default. *stops is the exposure used. */
 VS_API vs_outcome vs_picture_tone(vs_scheme *s, const char *from, const char *to, const vs_development *how,
     double *stops);
-/* Writes the luminance as a PNG in false colours, on a logarithmic scale with a legend. unit: the cd/m2 of the number
- * 1. *least, *most: the ends of the legend. */
+/* Writes the luminance as a PNG in false colours, on a logarithmic scale with a legend. unit: the cd/m2 that the number
+ * 1 means. *least and *most are the ends of the legend. */
 VS_API vs_outcome vs_picture_false_color(vs_scheme *s, const char *from, const char *to, double unit, double *least,
     double *most);
 
-/* Writes the illuminance of floors in the same way, from a picture with the layers albedo and normal. unit: as above;
- * the result is in lux. */
+/* Writes the illuminance of floors as a PNG in false colours, from a picture with the layers albedo and normal. unit:
+ * as for vs_picture_false_color. The result is in lux. */
 VS_API vs_outcome vs_picture_illuminance(vs_scheme *s, const char *from, const char *to, double unit, double *least,
     double *most);
 
 typedef struct {
-  double color[3];       /* linear light */
-  double depth;          /* channel Z; a NaN: the picture has none */
-  bool has_normal;       /* channels N.X, N.Y, N.Z */
+  double color[3];       /* red, green and blue in linear light */
+  double depth;          /* depth from channel Z; NaN: the picture has no such channel */
+  bool has_normal;       /* whether the picture has the channels N.X, N.Y, N.Z */
   double normal[3];
-  long id;               /* channel id; 0: no object; negative: the picture has no such channel */
-  char place[512];       /* the place in the program that made the object, "house.vs:12:3"; "": not known */
-  char material[128];    /* its name, or "#rrggbb" for a plain colour; "": none */
-  double openness;       /* channel AO: from 0 in a crack to 1 on an open field; a NaN: the picture has none */
-  double illuminance;    /* of a matt surface, in the picture's numbers; a NaN: not known */
+  long id;               /* number from channel id; 0: no object; negative: the picture has no such channel */
+  char place[512];       /* place in the program that made the object, such as "house.vs:12:3"; "": not known */
+  char material[128];    /* name of the material, or "#rrggbb" for a plain colour; "": none */
+  double openness;       /* openness from channel AO, from 0 in a crack to 1 on an open field; NaN: the picture has no
+                          * such channel */
+  double illuminance;    /* illuminance of a matt surface, in the picture's numbers; NaN: not known */
 } vs_picture_point;
-/* Gives a picture's data at a pixel. Columns and rows count from 0 at the upper left. */
+/* Reads a picture's data at a pixel. Columns and rows count from 0 at the upper left. */
 VS_API vs_outcome vs_picture_pick(vs_scheme *s, const char *from, long column, long row, vs_picture_point *out);
 
 typedef struct {
   uint32_t columns, rows;
   double most, mean, root_mean_square; /* differences of red, green and blue in linear light */
-  long column, row;      /* of the largest difference */
-  double psnr;           /* dB, for a peak of 1; infinite: equal pictures */
+  long column, row;      /* pixel of the largest difference */
+  double psnr;           /* peak signal-to-noise ratio in dB, for a peak of 1; infinite: equal pictures */
   double ssim;           /* structural similarity of the developed pictures; 1: equal */
 } vs_picture_difference;
-/* Compares two pictures of one size. to: a PNG of the differences in false colours; NULL: none. */
+/* Compares two pictures of equal size. to: path of a PNG of the differences in false colours; NULL: none. */
 VS_API vs_outcome vs_picture_compare(vs_scheme *s, const char *a, const char *b, const char *to,
     vs_picture_difference *out);
 /* Removes noise, and writes another EXR with the same channels. *layers: true if the picture's albedo and normal
@@ -605,17 +628,18 @@ VS_API vs_outcome vs_picture_denoise(vs_scheme *s, const char *from, const char 
 /* ---- the sun through a day ---- */
 
 typedef struct {
-  double latitude, longitude; /* degrees, north and east positive */
+  double latitude, longitude; /* in degrees, north and east positive */
   int year, month, day;
-  double from, to, step; /* hours of mean local time, 0 to 24 */
+  double from, to, step; /* in hours of mean local time, 0 to 24 */
 } vs_sun_span;
-typedef struct { size_t pictures, faces, dark; /* dark: the steps with the sun below the horizon */ } vs_sun_summary;
+typedef struct { size_t pictures, faces, dark; /* numbers of pictures, of faces, and of steps with the sun below the
+                                                * horizon (dark) */ } vs_sun_summary;
 /* Writes these files into the folder, and makes the folder if needed:
  *   hours.csv                        the hours of sun on each face of the drawing's solids
- *   hours-plan.png, hours-model.png  the same in false colours, from above and by the camera
+ *   hours-plan.png, hours-model.png  these hours in false colours, from above and by the camera
  *   shadow-001.png, ...              a picture for the middle of each step with the sun up
  *   shadows.png                      all of these pictures on a sheet
- * The pictures are drafts, unless the options ask for VS_QUALITY_FINAL. Without POV-Ray the function writes the hours
+ * The pictures are drafts, unless the options request VS_QUALITY_FINAL. Without POV-Ray the function writes the hours
  * and returns VS_OUTCOME_WORKER. */
 VS_API vs_outcome vs_sun_study(vs_scheme *s, const vs_sun_span *span, const char *folder, const vs_output_options *o,
     vs_sun_summary *out);
@@ -630,30 +654,30 @@ VS_API vs_outcome vs_sun_study(vs_scheme *s, const vs_sun_span *span, const char
 typedef struct vs_output vs_output; /* the file in progress; valid in callbacks only */
 
 typedef enum {
-  VS_THING_LEAF,  /* a primitive, or a profile with its sweep; it comes once */
+  VS_THING_LEAF,  /* a primitive, or a profile with its sweep; received once */
   VS_THING_ENTER, /* an operation ("unite", "intersect", "subtract", "transform" ...), before its children */
   VS_THING_LEAVE  /* the same operation, after its children */
 } vs_thing_phase;
 
 typedef struct {
-  const char *kind;      /* the name that object-kind returns: "sphere" */
+  const char *kind;      /* name that object-kind returns, such as "sphere" */
   vs_thing_phase phase;
-  size_t child_count;    /* at VS_THING_ENTER: the number of things before VS_THING_LEAVE */
-  /* from the thing's coordinates to the drawing's: a row for each of x, y and z, the shift last. For an operation: from
-   * the coordinates of its children */
+  size_t child_count;    /* at VS_THING_ENTER: number of things before VS_THING_LEAVE */
+  /* Map from the thing's coordinates to the drawing's: a row for each of x, y and z, with the translation last. For an
+   * operation: map from the coordinates of its children. */
   double place[3][4];
   bool painted;
-  double color[4];       /* sRGB and opacity, 0 to 1, if it is painted */
+  double color[4];       /* sRGB and opacity, 0 to 1, if the thing is painted */
   const char *material, *layer; /* names; "": none */
-  const char *file;      /* the place in the program that made it; NULL: not known */
+  const char *file;      /* place in the program that made the thing; NULL: not known */
   uint32_t line, column;
   const void *thing;     /* the library's own data */
 } vs_thing;
 
 typedef enum {
   VS_KIND_WRITTEN,
-  VS_KIND_WHOLE,   /* at VS_THING_ENTER: written with all of its children; the library skips them */
-  VS_KIND_SIMPLER, /* refused: the library simplifies this thing. The callback must have written nothing */
+  VS_KIND_WHOLE,   /* at VS_THING_ENTER: the thing is written with all of its children, which the library then skips */
+  VS_KIND_SIMPLER, /* refused: the library must simplify this thing. The callback must have written nothing */
   VS_KIND_FAILED   /* failed; vs_output_fail has given the reason */
 } vs_kind_status;
 
@@ -667,30 +691,34 @@ typedef struct {
   bool binary;
   const vs_format_kind *kinds;
   size_t kind_count;
-  bool (*begin)(void *context, vs_output *out); /* before all things; false: failed. NULL: nothing to write */
-  bool (*end)(void *context, vs_output *out);   /* after all things, likewise */
-  void *context;                   /* each callback receives it; it must live as long as the interpreter */
+  bool (*begin)(void *context, vs_output *out); /* writes the beginning of the file; returns false on failure. NULL:
+                                                 * nothing to write */
+  bool (*end)(void *context, vs_output *out);   /* writes the end of the file; returns false on failure. NULL: nothing
+                                                 * to write */
+  void *context;                   /* argument of each callback; it must live as long as the interpreter */
 } vs_format_own;
 
-/* Adds a format to this interpreter, for -o file.suffix and for its name. The newest of several with one suffix counts.
- * Returns false if the library has the name or suffix already or they are not valid, if a kind does not exist, if
- * "polyface-mesh" is missing, or if memory is out. */
+/* Adds a format to this interpreter, for -o file.suffix and for its name. Of several formats with the same suffix, the
+ * newest is used. Returns false if the library already has the name or suffix, if these are not valid, if a kind does
+ * not exist, if "polyface-mesh" is missing, or if memory is out. */
 VS_API bool vs_register_format(vs_scheme *s, const vs_format_own *format);
 
-/* For callbacks. Each returns false if the output has failed; the callback then returns VS_KIND_FAILED or false. */
+/* For callbacks. Each function returns false if the output has failed; the callback then returns VS_KIND_FAILED or
+ * false. */
 VS_API bool vs_output_write(vs_output *out, const void *bytes, size_t count);
 VS_API bool vs_output_print(vs_output *out, const char *text);
-/* Writes x as the library's formats do: the shortest text of 12 significant digits. */
+/* Writes x as the library's formats do: as the shortest text of at most 12 significant digits. */
 VS_API bool vs_output_number(vs_output *out, double x);
 /* Reports a fault of the model at the thing's place; returns false. */
 VS_API bool vs_output_fail(vs_output *out, const char *message);
 
-/* Gives the numbers of a thing's field: a number, flag (0 or 1), point (3 numbers), list of points or matrix. field:
- * the name in the tree dump (-o x.tree). Copies at most room of them to out; returns their number, 0 if there is no
- * such field. */
+/* Reads the numbers of a thing's field: a number, flag (0 or 1), point (3 numbers), list of points or matrix. field:
+ * the name in the tree dump (-o x.tree). Copies at most room numbers to out. Returns the number of all of them, 0 if
+ * there is no such field. */
 VS_API size_t vs_thing_numbers(const vs_thing *t, const char *field, double *out, size_t room);
-VS_API const char *vs_thing_text(const vs_thing *t, const char *field); /* Returns NULL if it is not a field of text. */
-/* Gives the thing, or an operation with all of its children, as triangles in the thing's own coordinates,
+VS_API const char *vs_thing_text(const vs_thing *t, const char *field); /* Returns the text of a thing's field, or NULL
+                                                                         * if it is not a field of text. */
+/* Makes triangles of the thing, or of an operation with all of its children. They are in the thing's own coordinates,
  * counter-clockwise from outside, at the output's tolerance. The arrays are valid until the next call. Returns false on
  * failure. */
 typedef struct {
@@ -709,43 +737,45 @@ VS_API bool vs_thing_triangles(vs_output *out, const vs_thing *t, vs_triangles *
  * needs a finer one, as in a larger drawing. */
 
 typedef enum {
-  VS_MESH_REMOVED, /* only the id is set */
-  VS_MESH_CHANGED, /* it moved: the id and all of its places are set */
+  VS_MESH_REMOVED, /* the mesh was removed; only the id is set */
+  VS_MESH_CHANGED, /* the mesh moved; the id and all of its places are set */
   VS_MESH_ADDED
 } vs_mesh_change;
 
 typedef struct {
-  const char *material;  /* its name; "": none */
-  uint64_t material_id;  /* the number that vs_material_handler's procedure returned for the name; 0: none */
-  bool painted;          /* false: no material; the values below are a matt grey */
+  const char *material;  /* name of the material; "": none */
+  uint64_t material_id;  /* number that vs_material_handler's procedure returned for the name; 0: none */
+  bool painted;          /* whether the part has a material; if not, the values below are a matt grey */
   double color[4];       /* sRGB and opacity, 0 to 1 */
   double roughness, metallic, ior;
-  const char *layer;     /* "": none */
-  const char *file;      /* the place in the program that made it; NULL: not known */
+  const char *layer;     /* name of the layer; "": none */
+  const char *file;      /* place in the program that made the part; NULL: not known */
   uint32_t line, column;
 } vs_mesh_part;
 
 typedef struct {
   vs_mesh_change change;
-  uint64_t id;           /* equal for equal shapes of the same fineness and paint, in every run */
+  uint64_t id;           /* number of the mesh: equal for equal shapes of the same fineness and paint, in every run */
   const double (*points)[3]; size_t point_count;
-  /* counter-clockwise from outside; none: the points are those of a curve, in order */
+  /* corners of the triangles, counter-clockwise from outside. No triangles: the points are those of a curve, in
+   * order. */
   const uint32_t (*corners)[3]; size_t triangle_count;
   /* A unit normal for each corner of each triangle: smooth on curved faces, sharp at creases. */
   const double (*normals)[3]; size_t normal_count; const uint32_t (*normal_corners)[3];
-  const uint32_t *part_of; /* the part of each triangle; NULL: the first for all */
+  const uint32_t *part_of; /* index of each triangle's part; NULL: all triangles belong to part 0 */
   const vs_mesh_part *parts; size_t part_count;
-  /* From the mesh's coordinates to the drawing's: a row for each of x, y and z, the shift last. */
+  /* Maps from the mesh's coordinates to the drawing's: a row for each of x, y and z, with the translation last. */
   const double (*places)[3][4]; size_t place_count;
 } vs_mesh_info;
 
 /* Begins a round. o NULL: the defaults. After a failure the host keeps its meshes. An empty drawing is a failure, as
- * for vs_write_drawing; even so, vs_mesh_next then gives the removed meshes. */
+ * for vs_write_drawing, but vs_mesh_next then gives the removed meshes. */
 VS_API vs_outcome vs_meshes_begin(vs_scheme *s, const vs_output_options *o);
-/* Gives the next difference; false: there are no more. The arrays are valid until the next call; a host that needs them
- * longer copies them. */
+/* Gives the next difference. Returns false if there are no more. The arrays are valid until the next call; a host that
+ * needs them longer copies them. */
 VS_API bool vs_mesh_next(vs_scheme *s, vs_mesh_info *out);
-VS_API void vs_meshes_forget(vs_scheme *s); /* The next round gives all meshes; the material handler is removed too. */
+VS_API void vs_meshes_forget(vs_scheme *s); /* Forgets the host's meshes, so that the next round gives all meshes. Also
+                                             * removes the material handler. */
 /* Sets a procedure that vs_mesh_next calls once for each material's name. It returns the host's number for the name. */
 VS_API void vs_material_handler(vs_scheme *s, uint64_t (*ask)(void *context, const char *name), void *context);
 
@@ -762,7 +792,7 @@ VS_API void vs_material_handler(vs_scheme *s, uint64_t (*ask)(void *context, con
 typedef uint64_t vs_handle;
 
 typedef enum {
-  VS_HANDLE_NONE, /* not a handle */
+  VS_HANDLE_NONE, /* the value 0, which is not a handle */
   VS_HANDLE_BOOLEAN, VS_HANDLE_NUMBER, VS_HANDLE_TEXT, VS_HANDLE_SYMBOL,
   VS_HANDLE_LIST, /* a proper list; a pair such as (1 . 2) is VS_HANDLE_OTHER */ VS_HANDLE_POINT,
       VS_HANDLE_VECTOR,
@@ -770,12 +800,12 @@ typedef enum {
   VS_HANDLE_HOST /* made by vs_handle_host */
 } vs_handle_kind;
 
-VS_API vs_handle vs_handle_retain(vs_scheme *s, vs_handle h); /* Returns h. */
-VS_API void vs_handle_release(vs_scheme *s, vs_handle h);     /* h may be 0. */
+VS_API vs_handle vs_handle_retain(vs_scheme *s, vs_handle h); /* Retains the handle and returns it. */
+VS_API void vs_handle_release(vs_scheme *s, vs_handle h);     /* Releases the handle; h may be 0. */
 
 VS_API vs_handle vs_handle_boolean(vs_scheme *s, bool b);
 VS_API vs_handle vs_handle_number(vs_scheme *s, double x);
-VS_API vs_handle vs_handle_integer(vs_scheme *s, int64_t n); /* exact */
+VS_API vs_handle vs_handle_integer(vs_scheme *s, int64_t n); /* Returns an exact integer. */
 /* Returns the number that the text denotes in a program: "1/3", an integer of any size. 0: the text is not a number, or
  * memory is out. */
 VS_API vs_handle vs_handle_number_text(vs_scheme *s, const char *text);
@@ -792,64 +822,76 @@ VS_API vs_handle vs_handle_list(vs_scheme *s, const vs_handle *items, size_t cou
  * interpreter. If release is NULL, the host owns the object, which must live as long as the interpreter. */
 VS_API vs_handle vs_handle_host(vs_scheme *s, void *object, void (*release)(void *context, void *object),
     void *context);
-VS_API void *vs_handle_get_host(vs_scheme *s, vs_handle h); /* Returns NULL for any other value. */
+VS_API void *vs_handle_get_host(vs_scheme *s, vs_handle h); /* Returns the host's object, or NULL for any other
+                                                             * value. */
 
 VS_API vs_handle_kind vs_handle_kind_of(vs_scheme *s, vs_handle h);
 VS_API bool vs_handle_get_boolean(vs_scheme *s, vs_handle h); /* Returns false for #f, true for every other value. */
-/* Gives the numbers of a number (1), point, vector (3) or matrix (16, row by row). Copies at most room of them to out;
- * returns their number, 0 for any other value. */
+/* Reads the numbers of a number (1), point, vector (3) or matrix (16, row by row). Copies at most room numbers to out.
+ * Returns the number of all of them, 0 for any other value. */
 VS_API size_t vs_handle_get_numbers(vs_scheme *s, vs_handle h, double *out, size_t room);
-VS_API bool vs_handle_is_exact(vs_scheme *s, vs_handle h); /* an exact number: its text has all digits */
+VS_API bool vs_handle_is_exact(vs_scheme *s, vs_handle h); /* returns true for an exact number, whose text has all
+                                                            * digits */
 /* Returns the text of a text or symbol, or a number as a program writes it; NULL for any other value. It is valid until
  * the next call of this function or of vs_handle_get_text_bytes. */
 VS_API const char *vs_handle_get_text(vs_scheme *s, vs_handle h);
-VS_API const char *vs_handle_get_text_bytes(vs_scheme *s, vs_handle h, size_t *length); /* may contain zero bytes */
-VS_API size_t vs_handle_count(vs_scheme *s, vs_handle list); /* Returns 0 for any other value. */
+VS_API const char *vs_handle_get_text_bytes(vs_scheme *s, vs_handle h, size_t *length); /* the text may contain zero
+                                                                                         * bytes */
+VS_API size_t vs_handle_count(vs_scheme *s, vs_handle list); /* Returns the number of elements of a list, or 0 for any
+                                                              * other value. */
 VS_API vs_handle vs_handle_item(vs_scheme *s, vs_handle list, size_t index);
-VS_API bool vs_handle_same(vs_scheme *s, vs_handle a, vs_handle b); /* true if both refer to the same value (eq?) */
+VS_API bool vs_handle_same(vs_scheme *s, vs_handle a, vs_handle b); /* returns true if both handles refer to the same
+                                                                     * value (eq?) */
 
-/* vs_lookup returns the value of a name of the program or the language; vs_apply calls a procedure of either. After an
- * error of the program, reported to `diagnose`, there is no result. result may be NULL. */
+/* vs_lookup returns the value of a name of the program or the language. vs_apply calls a procedure. After an error of
+ * the program, reported to `diagnose`, there is no result. result may be NULL. */
 VS_API vs_handle vs_lookup(vs_scheme *s, const char *name);
 VS_API bool vs_define(vs_scheme *s, const char *name, vs_handle value);
 VS_API vs_outcome vs_apply(vs_scheme *s, vs_handle procedure, const vs_handle *arguments, size_t count,
     vs_handle *result);
 
-/* A procedure of the host. The interpreter releases the arguments after the call. *result is 0 at first, for no value;
- * the procedure may set it to a handle, which it gives away. On false the program gets an error with the text from
- * vs_host_fail. context must live as long as the interpreter. name: for messages. */
+/* A procedure of the host. The interpreter releases the arguments after the call. *result is 0 at first, which means no
+ * value. The procedure may set it to a handle, whose ownership it passes on. If it returns false, the program gets an
+ * error with the text from vs_host_fail. context must live as long as the interpreter. name: for messages. */
 typedef bool vs_host_fn(void *context, vs_scheme *s, const vs_handle *arguments, size_t count, vs_handle *result);
 VS_API vs_handle vs_host_procedure(vs_scheme *s, const char *name, vs_host_fn *fn, void *context);
 VS_API void vs_host_fail(vs_scheme *s, const char *message);
 
 /* ---- the scene: nodes, as on the manual's page 'Scenes' ----
  *
- * Each function does the same as the named procedure of the language, with the same rules and messages. */
+ * Each function has the effect of the procedure of the language that its comment or name gives, with the same rules and
+ * messages. */
 
-VS_API vs_handle vs_scene_controller(vs_scheme *s); /* (node-controller): its properties are the events */
+VS_API vs_handle vs_scene_controller(vs_scheme *s); /* (node-controller): returns the controller, whose properties are
+                                                     * the events */
 VS_API vs_handle vs_node_root(vs_scheme *s);
 /* (node-create type #:name name #:parent parent); type NULL: 'context; name NULL: none; parent 0: none */
 VS_API vs_handle vs_node_create(vs_scheme *s, const char *type, const char *name, vs_handle parent);
-VS_API vs_handle vs_node_find(vs_scheme *s, const char *name); /* Returns 0, without an error, if there is none. */
-/* These three run no code of the program, so a callback of a running program may call them too. */
-VS_API vs_handle vs_node_parent(vs_scheme *s, vs_handle node); /* Returns 0 if it has no parent. */
-VS_API vs_handle vs_node_children(vs_scheme *s, vs_handle node); /* Returns a list. */
-VS_API const char *vs_node_name(vs_scheme *s, vs_handle node); /* valid as for vs_handle_get_text; NULL: it has none */
+VS_API vs_handle vs_node_find(vs_scheme *s, const char *name); /* Returns the node with this name, or 0, without an
+                                                                * error, if there is none. */
+/* These functions run no code of the program, so a callback of a running program may call them too. */
+VS_API vs_handle vs_node_parent(vs_scheme *s, vs_handle node); /* Returns the parent, or 0 if the node has none. */
+VS_API vs_handle vs_node_children(vs_scheme *s, vs_handle node); /* Returns a list of the node's children. */
+VS_API const char *vs_node_name(vs_scheme *s, vs_handle node); /* returns the name, valid as for vs_handle_get_text;
+                                                                * NULL: the node has no name */
 VS_API vs_outcome vs_node_add_child(vs_scheme *s, vs_handle parent, vs_handle child);
 VS_API vs_outcome vs_node_remove_child(vs_scheme *s, vs_handle parent, vs_handle child);
-/* Places a node. Three numbers each; the turn in degrees about X, Y and Z. NULL: unchanged. */
+/* Places a node. Each array has three numbers; the rotation is in degrees about X, Y and Z. NULL: unchanged. */
 VS_API vs_outcome vs_node_place(vs_scheme *s, vs_handle node, const double *translate, const double *degrees,
     const double *scale);
-/* Gives the matrix into the coordinates of the parent or of the world: row by row, for column vectors. */
+/* Computes the matrix from the node's coordinates to those of the parent or of the world: row by row, for column
+ * vectors. */
 VS_API bool vs_node_matrix(vs_scheme *s, vs_handle node, bool world, double out[16]);
-VS_API vs_outcome vs_node_set_drawing(vs_scheme *s, vs_handle node, vs_handle drawing); /* an object, or a list */
-VS_API vs_handle vs_node_object(vs_scheme *s, vs_handle node); /* Returns its whole visible drawing as an object. */
+VS_API vs_outcome vs_node_set_drawing(vs_scheme *s, vs_handle node, vs_handle drawing); /* drawing: an object, or a list
+                                                                                         * of objects */
+VS_API vs_handle vs_node_object(vs_scheme *s, vs_handle node); /* Returns the node's whole visible drawing as an
+                                                                * object. */
 
-/* The focus is the node to whose drawing `draw` adds. vs_node_end cannot end the root's. */
+/* Set the focus: the node to whose drawing `draw` adds. vs_node_end cannot end the focus of the root. */
 VS_API vs_outcome vs_node_begin(vs_scheme *s, vs_handle node);
 VS_API vs_outcome vs_node_end(vs_scheme *s);
 VS_API vs_handle vs_node_focus(vs_scheme *s);
-/* Evaluates the text's expressions in the node's own program, with its focus. *result: the last value. */
+/* Evaluates the text's expressions in the node's own program, with the focus on the node. *result is the last value. */
 VS_API vs_outcome vs_node_eval(vs_scheme *s, vs_handle node, const char *text, vs_handle *result);
 
 /* ---- properties of nodes, groups and the controller ---- */
@@ -857,32 +899,33 @@ VS_API vs_outcome vs_node_eval(vs_scheme *s, vs_handle node, const char *text, v
 VS_API vs_handle vs_property_of(vs_scheme *s, vs_handle group, const char *name); /* Returns the property itself. */
 VS_API vs_outcome vs_property_get(vs_scheme *s, vs_handle group, const char *name, vs_handle *value);
 /* Sets a property, and makes it if needed. A different value calls the subscribers before the function returns; an
- * equal one calls none. */
+ * equal value calls none. */
 VS_API vs_outcome vs_property_put(vs_scheme *s, vs_handle group, const char *name, vs_handle value);
-/* Adds a subscriber, which receives each new value. Returns the subscription's number; 0: failed. */
+/* Adds a subscriber, which receives each new value. Returns the subscription's number, or 0 on failure. */
 VS_API uint64_t vs_property_subscribe(vs_scheme *s, vs_handle property, vs_host_fn *fn, void *context);
 VS_API vs_outcome vs_property_unsubscribe(vs_scheme *s, vs_handle property, uint64_t id);
-/* Queues a change for the next vs_update. A callback may call it while the interpreter runs. */
+/* Queues a change for the next vs_update. A callback may call this function while the interpreter runs. */
 VS_API bool vs_post(vs_scheme *s, vs_handle property, vs_handle value);
 /* Makes the queued changes, in order. A failed callback is reported, and the others still run. A change that is queued
- * meanwhile waits for the next vs_update. */
+ * during this waits for the next vs_update. */
 VS_API vs_outcome vs_update(vs_scheme *s);
 
 /* ---- actions and picks ---- */
 
 VS_API vs_outcome vs_action_apply(vs_scheme *s, const char *action, vs_handle node); /* (action-apply 'action node) */
-VS_API vs_outcome vs_scene_frame(vs_scheme *s, double seconds); /* update, draw and finish, through the whole tree */
+VS_API vs_outcome vs_scene_frame(vs_scheme *s, double seconds); /* applies the actions update, draw and finish to the
+                                                                 * whole tree */
 
 typedef struct {
-  double distance;      /* from the ray's start, in model units */
+  double distance;      /* distance from the ray's start, in model units */
   double point[3];
-  vs_handle node, path; /* the node that the ray meets, and the list of nodes down to it; valid in the callback,
-      unless retained */
-  const char *file;     /* the place in the program that made the object; NULL: not known */
+  vs_handle node, path; /* node: the node that the ray hits. path: list of nodes down to it. Valid in the callback,
+                         * unless retained */
+  const char *file;     /* place in the program that made the object; NULL: not known */
   uint32_t line, column;
 } vs_hit;
-/* Passes each node whose own drawing the ray meets to `each`, nearest first, until `each` returns false. Selects the
- * nearest, which triggers the event Node.selected. */
+/* Passes each node whose own drawing the ray hits to `each`, nearest first, until `each` returns false. Selects the
+ * nearest node, which triggers the event Node.selected. */
 VS_API vs_outcome vs_pick(vs_scheme *s, const double from[3], const double direction[3], bool (*each)(void *context,
     vs_scheme *s, const vs_hit *hit),
                           void *context);
@@ -892,52 +935,53 @@ VS_API vs_outcome vs_pick(vs_scheme *s, const double from[3], const double direc
 typedef enum { VS_GIZMO_TRIGGER, VS_GIZMO_SLIDER, VS_GIZMO_ARROW, VS_GIZMO_TRIPOD } vs_gizmo_kind;
 
 typedef struct {
-  vs_handle node;       /* valid in the callback, unless retained */
+  vs_handle node;       /* node of the gizmo; valid in the callback, unless retained */
   vs_gizmo_kind kind;
-  double at[3];         /* the place of value 0, or of a slider's least value; all places are in world coordinates */
-  double size;          /* the diameter of a handle; the length of an arrow or a tripod */
-  size_t value_count;   /* 3 for a tripod, else 1 */
-  double value[3];      /* of a trigger: its clicks so far */
-  double low[3], high[3]; /* the range of the value; of a tripod: of a single drag; of a trigger: 0 */
-  double step;          /* between two values of a slider; 0: any value */
-  size_t handle_count;  /* 0 to 3 */
-  double handles[3][3]; /* the points that the user drags */
-  /* The move of each handle: for a slider, from its least value to its greatest; else for a value greater by 1. Of a
-   * trigger: 0. */
+  double at[3];         /* position of value 0, or of a slider's least value; all positions are in world coordinates */
+  double size;          /* diameter of a handle; length of an arrow or a tripod */
+  size_t value_count;   /* number of values: 3 for a tripod, otherwise 1 */
+  double value[3];      /* values; for a trigger: number of its clicks */
+  double low[3], high[3]; /* range of the value; for a tripod: range of a single drag; for a trigger: 0 */
+  double step;          /* distance between two values of a slider; 0: any value */
+  size_t handle_count;  /* number of handles, 0 to 3 */
+  double handles[3][3]; /* positions of the points that the user drags */
+  /* The move of each handle: for a slider, from its least value to its greatest; for a trigger, 0; otherwise for a
+   * value greater by 1. */
   double axes[3][3];
 } vs_gizmo;
 /* Passes each gizmo below the root to `each`, parents before children, until `each` returns false. The gizmo's value is
- * its property "value". vs_property_put sets it, and refuses a value out of range or between two steps;
- * vs_property_subscribe follows it. */
+ * its property "value". vs_property_put sets it, and refuses a value out of range or between two steps.
+ * vs_property_subscribe reports its changes. */
 VS_API vs_outcome vs_gizmos(vs_scheme *s, bool (*each)(void *context, vs_scheme *s, const vs_gizmo *gizmo),
                             void *context);
 
 typedef enum { VS_INPUT_PRESS, VS_INPUT_DRAG, VS_INPUT_RELEASE, VS_INPUT_MOVE, VS_INPUT_KEY } vs_input_kind;
 typedef enum { VS_BUTTON_LEFT, VS_BUTTON_MIDDLE, VS_BUTTON_RIGHT, VS_BUTTON_NONE } vs_input_button;
-/* Handles an event of the mouse, with the ray under it, or of a key, with its name and no ray, as (node-input ...)
- * does: gizmos move within their constraints. *node: the node that received the event, 0 for none; node may be
- * NULL. */
+/* Handles an event as (node-input ...) does: gizmos move within their constraints. An event of the mouse has the ray
+ * under it. An event of a key has the key's name and no ray. *node is the node that received the event, 0 for none;
+ * node may be NULL. */
 VS_API vs_outcome vs_input(vs_scheme *s, vs_input_kind kind, vs_input_button button, const double from[3],
                            const double direction[3], const char *key, vs_handle *node);
 
 /* ---- statistics ---- */
 
 typedef struct {
-  const char *key;   /* stable: "nodes.distinct", "time.mesh" ... */
+  const char *key;   /* key, the same in all versions, such as "nodes.distinct" or "time.mesh" */
   double value;
-  const char *unit;  /* "s", "bytes", "" (a count) */
+  const char *unit;  /* unit: "s", "bytes", or "" for a count */
 } vs_statistic;
-/* Gives the statistics since vs_new, in a fixed order; the manual's page on the command explains each key. A NaN means
- * that the value was not counted. Copies at most room of them to out; returns their number. */
+/* Gives the statistics since vs_new, in a fixed order. The manual's page on the command explains each key. A NaN means
+ * that the value was not counted. Copies at most room statistics to out. Returns the number of all of them. */
 VS_API size_t vs_statistics(const vs_scheme *s, vs_statistic *out, size_t room);
 
 typedef struct {
-  const char *path;   /* "" if the output went to a callback */
-  const char *format; /* as vs_format_info.name */
-  bool done;          /* false: it failed */
+  const char *path;   /* path of the output; "" if it went to a callback */
+  const char *format; /* name of the format, as vs_format_info.name */
+  bool done;          /* whether the output succeeded */
 } vs_output_info;
-/* Gives the statistics of a single output, of the latest 64, oldest first; the keys are those of vs_statistics that
- * apply to one output. *count: their number, independent of room. Returns false if there is no such index. */
+/* Gives the statistics of a single output, of the latest 64, oldest first. The keys are those of vs_statistics that
+ * apply to a single output. *count is the number of statistics, independent of room. Returns false if there is no such
+ * index. */
 VS_API bool vs_output_statistics(const vs_scheme *s, size_t index, vs_output_info *info, vs_statistic *out, size_t room,
     size_t *count);
 

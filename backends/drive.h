@@ -1,5 +1,5 @@
-/* Owns the declarations that the files of the driver share. driver.c: plan and walk; text_runs.c: the runs whose text
- * is kept. No other file includes this one. */
+/* Contains the declarations that the driver's two files share: driver.c plans and walks, text_runs.c keeps the text of
+ * runs. No other file includes this header. */
 #ifndef VS_BACKENDS_DRIVE_H
 #define VS_BACKENDS_DRIVE_H
 
@@ -11,66 +11,71 @@
 #include "model/store/nodemap.h"
 
 typedef struct {
-  vs_ref ref;           /* the first reference to it */
-  uint32_t uses, height; /* height, for an operation whose children are being visited: the greatest of theirs */
-  uint32_t shown;       /* of an operation: the number of children that are not vain */
-  uint32_t definition;  /* the template's number from 1, or 0 */
-  uint32_t weight;      /* the approximate length of its text, counted in shapes; the use of a template counts 1; at
-                         * most HEAVY of text_runs.c. Set only if runs are used. */
+  vs_ref ref;           /* first reference to the node */
+  uint32_t uses, height; /* uses: number of references to the node. height: levels of nesting in its text; for an
+                          * operation whose children are being visited, the greatest height of a child */
+  uint32_t shown;       /* number of children of an operation that draw something */
+  uint32_t definition;  /* number of the node's template, from 1; 0: the node has no template */
+  uint32_t weight;      /* approximate length of the node's text, counted in shapes. The use of a template counts as 1.
+                         * At most HEAVY of text_runs.c. Set only if runs are used. */
   bool vain, cut;
-  bool first_vain, some_vain; /* of its children */
-  bool bare, painted;   /* some part has no material of its own; some part has one */
-  bool layered;         /* some part has a layer of its own */
-  bool carved;          /* it occurs in an intersection or a difference */
-  vs_node *lowered;     /* retained, or NULL */
+  bool first_vain, some_vain; /* first_vain: the first child draws nothing. some_vain: some child draws nothing */
+  bool bare, painted;   /* bare: some part has no material of its own. painted: some part has a material of its own */
+  bool layered;         /* whether some part has a layer of its own */
+  bool carved;          /* whether the node occurs in an intersection or a difference */
+  vs_node *lowered;     /* simpler kinds that replace the node, retained, or NULL */
   vs_solid *mesh;
 } drive_entry;
 
-/* A step of the plan: an entry, and the first of its children that the plan has not visited. */
+/* A step of the plan: an entry, and the index of its first child that the plan has not visited. */
 typedef struct { size_t entry; uint32_t next; } drive_step;
 
 typedef struct {
   vs_ref ref;
-  size_t next, shown;   /* children: visited, passed to the emitter */
-  size_t asked;         /* the search for runs is done for all children before this one */
+  size_t next, shown;   /* next: index of the next child to visit. shown: number of children passed to the emitter */
+  size_t asked;         /* children before this index need no further search for runs */
   const vs_material *material;
   vs_affine placement;
   vs_bounds reach;
   bool in_boolean;
-  bool silent;          /* an operation with one operand left, which is itself not shown */
+  bool silent;          /* whether this is an operation with one remaining operand, so that only the operand is
+                         * written */
 } drive_frame;
 
 struct vs_drive {
-  vs_nodemap index;     /* node -> entry + 1 */
+  vs_nodemap index;     /* maps a node to the index of its entry + 1 */
   drive_entry *entries;
   size_t entry_count, entry_room;
-  uint32_t *order;      /* entries, children first */
+  uint32_t *order;      /* indices of the entries, children before parents */
   size_t order_count, order_room;
   drive_step *steps;
   size_t step_count, step_room;
   drive_frame *frames;
   size_t frame_count, frame_room;
-  bool operation[VS_KIND_COUNT]; /* kinds that are always operations */
-  bool brief[VS_KIND_COUNT]; /* kinds with a text as short as a template's use, unless the number of facets is set */
-  size_t facets_at[VS_KIND_COUNT]; /* the position of the facets in the kind's data; SIZE_MAX: it has none */
+  bool operation[VS_KIND_COUNT]; /* operation[k]: whether nodes of kind k are always operations */
+  bool brief[VS_KIND_COUNT]; /* brief[k]: whether the text of kind k is as short as the use of a template, unless the
+                              * number of facets is set */
+  size_t facets_at[VS_KIND_COUNT]; /* facets_at[k]: position of the number of facets in the data of kind k; SIZE_MAX:
+                                    * the kind has no such number */
   vs_reuse_line *lines;
   size_t line_count, line_room;
-  vs_nodemap paints;    /* material -> its number */
+  vs_nodemap paints;    /* maps a material to its number */
   const vs_material **materials;
   size_t material_count, material_room;
-  vs_node **kept;       /* the trees that nodes were lowered to; they live until the walk ends */
+  vs_node **kept;       /* trees that nodes were lowered to; they live until the walk ends */
   size_t kept_count, kept_room;
-  const char **said;    /* the warnings already given, by address */
+  const char **said;    /* addresses of the warnings already given */
   size_t said_count, said_room;
   vs_bounds_memo bounds;
-  double from, share, told; /* the current mesh: the fraction of the whole at which it begins, and its share; the last
-                             * reported fraction */
-  vs_solid scratch; /* the mesh of a node without entry, valid until the next call */
+  double from, share, told; /* progress as fractions of the export. from: where the current mesh begins. share: the part
+                             * of this mesh. told: the last reported fraction */
+  vs_solid scratch; /* mesh of a node without an entry, valid until the next call */
   uint32_t ticks;
-  vs_reuse reuse;       /* runs (text_runs.c) */
-  size_t run_frames, run_until; /* of the run that is being written: the number of open frames at its beginning; the
-                                 * child before which it ends */
-  size_t run_line, run_first;   /* its first line; the number of line origins before it */
+  vs_reuse reuse;       /* kept text of runs (text_runs.c) */
+  size_t run_frames, run_until; /* of the run that is being written. run_frames: number of open frames at its beginning.
+                                 * run_until: index of the child before which it ends */
+  size_t run_line, run_first;   /* of the run that is being written. run_line: its first line. run_first: number of line
+                                 * origins before it */
 };
 
 /* ---- entries ---- */
@@ -87,7 +92,7 @@ static inline bool drive_is_operation(const vs_emitter *e, const vs_node *n) {
   return n->kind == VS_HULL && !e->backend->verbatim ? drive_hull_is_operation(e, n) : e->drive->operation[n->kind];
 }
 
-/* The facts about a node that do not depend on its place. A leaf with one owner has no entry. */
+/* Facts about a node that are equal at all its places. A leaf with a single reference has no entry. */
 typedef struct { drive_entry *entry; bool operation, vain; } drive_view;
 
 static inline bool drive_leaf_vain(const vs_emitter *e, const vs_node *n) {
@@ -96,8 +101,8 @@ static inline bool drive_leaf_vain(const vs_emitter *e, const vs_node *n) {
          (n->class_ < VS_MIXED && e->backend->omit[n->class_] != NULL);
 }
 
-/* Returns true if the node's own text is as short as the use of a template: sharing it would save nothing. A node with
- * a fixed number of facets may become a mesh, and is not brief. */
+/* Returns true if the node's own text is as short as the use of a template, so that sharing it saves nothing. A node
+ * with a fixed number of facets is not brief, since it may become a mesh. */
 static inline bool drive_is_brief(const vs_drive *d, const vs_node *n) {
   vs_field_integer facets = 0;
   if (!d->brief[n->kind]) return false;
@@ -106,7 +111,7 @@ static inline bool drive_is_brief(const vs_drive *d, const vs_node *n) {
   return facets == 0;
 }
 
-/* Returns the facts about n. Skips the look-up for a brief leaf, whose entry adds nothing to the node itself. */
+/* Returns the facts about n. For a brief leaf it does not look for an entry, which would add nothing. */
 static inline drive_view drive_look(const vs_emitter *e, const vs_node *n) {
   const vs_drive *d = e->drive;
   drive_view v = { NULL, drive_is_operation(e, n), false };
@@ -120,7 +125,7 @@ static inline drive_view drive_look(const vs_emitter *e, const vs_node *n) {
 
 /* ---- text_runs.c ---- */
 
-/* The text from this line on comes from this origin. */
+/* Records that the text from this line on comes from this origin. */
 bool vs_drive_mark(vs_emitter *e, uint32_t line, const vs_origin *origin);
 
 #endif

@@ -1,13 +1,13 @@
-/* Owns the way from a drawing to calls of a back-end's emit functions: planning, walking without recursion, lowering
- * once.
+/* Implements the driver: it plans a drawing, walks it without recursion, lowers each node once, and calls the
+ * back-end's emit functions.
  *
- * Plan: one pass over the distinct nodes, children first, finds the nodes that draw nothing (`vain`). It also counts
- * the references to each node in the text (`uses`) and the levels of nesting in its text (`height`). Leaves with one
- * owner have no entry: a million boxes cost nothing here. Templates are the entries with several uses, and those at
- * which the text reaches the depth VS_DEPTH_MAX. They keep the order of the plan, so a template follows those that it
- * uses.
+ * Plan: a pass over the distinct nodes, children first, finds the nodes that draw nothing (`vain`). The pass also
+ * counts the references to each node in the text (`uses`) and the levels of nesting in its text (`height`). A leaf with
+ * a single reference has no entry, so a million boxes need no memory here. Templates are the entries with several uses,
+ * and the entries at which the text reaches the depth VS_DEPTH_MAX. Templates keep the order of the plan, so each
+ * template follows the templates that it uses.
  *
- * Walk: a stack of frames, one for each open operation. */
+ * Walk: a stack contains a frame for each open operation. */
 #include <float.h>
 #include <math.h>
 #include <stdio.h>
@@ -23,7 +23,7 @@
 #include "model/store/cache.h"
 #include "model/tally.h"
 
-/* ---- functions that emit functions call ---- */
+/* ---- functions of the driver for emit functions ---- */
 
 bool vs_emit_grow(vs_emitter *e, void *array, size_t *room, size_t need, size_t size) {
   return vs_store_grow(e->scene->store, array, room, need, size) || vs_emit_no_memory(e);
@@ -53,8 +53,8 @@ bool vs_emit_warn_once(vs_emitter *e, const vs_ref *ref, const char *message) {
   return true;
 }
 
-/* Reports the fraction of the drawing that is done; each drawn object has one share of the whole. Reported progress
- * never decreases, although meshing restarts at 0 inside each object. */
+/* Reports the completed fraction of the drawing; each drawn object has an equal share. Reported fractions never
+ * decrease, although meshing restarts at 0 for each object. */
 bool vs_emit_progress(vs_emitter *e, const char *stage, double fraction) {
   vs_drive *d = e->drive;
   if (d != NULL && fraction >= 0 && strcmp(stage, "meshing") == 0)
@@ -80,7 +80,7 @@ void vs_emit_watch(vs_emitter *e, vs_writer *w) {
 
 const vs_origin *vs_emit_line_origin(const vs_emitter *e, uint32_t line) {
   const vs_drive *d = e->drive;
-  size_t low = 0, high = d->line_count; /* the last entry at or before the line */
+  size_t low = 0, high = d->line_count; /* low becomes the index of the last entry at or before the line */
   while (low < high) {
     size_t middle = low + (high - low) / 2;
     if (d->lines[middle].line <= line) low = middle + 1; else high = middle;
@@ -154,7 +154,8 @@ static bool drive_op_vain(const vs_emitter *e, const drive_entry *entry) {
 
 /* ---- the plan ---- */
 
-/* Adds the facts about a child, whose own children are done, to its parent's entry. child NULL: it has no entry. */
+/* Adds the facts about a child to its parent's entry. The child's own children must already be added. child NULL: the
+ * child has no entry. */
 static void drive_plan_add(drive_entry *parent, const drive_entry *child, bool vain, bool first) {
   uint32_t height = child == NULL || child->cut ? 1 : child->height;
   if (height > parent->height) parent->height = height;
@@ -173,7 +174,8 @@ static bool drive_plan_omitted(vs_emitter *e, const vs_ref *ref) {
   return vs_emit_warn_once(e, ref, e->backend->omit[n->class_]);
 }
 
-/* Plans a reference: counts a use of its entry. A new node is pushed, and counts for its parent when it is popped. */
+/* Plans a reference: counts a use of its entry. A new entry is pushed on the stack, and is added to its parent when it
+ * is popped. */
 static bool drive_plan_meet(vs_emitter *e, const vs_ref *ref, bool operation, size_t parent, bool first) {
   vs_drive *d = e->drive;
   bool found;
@@ -222,7 +224,7 @@ static bool drive_plan_leave(vs_emitter *e, size_t index) {
   return (++d->ticks & 0xfff) != 0 || vs_emit_progress(e, "writing", -1);
 }
 
-/* Plans the children of an entry, up to the first whose own children must be planned; *pushed is then true. */
+/* Plans the children of an entry. Stops at the first child whose own children must be planned; *pushed is then true. */
 static bool drive_plan_children(vs_emitter *e, drive_step *step, bool *pushed) {
   vs_drive *d = e->drive;
   size_t index = step->entry, depth = d->step_count;
@@ -230,14 +232,15 @@ static bool drive_plan_children(vs_emitter *e, drive_step *step, bool *pushed) {
   while (step->next < n->child_count) {
     const vs_ref *child = vs_node_next(n, step->next++);
     bool operation = drive_is_operation(e, child->node), first = step->next == 1;
-    if (child->node->refs < 2 && !operation) { /* planned here, without an entry */
+    if (child->node->refs < 2 && !operation) { /* planned at once, without an entry */
       if (!drive_plan_omitted(e, child)) return false;
       drive_plan_add(&d->entries[index], NULL, drive_leaf_vain(e, child->node), first);
       if ((++d->ticks & 0xfff) == 0 && !vs_emit_progress(e, "writing", -1)) return false;
       continue;
     }
     if (!drive_plan_meet(e, child, operation, index, first)) return false;
-    if (d->step_count > depth) return *pushed = true; /* `step` may have moved */
+    if (d->step_count > depth) return *pushed = true; /* the stack may have been reallocated, so `step` is no longer
+                                                       * valid */
   }
   return true;
 }
@@ -259,14 +262,14 @@ static bool drive_plan_below(vs_emitter *e, const vs_ref *ref) {
   return true;
 }
 
-/* Marks the nodes inside intersections and differences; parents first. */
+/* Marks the nodes inside intersections and differences. Visits parents before children. */
 static void drive_plan_carved(vs_emitter *e) {
   vs_drive *d = e->drive;
   for (size_t i = d->order_count; i-- > 0;) {
     const drive_entry *entry = &d->entries[d->order[i]];
     const vs_node *n = entry->ref.node;
-    if (!drive_is_operation(e, n) || !(n->flags & VS_NODE_CARVED)) continue; /* no emit function needs the mark of nodes
-                                                                              * below */
+    if (!drive_is_operation(e, n) || !(n->flags & VS_NODE_CARVED)) continue; /* no emit function reads the mark of the
+                                                                              * nodes below */
     if (!entry->carved && n->kind != VS_INTERSECTION && n->kind != VS_DIFFERENCE) continue;
     for (uint32_t k = 0; k < n->child_count; k++) {
       drive_entry *child = drive_find(e, n->children[k].node);
@@ -325,7 +328,7 @@ static bool drive_check(vs_emitter *e, const vs_ref *ref) {
 
 bool vs_drive_mark(vs_emitter *e, uint32_t line, const vs_origin *origin) {
   vs_drive *d = e->drive;
-  /* an entry holds up to the next */
+  /* the origin of an entry is valid up to the next entry */
   if (d->line_count > 0 && d->lines[d->line_count - 1].origin == origin) return true;
   if (d->line_count > 0 && d->lines[d->line_count - 1].line == line) {
     d->lines[d->line_count - 1].origin = origin;
@@ -343,8 +346,8 @@ static bool drive_mark(vs_emitter *e, const vs_ref *ref) {
   return vs_drive_mark(e, vs_writer_line(e->out), ref->origin);
 }
 
-/* Returns the node's rank in the strict order of lowering: the table's levels; in each level, shapes with parts rank
- * above the others; at the bottom the two kinds in which all lowering ends. */
+/* Returns the node's rank in the strict order of lowering. Ranks follow the levels of the table of kinds. Within a
+ * level, shapes with parts rank above other shapes. The two kinds in which all lowering ends have the lowest ranks. */
 static int drive_rank(const vs_node *n) {
   if (n->kind == VS_POLYFACE_MESH || n->kind == VS_LINE) return 2 * VS_LEVEL_MESH;
   const vs_shape *shape = vs_shape_of(n);
@@ -353,8 +356,8 @@ static int drive_rank(const vs_node *n) {
 
 static bool drive_enter(vs_emitter *e, const vs_ref *ref, bool body);
 
-/* Returns true if every node of a lowered tree ranks below `rank`. Such trees are only a few nodes deep, since lower.c
- * makes them. */
+/* Returns true if every node of a lowered tree ranks below `rank`. Recursion is safe: the trees of lower.c are only a
+ * few nodes deep. */
 static bool drive_stands_below(const vs_node *n, int rank) {
   if (vs_kind_get((vs_kind)n->kind)->level != VS_LEVEL_OPERATION) return drive_rank(n) < rank;
   for (size_t i = 0; i < n->child_count; i++)
@@ -362,7 +365,7 @@ static bool drive_stands_below(const vs_node *n, int rank) {
   return true;
 }
 
-/* Emits the node's simpler kinds in its place. They must rank lower, so repeated lowering ends. */
+/* Emits the node's simpler kinds in its place. They must have a lower rank than the node, so repeated lowering ends. */
 static bool drive_lower(vs_emitter *e, const vs_ref *ref) {
   drive_entry *entry = drive_find(e, ref->node);
   vs_node *made = NULL;
@@ -395,7 +398,7 @@ static bool drive_lower(vs_emitter *e, const vs_ref *ref) {
     e->smooth = was_smooth;
   }
   if (made != NULL) {
-    /* a template is written only once */
+    /* a template is written only once, so its simpler kinds are not kept */
     if (entry != NULL && entry->uses > 1 && entry->definition == 0) entry->lowered = made;
     else vs_node_release(made);
   }
@@ -409,7 +412,8 @@ static size_t drive_shown(const vs_emitter *e, const vs_node *n, const drive_ent
   return count;
 }
 
-/* Computes the part of space in which an operation with a half-space matters: its own bounds if it has any. */
+/* Computes the part of space in which an operation with a half-space has an effect: the bounds of the operation, if it
+ * has bounds. */
 static bool drive_reach(vs_emitter *e, const vs_node *n) {
   vs_bounds b;
   vs_affine back;
@@ -421,14 +425,15 @@ static bool drive_reach(vs_emitter *e, const vs_node *n) {
   return true;
 }
 
-/* Sets the facets of nodes below a placement by their size after it, as the kernel does. Pictures have finer ones. */
+/* Sets the number of facets of nodes below a placement by their size after the placement, as the kernel does. Pictures
+ * have more facets. */
 static void drive_place(vs_emitter *e, const vs_affine *placement) {
   e->placement = *placement;
   e->facets = vs_fineness_placed(&e->drawing_facets, placement);
   e->facets.tolerance *= e->chord;
 }
 
-/* Emits one reference that is not vain: the use of a template, a leaf, or an operation, which it pushes on the
+/* Emits a reference that draws something: the use of a template, a leaf, or an operation, which is pushed on the
  * stack. */
 static bool drive_show(vs_emitter *e, const vs_ref *ref, drive_view view, bool body) {
   vs_drive *d = e->drive;
@@ -506,7 +511,7 @@ static bool drive_walk(vs_emitter *e, const vs_ref *root, bool body) {
       e->child_index = top->silent ? e->child_index : top->shown;
       e->parent = n;
       top->shown++;
-      if (!drive_show(e, child, view, false)) return false; /* may move the frames */
+      if (!drive_show(e, child, view, false)) return false; /* this call may reallocate the frames */
       continue;
     }
     drive_frame done = *top;
@@ -522,7 +527,7 @@ static bool drive_walk(vs_emitter *e, const vs_ref *root, bool body) {
   return !e->out->failed;
 }
 
-/* Restores a clean state: a walk that failed may have stopped anywhere. */
+/* Restores a clean state. A walk that failed may have stopped anywhere. */
 static void drive_reset(vs_emitter *e) {
   e->drive->frame_count = 0;
   e->depth = 0;
@@ -535,8 +540,8 @@ static void drive_reset(vs_emitter *e) {
   e->reach = e->bounds;
 }
 
-/* Looks for a run of drawn objects, or of a template's body, that begins at `from`. If its text was kept, the text is
- * written, and *next is the index after the run. *asked: no search before that index. */
+/* Searches for a run that begins at index `from` of the row. If the run's text was kept, writes the text and sets *next
+ * to the index after the run. Sets *asked to the index before which no further search is needed. */
 static bool drive_root(vs_emitter *e, const vs_run_row *row, size_t from, size_t *asked, size_t *next) {
   vs_run run;
   if (e->drive->reuse.cache == NULL || e->drive->reuse.open || from < *asked) return true;
@@ -579,9 +584,10 @@ static bool drive_has_native(const vs_emitter *e) {
   return false;
 }
 
-/* Adds the bounds of a drawn object to e->boxes, and to *all; of a union, those of each part, up to `most` boxes: two
- * boxes frame a cross of two beams tighter than one. If budget is not NULL, the bounds are those of the material that
- * cuts leave, as far as the budget suffices (drawn_bounds.h). */
+/* Adds the bounds of a drawn object to e->boxes and to *all. For a union it adds the bounds of each part, up to
+ * `most` boxes in total. Boxes of parts are tighter: two boxes frame a cross of two beams better than one box. If
+ * budget is not NULL, the bounds are those of the material that remains after cuts, as far as the budget allows
+ * (drawn_bounds.h). */
 static bool drive_boxes(vs_emitter *e, const vs_ref *ref, vs_bounds_memo *memo, size_t *budget, vs_bounds *all) {
   enum { most = 4096 };
   const vs_node *n = ref->node;
@@ -606,14 +612,14 @@ static bool drive_boxes(vs_emitter *e, const vs_ref *ref, vs_bounds_memo *memo, 
     if (b.min.x > b.max.x) continue;
     if (e->box_count == 0) *all = b;
     else drive_include(all, &b);
-    if (e->box_count >= most) drive_include(&e->boxes[most - 1], &b); /* the rest shares one box */
+    if (e->box_count >= most) drive_include(&e->boxes[most - 1], &b); /* all further parts share the last box */
     else e->boxes[e->box_count++] = b;
   }
   return true;
 }
 
-/* Computes the boxes that the camera frames: e->bounds and its boxes, without the material that is cut away. The
- * fineness still follows the bounds of all operands, as measures do. */
+/* Computes the bounds that the camera frames: e->framed and e->boxes, without the material that is cut away. The
+ * fineness still depends on the bounds of all operands, as in measures. */
 static bool drive_frame_boxes(vs_emitter *e) {
   size_t budget = VS_DRAWN_BOUNDS_MOST, wide = e->box_count;
   e->framed = e->bounds;
@@ -624,13 +630,13 @@ static bool drive_frame_boxes(vs_emitter *e) {
         !drive_boxes(e, &e->scene->drawn[i], &e->drive->bounds, &budget, &e->framed))
       return false;
   if (e->box_count > 0) return true;
-  e->box_count = wide > 0; /* nothing is left of the drawing: the camera frames the operands */
+  e->box_count = wide > 0; /* nothing of the drawing remains, so the camera frames the operands */
   e->boxes[0] = e->framed = e->bounds;
   return true;
 }
 
 static bool drive_nothing(vs_emitter *e) {
-  const vs_ref *empty = NULL; /* Every format shows solids: if there are some, they are empty. */
+  const vs_ref *empty = NULL; /* Every format shows solids. If the drawing contains solids here, they are empty. */
   bool other = false;
   for (size_t i = 0; i < e->scene->drawn_count; i++) {
     const vs_ref *ref = &e->scene->drawn[i];
@@ -652,7 +658,7 @@ static bool drive_bounds(vs_emitter *e) {
     if (ref->node->flags & VS_NODE_ENDLESS) return vs_emit_fail(e, ref, VS_ENDLESS_MESSAGE);
     if (!drive_boxes(e, ref, &e->drive->bounds, NULL, &e->bounds)) return false;
   }
-  /* The size of native text is unknown: the camera frames a box of size 2 about the origin. */
+  /* The size of native text is unknown. The camera frames a box of size 2 around the origin. */
   if (e->box_count == 0 && drive_has_native(e)) {
     if (!vs_emit_grow(e, &e->boxes, &e->box_room, 1, sizeof *e->boxes)) return false;
     e->bounds = e->boxes[e->box_count++] = (vs_bounds){ vs_v3(-1, -1, -1), vs_v3(1, 1, 1) };
@@ -687,7 +693,8 @@ static bool drive_all_vain(vs_emitter *e) {
   return true;
 }
 
-/* Walks the objects that are not solid, for a format that also gets the union of all solids. *any: there are some. */
+/* Walks the objects that are not solid, for a format that also receives the union of all solids. Sets *any if there are
+ * such objects. */
 static bool drive_loose(vs_emitter *e, bool *any) {
   for (size_t i = 0; i < e->scene->drawn_count; i++) {
     const vs_ref *ref = &e->scene->drawn[i];
@@ -738,7 +745,7 @@ bool vs_drive_scene(vs_emitter *e) {
     vs_solid_copies_free(&parts);
     return ok && e->backend->end(e);
   }
-  d->share = 1 / ((double)e->scene->drawn_count + 1); /* the definitions have the first share */
+  d->share = 1 / ((double)e->scene->drawn_count + 1); /* the definitions have the first share of the progress */
   if (!drive_definitions(e)) return false;
   const vs_run_row drawn = { NULL, e->scene->drawn, e->scene->drawn_count, false };
   for (size_t i = 0, asked = 0; i < e->scene->drawn_count; i++) {
@@ -778,7 +785,7 @@ const vs_solid *vs_emit_mesh(vs_emitter *e, const vs_ref *ref) {
       return entry->mesh;
     }
   }
-  vs_solid_free(&e->drive->scratch); /* also if keeping failed: that costs only time */
+  vs_solid_free(&e->drive->scratch); /* also after a failure to keep the mesh, which costs only time */
   e->drive->scratch = made;
   return &e->drive->scratch;
 }

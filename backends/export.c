@@ -1,8 +1,8 @@
-/* Owns the writing of a file: the format's row, the temporary file beside the target, the sink with its checks, the
- * rename.
+/* Implements the writing of a file: it finds the format's row, opens a temporary file beside the target, writes with
+ * checks, and renames the file.
  *
- * A file appears whole or not at all (publish.c): it is flushed to disk, and gets its name last. Rendered formats write
- * their text into a private folder (povray/povray_worker.c) and the picture to such a file. */
+ * A file appears completely or not at all (publish.c): it is flushed to disk, and receives its name last. For a
+ * rendered format, the text goes to a private folder (povray/povray_worker.c), and the picture goes to such a file. */
 #define _XOPEN_SOURCE 700
 #include "backends/export.h"
 
@@ -105,8 +105,8 @@ static vs_writer *export_writer(vs_emitter *e, vs_sink_fn *sink, void *context) 
   return w;
 }
 
-/* Writes the text (or, for a rendered format, the scene) to an open file. Returns false, with the reason in e's error,
- * also when the file itself fails. */
+/* Writes the text (for a rendered format: the scene) to an open file. Returns false, with the reason in e's error, on
+ * any failure, including a failure of the file. */
 static bool export_to_file(vs_emitter *e, int file, const char *path, bool sync) {
   export_file f = { file, 0 };
   vs_writer *w = export_writer(e, export_file_sink, &f);
@@ -129,7 +129,7 @@ static char *export_join(const char *a, const char *b, unsigned long number) {
   return text;
 }
 
-/* Returns false if path is an input of the model, which is never replaced. */
+/* Returns false if path is an input file of the model. The export never replaces an input file. */
 static bool export_may_write(vs_emitter *e, const char *path) {
   const vs_export_options *o = e->options;
   return !o->is_input || !o->is_input(o->context, path) ||
@@ -159,7 +159,7 @@ static bool export_render(vs_emitter *e, const char *output) {
   vs_publish_sweep(base, "visualscheme-work-", "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789");
   char *folder = export_join(base, "/visualscheme-work-XXXXXX", 0);
   char *text = NULL;
-  int lock = -1; /* the lock shows other runs that this one is alive */
+  int lock = -1; /* the locked file shows to other processes that this process still runs */
   bool made = false, ok = false;
   if (folder == NULL) {
     vs_emit_no_memory(e);
@@ -203,7 +203,7 @@ static bool export_named(vs_emitter *e, const char *path) {
   if (!export_may_write(e, path)) return false;
   if (exists && S_ISDIR(info.st_mode))
     return vs_error_set(e->error, VS_ERROR_FILE, NULL, "cannot write %s: it is a folder", path);
-  /* A pipe or /dev/full: there is no file to rename over. */
+  /* The output is a pipe or a device such as /dev/full: there is no file to replace by renaming. */
   if (exists && !S_ISREG(info.st_mode) && e->backend->render == NULL) {
     int file = open(path, O_WRONLY | O_CLOEXEC);
     bool ok = file >= 0 ? export_to_file(e, file, path, true) : export_problem(e->error, path, errno);
@@ -224,7 +224,7 @@ static bool export_named(vs_emitter *e, const char *path) {
   return ok;
 }
 
-/* Renders a picture for standard output or a sink, through a temporary file. */
+/* Renders a picture into a temporary file and copies it to standard output or a sink. */
 static bool export_render_to(vs_emitter *e, vs_sink_fn *sink, void *context) {
   char name[] = "/tmp/visualscheme-picture-XXXXXX";
   int file = mkstemp(name);

@@ -1,4 +1,4 @@
-/* Owns the export of whole drawings: the list of formats, the options of an export, and the one call that writes a
+/* Declares the export of drawings: the list of formats, the options of an export, and the functions that write a
  * file. */
 #ifndef VS_BACKENDS_EXPORT_H
 #define VS_BACKENDS_EXPORT_H
@@ -11,32 +11,32 @@
 #include "geometry/pictures/tone.h"
 #include "model/scene.h"
 
-typedef enum { VS_RENDER_GOOD, VS_RENDER_DRAFT, VS_RENDER_FINAL } vs_render_quality; /* of rendered pictures */
+typedef enum { VS_RENDER_GOOD, VS_RENDER_DRAFT, VS_RENDER_FINAL } vs_render_quality; /* quality of rendered pictures */
 
 typedef struct {
-  int width, height;  /* pixels, of pictures and pages; 0: 1024 x 768 */
-  int crop[4];        /* of a rendered picture, the part to render: left, top, columns, rows, in pixels; no columns: all
-                       * of it */
+  int width, height;  /* size of pictures and pages in pixels; 0: 1024 x 768 */
+  int crop[4];        /* part of a picture to render: left, top, columns, rows, in pixels; 0 columns: the whole
+                       * picture */
   vs_render_quality quality;
-  vs_tone tone;       /* the conversion of light to the numbers of a .png */
-  bool layers;        /* an .exr also has depth, normal, albedo, id, material and ambient occlusion */
-  const char *view;   /* of a drawing: the name of the view; "*": all views; NULL: by the file's name */
-  uint64_t byte_limit; /* the greatest size of one output; 0: no limit */
-  unsigned threads;   /* the number of processors that a worker program may use; 0: all */
-  double worker_seconds; /* the time after which a worker program is stopped; 0: never */
-  size_t mesh_bytes, mesh_triangles; /* the most memory for combining solids, and the most triangles of a mesh; 0: no
-                                      * limit */
-  const void *given;  /* the text that vs_backend_given writes in place of a drawing */
+  vs_tone tone;       /* conversion of light to the numbers of a .png */
+  bool layers;        /* whether an .exr also contains depth, normal, albedo, id, material and ambient occlusion */
+  const char *view;   /* name of the view of a drawing; "*": all views; NULL: the view that the file's name gives */
+  uint64_t byte_limit; /* greatest size of an output in bytes; 0: no limit */
+  unsigned threads;   /* number of processors that a worker program may use; 0: all processors */
+  double worker_seconds; /* time in seconds after which a worker program is stopped; 0: never */
+  size_t mesh_bytes, mesh_triangles; /* mesh_bytes: most memory for combining solids. mesh_triangles: most triangles of
+                                      * a mesh. 0: no limit */
+  const void *given;  /* text that vs_backend_given writes in place of a drawing */
   size_t given_size;
-  bool strict;        /* each warning that a format omits or changes something is an error instead */
-  bool safe;          /* limits are on: no text of the user reaches a target as directives */
-  void *context;      /* for the calls below, any of which may be NULL */
+  bool strict;        /* whether a warning that a format omits or changes an object becomes an error */
+  bool safe;          /* whether limits are set, so that no text of the user reaches a target program as directives */
+  void *context;      /* argument of the functions below, any of which may be NULL */
   /* Receives a warning that the output differs from the model, once for each reason. origin may be NULL. */
   void (*warn)(void *context, const vs_origin *origin, const char *message);
-  bool (*is_input)(void *context, const char *path); /* Returns true if path is a file that the drawing was made from:
-                                                      * it is never replaced. */
-  /* Receives the stage, "writing", "meshing" or "rendering", and the fraction from 0 to 1, or negative if it is
-   * unknown. false: stop, which is VS_ERROR_INTERRUPT. */
+  bool (*is_input)(void *context, const char *path); /* Returns true if path is an input file of the drawing, which is
+                                                      * never replaced. */
+  /* Receives the stage ("writing", "meshing" or "rendering") and the completed fraction from 0 to 1, negative if
+   * unknown. A result of false stops the export with VS_ERROR_INTERRUPT. */
   bool (*progress)(void *context, const char *stage, double fraction);
 } vs_export_options;
 
@@ -45,32 +45,33 @@ void vs_export_options_init(vs_export_options *o);
 /* ---- formats: the rows of backends.def, in its order ---- */
 typedef struct vs_backend vs_backend;
 typedef struct {
-  const char *suffix; /* without the dot: "pov" */
-  const char *name;   /* for --format: "povray" */
-  const char *doc;    /* one line */
-  const char *worker; /* the program that must be installed, or NULL */
-  bool binary;        /* not for a terminal */
+  const char *suffix; /* file suffix without the dot, such as "pov" */
+  const char *name;   /* name for --format, such as "povray" */
+  const char *doc;    /* description in one line */
+  const char *worker; /* name of the program that must be installed, or NULL */
+  bool binary;        /* whether the output is binary, and is not written to a terminal */
   const vs_backend *backend;
 } vs_format;
-extern const vs_backend vs_backend_given; /* Writes the options' `given`, a text that was made elsewhere, into a file
-                                           * that appears whole or not at all. */
+extern const vs_backend vs_backend_given; /* A back-end that writes the text options->given, made elsewhere, into a file
+                                           * that appears completely or not at all. */
 size_t vs_export_format_count(void);
 const vs_format *vs_export_format_at(size_t index);
-const vs_format *vs_export_format_find(const char *text); /* Finds "pov", ".pov", "a/b.pov" or "povray"; NULL: there is
-                                                           * no such format. */
+const vs_format *vs_export_format_find(const char *text); /* Returns the format for "pov", ".pov", "a/b.pov" or
+                                                           * "povray", or NULL if there is no such format. */
 
-const char *vs_export_family(const vs_format *format); /* Returns the name that several formats share, "povray" for
-                                                        * .png; NULL: it has only its own names. */
+const char *vs_export_family(const vs_format *format); /* Returns the name that the format shares with others ("povray"
+                                                        * for .png), or NULL if it has only its own names. */
 
-/* Replaces the kinds only, ghost, highlight and native and the user-defined kinds by their meaning for this format
+/* Replaces the kinds only, ghost, highlight, native and the user-defined kinds by their meaning for this format
  * (passes/sugar.h). Call it before the passes. */
 bool vs_export_sugar(vs_scene *scene, const vs_format *format, const vs_export_options *options, vs_error *e);
 
-/* Writes the drawing to a file, which appears whole or not at all ("-": standard output). format NULL: by the path's
- * ending. Returns false on failure, with the reason and the place in *e; nothing remains on disk. */
+/* Writes the drawing to a file, which appears completely or not at all. The path "-" is standard output. format NULL:
+ * the path's suffix selects the format. Returns false on failure, with the reason and the place in *e; no partial file
+ * remains on disk. */
 bool vs_export(const vs_scene *scene, const vs_format *format, const char *path, const vs_export_options *options,
                vs_error *e);
-/* Writes the drawing to a sink of the caller. The sink may have received a part when this fails. */
+/* Writes the drawing to a sink of the caller. After a failure, the sink may have received a part of the output. */
 bool vs_export_to(const vs_scene *scene, const vs_format *format, vs_sink_fn *sink, void *context,
                   const vs_export_options *options, vs_error *e);
 

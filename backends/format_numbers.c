@@ -1,4 +1,4 @@
-/* Owns the rounding of meshes to a format's numbers. */
+/* Implements the rounding of meshes to the numbers of a format. */
 #include "backends/format_numbers.h"
 
 #include <stdio.h>

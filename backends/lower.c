@@ -1,6 +1,8 @@
-/* Owns lowering, for formats that cannot express a node: curves become polylines, everything else becomes triangles.
+/* Implements lowering, for formats that cannot express a node. Curves become polylines; everything else becomes
+ * triangles.
  *
- * The triangles of every format come from one place: geometry/ for shapes with a formula, kernel/ for booleans. */
+ * All formats use the triangles that this file makes: geometry/ computes those of shapes with a formula, kernel/ those
+ * of booleans. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -30,7 +32,7 @@ static vs_node *lower_polyface(vs_emitter *e, const vs_mesh *m, bool closed) {
   return made;
 }
 
-/* Makes one region of polylines from a set of regions. The set has one look, given by a node around it
+/* Makes a region with polyline boundaries from a set of regions. The set has a single look, which a node around it sets
  * (passes/looks.h). */
 static vs_node *lower_region(vs_emitter *e, const vs_ref *ref) {
   vs_store *store = e->scene->store;
@@ -64,7 +66,7 @@ bool vs_lower_as_area(const vs_emitter *e, const vs_node *n) {
   return true;
 }
 
-/* Makes the part of a half-space that the drawing needs. */
+/* Makes the part of a half-space that lies in the space that the drawing uses. */
 static vs_node *lower_half_space(vs_emitter *e, const vs_ref *ref) {
   const struct vs_half_space *h = VS_AS(half_space, ref->node);
   vs_mesh m = { 0 };
@@ -75,8 +77,8 @@ static vs_node *lower_half_space(vs_emitter *e, const vs_ref *ref) {
   return made;
 }
 
-/* Makes the shape's parts, for a format that writes sets. NULL: with *fits false it is better as triangles; with *fits
- * true, memory is out. */
+/* Makes the parts of a shape, for a format that writes sets. Returns NULL and *fits false if triangles are better, NULL
+ * and *fits true if memory is out. */
 static vs_node *lower_parts(vs_emitter *e, const vs_ref *ref, bool *fits) {
   const vs_shape *shape = vs_shape_of(ref->node);
   *fits = shape != NULL && shape->parts != NULL && e->backend->emit[VS_DIFFERENCE].fn != NULL;
@@ -112,7 +114,8 @@ static vs_node *lower_node(vs_emitter *e, const vs_ref *ref) {
     return made;
   }
   case VS_SLICE: case VS_DEFORM:
-  case VS_XLINE: case VS_RAY: case VS_SECTION: case VS_PROJECT: case VS_EDGES: /* resolved before the walk */
+  case VS_XLINE: case VS_RAY: case VS_SECTION: case VS_PROJECT: case VS_EDGES: /* a pass has replaced these kinds before
+                                                                                * the walk */
   case VS_EMPTY:
   case VS_LINE:
   case VS_POLYFACE_MESH:
@@ -163,7 +166,7 @@ bool vs_lower_solids(vs_emitter *e, const vs_ref *refs, size_t count, vs_bends b
   return vs_solid_evaluate(refs, count, &e->facets, &options, out, e->error);
 }
 
-/* The destination of a drawing's solids: one of the two is NULL. */
+/* Where the solids of a drawing are put: either `one` or `many` is NULL. */
 typedef struct { vs_solid *one; vs_solid_copies *many; } lowered;
 
 /* Makes the solids of the drawing and rounds them to the format's numbers. */
@@ -189,7 +192,7 @@ static void lower_swap(lowered a, lowered b) {
   }
 }
 
-/* Lowers without bends. If triangles intersect in the result, lowers again with bends, and keeps the result with fewer
+/* Lowers without bends. If triangles of the result intersect, lowers again with bends, and keeps the result with fewer
  * intersections. */
 static bool lower_drawing(vs_emitter *e, lowered to) {
   vs_rounded what = { 0 }, bent_what = { 0 };
@@ -211,7 +214,8 @@ bool vs_lower_drawing_copies(vs_emitter *e, vs_solid_copies *out) {
   return lower_drawing(e, (lowered){ .many = out });
 }
 
-/* Lowers a primitive; keeps a result for other outputs if making it takes longer than finding it. */
+/* Lowers a primitive. Keeps the result in the cache for other outputs if making it takes longer than finding it
+ * there. */
 static bool lower_primitive(vs_emitter *e, vs_node *n, const vs_kernel_options *options, vs_mesh *out, vs_error *why) {
   vs_cache *cache = vs_store_cache(e->scene->store);
   vs_level level = vs_kind_get((vs_kind)n->kind)->level;

@@ -1,6 +1,6 @@
-/* Owns the one spelling of numbers: %.12g, without trailing zeros, plus signs and the exponent's zeros, and with a
- * point in every locale. The digits are those of kernel/exact/digits.h; whole numbers below 10^12 are written directly.
- * Numbers above 10^12 and below 10^-16 go through printf. */
+/* Implements the text of numbers in all formats: %.12g without trailing zeros, plus signs and leading zeros of the
+ * exponent. The decimal sign is a point in every locale. kernel/exact/digits.h computes the digits; whole numbers below
+ * 10^12 are written directly. Numbers above 10^12 and below 10^-16 are written by printf. */
 #include "backends/number_spelling.h"
 
 #include <math.h>
@@ -16,7 +16,7 @@ static const char pairs[] =
   "0001020304050607080910111213141516171819202122232425262728293031323334353637383940414243444546474849"
   "5051525354555657585960616263646566676869707172737475767778798081828384858687888990919293949596979899";
 
-/* Writes the last `count` digits of k so that they end before `end`. */
+/* Writes the last `count` decimal digits of k so that they end before `end`. */
 static void number_digits(char *end, uint64_t k, int count) {
   for (; count > 1; count -= 2, k /= 100) memcpy(end -= 2, pairs + 2 * (k % 100), 2);
   if (count > 0) end[-1] = (char)('0' + k % 10);
@@ -45,7 +45,7 @@ static char *number_scaled(char *to, uint64_t k, int first) {
   int count = DIGITS;
   number_digits(digits + DIGITS, k, DIGITS);
   while (count > 1 && digits[count - 1] == '0') count--;
-  if (first >= 0) { /* below 12 */
+  if (first >= 0) { /* the remaining digits, fewer than 12 */
     memcpy(to, digits, DIGITS);
     if (count <= first + 1) return to + first + 1;
     to += first + 1;
@@ -77,7 +77,7 @@ static char *number_printed(char *to, double x) {
   bool point = false;
   for (int i = 0; i < length; i++) {
     char c = text[i];
-    if (c == 'e') { /* the exponent without plus sign and leading zeros */
+    if (c == 'e') { /* writes the exponent without plus sign and leading zeros */
       *to++ = c;
       i++;
       if (text[i] == '-') *to++ = '-';
@@ -86,7 +86,7 @@ static char *number_printed(char *to, double x) {
     } else if ((c >= '0' && c <= '9') || c == '-') {
       *to++ = c;
     } else if (!point) {
-      *to++ = '.'; /* in place of the locale's decimal sign, which may have several bytes */
+      *to++ = '.'; /* replaces the locale's decimal sign, which may have several bytes */
       point = true;
     }
   }

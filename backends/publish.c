@@ -1,7 +1,7 @@
-/* Owns the two ways to make a file that appears whole: without a name until it is complete, if the system can do that
- * (Linux' O_TMPFILE), else as NAME.tmp-PID beside its target. A file without a name leaves nothing on disk even when
- * the process is killed. */
-#define _GNU_SOURCE /* O_TMPFILE */
+/* Implements the two ways to make a file that appears completely or not at all. If the system allows it (O_TMPFILE of
+ * Linux), the file has no name until it is complete. Otherwise the file is NAME.tmp-PID beside its target. A file
+ * without a name leaves nothing on disk even if the process is killed. */
+#define _GNU_SOURCE /* for O_TMPFILE */
 #include "backends/publish.h"
 #include "model/signals.h"
 
@@ -23,8 +23,8 @@ enum { NUMBER_ROOM = 40 };
 #ifdef O_TMPFILE
 static void link_name(int file, char name[NUMBER_ROOM]) { snprintf(name, NUMBER_ROOM, "/proc/self/fd/%d", file); }
 
-/* Opens a file without a name in the target's folder. Returns -1 if the file system cannot, or the system has no
- * /proc. */
+/* Opens a file without a name in the target's folder. Returns -1 if the file system cannot do this, or the system has
+ * no /proc. */
 static int open_nameless(const char *target) {
   char name[NUMBER_ROOM], *folder = strdup(target), *slash = folder ? strrchr(folder, '/') : NULL;
   if (!folder) return -1;
@@ -38,14 +38,15 @@ static int open_nameless(const char *target) {
   return -1;
 }
 
-/* Gives the file a name: the target's if no such file exists, else p->name. */
+/* Gives the file a name: the target's name if no such file exists, otherwise p->name. */
 static bool give_name(vs_publish *p, bool *done) {
   char from[NUMBER_ROOM];
   link_name(p->file, from);
   *done = linkat(AT_FDCWD, from, AT_FDCWD, p->target, AT_SYMLINK_FOLLOW) == 0;
   if (*done || errno != EEXIST) return *done;
   if (linkat(AT_FDCWD, from, AT_FDCWD, p->name, AT_SYMLINK_FOLLOW) == 0) return true;
-  if (errno != EEXIST || unlink(p->name) != 0) return false; /* from a killed process that had the same number */
+  if (errno != EEXIST || unlink(p->name) != 0) return false; /* the existing file is from a killed process that had the
+                                                              * same process number */
   return linkat(AT_FDCWD, from, AT_FDCWD, p->name, AT_SYMLINK_FOLLOW) == 0;
 }
 #else
@@ -53,15 +54,15 @@ static int open_nameless(const char *target) { return (void)target, -1; }
 static bool give_name(vs_publish *p, bool *done) { return (void)p, *done = false; }
 #endif
 
-/* Returns the end of the chain of symbolic links at path: the file there is replaced, and the links remain. The file
- * need not exist. The caller frees the text; NULL: errno has the reason. */
+/* Returns the end of the chain of symbolic links at path. The export replaces the file there, and the links remain. The
+ * file need not exist. The caller frees the text. Returns NULL on failure, with the reason in errno. */
 static char *end_of_links(const char *path) {
   enum { LINKS_MOST = 40 };
   char *at = strdup(path);
   for (int links = 0; at; links++) {
     char to[4096];
     ssize_t length = readlink(at, to, sizeof to - 1);
-    if (length < 0) return at; /* no link */
+    if (length < 0) return at; /* `at` is not a link */
     const char *slash = strrchr(at, '/');
     size_t folder = slash && to[0] != '/' ? (size_t)(slash + 1 - at) : 0;
     bool good = links < LINKS_MOST && (size_t)length < sizeof to - 1;
@@ -75,7 +76,8 @@ static char *end_of_links(const char *path) {
   return NULL;
 }
 
-/* Returns NAME.tmp-PID. A name that is too long for this is cut, and a hash distinguishes it from others. */
+/* Returns the name NAME.tmp-PID. A name that would be too long is cut, and a hash distinguishes it from other cut
+ * names. */
 static char *name_beside(const char *target) {
   enum { NAME_MOST = 255, CUT = 160 };
   const char *slash = strrchr(target, '/'), *base = slash ? slash + 1 : target;
@@ -83,7 +85,7 @@ static char *name_beside(const char *target) {
   if (strlen(base) + NUMBER_ROOM <= NAME_MOST)
     return asprintf(&name, "%s.tmp-%ld", target, (long)getpid()) < 0 ? NULL : name;
   size_t kept = CUT;
-  while (kept > 0 && ((unsigned char)base[kept] & 0xC0) == 0x80) kept--; /* cut between characters of UTF-8 */
+  while (kept > 0 && ((unsigned char)base[kept] & 0xC0) == 0x80) kept--; /* a cut must not split a character of UTF-8 */
   uint32_t hash = 2166136261u;
   for (const char *c = base; *c; c++) hash = (hash ^ (unsigned char)*c) * 16777619u;
   int length = asprintf(&name, "%.*s-%08" PRIx32 ".tmp-%ld", (int)((size_t)(base - target) + kept), target, hash,
@@ -100,7 +102,7 @@ void vs_publish_clear(const char *folder) {
   rmdir(folder);
 }
 
-enum { YOUNG = 10 /* seconds */ };
+enum { YOUNG = 10 /* the age in seconds up to which a file counts as new */ };
 
 /* Removes the entry if the process that made it has ended. */
 static void sweep_one(DIR *d, const char *folder, const char *name) {
@@ -127,7 +129,7 @@ void vs_publish_sweep(const char *folder, const char *beginning, const char *end
   if (d) closedir(d);
 }
 
-/* Removes earlier files beside the same target, NAME.tmp-PID, of killed processes. */
+/* Removes the files NAME.tmp-PID that killed processes left beside the same target. */
 static void sweep_siblings(const vs_publish *p) {
   const char *slash = strrchr(p->name, '/'), *base = slash ? slash + 1 : p->name;
   char *folder = slash ? strndup(p->name, (size_t)(slash - p->name) + 1) : strdup(".");
@@ -156,8 +158,9 @@ bool vs_publish_begin(vs_publish *p, const char *path, bool named) {
   return false;
 }
 
-/* Gives a nameless file a name and at once the target's, so that a process killed in between hardly ever leaves the
- * first. Returns 0, or the errno of the failed call. Such files are local: closing them later reports no new error. */
+/* Gives a nameless file the name p->name, and renames it at once to the target, so that a process killed in between
+ * very rarely leaves p->name. Returns 0, or the errno of the call that failed. Nameless files are on local disks, so
+ * closing them later reports no new error. */
 static int place_nameless(vs_publish *p) {
   bool done = false;
   if (!give_name(p, &done)) return errno;
@@ -170,7 +173,7 @@ static int place_nameless(vs_publish *p) {
 bool vs_publish_end(vs_publish *p, bool whole) {
   int problem = 0;
   sigset_t was;
-  vs_signals_hold(&was); /* no signal ends the process between naming and renaming */
+  vs_signals_hold(&was); /* no signal can end the process between naming and renaming */
   if (whole && p->nameless) problem = place_nameless(p);
   if (close(p->file) != 0 && !problem) problem = errno;
   if (!p->nameless && whole && !problem && rename(p->name, p->target) != 0) problem = errno;

@@ -1,10 +1,10 @@
-/* Owns the keeping of text that is written again. See reuse.h. */
+/* Implements the keeping of text for later exports. See reuse.h. */
 #include "backends/reuse.h"
 
 enum {
-  MOST_WORDS = 1 << 22, /* the longest key: 32 MB, a mesh of a million corners */
-  MOST_TEXT = 1 << 26,  /* bytes of the longest run */
-  LEAST_TEXT = 1024     /* writing a shorter text is faster than keeping it */
+  MOST_WORDS = 1 << 22, /* the longest key in words of 8 bytes: 32 MB, enough for a mesh of a million corners */
+  MOST_TEXT = 1 << 26,  /* the longest text of a run, in bytes */
+  LEAST_TEXT = 1024     /* the shortest text that is kept, in bytes: writing a shorter text again is faster */
 };
 
 /* ---- keys ---- */
@@ -26,9 +26,9 @@ void vs_reuse_put_reals(vs_reuse *r, const double *reals, size_t count) {
   r->count += count;
 }
 
-/* The same for one field, which has too few reals for a call of memcpy. */
+/* Puts the reals of a single field into the key. A loop is faster than memcpy for so few. */
 static void put_few(vs_reuse *r, const double *reals, size_t count) {
-  if (!vs_reuse_room(r, count)) return; /* an array before it may have filled the room to the last word */
+  if (!vs_reuse_room(r, count)) return; /* an array put before may have filled the last word of the room */
   uint64_t *to = r->words + r->count;
   for (size_t i = 0; i < count; i++) memcpy(&to[i], &reals[i], sizeof *to);
   r->count += count;
@@ -42,8 +42,8 @@ static void put_bytes(vs_reuse *r, const void *bytes, size_t size) {
   r->count += words;
 }
 
-/* Puts a payload into the key. The store interns texts and materials and outlives the cache, so their addresses
- * identify them. */
+/* Puts the values of a node into the key. The store keeps a single copy of equal texts and materials and outlives the
+ * cache. Their addresses therefore identify them. */
 void vs_reuse_put_payload(vs_reuse *r, const vs_kind_info *info, const void *data) {
   for (size_t i = 0; i < info->field_count; i++) {
     const void *at = (const char *)data + info->fields[i].offset;
@@ -53,7 +53,8 @@ void vs_reuse_put_payload(vs_reuse *r, const vs_kind_info *info, const void *dat
       continue;
     }
     switch (info->fields[i].type) {
-    case VS_FIELD_real: case VS_FIELD_point: case VS_FIELD_vector: case VS_FIELD_affine: break; /* above */
+    case VS_FIELD_real: case VS_FIELD_point: case VS_FIELD_vector: case VS_FIELD_affine: break; /* already put into the
+                                                                                                 * key above */
     case VS_FIELD_integer: vs_reuse_put(r, (uint64_t)(int64_t)*(const vs_field_integer *)at); break;
     case VS_FIELD_boolean: vs_reuse_put(r, *(const vs_field_boolean *)at); break;
     case VS_FIELD_points: {
@@ -70,8 +71,7 @@ void vs_reuse_put_payload(vs_reuse *r, const vs_kind_info *info, const void *dat
     }
     case VS_FIELD_text: vs_reuse_put(r, (uintptr_t)*(const vs_field_text *)at); break;
     case VS_FIELD_material: vs_reuse_put(r, (uintptr_t)*(const vs_field_material *)at); break;
-    case VS_FIELD_ticket: r->unfit = true; break; /* a number of the running program, which the program uses again for
-                                                   * other objects */
+    case VS_FIELD_ticket: r->unfit = true; break; /* a number that the running program uses again for other objects */
     }
   }
 }
@@ -102,8 +102,8 @@ void vs_reuse_put_number(vs_reuse *r, vs_number_kind kind, uint32_t number) {
   vs_reuse_put(r, l->local);
 }
 
-/* ---- the form of kept text: a header, the text, numbers in it, lines, warnings; each aligned to 16 bytes (cache.c)
- * ---- */
+/* ---- the layout of kept text: a header, the text, the positions of numbers in it, lines, warnings; each aligned to 16
+ * bytes (cache.c) ---- */
 
 typedef struct { uint64_t size, slots, lines, said, triangles; } header;
 

@@ -1,6 +1,6 @@
-/* Owns the normals of triangle corners. A corner's normal is the mean over the faces around its vertex whose angle to
- * the corner's own face is less than the crease, each weighted by its angle at the vertex. Equal normals at a vertex
- * share an entry. */
+/* Computes the normals of triangle corners. A corner's normal is a mean over the faces around its vertex, each weighted
+ * by its angle at the vertex. The mean includes only the faces whose angle to the corner's own face is less than the
+ * crease. Equal normals at a vertex share an entry. */
 #include "backends/shade.h"
 
 #include <math.h>
@@ -25,14 +25,16 @@ static double shade_angle(const vs_vec3 *v, const uint32_t t[3], int corner) {
   return acos(fmax(-1, fmin(1, vs_v3_dot(a, b))));
 }
 
-/* The faces, and the arrays needed while their normals are made. The memory functions of `out` hold all of them. */
+/* The faces, and the arrays used while their normals are computed. The memory functions of `out` allocate all of
+ * them. */
 typedef struct {
   const vs_shade_faces *of;
   vs_shading *out;
-  double least;               /* the least cosine between the normals of two faces that are smooth with each other */
-  vs_vec3 *faces;             /* a triangle's unit normal */
-  double *angles;             /* at each corner */
-  uint32_t *starts, *around;  /* the corners round vertex v are around[starts[v]] to around[starts[v + 1] - 1] */
+  double least;               /* cosine of the crease: faces are smooth with each other if the cosine between their
+                               * normals is at least this */
+  vs_vec3 *faces;             /* faces[t]: unit normal of triangle t */
+  double *angles;             /* angle of each triangle at each of its corners */
+  uint32_t *starts, *around;  /* the corners around vertex v are around[starts[v]] to around[starts[v + 1] - 1] */
 } shade_work;
 
 static void *shade_take(const vs_shading *s, size_t bytes) { return s->memory(s->context, NULL, 0, bytes); }
@@ -79,7 +81,8 @@ static void shade_vertex(const shade_work *w, size_t v) {
     }
     vs_vec3 normal = shade_unit(sum);
     if (vs_v3_length(normal) < 0.5) normal = own;
-    if (vs_v3_length(normal) < 0.5) normal = vs_v3(0, 0, 1); /* a needle, which has no normal of its own */
+    if (vs_v3_length(normal) < 0.5) normal = vs_v3(0, 0, 1); /* a needle: a triangle so thin that it has no normal of
+                                                              * its own */
     size_t at = first_normal;
     while (at < out->normal_count && vs_v3_dot(out->normals[at], normal) < 1 - 1e-9) at++;
     if (at == out->normal_count) out->normals[out->normal_count++] = normal;
@@ -87,7 +90,7 @@ static void shade_vertex(const shade_work *w, size_t v) {
   }
 }
 
-/* Frees the unused room: most corners share their normals. */
+/* Frees the unused part of the arrays: most corners share their normals. */
 static void shade_trim(vs_shading *s) {
   size_t room = s->normal_count + 1;
   vs_vec3 *less = s->memory(s->context, s->normals, s->normal_room * sizeof *less, room * sizeof *less);
@@ -109,7 +112,8 @@ static bool shade_measure(vs_emitter *e, shade_work *w) {
   return true;
 }
 
-/* Sorts the corners by their vertices. starts[v + 1] begins as v's first corner, and moves to its end. */
+/* Sorts the corners by their vertices. starts[v + 1] begins as the position of v's first corner, and moves to the
+ * position after its last corner. */
 static void shade_gather(shade_work *w) {
   for (size_t i = 2; i < w->of->vertex_count + 2; i++) w->starts[i] += w->starts[i - 1];
   for (size_t c = 0; c < 3 * w->of->triangle_count; c++)

@@ -1,6 +1,6 @@
-/* Owns the shapes that a format writes once for many places: unit forms by their facets in a full turn, and the
- * triangles of a node. The triangles are relative to their own centre, since a viewer's 32-bit numbers are finest near
- * zero. */
+/* Declares the shapes that a format writes once for many places: unit forms with a given number of facets, and the
+ * triangles of a node. The triangles are relative to the centre of the node's bounds. A viewer's 32-bit numbers are
+ * finest near zero. */
 #ifndef VS_BACKENDS_SHARED_SHAPES_H
 #define VS_BACKENDS_SHARED_SHAPES_H
 
@@ -8,41 +8,46 @@
 #include "geometry/shapes/unit_forms.h"
 #include "model/store/nodemap.h"
 
-typedef struct { uint32_t number; vs_vec3 middle; } vs_shared_node; /* a node's shape, and the centre of its bounds */
+typedef struct { uint32_t number; vs_vec3 middle; } vs_shared_node; /* A node's shape: its number, and the centre of the
+                                                                     * node's bounds. */
 
 typedef struct {
-  struct { uint32_t *at; size_t room; } units[VS_UNIT_COUNT]; /* at[facets in a full turn]: the number of the shape + 1,
-                                                               * or 0 */
-  vs_nodemap nodes;           /* node -> its index in `made` + 1 */
+  struct { uint32_t *at; size_t room; } units[VS_UNIT_COUNT]; /* units[u].at[f]: number of the shape of unit form u
+                                                               * with f facets in a full turn, + 1; 0: there is no
+                                                               * such shape */
+  vs_nodemap nodes;           /* maps a node to its index in `made` + 1 */
   vs_shared_node *made;
   size_t made_count, made_room;
-} vs_shared_shapes;           /* { .nodes.store = s } is empty */
+} vs_shared_shapes;           /* an empty value is { .nodes.store = s } */
 
 void vs_shared_free(vs_emitter *e, vs_shared_shapes *s);
 
-/* Writes a shape with normals for that crease, in radians, and sets its number. Fails with e's error set. */
+/* Writes a shape with normals for the given crease, in radians, and sets the shape's number. Returns false, with e's
+ * error set, on failure. */
 typedef bool vs_shared_write(vs_emitter *e, const vs_solid *form, double crease, uint32_t *number);
-/* Sets the number of the unit form that `copy` places. Calls `write` if it is the first with its facets. Fails with e's
- * error set. */
+/* Sets the number of the unit form that `copy` places. Calls `write` if no such form with this number of facets was
+ * written. Returns false, with e's error set, on failure. */
 bool vs_shared_unit(vs_emitter *e, vs_shared_shapes *s, const vs_unit_copy *copy, vs_shared_write *write,
                     uint32_t *number);
 
-/* The place of a node's shape, at e's placement. */
+/* Where a node's shape is placed, under e's placement. */
 typedef struct {
-  bool shared;                /* it serves every place; else it is made for this one */
-  bool written;               /* the shape has its number; else vs_shared_keep gives it one */
+  bool shared;                /* whether the shape serves all places of the node; otherwise it is made for this place
+                               * only */
+  bool written;               /* whether the shape already has its number; otherwise vs_shared_keep sets it */
   uint32_t number;
-  vs_vec3 middle;             /* the centre of the node's bounds */
-  vs_affine home;             /* from the node to the shape */
-  vs_affine there;            /* from the shape to the coordinates of the output */
+  vs_vec3 middle;             /* centre of the node's bounds */
+  vs_affine home;             /* placement from the node's coordinates to the shape's */
+  vs_affine there;            /* placement from the shape's coordinates to the output's */
 } vs_shared_place;
 
-/* Finds the place of n's shape. shared: one shape may serve all places of n. Fails with e's error set. */
+/* Computes the place of n's shape. shared: a single shape may serve all places of n. Returns false, with e's error set,
+ * on failure. */
 bool vs_shared_find(vs_emitter *e, const vs_shared_shapes *s, const vs_node *n, bool shared, vs_shared_place *out);
-/* Keeps the number of a written shape for the node's other places. Fails when memory is out. */
+/* Keeps the number of a written shape for the node's other places. Returns false if memory is out. */
 bool vs_shared_keep(vs_emitter *e, vs_shared_shapes *s, vs_node *n, vs_shared_place *place, uint32_t number);
 
-/* Returns the centre of a polyline's bounds at e's placement. */
+/* Returns the centre of a polyline's bounds under e's placement. */
 vs_vec3 vs_shared_line_middle(const vs_emitter *e, const struct vs_line *l);
 
 #endif

@@ -1,17 +1,17 @@
-/* Owns spans. See spans.h. */
+/* Implements the writing of many items by several threads. See spans.h. */
 #include "backends/spans.h"
 
 #include "kernel/memory.h"
 #include "kernel/threads.h"
 
-enum { SPAN = 1 << 16 /* bytes */, TESTS = 1 << 14, SERIAL = 1 << 12 /* fewer items do not pay for a thread */ };
+enum { SPAN = 1 << 16 /* bytes in a span */, TESTS = 1 << 14, SERIAL = 1 << 12 /* with fewer items: one thread */ };
 
 typedef struct {
   vs_writer *writer;
   vs_span_fn *fn;
   vs_span_test_fn *test;
   const void *context;
-  size_t count, items; /* items: the number in a span */
+  size_t count, items; /* count: number of all items. items: number of items in a span */
   _Atomic size_t sum;
   struct { char *at, *end; size_t room; } made[VS_PIPELINE_WINDOW];
 } spans;

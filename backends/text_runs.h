@@ -1,4 +1,4 @@
-/* Owns the interface of text_runs.c: the runs of a drawing whose text is kept. */
+/* Declares the runs of a drawing whose text is kept (text_runs.c). */
 #ifndef VS_BACKENDS_TEXT_RUNS_H
 #define VS_BACKENDS_TEXT_RUNS_H
 
@@ -7,23 +7,23 @@
 void vs_drive_find_short(vs_drive *d); /* sets brief and facets_at */
 void vs_drive_weigh(vs_emitter *e); /* sets the weights of the entries, after the plan */
 
-/* The neighbours among which the driver looks for runs: operands, or the drawn objects. */
+/* The row of neighbours among which the driver searches for runs: operands, or the drawn objects. */
 typedef struct {
-  const vs_node *parent; /* the operation; NULL: the drawing itself */
+  const vs_node *parent; /* operation that contains the neighbours; NULL: the drawing itself */
   const vs_ref *refs;
   size_t count;
-  bool body;             /* the only reference is a template's, and its contents are meant */
+  bool body;             /* whether the row is a single reference to a template, whose contents form the run */
 } vs_run_row;
 
 typedef struct {
-  size_t until;          /* the run ends before that neighbour */
-  size_t shown;          /* the number of nodes in it that are not vain */
-  bool found;            /* its text has been written */
+  size_t until;          /* index of the neighbour before which the run ends */
+  size_t shown;          /* number of nodes in the run that draw something */
+  bool found;            /* whether the kept text of the run has been written */
 } vs_run;
 
-/* Finds the run of the row that begins with neighbour `from`, and writes its text if that was kept. A run without
- * kept text stays open until vs_drive_run_end if it is worth keeping. Fails with e's error set; run->until is set
- * even then. */
+/* Finds the run of the row that begins at neighbour `from`, and writes its text if that was kept. Otherwise a run that
+ * is worth keeping remains open until vs_drive_run_end. Returns false, with e's error set, on failure; run->until is
+ * set even then. */
 bool vs_drive_run(vs_emitter *e, const vs_run_row *row, size_t from, vs_run *run);
 void vs_drive_run_end(vs_emitter *e);
 

@@ -1,9 +1,10 @@
-/* Owns the camera's framing and the sun's place. See view.h.
+/* Computes the camera's framing and the place of the sun. See view.h.
  *
- * Framing: the view's axes are fixed (right r, up u, forward f), and each corner of the bounds limits the eye from two
- * sides. A corner at (x, y, z) along the axes is inside the picture if |x - ex| <= (z + D) t, with t the tangent of
- * half the angle. The greatest x - z t and -x - z t over the corners give the smallest distance D together with the
- * eye's shift ex. The same computation for y gives another D, and the camera takes the greater. */
+ * Framing: the directions of the view are fixed (right r, up u, forward f). Each corner of the bounds limits the
+ * position of the eye from two sides. A corner with the coordinates (x, y, z) along r, u, f is inside the picture if |x
+ * - ex| <= (z + D) t. Here t is the tangent of half the angle, D the distance of the eye, and ex its shift along r. The
+ * maxima of x - z t and of -x - z t over the corners determine the smallest D, and its ex. The same computation for y
+ * gives another D. The camera uses the greater D. */
 #include "backends/view.h"
 
 #include <math.h>
@@ -59,7 +60,7 @@ static void look_frame(vs_look *l, const vs_bounds *b, const vs_bounds *boxes, s
 
 vs_look vs_look_find(const vs_scene *scene, const vs_bounds *bounds, const vs_bounds *boxes, size_t box_count,
     double aspect) {
-  const double film = 36; /* mm: the width of a 35 mm picture */
+  const double film = 36; /* the width of a 35 mm film in mm */
   vs_look l = { .angle = 2 * atan(film / 2 / 45) };
   vs_vec3 up = vs_v3(0, 0, 1), north = vs_v3(0, 1, 0);
   switch (scene->view) {
@@ -98,8 +99,8 @@ vs_vec3 vs_look_sun(const vs_scene *scene, const vs_look *look) {
     return vs_v3(sin(azimuth) * cos(altitude), cos(azimuth) * cos(altitude), sin(altitude));
   }
   if (vs_look_sun_is_pictured(scene)) return scene->picture_sun;
-  /* The sun is towards the viewer and to the left of the line of sight; seen from above, at the upper left as on
-   * maps. */
+  /* The sun is on the viewer's side of the model, and to the left of the line of sight. In a view from above, the sun
+   * is at the upper left, as on maps. */
   vs_vec3 near = vs_v3(-look->forward.x, -look->forward.y, 0), left = vs_v3(-look->right.x, -look->right.y, 0);
   if (vs_v3_length(near) < 0.2) near = vs_v3(look->up.x, look->up.y, 0);
   vs_vec3 across = look_unit(vs_v3_add(vs_v3_scale(look_unit(near), 0.62), vs_v3_scale(look_unit(left), 0.78)));
@@ -118,7 +119,7 @@ vs_look_line vs_look_ray(const vs_look *look, uint32_t columns, uint32_t rows, u
   }
   double half = look->parallel ? look->width / 2 : tan(look->angle / 2);
   vs_vec3 ahead = look->forward, up = look->up;
-  if (look->upright && !look->parallel) { /* the picture's plane is vertical */
+  if (look->upright && !look->parallel) { /* the picture plane is vertical */
     vs_vec3 level = vs_v3_unit(vs_v3(look->forward.x, look->forward.y, 0));
     ahead = vs_v3_scale(look->forward, 1 / vs_v3_dot(look->forward, level)), up = vs_v3(0, 0, 1);
   }

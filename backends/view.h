@@ -1,4 +1,5 @@
-/* Owns the view of a drawing: the camera, framed to show everything, and the sun's place. All formats use it. */
+/* Declares the view of a drawing: the camera, which shows the whole drawing, and the place of the sun. All formats use
+ * it. */
 #ifndef VS_BACKENDS_VIEW_H
 #define VS_BACKENDS_VIEW_H
 
@@ -6,31 +7,32 @@
 
 typedef struct {
   vs_vec3 eye, target;
-  vs_vec3 right, up, forward; /* unit, orthogonal */
+  vs_vec3 right, up, forward; /* unit vectors at right angles to each other */
   bool parallel;
-  double angle;               /* horizontal field of view, radians; perspective. For a panorama, that of formats that
-                               * cannot show one */
-  double width;               /* of the visible rectangle, model units; parallel */
-  bool upright;               /* perspective: the picture's plane is vertical, the target is in its centre */
-  bool panorama;              /* a full turn about the eye, forward level and in the centre: equal angles have equal
-                               * lengths */
+  double angle;               /* horizontal field of view of a perspective, in radians. For a panorama: the field of
+                               * view in formats that cannot show panoramas */
+  double width;               /* width of the visible rectangle of a parallel view, in model units */
+  bool upright;               /* whether the picture plane of a perspective is vertical, with the target in the centre
+                               * of the picture */
+  bool panorama;              /* whether the picture is a full turn around the eye, with forward horizontal and in the
+                               * centre. Equal angles have equal lengths */
 } vs_look;
 
-/* aspect: width divided by height of the picture. bounds: of the drawing; the look is centred on them. boxes: of its
- * parts, at least one. */
+/* Returns the look that shows the drawing. aspect: width of the picture divided by its height. bounds: bounds of the
+ * drawing, on whose centre the look is centred. boxes: bounds of its parts, at least one box. */
 vs_look vs_look_find(const vs_scene *scene, const vs_bounds *bounds, const vs_bounds *boxes, size_t box_count,
     double aspect);
-/* A line of sight. The direction has length 1 along the look's forward; in a panorama its own length is 1. */
+/* A line of sight. Its direction has component 1 along the look's forward; in a panorama it is a unit vector. */
 typedef struct { vs_vec3 from, direction; } vs_look_line;
-/* Returns the line of sight through the middle of a pixel, counted from 0 at the upper left. */
+/* Returns the line of sight through the centre of a pixel. Columns and rows count from 0 at the upper left. */
 vs_look_line vs_look_ray(const vs_look *look, uint32_t columns, uint32_t rows, uint32_t column, uint32_t row);
-/* Returns the vertical angle of a panorama, radians. Its pixels are square, unless they would reach past straight up
- * and down. */
+/* Returns the vertical angle of a panorama in radians. Its pixels are square, unless the angle would then exceed half a
+ * turn. */
 double vs_look_height(uint32_t columns, uint32_t rows);
-/* Returns true if the sun is that of the sky's picture. A sun that the program sets has precedence. */
+/* Returns true if the sun's direction comes from the sky's picture. A sun that the program sets has precedence. */
 bool vs_look_sun_is_pictured(const vs_scene *scene);
-/* Returns the unit vector towards the sun. If neither the scene nor its sky's picture has a sun, it is a good one for
- * this look: over the viewer's left shoulder. */
+/* Returns the unit vector towards the sun. If neither the scene nor its sky's picture has a sun, the sun is behind the
+ * viewer's left shoulder. */
 vs_vec3 vs_look_sun(const vs_scene *scene, const vs_look *look);
 
 #endif

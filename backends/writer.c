@@ -1,4 +1,4 @@
-/* Owns the writer. See writer.h. */
+/* Implements the writer of text. See writer.h. */
 #include "backends/writer.h"
 
 #include <stdarg.h>
@@ -57,10 +57,11 @@ bool vs_writer_filled(vs_writer *w, const char *end) {
 
 bool vs_put(vs_writer *w, const void *bytes, size_t count) {
   if (w->failed) return false;
-  if (count == 0) return true; /* bytes may be NULL then */
+  if (count == 0) return true; /* bytes may be NULL if count is 0 */
   if (!writer_counts(w, count)) return false;
-  if (count >= VS_WRITER_ROOM / 2 && w->tap == NULL && !w->keeps_lines) { /* a large block goes past the buffer, if
-                                                                           * nobody taps it and lines are not counted */
+  if (count >= VS_WRITER_ROOM / 2 && w->tap == NULL && !w->keeps_lines) { /* a large block is written directly to the
+                                                                           * sink if there is no tap and lines are not
+                                                                           * counted */
     if (!vs_writer_flush(w)) return false;
     if (!w->sink(w->context, bytes, count)) w->failed = true;
     return !w->failed;

@@ -1,9 +1,9 @@
-/* Owns the output of text: a buffered writer over any sink, numbers in their one spelling (number_spelling.c),
- * indentation, line counting.
+/* Declares the output of text: a buffered writer to any sink, with numbers (number_spelling.c), indentation and a count
+ * of lines.
  *
- * A writer remembers its first failure; each later call does nothing and returns false, so an emitter may print freely
- * and check once. Numbers are the shortest text of at most 12 significant digits, with a point as decimal sign in every
- * locale, never -0. */
+ * A writer remembers its first failure. Each later call does nothing and returns false, so an emitter may print freely
+ * and check once. A number is the shortest text of at most 12 significant digits. Its decimal sign is a point in every
+ * locale, and -0 is written as 0. */
 #ifndef VS_BACKENDS_WRITER_H
 #define VS_BACKENDS_WRITER_H
 
@@ -15,7 +15,8 @@
 #include "model/characters.h"
 #include "model/vec.h"
 
-typedef bool vs_sink_fn(void *context, const void *bytes, size_t count); /* Returns false on failure; the sink keeps the
+typedef bool vs_sink_fn(void *context, const void *bytes, size_t count); /* Accepts `count` bytes. Returns false on
+                                                                          * failure; the sink's context keeps the
                                                                           * reason. */
 
 enum { VS_WRITER_ROOM = 1 << 16, VS_NUMBER_ROOM = 32 };
@@ -24,16 +25,16 @@ typedef struct {
   vs_sink_fn *sink;
   void *context;
   size_t used;
-  uint64_t bytes;  /* written and buffered: the size up to now */
-  uint64_t limit;  /* the most bytes; 0: no limit */
-  size_t counted;  /* bytes of the buffer whose newlines are counted in `line` */
-  uint32_t line;   /* vs_writer_line, up to `counted` */
-  bool failed, full; /* full: it failed since it reached the limit */
-  bool keeps_lines;  /* the caller uses vs_writer_line */
-  bool (*going)(void *context); /* called each time the buffer is full. false: the writer fails, and the context keeps
-                                 * the reason. NULL: it never fails */
+  uint64_t bytes;  /* number of bytes written up to now, including the buffered bytes */
+  uint64_t limit;  /* greatest number of bytes; 0: no limit */
+  size_t counted;  /* number of bytes in the buffer whose newlines `line` includes */
+  uint32_t line;   /* result of vs_writer_line for the first `counted` bytes */
+  bool failed, full; /* failed: whether a call has failed. full: whether the reason was the limit */
+  bool keeps_lines;  /* whether the caller uses vs_writer_line */
+  bool (*going)(void *context); /* called each time the buffer is full. If it returns false, the writer fails, and the
+                                 * context keeps the reason. NULL: never called */
   void *going_context;
-  /* receives a copy of the bytes that leave the buffer, from tap_from on; NULL: nobody does */
+  /* receives a copy of the bytes that leave the buffer, from position tap_from on; NULL: never called */
   void (*tap)(void *context, const void *bytes, size_t count);
   void *tap_context;
   size_t tap_from;
@@ -42,40 +43,45 @@ typedef struct {
 
 void vs_writer_init(vs_writer *w, vs_sink_fn *sink, void *context);
 bool vs_writer_flush(vs_writer *w);
-uint32_t vs_writer_line(vs_writer *w); /* Returns the number of the current line, from 1; for a writer with
+uint32_t vs_writer_line(vs_writer *w); /* Returns the number of the current line, from 1. Only for a writer with
                                         * keeps_lines. */
 
-/* Returns room for `most` bytes (at most VS_WRITER_ROOM) in the buffer, for items that are written a million times; the
- * caller fills it from there and passes the end to vs_writer_filled. NULL: the writer has failed. */
+/* Returns room for `most` bytes (at most VS_WRITER_ROOM) in the buffer, for items that are written a million times. The
+ * caller fills the room and passes its end to vs_writer_filled. Returns NULL if the writer has failed. */
 static inline char *vs_writer_room(vs_writer *w, size_t most) {
   if (w->failed || (VS_WRITER_ROOM - w->used < most && !vs_writer_flush(w))) return NULL;
   return w->buffer + w->used;
 }
 bool vs_writer_filled(vs_writer *w, const char *end);
 #define VS_WRITE(to, literal) (memcpy(to, literal, sizeof literal - 1), (to) += sizeof literal - 1) /* writes a literal
-                                                                                                     * into such room */
+                                                                                                     * into the room
+                                                                                                     * that
+                                                                                                     * vs_writer_room
+                                                                                                     * returned */
 
-bool vs_put(vs_writer *w, const void *bytes, size_t count); /* bytes of any value */
+bool vs_put(vs_writer *w, const void *bytes, size_t count); /* writes bytes of any value */
 bool vs_puts(vs_writer *w, const char *text);
-/* As printf, for short texts without doubles: names, integers, fixed words. A text longer than 1 KB is a failure. */
+/* Writes formatted text as printf does. For short texts without doubles: names, integers, fixed words. Fails for a text
+ * longer than 1 KB. */
 bool vs_putf(vs_writer *w, const char *format, ...) __attribute__((format(printf, 2, 3)));
 bool vs_put_number(vs_writer *w, double x);
-/* such as <1, 2, 3> */
+/* writes three numbers, such as <1, 2, 3> */
 bool vs_put_triple(vs_writer *w, const char *open, vs_vec3 v, const char *between, const char *close);
 bool vs_put_spaces(vs_writer *w, size_t count);
-bool vs_put_u32(vs_writer *w, uint32_t x); /* decimal digits */
-bool vs_put_base64(vs_writer *w, const unsigned char *bytes, size_t count); /* ends in = if count is no multiple of 3 */
-/* Writes a text of the user or of a file, escaped by the notation's speller. */
+bool vs_put_u32(vs_writer *w, uint32_t x); /* writes decimal digits */
+bool vs_put_base64(vs_writer *w, const unsigned char *bytes, size_t count); /* writes base64; the text ends in = if
+                                                                             * count is not a multiple of 3 */
+/* Writes a text of the user or of a file, escaped by the speller of the notation. */
 void vs_put_spelled(vs_writer *w, vs_speller *spell, const char *text);
-void vs_put_xml(vs_writer *w, const char *text); /* escaped for XML and HTML, in attributes too */
-/* Little-endian bytes, as in the binary formats; each returns the position after them. */
+void vs_put_xml(vs_writer *w, const char *text); /* escapes text for XML and HTML, including attributes */
+/* Write little-endian bytes, as binary formats require. Each function returns the position after them. */
 static inline unsigned char *vs_le_u32(unsigned char *to, uint32_t x) {
   to[0] = (unsigned char)x, to[1] = (unsigned char)(x >> 8), to[2] = (unsigned char)(x >> 16),
   to[3] = (unsigned char)(x >> 24);
   return to + 4;
 }
-static inline unsigned char *vs_le_float(unsigned char *to, double x) { /* 32 bits; never -0 */
-  float number = (float)x + 0.0f; /* + 0: -0 becomes 0 */
+static inline unsigned char *vs_le_float(unsigned char *to, double x) { /* writes a 32-bit float; -0 becomes 0 */
+  float number = (float)x + 0.0f; /* adding 0 turns -0 into 0 */
   uint32_t bits;
   memcpy(&bits, &number, sizeof bits);
   return vs_le_u32(to, bits);

@@ -1,7 +1,7 @@
-/* Owns the measure of handing a drawing's meshes to a host, by the public header alone: handover FILE [OUT]
- * One line: meshes, places, triangles at all places, MB of the library's arrays, processor seconds from the drawing to
- * the last mesh, seconds of the host's own copy of it all, MB that the library's memory grew by, seconds of a second
- * round in which nothing changed. OUT: the meshes as numbers, for handover_occt.cc. */
+/* Measures the transfer of a drawing's meshes to a host, with the public header alone: handover FILE [OUT] It prints a
+ * line: meshes, places, triangles at all places, MB of the library's arrays, processor seconds from the drawing to the
+ * last mesh, seconds of the host's own copy of everything, MB by which the library's memory grew, seconds of a second
+ * round in which nothing changed. OUT: file for the meshes as numbers, for handover_occt.cc. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -21,7 +21,7 @@ static void *take(void *context, void *old, size_t old_size, size_t new_size) {
 
 static double seconds(void) { return (double)clock() / CLOCKS_PER_SEC; }
 
-/* Copies `bytes` bytes as a host would keep them. Returns their number. */
+/* Copies `bytes` bytes as a host would keep them. Returns the number of bytes. */
 static size_t keep(void **to, const void *from, size_t bytes) {
   *to = bytes ? malloc(bytes) : NULL;
   if (*to) memcpy(*to, from, bytes);
@@ -36,7 +36,7 @@ static bool write_mesh(FILE *to, const vs_mesh_info *m) {
          fwrite(m->places, sizeof *m->places, m->place_count, to) == m->place_count;
 }
 
-/* Writes the meshes as numbers, instead of the measure. */
+/* Writes the meshes as numbers, in place of the measurements. */
 static int write_all(vs_scheme *s, const char *path) {
   FILE *to = fopen(path, "wb");
   bool ok = to && vs_meshes_begin(s, NULL) == VS_OUTCOME_DONE;

@@ -1,8 +1,8 @@
-/* Owns one measurement: `measure RUNS COMMAND ARGUMENT...` runs the command RUNS times, one after the other, and writes
- * one line: the median of its processor time (user and system) in milliseconds, the median of its elapsed time, and its
- * largest resident memory in kilobytes. The command's output goes where ours goes, from the first run alone. Exit 1 if
- * a run fails. */
-#define _DEFAULT_SOURCE      /* wait4 returns the resources that one child used */
+/* Measures a command: `measure RUNS COMMAND ARGUMENT...` runs the command RUNS times, one after the other, and writes a
+ * line. The line contains the median of its processor time (user and system) in milliseconds, the median of its elapsed
+ * time, and its largest resident memory in kilobytes. The command's output of the first run goes to our own output;
+ * that of later runs is discarded. Exit 1 if a run fails. */
+#define _DEFAULT_SOURCE      /* for wait4, which returns the resources that a child used */
 #include <fcntl.h>
 #include <stdio.h>
 #include <stdlib.h>

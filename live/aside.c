@@ -1,6 +1,6 @@
-/* Owns the side of a live view: an interpreter for outputs with other values. See aside.h.
+/* Implements the side of a live view: an interpreter for outputs with other values. See aside.h.
  *
- * For each request the interpreter runs the session's text from the start. It does not see additions at the prompt,
+ * For each request the interpreter runs the session's text from the start. It does not receive additions at the prompt,
  * which belong to the session. The library caches results, so a later request reuses them. */
 #include "live/aside.h"
 
@@ -66,7 +66,7 @@ static bool aside_bytes(void *context, const void *bytes, size_t count) {
   return !t->failed;
 }
 
-/* ---- one request ---- */
+/* ---- a request ---- */
 
 /* Sets the values of a request, or removes them. The text of w->given stays the same. */
 static void aside_values(live_aside *a, live_wish *w, bool set) {
@@ -95,7 +95,7 @@ static bool aside_ready(live_aside *a) {
   return a->scheme != NULL;
 }
 
-/* Reads the picture that a request describes: "WIDTHxHEIGHT QUALITY EYE TARGET LENS". The last items may be missing. */
+/* Reads the description of a picture: "WIDTHxHEIGHT QUALITY EYE TARGET LENS". The last items may be missing. */
 static void aside_picture(const char *text, vs_output_options *o) {
   static const char *const qualities[] = { "draft", "good", "final" };
   int width = 0, height = 0;

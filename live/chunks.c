@@ -1,8 +1,8 @@
-/* Owns content-defined chunking. See chunks.h.
+/* Implements content-defined chunking. See chunks.h.
  *
- * The gear hash (Xia et al., FastCDC, 2016) rolls over the last 64 bytes: it doubles the sum and adds the random number
- * of each byte. A piece ends where 13 high bits are zero. The hash of a piece has 64 bits: FNV-1a over eight bytes at a
- * time, with a final mix. A window treats pieces of equal hash and length as equal. */
+ * The gear hash (Xia et al., FastCDC, 2016) depends on the last 64 bytes: each byte doubles the sum and adds the byte's
+ * random number. A piece ends where 13 high bits are zero. The hash of a piece has 64 bits: FNV-1a over eight bytes at
+ * a time, with a final mix. A window treats pieces of equal hash and length as equal. */
 #include "live/chunks.h"
 
 #include <stdlib.h>
@@ -10,7 +10,7 @@
 
 enum { LEAST = 2048, MOST = 65536 };
 
-/* SplitMix64. It computes the random number of a byte, so the source needs no table. */
+/* The SplitMix64 function, which computes the random number of a byte, so that the source needs no table. */
 static uint64_t chunk_mix(uint64_t x) {
   x += 0x9e3779b97f4a7c15u;
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9u;

@@ -1,4 +1,4 @@
-/* Owns the loading of libmicrohttpd. */
+/* Loads libmicrohttpd. */
 #include "live/http.h"
 
 #include <stddef.h>

@@ -1,5 +1,5 @@
-/* Owns the functions of libmicrohttpd, loaded when the first view opens. Linked in, the library and its dependencies
- * would slow each start of vs. */
+/* Declares the functions of libmicrohttpd, which is loaded when the first view opens. If it were linked, the library
+ * and its dependencies would slow each start of vs. */
 #ifndef VS_LIVE_HTTP_H
 #define VS_LIVE_HTTP_H
 
@@ -16,6 +16,7 @@ typedef struct {
 #include "live/http.def"
 } live_http;
 
-bool live_http_load(live_http *out); /* Returns false, after a message on standard error, if the library is missing. */
+bool live_http_load(live_http *out); /* Loads the library. Returns false, after a message on standard error, if it is
+                                      * missing. */
 
 #endif

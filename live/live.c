@@ -1,8 +1,9 @@
-/* Owns the session of the live view: the interpreter, the time of its next run, and the publishing of its results.
+/* Implements the session of the live view: the interpreter, the time of its next run, and the publication of its
+ * results.
  *
  * Only the calling thread uses the interpreter. It sleeps until a file changes or a window sends a request. A single
- * run handles all requests that have come together. A run that fails changes the state and its messages, and keeps the
- * last good scene. */
+ * run handles all requests that have arrived. A run that fails changes the state and its messages, and keeps the last
+ * good scene. */
 #include "live/live.h"
 
 #include <spawn.h>
@@ -19,34 +20,38 @@
 
 extern char **environ;
 
-/* milliseconds between looks at the files while a window waits, and while no window is open; milliseconds of a frame */
+/* In milliseconds. LOOK_MS: time between checks of the files while a window waits. LOOK_ALONE_MS: the same time while
+ * no window is open. FRAME_MS: duration of a frame. */
 enum { LOOK_MS = 8, LOOK_ALONE_MS = 40, FRAME_MS = 40 };
 enum { COARSE_SEGMENTS = 12, BROWSER_WORDS = 30 };
 
 typedef struct live_follower {
   const live_options *options;
-  live_options own;    /* the options of a following view */
-  bool follows;        /* the interpreter belongs to the caller */
+  live_options own;    /* options of a view that follows a prompt */
+  bool follows;        /* whether the view follows a prompt, so that the interpreter belongs to the caller */
   live_publish publish;
   live_server server;
   vs_scheme *scheme;
   live_files files;
   live_aside aside;
-  live_text released;  /* one byte for each parameter of the options: 1 after a window has set it */
-  bool coarse;         /* a slider is moving: round shapes are coarse, unless the options set a tolerance */
-  bool frames;         /* the scene acts in each frame */
-  double last_frame;   /* seconds */
-  bool good;           /* the published scene is the result of the model's last run */
-  const char *asked;   /* the text typed at the prompt, while its result is published */
-  bool prompted;       /* the prompt has run code since the model did: the drawing may differ from the text's */
-  live_said said;      /* the messages of the current run */
+  live_text released;  /* a byte for each parameter of the options: 1 after a window has set it */
+  bool coarse;         /* whether a slider is moving, so that round shapes are coarse, unless the options set a
+                        * tolerance */
+  bool frames;         /* whether the scene acts in each frame */
+  double last_frame;   /* time of the last frame in seconds */
+  bool good;           /* whether the published scene is the result of the model's last run */
+  const char *asked;   /* text typed at the prompt, while its result is published */
+  bool prompted;       /* whether the prompt has run code since the model ran, so that the drawing may differ from the
+                        * text's */
+  live_said said;      /* messages of the current run */
   bool busy_told;
   double began;
   unsigned version, run; /* numbers of the scene and of the run */
-  bool kept;           /* a client waits for the current output: only Stop ends it */
-  bool overtaken;      /* the current run was interrupted, since a window or a file asks for another */
-  bool ended_early;    /* a window interrupted the last run */
-  double looked;       /* seconds: the last check for a newer request; the length of the last whole run */
+  bool kept;           /* whether a client waits for the current output, so that only Stop ends it */
+  bool overtaken;      /* whether the current run was interrupted because a window or a file requires another run */
+  bool ended_early;    /* whether a window interrupted the last run */
+  double looked;       /* in seconds. looked: time of the last check for a newer request. whole: duration of the last
+                        * complete run */
   double whole;
 } live;
 
@@ -58,7 +63,7 @@ static double now(void) {
 
 /* ---- the host's side ---- */
 
-static const double FRAME_MOST = 0.25; /* seconds: the view skips the part of a late frame above this */
+static const double FRAME_MOST = 0.25; /* in seconds: of a late frame, the time above this is skipped */
 
 static bool host_output(void *context, const char *text, size_t length) {
   live *l = context;
@@ -90,15 +95,15 @@ static void host_progress(void *context, const vs_progress *p) {
   live_text_free(&t);
 }
 
-/* Returns the seconds that a run gets before a window's new value or text interrupts it. A moving slider needs pictures
- * on its way: a run that will probably end soon may finish, and of two runs in a row at least one does. An endless
- * program reaches this limit soon. */
+/* Returns the seconds that a run may take before a window's new value or text interrupts it. A moving slider needs
+ * pictures while it moves. A run that will probably end soon may therefore finish, and of two successive runs at least
+ * one finishes. An endless program reaches this limit soon. */
 static double patience(const live *l) {
   const double least = 0.3, most = l->ended_early ? 3 : 1, likely = 2 * l->whole;
   return likely < least ? least : likely < most ? likely : most;
 }
 
-/* Returns true if a request is newer than the current run. A saved file counts at once. */
+/* Returns true if a request is newer than the current run. A saved file counts immediately. */
 static bool overtaken(live *l) {
   double time = now();
   if (1e3 * (time - l->looked) < LOOK_MS) return false;
@@ -126,8 +131,8 @@ static bool host_list(void *context, const char *path, bool (*take)(void *to, co
   return live_folder_list(path, take, to, why);
 }
 
-/* Interrupts the current run, or the one that waits. If there is none, nothing is interrupted: the next run is another
- * one. A following view clears the request when the next run begins. */
+/* Interrupts the current run, or the run that waits. If there is none, it does nothing: the next run must not be
+ * interrupted. A following view clears the request when the next run begins. */
 static void stop(void *context) {
   live *l = context;
   pthread_mutex_lock(&l->publish.lock);
@@ -135,7 +140,7 @@ static void stop(void *context) {
   pthread_mutex_unlock(&l->publish.lock);
 }
 
-/* Until the session takes a request or calls `work`, Stop has nothing to end. */
+/* Records that the session is idle: Stop has nothing to end until the session takes a request or calls `work`. */
 static void rest(live *l) {
   pthread_mutex_lock(&l->publish.lock);
   l->publish.working = l->publish.wishes.count > 0;
@@ -199,8 +204,8 @@ static void publish_state(live *l, bool good, vs_outcome outcome) {
             yes[outcome == VS_OUTCOME_INTERRUPTED]);
   live_putf(&t, "\"prompted\":%s,\"follows\":%s,\"seconds\":", yes[l->prompted], yes[l->follows]);
   live_number(&t, now() - l->began);
-  if (l->files.count > 0) { /* the hash of the model's file as read: a window reads the source again when this
-                             * changes */
+  if (l->files.count > 0) { /* hash of the model's file as it was read; when it changes, a window reads the source
+                             * again */
     const live_file *f = &l->files.at[0];
     live_putf(&t, ",\"file\":\"%lld.%ld.%lld.%llu\"", (long long)f->seconds, (long)f->nanoseconds, (long long)f->size,
               (unsigned long long)f->inode);
@@ -226,7 +231,8 @@ static bool scene_bytes(void *context, const void *bytes, size_t count) {
   return !t->failed;
 }
 
-/* Publishes the current drawing as the next version; if `another` is set, only if it differs from the last. */
+/* Publishes the current drawing as the next version. If `another` is set, publishes it only if it differs from the
+ * last. */
 static vs_outcome publish_drawing(live *l, bool another) {
   live_text bytes = { 0 };
   vs_summary summary;
@@ -272,7 +278,7 @@ static void begin(live *l) {
   l->began = now();
 }
 
-/* Reports nothing of an overtaken run: the next run follows at once. */
+/* Reports the result of a run. Reports nothing of an interrupted run whose successor follows immediately. */
 static void finish(live *l, vs_outcome outcome) {
   if (outcome == VS_OUTCOME_DONE) outcome = publish_drawing(l, false);
   if (l->overtaken && outcome == VS_OUTCOME_INTERRUPTED) {
@@ -284,7 +290,7 @@ static void finish(live *l, vs_outcome outcome) {
   vs_interrupt_clear(l->scheme);
 }
 
-/* Returns the number, from 1, of NAME=VALUE among the options' parameters; 0 if there is none. */
+/* Returns the index, from 1, of NAME=VALUE among the options' parameters, or 0 if it is not among them. */
 static size_t option_of(const live *l, const char *name) {
   size_t length = strlen(name);
   for (size_t i = l->options->parameter_count; i > 0; i--)
@@ -293,15 +299,15 @@ static size_t option_of(const live *l, const char *name) {
   return 0;
 }
 
-/* Returns true if both are the same text, or the same number (6 and 6.0). */
+/* Returns true if a and b are the same text, or the same number (6 and 6.0). */
 static bool same_value(const char *a, const char *b) {
   char *a_end, *b_end;
   double x = strtod(a, &a_end), y = strtod(b, &b_end);
   return strcmp(a, b) == 0 || (a_end != a && *a_end == 0 && b_end != b && *b_end == 0 && x - y == 0);
 }
 
-/* Drops values that equal the source's own: the parameter then follows changes of the source. Values of the command
- * line stay until a window sets the parameter. */
+/* Removes values that equal the source's own, so that the parameter follows changes of the source. Values of the
+ * command line stay until a window sets the parameter. */
 static void forget_defaults(live *l) {
   vs_parameter_info p;
   for (size_t i = 0; i < vs_parameter_count(l->scheme) && vs_parameter_get(l->scheme, i, &p); i++) {
@@ -319,7 +325,7 @@ static bool set_parameter(live *l, const char *name, const char *value) {
 
 static vs_outcome run_files(live *l) {
   begin(l);
-  if (live_files_newer(&l->files)) live_trial_put(&l->publish, NULL); /* the file was saved since the last look */
+  if (live_files_newer(&l->files)) live_trial_put(&l->publish, NULL); /* the file was saved since the last check */
   live_files_clear(&l->files);
   live_files_note(&l->files, l->options->model);
   l->prompted = false;
@@ -328,10 +334,11 @@ static vs_outcome run_files(live *l) {
 }
 
 /* Many editors empty a file before they write it, so a file that changed during the read may be incomplete. The session
- * then reads it again before it shows anything, unless the read took so long that a second save is more likely. */
+ * then reads it again before it shows anything. Exception: if the read took long, a second save is more likely than an
+ * incomplete file. */
 static void run_model(live *l) {
   enum { TIMES = 3 };
-  const double quick = 0.5; /* seconds */
+  const double quick = 0.5; /* in seconds */
   vs_outcome outcome = run_files(l);
   for (int i = 1; i < TIMES && outcome != VS_OUTCOME_INTERRUPTED && now() - l->began < quick; i++) {
     if (!live_files_changed(&l->files)) break;
@@ -345,7 +352,7 @@ static void run_model(live *l) {
   if (l->good) l->whole = now() - l->began;
 }
 
-/* Publishes changes by a frame or by the user's hand. An error ends the frames until the model runs again. */
+/* Publishes changes by a frame or by an action of the user. An error ends the frames until the model runs again. */
 static void tell_frame(live *l, vs_outcome outcome) {
   live_text t = { 0 };
   unsigned version = l->version;
@@ -374,7 +381,7 @@ static bool seen(live *l) {
 static void run_frame(live *l) {
   double seconds = now() - l->last_frame;
   l->last_frame = now();
-  if (!seen(l)) return; /* time stops while no window is open */
+  if (!seen(l)) return; /* time does not advance while no window is open */
   l->began = l->last_frame;
   l->overtaken = false;
   tell_frame(l, vs_scene_frame(l->scheme, seconds < FRAME_MOST ? seconds : FRAME_MOST));
@@ -396,8 +403,8 @@ static void run_prompt(live *l, const char *text) {
   vs_outcome outcome = vs_eval_text(l->scheme, "prompt", 1, text, strlen(text), VS_EVAL_PRINT);
   if (outcome == VS_OUTCOME_DONE || !l->good || l->overtaken) {
     finish(l, outcome);
-  } else { /* An error in typed text is not an error of the model. The model stays, with the objects that the text drew
-            * before the error. */
+  } else { /* An error in typed text is not an error of the model. The model remains, with the objects that the text
+            * drew before the error. */
     vs_interrupt_clear(l->scheme);
     l->good = publish_drawing(l, true) == VS_OUTCOME_DONE;
     publish_state(l, l->good, outcome);
@@ -413,7 +420,8 @@ static unsigned pass_mask(const char *name) {
   return 0;
 }
 
-/* The construction steps follow the program's text: the passes that rewrite operations are off. */
+/* The format of the construction steps. They follow the program's text, so the passes that rewrite operations are
+ * off. */
 static const char STEPS[] = "x3d-steps";
 
 static void run_export(live *l, live_wish *w) {
@@ -449,7 +457,7 @@ static void serve(live *l) {
     }
     const long pause = l->frames ? FRAME_MS : seen(l) ? LOOK_MS : LOOK_ALONE_MS;
     live_wish *w = again ? NULL : live_wish_take(&l->publish, &l->publish.wishes, pause);
-    while (w != NULL) { /* all waiting requests, before a run */
+    while (w != NULL) { /* handles all waiting requests before a run */
       if (w->kind == LIVE_SET) {
         again |= set_parameter(l, w->name, w->value);
         l->coarse = w->coarse;
@@ -483,8 +491,8 @@ static void serve(live *l) {
   }
 }
 
-/* Starts a browser by one command of $BROWSER: words, with the address in place of %s or after them. Discards its
- * output. Returns false if there is no such program. */
+/* Starts a browser by a command of $BROWSER: words, with the address in place of %s or after them. Discards its output.
+ * Returns false if there is no such program. */
 static bool start_browser(char *command, const char *address) {
   char *words[BROWSER_WORDS + 2] = { NULL }, *rest;
   live_text put = { 0 };
@@ -514,8 +522,8 @@ static bool start_browser(char *command, const char *address) {
   return started;
 }
 
-/* Tries the commands of $BROWSER, separated by colons, and uses the first that exists; without $BROWSER, xdg-open if
- * there is a screen. */
+/* Tries the commands of $BROWSER, separated by colons, and uses the first that exists. Without $BROWSER it uses
+ * xdg-open if there is a screen. */
 static void open_browser(const char *address) {
   const char *browser = getenv("BROWSER");
   if (browser == NULL || *browser == 0) {
@@ -537,7 +545,7 @@ static void tell_address(const live *l) {
   if (l->options->open_browser) open_browser(address);
 }
 
-/* Frees everything but l itself. */
+/* Frees everything except l itself. */
 static void close_view(live *l) {
   pthread_mutex_lock(&l->publish.lock);
   l->publish.ended = true;
@@ -552,7 +560,7 @@ static void close_view(live *l) {
   live_publish_close(&l->publish);
 }
 
-/* Returns a new view; NULL after a message on standard error. */
+/* Returns a new view, or NULL after a message on standard error. */
 static live *new_view(void) {
   live *l = calloc(1, sizeof *l);
   if (l != NULL && live_publish_open(&l->publish)) return l;
@@ -617,7 +625,7 @@ done:
   return outcome;
 }
 
-/* ---- following views ---- */
+/* ---- views that follow a prompt ---- */
 
 live_follower *live_follow(const live_options *o, vs_scheme *scheme) {
   live *l = new_view();

@@ -1,4 +1,4 @@
-/* Owns the options of a live view. */
+/* Declares the options of a live view. */
 #ifndef VS_LIVE_LIVE_OPTIONS_H
 #define VS_LIVE_LIVE_OPTIONS_H
 
@@ -8,18 +8,18 @@
 #include "visualscheme.h"
 
 typedef struct live_options {
-  const char *model;                    /* the file to show */
-  vs_options interpreter;               /* the view replaces its host */
+  const char *model;                    /* path of the file to show */
+  vs_options interpreter;               /* options of the interpreter; the view replaces its host */
   vs_output_options output;             /* tolerance, segments and passes of the view */
-  const char *const *parameters;        /* NAME=VALUE, set before the first run */
+  const char *const *parameters;        /* texts NAME=VALUE, set before the first run */
   size_t parameter_count;
-  /* Writes the findings in a text that replaces the model's, as vs check --json does. Any thread may call it. Returns
-   * false when memory is out. NULL: no checks. */
+  /* Writes the findings in a text that replaces the model's, as vs check --json does. Any thread may call this
+   * function. It returns false if memory is out. NULL: there are no checks. */
   bool (*check)(const vs_options *interpreter, const char *path, const char *text, size_t length, FILE *to);
   bool open_browser;
-  FILE *told;                           /* receives the address, a line */
-  const volatile sig_atomic_t *ended;   /* not 0: end */
-  /* receives the interpreter, so that a signal can interrupt it, and NULL at the end; may be NULL */
+  FILE *told;                           /* receives a line with the address */
+  const volatile sig_atomic_t *ended;   /* a value other than 0 ends the view */
+  /* Receives the interpreter, so that a signal can interrupt it, and NULL at the end. May be NULL. */
   void (*running)(vs_scheme *scheme);
 } live_options;
 

@@ -1,4 +1,4 @@
-/* Owns growing text and the JSON form of strings. See live_text.h. */
+/* Implements text that grows, and the JSON form of strings. See live_text.h. */
 #include "live/live_text.h"
 
 #include <math.h>

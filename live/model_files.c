@@ -1,7 +1,7 @@
-/* Owns the model's files. See model_files.h. A look at a few files costs a microsecond each, so the session polls them
- * some twenty times a second. Watching would fail: editors save by renaming or by writing twice, and some file systems
- * send no events. */
-#define _XOPEN_SOURCE 700 /* realpath */
+/* Implements the model's files. See model_files.h. Checking a few files costs a microsecond each, so the session polls
+ * them about twenty times a second. Notification by the system would fail: editors save by renaming or by writing
+ * twice, and some file systems send no events. */
+#define _XOPEN_SOURCE 700 /* for realpath */
 #include "live/model_files.h"
 
 #include <dirent.h>
@@ -16,8 +16,8 @@
 
 const char LIVE_NEWER[] = "the file has changed on disk since it was read here";
 enum { MOST_BYTES = 256 << 20 };
-/* Milliseconds. The time of a file may lag by one tick of the system's clock, at most ten milliseconds. Therefore a
- * later change is visible in any file older than that. */
+/* In milliseconds. The time of a file may be late by a tick of the system's clock, at most ten milliseconds. In a file
+ * older than that, every later change is therefore visible. */
 enum { SETTLE = 12, SETTLE_EMPTY = 500, SETTLE_MOST = 700, SETTLE_LOOK = 2 };
 
 bool live_file_read(const char *path, char **text, size_t *length, const char **why) {
@@ -87,7 +87,7 @@ static live_file file_now(const char *path) {
   return f;
 }
 
-/* Milliseconds since the file's last change. */
+/* Returns the milliseconds since the file's last change. */
 static double file_age(const live_file *f) {
   struct timespec now;
   clock_gettime(CLOCK_REALTIME, &now);
@@ -96,7 +96,7 @@ static double file_age(const live_file *f) {
 
 bool live_files_note(live_files *f, const char *path) {
   for (size_t i = 0; i < f->count; i++)
-    if (strcmp(f->at[i].path, path) == 0) return true; /* the state at the first read */
+    if (strcmp(f->at[i].path, path) == 0) return true; /* keeps the state at the first read */
   if (f->count == f->room) {
     size_t room = f->room * 2 + 16;
     live_file *grown = realloc(f->at, room * sizeof *grown);
@@ -131,9 +131,9 @@ bool live_files_changed(const live_files *f) {
     live_file now = file_now(was->path);
     if (is_another(&now, was)) return true;
     double age = file_age(&now);
-    if (was->young && age > SETTLE) return true; /* read once more; then the file counts as old */
+    if (was->young && age > SETTLE) return true; /* the file is read once more, and then counts as old */
     if (was->there && was->size == 0 && age >= 0 && age < SETTLE_EMPTY) return true; /* an editor is probably writing
-                                                                                      * it */
+                                                                                      * the file */
   }
   return false;
 }
@@ -159,14 +159,14 @@ void live_files_clear(live_files *f) {
   *f = (live_files){ NULL, 0, 0 };
 }
 
-uint64_t live_file_hash(const char *text, size_t length) { /* FNV-1a */
+uint64_t live_file_hash(const char *text, size_t length) { /* the hash FNV-1a */
   uint64_t h = 0xcbf29ce484222325u;
   for (size_t i = 0; i < length; i++) h = (h ^ (unsigned char)text[i]) * 0x100000001b3u;
   return h;
 }
 
 const char *live_file_write(const char *path, const char *text, size_t length, uint64_t expected) {
-  char *now = NULL, *real = realpath(path, NULL); /* a link stays a link */
+  char *now = NULL, *real = realpath(path, NULL); /* if path is a link, the link remains */
   const char *why = "out of memory";
   size_t now_length;
   if (real == NULL) return "the file is gone";

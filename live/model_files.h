@@ -1,5 +1,5 @@
-/* Owns the model's files: it reads them for the interpreter and records their names, detects changes, and writes the
- * source back. */
+/* Declares the model's files: it reads them for the interpreter and records their names, detects changes, and writes
+ * the source back. */
 #ifndef VS_LIVE_MODEL_FILES_H
 #define VS_LIVE_MODEL_FILES_H
 
@@ -11,7 +11,8 @@
 typedef struct {
   char *path;
   bool there;
-  bool young; /* recorded within a tick of its file system's clock: a new write could leave the same time */
+  bool young; /* whether the state was recorded within a tick of its file system's clock, so that a new write could have
+               * the same time */
   dev_t device;
   ino_t inode;
   off_t size;
@@ -20,24 +21,26 @@ typedef struct {
 } live_file;
 typedef struct { live_file *at; size_t count, room; } live_files;
 
-/* Reads a whole file. Returns true with *text, which the caller frees; false with the reason in *why, a static text. */
+/* Reads a whole file. Returns true with *text, which the caller frees. Returns false on failure, with the reason in
+ * *why, a static text. */
 bool live_file_read(const char *path, char **text, size_t *length, const char **why);
-/* Passes the names in a folder to `take` until it returns false; works as vs_host.list_folder. */
+/* Passes the names in a folder to `take` until it returns false, as vs_host.list_folder does. */
 bool live_folder_list(const char *path, bool (*take)(void *to, const char *name, size_t length), void *to,
                       const char **why);
-bool live_files_note(live_files *f, const char *path); /* Records the current state, before a read. Returns false when
-                                                        * memory is out. */
-/* Returns true if a file changed, or if a file was read between its emptying and its writing. */
+bool live_files_note(live_files *f, const char *path); /* Records the current state of a file, before it is read.
+                                                        * Returns false if memory is out. */
+/* Returns true if a file changed, or if a file was read while it was empty, before its writing. */
 bool live_files_changed(const live_files *f);
-bool live_files_newer(const live_files *f); /* Returns true if a file changed, while the files are in use. */
-/* Waits until the files have been at rest for a moment, at most a third of a second. A file whose last change is
- * younger than a tick of its file system's clock could change again and look the same. An empty file is probably being
+bool live_files_newer(const live_files *f); /* Returns true if a file changed. For calls while the files are being
+                                             * read. */
+/* Waits until no file has changed for a moment, at most about a second. A file whose last change is younger than a
+ * tick of its file system's clock could change again without a visible difference. An empty file is probably being
  * written. */
 void live_files_settle(const live_files *f);
 void live_files_clear(live_files *f);
 uint64_t live_file_hash(const char *text, size_t length);
-/* Writes the file whole or not at all, and only over a file with the hash `expected`. Returns NULL on success, else the
- * reason: LIVE_NEWER if the file has changed meanwhile. */
+/* Writes the file completely or not at all, and only over a file with the hash `expected`. Returns NULL on success,
+ * otherwise the reason: LIVE_NEWER if another program has changed the file. */
 extern const char LIVE_NEWER[];
 const char *live_file_write(const char *path, const char *text, size_t length, uint64_t expected);
 

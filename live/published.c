@@ -1,4 +1,4 @@
-/* Owns the state that windows receive. See published.h. */
+/* Implements the state that windows receive. See published.h. */
 #include "live/published.h"
 
 #include <stdlib.h>
@@ -34,7 +34,8 @@ void live_publish_close(live_publish *p) {
   pthread_mutex_destroy(&p->lock);
 }
 
-static void publish_event(live_publish *p, const char *kind, const char *json) { /* The caller holds the lock. */
+static void publish_event(live_publish *p, const char *kind, const char *json) { /* Requires that the caller holds the
+                                                                                  * lock. */
   live_text t = { 0 };
   live_putf(&t, "id: %lu\nevent: %s\ndata: ", p->event_count + 1, kind);
   live_puts(&t, json);
@@ -63,7 +64,7 @@ void live_publish_state(live_publish *p, char *json) {
   pthread_mutex_unlock(&p->lock);
 }
 
-static void scene_drop(live_scene *s) { /* The caller holds the lock. */
+static void scene_drop(live_scene *s) { /* Requires that the caller holds the lock. */
   if (--s->uses > 0) return;
   live_chunks_free(&s->chunks);
   free(s->bytes);

@@ -1,5 +1,5 @@
-/* Owns the live view as a host of the scene. See scene_host.h. The procedure (scene-needs) tells whether the scene acts
- * in frames; vs_gizmos lists the gizmos. */
+/* Implements the live view as a host of the scene. See scene_host.h. The procedure (scene-needs) returns whether the
+ * scene acts in frames; vs_gizmos lists the gizmos. */
 #include "live/scene_host.h"
 
 #include <math.h>
@@ -18,7 +18,8 @@ static void add_numbers(live_text *t, const double *x, size_t count) {
 typedef struct { live_text *text; size_t count; } gizmos_told;
 
 static bool add_gizmo(void *context, vs_scheme *s, const vs_gizmo *g) {
-  static const char *const kinds[] = { "trigger", "slider", "arrow", "tripod" }; /* in the order of vs_gizmo_kind */
+  static const char *const kinds[] = { "trigger", "slider", "arrow", "tripod" }; /* names in the order of
+                                                                                  * vs_gizmo_kind */
   gizmos_told *to = context;
   live_text *t = to->text;
   const char *name = vs_node_name(s, g->node);
@@ -57,7 +58,7 @@ bool live_scene_needs(vs_scheme *s, live_text *t) {
 }
 
 vs_outcome live_scene_input(vs_scheme *s, const char *kind, const char *text) {
-  static const char *const kinds[] = { "press", "drag", "release", "move" }; /* in the order of vs_input_kind */
+  static const char *const kinds[] = { "press", "drag", "release", "move" }; /* names in the order of vs_input_kind */
   static const char *const buttons[] = { "left", "middle", "right", "none" };
   enum { COUNT = 4 };
   char word[8];

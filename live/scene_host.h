@@ -1,4 +1,5 @@
-/* Owns the live view as a host of the program's scene: its frames, its gizmos, and the user's actions on its nodes. */
+/* Declares the live view as a host of the program's scene: its frames, its gizmos, and the user's actions on its
+ * nodes. */
 #ifndef VS_LIVE_SCENE_HOST_H
 #define VS_LIVE_SCENE_HOST_H
 

@@ -1,9 +1,10 @@
-/* Owns the HTTP side of the live view: access, and the answers.
+/* Implements the HTTP side of the live view: access, and the answers.
  *
- * The server listens on the loopback address only. The page itself (/, /live.js, /live.css) is the same for everybody
- * and contains no secret. Every other request needs the token in the header X-VS-Token. The page takes the token from
- * the fragment of its address, which browsers never send, not even as a Referer. The server refuses a foreign Host or
- * Origin, so a foreign page, or a foreign name that resolves here, gets nothing. It serves no file by name.
+ * The server listens on the loopback address only. The page itself (/, /live.js, /live.css) is equal for everybody and
+ * contains no secret. Every other request needs the token in the header X-VS-Token. The page reads the token from the
+ * fragment of its address, which browsers never send, not even as a Referer. The server refuses a foreign Host or
+ * Origin. A foreign page, or a foreign name that resolves to this address, therefore receives nothing. It serves no
+ * file by name.
  *
  * These are limited: connections, bytes of a request's head and body, bytes of waiting work, the time of a silent
  * client, and the number of slow clients (waiting.h). */
@@ -61,7 +62,7 @@ static enum MHD_Result answer(live_server *s, struct MHD_Connection *c, struct M
 
 static enum MHD_Result answer_bytes(live_server *s, struct MHD_Connection *c, unsigned status, const char *type,
                                     const void *bytes, size_t count) {
-  char *copy = malloc(count + 1); /* MHD takes no pointer to constant data */
+  char *copy = malloc(count + 1); /* MHD does not accept a pointer to constant data */
   if (copy == NULL) return MHD_NO;
   memcpy(copy, bytes, count);
   return answer(s, c, s->http.create_response_from_buffer(count, copy, MHD_RESPMEM_MUST_FREE), status, type);
@@ -83,8 +84,8 @@ static enum MHD_Result answer_live_text(live_server *s, struct MHD_Connection *c
 
 /* ---- access ---- */
 
-static bool same_secret(const char *given, const char *token) { /* takes a time that does not depend on the number of
-                                                                 * equal bytes */
+static bool same_secret(const char *given, const char *token) { /* the comparison takes a time that does not depend on
+                                                                 * the number of equal bytes */
   unsigned char difference = strlen(given) != strlen(token);
   for (size_t i = 0; token[i] != 0; i++) difference |= (unsigned char)(token[i] ^ (difference ? 0 : given[i]));
   return difference == 0;
@@ -101,7 +102,7 @@ static const char *query(const live_server *s, struct MHD_Connection *c, const c
   return s->http.lookup_connection_value(c, MHD_GET_ARGUMENT_KIND, name);
 }
 
-/* Returns the reason to refuse a request; NULL to accept it. */
+/* Returns the reason to refuse a request, or NULL if it is accepted. */
 static const char *refuse(const live_server *s, struct MHD_Connection *c, bool secret) {
   const char *origin = header(s, c, "Origin"), *token = header(s, c, "X-VS-Token");
   if (!own_host(s, header(s, c, "Host"))) return "not this host\n";
@@ -121,7 +122,7 @@ typedef struct {
   bool first;
 } listener;
 
-/* Returns true if the window has closed its side. A write would find this out too, but there may be nothing to write
+/* Returns true if the window has closed its side. A failed write would show this too, but there may be nothing to write
  * for a long time. */
 static bool gone(int socket) {
   char byte;
@@ -144,7 +145,7 @@ static ssize_t listener_read(void *context, uint64_t position, char *buffer, siz
     live_text_free(&l->text);
     l->sent = 0;
     pthread_mutex_lock(&p->lock);
-    if (l->first) { /* a new window receives the whole state, then each event */
+    if (l->first) { /* a new window receives the whole state, and then each event */
       l->next = p->event_count;
       if (p->state != NULL) {
         live_puts(&l->text, "event: state\ndata: ");
@@ -154,15 +155,15 @@ static ssize_t listener_read(void *context, uint64_t position, char *buffer, siz
       l->first = false;
     } else if (l->next == p->event_count && !p->ended) {
       struct timespec until = in_seconds(5);
-      /* a write that fails means that the window is gone */
+      /* writes a line, because a failed write shows that the window is gone */
       if (pthread_cond_timedwait(&p->changed, &p->lock, &until) == ETIMEDOUT) live_puts(&l->text, ": here\n\n");
       if (gone(l->socket)) {
         pthread_mutex_unlock(&p->lock);
         return MHD_CONTENT_READER_END_WITH_ERROR;
       }
     }
-    if (p->event_count - l->next > LIVE_EVENTS) { /* the window is too slow: the newest state contains all that it
-                                                   * missed */
+    if (p->event_count - l->next > LIVE_EVENTS) { /* the window is too slow; the newest state contains everything that
+                                                   * it missed */
       l->next = p->event_count;
       if (p->state != NULL) {
         live_puts(&l->text, "event: state\ndata: ");
@@ -186,7 +187,7 @@ static void listener_free(void *context) {
   listener *l = context;
   pthread_mutex_lock(&l->server->publish->lock);
   l->server->publish->windows--;
-  pthread_cond_broadcast(&l->server->publish->changed); /* another window may wait for the place */
+  pthread_cond_broadcast(&l->server->publish->changed); /* another window may wait for the free place */
   pthread_mutex_unlock(&l->server->publish->lock);
   live_text_free(&l->text);
   free(l);
@@ -227,8 +228,9 @@ static void put_u32(live_text *t, uint32_t x) {
   live_add(t, b, 4);
 }
 
-/* Answers "VSL1", the version, the number of pieces; for each piece its hash (8 bytes) and length, with the highest bit
- * set if its bytes follow; then those bytes. have: the version whose pieces the window still holds. */
+/* Answers with the scene: "VSL1", the version and the number of pieces. Each piece has its hash (8 bytes) and its
+ * length, with the highest bit set if its bytes follow. Then these bytes follow. have: the version whose pieces the
+ * window still has. */
 static enum MHD_Result serve_scene(live_server *s, struct MHD_Connection *c) {
   const char *have = query(s, c, "have");
   unsigned version = have != NULL ? (unsigned)strtoul(have, NULL, 10) : 0;
@@ -294,7 +296,7 @@ static enum MHD_Result save_source(live_server *s, struct MHD_Connection *c, con
   return answer_live_text(s, c, "application/json", &t);
 }
 
-/* ---- the rest ---- */
+/* ---- other requests ---- */
 
 static bool each_name(void *context, const char *name) {
   live_text *t = context;
@@ -315,8 +317,8 @@ static enum MHD_Result serve_names(live_server *s, struct MHD_Connection *c) {
   return answer_live_text(s, c, "application/json", &t);
 }
 
-/* Answers how to call a name of the language, for the line below the source; an empty object if there is no such
- * name. */
+/* Answers with the ways to call a name of the language, for the line below the source. The object is empty if there is
+ * no such name. */
 static enum MHD_Result serve_name(live_server *s, struct MHD_Connection *c) {
   const char *name = query(s, c, "of");
   vs_name_info info;
@@ -336,14 +338,14 @@ static enum MHD_Result serve_name(live_server *s, struct MHD_Connection *c) {
   return answer_live_text(s, c, "application/json", &t);
 }
 
-/* Answers the findings of `vs check` in a text that a window is editing. */
+/* Answers with the findings of `vs check` in a text that a window is editing. */
 static enum MHD_Result serve_check(live_server *s, struct MHD_Connection *c, const live_text *body) {
   char *bytes = NULL;
   size_t count = 0;
   FILE *to = s->options->check != NULL && s->model != NULL ? open_memstream(&bytes, &count) : NULL;
   if (to == NULL) return answer_text(s, c, 404, "nobody checks here\n");
   const char *text = body->at != NULL ? body->at : "";
-  pthread_mutex_lock(&s->names_lock); /* one at a time: each may take memory and seconds */
+  pthread_mutex_lock(&s->names_lock); /* checks run one at a time, because each may need memory and seconds */
   bool ok = s->options->check(&s->options->interpreter, s->model, text, body->length, to);
   pthread_mutex_unlock(&s->names_lock);
   ok = fclose(to) == 0 && ok;
@@ -362,8 +364,8 @@ static enum MHD_Result wish(live_server *s, struct MHD_Connection *c, live_wish_
                                                            : answer_text(s, c, 503, "too much is waiting to be done\n");
 }
 
-/* GET: the current drawing. POST: the drawing of the text with the values in the body, made aside; `id` is the window's
- * name for the request. */
+/* GET: answers with the current drawing. POST: answers with the drawing of the text with the values in the body, made
+ * on the side; `id` is the window's name for the request. */
 static enum MHD_Result export(live_server *s, struct MHD_Connection *c, const live_text *values) {
   const char *format = query(s, c, "format"), *size = query(s, c, "size"), *id = query(s, c, "id");
   const vs_format_info *info = format != NULL ? vs_format_find(format) : NULL;
@@ -413,8 +415,8 @@ static bool make_token(char out[33]) {
   return ok;
 }
 
-/* Answers the page. Its editor adds style sheets; the policy allows them by a nonce that only this answer has, in place
- * of @nonce@. */
+/* Answers with the page. Its editor adds style sheets. The policy allows them by a nonce that only this answer has, in
+ * place of @nonce@. */
 static enum MHD_Result serve_page(live_server *s, struct MHD_Connection *c) {
   static const char mark[] = "@nonce@";
   char nonce[33], policy[sizeof POLICY(" 'nonce-'") + sizeof nonce];
@@ -476,7 +478,7 @@ static enum MHD_Result dispatch(live_server *s, struct MHD_Connection *c, const 
   return answer_text(s, c, 404, "there is nothing here\n");
 }
 
-/* Returns the connection's place among those that wait. */
+/* Returns the connection's entry among the connections that wait. */
 static live_waiter *waiter(const live_server *s, struct MHD_Connection *c) {
   const union MHD_ConnectionInfo *info = s->http.get_connection_info(c, MHD_CONNECTION_INFO_SOCKET_CONTEXT);
   return info != NULL ? info->socket_context : NULL;
@@ -499,7 +501,7 @@ static enum MHD_Result handle(void *context, struct MHD_Connection *c, const cha
   request *r = *state;
   (void)version;
   if (r == NULL) {
-    pthread_mutex_lock(&s->publish->lock); /* until the server is open */
+    pthread_mutex_lock(&s->publish->lock); /* waits until the server is open */
     pthread_mutex_unlock(&s->publish->lock);
     *state = calloc(1, sizeof(request));
     return *state != NULL ? MHD_YES : MHD_NO;
@@ -527,7 +529,7 @@ static void completed(void *context, struct MHD_Connection *c, void **state, enu
 
 /* ---- opening ---- */
 
-/* a client that vanishes is no error */
+/* ignores a client that vanishes, which is not an error */
 static void quiet(void *context, const char *format, va_list arguments) {
   (void)context, (void)format, (void)arguments;
 }
@@ -548,7 +550,7 @@ bool live_server_open(live_server *s) {
   s->names = vs_new(NULL);
   pthread_mutex_lock(&s->publish->lock); /* an early request waits here until the port and the names below are known */
   sigset_t was;
-  vs_signals_hold(&was); /* the command's signal handlers must not run in its threads */
+  vs_signals_hold(&was); /* the command's signal handlers must not run in the server's threads */
   s->daemon = s->http.start_daemon(MHD_USE_INTERNAL_POLLING_THREAD | MHD_USE_THREAD_PER_CONNECTION | MHD_USE_ERROR_LOG,
                                    0, NULL, NULL, handle, s, MHD_OPTION_EXTERNAL_LOGGER, quiet, NULL,
                                    MHD_OPTION_SOCK_ADDR, (struct sockaddr *)&loopback, MHD_OPTION_CONNECTION_LIMIT,

@@ -1,4 +1,4 @@
-/* Owns the table of the connections that wait for their clients. */
+/* Implements the table of the connections that wait for their clients. */
 #include "live/waiting.h"
 
 #include <stddef.h>
@@ -11,7 +11,7 @@ void live_waiting_open(live_waiting *w) {
 
 void live_waiting_close(live_waiting *w) { pthread_mutex_destroy(&w->lock); }
 
-static void waits(live_waiting *w, live_waiter *c) { /* The caller holds the lock. */
+static void waits(live_waiting *w, live_waiter *c) { /* Requires that the caller holds the lock. */
   live_waiter *longest = c;
   int count = 0;
   c->since = ++w->turn;
@@ -22,7 +22,7 @@ static void waits(live_waiting *w, live_waiter *c) { /* The caller holds the loc
   }
   if (count <= WAITING_MOST) return;
   longest->since = 0;
-  shutdown(longest->socket, SHUT_RDWR); /* its thread meets the end of the stream, and closes it */
+  shutdown(longest->socket, SHUT_RDWR); /* the connection's thread then reads the end of the stream, and closes it */
 }
 
 live_waiter *live_waiter_begin(live_waiting *w, int socket) {

@@ -1,6 +1,6 @@
-/* Owns the cutting of a drawing by a view's plane, as nodes.
+/* Cuts a drawing by a view's plane, by changing its nodes.
  *
- * A solid becomes a difference with a half-space that has no material. Therefore the faces of the cut have the material
+ * A solid becomes a difference with a half-space that has no material. The faces of the cut therefore have the material
  * of the solid behind them; where solids overlap, that of the earlier solid. A thin or mixed drawing becomes a slice,
  * which solids/resolve.c computes. */
 #include "passes/cut_away.h"

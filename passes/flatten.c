@@ -1,11 +1,11 @@
-/* Owns flatten. It merges nested unions and nested intersections, turns (a - b) - c into a - (b c), and replaces a set
- * of one member by the member.
+/* Implements the pass flatten. It merges nested unions and nested intersections, changes (a - b) - c to a - (b c), and
+ * replaces a set of a single member by the member.
  *
- * Only sets with a single reference dissolve: a shared union is a template and stays. The order of members stays, since
- * the material of an earlier solid wins where solids overlap.
+ * Only sets with a single reference are dissolved: a shared union is a template and stays. The order of members stays,
+ * since the material of an earlier solid has priority where solids overlap.
  *
- * A set that will dissolve into its parent is passed on unchanged and noted; the topmost set gathers all members below
- * it at once. Therefore a chain of n binary unions costs n, not n^2. */
+ * A set that will be dissolved into its parent is passed on unchanged and noted. The topmost set gathers all members
+ * below it at once. Therefore a chain of n binary unions costs n, not n^2. */
 #include "passes/flatten.h"
 
 #include <string.h>
@@ -15,9 +15,10 @@
 
 typedef struct {
   vs_store *store;
-  uint64_t *above;      /* above[i]: the kinds of set that dissolve in the place of the old node i, as bits 1 << kind */
+  uint64_t *above;      /* above[i]: the kinds of set that are dissolved in the place of old node i, as bits 1 <<
+                         * kind */
   size_t count;
-  vs_nodemap dissolves; /* new nodes that their parent shall dissolve */
+  vs_nodemap dissolves; /* new nodes that their parent must dissolve */
 } vs_flatten;
 
 
@@ -48,15 +49,16 @@ void vs_flatten_end(vs_rewrite *w) {
   vs_store_realloc(w->store, f, sizeof *f, 0);
 }
 
-/* Returns true if a set of this kind in old's place will dissolve into the set that refers to it. */
+/* Returns true if a set of new's kind, in old's place, will be dissolved into the set that refers to it. */
 static bool flatten_fits(const vs_rewrite *w, const vs_flatten *f, const vs_node *old, const vs_node *new) {
   return new->child_count && vs_rewrite_lone(w, old) && f->above[vs_order_of(old)] >> new->kind & 1;
 }
 
-typedef struct { const vs_ref *at; size_t left; } vs_flatten_run; /* the members still to take */
+typedef struct { const vs_ref *at; size_t left; } vs_flatten_run; /* members that are not yet gathered: an array and the
+                                                                   * number left */
 
-/* Gathers the members of a set with these kids, in order, after all that dissolves has dissolved. out NULL: only counts
- * them. Returns false when memory is out. */
+/* Gathers the members of a set whose children are kids, in order, with all nested sets dissolved. out NULL: only counts
+ * the members. Returns false if memory is out. */
 static bool flatten_gather(const vs_flatten *f, const vs_ref *kids, size_t kid_count, vs_ref *out, size_t *count) {
   size_t room = 16, depth = 1, n = 0;
   vs_flatten_run *stack = vs_store_realloc(f->store, NULL, 0, room * sizeof *stack);
@@ -112,14 +114,14 @@ static vs_node *flatten_set(vs_rewrite *w, const vs_node *n, const vs_ref *kids)
 vs_node *vs_pass_flatten(vs_rewrite *w, const vs_node *n, const vs_ref *kids, const vs_origin **origin) {
   vs_flatten *f = w->state;
   if (!vs_node_is_set(n)) return vs_rewrite_keep(w, n, kids);
-  /* A set of one member equals the member, except that the union of one closed curve is a region. */
+  /* A set of a single member equals the member. Exception: the union of a single closed curve is a region. */
   bool one = n->child_count == 1 && kids[0].node->class_ == n->class_ && !vs_nodemap_get(&f->dissolves, kids[0].node);
   vs_node *new;
   if (one) {
     *origin = kids[0].origin;
     w->changed++;
     new = vs_node_retain(kids[0].node);
-    /* The member takes the set's place, and dissolves there if it has no other reference. */
+    /* The member replaces the set. If it has no other reference, it may be dissolved there. */
     if (!vs_rewrite_lone(w, n->children[0].node) || !flatten_fits(w, f, n, new)) return new;
   } else if (flatten_fits(w, f, n, n)) {
     new = vs_rewrite_keep(w, n, kids);

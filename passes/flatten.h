@@ -1,4 +1,4 @@
-/* Owns the interface of flatten.c: flatten. */
+/* Declares the pass flatten. */
 #ifndef VS_PASSES_FLATTEN_H
 #define VS_PASSES_FLATTEN_H
 

@@ -24,20 +24,21 @@
 #include "passes/rewrite.h"
 #include "model/store/array.h"
 
-enum { PARTS_MOST = 4000, PAIRS_MOST = 1000000 }; /* of one set; above this, every part of the set counts as flush */
+enum { PARTS_MOST = 4000, PAIRS_MOST = 1000000 }; /* limits for a single set; beyond these, every part of the set counts
+                                                   * as flush */
 
-/* turned: the face's normal is opposite to the key's */
+/* turned: whether the face's normal is opposite to the key's */
 typedef struct { int64_t key[4]; uint32_t turned, operand, part; } face_plane;
-typedef struct { const vs_node *node; vs_affine placed; } place; /* a place on the way down to the parts */
+typedef struct { const vs_node *node; vs_affine placed; } place; /* a node inside a set, and its placement in the set */
 
 typedef struct {
   face_plane *planes;
   size_t count, room;
-  vs_bounds *boxes; /* of parts */
+  vs_bounds *boxes; /* bounds of the parts */
   size_t part_count, part_room;
   place *todo;
   size_t todo_count, todo_room;
-  double step;      /* of a plane's distance */
+  double step;      /* step to which the distance of a plane from the origin is rounded */
   vs_vec3 middle;
 } flush;
 
@@ -58,8 +59,8 @@ static int compare_planes(const void *p, const void *q) {
 
 static bool same_plane(const face_plane *a, const face_plane *b) { return memcmp(a->key, b->key, sizeof a->key) == 0; }
 
-/* Adds a plane; both of its sides have the same key. The steps of rounding lie at places that no model uses, so numbers
- * that differ only by rounding errors almost certainly fall into one step. */
+/* Adds a plane; both of its sides have the same key. The borders of the rounding steps are at numbers that no model
+ * uses. Numbers that differ only by rounding errors therefore almost always have the same key. */
 static bool add_plane(flush *f, vs_vec3 normal, vs_vec3 at, uint32_t operand) {
   vs_vec3 n = vs_v3_unit(normal);
   double first = fabs(n.x) > 1e-7 ? n.x : fabs(n.y) > 1e-7 ? n.y : n.z, h;
@@ -77,11 +78,11 @@ static bool add_plane(flush *f, vs_vec3 normal, vs_vec3 at, uint32_t operand) {
   return true;
 }
 
-/* Returns true if memory ran out or the run was interrupted, which must not change the output. Any other error means a
- * part that cannot be meshed: the pass skips it, and the mesher reports it later. */
+/* Returns true if memory is out or the run was interrupted: the pass must then fail. Any other error means that a part
+ * cannot be meshed. The pass skips the part, and the mesher reports the error later. */
 static bool starved(const vs_error *e) { return e->kind != VS_ERROR_NONE && e->kind != VS_ERROR_MODEL; }
 
-/* Adds the planes of a part, each once; none if the part cannot be meshed here. */
+/* Adds the planes of a part, each once. Adds none if the part cannot be meshed here. */
 static bool add_part(flush *f, const vs_node *n, const vs_affine *placed, uint32_t operand) {
   static const vs_fineness coarse = { 1e300, 32 };
   vs_mesh mesh = { 0 };
@@ -90,8 +91,8 @@ static bool add_part(flush *f, const vs_node *n, const vs_affine *placed, uint32
   if (!VS_GROW(f->boxes, f->part_room, f->part_count + 1)) return false;
   vs_bounds *box = &f->boxes[f->part_count++];
   *box = vs_bounds_empty();
-  if (n->kind == VS_HALF_SPACE) { /* the normal of a plane turns with the inverse's transpose; two directions in it are
-                                   * simpler */
+  if (n->kind == VS_HALF_SPACE) { /* A normal would have to be transformed by the inverse transpose; two directions in
+                                   * the plane are simpler */
     vs_vec3 normal = vs_v3_unit(VS_AS(half_space, n)->normal),
             u = vs_v3_unit(vs_v3_cross(normal, fabs(normal.z) < 0.5 ? vs_v3(0, 0, 1) : vs_v3(1, 0, 0))),
             v = vs_v3_cross(normal, u);
@@ -126,7 +127,7 @@ static bool add_part(flush *f, const vs_node *n, const vs_affine *placed, uint32
   return ok;
 }
 
-/* Adds all parts of an operand, including those within its sets. *too_many: the limit is reached. */
+/* Adds all parts of an operand, including those inside its sets. Sets *too_many if the limit is reached. */
 static bool add_operand(flush *f, const vs_node *operand, uint32_t number, bool *too_many) {
   f->todo_count = 0;
   if (!VS_GROW(f->todo, f->todo_room, 1)) return false;
@@ -147,9 +148,9 @@ static bool add_operand(flush *f, const vs_node *operand, uint32_t number, bool 
   return true;
 }
 
-/* Marks the operands that share a plane with an earlier one: any operand of an intersection; in a difference, each that
- * is flush with the first operand, and each that meets another cutter face to face (POV-Ray keeps a skin between two
- * such). */
+/* Marks the operands that share a plane with an earlier operand. In an intersection this is any operand. In a
+ * difference it is each operand that is flush with the first operand. It is also each cutter that touches another
+ * cutter face to face, because POV-Ray keeps a skin between the two. */
 static void mark(flush *f, bool difference, unsigned char *marked, size_t operands) {
   size_t pairs = 0;
   if (f->count > 0) qsort(f->planes, f->count, sizeof *f->planes, compare_planes);
@@ -172,10 +173,10 @@ static void mark(flush *f, bool difference, unsigned char *marked, size_t operan
   }
 }
 
-/* ---- growing ---- */
+/* ---- enlarging parts ---- */
 
-/* Gives the box of a part and its middle: of its mesh, if it has one, else of its box. Returns false if there is
- * nothing to grow, or, with *failed, when memory is out. */
+/* Computes the box of a part and its centre: that of its mesh if it has one, otherwise that of its box. Returns false
+ * if there is nothing to enlarge, or, with *failed set, if memory is out. */
 static bool middle_of(const vs_node *n, vs_bounds *b, vs_vec3 *middle, bool *failed) {
   static const vs_fineness coarse = { 1e300, 32 };
   vs_mesh mesh = { 0 };
@@ -194,8 +195,8 @@ static bool middle_of(const vs_node *n, vs_bounds *b, vs_vec3 *middle, bool *fai
   return !(*failed = starved(&ignored));
 }
 
-/* Returns the solid n, which is not a placement, with all its faces moved outwards by about `by`. NULL: out of
- * memory. */
+/* Returns the solid of ref, which is not a placement, with all its faces moved outwards by about `by`. Returns NULL if
+ * memory is out. */
 static vs_node *grown_part(vs_ref ref, double by) {
   vs_node *n = ref.node;
   vs_store *s = n->store;
@@ -210,14 +211,14 @@ static vs_node *grown_part(vs_ref ref, double by) {
   return vs_node_new(s, VS_TRANSFORM, &(struct vs_transform){ .matrix = vs_affine_scaling(middle, more) }, &ref, 1);
 }
 
-/* Returns the factor by which a placement lengthens things: the cube root of its volume. */
+/* Returns the factor by which a placement changes lengths: the cube root of its factor for volumes. */
 static double lengthens(const vs_affine *a) {
   vs_vec3 x = vs_v3(a->m[0][0], a->m[1][0], a->m[2][0]), y = vs_v3(a->m[0][1], a->m[1][1], a->m[2][1]),
           z = vs_v3(a->m[0][2], a->m[1][2], a->m[2][2]);
   return cbrt(fabs(vs_v3_dot(x, vs_v3_cross(y, z))));
 }
 
-/* Grows one part, within its placements and paint. */
+/* Enlarges a part inside its placements and paint. */
 static vs_node *grown_placed(vs_ref part, double by) {
   vs_ref at = part;
   while (vs_is_wrapper(at.node)) {
@@ -275,7 +276,7 @@ static vs_node *part_flush(vs_rewrite *w, const vs_node *n, const vs_ref *kids, 
   for (; ok && made < n->child_count; made++) {
     now[made] = kids[made];
     any = any || marked[made];
-    /* in an intersection each by another amount, since they may be flush with each other */
+    /* in an intersection each operand grows by another amount, since operands may be flush with each other */
     if (!marked[made]) vs_node_retain(kids[made].node);
     else if (!(now[made].node = grown(kids[made], diagonal * 0x1p-16 * (n->kind == VS_DIFFERENCE ? 1 : made))))
       ok = false;

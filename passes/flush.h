@@ -1,12 +1,13 @@
-/* Owns the parting of faces in one plane, for formats whose programs cut by comparing surfaces, as POV-Ray does: there
- * a skin would close a hole that is flush with a wall. */
+/* Declares the separation of faces that lie in a single plane. It is for formats whose programs cut by comparing
+ * surfaces, as POV-Ray does: without it, a thin skin would close a hole that is flush with a wall. */
 #ifndef VS_PASSES_FLUSH_H
 #define VS_PASSES_FLUSH_H
 
 #include "model/scene.h"
 
-/* In each difference and intersection of the scene, enlarges by 2^-16 of its size each operand that shares a plane with
- * the solid that it cuts, and each cutter that meets another face to face. The surface that stays does not move. */
+/* Enlarges operands in each difference and intersection of the scene by 2^-16 of their size. It enlarges operands that
+ * share a plane with the solid that they cut, and cutters that touch another cutter face to face. The surface of the
+ * result does not move. */
 bool vs_scene_part_flush(vs_scene *scene, vs_error *e);
 
 #endif

@@ -1,11 +1,11 @@
-/* Owns fold. Nested placements multiply. A moved primitive becomes a primitive at another place. Placements move into
- * paint, layers, regions, extrusions and small sets, if every member can absorb them. Paint or a layer that all members
- * of a set have moves outside the set.
+/* Implements the pass fold. Nested placements are multiplied. A moved primitive becomes a primitive at another place.
+ * Placements move into paint, layers, regions, extrusions and small sets, if every member can absorb them. Paint or a
+ * layer that all members of a set have moves outside the set.
  *
- * Each step removes a command or more, and none goes through a node with several references. A placement goes through
- * at most one set, of at most CARRY_MOST members: so a node costs no more than that, and texts do not fill with long
- * numbers to save one command. Transparent paint stays on its parts: around a set it would turn touching panes into one
- * body of glass. */
+ * Each step removes at least one command, and no step changes a node with several references. A placement moves through
+ * at most one set, of at most CARRY_MOST members. Without this limit the pass would cost more per node, and texts would
+ * contain many long numbers to save a single command. Transparent paint stays on its parts: around a set, it would make
+ * touching panes into a single body of glass. */
 #include "passes/fold.h"
 
 #include "model/store/nodemap.h"
@@ -14,7 +14,7 @@
 
 enum { CARRY_MOST = 8, DRESS_MOST = 4 };
 
-typedef struct { vs_nodemap shared; /* new nodes with several references */ } fold_state;
+typedef struct { vs_nodemap shared; /* set of new nodes with several references */ } fold_state;
 
 bool vs_fold_begin(vs_rewrite *w) {
   fold_state *f = vs_store_realloc(w->store, NULL, 0, sizeof *f);
@@ -39,13 +39,13 @@ static bool fold_is_wrapper(const vs_node *n) { return n->kind == VS_MATERIAL ||
 
 /* ---- placements ---- */
 
-typedef struct { int wrappers; bool set; } fold_way; /* the number of wrappers it may still go through; whether it may
-                                                      * go through a set */
+typedef struct { int wrappers; bool set; } fold_way; /* wrappers: number of wrappers that the placement may still pass.
+                                                      * set: whether it may pass a set */
 
 static vs_node *fold_carry(vs_rewrite *w, const vs_affine *a, const vs_node *n, fold_way way, bool *fits,
                            const vs_origin **origin);
 
-/* Returns n with the placement a carried into all of its children. data: its new fields. */
+/* Returns n with the placement a moved into all of its children. data: the new field values of n. */
 static vs_node *fold_carry_children(vs_rewrite *w, const vs_affine *a, const vs_node *n, const void *data, fold_way way,
                                     bool *fits) {
   vs_ref kids[CARRY_MOST];
@@ -77,9 +77,9 @@ static vs_node *fold_carry_placement(vs_rewrite *w, const vs_affine *a, const vs
   return made || fits ? made : vs_node_new(w->store, VS_TRANSFORM, &both, n->children, 1);
 }
 
-/* Returns a new reference to n under a, without an additional command. NULL: with *fits false, n cannot absorb the
- * placement; else memory is out. Sets *origin if n's child takes n's place. The recursion is as deep as profiles,
- * wrappers and one set are. */
+/* Returns a new reference to n under the placement a, without an additional command. Returns NULL and *fits false if n
+ * cannot absorb the placement, NULL and *fits true if memory is out. Sets *origin if n's child replaces n. The
+ * recursion is as deep as profiles, wrappers and a single set. */
 static vs_node *fold_carry(vs_rewrite *w, const vs_affine *a, const vs_node *n, fold_way way, bool *fits,
                            const vs_origin **origin) {
   if (n->kind == VS_TRANSFORM) {
@@ -115,7 +115,7 @@ static vs_node *fold_placed(vs_rewrite *w, const vs_node *n, const vs_ref *kids,
     return vs_node_retain(kids[0].node);
   }
   if (!vs_rewrite_lone(w, n->children[0].node) || !fold_lone(w, below)) return vs_rewrite_keep(w, n, kids);
-  /* messages name the call that made the primitive */
+  /* error messages refer to the call that made the primitive */
   const vs_origin *own = below->kind == VS_TRANSFORM ? NULL : kids[0].origin;
   vs_node *made = fold_carry(w, a, below, (fold_way){ DRESS_MOST, true }, &fits, &own);
   if (!fits) return vs_rewrite_keep(w, n, kids);
@@ -138,7 +138,8 @@ static bool fold_may_rise(const vs_rewrite *w, const vs_node *n) {
          (n->kind == VS_LAYER || !(VS_AS(material, n)->material->transparency > 0)) && fold_lone(w, n);
 }
 
-/* Returns the number of members from kids[at] on that are in one wrapper which may rise. */
+/* Returns the number of members from kids[at] on that have the same wrapper, if the wrapper may move outside the
+ * set. */
 static uint32_t fold_run(const vs_rewrite *w, const vs_ref *kids, uint32_t at, uint32_t count) {
   uint32_t end = at;
   if (!fold_may_rise(w, kids[at].node)) return 0;
@@ -149,7 +150,7 @@ static uint32_t fold_run(const vs_rewrite *w, const vs_ref *kids, uint32_t at, u
 static vs_node *fold_members(vs_rewrite *w, const vs_node *set, vs_kind kind, const vs_ref *kids, uint32_t count,
                              int depth);
 
-/* Returns the common wrapper of all kids, around the set of their children. */
+/* Returns the common wrapper of all kids, around the set of the wrappers' children. */
 static vs_node *fold_raise(vs_rewrite *w, const vs_node *set, vs_kind kind, const vs_ref *kids, uint32_t count,
                            int depth) {
   const vs_node *wrapper = kids[0].node;
@@ -163,7 +164,7 @@ static vs_node *fold_raise(vs_rewrite *w, const vs_node *set, vs_kind kind, cons
   return made;
 }
 
-/* Returns the set of kids, with shared wrappers around runs of neighbours; new nodes in it have the origin of `set`.
+/* Returns the set of kids, with common wrappers around runs of neighbours. New nodes in it have the origin of `set`.
  * Calls itself twice for each nested wrapper, at most depth levels deep. */
 static vs_node *fold_members(vs_rewrite *w, const vs_node *set, vs_kind kind, const vs_ref *kids, uint32_t count,
                              int depth) {
@@ -171,7 +172,7 @@ static vs_node *fold_members(vs_rewrite *w, const vs_node *set, vs_kind kind, co
   if (depth == 0 || kind != VS_UNION) return vs_node_new(w->store, kind, vs_node_data(set), kids, count);
   const vs_origin *origin = w->order.at[vs_order_of(set)].origin;
   vs_ref *all = vs_store_realloc(w->store, NULL, 0, count * sizeof *all);
-  uint32_t *made = vs_store_realloc(w->store, NULL, 0, count * sizeof *made); /* the nodes among them that this call
+  uint32_t *made = vs_store_realloc(w->store, NULL, 0, count * sizeof *made); /* the new members that this function
                                                                                * owns */
   uint32_t kept = 0, ours = 0;
   bool ok = all && made;
@@ -204,7 +205,7 @@ static vs_node *fold_set(vs_rewrite *w, const vs_node *n, const vs_ref *kids) {
   return fold_members(w, n, (vs_kind)n->kind, kids, n->child_count, DRESS_MOST);
 }
 
-/* The inner wrapper wins: an outer one of the same kind directly around it has no effect. */
+/* An outer wrapper directly around a wrapper of the same kind has no effect, so the outer wrapper is removed. */
 static vs_node *fold_wrapper(vs_rewrite *w, const vs_node *n, const vs_ref *kids, const vs_origin **origin) {
   if (kids[0].node->kind != n->kind || !fold_lone(w, kids[0].node)) return vs_rewrite_keep(w, n, kids);
   w->changed++;

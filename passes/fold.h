@@ -1,4 +1,4 @@
-/* Owns the interface of fold.c: fold. */
+/* Declares the pass fold. */
 #ifndef VS_PASSES_FOLD_H
 #define VS_PASSES_FOLD_H
 

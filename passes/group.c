@@ -1,10 +1,10 @@
-/* Owns grouping: it turns sets of very many parts into trees of boxes, for a target that tries every part of a set for
- * every ray.
+/* Implements grouping: it converts sets of very many parts to trees of boxes. This is for a target program that tests
+ * every part of a set for every ray.
  *
- * The pass halves the cutters of a difference, and the members of a union that is cut or intersected, by their middles,
- * until few are left. Each half is the intersection of a box, a little larger than its parts, with their union. A point
- * outside the box is then outside all of them at once. Parts with their own paint, or without bounds, stay outside the
- * boxes, so order and paint do not change. */
+ * The pass divides the cutters of a difference into halves by their centres, until few are left. It does the same with
+ * the members of a union that is cut or intersected. Each half is the intersection of a box, slightly larger than its
+ * parts, with their union. If a point is outside the box, it is outside all of the parts, and one test suffices. Parts
+ * with their own paint, or without bounds, stay outside the boxes, so order and paint do not change. */
 #include "passes/group.h"
 
 #include <math.h>
@@ -16,8 +16,8 @@ enum { MANY = 12, FEW = 5 };
 
 typedef struct { vs_ref ref; vs_bounds bounds; vs_vec3 middle; size_t index; } group_part;
 typedef struct {
-  unsigned char *carved, *painted; /* carved[i]: the old node i is in an intersection or difference; painted[i]: it has
-                                    * a paint */
+  unsigned char *carved, *painted; /* carved[i]: whether old node i is in an intersection or difference. painted[i]:
+                                    * whether it has a paint */
   size_t count;
 } group_state;
 
@@ -39,7 +39,8 @@ static int group_by_z(const void *p, const void *q) {
 static vs_node *group_box(vs_rewrite *w, const group_part *parts, size_t count, vs_ref whole) {
   vs_bounds b = vs_bounds_empty();
   for (size_t i = 0; i < count; i++) vs_bounds_unite(&b, &parts[i].bounds);
-  double more = 2e-3 * vs_bounds_diagonal(&b); /* bounds of curved shapes come from samples */
+  double more = 2e-3 * vs_bounds_diagonal(&b); /* the bounds of curved shapes come from sample points, so they are
+                                                * enlarged */
   struct vs_box box = { .p = { b.min.x - more, b.min.y - more, b.min.z - more },
                         .q = { b.max.x + more, b.max.y + more, b.max.z + more } };
   vs_ref both[2] = { { vs_node_new(w->store, VS_BOX, &box, NULL, 0), whole.origin }, whole };
@@ -48,8 +49,8 @@ static vs_node *group_box(vs_rewrite *w, const group_part *parts, size_t count, 
   return made;
 }
 
-/* Returns a new reference to the parts' union in boxes, with the first part's origin. Halves the parts, so the depth of
- * its recursion is the number of binary digits of count. */
+/* Returns a new reference to the parts' union as a tree of boxes, with the first part's origin. It divides the parts
+ * into halves, so the depth of its recursion is the number of binary digits of count. */
 static vs_node *group_tree(vs_rewrite *w, group_part *parts, size_t count) {
   vs_ref kids[FEW] = { { 0 } };
   size_t n = count <= FEW ? count : 2;
@@ -72,7 +73,7 @@ static vs_node *group_tree(vs_rewrite *w, group_part *parts, size_t count) {
   return made;
 }
 
-/* Groups kids from `first` on, if enough of them can be grouped. NULL: failed. */
+/* Groups kids from `first` on, if enough of them can be grouped. Returns NULL on failure. */
 static vs_node *group_members(vs_rewrite *w, const vs_node *n, const vs_ref *kids, uint32_t first) {
   const group_state *g = w->state;
   size_t count = 0, kept = first;
@@ -89,7 +90,7 @@ static vs_node *group_members(vs_rewrite *w, const vs_node *n, const vs_ref *kid
     else parts[count++] = (group_part){ kids[i], b, vs_v3_scale(vs_v3_add(b.min, b.max), 0.5), i };
   }
   vs_node *made = NULL;
-  if (ok) { /* a large part would enlarge every box, so it stays beside them */
+  if (ok) { /* a large part would enlarge every box, so it stays outside the boxes */
     vs_bounds whole = vs_bounds_empty();
     for (size_t i = 0; i < count; i++) vs_bounds_unite(&whole, &parts[i].bounds);
     size_t small = 0;
@@ -142,7 +143,7 @@ bool vs_sets_group(vs_store *s, vs_ref *refs, size_t count, const vs_pass_option
     for (uint32_t i = 0; w.order.note[k].inner && i < n->child_count; i++)
       if (vs_order_has(&w.order, n->children[i].node)) g.painted[k] |= g.painted[vs_order_of(n->children[i].node)];
   }
-  for (size_t k = w.order.count; ok && k-- > 0;) { /* parents first */
+  for (size_t k = w.order.count; ok && k-- > 0;) { /* visits parents before children */
     const vs_node *n = w.order.at[k].node;
     bool below = g.carved[k] || n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE;
     for (uint32_t i = 0; below && w.order.note[k].inner && i < n->child_count; i++)

@@ -1,12 +1,12 @@
-/* Owns the interface of group.c: grouping. */
+/* Declares grouping. */
 #ifndef VS_PASSES_GROUP_H
 #define VS_PASSES_GROUP_H
 
 #include "passes/passes.h"
 
-/* Turns sets of very many cutters into trees of boxes (group.c), for a target that tries every part of a set for every
- * ray. This adds commands, and keeps the drawing. It rewrites as vs_passes_run does, and needs bounds; it is not one of
- * the passes. */
+/* Converts sets of very many cutters to trees of boxes (group.c), for a target program that tests every part of a set
+ * for every ray. This adds commands, and does not change the drawn shape. It rewrites as vs_passes_run does, and needs
+ * bounds. It is not one of the passes. */
 bool vs_sets_group(vs_store *s, vs_ref *refs, size_t count, const vs_pass_options *options, vs_error *e);
 
 #endif

@@ -1,15 +1,16 @@
-/* Owns ink: a dark paint for thin objects without a material. In a picture, a pale line or letter would be lost on a
- * pale sky.
+/* Gives a dark paint to thin objects without a material. In a picture, a pale line or letter would be invisible against
+ * a pale sky.
  *
- * The pass gives a dark material to curves, flat regions and open surfaces without one, each subtree as a whole. An
- * outer material applies to everything below it, so the pass skips whatever lies below a material, and descends into
- * nodes that contain one. */
+ * The pass gives a dark material to curves, flat regions and open surfaces without a material, each subtree as a whole.
+ * An outer material applies to everything below it. The pass therefore skips everything below a material, and visits
+ * the children of nodes that contain one. */
 #include "passes/ink.h"
 
 #include "passes/rewrite.h"
 
 typedef struct {
-  const vs_material *ink, *slate; /* of curves and regions; of surfaces, so that their shading stays visible */
+  const vs_material *ink, *slate; /* ink: dark material of curves and regions. slate: material of surfaces, less dark,
+                                   * so that their shading stays visible */
   unsigned char *painted;         /* painted[i]: whether node i contains a material */
 } ink_state;
 
@@ -21,7 +22,7 @@ static bool ink_is_painted(const vs_rewrite *w, const vs_node *n) {
   return vs_order_has(&w->order, n) && ((const ink_state *)w->state)->painted[vs_order_of(n)];
 }
 
-/* Returns true if the parent of this node paints it as a whole. */
+/* Returns true if the pass gives this thin node a material as a whole, because it contains none. */
 static bool ink_is_whole(const vs_rewrite *w, const vs_node *n) { return ink_is_thin(n) && !ink_is_painted(w, n); }
 
 static vs_node *ink_around(vs_rewrite *w, vs_ref thin) {
@@ -31,7 +32,8 @@ static vs_node *ink_around(vs_rewrite *w, vs_ref thin) {
   return vs_node_new(w->store, VS_MATERIAL, &paint, &thin, 1);
 }
 
-/* Returns the node with these children, and ink on those that are inked as a whole. NULL: out of memory. */
+/* Returns the node with these children, and gives a material to the children that contain none. Returns NULL if memory
+ * is out. */
 static vs_node *ink_children(vs_rewrite *w, const vs_node *n, const vs_ref *kids) {
   size_t count = n->child_count;
   vs_ref *inked = vs_store_realloc(w->store, NULL, 0, (count + 1) * sizeof *inked);
@@ -52,7 +54,7 @@ static vs_node *ink_children(vs_rewrite *w, const vs_node *n, const vs_ref *kids
 static vs_node *ink_node(vs_rewrite *w, const vs_node *n, const vs_ref *kids, const vs_origin **origin) {
   (void)origin;
   bool gone_into = n->kind == VS_UNION || n->kind == VS_TRANSFORM || n->kind == VS_LAYER;
-  /* with its own children */
+  /* the node keeps its own children */
   if (!gone_into || n->class_ == VS_SOLID || ink_is_whole(w, n)) return vs_node_retain((vs_node *)(uintptr_t)n);
   return ink_children(w, n, kids);
 }
@@ -63,7 +65,7 @@ static const vs_material *ink_color(vs_store *s, double red, double green, doubl
   return vs_store_material(s, &m);
 }
 
-/* Computes painted: for each node, whether it contains a material. */
+/* Computes painted[i] for each node: whether it contains a material. */
 static void ink_look(vs_rewrite *w, ink_state *s) {
   for (size_t k = 0; k < w->order.count; k++) {
     const vs_node *n = w->order.at[k].node;
@@ -86,7 +88,7 @@ bool vs_scene_ink(vs_scene *scene, vs_error *e) {
   size_t room = w.order.count + 1;
   if (ok) ok = (s.painted = vs_store_realloc(store, NULL, 0, room)) != NULL || vs_error_memory(e, NULL);
   if (ok) ink_look(&w, &s);
-  for (size_t i = 0; ok && i < scene->drawn_count; i++) { /* nothing below them changes */
+  for (size_t i = 0; ok && i < scene->drawn_count; i++) { /* nothing below these nodes changes */
     vs_ref *drawn = &scene->drawn[i];
     if (!ink_is_whole(&w, drawn->node)) continue;
     vs_node *inked = ink_around(&w, *drawn);

@@ -1,9 +1,9 @@
-/* Owns laying: bricks, boards and pictures on turned objects.
+/* Keeps bricks, boards and pictures correct on rotated objects.
  *
- * POV-Ray chooses the face's projection by its normal in the scene, and turns a texture with its object. Both agree if
- * only shifts surround the material. Therefore the pass moves each other placement around a material one step down in a
- * round, until it is below all of them: bricks then follow the scene's axes and keep their size, as on web pages.
- * Shifts stay, and so does most sharing of copies. */
+ * POV-Ray chooses the projection of a texture on a face by the face's normal in the scene, but rotates the texture with
+ * its object. Both agree if only translations surround the material. The pass therefore moves every other placement
+ * around a material down by one level at a time, until it is below all such materials. Bricks then follow the scene's
+ * axes and keep their size, as on web pages. Translations stay, and so does most sharing of copies. */
 #include "passes/lay.h"
 
 #include "passes/rewrite.h"
@@ -19,7 +19,7 @@ static bool lies_on_faces(const vs_material *m) {
   return false;
 }
 
-/* state[i]: whether node i contains such a material */
+/* state[i]: whether node i contains a material that lies on faces */
 static bool lay_is_laid(const vs_rewrite *w, const vs_node *n) {
   return vs_order_has(&w->order, n) && ((const unsigned char *)w->state)[vs_order_of(n)];
 }

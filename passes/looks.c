@@ -1,32 +1,35 @@
-/* Owns looks in flat sets: each part of a region keeps its material and its layer.
+/* Moves looks out of flat sets, so that each part of a region keeps its material and its layer.
  *
- * A format makes one region of a difference of regions, and a region has a single look. Therefore the pass moves looks
- * out of the set: (a + b in red) - c becomes (a - c) + (b - c) in red. It takes the operand with looks apart into
+ * A format makes a single region of a difference of regions, and a region has a single look. The pass therefore moves
+ * looks out of the set: (a + b in red) - c becomes (a - c) + (b - c) in red. It divides the operand with looks into
  * parts, each with its placements and its looks. Parts of equal look stay together, so a set becomes as many sets as it
- * has looks. In a difference that operand is the first; in an intersection it is the first operand with a look, so the
- * earlier look applies to the common part. An offset, a hull and a filled curve are new outlines; they have the look of
- * their first part.
+ * has looks. In a difference, the divided operand is the first. In an intersection, it is the first operand with a
+ * look, so the earlier look applies to the common part. An offset, a hull and a filled curve are new outlines, and have
+ * the look of their first part.
  *
  * A union does not change: the driver shows its members one by one if they contain a look.
  *
- * Cost: a look at each node, and the parts of each set with looks. */
+ * Cost: proportional to the number of nodes, plus the parts of each set with looks. */
 #include "passes/looks.h"
 
 #include "model/store/nodemap.h"
 #include "passes/rewrite.h"
 
-/* A wrapper within the look `above`; look 0 is none. The parts of a look are a chain through `next`. */
+/* A look: a wrapper inside the look `above`; look 0 means no look. The parts of a look form a list, linked by
+ * `next`. */
 typedef struct { uint32_t above; const vs_node *wrapper; uint32_t first, last; } looks_look;
-typedef struct { uint32_t look, next; vs_ref ref; } looks_part;         /* without looks; its node is retained */
-typedef struct { uint32_t look; vs_affine placed; vs_ref ref; } looks_step; /* still to be taken apart */
+typedef struct { uint32_t look, next; vs_ref ref; } looks_part;         /* a part without its looks; its node is
+                                                                         * retained */
+typedef struct { uint32_t look; vs_affine placed; vs_ref ref; } looks_step; /* an operand that must still be divided
+                                                                             * into parts */
 
 #define NO_PART UINT32_MAX
 
 typedef struct {
   vs_store *store;
   vs_error *error;
-  unsigned char *looked; /* looked[i]: whether the old node i contains a look */
-  vs_nodemap made;        /* new nodes that contain a look, other than the looks themselves */
+  unsigned char *looked; /* looked[i]: whether old node i contains a look */
+  vs_nodemap made;        /* new nodes that contain a look, except the looks themselves */
   looks_look *looks;
   size_t look_count, look_room;
   looks_part *parts;
@@ -43,7 +46,7 @@ static bool had_look(const vs_rewrite *w, const vs_node *old) {
   return vs_order_has(&w->order, old) && ((const looks_state *)w->state)->looked[vs_order_of(old)];
 }
 
-static bool is_outlined(const vs_node *n) { /* Returns true for an outline that is made of others. */
+static bool is_outlined(const vs_node *n) { /* Returns true for an outline that is computed from other outlines. */
   return n->kind == VS_OFFSET || n->kind == VS_REGION || (n->kind == VS_HULL && n->class_ == VS_REGION_CLASS);
 }
 
@@ -75,7 +78,7 @@ static bool same_wrapper(const vs_node *a, const vs_node *b) {
                              : VS_AS(material, a)->material == VS_AS(material, b)->material;
 }
 
-/* Finds or adds the wrapper within the look `above`. Returns false when memory is out. */
+/* Finds or adds the look that consists of this wrapper inside the look `above`. Returns false if memory is out. */
 static bool find_look(looks_state *s, uint32_t above, const vs_node *wrapper, uint32_t *out) {
   for (size_t i = s->look_count; i-- > 1;)
     if (s->looks[i].above == above && same_wrapper(s->looks[i].wrapper, wrapper)) return *out = (uint32_t)i, true;
@@ -90,7 +93,7 @@ static bool add_step(looks_state *s, looks_step step) {
   return true;
 }
 
-/* Adds the part, in its placement, after those of its look. Returns false when memory is out. */
+/* Adds the part, in its placement, after the other parts of its look. Returns false if memory is out. */
 static bool add_part(looks_state *s, const looks_step *at) {
   vs_ref ref = at->ref;
   bool still = vs_affine_is_translation(&at->placed) && at->placed.m[0][3] == 0 && at->placed.m[1][3] == 0 &&
@@ -113,7 +116,7 @@ static void forget_parts(looks_state *s) {
   s->part_count = s->step_count = 0;
 }
 
-/* Takes the operand apart, in order. Returns false when memory is out or the run is interrupted. */
+/* Divides the operand into parts, in order. Returns false if memory is out or the run is interrupted. */
 static bool take_apart(looks_state *s, vs_ref operand) {
   forget_parts(s);
   s->look_count = 0;
@@ -138,9 +141,10 @@ static bool take_apart(looks_state *s, vs_ref operand) {
   return ok;
 }
 
-/* ---- sets of one look ---- */
+/* ---- sets with a single look ---- */
 
-/* Returns the node within the look; takes the node over. NULL: out of memory, or the node was NULL. */
+/* Returns the node inside the look, and takes over the reference to the node. Returns NULL if memory is out, or if the
+ * node is NULL. */
 static vs_node *within_look(looks_state *s, uint32_t look, vs_node *n, const vs_origin *origin) {
   for (; n && look; look = s->looks[look].above) {
     const vs_node *wrapper = s->looks[look].wrapper;
@@ -151,7 +155,7 @@ static vs_node *within_look(looks_state *s, uint32_t look, vs_node *n, const vs_
   return n;
 }
 
-/* The parts of one look, several as a union. *origin: the first one's. */
+/* Returns the parts of a look; several parts form a union. Sets *origin to the origin of the first part. */
 static vs_node *parts_of(looks_state *s, const looks_look *look, const vs_origin **origin) {
   size_t count = 0;
   for (uint32_t i = look->first; i != NO_PART; i = s->parts[i].next) count++;
@@ -167,7 +171,8 @@ static vs_node *parts_of(looks_state *s, const looks_look *look, const vs_origin
   return made;
 }
 
-/* The set n of these kids with what has one look in place of kid `which`, in that look. */
+/* Returns set n of these kids, but kid `which` is replaced by its parts of a single look. The set is inside that
+ * look. */
 static vs_node *set_of_look(looks_state *s, const vs_node *n, vs_ref *kids, uint32_t which, uint32_t look,
                             const vs_origin **origin) {
   vs_node *operand = parts_of(s, &s->looks[look], origin);
@@ -178,14 +183,14 @@ static vs_node *set_of_look(looks_state *s, const vs_node *n, vs_ref *kids, uint
   return within_look(s, look, made, *origin);
 }
 
-/* Returns the set n of these kids as one set for each look of the parts, which come from kid `which`. */
+/* Returns set n of these kids as a set for each look. The parts come from kid `which`. */
 static vs_node *spread(looks_state *s, const vs_node *n, const vs_ref *kids, uint32_t which) {
   size_t room = n->child_count, used = 0;
   vs_ref *own = vs_store_realloc(s->store, NULL, 0, room * sizeof *own);
   vs_ref *sets = vs_store_realloc(s->store, NULL, 0, s->look_count * sizeof *sets);
   bool ok = own && sets;
   for (size_t i = 0; ok && i < room; i++) own[i] = kids[i];
-  for (size_t p = 0; ok && p < s->part_count; p++) { /* looks in the order of their first parts */
+  for (size_t p = 0; ok && p < s->part_count; p++) { /* visits looks in the order of their first parts */
     uint32_t look = s->parts[p].look;
     if (s->looks[look].first != p) continue;
     sets[used].node = set_of_look(s, n, own, which, look, &sets[used].origin);
@@ -203,14 +208,14 @@ static vs_node *spread(looks_state *s, const vs_node *n, const vs_ref *kids, uin
 
 /* ---- the pass ---- */
 
-/* Returns the number of the operand whose looks the set has. */
+/* Returns the index of the operand whose looks the set has. */
 static uint32_t operand_with_look(const looks_state *s, const vs_node *n, const vs_ref *kids) {
   uint32_t i = 0;
   while (n->kind == VS_INTERSECTION && i + 1 < n->child_count && !has_look(s, kids[i].node)) i++;
   return i;
 }
 
-/* Rewrites a difference or an intersection of regions that contain looks. NULL: failed. */
+/* Rewrites a difference or an intersection of regions that contain looks. Returns NULL on failure. */
 static vs_node *set_with_looks(vs_rewrite *w, const vs_node *n, const vs_ref *kids) {
   looks_state *s = w->state;
   uint32_t which = operand_with_look(s, n, kids);
@@ -221,7 +226,7 @@ static vs_node *set_with_looks(vs_rewrite *w, const vs_node *n, const vs_ref *ki
   return made;
 }
 
-/* Returns an outline made of others, in the look of the first of them. */
+/* Returns an outline that is computed from other outlines, inside the look of the first. */
 static vs_node *outline_with_look(vs_rewrite *w, const vs_node *n, const vs_ref *kids) {
   looks_state *s = w->state;
   vs_node *made = vs_rewrite_keep(w, n, kids);
@@ -247,7 +252,7 @@ static vs_node *looks_node(vs_rewrite *w, const vs_node *n, const vs_ref *kids, 
   return made;
 }
 
-/* Returns true if looks must move out of some node. */
+/* Returns true if looks must be moved out of some node. */
 static bool find_looks(vs_rewrite *w, looks_state *s) {
   bool any = false;
   for (size_t k = 0; k < w->order.count; k++) {

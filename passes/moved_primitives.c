@@ -1,8 +1,8 @@
-/* Owns the primitives for fold (fold.c): the result of each under a map.
+/* Computes the image of a primitive under an affine map, for the pass fold (fold.c).
  *
- * Each kind is closed under some maps: a box under those that keep axes, a round solid under those that keep circles,
- * polyhedra and polylines under all. If the program set the number of facets (segments), a turn would move their
- * corners; then only shifts and even scales fold. */
+ * For some maps, the image is a primitive of the same kind. Such maps keep the axes for a box, and keep circles for a
+ * round solid. Polyhedra and polylines allow all maps. If the program set the number of facets (segments), a rotation
+ * would move their corners. In this case only translations and uniform scales are folded. */
 #include "passes/moved_primitives.h"
 
 #include <math.h>
@@ -73,7 +73,7 @@ vs_node *vs_fold_primitive(vs_rewrite *w, const vs_affine *a, const vs_node *n, 
       d.v = vs_affine_vector(a, d.v);
       return vs_node_new(w->store, VS_RAY, &d, NULL, 0);
     }
-    case VS_SPLINE: { /* its parameter is the length of chords: similar points give a similar curve */
+    case VS_SPLINE: { /* the parameter of the curve is the length of chords, so similar points give a similar curve */
       VS_MOVED(spline, f.even);
       vs_points *points = vs_shape_map_points(w->store, a, d.points);
       d.points = points;

@@ -1,11 +1,11 @@
-/* Owns the run of the passes over a drawing before it is written. */
+/* Runs the passes over a drawing before it is written. */
 #include "passes/optimise.h"
 
 #include "geometry/measure/node_measures.h"
 #include "passes/group.h"
 #include "passes/rewrite.h"
 
-/* Gives bounds to the passes. A failed sample must not end the drawing: a node without bounds counts as unbounded, and
+/* Computes bounds for the passes. A failure must not end the drawing: a node without bounds counts as unbounded, and
  * the mesher reports its error. */
 static bool optimise_bounds(void *context, const vs_node *n, vs_bounds *out, vs_error *e) {
   vs_error why = { VS_ERROR_NONE, NULL, "" };
@@ -26,7 +26,7 @@ bool vs_scene_optimise(vs_scene *scene, unsigned passes, vs_pass_stats *stats, v
   return ok;
 }
 
-/* Gives bounds for grouping. A node without bounds is not grouped; the mesher reports its error. */
+/* Computes bounds for grouping. A node without bounds is not grouped; the mesher reports its error. */
 static bool group_bounds(void *context, const vs_node *n, vs_bounds *out, vs_error *e) {
   vs_error why = { VS_ERROR_NONE, NULL, "" };
   *out = vs_bounds_empty();

@@ -1,5 +1,5 @@
-/* Owns the run of the passes over a drawing before it is written. It gives them bounds, which the passes' layer cannot
- * compute. */
+/* Declares the run of the passes over a drawing before it is written. It provides bounds, which the layer of the passes
+ * cannot compute. */
 #ifndef VS_PASSES_OPTIMISE_H
 #define VS_PASSES_OPTIMISE_H
 
@@ -8,7 +8,7 @@
 
 /* Rewrites the scene's drawn array. On failure the scene is unchanged. stats may be NULL. */
 bool vs_scene_optimise(vs_scene *scene, unsigned passes, vs_pass_stats *stats, vs_error *e);
-/* Makes trees of boxes of the scene's large sets (group.c), for a format whose program tries every part of a set for
+/* Converts the scene's large sets to trees of boxes (group.c), for a format whose program tests every part of a set for
  * every ray. */
 bool vs_scene_group(vs_scene *scene, vs_error *e);
 

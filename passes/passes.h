@@ -1,7 +1,7 @@
-/* Owns the passes: functions from drawing to drawing that keep the drawn shape and need fewer commands.
+/* Declares the passes: functions that rewrite a drawing to need fewer commands, without changing the drawn shape.
  *
- * A model is a DAG. Each pass visits every distinct node once, children first, and never recurses. A node with several
- * references is a template: passes may change the node itself, and never dissolve it into its users. */
+ * A model is a DAG. Each pass visits every distinct node once, children first, and is not recursive. A node with
+ * several references is a template. Passes may change the node itself, but never copy it into its users. */
 #ifndef VS_PASSES_PASSES_H
 #define VS_PASSES_PASSES_H
 
@@ -16,16 +16,18 @@ typedef struct { const char *name, *doc; } vs_pass_info;
 const vs_pass_info *vs_pass_get(vs_pass_kind pass);
 
 typedef struct {
-  unsigned passes; /* bit k: run vs_pass_kind k */
-  /* Gives safe bounds of a node in its own coordinates; it comes from geometry, which this layer cannot call. NULL:
-   * prune removes only empty nodes. Nodes may be gone after the run, so context must forget them then. */
+  unsigned passes; /* set of passes to run: bit k means vs_pass_kind k */
+  /* Computes safe bounds of a node in its own coordinates. The function comes from geometry, which this layer cannot
+   * call. NULL: prune removes only empty nodes. Nodes may be freed at the end of the run, so context must then forget
+   * them. */
   bool (*bounds)(void *context, const vs_node *n, vs_bounds *out, vs_error *e);
   void *context;
 } vs_pass_options;
 
 typedef struct {
-  double commands_before, commands_after;            /* for a target program: order_commands in rewrite.c */
-  size_t changed[VS_PASS_COUNT];                     /* the number of nodes that each pass rewrote */
+  double commands_before, commands_after;            /* numbers of commands for a target program: order_commands in
+                                                      * rewrite.c */
+  size_t changed[VS_PASS_COUNT];                     /* changed[k]: number of nodes that pass k rewrote */
 } vs_pass_stats;
 
 #endif

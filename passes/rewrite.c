@@ -1,11 +1,10 @@
-/* Owns the loop that runs all passes (every distinct node once, children first, with remembered results), and the
- * counting of commands. */
+/* Runs the passes: visits every distinct node once, children first, and remembers results. Also counts commands. */
 #include "passes/rewrite.h"
 #include "passes/flatten.h"
 #include "passes/fold.h"
 #include "passes/share.h"
 
-/* the new node of an old one; origin NULL: that of each reference */
+/* The new node that replaces an old one, and its origin. origin NULL: each reference keeps its own origin. */
 typedef struct { vs_node *node; const vs_origin *origin; } vs_rewritten;
 
 const vs_pass_info *vs_pass_get(vs_pass_kind pass) {
@@ -44,7 +43,8 @@ static bool rewrite_node(vs_rewrite *w, vs_rewrite_fn *fn, size_t index, vs_rewr
   }
   results[index].origin = NULL;
   results[index].node = fn(w, at.node, kids, &results[index].origin);
-  if (w->order.note[index].uses > 1) results[index].origin = NULL; /* several calls refer to it: each keeps its own */
+  if (w->order.note[index].uses > 1) results[index].origin = NULL; /* several calls refer to the node, and each
+                                                                    * reference keeps its own origin */
   if (results[index].node) return true;
   if (e->kind == VS_ERROR_NONE) vs_error_memory(e, at.origin);
   if (!e->origin) e->origin = at.origin;
@@ -107,8 +107,8 @@ static double order_commands(const vs_order *o, size_t drawn) {
 
 /* ---- all passes ---- */
 
-/* Runs one pass over the drawing: its begin; every node, unless the begin has found that nothing would change; its
- * end. */
+/* Runs a single pass over the drawing: its begin; then every node, unless its begin found that nothing would change;
+ * then its end. */
 static bool pass_once(vs_pass_kind k, vs_rewrite *w, vs_ref *refs, size_t count) {
   static const struct { vs_rewrite_fn *node; bool (*begin)(vs_rewrite *w); void (*end)(vs_rewrite *w); } passes[] = {
 #define VS_PASS(upper, lower, begin, end, doc) { vs_pass_##lower, begin, end },
@@ -141,11 +141,11 @@ bool vs_passes_run(vs_store *s, vs_ref *refs, size_t count, const vs_pass_option
     vs_rewrite w = { .store = s, .options = options, .error = e, .order = order };
     ok = pass_once((vs_pass_kind)k, &w, work, count);
     if (stats) stats->changed[k] += w.changed;
-    /* otherwise every node of the drawing is the same */
+    /* if no pass changed the drawing, the order of its nodes is still valid */
     if (ok && w.changed) ok = vs_order_make(&order, work, count, e);
     if (k == VS_PASS_FOLD && w.nests && !nests && options->passes >> VS_PASS_FLATTEN & 1) {
       nests = true;
-      k = VS_PASS_FLATTEN - 1; /* once more from there: a wrapper between sets has gone */
+      k = VS_PASS_FLATTEN - 1; /* runs again from there, because a wrapper between two sets was removed */
     }
   }
   if (ok && stats) stats->commands_after = order_commands(&order, count);

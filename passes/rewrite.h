@@ -1,4 +1,4 @@
-/* Owns the loop that runs all passes; passes/flush.c also uses it. */
+/* Declares the run of all passes; passes/flush.c also uses it. */
 #ifndef VS_PASSES_REWRITE_H
 #define VS_PASSES_REWRITE_H
 
@@ -6,10 +6,10 @@
 #include "passes/passes.h"
 
 typedef struct vs_rewrite vs_rewrite;
-enum { VS_NODE_WORK = 1 << 14 }; /* the most work of a pass for a node, for vs_store_going; a node may have thousands of
-                                  * points */
-/* Rewrites n, whose children are now kids (read-only). Returns a new reference; NULL when memory is out. *origin: set
- * it if the result is one of the kids, so that the kid's call site goes with it. A pass without a change returns
+enum { VS_NODE_WORK = 1 << 14 }; /* The most work of a pass for a node, for vs_store_going. A node may have thousands of
+                                  * points. */
+/* Rewrites n, whose children are now kids (read-only). Returns a new reference, or NULL if memory is out. If the
+ * result is one of the kids, it must set *origin to the kid's origin. If the pass changes nothing, it returns
  * vs_rewrite_keep. */
 typedef vs_node *vs_rewrite_fn(vs_rewrite *w, const vs_node *n, const vs_ref *kids, const vs_origin **origin);
 
@@ -17,19 +17,22 @@ struct vs_rewrite {
   vs_store *store;
   const vs_pass_options *options;
   void *state;      /* the pass's own data */
-  vs_error *error;  /* set by a pass that returns NULL, or when memory ran out */
-  vs_order order;   /* of the drawing before the pass */
+  vs_error *error;  /* set by a pass that returns NULL, or if memory is out */
+  vs_order order;   /* order of the nodes before the pass */
   size_t changed;
-  bool nests;       /* fold: a placement around a set has gone, so the set may now be a member of its own kind of set */
-  bool idle;        /* its begin has found that nothing would change */
+  bool nests;       /* set by fold: a placement around a set was removed, so the set may now be nested directly in a set
+                     * of its own kind */
+  bool idle;        /* set by the pass's begin: nothing would change */
 };
 
-bool vs_rewrite_run(vs_rewrite *w, vs_rewrite_fn *fn, vs_ref *refs, size_t count); /* w->order is of these references */
-/* makes and frees the order itself */
+bool vs_rewrite_run(vs_rewrite *w, vs_rewrite_fn *fn, vs_ref *refs, size_t count); /* rewrites refs; w->order must be
+                                                                                    * the order of these references */
+/* rewrites refs as vs_rewrite_run does, but makes and frees the order itself */
 bool vs_rewrite_alone(vs_rewrite *w, vs_rewrite_fn *fn, vs_ref *refs, size_t count);
-/* n itself if its kids are its own, else a copy with kids */
+/* returns n itself if its children are kids, otherwise a copy of n with kids */
 vs_node *vs_rewrite_keep(vs_rewrite *w, const vs_node *n, const vs_ref *kids);
-bool vs_rewrite_lone(const vs_rewrite *w, const vs_node *old); /* it has one reference: it is no template */
+bool vs_rewrite_lone(const vs_rewrite *w, const vs_node *old); /* returns true if the node has a single reference, so
+                                                                * that it is not a template */
 /* A pass does not receive lone leaves (order.h). If a node has no other children, kids are the node's own array. */
 
 #define VS_PASS(upper, lower, begin, end, doc) vs_rewrite_fn vs_pass_##lower;

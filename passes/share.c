@@ -35,39 +35,42 @@ typedef struct { uint64_t a, b; } vs_share_key;
 typedef struct {
   vs_share_key key;
   vs_vec3 anchor;
-  double cost;        /* the commands of a copy, where a part that is a template in any case counts as its use */
-  bool alias;         /* it is its child's shape at another place */
-  bool wanted;        /* its key is needed */
-  bool again;         /* another node has the same sketch */
-  size_t group;       /* the first entry with this key */
-  size_t copies;      /* of the group, at its first entry */
-  double named;       /* references to any of the group, at its first entry */
-  size_t turn;        /* at a first entry: 0, or the number (from 1) of the turn from the other group to which it then
-                       * belongs */
-  vs_node *result;    /* the rewritten first entry; not retained, since the rewriting holds it */
+  double cost;        /* number of commands of a copy; a part that is a template in any case counts as its use */
+  bool alias;         /* whether the node is only its child's shape at another place */
+  bool wanted;        /* whether the node's key is needed */
+  bool again;         /* whether another node has the same sketch */
+  size_t group;       /* index of the first entry with this key */
+  size_t copies;      /* number of copies in the group, at its first entry */
+  double named;       /* number of references to any node of the group, at its first entry */
+  size_t turn;        /* at a first entry: number (from 1) of the map from the other group to which this group then
+                       * belongs; 0: none */
+  vs_node *result;    /* rewritten node of the first entry; not retained, since the rewriting holds it */
 } vs_share_entry;
-typedef struct { size_t head; vs_affine map; } vs_share_turn; /* the first entry, and the map from it */
-typedef struct { double step, first; } vs_share_step; /* first NaN: free */
-/* The facts that a parent needs of its child: kept, or, for a lone leaf, computed on request; those of a long leaf are
- * cached. */
+typedef struct { size_t head; vs_affine map; } vs_share_turn; /* head: index of the first entry. map: map from the first
+                                                               * entry's shape */
+typedef struct { double step, first; } vs_share_step; /* an entry is free if `first` is NaN */
+/* The facts about a child that its parent needs. They are kept, but for a lone leaf they are computed on request. The
+ * facts about a long leaf are cached. */
 typedef struct { vs_share_key key; vs_vec3 anchor; } vs_share_child;
 typedef struct { const vs_node *node; vs_share_child of; } vs_share_leaf;
 
-enum { SKETCHED = 16 /* points of an array in the first key */, LONG = 1024 /* bytes */, LEAVES = 64 };
+enum { SKETCHED = 16 /* number of points of an array in a first key */, LONG = 1024 /* bytes */, LEAVES = 64 };
 
 typedef struct {
   vs_store *store;
   const vs_order *order;
-  vs_share_leaf leaves[LEAVES]; /* by hash: the last long one */
-  bool sketches, sketched; /* keys cover only the first points of arrays; some arrays had more */
-  vs_share_entry *at; /* by the node's number */
+  vs_share_leaf leaves[LEAVES]; /* cache of long leaves by hash: the last leaf of each slot */
+  bool sketches, sketched; /* sketches: whether keys cover only the first points of arrays. sketched: whether some array
+                            * had more points */
+  vs_share_entry *at; /* entries by the node's number */
   size_t count, room;
   double quantum;
-  vs_share_step *steps; /* a hash table: steps of a quantum, and the first number met in each, in quanta */
+  vs_share_step *steps; /* hash table: steps as multiples of the quantum, and the first number in each step, in
+                         * quanta */
   size_t step_count, step_room;
   vs_share_turn *turns;
   size_t turn_count, turn_room;
-  bool starved;         /* the table could not grow */
+  bool starved;         /* whether the table could not grow */
 } vs_share;
 
 /* ---- rounding and hashing ---- */
@@ -98,14 +101,15 @@ static bool share_grow(vs_share *s) {
   return true;
 }
 
-/* Returns the number that represents x, both in quanta: the nearest one met in x's step or within half a quantum beside
- * it; else x, which then represents its step. */
+/* Returns the number that represents x, both in quanta. It is the nearest earlier number in x's step, or within half a
+ * quantum beside the step. If there is none, it is x, which then represents its step. */
 static double share_snap(vs_share *s, double x) {
   if (!isfinite(x) || s->starved) return 0;
   double step = floor(x), best = (double)NAN, reach = 1;
-  if (s->step_room && share_find(s, step)->first == x) return x; /* nearly all: models repeat their numbers */
+  if (s->step_room && share_find(s, step)->first == x) return x; /* true for nearly all numbers, since models repeat
+                                                                  * their numbers */
   for (int side = -1; side <= 1 && s->step_room; side++) {
-    double first = share_find(s, step + side)->first; /* NaN is near nothing */
+    double first = share_find(s, step + side)->first; /* comparisons with NaN are false */
     if (fabs(first - x) < (side ? fmin(reach, 0.5) : reach)) reach = fabs(first - x), best = first;
   }
   if (!isnan(best)) return best;
@@ -135,7 +139,8 @@ static void share_mix_real(vs_share *s, vs_share_key *k, double x) {
     share_mix(k, vs_hash_real(7, x));
     return;
   }
-  if (fabs(mantissa) > ldexp(1, 40) - 0.5) mantissa /= 2, exponent++; /* just below a power of two is that power */
+  if (fabs(mantissa) > ldexp(1, 40) - 0.5) mantissa /= 2, exponent++; /* a number just below a power of two is rounded
+                                                                       * to that power */
   share_mix(k, (uint64_t)(int64_t)exponent);
   share_mix_place(s, k, mantissa, 1);
 }
@@ -144,13 +149,13 @@ static void share_mix_real(vs_share *s, vs_share_key *k, double x) {
 
 static vs_share_child share_of(vs_share *s, const vs_node *n);
 
-/* Returns the node's own first point, or its first child's anchor. */
+/* Returns the node's own first point, or the anchor of its first child. */
 static vs_vec3 share_anchor(vs_share *s, const vs_node *n, const vs_kind_info *info) {
-  /* a sweep lies where its path does */
+  /* the anchor of a sweep is that of its path */
   if (n->kind == VS_SWEEP && n->child_count > 1) return share_of(s, n->children[1].node).anchor;
   if (n->kind == VS_TRANSFORM)
     return vs_affine_point(&VS_AS(transform, n)->matrix, share_of(s, n->children[0].node).anchor);
-  if (n->kind == VS_NATIVE) return vs_v3(0, 0, 0); /* its text cannot be moved */
+  if (n->kind == VS_NATIVE) return vs_v3(0, 0, 0); /* native text cannot be moved */
   for (size_t i = 0; n->kind != VS_SWEEP && i < info->field_count; i++) {
     const void *at = (const char *)vs_node_data(n) + info->fields[i].offset;
     if (info->fields[i].type == VS_FIELD_point) return *(const vs_vec3 *)at;
@@ -161,13 +166,13 @@ static vs_vec3 share_anchor(vs_share *s, const vs_node *n, const vs_kind_info *i
 }
 
 static void share_mix_fields(vs_share *s, vs_share_key *k, const vs_node *n, const vs_kind_info *info, vs_vec3 anchor) {
-  /* the profile of a sweep and its base keep their places */
+  /* the profile and the base of a sweep are compared without moving them */
   vs_vec3 from = n->kind == VS_SWEEP ? vs_v3(0, 0, 0) : anchor;
   for (size_t i = 0; i < info->field_count; i++) {
     const void *at = (const char *)vs_node_data(n) + info->fields[i].offset;
     switch (info->fields[i].type) {
       case VS_FIELD_real:
-        /* its foot is a height like any other */
+        /* the foot of a height field is a height like any other */
         if (n->kind == VS_HEIGHT_FIELD) share_mix_place(s, k, *(const double *)at - from.z, s->quantum);
         else share_mix_real(s, k, *(const double *)at);
         break;
@@ -175,7 +180,7 @@ static void share_mix_fields(vs_share *s, vs_share_key *k, const vs_node *n, con
       case VS_FIELD_boolean: share_mix(k, *(const bool *)at); break;
       case VS_FIELD_point: share_mix_vector(s, k, vs_v3_sub(*(const vs_vec3 *)at, from)); break;
       case VS_FIELD_vector: share_mix_vector(s, k, *(const vs_vec3 *)at); break;
-      case VS_FIELD_affine: /* the linear part; the rest is in the anchor */
+      case VS_FIELD_affine: /* only the linear part: the translation is in the anchor */
         for (int r = 0; r < 3; r++)
           for (int c = 0; c < 3; c++) share_mix_place(s, k, ((const vs_affine *)at)->m[r][c], ldexp(1, -40));
         break;
@@ -201,11 +206,11 @@ static void share_mix_fields(vs_share *s, vs_share_key *k, const vs_node *n, con
 static bool share_is_alias(const vs_node *n) {
   if (n->kind == VS_TRANSFORM) return vs_affine_is_translation(&VS_AS(transform, n)->matrix);
   bool set = vs_node_is_set(n);
-  /* the union of one closed curve is a region */
+  /* Exception: the union of a single closed curve is a region. */
   return set && n->child_count == 1 && n->children[0].node->class_ == n->class_;
 }
 
-/* Computes the key and the anchor of a node whose children have theirs. */
+/* Computes the key and the anchor of a node. The keys and anchors of its children must be known. */
 static void share_find_key(vs_share *s, const vs_node *n, vs_share_key *key, vs_vec3 *anchor) {
   const vs_kind_info *info = vs_kind_get((vs_kind)n->kind);
   *anchor = share_anchor(s, n, info);
@@ -217,7 +222,8 @@ static void share_find_key(vs_share *s, const vs_node *n, vs_share_key *key, vs_
   share_mix(key, vs_hash_bytes(9, info->name, strlen(info->name)));
   share_mix(key, n->child_count);
   share_mix_fields(s, key, n, info, *anchor);
-  if (n->kind == VS_NATIVE) share_mix(key, n->hash); /* it may be shared with its equal only, not with a moved one */
+  if (n->kind == VS_NATIVE) share_mix(key, n->hash); /* native text is shared only with equal text, not with moved
+                                                      * text */
   for (uint32_t i = 0; i < n->child_count; i++) {
     vs_share_child child = share_of(s, n->children[i].node);
     share_mix(key, child.key.a);
@@ -235,13 +241,13 @@ static vs_share_child share_of(vs_share *s, const vs_node *n) {
   }
   vs_share_leaf lone, *held = vs_node_bytes(n) > LONG ? &s->leaves[n->hash % LEAVES] : &lone;
   if (held != &lone && held->node && (held->node == n || vs_node_equal(held->node, n, NULL))) return held->of;
-  share_find_key(s, n, &held->of.key, &held->of.anchor); /* a leaf: this goes no deeper */
+  share_find_key(s, n, &held->of.key, &held->of.anchor); /* n is a leaf, so this call goes no deeper */
   held->node = n;
   return held->of;
 }
 
-/* Fills in the facts of a node other than its key, with the cost of a copy without templates, which is the highest;
- * children come first. */
+/* Fills in all facts about a node except its key. The cost is that of a copy without templates, the highest. Children
+ * must be entered first. */
 static void share_enter(vs_share *s, const vs_node *n, bool inner) {
   bool set = vs_kind_get((vs_kind)n->kind)->level == VS_LEVEL_OPERATION;
   vs_share_entry x = { .cost = 1, .group = s->count, .alias = share_is_alias(n) };
@@ -255,7 +261,7 @@ static void share_enter(vs_share *s, const vs_node *n, bool inner) {
   s->at[s->count++] = x;
 }
 
-/* Returns true if enough copies would be worth a template. */
+/* Returns true if a template of the node would save commands, given enough copies. */
 static bool share_is_worth(const vs_share_entry *x) { return !x->alias && x->cost > 2; }
 
 static int share_by_form(const void *p, const void *q) {
@@ -263,8 +269,8 @@ static int share_by_form(const void *p, const void *q) {
   return x < y ? -1 : x > y;
 }
 
-/* Marks the nodes that may have a copy, by form, and all nodes below them. *any: whether there are any. Returns false
- * when memory is out or the run is interrupted. */
+/* Marks the nodes that may have a copy, by their form, and all nodes below them. Sets *any to whether there are any.
+ * Returns false if memory is out or the run is interrupted. */
 static bool share_want(vs_share *s, bool *any, vs_error *e) {
   const vs_order *o = s->order;
   size_t count = 0;
@@ -294,7 +300,7 @@ static void share_largest(double *most, const double *x, size_t n) {
     if (isfinite(x[i])) *most = fmax(*most, fabs(x[i]));
 }
 
-static void share_measure(double *most, const vs_node *n) { /* the largest coordinate in it */
+static void share_measure(double *most, const vs_node *n) { /* enlarges *most to the largest coordinate in the node */
   const vs_kind_info *info = vs_kind_get((vs_kind)n->kind);
   for (size_t i = 0; i < info->field_count; i++) {
     const void *field = (const char *)vs_node_data(n) + info->fields[i].offset;
@@ -317,7 +323,7 @@ static int share_compare(const void *p, const void *q) {
   return x->entry < y->entry ? -1 : x->entry > y->entry;
 }
 
-/* Returns the first entry of the shapes that are equal, turned or not. */
+/* Returns the first entry of the shapes that equal this one, including rotated and mirrored shapes. */
 static vs_share_entry *share_head(const vs_share *s, size_t index) {
   vs_share_entry *first = &s->at[s->at[index].group];
   return first->turn ? &s->at[s->turns[first->turn - 1].head] : first;
@@ -328,8 +334,8 @@ static bool share_pays(const vs_share_entry *first) {
   return (copies - 1) * first->cost > 2 * copies;
 }
 
-/* Returns the cost of a copy of n. A part with more references than n has copies will be a template in any case, so n
- * counts only its uses. */
+/* Returns the cost of a copy of n. If a part has more references than n has copies, the part will be a template in any
+ * case. Only its uses then count. */
 static double share_cost(const vs_share *s, size_t index, double named) {
   const vs_node *n = s->order->at[index].node;
   double cost = 1;
@@ -368,7 +374,7 @@ static bool share_group(vs_share *s, vs_error *e) {
   return ok;
 }
 
-/* Computes the keys of all wanted nodes; with `again`, of those that share their sketch. */
+/* Computes the keys of all wanted nodes. again: only of the nodes that share their sketch. */
 static bool share_keys(vs_share *s, bool again, vs_error *e) {
   const vs_order *o = s->order;
   for (size_t i = 0; i < LEAVES; i++) s->leaves[i].node = NULL;
@@ -380,7 +386,7 @@ static bool share_keys(vs_share *s, bool again, vs_error *e) {
   return share_group(s, e);
 }
 
-/* Marks the nodes that share their sketch with another, and all nodes below them. */
+/* Marks the nodes that share their sketch with another node, and all nodes below them. */
 static void share_doubt(vs_share *s) {
   const vs_order *o = s->order;
   for (size_t i = 0; i < s->count; i++)
@@ -406,8 +412,9 @@ static bool share_add_turn(vs_share *s, size_t index, size_t head, const vs_affi
   return true;
 }
 
-/* Merges groups that are one shape turned or mirrored. The pass tries the first HEADS_MOST shapes of each form, and at
- * most some points for each node in all, so deep trees of one form do not cost a square. */
+/* Merges groups whose shapes are equal up to rotation and reflection. The pass tries the first HEADS_MOST shapes of
+ * each form. The number of points per node that it compares is limited, so many deep trees of the same form do not cost
+ * a square. */
 static bool share_turns(vs_share *s, vs_error *e) {
   enum { HEADS_MOST = 6 };
   size_t count = 0, heads[HEADS_MOST], head_count = 0, work = 0, most = 100000 + 50 * s->count;

@@ -1,4 +1,4 @@
-/* Owns the interface of share.c: share. */
+/* Declares the pass share. */
 #ifndef VS_PASSES_SHARE_H
 #define VS_PASSES_SHARE_H
 

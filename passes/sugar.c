@@ -1,7 +1,8 @@
-/* Owns the removal of sugar: a walk gathers the nodes to show beside the drawing, then a pass removes the wrappers.
+/* Removes nodes of level SUGAR. A walk collects the nodes to show in addition to the drawing. Then a pass removes the
+ * wrappers.
  *
- * The walk takes every path to sugar, since each placement counts, and goes into nothing else. If a drawing shares a
- * ghost so often that there would be more than MARKS_MOST of them, it keeps the first. */
+ * The walk follows every path to such a node, since each placement counts, and visits nothing else. If a drawing shares
+ * a ghost so often that there would be more than MARKS_MOST ghosts, it keeps the first. */
 #include "passes/sugar.h"
 
 #include <stdio.h>
@@ -14,8 +15,8 @@ typedef struct {
   vs_ref ref;
   uint32_t next;
   vs_affine placed;
-  const vs_material *material; /* the innermost so far, or NULL */
-  bool cut; /* this part is taken away, or cut by others */
+  const vs_material *material; /* innermost material up to this point, or NULL */
+  bool cut; /* whether this part is subtracted, or cut by others */
 } sugar_level;
 
 typedef struct {
@@ -24,7 +25,7 @@ typedef struct {
   vs_error *error;
   sugar_level *levels;
   size_t depth, room;
-  vs_ref *found; /* gathered, each a reference of our own */
+  vs_ref *found; /* collected nodes, each with its own reference */
   size_t count, found_room;
 } sugar_walk;
 
@@ -42,7 +43,7 @@ static bool sugar_push(sugar_walk *w, sugar_level level) {
   return true;
 }
 
-/* Adds a found node; takes it over. */
+/* Adds a collected node, and takes over the reference to it. */
 static bool sugar_found(sugar_walk *w, vs_node *node, const vs_origin *origin) {
   if (node && w->count == w->found_room) {
     size_t room = w->found_room ? 2 * w->found_room : 16;
@@ -59,7 +60,8 @@ static bool sugar_found(sugar_walk *w, vs_node *node, const vs_origin *origin) {
   return true;
 }
 
-/* Returns node within a paint and a place; takes it over. NULL: out of memory, or it was NULL. */
+/* Returns the node inside a paint and a placement, and takes over the reference to the node. Returns NULL if memory is
+ * out, or if the node is NULL. */
 static vs_node *sugar_around(vs_store *s, vs_node *node, const vs_origin *origin, const vs_material *material,
                               const vs_affine *placed) {
   if (node && material) {
@@ -78,7 +80,7 @@ static vs_node *sugar_around(vs_store *s, vs_node *node, const vs_origin *origin
   return node;
 }
 
-/* ---- removal of paint, for a thing shown in one colour ---- */
+/* ---- removal of paint, for an object shown in a single colour ---- */
 
 static vs_node *sugar_bare(vs_rewrite *w, const vs_node *n, const vs_ref *kids, const vs_origin **origin) {
   if (n->kind == VS_GHOST) return vs_node_new(w->store, VS_EMPTY, NULL, NULL, 0);
@@ -97,7 +99,8 @@ static vs_node *sugar_strip(sugar_walk *w, vs_ref ref) {
 
 /* ---- the walk ---- */
 
-/* A highlight on a part that is cut away shares its faces with the hole; a thousandth smaller, it is fully visible. */
+/* A highlight on a part that is cut away has the same faces as the hole. It is made a thousandth smaller, so that it is
+ * fully visible. */
 static bool sugar_shrink(const sugar_walk *w, const vs_node *n, vs_affine *placed) {
   vs_bounds b;
   if (!w->options->bounds) return true;
@@ -116,7 +119,7 @@ static bool sugar_mark(sugar_walk *w, const sugar_level *at, bool ghost) {
   if (w->count >= MARKS_MOST) return true;
   vs_node *bare = sugar_strip(w, child);
   if (!bare) return false;
-  if (how == VS_MARKS_KEEP) { /* a ghost, beside the drawing */
+  if (how == VS_MARKS_KEEP) { /* a ghost, shown in addition to the drawing */
     vs_node *kept = vs_node_new(w->store, VS_GHOST, NULL, &(vs_ref){ bare, child.origin }, 1);
     vs_node_release(bare);
     if (!kept) return sugar_memory(w);
@@ -133,7 +136,8 @@ static bool sugar_mark(sugar_walk *w, const sugar_level *at, bool ghost) {
   return false;
 }
 
-/* Walks below one drawn thing. only: gathers the children of each ONLY; else the marks. */
+/* Walks below a drawn object. only: collects the children of each `only` node. Otherwise collects highlights and
+ * ghosts. */
 static bool sugar_below(sugar_walk *w, vs_ref root, bool only) {
   size_t steps = 0;
   w->depth = 0;
@@ -150,13 +154,13 @@ static bool sugar_below(sugar_walk *w, vs_ref root, bool only) {
         vs_node_retain(inner.node);
         if (!sugar_found(w, sugar_around(w->store, inner.node, inner.origin, at.material, &at.placed), at.ref.origin))
           return false;
-        continue; /* an `only` within it has no effect */
+        continue; /* an `only` inside it has no effect */
       }
       bool ghost = n->kind == VS_GHOST,
            marked = (ghost && w->options->ghosts != VS_MARKS_DROP) ||
                     (n->kind == VS_HIGHLIGHT && top->cut && w->options->highlights == VS_MARKS_PAINT);
       if (!only && marked && !sugar_mark(w, top, ghost)) return false;
-      if (ghost) { /* its children are shown with it, and are part of nothing */
+      if (ghost) { /* the children of a ghost are shown with it, and belong to no other object */
         w->depth--;
         continue;
       }
@@ -197,15 +201,15 @@ static vs_node *sugar_node(vs_rewrite *w, const vs_node *n, const vs_ref *kids, 
     unwrap = (o->muted || !sugar_speaks(o, n)) && !(o->keeps_text && kids[0].node->kind == VS_EMPTY);
   if (n->kind == VS_GHOST) return vs_node_new(w->store, VS_EMPTY, NULL, NULL, 0);
   if (!unwrap) return vs_rewrite_keep(w, n, kids);
-  *origin = n->kind == VS_CUSTOM ? NULL : kids[0].origin; /* the origin of a custom thing is the user's call */
+  *origin = n->kind == VS_CUSTOM ? NULL : kids[0].origin; /* the origin of a custom object is the user's call */
   return vs_node_retain(kids[0].node);
 }
 
-/* native: the first for this program */
+/* native: first native text for this program */
 typedef struct { const vs_sugar_options *options; bool only; vs_ref native; } sugar_kinds;
 
-/* Handles native text for another program, with nothing for this one: warns that the output lacks it, or fails if the
- * options are strict. */
+/* Handles native text for another program that has no alternative for this one. Warns that the output lacks it, or
+ * fails if the options are strict. */
 static bool sugar_lacks(const sugar_kinds *k, vs_ref ref, vs_error *e) {
   const vs_sugar_options *o = k->options;
   const vs_node *n = ref.node;
@@ -234,7 +238,7 @@ static bool sugar_look(sugar_kinds *k, const vs_scene *scene, vs_error *e) {
   return ok;
 }
 
-/* Makes the scene draw these nodes; it takes their references over. */
+/* Makes the scene draw the collected nodes, and takes over their references. */
 static void sugar_take(vs_scene *scene, sugar_walk *w) {
   for (size_t i = 0; i < scene->drawn_count; i++) vs_node_release(scene->drawn[i].node);
   vs_store_realloc(scene->store, scene->drawn, scene->drawn_room * sizeof *scene->drawn, 0);
@@ -256,7 +260,7 @@ bool vs_scene_sugar(vs_scene *scene, const vs_sugar_options *options, vs_error *
     options->said(options->said_context, kinds.native.origin,
                   "native: text for other programs is switched off here; the object of #:otherwise is drawn");
   for (size_t i = 0; ok && kinds.only && i < scene->drawn_count; i++) ok = sugar_below(&w, scene->drawn[i], true);
-  if (ok && w.count) { /* an `only` in a ghost has no effect */
+  if (ok && w.count) { /* an `only` inside a ghost has no effect */
     if (options->said)
       options->said(options->said_context, w.found[0].origin, "only: nothing else of the drawing is shown");
     sugar_take(scene, &w);

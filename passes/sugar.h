@@ -13,29 +13,30 @@
 #include "model/scene.h"
 
 typedef enum {
-  VS_MARKS_DROP,  /* solids: shows no part that does not exist */
-  VS_MARKS_PAINT, /* beside the drawing, in translucent red (highlight) and grey (ghost) */
-  VS_MARKS_KEEP   /* the target can express them: highlight stays in place, ghosts lie beside the drawing */
+  VS_MARKS_DROP,  /* for solids: shows no part that does not exist */
+  VS_MARKS_PAINT, /* adds highlights in translucent red and ghosts in grey to the drawing */
+  VS_MARKS_KEEP   /* for targets that can express the marks: highlights stay in place, ghosts are added to the
+                   * drawing */
 } vs_mark_style;
 
 typedef struct {
   vs_mark_style highlights, ghosts;
-  const char *target; /* of targets.def, or NULL: no native text */
-  const char *output; /* the format's name in messages: ".stl"; NULL: no warning about native text without an
+  const char *target; /* target of targets.def; NULL: no native text is written */
+  const char *output; /* name of the format in messages, such as ".stl"; NULL: no warning about native text without an
                        * alternative */
-  bool keeps_text;    /* keeps native text that has nothing for other formats, for counts */
-  bool strict;        /* native text that leaves nothing for this format is an error, not a warning */
-  bool muted;         /* its native text is switched off in any case, with a warning */
-  /* Both may be NULL. said: receives a message once for each kind, with the first place. bounds: as in vs_pass_options,
-   * for highlights of cut parts. */
+  bool keeps_text;    /* whether to keep native text that has no alternative for other formats, for counts */
+  bool strict;        /* whether native text without an alternative for this format is an error, not a warning */
+  bool muted;         /* whether native text is not written in any case, with a warning */
+  /* Both functions may be NULL. said: receives a message once for each kind, with the first place. bounds: as in
+   * vs_pass_options, for highlights of cut parts. */
   void (*said)(void *context, const vs_origin *origin, const char *message);
   void *said_context;
   bool (*bounds)(void *context, const vs_node *n, vs_bounds *out, vs_error *e);
   void *bounds_context;
 } vs_sugar_options;
 
-/* Rewrites the scene's drawn array, which belongs to the store. A scene without sugar costs a look at each drawn
- * thing. */
+/* Rewrites the scene's drawn array, which belongs to the store. For a scene without such nodes it only examines each
+ * drawn object. */
 bool vs_scene_sugar(vs_scene *scene, const vs_sugar_options *options, vs_error *e);
 
 #endif

@@ -1,10 +1,11 @@
-/* Owns a test for share: whether one subtree is another one turned, mirrored and moved.
+/* Tests, for the pass share, whether a subtree is another subtree rotated, mirrored and moved.
  *
- * The test walks both side by side, and keeps the map down to the current place of each. Each pair of primitives gives
- * pairs of points that move with them: its own points, if they determine the primitive (a sphere's centre, a cylinder's
- * ends, corners); else the corner and the axes of its frame, and then its fields must be equal. Three points far from
- * each other, and the side on which a fourth lies, determine the only possible rigid map; then every pair must agree
- * with it. Therefore a template is never wrong by more than rounding, whatever the candidates were. */
+ * The test walks both subtrees side by side, and keeps the map down to the current node of each. Each pair of
+ * primitives gives pairs of points that move with them. These are a primitive's own points if they determine it (a
+ * sphere's centre, a cylinder's ends, corners). Otherwise they are the origin and the axes of its frame, and its fields
+ * must then be equal. Three points far from each other, and the side on which a fourth point lies, determine the only
+ * possible rigid map. Every pair must then agree with this map. A template is therefore never wrong by more than
+ * rounding. */
 #include "passes/turn.h"
 
 #include <math.h>
@@ -24,8 +25,8 @@ typedef struct {
   size_t step_count, step_room;
   turn_pair *pairs;
   size_t pair_count, pair_room;
-  size_t steps_taken; /* number of nodes visited */
-  vs_error *error;    /* set: out of memory, or interrupted */
+  size_t steps_taken; /* number of visited nodes */
+  vs_error *error;    /* set if memory is out or the run is interrupted */
 } turner;
 
 static bool turn_push(turner *t, const vs_node *a, const vs_affine *to_a, const vs_node *b, const vs_affine *to_b) {
@@ -74,11 +75,12 @@ static bool turn_is_rigid(const vs_affine *a) {
   return vs_affine_even(a, &k) && fabs(k - 1) < 1e-12;
 }
 
-/* Compares fields as they are, and positions relative to the first point of each; adds both frames. */
+/* Compares the fields of both nodes, with positions relative to each node's first point. Adds both frames. */
 static bool turn_frame(turner *t, const turn_step *x) {
   const vs_kind_info *info = vs_kind_get((vs_kind)x->a->kind);
   vs_vec3 at[2] = { { 0, 0, 0 }, { 0, 0, 0 } };
-  bool found = false, ok = x->a->kind != VS_HEIGHT_FIELD; /* its foot is a height, which no field type marks */
+  bool found = false, ok = x->a->kind != VS_HEIGHT_FIELD; /* the foot of a height field is a height, which no field type
+                                                           * marks */
   for (size_t i = 0; ok && i < info->field_count; i++) {
     const char *p = (const char *)vs_node_data(x->a) + info->fields[i].offset,
                *q = (const char *)vs_node_data(x->b) + info->fields[i].offset;
@@ -125,7 +127,7 @@ static bool turn_frame(turner *t, const turn_step *x) {
 
 #define TURN_BOTH(lower) const struct vs_##lower *a = VS_AS(lower, x->a), *b = VS_AS(lower, x->b)
 
-/* Compares two primitives of one kind; the only nodes with children among them are extruded polygons. */
+/* Compares two primitives of the same kind. Of these, only extruded polygons have children. */
 static bool turn_leaf(turner *t, const turn_step *x) {
   bool rigid = turn_is_rigid(&x->to_a) && turn_is_rigid(&x->to_b);
   if (x->a->kind == VS_SPHERE && rigid) {
@@ -177,9 +179,9 @@ static bool turn_leaf(turner *t, const turn_step *x) {
   return x->a->child_count == 0 && turn_frame(t, x);
 }
 
-enum { TURN_WORK = 64 /* the cost of a node for vs_store_going */ };
+enum { TURN_WORK = 64 /* cost of a node for vs_store_going */ };
 
-/* Descends through placements and sets of one. Returns false when interrupted. */
+/* Descends through placements and sets of a single member. Returns false if interrupted. */
 static bool turn_strip(turner *t, const vs_node **at, vs_affine *to) {
   const vs_node *n = *at;
   for (;; t->steps_taken++) {
@@ -208,19 +210,19 @@ static bool turn_walk(turner *t) {
   return true;
 }
 
-/* Returns the number of the point farthest from the line through o along the unit vector u. */
+/* Returns the index of the point farthest from the line through o along the unit vector u. */
 static size_t turn_farthest(const turner *t, vs_vec3 o, vs_vec3 u, double *distance) {
   size_t best = 0;
   *distance = -1;
   for (size_t i = 0; i < t->pair_count; i++) {
     double d = vs_v3_length(vs_v3_cross(u, vs_v3_sub(t->pairs[i].a, o)));
-    if (d > *distance * (1 + 1e-9)) *distance = d, best = i; /* the first of equal ones, independent of the last
+    if (d > *distance * (1 + 1e-9)) *distance = d, best = i; /* the first of equal distances, independent of the last
                                                               * digits */
   }
   return best;
 }
 
-/* Finds the rigid map that takes the a of each pair to its b, within near. */
+/* Finds the rigid map that maps point a of each pair to point b, within the tolerance. */
 static bool turn_solve(const turner *t, vs_affine *turn) {
   const turn_pair *p = t->pairs;
   if (t->pair_count < 2) return false;
@@ -231,14 +233,14 @@ static bool turn_solve(const turner *t, vs_affine *turn) {
     if (d > most * (1 + 1e-9)) most = d, one = i;
   }
   if (!(most > ldexp(t->near, 20))) return false;
-  vs_vec3 frame[2][3]; /* x, y, z of a and of b */
+  vs_vec3 frame[2][3]; /* axes x, y, z for the points a and for the points b */
   frame[0][0] = vs_v3_unit(vs_v3_sub(p[one].a, p[0].a));
   frame[1][0] = vs_v3_unit(vs_v3_sub(p[one].b, p[0].b));
   two = turn_farthest(t, p[0].a, frame[0][0], &across);
   if (across > ldexp(most, -20)) {
     frame[0][1] = vs_v3_sub(p[two].a, p[0].a);
     frame[1][1] = vs_v3_sub(p[two].b, p[0].b);
-  } else { /* all on one line: any turn about it */
+  } else { /* all points are on a line, so any rotation about it is allowed */
     for (int k = 0; k < 2; k++) frame[k][1] = fabs(frame[k][0].z) < 0.9 ? vs_v3(0, 0, 1) : vs_v3(1, 0, 0);
   }
   for (int k = 0; k < 2; k++) {
@@ -253,13 +255,13 @@ static bool turn_solve(const turner *t, vs_affine *turn) {
   }
   if (off > ldexp(most, -20) &&
       vs_v3_dot(frame[0][2], vs_v3_sub(p[four].a, p[0].a)) * vs_v3_dot(frame[1][2], vs_v3_sub(p[four].b, p[0].b)) < 0)
-    frame[1][2] = vs_v3_scale(frame[1][2], -1); /* a mirror image */
+    frame[1][2] = vs_v3_scale(frame[1][2], -1); /* the map mirrors */
   for (int i = 0; i < 3; i++) {
     const double *x = &frame[1][0].x + i, *y = &frame[1][1].x + i, *z = &frame[1][2].x + i;
     vs_vec3 row =
         vs_v3_add(vs_v3_add(vs_v3_scale(frame[0][0], *x), vs_v3_scale(frame[0][1], *y)), vs_v3_scale(frame[0][2], *z));
     double entries[3] = { row.x, row.y, row.z };
-    /* quarter turns are exact */
+    /* quarter turns are made exact */
     for (int j = 0; j < 3; j++)
       turn->m[i][j] = fabs(entries[j] - round(entries[j])) < 1e-12 ? round(entries[j]) + 0.0 : entries[j];
     turn->m[i][3] = 0;

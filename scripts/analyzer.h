@@ -1,7 +1,7 @@
-/* Owns the facts that the analyzers of scripts/static.sh cannot derive, because they read one file at a time: a
+/* Contains facts that the analyzers of scripts/static.sh cannot derive, because they read one file at a time. A
  * function that reports a failure returns false, and an array that has grown is not NULL. The script includes this
- * header before each file; ANALYZED_MODEL, ANALYZED_FILES and ANALYZED_SCRIPT name the layers of a file, since several
- * layers use some of the names. */
+ * header before each file. ANALYZED_MODEL, ANALYZED_FILES and ANALYZED_SCRIPT select the layers of a file, because
+ * several layers use equal names. */
 #ifndef VS_SCRIPTS_ANALYZER_H
 #define VS_SCRIPTS_ANALYZER_H
 

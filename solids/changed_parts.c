@@ -1,6 +1,6 @@
-/* Owns the differences between two drawings (changed_parts.h). Parts are paired by keys, hashes of some of their
- * properties. The rules apply one after the other, each to the parts that remain: for the first all properties must be
- * equal, for the last only the kind, the form and the look. */
+/* Computes the differences between two drawings (changed_parts.h). Parts are paired by keys, which are hashes of
+ * properties. The rules apply one after the other, each to the parts that are not yet paired. The first rule requires
+ * that all properties are equal. The last requires only equal kind, form and look. */
 #include "solids/changed_parts.h"
 
 #include <math.h>
@@ -12,7 +12,7 @@
 #include "solids/solid_meshes.h"
 #include "model/walk.h"
 
-enum { PART_WORK = 300 /* nanoseconds that a part takes, approximately: between polls for an interrupt */ };
+enum { PART_WORK = 300 /* approximate nanoseconds of work per part, for the polls of interrupts */ };
 
 /* ---- the parts of a drawing ---- */
 
@@ -95,7 +95,7 @@ static const struct { unsigned by; vs_part_fate fate; } rules[] = {
 
 typedef struct { uint64_t key; uint32_t part; } keyed;
 
-/* FNV-1a, a word at a time. */
+/* The FNV-1a hash, applied to a word at a time. */
 static uint64_t mix(uint64_t h, uint64_t word) { return (h ^ word ^ word >> 29) * UINT64_C(0x100000001b3); }
 
 static uint64_t key_of(const vs_drawn_part *p, unsigned by) {
@@ -108,7 +108,8 @@ static uint64_t key_of(const vs_drawn_part *p, unsigned by) {
     memcpy(&word, &x, sizeof word);
     h = mix(h, word);
   }
-  if (by & BY_PAINT) h = mix(h, (uint64_t)(uintptr_t)p->material); /* materials and layers are interned */
+  if (by & BY_PAINT) h = mix(h, (uint64_t)(uintptr_t)p->material); /* materials and layers are interned, so their
+                                                                    * addresses identify them */
   if (by & BY_LAYER) h = mix(h, *p->layer ? (uint64_t)(uintptr_t)p->layer : 0);
   return h;
 }
@@ -118,7 +119,7 @@ static int by_key(const void *a, const void *b) {
   return p->key != q->key ? (p->key < q->key ? -1 : 1) : p->part < q->part ? -1 : p->part > q->part;
 }
 
-/* Writes the keys of the parts that no rule has paired so far, in order; returns their number. */
+/* Writes the keys of the parts that no rule has paired, in order. Returns their number. */
 static size_t keys_of(const vs_drawn_parts *p, const vs_part_match *match, unsigned by, keyed *out) {
   size_t n = 0;
   for (size_t i = 0; i < p->count; i++)
@@ -127,17 +128,17 @@ static size_t keys_of(const vs_drawn_parts *p, const vs_part_match *match, unsig
   return n;
 }
 
-/* ---- pairing the parts of one key ---- */
+/* ---- pairing the parts of a single key ---- */
 
 typedef struct {
   const vs_drawn_parts *a, *b;
   vs_part_match *before, *after;
   vs_bounds_memo boxes;
-  double *numbers; /* for one assignment */
+  double *numbers; /* room for an assignment */
   size_t room;
 } matching;
 
-/* Computes the middle and the size of the part's box; 0 for endless parts. */
+/* Writes the centre and the size of the part's box to out: six numbers, all 0 for unbounded parts. */
 static bool box_of(matching *m, const vs_drawn_part *p, double *out, vs_error *e) {
   vs_bounds box;
   if (!vs_bounds_memo_get(&m->boxes, p->thing.node, &box, e)) return false;
@@ -151,23 +152,23 @@ static bool box_of(matching *m, const vs_drawn_part *p, double *out, vs_error *e
   return true;
 }
 
-/* Returns the distance of two boxes: between their middles plus between their sizes. */
+/* Returns the distance of two boxes: the distance of their centres plus the distance of their sizes. */
 static double apart(const double *a, const double *b) {
   double sum[2] = { 0, 0 };
   for (int i = 0; i < 6; i++) sum[i / 3] += (a[i] - b[i]) * (a[i] - b[i]);
   return sqrt(sum[0]) + sqrt(sum[1]);
 }
 
-/* Rows that each get a separate column; the cost of a pair is the distance of its boxes. */
+/* An assignment: each row gets its own column. The cost of a pair is the distance of its boxes. */
 typedef struct {
-  size_t rows, columns;                    /* rows <= columns */
+  size_t rows, columns;                    /* numbers of rows and columns; rows <= columns */
   const double *row_boxes, *column_boxes;  /* six numbers for each box */
   double *work;                            /* room for 3 rows + 4 columns + 7 numbers */
-  uint32_t *row;                           /* row[j]: for column j, counted from 1: its row; 0: none */
+  uint32_t *row;                           /* row[j]: row of column j, counted from 1; 0: the column has no row */
 } assignment;
 
-/* Finds the assignment whose costs have the least sum (H. Kuhn's Hungarian method, by shortest augmenting paths with
- * potentials: O(rows^2 columns)). Fails when interrupted. */
+/* Finds the assignment with the least sum of costs (H. Kuhn's Hungarian method, by shortest augmenting paths with
+ * potentials: O(rows^2 columns)). Returns false when interrupted. */
 static bool assign(vs_store *s, const assignment *a, vs_error *e) {
   size_t n = a->rows, m = a->columns;
   uint32_t *row = a->row;
@@ -203,7 +204,8 @@ static bool assign(vs_store *s, const assignment *a, vs_error *e) {
   return true;
 }
 
-/* Pairs p of the first drawing with q of the second, unless they are two shapes with one hash. */
+/* Pairs part p of the first drawing with part q of the second, unless they are two different shapes with the same
+ * hash. */
 static bool pair(matching *m, size_t rule, uint32_t p, uint32_t q, vs_error *e) {
   bool memory = true;
   if (rules[rule].by & BY_THING && !vs_node_equal(m->a->at[p].thing.node, m->b->at[q].thing.node, &memory))
@@ -213,18 +215,18 @@ static bool pair(matching *m, size_t rule, uint32_t p, uint32_t q, vs_error *e) 
   return true;
 }
 
-/* if an assignment takes more steps, parts pair in the order of drawing */
+/* number of steps of an assignment; if more are needed, parts are paired in the order of drawing */
 static const double MOST_STEPS = 1e8;
 
-/* The parts of one key in one drawing. */
+/* The parts of a drawing that have the same key. */
 typedef struct { const keyed *at; size_t count; } alike;
 
-/* Pairs the parts of one key, of the first drawing and of the second. If the choice matters, it minimises the sum of
- * all distances in position and size. */
+/* Pairs the parts of the first and of the second drawing that have the same key. If there is a choice, it minimises the
+ * sum of all distances in position and size. */
 static bool pair_alike(matching *m, size_t rule, alike one, alike other, vs_error *e) {
   size_t n = one.count, k = other.count;
   bool free_choice = n * k > 1 && (rules[rule].by & (BY_THING | BY_PLACE)) != (BY_THING | BY_PLACE);
-  bool turned = n > k; /* the drawing with fewer parts gives the rows */
+  bool turned = n > k; /* the drawing with fewer parts supplies the rows */
   const keyed *few = turned ? other.at : one.at, *many = turned ? one.at : other.at;
   size_t rows = turned ? k : n, columns = turned ? n : k, wanted = 9 * rows + 12 * columns + 16;
   if (!free_choice || (double)rows * (double)rows * (double)columns > MOST_STEPS) {
@@ -282,7 +284,7 @@ bool vs_drawn_parts_match(const vs_drawn_parts *a, const vs_drawn_parts *b, vs_p
 
 /* ---- the solids that show the differences ---- */
 
-/* References that will be operands; the list owns each node. */
+/* References that will be operands. The list holds a reference to each node. */
 typedef struct { vs_store *store; vs_ref *at; size_t count, room; bool failed; } refs;
 
 static void refs_free(refs *r) {
@@ -290,7 +292,7 @@ static void refs_free(refs *r) {
   vs_store_realloc(r->store, r->at, r->room * sizeof *r->at, 0);
 }
 
-/* Takes over the node; NULL: out of memory. */
+/* Adds the node and takes over its reference. NULL means that memory is out. */
 static void refs_add(refs *r, vs_node *n, const vs_origin *origin) {
   if (!n || !vs_store_grow(r->store, &r->at, &r->room, r->count + 1, sizeof *r->at)) {
     vs_node_release(n);
@@ -300,14 +302,14 @@ static void refs_add(refs *r, vs_node *n, const vs_origin *origin) {
   r->at[r->count++] = (vs_ref){ n, origin };
 }
 
-/* Adds the part at its place, without material. */
+/* Adds the part at its place, without its material. */
 static void refs_add_part(refs *r, const vs_drawn_part *p) {
   if (vs_affine_is_identity(&p->place)) refs_add(r, vs_node_retain(p->thing.node), p->thing.origin);
   else refs_add(r, vs_node_new(r->store, VS_TRANSFORM, &(struct vs_transform){ .matrix = p->place }, &p->thing, 1),
                 p->thing.origin);
 }
 
-/* Computes the bounds of all of r. */
+/* Computes the bounds of all nodes in r. */
 static bool refs_bounds(const refs *r, vs_bounds_memo *memo, vs_bounds *out, vs_error *e) {
   *out = vs_bounds_empty();
   for (size_t i = 0; i < r->count; i++) {
@@ -334,7 +336,7 @@ static vs_node *set_of(refs *r, vs_kind kind) {
   return vs_node_new(r->store, kind, &(struct vs_union){ 0 }, r->at, r->count);
 }
 
-/* Appends to out the material of `whole` that neither of the others has. */
+/* Appends to out the material of `whole` that is in neither `first` nor `second`. */
 static bool add_rest(refs *out, refs *whole, const refs *first, const refs *second, vs_bounds_memo *memo, vs_error *e) {
   vs_bounds box;
   if (!whole->count) return true;
@@ -347,7 +349,7 @@ static bool add_rest(refs *out, refs *whole, const refs *first, const refs *seco
   return ok;
 }
 
-/* Appends to out the material that both have. */
+/* Appends to out the material that is in both a and b. */
 static bool add_common(refs *out, refs *a, refs *b, vs_bounds_memo *memo, vs_error *e) {
   vs_bounds boxes[2];
   if (!a->count || !b->count) return true;
@@ -363,8 +365,8 @@ static bool add_common(refs *out, refs *a, refs *b, vs_bounds_memo *memo, vs_err
 
 static bool stays(vs_part_fate fate) { return fate == VS_PART_SAME || fate == VS_PART_REPAINTED; }
 
-/* Distributes the parts: unchanged ones to `kept` (NULL: dropped), the other solids to `solids`, and objects that
- * booleans cannot handle to `whole`. */
+/* Distributes the parts. Unchanged parts go to `kept` (NULL: they are dropped), other solids to `solids`, and objects
+ * that booleans cannot handle to `whole`. */
 static void sort_parts(const vs_drawn_parts *p, const vs_part_match *match, refs *kept, refs *solids, refs *whole) {
   for (size_t i = 0; i < p->count; i++) {
     const vs_drawn_part *part = &p->at[i];
@@ -374,7 +376,7 @@ static void sort_parts(const vs_drawn_parts *p, const vs_part_match *match, refs
   }
 }
 
-/* Only solids can be subtracted. */
+/* Copies only the solids, since nothing else can be subtracted. */
 static bool only_solids(refs *out, const refs *from) {
   for (size_t i = 0; i < from->count; i++)
     if (from->at[i].node->class_ == VS_SOLID) refs_add(out, vs_node_retain(from->at[i].node), from->at[i].origin);
@@ -412,7 +414,7 @@ bool vs_drawn_parts_change(const vs_drawn_parts *a, const vs_drawn_parts *b, con
   return ok;
 }
 
-/* Adds the solids of n to `solids`, and everything else to `rest` (NULL: dropped). */
+/* Adds the solids of n to `solids`, and all other objects to `rest` (NULL: they are dropped). */
 static bool part_solids(vs_node *n, refs *solids, refs *rest, vs_error *e) {
   vs_drawn_parts parts = { .store = n->store };
   bool ok = vs_drawn_parts_take(&parts, &(vs_ref){ n, NULL }, 1, e);
@@ -423,8 +425,8 @@ static bool part_solids(vs_node *n, refs *solids, refs *rest, vs_error *e) {
   return ok && (!(solids->failed || (rest && rest->failed)) || vs_error_memory(e, NULL));
 }
 
-/* Moves every corner outwards, along the mean of its triangles' normals, weighted by area. Returns false when memory is
- * out. */
+/* Moves every corner outwards by `by`, along the mean of its triangles' normals, weighted by area. Returns false if
+ * memory is out. */
 static bool push_out(vs_store *s, vs_mesh *m, double by) {
   size_t bytes = (m->vertex_count + 1) * sizeof(vs_vec3);
   vs_vec3 *out = vs_store_realloc(s, NULL, 0, bytes);
@@ -466,8 +468,8 @@ bool vs_drawn_parts_swell(vs_node *n, double tolerance, const vs_kernel_options 
   vs_bounds whole;
   bool ok = vs_node_bounds(n, &whole, e) && part_solids(n, &solids, &shown, e);
   if (ok && tolerance <= 0) facets.tolerance = vs_fineness_tolerance(&whole);
-  double reach = facets.tolerance / 2; /* facets have a quarter of this distance as tolerance, so that they reach
-                                        * further out everywhere */
+  double reach = facets.tolerance / 2; /* the tolerance of facets is a quarter of this distance, so that the mesh is
+                                        * outside the object everywhere */
   facets.tolerance /= 8;
   if (ok && solids.count) ok = vs_solid_evaluate(solids.at, solids.count, &facets, options, &solid, e);
   if (ok && solid.mesh.triangle_count) {

@@ -1,4 +1,4 @@
-/* Owns deformed objects (deformed.h). */
+/* Implements deformed objects (deformed.h). */
 #include "solids/deformed.h"
 
 #include <math.h>
@@ -13,8 +13,8 @@
 #include "model/store/nodemap.h"
 #include "solids/overlaps.h"
 
-/* HALVINGS: of an edge, at most. FINEST, USUAL: the least and the default tolerance are a hexahedron's diagonal divided
- * by these. */
+/* HALVINGS: the greatest number of times that an edge is halved. FINEST, USUAL: a hexahedron's diagonal divided by
+ * these is the least tolerance and the default tolerance. */
 enum { HALVINGS = 6, FINEST = 1000, USUAL = 200 };
 
 /* ---- leaves ---- */
@@ -26,7 +26,7 @@ typedef struct {
   int look_count;
 } open_node;
 
-/* Makes the mesh of a node at its place, or the points of a curve. no_regions: the error message for a region; NULL:
+/* Makes the mesh of a node at its place, or the points of a curve. no_regions: error message for a region; NULL:
  * regions are allowed. */
 static bool mesh_leaf(const open_node *o, const vs_fineness *asked, const vs_kernel_options *options,
                       const char *no_regions, vs_bend_leaf *l, vs_error *e) {
@@ -59,7 +59,7 @@ static bool mesh_leaf(const open_node *o, const vs_fineness *asked, const vs_ker
   return true;
 }
 
-/* Sets a material or layer; an inner one replaces the outer one of its kind. */
+/* Sets a material or layer. An inner material replaces an outer material, and an inner layer an outer layer. */
 static void put_look(open_node *o, vs_node *n) {
   int i = 0;
   while (i < o->look_count && o->looks[i]->kind != n->kind) i++;
@@ -101,8 +101,7 @@ bool vs_take_apart(vs_ref object, const vs_fineness *facets, const vs_kernel_opt
 /* ---- the map ---- */
 
 typedef struct {
-  vs_vec3 corner[8]; /* corner[i]: image of the corner of the bounds that is high along x, y, z if i has the bits 1, 2,
-                      * 4 */
+  vs_vec3 corner[8]; /* corner[i]: image of a corner of the bounds. Bits 1, 2, 4 of i mean the high end along x, y, z */
   vs_bounds from;
   double tolerance;
 } hexahedron;
@@ -155,24 +154,24 @@ bool vs_deform_is_affine(const struct vs_deform *d, const vs_bounds *bounds, vs_
 typedef struct {
   vs_bounds bounds;
   vs_bend_leaves leaves;
-  bool apart; /* its leaves exist */
+  bool apart; /* whether the leaves of the subject exist */
 } subject;
 
 typedef struct {
   int64_t key[24];
   size_t subject;
-  vs_node *node; /* retained; NULL: the slot is free */
+  vs_node *node; /* the node, retained; NULL: the slot is free */
 } shape;
 
 struct vs_deformer {
   vs_store *store;
   const vs_fineness *facets;
   const vs_kernel_options *options;
-  vs_nodemap children; /* from the child to its number among the subjects, plus 1 */
+  vs_nodemap children; /* maps a child to the number of its subject + 1 */
   subject *subjects;
-  vs_node **held; /* the subjects' nodes, retained */
+  vs_node **held; /* nodes of the subjects, retained */
   size_t subject_count, subject_room, held_room;
-  shape *shapes; /* a hash table; its size is a power of two */
+  shape *shapes; /* hash table whose size is a power of two */
   size_t shape_count, shape_room;
 };
 
@@ -193,7 +192,7 @@ void vs_deformer_free(vs_deformer *d) {
   free(d);
 }
 
-/* Returns the number of the child's subject; SIZE_MAX: failed, and e is set. */
+/* Returns the number of the child's subject, or SIZE_MAX on failure, with e set. */
 static size_t subject_of(vs_deformer *d, vs_ref child, vs_error *e) {
   const uint64_t *known = vs_nodemap_get(&d->children, child.node);
   if (known) return (size_t)*known - 1;
@@ -260,7 +259,8 @@ static vs_node *leaf_node(const vs_deformer *d, const hexahedron *h, const vs_be
     vs_mesh *m = vs_bending_mesh(b);
     bool solid = l->closed && !l->curve;
     if (mirrored) vs_mesh_turn(m, 0);
-    ok = !solid || vs_mesh_without_overlaps(m, d->options, e); /* a hexahedron may be folded */
+    ok = !solid || vs_mesh_without_overlaps(m, d->options, e); /* a hexahedron may be folded, and its mesh may then
+                                                                * overlap itself */
     if (ok && !(n = vs_bend_node(d->store, l, m))) vs_error_memory(e, l->origin);
   }
   vs_bending_free(b);
@@ -286,7 +286,8 @@ static vs_node *all_leaves(const vs_deformer *d, const hexahedron *h, const vs_b
   return n;
 }
 
-/* Returns the frame of the hexahedron: its copies at other places have the same corners in their frames. */
+/* Returns the frame of the hexahedron. Moved or rotated copies of it have the same corners relative to their own
+ * frames. */
 static vs_affine frame_of(const vs_vec3 c[8], vs_vec3 sx, vs_vec3 sy) {
   vs_vec3 fx = vs_v3_unit(sx), fz = vs_v3_unit(vs_v3_cross(sx, sy));
   vs_affine back, frame = vs_affine_columns(fx, vs_v3_cross(fz, fx), fz, c[0]);

@@ -1,4 +1,4 @@
-/* Owns the bounds of drawn objects (drawn_bounds.h). The world cache stores computed bounds by the node and the
+/* Computes the bounds of drawn objects (drawn_bounds.h). The world cache stores computed bounds by the node and the
  * fineness. */
 #include "solids/drawn_bounds.h"
 #include "geometry/plane/outline.h"
@@ -13,7 +13,7 @@
 #include "model/store/cache.h"
 #include "model/tally.h"
 
-enum { BOX_LOOK = 1 << 20, KEPT_BOUNDS = 1000 /* the key of these bounds within the node's VS_CACHED_MEASURE */ };
+enum { BOX_LOOK = 1 << 20, KEPT_BOUNDS = 1000 /* key of kept bounds in VS_CACHED_MEASURE */ };
 
 /* ---- a stack of nodes ---- */
 
@@ -31,15 +31,15 @@ static bool spreads(const vs_node *n) {
 
 /* ---- exact bounds by formula ---- */
 
-/* Returns true if the map takes boxes along the axes to boxes along the axes. */
+/* Returns true if the map transforms axis-parallel boxes to axis-parallel boxes. */
 static bool keeps_boxes(const vs_affine *a) {
   for (int i = 0; i < 3; i++)
     if ((a->m[i][0] != 0) + (a->m[i][1] != 0) + (a->m[i][2] != 0) != 1) return false;
   return true;
 }
 
-/* Sets *exact to false if the formula's bounds may be larger than the object. Checks at most BOX_LOOK nodes; the others
- * count as exact. */
+/* Sets *exact to false if the formula's bounds may be larger than the object. Checks at most BOX_LOOK nodes; all
+ * further nodes count as exact. */
 static bool box_is_exact(const vs_node *n, bool *exact) {
   node_stack s = { 0 };
   size_t seen = 0;
@@ -71,7 +71,8 @@ static bool box_is_exact(const vs_node *n, bool *exact) {
 
 /* ---- the cost of combining ---- */
 
-/* Returns the cost of the facets for a full turn beyond the usual 64: in a ball, their number grows with the square. */
+/* Returns the extra cost of facets beyond the usual 64 in a full turn. The facets of a sphere increase with the
+ * square. */
 static size_t segments_cost(const vs_node *n) {
   const vs_kind_info *k = vs_kind_get((vs_kind)n->kind);
   for (size_t i = 0; i < k->field_count; i++) {
@@ -90,7 +91,7 @@ static size_t shape_cost(const vs_node *n) {
   return n->child_count > 0 ? 0 : 1;
 }
 
-/* Counts shapes, and each placement once more, up to `most`. Returns false when memory is out. */
+/* Counts shapes, and each placement as one more, up to `most`. Returns false if memory is out. */
 static bool combine_cost(const vs_node *n, size_t most, size_t *cost) {
   node_stack s = { 0 };
   bool ok = true;
@@ -159,7 +160,7 @@ bool vs_drawn_bounds(const vs_ref *ref, vs_drawn_search *search, vs_bounds *out,
   if (budget) *budget -= cost;
   if (f.tolerance <= 0) f.tolerance = vs_fineness_tolerance(out);
   if (!(n->class_ == VS_SOLID ? drawn_solid(ref, &f, search->options, &drawn, e) : drawn_region(n, &f, &drawn, e))) {
-    /* a format without meshes draws a solid that the mesher refuses; a format with meshes reports the refusal */
+    /* A format without meshes also draws a solid that the mesher refuses. A format with meshes reports the refusal. */
     if (e->kind != VS_ERROR_MODEL) return false;
     *e = (vs_error){ VS_ERROR_NONE, NULL, "" };
     return search->at_most = true;

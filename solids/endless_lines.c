@@ -1,5 +1,5 @@
-/* Owns lines without end: each is drawn to the sides of the drawing's box, or ten units to each side if the drawing has
- * nothing else. */
+/* Replaces lines without end: each is drawn to the sides of the drawing's box. If the drawing contains nothing else,
+ * each is drawn ten units to both sides. */
 #include "solids/endless_lines.h"
 
 #include <stdlib.h>
@@ -19,7 +19,7 @@ typedef struct {
 typedef struct { endless *at; size_t count, room; } endless_list;
 typedef struct { vs_affine placed; const vs_material *material; const char *layer; } endless_level;
 
-/* Collects the lines of one tree, at their place in space. */
+/* Collects the lines of a tree, at their places in space. */
 static bool collect(vs_ref root, endless_list *out, vs_error *e) {
   vs_walk *w = vs_walk_new(root.node->store, root);
   endless_level *levels = NULL;
@@ -59,8 +59,8 @@ static bool collect(vs_ref root, endless_list *out, vs_error *e) {
   return ok;
 }
 
-/* Returns the part of the line within b, with material and layer; the empty node if it does not meet b. Returns NULL
- * when memory is out. */
+/* Returns the part of the line inside b, with its material and layer. Returns the empty node if the line does not
+ * intersect b, and NULL if memory is out. */
 static vs_node *clipped(vs_store *s, const endless *l, const vs_bounds *b) {
   vs_vec3 ends[2];
   if (!vs_line_clip(l->p, vs_v3_unit(l->way), l->ray, b, &ends[0], &ends[1]))
@@ -109,8 +109,8 @@ bool vs_scene_resolve(vs_scene *scene, const vs_kernel_options *options, const v
       for (size_t i = 0; i < lines.count; i++) vs_bounds_add(&all, lines.at[i].p);
       vs_bounds_add(&all, vs_v3(-10, -10, -10));
       vs_bounds_add(&all, vs_v3(10, 10, 10));
-    } else widen(&all, 1e-9 * vs_bounds_diagonal(&all)); /* a line in a flat drawing's plane counts as in it, even if
-                                                          * rounded */
+    } else widen(&all, 1e-9 * vs_bounds_diagonal(&all)); /* a line in the plane of a flat drawing counts as inside it,
+                                                          * despite rounding */
   }
   for (size_t i = 0; ok && i < lines.count; i++) {
     vs_ref line = { clipped(scene->store, &lines.at[i], &all), lines.at[i].origin };

@@ -1,4 +1,4 @@
-/* Owns the interface of feature_edges.c: feature edges. */
+/* Declares feature edges. */
 #ifndef VS_SOLIDS_FEATURE_EDGES_H
 #define VS_SOLIDS_FEATURE_EDGES_H
 

@@ -1,45 +1,46 @@
-/* Owns hiding: it finds the parts of an edge that lie behind triangles. See hidden_lines.h.
+/* Finds the parts of an edge that lie behind triangles. See hidden_lines.h.
  *
- * Notation. P(s) = p + s (q - p) is a place on the edge, s in 0..1. A place is behind a triangle if it satisfies four
- * conditions linear in s. P(s) lies on the inner side of the three planes through the viewer and a side of the
- * triangle, and behind the triangle's plane. Therefore the part of an edge that a triangle hides is one interval of s,
- * found by clipping, in a perspective view just as in a parallel one, because the conditions are planes in space. The
- * union of the intervals is hidden.
+ * Notation. P(s) = p + s (q - p) is a point of the edge, with s in 0..1. A point is behind a triangle if it satisfies
+ * four conditions that are linear in s. It lies on the inner side of the three planes through the viewer and a side of
+ * the triangle, and behind the triangle's plane. The part of an edge that a triangle hides is therefore an interval of
+ * s, which clipping finds. The conditions are planes in space, so this holds for perspective and for parallel views.
+ * The union of the intervals is hidden.
  *
- * Touching. Distances up to the slack count as zero. A triangle is closed: an edge that runs along one of its sides,
- * further back, is hidden, because that side is an edge itself, or the surface continues beyond it. An edge that lies
- * in the triangle's plane is never hidden by it. Distances from the plane are measured perpendicular to it, so faces
- * seen nearly edge-on are as accurate as others; those seen exactly edge-on hide nothing. The conditions are evaluated
- * where the edge enters and leaves the triangle's box in the picture, never far outside of it, where the direction of a
- * short side would be useless.
+ * Contact. Distances up to the slack count as zero. A triangle includes its sides: an edge that runs along a side,
+ * further back, is hidden. The side is then an edge itself, or the surface continues beyond it. An edge in the
+ * triangle's plane is never hidden by the triangle. Distances from the plane are measured perpendicular to it, so faces
+ * seen nearly edge-on are as accurate as others. Faces seen exactly edge-on hide nothing. The conditions are evaluated
+ * where the edge enters and leaves the triangle's box in the picture. Far outside the box, the direction of a short
+ * side would be useless.
  *
  * Cost. The triangles that may hide something are in a binary tree of boxes in the picture, each with the least depth
  * below it. The tree is built by halving at the median of the longest of width, height and depth: n log n. An edge is
- * first tested against the triangles that hid the edges before it. Then it visits the nearer half first, skips boxes
- * that are further away than the edge, and ends when all of it is hidden. */
+ * first tested against the triangles that hid the edges before it. The search then visits the nearer half first, skips
+ * boxes that are further away than the edge, and ends when the whole edge is hidden. */
 #include "solids/hidden_lines.h"
 
 #include <math.h>
 
 enum { LEAF = 4, STACK = 128, KEPT = 8 };
 
-typedef struct { double low[2], high[2], depth; } box; /* in the picture; depth: the least below */
+typedef struct { double low[2], high[2], depth; } box; /* bounds in the picture; depth: the least depth of the triangles
+                                                        * below */
 typedef struct { box b; uint32_t first, count, right; } node;
-    /* a range of `order`; count 0: the children are the next node and `right` */
+    /* a range of `order`; if its count is 0, the children are the next node and `right` */
 typedef struct { double from, to; } span;
 
 typedef struct {
   const vs_sight_host *host;
   const vs_sight *s;
-  box *boxes;        /* of the triangles that may hide an edge */
-  uint32_t *number;  /* of each box: its triangle */
-  uint32_t *order;   /* sorted by the tree */
+  box *boxes;        /* boxes of the triangles that may hide an edge */
+  uint32_t *number;  /* number of each box's triangle */
+  uint32_t *order;   /* indices of boxes, sorted by the tree */
   node *nodes;
   size_t count, room, node_count, node_room;
-  span *spans;       /* the hidden parts of the current edge: sorted, apart */
+  span *spans;       /* hidden parts of the current edge, sorted and disjoint */
   size_t span_count, span_room;
   size_t turns;
-  uint32_t kept[KEPT]; /* indices of boxes: triangles that hid whole edges, the latest first */
+  uint32_t kept[KEPT]; /* indices of boxes of triangles that hid whole edges, the latest first */
 } sight;
 
 static bool going(sight *v) { return (++v->turns & 0xfff) != 0 || v->host->going == NULL ||
@@ -89,7 +90,8 @@ static double middle(const sight *v, uint32_t i, int axis) {
   return axis == 2 ? b->depth : b->low[axis] + b->high[axis];
 }
 
-/* Reorders order[first, first + count) so that the half with the lesser middles comes first. */
+/* Reorders order[first, first + count) so that the boxes with the smaller centres along the axis are in the first
+ * half. */
 static void split(sight *v, size_t first, size_t count, int axis) {
   size_t low = first, high = first + count - 1, want = first + count / 2;
   uint32_t *o = v->order;
@@ -109,7 +111,8 @@ static void split(sight *v, size_t first, size_t count, int axis) {
   }
 }
 
-/* Builds the nodes in the order of a walk that goes left first; each has the number of its right child. */
+/* Builds the nodes in the order of a walk that visits left children first. Each node has the number of its right
+ * child. */
 static bool build(sight *v) {
   struct { uint32_t first, count, parent; } stack[STACK];
   size_t depth = 0;
@@ -161,15 +164,15 @@ static bool gather(sight *v) {
   return true;
 }
 
-/* ---- one edge and one triangle ---- */
+/* ---- an edge and a triangle ---- */
 
 typedef struct { vs_vec3 p, d; double low[2], high[2], far, length, slack; double from, to; } line;
-    /* from, to: the interval of s after the clips so far */
+    /* from, to: interval of s that remains after the clips */
 
 static vs_vec3 place(const line *l, double s) { return vs_v3_add(l->p, vs_v3_scale(l->d, s)); }
 
-/* Keeps the part of from..to where a linear function, given by its values there, is not negative; values below slack
- * count as 0. Returns false if at most a point remains. */
+/* Keeps the part of from..to where a linear function is not negative. The function is given by its values at both ends.
+ * Values with an absolute value up to slack count as 0. Returns false if at most a point remains. */
 static bool keep(line *l, double at_from, double at_to, double slack) {
   if (fabs(at_from) <= slack) at_from = 0;
   if (fabs(at_to) <= slack) at_to = 0;
@@ -180,8 +183,8 @@ static bool keep(line *l, double at_from, double at_to, double slack) {
   return l->from < l->to;
 }
 
-/* Returns the distance from the side of the triangle's box at `bound` in the picture, times depth in a perspective
- * view. */
+/* Returns the distance of p from a side of the triangle's box in the picture, the line at `bound`. In a perspective
+ * view the distance is multiplied by the depth. */
 static double beside(const vs_sight *s, vs_vec3 p, int axis, double bound) { return (axis ? p.y :
     p.x) - bound * (s->perspective ? p.z : 1); }
 
@@ -196,16 +199,16 @@ static bool keep_in_box(const vs_sight *s, line *l, const box *b) {
   return true;
 }
 
-/* Returns the unit normal of the plane through the viewer and the side from a to b; 0 if the viewer sees them at one
- * place. */
+/* Returns the unit normal of the plane through the viewer and the side from a to b. Returns 0 if the viewer sees a and
+ * b at the same point. */
 static vs_vec3 side_normal(const vs_sight *s, vs_vec3 a, vs_vec3 b) {
   vs_vec3 n = s->perspective ? vs_v3_cross(a, b) : vs_v3(a.y - b.y, b.x - a.x, 0);
   double length = vs_v3_length(n);
   return length > 0 ? vs_v3_scale(n, 1 / length) : vs_v3(0, 0, 0);
 }
 
-/* Returns true if the triangle lies on one side of the line from a to b in the picture, as do most of those whose boxes
- * meet it. */
+/* Returns true if the triangle lies entirely on one side of the line from a to b in the picture. This holds for most
+ * triangles whose boxes the line intersects. */
 static bool passes(const vs_sight *s, const vs_vec3 c[3], const double a[2], const double b[2], double slack) {
   double across = b[0] - a[0], up = b[1] - a[1], least = INFINITY, most = -INFINITY;
   for (int k = 0; k < 3; k++) {
@@ -218,11 +221,11 @@ static bool passes(const vs_sight *s, const vs_vec3 c[3], const double a[2], con
   return least > slack || most < -slack;
 }
 
-/* Computes the part of l that the triangle hides, as l->from and l->to; returns false if it hides none. */
+/* Computes the part of l that the triangle hides, as l->from and l->to. Returns false if it hides nothing. */
 static bool hides(const vs_sight *s, const vs_vec3 c[3], const box *b, line *l) {
   vs_vec3 n = vs_v3_unit(vs_v3_cross(vs_v3_sub(c[1], c[0]), vs_v3_sub(c[2], c[0])));
   if (vs_v3_dot(n, s->perspective ? c[0] : vs_v3(0, 0, 1)) < 0) n = vs_v3_scale(n, -1);
-      /* n points away from the viewer: behind is positive */
+      /* n points away from the viewer, so that distances behind the plane are positive */
   double far_p = vs_v3_dot(n, vs_v3_sub(l->p, c[0])), far_q = far_p + vs_v3_dot(n, l->d);
   if (far_p <= l->slack && far_q <= l->slack) return false;
   l->from = 0, l->to = 1;
@@ -238,9 +241,9 @@ static bool hides(const vs_sight *s, const vs_vec3 c[3], const box *b, line *l) 
   return true;
 }
 
-/* ---- the hidden parts of one edge ---- */
+/* ---- the hidden parts of an edge ---- */
 
-/* Adds from..to to the spans; spans closer than `gap` are joined. */
+/* Adds from..to to the spans. Spans closer than `gap` are joined. */
 static bool add_span(sight *v, double from, double to, double gap) {
   size_t first = 0, end, count = v->span_count;
   while (first < count && v->spans[first].to < from - gap) first++;
@@ -264,7 +267,7 @@ static bool meets(const line *l, const box *b, double slack) {
   return b->depth < l->far;
 }
 
-/* Returns true if the line from a to b, the edge in the picture, crosses the box. */
+/* Returns true if the line from a to b, an edge in the picture, intersects the box. */
 static bool crosses(const double a[2], const double b[2], const box *x, double slack) {
   double across = b[0] - a[0], up = b[1] - a[1];
   double mx = (x->low[0] + x->high[0]) / 2 - a[0], my = (x->low[1] + x->high[1]) / 2 - a[1];
@@ -277,7 +280,7 @@ static void keep_hider(sight *v, uint32_t which) {
   v->kept[0] = which;
 }
 
-/* Fills v->spans for the edge. *on is false if interrupted. */
+/* Computes v->spans for the edge. Sets *on to false if interrupted. */
 static bool look(sight *v, const vs_sight_edge *edge, double gap, bool *on) {
   const vs_sight *s = v->s;
   line l = { .p = edge->p, .d = vs_v3_sub(edge->q, edge->p), .slack = fmax(edge->slack, s->slack) };
@@ -291,7 +294,7 @@ static bool look(sight *v, const vs_sight_edge *edge, double gap, bool *on) {
   l.far = fmax(edge->p.z, edge->q.z);
   v->span_count = 0;
   if (v->node_count == 0) return true;
-  for (int i = 0; i < KEPT; i++) { /* one triangle often hides several successive edges */
+  for (int i = 0; i < KEPT; i++) { /* a triangle often hides several successive edges */
     uint32_t which = v->kept[i];
     if (!meets(&l, &v->boxes[which], slack)) continue;
     corners_of(s, v->number[which], c);
@@ -332,7 +335,8 @@ static bool add_piece(sight *v, vs_sight_pieces *out, vs_sight_piece piece, doub
   return true;
 }
 
-/* Appends the edge's parts between the spans, and in them with with_hidden. least: shorter ones are omitted. */
+/* Appends the edge's parts between the spans. with_hidden: also appends the parts in the spans. Parts shorter than
+ * `least` are omitted. */
 static bool cut_up(sight *v, uint32_t edge, bool with_hidden, double least, vs_sight_pieces *out) {
   double at = 0;
   for (size_t i = 0; i < v->span_count; i++) {
@@ -354,7 +358,7 @@ bool vs_sight_find_visible(const vs_sight_host *host, const vs_sight *s, const v
     on_picture(s, edge->p, a);
     on_picture(s, edge->q, b);
     double length = hypot(b[0] - a[0], b[1] - a[1]) * (s->perspective ? fmin(edge->p.z, edge->q.z) : 1);
-    if (length <= 8 * s->slack) continue; /* a point to the viewer */
+    if (length <= 8 * s->slack) continue; /* the viewer sees the edge as a point */
     ok = look(&v, edge, 2 * s->slack / length, &on);
     ok = ok && (!on || cut_up(&v, (uint32_t)i, with_hidden, 8 * s->slack / length, out));
   }

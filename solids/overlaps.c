@@ -26,7 +26,7 @@
 #include "model/store/array.h"
 #include "solids/weld.h"
 
-/* Returns true if the kind's mesh may overlap itself; looks through placements. */
+/* Returns true if a mesh of this kind may overlap itself. Ignores placements around the node. */
 static bool may_overlap(const vs_node *n) {
   if (n->class_ != VS_SOLID) return false;
   while (n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER) n = n->children[0].node;
@@ -48,9 +48,9 @@ static bool failed(const vs_kernel_error *why, vs_error *e) {
   return vs_error_set(e, VS_ERROR_MODEL, NULL, "%s", why->message);
 }
 
-/* Removes shells that are only a crack or a flake. Where faces of a mesh that overlaps itself lie on each other,
- * rounding separates them by some steps of the kernel's grid. A shell whose mean thickness is less than `thickness` is
- * removed. */
+/* Removes shells that are only a crack or a flake: their mean thickness is less than `thickness`. They occur where
+ * faces of a mesh that overlaps itself lie on each other, because rounding separates the faces by some steps of the
+ * kernel's grid. */
 static bool drop_flakes(vs_mesh *m, double thickness, vs_error *e) {
   vs_shells shells;
   bool ok = vs_shells_find(m, &shells);
@@ -66,15 +66,16 @@ static bool drop_flakes(vs_mesh *m, double thickness, vs_error *e) {
   return ok;
 }
 
-/* The remaining work: the pairs of triangles that arrangements may still test; and whether it was too little. */
+/* The remaining work: the number of pairs of triangles that arrangements may still test, and whether it was too
+ * small. */
 typedef struct {
   const vs_kernel_options *options;
   size_t pairs;
   bool too_much;
 } work;
 
-/* Replaces m by the solid that it winds around more than 0 times; left may be NULL: any amount of work. If it returns
- * true with left->too_much, m is unchanged. */
+/* Replaces m by the solid that it winds around more than 0 times. left NULL: any amount of work is allowed. If it
+ * returns true with left->too_much, m is unchanged. */
 static bool resolve(vs_mesh *m, const vs_kernel_options *options, work *left, vs_error *e) {
   vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
   vs_mesh whole = { 0 };
@@ -91,7 +92,7 @@ static bool resolve(vs_mesh *m, const vs_kernel_options *options, work *left, vs
   return true;
 }
 
-/* *changed: m overlapped or touched itself. */
+/* Replaces m by the solid without overlaps. Sets *changed to whether m overlapped or touched itself. */
 static bool free_of_overlaps(vs_mesh *m, const vs_kernel_options *options, bool *changed, vs_error *e) {
   vs_mesh_flaws flaws;
   vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
@@ -112,11 +113,12 @@ bool vs_mesh_without_overlaps(vs_mesh *m, const vs_kernel_options *options, vs_e
 
 /* ---- crowds ---- */
 
-/* CROWD: pairs of triangles that may meet, for each triangle: more take too long to arrange at once; MOST_PAIRS: in
- * all. */
+/* CROWD: limit of the number of pairs of triangles that may intersect, per triangle. More pairs take too long to
+ * arrange at once. MOST_PAIRS: limit of the number of all pairs. */
 enum { CROWD = 16, MOST_PAIRS = 60000000, STEPS = 8 };
 
-/* Returns true if m, the mesh of a sweep, overlaps so much at its bends that runs of it must be united one by one. */
+/* Sets *crowd to whether m, the mesh of a sweep, overlaps so much at its bends that runs of steps must be united
+ * separately. */
 static bool is_crowd(const vs_node *n, const vs_fineness *f, const vs_mesh *m, const vs_kernel_options *options,
                      bool *crowd, vs_error *e) {
   vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
@@ -139,7 +141,7 @@ static bool add_mesh(vs_mesh *a, vs_mesh *b) {
   return ok;
 }
 
-/* Resolves m, and welds the needles and crumbs of the union that remain. */
+/* Resolves m, and welds the needles and crumbs that remain. */
 static bool unite(vs_mesh *m, double step, work *left, vs_error *e) {
   return resolve(m, left->options, left, e) && (left->too_much || vs_mesh_weld(m, step) || vs_error_memory(e, NULL));
 }
@@ -177,7 +179,7 @@ bool vs_primitive_overlaps(const vs_node *n, const vs_fineness *f, const vs_kern
 
 /* ---- rounding ---- */
 
-/* *met: in the numbers of .off or .stl some triangles meet; *at: the first of them. */
+/* Sets *met to whether triangles intersect when m is rounded to the numbers of .off or .stl. *at is the first place. */
 static bool find_met(const vs_mesh *m, const vs_kernel_options *options, bool *met, vs_vec3 *at, vs_error *e) {
   static const vs_numbers numbers[] = { VS_NUMBERS_DIGITS, VS_NUMBERS_LOOSE };
   bool ok = true;
@@ -195,8 +197,8 @@ static bool find_met(const vs_mesh *m, const vs_kernel_options *options, bool *m
   return ok;
 }
 
-/* Mends m on a grid with `per` steps to one, as for a format without indices whose numbers are singles: between 2^23
- * and 2^24 these are the whole numbers. m stays a closed chain. */
+/* Repairs m on a grid with `per` steps per unit, as for a format without indices whose numbers have single precision.
+ * The singles between 2^23 and 2^24 are the whole numbers. m stays a closed chain. */
 static bool mend(vs_mesh *m, double per, const vs_kernel_options *options, vs_error *e) {
   const double middle = 0x1.8p23;
   vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
@@ -213,13 +215,13 @@ static bool mend(vs_mesh *m, double per, const vs_kernel_options *options, vs_er
   return true;
 }
 
-/* Resolves m, and checks the result for triangles that meet. */
+/* Resolves m, and checks whether triangles of the result intersect. */
 static bool try_out(vs_mesh *m, work *left, bool *met, vs_vec3 *at, vs_error *e) {
   return resolve(m, left->options, left, e) && (left->too_much || find_met(m, left->options, met, at, e));
 }
 
-/* Mends m on a grid (mend) and resolves the intersections there, several times; gives up if m grows, since that does
- * not end. The last check is of the final mesh: the solid that m winds around more than 0 times, resolved once more. */
+/* Repairs m on a grid (mend) and resolves the intersections there, several times. Gives up if m grows, since that does
+ * not end. The last check is of the final mesh: the solid that m winds around more than 0 times, resolved again. */
 static bool settle_on(vs_mesh *m, double per, work *left, bool *met, vs_vec3 *at, vs_error *e) {
   enum { ROUNDS = 4 };
   vs_bounds b = vs_mesh_bounds(m);
@@ -233,8 +235,8 @@ static bool settle_on(vs_mesh *m, double per, work *left, bool *met, vs_vec3 *at
   return ok;
 }
 
-/* Mends m on decimal grids, each coarser than the last, until no triangles meet in any format's numbers. coarsest: the
- * largest step of a grid. *met: no grid has helped; *at: the place. */
+/* Repairs m on decimal grids, each coarser than the last, until no triangles intersect in any format's numbers.
+ * coarsest: largest step of a grid. *met: whether all grids have failed. *at: place of an intersection. */
 static bool settle(vs_mesh *m, double coarsest, work *left, bool *met, vs_vec3 *at, vs_error *e) {
   vs_bounds b = vs_mesh_bounds(m);
   double size = vs_bounds_diagonal(&b);
@@ -255,8 +257,8 @@ static bool settle(vs_mesh *m, double coarsest, work *left, bool *met, vs_vec3 *
   return ok;
 }
 
-/* Sets the error: the bend of a sweep that is too tight, and the profile that fits. at: a place near the bend, or NULL:
- * the tightest. */
+/* Sets the error: the bend of a sweep that is too tight, and the size of profile that fits. at: a place near the bend;
+ * NULL: the tightest bend. */
 static bool refuse(const vs_node *n, const vs_fineness *f, const vs_vec3 *at, vs_error *e) {
   vs_sweep_bend bend;
   char fits[60] = "no profile fits";

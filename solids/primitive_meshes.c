@@ -1,4 +1,4 @@
-/* Owns the triangles of one primitive as a good solid. */
+/* Makes the triangles of a primitive, without overlaps. */
 #include "solids/primitive_meshes.h"
 #include "geometry/tessellate.h"
 
@@ -30,9 +30,9 @@ bool vs_primitive_mesh(const vs_node *n, const vs_fineness *f, const vs_kernel_o
   return ok;
 }
 
-/* ---- shared ---- */
+/* ---- meshes in the cache ---- */
 
-/* then the vertices, then the corners, each at a sixteen (cache.c) */
+/* the vertices follow, then the corners, each at a multiple of 16 bytes (cache.c) */
 typedef struct { uint64_t vertices, triangles; } header;
 
 static void view(const vs_cached *held, vs_mesh *out) {

@@ -1,4 +1,5 @@
-/* Owns the replacement of nodes: children first, each distinct node once, without recursion. */
+/* Replaces sections, shadows and feature edges in a tree of nodes: children first, each distinct node once, without
+ * recursion. */
 #include "solids/resolve.h"
 #include "geometry/tessellate.h"
 #include "geometry/plane/planar_evaluation.h"
@@ -19,23 +20,23 @@ typedef struct {
   vs_store *store;
   const vs_fineness *facets;
   const vs_kernel_options *options;
-  const vs_resolve_notes *notes; /* may be NULL */
+  const vs_resolve_notes *notes; /* callbacks; may be NULL */
   vs_error *error;
-  vs_deformer *deformer; /* NULL: nothing has been deformed yet */
-  vs_nodemap known;    /* from the old node to the new one, which `made` holds */
+  vs_deformer *deformer; /* NULL: nothing has been deformed up to now */
+  vs_nodemap known;    /* maps an old node to its new node, which `made` retains */
   vs_node **made;
   size_t made_count, made_room;
 } resolver;
 
 static bool is_unresolved(const vs_node *n) { return n->flags & VS_NODE_UNRESOLVED; }
 
-/* Returns the node that replaces n so far, without a new reference. */
+/* Returns the node that replaces n, without a new reference; n itself if nothing replaces it. */
 static vs_node *now(const resolver *r, vs_node *n) {
   const uint64_t *place = is_unresolved(n) ? vs_nodemap_get(&r->known, n) : NULL;
   return place ? r->made[*place] : n;
 }
 
-/* Takes over the new node. */
+/* Records that `new` replaces `old`, and takes over the reference to `new`. */
 static bool remember(resolver *r, const vs_node *old, vs_node *new) {
   if (!new) return vs_error_memory(r->error, NULL);
   if (!VS_GROW(r->made, r->made_room, r->made_count + 1)) return vs_node_release(new), vs_error_memory(r->error, NULL);
@@ -46,7 +47,7 @@ static bool remember(resolver *r, const vs_node *old, vs_node *new) {
   return true;
 }
 
-/* ---- from polylines to nodes; NULL: out of memory ---- */
+/* ---- from polylines to nodes; each function returns NULL if memory is out ---- */
 
 static vs_node *nothing(vs_store *s) { return vs_node_new(s, VS_EMPTY, &(struct vs_empty){ 0 }, NULL, 0); }
 
@@ -58,7 +59,8 @@ static vs_node *line(vs_store *s, const vs_polyline *p) {
   return n;
 }
 
-/* Makes a node of these children, which it takes over; with `alone`, a single child is returned itself. */
+/* Makes a node of these children, and takes over their references. alone: a single child is returned without a node
+ * around it. */
 static vs_node *of_children(vs_store *s, vs_kind kind, vs_ref *refs, size_t count, bool alone) {
   bool ok = true;
   static const unsigned char none[8];
@@ -92,7 +94,7 @@ static bool facets_for(const resolver *r, const vs_node *n, vs_fineness *f) {
   return true;
 }
 
-/* Collects surfaces beside each other as one mesh. */
+/* Collects surfaces that are members of unions into a single mesh. */
 static bool surfaces(const resolver *r, vs_ref root, const vs_fineness *f, vs_mesh *out) {
   typedef struct { vs_affine placed; } level;
   vs_walk *w = vs_walk_new(root.node->store, root);
@@ -151,7 +153,8 @@ static vs_node *flat_of(const resolver *r, const vs_ref *ref) {
   return made;
 }
 
-/* If the shape has a formula for its edges, makes them exact circles. *known false: the caller must use the mesh. */
+/* If the shape has a formula for its edges, makes them as exact circles. Otherwise sets *known to false: the caller
+ * must use the mesh. */
 static vs_node *round_edges(const resolver *r, const vs_node *n, const vs_origin *origin, bool *known) {
   vs_affine placed = vs_affine_identity();
   vs_vec3 at[2];
@@ -179,7 +182,7 @@ static vs_node *round_edges(const resolver *r, const vs_node *n, const vs_origin
     *known = false;
     return NULL;
   }
-  *known = segments == 0 && r->facets->segments == 0; /* with a given number of facets, the edges are those of the
+  *known = segments == 0 && r->facets->segments == 0; /* with a given number of facets, the edges are the edges of these
                                                        * facets */
   if (!*known) return NULL;
   vs_ref circles[2];
@@ -231,7 +234,7 @@ static vs_node *polyface(vs_store *s, const vs_mesh *m, bool closed) {
   return n;
 }
 
-/* Makes the hull of surfaces that lie in one plane from their corners. */
+/* Makes the hull of surfaces that all lie in the same plane, from their corners. */
 static vs_node *flat_hull_of(const resolver *r, const vs_ref *ref) {
   struct vs_hull d = *VS_AS(hull, ref->node);
   vs_fineness f;
@@ -248,7 +251,7 @@ static vs_node *flat_hull_of(const resolver *r, const vs_ref *ref) {
   return made;
 }
 
-/* Makes a hull in which carved parts are meshes. */
+/* Makes a hull. Parts that are booleans become meshes. */
 static vs_node *hull_of(const resolver *r, const vs_ref *ref) {
   const vs_node *n = ref->node;
   vs_ref *kids = vs_zeros(n->child_count + (size_t)1, sizeof *kids);
@@ -281,13 +284,13 @@ typedef struct {
   const resolver *r;
   const struct vs_slice *plane;
   const vs_origin *origin;
-  const vs_node *const *looks; /* materials and layers around the part being cut, the innermost last */
+  const vs_node *const *looks; /* materials and layers around the part that is being cut, the innermost last */
   size_t look_count;
-  vs_ref *at;                  /* the pieces */
+  vs_ref *at;                  /* pieces that remain after the cut */
   size_t count, room;
 } pieces;
 
-static bool keep_piece(pieces *p, vs_node *n) { /* takes over n */
+static bool keep_piece(pieces *p, vs_node *n) { /* takes over the reference to n */
   vs_store *s = p->r->store;
   for (size_t i = p->look_count; n && i-- > 0;) {
     vs_node *bare = n;
@@ -305,7 +308,7 @@ static bool keep_line(void *context, const vs_polyline *piece) {
   return keep_piece(p, line(p->r->store, piece));
 }
 
-/* Slices one part that has one class; placed: from its coordinates to the slice's. */
+/* Slices a part that has a single class. placed: map from the part's coordinates to the slice's. */
 static bool slice_part(pieces *p, vs_ref part, const vs_affine *placed) {
   const vs_node *n = part.node;
   vs_store *s = p->r->store;
@@ -351,7 +354,8 @@ static bool slice_part(pieces *p, vs_ref part, const vs_affine *placed) {
 }
 
 static vs_node *slice_of(const resolver *r, const vs_ref *ref) {
-  typedef struct { vs_affine placed; size_t looks; } level; /* looks: number of entries of the list around it */
+  typedef struct { vs_affine placed; size_t looks; } level; /* looks: number of materials and layers around this
+                                                             * level */
   vs_ref child = { now(r, ref->node->children[0].node), ref->node->children[0].origin }, at;
   pieces p = { .r = r, .plane = VS_AS(slice, ref->node), .origin = ref->origin };
   vs_walk *w = vs_walk_new(r->store, child);
@@ -389,7 +393,7 @@ static vs_node *slice_of(const resolver *r, const vs_ref *ref) {
   return made;
 }
 
-/* Makes several bars from bars around several curves. */
+/* Thickens several curves: makes a bar around each. */
 static vs_node *thickened(const resolver *r, const vs_node *n, vs_ref whole) {
   vs_ref *parts;
   size_t count;
@@ -448,7 +452,8 @@ static bool resolve_one(resolver *r, const vs_ref *ref) {
       r->notes->warn(r->notes->context, ref->origin,
                      "the hexahedron is flat or inside out: nothing is left of the solid in it");
   } else {
-    made = vs_node_has(n, VS_IS_UNRESOLVED) ? nothing(r->store) : rebuilt(r, n); /* a line without end */
+    made = vs_node_has(n, VS_IS_UNRESOLVED) ? nothing(r->store) : rebuilt(r, n); /* a line without end becomes
+                                                                                  * nothing */
   }
   return remember(r, n, made);
 }

@@ -1,14 +1,14 @@
-/* Owns sections and shadows of closed meshes, as chains of directed edges in the plane.
+/* Computes sections and shadows of closed meshes, as chains of directed edges in the plane.
  *
- * Section. The plane is moved a hair up, then a hair down, so that no vertex lies in it. A triangle with vertices on
- * both sides gives one edge, from the place where its border goes down through the plane to the place where it comes
- * up. Seen against the normal the solid is on the left. The crossing of an edge of the mesh is computed once for both
- * its triangles, so the edges close. A vertex within 1e-7 of the mesh's size counts as on the plane (the kernel's grid
- * is finer), and is itself the crossing. The section is the union of the cuts by both planes: a face that lies in the
- * plane is in one of the two.
+ * Section. The plane is moved slightly up, then slightly down, so that no vertex lies in it. A triangle with vertices
+ * on both sides gives one edge. The edge leads from the point where the triangle's border goes down through the plane
+ * to the point where it comes up. Seen against the normal, the solid is on the left. The crossing of a mesh edge is
+ * computed once for both its triangles, so the edges form closed chains. A vertex within 1e-7 of the mesh's size counts
+ * as on the plane (the kernel's grid is finer), and is itself the crossing. The section is the union of the cuts by
+ * both planes: each face in the original plane belongs to one of them.
  *
- * Shadow. The triangles that face along the normal, projected, wind around each point as often as they cover it;
- * therefore so do the edges that only one of such triangles has: the outlines against the light. */
+ * Shadow. The projections of the triangles that face along the normal wind around each point as often as they cover it.
+ * The same holds for the edges that only one of these triangles has, the outlines against the light. */
 #include "solids/sections.h"
 
 #include <stdlib.h>
@@ -28,13 +28,15 @@ static bool chain_add(chain *c, vs_vec2 p, vs_vec2 q) {
   return true;
 }
 
-/* Returns the plane's coordinates: those of the outlines that geometry/ makes in it, with the normal up. */
+/* Returns the frame of the plane: the coordinates of outlines that geometry/ makes in this plane, with the normal
+ * up. */
 static vs_affine plane_frame(vs_vec3 point, vs_vec3 normal) {
   vs_vec3 up = vs_plane_up(normal);
   return vs_frame_on_axis(vs_v3_scale(up, vs_v3_dot(up, point)), up);
 }
 
-/* Returns heights above the plane, and flat coordinates; NULL: out of memory. */
+/* Returns the vertices in the coordinates of the frame, with z as the height above the plane. Returns NULL if memory is
+ * out. */
 static vs_vec3 *in_frame(const vs_mesh *m, const vs_affine *frame) {
   vs_vec3 x = { frame->m[0][0], frame->m[1][0], frame->m[2][0] },
           y = { frame->m[0][1], frame->m[1][1], frame->m[2][1] },
@@ -49,7 +51,7 @@ static vs_vec3 *in_frame(const vs_mesh *m, const vs_affine *frame) {
 }
 
 static vs_vec2 crossing(const vs_vec3 *at, uint32_t a, uint32_t b) {
-  if (b < a) { /* the same for both triangles */
+  if (b < a) { /* orders the ends, so that both triangles of an edge compute the same crossing */
     uint32_t swap = a;
     a = b;
     b = swap;
@@ -91,7 +93,8 @@ bool vs_mesh_section(const vs_mesh *m, vs_vec3 point, vs_vec3 normal, vs_outline
       at[i].z = 0;
       on = true;
     }
-  for (int k = 0; ok && k < (on ? 2 : 1); k++) { /* if nothing lies in the plane, both are equal */
+  for (int k = 0; ok && k < (on ? 2 : 1); k++) { /* if no vertex lies in the plane, the two cuts are equal, and one
+                                                  * suffices */
     chain c = { 0 };
     ok = cut(m, at, k == 0, &c) || vs_error_memory(e, NULL);
     ok = ok && vs_area_of_chain((const vs_vec2 (*)[2])c.at, c.count, "do-section", &parts[k], e);

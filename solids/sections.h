@@ -1,19 +1,19 @@
-/* Owns the results that a solid's mesh alone gives: its section with a plane, its shadow on one, its feature edges. */
+/* Declares results that require a solid's mesh: its section with a plane, its shadow on a plane, its feature edges. */
 #ifndef VS_SOLIDS_SECTIONS_H
 #define VS_SOLIDS_SECTIONS_H
 
 #include "geometry/plane/outline.h"
 #include "model/mesh.h"
 
-/* Computes the section of a closed mesh with the plane through point: the cut, and faces that lie in the plane. o has
- * no loops if it is empty. */
+/* Computes the section of a closed mesh with the plane through point: the cut, and the faces that lie in the plane. If
+ * the section is empty, o has no loops. */
 bool vs_mesh_section(const vs_mesh *m, vs_vec3 point, vs_vec3 normal, vs_outline *o, vs_error *e);
 /* Computes the shadow that a closed mesh casts along the normal on the plane. */
 bool vs_mesh_shadow(const vs_mesh *m, vs_vec3 point, vs_vec3 normal, vs_outline *o, vs_error *e);
 
-/* Finds the edges where faces meet at more than 30 degrees, and borders, joined to polylines. They end where three or
- * more meet or a corner turns by more than 30 degrees. */
+/* Finds the edges where faces have an angle of more than 30 degrees, and borders, joined to polylines. A polyline ends
+ * where three or more edges meet, or where the direction changes by more than 30 degrees. */
 typedef struct { vs_polyline *at; size_t count, room; } vs_polylines;
-bool vs_mesh_edges(const vs_mesh *m, vs_polylines *out, vs_error *e); /* equal points count as one vertex */
+bool vs_mesh_edges(const vs_mesh *m, vs_polylines *out, vs_error *e); /* equal points count as a single vertex */
 
 #endif

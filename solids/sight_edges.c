@@ -1,8 +1,8 @@
-/* Owns the choice of the lines that a view shows of a mesh. See hidden_lines.h.
+/* Chooses the lines of a mesh that a view shows. See hidden_lines.h.
  *
- * Each side of a triangle is a row, sorted by its two points; rows with equal points are the faces around an edge. A
- * face is seen from the front, from the back, or edge-on, which within 1e-7 counts as neither. A smooth surface that
- * turns away there gets its line between the last visible face and the next. */
+ * Each side of a triangle is a row, sorted by its two points; the rows with equal points are the faces around an edge.
+ * A face is seen from the front, from the back, or edge-on (within 1e-7), which counts as neither. Where a smooth
+ * surface turns away from the viewer, the line lies between the last visible face and the next face. */
 #include "solids/sight_edges.h"
 
 #include <math.h>
@@ -10,7 +10,7 @@
 
 #include "geometry/files/polyface.h"
 
-static const double sharp = 0.9396926207859084; /* the cosine of 20 degrees */
+static const double sharp = 0.9396926207859084; /* cosine of 20 degrees, the least angle of a crease */
 
 typedef struct { uint64_t key; uint32_t face; bool forward; } side;
 
@@ -20,7 +20,7 @@ static int side_compare(const void *p, const void *q) {
 }
 
 typedef struct { vs_vec3 normal; int8_t front; } face;
-    /* front: 1 seen from the front, -1 from the back, 0 edge-on or without area */
+    /* front: 1 if seen from the front, -1 from the back, 0 edge-on or without area */
 
 static face face_of(const vs_sight *s, const uint32_t *place, size_t i) {
   const uint32_t *t = s->triangles[i];
@@ -35,16 +35,16 @@ static face face_of(const vs_sight *s, const uint32_t *place, size_t i) {
 static bool paints_differ(const vs_sight *s, uint32_t a, uint32_t b) { return s->paints &&
     s->paints[a] != s->paints[b]; }
 
-/* Returns the kind of the line at the edge between two faces; VS_SIGHT_KINDS: no line. */
+/* Returns the kind of the line at the edge between two faces, or VS_SIGHT_KINDS if the edge has no line. */
 static vs_sight_kind kind_between(const vs_sight *s, const face *faces, const side *a, const side *b) {
   const face *f = &faces[a->face], *g = &faces[b->face];
   bool cap_f = s->caps && s->caps[a->face], cap_g = s->caps && s->caps[b->face];
   if (cap_f && cap_g) return paints_differ(s, a->face, b->face) ? VS_SIGHT_PARTING : VS_SIGHT_KINDS;
   if (cap_f || cap_g) return VS_SIGHT_CUT;
-  /* neighbours that run along the edge in one direction have opposite orientations */
+  /* neighbours that use the edge in the same direction have opposite orientations */
   int turned = a->forward == b->forward ? -1 : 1;
   int p = f->front, q = g->front * turned;
-  bool thin = a->face >= s->closed || b->face >= s->closed; /* seen from both sides */
+  bool thin = a->face >= s->closed || b->face >= s->closed; /* whether the faces are visible from both sides */
   if (thin && p + q < 0) p = -p, q = -q;
   if (p <= 0 && q <= 0) return VS_SIGHT_KINDS;
   if (p <= 0 || q <= 0) return VS_SIGHT_OUTLINE;
@@ -82,7 +82,7 @@ bool vs_sight_find_edges(const vs_sight_host *host, const vs_sight *s, vs_sight_
     if ((i & 0xffff) == 0) going = host->going == NULL || host->going(host->context);
     vs_sight_kind kind = VS_SIGHT_OUTLINE;
     if (end - i == 2) kind = kind_between(s, faces, &all[i], &all[i + 1]);
-    else if (all[i].face < s->closed) { /* more than two faces of solids around it: the edge is drawn if one of them is
+    else if (all[i].face < s->closed) { /* an edge with more than two faces of solids is drawn if one of the faces is
                                          * visible */
       kind = VS_SIGHT_KINDS;
       for (size_t k = i; k < end; k++)

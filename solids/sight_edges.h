@@ -1,12 +1,12 @@
-/* Owns the choice of the lines that a view shows of a mesh. */
+/* Declares the choice of the lines of a mesh that a view shows. */
 #ifndef VS_SOLIDS_SIGHT_EDGES_H
 #define VS_SOLIDS_SIGHT_EDGES_H
 
 #include "solids/hidden_lines.h"
 
-/* Appends the lines that a draughtsman would draw of the triangles: creases of more than 20 degrees, contours, borders,
- * and the lines of the cut. Equal points count as one. Returns false and sets the error if memory is out or the caller
- * interrupts. Cost: n log n. */
+/* Appends the lines of the triangles that a draughtsman would draw: creases of more than 20 degrees, contours, borders,
+ * and the lines of the cut. Equal points count as a single point. Returns false and sets the error if memory is out or
+ * the caller interrupts. Cost: n log n. */
 bool vs_sight_find_edges(const vs_sight_host *host, const vs_sight *s, vs_sight_edges *out, vs_error *e);
 
 void vs_sight_edges_free(const vs_sight_host *host, vs_sight_edges *edges);

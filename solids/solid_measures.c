@@ -1,10 +1,11 @@
-/* Owns the division of an object for its measures.
+/* Divides an object into pieces whose measures can be computed separately.
  *
- * The list of jobs has pieces of the object that share no space with each other, each with its placement and a sign. A
- * piece with a formula is added to the sum. A union is divided into its parts; those whose boxes no other part meets
- * are separate jobs. A difference loses cutters that do not meet it. If they all lie inside a convex body, its measure
- * is that of the body less that of the cutters' union. All other parts are collected and meshed at once. Boxes that
- * share less than 2^-28 of the whole are apart for volumes, and touch for areas. Nothing recurses. */
+ * The list of jobs contains pieces of the object that do not overlap, each with its placement and a sign. The measure
+ * of a piece with a formula is added to the sum. A union is divided into its parts; a part whose box intersects no
+ * other part's box is a separate job. In a difference, cutters that do not intersect the body are ignored. If all
+ * cutters lie inside a convex body, the measure is that of the body minus that of the cutters' union. All other parts
+ * are collected and meshed together. Boxes that share less than 2^-28 of the object count as separate for volumes, and
+ * as touching for areas. No function here is recursive. */
 #include "solids/solid_measures.h"
 
 #include <stdlib.h>
@@ -15,8 +16,8 @@
 #include "solids/solid_meshes.h"
 #include "model/store/array.h"
 
-enum { MOST_PARTS = 1000000, CHEAP = 60000 /* triangles: meshes up to CHEAP may be made once more, for a better
-                                            * result */ };
+enum { MOST_PARTS = 1000000, CHEAP = 60000 /* CHEAP: number of triangles up to which a mesh may be made again, for a
+                                            * better result */ };
 
 typedef struct { vs_ref ref; vs_affine placed; double sign; } job;
 typedef struct { vs_ref ref; vs_affine placed; vs_bounds box; bool cutter; } part;
@@ -26,13 +27,13 @@ typedef struct {
   vs_ask ask;
   double tolerance;
   vs_bounds_memo boxes;
-  vs_nodemap known;           /* from the node to the number of its formula plus one */
+  vs_nodemap known;           /* maps a node to the number of its formula + 1 */
   VS_LIST(vs_measure) formulas;
   VS_LIST(job) jobs;
-  VS_LIST(part) parts;        /* of the current job */
-  VS_LIST(vs_ref) rest[2];    /* to be meshed: added and subtracted parts; owned references */
-  VS_LIST(vs_node *) made;    /* nodes made for jobs; owned */
-  bool rough;                 /* something overlaps itself: finer meshes of it take long to unite */
+  VS_LIST(part) parts;        /* parts of the current job */
+  VS_LIST(vs_ref) rest[2];    /* added and subtracted parts that will be meshed; owned references */
+  VS_LIST(vs_node *) made;    /* nodes that were made for jobs; owned */
+  bool rough;                 /* whether some part overlaps itself, so that finer meshes would take long to unite */
   double volume, area;
   vs_vec3 moment;
   vs_error *error;
@@ -42,11 +43,11 @@ static bool memory(measuring *m) { return vs_error_memory(m->error, NULL); }
 
 static void add(measuring *m, double volume, double area, vs_vec3 centroid, double sign) {
   m->volume += sign * volume;
-  m->area += area; /* a cavity has a surface, too */
+  m->area += area; /* the surface of a cavity counts too */
   m->moment = vs_v3_add(m->moment, vs_v3_scale(centroid, sign * volume));
 }
 
-static vs_ref below(vs_ref at, vs_affine *placed) { /* skips placements and appearance */
+static vs_ref below(vs_ref at, vs_affine *placed) { /* returns the object inside placements, materials and layers */
   while (at.node->child_count == 1 &&
          (at.node->kind == VS_TRANSFORM || at.node->kind == VS_UNION || vs_node_is_wrapper(at.node))) {
     if (at.node->kind == VS_TRANSFORM) *placed = vs_affine_multiply(placed, &VS_AS(transform, at.node)->matrix);
@@ -76,7 +77,7 @@ static bool formula(measuring *m, vs_node *n, vs_measure *out) {
   return true;
 }
 
-/* Sets *done if a formula gives all measures. */
+/* Sets *done to true if a formula gives all measures. */
 static bool by_formula(measuring *m, const job *j, bool *done) {
   vs_measure one;
   double k;
@@ -110,14 +111,14 @@ static bool box_of(measuring *m, const part *p, vs_bounds *out) {
     *out = vs_bounds_transform(out, &p->placed);
     return true;
   }
-  vs_ref ref = p->ref; /* if turned: a curved object has a smaller box than its box has */
+  vs_ref ref = p->ref; /* a rotated curved object has a smaller box than its rotated box */
   vs_node *n = vs_node_new(ref.node->store, VS_TRANSFORM, &(struct vs_transform){ .matrix = p->placed }, &ref, 1);
   bool ok = n ? vs_node_bounds(n, out, m->error) : memory(m);
   vs_node_release(n);
   return ok;
 }
 
-/* Appends the parts of a union, nested at any depth; *whole false: there are too many. */
+/* Appends the parts of a union, nested at any depth. Sets *whole to false if there are too many. */
 static bool spread(measuring *m, vs_ref root, const vs_affine *placed, bool *whole) {
   VS_LIST(job) stack = { 0 };
   bool ok = VS_PUSH(&m->k, stack, ((job){ root, *placed, 1 })) || memory(m);
@@ -126,7 +127,7 @@ static bool spread(measuring *m, vs_ref root, const vs_affine *placed, bool *who
     job at = stack.at[--stack.count];
     at.ref = below(at.ref, &at.placed);
     const vs_node *n = at.ref.node;
-    if (n->class_ != VS_SOLID) continue; /* nothing, or a ghost */
+    if (n->class_ != VS_SOLID) continue; /* skips empty nodes and ghosts */
     if (n->kind == VS_UNION) {
       for (uint32_t i = n->child_count; ok && i-- > 0;)
         ok = VS_PUSH(&m->k, stack, ((job){ n->children[i], at.placed, 1 })) || memory(m);
@@ -149,13 +150,13 @@ static bool join(void *set, uint32_t a, uint32_t b) {
   return true;
 }
 
-/* set[i]: the first of the parts that are connected with part i by their boxes */
+/* set[i]: the first part that is connected with part i by intersecting boxes */
 static bool cluster(measuring *m, uint32_t *set) {
   uint32_t n = (uint32_t)m->parts.count;
   vs_bounds all = vs_bounds_empty();
   vs_bvh bvh = { 0 };
   vs_bvh_box *boxes = vs_fresh(n + (size_t)1, sizeof *boxes);
-  int32_t slack = m->ask == VS_ASK_AREA ? -1 : 1; /* steps by which boxes shrink */
+  int32_t slack = m->ask == VS_ASK_AREA ? -1 : 1; /* number of steps by which boxes shrink */
   vs_disjoint(set, n);
   for (uint32_t i = 0; i < n; i++) vs_bounds_unite(&all, &m->parts.at[i].box);
   double low[3] = { all.min.x, all.min.y, all.min.z },
@@ -177,7 +178,7 @@ static bool cluster(measuring *m, uint32_t *set) {
   return ok;
 }
 
-/* Sets *inside if all cutters, by their boxes, lie inside this body; for areas, without touching its surface. */
+/* Sets *inside if the boxes of all cutters lie inside this body. For areas they must not touch its surface. */
 static bool holds(measuring *m, const part *body, const uint32_t *set, uint32_t root, bool *inside) {
   vs_affine back;
   *inside = vs_node_has(body->ref.node, VS_IS_CONVEX) && vs_affine_invert(&body->placed, &back);
@@ -195,7 +196,7 @@ static bool holds(measuring *m, const part *body, const uint32_t *set, uint32_t 
   return true;
 }
 
-/* Measures one of the clusters, whose first part has the number root. */
+/* Measures a cluster of parts. The number of its first part is `root`. */
 static bool settle_cluster(measuring *m, const uint32_t *set, const uint32_t *member, uint32_t count, double sign,
                            vs_ref whole) {
   uint32_t bodies = 0, cutters = 0, body = 0;
@@ -216,7 +217,7 @@ static bool settle_cluster(measuring *m, const uint32_t *set, const uint32_t *me
       ok = left_over(m, m->parts.at[member[i]].ref, &m->parts.at[member[i]].placed, sign);
     return ok;
   }
-  vs_ref *refs = vs_zeros(count + (size_t)1, sizeof *refs); /* the bodies, then the cutters */
+  vs_ref *refs = vs_zeros(count + (size_t)1, sizeof *refs); /* contains the bodies, then the cutters */
   uint32_t at[2] = { 0, bodies };
   if (!refs) return memory(m);
   for (uint32_t i = 0; ok && i < count; i++) {
@@ -248,7 +249,7 @@ static bool settle_cluster(measuring *m, const uint32_t *set, const uint32_t *me
   return ok;
 }
 
-/* Measures the parts, cluster by cluster. */
+/* Measures the parts of a job by clusters. */
 static bool settle_parts(measuring *m, double sign, vs_ref whole) {
   uint32_t n = (uint32_t)m->parts.count, *set = vs_fresh(3 * (size_t)n + 3, sizeof *set);
   if (!set) return memory(m);
@@ -296,7 +297,7 @@ static bool take_apart(measuring *m, job j) {
   return settle_parts(m, j.sign, j.ref);
 }
 
-/* ---- the rest ---- */
+/* ---- parts without a formula ---- */
 
 static bool mesh_rest(measuring *m, int which, const vs_bounds *drawing) {
   const vs_ref *refs = m->rest[which].at;

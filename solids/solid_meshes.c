@@ -1,8 +1,8 @@
-/* Owns the walk over a model's nodes that turns them into a kernel problem.
+/* Converts a model's nodes to a problem for the kernel.
  *
- * Every path of the DAG gives separate terms. A mesh is made once for each distinct primitive (equal by value, at equal
- * facets). The same mesh at the same place with the same paint is one leaf, however often the expression has it. The
- * walk keeps a stack: a model may be hundreds of thousands of levels deep. */
+ * Every path of the DAG gives separate terms. A mesh is made once for each distinct primitive (equal values, equal
+ * facets). The same mesh at the same place with the same paint is a single leaf, however often the expression contains
+ * it. The walk keeps its own stack, because a model may be hundreds of thousands of levels deep. */
 #include "solids/solid_meshes.h"
 #include "geometry/tessellate.h"
 
@@ -24,23 +24,23 @@ typedef struct {
   vs_affine placement;
   const vs_material *material;
   const char *layer; /* interned */
-  size_t first;    /* index in `pending` of its first operand */
-  bool difference; /* its operands after the first are subtracted */
-  bool off;        /* solids here make the whole smaller */
-  uint32_t scope;  /* the innermost bounded operation around this level: half-spaces matter only within it; 0 is the
-                    * whole drawing */
-  const vs_node *scope_node; /* its node; NULL: that of the whole */
-  vs_affine local; /* map from this level to there */
+  size_t first;    /* index in `pending` of the operation's first operand */
+  bool difference; /* whether the operands after the first are subtracted */
+  bool off;        /* whether solids at this level make the result smaller */
+  uint32_t scope;  /* index of the innermost bounded operation around this level, outside which half-spaces have no
+                    * effect; 0: the whole drawing */
+  const vs_node *scope_node; /* node of the scope; NULL: the whole drawing */
+  vs_affine local; /* map from this level to the scope */
 } level;
 typedef struct {
   const vs_node *node;
   vs_fineness facets;
   vs_mesh *mesh;
-  const vs_cached *held; /* the cache owns the mesh's arrays; NULL: this entry does */
-  size_t next;           /* index of the next entry plus one; 0: none */
+  const vs_cached *held; /* cache entry that owns the mesh's arrays; NULL: this entry owns them */
+  size_t next;           /* index of the next entry + 1; 0: there is none */
   const vs_origin *origin;
-  const vs_node *scope;  /* for a half-space, which must reach the bounds of this node: */
-  vs_affine local;       /* its placement there */
+  const vs_node *scope;  /* for a half-space: the node whose bounds it must reach */
+  vs_affine local;       /* placement of the half-space in the scope */
 } meshed;
 typedef struct { uint32_t leaf, scope; } scoped;
 
@@ -49,29 +49,30 @@ typedef struct {
   const vs_fineness *facets;
   vs_error *error;
   VS_LIST(vs_kernel_leaf) leaves;
-  VS_LIST(const vs_origin *) origins; /* of the leaves */
+  VS_LIST(const vs_origin *) origins; /* origins of the leaves */
   VS_LIST(vs_kernel_term) terms;
   VS_LIST(uint32_t) operands;
   VS_LIST(uint32_t) pending;          /* terms that wait for their operation */
-  VS_LIST(level) levels;              /* of the nodes on the walk's path */
+  VS_LIST(level) levels;              /* levels of the nodes on the walk's path */
   VS_LIST(meshed) meshes;
   VS_LIST(vs_solid_part) parts;
-  VS_LIST(uint32_t) paints;           /* of each part: the first with its material and layer */
-  VS_LIST(uint32_t) part_table, paint_table; /* hash tables of parts, open addressing: index plus one, 0 free */
-  VS_LIST(vs_bounds) within;          /* of each leaf, if there are half-spaces: the bounds in which it matters */
-  VS_LIST(uint32_t) scopes;           /* of each scope: the one around it */
+  VS_LIST(uint32_t) paints;           /* paints[i]: first part with the same material and layer as part i */
+  VS_LIST(uint32_t) part_table, paint_table; /* hash tables of parts with open addressing: index + 1; 0: free */
+  VS_LIST(vs_bounds) within;          /* if there are half-spaces: for each leaf, the bounds in which it has an
+                                       * effect */
+  VS_LIST(uint32_t) scopes;           /* for each scope, the scope around it */
   VS_LIST(scoped) scoped;             /* every place of every leaf */
-  /* hash table of meshes by their nodes' hashes: index plus one, 0 empty. Its size is a power of two, at least the
-   * number of meshes */
+  /* hash table of meshes by their nodes' hashes: index + 1; 0: empty. Its size is a power of two, at least the number
+   * of meshes */
   VS_LIST(size_t) buckets;
-  VS_LIST(uint32_t) twins;            /* hash table of leaves by mesh, placement, paint and side, open addressing: index
-                                       * plus one, 0 free */
-  VS_LIST(uint8_t) off;               /* of each leaf: level.off */
-  VS_LIST(uint32_t) mesh_numbers;     /* of each leaf: its index in meshes */
-  VS_LIST(uint64_t) identities;       /* of each leaf's mesh */
-  VS_LIST(uint32_t) plain;            /* meshes that threads make at the end */
-  _Atomic size_t made;                /* triangles of all meshes so far */
-  vs_cache *cache;                    /* may be NULL */
+  VS_LIST(uint32_t) twins;            /* hash table of leaves by mesh, placement, paint and side, with open addressing:
+                                       * index + 1; 0: free */
+  VS_LIST(uint8_t) off;               /* for each leaf: the value of level.off */
+  VS_LIST(uint32_t) mesh_numbers;     /* for each leaf: the index of its mesh */
+  VS_LIST(uint64_t) identities;       /* for each leaf: the identity of its mesh */
+  VS_LIST(uint32_t) plain;            /* indices of the meshes that threads make at the end */
+  _Atomic size_t made;                /* number of triangles of all meshes made */
+  vs_cache *cache;                    /* cache of meshes; may be NULL */
 } builder;
 
 static bool full(builder *b) {
@@ -84,7 +85,7 @@ static bool add_term(builder *b, vs_term_kind kind, uint32_t first, size_t count
          VS_PUSH(&b->k, b->pending, (uint32_t)b->terms.count - 1);
 }
 
-/* Makes the pending terms from `first` on the operands of a new one, which then is pending itself. */
+/* Makes a term whose operands are the pending terms from `first` on. The new term is then pending. */
 static bool close_term(builder *b, vs_term_kind kind, size_t first) {
   size_t count = b->pending.count - first, at = b->operands.count;
   if (at + count >= UINT32_MAX) return full(b);
@@ -159,8 +160,8 @@ static bool buckets_grow(builder *b) {
   return true;
 }
 
-/* Adds the triangles to the count of all shapes' meshes and checks the limit. Cached meshes count like others: the
- * limit on an output must not depend on earlier runs. */
+/* Adds the triangles to the sum over all shapes' meshes, and checks the limit. Cached meshes count like others: the
+ * limit of an output must not depend on earlier runs. */
 static bool count_made(vs_kernel *k, _Atomic size_t *made, size_t triangles) {
   size_t limit = k->options->max_triangles, all = atomic_fetch_add(made, triangles) + triangles;
   return !limit || all <= limit * VS_ON_THE_WAY ||
@@ -201,7 +202,8 @@ static bool mesh_of(builder *b, const vs_ref *ref, const level *at, const vs_fin
   }
   *bucket = b->meshes.count;
   *number = (uint32_t)b->meshes.count - 1;
-  if (ref->node->kind == VS_HALF_SPACE) return true; /* made later, when the solids that it cuts are known */
+  if (ref->node->kind == VS_HALF_SPACE) return true; /* the mesh is made later, when the solids that it cuts are
+                                                      * known */
   const vs_kept_mesh to = { b->cache, *mesh, &b->meshes.at[*number].held };
   if (vs_node_has(ref->node, VS_IS_PLAIN))
     return vs_primitive_find(&to, ref->node, facets)
@@ -215,13 +217,13 @@ static bool mesh_of(builder *b, const vs_ref *ref, const level *at, const vs_fin
   return false;
 }
 
-/* ---- plain meshes ---- */
+/* ---- meshes that threads make ---- */
 
 enum {
   FEW = 64,
-  CHUNK = 8 /* CHUNK: meshes of a task, if there are many */,
-  CURVED = 100 /* triangles of a curved shape, approximately */,
-  SERIAL = 10000 /* so few triangles are not worth a thread */
+  CHUNK = 8 /* CHUNK: number of meshes of a task, if there are many meshes */,
+  CURVED = 100 /* approximate number of triangles of a curved shape */,
+  SERIAL = 10000 /* with fewer triangles, threads cost more time than they save */
 };
 
 typedef struct { const builder *b; size_t chunk; _Atomic size_t *made; } making;
@@ -243,7 +245,7 @@ static bool make_some(vs_kernel *k, void *context, size_t index) {
   return true;
 }
 
-/* Makes all meshes that the walk has deferred. */
+/* Makes all meshes that the walk has left for the threads. */
 static bool make_plain(builder *b) {
   making all = { b, b->plain.count < FEW ? 1 : CHUNK, &b->made };
   size_t faces = 0;
@@ -260,7 +262,7 @@ static bool make_plain(builder *b) {
     ok = vs_kernel_poll(&b->k, 0);
   }
   if (ok || b->k.error->status != VS_KERNEL_OUT_OF_MEMORY) return ok;
-  const meshed *m = &b->meshes.at[b->plain.at[b->k.error->leaf]]; /* makes the mesh once more, for its error */
+  const meshed *m = &b->meshes.at[b->plain.at[b->k.error->leaf]]; /* makes the mesh again, to obtain its error */
   vs_error why = { VS_ERROR_NONE, NULL, "" };
   if (vs_tessellate(m->node, &m->facets, m->mesh, &why)) return false;
   if (!why.origin) why.origin = m->origin;
@@ -272,7 +274,7 @@ static bool make_plain(builder *b) {
 static uint64_t leaf_hash(const builder *b, const vs_kernel_leaf *leaf, bool off) {
   uint64_t h = (uint64_t)(uintptr_t)leaf->mesh ^ ((uint64_t)b->paints.at[leaf->tag] << 1 | off) << 40;
   for (int i = 0; i < 12; i++) {
-    double x = leaf->placement.m[i / 4][i % 4] + 0.0; /* -0 is 0 */
+    double x = leaf->placement.m[i / 4][i % 4] + 0.0; /* adding 0 turns -0 into 0 */
     uint64_t bits;
     memcpy(&bits, &x, sizeof bits);
     h = (h ^ bits) * UINT64_C(0x9E3779B97F4A7C15);
@@ -328,9 +330,9 @@ static bool add_leaf(builder *b, const vs_ref *ref, const level *at) {
          add_term(b, VS_TERM_LEAF, b->twins.at[slot] - 1, 0);
 }
 
-/* Replaces half-spaces by solids that agree with them wherever their operands can be: within the innermost bounded
- * operation. Outside all its other leaves it is false for any half-space. Therefore each solid has the least necessary
- * size, and is joined only to leaves that it can affect. */
+/* Replaces half-spaces by bounded solids. Inside the bounds of its innermost bounded operation, such a solid agrees
+ * with the half-space. Outside these bounds all other leaves of the operation are empty, so the half-space has no
+ * effect. Each solid therefore has the least necessary size, and is combined only with leaves that it can affect. */
 static bool bound_half_spaces(builder *b) {
   bool any = false, ok = true;
   for (size_t i = 0; i < b->meshes.count && !any; i++) any = b->meshes.at[i].node->kind == VS_HALF_SPACE;
@@ -345,7 +347,7 @@ static bool bound_half_spaces(builder *b) {
     vs_bounds placed = vs_bounds_transform(&own[b->mesh_numbers.at[s->leaf]], &b->leaves.at[s->leaf].placement);
     vs_bounds_unite(&reach[s->scope], &placed);
   }
-  /* the outer ones come first */
+  /* The outer scopes come first. */
   for (size_t i = b->scopes.count; ok && i-- > 1;) vs_bounds_unite(&reach[b->scopes.at[i]], &reach[i]);
   for (size_t i = 0; ok && i < b->leaves.count; i++)
     b->within.at[i] = b->meshes.at[b->mesh_numbers.at[i]].node->kind == VS_HALF_SPACE ? vs_bounds_empty()
@@ -371,8 +373,8 @@ static bool bound_half_spaces(builder *b) {
   return ok || vs_error_memory(b->error, NULL);
 }
 
-/* Returns true if the node is one child with another appearance or placement, or an operation on several. Else it is a
- * primitive here. */
+/* Returns true if the node is a single child with a look or placement, or an operation on several children. Any other
+ * node is a primitive here. */
 static bool goes_in(const vs_node *n) {
   vs_role role = vs_node_role(n);
   return role == VS_ROLE_PLACED || role == VS_ROLE_SET ||
@@ -397,7 +399,7 @@ static bool enter(builder *b, vs_walk *walk, const vs_ref *ref) {
     now.placement = vs_affine_multiply(&now.placement, &VS_AS(transform, n)->matrix);
     now.local = vs_affine_multiply(&now.local, &VS_AS(transform, n)->matrix);
   }
-  if (b->scopes.count == 0 && !VS_PUSH(&b->k, b->scopes, 0u)) return false; /* the whole */
+  if (b->scopes.count == 0 && !VS_PUSH(&b->k, b->scopes, 0u)) return false; /* scope 0: the whole drawing */
   if ((n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE) && !(n->flags & VS_NODE_ENDLESS)) {
     if (!VS_PUSH(&b->k, b->scopes, now.scope)) return false;
     now.scope = (uint32_t)b->scopes.count - 1;
@@ -410,7 +412,8 @@ static bool enter(builder *b, vs_walk *walk, const vs_ref *ref) {
   bool solid = n->class_ == VS_SOLID || n->class_ == VS_MIXED;
   if (solid && goes_in(n)) return true;
   vs_walk_skip(walk);
-  return solid ? add_leaf(b, ref, &now) : add_term(b, VS_TERM_UNION, 0, 0); /* no solid: as an operand, nothing */
+  return solid ? add_leaf(b, ref, &now) : add_term(b, VS_TERM_UNION, 0, 0); /* a node that is not a solid is an empty
+                                                                             * operand */
 }
 
 static bool leave(builder *b, const vs_ref *ref) {
@@ -469,10 +472,10 @@ static void tally_up(vs_tally *t, const vs_kernel_counts *c) {
   vs_tally_also(t, c->peak);
 }
 
-/* The target of the result: one of the two; the other is NULL. */
+/* Where the result is put: one of the two pointers is NULL. */
 typedef struct { vs_solid *one; vs_solid_copies *many; } target;
 
-/* Adds the references to the builder as one problem, a union. */
+/* Adds the references to the builder as a single problem, a union. */
 static bool build(builder *b, const vs_ref *refs, size_t count) {
   bool ok = true;
   for (size_t i = 0; ok && i < count; i++) {
@@ -503,7 +506,7 @@ static bool solve(const builder *b, const vs_kernel_options *options, target to)
                 : vs_kernel_evaluate_copies(&problem, options, &to.many->meshes, b->k.error);
 }
 
-/* Warns of parts whose volume the grid has changed, at the first of them. */
+/* Warns about parts whose volume the kernel's grid has changed, with the origin of the first. */
 static void warn_coarse(const builder *b, const vs_kernel_options *options, const vs_kernel_counts *counts) {
   char message[200], more[40] = "";
   if (!counts->coarse || !options->warn) return;
@@ -515,7 +518,7 @@ static void warn_coarse(const builder *b, const vs_kernel_options *options, cons
   options->warn(options->context, b->origins.at[counts->coarse_leaf], message);
 }
 
-/* Turns the kernel's error into the solid's, at the leaf if it has one; an earlier error stays. */
+/* Copies the kernel's error to the solid's, with the origin of the leaf if there is one. An earlier error remains. */
 static void take_failure(const builder *b) {
   const vs_kernel_error *why = b->k.error;
   if (why->status == VS_KERNEL_FINE) return;
@@ -601,7 +604,7 @@ bool vs_solid_evaluate(const vs_ref *refs, size_t count, const vs_fineness *face
 bool vs_solid_evaluate_copies(const vs_ref *refs, size_t count, const vs_fineness *facets,
                               const vs_kernel_options *options, vs_solid_copies *out, vs_error *error) {
   *out = (vs_solid_copies){ .part_count = 0 };
-  /* after a failure the kernel leaves out empty */
+  /* after a failure the kernel leaves its result empty */
   return evaluate(refs, count, facets, options, (target){ .many = out }, error);
 }
 

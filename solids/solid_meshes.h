@@ -1,4 +1,4 @@
-/* Owns the step from a model's nodes to solid meshes: it tessellates distinct primitives once, and passes placements
+/* Declares the conversion of a model's nodes to solid meshes. It meshes distinct primitives once, and passes placements
  * and booleans to the kernel. */
 #ifndef VS_SOLIDS_SOLID_MESHES_H
 #define VS_SOLIDS_SOLID_MESHES_H
@@ -8,16 +8,18 @@
 #include "kernel/evaluate.h"
 #include "model/node.h"
 
-/* The source of a face. Coplanar faces that differ in their leaf alone are merged, and then name one of the leaves. */
+/* The source of a face. Coplanar faces that differ only in their leaf are merged; the merged face has one of the
+ * leaves. */
 typedef struct {
-  const vs_material *material; /* NULL: the model gives none */
-  const char *layer;           /* NULL: none; interned in the nodes' store */
-  vs_ref leaf;                 /* the first such primitive, whose origin all of them have; lives as long as the nodes */
+  const vs_material *material; /* material; NULL: the model gives none */
+  const char *layer;           /* layer, interned in the nodes' store; NULL: none */
+  vs_ref leaf;                 /* the first primitive with this source, whose origin applies to the whole part; lives as
+                                * long as the nodes */
 } vs_solid_part;
 
 typedef struct {
   vs_mesh mesh;         /* triangle i belongs to parts[mesh.tags[i]] */
-  vs_solid_part *parts; /* owned */
+  vs_solid_part *parts; /* owned array */
   size_t part_count;
   size_t straightened;  /* number of bends removed (kernel_options.h) */
 } vs_solid;
@@ -30,16 +32,16 @@ typedef struct {
   size_t straightened;
 } vs_solid_copies;
 
-/* Computes the union of the solids in refs; ignores curves and surfaces beside them. out need not be initialised; it is
- * empty after a failure. options may be NULL. A face made by a subtraction has the cutter's material, or that of the
- * solid it cuts if the cutter has none; where solids overlap the earlier has priority. */
+/* Computes the union of the solids in refs, and ignores curves and surfaces. out need not be initialised; it is empty
+ * after a failure. options may be NULL. A face made by a subtraction has the cutter's material, or that of the cut
+ * solid if the cutter has none. Where solids overlap, the earlier solid has priority. */
 bool vs_solid_evaluate(const vs_ref *refs, size_t count, const vs_fineness *facets, const vs_kernel_options *options,
                        vs_solid *out, vs_error *error);
 void vs_solid_free(vs_solid *s);
 bool vs_solid_evaluate_copies(const vs_ref *refs, size_t count, const vs_fineness *facets,
                               const vs_kernel_options *options, vs_solid_copies *out, vs_error *error);
 void vs_solid_copies_free(vs_solid_copies *s);
-/* Adds the seconds of the kernel's steps to the account of the store's owner. */
+/* Adds the times of the kernel's steps, in seconds, to the totals of the store's owner. */
 void vs_solid_tally_steps(vs_store *s, const vs_kernel_counts *counts);
 
 #endif

@@ -1,11 +1,11 @@
-/* Owns the welding of meshes: it removes details smaller than a step.
+/* Implements the welding of meshes: it removes details smaller than a step.
  *
- * Where two surfaces nearly coincide, their exact union has millions of needles and crumbs, which are invisible, and
- * each of which the next union cuts again. Two steps remove them, and keep a chain closed in all cases:
- *   unite    a corner moves to the first corner that is nearer than the step, if there is any. The first corners do not
- *            move, so no row of corners contracts to one, and corners that two meshes share stay shared
- *   reroute  the longest edge of a triangle lower than the step goes through the triangle's third corner, in all
- *            triangles that have the edge. The low triangle cancels. Each edge becomes two shorter ones: this ends */
+ * Where two surfaces nearly coincide, their exact union has millions of needles and crumbs. They are invisible, and the
+ * next union cuts each of them again. Two steps remove them, and keep a chain closed in all cases:
+ *   unite    a corner moves to the first corner that is closer than the step, if there is one. The first corners do
+ *            not move, so no row of corners contracts to a point, and corners that two meshes share stay shared
+ *   reroute  the longest edge of a triangle lower than the step is led through the triangle's third corner, in all
+ *            triangles with this edge. The low triangle vanishes. Each edge becomes two shorter edges, so this ends */
 #include "solids/weld.h"
 
 #include <math.h>
@@ -32,15 +32,15 @@ static uint64_t mixed(uint64_t h) {
 
 typedef struct { int64_t at[3]; } cell;
 
-/* Corners that stay, in lists by their cell of a grid that is some steps wide: corners near another lie mostly in one
- * or two cells. */
+/* Corners that stay, in lists by their cell of a grid. A cell is several steps wide, so the corners near another corner
+ * mostly lie in one or two cells. */
 typedef struct {
   const vs_mesh *m;
   double step, width;
   size_t slots;
-  int64_t *first; /* of each slot: its first corner, or NONE */
-  int64_t *next;  /* of each corner: the next in its list */
-  uint32_t *to;   /* of each corner: the corner that replaces it */
+  int64_t *first; /* first corner of each slot, or NONE */
+  int64_t *next;  /* for each corner: the next corner in its list */
+  uint32_t *to;   /* for each corner: the corner that replaces it */
 } stay;
 
 static cell cell_of(const stay *s, vs_vec3 p, double off) {
@@ -53,7 +53,7 @@ static size_t slot_of(const stay *s, cell c) {
   return (size_t)(mixed(h * 0x94d049bb133111ebu + (uint64_t)c.at[2]) & (s->slots - 1));
 }
 
-/* Returns the first corner that stays and is nearer to v than the step, or NONE. */
+/* Returns the first corner that stays and is closer to v than the step, or NONE. */
 static int64_t near_one(const stay *s, uint32_t v) {
   const vs_vec3 *at = s->m->vertices;
   cell low = cell_of(s, at[v], -s->step), high = cell_of(s, at[v], s->step), c;
@@ -105,7 +105,7 @@ static detour *detour_at(const detours *d, uint32_t a, uint32_t b) {
   return &d->at[i];
 }
 
-/* Returns the height over the longest edge of a triangle, which begins at its corner *longest. */
+/* Returns the height of a triangle over its longest edge. Sets *longest to the corner where this edge begins. */
 static double height_of(const vs_mesh *m, const uint32_t t[3], int *longest) {
   const vs_vec3 *v = m->vertices;
   double most = -1;
@@ -117,7 +117,7 @@ static double height_of(const vs_mesh *m, const uint32_t t[3], int *longest) {
   return most > 0 ? vs_v3_length(n) / most : 0;
 }
 
-/* Lists the edges to reroute; of two corners for one edge it takes the nearer. Returns their number. */
+/* Lists the edges to reroute. If two corners qualify for an edge, uses the nearer. Returns the number of edges. */
 static size_t plan_detours(const vs_mesh *m, double step, detours *d) {
   size_t count = 0;
   memset(d->at, 0, d->slots * sizeof *d->at);
@@ -137,7 +137,7 @@ static size_t plan_detours(const vs_mesh *m, double step, detours *d) {
   return count;
 }
 
-/* Adds a triangle whose edges take their detours, as a fan about one of the new corners: no rerouted edge remains. */
+/* Adds a triangle with its rerouted edges, as a fan around one of the new corners, so that no rerouted edge remains. */
 static bool add_rerouted(vs_mesh *out, const detours *d, const uint32_t t[3]) {
   uint32_t round[6];
   int n = 0, from = 0;
@@ -172,9 +172,9 @@ static bool reroute(vs_mesh *m, double step, bool *any) {
   return ok;
 }
 
-/* ---- both ---- */
+/* ---- unite and reroute ---- */
 
-/* Removes the corners that no triangle has. */
+/* Removes the corners that belong to no triangle. */
 static bool drop_lonely(vs_mesh *m) {
   uint32_t *to = NULL, count = 0;
   if (!VS_FRESH(to, m->vertex_count + 1)) return false;

@@ -1,4 +1,5 @@
-/* Owns the choice of the views of a drawing: by --view, by the file's name, or those that every model has. */
+/* Chooses the views of a drawing: the view of --view, the view that the file's name gives, or the views that every
+ * model has. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -7,7 +8,8 @@
 
 double vs_drawing_unit(const vs_scene *scene) { return 1000 * vs_scene_metres(scene); }
 
-/* Cuts a plan 1.2 m above the ground, or above the lowest point, if the model is more than 1.5 m higher than that. */
+/* Makes a plan's horizontal cut: 1.2 m above the ground if the model reaches more than 1.5 m above it, otherwise 1.2 m
+ * above the model's lowest point. */
 static void cut_plan(const vs_emitter *e, vs_scene_view *v) {
   const vs_scene *scene = e->scene;
   double metre = 1000 / vs_drawing_unit(scene), low = e->bounds.min.z;
@@ -16,14 +18,14 @@ static void cut_plan(const vs_emitter *e, vs_scene_view *v) {
   v->cut_point = vs_v3(0, 0, low + 1.2 * metre), v->cut_normal = vs_v3(0, 0, -1);
 }
 
-/* Cuts through the middle, seen as from the front. */
+/* Makes a vertical cut through the centre of the model, seen from the front. */
 static void cut_section(const vs_emitter *e, vs_scene_view *v) {
   vs_vec3 middle = vs_v3_scale(vs_v3_add(e->bounds.min, e->bounds.max), 0.5);
   v->cut_point = middle, v->cut_normal = vs_v3(0, 1, 0);
   v->eye = middle, v->target = vs_v3_add(middle, v->cut_normal);
 }
 
-/* The views that every model has. whole: it is part of the sheet of all views. */
+/* The views that every model has. whole: whether the view is on the sheet of all views. */
 static const struct { const char *name; vs_view view; vs_cut cut; bool whole; } own[] = {
   { "plan", VS_VIEW_TOP, VS_CUT_OWN, true },       { "section", VS_VIEW_ALONG, VS_CUT_PLANE, true },
   { "front", VS_VIEW_FRONT, VS_CUT_NONE, true },   { "right", VS_VIEW_RIGHT, VS_CUT_NONE, true },
@@ -48,7 +50,7 @@ static bool add(vs_emitter *e, vs_flat_view **out, size_t *count, size_t *room, 
   return true;
 }
 
-/* Finds the model's view of that name, or one that every model has. */
+/* Finds the model's view with this name, or else the view of this name that every model has. */
 static bool find(const vs_emitter *e, const char *name, vs_scene_view *out) {
   const vs_scene_view *v = vs_scene_find_view(e->scene, name);
   if (v) return *out = *v, true;
@@ -57,7 +59,7 @@ static bool find(const vs_emitter *e, const char *name, vs_scene_view *out) {
   return false;
 }
 
-/* Copies the file's name without folders and ending. */
+/* Copies the file's name without folders and suffix. */
 static void stem(const char *path, char *out, size_t room) {
   const char *slash = path ? strrchr(path, '/') : NULL, *base = slash ? slash + 1 : path ? path : "";
   const char *dot = strrchr(base, '.');

@@ -1,4 +1,4 @@
-/* Owns the choice of the views of a drawing. */
+/* Declares the choice of the views of a drawing. */
 #ifndef VS_BACKENDS_DRAWING_CHOOSE_VIEWS_H
 #define VS_BACKENDS_DRAWING_CHOOSE_VIEWS_H
 

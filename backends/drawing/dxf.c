@@ -1,8 +1,8 @@
-/* Owns .dxf (AutoCAD 2000, in text), written here since Debian has no library in C that writes it.
+/* Writes .dxf (AutoCAD 2000, as text). Debian has no C library that writes this format.
  *
  * A drawing is in model units. A point of the first view has its coordinates in the view's plane, so a plan's points
- * are the model's. The first view's scale decides the size of the paper around it and of other views. Every object has
- * a handle; the tables and the dictionary are the least that readers accept. */
+ * have the model's coordinates. The first view's scale decides the size of the paper around it and of other views.
+ * Every object has a handle. The file contains only the tables and dictionaries that readers require. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -11,7 +11,7 @@
 
 typedef struct { vs_writer *w; const vs_sheet *s; double mm; vs_sheet_point shift; unsigned handle; } writing;
 
-/* Handles below this one belong to tables. */
+/* FIRST_HANDLE: first handle of a drawn object; tables have lower handles. */
 enum { FIRST_HANDLE = 0x100, MODEL_SPACE = 0x1f, PAPER_SPACE = 0x1e, ROOT = 0xc, GROUPS = 0xd };
 
 static void code(vs_writer *w, int number, const char *text) {
@@ -27,13 +27,13 @@ static void code_real(vs_writer *w, int number, double x) {
 static void code_int(vs_writer *w, int number, long x) { vs_putf(w, "%3d\n%ld\n", number, x); }
 static void code_handle(vs_writer *w, int number, unsigned handle) { vs_putf(w, "%3d\n%X\n", number, handle); }
 
-enum { DXF_CHARACTER = 12, DXF_LINE = 250 /* bytes of text on a line; a longer text is an MTEXT */ };
+enum { DXF_CHARACTER = 12, DXF_LINE = 250 /* greatest number of bytes of text on a line; a longer text is an MTEXT */ };
 
-/* Spells the character at *text as that DXF version does, into `as`. A character beyond ASCII becomes \U+00E9, which
- * has room for four digits. A caret is an escape, and a backslash before U+ or M+ would begin one. Returns the number
- * of bytes; *text moves to the next character. */
+/* Writes the character at *text into `as`, as this DXF version spells it. A character outside ASCII becomes \U+00E9,
+ * with room for four digits. A caret is escaped. A backslash is escaped before U+ or M+, where it would begin an
+ * escape. Returns the number of bytes; *text moves to the next character. */
 static size_t text_character(const char **text, char as[DXF_CHARACTER]) {
-  enum { ENOUGH = 16 }; /* bytes, enough for any character */
+  enum { ENOUGH = 16 }; /* number of bytes that suffices for any character */
   char spelled[VS_SPELLED_ROOM + 1];
   uint32_t point = 0xFFFD;
   size_t count = vs_spell_line(text, *text + strnlen(*text, ENOUGH), spelled);
@@ -54,7 +54,7 @@ static bool text_is_short(const char *text) {
   return bytes <= DXF_LINE;
 }
 
-/* Writes a line with as much of *text as it holds; *text moves past that. */
+/* Writes as much of *text as fits on a line of the file; *text moves to the first character not written. */
 static void text_line(vs_writer *w, const char **text) {
   char as[DXF_CHARACTER];
   for (size_t bytes = 0; **text != '\0';) {
@@ -73,7 +73,7 @@ static void code_text(vs_writer *w, int number, const char *text) {
   text_line(w, &text);
 }
 
-/* Writes the text of an MTEXT: all lines but the last have the code 3. */
+/* Writes the text of an MTEXT. Each line has the group code 3, except the last. */
 static void code_long_text(vs_writer *w, const char *text) {
   while (!text_is_short(text)) {
     vs_putf(w, "%3d\n", 3);
@@ -241,7 +241,7 @@ static void put_line(writing *out, const vs_mark *m) {
   corners(out, m->first, m->count);
 }
 
-/* Returns a grey of the fill as an index from 250 (dark) to 255 (white). */
+/* Returns the colour index of a fill's grey, from 250 (dark) to 255 (white). */
 static long grey_index(double grey) { return 250 + lround(5 * grey); }
 
 static void put_fill(writing *out, const vs_mark *m) {
@@ -274,8 +274,8 @@ static void put_fill(writing *out, const vs_mark *m) {
   code_int(w, 98, 0);
 }
 
-/* Writes a text that is too long for one line of the file. Its lower edge is at the base line: it is higher than other
- * text by the depth of a p. */
+/* Writes a text that is too long for one line of the file. Its lower edge is on the base line. It is therefore higher
+ * than other text by the depth of the letter p. */
 static void put_long_text(writing *out, const vs_mark *m, int align) {
   enum { BOTTOM_LEFT = 7 };
   vs_writer *w = out->w;
@@ -285,9 +285,9 @@ static void put_long_text(writing *out, const vs_mark *m, int align) {
   code_real(w, 20, up(out, m->at.y));
   code_real(w, 30, 0);
   code_real(w, 40, m->size / out->mm);
-  code_real(w, 41, 0); /* no limit of width */
+  code_real(w, 41, 0); /* width of the text: 0 means no limit */
   code_int(w, 71, BOTTOM_LEFT + align);
-  code_int(w, 72, 1); /* from left to right */
+  code_int(w, 72, 1); /* direction of the text: from left to right */
   code_long_text(w, m->text);
   code_real(w, 11, cos(turn));
   code_real(w, 21, sin(turn));
@@ -308,7 +308,7 @@ static void put_text(writing *out, const vs_mark *m) {
   code_real(w, 40, m->size / out->mm);
   code_text(w, 1, m->text);
   code_real(w, 50, m->angle);
-  if (align > 0) { /* readers then use only the second point */
+  if (align > 0) { /* readers use only the second point of aligned text */
     code_int(w, 72, align);
     code_real(w, 11, across(out, m->at.x));
     code_real(w, 21, up(out, m->at.y));

@@ -1,4 +1,4 @@
-/* Owns writing a sheet as .dxf. */
+/* Declares the writing of a sheet as .dxf. */
 #ifndef VS_BACKENDS_DRAWING_DXF_H
 #define VS_BACKENDS_DRAWING_DXF_H
 

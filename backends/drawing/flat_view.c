@@ -1,8 +1,8 @@
-/* Owns the way from the model to one flat view of it: cut, projected, its lines joined, its cut faces outlined.
+/* Makes a flat view of the model: cuts the model, projects it, joins its lines and outlines its cut faces.
  *
- * The kernel cuts: the model minus a half-space without a material, so the faces of the cut have the material of the
- * cut solid (passes/cut_away.h). The cut faces are the triangles of the result that lie in the plane and face the
- * viewer; among them are faces of the model that lay there before. */
+ * The kernel cuts: it subtracts a half-space without a material from the model, so the cut faces have the material of
+ * the cut solid (passes/cut_away.h). The cut faces are the triangles of the result that lie in the plane and face the
+ * viewer. They include faces of the model that already lay in the plane. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -19,12 +19,12 @@ typedef struct {
   vs_sight_host host;
   vs_vec3 *points;
   uint32_t (*triangles)[3];
-  uint32_t *paints;    /* paints[i]: the number of triangle i's material */
+  uint32_t *paints;    /* paints[i]: number of triangle i's material */
   uint8_t *caps;
   size_t point_count, point_room, triangle_count, triangle_room, paint_room, cap_room;
-  size_t closed;       /* the number of triangles of solids, which come first */
-  double slack, nearest; /* nearest: in a perspective view, the distance before the eye at which everything is
-                          * clipped */
+  size_t closed;       /* number of triangles of solids, which precede all other triangles */
+  double slack, nearest; /* slack: tolerance of lengths. nearest: in a perspective view, the distance in front of the
+                          * eye at which everything is clipped */
   vs_sight_edges edges;
   vs_sight_pieces pieces;
 } seen;
@@ -61,9 +61,9 @@ static bool add_triangles(seen *s, const vs_mesh *m, const vs_solid *solid, cons
     const uint32_t *t = m->triangles[i];
     uint32_t tag = m->tags ? m->tags[i] : 0;
     size_t at = s->triangle_count;
-    bool lid = !s->v->look.parallel; /* the triangle is a face of the cut by the plane before the eye */
+    bool lid = !s->v->look.parallel; /* whether the triangle is a face of the cut by the plane in front of the eye */
     for (int k = 0; k < 3; k++) s->triangles[at][k] = (uint32_t)base + t[2 - k];
-        /* The view's x, y, z are left-handed. */
+        /* The view's axes x, y, z are left-handed. */
     for (int k = 0; k < 3; k++) lid = lid && s->points[base + t[k]].z <= s->nearest + 4 * s->slack;
     if (lid) continue;
     s->triangle_count++;
@@ -85,7 +85,7 @@ static bool add_curve_edge(seen *s, vs_vec3 p, vs_vec3 q) {
       s->edges.count + 1, sizeof *s->edges.at))
     return vs_emit_no_memory(s->e);
   double slack = fmax(s->slack, 4 * s->e->facets.tolerance);
-      /* a curve drawn on a round surface lies on it, although its chords do not */
+      /* a curve drawn on a round surface lies on the surface, but its chords do not */
   s->edges.at[s->edges.count++] = (vs_sight_edge){ into_view(&s->v->look, p), into_view(&s->v->look, q),
       VS_SIGHT_CURVE, slack };
   return true;
@@ -101,14 +101,15 @@ static bool put_piece(void *context, const vs_polyline *p) {
 
 static double nearest_of(const vs_emitter *e) { return 1e-3 * vs_bounds_diagonal(&e->bounds); }
 
-/* Computes the plane that clips everything besides the cut: just before the eye of a perspective view. */
+/* Computes the plane that clips everything in addition to the cut: a plane just in front of the eye of a perspective
+ * view. */
 static bool near_plane(const vs_flat_view *v, const vs_emitter *e, vs_vec3 *point, vs_vec3 *normal) {
   *normal = v->look.forward;
   *point = vs_v3_add(v->look.eye, vs_v3_scale(*normal, nearest_of(e)));
   return !v->look.parallel;
 }
 
-/* Adds curves and open faces, which come from a loose walk; clips them itself. */
+/* Adds the curves and open faces that the walk of loose.h has gathered, and clips them. */
 static bool add_loose(seen *s, const vs_loose *l) {
   vs_vec3 point, normal;
   const vs_scene_view *spec = &s->v->spec;
@@ -141,7 +142,7 @@ static bool add_loose(seen *s, const vs_loose *l) {
   return ok || s->e->error->kind != VS_ERROR_NONE || vs_emit_no_memory(s->e);
 }
 
-/* Makes one node: all solids minus the half-spaces beyond the planes. */
+/* Makes a node for all solids minus the half-spaces beyond the planes. */
 static vs_node *cut_node(vs_emitter *e, const vs_vec3 (*planes)[2], size_t count) {
   const vs_scene *scene = e->scene;
   vs_ref operands[3];
@@ -166,7 +167,8 @@ static bool has_solids(const vs_scene *scene) {
   return any;
 }
 
-/* Adds the solids. A view that cuts does not make the whole solids: those of a city take longer than its plan. */
+/* Adds the solids. For a view with a cut, it does not make the uncut solids: those of a city take longer than its
+ * plan. */
 static bool add_solids(seen *s, vs_flat_whole *whole) {
   vs_vec3 planes[2][2];
   size_t count = 0;
@@ -188,7 +190,7 @@ static bool add_solids(seen *s, vs_flat_whole *whole) {
   return ok;
 }
 
-/* ---- lines: pieces that meet at their ends are joined, and straight ones merged ---- */
+/* ---- lines: pieces with a common end are joined, and pieces in a straight line are merged ---- */
 
 static const vs_drawn_layer layer_of[VS_SIGHT_KINDS] = {
   [VS_SIGHT_CUT] = VS_DRAWN_CUT,     [VS_SIGHT_PARTING] = VS_DRAWN_PARTING, [VS_SIGHT_OUTLINE] = VS_DRAWN_OUTLINE,
@@ -215,23 +217,24 @@ static bool same_place(const tip *tips, size_t count, size_t a, size_t b) {
 /* All segments, and their ends sorted by layer and position. */
 typedef struct {
   const stretch *all;
-  size_t count;             /* the number of segments; there are twice as many tips */
+  size_t count;             /* number of segments; there are twice as many ends */
   tip *tips;
-  uint32_t *slot;           /* slot[2 * i + k]: the index, among the tips, of end k of segment i */
-  bool *used;               /* used[i]: segment i is part of a line */
-  double slack;             /* the greatest distance of a point from a straight line through its neighbours, in the
-                             * view's units */
+  uint32_t *slot;           /* slot[2 * i + k]: index of end k of segment i in the sorted list of ends */
+  bool *used;               /* used[i]: whether segment i is part of a line */
+  double slack;             /* greatest distance of a point from a straight line through its neighbours, in the view's
+                             * units */
 } stretches;
 
-/* An end of a segment: 0 is a, 1 is b. */
+/* An end of a segment: end 0 is point a, end 1 is point b. */
 typedef struct { uint32_t stretch; int end; } stretch_end;
 
 static vs_sheet_point place_of(const stretches *s, stretch_end x) {
   return x.end ? s->all[x.stretch].b : s->all[x.stretch].a;
 }
 
-/* Finds the end that continues the line at end x: the only other end of its layer at that position. Returns false if
- * there is none, or several. For the first tip, i - 1 wraps and exceeds the last index, too. */
+/* Finds the end that continues the line at end x: the only other end of the same layer at this position. Returns false
+ * if there is no such end, or if there are several. For the first end in the list, i - 1 wraps to a number above the
+ * last index, which the comparison also rejects. */
 static bool next_of(const stretches *s, stretch_end x, stretch_end *next) {
   size_t i = s->slot[2 * x.stretch + (uint32_t)x.end], count = 2 * s->count;
   bool before = same_place(s->tips, count, i - 1, i), after = same_place(s->tips, count, i + 1, i);
@@ -248,8 +251,8 @@ static bool add_point(vs_emitter *e, vs_flat_view *v, vs_sheet_point p) {
   return true;
 }
 
-/* Adds a point to the line that begins at `first`. It replaces the last point if that lies on the straight line from
- * the one before. */
+/* Adds a point to the line that begins at point `first`. If the line's last point lies on the straight line from the
+ * point before it to the new point, the new point replaces it. */
 static bool extend(vs_emitter *e, vs_flat_view *v, size_t first, vs_sheet_point p, double slack) {
   size_t n = v->point_count - first;
   if (n >= 2) {
@@ -263,7 +266,8 @@ static bool extend(vs_emitter *e, vs_flat_view *v, size_t first, vs_sheet_point 
   return add_point(e, v, p);
 }
 
-/* Follows the line of segment `start`: back to its beginning, or once around, and then forward. */
+/* Adds the line that contains segment `start`. Goes back to the line's beginning, or once around a closed line, and
+ * then follows the line forward. */
 static bool chain(vs_emitter *e, vs_flat_view *v, const stretches *s, uint32_t start) {
   stretch_end at = { start, 0 }, next;
   while (next_of(s, at, &next) && next.stretch != start) at = (stretch_end){ next.stretch, !next.end };
@@ -281,7 +285,7 @@ static bool chain(vs_emitter *e, vs_flat_view *v, const stretches *s, uint32_t s
   }
   size_t n = v->point_count - first;
   closed = closed && n > 3;
-  if (closed) v->point_count--, n--; /* the first point again */
+  if (closed) v->point_count--, n--; /* removes the last point, which repeats the first */
   v->lines[v->line_count++] = (vs_flat_line){ (uint32_t)first, (uint32_t)n, closed, s->all[start].layer };
   return true;
 }
@@ -309,9 +313,10 @@ static bool join(seen *s, const stretch *all, size_t count, double slack) {
   return ok ? grew : vs_emit_no_memory(s->e);
 }
 
-/* Rounds coordinates to a grid finer than the slack, so that two computations of one point give equal numbers. */
+/* Rounds coordinates to a grid finer than the slack, so that two computations of the same point give equal numbers. */
 static vs_sheet_point on_grid(vs_sheet_point p, double step) {
-  return (vs_sheet_point){ round(p.x / step) * step + 0., round(p.y / step) * step + 0. }; /* + 0: no -0 */
+  return (vs_sheet_point){ round(p.x / step) * step + 0., round(p.y / step) * step + 0. }; /* adding 0 turns -0 into
+                                                                                            * 0 */
 }
 
 static bool add_lines(seen *s) {
@@ -351,7 +356,7 @@ static int border_compare(const void *p, const void *q) {
   return a->b.y < b->b.y ? -1 : a->b.y > b->b.y;
 }
 
-/* Returns the first unused border of the paint that begins at p; count: there is none. */
+/* Returns the index of the first unused border of this paint that begins at p, or count if there is none. */
 static size_t border_from(const border *all, size_t count, uint32_t paint, vs_sheet_point p) {
   size_t low = 0, high = count;
   border key = { p, { -INFINITY, -INFINITY }, paint, false };
@@ -365,7 +370,7 @@ static size_t border_from(const border *all, size_t count, uint32_t paint, vs_sh
   return count;
 }
 
-/* Follows the loop that begins with border i, and adds it. */
+/* Follows the loop that begins with border i, and adds the loop to the view. */
 static bool take_loop(seen *s, border *all, size_t count, size_t i, double slack) {
   vs_flat_view *v = s->v;
   size_t first = v->point_count;
@@ -413,7 +418,7 @@ static bool add_fills(seen *s) {
           s->paints[i], false };
   }
   qsort(all, count, sizeof *all, border_compare);
-  for (size_t i = 0; i < count; i++) { /* sides that two triangles of one material share cancel */
+  for (size_t i = 0; i < count; i++) { /* removes the sides that two triangles of the same material share */
     border back = { all[i].b, all[i].a, all[i].paint, false };
     const border *found = bsearch(&back, all, count, sizeof *all, border_compare);
     all[i].used = found != NULL;
@@ -445,8 +450,9 @@ static bool is_covered(const seen *s, vs_vec3 p) {
   return false;
 }
 
-/* Finds the labels of the view. A cut removes the labels beyond it. Elevations and sections show only labels whose
- * position is visible, unless the label names its view: a room's name does not appear on the front of the house. */
+/* Finds the labels of the view. A cut removes the labels that lie in the removed part. Elevations and sections show
+ * only labels whose position is visible, unless the label names its view. A room's name therefore does not appear on
+ * the front of the house. */
 static bool find_labels(seen *s) {
   const vs_scene *scene = s->e->scene;
   vs_flat_view *v = s->v;
@@ -464,7 +470,7 @@ static bool find_labels(seen *s) {
   return true;
 }
 
-/* ---- the whole ---- */
+/* ---- the view ---- */
 
 static void measure(vs_flat_view *v) {
   v->low = (vs_sheet_point){ INFINITY, INFINITY }, v->high = (vs_sheet_point){ -INFINITY, -INFINITY };
@@ -480,7 +486,7 @@ bool vs_flat_view_make(vs_emitter *e, vs_flat_view *v, const vs_loose *loose, vs
   vs_scene scene = *e->scene;
   vs_scene_look(&scene, &v->spec);
   v->look = vs_look_find(&scene, &e->bounds, &e->bounds, 1, 1);
-  if (v->spec.upright && !v->look.parallel) { /* the picture's plane is vertical */
+  if (v->spec.upright && !v->look.parallel) { /* the picture plane is vertical */
     v->look.forward = vs_v3_unit(vs_v3(v->look.forward.x, v->look.forward.y, 0));
     v->look.up = vs_v3(0, 0, 1);
   }

@@ -1,4 +1,4 @@
-/* Owns the form of a flat view: cut, projected, its lines joined, in model units. */
+/* Declares a flat view of a model in model units: cut and projected, with its lines joined. */
 #ifndef VS_BACKENDS_DRAWING_FLAT_VIEW_H
 #define VS_BACKENDS_DRAWING_FLAT_VIEW_H
 
@@ -18,29 +18,31 @@ extern const vs_layer_row vs_drawn_rows[VS_DRAWN_LAYERS];
 
 /* ---- a flat view: in model units, in the view's own plane ---- */
 
-typedef struct { uint32_t first, count; bool closed; vs_drawn_layer layer; } vs_flat_line;     /* of points */
+typedef struct { uint32_t first, count; bool closed; vs_drawn_layer layer; } vs_flat_line;     /* first: index of the
+                                                                                                * first point. count:
+                                                                                                * number of points */
 typedef struct { uint32_t first_loop, loop_count; const vs_material *material; } vs_flat_fill;
-    /* by the even-odd rule */
+    /* Loops that bound a fill by the even-odd rule. */
 
 typedef struct {
-  vs_scene_view spec;     /* its name is that on the sheet */
+  vs_scene_view spec;     /* specification of the view; spec.name is its name on the sheet */
   vs_look look;
-  bool has_cut;           /* spec's cut, or the one chosen for it */
+  bool has_cut;           /* whether the view has a cut: that of spec, or a chosen one */
   vs_sheet_point *points;
   vs_flat_line *lines;
   vs_flat_fill *fills;
   struct { uint32_t first, count; } *loops;
   size_t point_count, point_room, line_count, line_room, fill_count, fill_room, loop_count, loop_room;
-  vs_sheet_point low, high; /* the bounds of the view */
-  double cut_area;        /* of the fills, in square model units */
-  bool *labelled;         /* labelled[i]: the scene's note i is a label whose position is visible here; NULL: there are
-                           * none */
-  /* sheet.c sets the position: millimetres = (point - low) * mm + at. */
+  vs_sheet_point low, high; /* corners of the view's bounds */
+  double cut_area;        /* total area of the fills, in square model units */
+  bool *labelled;         /* labelled[i]: whether the scene's note i is a label whose position is visible in the view;
+                           * NULL: there are no such labels */
+  /* Position on the sheet, set by sheet.c: millimetres = (point - low) * mm + at. */
   double mm, scale;
   vs_sheet_point at;
 } vs_flat_view;
 
-/* The drawing's solids, made for the first view without a cut; the caller frees them. */
+/* The drawing's solids, made for the first view without a cut. The caller frees them. */
 typedef struct { vs_solid solid; bool made; } vs_flat_whole;
 bool vs_flat_view_make(vs_emitter *e, vs_flat_view *v, const vs_loose *loose, vs_flat_whole *whole);
 void vs_flat_view_free(vs_emitter *e, vs_flat_view *v);

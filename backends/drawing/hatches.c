@@ -1,4 +1,4 @@
-/* Owns the fills of cut faces: a grey by the material's name, and hatch lines over it, clipped to the face. */
+/* Draws the fills of cut faces: a grey that depends on the material's name, and hatch lines, clipped to the face. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -24,14 +24,14 @@ static int compare(const void *p, const void *q) {
   return a < b ? -1 : a > b;
 }
 
-/* Parallel lines over some loops of the sheet. `across`: a point's distance from line 0, in spacings; `along`: its
- * position on its line, in mm. */
+/* Parallel lines that hatch loops of the sheet. The function `across` returns a point's distance from line 0, in
+ * spacings. The function `along` returns its position on its line, in mm. */
 typedef struct {
   const vs_sheet_pen *pen;
   uint32_t first_loop, loop_count;
-  double cosine, sine;      /* of the lines' angle */
-  double spacing;           /* mm */
-  double begin;             /* the number of the first line that meets the loops */
+  double cosine, sine;      /* cosine and sine of the lines' angle */
+  double spacing;           /* distance between neighbouring lines in mm */
+  double begin;             /* number of the first line that intersects the loops */
   crossings *lines;
   size_t count;
 } hatching;
@@ -39,8 +39,9 @@ typedef struct {
 static double across(const hatching *h, vs_sheet_point p) { return (p.y * h->cosine - p.x * h->sine) / h->spacing; }
 static double along(const hatching *h, vs_sheet_point p) { return p.x * h->cosine + p.y * h->sine; }
 
-/* Adds the points at which the side from p to q crosses lines. Sides are half open: a corner on a line counts once if
- * the border continues on the other side, and twice or never if it turns back. */
+/* Adds the points at which the side from p to q crosses lines. A side includes only one of its two ends. A corner on a
+ * line therefore counts once if the border crosses the line there. If the border turns back, the corner counts twice or
+ * not at all. */
 static bool cross_side(const hatching *h, vs_sheet_point p, vs_sheet_point q) {
   double a = across(h, p), b = across(h, q), u = along(h, p), w = along(h, q);
   for (double k = ceil(fmin(a, b)); k < fmax(a, b); k++) {
@@ -61,7 +62,7 @@ static bool cross_loops(const hatching *h) {
   return ok;
 }
 
-/* Draws line i inside the loops: from each odd crossing to the next. Omits very short pieces. */
+/* Draws the parts of line i inside the loops: from each odd crossing to the next crossing. Omits very short parts. */
 static bool draw_line(const hatching *h, size_t i) {
   const crossings *row = &h->lines[i];
   double c = h->cosine, n = h->sine, off = (h->begin + (double)i) * h->spacing;
@@ -76,8 +77,8 @@ static bool draw_line(const hatching *h, size_t i) {
   return ok;
 }
 
-/* Draws the lines at whole multiples of the spacing, so that they continue from face to face. Cost: the number of lines
- * plus that of their crossings with borders. */
+/* Draws the lines at whole multiples of the spacing, so that they continue from face to face. The time is proportional
+ * to the number of lines plus the number of their crossings with borders. */
 static bool draw_lines(hatching *h) {
   vs_emitter *e = h->pen->e;
   const vs_sheet *s = h->pen->sheet;
@@ -103,7 +104,7 @@ static bool draw_lines(hatching *h) {
   return ok;
 }
 
-/* Hatches the loops from first_loop on, which are the sheet's last, with lines at an angle in radians. */
+/* Hatches the loops from first_loop to the sheet's last loop. The angle of the lines is in radians. */
 static bool lines_across(const vs_sheet_pen *pen, uint32_t first_loop, double angle, double spacing) {
   hatching h = { .pen = pen,
                  .first_loop = first_loop,

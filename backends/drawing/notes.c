@@ -1,8 +1,8 @@
-/* Owns the notes of a drawing: dimensions, labels, levels, axes, and the ground's line in elevations and sections.
+/* Draws the notes of a drawing: dimensions, labels, levels, axes, and the ground line in elevations and sections.
  *
- * A note appears only in the views where it is true. A dimension needs an unshortened length, a level a view with
- * heights. An axis appears on plans, and as an upright line in views along it. Dimensions are next to the model;
- * outside them are the levels on the left and the axes' circles below. */
+ * A note appears only in the views in which it is true. A dimension needs a view that shows its length unshortened; a
+ * level needs a view with heights. An axis appears on plans, and as a vertical line in views along it. Dimensions are
+ * next to the model. Outside them are the levels on the left and the circles of axes below. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -10,16 +10,16 @@
 #include "backends/drawing/choose_views.h"
 #include "backends/drawing/notes.h"
 
-static const double bubble = 4, cap = 2.2, level_cap = 1.8; /* mm: the radius of an axis' circle, and the height of
-                                                             * capitals */
-static const double away = 9; /* mm: the distance from the model to a dimension */
+static const double bubble = 4, cap = 2.2, level_cap = 1.8; /* bubble: radius of an axis' circle. cap, level_cap:
+                                                             * heights of capitals. In mm */
+static const double away = 9; /* distance from the model to a dimension, in mm */
 
 static bool is_upright(const vs_flat_view *v) { return v->look.parallel && fabs(v->look.forward.z) < 1e-6;
-    } /* an elevation or a section */
+    } /* the view is an elevation or a section */
 static bool shows(const vs_flat_view *v, const vs_scene_note *n) { return v->look.parallel &&
     (!n->view || strcmp(n->view, v->spec.name) == 0); }
 
-/* Returns true if the view shows the note, which is one of the scene's. */
+/* Returns true if the view shows n, a note of the scene. */
 static bool fits(const vs_emitter *e, const vs_flat_view *v, const vs_scene_note *n) {
   if (!shows(v, n)) return false;
   vs_vec3 d = vs_v3_sub(n->q, n->p);
@@ -47,14 +47,14 @@ static void level_text(const vs_emitter *e, const vs_scene_note *n, char *text, 
       (int)vs_character_cut(own, 100), own);
 }
 
-/* Returns the approximate width of a text whose capitals have the height `size`. */
+/* Returns the approximate width of a text whose capitals have the height `size`, in the same unit. */
 static double about_width(const char *text, double size) {
   size_t letters = 0;
   for (; *text; text++) letters += ((unsigned char)*text & 0xc0) != 0x80;
   return 0.9 * size * (double)letters;
 }
 
-/* Returns the distance that the levels' marks extend to the left of the view. */
+/* Returns the distance in mm that the marks of levels extend to the left of the view. */
 static double levels_width(const vs_emitter *e, const vs_flat_view *v) {
   double most = 12;
   char text[160];
@@ -71,7 +71,8 @@ static vs_sheet_point middle_of(const vs_flat_view *v) {
   return (vs_sheet_point){ (v->low.x + v->high.x) / 2, (v->low.y + v->high.y) / 2 };
 }
 
-/* Returns the width of the paper that automatically placed dimensions take at the view's left, or below it. */
+/* Returns the width of paper in mm that automatically placed dimensions need: below the view if `below`, otherwise at
+ * its left. */
 static double dimensions_width(const vs_emitter *e, const vs_flat_view *v, bool below) {
   vs_sheet_point middle = middle_of(v);
   for (size_t i = 0; i < e->scene->note_count; i++) {
@@ -103,7 +104,7 @@ static bool stroke(const vs_sheet_pen *pen, vs_sheet_point a, vs_sheet_point b) 
   return vs_sheet_stroke(pen, VS_DRAWN_DIMENSION, a, b);
 }
 
-/* Draws a tick at the end of a dimension; t is half of it. */
+/* Draws a tick at the end of a dimension; t is half the tick. */
 static bool tick(const vs_sheet_pen *pen, vs_sheet_point at, vs_sheet_point t) {
   return vs_sheet_stroke(pen, VS_DRAWN_CUT, (vs_sheet_point){ at.x - t.x, at.y - t.y },
                          (vs_sheet_point){ at.x + t.x, at.y + t.y });
@@ -112,8 +113,8 @@ static bool tick(const vs_sheet_pen *pen, vs_sheet_point at, vs_sheet_point t) {
 static vs_sheet_point seen_at(const vs_flat_view *v, vs_vec3 p) { return vs_sheet_place(v, vs_flat_view_project(v,
     p)); }
 
-/* Draws a dimension. The line runs beside p and q, away from the view's centre, at a distance of 10 mm or of the
- * note's; ticks cross it at 45 degrees. */
+/* Draws a dimension. Its line runs beside p and q, away from the view's centre. The distance is the note's, or 10 mm.
+ * Ticks cross the line at 45 degrees. */
 static bool dimension(const vs_sheet_pen *pen, const vs_scene_note *n) {
   const vs_flat_view *v = view_of(pen);
   vs_sheet_point p = seen_at(v, n->p), q = seen_at(v, n->q);
@@ -139,7 +140,7 @@ static bool dimension(const vs_sheet_pen *pen, const vs_scene_note *n) {
     return false;
   char text[40];
   length_text(pen->e, vs_v3_length(vs_v3_sub(n->q, n->p)), text, sizeof text);
-  bool back = dx < -1e-9 || (fabs(dx) <= 1e-9 && dy < 0); /* text reads from below or from the right */
+  bool back = dx < -1e-9 || (fabs(dx) <= 1e-9 && dy < 0); /* the text can be read from below or from the right */
   double ux = back ? -dx : dx, uy = back ? -dy : dy, angle = atan2(uy, ux) * (180 / 3.14159265358979323846);
   vs_sheet_point at = { (a.x + b.x) / 2 - uy * 1, (a.y + b.y) / 2 + ux * 1 };
   return vs_sheet_text(pen, &(vs_sheet_words){ n->text ? n->text : text, at, cap, angle, 0.5 });
@@ -171,7 +172,7 @@ static bool axis(const vs_sheet_pen *pen, const vs_scene_note *n) {
   const vs_flat_view *v = view_of(pen);
   vs_sheet_point p = seen_at(v, n->p), q = seen_at(v, n->q), first = p;
   double dx = q.x - p.x, dy = q.y - p.y, length = hypot(dx, dy);
-  if (length < 1e-3) { /* the view looks along the axis: an upright line over the whole view */
+  if (length < 1e-3) { /* the view looks along the axis, which is a vertical line over the height of the view */
     p.y = v->at.y - 3 - dimensions_width(pen->e, v, true);
     q = (vs_sheet_point){ p.x, v->at.y + (v->high.y - v->low.y) * v->mm + 3 };
     dx = 0, dy = 1, first = p;

@@ -1,6 +1,6 @@
-/* Owns .pdf: the sheet as one page of its true size, text as text in the default font, by libharu, which vs loads when
- * it writes the first PDF. */
-#define _GNU_SOURCE /* memmem */
+/* Writes .pdf: the sheet is a page of its true size, and text remains text, in the default font. Uses libharu, which vs
+ * loads when it writes the first PDF. */
+#define _GNU_SOURCE /* for memmem */
 #include <hpdf.h>
 #include <math.h>
 #include <stddef.h>
@@ -57,7 +57,7 @@ static void outline(const writing *w, uint32_t first, uint32_t count, bool close
   if (closed) w->lib->HPDF_Page_ClosePath(w->page);
 }
 
-/* Draws each dash as a line. libharu's own dashes have whole points as lengths in one version and other units in the
+/* Draws each dash as a line. The lengths of libharu's own dashes are whole points in one version and other units in the
  * next. */
 static void dashes(const writing *w, const vs_mark *m, const vs_layer_row *r) {
   const double lengths[4] = { r->dash, r->gap, r->dot, r->gap };
@@ -124,10 +124,10 @@ static bool put_all(vs_emitter *e, const writing *w) {
   return true;
 }
 
-/* Repairs the table by which a reader of the .pdf finds the letters' Unicode. libharu writes in its place a table of
- * glyphs (operators `cidrange`), and readers warn about it and ignore it. The letters are stored as Unicode, so the
- * right table is one line. It is stored uncompressed in the room of the other, so no position in the file changes. A
- * table that another libharu writes in another form stays unchanged. */
+/* Repairs the table by which a reader of the .pdf finds the Unicode of letters. In its place libharu writes a table of
+ * glyphs (operators `cidrange`), which readers ignore with a warning. The letters are stored as Unicode, so the correct
+ * table is one line. It is stored uncompressed in the place of libharu's table, so no position in the file changes. If
+ * another version of libharu writes the table in another form, the file is not changed. */
 static void mend_unicode(char *file, size_t size) {
   static const char table[] = "/CIDInit /ProcSet findresource begin\n12 dict begin\nbegincmap\n"
                               "/CMapName /UTF-8 def\n/CMapType 2 def\n"
@@ -154,8 +154,8 @@ static bool hand_over(vs_emitter *e, const pdf_library *lib, HPDF_Doc doc) {
   if (!file) return vs_emit_no_memory(e);
   lib->HPDF_ResetStream(doc);
   HPDF_UINT32 count = (HPDF_UINT32)size;
-  lib->HPDF_ReadFromStream(doc, (HPDF_BYTE *)file, &count); /* at the end of the stream it returns a status that is no
-                                                             * failure */
+  lib->HPDF_ReadFromStream(doc, (HPDF_BYTE *)file, &count); /* at the end of the stream, this call returns a status that
+                                                             * is not a failure */
   mend_unicode(file, count);
   const bool ok = vs_put(e->out, file, count);
   vs_store_realloc(e->scene->store, file, size + 1, 0);

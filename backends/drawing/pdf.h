@@ -1,4 +1,4 @@
-/* Owns writing a sheet as .pdf. */
+/* Declares the writing of a sheet as .pdf. */
 #ifndef VS_BACKENDS_DRAWING_PDF_H
 #define VS_BACKENDS_DRAWING_PDF_H
 

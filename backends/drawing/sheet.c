@@ -1,7 +1,8 @@
-/* Owns the sheet: its scale and size, the positions of views, frame, title block, scale bar and north arrow.
+/* Lays out the sheet: scale, size, and the positions of views, frame, title block, scale bar and north arrow.
  *
- * Scale. A drawing is 1:100 if that fits a sheet and is not too small on the smallest; else it has the largest of the
- * round scales that fits. Views are in rows, in the order of their names, on the smallest sheet that holds them. */
+ * Scale: a drawing is 1:100 if it then fits a sheet and is not too small on the smallest sheet. Otherwise it has the
+ * largest round scale at which it fits. The views are in rows, in the order of their names, on the smallest sheet that
+ * has room for them. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -50,8 +51,8 @@ static vs_sheet_point point(double x, double y) { return (vs_sheet_point){ x, y 
 
 static bool is_flat(const vs_flat_view *v) { return v->look.parallel; }
 
-/* Returns the millimetres of paper for a unit of the view's plane. A perspective view has no scale: it is as wide as
- * the paper allows. */
+/* Returns the millimetres of paper per unit of the view's plane. A perspective view has no scale: it is as wide as the
+ * paper allows. */
 static double millimetres(const vs_emitter *e, const vs_sheet *s, const vs_flat_view *v, double scale) {
   if (is_flat(v)) return vs_drawing_unit(e->scene) / scale;
   double wide = v->high.x - v->low.x, high = v->high.y - v->low.y, share = s->view_count > 1 ? 0.45 : 1;
@@ -77,7 +78,7 @@ static bool place_all(vs_emitter *e, vs_sheet *s, double scale) {
       high = (v->high.y - v->low.y) * v->mm + 2 * room.up + caption;
       if (wide > s->right - s->left - 2 * gap + 1e-6) return false;
     }
-    /* The row ends: its views have a common base line, and the row is centred. */
+    /* The row ends here. Its views have a common base line, and the row is centred. */
     if (i == s->view_count || x + wide > s->right - gap + 1e-6) {
       double shift = fmax(0, (s->right - gap - (x - gap)) / 2);
       for (size_t k = first; k < i; k++) s->views[k].at.x += shift, s->views[k].at.y += y - row;
@@ -91,7 +92,7 @@ static bool place_all(vs_emitter *e, vs_sheet *s, double scale) {
     row = fmax(row, high);
     if (y - row < least - 1e-6) return false;
   }
-  if (y > least) /* the remaining height is shared above and below */
+  if (y > least) /* half of the remaining height is above the views, half below */
     for (size_t k = 0; k < s->view_count; k++) s->views[k].at.y -= (y - least) / 2;
   return true;
 }
@@ -101,7 +102,7 @@ static void take_paper(vs_sheet *s, size_t i) {
   s->left = binding, s->right = s->width - margin, s->bottom = margin, s->top = s->height - margin;
 }
 
-/* Finds the sheet and the scale of the first view that sets one. */
+/* Sets *sheet and *scale to those of the first view that sets one. */
 static void asked(const vs_sheet *s, const char **sheet, double *scale) {
   *sheet = NULL, *scale = 0;
   for (size_t i = 0; i < s->view_count; i++) {
@@ -117,7 +118,7 @@ static bool choose(vs_emitter *e, vs_sheet *s) {
   size_t low = 0, high = PAPERS;
   for (size_t i = 0; sheet && i < PAPERS; i++)
     if (strcmp(papers[i].name, sheet) == 0) low = i, high = i + 1;
-  bool large = false; /* at 1:100 the drawing is too small on the paper: larger scales come first */
+  bool large = false; /* if the drawing is too small on the paper at 1:100, larger scales are tried first */
   if (scale == 0) {
     double across = 0;
     for (size_t i = 0; i < s->view_count; i++) {
@@ -127,7 +128,7 @@ static bool choose(vs_emitter *e, vs_sheet *s) {
     }
     large = across < 60;
   }
-  size_t fixed = !sheet && scale == 0 ? PAPERS - 1 : high; /* A0 is used only if the program sets it */
+  size_t fixed = !sheet && scale == 0 ? PAPERS - 1 : high; /* sheet A0 is used only if the program sets it */
   if (scale == 0 && !large)
     for (size_t i = low; i < fixed; i++)
       if (take_paper(s, i), place_all(e, s, scales[HUNDRED])) return true;
@@ -153,7 +154,7 @@ static const char *scale_text(double scale, char text[32]) {
   return text;
 }
 
-/* Draws a bar of five parts; its length is a round number of units. */
+/* Draws a scale bar of five parts, whose length is a round number of units. */
 static bool scale_bar(const vs_sheet_pen *pen, double x, double y, const vs_flat_view *v) {
   double part = pow(10, floor(log10(12 / v->mm)));
   if (part * 5 * v->mm <= 12) part *= 5;
@@ -164,7 +165,7 @@ static bool scale_bar(const vs_sheet_pen *pen, double x, double y, const vs_flat
     if (!stroke(pen, point(at, y), point(at, y + 1.6))) return false;
     snprintf(text, sizeof text, i == 5 ? "%g %s" : "%g", i * part, pen->e->scene->units);
     if ((i == 0 || i == 1 || i == 5) && !write(pen, point(at, y + 2.6), 1.8, 0.5, text)) return false;
-    /* dark parts are close parallel lines, which every program shows */
+    /* Dark parts are close parallel lines, since every program shows these. */
     for (int k = 0; i < 5 && k < 4 && i % 2 == 0; k++)
       if (!stroke(pen, point(at, y + 0.25 * k), point(at + part * v->mm, y + 0.25 * k))) return false;
     if (i < 5 && i % 2 && !stroke(pen, point(at, y), point(at + part * v->mm, y))) return false;
@@ -183,8 +184,8 @@ static bool north(const vs_sheet_pen *pen, double x, double y, const vs_flat_vie
       write(pen, point(x + 7.5 * dx, y + 7.5 * dy - 1.2), 2.5, 0.5, "N");
 }
 
-/* Returns the view whose scale the title block shows: the first that has one. several: the views have different
- * scales. */
+/* Returns the view whose scale the title block shows: the first view with a scale. Sets *several to whether the views
+ * have different scales. */
 static const vs_flat_view *scaled_view(const vs_sheet *s, bool *several) {
   const vs_flat_view *scaled = NULL;
   *several = false;
@@ -240,7 +241,7 @@ static bool captions(vs_emitter *e, vs_sheet *s) {
   return ok;
 }
 
-/* ---- the whole ---- */
+/* ---- the sheet ---- */
 
 static bool put_view(vs_emitter *e, vs_sheet *s, uint32_t i) {
   const vs_sheet_pen pen = { e, s, i };

@@ -1,9 +1,9 @@
-/* Owns the declarations that the files of the drawing back-end share: a flat view, and the sheet on which several views
- * are placed.
+/* Contains the declarations that the files of the drawing back-end share: a flat view, and the sheet on which views are
+ * placed.
  *
- * Steps of a drawing: choose_views.c chooses the views. flat_view.c makes each flat, in model units, by the kernel's
- * mesh and solids/hidden_lines.h. sheet.c chooses scale and sheet and puts marks on it, in millimetres from the sheet's
- * lower left corner. notes.c adds dimensions and other notes. svg.c, pdf.c and dxf.c write the marks. */
+ * Steps of a drawing: choose_views.c chooses the views. flat_view.c makes each view flat, in model units, with the
+ * kernel's mesh and solids/hidden_lines.h. sheet.c chooses scale and sheet and puts marks on it, in millimetres from
+ * the sheet's lower left corner. notes.c adds dimensions and other notes. svg.c, pdf.c and dxf.c write the marks. */
 #ifndef VS_BACKENDS_DRAWING_SHEET_H
 #define VS_BACKENDS_DRAWING_SHEET_H
 

@@ -1,5 +1,5 @@
-/* Owns the marks of a drawing: the sheet that holds them, and the functions that add lines and texts to it, in
- * millimetres from its lower left corner. */
+/* Declares the marks of a drawing: the sheet that contains them, and the functions that add lines and texts to it.
+ * Positions are in millimetres from the sheet's lower left corner. */
 #ifndef VS_BACKENDS_DRAWING_SHEET_MARKS_H
 #define VS_BACKENDS_DRAWING_SHEET_MARKS_H
 
@@ -9,20 +9,21 @@ typedef enum { VS_MARK_LINE, VS_MARK_FILL, VS_MARK_TEXT } vs_mark_kind;
 typedef struct {
   vs_mark_kind kind;
   vs_drawn_layer layer;
-  uint32_t view;            /* the index of its view; the number of views: the sheet itself */
-  uint32_t first, count;    /* LINE: points; FILL: loops */
+  uint32_t view;            /* index of the mark's view; equal to the number of views for a mark of the sheet itself */
+  uint32_t first, count;    /* of a LINE: its points. Of a FILL: its loops */
   bool closed;
-  double grey;              /* FILL */
-  const char *text;         /* TEXT, interned */
-  vs_sheet_point at;        /* a point of the text's base line: begin, middle or end */
-  /* height of a capital, mm; degrees; 0: `at` is the begin, 0.5: the middle, 1: the end */
+  double grey;              /* of a FILL: its grey */
+  const char *text;         /* of a TEXT: its text, interned */
+  vs_sheet_point at;        /* point on the text's base line that `align` selects */
+  /* Size: height of a capital in mm. Angle: in degrees. Align: `at` is the text's beginning (0), middle (0.5) or end
+   * (1). */
   double size, angle, align;
 } vs_mark;
 
 typedef struct {
-  double width, height;     /* mm */
-  const char *name;         /* "A3" */
-  double left, right, bottom, top; /* the frame's */
+  double width, height;     /* size in mm */
+  const char *name;         /* name of the paper, such as "A3" */
+  double left, right, bottom, top; /* edges of the frame in mm */
   vs_mark *marks;
   vs_sheet_point *points;
   struct { uint32_t first, count; } *loops;
@@ -31,27 +32,27 @@ typedef struct {
   size_t view_count;
 } vs_sheet;
 
-/* Adds marks of one view to a sheet. */
+/* Adds marks of a single view to a sheet. */
 typedef struct {
   vs_emitter *e;
   vs_sheet *sheet;
-  uint32_t view;            /* the index of the view; the number of views: marks of the sheet itself */
+  uint32_t view;            /* index of the view; equal to the number of views for marks of the sheet itself */
 } vs_sheet_pen;
 
-/* A line of text; the members are those of a mark. */
+/* A line of text. The members have the meaning of those of a mark. */
 typedef struct {
   const char *text;
   vs_sheet_point at;
   double size, angle, align;
 } vs_sheet_words;
 
-/* Each adds one mark. Fails when memory is out, with the emitter's error set. Points are in mm; a stroke's ends are a
- * and b, and a rectangle's opposite corners. */
+/* Each function adds a mark. It returns false if memory is out, with the emitter's error set. Points are in mm. Points
+ * a and b are the ends of a stroke, or opposite corners of a rectangle. */
 bool vs_sheet_line(const vs_sheet_pen *pen, vs_drawn_layer layer, const vs_sheet_point *at, size_t count, bool closed);
 bool vs_sheet_stroke(const vs_sheet_pen *pen, vs_drawn_layer layer, vs_sheet_point a, vs_sheet_point b);
 bool vs_sheet_rectangle(const vs_sheet_pen *pen, vs_drawn_layer layer, vs_sheet_point a, vs_sheet_point b);
 bool vs_sheet_text(const vs_sheet_pen *pen, const vs_sheet_words *words);
-vs_sheet_point vs_sheet_place(const vs_flat_view *v, vs_sheet_point p); /* the sheet's position of a point of the view's
-                                                                         * plane */
+vs_sheet_point vs_sheet_place(const vs_flat_view *v, vs_sheet_point p); /* returns the position on the sheet of point p
+                                                                         * of the view's plane */
 
 #endif

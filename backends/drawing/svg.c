@@ -1,11 +1,11 @@
-/* Owns .svg: the sheet in millimetres, a group for each layer, within it one for each view; text as text. Inkscape and
- * other programs show the groups as layers. */
+/* Writes .svg: the sheet in millimetres, with a group for each layer, which contains a group for each view. Text
+ * remains text. Inkscape and other programs show the groups as layers. */
 #include <string.h>
 
 #include "backends/drawing/svg.h"
 
 static void number(vs_writer *w, double x) { vs_put_number(w, (double)(long long)(x * 1000 + (x < 0 ? -0.5 :
-    0.5)) / 1000); } /* micrometres */
+    0.5)) / 1000); } /* rounds to micrometres */
 
 static void pair(vs_writer *w, const vs_sheet *s, vs_sheet_point p) {
   number(w, p.x);
@@ -33,7 +33,7 @@ static void text(vs_writer *w, const vs_sheet *s, const vs_mark *m) {
   vs_puts(w, "\" y=\"");
   number(w, s->height - m->at.y);
   vs_puts(w, "\" font-size=\"");
-  number(w, m->size / 0.729); /* the height of DejaVu's capitals, as a fraction of the font's size */
+  number(w, m->size / 0.729); /* 0.729 is the height of DejaVu's capitals, as a fraction of the font's size */
   vs_putf(w, "\" text-anchor=\"%s\"", anchors[m->align < 0.25 ? 0 : m->align < 0.75 ? 1 : 2]);
   if (m->angle != 0) {
     vs_puts(w, " transform=\"rotate(");
@@ -47,7 +47,8 @@ static void text(vs_writer *w, const vs_sheet *s, const vs_mark *m) {
   vs_puts(w, "</text>\n");
 }
 
-/* Writes the marks of one layer and one view. Lines are paths, divided so that none is too long for a program. */
+/* Writes the marks of a layer that belong to a single view. Lines are paths, divided so that none is too long for a
+ * program. */
 static void group(vs_writer *w, const vs_sheet *s, const uint32_t *order, size_t from, size_t to) {
   size_t open = 0;
   for (size_t i = from; i < to && !w->failed; i++) {
@@ -123,7 +124,8 @@ bool vs_sheet_write_svg(vs_emitter *e, const vs_sheet *s) {
   size_t count = 0;
   for (int l = 0; l < VS_DRAWN_LAYERS && !w->failed; l++) {
     size_t from = count = 0;
-    for (uint32_t view = 0; view <= s->view_count; view++) /* few views: a pass for each */
+    for (uint32_t view = 0; view <= s->view_count; view++) /* there are few views, so the loop passes over all marks for
+                                                            * each */
       for (size_t i = 0; i < s->mark_count; i++)
         if ((int)s->marks[i].layer == l && s->marks[i].view == view) order[count++] = (uint32_t)i;
     if (count > from) layer(w, s, (vs_drawn_layer)l, order, from, count);

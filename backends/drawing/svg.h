@@ -1,4 +1,4 @@
-/* Owns writing a sheet as .svg. */
+/* Declares the writing of a sheet as .svg. */
 #ifndef VS_BACKENDS_DRAWING_SVG_H
 #define VS_BACKENDS_DRAWING_SVG_H
 

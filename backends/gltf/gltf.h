@@ -1,8 +1,9 @@
-/* Owns the declarations that the files of the glTF back-end share: gltf_collect.c makes meshes and nodes from the
+/* Contains the declarations that the files of the glTF back-end share: gltf_collect.c makes meshes and nodes from the
  * drawing, gltf_file.c writes them to the file.
  *
- * A geometry is triangles or lines in their own coordinates, once in the file. A mesh is a geometry in the colour of
- * one place (glTF's nodes cannot paint). A node places a mesh: a million copies are a million nodes and one mesh. */
+ * A geometry consists of triangles or lines in their own coordinates, and is written once. A mesh is a geometry with a
+ * colour: glTF's nodes cannot set colours. A node places a mesh. A million copies of a part are therefore a million
+ * nodes and a single mesh. */
 #ifndef VS_BACKENDS_GLTF_GLTF_H
 #define VS_BACKENDS_GLTF_GLTF_H
 
@@ -10,23 +11,24 @@
 
 typedef struct { unsigned char *at; size_t count, room; } vs_gltf_bytes;
 
-/* The part of a geometry that has one colour. */
+/* The part of a geometry that has a single colour. */
 typedef struct {
-  uint32_t paint;              /* material number from 1; 0: the colour of the place */
+  uint32_t paint;              /* material number from 1; 0: the part has the colour of the place where it is used */
   bool lines;
-  bool wide;                   /* indices of 32 bits, else of 16 */
+  bool wide;                   /* whether the indices have 32 bits; otherwise 16 */
   uint32_t vertex_count, index_count;
-  uint32_t pictured;           /* its number, from 1, among the primitives whose vertices have texture coordinates; 0:
-                                * it has none */
+  uint32_t pictured;           /* number of the primitive, from 1, among those whose vertices have texture coordinates;
+                                * 0: its vertices have none */
   size_t places;               /* offset into places */
-  size_t vertices, indices;    /* offsets into positions (and normals), into the indices of that width, in bytes */
-  float min[3], max[3];        /* the bounds of its positions */
+  size_t vertices, indices;    /* offsets in bytes: vertices into positions and normals, indices into the index array of
+                                * that width */
+  float min[3], max[3];        /* bounds of the primitive's positions */
 } vs_gltf_primitive;
 typedef struct {
-  uint32_t first, count; /* primitives */
-  uint32_t mesh;         /* the first of its meshes + 1, or 0 */
+  uint32_t first, count; /* range of the geometry's primitives */
+  uint32_t mesh;         /* index of the first mesh of this geometry + 1; 0: none */
 } vs_gltf_geometry;
-typedef struct { uint32_t geometry, paint, next; /* another mesh of this geometry + 1, or 0 */ } vs_gltf_mesh;
+typedef struct { uint32_t geometry, paint, next; /* next: another mesh of the geometry + 1; 0: none */ } vs_gltf_mesh;
 typedef struct { uint32_t mesh, layer; vs_affine place; } vs_gltf_node;
 
 typedef struct {
@@ -40,12 +42,12 @@ typedef struct {
   size_t mesh_count, mesh_room;
   vs_gltf_node *nodes;
   size_t node_count, node_room;
-  const char **layers;         /* names; index 0 is the absence of a layer */
+  const char **layers;         /* names of layers; index 0 means that there is no layer */
   size_t layer_count, layer_room;
-  uint32_t *open_layers;       /* the layers around the current node */
+  uint32_t *open_layers;       /* numbers of the layers around the current node */
   size_t open_count, open_room;
-  vs_shared_shapes shapes;     /* geometries by number */
-  vs_rounded settled; /* the changes that rounding to 32 bits made to shapes, for the warning */
+  vs_shared_shapes shapes;     /* numbers of the geometries that have several places */
+  vs_rounded settled; /* changes that rounding to 32 bits made to shapes, for the warning */
 } vs_gltf;
 
 /* ---- gltf_collect.c ---- */

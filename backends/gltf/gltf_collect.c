@@ -1,8 +1,8 @@
-/* Owns the conversion of the drawing to glTF's meshes and nodes.
+/* Converts the drawing to glTF's meshes and nodes.
  *
- * Two kinds of places share a geometry: copies of a unit form with the same number of facets, and places of one model
- * node, which the share pass makes of equal parts. A glTF node cannot express a placement that shears: its triangles
- * are made for that place. */
+ * Two kinds of places share a geometry: copies of a unit form with the same number of facets, and places of the same
+ * model node. (The share pass makes equal parts one node.) A glTF node cannot express a placement that shears. The
+ * triangles are then made for that place alone. */
 #include "backends/gltf/gltf_collect.h"
 
 #include <float.h>
@@ -72,14 +72,14 @@ static bool gltf_vertex(vs_emitter *e, vs_gltf_primitive *p, vs_vec3 at, vs_vec3
     p->max[i] = fmaxf(p->max[i], xyz[i] + 0.0f);
   }
   p->vertex_count++;
-  /* lines have normals too, though no reader uses them: one offset serves both */
+  /* lines have normals too, which no reader uses, so that the same offset serves positions and normals */
   return gltf_vector(e, &g->positions, at) && gltf_vector(e, &g->normals, normal);
 }
 
-/* Adds the indices, which fit 32 bits, in the width that the number of vertices needs. */
+/* Adds the indices with 16 or 32 bits each, as the number of vertices requires. All indices fit 32 bits. */
 static bool gltf_indices(vs_emitter *e, vs_gltf_primitive *p, const uint32_t *index, size_t count) {
   vs_gltf *g = e->state;
-  p->wide = p->vertex_count >= 65535; /* the largest number of a width is not an index */
+  p->wide = p->vertex_count >= 65535; /* glTF does not allow the largest number of a width as an index */
   p->index_count = (uint32_t)count;
   vs_gltf_bytes *b = p->wide ? &g->wide : &g->narrow;
   p->indices = b->count;
@@ -108,8 +108,8 @@ static uint32_t gltf_paint_of(const vs_emitter *e, const vs_solid *m, size_t tri
   return tag < m->part_count ? (uint32_t)vs_emit_material_number(e, m->parts[tag].material) : 0;
 }
 
-/* Returns true if two of the corners are equal in 32 bits. The triangle is then an edge, and omitting it opens
- * nothing. */
+/* Returns true if two corners of the triangle are equal in 32 bits. The triangle is then only an edge, and omitting it
+ * opens no gap. */
 static bool gltf_is_edge(const vs_affine *place, const vs_mesh *m, const uint32_t v[3]) {
   float at[3][3];
   for (int i = 0; i < 3; i++) {
@@ -120,8 +120,8 @@ static bool gltf_is_edge(const vs_affine *place, const vs_mesh *m, const uint32_
          memcmp(at[2], at[0], sizeof at[0]) == 0;
 }
 
-/* Adds a triangle with texture coordinates. It gets its own corners, since the picture may end at its edges. there: the
- * map from the vertices to the drawing, whose axes place pictures. The first triangle of a primitive begins the
+/* Adds a triangle with texture coordinates. The triangle has its own vertices, since the picture may end at its edges.
+ * there: map from the vertices to the drawing, whose axes place pictures. The first triangle of a primitive begins the
  * primitive's texture coordinates. */
 static bool gltf_pictured(vs_emitter *e, vs_gltf_primitive *p, const vs_vec3 at[3], const vs_vec3 normals[3],
                           const vs_affine *there, const vs_material *m) {
@@ -138,7 +138,7 @@ static bool gltf_pictured(vs_emitter *e, vs_gltf_primitive *p, const vs_vec3 at[
                      place);
     unsigned char *to = gltf_room(e, &g->places, 8);
     if (to == NULL || !gltf_vertex(e, p, at[k], normals[k])) return false;
-    vs_le_float(vs_le_float(to, place[0]), 1 - place[1]); /* glTF counts from the upper left */
+    vs_le_float(vs_le_float(to, place[0]), 1 - place[1]); /* glTF measures texture coordinates from the upper left */
   }
   return true;
 }
@@ -146,12 +146,12 @@ static bool gltf_pictured(vs_emitter *e, vs_gltf_primitive *p, const vs_vec3 at[
 /* A solid that becomes a geometry. */
 typedef struct {
   vs_shaded_solid shaded;
-  const vs_affine *there;      /* the map from the geometry to the drawing, whose axes place pictures; NULL: it has no
-                                * picture */
-  uint32_t *index;             /* room for the corners of all triangles */
+  const vs_affine *there;      /* map from the geometry to the drawing, whose axes place pictures; NULL: the solid has
+                                * no picture */
+  uint32_t *index;             /* indices, with room for the corners of all triangles */
 } gltf_making;
 
-/* Adds the corners of triangle i, with a picture. */
+/* Adds triangle i with texture coordinates. */
 static bool gltf_add_pictured(vs_emitter *e, vs_gltf_primitive *p, const gltf_making *from, size_t i,
                               const vs_material *look) {
   const vs_shaded_solid *s = &from->shaded;
@@ -164,7 +164,7 @@ static bool gltf_add_pictured(vs_emitter *e, vs_gltf_primitive *p, const gltf_ma
   return gltf_pictured(e, p, corners, normals, from->there, look);
 }
 
-/* Adds triangle i; the numbers of its vertices go to `index`. */
+/* Adds triangle i, and writes the numbers of its vertices to `index`. */
 static bool gltf_add_triangle(vs_emitter *e, vs_gltf_primitive *p, const vs_shaded_solid *s, size_t i,
                               uint32_t index[3]) {
   for (int k = 0; k < 3; k++) {
@@ -178,7 +178,7 @@ static bool gltf_add_triangle(vs_emitter *e, vs_gltf_primitive *p, const vs_shad
   return true;
 }
 
-/* Adds the triangles of one paint. */
+/* Adds the triangles that have this paint. */
 static bool gltf_add_part(vs_emitter *e, gltf_making *from, uint32_t paint) {
   vs_gltf *g = e->state;
   const vs_solid *m = from->shaded.solid;
@@ -202,8 +202,8 @@ static bool gltf_add_part(vs_emitter *e, gltf_making *from, uint32_t paint) {
   return p == NULL || (vs_emit_triangles(e, count / 3) && gltf_indices(e, p, from->index, count));
 }
 
-/* Adds a solid as a geometry. there: the map from the geometry to the drawing, whose axes place pictures; NULL: it has
- * no picture. */
+/* Adds a solid as a geometry and sets its number. there: map from the geometry to the drawing, whose axes place
+ * pictures; NULL: the solid has no picture. */
 static bool gltf_add_solid(vs_emitter *e, const vs_solid *m, const vs_affine *place, const vs_affine *there,
                            double crease, uint32_t *number) {
   vs_gltf *g = e->state;
@@ -218,7 +218,8 @@ static bool gltf_add_solid(vs_emitter *e, const vs_solid *m, const vs_affine *pl
     ok = from.index != NULL || vs_emit_no_memory(e);
   }
   for (uint32_t paint = 0; ok && paint <= vs_emit_material_count(e); paint++)
-    if (paint == 0 || m->part_count > 0) /* without parts, all triangles have the colour of the place */
+    if (paint == 0 || m->part_count > 0) /* without parts, all triangles have the colour of the place where the geometry
+                                          * is used */
       ok = gltf_add_part(e, &from, paint);
   vs_emit_release(e, from.index, corners + 1, sizeof *from.index);
   vs_shaded_free(e, &from.shaded);
@@ -227,7 +228,7 @@ static bool gltf_add_solid(vs_emitter *e, const vs_solid *m, const vs_affine *pl
   return ok;
 }
 
-/* Adds a unit form, at its own coordinates. */
+/* Adds a unit form as a geometry, in its own coordinates. */
 static bool gltf_add_form(vs_emitter *e, const vs_solid *form, double crease, uint32_t *number) {
   vs_affine here = vs_affine_identity();
   return gltf_add_solid(e, form, &here, NULL, crease, number);
@@ -251,8 +252,9 @@ static bool gltf_place(vs_emitter *e, uint32_t geometry, const vs_affine *place)
   return true;
 }
 
-/* As gltf_add_solid, for a copy that is first placed and then rounded to 32-bit numbers. there: from that place to the
- * drawing's, for warnings. A vertex appears once for each normal, so no reader can expect a manifold by index. */
+/* Adds a copy of a solid as gltf_add_solid does, but first places the copy and rounds it to 32-bit numbers. there: map
+ * from this place to the drawing, for warnings. A vertex appears once for each of its normals, so no reader can expect
+ * a manifold by index. */
 static bool gltf_add_settled(vs_emitter *e, const vs_solid *m, const vs_affine *place, const vs_affine *there,
                              double crease, uint32_t *number) {
   vs_gltf *g = e->state;
@@ -271,8 +273,8 @@ static bool gltf_add_settled(vs_emitter *e, const vs_solid *m, const vs_affine *
   return ok;
 }
 
-/* Returns true if n contains a picture. Pictures follow the drawing's axes, so such a node's geometry serves only its
- * place. */
+/* Returns true if n contains a picture. Pictures follow the drawing's axes, so the geometry of such a node serves a
+ * single place. */
 static bool gltf_has_picture(const vs_emitter *e, const vs_node *n) {
   if (e->material != NULL && e->material->pattern.picture != NULL) return true;
   for (size_t i = vs_emit_is_painted(e, n) ? vs_emit_material_count(e) : 0; i > 0; i--)
@@ -280,7 +282,7 @@ static bool gltf_has_picture(const vs_emitter *e, const vs_node *n) {
   return false;
 }
 
-/* Adds triangles at e->placement. */
+/* Adds the triangles of a node, placed by e->placement. */
 static bool gltf_shape(vs_emitter *e, const vs_ref *ref, double crease) {
   vs_gltf *g = e->state;
   bool shared = vs_affine_is_placement(&e->placement) && !gltf_has_picture(e, ref->node);
@@ -341,7 +343,7 @@ vs_emit_status vs_gltf_line(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   return ok && gltf_place(e, number, &there) ? VS_EMITTED : VS_FAILED;
 }
 
-/* The emitter has placement and paint; a layer holds until the walk leaves its node. */
+/* The emitter already contains the placement and the paint. A layer remains open until the walk leaves its node. */
 vs_emit_status vs_gltf_through(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   vs_gltf *g = e->state;
   if (ref->node->kind != VS_LAYER) return VS_EMITTED;

@@ -1,4 +1,4 @@
-/* Owns the interface of gltf_collect.c: the drawing as glTF's meshes and nodes. */
+/* Declares the conversion of a drawing to glTF's meshes and nodes. */
 #ifndef VS_BACKENDS_GLTF_GLTF_COLLECT_H
 #define VS_BACKENDS_GLTF_GLTF_COLLECT_H
 

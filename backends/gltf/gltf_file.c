@@ -1,7 +1,8 @@
-/* Owns the .glb file: a header, the scene as JSON, the numbers as bytes (glTF 2.0, sections 3 and 4).
+/* Writes the .glb file: a header, the scene as JSON, and the numbers as bytes (glTF 2.0, sections 3 and 4).
  *
- * The JSON's length comes before it, so the JSON is made twice: to measure it, and to write it. In glTF Y is up and
- * lengths are metres: the root node turns and scales. Colours are linear in glTF and sRGB in VisualScheme. */
+ * The file contains the JSON's length before the JSON. The JSON is therefore made twice: once to measure it, and once
+ * to write it. In glTF, Y is up and lengths are in metres: the root node rotates and scales. Colours are linear in glTF
+ * and sRGB in VisualScheme. */
 #include "backends/gltf/gltf_file.h"
 
 #include <math.h>
@@ -14,9 +15,10 @@
 
 typedef struct {
   vs_emitter *e;
-  const uint32_t *order; /* nodes by layer */
+  const uint32_t *order; /* indices of the nodes, sorted by layer */
   const size_t *starts;
-  size_t views[5], view_count; /* the first VIEW_COUNT views; those of pictures follow */
+  size_t views[5], view_count; /* offsets of the buffer views; the first VIEW_COUNT are written here, and the views of
+                                * pictures follow */
 } gltf_file;
 
 enum { VIEW_POSITIONS, VIEW_NORMALS, VIEW_PLACES, VIEW_NARROW, VIEW_WIDE, VIEW_COUNT };
@@ -50,14 +52,14 @@ static void json_vector(vs_writer *w, const char *name, vs_vec3 v) {
   vs_put_triple(w, "[", v, ",", "]");
 }
 
-/* IEC 61966-2-1 */
+/* conversion from sRGB to linear light, IEC 61966-2-1 */
 static double gltf_linear(double x) { return x <= 0.04045 ? x / 12.92 : pow((x + 0.055) / 1.055, 2.4); }
 
-/* ---- its parts ---- */
+/* ---- parts of the file ---- */
 
 static size_t padded(size_t n) { return (n + 3) & ~(size_t)3; }
 
-/* Returns the number of the material's picture; pictures have the order of their materials. */
+/* Returns the number of the material's picture. Pictures are in the order of their materials. */
 static size_t gltf_picture_number(const vs_emitter *e, size_t material) {
   size_t before = 0;
   for (size_t i = 1; i < material; i++) before += vs_emit_material_at(e, i)->pattern.picture != NULL;
@@ -72,8 +74,8 @@ static size_t gltf_picture_bytes(const vs_emitter *e) {
   return bytes;
 }
 
-/* Writes material i, whose number is i. Copies for lines end the list, one for each number: light cannot show the shape
- * of a line. */
+/* Writes the material with this number. The list ends with a copy of each material for lines, because light cannot show
+ * the shape of a line. */
 static void gltf_material(vs_emitter *e, vs_writer *w, size_t number, bool lines) {
   const vs_material *m = number > 0 ? vs_emit_material_at(e, number) : NULL;
   vs_vec3 color = m != NULL ? vs_v3(m->red, m->green, m->blue)
@@ -116,10 +118,11 @@ static void gltf_pictures(vs_writer *w, const gltf_file *f) {
   vs_puts(w, "]");
 }
 
-/* A range of a view. */
+/* A range of a buffer view. */
 typedef struct {
-  size_t view, offset, count;      /* offset in bytes; count of items */
-  const vs_gltf_primitive *bounds; /* the primitive whose positions they are; NULL: none */
+  size_t view, offset, count;      /* offset is in bytes; count is the number of items */
+  const vs_gltf_primitive *bounds; /* primitive whose positions the range contains; NULL: the range contains other
+                                    * data */
 } gltf_stretch;
 
 static void gltf_accessor(vs_writer *w, const gltf_file *f, size_t *index, gltf_stretch s) {
@@ -141,15 +144,16 @@ static void gltf_accessor(vs_writer *w, const gltf_file *f, size_t *index, gltf_
 static void gltf_accessors(vs_writer *w, const gltf_file *f, const vs_gltf *g) {
   size_t index = 0;
   vs_puts(w, ",\"accessors\":[");
-  for (size_t i = 0; i < g->primitive_count && !w->failed; i++) { /* three for each primitive: 3i, 3i + 1, 3i + 2 */
+  for (size_t i = 0; i < g->primitive_count && !w->failed; i++) { /* each primitive i has three accessors: 3i, 3i + 1,
+                                                                   * 3i + 2 */
     const vs_gltf_primitive *p = &g->primitives[i];
     size_t indices = p->wide ? VIEW_WIDE : VIEW_NARROW;
     gltf_accessor(w, f, &index, (gltf_stretch){ VIEW_POSITIONS, p->vertices, p->vertex_count, p });
     gltf_accessor(w, f, &index, (gltf_stretch){ VIEW_NORMALS, p->vertices, p->vertex_count, NULL });
     gltf_accessor(w, f, &index, (gltf_stretch){ indices, p->indices, p->index_count, NULL });
   }
-  for (size_t i = 0; i < g->primitive_count && !w->failed; i++) { /* then those of texture coordinates, which few
-                                                                   * have */
+  for (size_t i = 0; i < g->primitive_count && !w->failed; i++) { /* the accessors of texture coordinates follow; few
+                                                                   * primitives have them */
     const vs_gltf_primitive *p = &g->primitives[i];
     if (p->pictured)
       gltf_accessor(w, f, &index, (gltf_stretch){ VIEW_PLACES, p->places, p->vertex_count, NULL });
@@ -182,7 +186,7 @@ static void gltf_meshes(vs_writer *w, const gltf_file *f, const vs_gltf *g) {
   vs_puts(w, "]");
 }
 
-/* Writes a node, of which there may be a million, directly in the writer's buffer. */
+/* Writes a node directly into the writer's buffer. A file may contain a million nodes. */
 static void gltf_node(vs_writer *w, const vs_gltf_node *n) {
   vs_vec3 at, size;
   double turn[4];
@@ -217,7 +221,7 @@ static void gltf_child(vs_writer *w, size_t *count, size_t node) {
   vs_put_number(w, (double)node);
 }
 
-/* Node 0 is the root; the layers follow, then the placed meshes in the order of f->order. */
+/* Writes the nodes. Node 0 is the root. The layers follow, then the placed meshes in the order of f->order. */
 static void gltf_nodes(vs_writer *w, const gltf_file *f, const vs_gltf *g) {
   size_t first = 1 + g->layer_count;
   double unit = vs_scene_metres(f->e->scene);
@@ -295,7 +299,7 @@ static bool discard(void *context, const void *bytes, size_t count) {
   return true;
 }
 
-/* Returns the length of the JSON in bytes; 0: failed. */
+/* Returns the length of the JSON in bytes, or 0 on failure. */
 static uint64_t gltf_measure(const gltf_file *f) {
   vs_store *store = f->e->scene->store;
   vs_writer *w = vs_store_realloc(store, NULL, 0, sizeof *w);
@@ -353,7 +357,7 @@ bool vs_gltf_write(vs_emitter *e) {
   uint32_t *order = vs_store_realloc(store, NULL, 0, room);
   size_t *starts = vs_store_realloc(store, NULL, 0, starts_room);
   bool ok = (order != NULL && starts != NULL) || vs_emit_no_memory(e);
-  if (ok) { /* nodes by layer, else in their order */
+  if (ok) { /* sorts the nodes by layer, and otherwise keeps their order */
     memset(starts, 0, starts_room);
     for (size_t i = 0; i < g->node_count; i++) starts[g->nodes[i].layer + 1]++;
     for (size_t i = 1; i <= layers; i++) starts[i] += starts[i - 1];
@@ -369,6 +373,6 @@ bool vs_gltf_write(vs_emitter *e) {
   return ok;
 }
 
-/* No .numbers: each shape is rounded by itself, relative to its own centre. */
+/* The row has no .numbers: each shape is rounded separately, relative to its own centre. */
 const vs_backend vs_backend_glb = { .begin = vs_gltf_open, .end = vs_gltf_write, .close = vs_gltf_close,
                                     VS_EMIT_SHAPES(vs_gltf_leaf, vs_gltf_line, vs_gltf_through, vs_gltf_boolean) };

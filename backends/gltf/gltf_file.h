@@ -1,4 +1,4 @@
-/* Owns the interface of gltf_file.c: the .glb file. */
+/* Declares the writing of the .glb file. */
 #ifndef VS_BACKENDS_GLTF_GLTF_FILE_H
 #define VS_BACKENDS_GLTF_GLTF_FILE_H
 

@@ -1,4 +1,4 @@
-/* Owns the walk that gathers lines and open faces. It passes over solids: the kernel makes their union. */
+/* Gathers lines and open faces in a walk. The walk skips solids, since the kernel makes their union. */
 #include <string.h>
 
 #include "backends/mesh/loose.h"
@@ -22,7 +22,7 @@ void vs_loose_close(vs_emitter *e) {
   e->state = NULL;
 }
 
-/* Makes room for the points and corners, and begins their run; e->placement has placed the points. */
+/* Allocates room for points and corners, and begins a run of them. The points are already placed by e->placement. */
 static bool loose_add(vs_emitter *e, bool line, const vs_vec3 *points, size_t point_count, size_t corner_count) {
   vs_loose *l = e->state;
   if (l->point_count + point_count > UINT32_MAX)
@@ -67,7 +67,7 @@ vs_emit_status vs_loose_line(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   return VS_EMITTED;
 }
 
-/* The walk does not visit the children of solids. */
+/* Returns VS_WHOLE for solids, so that the walk does not visit their children. */
 vs_emit_status vs_loose_through(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   vs_loose *l = e->state;
   if (phase == VS_PHASE_ENTER && ref->node->class_ == VS_SOLID) return VS_WHOLE;
@@ -83,7 +83,7 @@ vs_emit_status vs_loose_through(vs_emitter *e, const vs_ref *ref, vs_phase phase
 
 vs_emit_status vs_loose_boolean(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)e, (void)ref;
-  return phase == VS_PHASE_ENTER ? VS_WHOLE : VS_EMITTED; /* of solids: sets of regions come as regions */
+  return phase == VS_PHASE_ENTER ? VS_WHOLE : VS_EMITTED; /* skips solids; sets of regions arrive as regions */
 }
 
 size_t vs_loose_triangles(const vs_loose *l) {

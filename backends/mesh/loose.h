@@ -1,5 +1,5 @@
-/* Owns the objects beside the solids in a format of triangles that can express them: curves as lines, regions and open
- * surfaces as open faces. */
+/* Declares the objects that are not solids, for a format of triangles that can express them: curves as lines, regions
+ * and open surfaces as open faces. */
 #ifndef VS_BACKENDS_MESH_LOOSE_H
 #define VS_BACKENDS_MESH_LOOSE_H
 
@@ -8,28 +8,29 @@
 /* A line through its corners, or a list of triangles with three corners each. */
 typedef struct {
   bool line;
-  size_t first, count;         /* of corners */
-  const vs_material *material; /* or NULL */
-  const char *layer;           /* or NULL */
+  size_t first, count;         /* range of corners */
+  const vs_material *material; /* material of the run, or NULL */
+  const char *layer;           /* layer of the run, or NULL */
 } vs_loose_run;
 
 typedef struct {
   vs_vec3 *points;
-  uint32_t *corners;           /* point numbers; a closed line repeats its first at its end */
+  uint32_t *corners;           /* indices of points; a closed line repeats its first index at its end */
   vs_loose_run *runs;
-  const char **layers;         /* those around the current node, outermost first */
+  const char **layers;         /* names of the layers around the current node, outermost first */
   size_t point_count, corner_count, run_count, layer_count;
   size_t point_room, corner_room, run_room, layer_room;
 } vs_loose;
 
-/* begin makes e->state, a vs_loose; close frees it. */
+/* The `begin` and `close` of a back-end whose e->state is a vs_loose. */
 bool vs_loose_begin(vs_emitter *e);
 void vs_loose_close(vs_emitter *e);
 vs_emit_fn vs_loose_leaf, vs_loose_line, vs_loose_through, vs_loose_boolean;
-size_t vs_loose_triangles(const vs_loose *l); /* of all open faces */
-size_t vs_loose_pieces(const vs_loose *l);    /* the number of segments of all lines */
+size_t vs_loose_triangles(const vs_loose *l); /* returns the number of triangles of all open faces */
+size_t vs_loose_pieces(const vs_loose *l);    /* returns the number of segments of all lines */
 
-/* The rows of a back-end that writes lines and open faces; and of one that writes only open faces. */
+/* VS_LOOSE_SHAPES: rows of a back-end that writes lines and open faces. A second macro has the rows of a back-end that
+ * writes only open faces. */
 #define VS_LOOSE_SHAPES                                                                                                \
   .loose = true, .close = vs_loose_close,                                                                              \
   VS_EMIT_SHAPES(vs_loose_leaf, vs_loose_line, vs_loose_through, vs_loose_boolean)

@@ -1,5 +1,5 @@
-/* Owns the formats of bare triangles: STL binary and ASCII, OFF, PLY, OBJ with its .mtl. All get the union of the
- * drawing's solids from the kernel. PLY, OBJ and OFF also have open faces, and PLY and OBJ lines (loose.h).
+/* Writes the formats of triangles: STL binary and ASCII, OFF, PLY, OBJ with its .mtl. Each receives the union of the
+ * drawing's solids from the kernel. PLY, OBJ and OFF also contain open faces, and PLY and OBJ also lines (loose.h).
  *
  * STL's numbers have 32 bits. Triangles whose corners become equal are omitted, which keeps a closed surface closed. */
 #include <stdlib.h>
@@ -19,7 +19,7 @@ static bool mesh_end(vs_emitter *e) { return !e->out->failed; }
             [VS_REGION_CLASS] = format " holds solids: flat regions are omitted", \
             [VS_SURFACE] = format " holds solids: open surfaces are omitted" }
 
-/* Returns the index of the triangle's part; part_count if it has none. */
+/* Returns the index of the triangle's part, or part_count if the triangle has no part. */
 static size_t mesh_part(const vs_solid *solid, size_t triangle) {
   size_t tag = solid->mesh.tags != NULL ? solid->mesh.tags[triangle] : 0;
   return tag < solid->part_count ? tag : solid->part_count;
@@ -29,7 +29,7 @@ static bool mesh_put(vs_emitter *e, size_t count, size_t most, vs_span_fn *fn, c
   return vs_put_spans(e->out, count, most, fn, context) || (e->out->failed ? false : vs_emit_no_memory(e));
 }
 
-/* the greatest length of three numbers at the end of a line */
+/* The greatest length in bytes of three numbers at the end of a line. */
 enum { MESH_TRIPLE = 4 * VS_NUMBER_ROOM };
 static char *mesh_triple(char *to, vs_vec3 v) {
   to = vs_number_write(to, v.x);
@@ -87,7 +87,7 @@ static char *stl_records(const void *context, size_t begin, size_t end, char *at
     if (stl_needle(m, t)) continue;
     to = stl_vector(to, stl_normal(m, t));
     for (int k = 0; k < 3; k++) to = stl_vector(to, m->vertices[t[k]]);
-    *to++ = 0; /* no attribute */
+    *to++ = 0; /* number of attribute bytes: 0 */
     *to++ = 0;
   }
   return (char *)to;
@@ -106,7 +106,7 @@ static bool stl_solid(vs_emitter *e, const vs_solid *solid) {
   return vs_put(e->out, head, sizeof head) && mesh_put(e, m->triangle_count, STL_RECORD, stl_records, m);
 }
 
-/* The same as text. Numbers are those of the binary form, so both files contain the same mesh. */
+/* Writes triangles as ASCII STL. The numbers are those of the binary form, so both files contain the same mesh. */
 static char *stl_words(const void *context, size_t begin, size_t end, char *to) {
   const vs_mesh *m = context;
   for (size_t i = begin; i < end; i++) {
@@ -159,7 +159,7 @@ static char *off_faces(const void *context, size_t begin, size_t end, char *to) 
   return to;
 }
 
-/* Open faces follow those of the solids: the format does not require that a face has neighbours. */
+/* Writes the faces of solids, then open faces. OFF does not require that a face has neighbours. */
 static bool off_solid(vs_emitter *e, const vs_solid *solid) {
   const vs_mesh *m = &solid->mesh;
   const vs_loose *l = e->state;
@@ -187,8 +187,8 @@ const vs_backend vs_backend_off = {
   VS_LOOSE_FACES("OFF holds faces: curves are omitted")
 };
 
-/* ---- PLY: binary, little-endian, coordinates as doubles; a face has its colour, for a corner may belong to faces of
- * several ---- */
+/* ---- PLY: binary, little-endian, coordinates as doubles; each face has its own colour, since faces of different
+ * colours may share a corner ---- */
 
 static uint8_t ply_level(double x) { return (uint8_t)lround(255 * x); }
 
@@ -229,7 +229,7 @@ static char *ply_faces(const void *context, size_t begin, size_t end, char *at) 
   return (char *)to;
 }
 
-/* Writes the open faces after those of the solids, and the lines' segments as edges, with a colour of three bytes. */
+/* Writes the open faces after the faces of solids, and the segments of lines as edges, with a colour of three bytes. */
 static bool ply_loose(vs_emitter *e, uint32_t base, bool lines) {
   const vs_loose *l = e->state;
   for (size_t i = 0; i < l->run_count && !e->out->failed; i++) {
@@ -283,8 +283,8 @@ const vs_backend vs_backend_ply = { .begin = vs_loose_begin, .end = mesh_end, .s
 
 /* ---- OBJ ---- */
 
-/* Writes a material's name as one word: its number and the plain letters of its name. Thus no name breaks a line or
- * equals another. */
+/* Writes a material's name as a single word: its number and the plain letters of its name. Therefore no name breaks a
+ * line, and no two names are equal. */
 static void obj_material_name(vs_emitter *e, const vs_material *m) {
   if (m == NULL) {
     vs_puts(e->out, "plain");
@@ -296,8 +296,8 @@ static void obj_material_name(vs_emitter *e, const vs_material *m) {
     vs_put(e->out, (*c >= 'a' && *c <= 'z') || (*c >= 'A' && *c <= 'Z') || (*c >= '0' && *c <= '9') ? c : "_", 1);
 }
 
-/* Returns the name of the .mtl beside the file. The .obj names it on a line of text: a character that cannot be on a
- * line becomes _. The caller frees it; NULL: out of memory. */
+/* Returns the name of the .mtl beside the file. The .obj refers to it on a line of text, so a character that a line
+ * cannot contain becomes _. The caller frees the name. Returns NULL if memory is out. */
 static char *obj_library(const char *path) {
   size_t length = strlen(path);
   char *name = vs_fresh(length + 5, 1);
@@ -316,19 +316,20 @@ static char *obj_library(const char *path) {
   return name;
 }
 
-/* Writes a layer's name as one word on its line. */
+/* Writes a layer's name as a single word on its own line. */
 static void obj_group(vs_writer *w, const char *layer) {
   vs_puts(w, "g ");
   vs_put_spelled(w, vs_spell_word, layer);
   vs_puts(w, "\n");
 }
 
-/* Triangles by layer, then material, both in the order of first use. */
+/* The triangles, sorted by layer, then by material. Layers and materials are in the order of first use. */
 typedef struct {
-  const char **layers; /* the first is NULL: no layer */
+  const char **layers; /* names of the layers; the first is NULL and means that there is no layer */
   size_t layer_count, layer_room;
-  uint32_t *keys, *order;  /* of the parts; the triangles in their new order */
-  size_t *starts;      /* in order, by key; key = layer * (materials + 1) + material number */
+  uint32_t *keys, *order;  /* keys: key of each part. order: indices of the triangles in their new order */
+  size_t *starts;      /* starts[k]: position in `order` of the first triangle with key k. The key is layer * (materials
+                        * + 1) + material number */
   size_t key_count;
 } obj_groups;
 
@@ -363,7 +364,7 @@ static bool obj_groups_make(vs_emitter *e, const vs_solid *solid, obj_groups *g)
     if (!obj_layer(e, g, solid->parts[i].layer, &layer)) return false;
     g->keys[i] = (uint32_t)(layer * paints + vs_emit_material_number(e, solid->parts[i].material));
   }
-  g->keys[solid->part_count] = 0; /* the key of triangles without a part */
+  g->keys[solid->part_count] = 0; /* key of the triangles that have no part */
   memset(g->starts, 0, (g->key_count + 2) * sizeof *g->starts);
   for (size_t i = 0; i < m->triangle_count; i++) g->starts[g->keys[mesh_part(solid, i)] + 2]++;
   for (size_t i = 2; i < g->key_count + 2; i++) g->starts[i] += g->starts[i - 1];
@@ -410,7 +411,8 @@ static bool obj_faces(vs_emitter *e, const vs_solid *solid, const obj_groups *g)
   return !w->failed;
 }
 
-/* Writes lines and open faces after the solids; corners count from `base`. Writes `usemtl` and `g` at each change. */
+/* Writes lines and open faces after the solids. Corners count from `base`. Writes `usemtl` and `g` at each change of
+ * material and layer. */
 static bool obj_loose(vs_emitter *e, uint32_t base) {
   const vs_loose *l = e->state;
   vs_writer *w = e->out;

@@ -1,9 +1,10 @@
-/* Owns the OpenSCAD back-end: a readable program with real CSG, modules for repeated parts, polyhedra for the rest.
+/* Writes OpenSCAD programs that people can read: booleans as operations, modules for repeated parts, polyhedra for all
+ * other shapes.
  *
- * Facts about OpenSCAD: its polyhedra are clockwise seen from outside. Two and three dimensions must not mix, so only
- * solids are written. The outermost color() wins there, the innermost material here, so colours go to the highest
- * subtrees without paint of their own. A module that is painted in part receives its user's colour for the rest as
- * $paint. */
+ * Facts about OpenSCAD: its polyhedra are clockwise seen from outside. Objects of two and of three dimensions must not
+ * be mixed, so only solids are written. In OpenSCAD the outermost color() decides the colour, here the innermost
+ * material. Colours are therefore written at the highest subtrees without paint of their own. A module that is painted
+ * in part receives the colour for its other parts as $paint. */
 #include <math.h>
 
 #include "backends/lower.h"
@@ -53,7 +54,7 @@ static void scad_color(vs_emitter *e, const vs_material *m) {
 
 static bool scad_is_mixed(vs_emitter *e, const vs_node *n) { return vs_emit_is_painted(e, n) && vs_emit_is_bare(e, n); }
 
-/* Opens a statement: indentation, and the colour if this is the highest node that has it as a whole. */
+/* Begins a statement: indentation, and the colour if this is the highest node that has a single colour. */
 static void scad_open(vs_emitter *e, const vs_node *n) {
   vs_put_spaces(e->out, 2 * (e->depth < 40 ? e->depth : 40));
   bool covered = e->parent != NULL && e->parent->kind != VS_MATERIAL && !vs_emit_is_painted(e, e->parent);
@@ -67,7 +68,7 @@ static void scad_open(vs_emitter *e, const vs_node *n) {
   }
 }
 
-/* Returns the thickness with which objects without thickness are shown. */
+/* Returns the thickness of points, curves and surfaces, which OpenSCAD can show only as thin solids. */
 static double scad_thin(const vs_emitter *e) { return 0.0012 * vs_v3_length(vs_v3_sub(e->bounds.max, e->bounds.min)); }
 
 /* ---- primitives ---- */
@@ -86,8 +87,8 @@ static vs_emit_status scad_box(vs_emitter *e, const vs_ref *ref, vs_phase phase)
 static vs_emit_status scad_sphere(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   const struct vs_sphere *s = VS_AS(sphere, ref->node);
-  if (s->segments > 0) return VS_LOWER; /* OpenSCAD divides spheres into other facets: if the program sets the number of
-                                         * facets, the sphere is a mesh */
+  if (s->segments > 0) return VS_LOWER; /* OpenSCAD divides spheres into other facets, so a sphere with a given number
+                                         * of facets becomes a mesh */
   scad_open(e, ref->node);
   scad_translate(e, s->center);
   scad_number(e, "sphere(r = ", s->radius);
@@ -95,11 +96,13 @@ static vs_emit_status scad_sphere(vs_emitter *e, const vs_ref *ref, vs_phase pha
   return scad_done(e);
 }
 
-/* A solid that is round or regular about its axis, from the centre of its base to that of its top. */
+/* A solid that is round or regular about an axis. The axis runs from the centre of its base to the centre of its
+ * top. */
 typedef struct {
   vs_vec3 base, top;
-  double base_radius, top_radius; /* of the corners, if it is regular */
-  int facets;                     /* in a full turn */
+  double base_radius, top_radius; /* radii of the round ends, or distances of the corners from the axis of a regular
+                                   * solid */
+  int facets;                     /* number of facets in a full turn */
 } scad_frustum;
 
 static vs_emit_status scad_turned(vs_emitter *e, const vs_node *n, const scad_frustum *f) {
@@ -163,16 +166,16 @@ static vs_emit_status scad_pyramid(vs_emitter *e, const vs_ref *ref, vs_phase ph
                      &(scad_frustum){ p->base, p->top, p->base_radius, p->top_radius, (int)p->sides });
 }
 
-/* Writes a half-space as a cube that lies on the plane and contains everything there is to cut. */
+/* Writes a half-space as a cube that lies on the plane and contains everything that can be cut. */
 static vs_emit_status scad_half_space(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   const struct vs_half_space *h = VS_AS(half_space, ref->node);
   vs_vec3 n = vs_v3_unit(h->normal), middle = vs_v3_scale(vs_v3_add(e->reach.min, e->reach.max), 0.5);
   double height = vs_v3_dot(n, vs_v3_sub(middle, h->point)), half = vs_bounds_diagonal(&e->reach) * 0.5625;
-  if (height < -half) height = -half; /* nothing is cut, wherever the plane is */
+  if (height < -half) height = -half; /* the plane is beyond everything that can be cut */
   if (height > half) height = half;
   vs_affine place = vs_frame_on_axis(vs_v3_sub(middle, vs_v3_scale(n, height)), n);
-  /* A plane across an axis is exact to the last digit. */
+  /* A plane perpendicular to a coordinate axis is exact to the last digit. */
   if (fabs(height) < half)
     for (int i = 0; i < 3; i++)
       if (fabs(place.m[i][2]) == 1) place.m[i][3] = (&h->point.x)[i];
@@ -187,7 +190,7 @@ static vs_emit_status scad_half_space(vs_emitter *e, const vs_ref *ref, vs_phase
 static vs_emit_status scad_torus(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   const struct vs_torus *t = VS_AS(torus, ref->node);
-  if (t->tube_radius >= t->radius) return VS_LOWER; /* rotate_extrude accepts nothing that crosses the axis */
+  if (t->tube_radius >= t->radius) return VS_LOWER; /* rotate_extrude refuses a profile that crosses the axis */
   scad_open(e, ref->node);
   scad_translate(e, t->center);
   vs_putf(e->out, "rotate_extrude($fn = %d) ", vs_fineness_turn(&e->facets, t->radius + t->tube_radius, t->segments));
@@ -245,7 +248,7 @@ static vs_emit_status scad_polyface(vs_emitter *e, const vs_ref *ref, vs_phase p
   return scad_done(e);
 }
 
-/* Writes an open surface as a thickened solid. Omits, with a warning, a part that no thickness makes a solid. */
+/* Writes an open surface as a thickened solid. Omits, with a warning, a part that cannot be thickened to a solid. */
 static vs_emit_status scad_slab(vs_emitter *e, const vs_ref *ref) {
   struct vs_thicken thick = { .width = scad_thin(e) };
   vs_store *store = e->scene->store;
@@ -270,7 +273,7 @@ static vs_emit_status scad_slab(vs_emitter *e, const vs_ref *ref) {
   return status;
 }
 
-/* Writes the loops of an outline as polygon(points, paths); holes are inner paths, by the even-odd rule. */
+/* Writes the loops of an outline as polygon(points, paths). Holes are inner paths, by the even-odd rule. */
 static void scad_polygon(vs_emitter *e, const vs_outline *o, const vs_affine *back) {
   size_t shown = 0;
   vs_puts(e->out, "polygon([");
@@ -299,7 +302,7 @@ static void scad_polygon(vs_emitter *e, const vs_outline *o, const vs_affine *ba
   vs_puts(e->out, ");\n");
 }
 
-/* Writes the loops of a revolution's profile: distances from the axis and heights. */
+/* Writes the loops of a revolution's profile. A point has its distance from the axis as x and its height as y. */
 static void scad_profile(vs_emitter *e, const vs_revolve *r) {
   vs_puts(e->out, "polygon([");
   for (size_t i = 0; i < r->count; i++) {
@@ -319,8 +322,8 @@ static void scad_profile(vs_emitter *e, const vs_revolve *r) {
   vs_puts(e->out, r->loop_count > 1 ? "]]);\n" : ");\n");
 }
 
-/* Returns true if the profile touches the axis only with a corner: the revolved solid then touches itself in that
- * point, which OpenSCAD refuses in a boolean. */
+/* Returns true if only a corner of the profile touches the axis. The revolved solid then touches itself at that point,
+ * which OpenSCAD refuses in a boolean. */
 static bool scad_pinches(const vs_revolve *r) {
   for (size_t l = 0, first = 0; l < r->loop_count; first += r->sizes[l++])
     for (size_t i = 0, n = r->sizes[l]; i < n; i++)
@@ -330,8 +333,8 @@ static bool scad_pinches(const vs_revolve *r) {
   return false;
 }
 
-/* rotate_extrude turns from +X. A full turn begins at -X, which makes no difference with an even number of facets. For
- * a part of a turn it makes floor($fn angle/360) facets. */
+/* rotate_extrude rotates from +X, but begins a full turn at -X, which makes no difference with an even number of
+ * facets. For a part of a turn it makes floor($fn angle/360) facets. */
 static vs_emit_status scad_revolve(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   vs_revolve r;
@@ -365,11 +368,11 @@ static vs_emit_status scad_revolve(vs_emitter *e, const vs_ref *ref, vs_phase ph
   return nothing || !odd ? scad_done(e) : VS_LOWER;
 }
 
-/* ---- sets of horizontal regions: OpenSCAD's own two dimensions ---- */
+/* ---- sets of horizontal regions, written as OpenSCAD's two-dimensional objects ---- */
 
 
-/* Returns true if root is a set of regions parallel to XY, also after its placements, and small enough to read. Sets
- * its height in *z. */
+/* Returns true if root is a set of regions that is parallel to XY, also after its placements, and small enough to read.
+ * Sets *z to its height. */
 static bool scad_is_level(vs_emitter *e, const vs_ref *root, double *z) {
   enum { MOST = 2000, DEEPEST = 60 };
   vs_shape_plane plane;
@@ -414,7 +417,7 @@ static bool scad_flat_leaf(vs_emitter *e, const vs_node *n) {
   return !e->out->failed;
 }
 
-/* Writes the set on the line that has been begun. It walks by itself, since templates are defined as solids. */
+/* Writes the set on the current line. It walks the set itself, because templates are defined as solids. */
 static bool scad_flat(vs_emitter *e, const vs_ref *root) {
   vs_walk *w = vs_walk_new(root->node->store, *root);
   vs_ref at;
@@ -430,7 +433,7 @@ static bool scad_flat(vs_emitter *e, const vs_ref *root) {
       vs_puts(e->out, "}\n");
     } else {
       bool through = n->kind == VS_LAYER || n->kind == VS_MATERIAL || n->kind == VS_TRANSFORM;
-      bool begun = depth == 0 || e->child_index == SIZE_MAX; /* the line already has text */
+      bool begun = depth == 0 || e->child_index == SIZE_MAX; /* whether the line already contains text */
       if (!begun && n->class_ != VS_NOTHING) vs_put_spaces(e->out, 2 * (base + depth < 40 ? base + depth : 40));
       e->child_index = 0;
       e->depth = base + depth;
@@ -482,7 +485,7 @@ static vs_emit_status scad_extrude(vs_emitter *e, const vs_ref *ref, vs_phase ph
   }
   vs_outline o = { .count = 0 };
   if (!vs_region_outline(n->children[0].node, &e->facets, &o, e->error)) return VS_FAILED;
-  /* The profile's plane has +Z on the side of the extrusion; a plane parallel to XY keeps its own x and y. */
+  /* The profile's plane has +Z on the side of the extrusion. A plane parallel to XY keeps the coordinates x and y. */
   bool flat = o.normal.x == 0 && o.normal.y == 0;
   vs_vec3 normal = vs_v3_dot(o.normal, x->along) < 0 ? vs_v3_scale(o.normal, -1) : o.normal;
   vs_affine plane = flat && normal.z > 0 ? vs_affine_translation(vs_v3(0, 0, o.point.z))
@@ -510,7 +513,7 @@ static vs_emit_status scad_extrude(vs_emitter *e, const vs_ref *ref, vs_phase ph
   return scad_done(e);
 }
 
-/* ---- objects without thickness: shown thin, with a warning ---- */
+/* ---- objects without thickness: shown as thin solids, with a warning ---- */
 
 static vs_emit_status scad_line(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
@@ -574,15 +577,15 @@ static vs_emit_status scad_transform(vs_emitter *e, const vs_ref *ref, vs_phase 
   return scad_done(e);
 }
 
-/* Its children write the paint (scad_open); a layer has no meaning in OpenSCAD. Its children have the same
- * indentation. */
+/* Writes nothing: the node's children write the paint (scad_open), and OpenSCAD has no layers. The children have the
+ * node's indentation. */
 static vs_emit_status scad_through(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)ref;
   e->depth += phase == VS_PHASE_ENTER ? SIZE_MAX : 1;
   return scad_done(e);
 }
 
-/* # and % apply to one statement: braces make the child one statement. */
+/* The modifiers # and % apply to a single statement. Braces make the child a single statement. */
 static vs_emit_status scad_mark(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   vs_put_spaces(e->out, 2 * (e->depth < 40 ? e->depth : 40));
   vs_puts(e->out, phase == VS_PHASE_LEAVE ? "}\n" : ref->node->kind == VS_GHOST ? "% union() {\n" : "# union() {\n");
@@ -624,7 +627,8 @@ static vs_emit_status scad_csg(vs_emitter *e, const vs_ref *ref, vs_phase phase)
 }
 
 static vs_emit_status scad_hull(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
-  if (phase == VS_PHASE_LEAF) return VS_LOWER; /* points, curves and regions are flat there */
+  if (phase == VS_PHASE_LEAF) return VS_LOWER; /* the child is a point, curve or region, which has no two-dimensional
+                                                * form here */
   if (phase == VS_PHASE_LEAVE) return scad_csg(e, ref, phase);
   scad_open(e, ref->node);
   vs_puts(e->out, "hull() {\n");
@@ -633,7 +637,7 @@ static vs_emit_status scad_hull(vs_emitter *e, const vs_ref *ref, vs_phase phase
 
 static bool scad_define(vs_emitter *e, uint32_t id, const vs_ref *ref, bool open) {
   if (open && e->state == NULL && scad_is_mixed(e, ref->node)) {
-    e->state = e; /* the mark is written */
+    e->state = e; /* records that the mark is written */
     vs_puts(e->out, "$paint = [0.86, 0.85, 0.83]; // for objects without a colour\n\n");
   }
   return open ? vs_putf(e->out, "module part%lu() {\n", (unsigned long)id) : vs_puts(e->out, "}\n\n");
@@ -653,7 +657,7 @@ static bool scad_use(vs_emitter *e, uint32_t id, const vs_ref *ref) {
 
 static bool scad_begin(vs_emitter *e) {
   vs_puts(e->out, "// ");
-  vs_put_spelled(e->out, vs_spell_line, e->scene->title); /* a line break would end the comment */
+  vs_put_spelled(e->out, vs_spell_line, e->scene->title); /* escapes line breaks, which would end the comment */
   return vs_puts(e->out, ": a program for OpenSCAD, made by VisualScheme\n\n");
 }
 

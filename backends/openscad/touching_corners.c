@@ -1,11 +1,11 @@
-/* Owns the separation of corners at which a solid touches itself. A corner here is a face's corner. All corners at one
- * point that are connected by edges are a fan. If a point has several fans, the solid touches itself there, as two
- * cones with a common apex do, or a torus without a hole. Each fan then gets its own point, a step towards its
- * neighbours. Of fans within each other the narrower moves further, so they do not cross.
+/* Separates corners at which a solid touches itself. A corner in this file is a corner of a single face. A fan is the
+ * set of all corners at a point that are connected by edges. If a point has several fans, the solid touches itself
+ * there, as two cones with a common apex do. Each fan then gets its own point, a step towards its neighbours. If one
+ * fan lies inside another, the narrower fan moves further, so they do not cross.
  *
- * Two faces at an edge are connected. Of four or more, two are connected if they bound one wedge of solid: the faces
- * are sorted around the edge. The corners move in doubles, since only OpenSCAD's tolerance matters. If the separation
- * fails, the mesh stays unchanged. Cost: n log n. */
+ * Two faces at an edge are connected. If four or more faces share an edge, they are sorted around the edge, and two are
+ * connected if they bound a wedge of solid. The corners move in doubles, since only OpenSCAD's tolerance matters. If
+ * the separation fails, the mesh stays unchanged. Cost: n log n. */
 #include "backends/openscad/touching_corners.h"
 
 #include <math.h>
@@ -19,18 +19,19 @@
 /* The edge from a corner to the next corner of its face. */
 typedef struct { uint32_t low, high, corner; bool forward; double angle; } side;
 typedef struct {
-  uint32_t place, first, edges; /* first: its first corner */
-  vs_vec3 towards, out;         /* the sum of the directions along its edges, at the end a unit vector; the sum of its
-                                 * faces' normals */
-  double narrow;                /* the agreement of its edges' directions: 1 all equal, 0 all around in a plane */
+  uint32_t place, first, edges; /* first: first corner of the fan. place: number of its point */
+  vs_vec3 towards, out;         /* towards: sum of the directions along the fan's edges, finally a unit vector. out: sum
+                                 * of the normals of its faces */
+  double narrow;                /* how well the directions of the fan's edges agree: 1 if all are equal, 0 if they point
+                                 * all around in a plane */
 } fan;
 
 typedef struct {
   const vs_vec3 *points;
   const uint32_t *starts, *corners;
   size_t face_count, corner_count, point_count;
-  /* place: the number of a point; the others are by corner. group: disjoint sets of corners; of: the fan of a first
-   * corner */
+  /* place[c]: number of corner c's point. next, face, group and of are also by corner. group: disjoint sets of corners.
+   * of: fan of a set's first corner */
   uint32_t *place, *next, *face, *group, *of;
   side *sides;
   fan *fans;
@@ -68,8 +69,8 @@ static vs_vec3 face_normal(const apart *a, uint32_t face) {
   return vs_v3_unit(sum);
 }
 
-/* Seen along the edge, faces are sorted counter-clockwise: after a face that uses the edge forwards is air, after one
- * that uses it backwards is solid. */
+/* Connects the faces around an edge. Seen along the edge, the faces are sorted counter-clockwise. Air follows a face
+ * that uses the edge forwards; solid follows a face that uses it backwards. */
 static bool join_many(apart *a, side *s, size_t count) {
   vs_vec3 along = vs_v3_unit(vs_v3_sub(a->points[s->high], a->points[s->low]));
   vs_vec3 x = vs_v3_unit(vs_v3_cross(along, fabs(along.z) < 0.5 ? vs_v3(0, 0, 1) : vs_v3(1, 0, 0))),
@@ -86,7 +87,7 @@ static bool join_many(apart *a, side *s, size_t count) {
   return true;
 }
 
-/* Returns false if the mesh is not closed. */
+/* Connects the faces at all edges. Returns false if the mesh is not closed. */
 static bool join_all(apart *a) {
   for (uint32_t f = 0; f < a->face_count; f++)
     for (uint32_t c = a->starts[f]; c < a->starts[f + 1]; c++) {
@@ -106,11 +107,11 @@ static bool join_all(apart *a) {
   return true;
 }
 
-/* Lists the fans by point, the flattest of a point first, and returns their number; *touches: some point has two. A
- * nearly flat corner is drawn inwards. */
+/* Lists the fans by point, with the flattest fan of a point first, and returns their number. Sets *touches if some
+ * point has two fans. A nearly flat fan is moved inwards. */
 static size_t list_fans(apart *a, bool *touches) {
   size_t count = 0;
-  for (uint32_t c = 0; c < a->corner_count; c++) { /* a group's first corner is its smallest */
+  for (uint32_t c = 0; c < a->corner_count; c++) { /* the first corner of a group is its smallest */
     uint32_t first = vs_find(a->group, c);
     if (first == c)
       a->of[c] = (uint32_t)count, a->fans[count++] = (fan){ place_of(a, c), c, 0, vs_v3(0, 0, 0), vs_v3(0, 0, 0), 0 };
@@ -131,7 +132,7 @@ static size_t list_fans(apart *a, bool *touches) {
   return count;
 }
 
-/* Returns the step. OpenSCAD merges points nearer than 2^-20 units, regardless of the model's size. */
+/* Returns the length of the step. OpenSCAD merges points closer than 2^-20 units, regardless of the model's size. */
 static double apart_step(const apart *a) {
   vs_bounds all = vs_bounds_empty();
   for (size_t i = 0; i < a->point_count; i++) vs_bounds_add(&all, a->points[i]);
@@ -146,7 +147,7 @@ static bool apart_fill(apart *a, vs_apart *out, size_t fan_count) {
   memcpy(out->corners, a->corners, a->corner_count * sizeof *out->corners);
   out->count = a->point_count;
   double step = apart_step(a);
-  uint32_t *point = a->of; /* of a fan's first corner: the point to which it moves */
+  uint32_t *point = a->of; /* point[c]: for the first corner c of a fan, the point to which the fan moves */
   for (size_t i = 0; i < a->corner_count; i++) point[i] = UINT32_MAX;
   for (size_t i = 0, end; i < fan_count; i = end) {
     for (end = i + 1; end < fan_count && a->fans[end].place == a->fans[i].place;) end++;

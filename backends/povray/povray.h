@@ -1,12 +1,14 @@
-/* Owns the declarations that the files of the POV-Ray back-end share. povray_scene.c: begin and end; povray_shapes.c: a
- * function for each kind; povray_meshes.c: triangles; povray_plan.c, povray_worker.c and povray_process.c: the runs. */
+/* Contains the declarations that the files of the POV-Ray back-end share. povray_scene.c writes begin and end,
+ * povray_shapes.c each kind of node, povray_meshes.c triangles. povray_plan.c, povray_worker.c and povray_process.c run
+ * POV-Ray. */
 #ifndef VS_BACKENDS_POVRAY_POVRAY_H
 #define VS_BACKENDS_POVRAY_POVRAY_H
 
 #include "backends/povray/povray_materials.h"
 
-/* Returns the fraction of white light that a matt surface reflects, to be multiplied by its colour; NULL: no material.
- * Clear glass scatters nothing: POV-Ray would gather the bounced light of every pane that a ray crosses. */
+/* Returns the fraction of white light that a matt surface of m scatters, which is multiplied by its colour. NULL: no
+ * material. Clear glass scatters nothing, because POV-Ray would compute the bounced light of every pane that a ray
+ * crosses. */
 static inline double vs_povray_diffuse(const vs_material *m) {
   if (m && m->transparency > 0) return m->transparency < 0.9 ? 0.8 * (1 - m->transparency) : 0;
   return m && m->metallic > 0.5 ? 0.35 + 0.35 * m->roughness : 0.82;

@@ -1,8 +1,10 @@
-/* Owns the confinement of POV-Ray: its own restrictions of files are not enforced, and a scene may contain a program's
- * text (`native`), which can write files. Landlock prevents writing outside of its private folder, a seccomp filter the
- * use of the network. It may read every file that vs may read, since that text may include files.
+/* Confines POV-Ray's process. POV-Ray does not enforce its own restrictions of files, and a scene may contain text of
+ * the program (`native`) that writes files. Landlock prevents writing outside POV-Ray's private folder; a seccomp
+ * filter prevents the use of the network. POV-Ray may read every file that vs may read, since the text may include
+ * files.
  *
- * A stranger's model is confined much further, reading included, with its whole process (cli/confine.c). */
+ * For a model that is not trusted, the whole process of vs is confined much further, including reading
+ * (cli/confine.c). */
 #define _GNU_SOURCE
 #include "backends/povray/povray_confine.h"
 
@@ -18,7 +20,7 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
-/* Landlock's numbers, which older system headers lack. */
+/* Landlock's numbers of calls and rules, which older system headers lack. */
 enum { RULESET_CREATE = 444, RULESET_ADD = 445, RULESET_RESTRICT = 446, RULESET_VERSION = 1, RULE_BENEATH = 1 };
 enum { WRITE = 1 << 1, REMOVE_AND_MAKE = ((1 << 13) - 1) & ~((1 << 4) - 1), REFER = 1 << 13, TRUNCATE = 1 << 14 };
 typedef struct { uint64_t files; } ruleset;
@@ -56,10 +58,10 @@ static void confine_network(void) {
     BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, ARCHITECTURE, 1, 0),
     BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_KILL_PROCESS),
     BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(struct seccomp_data, nr)),
-    BPF_JUMP(BPF_JMP | BPF_JGE | BPF_K, 0x40000000, 2, 0), /* x32's numbers */
+    BPF_JUMP(BPF_JMP | BPF_JGE | BPF_K, 0x40000000, 2, 0), /* numbers of system calls of the x32 interface */
     BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_socket, 1, 0),
     BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW),
-    BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | 1 /* EPERM */),
+    BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | 1 /* error number EPERM */),
   };
   struct sock_fprog program = { sizeof code / sizeof *code, code };
   prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program);

@@ -1,9 +1,9 @@
-/* Owns the interface of povray_confine.c: the permissions of POV-Ray's process. */
+/* Declares the confinement of POV-Ray's process. */
 #ifndef VS_BACKENDS_POVRAY_POVRAY_CONFINE_H
 #define VS_BACKENDS_POVRAY_POVRAY_CONFINE_H
 
-/* Takes from this process, for good, the network and all writing except of files in the folder, as far as the system
- * can (Landlock, seccomp). Call it in a child before it becomes POV-Ray: it allocates nothing. */
+/* Removes from this process, permanently, the use of the network and all writing except in the folder, as far as the
+ * system allows (Landlock, seccomp). Call it in a child process before exec: it allocates nothing. */
 void vs_povray_confine(const char *folder);
 
 #endif

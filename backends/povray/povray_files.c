@@ -1,9 +1,9 @@
-/* Owns the files that a scene names: pictures on surfaces and skies.
+/* Writes references to files in a scene: pictures on surfaces and skies.
  *
- * A rendered scene names copies in the worker's private folder, so that POV-Ray needs no other part of the disk; a .pov
- * names the program's own files. POV-Ray looks for files in the folder in which it starts: names are absolute. In its
- * strings quotes and backslashes are escaped. */
-#define _XOPEN_SOURCE 700 /* realpath */
+ * A rendered scene refers to copies in the worker's private folder, so that POV-Ray needs no other part of the disk. A
+ * .pov refers to the program's own files. Names are absolute, since POV-Ray searches in the folder in which it starts.
+ * In its strings, quotes and backslashes are escaped. */
+#define _XOPEN_SOURCE 700 /* for realpath */
 #include "backends/povray/povray_files.h"
 
 #include <errno.h>
@@ -35,7 +35,7 @@ static bool write_all(const char *path, const unsigned char *bytes, size_t size)
   return file >= 0 && close(file) != 0 ? false : ok;
 }
 
-/* Writes the bytes into the worker's folder under that name, and writes the file's full name into the scene as a
+/* Writes the bytes into a file of this name in the worker's folder, and writes the file's full name into the scene as a
  * string. */
 static bool put_own_file(vs_emitter *e, const char *name, const unsigned char *bytes, size_t size) {
   size_t room = strlen(e->folder) + strlen(name) + 2;
@@ -59,7 +59,8 @@ bool vs_povray_put_picture(vs_emitter *e, const vs_picture *p, size_t number) {
   }
   char *whole = realpath(p->path, NULL);
   put_string(e->out, whole != NULL ? whole : p->path);
-  vs_putf(e->out, " /* %016llx */", (unsigned long long)p->hash); /* another file makes another text */
+  vs_putf(e->out, " /* %016llx */", (unsigned long long)p->hash); /* the comment contains the hash, so that the text
+                                                                   * changes with the file's contents */
   free(whole);
   return true;
 }

@@ -1,11 +1,11 @@
-/* Owns the interface of povray_files.c: the files that a scene for POV-Ray names. */
+/* Declares the references to files in a scene for POV-Ray. */
 #ifndef VS_BACKENDS_POVRAY_POVRAY_FILES_H
 #define VS_BACKENDS_POVRAY_POVRAY_FILES_H
 
 #include "backends/backend.h"
 
-/* Writes the format and the name of a picture: of its copy in the worker's folder, or, without a folder, of the picture
- * itself. number: distinguishes the copies. */
+/* Writes the format and the name of a picture: of its copy in the worker's folder, or of the picture itself if there is
+ * no such folder. number: distinguishes the copies. */
 bool vs_povray_put_picture(vs_emitter *e, const vs_picture *p, size_t number);
 
 #endif

@@ -1,15 +1,15 @@
-/* Owns lamps in a scene for POV-Ray.
+/* Writes the lamps of a scene for POV-Ray.
  *
- * A lamp is a point of light that fades by the square of the distance, inside a small invisible globe. In each
- * direction the globe lets a fraction of the light through: the intensity in the lamp's file, divided by the greatest.
- * Its pigment has that fraction as transparency, by which POV-Ray multiplies light. The pigment is a map of maps, by
- * the horizontal angle and by the vertical one, with an entry for each of the file's; POV-Ray interpolates between
- * entries linearly, as the file's format requires. Thus the scene itself contains the light, and a .pov needs no file
+ * A lamp is a point light that fades with the square of the distance, inside a small invisible globe. In each direction
+ * the globe transmits a fraction of the light: the intensity in the lamp's file, divided by the greatest intensity. The
+ * globe's pigment has this fraction as transparency, by which POV-Ray multiplies light. The pigment is a map of maps,
+ * by the horizontal and by the vertical angle, with an entry for each angle of the file. POV-Ray interpolates linearly
+ * between entries, as the file's format requires. Thus the scene itself contains the light, and a .pov needs no file
  * beside it.
  *
- * A white surface perpendicular to a light of 1 has the number 1; its luminance is the illuminance over pi. POV-Ray's
- * light fades as 2 / (1 + (distance / fade_distance)^2), which is the inverse square except for one in ten thousand at
- * a metre. */
+ * A white surface perpendicular to a light of 1 has the number 1. Its luminance is the illuminance over pi. POV-Ray's
+ * light fades as 2 / (1 + (distance / fade_distance)^2), which differs from the inverse square by one in ten thousand
+ * at a metre. */
 #include "backends/povray/povray_lamps.h"
 
 #include <math.h>
@@ -19,8 +19,8 @@
 #include "geometry/light/ies.h"
 
 enum { ENTRIES = 254 };
-static const double pi = 3.14159265358979323846, globe = 0.01 /* metres: its radius, and fade_distance */,
-                    margin = 0.001 /* of a pattern's values */;
+static const double pi = 3.14159265358979323846, globe = 0.01 /* radius of a globe, and fade_distance, in metres */,
+                    margin = 0.001 /* distance of a pattern's values from 0 and 1 */;
 
 static void put_number(vs_writer *w, const char *before, double x, const char *after) {
   vs_puts(w, before);
@@ -28,13 +28,13 @@ static void put_number(vs_writer *w, const char *before, double x, const char *a
   vs_puts(w, after);
 }
 
-/* The lamp's own axes: its centre direction, its first horizontal direction, and the second a quarter turn further,
- * anticlockwise as seen from above a hanging lamp. */
+/* The lamp's own axes: its centre direction, its first horizontal direction, and a second, a quarter turn further. The
+ * quarter turn is anticlockwise as seen from above a hanging lamp. */
 typedef struct { vs_vec3 down, first, second; } lamp_axes;
 
 static lamp_axes axes_of(const vs_scene_lamp *l) {
   vs_vec3 down = vs_v3_unit(vs_v3_sub(l->to, l->at)), back = vs_v3_scale(down, -1);
-  /* The smallest rotation from hanging to this direction moves x and y with it. */
+  /* The smallest rotation from straight down to this direction also rotates x and y. */
   vs_vec3 x = vs_v3(1, 0, 0), y = vs_v3(0, 1, 0);
   if (fabs(back.z) < 1 - 1e-12) {
     vs_vec3 axis = vs_v3_unit(vs_v3_cross(vs_v3(0, 0, 1), back));
@@ -47,8 +47,8 @@ static lamp_axes axes_of(const vs_scene_lamp *l) {
                       vs_v3_sub(vs_v3_scale(y, cos(t)), vs_v3_scale(x, sin(t))) };
 }
 
-/* The angles at which a globe's maps have entries, ascending. POV-Ray takes at most 256: a file with more gets equal
- * steps. */
+/* The angles at which a globe's maps have entries, ascending. POV-Ray allows at most 256. A file with more angles gets
+ * equal steps. */
 typedef struct { double at[ENTRIES]; uint32_t count; } globe_angles;
 
 static globe_angles verticals_of(const vs_ies *ies) {
@@ -65,8 +65,8 @@ static int ascending(const void *a, const void *b) {
   return (x > y) - (x < y);
 }
 
-/* Returns the file's horizontal angles with their images by its symmetry, once around from 0 to 360; a single one means
- * that the lamp shines equally in all horizontal directions. */
+/* Returns the file's horizontal angles with their mirror images by its symmetry, from 0 to 360 degrees. A single angle
+ * means that the lamp shines equally in all horizontal directions. */
 static globe_angles horizontals_of(const vs_ies *ies) {
   globe_angles a = { .count = 0 };
   const double *file = ies->at + ies->verticals;
@@ -87,7 +87,7 @@ static globe_angles horizontals_of(const vs_ies *ies) {
   return a;
 }
 
-/* Returns a pattern's value for an angle: away from 0 and 1, where POV-Ray's values wrap. */
+/* Returns a pattern's value for an angle. The value keeps a margin from 0 and 1, where POV-Ray's values wrap. */
 static double entry_at(double angle, double whole) { return margin + (1 - 2 * margin) * angle / whole; }
 
 static void put_entry(vs_writer *w, double at, double share) {
@@ -95,8 +95,8 @@ static void put_entry(vs_writer *w, double at, double share) {
   put_number(w, "", share, ">]");
 }
 
-/* Writes the pigment along one meridian: transparent by the fraction of the greatest intensity, by the angle from
- * down. */
+/* Writes the pigment along a meridian, by the angle from straight down. Its transparency is the intensity as a fraction
+ * of the greatest. */
 static void put_meridian(vs_writer *w, const vs_ies *ies, const globe_angles *verticals, double horizontal) {
   const double *at = verticals->at, last = at[verticals->count - 1];
   vs_puts(w, "function { ");
@@ -112,7 +112,7 @@ static void put_meridian(vs_writer *w, const vs_ies *ies, const globe_angles *ve
   vs_puts(w, " }");
 }
 
-/* In the globe's own space x is the first direction, y the second and z down. */
+/* Writes a globe. In its own coordinates x is the lamp's first direction, y the second, and z points down. */
 static void put_globe(vs_emitter *e, const vs_scene_lamp *l, const vs_ies *ies, double radius) {
   vs_writer *w = e->out;
   vs_vec3 at = vs_v3_scale(l->at, e->unit);

@@ -1,10 +1,11 @@
-/* Owns the interface of povray_lamps.c: lamps as POV-Ray's lights. */
+/* Declares lamps as POV-Ray's lights. */
 #ifndef VS_BACKENDS_POVRAY_POVRAY_LAMPS_H
 #define VS_BACKENDS_POVRAY_POVRAY_LAMPS_H
 
 #include "backends/backend.h"
 
-/* Writes the scene's lamps. per_candela: the scene's number of 1 cd/m2. Returns false with the error set. */
+/* Writes the scene's lamps. per_candela: the number in the scene that means 1 cd/m2. Returns false with the error
+ * set. */
 bool vs_povray_lamps(vs_emitter *e, double per_candela);
 
 #endif

@@ -1,5 +1,5 @@
-/* Owns the layers of a picture, computed with a ray for every pixel, since POV-Ray has no output of depth, normals or
- * names. The rays meet the kernel's mesh of the drawing, through the same camera. */
+/* Computes the layers of a picture with a ray for every pixel. POV-Ray has no output of depth, normals or names. The
+ * rays intersect the kernel's mesh of the drawing, through the camera of the picture. */
 #include "backends/povray/povray_layers.h"
 
 #include <math.h>
@@ -21,16 +21,16 @@ typedef struct {
   vs_look look;
   vs_solid solid;
   vs_ray_tree tree;
-  uint32_t *id, *material; /* of each part; 0: its origin is not known, no material */
+  uint32_t *id, *material; /* numbers of the origin and the material of each part; 0: the part has none */
   uint32_t ground_material;
-  vs_surrounding round; /* the objects that shade a point; ground: its height, if there is one */
-  double hair;          /* a distance above a surface at which a ray does not meet the surface's own facets */
+  vs_surrounding round; /* objects that shade a point; round.ground: height of the ground, if there is one */
+  double hair;          /* distance above a surface at which a ray does not intersect the surface's own facets */
   vs_exr *x;
   float *at[LAYERS];
-  uint32_t columns, rows; /* of the whole picture */
+  uint32_t columns, rows; /* size of the whole picture in pixels */
 } layers;
 
-/* IEC 61966-2-1. */
+/* Converts sRGB to linear light, IEC 61966-2-1. */
 static float linear(double s) { return (float)(s <= 0.04045 ? s / 12.92 : pow((s + 0.055) / 1.055, 2.4)); }
 
 static void put(const layers *l, size_t i, vs_vec3 n, const double paint[3],
@@ -40,7 +40,9 @@ static void put(const layers *l, size_t i, vs_vec3 n, const double paint[3],
 }
 
 static void look_at(const layers *l, uint32_t column, uint32_t row) {
-  static const double bare[3] = { 0.86, 0.85, 0.83 }, earth[3] = { 0.77, 0.76, 0.73 }; /* as in povray_scene.c */
+  static const double bare[3] = { 0.86, 0.85, 0.83 }, earth[3] = { 0.77, 0.76, 0.73 }; /* colours of parts without a
+                                                                                        * material and of the ground, as
+                                                                                        * in povray_scene.c */
   const double earth_diffuse = 0.8;
   const vs_scene *scene = l->e->scene;
   const vs_mesh *m = &l->solid.mesh;
@@ -75,19 +77,19 @@ static void look_at(const layers *l, uint32_t column, uint32_t row) {
   put(l, i, normal, color, plain == bare || paint ? vs_povray_diffuse(paint) : earth_diffuse);
   vs_vec3 place = vs_v3_add(vs_v3_add(from, vs_v3_scale(direction, at)), vs_v3_scale(normal, l->hair));
   vs_surrounding round = l->round;
-  if (place.z < round.ground) round.ground = -INFINITY; /* a cellar: the ground does not shade it */
+  if (place.z < round.ground) round.ground = -INFINITY; /* the point is in a cellar, which the ground must not shade */
   l->at[OPEN][i] = (float)vs_openness(&round, place, normal, (row + (uint32_t)crop[1]) * l->columns + column +
                                       (uint32_t)crop[0]);
 }
 
-/* A task of the threads. */
+/* Computes a row of pixels. A task of the threads. */
 static bool look_along(vs_kernel *k, void *context, size_t row) {
   const layers *l = context;
   for (uint32_t column = 0; column < l->x->columns; column++) look_at(l, column, (uint32_t)row);
   return vs_kernel_report(k, (double)row / l->x->rows);
 }
 
-/* A text of the picture, as a writer fills it. */
+/* A text of the picture that a writer fills. */
 typedef struct { vs_exr *x; vs_exr_text kind; vs_error *e; } words;
 
 static bool say_more(void *to, const void *bytes, size_t count) {
@@ -95,8 +97,8 @@ static bool say_more(void *to, const void *bytes, size_t count) {
   return vs_exr_add_text(t->x, t->kind, bytes, count, t->e);
 }
 
-/* Origins and materials are interned: the address identifies one. A table with room for twice as many, a power of two,
- * has their numbers. */
+/* An entry of a hash table of origins or materials. They are interned, so their addresses identify them. The table has
+ * a power of two entries, at least twice as many as it contains. */
 typedef struct { const void *what; uint32_t number; } entry;
 typedef struct { entry *at; size_t room; uint32_t count; words to; vs_writer text; } list;
 
@@ -116,7 +118,7 @@ static bool begin_list(list *t, vs_exr *x, vs_exr_text kind, size_t most, vs_err
   return true;
 }
 
-/* Returns the number of the origin or material; *fresh: it is new, and the caller writes its line. */
+/* Returns the number of the origin or material. Sets *fresh if it is new: the caller then writes its line. */
 static uint32_t number_of(list *t, const void *what, bool *fresh) {
   entry *n = find_entry(t, what);
   *fresh = !n->what;
@@ -124,7 +126,7 @@ static uint32_t number_of(list *t, const void *what, bool *fresh) {
   return n->number;
 }
 
-/* Writes a name without line breaks, which would divide it. */
+/* Writes a name, with line breaks escaped: they would divide it. */
 static void put_name(vs_writer *w, const char *name) {
   vs_put_spelled(w, vs_spell_line, name);
 }
@@ -153,7 +155,7 @@ static bool end_list(list *t) {
   return ok;
 }
 
-/* Numbers the origins and the materials in the order of the parts, and lists them. */
+/* Numbers the origins and the materials in the order of the parts, and writes the lists of their names. */
 static bool number_parts(layers *l) {
   list places = { .at = NULL }, materials = { .at = NULL };
   size_t count = l->solid.part_count;

@@ -1,9 +1,10 @@
-/* Owns materials as POV-Ray textures: colour, finish, interior, and the patterns of patterns.def at their real size.
+/* Writes materials as POV-Ray textures: colour, finish, interior, and the patterns of patterns.def at their real size.
  *
- * A pattern is either solid (noise through space, for patterns without direction) or lies on faces. The latter is a
+ * A pattern is solid (noise through space, for patterns without direction) or lies on faces. The second kind is a
  * pigment in the plane of x and z, which is laid on each face by its normal: on floors along x and y, on walls upright.
- * It distinguishes eight directions of walls. On walls between them a unit's width is at most 8 percent off (cos 22.5
- * degrees). A picture is in the plane of x and y, and is laid on faces by the directions of model/looks/picture.h. */
+ * It distinguishes eight directions of walls. On walls between these directions, the width of a unit is wrong by at
+ * most 8 percent (cos 22.5 degrees). A picture is in the plane of x and y. It is laid on faces by the directions of
+ * model/looks/picture.h. */
 #include <math.h>
 
 #include "backends/povray/povray.h"
@@ -51,7 +52,7 @@ static void put_finish(vs_emitter *e, const vs_material *m) {
   put_word(w, "    finish { ambient ", vs_povray_ambient(e), " ");
   put_word(w, "diffuse ", vs_povray_diffuse(m), "");
   if (m->transparency > 0) {
-    /* POV-Ray's fresnel term uses the interior's index, which is 1 for thin glass. */
+    /* POV-Ray's fresnel term uses the interior's refractive index, which is 1 for thin glass. */
     if (is_thin(m))
       put_word(w, " specular ", 0.8 * gloss * gloss,
                " roughness 0.001 reflection { 0.04, 0.7 exponent 3 } conserve_energy }\n");
@@ -69,7 +70,7 @@ static void put_finish(vs_emitter *e, const vs_material *m) {
   }
 }
 
-/* Opaque materials get their index, too: fresnel reflection needs it. */
+/* Writes the refractive index for opaque materials too: fresnel reflection needs it. */
 void vs_povray_interior(vs_emitter *e, const vs_material *m) {
   put_word(e->out, "  interior { ior ", m->ior >= 1 ? m->ior : 1.5, " }\n");
 }
@@ -95,7 +96,7 @@ static shade between(shade a, shade b, double t) {
   return a;
 }
 
-/* For light through the material: "filter" is tinted and "transmit" is not. */
+/* Light through the material is tinted in "filter" and not tinted in "transmit". */
 static void put_color(vs_writer *w, shade s) {
   vs_puts(w, "color srgbft <");
   for (int i = 0; i < 3; i++) put_word(w, "", s.rgb[i], ", ");
@@ -121,13 +122,13 @@ static void put_map(vs_writer *w, const stop *stops, size_t count) {
 
 /* ---- patterns on faces ---- */
 
-/* The parts of a pattern of courses. Functions of POV-Ray, after the constants W (unit), H (course), J (joint) in
- * metres: `odd` is 1 in every other course, `along` the position in a course in units of `length`, and `cell` numbers
- * the units. */
+/* The parts of a pattern of courses, as functions of POV-Ray. They follow the constants W (width of a unit), H (height
+ * of a course) and J (joint), in metres. `odd` is 1 in every second course, `along` is the position in a course in
+ * units of `length`, and `cell` numbers the units. */
 typedef struct {
   const char *along, *cell, *length;
-  double height, joint; /* of the unit's width */
-  double vary;          /* the difference in colour among units: 1 as bricks */
+  double height, joint; /* height of a course and width of a joint, as fractions of the unit's width */
+  double vary;          /* difference in colour among units; 1 is the difference among bricks */
 } courses;
 
 static const courses courses_of[VS_PATTERN_COUNT] = {
@@ -142,8 +143,9 @@ static const courses courses_of[VS_PATTERN_COUNT] = {
                           0.03, 0.6 },
 };
 
-/* VS_Odd: 1 in every other course. VS_Bond: stretchers and headers alternate; the stretcher of a pair takes half of [n,
- * n+1), and the header the other half; VS_Half distinguishes them. VS_Faces lays a pigment on faces by their normal. */
+/* Macros of POV-Ray. VS_Odd is 1 in every second course. VS_Bond alternates stretchers and headers: the stretcher of a
+ * pair has half of [n, n+1), and the header the other half. VS_Half distinguishes the halves. VS_Faces lays a pigment
+ * on faces by their normal. */
 static const char helpers[] =
     "#ifndef (VS_Cells)\n"
     "#declare VS_Cells = function { pattern { cells } }\n"
@@ -161,7 +163,7 @@ static const char helpers[] =
     "  [.1464 P rotate -x*90] [.1464 VS_Walls(P)] [.8536 VS_Walls(P)] [.8536 P rotate -x*90] } #end\n"
     "#end\n";
 
-/* Returns a metre of the model in units of the scene. */
+/* Returns the length of a metre in units of the scene. */
 static double metre_of(const vs_emitter *e) { return e->unit / vs_scene_metres(e->scene); }
 
 static void put_courses(vs_emitter *e, const vs_material *m, const courses *c) {
@@ -198,7 +200,7 @@ static void put_courses(vs_emitter *e, const vs_material *m, const courses *c) {
           { 0.82, times(first, 1 + 0.1 * v) }, { 1, times(first, 1 - 0.26 * v) });
   put_word(w, "\n  rotate y*", -m->pattern.angle, ""); /* anticlockwise, seen from -y */
   put_word(w, " scale ", metre_of(e), "\n}\n");
-  vs_puts(w, "#undef VS_A\n#undef VS_L\n#undef VS_C\n"); /* a function may not be declared twice */
+  vs_puts(w, "#undef VS_A\n#undef VS_L\n#undef VS_C\n"); /* POV-Ray does not allow a second declaration of a function */
 }
 
 static void put_grain(vs_emitter *e, const vs_material *m, const char *function, const stop *stops, size_t count) {
@@ -243,9 +245,9 @@ static void put_face_pigment(vs_emitter *e, const vs_material *m) {
 
 /* ---- pictures ---- */
 
-/* VS_Laid turns the picture P to the faces of a tilt and an azimuth. VS_Side distinguishes the azimuths of a half turn;
- * S is 1 for those north of it and -1 for the others. VS_Picture distinguishes the tilts. Numbers of a slope are (1 +
- * cosine) / 2. Each distinguishes half the steps of a turn, as in model/looks/picture.c. */
+/* VS_Laid rotates the picture P to the faces of a tilt and an azimuth. VS_Side distinguishes the azimuths of a half
+ * turn. S is 1 for azimuths north of it and -1 for the others. VS_Picture distinguishes the tilts. A slope is given as
+ * (1 + cosine) / 2. Each macro distinguishes half the steps of a turn, as in model/looks/picture.c. */
 static const char picture_helpers[] =
     "#ifndef (VS_Step)\n"
     "#declare VS_Step = 22.5;\n"
@@ -267,7 +269,7 @@ static const char picture_helpers[] =
     "  VS_Share(1, .5*VS_Step) P] } #end\n"
     "#end\n";
 
-/* Declares VS_P, the picture in the plane of x and y, upright, repeated at one size over the plane. */
+/* Declares VS_P, the picture in the plane of x and y: upright, and repeated over the plane at a single size. */
 static void put_picture_pigment(vs_emitter *e, const vs_material *m) {
   vs_writer *w = e->out;
   vs_puts(w, picture_helpers);
@@ -305,7 +307,7 @@ static void put_solid_pigment(vs_emitter *e, const vs_material *m) {
     vs_puts(w, "crackle");
     PUT_MAP(w, { 0, b }, { 0.1, b }, { 0.2, between(b, a, 0.8) }, { 0.45, a }, { 1, times(a, 1.15) });
     break;
-  case VS_PATTERN_GRASSY: /* blades, tufts and patches of a lawn, each with a share */
+  case VS_PATTERN_GRASSY: /* a lawn consists of blades, tufts and patches, each with a share of the colour */
     vs_puts(w, "average pigment_map {");
     for (int i = 0; i < 3; i++) {
       const double scale[] = { 1, 14, 110 }, share[] = { 1, 0.8, 1.2 };
@@ -327,12 +329,12 @@ static void put_solid_pigment(vs_emitter *e, const vs_material *m) {
   }
 }
 
-/* ---- the whole of it ---- */
+/* ---- the complete material ---- */
 
 static bool shows(const vs_emitter *e, const vs_material *m, double pixel) {
   double unit = vs_pattern_size(&m->pattern) * metre_of(e);
-  if (m->pattern.kind == VS_PATTERN_GRASSY) unit *= 110; /* a lawn's patches are visible from afar, its blades are
-                                                          * not */
+  if (m->pattern.kind == VS_PATTERN_GRASSY) unit *= 110; /* the patches of a lawn are visible from afar, but its blades
+                                                          * are not */
   return m->pattern.kind != VS_PATTERN_NONE && unit >= pixel;
 }
 

@@ -1,13 +1,14 @@
-/* Owns triangles as POV-Ray's text: meshes, and the solids that pictures get as triangles.
+/* Writes triangles as POV-Ray's text: meshes, and the solids that are triangles in pictures.
  *
- * POV-Ray tests the operands of a difference or an intersection separately. For each point where a ray meets one, it
- * tests whether the point lies in all the others. A wall with many openings, or a hall under vaults, therefore takes
- * most of a picture's time. A mesh has its own tree of boxes. Therefore the kernel combines such a solid for pictures,
- * but not for a .pov, which people read and change. The mesh is as fine as the picture shows, with smooth shading if
- * its parts are round. vs_povray_solid chooses the solids. It omits glass, which refracts light; patterns that were
- * moved with their parts; text of the user; and few parts, most of which a ray misses.
+ * POV-Ray intersects a ray with each operand of a difference or an intersection. For each point where the ray enters or
+ * leaves an operand, it tests whether the point lies in all other operands. A wall with many openings, or a hall under
+ * vaults, therefore takes most of a picture's time. A mesh is faster, because POV-Ray builds a tree of boxes for it.
+ * The kernel therefore combines such a solid for pictures, but not for a .pov, which people read and change. The mesh
+ * is as fine as the picture shows, with smooth shading if its parts are round. vs_povray_solid chooses the solids. It
+ * does not choose glass, which refracts light; patterns that were moved with their parts; text of the user; and solids
+ * of few parts, most of which a ray misses.
  *
- * Triangles take part in CSG by their inside_vector. */
+ * Triangles take part in booleans by their inside_vector. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -24,8 +25,8 @@ static bool pov_needle(const vs_vec3 *v, const uint32_t t[3]) {
   return !(vs_v3_length(vs_v3_cross(a, b)) > 1e-12 * longest * longest);
 }
 
-/* Writes a triple of indices for each triangle of `of` except needles, `kept` of them, ten on a line: POV-Ray warns
- * about needles, and they show nothing. */
+/* Writes a triple of indices for each triangle of `of` except needles, ten triples on a line. `kept` is the number of
+ * written triangles. Needles show nothing, and POV-Ray warns about them. */
 static void pov_triples(vs_emitter *e, const char *word, const vs_shade_faces *of, const uint32_t (*triples)[3],
                         size_t kept) {
   pov_open(e, word);
@@ -59,8 +60,8 @@ static void pov_points(vs_emitter *e, const char *word, const vs_vec3 *at, size_
   vs_puts(e->out, "}\n");
 }
 
-/* POV-Ray keeps the corners of meshes in single precision. If a mesh is far away for its size, returns its first
- * corner, as the origin of the others; else 0 0 0. */
+/* POV-Ray stores the corners of meshes in single precision. If a mesh is far from the origin in relation to its size,
+ * returns its first corner, relative to which the others are written; otherwise 0 0 0. */
 static vs_vec3 pov_far(const vs_vec3 *v, size_t count) {
   vs_bounds b = vs_bounds_empty();
   for (size_t i = 0; i < count; i++) vs_bounds_add(&b, v[i]);
@@ -70,16 +71,16 @@ static vs_vec3 pov_far(const vs_vec3 *v, size_t count) {
 
 /* Triangles and their look. */
 typedef struct {
-  vs_shade_faces faces;     /* groups NULL: all are flat, unless the emitter shades smoothly */
+  vs_shade_faces faces;     /* the faces; groups NULL: all are flat, unless the emitter shades smoothly */
   bool closed;
-  const vs_material *paint; /* NULL: that of the surrounding object */
+  const vs_material *paint; /* material of the triangles; NULL: the material of the surrounding object */
 } pov_triangles;
 
 static vs_emit_status pov_mesh(vs_emitter *e, const pov_triangles *m) {
   const vs_shade_faces *f = &m->faces;
   size_t kept = 0;
   for (size_t i = 0; i < f->triangle_count; i++) kept += !pov_needle(f->vertices, f->triangles[i]);
-  if (kept == 0) return VS_EMITTED; /* no visible triangle */
+  if (kept == 0) return VS_EMITTED; /* there is no visible triangle */
   if (!vs_emit_triangles(e, kept)) return VS_FAILED;
   vs_shading s = { .normal_count = 0 };
   bool smooth = f->groups != NULL || e->smooth;
@@ -91,7 +92,7 @@ static vs_emit_status pov_mesh(vs_emitter *e, const pov_triangles *m) {
   if (smooth) pov_points(e, "normal_vectors { ", s.normals, s.normal_count, vs_v3(0, 0, 0), 1);
   pov_triples(e, "face_indices { ", f, f->triangles, kept);
   if (smooth) pov_triples(e, "normal_indices { ", f, (const uint32_t (*)[3])s.corners, kept);
-  if (m->closed) /* askew, so that it seldom runs along an edge */
+  if (m->closed) /* a slanted direction, which very rarely runs along an edge */
     pov_open(e, "inside_vector <0.2317, 0.4951, 0.8372>\n");
   if (!vs_v3_equal(from, vs_v3(0, 0, 0))) {
     pov_open(e, "translate ");
@@ -132,23 +133,23 @@ vs_emit_status vs_povray_polyface(vs_emitter *e, const vs_ref *ref, vs_phase pha
 
 /* ---- solids as triangles ---- */
 
-/* Counts the parts of a solid, as far as the choice needs. */
+/* A step of the count of a solid's parts, which decides whether the solid becomes a mesh. */
 typedef struct { const vs_node *node; bool moved; } pov_step;
 typedef struct {
   pov_step *wait;
   size_t count, room;
-  size_t parts; /* by the paths to them */
+  size_t parts; /* number of parts; a part that is reached by several paths counts once for each */
 } pov_census;
 
-/* Fewer parts are not worth a mesh; with more, the kernel takes longer than the picture. */
+/* With fewer parts, a mesh saves no time. With more, the kernel takes longer than the picture. */
 enum { PARTS_LEAST = 6, PARTS_MOST = 20000 };
 
 static bool pov_paint_stays(const vs_material *m, bool moved) {
   return m->transparency == 0 && (!moved || m->pattern.kind == VS_PATTERN_NONE);
 }
 
-/* Examines one node and queues its operands. Returns false if it cannot be a mesh, or memory is out, with e's error
- * set. */
+/* Examines a node and queues its operands. Returns false if the node cannot be part of a mesh, or if memory is out,
+ * with e's error set. */
 static bool pov_census_node(vs_emitter *e, pov_census *c, pov_step s) {
   const vs_node *n = s.node;
   if (n->class_ != VS_SOLID || n->kind == VS_NATIVE) return false;
@@ -162,7 +163,7 @@ static bool pov_census_node(vs_emitter *e, pov_census *c, pov_step s) {
   return true;
 }
 
-/* Returns true if POV-Ray draws the solid faster as a mesh, and the result is the same. */
+/* Returns true if POV-Ray draws the solid faster as a mesh, and the picture is the same. */
 static bool pov_is_dear(vs_emitter *e, const vs_node *n) {
   pov_census c = { .count = 0 };
   if (n->class_ != VS_SOLID || n->flags & VS_NODE_ENDLESS || e->carved) return false;
@@ -173,8 +174,8 @@ static bool pov_is_dear(vs_emitter *e, const vs_node *n) {
   return fits && c.parts >= PARTS_LEAST;
 }
 
-/* Makes the kernel's solid, without its warnings, which concern files of triangles. *fits false with an error: any
- * error except an interrupt is a reason to let POV-Ray combine it. */
+/* Makes the kernel's solid, without its warnings, which concern files of triangles. On an error except an interrupt,
+ * sets *fits to false: POV-Ray must then combine the solid itself. */
 static bool pov_combine(vs_emitter *e, const vs_ref *ref, vs_solid *out, bool *fits) {
   vs_error why = { VS_ERROR_NONE, NULL, "" }, *was = e->error;
   e->error = &why;
@@ -187,11 +188,11 @@ static bool pov_combine(vs_emitter *e, const vs_ref *ref, vs_solid *out, bool *f
   return false;
 }
 
-/* The triangles of one paint, out of a solid's. */
+/* The triangles of a solid that have the same paint. */
 typedef struct {
   vs_vec3 *v;
   uint32_t (*t)[3];
-  uint32_t *groups, *places; /* places[i]: the new number of corner i of the solid's mesh, plus one; 0: none yet */
+  uint32_t *groups, *places; /* places[i]: new number of corner i of the solid's mesh, plus one; 0: none yet */
   size_t vertices, triangles, vertex_room, triangle_room;
 } pov_piece;
 
@@ -199,11 +200,11 @@ static const vs_solid_part *pov_part(const vs_solid *s, size_t triangle) {
   return &s->parts[s->mesh.tags ? s->mesh.tags[triangle] : 0];
 }
 
-/* POV-Ray keeps the planes of a mesh's triangles in single precision, so neighbours do not quite meet along their edge.
- * A ray in some ten thousand passes between them, and shows the space behind the solid as a bright dot. Each piece
- * therefore has a lining, the same triangles slightly deeper in the solid, which only such a ray meets. */
+/* Adds a lining to a piece: the same triangles, slightly deeper in the solid. POV-Ray stores the planes of a mesh's
+ * triangles in single precision, so neighbours have tiny gaps along their common edge. Of about ten thousand rays, one
+ * passes through a gap, and shows the space behind the solid as a bright dot. Only such a ray reaches the lining. */
 static void pov_line(pov_piece *p) {
-  const double deep = 4e-6; /* a fraction of the largest coordinate: some tens of its steps */
+  const double deep = 4e-6; /* fraction of the largest coordinate, some tens of steps of single precision */
   double most = 0;
   size_t vertices = p->vertices, triangles = p->triangles;
   vs_vec3 *into = p->v + vertices;
@@ -248,7 +249,8 @@ static vs_emit_status pov_piece_of(vs_emitter *e, pov_piece *p, const vs_solid *
   }
   if (p->triangles == 0) return VS_EMITTED;
   pov_line(p);
-  const double crease = 0.35; /* radians: neighbouring facets of round parts differ by a fifth of it at most */
+  const double crease = 0.35; /* in radians; the angle between neighbouring facets of round parts is at most a fifth of
+                               * it */
   const vs_shade_faces faces = { p->v, (const uint32_t (*)[3])p->t, p->groups, p->vertices, p->triangles, crease };
   return pov_mesh(e, &(pov_triangles){ .faces = faces, .paint = paint });
 }

@@ -1,11 +1,11 @@
-/* Owns the interface of povray_meshes.c: triangles as POV-Ray's text. */
+/* Declares triangles as POV-Ray's text. */
 #ifndef VS_BACKENDS_POVRAY_POVRAY_MESHES_H
 #define VS_BACKENDS_POVRAY_POVRAY_MESHES_H
 
 #include "backends/povray/povray.h"
 
-/* For a difference or an intersection in a picture: if POV-Ray takes long to combine it, writes it as triangles and
- * returns VS_WHOLE; else returns VS_LOWER, and nothing is written. */
+/* For a difference or an intersection in a picture. If POV-Ray would take long to combine it, writes it as triangles
+ * and returns VS_WHOLE. Otherwise writes nothing and returns VS_LOWER. */
 vs_emit_status vs_povray_solid(vs_emitter *e, const vs_ref *ref);
 
 vs_emit_fn vs_povray_polyface;

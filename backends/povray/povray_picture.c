@@ -1,8 +1,9 @@
-/* Owns the processing of POV-Ray's picture.
+/* Processes POV-Ray's picture.
  *
- * POV-Ray always renders an EXR, linear light in half floats. Its header contains the date, POV-Ray's version and the
- * platform. OpenEXR's library therefore writes an .exr anew: the same numbers, with texts for the camera and the sun. A
- * PNG is made from the light here (geometry/pictures/tone.c): POV-Ray would cut off colours brighter than white. */
+ * POV-Ray always renders an EXR of linear light in half floats. The header of this file contains the date, POV-Ray's
+ * version and the platform. OpenEXR's library therefore writes a new .exr: the same numbers, with texts for the camera
+ * and the sun. geometry/pictures/tone.c makes a PNG from the light, because POV-Ray would cut off colours brighter than
+ * white. */
 #include "backends/povray/povray_picture.h"
 
 #include <errno.h>
@@ -56,8 +57,8 @@ static bool picture_write(vs_emitter *e, const char *path, const picture_bytes *
                             problem == ENOSPC ? "the disk is full" : strerror(problem));
 }
 
-/* Copies the parts of the jobs' pictures that intersect `wanted` into an empty picture of its size. For a part of a
- * picture POV-Ray makes one of the whole's size, black elsewhere. */
+/* Copies the parts of the jobs' pictures that intersect `wanted` into an empty picture of that size. For a part of a
+ * picture, POV-Ray makes a picture of full size that is black outside the part. */
 static bool picture_join(vs_emitter *e, const char *folder, const vs_povray_job *jobs, size_t count,
                          const vs_exr_part *wanted, vs_exr *x) {
   static const char *const channels[] = { "B", "G", "R" };
@@ -84,7 +85,7 @@ static bool picture_join(vs_emitter *e, const char *folder, const vs_povray_job 
   return ok;
 }
 
-/* Takes the plan's picture without its first pass: the whole, or the part that the options set. */
+/* Joins the plan's picture, without its first pass, in *x: the whole picture, or the part that the options set. */
 static bool picture_take(vs_emitter *e, const vs_povray_result *r, const vs_exr_part *part, vs_exr *x) {
   const vs_povray_plan *p = r->plan;
   return picture_join(e, r->folder, p->jobs + p->pass_count, p->count - p->pass_count, part, x);
@@ -105,7 +106,7 @@ bool vs_povray_meter(vs_emitter *e, const char *folder, const vs_povray_plan *pl
   return ok;
 }
 
-/* Writes the light anew: the whole or a part, with the layers if the options set them. */
+/* Writes the light as a new EXR: the whole picture or a part, with layers if the options set them. */
 bool vs_povray_take_picture(vs_emitter *e, const vs_povray_result *r, const char *to) {
   vs_store *store = e->scene->store;
   vs_exr x = { .store = store };
@@ -124,7 +125,7 @@ bool vs_povray_develop_picture(vs_emitter *e, const vs_povray_result *r, const c
   const vs_povray_plan *p = r->plan;
   const vs_exr_part *wanted = &p->wanted;
   vs_exr x = { .store = store };
-  /* an exposure that is computed from the picture depends on the whole of it */
+  /* if the exposure is computed from the picture, it depends on the whole picture */
   vs_exr_part all = { 0, 0, p->columns, p->rows };
   vs_tone tone = *r->tone;
   bool ok = picture_take(e, r, tone.fixed ? wanted : &all, &x);

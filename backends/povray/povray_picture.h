@@ -1,17 +1,18 @@
-/* Owns the interface of povray_picture.c: the processing of POV-Ray's picture. */
+/* Declares the processing of POV-Ray's picture. */
 #ifndef VS_BACKENDS_POVRAY_POVRAY_PICTURE_H
 #define VS_BACKENDS_POVRAY_POVRAY_PICTURE_H
 
 #include "backends/povray/povray_plan.h"
 
-/* The folder of the runs' pictures, and the conversion of light to the numbers of a .png. */
+/* The folder with the pictures of all runs, the plan, and the conversion of light to the numbers of a .png. */
 typedef struct { const char *folder; const vs_povray_plan *plan; const vs_tone *tone; } vs_povray_result;
 
-/* Joins the plan's picture into an EXR at an existing file, without a date; with the layers that the options set. */
+/* Joins the plan's picture and writes it as an EXR to an existing file, without a date, with the layers that the
+ * options set. */
 bool vs_povray_take_picture(vs_emitter *e, const vs_povray_result *r, const char *to);
-/* The same as a PNG, by the tone. */
+/* Joins the plan's picture and writes it as a PNG, converted by the result's tone. */
 bool vs_povray_develop_picture(vs_emitter *e, const vs_povray_result *r, const char *to);
-/* Computes the exposure from the first pass. */
+/* Computes the exposure from the picture of the first pass. */
 bool vs_povray_meter(vs_emitter *e, const char *folder, const vs_povray_plan *plan, vs_tone_curve curve, double *stops);
 
 #endif

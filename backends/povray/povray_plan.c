@@ -1,16 +1,18 @@
-/* Owns the division of a picture among runs of POV-Ray, so that the same model gives the same bytes.
+/* Divides a picture among runs of POV-Ray so that equal models give equal bytes.
  *
- * Several threads of one run gather bounced light in a random order, and a sample that one has taken changes the next
- * of another. A run of one thread always does the same. A picture with bounced light is therefore made in two steps.
- * The first pass, a small picture, gathers the light: its left and its right half are runs of one thread, whose samples
- * are joined in that order. Then each strip is a run of one thread that takes these samples. The number and place of
- * the strips do not depend on the number of processors, and as many run at a time as there are processors: their number
- * changes the time, not the picture. A part of a picture is cut out of the strips that it meets.
+ * Several threads of a run gather bounced light in a random order, and each sample of a thread changes the next sample
+ * of another thread. A run with a single thread has a fixed order. A picture with bounced light is therefore made in
+ * two steps. The first pass, a small picture, gathers the light: its left and its right half are runs of one thread,
+ * whose samples are joined in that order. In the second step each strip is a run of one thread that reads these
+ * samples. The number and place of the strips do not depend on the number of processors. As many runs work at a time as
+ * there are processors, which changes the time, but not the picture. A part of a picture is cut out of the strips that
+ * it intersects.
  *
- * The exposure is computed from the first pass, so that a part has that of the whole. A draft has no bounced light:
- * each of its pixels depends on itself alone, and one run of many threads makes the wanted part.
+ * The exposure is computed from the first pass, so that a part has the exposure of the whole picture. A draft has no
+ * bounced light, and each of its pixels is independent of all others. A single run of many threads makes the wanted
+ * part.
  *
- * A small picture, whose runs would take longer to begin than to draw, is one run of one thread. */
+ * For a small picture, starting several runs would take longer than drawing. It is a single run of one thread. */
 #include "backends/povray/povray_plan.h"
 
 #include <math.h>
@@ -20,9 +22,9 @@
 
 #include "kernel/threads.h"
 
-/* A strip's approximate height in pixels; the number of pixels of a small picture; and the longer side of the first
- * pass: half of the picture's, within these bounds. The main picture takes the samples that the first pass missed: a
- * `final` picture, whose samples are closer, needs a larger first pass. */
+/* STRIP: approximate height of a strip in pixels. SMALL: number of pixels of a small picture. The other three bound the
+ * longer side of the first pass, which is half of the picture's. The main picture takes the samples that the first pass
+ * missed: a `final` picture, whose samples are closer, needs a larger first pass. */
 enum { STRIP = 120, SMALL = 1 << 15, PASS_LEAST = 200, PASS_MOST = 400, PASS_MOST_FINAL = 800 };
 
 static uint32_t between(uint32_t least, uint32_t x, uint32_t most) { return x < least ? least : x > most ? most : x; }
@@ -44,8 +46,9 @@ static void plan_passes(vs_povray_plan *p, vs_render_quality quality) {
   }
 }
 
-/* The number of strips: even, because many machines have two processors. Each run reads the scene anew, which takes
- * about as long for four triangles as drawing takes for a pixel: a quarter of the drawing's time may go into that. */
+/* Returns the number of strips, which is even, because many machines have two processors. Each run reads the scene
+ * again: reading four triangles takes about as long as drawing a pixel. A quarter of the drawing's time may be spent on
+ * reading. */
 static uint32_t strips_of(const vs_povray_plan *p, uint64_t triangles) {
   uint32_t most = between(p->columns >= 2 * STRIP ? 2 : 1, p->rows / STRIP, VS_POVRAY_STRIPS);
   uint64_t count = 1 + (uint64_t)p->columns * p->rows / (triangles + 1);
@@ -54,7 +57,8 @@ static uint32_t strips_of(const vs_povray_plan *p, uint64_t triangles) {
   return count > 2 ? (uint32_t)count / 2 * 2 : (uint32_t)count;
 }
 
-/* The strips that the wanted part meets. Two lie side by side: the sky takes less time than the ground. */
+/* Plans the strips that the wanted part intersects. If there are two, they lie side by side, because the sky takes less
+ * time than the ground. */
 static void plan_strips(vs_povray_plan *p, uint64_t triangles) {
   uint32_t count = strips_of(p, triangles), side = count == 2 ? p->columns : p->rows;
   uint32_t begin = count == 2 ? p->wanted.left : p->wanted.top;
@@ -90,7 +94,8 @@ vs_povray_plan vs_povray_plan_of(const vs_export_options *o, uint64_t triangles,
   return p;
 }
 
-/* Returns the number of runs at a time. POV-Ray takes some twenty times the text, and twenty bytes for each pixel. */
+/* Returns the number of runs at a time. POV-Ray needs about twenty times the size of the text as memory, and twenty
+ * bytes for each pixel. */
 size_t vs_povray_at_once(const vs_export_options *o, const vs_povray_job *job, uint64_t scene) {
   long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGESIZE);
   double each = 0x1p26 + 20. * (double)scene + 20. * job->columns * job->rows;

@@ -1,12 +1,12 @@
-/* Owns one process of POV-Ray: its input and permissions, its progress and its messages.
+/* Runs a process of POV-Ray: its input and permissions, its progress and its messages.
  *
  * POV-Ray writes everything to standard error: progress in pieces that begin with a carriage return, messages as
  *   File '/tmp/.../scene.pov' line 12: Parse Error: ...
  * wrapped at 80 columns, with one space before each continuation. It exits with 0 after warnings that mean a wrong
- * picture: any warning is a failure here. A message's line leads to the place in the user's model, by the table that
- * the driver kept. POV-Ray has its own process group, with the processes that it starts; on Linux it ends when vs is
+ * picture, so any warning is a failure here. The table of the driver maps the line of a message to the place in the
+ * user's model. POV-Ray and the processes that it starts form a process group. On Linux the group ends when vs is
  * killed. */
-#define _GNU_SOURCE /* prlimit, execvpe, pipe2 */
+#define _GNU_SOURCE /* for prlimit, execvpe, pipe2 */
 #include "backends/povray/povray_process.h"
 
 #include <errno.h>
@@ -26,7 +26,7 @@
 
 #include "backends/povray/povray_confine.h"
 
-/* ---- its output ---- */
+/* ---- the output of POV-Ray ---- */
 
 static void run_piece(vs_povray_process *r) {
   unsigned long done, all;
@@ -48,7 +48,7 @@ static void run_hear(vs_povray_process *r, const char *bytes, size_t count) {
       if (r->piece_used + 1 < sizeof r->piece) r->piece[r->piece_used++] = c;
       continue;
     }
-    if (r->used + 1 >= sizeof r->text) { /* the end matters: errors come last */
+    if (r->used + 1 >= sizeof r->text) { /* a text that is too long loses its beginning, since errors come last */
       memmove(r->text, r->text + sizeof r->text / 2, r->used - sizeof r->text / 2);
       r->used -= sizeof r->text / 2;
     }
@@ -57,7 +57,7 @@ static void run_hear(vs_povray_process *r, const char *bytes, size_t count) {
   r->text[r->used] = '\0';
 }
 
-/* Joins lines that were wrapped. */
+/* Joins lines that POV-Ray has wrapped. */
 static void run_unwrap(char *text) {
   char *to = text;
   for (const char *from = text; *from != '\0'; from++)
@@ -65,17 +65,18 @@ static void run_unwrap(char *text) {
   *to = '\0';
 }
 
-/* Finds the first message about the scene: its line there, and its text, which is cut out. */
+/* Finds the first message about the scene. Sets *line to its line in the scene, and returns the message, which is cut
+ * out of the text. */
 static const char *run_complaint(char *text, unsigned long *line) {
   for (char *at = text; (at = strstr(at, "File '")) != NULL; at++) {
     char *end = strchr(at, '\n'), *number = strstr(at, "' line ");
     if (end != NULL) *end = '\0';
-    /* an upright view has such a camera on purpose (povray_scene.c) */
+    /* an upright view has such a camera intentionally (povray_scene.c) */
     bool meant = strstr(at, "Warning: Camera vectors are not perpendicular") != NULL;
     if (number != NULL && (end == NULL || number < end) && !meant) {
       char *after;
       *line = strtoul(number + 7, &after, 10);
-      if (strncmp(after, ": ", 2) == 0) { /* "Possible Parse Error: " means nothing to a user */
+      if (strncmp(after, ": ", 2) == 0) { /* removes "Possible Parse Error: ", which means nothing to a user */
         const char *kind = strstr(after + 2, "Error: ");
         return kind != NULL && kind - after < 24 ? kind + 7 : after + 2;
       }
@@ -94,7 +95,8 @@ static const char *run_last_line(char *text) {
 
 /* ---- the process ---- */
 
-/* The soft limit of vs's own memory is that of the model: a worker has the hard one. */
+/* Raises the soft limit of the process's memory to the hard limit. The soft limit of vs is for the model, not for a
+ * worker. */
 static void run_give_memory(pid_t process) {
 #ifdef __linux__
   struct rlimit own;
@@ -106,27 +108,27 @@ static void run_give_memory(pid_t process) {
 #endif
 }
 
-/* The child's part: its input, its permissions, and the call that makes it POV-Ray. Uses only calls that are safe in a
- * child of a process with threads. */
+/* The child's part of starting POV-Ray: sets its input and permissions and calls exec. Uses only calls that are safe in
+ * a child of a process with threads. */
 static void run_become(const char *folder, const int errors[2], char *const *arguments, char *const *environment) {
   static const int usual[] = { SIGINT, SIGPIPE, SIGTERM, SIGHUP };
   sigset_t none;
   int nothing = open("/dev/null", O_RDWR);
 #ifdef __linux__
-  prctl(PR_SET_PDEATHSIG, SIGKILL); /* when vs is killed, only this ends it */
+  prctl(PR_SET_PDEATHSIG, SIGKILL); /* if vs is killed, this call alone ends POV-Ray */
 #endif
-  setpgid(0, 0); /* a separate group, so that the processes it starts end with it */
+  setpgid(0, 0); /* POV-Ray's own group, so that the processes that it starts end with it */
   for (size_t i = 0; i < sizeof usual / sizeof *usual; i++) signal(usual[i], SIG_DFL);
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, NULL);
   if (nothing < 0 || dup2(nothing, 0) < 0 || dup2(nothing, 1) < 0 || dup2(errors[1], 2) < 0) return;
   if (nothing > 2) close(nothing);
-  if (errors[1] == 2) fcntl(2, F_SETFD, 0); /* the others close when it becomes POV-Ray */
+  if (errors[1] == 2) fcntl(2, F_SETFD, 0); /* the other descriptors close at exec */
   vs_povray_confine(folder);
   execvpe("povray", arguments, environment);
 }
 
-/* Starts it. Returns 0, or errno on failure. */
+/* Starts POV-Ray. Returns 0, or errno on failure. */
 static int run_start(vs_povray_process *r, const char *folder, const int errors[2], char *const *arguments,
                      char *const *environment) {
   int said[2], problem = 0;
@@ -187,7 +189,7 @@ void vs_povray_hear(vs_povray_process *r) {
 bool vs_povray_ended(vs_povray_process *r, int *status) {
   siginfo_t how = { .si_pid = 0 };
   if (waitid(P_PID, (id_t)r->process, &how, WEXITED | WNOHANG | WNOWAIT) == 0 && how.si_pid == 0) return false;
-  kill(-r->process, SIGKILL); /* while its number is not yet reused */
+  kill(-r->process, SIGKILL); /* as long as the process number is not reused */
   while (waitpid(r->process, status, 0) < 0 && errno == EINTR) continue;
   r->process = 0;
   if (r->errors >= 0) close(r->errors);
@@ -210,7 +212,7 @@ void vs_povray_stop(vs_povray_process *at, size_t count) {
   }
 }
 
-/* ---- its result ---- */
+/* ---- the result of POV-Ray ---- */
 
 bool vs_povray_judge(vs_emitter *e, vs_povray_process *r, int status) {
   unsigned long line = 0;
@@ -225,8 +227,8 @@ bool vs_povray_judge(vs_emitter *e, vs_povray_process *r, int status) {
   return vs_error_set(e->error, VS_ERROR_WORKER, NULL, "POV-Ray failed%s%s", *last ? ": " : " and said nothing", last);
 }
 
-/* POV-Ray gives its own threads a few seconds to start and then gives up. This happens on a busy machine, and is no
- * fault of the scene. */
+/* Returns true if POV-Ray gave up because its own threads did not start within a few seconds. This happens on a busy
+ * machine, and is no fault of the scene. */
 bool vs_povray_was_starved(const vs_povray_process *r, int status) {
   bool done = WIFEXITED(status) && WEXITSTATUS(status) == 0;
   return !done && strstr(r->text, "Timed out waiting for worker thread startup");

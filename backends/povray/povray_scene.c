@@ -1,8 +1,9 @@
-/* Owns the frame of a POV-Ray scene: header, camera, light, sky, ground. Shapes are in povray_shapes.c, materials in
- * povray_materials.c.
+/* Writes the frame of a POV-Ray scene: header, camera, light, sky, ground. povray_shapes.c writes shapes,
+ * povray_materials.c materials.
  *
  * Looks: linear light (assumed_gamma 1), a warm parallel sun (with a soft edge in the final quality), a pale sky sphere
- * that radiosity turns into fill light, no ambient term. The user's text enters only as letters and digits of names. */
+ * that radiosity turns into fill light, and no ambient term. The user's text enters the scene only as letters and
+ * digits of names. */
 #include "backends/povray/povray_scene.h"
 
 #include <math.h>
@@ -33,33 +34,34 @@ static void pov_word(vs_writer *w, const char *before, double x, const char *aft
 
 /* ---- the strength of the light ---- */
 
-/* Returns true if vs makes the picture. Such pictures get light as outdoors, where the sun is several times the sky,
- * and then a tone curve. POV-Ray's own pictures of a .pov cut off colours brighter than white: there the sun leaves a
- * white wall, with the sky's light, just below white. A picture as the surroundings has its own brightness, and the sun
- * follows it. */
+/* Returns true if vs makes the picture. Such pictures have light as outdoors, where the sun is several times as bright
+ * as the sky, and then a tone curve. When POV-Ray itself makes the picture of a .pov, it cuts off colours brighter than
+ * white. In a .pov, sun and sky together therefore make a white wall slightly darker than white. A picture as the
+ * surroundings has its own brightness, and the sun follows it. */
 static bool pov_is_developed(const vs_emitter *e) { return e->backend->render != NULL; }
 static double pov_sky_strength(const vs_emitter *e) {
   return pov_is_developed(e) && e->scene->sky_image == NULL ? 1.6 : 1;
 }
-/* Returns the strength of a draft's lights without shadows, which represent the light that the sky and the walls
+/* Returns the strength of a draft's lights without shadows. They represent the light that the sky and the walls
  * scatter. */
 static double pov_fill_strength(const vs_emitter *e) { return pov_is_developed(e) ? 2.1 : 1; }
 static double pov_sun_strength(const vs_emitter *e) { return pov_is_developed(e) ? 2 * pov_sky_strength(e) : 1.25; }
-/* A physical sky in a .pov is reduced by the same factor as the sun. */
+/* In a .pov, the light of a physical sky is reduced by the same factor as the sun. */
 static bool pov_is_physical(const vs_emitter *e) { return e->scene->turbidity > 0; }
 static vs_povray_daylight pov_daylight(const vs_emitter *e, const vs_look *l) {
   return vs_povray_daylight_of(e->scene, vs_look_sun(e->scene, l), pov_is_developed(e) ? 1 : 1.25 / 3.2);
 }
-/* Returns the light that a draft adds to all surfaces in any direction: none is black. With bounced light it is 0. */
+/* Returns the light that a draft adds to all surfaces in any direction, so that none is black. Returns 0 for pictures
+ * with bounced light. */
 double vs_povray_ambient(const vs_emitter *e) {
   return e->options->quality == VS_RENDER_DRAFT ? 0.05 * pov_fill_strength(e) : 0;
 }
 
 /* ---- the surroundings of the model ---- */
 
-/* A lens's opening is its focal length divided by its f-number (ISO 517). POV-Ray's samples lie in half of its aperture
- * (tests/workers/focus.sh measures that). The points in focus form a plane perpendicular to the line of sight. The
- * samples give smooth edges, too. */
+/* Writes the depth of focus. A lens's opening is its focal length divided by its f-number (ISO 517). POV-Ray's samples
+ * lie in half of its aperture (tests/workers/focus.sh measures that). The points in focus form a plane perpendicular to
+ * the line of sight. The samples also give smooth edges. */
 static void pov_focus(vs_emitter *e, const vs_look *l) {
   const vs_scene *s = e->scene;
   const char *samples = "4 confidence 0.5 variance 1/64";
@@ -77,7 +79,7 @@ static void pov_focus(vs_emitter *e, const vs_look *l) {
 static void pov_camera(vs_emitter *e, const vs_look *l, int width, int height) {
   vs_writer *w = e->out;
   vs_puts(w, "camera {\n");
-  if (l->parallel) { /* Uses look_at: axes written as vectors would not be perpendicular enough in their last digits. */
+  if (l->parallel) { /* look_at is used because axes written as vectors would not be perpendicular to the last digit */
     vs_puts(w, "  orthographic\n");
     pov_vector(w, "  location ", l->eye);
     pov_vector(w, "\n  sky ", l->up);
@@ -92,13 +94,13 @@ static void pov_camera(vs_emitter *e, const vs_look *l, int width, int height) {
     vs_puts(w, "  spherical\n");
     pov_vector(w, "  location ", l->eye);
     pov_vector(w, "\n  direction ", l->forward);
-    /* rays are turned about these two, in the manner of a left-handed space */
+    /* rays are rotated around these two axes, as in left-handed coordinates */
     pov_vector(w, "\n  right ", vs_v3_scale(l->right, -1));
     pov_vector(w, "\n  up ", vs_v3_scale(l->up, -1));
     pov_word(w, "\n  angle 360 ", vs_look_height(columns, rows) * (180 / pi), "\n}\n");
     return;
   }
-  if (l->upright) { /* The picture's plane is vertical, and the target in its centre: the vectors are not
+  if (l->upright) { /* The picture plane is vertical, with the target in its centre: the camera's vectors are not
                      * perpendicular. */
     vs_vec3 level = vs_v3_unit(vs_v3(l->forward.x, l->forward.y, 0));
     double wide = 2 * tan(l->angle / 2);
@@ -130,8 +132,8 @@ static void pov_sun(vs_emitter *e, const vs_look *l, double diagonal) {
   if (pov_is_physical(e)) {
     vs_povray_daylight day = pov_daylight(e, l);
     vs_put_triple(w, "\n  color rgb <", day.sun, ", ", ">");
-    fill *= day.fill / 0.75; /* the light of the plain sky on a level surface */
-  } else if (vs_look_sun_is_pictured(e->scene)) { /* a surface's number is its light over pi */
+    fill *= day.fill / 0.75; /* 0.75 is the light of the plain sky on a horizontal surface */
+  } else if (vs_look_sun_is_pictured(e->scene)) { /* the number of a surface is its light over pi */
     vs_vec3 light = vs_v3_scale(e->scene->picture_sun_light, 1 / pi);
     vs_put_triple(w, "\n  color rgb <", light, ", ", ">");
   } else {
@@ -140,16 +142,17 @@ static void pov_sun(vs_emitter *e, const vs_look *l, double diagonal) {
   }
   vs_puts(w, "\n  parallel\n");
   pov_vector(w, "  point_at ", middle);
-  if (e->options->quality == VS_RENDER_FINAL) { /* a soft edge costs several times the rest */
-    /* orient turns it towards the lit point. Only the lengths count. POV-Ray requires them to be equal to 1e-10, which
-     * the digits of rotated vectors are not. */
+  if (e->options->quality == VS_RENDER_FINAL) { /* a soft edge of shadows takes several times as long as all other
+                                                 * work */
+    /* The keyword `orient` rotates the light towards the lit point, so only the lengths of the vectors matter. POV-Ray
+     * requires lengths equal to 1e-10, which the written digits of rotated vectors are not. */
     pov_vector(w, "\n  area_light ", vs_v3(0.012 * far, 0, 0));
     pov_vector(w, ", ", vs_v3(0, 0.012 * far, 0));
     vs_puts(w, ", 3, 3 adaptive 1 circular orient");
   }
   vs_puts(w, "\n}\n");
-  if (e->options->quality == VS_RENDER_DRAFT) { /* No radiosity: a second, shadowless light from the other side fills
-                                                 * the shadows. */
+  if (e->options->quality == VS_RENDER_DRAFT) { /* A draft has no radiosity. A second light without shadows, from the
+                                                 * other side, brightens the shadows. */
     pov_vector(w, "light_source { ", vs_v3_add(middle, vs_v3(-sun.x * far, -sun.y * far, sun.z * far)));
     vs_puts(w, " color rgb <0.4, 0.44, 0.5>");
     if (fill != 1) pov_word(w, " * ", fill, "");
@@ -158,14 +161,14 @@ static void pov_sun(vs_emitter *e, const vs_look *l, double diagonal) {
     pov_vector(w, " }\nlight_source { ", vs_v3_sub(middle, vs_v3_scale(l->forward, far)));
     pov_word(w, " color rgb ", 0.16 * fill, " shadowless parallel ");
     pov_vector(w, "point_at ", middle);
-    pov_vector(w, " }\nlight_source { ", vs_v3_sub(middle, vs_v3(0, 0, far))); /* the light from the ground */
+    pov_vector(w, " }\nlight_source { ", vs_v3_sub(middle, vs_v3(0, 0, far))); /* light from the ground */
     pov_word(w, " color rgb <0.13, 0.125, 0.115> * ", fill, " shadowless parallel ");
     pov_vector(w, "point_at ", middle);
     vs_puts(w, " }\n");
   }
 }
 
-/* The picture's middle is in the north, +Y. */
+/* Writes a picture as the sky. The middle of the picture is in the north, +Y. */
 static void pov_sky_image(vs_emitter *e) {
   vs_writer *w = e->out;
   vs_puts(w, "sky_sphere {\n  pigment { image_map { ");
@@ -185,15 +188,15 @@ static pov_air pov_air_of(const vs_scene *s) {
   return a;
 }
 
-/* Returns a screen's colour as light of a strength: the meaning of srgb in a scene, IEC 61966-2-1. */
+/* Returns a screen's colour as light of the given strength. This is the meaning of srgb in a scene, IEC 61966-2-1. */
 static vs_vec3 pov_light_of(vs_vec3 c, double strength) {
   double x[] = { c.x, c.y, c.z };
   for (int i = 0; i < 3; i++) x[i] = strength * (x[i] <= 0.04045 ? x[i] / 12.92 : pow((x[i] + 0.055) / 1.055, 2.4));
   return vs_v3(x[0], x[1], x[2]);
 }
 
-/* Writes the sky. Seen from the middle: below the horizon a pale studio floor, at it haze, above it blue (or the
- * model's colour). */
+/* Writes the sky. Seen from the centre: a pale studio floor below the horizon, haze at the horizon, and blue (or the
+ * model's colour) above it. */
 static void pov_sky(vs_emitter *e, const vs_look *l) {
   vs_writer *w = e->out;
   if (pov_is_physical(e)) {
@@ -211,7 +214,8 @@ static void pov_sky(vs_emitter *e, const vs_look *l) {
       { 0, floor, vs_v3(0.78, 0.78, 0.77) }, { 0.36, floor, vs_v3(0.9, 0.9, 0.89) }, { 0.5, above, air.haze },
       { 0.56, above, air.haze }, { 0.63, above, air.haze }, { 0.71, above, air.haze }, { 0.8, above, air.haze },
       { 0.9, above, air.haze }, { 1, above, air.zenith } };
-  for (size_t i = 3; i < sizeof bands / sizeof *bands; i++) { /* evenly bent: a kink would be visible as an edge */
+  for (size_t i = 3; i < sizeof bands / sizeof *bands; i++) { /* smoothly curved, since a kink would be visible as an
+                                                               * edge */
     double share = 1 - pow(2 - 2 * bands[i].at, 2.2);
     bands[i].color = vs_v3_add(vs_v3_scale(air.haze, 1 - share), vs_v3_scale(air.zenith, share));
   }
@@ -225,10 +229,10 @@ static void pov_sky(vs_emitter *e, const vs_look *l) {
   vs_puts(w, "    }\n    scale 2 translate -z\n  }\n}\n");
 }
 
-/* A second layer of the ground: haze of the sky's colour, so that no line separates the two. Its share grows from 0 at
- * NEAR times the size of the framed drawing to 1 at FAR times, as (1 - NEAR / distance)^2.2. A ground's distance is in
- * proportion to one over the angle below the horizon, and perceived brightness to the 2.2th root, so the haze grows
- * evenly with the height in the picture. */
+/* Writes a second layer of the ground: haze of the sky's colour, so that no line separates ground and sky. The share of
+ * the haze grows as (1 - NEAR / distance)^2.2. It is 0 at NEAR times the size of the framed drawing, and 1 at FAR times
+ * that size. The distance of a point of the ground is proportional to one over its angle below the horizon, and
+ * perceived brightness to the 2.2th root. The haze therefore grows evenly with the height in the picture. */
 static void pov_ground_haze(vs_emitter *e, const vs_look *l, double diagonal, double z) {
   enum { COUNT = 10 };
   const double near = 1.3, far = 60, at[COUNT] = { far, 30, 15, 9, 6, 4, 3, 2.2, 1.7, near };
@@ -243,7 +247,8 @@ static void pov_ground_haze(vs_emitter *e, const vs_look *l, double diagonal, do
   for (int i = 0; i < COUNT; i++) {
     double clear = i == 0 ? 0 : 1 - pow(1 - near / at[i], 2.2);
     pov_word(w, "      [", 1 - at[i] / far, " ");
-    if (physical) { /* The sky behind it, as the eye sees it there; its position is that in the map's own space. */
+    if (physical) { /* The haze has the colour of the sky behind it, as the eye sees the sky. Positions are in the map's
+                     * own coordinates. */
       pov_word(w, "VS_Sky(", clear, ") ");
       pov_vector(w, "translate ", vs_v3_scale(vs_v3_sub(l->eye, foot), 1 / reach));
       vs_puts(w, "]\n");
@@ -258,16 +263,16 @@ static void pov_ground_haze(vs_emitter *e, const vs_look *l, double diagonal, do
   pov_word(w, " }\n    finish { ambient 0 diffuse 0 emission ", physical ? 1 : pov_sky_strength(e), " }\n  }\n");
 }
 
-/* Returns the light of fog: that of the sky at the horizon. Under a physical sky it is that of a cloud that reflects
- * 0.7 of the sun's and the sky's light, compared with 0.3 for a floor of grey. */
+/* Returns the light of fog: the light of the sky at the horizon. Under a physical sky, it is the light of a cloud. A
+ * cloud reflects 0.7 of the sun's and the sky's light, a grey floor 0.3. */
 static vs_vec3 pov_fog_light(const vs_emitter *e, const vs_look *l) {
   if (pov_is_physical(e)) return vs_v3_scale(pov_daylight(e, l).floor, 0.7 / 0.3);
   return pov_light_of(pov_air_of(e->scene).haze, e->scene->sky_image == NULL ? pov_sky_strength(e) : 1);
 }
 
-/* Light decreases with the distance as exp(-x / distance), and a twentieth remains at the visibility (the
- * meteorological optical range of the WMO). Above its height, fog of type 2 thins by the square of the height, so the
- * sky overhead is visible. */
+/* Writes the fog. Light decreases with the distance as exp(-x / distance). At the visibility (the meteorological
+ * optical range of the WMO), a twentieth remains. Above its height, fog of type 2 becomes thinner with the square of
+ * the height, so the sky overhead is visible. */
 static void pov_fog(vs_emitter *e, const vs_look *l) {
   const vs_scene *s = e->scene;
   vs_writer *w = e->out;
@@ -286,11 +291,12 @@ static void pov_fog(vs_emitter *e, const vs_look *l) {
   vs_puts(w, "\n}\n");
 }
 
-/* Writes an infinite plane. A picture of the sky has its own horizon: no haze then covers the ground. */
+/* Writes the ground as an infinite plane. A picture of the sky has its own horizon, so no haze then covers the
+ * ground. */
 static void pov_ground(vs_emitter *e, const vs_look *l, double diagonal, double pixel) {
   vs_writer *w = e->out;
   const vs_material *m = e->scene->ground_material;
-  double lift = 1e-5 * diagonal; /* objects on the ground share its plane: the ground is just below */
+  double lift = 1e-5 * diagonal; /* objects on the ground would share its plane, so the ground is slightly lower */
   double z = e->scene->ground_z * e->unit - lift;
   if (m != NULL) vs_povray_prepare_texture(e, m, pixel);
   pov_word(w, "plane {\n  z, ", z, "\n  texture {\n");
@@ -304,14 +310,17 @@ static void pov_ground(vs_emitter *e, const vs_look *l, double diagonal, double 
   vs_puts(w, "}\n");
 }
 
-/* The light that sky and walls reflect on each other; without it rooms are dark. A room with a small window needs many
- * rays, few of which find it. Samples that are used within their error (error_bound 1) and many at a time
- * (nearest_count) cost less than more samples, and leave no blotches on walls. minimum_reuse, a fraction of the
- * picture's width, prevents a sample for each pixel of outdoor detail: the station then takes a third of the time.
- * adc_bailout ends a gathering ray that carries less than a tenth, as the reflections of panes do: half the station's
- * time again. always_sample off gives points that pretrace has not sampled the light of their neighbours, or, if there
- * are none, the mean of all samples, a grey patch. Therefore pretrace_end, also a fraction of the picture's width, is
- * so fine that small faces in caves and coffers are sampled. A lower count saves that time: a hundred rays, not 150. */
+/* Returns the settings for the light that sky and walls reflect on each other. Without this light, rooms are dark. A
+ * room with a small window needs many rays, few of which find the window.
+ * error_bound 1 uses samples within their error, and nearest_count many at a time. This costs less than more samples,
+ * and leaves no blotches on walls.
+ * minimum_reuse, a fraction of the picture's width, prevents a sample for each pixel of outdoor detail. The example of
+ * the station then takes a third of the time.
+ * adc_bailout ends a gathering ray that carries less than a tenth, as the reflections of panes do. This again halves
+ * the station's time.
+ * always_sample off: a point that pretrace has not sampled has the light of its neighbours. If it has no neighbours, it
+ * has the mean of all samples, a grey patch. Therefore pretrace_end, also a fraction of the picture's width, is so fine
+ * that small faces in caves and coffers are sampled. A lower count of rays, 100 instead of 150, saves that time. */
 static const char *pov_radiosity(vs_render_quality q) {
   switch (q) {
   case VS_RENDER_DRAFT: break;
@@ -325,8 +334,8 @@ static const char *pov_radiosity(vs_render_quality q) {
   return "";
 }
 
-/* A run with given samples takes no net of samples (its first step is as wide as the picture), and as few new ones as
- * possible (povray_plan.c). */
+/* Writes the settings of radiosity. A run with given samples makes no grid of samples (its first step is as wide as the
+ * picture), and as few new samples as possible (povray_plan.c). */
 static void pov_put_radiosity(vs_emitter *e) {
   vs_render_quality quality = e->options->quality;
   if (quality == VS_RENDER_DRAFT) return;
@@ -338,27 +347,28 @@ static void pov_put_radiosity(vs_emitter *e) {
   vs_puts(e->out, pov_is_developed(e) ? "#end }\n" : "}\n");
 }
 
-/* Returns the scene's unit. POV-Ray has absolute tolerances: objects much smaller than a unit have holes, and meshes of
- * millions of units are invisible. Such drawings are written in other units, a power of ten, in which their size is
- * some tens. */
+/* Returns the scene's unit: the length of a model unit. POV-Ray has absolute tolerances. Objects much smaller than a
+ * unit have holes, and meshes of millions of units are invisible. Such drawings are scaled by a power of ten, so that
+ * their size is some tens of units. */
 static double pov_unit(double diagonal) {
   return diagonal > 0.1 && diagonal < 1e5 ? 1 : pow(10, 1 - floor(log10(diagonal)));
 }
 
-/* Returns half the width of a picture at the distance 1; of a panorama half a turn. */
+/* Returns half the width of a picture at the distance 1. For a panorama, returns half a turn. */
 static double pov_half_width(const vs_look *l) { return l->panorama ? pi : tan(l->angle / 2); }
 
-/* Returns the pen for curves: two pixels wide or more, 1/450 of the picture's width, so that large pictures show them.
- * Points nearer than a thousandth of the drawing, or behind the camera, count as that near. */
+/* Returns the pen for curves. Its thickness is at least two pixels and at least 1/450 of the picture's width, so that
+ * large pictures show curves. Points closer than a thousandth of the drawing's size, or behind the camera, count as
+ * having that distance. */
 static vs_pen pov_pen(const vs_emitter *e, const vs_look *l, int width) {
-  double across = fmax(2. / width, 1. / 450); /* of the picture's width */
+  double across = fmax(2. / width, 1. / 450); /* as a fraction of the picture's width */
   if (l->parallel) return (vs_pen){ .least = across * l->width / 2 };
   double share = across * pov_half_width(l);
   return (vs_pen){ .eye = l->eye, .forward = l->forward, .share = share,
       .least = share * 1e-3 * vs_bounds_diagonal(&e->bounds) };
 }
 
-/* Returns the width of a pixel, in the scene, at the nearest point of the drawing's box; the look is in the scene's
+/* Returns the width of a pixel in the scene, at the nearest point of the drawing's box. The look is in the scene's
  * units. */
 static double pov_pixel(const vs_emitter *e, const vs_look *l, int width) {
   if (l->parallel) return l->width / width;
@@ -370,29 +380,30 @@ static double pov_pixel(const vs_emitter *e, const vs_look *l, int width) {
     double out = fmax(fmax(low[i] * e->unit - eye[i], eye[i] - high[i] * e->unit), 0);
     square += out * out;
   }
-  double least = 0.02 * vs_bounds_diagonal(&e->bounds) * e->unit; /* for an eye among the walls */
+  double least = 0.02 * vs_bounds_diagonal(&e->bounds) * e->unit; /* least distance, for an eye that is among the
+                                                                   * walls */
   return fmax(sqrt(square), least) * 2 * pov_half_width(l) / width;
 }
 
-/* Returns the height of chords as a fraction of the drawing's tolerance. The height is an eighth of a pixel at the
- * nearest point of the drawing, but at most the tolerance, and at least a sixteenth of it. Half a pixel would suffice
- * for outlines. But where a round surface turns from the sun, each facet darkens as a whole as soon as its own plane
- * does, though the shading has not reached that point. This makes steps of a facet's width and of half its angle's
- * light, which half a pixel leaves clearly visible. A limit of triangles concerns the model, not these finer facets. */
+/* Returns the greatest height of a chord as a fraction of the drawing's tolerance. The height is an eighth of a pixel
+ * at the nearest point of the drawing, but at most the tolerance, and at least a sixteenth of it. Half a pixel would
+ * suffice for outlines. But where a round surface turns away from the sun, a facet darkens as a whole as soon as its
+ * own plane faces away, before the shading does. This makes steps as wide as a facet, which are clearly visible with
+ * half a pixel. A limit of triangles concerns the model, not these finer facets. */
 static double pov_chord(const vs_emitter *e, double pixel) {
   if (e->options->mesh_triangles > 0) return 1;
   return fmin(1, fmax(1. / 16, pixel / 8 / e->unit / e->drawing_facets.tolerance));
 }
 
-/* Warns if the eye is inside an object, of which it sees only the dark inside; the warning has the object's place.
- * Returns false with the error set. */
+/* Warns, with the object's place, if the eye is inside an object, of which it sees only the dark inside. Returns false
+ * with the error set. */
 static bool pov_tell_eye(vs_emitter *e, const vs_look *look) {
   for (size_t i = 0; !look->parallel && i < e->scene->drawn_count; i++) {
     const vs_ref *r = &e->scene->drawn[i];
     vs_vec3 p = look->eye;
     vs_bounds b;
     bool inside = false;
-    vs_error none = { 0 }; /* curves and surfaces have no inside */
+    vs_error none = { 0 }; /* skips curves and surfaces, which have no inside */
     if (!vs_node_bounds(r->node, &b, &none) || p.x < b.min.x || p.y < b.min.y || p.z < b.min.z || p.x > b.max.x ||
         p.y > b.max.y || p.z > b.max.z)
       continue;
@@ -415,8 +426,8 @@ bool vs_povray_begin(vs_emitter *e) {
   vs_putf(w, ": a scene for POV-Ray 3.7, made by VisualScheme\n// povray +W%d +H%d +A0.1 THIS-FILE\n#version 3.7;\n",
           width, height);
   vs_puts(w, "global_settings {\n  assumed_gamma 1\n  max_trace_level 12\n  ");
-  /* Light is reflected to and fro between the faces of a pane; a ray that carries less than a fiftieth of a pixel is
-   * not followed. */
+  /* Light is reflected repeatedly between the faces of a pane. A ray that carries less than a fiftieth of a pixel's
+   * light is not followed. */
   if (pov_is_developed(e) && e->options->quality != VS_RENDER_FINAL) vs_puts(w, "adc_bailout 0.02\n  ");
   pov_put_radiosity(e);
   vs_puts(w, "}\n#default { texture { pigment { color srgb <0.86, 0.85, 0.83> } finish { ambient ");

@@ -1,5 +1,6 @@
-/* Owns the POV-Ray text of every kind. Objects that POV-Ray draws wrong without a message (degenerate shapes, lone
- * operands) never get here: the constructors refuse them or the driver omits them. Triangles are in povray_meshes.c. */
+/* Writes the POV-Ray text of every kind. Objects that POV-Ray draws incorrectly without a message (degenerate shapes,
+ * lone operands) do not occur here: the constructors refuse them, or the driver omits them. povray_meshes.c writes
+ * triangles. */
 #include "backends/povray/povray_shapes.h"
 
 #include <math.h>
@@ -14,7 +15,7 @@
 #include "geometry/frame.h"
 #include "geometry/profiles/revolve.h"
 
-/* A drawing may have a million primitives: their text is made in the writer's own buffer. */
+/* A drawing may have a million primitives, so their text is made in the writer's own buffer. */
 enum { POV_POINT_ROOM = 3 * VS_NUMBER_ROOM + 8, POV_SHAPE_ROOM = 80 + 32 + 2 * POV_POINT_ROOM + 2 * VS_NUMBER_ROOM };
 
 static char *pov_write_point(char *to, vs_vec3 p) {
@@ -36,7 +37,8 @@ static char *pov_write_comma(char *to, double x) {
   return vs_number_write(to, x);
 }
 
-/* Returns room for one such shape, after its indentation and word (of at most 32 letters). NULL: failed. */
+/* Returns room for a shape in the writer's buffer, after its indentation and keyword (of at most 32 letters). Returns
+ * NULL on failure. */
 static char *pov_begin(vs_emitter *e, const char *word, size_t length) {
   char *to = vs_writer_room(e->out, POV_SHAPE_ROOM);
   if (to == NULL) return NULL;
@@ -60,7 +62,8 @@ static void pov_comma(vs_emitter *e, double x) {
   vs_put_number(e->out, x);
 }
 
-/* POV-Ray multiplies row vectors: VisualScheme's columns are its rows. The translation is in model units. */
+/* Writes a matrix. POV-Ray multiplies row vectors, so its rows are VisualScheme's columns. The translation is in model
+ * units. */
 static void pov_matrix(vs_emitter *e, const vs_affine *a) {
   vs_puts(e->out, "matrix <");
   for (int column = 0; column < 4; column++)
@@ -88,7 +91,7 @@ static vs_emit_status pov_sphere(vs_emitter *e, vs_vec3 center, double radius) {
   return pov_finish(e, pov_write_comma(to, radius * e->unit));
 }
 
-/* A number of facets that the model sets is part of the shape, which is then these facets, not the round object. */
+/* If the model sets the number of facets, the shape consists of these facets, and is not the round object. */
 vs_emit_status vs_povray_sphere(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   const struct vs_sphere *s = VS_AS(sphere, ref->node);
@@ -151,8 +154,8 @@ vs_emit_status vs_povray_e_cone(vs_emitter *e, const vs_ref *ref, vs_phase phase
   return pov_close(e, " }\n");
 }
 
-/* POV-Ray's exponents have the same meaning. Outside these bounds its solver leaves holes: the object is then the
- * triangles of other formats. */
+/* POV-Ray's exponents have the same meaning as the model's. Outside these bounds POV-Ray's solver leaves holes, so the
+ * object becomes the triangles of other formats. */
 vs_emit_status vs_povray_superellipsoid(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   const struct vs_superellipsoid *s = VS_AS(superellipsoid, ref->node);
@@ -178,7 +181,7 @@ vs_emit_status vs_povray_torus(vs_emitter *e, const vs_ref *ref, vs_phase phase)
   return pov_close(e, " }\n");
 }
 
-/* The inside of POV-Ray's plane is the side away from its normal. */
+/* The inside of POV-Ray's plane is the side opposite to its normal. */
 vs_emit_status vs_povray_half_space(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   const struct vs_half_space *h = VS_AS(half_space, ref->node);
@@ -191,7 +194,7 @@ vs_emit_status vs_povray_half_space(vs_emitter *e, const vs_ref *ref, vs_phase p
 
 /* ---- curves and regions ---- */
 
-/* Returns the radius of a curve at one of its points. In a template the places are unknown: the radius is that at the
+/* Returns the radius of a curve at point p. In a template the places are unknown, so the radius is that at the
  * drawing's far end. */
 static double pov_pen_radius(const vs_emitter *e, vs_vec3 p) {
   double depth = vs_v3_dot(vs_v3_sub(vs_affine_point(&e->placement, p), e->pen.eye), e->pen.forward);
@@ -218,14 +221,14 @@ vs_emit_status vs_povray_line(vs_emitter *e, const vs_ref *ref, vs_phase phase) 
     if (i < pieces && vs_v3_length(vs_v3_sub(b, a)) > 1e-6 * here) pov_cone(e, a, here, b, next);
     here = next;
   }
-  if (count == 1) pov_sphere(e, l->points->at[0], first); /* POV-Ray warns about a union of one */
+  if (count == 1) pov_sphere(e, l->points->at[0], first); /* POV-Ray warns about a union of a single object */
   e->depth--;
   pov_open(e, "}\n");
   return pov_close(e, "");
 }
 
-/* The loops of an outline as points of its own plane, each closed by its first point; a comma before all but the
- * first. */
+/* The loops of an outline as points of the outline's plane. Each loop repeats its first point at its end. A comma
+ * precedes all points except the first. */
 static size_t pov_loop_points(const vs_outline *o) {
   size_t count = 0;
   for (size_t i = 0; i < o->count; i++) count += o->loops[i].count + 1;
@@ -264,7 +267,7 @@ vs_emit_status vs_povray_region(vs_emitter *e, const vs_ref *ref, vs_phase phase
   return pov_close(e, "");
 }
 
-/* Returns true if every loop consists of straight lines: a prism then shows the walls, which are planes. Round walls
+/* Returns true if every loop consists of straight lines. The solid is then a prism, whose walls are planes. Round walls
  * are better as shaded triangles. */
 static bool pov_is_straight(const vs_node *profile) {
   while (profile->kind == VS_TRANSFORM || vs_node_is_wrapper(profile)) profile = profile->children[0].node;
@@ -275,7 +278,8 @@ static bool pov_is_straight(const vs_node *profile) {
   return true;
 }
 
-/* Returns a circle in the XY plane, bare or as the one curve of a region; NULL: it is none. */
+/* Returns the profile's circle if the profile is a circle in the XY plane, bare or as the only curve of a region.
+ * Returns NULL otherwise. */
 static const struct vs_circle *pov_circle(const vs_node *profile) {
   if (profile->kind == VS_REGION && profile->child_count == 1) profile = profile->children[0].node;
   return profile->kind == VS_CIRCLE && VS_AS(circle, profile)->segments == 0 ? VS_AS(circle, profile) : NULL;
@@ -297,8 +301,8 @@ vs_emit_status vs_povray_extrude(vs_emitter *e, const vs_ref *ref, vs_phase phas
   if (!vs_region_outline(n->children[0].node, &e->facets, &o, e->error)) return VS_FAILED;
   vs_affine plane = vs_frame_on_axis(o.point, o.normal), back;
   if (o.count > 0 && vs_affine_invert(&plane, &back)) {
-    /* A prism's profile lies in x and z and rises along y: its x, y, z become the plane's first axis, the direction of
-     * the extrusion, the second axis. */
+    /* A prism's profile lies in x and z and rises along y. Its x becomes the plane's first axis, its y the direction of
+     * the extrusion, its z the plane's second axis. */
     vs_affine place = plane;
     const double along[] = { x->along.x, x->along.y, x->along.z }, from[] = { start.x, start.y, start.z };
     for (int row = 0; row < 3; row++) {
@@ -317,8 +321,8 @@ vs_emit_status vs_povray_extrude(vs_emitter *e, const vs_ref *ref, vs_phase phas
   return pov_close(e, "");
 }
 
-/* Writes a full turn of one loop of straight edges as a lathe, whose profile is x and y and turns about y. Round
- * profiles are better as shaded triangles. */
+/* Writes a full turn of a single loop of straight edges as a lathe. The profile of a lathe lies in x and y and rotates
+ * about y. Round profiles are better as shaded triangles. */
 vs_emit_status vs_povray_revolve(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   const vs_node *n = ref->node;
@@ -370,8 +374,8 @@ vs_emit_status vs_povray_transform(vs_emitter *e, const vs_ref *ref, vs_phase ph
   return pov_close(e, "");
 }
 
-/* Paint applies to parts without paint: POV-Ray passes the material of a compound down to bare parts, and puts a second
- * material on top of a first. */
+/* Paint applies to parts without paint. POV-Ray gives the material of a compound to its bare parts, and puts a second
+ * material on top of the first. */
 vs_emit_status vs_povray_material(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   if (phase == VS_PHASE_ENTER) {
     pov_open(e, "object {\n");
@@ -392,7 +396,8 @@ vs_emit_status vs_povray_layer(vs_emitter *e, const vs_ref *ref, vs_phase phase)
   return pov_close(e, "");
 }
 
-/* Returns true if the text begins with a word of the child's look; any other text is an object in the child's place. */
+/* Returns true if the text begins with a keyword of a look, such as texture, which applies to the child. Any other text
+ * is an object that replaces the child. */
 static bool pov_is_look(const char *text) {
   static const char *const words[] = { "texture",  "pigment", "normal",    "finish", "interior",
                                        "material", "photons", "no_shadow", "hollow" };
@@ -428,13 +433,14 @@ vs_emit_status vs_povray_native(vs_emitter *e, const vs_ref *ref, vs_phase phase
 vs_emit_status vs_povray_csg(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   const vs_node *n = ref->node;
   if (phase == VS_PHASE_LEAVE) {
-    /* If a bare cutter cuts a painted solid, the cut face has the solid's paint. The operands of a difference must be
-     * painted everywhere: POV-Ray shows the bare parts of a difference with cutaway_textures in black. */
+    /* If a cutter without paint cuts a painted solid, the cut face has the solid's paint. This requires
+     * cutaway_textures. With it, POV-Ray shows unpainted parts of a difference in black, so the solid must be painted
+     * everywhere. */
     bool whole = n->kind != VS_DIFFERENCE || !vs_emit_is_bare(e, n->children[0].node);
     if (n->kind != VS_UNION && whole && vs_emit_is_painted(e, n) && vs_emit_is_bare(e, n))
       pov_open(e, "  cutaway_textures\n");
-    /* POV-Ray tests the parts of a difference for every ray, unless the text bounds them; an intersection with a box
-     * lies in it. */
+    /* POV-Ray tests the parts of a difference for every ray, unless the text bounds them. An intersection with a box
+     * lies inside the box. */
     if (n->kind == VS_INTERSECTION && e->in_boolean && n->children[0].node->kind == VS_BOX) {
       const struct vs_box *b = VS_AS(box, n->children[0].node);
       vs_vec3 more = vs_v3_scale(vs_v3_sub(b->q, b->p), 1e-4);
@@ -464,7 +470,8 @@ bool vs_povray_define(vs_emitter *e, uint32_t id, const vs_ref *ref, bool open) 
 bool vs_povray_use(vs_emitter *e, uint32_t id, const vs_ref *ref) {
   (void)ref;
   pov_indent(e);
-  bool placed = e->parent != NULL && e->parent->kind == VS_TRANSFORM; /* the placement has opened the object */
+  bool placed = e->parent != NULL && e->parent->kind == VS_TRANSFORM; /* whether the placement has already begun the
+                                                                       * object */
   return vs_puts(e->out, placed ? "T" : "object { T") && vs_emit_put_template_number(e, id) &&
          vs_puts(e->out, placed ? "\n" : " }\n");
 }

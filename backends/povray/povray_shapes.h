@@ -1,10 +1,10 @@
-/* Owns the interface of povray_shapes.c: the POV-Ray text of every kind. */
+/* Declares the POV-Ray text of every kind. */
 #ifndef VS_BACKENDS_POVRAY_POVRAY_SHAPES_H
 #define VS_BACKENDS_POVRAY_POVRAY_SHAPES_H
 
 #include "backends/povray/povray_materials.h"
 
-/* Shapes. */
+/* Write templates, and then shapes. */
 bool vs_povray_define(vs_emitter *e, uint32_t id, const vs_ref *ref, bool open);
 bool vs_povray_use(vs_emitter *e, uint32_t id, const vs_ref *ref);
 bool vs_povray_item(vs_emitter *e, size_t index, bool end);

@@ -1,5 +1,5 @@
-/* Owns the physical sky as functions of POV-Ray: the distribution's formula for Y, x and y, and a pigment for each of
- * red, green and blue, whose mean is the colour. */
+/* Writes the physical sky as functions of POV-Ray: the distribution's formula for Y, x and y, and a pigment for each of
+ * red, green and blue. The mean of the three pigments is the colour. */
 #include "backends/povray/povray_sky.h"
 
 #include <math.h>
@@ -14,7 +14,7 @@ vs_povray_daylight vs_povray_daylight_of(const vs_scene *scene, vs_vec3 sun, dou
   const double pi = 3.14159265358979323846, grey = 0.3;
   double altitude = asin(fmax(-1, fmin(1, sun.z))) * 180 / pi;
   vs_povray_daylight d = { .sky = vs_sky_light_of(scene->turbidity, sun), .per_candela = strength * 1e-4 };
-  /* A white surface perpendicular to a light of 1 has the number 1: its luminance is the illuminance over pi. */
+  /* A white surface perpendicular to a light of 1 has the number 1. Its luminance is the illuminance over pi. */
   double per_lux = d.per_candela / pi;
   vs_vec3 level = vs_sky_light_level(&d.sky);
   d.sun = vs_v3_scale(vs_sky_light_sun(scene->turbidity, altitude), per_lux);
@@ -23,8 +23,8 @@ vs_povray_daylight vs_povray_daylight_of(const vs_scene *scene, vs_vec3 sun, dou
   return d;
 }
 
-/* Returns the greatest number of red, green and blue, which a pigment's map must reach. It is at the horizon or near
- * the sun; between these the grid is fine enough to miss a few per cent of it at most. The margin is a tenth. */
+/* Returns the greatest value of red, green and blue, which is the end of the pigments' maps. It is at the horizon or
+ * near the sun. Between these points, the grid misses at most a few percent. The margin is a tenth. */
 static double brightest(const vs_povray_daylight *d) {
   vs_vec3 c = vs_sky_light_at(&d->sky, d->sky.sun);
   double most = fmax(c.x, fmax(c.y, c.z));
@@ -59,7 +59,7 @@ void vs_povray_daylight_sky(vs_writer *w, const vs_povray_daylight *d) {
     word(w, "", d->sky.of[i].d, "*g) + ");
     word(w, "", d->sky.of[i].e, "*pow(cos(g), 2)) }\n");
   }
-  for (int i = 0; i < 3; i++) { /* X = Y x/y, Z = Y (1 - x - y)/y */
+  for (int i = 0; i < 3; i++) { /* conversion from Yxy: X = Y x/y, Z = Y (1 - x - y)/y */
     const double *k = from_xyz[i];
     vs_puts(w, "#declare VS_");
     vs_puts(w, light[i]);

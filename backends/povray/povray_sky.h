@@ -1,5 +1,5 @@
-/* Owns the physical sky of a POV-Ray scene: `(sky #:turbidity 3)`. The number 1 is 10,000 cd/m2, as in vs falsecolor,
- * times the strength of the picture's light. */
+/* Declares the physical sky of a POV-Ray scene: `(sky #:turbidity 3)`. The number 1 means 10,000 cd/m2, as in vs
+ * falsecolor, times the strength of the picture's light. */
 #ifndef VS_BACKENDS_POVRAY_POVRAY_SKY_H
 #define VS_BACKENDS_POVRAY_POVRAY_SKY_H
 
@@ -8,16 +8,16 @@
 
 typedef struct {
   vs_sky_light sky;
-  double per_candela; /* the scene's number of 1 cd/m2 */
-  vs_vec3 sun;        /* the light of the sun, as the colour of a light in POV-Ray */
-  vs_vec3 floor;      /* the brightness of a floor of middle grey in both lights */
-  double fill;        /* the sky's light on a level surface, in the scene's numbers */
+  double per_candela; /* number in the scene that means 1 cd/m2 */
+  vs_vec3 sun;        /* light of the sun, as the colour of a light in POV-Ray */
+  vs_vec3 floor;      /* brightness of a middle grey floor in the light of sun and sky */
+  double fill;        /* light of the sky on a horizontal surface, in the scene's numbers */
 } vs_povray_daylight;
 
-/* sun: the direction towards it. strength: 1 in a picture that vs develops. */
+/* Returns the daylight of a scene. sun: direction towards the sun. strength: 1 in a picture that vs develops. */
 vs_povray_daylight vs_povray_daylight_of(const vs_scene *scene, vs_vec3 sun, double strength);
-/* Writes the macro VS_Sky(Transmit), a pigment of the sky's colours by the direction from the origin (below the horizon
- * it is that of the horizon), and the sphere around the scene. */
+/* Writes the macro VS_Sky(Transmit), a pigment of the sky's colours by the direction from the origin. Directions below
+ * the horizon have the horizon's colour. Also writes the sphere around the scene. */
 void vs_povray_daylight_sky(vs_writer *w, const vs_povray_daylight *d);
 
 #endif

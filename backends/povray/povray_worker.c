@@ -1,6 +1,6 @@
-/* Owns the making of a picture by POV-Ray. Starts the runs of the plan (povray_plan.c), as many at a time as there are
- * processors, and reports their progress as one. Ends all runs when one fails or time is over. Keeps their common data:
- * the private folder and the samples of bounced light. */
+/* Makes a picture with POV-Ray. Starts the runs of the plan (povray_plan.c), as many at a time as there are processors,
+ * and reports their combined progress. Ends all runs when one fails or time is over. Keeps their common data: the
+ * private folder and the samples of bounced light. */
 #define _GNU_SOURCE
 #include "backends/povray/povray_worker.h"
 
@@ -22,12 +22,13 @@
 #include "geometry/measure/bounds.h"
 
 enum { AT_ONCE = 64, STARTS = 5, NAME_ROOM = VS_POVRAY_PATH_ROOM + 40, WORDS = 24 };
-/* A first pass takes about half as long as the strips. */
+/* The first pass, as a fraction of the time of first pass and strips. It takes about half as long as the strips. */
 static const double pass_share = 0.35;
-/* If white is so many stops below 1, the samples in the file have too few digits: it has four after the point. */
+/* A limit in stops. If white is further below 1, the samples in the file have too few digits: the file has four digits
+ * after the point. */
 static const double darkest = 5;
-/* If a drawing is farther from the origin than so many times its size, the positions of samples have too few digits:
- * they have six in all. */
+/* A limit as a multiple of the drawing's size. If a drawing is farther from the origin, the positions of samples have
+ * too few digits: the file has six digits. */
 static const double farthest = 50;
 
 typedef struct {
@@ -35,17 +36,17 @@ typedef struct {
   char folder[VS_POVRAY_PATH_ROOM - 64];
   const char *scene;
   uint64_t scene_size;
-  double begun, told;    /* seconds, by the clock */
-  double done, share;    /* of the whole: the fraction done, and that of the current runs together */
+  double begun, told;    /* times in seconds, by the clock */
+  double done, share;    /* fractions of all work: done before the current runs, and the share of the current runs */
   vs_povray_plan plan;
 } pov_work;
 
-/* The runs of one step. */
+/* The runs of a step. */
 typedef struct {
   const vs_povray_job *jobs;
-  size_t count, next, room; /* room: of at */
-  double pixels;            /* of all jobs */
-  double finished;          /* of them */
+  size_t count, next, room; /* room: number of entries of `at` */
+  double pixels;            /* number of pixels of all jobs */
+  double finished;          /* number of pixels of the finished jobs */
   struct { size_t job; int starts; } of[AT_ONCE];
   vs_povray_process *at;
 } pov_crew;
@@ -69,7 +70,7 @@ __attribute__((format(printf, 2, 3))) static void word(words *w, const char *for
   w->used += (size_t)length + 1;
 }
 
-/* Adds a file of the folder as an argument. POV-Ray divides every argument at blanks and quotes once more. */
+/* Adds a file of the folder as an argument. POV-Ray divides every argument again at blanks and quotes. */
 static void file_word(words *w, const char *option, const char *folder, const char *name, const char *ending) {
   char quote = strchr(folder, '"') ? '\'' : '"';
   word(w, "%s%c%s/%s%s%c", option, quote, folder, name, ending, quote);
@@ -86,12 +87,14 @@ static void words_of(const pov_work *work, const vs_povray_job *job, words *w) {
   word(w, "+WT%u", job->threads);
   static const char *const usual[] = { "+FE", "-D", "-GD", "-GR", "-GS" };
   for (size_t i = 0; i < sizeof usual / sizeof *usual; i++) word(w, "%s", usual[i]);
-  /* The first and the last column and row, counted from 1; POV-Ray reads a last one of 1 as the whole. */
+  /* The first and the last column and row of the part, counted from 1. If the last number is 1, POV-Ray reads it as the
+   * whole width. */
   if (p->left > 0) word(w, "+SC%u", p->left + 1);
   if (p->top > 0) word(w, "+SR%u", p->top + 1);
   if (p->left + p->columns < job->columns) word(w, "+EC%u", p->left + p->columns);
   if (p->top + p->rows < job->rows) word(w, "+ER%u", p->top + p->rows);
-  /* Jitter, which is POV-Ray's default, makes dots of vertical edges; without it they are even at no cost. */
+  /* Turns jitter off, which is POV-Ray's default. With jitter, vertical edges become dotted; without it they are even,
+   * at no cost. */
   if (!job->smooth || quality == VS_RENDER_DRAFT) {
     word(w, "-A");
   } else {
@@ -111,7 +114,7 @@ static void words_of(const pov_work *work, const vs_povray_job *job, words *w) {
   w->at[w->count] = NULL;
 }
 
-/* ---- several at a time ---- */
+/* ---- several runs at a time ---- */
 
 static bool crew_start(pov_work *work, pov_crew *c, size_t slot) {
   words w = { .count = 0 };
@@ -134,7 +137,7 @@ static bool crew_fill(pov_work *work, pov_crew *c) {
   return true;
 }
 
-/* Reads the runs' output for a moment. Returns the number that run. */
+/* Reads the runs' output for a short time. Returns the number of runs that continue. */
 static size_t crew_hear(pov_crew *c) {
   struct pollfd wait[AT_ONCE];
   size_t of[AT_ONCE], talking = 0, running = 0;
@@ -151,7 +154,7 @@ static size_t crew_hear(pov_crew *c) {
   return running;
 }
 
-/* Judges the runs that have ended. */
+/* Evaluates the runs that have ended. */
 static bool crew_take(pov_work *work, pov_crew *c) {
   int status = 0;
   bool ok = true;
@@ -162,14 +165,14 @@ static bool crew_take(pov_work *work, pov_crew *c) {
       ok = crew_start(work, c, i);
       continue;
     }
-    /* an interrupt may have ended POV-Ray first */
+    /* an interrupt may have ended POV-Ray before vs */
     ok = vs_emit_progress(work->e, "rendering", work->done) && vs_povray_judge(work->e, p, status);
     c->finished += job_pixels(&c->jobs[c->of[i].job]);
   }
   return ok;
 }
 
-/* Reports the progress, ten times a second; false: the work must stop, and the error is set. */
+/* Reports the progress ten times a second. Returns false, with the error set, if the work must stop. */
 static bool crew_tell(pov_work *work, const pov_crew *c) {
   double at = now(), limit = work->e->options->worker_seconds, pixels = c->finished;
   if (limit > 0 && at - work->begun > limit)
@@ -181,7 +184,7 @@ static bool crew_tell(pov_work *work, const pov_crew *c) {
   return vs_emit_progress(work->e, "rendering", work->done + work->share * fmin(1, pixels / c->pixels));
 }
 
-/* Runs the jobs. share: their fraction of all the work. */
+/* Runs the jobs. share: their fraction of all work. */
 static bool work_do(pov_work *work, const vs_povray_job *jobs, size_t count, double share) {
   vs_store *store = work->e->scene->store;
   size_t room = vs_povray_at_once(work->e->options, jobs, work->scene_size);
@@ -212,7 +215,7 @@ static bool work_failed(const pov_work *work, const char *path) {
                       errno == ENOSPC ? "the disk is full" : strerror(errno));
 }
 
-/* Appends a file to another that is open. */
+/* Appends the file at path to the open file `to`. */
 static bool append(int to, const char *path) {
   char part[1 << 14];
   int from = open(path, O_RDONLY | O_CLOEXEC);
@@ -228,7 +231,7 @@ static bool append(int to, const char *path) {
   return count == 0;
 }
 
-/* Joins the samples of the first pass, and removes their files. */
+/* Joins the samples of the first pass into a single file, and removes the files of its parts. */
 static bool join_samples(const pov_work *work) {
   char path[NAME_ROOM], part[NAME_ROOM];
   name_of(work, "samples", ".rca", path);
@@ -263,7 +266,7 @@ static bool work_prepare(pov_work *work) {
 
 /* ---- the picture ---- */
 
-/* Returns true if the positions of samples have too few digits, since the drawing is far from the origin. */
+/* Returns true if the drawing is so far from the origin that the positions of samples have too few digits. */
 static bool is_far(const vs_emitter *e) {
   double away = 0;
   const double at[] = { e->bounds.min.x, e->bounds.min.y, e->bounds.min.z,
@@ -272,8 +275,8 @@ static bool is_far(const vs_emitter *e) {
   return away > farthest * vs_bounds_diagonal(&e->bounds);
 }
 
-/* Makes everything in the plan; *tone gets the exposure of the first pass. A picture that it finds too dark is planned
- * anew, as one run. */
+/* Makes everything in the plan, and sets *tone to the exposure of the first pass. If the picture is too dark, it is
+ * planned again as a single run. */
 static bool work_all(pov_work *work, vs_tone *tone) {
   vs_povray_plan *p = &work->plan;
   double stops = 0, dark = 0;

@@ -1,10 +1,10 @@
-/* Owns the interface of povray_worker.c: the running of POV-Ray. */
+/* Declares the running of POV-Ray. */
 #ifndef VS_BACKENDS_POVRAY_POVRAY_WORKER_H
 #define VS_BACKENDS_POVRAY_POVRAY_WORKER_H
 
 #include "backends/povray/povray_materials.h"
 
-/* The functions that run POV-Ray on a scene. */
+/* Render a scene with POV-Ray and write the picture to the output file. */
 bool vs_povray_render_png(vs_emitter *e, const char *scene, const char *output);
 bool vs_povray_render_exr(vs_emitter *e, const char *scene, const char *output);
 

@@ -1,9 +1,10 @@
-/* Owns the .3mf package (3MF core 1.3): the drawing's solids as closed meshes with a material for each triangle, in a
+/* Writes .3mf packages (3MF core 1.3): the drawing's solids as closed meshes with a material for each triangle, in a
  * zip made by libzip.
  *
- * Every distinct part is one object; another object has its copies as components. Readers differ on placements that
- * mirror: such copies are placements of a mirrored twin of the mesh. The model's XML is gathered and compressed in
- * memory, and then written: a zip's directory is at its end, and libzip seeks back and forth. */
+ * Every distinct part is an object; a further object has its copies as components. Programs read placements that mirror
+ * in different ways. A mirrored copy is therefore a placement of a mirrored twin of the mesh. The model's XML is
+ * collected and compressed in memory, and then written: a zip's directory is at its end, and libzip seeks back and
+ * forth. */
 #include <math.h>
 #include <stddef.h>
 #include <string.h>
@@ -75,7 +76,8 @@ static void model_triangle(vs_emitter *e, const vs_solid_copies *c, const vs_mes
   vs_puts(w, "\"/>\n");
 }
 
-/* Writes a mesh as an object. twin: mirrored in x, with the triangles' order reversed. */
+/* Writes a mesh as an object. twin: whether the mesh is mirrored in x and the order of its triangles' corners is
+ * reversed. */
 static void model_object(vs_emitter *e, const vs_solid_copies *c, size_t mesh, size_t id, bool twin) {
   const vs_mesh *m = &c->meshes.meshes[mesh];
   vs_writer *w = e->out;
@@ -109,8 +111,8 @@ static void model_component(vs_emitter *e, const vs_kernel_copy *copy) {
   vs_puts(e->out, "\"/>\n");
 }
 
-/* Writes the model. plain[i], twins[i]: mesh i is placed unmirrored, or mirrored, somewhere; both arrays have
- * mesh_count items, all false before. */
+/* Writes the model. plain[i]: whether mesh i has a placement that does not mirror. twins[i]: whether it has one that
+ * mirrors. Both arrays have mesh_count items, all false before. */
 static bool model_write(vs_emitter *e, const vs_solid_copies *c, bool *plain, bool *twins) {
   const vs_kernel_copies *k = &c->meshes;
   vs_writer *w = e->out;
@@ -166,23 +168,23 @@ static bool model_gather(vs_emitter *e, const vs_solid_copies *c, memory *out) {
   return ok;
 }
 
-/* The compression, 1 to 9. libzip's default of 9 takes seven times as long for 4 % less: for 22 MB of triangles 1.9 s
- * instead of 0.26 s, and 2.96 MB instead of 3.09 MB. */
+/* The level of compression, from 1 to 9. libzip's default of 9 takes seven times as long for 4 % less: for 22 MB of
+ * triangles 1.9 s instead of 0.26 s, and 2.96 MB instead of 3.09 MB. */
 enum { PACKING = 5 };
 
 static bool package_add(const zip_library *z, zip_t *zip, const char *name, const void *bytes, size_t count) {
   zip_source_t *source = z->zip_source_buffer(zip, bytes, count, 0);
   zip_int64_t at = source != NULL ? z->zip_file_add(zip, name, source, ZIP_FL_ENC_UTF_8) : -1;
   if (at < 0) {
-    z->zip_source_free(source); /* the archive owns a source once it is added */
+    z->zip_source_free(source); /* once the source is added, the archive frees it */
     return false;
   }
   return z->zip_set_file_compression(zip, (zip_uint64_t)at, ZIP_CM_DEFLATE, PACKING) == 0 &&
-         z->zip_file_set_dostime(zip, (zip_uint64_t)at, 0, 0x21, 0) == 0; /* 1980-01-01: the same model makes the same
-                                                                           * bytes */
+         z->zip_file_set_dostime(zip, (zip_uint64_t)at, 0, 0x21, 0) == 0; /* the date is 1980-01-01, so that equal
+                                                                           * models make equal bytes */
 }
 
-/* zip_close compresses; until then everything that `bytes` names must live. */
+/* zip_close compresses: everything that `bytes` refers to must live until then. */
 static int package_stops(zip_t *zip, void *context) { return (void)zip, !vs_emit_progress(context, "packing", -1); }
 
 static bool package_close(const zip_library *z, zip_t *zip, const memory *model) {
@@ -200,7 +202,7 @@ static bool package_close(const zip_library *z, zip_t *zip, const memory *model)
   bool ok = package_add(z, zip, "[Content_Types].xml", types, sizeof types - 1) &&
             package_add(z, zip, "_rels/.rels", relations, sizeof relations - 1) &&
             package_add(z, zip, "3D/3dmodel.model", model->at, model->count);
-  /* libzip calls it often while it compresses. */
+  /* libzip calls package_stops often while it compresses. */
   ok = ok && z->zip_register_cancel_callback_with_state(zip, package_stops, NULL, model->e) == 0;
   if (ok && z->zip_close(zip) == 0) return true;
   z->zip_discard(zip);

@@ -1,8 +1,8 @@
-/* Owns the tree dump: the model as nested lists, written only from the table of kinds. tree_reader.c reads it back.
+/* Writes the tree dump: the model as nested lists, written from the table of kinds alone. tree_reader.c reads it.
  *
  * (tree 1 "house" (define t1 (sweep (twist 0) ... (circle ...) (line ...))) (draw (unite (box (p 0 0 0) (q 1 2 3))
- * t1))) A node is (kind (field value ...) ... child ...). The dump has every node, empty ones too, and each shared one
- * once. */
+ * t1))) A node is (kind (field value ...) ... child ...). The dump contains every node, including empty nodes, and each
+ * shared node once. */
 #include "backends/backend.h"
 
 static bool tree_text(vs_writer *w, const char *text) {
@@ -81,7 +81,7 @@ static void tree_field(vs_writer *w, const vs_field_info *f, const void *data) {
   vs_puts(w, ")");
 }
 
-/* Begins a line for every node but the first of a define or draw, which is on its parent's line. */
+/* Begins a line for a node. The first node of a define or draw stays on its parent's line. */
 static void tree_open(vs_emitter *e) {
   if (e->depth > 0) {
     vs_puts(e->out, "\n");

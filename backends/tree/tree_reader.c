@@ -1,5 +1,5 @@
-/* Owns the reading of tree dumps. The table of kinds drives it, as it drives the writing: a node's fields come in the
- * table's order, then its children. Open nodes are on a separate stack, so depth takes memory and never the C stack. */
+/* Reads tree dumps. As in writing, the table of kinds determines the text: a node's fields come in the table's order,
+ * then its children. Open nodes are on a separate stack, so deep trees need memory, but no space on the C stack. */
 #include "backends/tree/tree_reader.h"
 #include "model/store/array.h"
 
@@ -12,7 +12,7 @@ enum { TREE_PAYLOAD_ROOM = 256, TREE_WORD_ROOM = 64 };
 typedef struct {
   const vs_kind_info *info;
   vs_kind kind;
-  size_t first_child; /* in tree_reader.children */
+  size_t first_child; /* index of the node's first child in tree_reader.children */
   _Alignas(max_align_t) unsigned char payload[TREE_PAYLOAD_ROOM];
 } tree_open_node;
 
@@ -21,12 +21,12 @@ typedef struct {
   vs_error *error;
   const char *at, *end;
   uint32_t line;
-  char *copy;              /* of the text, with a final NUL, which strtod needs */
+  char *copy;              /* copy of the text with a final NUL, which strtod needs */
   tree_open_node *open;
   size_t open_count, open_room;
   vs_ref *children;        /* finished children of the open nodes */
   size_t child_count, child_room;
-  vs_ref *templates;       /* t1 is the first */
+  vs_ref *templates;       /* templates by number; t1 is the first */
   size_t template_count, template_room;
 } tree_reader;
 
@@ -82,7 +82,7 @@ static bool tree_numbers(tree_reader *r, double *out, size_t count) {
 
 static bool tree_string(tree_reader *r, const char **out) {
   if (tree_peek(r) != '"') return tree_fail(r, "a string is expected here");
-  char *text = r->copy + (r->at - r->copy); /* unescaped in place: never longer */
+  char *text = r->copy + (r->at - r->copy); /* unescaped in place, since the result is never longer */
   size_t length = 0;
   for (r->at++; r->at < r->end && *r->at != '"'; r->at++) {
     char c = *r->at;
@@ -248,7 +248,7 @@ static bool tree_end_node(tree_reader *r) {
   return made != NULL ? tree_push(r, (vs_ref){ made, origin }) : tree_no_memory(r);
 }
 
-/* Reads a node with its children; it is then the last of r->children. */
+/* Reads a node with its children. The node is then the last of r->children. */
 static bool tree_node(tree_reader *r) {
   size_t outside = r->open_count;
   do {

@@ -1,12 +1,12 @@
-/* Owns the reading of a drawing from the tree dump that tree.c writes. For tests, and for passing models between
+/* Declares the reading of a drawing from the tree dump that tree.c writes. For tests, and for passing models between
  * programs. */
 #ifndef VS_BACKENDS_TREE_TREE_READER_H
 #define VS_BACKENDS_TREE_TREE_READER_H
 
 #include "model/scene.h"
 
-/* Draws the text's objects into the scene, whose store makes the nodes. Returns false on failure: the error names the
- * line, and the scene may have received some objects. */
+/* Adds the text's objects to the drawing of the scene, whose store makes the nodes. Returns false on failure: the error
+ * contains the line, and the scene may have received a part of the objects. */
 bool vs_tree_read(vs_scene *scene, const char *text, size_t length, vs_error *e);
 
 #endif

@@ -1,16 +1,16 @@
-/* Owns the choice of the objects that become triangles, and their conversion ("baking").
+/* Chooses the objects that become triangles, and converts them ("baking").
  *
  * The number of Shapes that a viewer draws counts every use of a template. If it is too large, repeated stretches of
- * the drawing become templates (repeats.c). While it is too large, templates are baked, the innermost first (their
- * numbers are the smallest): all forms in a template become triangle sets, one for each material, in its coordinates.
- * After all templates the drawing's own forms are baked, and at last the uses in it. A baked template uses only baked
- * ones. */
+ * the drawing become templates (repeats.c). While it is still too large, templates are baked, the innermost first
+ * (their numbers are the smallest). Baking turns all forms of a template into triangle sets, one for each material, in
+ * the template's coordinates. After all templates, the drawing's own forms are baked, and finally the uses of templates
+ * in it. A baked template uses only baked templates. */
 #include "backends/x3d/bake.h"
 
 #include "backends/x3d/repeats.h"
 #include "backends/x3d/x3d_collect.h"
 
-/* ---- one group into another ---- */
+/* ---- adding a group to another ---- */
 
 static bool bake_append(vs_emitter *e, vs_x3d_batch *to, const vs_x3d_batch *from, const vs_affine *place) {
   bool mirrored = vs_affine_determinant(place) < 0;
@@ -47,7 +47,7 @@ static bool bake_items(vs_emitter *e, vs_x3d_group *g) {
   return true;
 }
 
-/* Adds a baked template's triangles at the place of a use. */
+/* Adds a baked template's triangles to g, at the place of a use. */
 static bool bake_use(vs_emitter *e, vs_x3d_group *g, const vs_x3d_placed *use) {
   const vs_x3d *x = e->state;
   const vs_x3d_batch *from = x->groups[use->group].batches;
@@ -65,7 +65,7 @@ static bool bake_uses(vs_emitter *e, vs_x3d_group *g) {
   return true;
 }
 
-/* ---- how many ---- */
+/* ---- counting Shapes ---- */
 
 static double bake_own(const vs_x3d *x, const vs_x3d_group *g) {
   double shapes = (double)g->item_count;
@@ -74,7 +74,8 @@ static double bake_own(const vs_x3d *x, const vs_x3d_group *g) {
   return shapes;
 }
 
-/* Returns the number of Shapes. shapes[k]: those drawn for one use of template k; templates use only earlier ones. */
+/* Returns the number of Shapes of the whole drawing. Sets shapes[k] to the number of Shapes for each use of template k.
+ * Templates use only earlier templates. */
 static double bake_count(const vs_x3d *x, double *shapes) {
   for (size_t k = 1; k <= x->group_count; k++) {
     const vs_x3d_group *g = &x->groups[k % x->group_count];
@@ -85,8 +86,8 @@ static double bake_count(const vs_x3d *x, double *shapes) {
   return shapes[0];
 }
 
-/* Returns true if no Transform can express the use: one that shears, and one that mirrors, since viewers turn mirrored
- * nodes inside out. Such a use, and all templates it uses, are triangles regardless of the number of Shapes. */
+/* Returns true if no Transform can express the placement of the use: it shears or mirrors (viewers turn mirrored nodes
+ * inside out). Such a use, and all templates that it uses, become triangles regardless of the number of Shapes. */
 static bool bake_is_sheared(const vs_x3d_placed *use) {
   return !vs_affine_is_placement(&use->placement) || vs_affine_determinant(&use->placement) < 0;
 }
@@ -109,8 +110,8 @@ static bool bake_sheared(vs_emitter *e) {
   return true;
 }
 
-/* Returns about how many bytes a form has as triangles with so many facets in a full turn: corners with their normals,
- * and three numbers for each triangle. */
+/* Returns the approximate number of bytes of a form as triangles, with this many facets in a full turn. It counts
+ * corners with their normals, and three numbers for each triangle. */
 double vs_x3d_form_bytes(vs_x3d_form form, double facets) {
   switch (form) {
   case VS_X3D_BOX: break;
@@ -120,8 +121,8 @@ double vs_x3d_form_bytes(vs_x3d_form form, double facets) {
   return 1100;
 }
 
-/* Estimates the bytes of all forms with `least` facets in a full turn, or more if the drawing's tolerance requires
- * it. */
+/* Estimates the bytes of all baked forms, with `least` facets in a full turn, or more if the drawing's tolerance
+ * requires it. */
 static bool bake_estimate(vs_emitter *e, int least, double *bytes) {
   const vs_x3d *x = e->state;
   *bytes = 0;
@@ -134,8 +135,9 @@ static bool bake_estimate(vs_emitter *e, int least, double *bytes) {
   return true;
 }
 
-/* Chooses coarser facets for very many forms: tens of thousands would be hundreds of megabytes, which take a browser
- * minutes, and each is small in the picture. A number of facets that the user set holds. */
+/* Chooses coarser facets if there are very many forms. Tens of thousands of forms would be hundreds of megabytes,
+ * which take a browser minutes, and each form is small in the picture. A number of facets that the user set does not
+ * change. */
 static bool bake_coarsely(vs_emitter *e) {
   static const int least[] = { 32, 16, 12, VS_X3D_COARSEST };
   vs_x3d *x = e->state;
@@ -161,8 +163,8 @@ double vs_x3d_batch_bytes(const vs_x3d *x, const vs_x3d_group *g) {
   return bytes;
 }
 
-/* Only the drawing's uses of baked templates remain. They become triangles too, those with the least text for each
- * saved Shape first, until there are few Shapes, or the text is long. A copy whose text costs more than a Shape stays a
+/* Converts the drawing's remaining uses of baked templates to triangles, those with the least text for each saved Shape
+ * first. Stops when there are few Shapes, or the text is long. A use whose triangles cost more than a Shape remains a
  * use. */
 static bool bake_cheapest(vs_emitter *e, const double *shapes, double many) {
   vs_x3d *x = e->state;
@@ -172,7 +174,7 @@ static bool bake_cheapest(vs_emitter *e, const double *shapes, double many) {
   double most = VS_X3D_BAKED_MOST, bytes = 0;
   bool ok = true;
   for (size_t k = 0; k < x->group_count; k++) price[k] = vs_x3d_batch_bytes(x, &x->groups[k]);
-  /* bytes for a Shape */
+  /* `limit` is in bytes for each saved Shape */
   for (double limit = VS_X3D_SHAPE_BYTES / 128; ok && limit <= VS_X3D_SHAPE_BYTES && many > VS_X3D_NATIVE_MAX;
        limit *= 2) {
     size_t kept = 0;
@@ -201,7 +203,8 @@ static bool bake_until_few(vs_emitter *e, double *shapes) {
   bool few = bake_count(x, shapes) <= VS_X3D_NATIVE_MAX;
   for (size_t k = 1; !few && k < x->group_count; k++) {
     if (!bake_items(e, &x->groups[k]) || !bake_uses(e, &x->groups[k])) return false;
-    /* Counting takes time in proportion to the number of templates: if they are many, not after each. */
+    /* Counting takes time in proportion to the number of templates, so with many templates it is not done after
+     * each. */
     if (k % (x->group_count / 64 + 1) == 0 || k + 1 == x->group_count) few = bake_count(x, shapes) <= VS_X3D_NATIVE_MAX;
   }
   if (few) return true;
@@ -221,8 +224,8 @@ static bool bake_paint(vs_emitter *e, vs_x3d_group *g, uint32_t paint) {
   return true;
 }
 
-/* Propagates paints. Users precede the templates they use: the drawing, then the templates from the last to the
- * first. */
+/* Passes the paints of uses on to templates. Visits users before the templates that they use: the drawing, then the
+ * templates from the last to the first. */
 static bool bake_paints(vs_emitter *e) {
   vs_x3d *x = e->state;
   for (size_t k = x->group_count; k > 0; k--) {
@@ -237,7 +240,7 @@ static bool bake_paints(vs_emitter *e) {
   return true;
 }
 
-/* Returns room for a count of each group, which bake_count fills. */
+/* Returns room for a number for each group, which bake_count sets. */
 static double *bake_room(vs_emitter *e) {
   const vs_x3d *x = e->state;
   double *shapes = vs_store_realloc(e->scene->store, NULL, 0, x->group_count * sizeof *shapes);

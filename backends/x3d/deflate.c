@@ -1,5 +1,5 @@
-/* Owns deflating. The packed scene of a page compresses well, since equal parts differ only by their places. The format
- * is zlib's (RFC 1950), so every platform expands it; backends/page/packed.js does. */
+/* Compresses bytes with zlib. The packed scene of a page compresses well, since equal parts differ only by their
+ * places. The format is zlib's (RFC 1950), so every platform can expand it; backends/page/packed.js does. */
 #include "backends/x3d/deflate.h"
 
 #include <stddef.h>
@@ -31,8 +31,8 @@ static bool zlib_load(vs_deflate *d, vs_error *e) {
   return vs_dynamic_load(&library, names, sizeof names / sizeof *names, d, e);
 }
 
-/* zlib's memory comes from the store, so that a limit of memory holds. The size precedes each block, which is aligned
- * as malloc's. */
+/* zlib's memory comes from the store, so that a limit of memory includes it. Before each block is its size, in a head
+ * that keeps the alignment of malloc. */
 enum { BLOCK_HEAD = 16 };
 
 static voidpf zlib_alloc(voidpf store, uInt items, uInt size) {
@@ -65,7 +65,7 @@ vs_deflate *vs_deflate_begin(vs_store *store, vs_writer *to, vs_error *e) {
   return NULL;
 }
 
-/* Compresses the stream's input, and writes the result; with Z_FINISH to the end. */
+/* Compresses the stream's input and writes the result. With Z_FINISH it also ends the stream. */
 static bool run(vs_deflate *d, int flush) {
   do {
     d->stream.next_out = d->out;

@@ -1,4 +1,4 @@
-/* Owns the interface of deflating: zlib, which vs loads for this, compresses bytes on their way to a page. */
+/* Declares the compression of bytes on their way to a page. It uses zlib, which vs loads for this. */
 #ifndef VS_BACKENDS_X3D_DEFLATE_H
 #define VS_BACKENDS_X3D_DEFLATE_H
 
@@ -8,11 +8,12 @@
 
 typedef struct vs_deflate vs_deflate;
 
-/* Returns a compressor that writes into `to`, which the caller owns; the caller ends it with vs_deflate_end. NULL: no
- * zlib, or memory is out; e says which. The store holds its working memory, some 270 KB. */
+/* Returns a compressor that writes into `to`. The caller owns `to`, and ends the compressor with vs_deflate_end.
+ * Returns NULL if there is no zlib or memory is out, with the reason in e. The store contains its working memory, about
+ * 270 KB. */
 vs_deflate *vs_deflate_begin(vs_store *store, vs_writer *to, vs_error *e);
 bool vs_deflate_put(void *context /* a vs_deflate */, const void *bytes, size_t count); /* a vs_sink_fn */
-bool vs_deflate_finish(vs_deflate *d); /* Writes the rest. */
+bool vs_deflate_finish(vs_deflate *d); /* Writes the remaining bytes and the end of the stream. */
 void vs_deflate_end(vs_deflate *d /* or NULL */);
 
 #endif

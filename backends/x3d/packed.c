@@ -34,27 +34,27 @@ enum { NAME_MAX_COUNT = 64, GEOMETRY_FIRST = 0x40000000 };
 
 typedef struct { const char *layer; const vs_origin *origin; bool wrapped; } packed_open;
 
-/* The geometry of a Shape: the triangles of a node that share material, layer and origin. */
+/* The geometry of a Shape: the triangles of a node that have the same material, layer and origin. */
 typedef struct { uint32_t geometry, paint; const char *layer; const vs_origin *origin; bool lines; } packed_part;
-typedef struct { size_t first, count; } packed_shape; /* of parts */
+typedef struct { size_t first, count; } packed_shape; /* range of parts */
 
 typedef struct {
   const char *names[NAME_MAX_COUNT];
   size_t name_count;
-  vs_nodemap origins;          /* origin -> its number from 1 */
+  vs_nodemap origins;          /* maps an origin to its number from 1 */
   const vs_origin **origin_list;
   size_t origin_count, origin_room;
-  vs_shared_shapes shapes;     /* by number: index in `made` */
+  vs_shared_shapes shapes;     /* shapes by number, which is an index in `made` */
   packed_shape *made;
   size_t made_count, made_room;
   packed_part *parts;
   size_t part_count, part_room;
-  packed_open *open;           /* the operations around the current node */
+  packed_open *open;           /* operations around the current node */
   size_t open_count, open_room;
-  vs_vec3 middle;              /* of the drawing */
-  bool inside;                 /* a template is being written, in its own coordinates */
-  bool steps;                  /* the notation x3d-steps */
-  bool result;                 /* the result of an operation is being written */
+  vs_vec3 middle;              /* centre of the drawing */
+  bool inside;                 /* whether a template is being written, in its own coordinates */
+  bool steps;                  /* whether the notation is x3d-steps */
+  bool result;                 /* whether the result of an operation is being written */
   uint32_t geometry_count;
 } packed;
 
@@ -150,8 +150,8 @@ static void packed_words_begin(vs_emitter *e, const char *name, size_t count, in
 
 /* ---- origins ---- */
 
-/* Returns the number of an origin from 1; 0: no origin, or memory is out. Callers have smaller numbers than the calls
- * inside them. */
+/* Returns the number of an origin from 1, or 0 if there is no origin or memory is out. Callers in the program have
+ * smaller numbers than the calls inside them. */
 static uint32_t packed_origin(vs_emitter *e, const vs_origin *origin) {
   packed *p = e->state;
   while (origin != NULL) {
@@ -195,12 +195,12 @@ static void packed_origins(vs_emitter *e) {
     packed_word(e->out, o->column, 4);
     packed_word(e->out, caller != NULL ? (uint32_t)*caller : 0, 4);
   }
-  /* The files in the order of their numbers. */
+  /* Writes the files in the order of their numbers. */
   for (uint64_t next = 0, i = 0; i < p->origin_count && next < count && !e->out->failed; i++) {
     const uint64_t *file = vs_nodemap_get(&files, p->origin_list[i]->file);
     if (file == NULL || *file != next) continue;
     const char *path = p->origin_list[i]->file, *slash = strrchr(path, '/');
-    /* A page that is passed on does not reveal the folder in which it was made. */
+    /* Writes the name without its folder, so that a page does not reveal the folder in which it was made. */
     packed_text(e, "file", e->path != NULL && slash != NULL ? slash + 1 : path);
     next++;
   }
@@ -235,9 +235,9 @@ static void packed_material(vs_emitter *e, size_t number) {
   packed_end(e);
 }
 
-/* Writes the physical sky as light of linear sRGB, 1 for 10,000 cd/m2. Columns go from the sun's side to the opposite,
- * rows from the horizon to the zenith by the root of the height's angle. The sun's and the sky's light are those of a
- * white surface. */
+/* Writes the physical sky as light of linear sRGB, where 1 is 10,000 cd/m2. Columns go from the sun's side to the
+ * opposite side. Rows go from the horizon to the zenith, by the square root of the angle above the horizon. Also writes
+ * the light that a white surface has from the sun and from the sky. */
 static void packed_daylight(vs_emitter *e, vs_vec3 sun) {
   enum { COLUMNS = 25, ROWS = 13 };
   const double pi = 3.14159265358979323846, per_candela = 1e-4, per_lux = per_candela / pi;
@@ -303,8 +303,8 @@ static void packed_head(vs_emitter *e) {
   }
 }
 
-/* Returns a point near the middle of the bounds, on a coarse grid: a small addition to the model then changes neither
- * it nor the numbers of the scene. */
+/* Returns a point near the centre of the bounds, on a coarse grid. A small addition to the model then changes neither
+ * this point nor the numbers of the scene. */
 static vs_vec3 packed_middle(const vs_bounds *b) {
   vs_vec3 middle = vs_v3_scale(vs_v3_add(b->min, b->max), 0.5);
   double diagonal = vs_v3_length(vs_v3_sub(b->max, b->min));
@@ -380,7 +380,7 @@ static void packed_vertices(vs_emitter *e, const packed_making *from, uint32_t p
   }
 }
 
-/* Writes the triangles of a part; closed: they enclose a solid. */
+/* Writes the triangles of a part. closed: whether they enclose a solid. */
 static void packed_triangles(vs_emitter *e, packed_making *from, uint32_t part, bool closed) {
   const vs_shaded_solid *s = &from->shaded;
   const vs_mesh *mesh = &s->solid->mesh;
@@ -408,11 +408,11 @@ static void packed_triangles(vs_emitter *e, packed_making *from, uint32_t part, 
   packed_end(e);
 }
 
-/* Sets same[tag] to the first tag with its material, layer and origin. */
+/* Sets same[tag] to the first tag that has the same material, layer and origin. */
 static void packed_same(const vs_solid *m, uint32_t *same) {
   for (size_t i = 0; i < m->part_count; i++) {
     const vs_solid_part *a = &m->parts[i];
-    size_t first = 0, most = i < 256 ? i : 0; /* if a shape has very many parts, only some are joined */
+    size_t first = 0, most = i < 256 ? i : 0; /* if a shape has very many parts, only the first are compared */
     while (first < most) {
       const vs_solid_part *b = &m->parts[first];
       if (a->material == b->material && a->layer == b->layer && a->leaf.origin == b->leaf.origin) break;
@@ -449,7 +449,7 @@ static bool packed_count_parts(vs_emitter *e, packed_making *from) {
   return true;
 }
 
-/* Writes a solid's geometries invisibly: each is in a Group that is not shown. */
+/* Writes the geometries of a solid without showing them: each is in a Group that is not shown. */
 static bool packed_add_solid(vs_emitter *e, const vs_solid *m, const vs_affine *home, double crease, bool closed) {
   const packed *p = e->state;
   packed_making from = { .parts = 0 };
@@ -473,7 +473,7 @@ static bool packed_add_solid(vs_emitter *e, const vs_solid *m, const vs_affine *
   return ok && !e->out->failed;
 }
 
-/* Adds a unit form, at its own coordinates. */
+/* Writes a unit form, in its own coordinates. */
 static bool packed_add_form(vs_emitter *e, const vs_solid *form, double crease, uint32_t *number) {
   const packed *p = e->state;
   vs_affine here = vs_affine_identity();
@@ -483,7 +483,7 @@ static bool packed_add_form(vs_emitter *e, const vs_solid *form, double crease, 
 
 /* ---- places ---- */
 
-/* Opens a Transform for objects with their own coordinates at `place`. */
+/* Begins a Transform for objects that have their own coordinates, at `place`. */
 static void packed_transform(vs_emitter *e, const vs_affine *place) {
   const packed *p = e->state;
   vs_vec3 at = vs_v3(place->m[0][3], place->m[1][3], place->m[2][3]);
@@ -520,7 +520,7 @@ static void packed_marks(vs_emitter *e, const vs_ref *ref, uint32_t paint, const
   if (ref != NULL) packed_text(e, "kind", vs_kind_get(ref->node->kind)->name);
 }
 
-/* Places a written shape, at e's placement and `place` in it. */
+/* Places a written shape at `place`, within e's placement. */
 static bool packed_put(vs_emitter *e, const vs_ref *ref, size_t number, const vs_affine *place) {
   const packed *p = e->state;
   const packed_shape shape = p->made[number];
@@ -539,7 +539,8 @@ static bool packed_put(vs_emitter *e, const vs_ref *ref, size_t number, const vs
   return !e->out->failed;
 }
 
-/* Writes triangles relative to their own centre; those of one node are written once for all its places. */
+/* Writes triangles relative to the centre of their bounds. The triangles of a node are written once for all its
+ * places. */
 static bool packed_shape_of(vs_emitter *e, const vs_ref *ref, double crease) {
   packed *p = e->state;
   vs_shared_place at;
@@ -602,7 +603,7 @@ static vs_emit_status packed_close_group(vs_emitter *e) {
   return e->out->failed ? VS_FAILED : VS_EMITTED;
 }
 
-/* Writes an operation with its operands, and its result after them. */
+/* Writes an operation with its operands, and then its result. */
 static vs_emit_status packed_operation(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   packed *p = e->state;
   if (phase == VS_PHASE_LEAVE) {
@@ -622,8 +623,8 @@ static vs_emit_status packed_operation(vs_emitter *e, const vs_ref *ref, vs_phas
   return e->out->failed ? VS_FAILED : VS_EMITTED;
 }
 
-/* The emitter has placement and paint. An operation becomes a Group if it adds a layer or its own place in the
- * source. */
+/* The emitter already contains the placement and the paint. An operation becomes a Group if it adds a layer or has its
+ * own origin. */
 vs_emit_status vs_packed_through(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   packed *p = e->state;
   if (phase == VS_PHASE_LEAVE) return packed_close_group(e);

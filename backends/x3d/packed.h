@@ -1,4 +1,4 @@
-/* Owns the packed notation's interface: the X3D tree as bytes, for the viewer. packed.c describes the notation. */
+/* Declares the packed notation: the X3D tree as bytes, for the viewer. packed.c describes the notation. */
 #ifndef VS_BACKENDS_X3D_PACKED_H
 #define VS_BACKENDS_X3D_PACKED_H
 

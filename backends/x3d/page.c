@@ -1,8 +1,8 @@
-/* Owns the web page: fills in the marks of backends/page/page.html. The page holds viewer and scene.
+/* Writes the web page: replaces the marks in backends/page/page.html. The page contains the viewer and the scene.
  *
- * A mark is <!--NAME-->. The library itself contains the parts: the Makefile bundles backends/page/ with three.js into
- * it. The scene is packed (packed.c), compressed (deflate.c) and written in base 64, so no text of the user is ever
- * read as HTML or script. */
+ * A mark is <!--NAME-->. The texts that replace marks are in the library: the Makefile bundles backends/page/ with
+ * three.js into it. The scene is packed (packed.c), compressed (deflate.c) and written in base 64, so no text of the
+ * user is ever read as HTML or script. */
 #include <string.h>
 
 #include "backends/x3d/deflate.h"
@@ -12,8 +12,8 @@
 ASSET(page_html) ASSET(viewer_css) ASSET(viewer_js)
 #undef ASSET
 
-/* The page's writer, and those through which the scene goes: `inner`, whose sink is zlib, and `deflated`, whose sink is
- * page_encode. The packed notation uses e->state. */
+/* The writer of the page, and the writers that the scene passes through: the sink of `inner` is zlib, and the sink of
+ * `deflated` is page_encode. The packed notation uses e->state. */
 typedef struct {
   vs_writer inner, deflated, *outer;
   vs_deflate *deflate;
@@ -39,7 +39,7 @@ static bool page_encode(void *context, const void *bytes, size_t count) {
   return !c->outer->failed;
 }
 
-/* Writes code for <script> or <style>. Nothing in them is escaped, but </ would end them. */
+/* Writes code for <script> or <style>. Their contents have no escapes, but a </ in a string would end them. */
 static void page_code(vs_writer *w, const char *from, const char *end) {
   while (from < end) {
     const char *at = from;
@@ -55,8 +55,8 @@ static void page_code(vs_writer *w, const char *from, const char *end) {
   }
 }
 
-/* Writes the page's text from *at to the scene's mark or to the end, with the other marks filled in. Returns the
- * position after it. */
+/* Writes the page's text from *at to the scene's mark or to the end, and replaces the other marks. Returns the position
+ * after it. */
 static const char *page_until_scene(vs_emitter *e, vs_writer *w, const char *at) {
   const char *end = vs_asset_page_html_end;
   while (at < end) {
@@ -100,7 +100,7 @@ static bool page_begin(vs_emitter *e) {
 }
 
 static bool page_end(vs_emitter *e) {
-  page_coder *c = (page_coder *)e->out; /* its first member */
+  page_coder *c = (page_coder *)e->out; /* e->out is the first member of page_coder */
   bool ok = vs_packed_finish(e) && vs_writer_flush(&c->inner) && vs_deflate_finish(c->deflate) &&
             vs_writer_flush(&c->deflated);
   if (c->left_count > 0) {

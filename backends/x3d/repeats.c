@@ -1,15 +1,15 @@
-/* Owns the search for repeats in a drawing of very many shapes: generated facades and streets are one long union.
+/* Finds repeated stretches in a drawing of very many shapes. Generated facades and streets are often one long union.
  *
- * All objects that the drawing places directly, forms and uses of templates, form a row of letters, each with a name
- * and a place. Objects that are equal except for their place have one name. The row is cut into blocks. Each block is a
- * letter of the next row; its name depends on its letters and their relative places. Therefore stretches of the drawing
- * that are equal except for their place get equal names. Only the nearby letters decide the end of a block (the least
- * of some hashes; runs of equal letters are cut in twos), or equal stretches would be cut differently. After some ten
- * or twenty rows one letter remains.
+ * All objects that the drawing places directly, forms and uses of templates, form a row of letters. A letter has a name
+ * and a place. Objects that differ only in their places have the same name. The row is divided into blocks. Each block
+ * is a letter of the next row, whose name depends on its letters and their relative places. Therefore stretches of the
+ * drawing that differ only in their places get equal names. Only nearby letters decide where a block ends, so that
+ * equal stretches are divided equally: a block ends at the least of several hashes, and runs of equal letters are
+ * divided into pairs. After ten or twenty rows one letter remains.
  *
- * A letter that occurs twice can be a template, whose triangles the file contains once. It saves text, and costs a
- * Shape for each use, which viewers open and draw about as slowly as VS_X3D_SHAPE_BYTES of triangles. The row with the
- * least cost is used. All rows together are a few times as long as the first. */
+ * A letter that occurs twice can be a template, whose triangles the file contains once. A template saves text, but
+ * costs a Shape for each use. Viewers open and draw a Shape about as slowly as VS_X3D_SHAPE_BYTES of triangles. The row
+ * with the least cost is used. All rows together are a few times as long as the first row. */
 #include "backends/x3d/repeats.h"
 
 #include <math.h>
@@ -19,14 +19,15 @@
 #include "backends/x3d/x3d_collect.h"
 #include "model/store/hashes.h"
 
-enum { REPEAT_BLOCK = 8 }; /* the most letters in a block */
+enum { REPEAT_BLOCK = 8 }; /* The greatest number of letters in a block. */
 
 typedef struct {
   uint32_t name;
-  uint32_t first, count; /* its range in the first row */
-  uint64_t paints;       /* the set of its paints: bit number modulo 64 */
-  double bytes;          /* of its triangles, as a template */
-  double loose;          /* its cost without a template: the lesser of its triangles and, for a use, a Shape */
+  uint32_t first, count; /* range of the letter's objects in the first row */
+  uint64_t paints;       /* set of the letter's paints: bit p is the paint with number p modulo 64 */
+  double bytes;          /* bytes of the letter's triangles, as a template */
+  double loose;          /* cost of the letter without a template: for each object the lesser of its triangles and, for
+                          * a use, a Shape */
   vs_vec3 at;
 } repeat_letter;
 
@@ -39,20 +40,21 @@ typedef struct {
 typedef struct {
   vs_emitter *e;
   repeat_letter *row;
-  size_t count, room; /* of the row; room: of the first one */
-  uint32_t *blocks;   /* blocks[k]: the begin of block k of the row; the last item is the row's end */
+  size_t count, room; /* count: number of letters in the row. room: number in the first row */
+  uint32_t *blocks;   /* blocks[k]: beginning of block k of the row; the last item is the row's end */
   size_t block_count;
-  uint64_t *hashes; /* of a row's letters, each with the vector to the next */
+  uint64_t *hashes; /* hashes of the row's letters, each with the vector to the next letter */
   repeat_name *names;
   size_t name_count;
-  uint32_t *table;   /* open addressing: a name + 1 */
-  size_t table_room; /* a power of two */
-  double steps;      /* per model unit: places are compared in these */
+  uint32_t *table;   /* hash table with open addressing; an entry is a name + 1 */
+  size_t table_room; /* size of the table, a power of two */
+  double steps;      /* number of steps in a model unit; places are compared in steps */
 } repeats;
 
-/* ---- equal except for the place ---- */
+/* ---- comparing objects regardless of their places ---- */
 
-/* Returns the number of steps, on a grid whose borders contain no round number. */
+/* Returns x in whole steps. The borders of steps are at numbers that are not round, so rounding errors of round numbers
+ * have no effect. */
 static int64_t repeat_steps(const repeats *r, double x) { return (int64_t)floor(x * r->steps + 0.38196601125); }
 
 static bool repeat_same_way(const repeats *r, vs_vec3 a, vs_vec3 b) {
@@ -66,12 +68,12 @@ static uint64_t repeat_hash_way(const repeats *r, uint64_t h, vs_vec3 v) {
   return vs_hash_mix(h, (uint64_t)repeat_steps(r, v.z));
 }
 
-/* Returns the vector from a letter to the next. */
+/* Returns the vector from letter i to the next letter. */
 static vs_vec3 repeat_way(const repeats *r, size_t i) { return vs_v3_sub(r->row[i + 1].at, r->row[i].at); }
 
 /* ---- the first row ---- */
 
-/* Returns the place of a form or use; *what identifies its shape and paint. Uses follow the forms. */
+/* Returns the place of a form or use. Sets *what to a number for its shape and paint. The uses follow the forms. */
 static vs_affine repeat_thing(const repeats *r, size_t i, uint64_t *what) {
   const vs_x3d *x = r->e->state;
   const vs_x3d_group *g = &x->groups[0];
@@ -83,7 +85,7 @@ static vs_affine repeat_thing(const repeats *r, size_t i, uint64_t *what) {
   const vs_x3d_item *item = &g->items[i];
   vs_x3d_form form = item->form;
   vs_affine place = vs_affine_identity();
-  vs_x3d_form_of(r->e, item->ref.node, &form, &place); /* it was one when it was collected */
+  vs_x3d_form_of(r->e, item->ref.node, &form, &place); /* the item was such a form when it was collected */
   *what = (uint64_t)form << 32 | item->paint;
   return vs_affine_multiply(&item->placement, &place);
 }
@@ -108,7 +110,7 @@ static bool repeat_same_block(const repeats *r, size_t a, size_t b) {
 
 /* ---- names ---- */
 
-/* Returns the name of a block (in the first row: of an object), and counts the occurrence. */
+/* Returns the name of a block (in the first row: of an object), and counts its occurrences. */
 static uint32_t repeat_name_of(repeats *r, size_t block, uint64_t hash, bool things) {
   size_t slot = hash & (r->table_room - 1);
   for (; r->table[slot] != 0; slot = (slot + 1) & (r->table_room - 1)) {
@@ -136,7 +138,7 @@ static double repeat_shapes(const repeat_letter *l) {
   return n;
 }
 
-/* Computes the triangles and paints of each template; templates use only earlier ones. */
+/* Computes the bytes of triangles and the paints of each template. Templates use only earlier templates. */
 static void repeat_templates(vs_emitter *e, double *bytes, uint64_t *paints) {
   const vs_x3d *x = e->state;
   for (size_t k = 1; k < x->group_count; k++) {
@@ -223,8 +225,8 @@ static bool repeat_next_row(repeats *r) {
       if (i + 1 < r->blocks[k + 1]) hash = repeat_hash_way(r, hash, repeat_way(r, i));
     }
     r->hashes[k] =
-        repeat_name_of(r, k, hash, false); /* the letters' hashes are no longer needed: a block has at least one
-                                            * letter */
+        repeat_name_of(r, k, hash, false); /* the hashes of the letters before are no longer needed, since each block
+                                            * has at least one letter */
   }
   for (size_t k = 0; k < r->block_count; k++) {
     repeat_letter l = r->row[r->blocks[k]];
@@ -243,7 +245,7 @@ static bool repeat_next_row(repeats *r) {
 
 /* ---- costs ---- */
 
-/* Returns true if the letter costs less as a template. */
+/* Returns true if the letter costs less as a template than without. */
 static bool repeat_pays(const repeats *r, const repeat_letter *l) {
   double uses = r->names[l->name].count;
   return uses > 1 && l->bytes + uses * VS_X3D_SHAPE_BYTES * repeat_shapes(l) < uses * l->loose;
@@ -260,7 +262,7 @@ static double repeat_cost(const repeats *r) {
 
 /* ---- templates ---- */
 
-/* Makes a template of a letter's objects, in coordinates whose origin is the letter's place. */
+/* Makes a template of a letter's objects. The origin of its coordinates is the letter's place. */
 static bool repeat_define(repeats *r, const repeat_letter *l) {
   vs_emitter *e = r->e;
   vs_x3d *x = e->state;
@@ -282,14 +284,14 @@ static bool repeat_define(repeats *r, const repeat_letter *l) {
   return true;
 }
 
-/* Makes templates and uses of the row's letters that pay; the other objects remain unchanged. */
+/* Makes templates and uses of the row's letters that cost less as templates. All other objects remain unchanged. */
 static bool repeat_take(repeats *r) {
   vs_emitter *e = r->e;
   vs_x3d *x = e->state;
   vs_x3d_placed *uses = NULL;
   size_t use_count = 0, use_room = 0, kept_items = 0, first_group = x->group_count, most = x->groups[0].use_count;
   bool ok = true;
-  memset(r->table, 0, r->table_room * sizeof *r->table); /* from here on: the template of each name */
+  memset(r->table, 0, r->table_room * sizeof *r->table); /* from here on, the table maps a name to its template */
   for (size_t k = 0; k < r->count && ok; k++) {
     const repeat_letter *l = &r->row[k];
     bool pays = repeat_pays(r, l);
@@ -298,8 +300,8 @@ static bool repeat_take(repeats *r) {
       r->table[l->name] = (uint32_t)(x->group_count - 1);
     }
     ok = ok &&
-         vs_emit_grow(e, &uses, &use_room, use_count + 1 + most, sizeof *uses); /* room for all uses that existed
-                                                                                 * before, too */
+         vs_emit_grow(e, &uses, &use_room, use_count + 1 + most, sizeof *uses); /* includes room for all uses that
+                                                                                 * existed before */
     if (ok && pays) uses[use_count++] = (vs_x3d_placed){ r->table[l->name], 0, vs_affine_translation(l->at) };
     r->row[k].name = pays ? 1 : 0;
   }
@@ -322,9 +324,9 @@ static bool repeat_take(repeats *r) {
   return ok;
 }
 
-/* ---- the whole search ---- */
+/* ---- the search ---- */
 
-/* Makes the row of that number, from 0. */
+/* Makes the row with this number, counted from 0. */
 static bool repeat_row(repeats *r, size_t number, const double *bytes, const uint64_t *paints) {
   const vs_x3d *x = r->e->state;
   repeat_forget_names(r);

@@ -1,9 +1,9 @@
-/* Owns the interface of the search for repeats in a drawing of very many shapes. */
+/* Declares the search for repeats in a drawing of very many shapes. */
 #ifndef VS_BACKENDS_X3D_REPEATS_H
 #define VS_BACKENDS_X3D_REPEATS_H
 
 #include "backends/x3d/x3d.h"
 
-bool vs_x3d_repeats(vs_emitter *e); /* makes templates of the repeated parts of the drawing */
+bool vs_x3d_repeats(vs_emitter *e); /* makes templates of the repeated stretches of the drawing */
 
 #endif

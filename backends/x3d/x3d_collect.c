@@ -1,5 +1,5 @@
-/* Owns the conversion of the drawing to groups: unit forms and uses of templates with their placement, and batches of
- * triangles and lines for each material. */
+/* Converts the drawing to groups: unit forms and uses of templates with their placements, and batches of triangles and
+ * lines for each material. */
 #include "backends/x3d/x3d_collect.h"
 
 #include <math.h>
@@ -83,8 +83,8 @@ static size_t collect_paint(const vs_emitter *e, const vs_solid *m, size_t part,
                                                                  : inherited;
 }
 
-/* Counts triangles that are collected. Equal ones may be written once, so there may be more collected than written
- * ones; the limit is that of combined solids. */
+/* Counts the triangles that are collected. Equal triangles may be written once, so more may be collected than written.
+ * The limit is that of combined solids. */
 static bool collect_count(vs_emitter *e, size_t count) {
   vs_x3d *x = e->state;
   size_t limit = e->options->mesh_triangles;
@@ -112,7 +112,7 @@ static bool collect_triangle(vs_emitter *e, vs_x3d_batch *b, const vs_shaded_sol
   return true;
 }
 
-/* Adds the triangles of one paint; inherited: the paint of parts without a material. */
+/* Adds the triangles that have this paint. inherited: paint of the parts without a material. */
 static bool collect_painted(vs_emitter *e, vs_x3d_batch *b, vs_shaded_solid *s, size_t paint, uint32_t inherited) {
   const vs_mesh *mesh = &s->solid->mesh;
   size_t parts = s->solid->part_count > 0 ? s->solid->part_count : 1;
@@ -180,7 +180,7 @@ static bool collect_here(vs_emitter *e, const vs_ref *ref) {
 
 /* ---- unit forms ---- */
 
-/* X3D's cylinders and cones have the axis Y. */
+/* The axis of X3D's cylinders and cones is Y. */
 bool vs_x3d_form_of(const vs_emitter *e, const vs_node *n, vs_x3d_form *form, vs_affine *place) {
   static const vs_affine upright = { { { 1, 0, 0, 0 }, { 0, 0, -1, 0 }, { 0, 1, 0, 0 } } };
   vs_unit_copy copy;
@@ -202,7 +202,7 @@ vs_emit_status vs_x3d_leaf(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   vs_x3d_group *g = collect_group(e);
   vs_x3d_form form = VS_X3D_BOX;
   vs_affine place;
-  /* Pictures need triangles, and a template's paint is not known here. */
+  /* A picture needs triangles. A template may get any paint, so all materials are checked. */
   for (size_t i = vs_emit_material_count(e); i > 0; i--)
     if (vs_emit_material_at(e, i)->pattern.picture != NULL) return collect_here(e, ref) ? VS_EMITTED : VS_FAILED;
   if (!vs_x3d_form_of(e, ref->node, &form, &place)) return collect_here(e, ref) ? VS_EMITTED : VS_FAILED;
@@ -234,7 +234,7 @@ vs_emit_status vs_x3d_line(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   return VS_EMITTED;
 }
 
-/* The emitter has placement and paint; a union's parts are independent. */
+/* Writes nothing: the emitter already contains the placement and the paint, and a union's parts are independent. */
 vs_emit_status vs_x3d_through(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)e, (void)ref, (void)phase;
   return VS_EMITTED;

@@ -1,17 +1,18 @@
-/* Owns the interface of x3d_collect.c: the conversion of the drawing to groups. */
+/* Declares the conversion of a drawing to groups. */
 #ifndef VS_BACKENDS_X3D_X3D_COLLECT_H
 #define VS_BACKENDS_X3D_X3D_COLLECT_H
 
 #include "backends/x3d/x3d.h"
 
 bool vs_x3d_open(vs_emitter *e, vs_x3d_notation notation); /* makes e->state */
-/* Finds the X3D form that a node is, and its place in the node's own coordinates; returns false if it is none. */
+/* Returns true if the node is an X3D form. Sets its form, and its place in the node's own coordinates. */
 bool vs_x3d_form_of(const vs_emitter *e, const vs_node *n, vs_x3d_form *form, vs_affine *place);
-/* adds its triangles */
+/* Add the triangles of a node or of an item to a group. */
 bool vs_x3d_bake_node(vs_emitter *e, vs_x3d_group *to, const vs_ref *ref, const vs_affine *place, uint32_t paint);
 bool vs_x3d_bake_item(vs_emitter *e, vs_x3d_group *to, const vs_x3d_item *item);
-int vs_x3d_facets(const vs_emitter *e, const vs_x3d_item *item, int least); /* returns the facets in a full turn of a
-                                                                             * baked round form */
-vs_x3d_batch *vs_x3d_batches(vs_emitter *e, vs_x3d_group *g); /* makes them at the first call; NULL: out of memory */
+int vs_x3d_facets(const vs_emitter *e, const vs_x3d_item *item, int least); /* returns the number of facets in a full
+                                                                             * turn of a baked round form */
+vs_x3d_batch *vs_x3d_batches(vs_emitter *e, vs_x3d_group *g); /* returns the group's batches, allocated at the first
+                                                               * call, or NULL if memory is out */
 
 #endif

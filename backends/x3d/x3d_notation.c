@@ -1,4 +1,4 @@
-/* Owns X3D's notations: XML and classic (VRML's). */
+/* Writes X3D's two notations: XML and classic (that of VRML). */
 #include "backends/x3d/x3d_notation.h"
 
 #include <string.h>
@@ -10,7 +10,7 @@ static bool text_classic(vs_emitter *e) { return text_state(e)->notation == VS_X
 
 static void text_indent(vs_emitter *e) { vs_put_spaces(e->out, 2 * text_state(e)->depth); }
 
-/* XML: the start tag stays open for fields until the first child or the end. */
+/* In XML, the start tag stays open for fields until the first child or the end of the node. */
 static void text_close_tag(vs_emitter *e) {
   if (text_state(e)->in_tag) vs_puts(e->out, ">\n");
   text_state(e)->in_tag = false;

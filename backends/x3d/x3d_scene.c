@@ -1,7 +1,7 @@
-/* Owns the contents of an X3D scene: the model turned to Y up, view, light, background, materials; and the two bare
- * formats.
+/* Writes the contents of an X3D scene: the model rotated to Y up, view, light, background and materials. Also contains
+ * the two formats that consist of the scene alone.
  *
- * Coordinates of triangle sets are rounded to a decimal step near 1e-7 of the drawing, normals to 1e-3: viewers hold
+ * Coordinates of triangle sets are rounded to a decimal step near 1e-7 of the drawing, normals to 1e-3. Viewers store
  * them as 32-bit numbers, and a page half the size opens twice as fast. */
 #include "backends/x3d/x3d_scene.h"
 
@@ -32,8 +32,8 @@ static double scene_axis(const double q[4], vs_vec3 *axis) {
 
 /* ---- materials ----
  *
- * Material, not X3D 4's PhysicalMaterial: that is lit by an EnvironmentLight's pictures, and without them X_ITE shows
- * metal black and all else at half its brightness. */
+ * Uses Material, not X3D 4's PhysicalMaterial, whose light comes from the pictures of an EnvironmentLight. Without such
+ * pictures, X_ITE shows metal in black, and all other materials at half their brightness. */
 
 static void scene_picture(vs_emitter *e, const vs_picture *p) {
   vs_x3d_node(e, "texture", "ImageTexture", NULL);
@@ -81,8 +81,8 @@ static void scene_appearance(vs_emitter *e, size_t number, bool *said, bool line
 
 /* ---- shapes ---- */
 
-/* Returns true if the form's own fields can express these half sizes. If not, the Transform's scale has them, and the
- * form has unit size. */
+/* Returns true if the fields of the form can express these half sizes. Otherwise the Transform's scale contains them,
+ * and the form has unit size. */
 static bool scene_fits(vs_x3d_form form, vs_vec3 size) {
   bool even = fabs(size.x - size.z) < 1e-9 * size.x;
   return form == VS_X3D_BOX || (even && (form != VS_X3D_SPHERE || fabs(size.x - size.y) < 1e-9 * size.x));
@@ -104,7 +104,7 @@ static void scene_form(vs_emitter *e, vs_x3d_form form, vs_vec3 size) {
   vs_x3d_end(e, words[form], false);
 }
 
-/* Opens a Transform with the placement; with `size` too if the form has no field for it. */
+/* Begins a Transform with the placement. If the form has no field for `size`, the Transform contains it too. */
 static void scene_place(vs_emitter *e, const vs_affine *place, vs_vec3 size, bool scaled) {
   vs_vec3 at, unread, axis;
   double turn[4];
@@ -122,10 +122,10 @@ static void scene_item(vs_emitter *e, const vs_x3d_item *item, size_t number, bo
   vs_x3d_form form;
   vs_affine place;
   double turn[4];
-  if (!vs_x3d_form_of(e, item->ref.node, &form, &place)) return; /* it was one when it was collected */
+  if (!vs_x3d_form_of(e, item->ref.node, &form, &place)) return; /* the item was such a form when it was collected */
   place = vs_affine_multiply(&item->placement, &place);
   vs_affine_split(&place, &at, turn, &size);
-  size.x = fabs(size.x); /* all forms are their own mirror images in x */
+  size.x = fabs(size.x); /* each form is its own mirror image in x */
   bool fits = scene_fits(form, size);
   scene_place(e, &place, size, !fits);
   vs_x3d_node(e, NULL, "Shape", NULL);
@@ -149,8 +149,9 @@ static void scene_wrap(vs_writer *w, size_t item, size_t per_line) {
   if (item > 0) vs_puts(w, item % per_line == 0 ? "\n" : " ");
 }
 
-/* A node with points: the field that holds it, its name, its own field for the points, and their rounding. */
-typedef struct { const char *field, *node, *many; double steps; /* in a unit */ } scene_cloud;
+/* A node with points: the parent's field that contains it, its name, its own field for the points, and the rounding of
+ * the points. */
+typedef struct { const char *field, *node, *many; double steps; /* number of steps in a unit */ } scene_cloud;
 
 static void scene_points(vs_emitter *e, const scene_cloud *cloud, const vs_vec3 *at, size_t count) {
   vs_x3d_node(e, cloud->field, cloud->node, NULL);
@@ -163,7 +164,7 @@ static void scene_points(vs_emitter *e, const scene_cloud *cloud, const vs_vec3 
   vs_x3d_end(e, cloud->node, false);
 }
 
-/* Returns the steps for each unit: a power of ten, so that the rounded numbers are short. */
+/* Returns the number of steps in a unit: a power of ten, so that the rounded numbers are short. */
 static double scene_steps(const vs_emitter *e) {
   double diagonal = vs_v3_length(vs_v3_sub(e->bounds.max, e->bounds.min));
   return pow(10, 7 - ceil(log10(diagonal > 0 ? diagonal : 1)));
@@ -173,7 +174,7 @@ static void scene_corners(vs_emitter *e, const vs_vec3 *at, size_t count) {
   scene_points(e, &(scene_cloud){ "coord", "Coordinate", "point", scene_steps(e) }, at, count);
 }
 
-/* The name of a geometry that several Shapes have; the first Shape writes it. */
+/* The name of a geometry that several Shapes share. The first of these Shapes writes it. */
 typedef struct { char name[40]; bool again; } scene_name;
 
 static bool scene_begin_shape(vs_emitter *e, size_t number, bool *said, bool line, const char *type,
@@ -185,8 +186,8 @@ static bool scene_begin_shape(vs_emitter *e, size_t number, bool *said, bool lin
   return !name->again;
 }
 
-/* Writes triangles with a picture. Each has its own corners, since the picture may end at its edges. The picture
- * follows the axes of the current output, in a template the template's. */
+/* Writes triangles with a picture. Each triangle has its own corners, since the picture may end at its edges. The
+ * picture follows the axes of the current output, in a template those of the template. */
 static void scene_pictured(vs_emitter *e, const vs_material *m, const vs_x3d_batch *b) {
   static const char *const fields[][3] = {
       { "coord", "Coordinate", "point" }, { "normal", "Normal", "vector" },
@@ -286,8 +287,8 @@ static void scene_use(vs_emitter *e, const vs_x3d_placed *use, uint32_t paint) {
   vs_x3d_end(e, "Transform", true);
 }
 
-/* Writes the children of a group, with `paint` for those without a material. variant: the number of earlier copies, in
- * other paints. */
+/* Writes the children of a group. Children without a material get `paint`. variant: number of earlier copies of the
+ * group in other paints. */
 static void scene_group(vs_emitter *e, size_t group, uint32_t paint, size_t variant, bool *said) {
   const vs_x3d *x = e->state;
   const vs_x3d_group *g = &x->groups[group];
@@ -307,7 +308,7 @@ static void scene_group(vs_emitter *e, size_t group, uint32_t paint, size_t vari
   }
 }
 
-/* Writes the used templates, invisibly: each before those that use it. */
+/* Writes the templates that are used, without showing them. Each precedes the templates that use it. */
 static void scene_templates(vs_emitter *e, bool *said) {
   const vs_x3d *x = e->state;
   bool any = false;
@@ -371,7 +372,8 @@ static void scene_light(vs_emitter *e, vs_vec3 towards, double intensity, double
 static void scene_view(vs_emitter *e, const vs_look *l, double aspect) {
   double across = l->angle;
   vs_vec3 eye = l->eye;
-  if (l->parallel) { /* a parallel view is one from far away with a long lens: every viewer can turn that */
+  if (l->parallel) { /* a parallel view is written as a view from far away with a long lens, which every viewer can
+                      * rotate */
     across = 0.1;
     eye = vs_v3_sub(l->target, vs_v3_scale(l->forward, l->width / 2 / tan(across / 2)));
   }
@@ -383,7 +385,9 @@ static void scene_view(vs_emitter *e, const vs_look *l, double aspect) {
   vs_x3d_text(e, "description", "model", false);
   vs_x3d_vector(e, "position", scene_up_y(eye));
   vs_x3d_turn(e, "orientation", axis, angle);
-  vs_x3d_number(e, "fieldOfView", aspect > 1 ? 2 * atan(tan(across / 2) / aspect) : across); /* of the shorter side */
+  vs_x3d_number(e, "fieldOfView", aspect > 1 ? 2 * atan(tan(across / 2) / aspect) : across); /* the field of view is
+                                                                                              * that of the shorter
+                                                                                              * side */
   vs_x3d_vector(e, "centerOfRotation", scene_up_y(vs_v3_scale(vs_v3_add(e->bounds.min, e->bounds.max), 0.5)));
   vs_x3d_end(e, "Viewpoint", false);
 }
@@ -391,16 +395,16 @@ static void scene_view(vs_emitter *e, const vs_look *l, double aspect) {
 static void scene_ground(vs_emitter *e, bool *said) {
   double diagonal = vs_v3_length(vs_v3_sub(e->bounds.max, e->bounds.min));
   vs_vec3 middle = vs_v3_scale(vs_v3_add(e->bounds.min, e->bounds.max), 0.5);
-  /* Just below the model: the least distance that depth buffers distinguish. */
+  /* Places the ground just below the model, at the least distance that depth buffers can distinguish. */
   double reach = 8 * diagonal, z = e->scene->ground_z - 2e-4 * diagonal;
   vs_vec3 corners[4] = { { middle.x - reach, middle.y - reach, z },
                          { middle.x + reach, middle.y - reach, z },
                          { middle.x + reach, middle.y + reach, z },
                          { middle.x - reach, middle.y + reach, z } };
-  vs_x3d_node(e, NULL, "Shape", "ground"); /* our own viewer recognizes the ground by this name */
+  vs_x3d_node(e, NULL, "Shape", "ground"); /* VisualScheme's viewer recognizes the ground by this name */
   if (e->scene->ground_material != NULL) {
     scene_appearance(e, vs_emit_material_number(e, e->scene->ground_material), said, false);
-  } else { /* slightly darker than the objects on it */
+  } else { /* slightly darker than the objects on the ground */
     vs_x3d_node(e, "appearance", "Appearance", NULL);
     vs_x3d_node(e, "material", "Material", NULL);
     vs_x3d_vector(e, "diffuseColor", vs_v3(0.7, 0.7, 0.68));
@@ -426,8 +430,8 @@ bool vs_x3d_scene(vs_emitter *e) {
       e->options->width > 0 && e->options->height > 0 ? (double)e->options->width / e->options->height : 4.0 / 3;
   vs_look look = vs_look_find(e->scene, &e->framed, e->boxes, e->box_count, aspect);
   vs_vec3 sun = vs_look_sun(e->scene, &look);
-  /* The first use of a material writes it: in templates, the drawing, then the ground. */
-  size_t numbers = 2 * x->batch_count; /* of faces, then of lines */
+  /* The first use of a material writes it: in the templates, then in the drawing, then in the ground. */
+  size_t numbers = 2 * x->batch_count; /* numbers of faces, then of lines */
   bool *said = vs_store_realloc(e->scene->store, NULL, 0, numbers * sizeof *said);
   if (said == NULL) return vs_emit_no_memory(e);
   for (size_t i = 0; i < numbers; i++) said[i] = false;
@@ -453,7 +457,7 @@ bool vs_x3d_scene(vs_emitter *e) {
   return !e->out->failed;
 }
 
-/* ---- the two bare formats ---- */
+/* ---- the two formats that consist of the scene alone ---- */
 
 static bool scene_begin_xml(vs_emitter *e) { return vs_x3d_open(e, VS_X3D_XML); }
 static bool scene_begin_classic(vs_emitter *e) { return vs_x3d_open(e, VS_X3D_CLASSIC); }

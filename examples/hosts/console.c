@@ -1,5 +1,6 @@
-/* A host in C without a window, the beginning of a game engine: it runs table.vs, keeps the data for a graphics card,
- * runs frames, picks, sets a gizmo, and runs the program anew with another parameter. `console table.vs`. */
+/* A host in C without a window, as the beginning of a game engine. It runs table.vs, keeps the data for a graphics
+ * card, runs frames, picks objects, sets a gizmo, and runs the program again with another parameter. Usage: `console
+ * table.vs`. */
 #include <inttypes.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -11,7 +12,7 @@ typedef struct { uint64_t id; size_t triangles, places; } gpu_mesh;
 typedef struct {
   gpu_mesh meshes[MOST];
   size_t count;
-  const char *const *materials; /* the engine's materials, by number from 1 */
+  const char *const *materials; /* names of the engine's materials, by number from 1 */
 } engine;
 
 static void diagnose(void *context, const vs_diagnostic *d) {
@@ -34,7 +35,7 @@ static gpu_mesh *find(engine *e, uint64_t id) {
   return &e->meshes[i];
 }
 
-/* Takes over the changes since the last call. An engine would copy the arrays to the graphics card here. */
+/* Receives the changes since the last call. An engine would copy the arrays to the graphics card here. */
 static void synchronise(engine *e, vs_scheme *s, const char *when) {
   unsigned changes[3] = { 0 };
   size_t triangles = 0, named = 0;
@@ -66,11 +67,11 @@ static bool first_hit(void *context, vs_scheme *s, const vs_hit *h) {
 static bool slider(void *context, vs_scheme *s, const vs_gizmo *g) {
   vs_handle *found = context;
   if (g->kind != VS_GIZMO_SLIDER) return true;
-  *found = vs_handle_retain(s, g->node); /* the handle is valid in this callback alone, unless retained */
+  *found = vs_handle_retain(s, g->node); /* the handle is valid only in this callback, unless it is retained */
   return false;
 }
 
-/* Receives the new value of a property to which it subscribed. */
+/* Receives each new value of a property to which the host subscribed. */
 static bool follow(void *context, vs_scheme *s, const vs_handle *arguments, size_t count, vs_handle *result) {
   double value = 0;
   (void)context, (void)result;
@@ -105,7 +106,7 @@ int main(int count, char **words) {
   set_slider(s, 1.2);
   synchronise(&e, s, "higher");
   set_slider(s, 7);
-  /* after a change of the program or of a parameter, run it anew: equal meshes keep their ids */
+  /* after a change of the program or of a parameter, run it again: equal meshes keep their ids */
   if (vs_parameter_set(s, "top-length", "3.0") && vs_restart(s) == VS_OUTCOME_DONE &&
       vs_eval_file(s, words[1], VS_EVAL_PROGRAM) == VS_OUTCOME_DONE)
     synchronise(&e, s, "longer");

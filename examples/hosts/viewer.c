@@ -16,7 +16,7 @@
 #include <visualscheme.h>
 
 enum { WIDTH = 800, HEIGHT = 600, MOST_GIZMOS = 64 };
-static const double HALF_ANGLE = 0.35; /* of the view, in radians, from its middle to its upper edge */
+static const double HALF_ANGLE = 0.35; /* half of the vertical field of view, in radians */
 static const double PI = 3.14159265358979;
 
 typedef struct { float point[3], normal[3]; unsigned char color[4]; } vertex;
@@ -26,7 +26,7 @@ typedef struct {
   GLuint buffer;
   GLsizei count;      /* number of vertices */
   bool curve;
-  double (*places)[16]; /* column by column, as OpenGL expects */
+  double (*places)[16]; /* matrices column by column, as OpenGL expects */
   size_t place_count;
 } shape;
 
@@ -37,11 +37,11 @@ typedef struct {
   size_t shape_count, shape_room;
   vs_gizmo gizmos[MOST_GIZMOS];
   size_t gizmo_count;
-  double centre[3], distance, turn, height; /* the camera: the point about which it turns, its distance from there, its
-                                             * angles */
-  bool holds, turns;  /* the action of the left button while it is down */
-  int x, y;           /* the last position of the mouse */
-  char said[400];     /* the last message, which the viewer does not repeat in every frame */
+  double centre[3], distance, turn, height; /* camera: the point around which it rotates, its distance from this point,
+                                             * its angles in radians */
+  bool holds, turns;  /* action of the left button while it is pressed: drags a gizmo, or rotates the view */
+  int x, y;           /* last position of the mouse in pixels */
+  char said[400];     /* last message, so that it is not repeated in every frame */
 } viewer;
 
 static void diagnose(void *context, const vs_diagnostic *d) {
@@ -62,7 +62,7 @@ static void *grown(void *old, size_t bytes) {
   return p;
 }
 
-/* ---- meshes: one buffer each, and its places ---- */
+/* ---- meshes: a buffer for each, and its places ---- */
 
 static shape *shape_of(viewer *v, uint64_t id) {
   for (size_t i = 0; i < v->shape_count; i++)
@@ -111,8 +111,8 @@ static bool take_gizmo(void *context, vs_scheme *s, const vs_gizmo *gizmo) {
   return v->gizmo_count < MOST_GIZMOS;
 }
 
-/* Returns the facets of a full turn for the quality that the last frames' times allow; 0: by tolerance. There are few
- * steps, since each step meshes all round shapes again. */
+/* Returns the number of facets in a full turn for the quality that the last frames' times allow; 0: by tolerance. There
+ * are few levels of quality, because each change of level meshes all round shapes again. */
 static int facets(viewer *v) {
   vs_handle controller = vs_scene_controller(v->scheme), value = 0;
   double quality = 1;
@@ -123,7 +123,7 @@ static int facets(viewer *v) {
   return quality > 0.6 ? 0 : quality > 0.3 ? 16 : 8;
 }
 
-/* Takes over the changes since the last call; the library hands over nothing else. */
+/* Receives the changes since the last call. The library gives only these. */
 static void update(viewer *v) {
   vs_mesh_info m;
   vs_output_options o = vs_output_options_default();
@@ -146,7 +146,7 @@ static void update(viewer *v) {
 
 /* ---- the camera ---- */
 
-/* Computes the camera's position and its directions to the right, up and forward. */
+/* Computes the camera's position and its unit vectors to the right, up and forward. */
 static void camera(const viewer *v, double eye[3], double axes[3][3]) {
   double ct = cos(v->turn), st = sin(v->turn), ch = cos(v->height), sh = sin(v->height);
   const double forward[] = { -ct * ch, -st * ch, -sh }, right[] = { -st, ct, 0 }, up[] = { -ct * sh, -st * sh, ch };
@@ -163,7 +163,7 @@ static void ray(const viewer *v, int x, int y, double eye[3], double way[3]) {
   for (int k = 0; k < 3; k++) way[k] = axes[2][k] + right * axes[0][k] + up * axes[1][k];
 }
 
-/* Computes the position of a point in the window. */
+/* Computes the position of point p in the window, in pixels. */
 static void project(const viewer *v, const double p[3], int *x, int *y) {
   double eye[3], axes[3][3], q[3] = { 0, 0, 0 }, t = tan(HALF_ANGLE);
   camera(v, eye, axes);
@@ -204,7 +204,7 @@ static void line(const double from[3], const double to[3]) {
   glEnable(GL_LIGHTING);
 }
 
-/* Draws a slider as its whole track with a ball on it, arrows as lines with balls at their tips, a trigger as a
+/* Draws a gizmo: a slider as its track with a ball on it, arrows as lines with balls at their tips, a trigger as a
  * ball. */
 static void draw_gizmo(const vs_gizmo *g) {
   static const unsigned char colors[][3] = { { 220, 60, 50 }, { 60, 160, 60 }, { 50, 100, 220 }, { 240, 180, 0 } };
@@ -232,7 +232,8 @@ static void draw(const viewer *v) {
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   glMatrixMode(GL_PROJECTION), glLoadIdentity(), glFrustum(-right, right, -top, top, near, 100 * v->distance);
   glMatrixMode(GL_MODELVIEW), glLoadIdentity();
-  glLightfv(GL_LIGHT0, GL_POSITION, (const float[]){ -0.3f, 0.6f, 1, 0 }); /* from above the camera's left shoulder */
+  glLightfv(GL_LIGHT0, GL_POSITION, (const float[]){ -0.3f, 0.6f, 1, 0 }); /* light from above the camera's left
+                                                                            * shoulder */
   glLoadMatrixd(turn);
   glTranslated(-eye[0], -eye[1], -eye[2]);
   for (size_t i = 0; i < v->shape_count; i++) {
@@ -258,7 +259,8 @@ static void draw(const viewer *v) {
 
 /* ---- the mouse ---- */
 
-/* Returns true if the ray meets a handle. vs_input decides which handle takes the mouse, and which objects hide it. */
+/* Returns true if the ray hits a handle. vs_input decides which handle receives the mouse, and which objects hide
+ * it. */
 static bool near_handle(const viewer *v, const double eye[3], const double way[3]) {
   double length = sqrt(way[0] * way[0] + way[1] * way[1] + way[2] * way[2]);
   for (size_t i = 0; i < v->gizmo_count; i++)
@@ -276,7 +278,7 @@ static bool tell(void *context, vs_scheme *s, const vs_hit *hit) {
   (void)context;
   printf("%s", name ? name : "a node");
   printf(" at (%.2f %.2f %.2f), made in %s:%u\n", hit->point[0], hit->point[1], hit->point[2], hit->file, hit->line);
-  return false; /* only the nearest hit counts */
+  return false; /* returns false because only the nearest hit counts */
 }
 
 static void mouse(viewer *v, const SDL_Event *e) {
@@ -392,8 +394,8 @@ int main(int count, char **words) {
   v.scheme = vs_new(&o);
   int code = v.scheme ? (int)vs_eval_file(v.scheme, words[1], VS_EVAL_PROGRAM) : VS_OUTCOME_MACHINE;
   if (code == VS_OUTCOME_DONE) {
-    vs_handle adapt = vs_lookup(v.scheme, "scene-quality"); /* from this first call on, the quality follows the frames'
-                                                             * times */
+    vs_handle adapt = vs_lookup(v.scheme, "scene-quality"); /* after this first call, the quality follows the times of
+                                                             * the frames */
     vs_apply(v.scheme, adapt, NULL, 0, NULL);
     vs_handle_release(v.scheme, adapt);
     look_at_all(&v);

@@ -1,4 +1,4 @@
-/* Owns the arrays of an analysis, and the queries that need nothing else. */
+/* Contains the arrays of an analysis, and the queries that need only these. */
 #include "languages/analysis/analysis.h"
 
 #include <stdarg.h>
@@ -176,7 +176,8 @@ bool know_is(const knowledge *k, know_index node, const char *word) {
   const know_node *n = know_at(k, node);
   if (!node || (n->kind != KNOW_SYMBOL && n->kind != KNOW_KEYWORD)) return false;
   const char *text = k->names[n->name].text;
-  return !strcmp(k->script && !strncmp(text, "js:", 3) ? text + 3 : text, word); /* in a script, js:if counts as if */
+  return !strcmp(k->script && !strncmp(text, "js:", 3) ? text + 3 : text, word); /* in a script, a word such as js:if is
+                                                                                  * compared without its js: */
 }
 
 const char *know_spelling(const knowledge *k, know_index node, size_t *length) {
@@ -206,10 +207,10 @@ const char *know_kind_word(know_kind kind) {
   return words[kind];
 }
 
-/* ---- the whole ---- */
+/* ---- the analysis ---- */
 
 bool know_open(knowledge *k) {
-  /* element 0 of each array means none */
+  /* element 0 of each array means that there is none */
   know_index none = know_node_new(k, KNOW_OTHER);
   none |= know_name_of(k, "", 0, 0, 0);
   k->name_table[0] = 0;

@@ -1,5 +1,5 @@
-/* Owns the shapes of binding_forms.def: the expressions and bindings among a form's parts, and the scope of each
- * binding. */
+/* Implements the forms of binding_forms.def: finds the expressions and bindings among a form's parts, and the scope of
+ * each binding. */
 #include "languages/analysis/binding_forms.h"
 
 #include <stdio.h>
@@ -9,7 +9,7 @@ typedef struct {
   know_walk *w;
   knowledge *k;
   know_index node, scope;
-  know_index head, second, third; /* the elements after the word */
+  know_index head, second, third; /* elements of the form: its word and those after it */
 } form;
 
 static know_index next(const form *f, know_index node) { return node ? f->k->nodes[node].next : 0; }
@@ -23,7 +23,7 @@ static know_index scope_in(form *f, know_index parent, know_scope_kind kind) { r
     kind, f->node); }
 static void word(form *f, know_index node) { know_mark(f->k, node, KNOW_SYNTAX, 0, f->scope); }
 
-/* Walks a lambda in scope: its parameters, from `first` on in list, and the forms of its body. */
+/* Walks a lambda: its parameters, which are the elements of list from `first` on, and the forms of its body. */
 static void lambda_into(form *f, know_index list, know_index first, know_index forms, know_index scope,
                         know_arity *arity) {
   know_index inner = know_scope_new(f->k, scope, KNOW_SCOPE_PROCEDURE, f->node);
@@ -37,7 +37,7 @@ static void walk_DATA(form *f) {
   for (know_index i = f->second; i; i = next(f, i)) know_mark_data(f->k, i, KNOW_DATUM);
 }
 
-/* Walks a template: the data after , and ,@ at its own level are evaluated. A stack of nodes on the walk's list counts
+/* Walks a template. Data after , and ,@ at the template's own level are evaluated. A stack of nodes counts nested
  * levels. */
 static void walk_QUASI(form *f) {
   enum { MOST = 200 };
@@ -76,7 +76,7 @@ static void walk_SET(form *f) {
   if (is_symbol(f, f->second)) know_refer(f->w, f->second, f->scope, KNOW_ASSIGNMENT, false);
   each(f, f->third, f->scope);
 }
-static void walk_ASSIGNED(form *f) { /* (parameterize ([parameter value] ...) body ...) */
+static void walk_ASSIGNED(form *f) { /* walks (parameterize ([parameter value] ...) body ...) */
   for (know_index i = first_of(f, f->second); i; i = next(f, i)) each(f, first_of(f, i), f->scope);
   body(f, f->third, f->scope);
 }
@@ -85,7 +85,7 @@ static void walk_SLOTS(form *f) {
     if (know_is(f->k, i, "<>") || know_is(f->k, i, "<...>")) word(f, i);
     else one(f, i, f->scope);
 }
-static void walk_FLAGS(form *f) { /* '(name (name test)): the tests are expressions */
+static void walk_FLAGS(form *f) { /* walks '(name (name test)), where the tests are expressions */
   one(f, f->second, f->scope);
   know_index quoted = know_nth(f->k, f->third, 1);
   if (is_list(f, f->third) && know_is(f->k, first_of(f, f->third), "quote") && is_list(f, quoted)) {
@@ -98,7 +98,7 @@ static void walk_FLAGS(form *f) { /* '(name (name test)): the tests are expressi
   each(f, next(f, f->third), f->scope);
 }
 
-/* Walks a clause (test value ...), (test => procedure), (else value ...). */
+/* Walks a clause: (test value ...), (test => procedure) or (else value ...). */
 static void clause(form *f, know_index node, know_index scope, bool data) {
   know_index test = first_of(f, node), value = next(f, test);
   if (!test) return;
@@ -142,7 +142,7 @@ static void walk_CASE_LAMBDA(form *f) {
     if (list) lambda_into(f, list, first_of(f, list), next(f, list), f->scope, &arity);
   }
 }
-static void walk_ESCAPE(form *f) { /* (let/ec k body ...) */
+static void walk_ESCAPE(form *f) { /* walks (let/ec k body ...) */
   know_index inner = scope_in(f, f->scope, KNOW_SCOPE_LET);
   know_bind(f->w, f->second, inner, KNOW_LOCAL, f->second);
   body(f, f->third, inner);
@@ -160,7 +160,7 @@ static void walk_REC(form *f) {
   }
 }
 
-/* Takes the facts of a definition from its value: a procedure's parameters are the lambda's. */
+/* Sets the facts of a definition from its value. The parameters of a procedure are those of the lambda. */
 static bool describe(form *f, know_index symbol, know_index value) {
   knowledge *k = f->k;
   know_symbol *s = &k->symbols[symbol];
@@ -183,7 +183,7 @@ static know_index bind_clause(form *f, know_index i, know_index scope, know_symb
 }
 static void walk_LET(form *f) {
   know_index list = f->second, forms = f->third, outer = f->scope, loop = 0;
-  if (is_symbol(f, list)) { /* (let name ([variable start] ...) body ...) */
+  if (is_symbol(f, list)) { /* named let: (let name ([variable start] ...) body ...) */
     outer = scope_in(f, f->scope, KNOW_SCOPE_LOOP);
     loop = know_bind(f->w, list, outer, KNOW_LOOP, f->node);
     list = f->third, forms = next(f, f->third);
@@ -272,7 +272,7 @@ static void walk_AND_LET(form *f) {
 
 /* ---- loops ---- */
 
-static void walk_DO(form *f) { /* (do ([name start step] ...) (test result ...) body ...) */
+static void walk_DO(form *f) { /* walks (do ([name start step] ...) (test result ...) body ...) */
   know_index inner = scope_in(f, f->scope, KNOW_SCOPE_LOOP);
   for (know_index i = first_of(f, f->second); i; i = next(f, i)) one(f, next(f, first_of(f, i)), f->scope);
   for (know_index i = first_of(f, f->second); i; i = next(f, i)) {
@@ -284,10 +284,10 @@ static void walk_DO(form *f) { /* (do ([name start step] ...) (test result ...) 
   for (know_index i = first_of(f, f->second); i; i = next(f, i)) one(f, know_nth(f->k, i, 2), inner);
 }
 
-/* Walks clauses [name sequence] and #:when test; returns the scope of the body. Names of one `for` do not see each
- * other; this does not change which names are used. */
+/* Walks clauses [name sequence] and #:when test, and returns the scope of the body. In a `for`, a clause cannot use the
+ * name of another clause, but here it may: this does not change which names are used. */
 static know_index sequences(form *f, know_index list, know_index scope) {
-  bool guard = false; /* this is the test after #:when or #:unless */
+  bool guard = false; /* whether the next element is the test after #:when or #:unless */
   for (know_index i = first_of(f, list); i; i = next(f, i)) {
     bool test = guard;
     guard = f->k->nodes[i].kind == KNOW_KEYWORD;
@@ -309,14 +309,15 @@ static void walk_FOR_FOLD(form *f) {
   for (know_index i = first_of(f, f->second); i; i = next(f, i)) {
     know_index s = know_bind(f->w, first_of(f, i), inner, KNOW_LOOP_VARIABLE, i);
     if (s) know_use_add(f->k, s, know_written(f->k, first_of(f, i)), KNOW_REFERENCE, false);
-        /* its value is the loop's */
+        /* its value is the value of the loop */
   }
   body(f, next(f, f->third), sequences(f, f->third, inner));
 }
-static void walk_GUARD(form *f) { /* (guard (name clause ...) body ...) */
+static void walk_GUARD(form *f) { /* walks (guard (name clause ...) body ...) */
   know_index inner = scope_in(f, f->scope, KNOW_SCOPE_LET), name = first_of(f, f->second);
   know_index s = know_bind(f->w, name, inner, KNOW_LOCAL, f->second);
-  if (s) know_use_add(f->k, s, know_written(f->k, name), KNOW_REFERENCE, false); /* catching it counts as a use */
+  if (s) know_use_add(f->k, s, know_written(f->k, name), KNOW_REFERENCE, false); /* catching the error counts as a use
+                                                                                  * of the name */
   clauses(f, next(f, name), inner, false);
   body(f, f->third, f->scope);
 }
@@ -328,7 +329,8 @@ static void walk_DEFINE(form *f) {
   knowledge *k = f->k;
   if (is_symbol(f, target)) {
     know_index s = know_bind(f->w, target, f->scope, KNOW_VARIABLE, f->node);
-    if (describe(f, s, forms)) { /* counts the lambda's parameters without binding them, since the lambda does that */
+    if (describe(f, s, forms)) { /* counts the lambda's parameters without binding them, because the walk of the lambda
+                                  * binds them */
       know_arity a = {.known = true, .keywords = k->symbols[s].parameters};
       know_index list = k->symbols[s].parameters;
       if (is_symbol(f, list)) a.most = UINT32_MAX;
@@ -352,7 +354,8 @@ static void walk_DEFINE(form *f) {
   }
   if (!is_list(f, target)) return;
   know_index list = target, name = first_of(f, target), outer = 0;
-  while (is_list(f, name)) outer = list, list = name, name = first_of(f, name); /* ((f a) b) returns procedures */
+  while (is_list(f, name)) outer = list, list = name, name = first_of(f, name); /* ((f a) b): a procedure that returns
+                                                                                 * procedures */
   know_index s = know_bind(f->w, name, f->scope, KNOW_FUNCTION, f->node);
   know_index scope = know_scope_new(k, f->scope, KNOW_SCOPE_PROCEDURE, f->node);
   know_arity arity;
@@ -365,7 +368,7 @@ static void walk_DEFINE(form *f) {
   while (outer) {
     scope = know_scope_new(k, scope, KNOW_SCOPE_PROCEDURE, f->node);
     know_bind_parameters(f->w, &(know_parameters){outer, next(f, first_of(f, outer)), scope, scope, 0}, &arity);
-    know_index up = 0; /* the list around it */
+    know_index up = 0; /* the list that contains the name */
     for (know_index i = target; i != outer; i = first_of(f, i)) up = i;
     outer = up;
   }
@@ -399,7 +402,8 @@ static void walk_DEFINE_VALUES(form *f) {
   formals(f, f->second, f->scope, KNOW_VARIABLE, f->node);
   each(f, f->third, f->scope);
 }
-/* Returns a name that the form composes. The text does not contain it, so its place is that of the form's name. */
+/* Returns a name composed of a, b and c. The text does not contain this name, so its place is that of the name in the
+ * form. */
 static know_index derived(form *f, know_index place, const char *a, const char *b, const char *c) {
   char text[256];
   know_index scope = f->scope;
@@ -493,19 +497,20 @@ static void walk_DEFINE_PRIMITIVE(form *f) {
     if (!is_symbol(f, field) || f->k->nodes[i].kind == KNOW_KEYWORD) continue;
     derived(f, field, plain, "-", text_of(f, field));
     know_index p = know_bound_in(f->k, scope, f->k->nodes[field].name);
-    if (p) know_use_add(f->k, p, know_written(f->k, field), KNOW_REFERENCE, false); /* the object stores it */
+    if (p) know_use_add(f->k, p, know_written(f->k, field), KNOW_REFERENCE, false); /* the object stores the value,
+                                                                                     * which counts as a use */
   }
   if (called) body(f, f->third, scope);
 }
-/* Walks (define-rule (name [self scope?] ...) clause or definition ...). In a clause, (=> call ...) gives parts; each
- * call receives the scope as its first argument. */
+/* Walks (define-rule (name [self scope?] ...) clause or definition ...). In a clause, (=> call ...) gives parts. Each
+ * of these calls receives the scope as its first argument. */
 static void rule_parts(form *f, know_index node, know_index scope) {
   for (know_index i = first_of(f, node); i; i = next(f, i)) {
     know_index head = first_of(f, i);
     if (f->k->nodes[i].kind == KNOW_KEYWORD || know_is(f->k, i, "=>")) word(f, i);
     else if (is_symbol(f, head) && !know_is(f->k, head, "quote") && know_is(f->k, first_of(f, node), "=>")) {
-      know_mark(f->k, i, KNOW_SYNTAX, 0, scope); /* a call with one argument more than its text */
-      one(f, head, scope); /* later, when the forms after the rule have defined their names */
+      know_mark(f->k, i, KNOW_SYNTAX, 0, scope); /* this call has one argument more than its text shows */
+      one(f, head, scope); /* walked later, when the forms after the rule have defined their names */
       each(f, next(f, head), scope);
     } else one(f, i, scope);
   }
@@ -521,7 +526,7 @@ static void walk_DEFINE_RULE(form *f) {
   know_index p = is_symbol(f, self_name) ? know_bound_in(f->k, scope, f->k->nodes[self_name].name) : 0;
   if (p) know_use_add(f->k, p, know_written(f->k, self_name), KNOW_REFERENCE, false);
   if (s) f->k->symbols[s].parameters = f->second, f->k->symbols[s].body = f->third;
-      /* also called without self: no arity */
+      /* the rule is also called without self, so its number of arguments is not checked */
   know_index inner = know_scope_new(f->k, scope, KNOW_SCOPE_BODY, f->node);
   for (know_index i = f->third; i; i = next(f, i)) {
     know_index head = first_of(f, i);

@@ -1,7 +1,8 @@
-/* Owns the instrumented text of a program: it records the result of each procedure's first call (first_calls.h).
+/* Writes the instrumented text of a program, which records the result of each procedure's first call (first_calls.h).
  *
- * After the top-level form that defines a procedure, or loads the file that does, a procedure of the same name replaces
- * it until its first call. Then the replacement restores the original, calls it, and keeps the result. */
+ * After the top-level form that defines a procedure, or that loads its file, another procedure of the same name
+ * replaces it until its first call. At this call the replacement restores the original, calls it, and keeps the
+ * result. */
 #include "languages/analysis/first_calls.h"
 
 #include <stdio.h>
@@ -25,7 +26,7 @@ void know_first_result(know_index symbol, char *expression) {
   snprintf(expression, KNOW_FIRST_ROOM, "%%first-result-%u", (unsigned)symbol);
 }
 
-/* A list of arguments cannot pass keywords on, and a name that only a run could determine may be no procedure. */
+/* A list of arguments cannot pass keywords on. A name that only a run could determine may not denote a procedure. */
 bool know_remembers(const knowledge *k, know_index symbol) {
   const know_symbol *y = &k->symbols[symbol];
   if (k->script || y->kind != KNOW_FUNCTION || y->made || !y->definition || !y->form || !y->parameters || y->sets ||
@@ -34,14 +35,14 @@ bool know_remembers(const knowledge *k, know_index symbol) {
   return true;
 }
 
-/* Returns the form of the program's own file that brings the definition; 0: none. */
+/* Returns the form of the program's own file that loads or contains the definition, or 0 if there is none. */
 static know_index brought_by(const knowledge *k, know_index node) {
   while (node && k->nodes[node].at.file) node = k->files[k->nodes[node].at.file].loaded_by;
   while (node && k->nodes[node].parent && k->nodes[node].parent != k->files[0].root) node = k->nodes[node].parent;
   return node;
 }
 
-/* Writes the form with `kept` for each %s, and the name for each %n. */
+/* Writes the form, with `kept` in place of each %s and the name in place of each %n. */
 static void put_words(builder *b, const char *form, const char *kept, const char *name, size_t n) {
   for (const char *p = form; *p;) {
     size_t plain = strcspn(p, "%");

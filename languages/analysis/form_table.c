@@ -1,4 +1,4 @@
-/* Owns the searches in binding_forms.def. */
+/* Implements the searches in binding_forms.def. */
 #include "languages/analysis/form_table.h"
 
 #include <stddef.h>

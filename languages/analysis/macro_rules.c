@@ -1,9 +1,9 @@
-/* Owns the expansion of syntax-rules over nodes, in which every part of the result knows its place in the text.
+/* Implements the expansion of syntax-rules over nodes. Every part of the result has its place in the text.
  *
- * A form that a use passes in is copied one node deep: the copy has the original as its origin and shares all nodes
- * below it. The forms of a template are new. Its names are aliases that belong to this expansion; each means the same
- * as at the macro's definition, unless the expansion binds it. Patterns and templates deeper than MOST_DEPTH are not
- * expanded. */
+ * A form that a use passes to the macro is copied one node deep. The copy has the original as its origin, and shares
+ * all nodes below it. The forms of a template are new. Its names are aliases that belong to this expansion. Each alias
+ * has the meaning of the name at the macro's definition, unless the expansion binds it. Patterns and templates deeper
+ * than MOST_DEPTH are not expanded. */
 #include "languages/analysis/macro_rules.h"
 
 #include <string.h>
@@ -13,7 +13,8 @@ enum { MOST_DEPTH = 200 };
 /* The value of a pattern variable: a node, or the nodes that its ellipsis collected. */
 typedef struct match {
   know_index name, node;
-  struct match *parts;   /* of an ellipsis, in order, by next; each holds a list of bindings in `bound` */
+  struct match *parts;   /* the matches that an ellipsis collected, in order; each contains a list of bindings in
+                          * `bound` */
   struct match *bound, *next;
   bool repeated;
 } match;
@@ -21,10 +22,11 @@ typedef struct match {
 typedef struct {
   know_walk *w;
   knowledge *k;
-  know_index scope, defined; /* of the use; of the macro */
+  know_index scope, defined; /* scope: scope of the use. defined: scope of the macro */
   know_index literals, ellipsis;
   know_index use;
-  know_index serial;         /* a scope that separates this expansion's aliases from others */
+  know_index serial;         /* number of a scope that distinguishes this expansion's aliases from those of other
+                              * expansions */
   match *bound;
   int depth;
 } expansion;
@@ -47,7 +49,7 @@ static bool is_literal(const expansion *x, know_index node) {
   return false;
 }
 
-/* Returns a node for the elements from `first` on, which stay in their list. */
+/* Returns a node for the elements of list from `first` on. The elements stay in their list. */
 static know_index tail(expansion *x, know_index list, know_index first, uint32_t count) {
   if (count == 1 && x->k->nodes[list].dotted && !x->k->nodes[first].next) return first;
   know_index t = know_node_new(x->k, KNOW_LIST);
@@ -77,7 +79,7 @@ static void collect_names(expansion *x, know_index pattern, match **out) {
 
 static bool fits(expansion *x, know_index pattern, know_index node, match **out);
 
-/* Matches the elements of a list with the patterns of another; skip: ignores the first of each, which is the macro's
+/* Matches the elements of list with the patterns of pattern. skip: ignores the first element of both, the macro's
  * name. */
 static bool fits_list(expansion *x, know_index pattern, know_index list, bool skip, match **out) {
   knowledge *k = x->k;
@@ -212,11 +214,11 @@ static match *repeated_in(expansion *x, know_index template, match *bound) {
   return found;
 }
 
-/* Builds the template once for each part that its variables collected, `levels` ellipses deep. */
+/* Builds the template once for each match that its variables collected, `levels` ellipses deep. */
 static bool repeat(expansion *x, know_index list, know_index *last, know_index template, match *bound, int levels) {
   match *m = repeated_in(x, template, bound);
   if (!m || x->depth >= MOST_DEPTH) return false;
-  /* variables that were collected together are in the same parts; others go along by position */
+  /* variables that were collected together share their parts; other variables are repeated by position */
   uint32_t at = 0;
   for (match *part = m->parts; part; part = part->next, at++) {
     match *inner = bound;
@@ -241,10 +243,10 @@ static bool repeat(expansion *x, know_index list, know_index *last, know_index t
 
 static know_index build_list(expansion *x, know_index template, match *bound) {
   knowledge *k = x->k;
-  if (is_ellipsis(x, k->nodes[template].first) && k->nodes[template].count == 2) { /* (... ...) */
+  if (is_ellipsis(x, k->nodes[template].first) && k->nodes[template].count == 2) { /* an escaped ellipsis, (... ...) */
     know_index kept = x->ellipsis, none = know_node_new(k, KNOW_SYMBOL);
     if (!none) return 0;
-    x->ellipsis = none; /* a name that occurs nowhere */
+    x->ellipsis = none; /* a name that occurs nowhere, so that ... has no effect inside */
     know_index out = build(x, know_nth(k, template, 1), bound);
     x->ellipsis = kept;
     return out;
@@ -257,7 +259,7 @@ static know_index build_list(expansion *x, know_index template, match *bound) {
     if (is_tail) {
       know_index end = build(x, i, bound);
       if (!end) return 0;
-      if (k->nodes[end].kind == KNOW_LIST) { /* (a . (b c)) */
+      if (k->nodes[end].kind == KNOW_LIST) { /* (a . (b c)) is spelled as (a b c) */
         for (know_index e = k->nodes[end].first; e; e = k->nodes[e].next)
           if (!append(x, list, &last, copy_of_use(x, e))) return 0;
         k->nodes[list].dotted = k->nodes[end].dotted;
@@ -294,7 +296,7 @@ static know_index build(expansion *x, know_index template, match *bound) {
   return out;
 }
 
-/* ---- a use ---- */
+/* ---- a use of a macro ---- */
 
 static bool try_rule(expansion *x, know_index pattern, know_index template, know_index node, know_index *out) {
   match *bound = NULL;

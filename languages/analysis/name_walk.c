@@ -1,4 +1,4 @@
-/* Owns the scopes of the walk: it finds, binds and marks names, and defers parts. */
+/* Implements the scopes of the walk: it finds, binds and marks names, and defers parts of the program. */
 #include "languages/analysis/name_walk.h"
 
 #include <stdio.h>
@@ -42,7 +42,7 @@ void know_mark(knowledge *k, know_index node, know_role role, know_index symbol,
   }
 }
 
-/* Calls `each` for the node and all nodes below it. */
+/* Calls `each` for the node and for all nodes below it. */
 void know_each_in(knowledge *k, know_index root, void (*each)(knowledge *k, know_index node, void *context),
     void *context) {
   know_index *stack = NULL;
@@ -73,7 +73,7 @@ void know_mark_data(knowledge *k, know_index node, know_role role) {
 
 /* ---- names ---- */
 
-/* Returns the entry of the language, or of an imported library, with the name. */
+/* Returns the symbol of the language, or of an imported library, with this name. */
 static know_index ask_language(know_walk *w, know_index name) {
   knowledge *k = w->k;
   const char *text = k->names[name].text;
@@ -85,7 +85,8 @@ static know_index ask_language(know_walk *w, know_index name) {
     return word;
   }
   if (!vs_name_get(k->scheme, text, &info)) return 0;
-  if (k->script) return know_symbol_new(k, KNOW_LANGUAGE, name, KNOW_BUILTIN); /* it takes any number of arguments */
+  if (k->script) return know_symbol_new(k, KNOW_LANGUAGE, name, KNOW_BUILTIN); /* in a script the symbol accepts any
+                                                                                * number of arguments */
   bool form = !strcmp(info.kind, "form");
   know_index s = know_symbol_new(k, KNOW_LANGUAGE, name, form ? KNOW_MACRO : KNOW_BUILTIN);
   if (!s) return 0;
@@ -197,7 +198,7 @@ void know_bind_parameters(know_walk *w, const know_parameters *p, know_arity *ar
 
 /* ---- files ---- */
 
-/* Returns the file that the string names. */
+/* Returns the index of the file to which the string refers. */
 know_index know_file_named(know_walk *w, know_index node) {
   char path[KNOW_PATH];
   know_index string = know_written(w->k, node);

@@ -1,4 +1,4 @@
-/* Owns the scopes of the walk through a program, for the forms that change them. */
+/* Declares the scopes of the walk through a program, for the forms that change them. */
 #ifndef VS_LANGUAGES_ANALYSIS_NAME_WALK_H
 #define VS_LANGUAGES_ANALYSIS_NAME_WALK_H
 
@@ -10,43 +10,43 @@ typedef struct { know_index node, scope; uint8_t kind; } know_task;
 typedef struct {
   knowledge *k;
   know_task *tasks; size_t task_count, task_room;
-  know_task *later; size_t later_count, later_room;       /* of the current form, in order */
-  know_task *unknown; size_t unknown_count, unknown_room; /* names without a definition so far */
-  size_t made;                                            /* number of nodes by macros */
-  bool imported;                                          /* the program began with an import */
+  know_task *later; size_t later_count, later_room;       /* deferred tasks of the current form, in order */
+  know_task *unknown; size_t unknown_count, unknown_room; /* names for which no definition has been found */
+  size_t made;                                            /* number of nodes that macros made */
+  bool imported;                                          /* whether the program began with an import */
   bool begun;
 } know_walk;
 
-enum { KNOW_LANGUAGE = 1, KNOW_PROGRAM = 2 }; /* the first two scopes */
+enum { KNOW_LANGUAGE = 1, KNOW_PROGRAM = 2 }; /* indices of the first two scopes */
 
 void know_later(know_walk *w, know_task_kind kind, know_index node, know_index scope);
-/* Defers the node and its followers as expressions. */
+/* Defers the node and the nodes after it, as expressions. */
 void know_later_each(know_walk *w, know_index first, know_index scope);
-/* Defers the forms from `first` on as a body, in a new scope if they define anything. */
+/* Defers the forms from `first` on as a body. The body has a new scope if its forms define anything. */
 void know_later_body(know_walk *w, know_index first, know_index scope);
-/* Binds the name at the node; returns 0 if it is not a name. A second definition in one scope returns the first's
- * symbol. */
+/* Binds the name at the node and returns its symbol, or 0 if the node is not a name. A second definition in the same
+ * scope returns the symbol of the first. */
 know_index know_bind(know_walk *w, know_index node, know_index scope, know_symbol_kind kind, know_index form);
-/* A parameter list: its node, a lone name for all arguments or a list whose parameters begin at `first`; the scope of
- * its names; the scope of its contracts, `outside`; the procedure's symbol, or 0. */
+/* A parameter list. list: its node, which is a lone name for all arguments, or a list. first: its first parameter.
+ * scope: scope of the names. outside: scope of the contracts. owner: symbol of the procedure, or 0. */
 typedef struct { know_index list, first, scope, outside, owner; } know_parameters;
-/* Binds the names of a parameter list, and walks its contracts. Sets the arity. */
+/* Binds the names of a parameter list, walks its contracts, and sets the arity. */
 void know_bind_parameters(know_walk *w, const know_parameters *p, know_arity *arity);
-/* Marks a tree as data. */
+/* Marks a node and all nodes below it as data. */
 void know_mark_data(knowledge *k, know_index node, know_role role);
 void know_mark(knowledge *k, know_index node, know_role role, know_index symbol, know_index scope);
-/* Returns the symbol of the identifier at the node in scope; 0: none. Asks the language too. */
+/* Returns the symbol of the identifier in the scope, including symbols of the language, or 0 if there is none. */
 know_index know_find(know_walk *w, know_index name, know_index scope);
-/* Marks a name whose value is used. */
+/* Marks the node as a name whose value is used. */
 void know_refer(know_walk *w, know_index node, know_index scope, know_role role, bool called);
-/* Reads the file that the string at node names, and defers its forms as a body of scope. */
+/* Reads the file to which the string at node refers, and defers its forms as a body of scope. */
 void know_load(know_walk *w, know_index node, know_index scope);
-/* Calls each(k, node, context) for the node and all nodes below it. */
+/* Calls each(k, node, context) for the node and for all nodes below it. */
 void know_each_in(knowledge *k, know_index root, void (*each)(knowledge *k, know_index node, void *context),
                   void *context);
-know_index know_file_named(know_walk *w, know_index node); /* Returns the file that the string names; UINT32_MAX:
-                                                            * none. */
-know_index know_written(const knowledge *k, know_index node); /* Returns the node of the text of which a macro's node is
-                                                               * a copy. */
+know_index know_file_named(know_walk *w, know_index node); /* Returns the index of the file to which the string refers;
+                                                            * UINT32_MAX: there is none. */
+know_index know_written(const knowledge *k, know_index node); /* Returns the node of the text of which the node is a
+                                                               * copy that a macro made. */
 
 #endif

@@ -1,4 +1,4 @@
-/* Owns the writing of a tree of named things as JSON or as XML, well formed for any text. */
+/* Declares the writing of a tree of named values as JSON or as XML, well formed for any text. */
 #ifndef VS_LANGUAGES_ANALYSIS_NOTATION_H
 #define VS_LANGUAGES_ANALYSIS_NOTATION_H
 
@@ -9,29 +9,29 @@
 
 typedef enum { KNOW_JSON, KNOW_XML } know_notation;
 
-/* A thing has values and then lists of things: in JSON {"a": 1, "list": [{...}]}, in XML <thing a="1"><list><item
- * .../></list></thing>. */
+/* An object has values and then lists of objects. In JSON this is {"a": 1, "list": [{...}]}, in XML <thing
+ * a="1"><list><item .../></list></thing>. */
 typedef struct {
   FILE *to;
   know_notation notation;
   uint32_t depth;
-  bool values;   /* the current thing has some already */
-  bool begun;    /* XML: its tag is still open; JSON: the current list has elements */
+  bool values;   /* whether the current object has values already */
+  bool begun;    /* XML: whether the tag is still open. JSON: whether the current list has elements */
 } know_writer;
 
 void know_write_start(know_writer *w, FILE *to, know_notation notation, const char *root);
 void know_write_end(know_writer *w, const char *root);
 void know_write_text(know_writer *w, const char *key, const char *text, size_t length);
-void know_write_word(know_writer *w, const char *key, const char *text); /* "": writes nothing */
+void know_write_word(know_writer *w, const char *key, const char *text); /* writes nothing if text is "" */
 void know_write_number(know_writer *w, const char *key, uint32_t value);
-void know_write_flag(know_writer *w, const char *key, bool value); /* false: writes nothing */
-/* Writes a list; `item` is its element in XML. */
+void know_write_flag(know_writer *w, const char *key, bool value); /* writes nothing if value is false */
+/* Begins a list, and an element of a list; `item` is the element's name in XML. */
 void know_write_list(know_writer *w, const char *key);
 void know_write_item(know_writer *w, const char *item);
 void know_write_item_end(know_writer *w, const char *item);
 void know_write_list_end(know_writer *w, const char *key);
 
-/* Writes text for XML: < > & " as entities, and U+FFFD for a character that XML cannot hold. */
+/* Writes text for XML, with entities for < > & " and with U+FFFD for a character that XML cannot contain. */
 void know_xml_text(FILE *to, const char *text, size_t length);
 void know_json_text(FILE *to, const char *text, size_t length);
 

@@ -1,15 +1,16 @@
-/* Owns the analysis of a program, from its text to the meanings of its names. */
+/* Declares the analysis of a program, from its text to the meanings of its names. */
 #ifndef VS_LANGUAGES_ANALYSIS_RESOLVE_NAMES_H
 #define VS_LANGUAGES_ANALYSIS_RESOLVE_NAMES_H
 
 #include "languages/analysis/analysis.h"
 
-/* Reads and analyses the program in the file, and the files that it loads and includes. Returns false with the reason
- * in k->trouble, or in a message to the interpreter's host; k->outcome is the exit code. The caller calls know_free in
- * either case. scheme must not have a program yet. */
+/* Reads and analyses the program in the file, and the files that it loads and includes. Returns false on failure. The
+ * reason is then in k->trouble, or in a message to the interpreter's host, and k->outcome is the exit code. The caller
+ * calls know_free also after a failure. scheme must not have a program yet. */
 /* library_path: as in vs_options, or NULL. */
 bool know_read(knowledge *k, vs_scheme *scheme, const char *path, const char *library_path);
-/* Works as know_read; the given text replaces the program's own file, as in an editor before a save. */
+/* Reads and analyses as know_read does, but with the given text in place of the program's own file, as in an editor
+ * before a save. */
 bool know_read_given(knowledge *k, vs_scheme *scheme, const char *path, const char *text, size_t length,
     const char *library_path);
 

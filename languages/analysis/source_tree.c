@@ -1,8 +1,9 @@
-/* Owns the reader of a program's text into nodes with places and comments.
+/* Reads a program's text into nodes with places and comments.
  *
- * The language's own reader sees the text first and words each error as a run would. Therefore this reader meets only
- * correct texts, and needs no messages. Both exist, since a run needs neither the places of single names, nor comments,
- * nor the spelling of numbers, and should not pay for them. A stack of open lists replaces the C stack. */
+ * The language's own reader reads the text first, and reports each error as a run would. This reader therefore receives
+ * only correct texts, and needs no messages. There are two readers because a run needs neither the places of single
+ * names, nor comments, nor the spelling of numbers, and should not spend time on them. A stack of open lists replaces
+ * the C stack. */
 #include "languages/analysis/source_tree.h"
 
 #include <errno.h>
@@ -15,14 +16,15 @@
 #include "model/characters.h"
 #include "model/store/array.h"
 
-typedef struct { know_index node, last; char close; bool dot, skip; } open_list; /* skip: #; drops the next datum */
+typedef struct { know_index node, last; char close; bool dot, skip; } open_list; /* skip: whether #; drops the next
+                                                                                  * datum */
 
 typedef struct {
   knowledge *k;
   const char *text;
   size_t size, at, line_start;
   uint32_t file, line;
-  size_t column_at;         /* the byte whose column is known; requests for places come from left to right */
+  size_t column_at;         /* position of the byte whose column is known; places are requested from left to right */
   uint32_t column;
   bool line_has_code;
   bool fold;
@@ -39,7 +41,7 @@ static uint32_t column_of(reader *r, size_t offset) {
   return r->column;
 }
 
-static void advance(reader *r) { /* over one byte, counting lines: \n, \r\n and lone \r end one */
+static void advance(reader *r) { /* moves over one byte and counts lines, which end in \n, \r\n or a lone \r */
   int c = peek(r, 0);
   r->at++;
   if (c == '\n' || (c == '\r' && peek(r, 0) != '\n')) r->line++, r->line_start = r->at, r->line_has_code = false;
@@ -54,7 +56,7 @@ static void finish(reader *r, know_index node) {
   p->to = (uint32_t)r->at, p->end_line = r->line, p->end_column = column_of(r, r->at);
 }
 
-/* Returns the bytes of the blank character here; 0: none. */
+/* Returns the length in bytes of the blank character here, or 0 if there is none. */
 static size_t blank(const reader *r) {
   int c = peek(r, 0);
   if (c < 0) return 0;
@@ -95,7 +97,7 @@ static void block(reader *r) {
   }
 }
 
-/* Skips blanks and comments. Returns false at the end of the text, or with trouble. */
+/* Skips blanks and comments. Returns false at the end of the text, or on failure. */
 static bool skip(reader *r) {
   for (;;) {
     int c = peek(r, 0);
@@ -136,17 +138,17 @@ static bool push(reader *r, know_index node, char close) {
   return true;
 }
 
-/* a datum hidden by #; is no part of the program: its node has no parent */
+/* a datum after #; is not part of the program, so its node has no parent */
 static void drop(reader *r, know_index node) {
   r->k->nodes[node].parent = 0;
 }
 
-/* Adds a finished node to its parent; this finishes quotes that waited for it. */
+/* Adds a finished node to its parent. This also finishes quotes that waited for the node. */
 static void deliver(reader *r, know_index node) {
   for (;;) {
     open_list *o = &r->open[r->depth - 1];
     knowledge *k = r->k;
-    if (o->skip && !o->close) { /* #; */
+    if (o->skip && !o->close) { /* after #; */
       know_index hidden = o->node;
       r->depth--;
       drop(r, node);
@@ -160,7 +162,7 @@ static void deliver(reader *r, know_index node) {
     k->nodes[o->node].count++;
     if (o->dot) k->nodes[o->node].dotted = true;
     if (o->close) return;
-    node = o->node; /* a quote has its datum */
+    node = o->node; /* the quote has its datum */
     finish(r, node);
     r->depth--;
   }
@@ -216,7 +218,7 @@ static void delimited(reader *r, char end) {
 static bool number_like(const char *s, size_t n) {
   size_t i = n && (*s == '+' || *s == '-');
   if (i < n && s[i] == '.') i++;
-  if (i < n && s[i] >= '0' && s[i] <= '9') { /* 2pi, 1+ are names */
+  if (i < n && s[i] >= '0' && s[i] <= '9') { /* names may begin with digits, such as 2pi and 1+ */
     for (; i < n; i++)
       if (!strchr("0123456789.eE+-/ @i", s[i])) return false;
     char last = s[n - 1];
@@ -229,7 +231,7 @@ static bool number_like(const char *s, size_t n) {
 
 static bool is_word(const char *s, size_t n, const char *word) { return n == strlen(word) && !memcmp(s, word, n); }
 
-/* Reads a name or number, also one |with bars|. */
+/* Reads a name or number, including a name |with bars|. */
 static bool token(reader *r) {
   know_place at = begin(r);
   size_t from = r->at;
@@ -238,7 +240,7 @@ static bool token(reader *r) {
     if (r->text[r->at] == '|') bars = true, delimited(r, '|');
     else r->at++;
   }
-  if (r->at == from) r->at++; /* a lone character that begins nothing */
+  if (r->at == from) r->at++; /* a single character that begins no name or number */
   const char *s = r->text + from;
   size_t n = r->at - from;
   know_index node;
@@ -317,7 +319,7 @@ static bool datum(reader *r) {
     }
     if (r->size - r->at > 4 && (!memcmp(r->text + r->at, "#u8(", 4) || !memcmp(r->text + r->at, "#U8(",
         4))) return list(r, KNOW_VECTOR, '#', 4);
-    if (d >= '0' && d <= '9') { /* #0= and #0# */
+    if (d >= '0' && d <= '9') { /* a label, #0= or #0# */
       size_t n = 1;
       while (peek(r, n) >= '0' && peek(r, n) <= '9') n++;
       if (peek(r, n) == '=') return r->at += n + 1, true;
@@ -350,7 +352,7 @@ static bool exists(const char *path) {
   return f != NULL;
 }
 
-/* Joins folder and name, with a / if needed. Returns false if the path is too long, or there is no such file. */
+/* Joins folder and name, with a / if needed. Returns false if the path is too long, or if there is no such file. */
 static bool in_folder(const char *folder, size_t length, const char *name, size_t n, char path[KNOW_PATH]) {
   const char *slash = length && folder[length - 1] != '/' ? "/" : "";
   int room = snprintf(path, KNOW_PATH, "%.*s%s%.*s", (int)length, folder, slash, (int)n, name);
@@ -429,13 +431,13 @@ static bool is_text(const char *text, size_t length) {
   return true;
 }
 
-/* Returns true if the language's reader accepts the text. It reads a whole text before it runs any of it. Therefore a
- * first form that cannot be expanded, on a line before the first, makes it read and not run. The host ignores messages
- * about that line. */
+/* Returns true if the language's reader accepts the text. The interpreter reads a whole text before it runs any of it.
+ * A form that cannot be expanded is therefore added on a line before the first, so that the text is read and not run.
+ * The host ignores messages about that line. */
 static bool readable(knowledge *k, const char *path, const char *text, size_t length) {
   static const char before[] = "(lambda)\n";
   char *whole = NULL;
-  if (!is_text(text, length)) { /* its message counts bytes; no part of it can run */
+  if (!is_text(text, length)) { /* the reader's message counts bytes; no part of the text can run */
     vs_eval_text(k->scheme, path, 1, text, length, 0);
     return know_fail(k, NULL, VS_OUTCOME_MODEL, "%s", "-");
   }
@@ -448,7 +450,8 @@ static bool readable(knowledge *k, const char *path, const char *text, size_t le
   k->reading = false;
   free(whole);
   if (outcome == VS_OUTCOME_MODEL && !k->unreadable) return true;
-  know_fail(k, NULL, outcome == VS_OUTCOME_DONE ? VS_OUTCOME_MODEL : outcome, "%s", "-"); /* the host has the message */
+  know_fail(k, NULL, outcome == VS_OUTCOME_DONE ? VS_OUTCOME_MODEL : outcome, "%s", "-"); /* the host has received the
+                                                                                           * message */
   return false;
 }
 

@@ -1,4 +1,5 @@
-/* Owns the checks of calls: the number and types of arguments, and the language's own errors for calls of constants. */
+/* Implements the checks of calls: the number and types of arguments, and the language's own errors for calls with
+ * constants. */
 #include "languages/checks/argument_checks.h"
 
 #include <stdio.h>
@@ -64,11 +65,13 @@ know_type know_type_of(const knowledge *k, know_index node) {
           : kind == KNOW_STRING ? KNOW_TYPE_STRING : KNOW_TYPE_UNKNOWN;
       }
       int row = n->form ? -1 : plain_row(k, k->nodes[head].symbol);
-      if (row < 0 || (n->count == 2 && know_is(k, head, "subtract"))) return KNOW_TYPE_UNKNOWN; /* a procedure that
-                                                                                                 * waits for the other
+      if (row < 0 || (n->count == 2 && know_is(k, head, "subtract"))) return KNOW_TYPE_UNKNOWN; /* such a call returns a
+                                                                                                 * procedure that waits
+                                                                                                 * for the other
                                                                                                  * operands */
       if (plain[row].type || row > 3) return plain[row].type;
-      for (know_index i = k->nodes[head].next; i; i = k->nodes[i].next) /* + - * / of numbers: one level is enough */
+      for (know_index i = k->nodes[head].next; i; i = k->nodes[i].next) /* + - * / of numbers: one level of operands is
+                                                                         * sufficient */
         if (k->nodes[i].kind != KNOW_NUMBER) return KNOW_TYPE_UNKNOWN;
       return KNOW_TYPE_NUMBER;
     }
@@ -82,7 +85,8 @@ know_type know_type_of(const knowledge *k, know_index node) {
 
 typedef struct { uint32_t least, most; } range;
 
-/* Reads the range from "(make-box c dx dy dz)": brackets enclose optional arguments, ... follows one that repeats. */
+/* Reads the range from a text such as "(make-box c dx dy dz)". Brackets enclose optional arguments, and ... follows an
+ * argument that may be repeated. */
 static const char *read_call(const char *at, range *r) {
   *r = (range){0, 0};
   int depth = 0;
@@ -143,7 +147,7 @@ static bool count_fits(know_findings *f, know_index node, know_index symbol) {
     } else if (own && !s->arity.any_keyword && s->arity.most != UINT32_MAX) {
       know_found(f, KNOW_CHECK_ARGUMENTS, i, "%s has no keyword %s", s->text, name);
       return false;
-    } else if (own && !s->arity.any_keyword) return ok; /* the rest argument may hold it */
+    } else if (own && !s->arity.any_keyword) return ok; /* the rest argument may contain the keyword */
     i = k->nodes[i].next;
     if (!i) return ok;
   }
@@ -168,7 +172,7 @@ static bool count_fits(know_findings *f, know_index node, know_index symbol) {
   return false;
 }
 
-/* ---- types that no other argument could make right ---- */
+/* ---- types that are wrong for every value of the other arguments ---- */
 
 static bool among(const char *word, size_t n, const char *const *words) {
   for (; *words; words++)
@@ -176,7 +180,7 @@ static bool among(const char *word, size_t n, const char *const *words) {
   return false;
 }
 
-/* Returns true if the type is wrong, by the names of the procedure's parameters in the language. */
+/* Returns true if the type is wrong for a parameter of the language with this name. */
 static bool wrong_for(const char *name, size_t n, know_type type, const char *call, bool known) {
   static const char *const strings[] = {"string", "string1", "string2", "strings", NULL};
   static const char *const vectors[] = {"vector", NULL}, *const procedures[] = {"f", "procedure", "pred", "predicate",
@@ -236,7 +240,7 @@ static void put(text *t, const char *s, size_t n) {
   t->at[t->count++] = ' ';
 }
 
-/* Writes the expression with the values of its variables; failed: it is not constant. */
+/* Writes the expression with the values of its variables. Sets failed if the expression is not constant. */
 static void constant(const knowledge *k, know_index node, text *t) {
   const know_node *n = &k->nodes[node];
   size_t length;
@@ -260,13 +264,14 @@ static void constant(const knowledge *k, know_index node, text *t) {
   } else if (n->kind == KNOW_SYMBOL && n->role == KNOW_REFERENCE && k->symbols[n->symbol].kind == KNOW_BUILTIN &&
       !*k->symbols[n->symbol].call &&
              *k->symbols[n->symbol].text != '%')
-    put(t, k->symbols[n->symbol].text, strlen(k->symbols[n->symbol].text)); /* pi, origin, ux */
+    put(t, k->symbols[n->symbol].text, strlen(k->symbols[n->symbol].text)); /* a constant of the language, such as pi,
+                                                                             * origin or ux */
   else if ((value = constant_value(k, node)) != 0) constant(k, value, t);
   else t->failed = true;
   t->depth--;
 }
 
-/* Returns the interpreter's errors in the text; "": none. */
+/* Returns the interpreter's error for the text, or "" if there is none. */
 static const char *objection(knowledge *k, const char *program, size_t length) {
   *k->heard = 0;
   k->muted = true;
@@ -285,7 +290,7 @@ static bool guarded(const knowledge *k, know_index node) {
 static bool of_constants(know_findings *f, know_index node, uint8_t *wrong) {
   knowledge *k = f->k;
   for (know_index i = know_nth(k, node, 1); i; i = k->nodes[i].next)
-    if (wrong[i]) return wrong[node] = 1, false; /* reported there */
+    if (wrong[i]) return wrong[node] = 1, false; /* the error is already reported for the inner call */
   text t = {0};
   constant(k, node, &t);
   const char *why = t.failed ? "" : objection(k, t.at, t.count);
@@ -295,7 +300,8 @@ static bool of_constants(know_findings *f, know_index node, uint8_t *wrong) {
   return !*why;
 }
 
-/* Checks a call of the program's own procedure with constants, if its contracts use only the language. */
+/* Checks a call of the program's own procedure with constants, if the contracts of the procedure use only the
+ * language. */
 static void own_contracts(know_findings *f, know_index node, const know_symbol *s) {
   knowledge *k = f->k;
   know_index p = s->parameters ? k->nodes[s->parameters].first : 0, a = know_nth(k, node, 1);
@@ -335,7 +341,7 @@ void know_check_calls(know_findings *f) {
   size_t answers = 0;
   uint8_t *wrong = know_alloc(k, k->node_count);
   if (!wrong) return;
-  /* inner calls follow outer ones in the text, so the walk reports the innermost fault */
+  /* inner calls follow outer calls in the text, so the loop reports the innermost fault */
   for (know_index i = (know_index)k->node_count; i-- > 1 && !*k->trouble;) {
     if (!know_is_call(k, i) || k->nodes[i].form) continue;
     know_index head = k->nodes[i].first;

@@ -1,4 +1,5 @@
-/* Owns the checks of calls: the number and types of arguments, and the language's own errors for calls of constants. */
+/* Declares the checks of calls: the number and types of arguments, and the language's own errors for calls with
+ * constants. */
 #ifndef VS_LANGUAGES_CHECKS_ARGUMENT_CHECKS_H
 #define VS_LANGUAGES_CHECKS_ARGUMENT_CHECKS_H
 
@@ -10,9 +11,9 @@ typedef enum {
   KNOW_TYPE_VECTOR, KNOW_TYPE_PROCEDURE, KNOW_TYPE_POINT, KNOW_TYPE_GVECTOR, KNOW_TYPE_OBJECT
 } know_type;
 
-/* Returns the type of an expression's value, as far as its text determines it. */
+/* Returns the type of an expression's value, as far as its text determines the type. */
 know_type know_type_of(const knowledge *k, know_index node);
-const char *know_type_word(know_type type); /* "a number" */
+const char *know_type_word(know_type type); /* returns a text such as "a number" */
 void know_check_calls(know_findings *f);
 
 #endif

@@ -1,5 +1,6 @@
-/* Owns `vs check`: probable faults of a program that is read and not run. Each finding must deserve a careful author's
- * attention in every program, so each check excludes the cases in which the same text is right somewhere. */
+/* Implements `vs check`: it finds probable faults of a program by reading it, without running it. Each finding must
+ * deserve a careful author's attention in every program. Each check therefore excludes all cases in which the text can
+ * be correct. */
 #include "languages/checks/checks.h"
 
 #include <stdarg.h>
@@ -42,7 +43,7 @@ static bool within(const knowledge *k, know_index node, know_index form) {
   return a->file == b->file && a->from >= b->from && a->to <= b->to;
 }
 
-/* Returns true if the value is used outside its own definition. */
+/* Returns true if the symbol is used outside its own definition. */
 static bool used_outside(const knowledge *k, const know_symbol *s) {
   for (know_index u = s->first_use; u; u = k->uses[u].next)
     if ((k->uses[u].role == KNOW_REFERENCE || k->uses[u].role == KNOW_OPAQUE) &&
@@ -52,19 +53,19 @@ static bool used_outside(const knowledge *k, const know_symbol *s) {
   return false;
 }
 
-/* Returns true for (rec name value), whose value is the name's, so that the name is used. */
+/* Returns true for the name in (rec name value): the form returns the name's value, so the name is used. */
 static bool is_own_value(const knowledge *k, const know_symbol *s) {
   return s->form && !k->script && know_is(k, k->nodes[s->form].first, "rec");
 }
 
-/* Returns true for a procedure that is passed as a value: its caller determines its parameters. */
+/* Returns true for a procedure that is passed as a value, so that its caller determines its parameters. */
 static bool handed_on(const knowledge *k, const know_symbol *s) {
   for (know_index u = s->first_use; u; u = k->uses[u].next)
     if (k->uses[u].role != KNOW_DEFINITION && !k->uses[u].called) return true;
   return false;
 }
 
-/* Returns false for a library: a file that draws nothing and runs only definitions. */
+/* Returns false for a library: a program that draws nothing and contains only definitions. */
 static bool runs_something(const knowledge *k) {
   for (size_t i = 1; i < k->symbol_count; i++)
     if (k->symbols[i].kind == KNOW_BUILTIN && (!strcmp(k->symbols[i].text, "draw") ||
@@ -189,7 +190,7 @@ static void check_changes(know_findings *f) {
       bool procedure = use->role == KNOW_DEFINITION && use->node != s->definition && s->kind == KNOW_FUNCTION && !value;
       if (procedure) know_found(f, KNOW_CHECK_REDEFINED, use->node, "%s is defined on line %u already", s->text,
                                 k->nodes[first].at.line);
-      bool empty = type == KNOW_TYPE_BOOLEAN || now == KNOW_TYPE_BOOLEAN; /* #f means 'not yet set' */
+      bool empty = type == KNOW_TYPE_BOOLEAN || now == KNOW_TYPE_BOOLEAN; /* #f often means 'not yet set' */
       if (type && now && now != type && !empty)
         know_found(f, KNOW_CHECK_TYPE_CHANGE, use->node, "%s was %s on line %u and becomes %s", s->text,
             know_type_word(type),
@@ -206,14 +207,14 @@ static bool is_form(const knowledge *k, know_index node, const char *word) {
 }
 
 /* Returns true for statements that may follow a jump: a function is defined before anything runs, and a break is a
- * habit. */
+ * common habit. */
 static bool harmless(const knowledge *k, know_index node) {
   know_index head = k->nodes[node].kind == KNOW_LIST ? k->nodes[node].first : 0;
   return k->script && (know_is(k, head, "define") || know_is(k, head, "declared") || know_is(k, head, "break") ||
          know_is(k, head, "empty"));
 }
 
-/* Returns true if control never returns from it. */
+/* Returns true if control never continues after the node. */
 static bool leaves(const knowledge *k, know_index node) {
   if (k->script) return leaves_script(k, node);
   if (k->nodes[node].kind != KNOW_LIST || k->nodes[node].form || !k->nodes[node].walked) return false;
@@ -222,7 +223,7 @@ static bool leaves(const knowledge *k, know_index node) {
   const char *name = k->symbols[s].text;
   if (k->symbols[s].kind == KNOW_BUILTIN) return !strcmp(name, "error") || !strcmp(name, "exit") || !strcmp(name,
       "raise");
-  /* an escape: the k of (let/ec k ...) */
+  /* an escape by the k of (let/ec k ...) */
   know_index form = k->symbols[s].form, parent = form ? k->nodes[form].parent : 0;
   return k->symbols[s].kind == KNOW_LOCAL && parent && (is_form(k, parent, "let/ec") || is_form(k, parent, "let/cc")) &&
          know_nth(k, parent, 1) == form;
@@ -233,7 +234,7 @@ static bool truth(const knowledge *k, know_index node, bool *value) {
   size_t length;
   const char *s = know_spelling(k, node, &length);
   if (n->kind == KNOW_BOOLEAN) return *value = s[*s == '#'] == 't', true;
-  if (k->script) return false; /* there, 0 and "" are false */
+  if (k->script) return false; /* in a script, 0 and "" are false too */
   if (n->kind == KNOW_NUMBER || n->kind == KNOW_STRING) return *value = true, true;
   return false;
 }
@@ -281,7 +282,7 @@ static void check_form(know_findings *f, know_index node) {
   else if (know_is(k, head, "if") && second && truth(k, second, &value)) {
     know_index dead = know_nth(k, node, value ? 3 : 2);
     bool nothing = k->nodes[node].count == 3 && k->nodes[k->nodes[second].next].kind == KNOW_BOOLEAN;
-        /* (if #f #f): no value */
+        /* (if #f #f) is the usual spelling of no value. */
     if (dead && !nothing) know_found(f, KNOW_CHECK_UNREACHABLE, dead, "the test is always %s",
         value ? "true" : "false");
   } else if ((know_is(k, head, "when") || know_is(k, head, "unless")) && second && truth(k, second, &value) &&
@@ -289,13 +290,13 @@ static void check_form(know_findings *f, know_index node) {
     know_found(f, KNOW_CHECK_UNREACHABLE, know_nth(k, node, 2), "the test is always %s", value ? "true" : "false");
 }
 
-/* Checks a body: its last form is its value, of all earlier forms only the effect counts. */
+/* Checks a body. Its value is that of its last form. Of all earlier forms only the effect counts. */
 static void check_body(know_findings *f, know_index node) {
   const knowledge *k = f->k;
   know_index next = k->nodes[node].next;
   if (!next || !k->nodes[next].statement) return;
   const know_node *n = &k->nodes[node];
-  if (n->parent && know_is(k, k->nodes[n->parent].first, "if")) return; /* only one of two branches runs */
+  if (n->parent && know_is(k, k->nodes[n->parent].first, "if")) return; /* only one of the two branches runs */
   if (leaves(k, node)) {
     if (!harmless(k, next)) know_found(f, KNOW_CHECK_UNREACHABLE, next, "line %u never goes on to this", n->at.line);
     return;
@@ -340,7 +341,7 @@ static void check_nodes(know_findings *f) {
 
 /* ---- comments that allow findings ---- */
 
-/* Reads "check: allow NAME, NAME" or "check: allow all", followed by "in this file" or not. */
+/* Reads "check: allow NAME, NAME" or "check: allow all", with or without "in this file" after it. */
 static bool allows(const char *text, size_t n, const char *name, bool *whole_file) {
   static const char word[] = "check: allow ", everywhere[] = "in this file";
   if (n < sizeof word - 1 || memcmp(text, word, sizeof word - 1) != 0) return false;
@@ -359,8 +360,7 @@ static bool allows(const char *text, size_t n, const char *name, bool *whole_fil
   return found;
 }
 
-/* Returns true if Euclides' annotation "euclides.suppress_warning_unreferenced_object.NAME;" is anywhere in the
- * script. */
+/* Returns true if Euclides' annotation "euclides.suppress_warning_unreferenced_object.NAME;" occurs in the script. */
 static bool annotated(const knowledge *k, const know_finding *f, const char *text, size_t n) {
   static const char word[] = "euclides.suppress_warning_unreferenced_object.";
   if (!k->script || (f->check != KNOW_CHECK_UNREFERENCED && f->check != KNOW_CHECK_UNUSED)) return false;
@@ -393,7 +393,7 @@ static int by_place(const void *a, const void *b) {
   return x->check != y->check ? x->check < y->check ? -1 : 1 : strcmp(x->details, y->details);
 }
 
-/* ---- the whole ---- */
+/* ---- all checks ---- */
 
 bool know_check_program(knowledge *k, know_findings *out) {
   *out = (know_findings){.k = k};
@@ -405,7 +405,8 @@ bool know_check_program(knowledge *k, know_findings *out) {
   if (out->count) qsort(out->at, out->count, sizeof *out->at, by_place);
   size_t kept = 0;
   for (size_t i = 0; i < out->count; i++) {
-    if (kept && !by_place(&out->at[kept - 1], &out->at[i])) continue; /* a file that is loaded twice */
+    if (kept && !by_place(&out->at[kept - 1], &out->at[i])) continue; /* the file is loaded twice, so the finding occurs
+                                                                       * twice */
     if (!allowed(k, &out->at[i])) out->at[kept++] = out->at[i];
   }
   out->count = kept;

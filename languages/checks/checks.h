@@ -1,4 +1,4 @@
-/* Owns `vs check`: probable faults of a program that is read and not run. */
+/* Declares `vs check`: it finds probable faults of a program by reading it, without running it. */
 #ifndef VS_LANGUAGES_CHECKS_CHECKS_H
 #define VS_LANGUAGES_CHECKS_CHECKS_H
 
@@ -18,17 +18,17 @@ typedef struct {
   know_finding *at; size_t count, room;
 } know_findings;
 
-/* Runs all checks of checks.def. Findings come in the order of the text, without those that a comment allows. Returns
- * false on trouble. */
+/* Runs all checks of checks.def. The findings are in the order of the text, without those that a comment allows.
+ * Returns false on failure. */
 bool know_check_program(knowledge *k, know_findings *out);
 void know_findings_free(know_findings *f);
 void know_report_findings(const know_findings *f, FILE *to);
 void know_report_findings_json(const know_findings *f, FILE *to);
 
-/* ---- for the parts of the checking ---- */
+/* ---- for the files of the checks ---- */
 void know_found(know_findings *f, know_check check, know_index node, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
-/* Returns true if the node is an expression of the text itself that the walk has visited. */
+/* Returns true if the node is an expression of the text itself, not of a macro, and the walk has visited it. */
 bool know_is_call(const knowledge *k, know_index node);
 
 #endif

@@ -1,8 +1,8 @@
-/* Owns the parser of scripts: recursive descent, with operator precedence.
+/* Implements the parser of scripts by recursive descent, with precedence of operators.
  *
- * It calls itself once for each level of brackets or statements, and counts the levels: it refuses a text with more
- * than VS_SCRIPT_DEPTH. A long row of operators makes a tree as high as the row is long; the height of each node bounds
- * it. */
+ * The parser calls itself once for each level of brackets or statements, and counts the levels. It refuses a text with
+ * more than VS_SCRIPT_DEPTH levels. A long row of operators makes a tree as high as the row is long; the parser limits
+ * the height of each node. */
 #include "languages/javascript/parser.h"
 
 #include <string.h>
@@ -12,9 +12,10 @@
 typedef struct {
   vs_script *s;
   vs_scanner c;
-  vs_script_place last; /* the place of the token before */
-  unsigned depth, chained; /* the number of open levels, and of the else-ifs among them */
-  unsigned functions, loops, switches; /* the numbers around the current place, within its function */
+  vs_script_place last; /* place of the last token that was read */
+  unsigned depth, chained; /* depth: number of open levels. chained: number of else-ifs among them */
+  unsigned functions, loops, switches; /* numbers of functions, loops and switches around the current place; loops and
+                                        * switches within its function */
 } parser;
 
 typedef struct {
@@ -58,7 +59,7 @@ static bool unexpected(parser *p, const char *wanted) {
 
 static bool expect(parser *p, const char *mark) { return at_mark(p, mark) ? next(p) : unexpected(p, mark); }
 
-/* Reads the end of a statement: a semicolon, or a place where the grammar lets one be missing. */
+/* Reads the end of a statement: a semicolon, or a place where the grammar allows it to be omitted. */
 static bool semicolon(parser *p) {
   if (at_mark(p, ";")) return next(p);
   if (at_mark(p, "}") || now(p)->kind == VS_TOKEN_END || now(p)->newline) return true;
@@ -72,14 +73,14 @@ static bool semicolon(parser *p) {
 
 static vs_script_node *node(const parser *p, uint32_t i) { return &p->s->nodes[i]; }
 
-/* Ends the node after the last token. */
+/* Sets the end of the node to the end of the last token. */
 static bool close_node(parser *p, uint32_t i) {
   vs_script_node *n = node(p, i);
   n->at.to = p->last.to, n->at.end_line = p->last.end_line, n->at.end_column = p->last.end_column;
   return true;
 }
 
-/* Makes the node's height at least the part's plus 1. */
+/* Makes the node's height at least the height of the part plus 1. */
 static bool above(parser *p, uint32_t i, uint32_t part) {
   if (!part || node(p, part)->height < node(p, i)->height) return true;
   if (node(p, part)->height >= VS_SCRIPT_HEIGHT)
@@ -93,7 +94,7 @@ static bool make(parser *p, vs_script_kind kind, vs_script_place at, uint32_t *o
   return (*out = vs_script_node_new(p->s, kind, at)) != 0;
 }
 
-/* Makes a node with these parts, which ends after the last token. */
+/* Makes a node with these parts. Its end is the end of the last token. */
 static bool make_of(parser *p, vs_script_kind kind, vs_script_place at, uint32_t a, uint32_t b, uint32_t c, uint32_t d,
                     uint32_t *out) {
   if (!make(p, kind, at, out)) return false;
@@ -230,7 +231,7 @@ static bool primary(parser *p, uint32_t *out) {
   if (at_mark(p, "(")) {
     vs_script_place at = t->at;
     if (!next(p) || !expression(p, true, out) || !expect(p, ")")) return false;
-    node(p, *out)->at = at; /* its place includes the parentheses */
+    node(p, *out)->at = at; /* the place of an expression in parentheses includes the parentheses */
     return close_node(p, *out);
   }
   return unexpected(p, "an expression");
@@ -334,7 +335,7 @@ static const struct {
 };
 enum { OPERATORS = sizeof operators / sizeof *operators };
 
-/* Returns the binary operator here; NONE: there is none. */
+/* Returns the binary operator at the current token, or NONE if there is none. */
 static vs_script_operator infix(const parser *p, bool in) {
   if (at_word(p, VS_WORD_INSTANCEOF)) return VS_OPERATOR_INSTANCE_OF;
   if (at_word(p, VS_WORD_IN)) return in ? VS_OPERATOR_IN : VS_OPERATOR_NONE;
@@ -344,7 +345,7 @@ static vs_script_operator infix(const parser *p, bool in) {
   return VS_OPERATOR_NONE;
 }
 
-/* Reads operands and operators of precedence `least` or more. It calls itself only for higher precedences. */
+/* Reads operands and operators of precedence `least` or higher. It calls itself only for higher precedences. */
 static bool binary(parser *p, unsigned least, bool in, uint32_t *out) {
   if (!unary(p, out)) return false;
   for (;;) {
@@ -400,7 +401,7 @@ static bool expression(parser *p, bool in, uint32_t *out) {
 
 /* ---- statements ---- */
 
-/* Reads statements up to the mark or the end of the text; `cases`: a case or default ends them, too. */
+/* Reads statements up to } or the end of the text. cases: a case or default also ends them. */
 static bool statements(parser *p, bool cases, list *l) {
   while (now(p)->kind != VS_TOKEN_END && !at_mark(p, "}") &&
          !(cases && (at_word(p, VS_WORD_CASE) || at_word(p, VS_WORD_DEFAULT)))) {
@@ -554,7 +555,7 @@ static bool try_statement(parser *p, vs_script_place at, uint32_t *out) {
   return make_of(p, VS_SCRIPT_TRY, at, body, own, handler, last, out);
 }
 
-/* Reads break or continue, with a label if one follows in the same line. */
+/* Reads break or continue, with a label if there is a label on the same line. */
 static bool jump(parser *p, vs_script_kind kind, vs_script_place at, uint32_t *out) {
   uint32_t label = 0;
   if (!next(p)) return false;
@@ -569,8 +570,8 @@ static bool jump(parser *p, vs_script_kind kind, vs_script_place at, uint32_t *o
 
 static bool word_statement(parser *p, vs_script_place at, uint32_t *out);
 
-/* Reads the statement after `else`. An `if` there continues a chain and opens no level: a chain may be as long as a
- * tree is high. */
+/* Reads the statement after `else`. An `if` here continues a chain and begins no new level, so the length of a chain is
+ * limited only by the height of the tree. */
 static bool otherwise(parser *p, uint32_t *out) {
   if (!at_word(p, VS_WORD_IF)) return statement(p, out);
   if (++p->chained > VS_SCRIPT_HEIGHT)
@@ -642,7 +643,7 @@ bool vs_script_parse(vs_script *s, const char *text, size_t size, vs_script_resi
   *s = (vs_script){ .source = text, .size = size, .resize = resize, .context = context };
   parser p = { .s = s };
   list l = { 0 };
-  vs_script_node_new(s, VS_SCRIPT_EMPTY, (vs_script_place){ 0 }); /* index 0 means no node */
+  vs_script_node_new(s, VS_SCRIPT_EMPTY, (vs_script_place){ 0 }); /* index 0 means that there is no node */
   if (s->no_memory || !vs_scanner_open(&p.c, s) || !next(&p)) return false;
   vs_script_place start = now(&p)->at;
   if (!statements(&p, false, &l)) return false;

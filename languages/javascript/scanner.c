@@ -1,8 +1,8 @@
-/* Owns the scanner of scripts.
+/* Implements the scanner of scripts.
  *
- * A comment that begins with slash, star, percent is a token: text of the target language. All others, also
- * annotations, are kept as comments. Line ends matter to the grammar, so each token notes whether a line ended before
- * it. */
+ * A comment that begins with slash, star, percent is a token: it contains text of the target language. All other
+ * comments, including annotations, are kept as comments. Line ends have a meaning in the grammar, so each token records
+ * whether a line ended before it. */
 #include "languages/javascript/scanner.h"
 
 #include <errno.h>
@@ -39,7 +39,7 @@ static void close_place(vs_scanner *c, vs_script_place *p) {
   p->to = (uint32_t)c->at, p->end_line = c->line, p->end_column = column_of(c, c->at);
 }
 
-/* Returns the bytes of a line's end here, also of U+2028 and U+2029; 0: there is none. */
+/* Returns the length in bytes of the line end here, or 0 if there is none. U+2028 and U+2029 are line ends. */
 static size_t line_end(const vs_scanner *c) {
   int a = peek(c, 0);
   if (a == '\n') return 1;
@@ -47,7 +47,7 @@ static size_t line_end(const vs_scanner *c) {
   return a == 0xE2 && peek(c, 1) == 0x80 && (peek(c, 2) == 0xA8 || peek(c, 2) == 0xA9) ? 3 : 0;
 }
 
-static bool advance(vs_scanner *c) { /* Skips a byte or a line's end; returns true for a line's end. */
+static bool advance(vs_scanner *c) { /* skips a byte or a line end; returns true for a line end */
   size_t n = line_end(c);
   if (!n) return c->at++, false;
   c->at += n;
@@ -55,7 +55,8 @@ static bool advance(vs_scanner *c) { /* Skips a byte or a line's end; returns tr
   return true;
 }
 
-/* Returns the bytes of the character at s; 0 if they are no character. */
+/* Decodes the character at the beginning of text, and returns its length in bytes. Returns 0 if the bytes are not a
+ * character. */
 static size_t character(const char *text, size_t size, uint32_t *code) {
   const unsigned char *s = (const unsigned char *)text;
   static const uint32_t least[] = { 0, 0, 0x80, 0x800, 0x10000 };
@@ -107,7 +108,8 @@ static bool keep_comment(vs_scanner *c, vs_script_place at, bool alone) {
   return true;
 }
 
-/* Reads a comment between slash-star and star-slash. *native: it is text of the other language, and the token. */
+/* Reads a comment between slash-star and star-slash. Sets *native if it contains text of the target language, and is
+ * therefore a token. */
 static bool block(vs_scanner *c, bool *newline, bool *native) {
   vs_script_place at = here(c);
   bool alone = !c->line_has_code, lines = false;
@@ -178,8 +180,8 @@ static bool number(vs_scanner *c) {
       if (peek(c, 1 + sign) >= '0' && peek(c, 1 + sign) <= '9')
         for (c->at += 1 + sign; peek(c, 0) >= '0' && peek(c, 0) <= '9';) c->at++;
     }
-    /* The text has no NUL after the number, so strtod gets a copy. Longer numbers are refused; their further digits
-     * could change only the last bit. */
+    /* The text has no NUL after the number, so strtod reads a copy. A number too long for the copy is refused; its
+     * further digits could change only the last bit. */
     char copy[800];
     size_t n = c->at - from;
     if (n >= sizeof copy) return vs_script_fail(c->s, t->at, "a number of more than %zu characters", sizeof copy - 1);
@@ -206,7 +208,7 @@ static bool put_character(vs_scanner *c, uint32_t u) {
   return vs_script_text(c->s, b, n);
 }
 
-/* Reads exactly `digits` hexadecimal digits; returns false if there are fewer. */
+/* Reads exactly `digits` hexadecimal digits. Returns false if there are fewer. */
 static bool hexadecimal(vs_scanner *c, unsigned digits, uint32_t *u) {
   *u = 0;
   for (unsigned i = 0; i < digits; i++) {
@@ -244,7 +246,7 @@ static bool escape(vs_scanner *c) {
     if (u >= 0xD800 && u < 0xE000) return vs_script_fail(c->s, at, "half of a surrogate pair is no character");
     return put_character(c, u);
   }
-  size_t from = c->at++; /* any other character means itself */
+  size_t from = c->at++; /* after a backslash, any other character means itself */
   while ((peek(c, 0) & 0xC0) == 0x80) c->at++;
   return vs_script_text(c->s, c->s->source + from, c->at - from);
 }

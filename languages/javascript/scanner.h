@@ -1,4 +1,4 @@
-/* Owns the conversion of a script's text to tokens and comments. */
+/* Declares the conversion of a script's text to tokens and comments. */
 #ifndef VS_LANGUAGES_JAVASCRIPT_SCANNER_H
 #define VS_LANGUAGES_JAVASCRIPT_SCANNER_H
 
@@ -23,11 +23,11 @@ typedef enum {
 
 typedef struct {
   uint8_t kind;
-  bool newline;          /* a line ended between it and the token before */
-  uint8_t word;          /* WORD: vs_script_word */
-  char mark[5];          /* MARK: as in the text */
-  uint32_t name;         /* NAME, WORD */
-  uint32_t text, length; /* STRING, NATIVE: in the script's texts */
+  bool newline;          /* whether a line ended between the last token and this token */
+  uint8_t word;          /* WORD: its vs_script_word */
+  char mark[5];          /* MARK: its text */
+  uint32_t name;         /* NAME, WORD: index of its name */
+  uint32_t text, length; /* STRING, NATIVE: range in the script's texts */
   double number;
   vs_script_place at;
 } vs_token;
@@ -37,10 +37,11 @@ typedef struct {
   size_t at, line_start, column_at;
   uint32_t line, column;
   bool line_has_code;
-  vs_token token; /* the last token */
+  vs_token token; /* the token that was read last */
 } vs_scanner;
 
-/* Checks that the text is valid and moves before its first token. Returns false with the trouble set. */
+/* Checks that the text is valid and moves to the position before its first token. Returns false with the trouble
+ * set. */
 bool vs_scanner_open(vs_scanner *c, vs_script *s);
 /* Reads the next token. Returns false with the trouble set. */
 bool vs_scanner_next(vs_scanner *c);

@@ -1,4 +1,4 @@
-/* Owns the arrays of a script's tree. */
+/* Implements the arrays of a script's tree. */
 #include "languages/javascript/script.h"
 
 #include <stdarg.h>
@@ -15,7 +15,7 @@ bool vs_script_fail(vs_script *s, vs_script_place at, const char *format, ...) {
   return false;
 }
 
-/* array: the address of a pointer */
+/* Grows an array to `count` items. array: address of the pointer to the array. */
 bool vs_script_room(vs_script *s, void *array, size_t *room, size_t count, size_t size) {
   if (count <= *room) return true;
   size_t more = *room ? *room : 64;
@@ -93,7 +93,7 @@ uint32_t vs_script_name_known(const vs_script *s, const char *text, size_t lengt
 uint32_t vs_script_name_of(vs_script *s, const char *text, size_t length) {
   uint32_t known = vs_script_name_known(s, text, length), h = hash_of(text, length);
   if (known || !table_grow(s)) return known;
-  if (!s->name_count) s->name_count = 1; /* 0 means no name */
+  if (!s->name_count) s->name_count = 1; /* index 0 means that there is no name */
   if (!vs_script_room(s, &s->names, &s->name_room, s->name_count + 1, sizeof *s->names)) return 0;
   uint32_t start = (uint32_t)s->text_count;
   if (!vs_script_text(s, text, length)) return 0;

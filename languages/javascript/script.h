@@ -1,7 +1,8 @@
-/* Owns the tree of a script, a program in JavaScript: nodes with places, names, texts and comments, all in arrays.
+/* Declares the tree of a script, which is a program in JavaScript: nodes with places, names, texts and comments, all in
+ * arrays.
  *
- * An index identifies a node; 0 means none. The caller provides the memory, and gets the old size with each request.
- * Every node has its height, which is bounded, so a recursive walk of the tree is safe. */
+ * An index identifies a node, and 0 means that there is none. The caller provides the memory, and receives the old size
+ * with each request. The height of every node is limited, so a recursive walk of the tree is safe. */
 #ifndef VS_LANGUAGES_JAVASCRIPT_SCRIPT_H
 #define VS_LANGUAGES_JAVASCRIPT_SCRIPT_H
 
@@ -21,11 +22,11 @@ typedef enum {
 #undef VS_SCRIPT_OPERATOR
 } vs_script_operator;
 
-/* The most nested levels of brackets and statements, and the most levels of a tree. */
+/* The greatest number of nested levels of brackets and statements, and the greatest height of a tree. */
 enum { VS_SCRIPT_DEPTH = 400, VS_SCRIPT_HEIGHT = 1500 };
 
-/* from, to: bytes of the text. Lines and columns count from 1, columns in characters; the end is just after the last
- * character. */
+/* A place: from, to are a range of bytes of the text. Lines and columns count from 1, columns in characters. The end is
+ * just after the last character. */
 typedef struct {
   uint32_t from, to, line, column, end_line, end_column;
 } vs_script_place;
@@ -35,10 +36,10 @@ typedef struct {
   bool flag;
   uint16_t height;
   uint32_t next, count;
-  uint32_t a, b, c, d;   /* script_nodes.def gives their meaning for each kind */
-  uint32_t name;         /* NAME: an index of `names` */
-  uint32_t text, length; /* STRING, NATIVE: in `texts`, UTF-8 */
-  double number;         /* NUMBER */
+  uint32_t a, b, c, d;   /* parts of the node; script_nodes.def gives their meaning for each kind */
+  uint32_t name;         /* NAME: index in `names` */
+  uint32_t text, length; /* STRING, NATIVE: range of `texts`, in UTF-8 */
+  double number;         /* NUMBER: its value */
   vs_script_place at;
 } vs_script_node;
 
@@ -47,15 +48,15 @@ typedef struct {
 } vs_script_name;
 typedef struct {
   vs_script_place at;
-  bool alone; /* nothing precedes it in its line */
+  bool alone; /* whether nothing precedes the comment on its line */
 } vs_script_comment;
 
-/* Resizes a block of `used` bytes to `fresh`. at NULL: a new block; fresh 0: frees it. Returns NULL when memory is
- * out. */
+/* Resizes a block from `used` to `fresh` bytes. at NULL: allocates a new block. fresh 0: frees the block. Returns NULL
+ * if memory is out. */
 typedef void *vs_script_resize(void *context, void *at, size_t used, size_t fresh);
 
 typedef struct {
-  const char *source; /* owned by the caller */
+  const char *source; /* text of the script, owned by the caller */
   size_t size;
   vs_script_resize *resize;
   void *context;
@@ -69,9 +70,9 @@ typedef struct {
   size_t text_count, text_room;
   vs_script_comment *comments;
   size_t comment_count, comment_room;
-  uint32_t root; /* the PROGRAM */
+  uint32_t root; /* index of the PROGRAM node */
   bool no_memory;
-  char trouble[240]; /* the fault; "": none */
+  char trouble[240]; /* message about the first fault; "": there is no fault */
   vs_script_place trouble_at;
 } vs_script;
 
@@ -80,16 +81,16 @@ void vs_script_close(vs_script *s);
 
 /* ---- for the scanner and the parser ---- */
 
-/* Sets the trouble unless there is one already. Returns false, so that callers can return it. */
+/* Sets the trouble, unless it is already set. Always returns false, so that callers can return the result. */
 bool vs_script_fail(vs_script *s, vs_script_place at, const char *format, ...) __attribute__((format(printf, 3, 4)));
 bool vs_script_room(vs_script *s, void *array, size_t *room, size_t count, size_t size);
-/* Returns a new node; 0 when memory is out. */
+/* Returns a new node, or 0 if memory is out. */
 uint32_t vs_script_node_new(vs_script *s, vs_script_kind kind, vs_script_place at);
-/* Returns the index of the name, adding it if it is new; 0 when memory is out. */
+/* Returns the index of the name, which is added if it is new. Returns 0 if memory is out. */
 uint32_t vs_script_name_of(vs_script *s, const char *text, size_t length);
-/* Returns the index of the name; 0 if the script has no such name. */
+/* Returns the index of the name, or 0 if the script has no such name. */
 uint32_t vs_script_name_known(const vs_script *s, const char *text, size_t length);
-/* Appends to `texts`. Returns false when memory is out. */
+/* Appends the text to `texts`. Returns false if memory is out. */
 bool vs_script_text(vs_script *s, const char *text, size_t length);
 
 /* ---- reading ---- */

@@ -1,11 +1,11 @@
-/* Owns the lowering of scripts.
+/* Implements the lowering of scripts.
  *
- * A function of a script is a sequence of statements that ends in a return; here it becomes an expression. The
- * statements after an if whose arm returns move into the other arm, a switch becomes ifs, and a counting loop becomes a
- * map. Loops that change variables, objects and exceptions have no counterpart, so the translation complains of them.
+ * A function of a script is a sequence of statements that ends in a return. Here it becomes an expression. If an arm of
+ * an if returns, the statements after the if move into the other arm. A switch becomes ifs, and a counting loop becomes
+ * a map. Loops that change variables, objects and exceptions have no counterpart: the translation complains about them.
  *
- * The functions call each other once for each level of the script's tree; languages/javascript/script.h limits its
- * height. */
+ * The functions call each other once for each level of the script's tree, whose height languages/javascript/script.h
+ * limits. */
 #include "languages/script/lower_script.h"
 
 #include <stdlib.h>
@@ -14,7 +14,7 @@
 #include "languages/translate/lower_definitions.h"
 #include "languages/translate/target.h"
 
-/* Consecutive statements: those from `first` on, then those of `rest`. */
+/* Consecutive statements: the statements from `first` on, then those of `rest`. */
 typedef struct sequence {
   know_index first;
   const struct sequence *rest;
@@ -26,7 +26,7 @@ static void effect(lowering *l, know_index n, tr_index body);
 
 static know_index nth(const lowering *l, know_index list, uint32_t n) { return know_nth(l->k, list, n); }
 
-/* Returns the word of the list, "js:if"; "" for a call. */
+/* Returns the first word of the list, such as "js:if", or "" for a call. */
 static const char *word_of(const lowering *l, know_index n) {
   know_index head = first_of(l, n);
   const char *text = is_symbol(l, head) ? l->k->names[l->k->nodes[head].name].text : "";
@@ -41,7 +41,7 @@ static void cannot(lowering *l, know_index n, const char *what) {
 
 /* ---- statements that leave their function ---- */
 
-/* Returns true if the statement contains a return, outside of inner functions. */
+/* Returns true if the statement contains a return, except inside inner functions. */
 static bool returns(const lowering *l, know_index n) {
   if (is(l, n, "js:return")) return true;
   if (is(l, n, "js:lambda") || is(l, n, "js:define") || is(l, n, "js:rec")) return false;
@@ -50,7 +50,8 @@ static bool returns(const lowering *l, know_index n) {
   return false;
 }
 
-/* Returns the value of a case. A case without one is the default; its statements are marked as such, a value is not. */
+/* Returns the value of a case, or 0 for the default. Statements of a case are marked as statements; its value is
+ * not. */
 static know_index case_value(const lowering *l, know_index c) {
   know_index first = nth(l, c, 1);
   return first && !l->k->nodes[first].statement ? first : 0;
@@ -126,7 +127,7 @@ static void atom(lowering *l, know_index n, tr_index into) {
   }
 }
 
-/* Returns the name of a callee or variable, as in script_calls.def; "": another expression. */
+/* Returns the name of a callee or variable, as in script_calls.def, or "" for any other expression. */
 static const char *said(const lowering *l, know_index n) {
   if (is_symbol(l, n)) return builtin(l, n) ? builtin(l, n) : "";
   if (!is(l, n, "js:get")) return word_of(l, n);
@@ -150,8 +151,8 @@ static uint32_t takes(const char *order) {
   return most;
 }
 
-/* Lowers an argument. An array of two or three elements is a point if the procedure takes one (mark: p); an array of
- * such arrays is an outline (mark: c). */
+/* Lowers an argument. If the procedure expects a point (mark: p), an array of two or three elements is a point. If it
+ * expects an outline (mark: c), an array of such arrays is an outline. */
 static void argument(lowering *l, know_index n, tr_index parent, char mark) {
   tr_index into = add(l, parent, TR_NOTHING, n);
   bool array = is(l, n, "js:array");
@@ -170,7 +171,7 @@ static void argument(lowering *l, know_index n, tr_index parent, char mark) {
   for (know_index i = nth(l, n, 1); i; i = next(l, i)) value(l, i, add(l, into, TR_NOTHING, i));
 }
 
-/* Lowers the call of a name of script_calls.def. Returns false if it has no row. */
+/* Lowers the call of a name of script_calls.def. Returns false if the name has no row there. */
 static bool known(lowering *l, know_index n, tr_index into, const char *name, know_index first, bool called) {
   uint32_t count = 0;
   for (know_index i = first; i; i = next(l, i)) count++;
@@ -196,7 +197,7 @@ static bool known(lowering *l, know_index n, tr_index into, const char *name, kn
   return false;
 }
 
-/* Lowers a.map(function (x) {...}) and a.forEach. */
+/* Lowers a.map(function (x) {...}) and a.forEach(...). */
 static bool method(lowering *l, know_index n, tr_index into) {
   know_index head = first_of(l, n), f = next(l, head), key = nth(l, nth(l, head, 2), 1);
   if (!is(l, head, "js:get") || !is_symbol(l, key)) return false;
@@ -295,7 +296,7 @@ static void value(lowering *l, know_index n, tr_index into) {
 
 /* ---- statements ---- */
 
-/* Lowers for (i = a; i < b; i += step), a counting loop. */
+/* Lowers for (i = a; i < b; i += step) to a counting loop. Returns false for any other loop. */
 static bool counts(lowering *l, know_index n, tr_index into) {
   know_index start = nth(l, n, 1), until = nth(l, n, 2), step = nth(l, n, 3), body = nth(l, n, 4);
   if (is(l, start, "js:var") && !nth(l, start, 2)) start = nth(l, start, 1);
@@ -325,7 +326,7 @@ static bool counts(lowering *l, know_index n, tr_index into) {
   return true;
 }
 
-/* Returns true if only the outer statement uses the variable that the inner one declares and sets. */
+/* Returns true if the variable that `set` declares and sets is used only in the statement around it. */
 static bool own(const lowering *l, know_index set) {
   know_index s = symbol_of(l, nth(l, set, 1)), block = l->k->nodes[l->k->nodes[set].parent].parent;
   const know_place *within = &l->k->nodes[block].at;
@@ -341,7 +342,7 @@ static void definition(lowering *l, know_index n, tr_index body) {
   know_index target = nth(l, n, 1), first = nth(l, n, 2);
   if (is_symbol(l, target)) {
     if (first) value(l, first, add(l, define(l, body, target, NULL, n), TR_NOTHING, first));
-    return; /* one without a value belongs to the loop or assignment that follows */
+    return; /* a declaration without a value belongs to the loop or assignment that follows */
   }
   tr_index d = define(l, body, first_of(l, target), NULL, n);
   function(l, target, next(l, first_of(l, target)), first, add(l, d, TR_NOTHING, n));
@@ -369,12 +370,12 @@ static void effect(lowering *l, know_index n, tr_index body) {
   }
 }
 
-/* Lowers the statements of a case to a value. They continue into the next case until one leaves or breaks. */
+/* Lowers the statements of a case to a value. They continue into the next case until a statement leaves or breaks. */
 static void case_statements(lowering *l, know_index c, const sequence *rest, tr_index into) {
   enum { MOST = 64 };
   sequence all[MOST + 1] = {{0, NULL}};
   int count = 0;
-  know_index cut = 0, kept = 0; /* the statements before a break, and the break */
+  know_index cut = 0, kept = 0; /* cut: the break. kept: the last statement before it */
   bool on = true;
   for (; c && on && count < MOST; c = next(l, c)) {
     know_index last = 0, i = nth(l, c, case_value(l, c) ? 2 : 1);
@@ -406,7 +407,7 @@ static void choose(lowering *l, know_index n, const sequence *rest, tr_index int
   value(l, chosen, add(l, d, TR_NOTHING, chosen));
   into = add(l, into, TR_NOTHING, n);
   for (know_index c = nth(l, n, 2); c; c = next(l, c)) {
-    know_index group = c; /* the last of cases without statements of their own */
+    know_index group = c; /* the last of several cases that share their statements */
     if (!case_value(l, c)) fallback = c;
     if (!case_value(l, c)) continue;
     while (next(l, group) && !nth(l, group, 2) && case_value(l, next(l, group))) group = next(l, group);
@@ -426,7 +427,7 @@ static void choose(lowering *l, know_index n, const sequence *rest, tr_index int
   else statements(l, (sequence){0, rest}, into);
 }
 
-/* Lowers statements to their value: the value of the return. */
+/* Lowers statements to their value, which is the value of the return. */
 static void statements(lowering *l, sequence s, tr_index into) {
   become(l, into, TR_BODY, "");
   while (!s.first && s.rest) s = *s.rest;
@@ -447,7 +448,7 @@ static void statements(lowering *l, sequence s, tr_index into) {
       if (!leaves(l, then) && !(other && leaves(l, other))) cannot(l, n, "an if of which both ways may go on");
       test(l, nth(l, n, 1), add(l, made, TR_NOTHING, n));
       know_index other_next = other ? l->k->nodes[other].next : 0;
-      l->k->nodes[then].next = 0; /* each arm alone, then the following statements */
+      l->k->nodes[then].next = 0; /* lowers each arm separately, then the statements that follow */
       if (other) l->k->nodes[other].next = 0;
       statements(l, (sequence){then, leaves(l, then) ? NULL : &rest}, add(l, made, TR_NOTHING, then));
       if (leaves(l, then) || other) statements(l, (sequence){other, leaves(l, then) ? &rest : NULL},

@@ -1,7 +1,7 @@
-/* Owns the nodes made from a script's tree.
+/* Makes the nodes of an analysis from the tree of a script.
  *
- * It calls itself once for each level of that tree; languages/javascript/script.h limits its height. A word that the
- * text lacks, such as js:get for a dot, has the place of the construct, with no character of its own. */
+ * It calls itself once for each level of the tree, whose height languages/javascript/script.h limits. A word that the
+ * text does not contain, such as js:get for a dot, has the place of the construct, with a length of 0. */
 #include "languages/script/script_tree.h"
 
 #include <stdio.h>
@@ -52,7 +52,7 @@ static void add(maker *m, know_index list, know_index part) {
   k->nodes[part].parent = list;
   k->nodes[list].count++;
   if (!last) {
-    k->nodes[list].first = k->nodes[list].scope = part; /* scope: the last part, until the tree is whole */
+    k->nodes[list].first = k->nodes[list].scope = part; /* scope: the last part, until the tree is complete */
     return;
   }
   k->nodes[k->nodes[list].scope].next = part;
@@ -84,8 +84,8 @@ static know_index list(maker *m, const char *word, vs_script_place at) {
 
 typedef bool visit_fn(maker *m, uint32_t declaration, bool direct, void *context);
 
-/* Calls visit for each DECLARATOR and function declaration of the function that contains i. direct: i is one of its own
- * statements, not part of one. */
+/* Calls visit for each DECLARATOR and function declaration of the function that contains i. direct: whether i is a
+ * statement of the function itself, not part of another statement. */
 static bool declarations(maker *m, uint32_t i, bool direct, visit_fn *visit, void *context) {
   for (; i; i = node(m, i)->next) {
     const vs_script_node *n = node(m, i);
@@ -171,7 +171,7 @@ static bool uses_arguments(maker *m, uint32_t i) {
   return false;
 }
 
-/* Adds parameters to `to`, and `arguments` after them as the rest parameter, if the function uses it. */
+/* Adds parameters to `to`. If the function uses `arguments`, also adds `arguments` as the rest parameter. */
 static void parameters(maker *m, know_index to, uint32_t i) {
   const vs_script_node *n = node(m, i);
   for (uint32_t p = n->a; p; p = node(m, p)->next) add(m, to, name(m, p));
@@ -194,9 +194,10 @@ static bool is_parameter(maker *m, uint32_t owner, uint32_t name_index) {
   return false;
 }
 
-/* Hoists: a variable declared within another statement gets a definition without a value; a function there, its own. */
+/* Hoists a declaration inside another statement to the beginning of the function: a variable without its value, a
+ * function with its whole definition. */
 static bool hoist(maker *m, uint32_t d, bool direct, void *context) {
-  if (direct) return true; /* its definition is in place */
+  if (direct) return true; /* the definition stays at its own place */
   uint32_t own = node(m, d)->kind == VS_SCRIPT_FUNCTION ? node(m, d)->c : node(m, d)->a;
   if (is_parameter(m, m->functions->function, node(m, own)->name)) return true;
   know_index def;
@@ -210,7 +211,7 @@ static bool hoist(maker *m, uint32_t d, bool direct, void *context) {
   return !*m->k->trouble;
 }
 
-/* Returns true if the value is a call of gui_number or its like, at top level. */
+/* Returns true if the value is a call of a procedure such as gui_number, at top level. */
 static bool is_model_parameter(maker *m, uint32_t owner, uint32_t value) {
   const vs_script_node *n = node(m, value);
   if (node(m, owner)->kind == VS_SCRIPT_FUNCTION || !value || n->kind != VS_SCRIPT_CALL) return false;
@@ -219,8 +220,7 @@ static bool is_model_parameter(maker *m, uint32_t owner, uint32_t value) {
          vs_script_is(&m->s, called, "gui_text");
 }
 
-/* Makes var x = value, a statement of the function or program itself. A parameter that is declared again is the
- * parameter. */
+/* Makes var x = value, a statement of the function or program itself. If x is a parameter, it remains the parameter. */
 static know_index variable(maker *m, uint32_t owner, uint32_t d) {
   const vs_script_node *n = node(m, d);
   bool again = is_parameter(m, owner, node(m, n->a)->name), model = is_model_parameter(m, owner, n->b);
@@ -234,7 +234,7 @@ static know_index variable(maker *m, uint32_t owner, uint32_t d) {
   return out;
 }
 
-/* Makes the statements of a function or the program. */
+/* Makes the statements of a function or of the program. */
 static void body(maker *m, know_index to, uint32_t owner) {
   const vs_script_node *n = node(m, owner);
   uint32_t first = n->kind == VS_SCRIPT_FUNCTION ? n->b : n->a;
@@ -274,7 +274,7 @@ static know_index function(maker *m, uint32_t i) {
   return rec;
 }
 
-/* makes a list that begins with js:+ or its like, at the node's place */
+/* makes a list that begins with a word such as js:+, at the node's place */
 static know_index operation_of(maker *m, const char *before, const vs_script_node *n) {
   char word[40];
   snprintf(word, sizeof word, "js:%s%s", before, vs_script_operator_word((vs_script_operator)n->op));
@@ -356,7 +356,7 @@ static know_index make(maker *m, uint32_t i) {
   case VS_SCRIPT_LOGICAL:
     out = operation_of(m, "", n);
     if (n->op == VS_OPERATOR_TYPE_OF && node(m, n->a)->kind == VS_SCRIPT_NAME && !declared(m, node(m, n->a)->name))
-      return out; /* typeof may name an undeclared variable */
+      return out; /* typeof allows an undeclared variable */
     add(m, out, make(m, n->a));
     add(m, out, make(m, n->b));
     return out;
@@ -364,7 +364,7 @@ static know_index make(maker *m, uint32_t i) {
   }
 }
 
-/* Makes for (x in o): x is assigned a string that is not in the text. */
+/* Makes for (x in o). The values of x are strings that are not in the text. */
 static know_index for_in(maker *m, const vs_script_node *n) {
   know_index out = list(m, "js:for-in", n->at);
   uint32_t target = node(m, n->a)->kind == VS_SCRIPT_VAR ? node(m, node(m, n->a)->a)->a : n->a;
@@ -380,7 +380,7 @@ static know_index one_statement(maker *m, uint32_t i) {
   const vs_script_node *n = node(m, i);
   know_index out;
   switch ((vs_script_kind)n->kind) {
-  case VS_SCRIPT_VAR: /* within another statement: the variables are defined at the function's beginning */
+  case VS_SCRIPT_VAR: /* inside another statement: the variables are defined at the beginning of the function */
     out = list(m, "js:var", n->at);
     for (uint32_t d = n->a; d; d = node(m, d)->next) {
       if (!node(m, d)->b) continue;
@@ -390,7 +390,8 @@ static know_index one_statement(maker *m, uint32_t i) {
       add(m, out, set);
     }
     return out;
-  case VS_SCRIPT_FUNCTION: return list(m, "js:declared", n->at); /* it is at the function's beginning */
+  case VS_SCRIPT_FUNCTION: return list(m, "js:declared", n->at); /* the definition is at the beginning of the
+                                                                  * function */
   case VS_SCRIPT_BLOCK: return parts(m, "js:block", n);
   case VS_SCRIPT_IF: return parts(m, "js:if", n);
   case VS_SCRIPT_FOR: return parts(m, "js:for", n);
@@ -432,7 +433,7 @@ static know_index statement(maker *m, uint32_t i) {
   return out;
 }
 
-/* ---- the whole ---- */
+/* ---- the script ---- */
 
 bool know_script_word(const char *name, uint16_t *row) {
   static const char *const same[] = { "define", "define-parameter", "lambda", "set!", "rec", "quote" };

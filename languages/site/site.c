@@ -1,6 +1,6 @@
-/* Owns the pages of `vs doc` (site.h) in XHTML 1.0 Strict: functions, variables, statements, the overview, and the text
- * of each file, in which every name links to its definition. A symbol's anchor is s and its index, a line's is L and
- * its number. */
+/* Writes the pages of `vs doc` (site.h) in XHTML 1.0 Strict: functions, variables, statements, the overview, and the
+ * text of each file. In the texts, every name links to its definition. The anchor of a symbol is s and its index; that
+ * of a line is L and its number. */
 #include "languages/site/site.h"
 
 #include <errno.h>
@@ -15,13 +15,13 @@
 #include "languages/analysis/tree_report.h"
 #include "model/store/array.h"
 
-enum { PATH_ROOM = 4096, SAID = 160 /* bytes of a comment in the search */, REFERENCES = 40 };
+enum { PATH_ROOM = 4096, SAID = 160 /* SAID: number of bytes of a comment that the search shows */, REFERENCES = 40 };
 
 typedef struct {
   knowledge *k;
   const char *folder, *title;
-  bool *pictured; size_t pictured_room; /* pictured[symbol]: whether there is a picture */
-  bool shown;                           /* there is a picture of the whole model */
+  bool *pictured; size_t pictured_room; /* pictured[symbol]: whether the symbol has a picture */
+  bool shown;                           /* whether there is a picture of the whole model */
 } site;
 
 /* ---- text ---- */
@@ -46,7 +46,7 @@ static void link_place(FILE *f, const knowledge *k, const know_place *at, bool n
   fprintf(f, "%u</a>", (unsigned)at->line);
 }
 
-/* Writes a line of a comment; text within `...` is code. */
+/* Writes a line of a comment. Text between backquotes is code. */
 static void put_line(FILE *f, const char *text, size_t n) {
   bool code = false;
   for (size_t i = 0; i < n;) {
@@ -61,7 +61,7 @@ static void put_line(FILE *f, const char *text, size_t n) {
 }
 
 /* Writes comments as paragraphs, separated by lines without text. Indented lines after such a line, or after other
- * indented ones, keep their form. */
+ * indented lines, keep their form. */
 static void put_comments(FILE *f, const knowledge *k, know_index first, know_index end) {
   enum { CLOSED, PARAGRAPH, AS_WRITTEN } open = CLOSED;
   static const char *const close[] = {"", "</p>\n", "</pre>\n"};
@@ -147,7 +147,7 @@ static bool close_page(site *s, FILE *f, const char *name) {
 
 /* ---- symbols ---- */
 
-/* Writes a link for each line that uses it. */
+/* Writes a link to each line that uses the symbol. */
 static void put_uses(FILE *f, const knowledge *k, const know_symbol *s) {
   uint32_t last = 0, file = UINT32_MAX, n = 0;
   for (know_index u = s->first_use; u; u = k->uses[u].next) {
@@ -164,7 +164,7 @@ static void put_uses(FILE *f, const knowledge *k, const know_symbol *s) {
   if (!n) fputs("not used", f);
 }
 
-/* f(a, b) */
+/* writes a call such as f(a, b) */
 static void put_script_call(FILE *f, const knowledge *k, const know_symbol *s) {
   know_index p = s->parameters ? k->nodes[s->parameters].first : 0;
   bool begun = false;
@@ -172,7 +172,8 @@ static void put_script_call(FILE *f, const knowledge *k, const know_symbol *s) {
   puts_to(f, s->text);
   fputc('(', f);
   for (; p; p = k->nodes[p].next) {
-    if (k->nodes[s->parameters].dotted && !k->nodes[p].next) break; /* `arguments`, which no one writes here */
+    if (k->nodes[s->parameters].dotted && !k->nodes[p].next) break; /* the parameter is `arguments`, which the text does
+                                                                     * not contain */
     if (begun) fputs(", ", f);
     puts_to(f, k->names[k->nodes[p].name].text);
     begun = true;
@@ -180,14 +181,14 @@ static void put_script_call(FILE *f, const knowledge *k, const know_symbol *s) {
   fputc(')', f);
 }
 
-/* Writes a call of it: its name and parameters, as in the text. */
+/* Writes a call of the symbol, with its name and parameters as in the text. */
 static void put_call(FILE *f, const knowledge *k, const know_symbol *s) {
   size_t n = 0;
   if (k->script) {
     put_script_call(f, k, s);
     return;
   }
-  if (s->rules && s->value) { /* of define-syntax-rule: the pattern */
+  if (s->rules && s->value) { /* for define-syntax-rule: writes the pattern */
     const char *pattern = know_spelling(k, s->value, &n);
     know_xml_text(f, pattern, n);
     return;
@@ -196,7 +197,8 @@ static void put_call(FILE *f, const knowledge *k, const know_symbol *s) {
   fputc('(', f);
   puts_to(f, s->text);
   if (text && k->nodes[s->parameters].kind == KNOW_LIST) {
-    bool whole = k->nodes[s->parameters].first == s->definition; /* (define (name x) ...): the name is the first */
+    bool whole = k->nodes[s->parameters].first == s->definition; /* in (define (name x) ...), the list's first element
+                                                                  * is the name */
     const char *inner = text + 1, *end = text + n - 1;
     if (whole) inner += strlen(s->text);
     while (inner < end && *inner == ' ') inner++;
@@ -208,7 +210,7 @@ static void put_call(FILE *f, const knowledge *k, const know_symbol *s) {
   fputc(')', f);
 }
 
-/* Writes the functions of the program that its text uses, each once. */
+/* Writes the functions of the program that the symbol's text uses, each once. */
 static void put_needs(FILE *f, const knowledge *k, know_index symbol) {
   const know_symbol *s = &k->symbols[symbol];
   const know_place *in = s->form ? &k->nodes[s->form].at : NULL;
@@ -272,7 +274,7 @@ static bool symbol_page(site *s, bool functions) {
   FILE *f = open_page(s, name, functions ? "Functions" : "Variables");
   bool any = false;
   if (!f) return false;
-  for (int deep = 0; deep < 2; deep++) { /* the program's own first, then those of procedures and lets */
+  for (int deep = 0; deep < 2; deep++) { /* first the program's own symbols, then those of procedures and lets */
     for (know_index i = 1; i < s->k->symbol_count; i++) {
       const know_symbol *y = &s->k->symbols[i];
       bool inner = s->k->scopes[y->scope].kind != KNOW_SCOPE_PROGRAM;
@@ -285,9 +287,9 @@ static bool symbol_page(site *s, bool functions) {
   return close_page(s, f, name);
 }
 
-/* ---- statements, and equal ones ---- */
+/* ---- statements, and equal parts of statements ---- */
 
-enum { LEAST_ALIKE = 8 /* nodes */ };
+enum { LEAST_ALIKE = 8 /* number of nodes */ };
 typedef struct { uint64_t hash; uint32_t nodes; know_index node; } alike;
 
 static int by_hash(const void *a, const void *b) {
@@ -318,7 +320,8 @@ static void hash_trees(const knowledge *k, alike *of) {
     else {
       size_t length;
       const char *text = know_spelling(k, i, &length);
-      if (!length && n->kind == KNOW_SYMBOL) text = k->names[n->name].text, length = strlen(text); /* a script's word */
+      if (!length && n->kind == KNOW_SYMBOL) text = k->names[n->name].text, length = strlen(text); /* a word of a
+                                                                                                    * script */
       h = hash_bytes(h, text, length);
     }
     of[i] = (alike){h, nodes, i};
@@ -338,7 +341,7 @@ static void put_alike(FILE *f, const knowledge *k, const alike *group, size_t co
   fputs("</pre>\n</div>\n", f);
 }
 
-/* Writes groups of equal trees, the largest first; omits those within a larger group of the same count. */
+/* Writes groups of equal trees, the largest first. Omits groups inside a larger group of the same count. */
 static bool put_duplicates(site *s, FILE *f) {
   const knowledge *k = s->k;
   alike *of = NULL, *lists = NULL, *groups = NULL;
@@ -404,7 +407,7 @@ static void begin_line(printer *p) {
   fprintf(p->f, "<span class=\"n\" id=\"L%u\">%u</span>", (unsigned)p->line, (unsigned)p->line);
 }
 
-/* Prints the text up to there, with the numbers of the lines that begin in it. */
+/* Prints the text up to position `to`, with the numbers of the lines that begin in it. */
 static void print_to(printer *p, size_t to, const char *open, const char *close) {
   if (to > p->at) fputs(open, p->f);
   while (p->at < to) {
@@ -520,7 +523,7 @@ static bool index_page(site *s) {
   }
   if (any) fputs("</table></div>\n", f);
   any = false;
-  for (int pass = 0; pass < 2; pass++) { /* those with a picture first */
+  for (int pass = 0; pass < 2; pass++) { /* symbols with a picture first */
     bool begun = false;
     for (know_index i = 1; i < k->symbol_count; i++) {
       const know_symbol *y = &k->symbols[i];
@@ -576,8 +579,8 @@ static bool asset(site *s, const char *name, const char *text) {
 
 /* ---- pictures ---- */
 
-/* Returns true if the expression is in a text, and means the same at top level: it contains no variable of a procedure
- * or a let. */
+/* Returns true if the expression is in a text and contains no variable of a procedure or a let, so that it has the same
+ * meaning at top level. */
 static bool stands_alone(const knowledge *k, know_index node) {
   for (know_index i = node; i <= k->text_nodes && k->nodes[i].at.from < k->nodes[node].at.to &&
        k->nodes[i].at.file == k->nodes[node].at.file; i++) {
@@ -589,8 +592,9 @@ static bool stands_alone(const knowledge *k, know_index node) {
   return node <= k->text_nodes;
 }
 
-/* Makes a picture of a procedure: calls it with its defaults; or else shows the result of its first call in the
- * program; or else calls it as the program does, with top-level variables. */
+/* Makes a picture of a procedure. First it calls the procedure with its defaults. If this fails, it shows the result of
+ * the procedure's first call in the program. If this fails too, it calls the procedure as the program does, with
+ * top-level variables. */
 static bool picture_of(site *s, know_index symbol, know_picture *picture, void *context, const char *path) {
   const knowledge *k = s->k;
   const know_symbol *y = &k->symbols[symbol];

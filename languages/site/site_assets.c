@@ -1,4 +1,4 @@
-/* Owns the style and the script of `vs doc`'s pages; neither loads a font, image or file from elsewhere. */
+/* Contains the style and the script of `vs doc`'s pages. Neither loads a font, image or file from elsewhere. */
 #include "languages/site/site_assets.h"
 
 const char know_site_style[] =

@@ -1,4 +1,4 @@
-/* Owns the style and the script of `vs doc`'s pages. */
+/* Declares the style and the script of `vs doc`'s pages. */
 #ifndef VS_LANGUAGES_SITE_SITE_ASSETS_H
 #define VS_LANGUAGES_SITE_SITE_ASSETS_H
 

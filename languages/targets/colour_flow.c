@@ -1,9 +1,9 @@
-/* Owns the search for texts of a lowered tree that name colours.
+/* Finds the texts of a lowered tree that are names of colours.
  *
- * A language without these names of colours needs to know whether a text is a colour. It is one where the language
- * takes a colour. The same holds for the value of a variable there, an argument for such a parameter, the result of
- * such a procedure, and an element of a list of colours. Marks only rise; loops over the nodes carry them on until
- * nothing changes. */
+ * Some target languages do not have these names of colours. A text is a colour if it occurs where the language expects
+ * a colour. The same holds for the value of a variable there, an argument for such a parameter, the result of such a
+ * procedure, and an element of a list of colours. Marks only increase. Loops over the nodes pass them on until nothing
+ * changes. */
 #include "languages/targets/colour_flow.h"
 
 #include <string.h>
@@ -20,20 +20,20 @@ static void raise_node(flow *f, tr_index n, uint8_t to) {
   if (n) raise(f, &f->t->nodes[n].colour, to);
 }
 
-/* Returns true if the language takes a colour here. */
+/* Returns true if the language expects a colour at this node. */
 static bool takes_colour(const translation *t, tr_index n) {
   const tr_node *p = &t->nodes[t->nodes[n].parent];
   if (p->kind == TR_KEYWORD) return !strcmp(p->text, "color");
   return p->kind == TR_PRIMITIVE && p->first == n && (!strcmp(p->text, "color") || !strcmp(p->text, "with-material"));
 }
 
-/* Returns the procedure of a call; 0: not known. */
+/* Returns the procedure of a call, or 0 if it is not known. */
 static tr_index called(const translation *t, const tr_node *call) {
   const tr_node *callee = &t->nodes[call->first];
   return callee->kind == TR_NAME ? t->variables[callee->variable].procedure : 0;
 }
 
-/* Carries the mark from a value to its parts. */
+/* Passes the mark of a value on to its parts. */
 static void carry_down(flow *f, tr_index n) {
   translation *t = f->t;
   const tr_node *node = &t->nodes[n];
@@ -46,7 +46,7 @@ static void carry_down(flow *f, tr_index n) {
     break;
   case TR_BODY: case TR_KEYWORD: raise_node(f, node->last, colour); break;
   case TR_MAP: raise_node(f, node->last, element); break;
-  case TR_LIST: /* of a colour itself: its three numbers */
+  case TR_LIST: /* the list is a colour itself: it contains the three numbers of a colour */
     for (tr_index i = node->first; i && colour > 1; i = t->nodes[i].next) raise_node(f, i, element);
     break;
   case TR_CALL: {
@@ -65,13 +65,14 @@ static void carry_down(flow *f, tr_index n) {
   }
 }
 
-/* Carries the mark from a variable to its values. */
+/* Passes the mark of a variable on to its values. */
 static void carry_into(flow *f, tr_index n) {
   translation *t = f->t;
   const tr_node *node = &t->nodes[n];
   if (node->kind == TR_DEFINE || node->kind == TR_SET || node->kind == TR_PARAMETER) {
     uint8_t colour = t->variables[node->variable].colour;
-    bool runs = node->kind == TR_DEFINE && t->nodes[node->parent].kind == TR_MAP; /* through a list of them */
+    bool runs = node->kind == TR_DEFINE && t->nodes[node->parent].kind == TR_MAP; /* whether the variable runs through a
+                                                                                   * list */
     if (colour) raise_node(f, node->first, (uint8_t)(colour + runs));
   }
   if (node->kind != TR_CALL) return;
@@ -94,7 +95,7 @@ void tr_find_colours(translation *t) {
   tr_index count = (tr_index)t->node_count;
   for (tr_index n = 1; n < count; n++)
     if (takes_colour(t, n)) t->nodes[n].colour = 1;
-  do { /* in both directions, since chains of variables run in either */
+  do { /* loops in both directions, because chains of variables run in either direction */
     f.changed = false;
     for (tr_index n = 1; n < count; n++) carry(&f, n);
     for (tr_index n = count; f.changed && n-- > 1;) carry(&f, n);

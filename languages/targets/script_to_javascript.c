@@ -1,8 +1,8 @@
-/* Owns the output of scripts as modules for three.js.
+/* Writes scripts as modules for three.js.
  *
- * A script is JavaScript already, so its text is copied, with its comments, into a function whose scope hides the
- * module's names. The libraries that it calls are helpers of the target. A module is in strict mode: the translation
- * complains of text that strict mode treats differently or rejects. */
+ * A script is already JavaScript. Its text is copied, with its comments, into a function whose scope hides the module's
+ * names. The libraries that it calls are helpers of the target. A module is in strict mode: the translation complains
+ * about text that strict mode treats differently or rejects. */
 #include "languages/targets/script_to_javascript.h"
 
 #include <stdio.h>
@@ -19,7 +19,7 @@ static bool is(const knowledge *k, know_index n, const char *word) {
   return head && k->nodes[head].kind == KNOW_SYMBOL && !strcmp(k->names[k->nodes[head].name].text, word);
 }
 
-/* Returns a parameter with the name of an earlier one in the list; 0: none. */
+/* Returns a parameter with the name of an earlier parameter in the list, or 0 if there is none. */
 static know_index twice(const knowledge *k, know_index list) {
   know_index first = list && k->nodes[list].kind == KNOW_LIST ? k->nodes[list].first : 0;
   for (know_index i = first; i; i = k->nodes[i].next)
@@ -28,7 +28,7 @@ static know_index twice(const knowledge *k, know_index list) {
   return 0;
 }
 
-/* Complains of all that a module cannot contain. */
+/* Complains about all parts that a module cannot contain. */
 static void refuse(translation *t) {
   static const char reserved[] = " let static yield await implements interface package private protected public eval ";
   knowledge *k = t->k;
@@ -55,7 +55,7 @@ static void put_globals(tr_writer *w) {
   for (know_index i = 1; i <= k->text_nodes; i++) {
     know_index named = is(k, i, "js:set!") ? know_nth(k, i, 1) : 0, before = 1;
     if (!named || k->nodes[named].symbol) continue;
-    for (; before < i; before++) /* its first assignment */
+    for (; before < i; before++) /* the variable's first assignment */
       if (is(k, before, "js:set!") && k->nodes[know_nth(k, before, 1)].name == k->nodes[named].name) break;
     if (before < i) continue;
     put(w, any ? ", " : "var ");
@@ -65,7 +65,7 @@ static void put_globals(tr_writer *w) {
   if (any) put(w, ";\n");
 }
 
-/* Writes a value that the user sets, as lowered. */
+/* Writes the lowered form of a value that the user sets. */
 static void put_value(tr_writer *w, tr_index n) {
   const tr_node *value = &w->t->nodes[n];
   if (value->kind == TR_STRING) tr_plan_quoted(w, value->text);
@@ -89,7 +89,7 @@ void tr_script_program(tr_writer *w) {
     if (!is(k, i, "js:define-parameter") || !know_nth(k, i, 2)) continue;
     tr_lower_parameter(&l, i, t->root);
     tr_index value = t->nodes[t->nodes[t->root].last].first;
-    if (!value || t->nodes[value].kind == TR_NOTHING) continue; /* its default holds */
+    if (!value || t->nodes[value].kind == TR_NOTHING) continue; /* the user sets no value, so the default remains */
     const know_place *at = &k->nodes[know_nth(k, i, 2)].at;
     tr_put(w, f->text + from, at->from - from);
     put_value(w, value);

@@ -1,4 +1,4 @@
-/* Owns the output of scripts as modules for three.js. */
+/* Declares the output of scripts as modules for three.js. */
 #ifndef VS_LANGUAGES_TARGETS_SCRIPT_TO_JAVASCRIPT_H
 #define VS_LANGUAGES_TARGETS_SCRIPT_TO_JAVASCRIPT_H
 

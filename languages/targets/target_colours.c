@@ -1,5 +1,5 @@
-/* Owns the reading of colour names. The order is that of model/looks/ready_materials.c: a ready material takes
- * precedence over the colour of CSS with its name. */
+/* Implements the reading of colour names. The order is that of model/looks/ready_materials.c: a ready material has
+ * precedence over the CSS colour of the same name. */
 #include "languages/targets/target_colours.h"
 
 #include <stdio.h>

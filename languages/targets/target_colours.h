@@ -1,4 +1,4 @@
-/* Owns the colours of a program: a ready material, a colour of CSS, or "#rrggbb", by its name. */
+/* Declares the colours of a program, by name: a ready material, a CSS colour, or "#rrggbb". */
 #ifndef VS_LANGUAGES_TARGETS_TARGET_COLOURS_H
 #define VS_LANGUAGES_TARGETS_TARGET_COLOURS_H
 
@@ -6,15 +6,17 @@
 #include "languages/translate/target.h"
 
 typedef struct {
-  double r, g, b, transparency; /* sRGB, 0..1 */
-  bool material;                /* a ready material, whose name no other language has */
+  double r, g, b, transparency; /* colour in sRGB and transparency, 0 to 1 */
+  bool material;                /* whether the colour is a ready material, whose name no other language has */
 } tr_colour;
 
 /* Returns true if the node is a colour, of an object or a material, directly or through variables (colour_flow.h). */
 bool tr_is_colour(const tr_writer *w, tr_index node);
-/* Gives the colour that a string names. If it names none, reports an error at the node and returns false. */
+/* Sets *colour to the colour whose name the string is. If there is no such colour, reports an error at the node and
+ * returns false. */
 bool tr_find_colour(tr_writer *w, tr_index node, tr_colour *colour);
-/* Plans a string that is a colour, for a target with CSS: a material as a list of numbers, all else unchanged. */
+/* Plans a string that is a colour, for a target with CSS colours: a material becomes a list of numbers, all other
+ * colours stay unchanged. */
 void tr_plan_css_colour(tr_writer *w, tr_index node);
 
 #endif

@@ -1,4 +1,4 @@
-/* Owns the table of the target languages. */
+/* Contains the table of the target languages. */
 #include "languages/targets/target_table.h"
 
 #include <stddef.h>

@@ -1,10 +1,10 @@
-/* Owns the target languages. */
+/* Declares the table of the target languages. */
 #ifndef VS_LANGUAGES_TARGETS_TARGET_TABLE_H
 #define VS_LANGUAGES_TARGETS_TARGET_TABLE_H
 
 #include "languages/translate/target.h"
 
-/* Returns the target with that name or ending; NULL: none. */
+/* Return the target with this name, or for this path's suffix, or NULL if there is none. */
 const tr_target *tr_target_named(const char *name);
 const tr_target *tr_target_of_file(const char *path);
 

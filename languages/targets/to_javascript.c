@@ -1,8 +1,8 @@
-/* Owns programs in JavaScript: modules for three.js.
+/* Writes programs in JavaScript: modules for three.js.
  *
- * There, solids are values: lists of flat faces. The drawing becomes a group of three.js meshes. Procedures are
- * functions with their lexical scope. A function that calls itself only at its end becomes a loop, since JavaScript's
- * stack is short. */
+ * In such a module solids are values, lists of flat faces. The drawing becomes a group of three.js meshes. Procedures
+ * are functions with their lexical scope. A function that calls itself only at its end becomes a loop, since
+ * JavaScript's stack is short. */
 #include "languages/targets/to_javascript.h"
 
 #include <stdio.h>
@@ -14,7 +14,7 @@
 #include "languages/translate/value_kinds.h"
 #include "languages/translate/words.h"
 
-/* Pieces of statements: TR_PIECE_STATEMENTS returns the value, TR_PIECE_DRAW drops it. */
+/* Kinds of pieces of statements: TR_PIECE_STATEMENTS returns the value, TR_PIECE_DRAW drops it. */
 
 static const tr_node *at(const tr_writer *w, tr_index n) { return &w->t->nodes[n]; }
 static tr_variable *var(const tr_writer *w, tr_index n) { return &w->t->variables[at(w, n)->variable]; }
@@ -83,7 +83,8 @@ static void plan_map(tr_writer *w, tr_index n) {
     if (at(w, n)->parallel)
       while (at(w, at(w, last)->next)->kind == TR_DEFINE) last = at(w, last)->next;
     else tr_plan(w, "%t", at(w, i)->first);
-    for (tr_index test = at(w, last)->next;; test = at(w, test)->next) { /* the tests, and the pieces after them */
+    for (tr_index test = at(w, last)->next;; test = at(w, test)->next) { /* plans the tests, and the pieces after
+                                                                          * them */
       bool tests = at(w, test)->kind == TR_WHEN, more = at(w, test)->kind == TR_DEFINE;
       bool itself = test == made && at(w, made)->kind == TR_NAME && !at(w, n)->parallel &&
           at(w, made)->variable == at(w, i)->variable;
@@ -107,7 +108,8 @@ static void plan_map(tr_writer *w, tr_index n) {
   while (open--) tr_plan(w, ")");
 }
 
-/* Plans and, or: JavaScript's operators, if all operands are tests; else the value is one of the operands. */
+/* Plans and, or. If all operands are tests, they become JavaScript's operators. Otherwise the value is one of the
+ * operands. */
 static void plan_and_or(tr_writer *w, tr_index n, int level) {
   bool and = at(w, n)->kind == TR_AND, tests = at(w, n)->type == TR_A_BOOLEAN;
   for (tr_index i = at(w, n)->first; i; i = at(w, i)->next) tests = tests && at(w, i)->type == TR_A_BOOLEAN;
@@ -183,7 +185,7 @@ static void plan_value(tr_writer *w, tr_index n, int level) {
 static void plan_define(tr_writer *w, tr_index define) {
   const tr_variable *v = var(w, define);
   tr_index value = at(w, define)->first;
-  if (v->define != define) tr_plan(w, "%s = %v;", name(w, define), value); /* defined before */
+  if (v->define != define) tr_plan(w, "%s = %v;", name(w, define), value); /* the variable was defined before */
   else if (v->procedure && !v->set) {
     tr_plan(w, "function %s(", name(w, define));
     plan_parameters(w, value);

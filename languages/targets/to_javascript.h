@@ -1,4 +1,4 @@
-/* Owns programs in JavaScript. */
+/* Declares the output of programs in JavaScript. */
 #ifndef VS_LANGUAGES_TARGETS_TO_JAVASCRIPT_H
 #define VS_LANGUAGES_TARGETS_TO_JAVASCRIPT_H
 

@@ -1,8 +1,8 @@
-/* Owns programs in OpenSCAD's language.
+/* Writes programs in OpenSCAD's language.
  *
- * There, solids are not values. A procedure that makes one becomes a module, a solid argument becomes a child of the
- * module's call, and a solid with a name becomes a module without parameters. All else is a function or a variable.
- * Procedures as values become function literals, which OpenSCAD has since 2021. */
+ * In OpenSCAD solids are not values. A procedure that makes a solid becomes a module. A solid argument becomes a child
+ * of the module's call, and a solid with a name becomes a module without parameters. All other definitions become
+ * functions or variables. Procedures as values become function literals, which OpenSCAD has since 2021. */
 #include "languages/targets/to_openscad.h"
 
 #include <stdio.h>
@@ -22,7 +22,8 @@ static tr_index body_of(const tr_writer *w, tr_index procedure) { return at(w, p
 
 /* ---- names ---- */
 
-/* Returns the number of the variable's solid among the children of the module around the node; -1: none. */
+/* Returns the index of the variable's solid among the children of the module around the node, or -1 if it is not among
+ * them. */
 static int child_number(const tr_writer *w, tr_index define, tr_index variable) {
   const translation *t = w->t;
   int n = 0;
@@ -53,7 +54,7 @@ static void plan_test(tr_writer *w, tr_index n, int level) {
   else tr_plan(w, "true");
 }
 
-/* Plans the arguments from `first` on, without solids; those after an ABSENT one get names. */
+/* Plans the arguments from `first` on, without solids. Arguments after an ABSENT argument get names. */
 static void plan_arguments(tr_writer *w, tr_index call, tr_index procedure) {
   bool named = false, any = false;
   tr_index p = procedure ? at(w, procedure)->first : 0;
@@ -177,7 +178,7 @@ static void plan_body(tr_writer *w, tr_index n, int level) {
   else tr_plan_value(w, last, level);
 }
 
-/* Plans the loops of a map, with the text before them; "for (...) if (...) ". */
+/* Plans the loops of a map and the text before them, such as "for (...) if (...) ". */
 static void plan_loops(tr_writer *w, tr_index n, bool statement) {
   if (at(w, n)->parallel) {
     tr_index first = at(w, n)->first;
@@ -228,7 +229,8 @@ static void plan_choice(tr_writer *w, tr_index test, tr_index then, tr_index oth
   if (level > TR_CHOICE) tr_plan(w, ")");
 }
 
-/* Plans and, or: OpenSCAD's operators, if all operands are tests; else the value is one of the operands. */
+/* Plans and, or. If all operands are tests, they become OpenSCAD's operators. Otherwise the value is one of the
+ * operands. */
 static void plan_and_or(tr_writer *w, tr_index n, int level) {
   bool and = at(w, n)->kind == TR_AND, tests = true;
   int own = and ? TR_BOTH : TR_EITHER;
@@ -305,7 +307,7 @@ static void plan_value(tr_writer *w, tr_index n, int level) {
 
 /* ---- solids ---- */
 
-/* Returns true if the primitive only joins its solids. from: the first of them. */
+/* Returns true if the primitive only joins its solids. *from is the index of the first of them. */
 static bool unites(const tr_writer *w, tr_index n, uint32_t *from) {
   if (at(w, n)->kind == TR_LIST) return *from = 0, true;
   if (at(w, n)->kind != TR_PRIMITIVE || !at(w, n)->row) return false;
@@ -321,7 +323,7 @@ static bool has_values(const tr_writer *w, tr_index body) {
   return false;
 }
 
-/* Plans a body as a whole block: its values are the block's. */
+/* Plans a body as a block of its own: the values of the body are those of the block. */
 static void plan_block(tr_writer *w, tr_index n, bool draws) {
   if (at(w, n)->kind != TR_BODY) {
     tr_plan(w, draws ? "%d" : "%l", n);
@@ -357,7 +359,7 @@ static void plan_braces(tr_writer *w, tr_index n, bool draws) {
   tr_plan(w, "%<%n}");
 }
 
-/* Plans the body of a statement that contains another: a body with several values needs braces. */
+/* Plans the body of a statement that contains another statement. A body with several values needs braces. */
 static void plan_held(tr_writer *w, tr_index n, bool draws) {
   uint32_t from = 0;
   bool several = unites(w, n, &from) && at(w, n)->count != from + 1;
@@ -375,7 +377,7 @@ static void plan_if(tr_writer *w, tr_index n, bool draws) {
   else plan_braces(w, other, draws);
 }
 
-/* Plans the solid arguments of a call as its children. */
+/* Plans the solid arguments of a call as children of the call. */
 static void plan_children(tr_writer *w, tr_index call, tr_index procedure, const tr_variable *v) {
   tr_index solids[64];
   int count = 0;
@@ -511,7 +513,7 @@ static void plan_statements(tr_writer *w, tr_index n) {
   else tr_plan_commented(w, "%n%o", n);
 }
 
-/* Writes the objects that a statement adds to the drawing. */
+/* Plans the objects that a statement adds to the drawing. */
 static void plan_draw(tr_writer *w, tr_index n) {
   const tr_node *node = at(w, n);
   if (!node->draws) return;
@@ -565,7 +567,7 @@ static void plan_module(tr_writer *w, tr_index define) {
   tr_plan(w, "%<%n}");
 }
 
-/* Plans the parameter's default, and the comment after it that OpenSCAD's customizer reads. */
+/* Plans a parameter's default, and after it the comment that OpenSCAD's customizer reads. */
 static void plan_parameter(tr_writer *w, tr_index define) {
   const knowledge *k = w->t->k;
   know_index n = at(w, define)->source, value[5] = {0};
@@ -622,7 +624,7 @@ static void emit(tr_writer *w, const tr_piece *p) {
   }
 }
 
-/* Writes the values that were lifted out of the statement before it. */
+/* Writes the values that were lifted out of the statement that follows them. */
 static void write_lifted(tr_writer *w, tr_index from, tr_index to) {
   for (tr_index i = from; i < to; i++) {
     if (at(w, i)->kind != TR_DEFINE || !var(w, i)->lifted || var(w, i)->define != i) continue;

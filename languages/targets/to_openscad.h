@@ -1,4 +1,4 @@
-/* Owns programs in OpenSCAD's language. */
+/* Declares the output of programs in OpenSCAD's language. */
 #ifndef VS_LANGUAGES_TARGETS_TO_OPENSCAD_H
 #define VS_LANGUAGES_TARGETS_TO_OPENSCAD_H
 

@@ -1,11 +1,11 @@
-/* Owns programs in POV-Ray's scene language.
+/* Writes programs in POV-Ray's scene language.
  *
- * Procedures become macros: the text of a macro's call is its value, so directives may occur within expressions: (#if
+ * Procedures become macros. The text of a macro's call is its value, so directives may occur inside expressions: (#if
  * (a) b #else c #end). Solids are objects, points are vectors, lists are arrays of one or more numbers, points, strings
- * or arrays. An array from a macro can neither be indexed nor measured directly, nor occur in the braces of another;
- * item, count_of and statements do that. Macros see only their own variables and those of the file, and nest at most a
- * hundred deep. Therefore local procedures move to top level, and those that call themselves only at their end become
- * loops. */
+ * or arrays. An array from a macro can neither be indexed nor measured directly, nor occur in the braces of another
+ * array: item, count_of and statements replace this. A macro can use only its own variables and those of the file, and
+ * macros nest at most a hundred deep. Therefore local procedures move to top level, and procedures that call themselves
+ * only at their end become loops. */
 #include "languages/targets/to_povray.h"
 
 #include <stdio.h>
@@ -18,7 +18,7 @@
 #include "languages/translate/value_kinds.h"
 #include "languages/translate/words.h"
 
-/* Pieces of statements: TR_PIECE_STATEMENTS are the turns of a loop, TR_PIECE_DRAW statements that draw. */
+/* Kinds of pieces of statements: TR_PIECE_STATEMENTS are the turns of a loop, TR_PIECE_DRAW statements that draw. */
 
 static const tr_node *at(const tr_writer *w, tr_index n) { return &w->t->nodes[n]; }
 static tr_variable *var(const tr_writer *w, tr_index n) { return &w->t->variables[at(w, n)->variable]; }
@@ -36,7 +36,7 @@ static void no_macros(tr_writer *w, tr_index n) {
 
 /* ---- values ---- */
 
-/* Plans an assignment. Numbers, points and colours end in a semicolon; all else must not, if an #if made it. */
+/* Plans an assignment. Numbers, points and colours end in a semicolon. Other values must not, if an #if made them. */
 static void plan_set(tr_writer *w, const char *before, const char *what, const char *after, tr_index value,
                      bool solid) {
   tr_plan(w, solid ? "%s%s%s = %o" : "%s%s%s = %v", before, what, after, value);
@@ -58,7 +58,7 @@ static tr_index parameter_default(const tr_writer *w, tr_index procedure, uint32
   return p && at(w, p)->kind == TR_PARAMETER ? at(w, p)->first : 0;
 }
 
-/* Returns true if the parameter takes a solid. */
+/* Returns true if the nth parameter of the procedure is a solid. */
 static bool takes_solid(const tr_writer *w, tr_index procedure, uint32_t nth) {
   tr_index p = procedure ? tr_nth(w->t, procedure, nth) : 0;
   return p && at(w, p)->kind == TR_PARAMETER && var(w, p)->type == TR_A_SOLID;
@@ -87,7 +87,7 @@ static void plan_call(tr_writer *w, tr_index n) {
   tr_plan(w, ")");
 }
 
-/* Plans the number of turns that the lists of a map allow; `first` is its first list. */
+/* Plans the number of turns of a map, which its lists determine; `first` is its first list. */
 static void plan_size(tr_writer *w, tr_index first, bool parallel) {
   if (parallel) tr_plan(w, "min(");
   for (tr_index i = first; at(w, i)->kind == TR_DEFINE; i = at(w, i)->next) {
@@ -97,13 +97,13 @@ static void plan_size(tr_writer *w, tr_index first, bool parallel) {
   tr_plan(w, ")");
 }
 
-/* Returns the number up to which the variable counts from 0; 0: it does not count. */
+/* Returns the number up to which the variable counts from 0, or 0 if it does not count. */
 static tr_index counted(const tr_writer *w, tr_index define) {
   const tr_node *list = at(w, at(w, define)->first);
   return list->kind == TR_PRIMITIVE && !strcmp(list->text, "iota") && list->count == 1 ? list->first : 0;
 }
 
-/* Plans the loops of a map, with the variables at each turn. makes: x__out is an array of the elements. */
+/* Plans the loops of a map, with the variables at each turn. makes: whether x__out becomes an array of the elements. */
 static void plan_loop(tr_writer *w, tr_index n, bool makes) {
   tr_index first = at(w, n)->first, last = at(w, n)->last;
   bool parallel = at(w, n)->parallel;
@@ -147,7 +147,7 @@ static void plan_loop_ends(tr_writer *w, tr_index n) {
   }
 }
 
-/* Plans a list made from another: an array filled turn by turn. */
+/* Plans a list made from another list: an array that is filled turn by turn. */
 static void plan_map(tr_writer *w, tr_index n) {
   tr_index first = at(w, n)->first, last = at(w, n)->last;
   bool simple = at(w, first)->next == last || at(w, n)->parallel;
@@ -183,7 +183,8 @@ static bool in_brackets(uint8_t type, uint8_t colour) {
          type == TR_UNKNOWN || colour == 1;
 }
 
-/* Plans a vector of red, green, blue and transparency: a test cannot choose between POV-Ray's colours for a name. */
+/* Plans a colour as a vector of red, green, blue and transparency, because a test cannot select between POV-Ray's own
+ * colours for a name. */
 static void plan_colour(tr_writer *w, tr_index n) {
   tr_colour c;
   char out[100];
@@ -192,8 +193,8 @@ static void plan_colour(tr_writer *w, tr_index n) {
   tr_plan(w, "%s", know_text(w->t->k, out, (size_t)size));
 }
 
-/* Returns the length of the longest run of whole characters that stays short in the output: an ASCII byte takes at most
- * two, any other character six. */
+/* Returns the length of the longest run of whole characters whose output is short. In the output an ASCII character has
+ * at most two bytes, any other character six. */
 static size_t short_text(const char *text) {
   enum { MOST = 200 };
   size_t n = 0, written = 0, step = 0;
@@ -205,7 +206,7 @@ static size_t short_text(const char *text) {
   return written > MOST ? n - step : n;
 }
 
-/* Plans a string; POV-Ray accepts only short literals, so long ones become concatenations. */
+/* Plans a string. POV-Ray accepts only short literals, so long strings become concatenations. */
 static void plan_text(tr_writer *w, const char *text) {
   size_t length = strlen(text), n = short_text(text);
   if (n >= length) {
@@ -253,7 +254,7 @@ static bool writable(const tr_writer *w, tr_index n) {
   return true;
 }
 
-/* Plans the children as an array; outlines: paths give their points. */
+/* Plans the children as an array. outlines: a path is replaced by its points. */
 static void plan_array(tr_writer *w, tr_index n, bool outlines) {
   char text[40], name[40];
   bool plain = true;
@@ -279,7 +280,8 @@ static void plan_array(tr_writer *w, tr_index n, bool outlines) {
   tr_plan(w, " %s", list);
 }
 
-/* Plans an element or the length of an array that POV-Ray cannot index directly; all else by its row. */
+/* Plans an element or the length of an array that POV-Ray cannot index directly. Plans all other primitives by their
+ * rows. */
 static void plan_primitive(tr_writer *w, tr_index n, int level) {
   const char *text = tr_word_row(w->target, at(w, n)->row).text;
   tr_index list = at(w, n)->first;
@@ -362,7 +364,7 @@ static void plan_value(tr_writer *w, tr_index n, int level) {
 /* ---- solids ---- */
 
 /* Plans the program's own POV-Ray text. If it begins with one of these words, it describes the look of the object after
- * #:otherwise; any other text is an object. */
+ * #:otherwise. Any other text is an object. */
 static void plan_native(tr_writer *w, tr_index n) {
   static const char *const looks[] = {"texture", "pigment", "normal", "finish", "interior", "material", "photons",
     "no_shadow", "hollow"};
@@ -429,7 +431,7 @@ static void plan_solid(tr_writer *w, tr_index n) {
   }
 }
 
-/* Writes the objects that a statement adds to the drawing. */
+/* Plans the objects that a statement adds to the drawing. */
 static void plan_draw(tr_writer *w, tr_index n) {
   const tr_node *node = at(w, n);
   if (!node->draws) return;
@@ -476,7 +478,7 @@ static void plan_draw(tr_writer *w, tr_index n) {
 
 /* ---- definitions ---- */
 
-/* Plans a body with a line for each local. */
+/* Plans a body with a line for each local definition. */
 static void plan_lines(tr_writer *w, tr_index n) {
   if (at(w, n)->kind != TR_BODY) {
     tr_plan_comments(w, n, TR_PIECE_COMMENTS, false);

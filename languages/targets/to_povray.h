@@ -1,4 +1,4 @@
-/* Owns programs in POV-Ray's scene language. */
+/* Declares the output of programs in POV-Ray's scene language. */
 #ifndef VS_LANGUAGES_TARGETS_TO_POVRAY_H
 #define VS_LANGUAGES_TARGETS_TO_POVRAY_H
 

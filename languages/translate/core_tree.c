@@ -1,4 +1,4 @@
-/* Owns the arrays of a translation, and its list of complaints. */
+/* Implements the arrays of a translation, and its list of complaints. */
 #include "languages/translate/core_tree.h"
 
 #include <stdarg.h>

@@ -1,8 +1,9 @@
-/* Owns the choice of local names that become definitions at top level, and their additional arguments.
+/* Chooses the local names that become definitions at top level, and their additional arguments.
  *
- * The translation lifts a local name if the target has no other way to express it: a solid with a name, a procedure
- * that makes or draws solids, a procedure that calls itself. Each call passes the variables of the surrounding
- * procedures that it uses, and so on through the calls among lifted ones. */
+ * The translation lifts a local name if the target has no other way to express it. Such names are a solid with a name,
+ * a procedure that makes or draws solids, and a procedure that calls itself. Each call passes the variables of the
+ * surrounding procedures that the lifted procedure uses, including those that it needs for its own calls of lifted
+ * procedures. */
 #include "languages/translate/lift_procedures.h"
 
 #include "languages/translate/words.h"
@@ -55,8 +56,8 @@ bool tr_turns(const translation *t, tr_index call) {
   return calls_at_end(t, call) && t->variables[t->nodes[t->nodes[call].first].variable].loops;
 }
 
-/* Finds the procedures that call themselves only at their end. Each becomes a loop, unless a procedure within it may
- * outlive a turn. */
+/* Finds the procedures that call themselves only at their end. Each becomes a loop, unless a procedure inside it may be
+ * used after the turn that made it. */
 static void find_loops(translation *t) {
   for (tr_index i = 1; i < t->node_count; i++)
     if (calls_at_end(t, i)) t->variables[t->nodes[t->nodes[i].first].variable].loops = true;

@@ -1,11 +1,11 @@
-/* Owns the numbers and strings of a program's text in the form of other languages. */
+/* Converts the numbers and strings of a program's text to the form of other languages. */
 #include "languages/translate/literals.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Copies a run of digits with at most one point; false: there is something else. */
+/* Copies a run of digits with at most one point. Returns false if the text is anything else. */
 static bool digits(const char **at, const char *end, char *out, size_t room, bool point) {
   size_t n = 0;
   bool any = false, seen = false;
@@ -71,7 +71,7 @@ const char *tr_string_text(knowledge *k, const char *text, size_t length) {
       uint32_t code = (uint32_t)strtoul(text + i + 1, &end, 16);
       if (!code || code > 0x10FFFF || *end != ';') return NULL;
       n += utf8(code, out + n), i = (size_t)(end - text);
-    } else if (c == '\n' || c == ' ' || c == '\t') { /* a continued line: the break and the blanks disappear */
+    } else if (c == '\n' || c == ' ' || c == '\t') { /* a continued line: the line break and the blanks are omitted */
       while (i + 1 < length && (text[i + 1] == ' ' || text[i + 1] == '\t' || text[i + 1] == '\n')) i++;
     } else if (!c || strchr("0vf", c)) return NULL;
     else out[n++] = plain && c ? means[plain - names] : c;

@@ -1,4 +1,4 @@
-/* Owns the writing of the target's text. A stack of pending pieces lets programs nest to any depth. */
+/* Writes the text of the target. A stack of pending pieces lets programs nest to any depth. */
 #include "languages/translate/text_plan.h"
 
 #include <ctype.h>
@@ -17,8 +17,8 @@
 #include "model/characters.h"
 #include "model/store/array.h"
 
-enum { WIDE = 96 /* columns, after which a line breaks at the next allowed place */, INDENT = 2, MOST_INDENT = 30,
-  MOST_TEXT = 64 << 20, REPLACEMENT = 0xFFFD /* for a byte that is no character */ };
+enum { WIDE = 96 /* number of columns after which a line is broken at the next allowed place */, INDENT = 2, MOST_INDENT = 30,
+  MOST_TEXT = 64 << 20, REPLACEMENT = 0xFFFD /* REPLACEMENT: character that replaces a byte that is not a character */ };
 
 static bool no_memory(tr_writer *w) { return know_fail(w->t->k, NULL, VS_OUTCOME_MACHINE, "out of memory"); }
 
@@ -54,7 +54,8 @@ static void plan_text(tr_writer *w, const char *text, size_t length) {
   if (length) plan(w, TR_PIECE_TEXT, 0, 0, know_text(w->t->k, text, length));
 }
 
-/* Returns the escape of a character that quotes cannot contain; "": they can. All targets read \uXXXX. */
+/* Returns the escape of a character that cannot occur in quotes, or "" for all other characters. All targets can read
+ * \uXXXX. */
 static const char *escape_of(const tr_target *target, uint32_t code, char room[8]) {
   switch (code) {
   case '"': return "\\\"";
@@ -169,7 +170,7 @@ static tr_index argument(const translation *t, tr_index primitive, uint32_t nth)
   return 0;
 }
 
-/* Returns the value of the keyword; 0: not given. */
+/* Returns the value of the keyword, or 0 if it is not given. */
 static tr_index keyword(const translation *t, tr_index primitive, const char *name, size_t length) {
   for (tr_index i = t->nodes[primitive].first; i; i = t->nodes[i].next)
     if (t->nodes[i].kind == TR_KEYWORD && strlen(t->nodes[i].text) == length &&
@@ -177,7 +178,8 @@ static tr_index keyword(const translation *t, tr_index primitive, const char *na
   return 0;
 }
 
-/* Writes the keywords of "segments=$fn:n": the program's word, the target's, and the target's within braces. */
+/* Writes the keywords of a row such as "segments=$fn:n": the program's word, the target's word, and the target's word
+ * inside braces. */
 static void plan_keys(tr_writer *w, tr_index primitive, const char *keys, bool alone) {
   const translation *t = w->t;
   bool any = false, braces = *w->target->key == ':';
@@ -189,12 +191,12 @@ static void plan_keys(tr_writer *w, tr_index primitive, const char *keys, bool a
       if (name == strlen(t->nodes[i].text) && !strncmp(at, t->nodes[i].text, name)) {
         const char *said = at[name] == '=' ? at + name + 1 : at, *end = at + length;
         const char *colon = memchr(said, ':', (size_t)(end - said));
-        if (said == end) break; /* "pattern=": the targets have no equivalent */
-        if (!*w->target->key) { /* without keywords: the colour of a material counts */
+        if (said == end) break; /* a word such as "pattern=": the target has no equivalent */
+        if (!*w->target->key) { /* a target without keywords: only the colour of a material is written */
           if (!strncmp(said, "c", (size_t)(end - said))) tr_plan(w, "%v", t->nodes[i].first);
           break;
         }
-        if (colon && braces) said = colon + 1; /* $fn:n */
+        if (colon && braces) said = colon + 1; /* the word inside braces, after the colon of $fn:n */
         else if (colon) end = colon;
         tr_plan(w, "%s%s%s%v", any ? ", " : open, know_text(t->k, said, (size_t)(end - said)), w->target->key,
                 t->nodes[i].first);
@@ -206,7 +208,7 @@ static void plan_keys(tr_writer *w, tr_index primitive, const char *keys, bool a
   if (any && braces && !alone) tr_plan(w, " }");
 }
 
-/* Writes an angle in degrees; a number that the program gives in degrees keeps its digits. */
+/* Writes an angle in degrees. A number that the program gives in degrees keeps its digits. */
 static void plan_degrees(tr_writer *w, tr_index angle) {
   const tr_node *n = tr_at(w->t, angle);
   if (n->kind == TR_PRIMITIVE && !strcmp(n->text, "degrees->radians")) tr_plan(w, "%v", n->first);
@@ -214,7 +216,8 @@ static void plan_degrees(tr_writer *w, tr_index angle) {
   else tr_plan(w, "deg(%v)", angle);
 }
 
-/* Writes 'x or 'xy as a vector: the axis, or the normal of the plane. Returns false if the argument is no such word. */
+/* Writes 'x or 'xy as a vector: the axis, or the normal of the plane. Returns false if the argument is not such a
+ * word. */
 static bool plan_axis(tr_writer *w, tr_index argument, char letter) {
   const tr_node *n = tr_at(w->t, argument);
   if (n->kind != TR_STRING || !letter || !strchr("AZL", letter)) return false;
@@ -242,7 +245,7 @@ void tr_plan_row(tr_writer *w, tr_index primitive, int level) {
   const translation *t = w->t;
   tr_word row = tr_word_row(w->target, t->nodes[primitive].row);
   const char *at = row.text;
-  if (*at == '=') { /* an operator */
+  if (*at == '=') { /* the row describes an operator */
     int own = at[1] - '0';
     bool brackets = own < level;
     if (brackets) tr_plan(w, "(");
@@ -295,7 +298,7 @@ void tr_plan_row(tr_writer *w, tr_index primitive, int level) {
       else tr_plan(w, "%o", argument(t, primitive, nth));
     } else if (mark == '#' && isdigit((unsigned char)what)) {
       if (argument(t, primitive, nth)) tr_plan_value(w, argument(t, primitive, nth), own);
-    } else { /* a sign of the target itself */
+    } else { /* the character belongs to the target's text */
       plan_text(w, at - (what ? 2 : 1), 1);
       at -= what != 0;
     }
@@ -305,7 +308,7 @@ void tr_plan_row(tr_writer *w, tr_index primitive, int level) {
 
 /* ---- comments ---- */
 
-/* Writes the text so that no part of it ends the comment: in scripts, U+2028 ends a line too. */
+/* Writes the text so that no part of it ends the comment. In scripts, U+2028 also ends a line. */
 static void put_on_line(tr_writer *w, const char *text, const char *end) {
   char spelled[VS_SPELLED_ROOM];
   while (text < end) {
@@ -388,7 +391,7 @@ void tr_comment_behind(tr_writer *w, know_index source) {
 
 /* ---- helpers ---- */
 
-/* Returns true if the text calls the word; in a script it may also pass it as a value. */
+/* Returns true if the text calls the word. In a script the word may also be passed as a value. */
 static bool word_in(const char *text, size_t length, const char *word, bool script) {
   size_t n = strlen(word);
   for (size_t i = 0; i + n < length; i++) {
@@ -399,7 +402,7 @@ static bool word_in(const char *text, size_t length, const char *word, bool scri
   return false;
 }
 
-/* Writes the helpers that the program uses, those that they use, and those that other programs may use. */
+/* Writes the helpers that the program uses, the helpers that these use, and the helpers for other programs. */
 static void put_helpers(tr_writer *w) {
   enum { MOST = 256 };
   bool used[MOST] = {false};
@@ -457,7 +460,7 @@ void tr_plan_number(tr_writer *w, const char *text, int level) {
 
 void tr_write_statement(tr_writer *w, size_t before, know_index source) {
   tr_write_planned(w);
-  if (w->out_count > before && w->out[before] == '\n') { /* the program has no empty line before it */
+  if (w->out_count > before && w->out[before] == '\n') { /* the program must not begin with an empty line */
     memmove(w->out + before, w->out + before + 1, w->out_count - before);
     w->out_count--;
   }

@@ -17,32 +17,32 @@ typedef struct { uint8_t kind, level; tr_index node; const char *text; } tr_piec
 /* The precedence of operators. An operand of lower precedence than its place needs parentheses. */
 enum { TR_LOOSE = 0, TR_CHOICE = 1, TR_EITHER = 2, TR_BOTH = 3, TR_EQUAL = 4, TR_ORDER = 5, TR_SUM = 6, TR_PRODUCT = 7,
   TR_SIGN = 8, TR_TIGHT = 9,
-  TR_AS_LIST = 10 /* the arguments of a primitive, as a list of outlines (to_povray.c) */ };
+  TR_AS_LIST = 10 /* writes the arguments of a primitive as a list of outlines (to_povray.c) */ };
 
 struct tr_writer {
   translation *t;
   const tr_target *target;
   tr_piece *pieces; size_t piece_count, piece_room;
-  tr_piece *plan; size_t plan_count, plan_room;  /* of the current node */
+  tr_piece *plan; size_t plan_count, plan_room;  /* planned pieces of the current node */
   char *out; size_t out_count, out_room;
   uint32_t indent, column;
-  know_index comment;  /* the next comment of the current file */
+  know_index comment;  /* next comment of the current file */
   uint32_t segments;
-  void (*emit)(tr_writer *w, const tr_piece *piece); /* plans a piece that has a node */
+  void (*emit)(tr_writer *w, const tr_piece *piece); /* plans the pieces of a piece that has a node */
 };
 
 void tr_plan(tr_writer *w, const char *format, ...);
-/* Plans a value with at least that precedence. */
+/* Plans a value. An operator of lower precedence than `level` gets parentheses. */
 void tr_plan_value(tr_writer *w, tr_index node, int level);
 /* Plans the text in quotes, with backslashes where the target needs them. */
 void tr_plan_quoted(tr_writer *w, const char *text);
-/* Plans a comment up to the end of the line, for any text. */
+/* Plans a comment up to the end of the line. The text may contain any characters. */
 void tr_plan_comment(tr_writer *w, const char *text);
-/* Plans a number; a fraction or a negative number gets parentheses if the precedence needs them. */
+/* Plans a number. A fraction or a negative number gets parentheses if the precedence requires them. */
 void tr_plan_number(tr_writer *w, const char *text, int level);
 /* Writes all planned pieces. */
 void tr_write_planned(tr_writer *w);
-/* Writes all planned pieces of a statement, whose text begins at out[before]; then its comment on the same line. */
+/* Writes all planned pieces of a statement, whose text begins at out[before], and then its comment on the same line. */
 void tr_write_statement(tr_writer *w, size_t before, know_index source);
 void tr_put(tr_writer *w, const char *text, size_t length);
 
@@ -51,22 +51,22 @@ void tr_put(tr_writer *w, const char *text, size_t length);
  * an angle in degrees, $k keywords, @1 a solid, @2+ the solids from the second on as one statement, @*1 those from the
  * first on, each by itself, within braces. "7:..." gives the precedence; "=6 + " is an operator. */
 void tr_plan_row(tr_writer *w, tr_index primitive, int level);
-/* Returns true if the row's text contains a block. */
+/* Returns true if the row's text contains a block of statements. */
 bool tr_row_has_block(const char *text);
 
-/* Writes an empty line if the text has one before the form and its comments. */
+/* Writes an empty line if the text has an empty line before the form and its comments. */
 void tr_gap_before(tr_writer *w, know_index source);
-/* Writes the comments of the text before the place, each on its line; and one after it on the same line. */
+/* Write the comments of the text before the form, each on its own line, or the comment behind it on the same line. */
 void tr_comments_before(tr_writer *w, know_index source);
 void tr_comment_behind(tr_writer *w, know_index source);
-/* Writes the comments before the node, or its end, each on its own line within a block. */
+/* Writes the comments before the node (or before its end, if `end`), each on its own line inside a block. */
 void tr_comments_inside(tr_writer *w, know_index source, bool end);
-/* Plans the same for after the pieces planned before: TR_PIECE_BEHIND or TR_PIECE_COMMENTS. */
+/* Plans the comments of a node as a piece after those planned before: TR_PIECE_BEHIND or TR_PIECE_COMMENTS. */
 void tr_plan_comments(tr_writer *w, tr_index node, tr_piece_kind kind, bool end);
-/* Plans the node by a format that names it once, with the comments of the text before it and behind it. */
+/* Plans the node by a format that contains it once, with the comments of the text before it and behind it. */
 void tr_plan_commented(tr_writer *w, const char *format, tr_index node);
 
-/* Translates the program. Returns the text, which the caller frees; NULL: trouble, or complaints. */
+/* Translates the program. Returns the text, which the caller frees, or NULL on failure or if there are complaints. */
 char *tr_write_program(translation *t, uint32_t segments, size_t *length);
 
 #endif

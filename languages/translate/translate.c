@@ -1,4 +1,4 @@
-/* Owns `vs translate`: the program in another language. */
+/* Implements `vs translate`: the program in another language. */
 #include "languages/translate/translate.h"
 
 #include <stdlib.h>

@@ -1,7 +1,7 @@
-/* Owns the kind of value of each expression of a lowered tree, and so its row of translated_words.def.
+/* Determines the type of each expression of a lowered tree, and its row of translated_words.def.
  *
- * Types only rise: unknown, something, anything. Loops downwards over the nodes, children first, carry the facts of the
- * text into variables until nothing changes. A value that is still unknown then takes the type that its primitive
+ * Types only increase: unknown, something, anything. Loops downwards over the nodes, children first, pass the facts of
+ * the text on to variables until nothing changes. A value that is still unknown then gets the type that its primitive
  * requires, and the loops continue. */
 #include "languages/translate/value_kinds.h"
 
@@ -106,7 +106,7 @@ static uint8_t all_arguments(const translation *t, tr_index primitive) {
   return type;
 }
 
-/* Returns number for numbers; a point or vector among them gives its own type. */
+/* Returns the type of a sum: number for numbers, but the type of a point or vector if an operand is one. */
 static uint8_t arithmetic(const translation *t, tr_index primitive) {
   uint8_t type = TR_A_NUMBER;
   for (tr_index i = t->nodes[primitive].first; i; i = t->nodes[i].next) {
@@ -134,7 +134,7 @@ static uint8_t result_of(const translation *t, tr_index primitive, const char *r
   if (*result == '+') return arithmetic(t, primitive);
   if (*result == 'E') return list_of(all_arguments(t, primitive));
   if (*result == 'J') return all_arguments(t, primitive);
-  if (*result == 'K') { /* cons */
+  if (*result == 'K') { /* the rule of cons */
     uint8_t made = first ? list_of(t->nodes[first].type) : TR_UNKNOWN;
     return first && t->nodes[first].next ? join(made, t->nodes[t->nodes[first].next].type) : made;
   }
@@ -191,7 +191,7 @@ static uint8_t call_type(finder *f, tr_index n) {
   return t->nodes[t->nodes[procedure].last].type;
 }
 
-/* ---- one node ---- */
+/* ---- the type of a node ---- */
 
 static uint8_t type_of(finder *f, tr_index i) {
   translation *t = f->t;
@@ -256,7 +256,7 @@ static void climb(finder *f) {
   }
 }
 
-/* Gives each value of unknown kind the kind that its first possible row requires. */
+/* Gives each value of unknown type the type that its first possible row requires. */
 static bool ask_primitives(finder *f) {
   translation *t = f->t;
   bool any = false;
@@ -294,7 +294,7 @@ static void arrange(translation *t, tr_index call) {
   t->nodes[callee].next = 0;
   t->nodes[call].last = callee, t->nodes[call].count = 1;
   tr_index keys = 0, keys_last = 0, places = 0, places_last = 0;
-  for (; argument; argument = next) { /* into two chains */
+  for (; argument; argument = next) { /* divides the arguments into two chains */
     next = t->nodes[argument].next;
     t->nodes[argument].next = 0;
     tr_index *first = t->nodes[argument].kind == TR_KEYWORD ? &keys : &places;
@@ -323,7 +323,7 @@ static void arrange(translation *t, tr_index call) {
     t->nodes[call].last = kept = taken;
     t->nodes[call].count++;
   }
-  while (kept != callee && t->nodes[kept].kind == TR_ABSENT) { /* absent arguments at the end are omitted */
+  while (kept != callee && t->nodes[kept].kind == TR_ABSENT) { /* omits absent arguments at the end */
     tr_index before = callee;
     while (t->nodes[before].next != kept) before = t->nodes[before].next;
     t->nodes[before].next = 0;
@@ -332,7 +332,7 @@ static void arrange(translation *t, tr_index call) {
   }
 }
 
-/* Turns a loop over a number, which counts up to it, into a loop over the list of those numbers. */
+/* Changes a loop over a number, which counts up to it, to a loop over the list of these numbers. */
 static bool count_loops(translation *t) {
   size_t count = t->node_count;
   for (tr_index i = 1; i < count; i++) {
@@ -352,14 +352,15 @@ static bool count_loops(translation *t) {
   return true;
 }
 
-/* ---- the whole ---- */
+/* ---- the program ---- */
 
 static void complain_of(translation *t) {
   for (tr_index i = 1; i < t->node_count; i++) {
     tr_node n = t->nodes[i];
     if (n.kind == TR_SET && !t->target->assigns)
       tr_complain(t, i, "set! cannot be translated to %s", t->target->title);
-    if (n.kind == TR_NAME && !t->variables[n.variable].define) /* a form that was lowered without it defines it */
+    if (n.kind == TR_NAME && !t->variables[n.variable].define) /* a form that was lowered without this definition
+                                                                * defines the name */
       tr_complain(t, i, "%s cannot be translated to %s", t->variables[n.variable].text, t->target->title);
     if (n.kind != TR_PRIMITIVE || n.row) continue;
     bool known = false;

@@ -1,4 +1,4 @@
-/* Owns the tables of the target languages' words for the language's names. */
+/* Contains the tables of the target languages' words for the names of the language. */
 #include "languages/translate/words.h"
 
 #include <string.h>
