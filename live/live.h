@@ -1,4 +1,4 @@
-/* Owns the interface of the live view: a call that serves a model until it ends. It is a client of visualscheme.h only.
+/* Declares the live view: a call that serves a model until it ends. It is a client of visualscheme.h only.
  *
  *   live.c         the session, which evaluates in the calling thread
  *   aside.c        a second interpreter in its own thread, for outputs with other values

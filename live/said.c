@@ -4,7 +4,7 @@
 
 #include <string.h>
 
-enum { MESSAGES = 200, ERRORS = 20 /* greatest numbers of messages and, in addition, of errors that are kept */, NOTES = 40 };
+enum { MESSAGES = 200, ERRORS = 20 /* messages kept; in addition, errors kept */, NOTES = 40 };
 
 static bool within_character(char c) { return ((unsigned char)c & 0xc0) == 0x80; }
 

@@ -6,7 +6,7 @@
 #include "visualscheme.h"
 
 /* A text of which at least the last LIVE_KEPT bytes are kept. {0} is an empty text. */
-typedef struct { live_text text; size_t missing; /* missing: number of dropped characters before the text */ } live_tail;
+typedef struct { live_text text; size_t missing; /* missing: number of dropped characters */ } live_tail;
 enum { LIVE_KEPT = 1 << 20 };
 
 typedef struct {

@@ -1,14 +1,14 @@
-/* Owns the parting of faces that lie in one plane (flush.h).
+/* Separates faces that lie in one plane (flush.h).
  *
- * Two parts are flush if they share a facet's plane. The pass meshes every part at a coarse fixed tolerance and keeps
- * each plane once, as four whole numbers; equal numbers are one plane. This also finds round walls that coincide, since
- * equal round parts have equal facets. Parts whose boxes do not meet are skipped.
+ * Two parts are flush if a facet of each lies in the same plane. The pass meshes every part at a coarse fixed tolerance
+ * and stores each plane once, as four whole numbers. Equal numbers mean the same plane. This also finds round walls
+ * that coincide, since equal round parts have equal facets. Parts whose boxes do not intersect are skipped.
  *
- * Flush parts grow: the parts of an operand one by one, each in its own coordinates, so that all faces move outwards.
- * In a difference only cutters grow, so the faces of the result do not move: a cutter that is flush with the solid it
- * cuts, and a cutter that meets an earlier one face to face. In an intersection one of two flush operands grows. Solids
- * with an axis grow as their own kind, others about their middle. There, walls of a notched shape that face the middle
- * move by a little less.
+ * Flush parts grow: each part of an operand separately, in its own coordinates, so that all faces move outwards. In a
+ * difference only cutters grow, so the faces of the result do not move. These are cutters that are flush with the solid
+ * that they cut, and cutters that touch an earlier cutter face to face. In an intersection of two flush operands, one
+ * of them grows. Solids with an axis grow as their own kind, others about their centre. In the second case, walls of a
+ * notched shape that face the centre move by slightly less.
  *
  * Cost: the facets of each distinct difference, once, and a sort. */
 #include "passes/flush.h"

@@ -1,5 +1,5 @@
-/* Owns share: equal subtrees at different places become one template with placements; so do subtrees that are turned or
- * mirrored (turn.c).
+/* Implements the pass share: equal subtrees at different places become one template with placements; so do subtrees
+ * that are turned or mirrored (turn.c).
  *
  * Each distinct node gets an anchor and a key. The anchor is a point of the node that moves with it. The key is a hash
  * of 128 bits over the kind, the fields and the children's keys, with all positions relative to the anchor. Equal keys

@@ -1,5 +1,5 @@
-/* Owns the removal of the kinds of level SUGAR before a drawing is written: only, ghost, highlight, native, and kinds
- * of define-primitive.
+/* Declares the removal of the kinds of level SUGAR before a drawing is written: only, ghost, highlight, native, and
+ * kinds of define-primitive.
  *
  *   only       the drawing becomes the children of the `only` nodes, in their places and paint
  *   ghost      belongs to no solid; a format that shows previews gets it beside the drawing

@@ -1,15 +1,15 @@
-/* Owns the removal of a mesh's overlaps with itself.
+/* Removes a mesh's overlaps with itself.
  *
- * The kernel arranges the mesh with itself, and keeps the volume that it winds around more than 0 times. Sweeps, whose
- * bends may be much tighter than their profile is wide, need two more means:
+ * The kernel arranges the mesh with itself, and keeps the volume that it winds around more than 0 times. The bends of
+ * sweeps may be much tighter than their profile is wide. Sweeps therefore need two more steps:
  *
- *   crowds   Around such a bend all steps overlap, and all of them intersect each other, though nearly all of it is
- *            hidden. If that is too much, runs of some steps lose their overlaps one by one, and are united two by two,
- *            neighbours first, so that hidden parts go early. Needles that a union leaves are welded (weld.c), or the
- *            next union would cut them into a million more
- *   rounding Steps that differ by little intersect at small angles: corners come nearer to other faces than the
+ *   crowds   Around such a bend all steps of the sweep overlap and intersect each other, though nearly all of this is
+ *            hidden. If that is too much work, runs of some steps lose their overlaps one by one. They are united two
+ *            by two, neighbours first, so that hidden parts vanish early. Needles that a union leaves are welded
+ *            (weld.c), because the next union would cut them into a million more
+ *   rounding Steps that differ by little intersect at small angles. Corners then come closer to other faces than the
  *            numbers of a format can distinguish. These corners move to a decimal grid, finer than anything visible
- *            and coarser than the numbers of any format; the kernel resolves new intersections there, until there are
+ *            and coarser than the numbers of any format. The kernel resolves new intersections there, until there are
  *            none */
 #include "solids/overlaps.h"
 

@@ -37,7 +37,7 @@ typedef struct {
   double cut_area;        /* total area of the fills, in square model units */
   bool *labelled;         /* labelled[i]: whether the scene's note i is a label whose position is visible in the view;
                            * NULL: there are no such labels */
-  /* Position on the sheet, set by sheet.c: millimetres = (point - low) * mm + at. */
+  /* Position on the sheet, set by sheet.c: millimetres = at + (point - low) * mm. */
   double mm, scale;
   vs_sheet_point at;
 } vs_flat_view;

@@ -1,4 +1,4 @@
-/* Owns the packed notation: the X3D tree as bytes, written while the driver walks the drawing. The viewer reads it
+/* Writes the packed notation: the X3D tree as bytes, written while the driver walks the drawing. The viewer reads it
  * (backends/page/packed.js).
  *
  * The text begins with "VSX1" and is a sequence of entries, each a letter and its data:

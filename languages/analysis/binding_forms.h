@@ -1,4 +1,4 @@
-/* Owns the effect of each form of the language on names. */
+/* Declares the effect of each form of the language on names. */
 #ifndef VS_LANGUAGES_ANALYSIS_BINDING_FORMS_H
 #define VS_LANGUAGES_ANALYSIS_BINDING_FORMS_H
 

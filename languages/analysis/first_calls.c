@@ -26,7 +26,7 @@ void know_first_result(know_index symbol, char *expression) {
   snprintf(expression, KNOW_FIRST_ROOM, "%%first-result-%u", (unsigned)symbol);
 }
 
-/* A list of arguments cannot pass keywords on. A name that only a run could determine may not denote a procedure. */
+/* A list of arguments cannot contain keywords. A name that only a run could determine may not denote a procedure. */
 bool know_remembers(const knowledge *k, know_index symbol) {
   const know_symbol *y = &k->symbols[symbol];
   if (k->script || y->kind != KNOW_FUNCTION || y->made || !y->definition || !y->form || !y->parameters || y->sets ||

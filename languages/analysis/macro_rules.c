@@ -49,7 +49,7 @@ static bool is_literal(const expansion *x, know_index node) {
   return false;
 }
 
-/* Returns a node for the elements of list from `first` on. The elements stay in their list. */
+/* Returns a node for `first` and the elements after it, which stay in their list. */
 static know_index tail(expansion *x, know_index list, know_index first, uint32_t count) {
   if (count == 1 && x->k->nodes[list].dotted && !x->k->nodes[first].next) return first;
   know_index t = know_node_new(x->k, KNOW_LIST);

@@ -1,8 +1,8 @@
-/* Owns the lowered tree of a translation: a program in a few kinds of node that every target language can express, each
- * with its place in the text.
+/* Declares the lowered tree of a translation: a program in a few kinds of node that every target language can express,
+ * each with its place in the text.
  *
  * Forms of the language keep their shape (a map stays a map, a let stays a let); the program's own macros are expanded.
- * A node's children come after it in the array, so a loop downwards over the array meets children first.
+ * A node's children come after it in the array, so a loop downwards over the array visits children first.
  *
  *   NAME       a variable
  *   PRIMITIVE  a name of the language with its arguments: `text` is its name; KEYWORD children come last

@@ -1,4 +1,4 @@
-/* Owns the writing of the target's text. A stack of pending pieces lets programs nest to any depth. The pieces of a
+/* Declares the writing of the target's text. A stack of pending pieces lets programs nest to any depth. The pieces of a
  * node are planned in reading order, and written before any piece that was planned earlier.
  *
  * In formats: %s text; %v a node's value; %t the same as a single operand; %b a test; %o a node as one statement; %l as

@@ -1,4 +1,4 @@
-/* Owns the test of fits by a host: program and scan lie in the host's memory, the fit reports doubtful results, and the
+/* Tests fits by a host: program and scan lie in the host's memory, the fit reports doubtful results, and the
  * map of deviations is a file. */
 #include <math.h>
 #include <stdio.h>
@@ -43,7 +43,7 @@ int main(void) {
   vs_fit_result r;
   vs_fit_parameter p;
   size_t used = (size_t)sprintf(scan, "OFF\n600 0 0\n"), count;
-  for (int i = 0; i < 600; i++) { /* on all six sides of a box of 1.8 x 1 x 2.6 */
+  for (int i = 0; i < 600; i++) { /* points on all six sides of a box of 1.8 x 1 x 2.6 */
     double at[3] = {1.8 * (i % 10 + .5) / 10, (i / 10 % 10 + .5) / 10, 2.6 * (i % 7 + .5) / 7};
     const double side[3] = {1.8, 1, 2.6};
     at[i % 3] = i % 2 ? side[i % 3] : 0;
@@ -51,7 +51,7 @@ int main(void) {
   }
   f.placed = true;
   CHECK(vs_fit(s, "box.vs", "box.off", &f, &r) == VS_OUTCOME_DONE && r.samples == 600 && r.converged);
-  CHECK(h.printed == 1); /* the host receives the output of the first run alone */
+  CHECK(h.printed == 1); /* the host receives the output of the first run only */
   CHECK(vs_fit_parameter_get(s, 0, &p) && p.state == VS_FIT_FITTED && fabs(p.value - 1.8) < 1e-3 && p.start == 1.5);
   CHECK(vs_fit_parameter_get(s, 1, &p) && p.state == VS_FIT_FITTED && fabs(p.value - 2.6) < 1e-3 && p.low <= 2.6 && p.high >= 2.6);
   CHECK(vs_fit_parameter_get(s, 2, &p) && p.state == VS_FIT_NO_NUMBER && !vs_fit_parameter_get(s, 3, &p));

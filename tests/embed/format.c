@@ -1,4 +1,4 @@
-/* Owns the test that a host can add a format: a text format of a dozen lines, with words for boxes, spheres, lines and
+/* Tests that a host can add a format: a text format of a dozen lines, with words for boxes, spheres, lines and
  * subtractions. The library lowers all other kinds to these. */
 #include <stdio.h>
 #include <string.h>
@@ -16,7 +16,7 @@ static bool keep(void *context, const void *bytes, size_t count) {
   return true;
 }
 
-/* Writes a line: the word, the fields' numbers, and the place of the thing. */
+/* Writes a line: the word, the numbers of the fields, and the place of the thing. */
 static vs_kind_status line_of(vs_output *out, const vs_thing *t, const char *word, const char *const fields[]) {
   vs_output_print(out, word);
   for (; *fields; fields++) {
@@ -36,8 +36,9 @@ static vs_kind_status box(void *context, vs_output *out, const vs_thing *t) {
 static vs_kind_status sphere(void *context, vs_output *out, const vs_thing *t) {
   double segments;
   ((host *)context)->things++;
-  if (vs_thing_numbers(t, "segments", &segments, 1) != 1 || segments > 0) return VS_KIND_SIMPLER; /* the drawing asks
-                                                                                                   * for facets */
+  if (vs_thing_numbers(t, "segments", &segments, 1) != 1 || segments > 0) return VS_KIND_SIMPLER; /* the drawing has a
+                                                                                                   * fixed number of
+                                                                                                   * facets */
   return line_of(out, t, "ball", (const char *const[]){"c", "r", NULL});
 }
 static vs_kind_status line(void *context, vs_output *out, const vs_thing *t) {
@@ -105,7 +106,7 @@ int main(void) {
   format.kinds = wrong, format.kind_count = 2;
   CHECK(!vs_register_format(s, &format));
   format.kinds = kinds, format.kind_count = 3;
-  CHECK(!vs_register_format(s, &format)); /* the name is a kind that the registration refuses: no polyface-mesh */
+  CHECK(!vs_register_format(s, &format)); /* the registration is refused because the format has no polyface-mesh */
   format.kind_count = 6, format.suffix = "stl";
   CHECK(!vs_register_format(s, &format));
   format.kinds = &kinds[3], format.kind_count = 1, format.suffix = "only";

@@ -1,7 +1,6 @@
-/* Owns the test that a host can draw by meshes: equal shapes share one mesh; the library hands over the changes and
- * nothing else; volumes and normals are right; it asks for each material once; a failure loses nothing. It uses the
- * public header alone. With a file's name as argument it hands over the drawing of that file instead, and prints the
- * time. */
+/* Tests that a host can draw by meshes. Equal shapes share a mesh, and the library gives only the changes. Volumes and
+ * normals are right. It asks for each material once, and a failure loses nothing. Uses the public header alone. With a
+ * file's name as argument, it requests the meshes of that file's drawing instead, and prints the time. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -88,7 +87,7 @@ static uint64_t material(void *context, const char *name) {
 
 static vs_outcome run(vs_scheme *s, const char *text) { return vs_eval_text(s, "model", 1, text, strlen(text), 0); }
 
-/* Tests that a context which is shown a thousand times is handed over once, with a matrix for each place. */
+/* Tests that a context which is shown a thousand times is given once, with a matrix for each place. */
 static void share(vs_scheme *s, round_of *r) {
   static const char one[] =
       "(erase-all) (node-clear)"
@@ -112,8 +111,8 @@ static void share(vs_scheme *s, round_of *r) {
   }
 }
 
-/* Tests that the detail follows the time of the frames: slow frames lower the scene's quality, and with it the number
- * of facets of the host's meshes. */
+/* Tests that the level of detail depends on the time of the frames. Slow frames lower the scene's quality, and with it
+ * the number of facets of the host's meshes. */
 static void adapt(vs_scheme *s) {
   size_t triangles[3];
   vs_mesh_info m;
@@ -134,7 +133,7 @@ static void adapt(vs_scheme *s) {
   CHECK(triangles[0] > 4 * triangles[1] && triangles[1] > 100 && triangles[2] == triangles[0]);
 }
 
-static double seconds(void) { return (double)clock() / CLOCKS_PER_SEC; } /* of processor time */
+static double seconds(void) { return (double)clock() / CLOCKS_PER_SEC; } /* returns processor time */
 
 static int measure(vs_scheme *s, const char *file, round_of *r) {
   double began = seconds();
@@ -180,7 +179,7 @@ int main(int count, char **words) {
   CHECK(strstr(r.asked, "gold ") && strstr(r.asked, "steel ") && strlen(r.asked) == strlen("gold steel "));
   CHECK(go(s, &r) == VS_OUTCOME_DONE && r.added + r.changed + r.removed == 0); /* nothing changed: the round is empty */
 
-  /* a node moves: the same mesh has another place. A sphere of another material appears: it is another mesh */
+  /* a moved node: the same mesh has another place. A new sphere of another material: another mesh */
   CHECK(run(s, "(node-translate (node-find \"1\") (vxyz 0 0 7))") == VS_OUTCOME_DONE);
   CHECK(go(s, &r) == VS_OUTCOME_DONE && r.added == 0 && r.changed == 1 && r.removed == 0 && r.places == 3);
   CHECK(run(s, "(draw (with-material 'steel (make-box (xyz 0 0 0) (xyz 1 1 1))))") == VS_OUTCOME_DONE);
@@ -190,7 +189,7 @@ int main(int count, char **words) {
   CHECK(strlen(r.asked) == strlen("gold steel ")); /* the library does not ask again for a known name */
   uint64_t steel = r.last;
 
-  /* the round reports removed meshes; a mesh that returns is the same mesh; curves have points alone */
+  /* the round reports removed meshes; a mesh that returns has its old id; a curve has only points */
   CHECK(run(s, "(erase-all) (for-each (lambda (n) (node-setdrawing n '())) (node-getchildren (node-getroot)))"
                "(draw (make-line (xyz 0 0 0) (xyz 1 0 0) (xyz 1 1 0)))") == VS_OUTCOME_DONE);
   CHECK(go(s, &r) == VS_OUTCOME_DONE && r.added == 1 && r.curves == 1 && r.removed == 3);

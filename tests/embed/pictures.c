@@ -1,4 +1,4 @@
-/* Owns the test that a host can process pictures in linear light and study the sun. It uses the public header alone.
+/* Tests that a host can process pictures in linear light and study the sun. It uses the public header alone.
  * Without POV-Ray the test reports the parts that it skips. Argument: a folder for its files. */
 #include <math.h>
 #include <stdio.h>

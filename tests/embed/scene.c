@@ -1,5 +1,5 @@
-/* Owns the test that a host can hold a scene: it mirrors the tree by events, moves nodes, follows a property without a
- * loop, is called by the program, picks, and gets an error for every misuse. It uses the public header alone. */
+/* Tests that a host can hold a scene. It mirrors the tree by events, moves nodes, follows a property without a loop, is
+ * called by the program, and picks objects. Every misuse gives an error. Uses the public header alone. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -13,7 +13,7 @@ static int failures;
 static void diagnose(void *context, const vs_diagnostic *d) { snprintf(((host *)context)->said, 400, "%s", d->message); }
 static vs_outcome run(vs_scheme *s, const char *text) { return vs_eval_text(s, "model", 1, text, strlen(text), 0); }
 
-/* An event of the tree: its argument is the node, and the callback adds the node's name to the log. */
+/* Receives an event of the tree: its argument is the node, whose name is added to the log. */
 static bool created(void *context, vs_scheme *s, const vs_handle *arguments, size_t count, vs_handle *result) {
   (void)s, (void)result;
   strcat(((host *)context)->log, count == 1 && arguments[0] ? "create " : "? ");
@@ -80,7 +80,7 @@ static void read_in_events(host *h) {
   CHECK(strcmp(vs_node_name(s, house), "house") == 0 && vs_handle_count(s, vs_node_children(s, house)) == 0);
   vs_free(s);
 }
-/* Called when the model's property has changed: the slider follows at the next vs_update. */
+/* Receives the model's changed property: the slider follows at the next vs_update. */
 static bool follow(void *context, vs_scheme *s, const vs_handle *arguments, size_t count, vs_handle *result) {
   host *h = context;
   (void)result;
@@ -126,13 +126,13 @@ static bool gizmo(void *context, vs_scheme *s, const vs_gizmo *g) {
   (void)context;
   last = *g, gizmos++;
   last.node = vs_handle_retain(s, g->node);
-  return strcmp(vs_node_name(s, g->node), "longer") != 0; /* false ends the enumeration: no further gizmo is asked
-                                                           * for */
+  return strcmp(vs_node_name(s, g->node), "longer") != 0; /* false ends the enumeration, so no further gizmo is
+                                                           * passed */
 }
 static bool named(void *context, vs_scheme *s, const vs_hit *hit) {
   char *file = context;
   vs_handle other = vs_handle_text(s, "another text");
-  vs_handle_get_text(s, other); /* the call must not change the values of the hit */
+  vs_handle_get_text(s, other); /* this call must not change the values of the hit */
   vs_handle_release(s, other);
   snprintf(file, 40, "%s:%u", hit->file, hit->line);
   return false;
@@ -157,7 +157,7 @@ static void hold_gizmos(vs_scheme *s, host *h) {
   vs_handle met;
   CHECK(vs_input(s, VS_INPUT_PRESS, VS_BUTTON_LEFT, (double[]){ 7, 0, 60 }, down, NULL, &met) == VS_OUTCOME_DONE && vs_handle_same(s, met, slider));
   CHECK(vs_input(s, VS_INPUT_DRAG, VS_BUTTON_LEFT, (double[]){ 8.6, 0, 60 }, down, NULL, NULL) == VS_OUTCOME_DONE);
-  CHECK(run(s, "(if (not (= width 18)) (car 5))") == VS_OUTCOME_DONE); /* 17.2 rounded to steps of 2 */
+  CHECK(run(s, "(if (not (= width 18)) (car 5))") == VS_OUTCOME_DONE); /* 17.2 is rounded to steps of 2 */
   CHECK(vs_input(s, VS_INPUT_RELEASE, VS_BUTTON_LEFT, (double[]){ 8.6, 0, 60 }, down, NULL, NULL) == VS_OUTCOME_DONE);
   CHECK(vs_apply(s, back, &kept, 1, NULL) == VS_OUTCOME_DONE && run(s, "(if (not (= width 14)) (car 5))") == VS_OUTCOME_DONE);
   CHECK(vs_input(s, VS_INPUT_MOVE, VS_BUTTON_NONE, NULL, NULL, NULL, &met) == VS_OUTCOME_DONE && met == 0);
@@ -172,8 +172,8 @@ static void hold_gizmos(vs_scheme *s, host *h) {
                "(define last-one (make-tripod (xyz 0 0 9) (vxyz 1 0 2) #:name \"mover\" #:parent (node-getroot)))") == VS_OUTCOME_DONE);
   CHECK(vs_gizmos(s, gizmo, NULL) == VS_OUTCOME_DONE && gizmos == 2 && last.kind == VS_GIZMO_ARROW); /* the callback
                                                                                                       * ended the
-                                                                                                      * enumeration
-                                                                                                      * there */
+                                                                                                      * enumeration at
+                                                                                                      * this gizmo */
   CHECK(last.handles[0][1] == 22 && last.axes[0][1] == 2 && last.low[0] == -1 && last.high[0] == 3 && last.value[0] == 1);
   CHECK(run(s, "(node-removechild (node-getroot) rig)") == VS_OUTCOME_DONE && vs_gizmos(s, gizmo, NULL) == VS_OUTCOME_DONE);
   CHECK(last.kind == VS_GIZMO_TRIPOD && last.handle_count == 2 && last.value_count == 3 && last.low[2] == -2 && last.high[2] == 2);
@@ -181,11 +181,11 @@ static void hold_gizmos(vs_scheme *s, host *h) {
 }
 
 static char freed[60];
-static void free_own(void *context, void *object) { /* the interpreter is running: it refuses the call */
+static void free_own(void *context, void *object) { /* the interpreter is running, so it refuses the call */
   if (context && vs_update(context) != VS_OUTCOME_USAGE) strcat(freed, "?");
   strcat(strcat(freed, object), " ");
 }
-/* Tests the host's own objects as values of properties, with and without passing the ownership to the library. */
+/* Tests the host's own objects as values of properties, with and without passing ownership to the library. */
 static void hold_own(vs_scheme *s, host *h) {
   static char own[] = "buffer", bare[] = "window", other[] = "texture";
   vs_handle node = vs_node_create(s, NULL, "owner", vs_node_root(s)), five = vs_handle_integer(s, 5);
@@ -201,7 +201,7 @@ static void hold_own(vs_scheme *s, host *h) {
   vs_handle_release(s, again);
   CHECK(run(s, "(gc)") == VS_OUTCOME_DONE && !*freed); /* the program still refers to it */
   CHECK(run(s, "(define kept #f) (gc)") == VS_OUTCOME_DONE && run(s, "(gc)") == VS_OUTCOME_DONE);
-  CHECK(strcmp(freed, "buffer ") == 0); /* the library freed this object alone, once */
+  CHECK(strcmp(freed, "buffer ") == 0); /* the library freed only this object, once */
   CHECK(vs_property_put(s, node, "buffer", owned = vs_handle_host(s, other, free_own, s)) == VS_OUTCOME_DONE);
   vs_handle_release(s, node);
 }
@@ -239,9 +239,9 @@ int main(void) {
   CHECK(vs_pick(s, (double[]){ -5, 0, 0.5 }, (double[]){ 1, 0, 0 }, take, &h) == VS_OUTCOME_DONE);
   CHECK(h.hits == 3 && fabs(h.nearest - 4) < 1e-9 && strcmp(h.node, "a") == 0 && h.line == 1);
   CHECK(vs_pick(s, (double[]){ 10, 0, 9 }, (double[]){ 0, 0, -1 }, take, (h.hits = 0, &h)) == VS_OUTCOME_DONE && h.hits == 1);
-  CHECK(fabs(h.nearest - 8) < 1e-9 && strcmp(h.node, "b") == 0); /* through the bore, to its floor */
+  CHECK(fabs(h.nearest - 8) < 1e-9 && strcmp(h.node, "b") == 0); /* the ray passes through the bore to its floor */
 
-  /* a slider and a parameter of the model follow each other: each change causes one update */
+  /* a slider and a parameter of the model follow each other; each change causes a single update */
   vs_handle group = vs_node_find(s, "a"), eight = vs_handle_integer(s, 8);
   CHECK(vs_property_put(s, group, "cylinder", eight) == VS_OUTCOME_DONE && vs_property_put(s, controller, "slider", eight) == VS_OUTCOME_DONE);
   vs_handle cylinder = vs_property_of(s, group, "cylinder");
@@ -261,7 +261,7 @@ int main(void) {
   CHECK(run(s, "(host-area 3)") == VS_OUTCOME_MODEL && strcmp(h.said, "host-area: two numbers are wanted") == 0);
   CHECK(vs_define(s, "again", again) && run(s, "(again)") == VS_OUTCOME_DONE && strstr(h.said, "the interpreter is running"));
 
-  /* the host's own types of nodes, and the procedures by name of its viewer */
+  /* node types of the host, and its viewer's procedures by name */
   vs_handle fit = vs_host_procedure(s, "fit-out", fit_out, &h), kind = vs_handle_symbol(s, "lamp");
   vs_handle make = vs_lookup(s, "register-node-type");
   CHECK(vs_apply(s, make, (vs_handle[]){ kind, fit }, 2, NULL) == VS_OUTCOME_DONE);
@@ -307,7 +307,7 @@ int main(void) {
   CHECK(vs_restart(s) == VS_OUTCOME_DONE && vs_node_parent(s, group) == 0 && strstr(h.said, "older than vs_restart"));
   CHECK(strcmp(freed, "buffer texture ") == 0);
 
-  /* after a restart the messages do not mention the program before it */
+  /* after a restart, messages do not mention the earlier program */
   CHECK(run(s, "(define (of-before x) x)") == VS_OUTCOME_DONE && vs_restart(s) == VS_OUTCOME_DONE);
   CHECK(vs_eval_text(s, "next", 1, "(define x 5)", 12, 0) == VS_OUTCOME_DONE && vs_meshes_begin(s, NULL) == VS_OUTCOME_MODEL);
   CHECK(strstr(h.said, "nothing is drawn") && !strstr(h.said, "of-before"));

@@ -1,5 +1,4 @@
-/* Owns the fuzzing of visualscheme.h: the bytes are a sequence of calls, on an interpreter that serves this input
- * alone. */
+/* Fuzzes visualscheme.h: the bytes are a sequence of calls, on an interpreter that is used for this input only. */
 #include "tests/fuzz/fuzz.h"
 
 static bool each_name(void *context, const char *name) { return (void)context, *name != 0; }
@@ -16,7 +15,7 @@ typedef struct {
 static bool scene_called(void *context, vs_scheme *s, const vs_handle *arguments, size_t count, vs_handle *result) {
   fuzz_scene *f = context;
   unsigned turn = f->calls++ % 8;
-  if (turn == 1 && vs_update(s) != VS_OUTCOME_USAGE) abort(); /* re-entry */
+  if (turn == 1 && vs_update(s) != VS_OUTCOME_USAGE) abort(); /* a call while the interpreter runs must be refused */
   if (turn == 2 && vs_node_root(s)) abort();
   if (turn == 3 && count) vs_post(s, f->posted, arguments[0]);
   if (turn == 4) return vs_host_fail(s, "the host fails"), false;
@@ -44,13 +43,13 @@ static vs_handle scene_own(vs_scheme *s) {
   if (!object) return 0;
   *object = 1;
   vs_handle made = vs_handle_host(s, object, scene_released, NULL);
-  if (!made) free(object); /* the library did not take the object over */
+  if (!made) free(object); /* the library did not take over the object */
   else if (vs_handle_get_host(s, made) != object) abort();
   return made;
 }
 static uint64_t scene_material(void *context, const char *name) { return (void)context, (uint64_t)strlen(name); }
 
-/* Reads all bytes that the library hands over. */
+/* Reads all bytes of the meshes that the library gives. */
 static void scene_meshes(vs_scheme *s) {
   vs_output_options coarse = vs_output_options_default();
   vs_mesh_info m;

@@ -1,5 +1,5 @@
-/* Owns the fuzzing of passes, kernel and formats: the bytes describe a tree of shapes and operations; the first byte
- * selects the format. */
+/* Fuzzes passes, kernel and formats: the bytes describe a tree of shapes and operations. The first byte selects the
+ * format. */
 #include "tests/fuzz/fuzz.h"
 
 enum { ROOM = 1 << 14, DEPTH = 6 };
@@ -10,7 +10,7 @@ static void say(recipe *r, const char *text) {
   size_t n = strlen(text);
   if (r->used + n < ROOM) memcpy(r->text + r->used, text, n + 1), r->used += n;
 }
-static void number(recipe *r) { /* mostly on a small grid, so that shapes overlap and touch */
+static void number(recipe *r) { /* mostly numbers on a small grid, so that shapes overlap and touch */
   static const char *const odd[] = { "0", "1e-9", "-1e-9", "1e9", "1/3", "0.1", "1e300", "-0.0" };
   char text[40];
   unsigned k = next(r);

@@ -1,11 +1,11 @@
-/* Owns the fuzzing of expander, compiler and evaluator by whole programs: each byte is a word of the language, and the
- * fuzzer closes all open parentheses at the end. */
+/* Fuzzes expander, compiler and evaluator by whole programs. Each byte is a word of the language, and the fuzzer closes
+ * all open parentheses at the end. */
 #include "tests/fuzz/fuzz.h"
 
 enum { ROOM = 1 << 14, DEPTH = 60 };
 
-/* The words. Those with an open parenthesis at their end begin a form. There are few names, so that inputs bind and use
- * the same ones. */
+/* The words. A word with an open parenthesis at its end begins a form. There are few names, so that inputs use the
+ * names that they bind. */
 static const char *const words[] = {
   "(",
   "(",

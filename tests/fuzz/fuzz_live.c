@@ -1,6 +1,5 @@
-/* Owns the fuzzing of the live view's server: the bytes are requests, one a line, with the body after a tab. The
- * functions below replace libmicrohttpd: they hand a request to the server as that library does, and check the
- * response. */
+/* Fuzzes the live view's server: the bytes are requests, one per line, with the body after a tab. The functions below
+ * replace libmicrohttpd. They pass a request to the server as libmicrohttpd does, and check the response. */
 #include <arpa/inet.h>
 
 #include "tests/fuzz/fuzz.h"
@@ -94,7 +93,8 @@ static void destroy(struct MHD_Response *r) {
 
 static void stop(void *context) { (void)context; }
 
-/* Ends the text at the first of these characters and returns the rest behind it; NULL: the text contains none. */
+/* Ends the text at the first of these characters, and returns the text after it, or NULL if there is no such
+ * character. */
 static char *cut(char *at, const char *ends) {
   char *end = at ? strpbrk(at, ends) : NULL;
   if (end) *end++ = 0;
@@ -124,7 +124,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   if (!server.publish) {
     const int f = mkstemp(path);
     if (f < 0 || write(f, "(car 5)", 7) != 7 || close(f)) abort();
-    unlink(path); /* from here on only a request can create this file */
+    unlink(path); /* from here on, only a request can create this file */
     server = (live_server){ .http = { .start_daemon = start_daemon,
                                       .stop_daemon = stop_daemon,
                                       .get_daemon_info = get_daemon_info,

@@ -1,4 +1,4 @@
-/* Owns the fuzzing of expander, compiler and evaluator: any bytes as a program under limits. */
+/* Fuzzes expander, compiler and evaluator: any bytes are a program under limits. */
 #include "tests/fuzz/fuzz.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {

@@ -1,4 +1,4 @@
-/* Owns the fuzzing of the front ends of the other languages: the first byte selects JavaScript or GML for the rest. */
+/* Fuzzes the readers of other languages: the first byte selects JavaScript or GML for the other bytes. */
 #include "tests/fuzz/fuzz.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {

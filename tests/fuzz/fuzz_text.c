@@ -1,5 +1,5 @@
-/* Owns the fuzzing of texts: numbers in every radix, which it writes and reads again; bytes as UTF-8; and ports that
- * read them. The first byte selects one of these. */
+/* Fuzzes texts: numbers in every radix, which it writes and reads again; bytes as UTF-8; and ports that read them. The
+ * first byte selects one of these. */
 #include <math.h>
 
 #include "tests/fuzz/fuzz.h"

@@ -1,4 +1,4 @@
-/* Owns fuzzing without libFuzzer. It hands each named file to the fuzzer that it is linked with. With `-n COUNT` it
+/* Fuzzes without libFuzzer: hands each named file to the fuzzer that it is linked with. With `-n COUNT` it
  * then hands over COUNT random changes of these files, which are the same in each run; `-s NUMBER` sets another seed.
  * tests/fuzz/corpus keeps every input that once crashed. With `-k FILE` it writes each input to FILE first, so that
  * FILE holds the input of a crash; `-j FILE` hands over the inputs of a journal (fuzz.h). An input that takes more than
@@ -13,7 +13,7 @@ typedef struct { uint8_t *at; size_t count; } input;
 
 static uint64_t state = 88172645463325252u;
 
-static uint64_t chance(uint64_t below) { /* xorshift64* */
+static uint64_t chance(uint64_t below) { /* the generator xorshift64* */
   state ^= state >> 12, state ^= state << 25, state ^= state >> 27;
   return below ? (state * 2685821657736338717u >> 16) % below : 0;
 }
@@ -40,8 +40,8 @@ static bool journal(const char *path) {
   return fclose(f) == 0;
 }
 
-/* Makes a few random changes: of a byte or a bit; a stretch of this or another input is inserted, deleted or written
- * over; a number becomes an extreme one. */
+/* Makes a few random changes. A byte, a bit or a number is changed, or a stretch of this or another input is inserted,
+ * deleted or written over. */
 static size_t change(uint8_t *to, size_t count, const input *all, size_t inputs) {
   static const uint8_t odd[] = { 0, 1, 127, 128, 255, 254, '(', ')', '"', '\\', '#', '\'', ' ', '\n', '0', '9', '-', '.', 'e' };
   for (uint64_t n = 1 + chance(6); n; n--) {

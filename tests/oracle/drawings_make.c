@@ -1,4 +1,4 @@
-/* Owns the making of random drawings: see drawings.h. */
+/* Makes random drawings: see drawings.h. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -12,20 +12,21 @@ typedef struct {
   vs_store *s;
   uint64_t state;
   uint32_t line;
-  vs_affine frame; /* the frame in which leaves are written, with the coordinates that a program would compute */
-  bool turned;     /* the frame is more than a translation */
-  double nudge;    /* added to each length: the part looks like a copy and is none */
-  bool more;       /* the part has one more facet */
+  vs_affine frame; /* frame in which leaves are written, with the coordinates that a program would compute */
+  bool turned;     /* whether the frame is more than a translation */
+  double nudge;    /* length added to each length, so that the part nearly is a copy of another */
+  bool more;       /* whether the part has an additional facet */
 } maker;
 
-static uint32_t any(maker *m, uint32_t n) { /* 0 .. n-1 */
+static uint32_t any(maker *m, uint32_t n) { /* returns a random integer of 0 .. n-1 */
   m->state ^= m->state << 13;
   m->state ^= m->state >> 7;
   m->state ^= m->state << 17;
   return (uint32_t)((m->state >> 20) % n);
 }
-static double real(maker *m) { return (double)any(m, 33) / 8 - 2; }      /* -2 .. 2 */
-static double length(maker *m) { return 0.25 + (double)any(m, 17) / 8 + m->nudge; } /* 0.25 .. 2.25 */
+static double real(maker *m) { return (double)any(m, 33) / 8 - 2; }      /* returns a random number of -2 .. 2 */
+static double length(maker *m) { return 0.25 + (double)any(m, 17) / 8 + m->nudge; } /* returns a random length of 0.25
+                                                                                     * .. 2.25 */
 static vs_vec3 vector(maker *m) {
   double x = real(m), y = real(m), z = real(m);
   return vs_v3(x, y, z);
@@ -41,7 +42,7 @@ static void *sure(void *p) {
 }
 static const vs_origin *origin(maker *m) { return sure((void *)(uintptr_t)vs_store_origin(m->s, "random.vs", ++m->line, 1, NULL)); }
 
-/* Takes the children over. */
+/* Takes over the references to the children. */
 static vs_ref node(maker *m, vs_kind kind, const void *data, const vs_ref *kids, size_t count) {
   static const unsigned char nothing[256];
   vs_ref made = { sure(vs_node_new(m->s, kind, data ? data : nothing, kids, count)), origin(m) };
@@ -52,7 +53,7 @@ static vs_ref over(maker *m, vs_kind kind, const void *data, vs_ref kid) { retur
 static vs_ref again(maker *m, vs_ref r) { return (vs_ref){ vs_node_retain(r.node), origin(m) }; }
 static vs_ref placed(maker *m, vs_affine a, vs_ref kid) { return over(m, VS_TRANSFORM, &(struct vs_transform){ .matrix = a }, kid); }
 static vs_vec3 put(const maker *m, vs_vec3 p) { return vs_affine_point(&m->frame, p); }
-/* Places a kind that is parallel to the axes */
+/* Places a node of a kind that is parallel to the axes. */
 static vs_ref framed(maker *m, vs_ref kid) { return m->turned ? placed(m, m->frame, kid) : kid; }
 static vs_vec3 still(const maker *m, vs_vec3 p) { return m->turned ? p : put(m, p); }
 
@@ -87,7 +88,7 @@ static vs_ref line(maker *m, const vs_vec3 *at, size_t count, bool closed) {
   return made;
 }
 
-static vs_ref polygon(maker *m) { /* a star around a centre, which never crosses itself */
+static vs_ref polygon(maker *m) { /* makes a star around a centre, which never crosses itself */
   vs_vec3 at[7], c = vs_v3(real(m), real(m), 0);
   size_t n = 3 + any(m, 5);
   for (size_t i = 0; i < n; i++) {
@@ -283,7 +284,7 @@ static vs_ref wrapped(maker *m, vs_ref kid) {
 
 static vs_ref half_space(maker *m) { return LEAF(half_space, HALF_SPACE, .point = vector(m), .normal = vs_v3(real(m), real(m), 2.25)); }
 
-static vs_ref solid_set(maker *m, vs_ref *kids, size_t n) { /* takes the children over */
+static vs_ref solid_set(maker *m, vs_ref *kids, size_t n) { /* takes over the references to the children */
   static const vs_kind sets[] = { VS_UNION, VS_INTERSECTION, VS_DIFFERENCE, VS_UNION };
   vs_kind kind = sets[any(m, 4)];
   if (kind != VS_UNION && n > 1 && any(m, 8) == 0) {
@@ -293,12 +294,12 @@ static vs_ref solid_set(maker *m, vs_ref *kids, size_t n) { /* takes the childre
   return node(m, kind, NULL, kids, n);
 }
 
-/* Returns a group of leaves written several times, at computed places. */
+/* Returns a group of leaves, written several times at computed places. */
 static vs_ref copies(maker *m) {
   vs_ref kids[4];
   size_t n = 2 + any(m, 3);
   bool turned = any(m, 2);
-  size_t odd = any(m, 5); /* above the number of parts: no part is odd */
+  size_t odd = any(m, 5); /* index of a differing copy; if it is above the number of copies, there is none */
   uint64_t same = m->state;
   for (size_t i = 0; i < n; i++) {
     vs_ref parts[5];
@@ -414,7 +415,7 @@ void drawing_print(const drawing *d, FILE *out) {
 
 static bool goes_in(const vs_node *n) { return vs_kind_get((vs_kind)n->kind)->level >= VS_LEVEL_OPERATION && n->kind != VS_HULL; }
 
-/* Returns n with `target` replaced by `with` everywhere. If with is NULL, it drops the target's child number `drop`
+/* Returns n with `target` replaced by `with` everywhere. If with is NULL, removes child number `drop` of the target
  * instead. Returns a new reference. */
 static vs_node *replaced(const vs_node *n, const vs_node *target, vs_node *with, uint32_t drop) {
   if (n == target && with) return vs_node_retain(with);

@@ -1,4 +1,4 @@
-/* Owns the random trees for the tests of the kernel: boxes, cylinders, cones, spheres and tori, nested, turned, flush
+/* Makes the random trees for the tests of the kernel: boxes, cylinders, cones, spheres and tori, nested, turned, flush
  * and off the grid.
  *
  *   usage: fuzz [-v] [-s FIRST_SEED] [COUNT]; fuzz -p cell|turned|spelt SEED
@@ -22,7 +22,7 @@
 enum { ROOM = 1 << 16, CELLS = 10, FEW = 100 };
 
 static uint64_t state;
-static uint32_t any(uint32_t n) { /* 0 .. n-1 */
+static uint32_t any(uint32_t n) { /* returns a random integer of 0 .. n-1 */
   state ^= state << 13;
   state ^= state >> 7;
   state ^= state << 17;
@@ -38,7 +38,7 @@ static void say(program *t, const char *format, ...) {
   t->count += n > 0 && (size_t)n < ROOM - t->count ? (size_t)n : 0;
 }
 
-/* The kinds of seed: boxes on cells; the same all turned by one angle; each turned by angles that are equal, but
+/* The kinds of seed: boxes on cells; such boxes all rotated by the same angle; boxes rotated by equal angles that are
  * written differently; shapes with integer coordinates; shapes with any coordinates. */
 typedef enum { CELL, TURNED, SPELT, WHOLE, FREE, KINDS } seed_kind;
 
@@ -91,7 +91,7 @@ static void combine(cells *a, const cells *b, int op) {
   }
 }
 
-static void add_tree(program *t, seed_kind k, int depth, cells *c) { /* depth at most 4 */
+static void add_tree(program *t, seed_kind k, int depth, cells *c) { /* adds a tree of depth 4 or less */
   static const char *const names[] = { "union", "difference", "intersection" };
   if (depth == 0 || any(5) == 0) {
     add_leaf(t, k, c);
@@ -111,10 +111,10 @@ static void add_tree(program *t, seed_kind k, int depth, cells *c) { /* depth at
 }
 
 static bool verbose, failed;
-static uint64_t straightened, told_of; /* removed bends; results without bends that were reported to intersect
-                                        * themselves, and are made again */
-static uint64_t results, said; /* the number of results; of these, the results that intersect themselves in the numbers
-                                * of a format, with a warning */
+static uint64_t straightened, told_of; /* straightened: number of removed bends. told_of: number of results without
+                                        * bends that were reported to intersect themselves, and are made again */
+static uint64_t results, said; /* results: number of results. said: number of those that intersect themselves in the
+                                * numbers of a format, with a warning */
 static void complain(const char *what, const program *t, const char *detail) {
   failed = true;
   printf("  %s: %s\n    %s\n", what, detail, t->at);
@@ -125,7 +125,7 @@ static int edge_order(const void *a, const void *b) {
   return x[0] != y[0] ? (x[0] < y[0] ? -1 : 1) : x[1] < y[1] ? -1 : x[1] > y[1];
 }
 
-static bool manifold(const vs_mesh *m) { /* by index: each directed edge occurs once */
+static bool manifold(const vs_mesh *m) { /* returns true if, by index, each directed edge occurs once */
   size_t n = 3 * m->triangle_count, twice = 0;
   uint32_t(*edges)[2] = malloc((n + 1) * sizeof *edges);
   if (!edges) return false;
@@ -160,7 +160,8 @@ static void look_at_crossings(const char *what, const program *t, const vs_mesh 
         at[i][k] = numbers >= VS_NUMBERS_SINGLE ? (double)(float)x[k] : numbers == VS_NUMBERS_DIGITS ? strtod(text, NULL) : x[k];
       }
     }
-    for (size_t i = 0; fine && at && triangles && i < m->triangle_count; i++) { /* STL omits triangles that rounding made into edges */
+    for (size_t i = 0; fine && at && triangles && i < m->triangle_count; i++) { /* STL omits triangles that rounding
+                                                                                 * made into edges */
       const uint32_t *v = m->triangles[i];
       bool needle = false;
       for (int k = 0; k < 3; k++) needle = needle || memcmp(at[v[k]], at[v[(k + 1) % 3]], sizeof *at) == 0;
@@ -173,7 +174,7 @@ static void look_at_crossings(const char *what, const program *t, const vs_mesh 
     } else if (straight && settled.met) {
       told_of++;
     } else if (numbers != VS_NUMBERS_DOUBLE && crossings_sum(&found) > (touches ? found.count[CROSSINGS_TOUCHING] : 0) && settled.met) {
-      said++; /* these numbers cannot separate the parts: the writer warns */
+      said++; /* the format's numbers cannot separate the parts, and the writer warns */
     } else if (crossings_sum(&found) > (touches ? found.count[CROSSINGS_TOUCHING] : 0)) {
       int n = snprintf(detail, sizeof detail, "meets itself as %s (%zu triangles, %zu said):", as[numbers], count, settled.met);
       for (int k = 0; k < CROSSINGS_KINDS; k++)
@@ -186,10 +187,10 @@ static void look_at_crossings(const char *what, const program *t, const vs_mesh 
   }
 }
 
-static bool in_levels; /* combines level by level, as crowded clusters do */
+static bool in_levels; /* whether to combine level by level, as in crowded clusters */
 
-/* Checks the result without bends: a closed manifold of the same volume that does not intersect itself, or that is
- * reported to. */
+/* Checks the result without bends. It must be a closed manifold of the same volume. If it intersects itself, this must
+ * be reported. */
 static void look_straight(const char *what, const program *t, const vs_kernel_problem *problem, const vs_mesh *bent) {
   vs_mesh m = { 0 };
   vs_kernel_error e;
@@ -280,7 +281,7 @@ static double count_of(const cells *c) {
 }
 
 static void one(uint64_t seed) {
-  static program a, b, t; /* a test program may */
+  static program a, b, t; /* static variables are allowed in a test program */
   static cells ca, cb;
   sow(seed);
   seed_kind k = (seed_kind)any(KINDS);
@@ -317,7 +318,7 @@ static void one(uint64_t seed) {
  * wrong volume. */
 static int print(const char *name, uint64_t seed) {
   static const char *const names[] = { [CELL] = "cell", [TURNED] = "turned", [SPELT] = "spelt" };
-  static program t; /* a test program may */
+  static program t; /* static variables are allowed in a test program */
   static cells c;
   int k = CELL;
   while (k <= SPELT && strcmp(names[k], name) != 0) k++;

@@ -1,4 +1,4 @@
-/* Owns the making and shrinking of random programs: see models.h.
+/* Makes and shrinks random programs: see models.h.
  *
  * The kinds are those of model/prims.def. Most are made by (make-NAME ...), (do-NAME ...) or (NAME ...); the table of
  * bind/ has their forms and contracts, so a new kind with a row in both joins without a change here. The lines of
@@ -22,8 +22,8 @@ static const kind_row kinds[] = {
 #include "model/prims.def"
 };
 
-/* The constructor of a program, if no procedure of the table makes the kind or its arguments depend on each other. $s
- * is a solid, $c a profile, $n a number, $p a point, $i an integer from 3 to 8. */
+/* How a program makes a kind, if no procedure of the table makes it, or if its arguments depend on each other. $s is a
+ * solid, $c a profile, $n a number, $p a point, $i an integer from 3 to 8. */
 static const struct { const char *kind, *text; } by_hand[] = {
   { "spline", "(make-spline (list (xy 1 0) (xyz $n 2 0) (xy 3 1)))" },
   { "spline", "(make-spline (list (xy 1 0) (xy 3 0) (xyz 2 $n 0) (xy 1 0)))" },
@@ -60,7 +60,7 @@ static const struct { const char *kind, *text; } by_hand[] = {
   { "extrude", "(do-extrude $c 2 #:twist $n #:scale $n)" },
 };
 
-/* Kinds that are no solid and no profile of one. */
+/* Kinds that are neither solids nor profiles of solids, with the reason. */
 static const struct { const char *kind, *why; } no_model[] = {
   { "ghost", "no part of any drawing" },
   { "only", "what is drawn is then not what is measured" },
@@ -75,10 +75,10 @@ typedef struct {
   char *text;
   size_t count;
   int depth;
-  const char *first; /* the kind of the first leaf; NULL once it is written */
+  const char *first; /* kind of the first leaf; NULL after it is written */
 } maker;
 
-static uint32_t any(maker *m, uint32_t n) { /* 0 .. n-1 */
+static uint32_t any(maker *m, uint32_t n) { /* returns a random integer of 0 .. n-1 */
   m->state ^= m->state << 13;
   m->state ^= m->state >> 7;
   m->state ^= m->state << 17;
@@ -114,7 +114,7 @@ static const char *no_model_why(const char *kind) {
     if (strcmp(no_model[i].kind, kind) == 0) return no_model[i].why;
   return NULL;
 }
-static size_t hands(const char *kind) { /* the number of lines of by_hand that make it */
+static size_t hands(const char *kind) { /* returns the number of lines of by_hand for the kind */
   size_t n = 0;
   for (size_t i = 0; i < sizeof by_hand / sizeof *by_hand; i++) n += strcmp(by_hand[i].kind, kind) == 0;
   return n;
@@ -155,7 +155,7 @@ const char *model_kind_word(size_t which, char word[64]) {
 
 /* ---- arguments ---- */
 
-static void number(maker *m, double low, double high) { /* mostly a simple one */
+static void number(maker *m, double low, double high) { /* writes a number, mostly a simple one */
   switch (any(m, 24)) {
   case 0: say(m, "0"); break;
   case 1: say(m, "%g", low + (high - low) * any(m, 1000000) / 1e6); break;
@@ -185,8 +185,8 @@ static bool made(maker *m, const char *kind);
 
 static void profile(maker *m, bool closed) {
   static const char *const stars[] = { "(make-polygon (xy 0 0) (xy 2 0) (xy 2 1) (xy 0 1))", "(make-polygon (xy 1 0) (xy 3 0) (xy 2 1.5))", "(make-polygon (xy 1 0) (xy 3 0) (xy 1.5 .5) (xy 2 2))" };
-  if (m->depth > -3 && any(m, 3) == 0) { /* a kind of the table; at great depth a simple one, since some kinds would
-                                          * never end */
+  if (m->depth > -3 && any(m, 3) == 0) { /* writes a kind of the table; at great depth a simple one, because some kinds
+                                          * would never end */
     m->depth--;
     bool done = made(m, kind_at(any(m, (uint32_t)count_kinds(true)), true));
     m->depth++;
@@ -199,7 +199,7 @@ static void profile(maker *m, bool closed) {
   else say(m, "(make-line (xyz 0 0 0) (xyz %g 0 2) (xyz 2 1 3))", (double)any(m, 3));
 }
 
-/* Returns false if no sample of the contract is known. */
+/* Writes an argument for the contract. Returns false if no sample of the contract is known. */
 static bool argument(maker *m, int contract, const char *name) {
   switch (contract) {
   case VS_C_REAL: number(m, -1, 3); return true;
@@ -209,7 +209,8 @@ static bool argument(maker *m, int contract, const char *name) {
   case VS_C_DEGREES: number(m, 0, 80); return true;
   case VS_C_SOME: case VS_C_NATURAL: say(m, "%d", 1 + (int)any(m, 5)); return true;
   case VS_C_SIDES: say(m, "%d", 3 + (int)any(m, 20)); return true;
-  case VS_C_SEGMENTS: say(m, "%d", 24 + (int)any(m, 40)); return true; /* with fewer facets the volume differs from the formula */
+  case VS_C_SEGMENTS: say(m, "%d", 24 + (int)any(m, 40)); return true; /* with fewer facets the volume differs from the
+                                                                        * formula */
   case VS_C_BOOLEAN: say(m, any(m, 2) ? "#t" : "#f"); return true;
   case VS_C_POINT: case VS_C_PLACE: triple(m, "xyz", -3, 3); return true;
   case VS_C_VECTOR: triple(m, "vxyz", -2, 2); return true;
@@ -284,8 +285,7 @@ static bool made(maker *m, const char *kind) {
   return false;
 }
 
-/* Writes the first leaf: its kind, or its profile's kind, is the one that the seed selects, so every kind has its
- * turn. */
+/* Writes the first leaf. The seed selects its kind, or its profile's kind, so that every kind occurs. */
 static bool first_leaf(maker *m) {
   const char *kind = m->first;
   m->first = NULL;
@@ -315,7 +315,7 @@ static void leaf(maker *m) {
   say(m, "(make-box origin 1 1 1)");
 }
 
-static void placed(maker *m, size_t from) { /* wraps the text from there on in a placement */
+static void placed(maker *m, size_t from) { /* wraps the text from position `from` on in a placement */
   static char was[MODEL_ROOM];
   snprintf(was, sizeof was, "%s", m->text + from);
   m->count = from;
@@ -345,7 +345,7 @@ static bool solid(maker *m) {
       say(m, " ");
       size_t at = m->count;
       solid(m);
-      if (i == 0 && any(m, 4) == 0 && m->count - at < MODEL_ROOM / 8) { /* a near copy beside it */
+      if (i == 0 && any(m, 4) == 0 && m->count - at < MODEL_ROOM / 8) { /* adds a near copy beside the part */
         snprintf(was, sizeof was, "%s", m->text + at);
         say(m, " %s", was);
         size_t copy = m->count - strlen(was);
@@ -389,7 +389,7 @@ static void whole_leaf(maker *m) {
   }
 }
 
-static void slightly_turned(maker *m, size_t from) { /* turns the text from there on by a tiny angle */
+static void slightly_turned(maker *m, size_t from) { /* rotates the text from position `from` on by a tiny angle */
   static char was[MODEL_ROOM];
   snprintf(was, sizeof was, "%s", m->text + from);
   m->count = from;
@@ -412,7 +412,7 @@ static void whole_set(maker *m, int depth) {
     say(m, " ");
     size_t from = m->count;
     whole_set(m, depth > 1 && any(m, 2) ? depth - 1 : 0);
-    if (i == 0 && any(m, 5) == 0 && m->count - from < MODEL_ROOM / 8) { /* a near copy beside it */
+    if (i == 0 && any(m, 5) == 0 && m->count - from < MODEL_ROOM / 8) { /* adds a near copy beside the part */
       char was[MODEL_ROOM / 8];
       snprintf(was, sizeof was, "%s", m->text + from);
       say(m, " ");
@@ -440,7 +440,7 @@ void model_make_turned(uint64_t seed, char text[MODEL_ROOM]) {
 
 /* ---- shrinking ---- */
 
-static const char *end_of(const char *at) { /* of the datum that begins there */
+static const char *end_of(const char *at) { /* returns the end of the datum that begins at `at` */
   int depth = 0;
   if (*at == '\'') at++;
   do {
@@ -451,7 +451,7 @@ static const char *end_of(const char *at) { /* of the datum that begins there */
   return at;
 }
 
-/* Tries the text with [from, to) replaced; keeps it if it still fails. */
+/* Tries the text with [from, to) replaced. Keeps the change if the text still fails. */
 static bool try_text(char text[MODEL_ROOM], const char *from, const char *to, const char *with, size_t length, model_fails *fails, void *context) {
   char tried[MODEL_ROOM];
   size_t before = (size_t)(from - text);
@@ -471,7 +471,7 @@ static bool shrink_once(char text[MODEL_ROOM], model_fails *fails, void *context
     if (*at == '(') {
       for (const char *kid = at + 1 + strcspn(at + 1, " ()"); *kid == ' '; kid = end_of(kid + 1))
         if (kid[1] == '(' && try_text(text, at, end, kid + 1, (size_t)(end_of(kid + 1) - kid - 1), fails, context)) return true;
-      if (at > text && try_text(text, at - 1, end, "", 0, fails, context)) return true; /* drops an argument */
+      if (at > text && try_text(text, at - 1, end, "", 0, fails, context)) return true; /* removes an argument */
     } else if (strchr("-.0123456789", *at)) {
       char round[40];
       double x = strtod(at, NULL);

@@ -1,4 +1,4 @@
-/* Owns random programs over all kinds of solids, and their shrinking. */
+/* Declares random programs over all kinds of solids, and their shrinking. */
 #ifndef VS_TESTS_MODELS_H
 #define VS_TESTS_MODELS_H
 
@@ -8,23 +8,23 @@
 
 enum { MODEL_ROOM = 1 << 13 };
 
-/* Writes the expression of seed's model. Its kinds come from the table of kinds, each made by the procedure of that
- * name with arguments by its contracts, placed and combined. Many numbers are ones that a procedure refuses, or that
- * make an object degenerate. */
+/* Writes the expression of the seed's model. Its kinds come from the table of kinds. Each is made by the procedure of
+ * that name with arguments by its contracts, placed and combined. Many numbers are chosen so that a procedure refuses
+ * them, or an object is degenerate. */
 void model_make(uint64_t seed, char text[MODEL_ROOM]);
-/* Another class: two to four plain solids with integer coordinates, flush with each other and combined. Some are turned
- * by 1e-5 to 1e-7 degrees, or are near copies. */
+/* Writes a model of another class: two to four plain solids with integer coordinates, flush with each other and
+ * combined. Some of the solids are rotated by 1e-5 to 1e-7 degrees, or are near copies. */
 void model_make_turned(uint64_t seed, char text[MODEL_ROOM]);
-/* The number of kinds of solids and profiles in the table; the name of each; and the word that shows that a model
- * contains it, NULL if models.c makes no such model. */
+/* Return the number of kinds of solids and profiles in the table, the name of a kind, and the word that shows that a
+ * model contains the kind. The word is NULL if models.c makes no such model. */
 size_t model_kinds(void);
 const char *model_kind(size_t i);
 const char *model_kind_word(size_t i, char word[64]);
 
-/* Returns true if the text fails. The shrinking calls it for shorter and shorter expressions. */
+/* Returns true if the text fails. The shrinking calls this function for shorter and shorter expressions. */
 typedef bool model_fails(void *context, const char *text);
-/* Shortens the text as long as it fails: replaces a call by one of its arguments, drops an argument of a set, rounds a
- * number. */
+/* Shortens the text as long as it fails: replaces a call by one of its arguments, removes an argument of a set, rounds
+ * a number. */
 void model_shrink(char text[MODEL_ROOM], model_fails *fails, void *context);
 
 #endif

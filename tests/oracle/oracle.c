@@ -1,4 +1,4 @@
-/* Owns the oracle's cutting of tetrahedra. Recursion is bounded by the leaves and their planes. */
+/* Implements the oracle, which cuts tetrahedra. The leaves and their planes limit the recursion. */
 #include "tests/oracle/oracle.h"
 
 #include <gmp.h>
@@ -65,11 +65,11 @@ static void add_volume(oracle *o, const tetrahedron *t) {
     for (int a = 0; a < 3; a++) mpq_clear(m[i][a]);
 }
 
-/* sets d to v's distance outside the face */
+/* sets d to the distance of v from the face, positive outside */
 static void outside(oracle *o, const vs_mesh *m, size_t face, const point *v, mpq_t d) {
   const uint32_t *c = m->triangles[face];
   vs_vec3 a = m->vertices[c[0]], n = vs_v3_cross(vs_v3_sub(m->vertices[c[1]], a), vs_v3_sub(m->vertices[c[2]], a));
-  double nn[3] = { n.x, n.y, n.z }; /* small integers: exact in doubles */
+  double nn[3] = { n.x, n.y, n.z }; /* small integers are exact in doubles */
   mpq_set_d(d, -vs_v3_dot(n, a));
   for (int i = 0; i < 3; i++) {
     mpq_set_d(o->t, nn[i]);
@@ -99,7 +99,7 @@ static void cut(oracle *o, const tetrahedron *t, uint32_t leaf, size_t face, uin
     cut(o, t, leaf, face + 1, mask);
   } else if (low < 0) {
     cut(o, t, leaf + 1, 0, mask);
-  } else { /* halve the edge low-high where it meets the plane; the halves have fewer edges that cross the plane */
+  } else { /* halves the edge low-high where it crosses the plane; each half has fewer edges that cross it */
     tetrahedron a, b;
     init(&a);
     init(&b);
@@ -128,7 +128,7 @@ double oracle_volume(const vs_kernel_problem *problem, long size) {
   static const int paths[6][3] = { { 0, 1, 2 }, { 0, 2, 1 }, { 1, 0, 2 }, { 1, 2, 0 }, { 2, 0, 1 }, { 2, 1, 0 } };
   oracle o = { .problem = problem };
   mpq_inits(o.sum, o.t, o.u, o.d[0], o.d[1], o.d[2], o.d[3], NULL);
-  for (int p = 0; p < 6; p++) { /* the cube: a tetrahedron for each order of the axes on the way from corner to
+  for (int p = 0; p < 6; p++) { /* divides the cube: a tetrahedron for each order of the axes on the way from corner to
                                  * corner */
     tetrahedron t;
     init(&t);

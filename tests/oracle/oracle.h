@@ -1,4 +1,4 @@
-/* Owns the slow oracle: the exact volume of a boolean of convex solids, in GMP's rationals, by a method that shares
+/* Declares the slow oracle: the exact volume of a boolean of convex solids, in GMP's rationals, by a method that shares
  * nothing with the kernel.
  *
  * Space is a cube of six tetrahedra. The planes of a leaf cut tetrahedra in two until every piece is inside or outside
@@ -9,7 +9,8 @@
 
 #include "kernel/evaluate.h"
 
-/* Requires convex leaves, at most 31, with identity placement and integer vertices with |x| < size. */
+/* Returns the exact volume. Leaves must be convex, at most 31, with identity placement and integer vertices with |x| <
+ * size. */
 double oracle_volume(const vs_kernel_problem *problem, long size);
 
 #endif

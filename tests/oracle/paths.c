@@ -1,4 +1,4 @@
-/* Owns random programs of the samples: see paths.h. tests/cross checks that the table of samples covers the tables of
+/* Makes random programs of the samples: see paths.h. tests/cross checks that the table of samples covers the tables of
  * kinds and of procedures, so a new kind or constructor must have a sample. This file adds samples that the table of
  * shapes lacks: rules, and scripts in other languages. */
 #include "tests/oracle/paths.h"
@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* The generator comes from models.c, which the including file must include before. */
+/* The including file must first include models.c, which contains the generator. */
 
 enum { SAMPLES = 1000 };
 
@@ -48,7 +48,7 @@ static const char *beyond_blanks(const char *at) {
   }
 }
 
-/* Returns the text after the datum that begins there; strings, characters and comments may hold parentheses. */
+/* Returns the text after the datum that begins at `at`. Strings, characters and comments may contain parentheses. */
 static const char *behind(const char *at) {
   int depth = 0;
   bool quoted;
@@ -82,7 +82,7 @@ static char *copy_of(const char *from, const char *to) {
   return text;
 }
 
-/* Joins the text into one line without comments, since the shrinking of a program cannot read comments. */
+/* Joins the text into a single line without comments, since the shrinking of a program cannot read comments. */
 static void unwrapped(char *text) {
   char *to = text;
   bool string = false;
@@ -101,8 +101,8 @@ static void unwrapped(char *text) {
 
 static void add_sample(const char *name, const char *object, const char *end) {
   if (sample_count == SAMPLES) abort();
-  if (strncmp(object, "(only ", 6) == 0) return; /* in a drawing that contains one, the written part differs from the
-                                                  * measured part */
+  if (strncmp(object, "(only ", 6) == 0) return; /* in a drawing with `only`, the written part differs from the measured
+                                                  * part */
   const char *name_end = behind(name);
   samples[sample_count].name = copy_of(name + 1, name_end - 1);
   samples[sample_count].object = copy_of(object, end);
@@ -142,14 +142,15 @@ const char *path_sample(size_t i) { return i < sample_count ? samples[i].name : 
 bool path_is_nothing(const char *name) {
   char kind[64];
   snprintf(kind, sizeof kind, "%.*s", (int)strcspn(name, "/"), name);
-  bool endless = strcmp(kind, "xline") == 0 || strcmp(kind, "ray") == 0; /* without bounds, and without a mesh */
+  bool endless = strcmp(kind, "xline") == 0 || strcmp(kind, "ray") == 0; /* whether the sample has no bounds and no
+                                                                          * mesh */
   return endless || strcmp(kind, "empty-object") == 0 || (no_model_why(kind) && strchr(name, '/') == NULL);
 }
 const char *path_definitions(void) { return definitions; }
 
 /* ---- programs ---- */
 
-/* Forms around the object $o: $n a number about 1, $a an angle, $v a gvector, $p a point. */
+/* Ways to place the object $o. $n is a number near 1, $a an angle, $v a gvector, $p a point. */
 static const char *const ways[] = {
   "$o",
   "(do-move $o $v)",
@@ -175,7 +176,7 @@ static const char *const ways[] = {
   "(layer \"walls\" (do-move (color \"red\" $o) $v))",
   "(do-slice (do-move $o $v) (make-plane (xyz 1 0 0) (vxyz 1 2 3)))",
 };
-/* Forms of sets: $b is another solid. */
+/* Sets that contain the object $o. $b is another solid. */
 static const char *const set_forms[] = {
   "$o",
   "(unite $o $b)",
@@ -238,7 +239,7 @@ void path_make(uint64_t seed, char text[MODEL_ROOM], size_t *which, size_t *way,
   other[0] = 0;
   other_solid(&m);
   m.text = text, m.count = 0;
-  /* each sample in turn, and the ways and sets so that all combinations occur */
+  /* uses each sample in turn, and changes ways and sets so that all combinations occur */
   *which = seed % sample_count;
   *way = (seed + seed / sample_count) % path_ways();
   *set = any(&m, (uint32_t)path_sets());

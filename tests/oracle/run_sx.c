@@ -1,5 +1,6 @@
-/* Owns a small program: evaluates .sx files with the kernel and prints for each its volume, triangles, closedness and seconds.
- * usage: run_sx [-t threads] [-g] [-o out.stl] FILE...; -g: also the longest time between two calls of progress, in the caller's processor time, and how far it was then */
+/* Evaluates .sx files with the kernel. For each file it prints its volume, number of triangles, closedness and seconds.
+ * usage: run_sx [-t threads] [-g] [-o out.stl] FILE... -g: prints also the longest time between two calls of progress,
+ * in the caller's processor time, and the completed fraction at that time. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

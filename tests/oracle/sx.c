@@ -1,5 +1,6 @@
-/* Owns the .sx reader: (box x y z) (cbox x y z) (cyl h r1 r2 n) (sphere r n) (torus R r n m) (startwist ro ri p h tw s), (translate ...)
- * (rotate ...) (scale ...) (multmatrix ...), (union ...) (difference ...) (intersection ...), (def name form ...) (use name). */
+/* Implements the .sx reader: (box x y z) (cbox x y z) (cyl h r1 r2 n) (sphere r n) (torus R r n m) (startwist ro ri p h
+ * tw s), (translate ...) (rotate ...) (scale ...) (multmatrix ...), (union ...) (difference ...) (intersection ...),
+ * (def name form ...) (use name). */
 #include "tests/oracle/sx.h"
 
 #include <ctype.h>
@@ -80,7 +81,7 @@ static void make(vs_mesh *m, const char *op, const double *a) {
       }
     for (uint32_t i = 0; i < n; i++)
       for (uint32_t j = 0; j < q; j++) quad(m, i * q + j, (i + 1) % n * q + j, (i + 1) % n * q + (j + 1) % q, i * q + (j + 1) % q);
-  } else { /* startwist */
+  } else { /* the form startwist */
     uint32_t p = (uint32_t)a[2], k = 2 * p, s = (uint32_t)a[5];
     for (uint32_t l = 0; l <= s; l++)
       for (uint32_t i = 0; i < k; i++) {
@@ -150,7 +151,8 @@ static void apply(const frame *f, vs_affine *at) {
   }
 }
 
-/* Parses in one pass with a stack of open forms; `use` pushes the position to which it returns. */
+/* Parses the text in a single pass with a stack of open forms. A form `use` pushes the position to which the parser
+ * returns. */
 static bool parse(reader *r, const char *text, uint32_t *root) {
   frame *stack = NULL;
   size_t room = 0, depth = 0;

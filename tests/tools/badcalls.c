@@ -1,4 +1,4 @@
-/* Owns the test that every procedure of the geometry keeps its contracts: `badcalls TABLE`. From the table of
+/* Tests that every procedure of the geometry keeps its contracts: `badcalls TABLE`. From the table of
  * procedures it makes a call with a single bad argument, for each parameter of each form and for each way to break the
  * parameter's contract. It evaluates all calls in one interpreter. Each must fail at the call's line and column, with a
  * message that begins with the procedure's name and names the parameter and the value. Before, the same call with a
@@ -20,12 +20,12 @@ enum { BAD_MOST = 24, TEXT_MOST = 8000 };
 /* ---- arguments ---- */
 
 typedef struct {
-  const char *good[4];      /* for the first, second ... argument of this contract in a call; the last entry serves all
-                             * later ones */
+  const char *good[4];      /* good arguments: entry i for the i-th argument of this contract in a call; the last entry
+                             * for all later arguments */
   const char *bad[BAD_MOST];
 } samples;
 
-/* Bad for nearly all contracts. */
+/* Arguments that are bad for nearly all contracts. */
 #define NO_NUMBER "\"wide\"", "'wide", "'()", "(list 1 2)", "car", "(if #f #f)", "(xyz 1 2 3)"
 #define NOT_FINITE "+nan.0", "+inf.0", "-inf.0"
 #define NO_OBJECT "5", "\"box\"", "'box", "(xyz 1 2 3)", "(if #f #f)", "car"
@@ -74,8 +74,7 @@ static const samples contracts[] = {
   [VS_C_NUMERIC] = { { "1", "2" }, { "\"a\"", "'a", "'()", "#f", "ball" } },
 };
 
-/* Good arguments of a single procedure: "procedure", "parameter". NULL: only tests/bad/calls.txt tests the
- * parameter. */
+/* Good arguments for a parameter of a single procedure. NULL: only tests/bad/calls.txt tests the parameter. */
 static const struct { const char *procedure, *parameter, *good; } special[] = {
   { "make-material", "pattern", "'bricks" }, { "make-material", "image", NULL }, { "lamp", "p", "origin #:lumens 800" }, { "lamp", "ies", NULL }, { "lamp", "lumens", NULL },
   { "lamp", "to", NULL }, { "lamp", "turn", NULL }, { "lamp", "dim", NULL }, { "lamp", "color", NULL }, { "make-matrix", "m00", "1" }, { "make-matrix", "m11", "1" }, { "make-matrix", "m22", "1" }, { "make-matrix", "m33", "1" },
@@ -129,7 +128,7 @@ static const char *first_definitions =
 
 typedef struct {
   char error[TEXT_MOST], warning[TEXT_MOST];
-  vs_span at; /* the place of the error */
+  vs_span at; /* place of the error */
 } said;
 
 static void hear(void *context, const vs_diagnostic *d) {
@@ -210,7 +209,7 @@ static void make_call(char *text, const char *name, const vs_procedure *p, const
       good = all[n];
     }
     met[q->contract]++;
-    if (q->mode == VS_ARG_OPTIONAL && i > at) break; /* optional parameters only up to the tested one */
+    if (q->mode == VS_ARG_OPTIONAL && i > at) break; /* writes optional parameters only up to the tested parameter */
     append(text, " ");
     append(text, i == at && bad ? bad : good);
   }
@@ -226,8 +225,8 @@ static void make_call(char *text, const char *name, const vs_procedure *p, const
   append(text, ")");
 }
 
-/* Returns true if the message names the parameter, or the parameter at the same position in another form with as many
- * arguments: vs cannot know the intended form. */
+/* Returns true if the message contains the name of the parameter. The name of the parameter at the same position in
+ * another form with as many arguments is also accepted, because vs cannot know the intended form. */
 static bool names_parameter(const vs_procedure *p, const vs_bind_param *meant, int at) {
   if (strstr(heard.error, meant->name)) return true;
   for (int f = 0; at >= 0 && f < VS_MAX_FORMS && p->form[f].used; f++)
@@ -236,7 +235,7 @@ static bool names_parameter(const vs_procedure *p, const vs_bind_param *meant, i
   return strstr(heard.error, ": takes (") != NULL && p->form[1].used;
 }
 
-/* Returns the written value of an expression, from the message of an error that contains it. */
+/* Returns the written value of an expression, which it reads from an error message. */
 static const char *written_as(const char *expression) {
   static char text[2 * TEXT_MOST];
   snprintf(text, sizeof text, "(error (call-with-output-string (lambda (p) (write %s p))))", expression);
@@ -307,7 +306,7 @@ static void try_line(char *text) {
   char *says = NULL, *next = text;
   static char wrapped[2 * TEXT_MOST + 200];
   while ((next = strstr(next, " ; ")) != NULL) says = next, next += 3;
-  if (!says) { /* print the result for the author of the table */
+  if (!says) { /* prints the result for the author of the table */
     text[strcspn(text, "\n")] = 0;
     vs_outcome outcome = evaluate(text);
     if (outcome != VS_OUTCOME_DONE) printf("%s ; error: %s\n", text, heard.error);

@@ -1,4 +1,4 @@
-/* Owns the exact search for self-intersections of a mesh, independent of the program that made it.
+/* Contains the exact search for self-intersections of a mesh, independent of the program that made it.
  *
  * Two triangles may share nothing, a corner, or an edge, compared by coordinates. Any other common point is a fault.
  * They cross; or lie in one plane and overlap: beside a shared edge (folded), with all three corners in common
@@ -24,19 +24,22 @@ static const char *const crossings_names[CROSSINGS_KINDS] = { "flat", "doubled",
 
 typedef struct {
   size_t count[CROSSINGS_KINDS];
-  uint32_t first[CROSSINGS_KINDS][2]; /* the triangles of the first fault of each kind */
+  uint32_t first[CROSSINGS_KINDS][2]; /* first[k]: the two triangles of the first fault of kind k */
 } crossings_found;
 
 typedef struct {
-  const crossings_point *at;    /* by coordinates: equal corners have one number */
+  const crossings_point *at;    /* corners by coordinates: equal corners have the same number */
   crossings_triangle *triangles;
-  uint8_t *axis;                /* for each triangle, the axis along which it is seen with area; 3: none */
+  uint8_t *axis;                /* for each triangle: the axis along which its projection has an area; 3: there is
+                                 * none */
   mpz_t x[12], t[8];
 } crossings;
 
 /* ---- signs ---- */
 
-static inline void crossings_exact(crossings *c, mpz_t *to, const double *from, int count) { /* scales all numbers by one power of two */
+static inline void crossings_exact(crossings *c, mpz_t *to, const double *from, int count) { /* multiplies all
+                                                                                              * numbers by the same
+                                                                                              * power of two */
   int least = INT32_MAX, exponent;
   for (int i = 0; i < count; i++)
     if (from[i] != 0) {
@@ -51,7 +54,7 @@ static inline void crossings_exact(crossings *c, mpz_t *to, const double *from, 
   (void)c;
 }
 
-/* Returns the side of d with respect to the plane a b c, which is counter-clockwise from above: 1 above. */
+/* Returns the side of d with respect to the plane a b c: 1 for the side from which a b c is counter-clockwise. */
 static inline int crossings_side(crossings *c, uint32_t ia, uint32_t ib, uint32_t ic, uint32_t id) {
   const double *p[4] = { c->at[ia], c->at[ib], c->at[ic], c->at[id] };
   double e[3][3], det = 0, size = 0;
@@ -63,8 +66,9 @@ static inline int crossings_side(crossings *c, uint32_t ia, uint32_t ib, uint32_
     det += (m - n) * e[2][k];
     size += (fabs(m) + fabs(n)) * fabs(e[2][k]);
   }
-  if (fabs(det) > 1e-14 * size && size > 1e-250) return det > 0 ? 1 : -1; /* Shewchuk's bound is 7.8e-16 of size */
-  if (size == 0) { /* every product has a factor 0, unless one was too small for a double */
+  if (fabs(det) > 1e-14 * size && size > 1e-250) return det > 0 ? 1 : -1; /* the error is below Shewchuk's bound,
+                                                                           * 7.8e-16 of size */
+  if (size == 0) { /* every product has a factor 0, unless a product was too small for a double */
     bool small = false;
     for (int i = 0; i < 9; i++) small = small || (e[i / 3][i % 3] != 0 && fabs(e[i / 3][i % 3]) < 1e-100);
     if (!small) return 0;
@@ -97,7 +101,7 @@ static inline int crossings_turn(crossings *c, int axis, uint32_t ia, uint32_t i
   return mpz_sgn(c->t[0]);
 }
 
-/* ---- a pair ---- */
+/* ---- a pair of triangles ---- */
 
 static inline bool crossings_holds(crossings *c, uint32_t t, uint32_t p) { /* p lies in the triangle's plane */
   const uint32_t *v = c->triangles[t];
@@ -107,15 +111,15 @@ static inline bool crossings_holds(crossings *c, uint32_t t, uint32_t p) { /* p 
   return true;
 }
 
-/* The intersection of a segment in the triangle's plane with the triangle: a single point is a touch, a piece of the
- * segment is more. */
+/* Returns how a segment in the triangle's plane intersects the triangle: a single common point is a touch, a common
+ * piece is more. */
 static inline crossings_kind crossings_in_plane(crossings *c, uint32_t t, uint32_t p, uint32_t q) {
   const uint32_t *v = c->triangles[t];
   int axis = c->axis[t], way = crossings_turn(c, axis, v[0], v[1], v[2]), left = 0, right = 0;
   for (int end = 0; end < 2; end++) {
     uint32_t from = end ? q : p, to = end ? p : q;
     if (!crossings_holds(c, t, from)) continue;
-    for (int i = 0; i < 3; i++) /* it begins on this side, and leaves the triangle at once */
+    for (int i = 0; i < 3; i++) /* the segment begins on this side of the triangle, and leaves it at once */
       if (crossings_turn(c, axis, v[i], v[(i + 1) % 3], from) == 0 &&
           crossings_turn(c, axis, v[i], v[(i + 1) % 3], to) == -way)
         return CROSSINGS_TOUCHING;
@@ -136,8 +140,8 @@ static inline crossings_kind crossings_in_plane(crossings *c, uint32_t t, uint32
   return CROSSINGS_NONE;
 }
 
-/* The intersection of the closed segment and the closed triangle: empty, an inner point of both, or a touch (or a piece
- * of a common plane). sp, sq: sides of the segment's ends. */
+/* Returns how the closed segment intersects the closed triangle: not at all, in an inner point of both, or by a touch
+ * (or a piece of a common plane). sp, sq: sides of the segment's ends. */
 static inline crossings_kind crossings_segment(crossings *c, uint32_t t, uint32_t p, uint32_t q, int sp, int sq) {
   const uint32_t *v = c->triangles[t];
   if (sp * sq > 0) return CROSSINGS_NONE;
@@ -160,13 +164,14 @@ static inline crossings_kind crossings_worse(crossings_kind a, crossings_kind b)
 
 static inline crossings_kind crossings_pair(crossings *c, uint32_t a, uint32_t b) {
   const uint32_t *v = c->triangles[a], *w = c->triangles[b];
-  if (c->axis[a] == 3 || c->axis[b] == 3) return CROSSINGS_NONE; /* they are counted as flat */
+  if (c->axis[a] == 3 || c->axis[b] == 3) return CROSSINGS_NONE; /* such triangles are counted as flat */
   int in_v[3], in_w[3], shared = 0; /* positions of the common corners */
   for (int i = 0; i < 3; i++)
     for (int j = 0; j < 3; j++)
       if (v[i] == w[j]) in_v[shared] = i, in_w[shared++] = j;
   if (shared == 3) return CROSSINGS_DOUBLED;
-  int above_v[3] = { 0 }, above_w[3] = { 0 }; /* sides of w's corners as seen from v, and of v's as seen from w */
+  int above_v[3] = { 0 }, above_w[3] = { 0 }; /* above_v: sides of w's corners with respect to v. above_w: sides of v's
+                                               * corners with respect to w */
   for (int j = 0; j < 3; j++)
     if ((shared < 1 || j != in_w[0]) && (shared < 2 || j != in_w[1])) above_v[j] = crossings_side(c, v[0], v[1], v[2], w[j]);
   if (shared == 2) {
@@ -177,7 +182,7 @@ static inline crossings_kind crossings_pair(crossings *c, uint32_t a, uint32_t b
   if (shared == 0 && above_v[0] && above_v[0] == above_v[1] && above_v[0] == above_v[2]) return CROSSINGS_NONE;
   for (int i = 0; i < 3; i++)
     if (shared < 1 || i != in_v[0]) above_w[i] = crossings_side(c, w[0], w[1], w[2], v[i]);
-  if (shared == 1) { /* the common part reaches from the corner to the far edge of one of the two */
+  if (shared == 1) { /* the common part reaches from the corner to the far edge of v or w */
     int i = (in_v[0] + 1) % 3, j = (in_v[0] + 2) % 3, k = (in_w[0] + 1) % 3, l = (in_w[0] + 2) % 3;
     return crossings_worse(crossings_segment(c, b, v[i], v[j], above_w[i], above_w[j]), crossings_segment(c, a, w[k], w[l], above_v[k], above_v[l]));
   }
@@ -192,7 +197,9 @@ static inline crossings_kind crossings_pair(crossings *c, uint32_t a, uint32_t b
 
 /* ---- all pairs: a tree of boxes, halved at the median of the longest axis ---- */
 
-typedef struct { double min[3], max[3]; uint32_t first, count, right; } crossings_node; /* right 0: a leaf; the left child is the next node */
+typedef struct { double min[3], max[3]; uint32_t first, count, right; } crossings_node; /* a leaf has right 0; the left
+                                                                                         * child of other nodes is the
+                                                                                         * next node */
 
 static inline double crossings_middle(const crossings *c, uint32_t t, int axis) {
   double least = INFINITY, most = -INFINITY;
@@ -204,7 +211,7 @@ static inline double crossings_middle(const crossings *c, uint32_t t, int axis) 
   return least + (most - least) / 2;
 }
 
-/* Quickselect: moves the `half` triangles with the smallest centres to the front. */
+/* Moves the `half` triangles with the smallest centres to the front (quickselect). */
 static inline void crossings_halve(const crossings *c, uint32_t *at, size_t count, size_t half, int axis) {
   size_t low = 0, high = count - 1;
   while (low < high) {
@@ -245,7 +252,9 @@ static inline uint32_t crossings_tree(const crossings *c, crossings_node *nodes,
     for (int k = 1; k < 3; k++)
       if (o->max[k] - o->min[k] > o->max[axis] - o->min[axis]) axis = k;
     crossings_halve(c, order + first, n, n / 2, axis);
-    stack[depth].first = first + n / 2, stack[depth].count = n - n / 2, stack[depth++].parent = me; /* the right child, for later */
+    stack[depth].first = first + n / 2, stack[depth].count = n - n / 2, stack[depth++].parent = me; /* keeps the
+                                                                                                     * right child
+                                                                                                     * for later */
     stack[depth].first = first, stack[depth].count = n / 2, stack[depth++].parent = me;
   }
   return used;
@@ -307,7 +316,7 @@ static inline int crossings_order(const void *a, const void *b) {
   return x->number < y->number ? -1 : x->number > y->number;
 }
 
-/* Finds all faults. Returns false when memory is out. */
+/* Finds all faults. Returns false if memory is out. */
 static inline bool crossings_find(const crossings_point *points, size_t point_count, const crossings_triangle *triangles, size_t count, crossings_found *out) {
   *out = (crossings_found){ .count = { 0 } };
   if (count == 0) return true;

@@ -1,4 +1,4 @@
-/* Owns the comparison of a part of a picture with the whole, PNG or EXR: `cutdiff WHOLE PART X Y` compares each pixel
+/* Compares a part of a picture with the whole, PNG or EXR: `cutdiff WHOLE PART X Y` compares each pixel
  * of PART with the pixel of WHOLE at an offset of X and Y. Prints the number of pixels that differ in luminance, the
  * largest difference and its position in the part. Exits with 0 if none differs. */
 #include <math.h>

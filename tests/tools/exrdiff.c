@@ -1,4 +1,4 @@
-/* Owns the comparison of two EXR pictures as numbers: `exrdiff A.exr B.exr` prints the number of pixels, the number of
+/* Compares two EXR pictures as numbers: `exrdiff A.exr B.exr` prints the number of pixels, the number of
  * pixels that differ in luminance by more than a hundredth, the mean of all differences, and the largest with its
  * position. Exits with 0 if it can read both and they have the same size. */
 #include <math.h>

@@ -1,4 +1,4 @@
-/* Owns the measure of the evenness of a plain wall in a picture: `flatness FILE X Y WIDTH HEIGHT` prints `RMS WORST
+/* Measures the evenness of a plain wall in a picture: `flatness FILE X Y WIDTH HEIGHT` prints `RMS WORST
  * MEAN` of that part. It fits smooth shading, a polynomial of degree 3 in x and y, to the grey levels (0 to 255). RMS
  * is the root mean square of the distances from it, WORST the distance that 1 % of the pixels exceed, MEAN the mean
  * grey level. */

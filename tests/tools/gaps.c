@@ -1,4 +1,4 @@
-/* Owns the measure of the time between polls: `gaps [-v] FILE FORMAT...` runs a program and writes its drawing in each
+/* Measures the time between polls: `gaps [-v] FILE FORMAT...` runs a program and writes its drawing in each
  * of the formats, discarding the bytes. For each format it prints the longest time between two polls for an interrupt,
  * in processor time of all threads, so that other load on the machine does not count. With -v it also prints the
  * program's call stacks in that time, a line of addresses for each hundredth of a second, for addr2line -f -e gaps
@@ -14,11 +14,11 @@
 #include <sys/time.h>
 #include <time.h>
 
-enum { DEEP = 12, SAMPLES = 200 }; /* a sample each hundredth of a second */
+enum { DEEP = 12, SAMPLES = 200 }; /* number of samples; a sample is taken each hundredth of a second */
 static struct {
   double last, longest;
-  void *frames[SAMPLES][DEEP], *longest_frames[SAMPLES][DEEP]; /* the samples of the current gap; those of the
-                                                                * longest */
+  void *frames[SAMPLES][DEEP], *longest_frames[SAMPLES][DEEP]; /* frames: samples of the current gap. longest_frames:
+                                                                * samples of the longest gap */
   int count, longest_count;
 } seen;
 
@@ -73,7 +73,7 @@ int main(int argc, char **argv) {
   vs_scheme *s = vs_new(&options);
   if (!s) return EXIT_FAILURE;
   void *warm[1];
-  backtrace(warm, 1); /* loads the library that backtrace needs now, not within the signal handler */
+  backtrace(warm, 1); /* loads the library that backtrace needs, which must not happen in the signal handler */
   if (where) {
     signal(SIGPROF, tick);
     setitimer(ITIMER_PROF, &(struct itimerval){ { 0, 10000 }, { 0, 10000 } }, NULL);

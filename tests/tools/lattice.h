@@ -1,5 +1,5 @@
-/* Owns reading the output of `tests/cross/sheet.vs -D task=table`: the lattice of a sheet, and the expected figures of
- * each cell. */
+/* Reads the output of `tests/cross/sheet.vs -D task=table`: the lattice of a sheet, and the expected figures of each
+ * cell. */
 #ifndef TESTS_TOOLS_LATTICE_H
 #define TESTS_TOOLS_LATTICE_H
 
@@ -10,15 +10,16 @@ enum { CELLS_MOST = 2000 };
 typedef struct {
   long index;            /* column + row * columns */
   char name[120], class[16]; /* class: solid, region, surface, curve or mixed */
-  double volume, area;   /* NAN: not known */
-  vec least, most;       /* the bounding box that the program returns */
-  double within, loose;  /* relative tolerance of the volume; tolerance of a side of the box, as a fraction of the
-                          * diagonal */
+  double volume, area;   /* expected figures; NAN: not known */
+  vec least, most;       /* corners of the bounding box that the program returns */
+  double within, loose;  /* within: relative tolerance of the volume. loose: tolerance of a side of the box, as a
+                          * fraction of the diagonal */
 } cell;
 
 typedef struct {
   int columns;
-  vec across, upwards; /* the vectors from a cell to the next in its row, and from a row to the next */
+  vec across, upwards; /* across: vector from a cell to the next cell in its row. upwards: vector from a row to the next
+                        * row */
   cell *cells;
   size_t count;
 } lattice;
@@ -44,7 +45,8 @@ static inline bool lattice_read(const char *path, lattice *out) {
   return good && out->count > 0;
 }
 
-/* Returns the number of the cell that contains a point, or -1: outside. Cells are centred on the lattice's points. */
+/* Returns the number of the cell that contains p, or -1 if p is outside all cells. The centres of cells are the
+ * lattice's points. */
 static inline long lattice_cell(const lattice *l, vec p) {
   double column = floor(vec_dot(p, l->across) / vec_dot(l->across, l->across) + 0.5), row = floor(vec_dot(p, l->upwards) / vec_dot(l->upwards, l->upwards) + 0.5);
   return column < 0 || column >= l->columns || row < 0 || row > 1e6 ? -1 : (long)column + (long)row * l->columns;

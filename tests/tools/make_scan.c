@@ -1,4 +1,5 @@
-/* Owns scans for the tests of vs fit: points of a mesh as a scanner would record them, the same for the same arguments.
+/* Makes scans for the tests of vs fit: points of a mesh as a scanner would record them, the same for the same
+ * arguments.
  *
  * `make_scan MESH.off POINTS NOISE MISSING TILT [FORM]` writes a PLY to standard output: POINTS points spread evenly
  * over the mesh. The scan omits the sector MISSING (0 to 1, about the upright axis through the middle of the box). Each
@@ -16,7 +17,7 @@ static double share(void) {
   state ^= state << 13, state ^= state >> 7, state ^= state << 17;
   return (double)(state >> 11) * 0x1p-53;
 }
-/* G. Box, M. Muller, 1958 */
+/* Returns a normally distributed random number (G. Box, M. Muller, 1958). */
 static double normal(void) { return sqrt(-2 * log(1 - share())) * cos(2 * acos(-1) * share()); }
 
 static void put_float(float x, int big) {

@@ -1,4 +1,4 @@
-/* Owns the figures of pictures for the tests. `pngstat FILE` prints `WIDTH HEIGHT COLOURS EDGES INK STEP CLIPPED`.
+/* Prints the figures of pictures for the tests. `pngstat FILE` prints `WIDTH HEIGHT COLOURS EDGES INK STEP CLIPPED`.
  * COLOURS: the number of different colours, of 15 bits. EDGES: the number of pixels in 1000 that clearly differ from
  * their left neighbour; flat or smooth pictures have none, models have some. INK: the number of dark pixels; a partly
  * covered pixel counts in part. STEP: the largest difference, of 255, between a row and the row above, as a mean over
@@ -10,7 +10,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-/* Returns the pixels, three bytes each; NULL: it has printed the reason. */
+/* Returns the pixels, three bytes each, or NULL after printing the reason. */
 static unsigned char *load(const char *file, png_image *image) {
   *image = (png_image){.version = PNG_IMAGE_VERSION};
   unsigned char *pixels = NULL;
@@ -52,8 +52,8 @@ int main(int argc, char **argv) {
     clipped += p[0] == 255 || p[1] == 255 || p[2] == 255;
     int lightest = p[0] > p[1] ? p[0] : p[1];
     if (p[2] > lightest) lightest = p[2];
-    ink += lightest > 190 ? 0 : 1 - pow(lightest / 190., 2.2); /* the part of the pixel that black covers, in linear
-                                                                * light */
+    ink += lightest > 190 ? 0 : 1 - pow(lightest / 190., 2.2); /* adds the part of the pixel that black covers, in
+                                                                * linear light */
     if (beside) edges += (size_t)apart(p, beside + 3 * i);
     else if (i % image.width) edges += (size_t)apart(p, p - 3);
   }

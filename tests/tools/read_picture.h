@@ -1,4 +1,4 @@
-/* Owns the reading of a picture, PNG or EXR, by a tool of the tests. */
+/* Reads a picture, PNG or EXR, for a tool of the tests. */
 #ifndef VS_TESTS_READ_PICTURE_H
 #define VS_TESTS_READ_PICTURE_H
 

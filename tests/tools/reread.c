@@ -1,4 +1,4 @@
-/* Owns the round trip of a tree dump: `reread FILE.tree` reads the drawing and writes it again. Exits with 0 if both
+/* Tests the round trip of a tree dump: `reread FILE.tree` reads the drawing and writes it again. Exits with 0 if both
  * texts are equal, which means that the trees are equal. */
 #include <stdio.h>
 #include <stdlib.h>

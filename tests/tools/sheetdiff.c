@@ -1,4 +1,4 @@
-/* Owns the comparison of two meshes of one shape: `sheetdiff A.stl B.stl LIMIT` prints `volumes V W, apart D`. Exits
+/* Compares two meshes of one shape: `sheetdiff A.stl B.stl LIMIT` prints `volumes V W, apart D`. Exits
  * with 0 if the volumes differ by less than 0.2 % and the Hausdorff distance of the surfaces is at most LIMIT.
  *
  * The distance from a triangle is a convex function of the point. Therefore a triangle whose corners are within LIMIT
@@ -28,7 +28,7 @@ static double distance2(vec p, vec a, vec b, vec c) {
 
 typedef struct { vec middle; double radius; } ball;
 
-/* Returns the largest distance of a sample of `from` from `to`. */
+/* Returns the largest distance of a sample point of `from` from `to`. */
 static double furthest(const stl *from, const stl *to, const ball *balls) {
   double worst = 0;
   for (size_t i = 0; i < from->count; i++) {
@@ -63,8 +63,8 @@ static bool corner_near(const judge *j, vec p, size_t number) {
   return distance2(p, vec_of(v[0]), vec_of(v[1]), vec_of(v[2])) <= j->limit * j->limit;
 }
 
-/* Returns true if all of t is within the limit of the listed triangles. Recursion ends when t is small, after some
- * fifteen levels. */
+/* Returns true if the whole triangle t is within the limit of the listed triangles. The recursion ends when t is small,
+ * after at most about fifteen levels. */
 static bool near_all(const judge *j, const vec *t, const uint32_t *listed, size_t count) {
   ball b = ball_of(t);
   uint32_t *left = malloc((count + 1) * sizeof *left);

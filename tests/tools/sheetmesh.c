@@ -1,4 +1,4 @@
-/* Owns the comparison of the mesh of a sheet of shapes with its table: `sheetmesh TABLE FILE.stl` judges each cell, in
+/* Compares the mesh of a sheet of shapes with its table: `sheetmesh TABLE FILE.stl` judges each cell, in
  * the words that tests/run.sh reads.
  *
  * A cell's mesh must be closed and oriented. Its volume must equal the closed form within the table's tolerance, its
@@ -37,7 +37,7 @@ static int judge(const cell *c, const triangle *at, size_t count) {
   return used != 0;
 }
 
-static const lattice *order_lattice; /* the lattice for the comparison function of the sort below */
+static const lattice *order_lattice; /* the lattice, for the comparison function of the sort */
 static int compare_cells(const void *a, const void *b) {
   const triangle *s = a, *t = b;
   vec p = vec_add(vec_add(vec_of(s->v[0]), vec_of(s->v[1])), vec_of(s->v[2])), q = vec_add(vec_add(vec_of(t->v[0]), vec_of(t->v[1])), vec_of(t->v[2]));

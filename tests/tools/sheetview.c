@@ -1,4 +1,4 @@
-/* Owns the comparison of a picture of a sheet of shapes with the mesh of the same sheet, seen by the same camera:
+/* Compares a picture of a sheet of shapes with the mesh of the same sheet, seen by the same camera:
  * `sheetview TABLE FILE.stl SCENE PICTURE.png WHAT SHEET.png` judges each cell, in the words that tests/run.sh reads,
  * and writes a contact sheet.
  *
@@ -17,7 +17,7 @@
 typedef struct {
   bool parallel;
   vec eye, right, up, forward; /* right and up: of length 1 / (half the picture's width), at distance 1 for a
-                                * perspective camera; forward has length 1 */
+                                * perspective camera. forward: of length 1 */
   int width, height;
 } camera;
 
@@ -39,16 +39,16 @@ static bool camera_povray(const char *text, camera *c) {
   c->forward = unit(vec_sub(target, c->eye));
   vec across = unit(vec_cross(c->forward, sky));
   c->right = vec_scale(across, 2 / width);
-  c->up = vec_scale(vec_cross(across, c->forward), 2 / width); /* scaled by the width: the picture shows height/width of
-                                                                * it */
+  c->up = vec_scale(vec_cross(across, c->forward), 2 / width); /* scaled by the width, so that the picture shows
+                                                                * height/width of it */
   return true;
 }
 
-/* Returns v rotated about the axis, which has length 1. */
+/* Returns v rotated by the angle about the axis, a unit vector. */
 static vec turned(vec v, vec axis, double angle) {
   return vec_add(vec_add(vec_scale(v, cos(angle)), vec_scale(vec_cross(axis, v), sin(angle))), vec_scale(axis, vec_dot(axis, v) * (1 - cos(angle))));
 }
-/* Returns v in the scene's axes: the scene's Y points up, the mesh's Z does. */
+/* Converts v from the scene's axes to the mesh's: in the scene Y points up, in the mesh Z. */
 static vec up_z(vec v) { return (vec){v.x, -v.z, v.y}; }
 
 static bool camera_x3d(const char *text, camera *c) {
@@ -73,7 +73,7 @@ static void project(const camera *c, vec p, double *x, double *y) {
   *y = c->height * 0.5 - c->width * 0.5 * vec_dot(d, c->up) / depth;
 }
 
-/* Returns the cell where a pixel's line of sight meets the lattice's plane, which contains the origin. */
+/* Returns the cell where a pixel's line of sight intersects the lattice's plane, which contains the origin. */
 static long pixel_cell(const camera *c, const lattice *l, int x, int y) {
   double a = (x + 0.5) / c->width * 2 - 1, b = (c->height * 0.5 - (y + 0.5)) / (c->width * 0.5);
   vec side = vec_add(vec_scale(c->right, a / vec_dot(c->right, c->right)), vec_scale(c->up, b / vec_dot(c->up, c->up)));
@@ -106,8 +106,8 @@ static bool near_any(const camera *c, const unsigned char *mask, int x, int y, i
   return false;
 }
 
-/* Returns true for a pixel of a shape: dark, or translucent and not part of a smoothed edge, which is one pixel
- * wide. */
+/* Returns true for a pixel of a shape. Such a pixel is dark, or translucent and not part of a smoothed edge, which is
+ * one pixel wide. */
 static bool page_seen(const unsigned char *picture, size_t i, size_t width, size_t pixels) {
   if (picture[4 * i + 1] < 160) return true;
   const size_t round[] = {i, i - 1, i + 1, i - width, i + width};
@@ -150,12 +150,14 @@ int main(int argc, char **argv) {
     return 2;
   }
   for (size_t i = 0; i < pixels; i++) seen[i] = povray ? picture[4 * i + 3] > 25 : page_seen(picture, i, image.width, pixels);
-  /* the centre, points halfway to the corners, and points near the corners: a pixel is on the mesh if all are on it,
-   * and off the mesh if none is */
+  /* Sample points: the centre, points halfway to the corners, and points near the corners. A pixel is on the mesh if
+   * all of them are, and off the mesh if none is. */
   static const double places[9][2] = {{0.5, 0.5}, {0.25, 0.25}, {0.75, 0.25}, {0.25, 0.75}, {0.75, 0.75}, {0.02, 0.02}, {0.98, 0.02}, {0.02, 0.98}, {0.98, 0.98}};
   for (size_t i = 0; i < mesh.count; i++)
     for (int k = 0; k < 9; k++) fill(&c, &mesh.at[i], places[k][0], places[k][1], (uint16_t)(1 << k), mask);
-  for (size_t i = 0; i < pixels; i++) touched[i] = mask[i] != 0, mask[i] = mask[i] == 0 ? 0 : mask[i] == 511 ? 1 : seen[i]; /* the outline passes through the pixel: the picture decides */
+  for (size_t i = 0; i < pixels; i++) touched[i] = mask[i] != 0, mask[i] = mask[i] == 0 ? 0 : mask[i] == 511 ? 1 : seen[i]; /* the outline passes through
+                                                                                                                             * the pixel, so the pixel of
+                                                                                                                             * the picture decides */
   int rod = povray ? (int)ceil(fmax(1, c.width / 900.)) : 0;
 
   static long whole[CELLS_MOST], rods[CELLS_MOST], only_picture[CELLS_MOST], only_mesh[CELLS_MOST], far[CELLS_MOST];
@@ -176,7 +178,8 @@ int main(int argc, char **argv) {
   for (size_t i = 0; i < l.count; i++) {
     long n = l.cells[i].index;
     if (n < 0 || n >= CELLS_MOST) continue;
-    bool thin = strcmp(l.cells[i].class, "curve") == 0 || strcmp(l.cells[i].class, "mixed") == 0; /* a part of the cell is a curve */
+    bool thin = strcmp(l.cells[i].class, "curve") == 0 || strcmp(l.cells[i].class, "mixed") == 0; /* whether a part of the cell is
+                                                                                                   * a curve */
     bool good = (thin ? rods[n] : whole[n]) > 40 && (thin ? far[n] == 0 : (double)(only_picture[n] + only_mesh[n]) < 0.01 * (double)whole[n]);
     printf("%s cross/%s:%s\n", good ? "ok" : "not ok", argv[5], l.cells[i].name);
     if (!good) printf("    of %ld pixels %ld are only in the picture and %ld only in the mesh; %ld far from the other\n", thin ? rods[n] : whole[n], only_picture[n], only_mesh[n], far[n]);

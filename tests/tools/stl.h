@@ -1,5 +1,5 @@
-/* Owns reading binary STL files for the tests, independent of the program that made them: triangles of 32-bit vertices,
- * and whether they are a closed, oriented chain. */
+/* Reads binary STL files for the tests, independent of the program that made them: triangles of 32-bit vertices, and
+ * whether they form a closed, oriented chain. */
 #ifndef TESTS_TOOLS_STL_H
 #define TESTS_TOOLS_STL_H
 
@@ -30,7 +30,7 @@ static inline float stl_number(const unsigned char *at) {
   return v;
 }
 
-/* Returns false and sets *why on failure; then nothing is left to free. */
+/* Reads a file. Returns false and sets *why on failure; nothing is then left to free. */
 static inline bool stl_read(const char *path, stl *out, char why[128]) {
   FILE *f = fopen(path, "rb");
   unsigned char head[84], record[50];
@@ -75,13 +75,13 @@ static inline bool stl_read(const char *path, stl *out, char why[128]) {
   return good;
 }
 
-/* Twice the triangle's area as a vector along its normal. */
+/* Returns a vector along the triangle's normal, with twice the triangle's area as length. */
 static inline vec stl_normal(const triangle *t) {
   return vec_cross(vec_sub(vec_of(t->v[1]), vec_of(t->v[0])), vec_sub(vec_of(t->v[2]), vec_of(t->v[0])));
 }
 
-/* Returns the enclosed volume, with the centroid of the first triangle as origin, which loses no digits far from the
- * origin. */
+/* Returns the enclosed volume. The origin is the centroid of the first triangle, so no digits are lost for a mesh far
+ * from 0. */
 static inline double stl_volume(const triangle *at, size_t count) {
   double volume = 0;
   for (size_t i = 0; i < count; i++) volume += vec_dot(stl_normal(&at[i]), vec_sub(vec_of(at[i].v[0]), vec_of(at[0].v[0]))) / 6;
@@ -94,7 +94,8 @@ static inline double stl_area(const triangle *at, size_t count) {
   return area;
 }
 
-typedef struct { vertex low, high; int direction; } stl_edge; /* direction: +1 from low to high, -1 back */
+typedef struct { vertex low, high; int direction; } stl_edge; /* direction: +1 if the edge runs from low to high,
+                                                               * otherwise -1 */
 
 static inline int stl_compare_vertices(const vertex *a, const vertex *b) {
   if (a->x != b->x) return a->x < b->x ? -1 : 1;
@@ -109,8 +110,8 @@ static inline int stl_compare_edges(const void *a, const void *b) {
   return order ? order : stl_compare_vertices(&e->high, &f->high);
 }
 
-/* Counts the edges that occur more often in one direction than in the other, and the edges of length 0. `tell` receives
- * the first three open ones. Returns false when memory is out. */
+/* Counts the edges that occur more often in one direction than in the other, and the edges of length 0. The file `tell`
+ * receives the first three edges of the first kind. Returns false if memory is out. */
 static inline bool stl_check(const triangle *at, size_t count, size_t *open, size_t *degenerate, FILE *tell) {
   stl_edge *edges = malloc((count * 3 + 1) * sizeof *edges);
   size_t used = 0;

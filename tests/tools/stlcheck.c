@@ -1,4 +1,4 @@
-/* Owns the check of a binary STL file: whether it is closed and oriented, and its volume.
+/* Checks a binary STL file: whether it is closed and oriented, and its volume.
  *
  * `stlcheck FILE` prints `triangles N volume V area A`, and exits with 0 if the mesh is a closed, oriented chain
  * without degenerate triangles. Vertices with equal float32 coordinates are one vertex, and every directed edge must

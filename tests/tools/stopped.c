@@ -1,4 +1,4 @@
-/* Owns the runs that a signal ends at a random moment: `stopped COUNT OLD NEW OUT VS ARGUMENT...` starts VS with its
+/* Tests the runs that a signal ends at a random moment: `stopped COUNT OLD NEW OUT VS ARGUMENT...` starts VS with its
  * arguments COUNT times, and sends it INT, TERM, HUP or KILL after a random part of the time that a run takes. After
  * each run OUT must equal the file OLD or the file NEW, and its folder must contain nothing else. Prints the number of
  * runs for each ending; exit 1: a file was lost. A KILL between the call that names the new file and the call that
@@ -37,7 +37,7 @@ static bool put(const char *path, const bytes *b) {
 
 static bool same(const bytes *a, const bytes *b) { return a->count == b->count && memcmp(a->at, b->at, a->count) == 0; }
 
-/* Deletes all other files in the folder of OUT. Returns the name of one of them; NULL: there was none. */
+/* Deletes all other files in the folder of OUT. Returns the name of a deleted file, or NULL if there was none. */
 static const char *left_beside(const char *out) {
   static char folder[4096], name[300];
   const char *slash = strrchr(out, '/');
@@ -67,7 +67,7 @@ int main(int argc, char **argv) {
     return fprintf(stderr, "usage: stopped COUNT OLD NEW OUT VS ARGUMENT...\n"), 2;
   }
   long count = atol(argv[1]), wrong = 0, whole = 0, unchanged = 0, finished = 0, behind = 0;
-  double takes = 0.05; /* seconds: the duration of the latest complete runs */
+  double takes = 0.05; /* duration of the latest complete runs in seconds */
   srand(7);
   for (long i = 0; i < count; i++) {
     const int kind = kinds[i % 4];
@@ -94,7 +94,7 @@ int main(int argc, char **argv) {
     const char *beside = left_beside(argv[4]);
     const bool there = take(argv[4], &found), is_old = there && same(&found, &old),
                is_new = there && same(&found, &new);
-    /* A signal before the program handles signals ends it with 128 plus the signal's number, as it ends any program. */
+    /* A signal that arrives before the program handles signals ends the program with 128 plus the signal's number. */
     const char *why = !is_old && !is_new     ? "the file is neither the old one nor the new one"
                       : code == 0 && !is_new ? "ended with 0, and the file is not the new one"
                       : code != 0 && code != 130 && code != 128 + kind ? "no defined exit code"

@@ -1,10 +1,10 @@
-/* Owns typing at a program on a pseudo-terminal: `typist PROGRAM ARGS... < KEYS > SCREEN`.
+/* Types at a program on a pseudo-terminal: `typist PROGRAM ARGS... < KEYS > SCREEN`.
  *
  * It types each line of KEYS once the program has been silent for most of a second, or for less when it shows its
  * prompt again. In a line, \n \t \e \\ and \xHH mean keys (\x03 is ctrl-C), and \w waits up to 60 seconds for the next
  * prompt. It prints the program's output without cursor movements; with --escapes before PROGRAM it prints all of it,
  * ESC as \e and a backspace as \b. Exits with the program's code. */
-#define _GNU_SOURCE /* posix_openpt and friends, and TIOCSCTTY */
+#define _GNU_SOURCE /* for posix_openpt and related functions, and TIOCSCTTY */
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
@@ -15,13 +15,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-enum { PATIENCE = 700, /* ms; on a busy machine a program may wait for some hundred */
-       AT_PROMPT = 150 /* ms of silence after a prompt: no more output will come */ };
+enum { PATIENCE = 700, /* silence in ms after which the next line is typed; on a busy machine a program may be silent
+                        * for some hundred ms */
+       AT_PROMPT = 150 /* ms of silence after a prompt, after which no more output is expected */ };
 
 /* Copies the program's output to standard output until it is silent for `patience` ms, or for less if the output ends
  * in a new line with a prompt. Returns false once the program has closed the terminal. */
 static int listen_to(int terminal, int patience, int escapes) {
-  static int escape; /* inside the sequence ESC [ ... letter */
+  static int escape; /* whether the output is inside a sequence ESC [ ... letter */
   int lines = 0, width = 0;
   char last[2] = {0, 0};
   struct pollfd p = {.fd = terminal, .events = POLLIN};
@@ -86,7 +87,7 @@ int main(int argc, char **argv) {
     ioctl(own, TIOCSWINSZ, &size);
     dup2(own, 0), dup2(own, 1), dup2(own, 2);
     close(terminal);
-    signal(SIGINT, SIG_DFL); /* a test run in the background ignores SIGINT, and the program would inherit that */
+    signal(SIGINT, SIG_DFL); /* a test run in the background ignores SIGINT, and the program would inherit this */
     execvp(argv[1], argv + 1);
     _exit(127);
   }

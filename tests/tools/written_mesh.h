@@ -1,6 +1,5 @@
-/* Owns the reading of written meshes, independent of the program that wrote them: .off (numbers as text), binary .stl
- * (32-bit corners), binary .ply with doubles, and .glb, of which each mesh is read separately, in its local
- * coordinates. */
+/* Reads written meshes, independent of the program that wrote them: .off (numbers as text), binary .stl (32-bit
+ * corners), binary .ply with doubles, and .glb. Each mesh of a .glb is read separately, in its local coordinates. */
 #ifndef TESTS_TOOLS_WRITTEN_MESH_H
 #define TESTS_TOOLS_WRITTEN_MESH_H
 
@@ -62,7 +61,7 @@ static inline bool read_stl(const char *path, written_mesh *out) {
   return ok;
 }
 
-/* Reads a PLY: the corners are three doubles each; a face is a byte 3, three numbers, and further bytes up to
+/* Reads a PLY file. A corner has three doubles. A face has a byte 3, three numbers, and further bytes up to
  * `stride`. */
 static inline bool read_ply(const char *path, written_mesh *out) {
   FILE *f = fopen(path, "rb");
@@ -101,14 +100,14 @@ static inline size_t written_offset(const json_t *root, const json_t *accessor) 
   return written_number(view, "byteOffset") + written_number(accessor, "byteOffset");
 }
 
-/* Appends the triangles of one primitive of a mesh. */
+/* Appends the triangles of a primitive of a mesh. */
 static inline bool written_primitive(const json_t *root, const json_t *primitive, const unsigned char *binary,
                                      size_t size, written_mesh *out) {
   const json_t *accessors = json_object_get(root, "accessors");
   const json_t *corners =
       json_array_get(accessors, written_number(json_object_get(primitive, "attributes"), "POSITION"));
   const json_t *indices = json_array_get(accessors, written_number(primitive, "indices"));
-  if (json_object_get(primitive, "mode")) return true; /* lines */
+  if (json_object_get(primitive, "mode")) return true; /* the primitive consists of lines */
   size_t points = written_number(corners, "count"), count = written_number(indices, "count"),
          wide = written_number(indices, "componentType") == 5125 ? 4 : 2;
   size_t from = written_offset(root, corners), index_from = written_offset(root, indices), base = out->point_count;
@@ -133,7 +132,7 @@ static inline bool written_primitive(const json_t *root, const json_t *primitive
   return true;
 }
 
-/* Reads the mesh with that number, with all its primitives; *more: another mesh follows. */
+/* Reads mesh number `which` with all its primitives. Sets *more if another mesh follows. */
 static inline bool read_glb(const char *path, size_t which, written_mesh *out, bool *more) {
   FILE *f = fopen(path, "rb");
   uint32_t head[5], next[2];
@@ -157,7 +156,7 @@ static inline bool read_glb(const char *path, size_t which, written_mesh *out, b
   return ok;
 }
 
-/* Reads the mesh with that number from a file of any of these formats; only a .glb can have several. */
+/* Reads mesh number `which` from a file of any of these formats. Only a .glb can contain several meshes. */
 static inline bool read_mesh(const char *path, size_t which, written_mesh *out, bool *more) {
   const char *suffix = strrchr(path, '.');
   *more = false;

@@ -1,5 +1,5 @@
-/* Owns the condition under which a test program may replace the C library's allocator: with glibc, unless a sanitizer
- * has done so already. The replaced functions call the names below. */
+/* Contains the condition under which a test program may replace the C library's allocator: with glibc, unless a
+ * sanitizer has replaced it. The replacing functions call the names below. */
 #ifndef VS_TEST_ALLOCATOR_H
 #define VS_TEST_ALLOCATOR_H
 

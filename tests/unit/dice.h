@@ -1,4 +1,4 @@
-/* Owns the random numbers that a test makes from a seed. */
+/* Makes the random numbers of a test from a seed. */
 #ifndef VS_TESTS_DICE_H
 #define VS_TESTS_DICE_H
 

@@ -1,5 +1,5 @@
-/* Owns the small drawings that the tests of several layers build in C. The parent takes over a node's only
- * reference. */
+/* Contains small drawings that the tests of several layers build in C. A parent takes over the only reference to a
+ * node. */
 #ifndef VS_TESTS_SCENES_H
 #define VS_TESTS_SCENES_H
 
@@ -19,7 +19,7 @@ static inline void test_model_close(test_model *m) {
   vs_scene_free(&m->scene);
   vs_store_release(m->store);
 }
-/* line: the line of the node's origin */
+/* Returns a node with its origin. line: line number of the origin. */
 static inline vs_ref test_node(test_model *m, uint32_t line, vs_kind kind, const void *data, const vs_ref *children, size_t count) {
   vs_ref made = { vs_node_new(m->store, kind, data, children, count), vs_store_origin(m->store, "house.vs", line, 3, NULL) };
   for (size_t i = 0; i < count; i++) vs_node_release(children[i].node);

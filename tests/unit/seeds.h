@@ -1,4 +1,4 @@
-/* Owns the seeds that a test of random inputs runs. */
+/* Reads the seeds that a test of random inputs runs. */
 #ifndef VS_TESTS_SEEDS_H
 #define VS_TESTS_SEEDS_H
 
@@ -12,11 +12,11 @@
 
 #include <cmocka.h>
 
-/* from: the first seed; to: the last one. whole: LONG or SEEDS asks for more than the usual sample; asked: SEEDS does.
- * A variable that is set and empty counts as not set. */
+/* from: first seed. to: last seed. whole: whether LONG or SEEDS requests more than the usual sample. asked: whether
+ * SEEDS does. A variable that is set but empty counts as not set. */
 typedef struct { unsigned long long from, to; bool whole, asked; } seed_range;
 
-/* Returns the seeds of SEEDS=FROM-TO; without it 1 to `most` with LONG=1, else 1 to `usual`. */
+/* Returns the seeds of SEEDS=FROM-TO. Without SEEDS, returns 1 to `most` with LONG=1, otherwise 1 to `usual`. */
 static inline seed_range seeds_asked(unsigned long long usual, unsigned long long most) {
   const char *longer = getenv("LONG"), *asked = getenv("SEEDS");
   seed_range r = { 1, longer && *longer ? most : usual, (longer && *longer) || (asked && *asked), asked && *asked };

@@ -1,5 +1,5 @@
-/* Owns the line by which a unit test reports that it cannot run here, and why: tests/run.sh reads it. Include it after
- * cmocka's header. */
+/* Prints the line by which a unit test reports that it cannot run, and why; tests/run.sh reads this line. Include it
+ * after cmocka's header. */
 #ifndef VS_TESTS_SKIP_H
 #define VS_TESTS_SKIP_H
 

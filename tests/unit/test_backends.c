@@ -1,4 +1,4 @@
-/* Owns the tests of backends/ that need no interpreter: numbers, the tree dump and its reader, each format's words,
+/* Tests backends/ that need no interpreter: numbers, the tree dump and its reader, each format's words,
  * files that appear whole or not at all, and the workers: POV-Ray's pictures and messages, and OpenSCAD reading our
  * programs. */
 #define _XOPEN_SOURCE 700
@@ -51,7 +51,7 @@ static void count_warning(void *context, const vs_origin *origin, const char *me
   snprintf(last_warning, sizeof last_warning, "%s", message);
 }
 
-/* Returns the drawing in a format; the caller frees it. NULL: failed, e has the reason. */
+/* Returns the drawing in a format; the caller frees it. Returns NULL on failure, with the reason in e. */
 static char *written_quietly(test_model *m, const char *format, size_t *length, vs_error *e) {
   memory out = { NULL, 0, 0 };
   vs_export_options options;
@@ -119,11 +119,14 @@ static void test_numbers(void **state) {
     uint64_t bits = seed ^ seed >> 29;
     double x;
     memcpy(&x, &bits, sizeof x);
-    if (i % 8 > 0) x = (double)(int64_t)seed / (double)(UINT64_C(1) << (20 + i % 44)); /* coordinates, large and small */
+    if (i % 8 > 0) x = (double)(int64_t)seed / (double)(UINT64_C(1) << (20 + i % 44)); /* coordinates, large and
+                                                                                        * small */
     if (i % 8 == 2) x = round(x * 1000) / 1000;
     if (i % 8 == 3) x *= 1e-12;
-    if (i % 8 == 4) x = ldexp((double)(seed >> 40), -(i % 40)); /* ties */
-    if (i % 8 == 5) x = (999999999999.0 + (double)(seed >> 54) / 512) / pow(10, i % 23); /* rounding carries into a further digit, or just fails to */
+    if (i % 8 == 4) x = ldexp((double)(seed >> 40), -(i % 40)); /* ties in rounding */
+    if (i % 8 == 5) x = (999999999999.0 + (double)(seed >> 54) / 512) / pow(10, i % 23); /* numbers whose rounding carries
+                                                                                          * into a further digit, or just
+                                                                                          * does not */
     if (i % 8 == 6) x = nextafter(pow(10, i % 33 - 16), i % 3 - 1);
     assert_as_printed(x);
   }
@@ -241,7 +244,8 @@ static void test_deflate(void **state) {
   uint32_t seed = 1;
   for (size_t i = 0; i < room; i++) bytes[i] = (unsigned char)((seed = seed * 1664525u + 1013904223u) >> 24);
   for (size_t n = 0; n < 40; n++) deflate_and_back(m.store, bytes, n, 3);
-  assert_true(deflate_and_back(m.store, bytes, room, 70000) < room + room / 100); /* noise grows by little */
+  assert_true(deflate_and_back(m.store, bytes, room, 70000) < room + room / 100); /* noise does not become much
+                                                                                   * longer */
   for (size_t i = 1000; i < room; i++) bytes[i] = bytes[i - 1000];
   assert_true(deflate_and_back(m.store, bytes, room, 4097) < room / 50);
   free(bytes);
@@ -271,9 +275,9 @@ static void test_povray_words(void **state) {
   test_model_close(&m);
 }
 
-/* POV-Ray keeps a skin between two cutters that meet face to face, and where a cutter's face is flush with a face of
- * the minuend; therefore the later one grows. Cutters side by side, or with one common plane below, need no such
- * growth. */
+/* POV-Ray keeps a skin between two cutters that touch face to face, and where a cutter's face is flush with a face
+ * of the minuend. The later cutter therefore grows. Cutters side by side, or with only a common plane below, do not
+ * grow. */
 static void test_povray_skins(void **state) {
   (void)state;
   test_model m;
@@ -304,7 +308,7 @@ static bool keep_scene(vs_emitter *e, const char *scene, const char *output) {
   return fclose(f) == 0;
 }
 
-/* Returns the scene that POV-Ray would get for a picture; valid until the next call. */
+/* Returns the scene that POV-Ray would receive for a picture. It is valid until the next call. */
 static const char *pictured(test_model *m) {
   vs_backend instead = vs_backend_povray_png;
   instead.render = keep_scene;
@@ -317,7 +321,7 @@ static const char *pictured(test_model *m) {
   return scene_text.text;
 }
 
-/* Returns a wall with `holes` round openings, of the colour "red" if painted. */
+/* Returns a wall with `holes` round openings, in the colour `paint` if this is not NULL. */
 static vs_ref wall_of(test_model *m, int holes, const char *paint) {
   vs_ref parts[9] = { test_box(m, 0, 0, 0, 10, 3, 1) };
   if (paint) parts[0] = test_paint(m, paint, parts[0]);
@@ -331,8 +335,8 @@ static size_t times_in(const char *text, const char *part) {
   return count;
 }
 
-/* An operation that takes POV-Ray long is one mesh in a picture, with smooth shading at the openings; a .pov contains
- * the operation. */
+/* An operation that would take POV-Ray long is a single mesh in a picture, with smooth shading at the openings. In a
+ * .pov it stays an operation. */
 static void test_povray_solids(void **state) {
   (void)state;
   test_model m;
@@ -354,7 +358,8 @@ static void test_povray_solids(void **state) {
   test_model_close(&m);
 }
 
-/* The operations that stay: few parts, glass around or within, a pattern that was moved with its part, an operand. */
+/* Operations that stay operations: few parts, glass around or inside, a pattern that was moved with its part, an
+ * operand of another operation. */
 static void test_povray_solids_left(void **state) {
   (void)state;
   test_model m;
@@ -437,8 +442,8 @@ static vs_ref open_surface(test_model *m) {
   return ref;
 }
 
-/* A format writes no operation without operands: not for an object that is a single operand, or empty, or of a class
- * that the format omits. */
+/* A format writes no operation without operands. This is tested for an object that is a single operand, or empty, or of
+ * a class that the format omits. */
 static void test_left_out(void **state) {
   (void)state;
   test_model m;
@@ -643,7 +648,8 @@ static void test_files(void **state) {
   assert_int_equal(e.kind, VS_ERROR_FILE);
   assert_false(vs_export(&m.scene, vs_export_format_find("tree"), p.folder, NULL, &e));
   assert_holds(e.message, "it is a folder");
-  assert_false(vs_export(&m.scene, NULL, "/nowhere/at/all/x.pov", NULL, &e)); /* it fails before it makes any file */
+  assert_false(vs_export(&m.scene, NULL, "/nowhere/at/all/x.pov", NULL, &e)); /* the export fails before it makes any
+                                                                               * file */
   assert_int_equal(e.kind, VS_ERROR_FILE);
   assert_false(vs_export(&m.scene, NULL, "x.unknown", NULL, &e));
   assert_int_equal(e.kind, VS_ERROR_FILE);
@@ -666,7 +672,7 @@ static void test_formats(void **state) {
   assert_string_equal(vs_export_format_find("openscad")->suffix, "scad");
   for (size_t i = 0; i < vs_export_format_count(); i++)
     for (size_t k = 0; k < i; k++) assert_string_not_equal(vs_export_format_at(i)->name, vs_export_format_at(k)->name);
-  assert_string_equal(vs_export_format_find("x.stl")->name, "stl"); /* the first of two notations with the same
+  assert_string_equal(vs_export_format_find("x.stl")->name, "stl"); /* returns the first of two notations with the same
                                                                      * suffix */
   assert_string_equal(vs_export_format_find("stl-ascii")->suffix, "stl");
 }
@@ -713,7 +719,8 @@ static void test_povray_complains(void **state) {
   test_model m;
   test_model_open(&m);
   test_draw(&m, test_box(&m, 0, 0, 0, 1, 1, 1));
-  vs_ref thin = test_node(&m, 123, VS_CYLINDER, &(struct vs_cylinder){ .top = { 0, 0, 1e-13 }, .radius = 1 }, NULL, 0); /* too thin for POV-Ray */
+  vs_ref thin = test_node(&m, 123, VS_CYLINDER, &(struct vs_cylinder){ .top = { 0, 0, 1e-13 }, .radius = 1 }, NULL, 0); /* a cylinder that is too thin
+                                                                                                                         * for POV-Ray */
   test_draw(&m, test_pair(&m, VS_UNION, test_sphere(&m, 0, 0, 0, 1), thin));
   place p;
   place_open(&p, "out.png");
@@ -753,8 +760,8 @@ static void test_povray_stops(void **state) {
   test_model_close(&m);
 }
 
-/* The strips of a picture lie one below the other. They depend on its size and triangles, not on the number of processors;
- * a part of a picture uses the strips of the whole that it meets. */
+/* The strips of a picture lie one below the other. They depend on its size and triangles, not on the number of
+ * processors. A part of a picture uses the strips of the whole picture that it intersects. */
 static void test_povray_plan(void **state) {
   (void)state;
   static const int sizes[][2] = { { 1, 1 }, { 64, 48 }, { 3, 4000 }, { 4000, 3 }, { 640, 480 }, { 1024, 768 }, { 1023, 997 }, { 4800, 3600 }, { 32768, 32768 } };
@@ -831,8 +838,8 @@ static void test_povray_picture(void **state) {
   test_model_close(&m);
 }
 
-/* Every kind that POV-Ray receives, alone and inside a subtraction, turned and squeezed: POV-Ray must parse and draw it
- * without a message. */
+/* Tests every kind that POV-Ray receives, alone and inside a subtraction, rotated and squeezed. POV-Ray must parse and
+ * draw each without a message. */
 static void test_povray_takes_all(void **state) {
   (void)state;
   if (!installed("povray")) SKIP_TEST("no povray (package povray)");
@@ -895,7 +902,7 @@ static void test_openscad_takes_all(void **state) {
   test_model_close(&m);
 }
 
-/* A format that contains the union of the solids alone must warn for each other class that it omits. */
+/* A format that contains only the union of the solids must warn about each other class that it omits. */
 static void test_tells_what_is_left_out(void **state) {
   (void)state;
   static const struct { const char *name; const vs_backend *backend; } all[] = {

@@ -1,4 +1,4 @@
-/* Owns the tests of the geometry's natives, called one by one without the reader: values, messages, and objects that
+/* Tests the geometry's natives, called one by one without the reader: values, messages, and objects that
  * collapse. */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -22,9 +22,9 @@ typedef struct {
   vs_bind bind;
   vs_store *store;
   vs_value names[NAMES], procedures[NAMES];
-  struct vs_roots kept[2]; /* holds these two */
+  struct vs_roots kept[2]; /* roots that hold two values */
   size_t count;
-  char text[512]; /* the written form of the last value or condition */
+  char text[512]; /* written form of the last value or condition */
   char warning[512];
   int warnings;
 } world;

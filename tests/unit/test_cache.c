@@ -1,4 +1,4 @@
-/* Owns the tests of the world cache: it compares values, never only hashes; it removes the least recently used entry
+/* Tests the world cache: it compares values, never only hashes; it removes the least recently used entry
  * first; it keeps its bound, and gives its memory up when an allocation is refused. */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -47,7 +47,7 @@ static void test_equality(void **state) {
   assert_true(holds(c, b, 7)); /* another node of equal value */
   assert_false(holds(c, b, 8));
   assert_false(holds(c, NULL, 7));
-  other->hash = a->hash; /* with equal hashes: the cache does not find a different value */
+  other->hash = a->hash; /* gives both equal hashes: the cache must not find a different value */
   assert_false(holds(c, other, 7));
   uint64_t words[] = { 7, 0 };
   assert_null(vs_cache_find(c, &(vs_cache_key){ VS_CACHED_PRIMITIVE, b, words, 2, 0 }));
@@ -69,7 +69,7 @@ static void test_bound(void **state) {
   enum { ONE = 10000, LIMIT = 100000 };
   vs_store *s = vs_store_new(NULL, NULL);
   vs_cache *c = vs_cache_new(s, LIMIT);
-  for (uint64_t i = 0; i < 50; i++) { /* each in a separate turn */
+  for (uint64_t i = 0; i < 50; i++) { /* each value in its own turn */
     vs_cache_turn(c, true);
     vs_node *n = sphere(s, 1 + (double)i);
     vs_cache_let_go(c, keep(c, n, i, ONE));
@@ -78,14 +78,14 @@ static void test_bound(void **state) {
     assert_true(vs_store_bytes(s) < LIMIT + 4096); /* nodes that only the cache keeps count in the bound too */
     if (i > 0) {
       vs_node *again = sphere(s, 1);
-      assert_true(holds(c, again, 0)); /* every turn requests this one: the others are removed */
+      assert_true(holds(c, again, 0)); /* every turn requests this value, so the others are removed */
       vs_node_release(again);
     }
   }
   assert_true(vs_cache_count(c).evicted > 35);
   assert_true(vs_cache_count(c).entries >= 8);
-  vs_cache_turn(c, true); /* within a turn the cache removes no requested entry, and does not keep entries beyond its
-                           * bound */
+  vs_cache_turn(c, true); /* within a turn the cache does not remove requested entries, and keeps no entries beyond its
+                           * limit */
   size_t kept = 0;
   for (uint64_t i = 100; i < 150; i++) {
     const vs_cached *r = keep(c, NULL, i, ONE);
@@ -100,7 +100,7 @@ static void test_bound(void **state) {
   assert_int_equal(vs_cache_count(c).entries, 1);
   assert_false(vs_cache_shrink(c, SIZE_MAX));
   vs_cache_let_go(c, held);
-  vs_cache_turn(c, false); /* requests, but keeps nothing */
+  vs_cache_turn(c, false); /* this turn may use entries, but keeps none */
   assert_true(holds(c, NULL, 101));
   assert_null(keep(c, NULL, 5000, 16));
   vs_cache_free(c);
@@ -138,8 +138,8 @@ static void test_refused(void **state) {
   vs_store_release(s);
 }
 
-/* ---- through the interpreter: after a change, it tessellates and combines only changed parts, and writes the bytes of
- * a fresh process ---- */
+/* ---- through the interpreter: after a change, only changed parts are tessellated and combined, and the bytes are
+ * those of a new process ---- */
 
 typedef struct { char *at; size_t count; } bytes;
 
@@ -186,7 +186,7 @@ static bytes written(vs_scheme *s, const char *format, bool last) {
   return b;
 }
 
-/* Forty parts, each a cluster of three, none a copy of another; `changed` gives part k another radius. */
+/* Forty parts, each a cluster of three. No part is a copy of another. `changed` gives part k another radius. */
 enum { PARTS = 40 };
 static const char *const parts =
     "(define (part i r) (subtract (unite (make-box (xyz (* 10 i) 0 0) (xyz (+ (* 10 i) 5 (* i 0.01)) 5 5)) (make-sphere (xyz (* 10 i) 0 0) r)) (make-cylinder (xyz (+ (* 10 i) 2) 2 -1) 7 1)))"
@@ -205,14 +205,14 @@ static void test_incremental(void **state) {
     bytes second = written(s, formats[f], false);
     if (!strcmp(formats[f], "stl")) {
       assert_true(combined == PARTS);
-      assert_true(statistic(s, "cache.clusters.misses") == PARTS + 1); /* the changed one */
+      assert_true(statistic(s, "cache.clusters.misses") == PARTS + 1); /* only the changed part is computed */
     }
     if (combined > 0) {
       assert_true(combined >= PARTS);
       assert_true(statistic(s, "cache.clusters.misses") - combined <= 1);
       assert_true(statistic(s, "cache.primitives.misses") - meshed <= 1);
     }
-    run(s, "(model 7 2)"); /* and back: it computes nothing */
+    run(s, "(model 7 2)"); /* the change is undone: nothing is computed */
     double before = statistic(s, "cache.clusters.misses"), was = statistic(s, "cache.primitives.misses");
     bytes third = written(s, formats[f], false);
     assert_true(statistic(s, "cache.clusters.misses") == before && statistic(s, "cache.primitives.misses") == was);
@@ -308,9 +308,10 @@ static void test_restart(void **state) {
     run(s, model);
   }
   bytes b = written(s, "stl", false);
-  assert_true(statistic(s, "cache.clusters.misses") - clusters <= 2); /* of twelve and one clusters: the two changed
-                                                                       * ones */
-  bytes pov = written(s, "povray", false); /* the bounds for its camera mesh each part alone, as separate clusters */
+  assert_true(statistic(s, "cache.clusters.misses") - clusters <= 2); /* of thirteen clusters, only the two changed
+                                                                       * clusters */
+  bytes pov = written(s, "povray", false); /* the bounds for its camera need a mesh of each part alone, as separate
+                                            * clusters */
   assert_true(vs_parameter_set(fresh, "k", "4"));
   run(fresh, model);
   bytes c = written(fresh, "stl", true), pov_too = written(fresh, "povray", true);
@@ -362,7 +363,7 @@ static void test_restart_refused(void **state) {
   vs_free(s);
 }
 
-/* A memory limit serves the program: cached results make room. */
+/* A memory limit is for the program: cached results are removed to make room. */
 static void test_limit(void **state) {
   (void)state;
   vs_options o = vs_options_default();
@@ -456,7 +457,7 @@ static void test_texts(void **state) {
   }
 }
 
-/* A refused allocation may lose cached text, or the output; an output that is reported as complete has every byte. */
+/* A refused allocation may lose cached text, or the output. An output that is reported as complete has every byte. */
 static void test_texts_refused(void **state) {
   (void)state;
   static const char drawn[] = "(define (bolt i) (unite (make-box (xyz i 0 0) (xyz (+ i 1) 1 2)) (make-sphere (xyz i 0 0) 0.7) (make-cylinder (xyz i 0 0) 5 0.2)))"
@@ -477,7 +478,8 @@ static void test_texts_refused(void **state) {
     assert_non_null(s);
     run(s, drawn);
     vs_output_options w = vs_output_options_default();
-    for (int again = 0; again < 2; again++) { /* stores it, then finds it at the same place */
+    for (int again = 0; again < 2; again++) { /* the first pass stores the text, the second finds it at the same
+                                               * place */
       bytes b = { NULL, 0 };
       r = (refusal){ left, again == 0 };
       vs_outcome outcome = vs_write_drawing_to(s, "povray", &w, collect, &b);
@@ -495,8 +497,8 @@ static void test_texts_refused(void **state) {
   free(want.at);
 }
 
-/* For any size that an array leaves in the key, the key has room for the fields behind the array: the tangents of a
- * spline follow its points. */
+/* Whatever room an array leaves in the key, the fields after the array fit: the tangents of a spline follow its
+ * points. */
 static void test_payload_room(void **state) {
   (void)state;
   vs_store *s = vs_store_new(NULL, NULL);

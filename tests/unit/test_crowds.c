@@ -1,4 +1,4 @@
-/* Owns the tests of large numbers: crowds of solids in one place, vertices with very many triangles, and tables of very
+/* Tests large numbers: crowds of solids in one place, vertices with very many triangles, and tables of very
  * many meshes. */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -37,8 +37,8 @@ static double area_of(const vs_mesh *m, uint32_t tag) {
   return sum;
 }
 
-/* Evaluates the expression in one arrangement, and level by level with one thread and with three. The volume and each
- * leaf's part of the surface must be equal; the number of threads changes no byte. */
+/* Evaluates the expression in a single arrangement, and level by level with one thread and with three. The volume and
+ * each leaf's part of the surface must be equal. The number of threads must not change any byte. */
 static void check_levels(const char *text) {
   sx_problem p;
   assert_true(sx_parse(text, &p));
@@ -62,7 +62,7 @@ static void check_levels(const char *text) {
   sx_free(&p);
 }
 
-/* Returns a text of `count` solids of that form, which takes two numbers, turned about one centre. */
+/* Returns a text of `count` solids, rotated about a common centre. The form contains two numbers. */
 static char *turned(const char *before, const char *form, int count, double by, const char *after) {
   char *text = malloc(200 * (size_t)count + 400), *to = text;
   assert_non_null(text);
@@ -78,18 +78,18 @@ static void test_levels(void **state) {
   (void)state;
   static const struct { const char *before, *form, *after; int count; double by; } crowds[] = {
     { "(union", "(cbox 10 10 10)", ")", 12, 0.002 },
-    { "(union", "(cbox 10 10 10)", ")", 12, 9 },                                            /* far apart: much of each is visible */
+    { "(union", "(cbox 10 10 10)", ")", 12, 9 },                                            /* far apart, so that much of
+                                                                                             * each solid is visible */
     { "(union", "(translate 0 0 -10 (cyl 20 0.3 0.3 8))", " (translate 3 3 3 (sphere 1 12)))", 12, 13 },
     /* the holes are united before they are subtracted */
     { "(difference (cbox 8 8 8)", "(translate 0 0 -10 (cyl 20 0.3 0.3 8))", ")", 12, 13 },
     /* no leaf can be settled early: one arrangement */
     { "(intersection (cbox 9.5 9.5 9.5) (union", "(cbox 10 10 9)", "))", 10, 3 },
-    /* a leaf that settles nothing, beside leaves that do */
+    /* a leaf that settles nothing, beside leaves that settle others */
     { "(union (difference (cbox 12 12 12) (cbox 11 11 30))", "(cbox 10 10 10)", ")", 8, 5 },
     /* coplanar faces throughout */
     { "(union", "(cbox 10 10 10)", ")", 5, 90 },
-    /* so many facets that several threads intersect them; their new points make the table of points grow again and
-     * again */
+    /* so many facets that several threads intersect them; their new points make the table of points grow repeatedly */
     { "(union", "(sphere 10 64)", ")", 4, 0.05 },
   };
   for (size_t i = 0; i < sizeof crowds / sizeof *crowds; i++) {
@@ -99,8 +99,8 @@ static void test_levels(void **state) {
   }
 }
 
-/* A hundred and sixty boxes in one place, all of whose faces intersect: a single arrangement would hold millions of
- * crossings of their cuts, several gigabytes. */
+/* Tests a hundred and sixty boxes at the same place, all of whose faces intersect. A single arrangement would contain
+ * millions of crossings of their cuts, several gigabytes. */
 static void test_crowd_is_found(void **state) {
   (void)state;
   char *text = turned("(union", "(cbox 10 10 10)", 160, 0.00071, ")");
@@ -147,7 +147,7 @@ static bool is_proven(int what, uint32_t n) {
     proven += hubs.of.at[t] == 0;
   }
   assert_true(proven == 0 || proven == m.triangle_count);
-  assert_int_equal(hubs.edges, proven); /* each triangle with the next */
+  assert_int_equal(hubs.edges, proven); /* each triangle with the next triangle */
   assert_int_equal(hubs.corners.count, proven > 0);
   vs_hubs_free(&k, &hubs);
   assert_int_equal(k.bytes, 0);
@@ -164,7 +164,7 @@ static void test_hubs(void **state) {
     assert_true(is_proven(SADDLE, n));
     assert_false(is_proven(OPEN, n));
   }
-  assert_false(is_proven(CONE, 60)); /* so few triangles are tested pair by pair */
+  assert_false(is_proven(CONE, 60)); /* so few triangles are tested in pairs */
 }
 
 /* Adds a cone with the hub `tip`, and a rim of n vertices around `middle`. The radius varies by `waves` times
@@ -182,8 +182,8 @@ static void add_cone(vs_mesh *m, vs_vec3 tip, vs_vec3 middle, double radius, dou
   }
 }
 
-/* Returns the number of families of the mesh's triangles; 0: some belong to no hub. Any two triangles of one family
- * share an edge or are proven disjoint. */
+/* Returns the number of families of the mesh's triangles, or 0 if some triangle belongs to no hub. Any two triangles of
+ * a family share an edge or are proven disjoint. */
 static size_t families_in(vs_mesh *m) {
   vs_kernel_options options = { .threads = 1 };
   vs_kernel_error e = { 0 };
@@ -194,7 +194,7 @@ static size_t families_in(vs_mesh *m) {
   int shared;
   assert_true(vs_hubs_find(&k, &fans, &hubs));
   assert_int_equal(hubs.of.count, m->triangle_count);
-  bool all = hubs.edges == m->triangle_count; /* each hub is proven separately */
+  bool all = hubs.edges == m->triangle_count; /* whether each hub is proven separately */
   for (uint32_t a = 0; a < m->triangle_count; a++) {
     count += a == 0 || hubs.of.at[a] > hubs.of.at[a - 1];
     for (uint32_t b = 0; b < a; b++) {
@@ -224,19 +224,23 @@ static void test_hubs_in_hubs(void **state) {
     assert_int_equal(two_cones(vs_v3(0, 0, 1.99), vs_v3(0, 0, 0), 0.99, 0, inwards), 1); /* a thin shell */
     assert_int_equal(two_cones(vs_v3(0.1, 0.2, 1), vs_v3(0.1, 0, 0.2), 0.5, 0, inwards), 1);
     assert_int_equal(two_cones(vs_v3(0, 0, -3), vs_v3(0, 0, -1), 1.3, 0, inwards), 1);        /* below the rim */
-    assert_int_equal(two_cones(vs_v3(0, 0, 2.01), vs_v3(0, 0, 0), 0.5, 0, inwards), 2);       /* through the tip */
-    assert_int_equal(two_cones(vs_v3(0, 0, 1.9), vs_v3(0.3, 0, 0), 0.75, 0, inwards), 2);     /* through a side */
-    assert_int_equal(two_cones(vs_v3(0, 0, 2), vs_v3(0, 0, 0), 0.5, 0, inwards), 2);          /* touches the tip */
-    assert_int_equal(two_cones(vs_v3(0, 0, 1.5), vs_v3(0, 0, 0), 0.5, 0.3, inwards), 2);      /* not convex */
-    assert_int_equal(two_cones(vs_v3(0, 0, -9), vs_v3(0, 0, -10), 9, 0.3, inwards), 2);       /* not around the other */
-    assert_int_equal(two_cones(vs_v3(0, 0, -9), vs_v3(0, 0, -1), 9, 0.3, inwards), 1);        /* around the other */
+    assert_int_equal(two_cones(vs_v3(0, 0, 2.01), vs_v3(0, 0, 0), 0.5, 0, inwards), 2);       /* the wall passes through the
+                                                                                               * tip */
+    assert_int_equal(two_cones(vs_v3(0, 0, 1.9), vs_v3(0.3, 0, 0), 0.75, 0, inwards), 2);     /* the wall passes through a
+                                                                                               * side */
+    assert_int_equal(two_cones(vs_v3(0, 0, 2), vs_v3(0, 0, 0), 0.5, 0, inwards), 2);          /* the wall touches the tip */
+    assert_int_equal(two_cones(vs_v3(0, 0, 1.5), vs_v3(0, 0, 0), 0.5, 0.3, inwards), 2);      /* the rim is not convex */
+    assert_int_equal(two_cones(vs_v3(0, 0, -9), vs_v3(0, 0, -10), 9, 0.3, inwards), 2);       /* the larger cone is not around
+                                                                                               * the smaller */
+    assert_int_equal(two_cones(vs_v3(0, 0, -9), vs_v3(0, 0, -1), 9, 0.3, inwards), 1);        /* the larger cone is around the
+                                                                                               * smaller */
   }
   vs_mesh m = { 0 };
   for (int i = 0; i < 4; i++) add_cone(&m, vs_v3(1e3, 0, 2 - 0.01 * i), vs_v3(1e3, 0, 0), 1 - 0.02 * i, 0, 80, i % 2);
   add_cone(&m, vs_v3(1e3 + 0.9, 0, 1.5), vs_v3(1e3 + 0.9, 0, 0), 0.5, 0, 80, false); /* their walls intersect */
   assert_int_equal(families_in(&m), 2);
   size_t within = 0, apart = 0;
-  for (uint32_t i = 0; i < 300; i++) { /* random: no false proof */
+  for (uint32_t i = 0; i < 300; i++) { /* random cones: no proof may be false */
     double at[6];
     for (int j = 0; j < 6; j++) at[j] = (double)((i * 6 + (uint32_t)j + 1) * 2654435761u % 1000) / 1000;
     vs_vec3 tip = vs_v3(at[0] - 0.5, at[1] - 0.5, 2 * at[2]), middle = vs_v3(at[3] - 0.5, at[4] - 0.5, 0);
@@ -274,7 +278,7 @@ static bool is_good(const vs_mesh *m) {
   return flaws.wound_count == 0;
 }
 
-/* The search still tests triangles of two hubs against each other and against the walls, and a fan that folds is no
+/* The search still tests triangles of two hubs against each other and against the walls. A fan that folds is not a
  * hub. */
 static void test_meshes_with_hubs(void **state) {
   (void)state;
@@ -283,13 +287,13 @@ static void test_meshes_with_hubs(void **state) {
   make_cup(&m, SIDES);
   assert_true(is_good(&m));
   vs_vec3 was = m.vertices[1];
-  m.vertices[1] = vs_v3(0, 0, -1); /* the inner bottom through the outer one */
+  m.vertices[1] = vs_v3(0, 0, -1); /* moves the inner bottom through the outer bottom */
   assert_false(is_good(&m));
-  m.vertices[1] = vs_v3(0, 6, 3); /* through the walls */
+  m.vertices[1] = vs_v3(0, 6, 3); /* moves it through the walls */
   assert_false(is_good(&m));
   m.vertices[1] = was;
   assert_true(is_good(&m));
-  m.vertices[2 + 3 * SIDES + 7] = vs_v3(-6, 1, 3); /* a corner of the inner bottom through the wall across */
+  m.vertices[2 + 3 * SIDES + 7] = vs_v3(-6, 1, 3); /* moves a corner of the inner bottom through the opposite wall */
   assert_false(is_good(&m));
   vs_mesh_free(&m);
 }
@@ -323,7 +327,8 @@ static void test_combined_with_hubs(void **state) {
 
 /* ---- families ---- */
 
-typedef struct { uint32_t family, alone; } met; /* pairs with one box of the family, and with none */
+typedef struct { uint32_t family, alone; } met; /* numbers of pairs with a box of the family, and with a box of no
+                                                 * family */
 enum { OF_ONE = 200000, ALONE = 40 };
 
 static bool count_pair(void *context, uint32_t a, uint32_t b) {
@@ -334,8 +339,8 @@ static bool count_pair(void *context, uint32_t a, uint32_t b) {
   return true;
 }
 
-/* 200,000 boxes of one family that all overlap, and some of no family: the search reports only the pairs with the
- * latter. It does not visit the others one by one, which would be some 10^9 blocks. */
+/* Tests 200,000 boxes of a family that all overlap, and some boxes of no family. The search reports only the pairs with
+ * the latter. It does not visit the other pairs, which would be some 10^9 blocks. */
 static void test_families(void **state) {
   (void)state;
   vs_kernel_options options = { .threads = 1 };
@@ -345,12 +350,12 @@ static void test_families(void **state) {
   uint32_t *families = malloc((OF_ONE + ALONE) * sizeof *families);
   assert_non_null(boxes);
   assert_non_null(families);
-  for (int32_t i = 0; i < OF_ONE; i++) { /* from the origin to points all around */
+  for (int32_t i = 0; i < OF_ONE; i++) { /* boxes from the origin to points all around */
     int32_t x = (int32_t)(1e8 * cos(i * 2e-5)), y = (int32_t)(1e8 * sin(i * 2e-5));
     boxes[i] = (vs_bvh_box){ { x < 0 ? x : 0, y < 0 ? y : 0, 0 }, { x > 0 ? x : 0, y > 0 ? y : 0, 1000 } };
     families[i] = 7;
   }
-  for (int32_t i = OF_ONE; i < OF_ONE + ALONE; i++) { /* around the origin, and through all others */
+  for (int32_t i = OF_ONE; i < OF_ONE + ALONE; i++) { /* boxes around the origin, through all others */
     boxes[i] = (vs_bvh_box){ { -i, -i, -i }, { i, i, i } };
     families[i] = UINT32_MAX;
   }
@@ -370,8 +375,8 @@ static void test_families(void **state) {
 
 /* ---- tables ---- */
 
-/* Boxes of different sizes, apart: each is a separate mesh in the table, which grows several times; every tenth equals
- * the first. */
+/* Tests boxes of different sizes, apart from each other. Each is a separate mesh in the table, which grows several
+ * times. Every tenth box equals the first. */
 static void test_many_meshes(void **state) {
   (void)state;
   static const char model[] = "(do ((i 0 (+ i 1))) ((= i 3000)) "

@@ -1,4 +1,4 @@
-/* Owns the test that memory may run out anywhere: the n-th allocation of a whole session is refused, for every n in
+/* Tests that memory may run out anywhere: the n-th allocation of a whole session is refused, for every n in
  * turn. Nothing crashes, an outcome reports the failure, and all memory is freed. */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -12,7 +12,7 @@
 #include "visualscheme.h"
 #include "vm/machine/vs.h"
 
-typedef struct { long left; /* allocations until one is refused; negative: never */ size_t live, blocks; int told; } budget;
+typedef struct { long left; /* left: number of allocations until a refusal; negative: no refusal */ size_t live, blocks; int told; } budget;
 
 static void *take(void *context, void *old, size_t old_size, size_t new_size) {
   budget *b = context;
@@ -48,7 +48,7 @@ static const char program[] =
   "(draw (do-sweep (make-circle (xyz 0 0 0) 1/4) (make-spline (list (xyz 0 0 0) (xyz 1 0 4) (xyz 9 0 5))) 0 0.5))\n"
   "(make-cylinder (xyz 0 0 0) (xyz 0 0 0) 1)\n";
 
-/* returns true if it succeeded */
+/* returns true if the session succeeded */
 static bool session(budget *b) {
   vs_options o = vs_options_default();
   o.alloc = take, o.alloc_context = b;
@@ -80,11 +80,11 @@ static void test_refusals(void **state) {
     bool ok = session(&b);
     assert_int_equal(b.live, 0);
     assert_int_equal(b.blocks, 0);
-    if (b.left >= 0) { /* no allocation was refused: the program makes fewer */
+    if (b.left >= 0) { /* no allocation was refused, because the program makes fewer */
       assert_true(ok);
       break;
     }
-    if (n > 400) step = 7; /* later allocations are alike: this bounds the time */
+    if (n > 400) step = 7; /* later allocations are similar, so only every seventh is tested */
   }
   assert_true(n > 20);
 }
@@ -135,7 +135,8 @@ static void test_stops(void **state) {
   assert_false(vs_stop_get(s, &stop));
   assert_int_equal(vs_resume(s, VS_RESUME_CONTINUE), VS_OUTCOME_USAGE);
   assert_int_equal(run(s, stepped, 0), VS_OUTCOME_DONE);
-  assert_int_equal(run(s, "(wall 3)", STOP & ~VS_EVAL_STOP), VS_OUTCOME_DONE); /* without the flag it only warns */
+  assert_int_equal(run(s, "(wall 3)", STOP & ~VS_EVAL_STOP), VS_OUTCOME_DONE); /* without the flag, (break) only
+                                                                                * warns */
   assert_string_equal(last, "(6 7 3)");
   assert_int_equal(run(s, "(wall 4)", STOP), VS_OUTCOME_STOPPED);
   assert_true(vs_stop_get(s, &stop));
@@ -144,8 +145,8 @@ static void test_stops(void **state) {
   assert_int_equal(stop.at.line, 2);
   assert_true(vs_call_get(s, 0, &call));
   assert_string_equal(call.variables, "n = 4, a = 8, b = 9");
-  /* text that is evaluated at a stop sees the variables; a collection moves the stopped frames; a second stop lies on
-   * top of the first */
+  /* text that is evaluated at a stop can use the variables; a collection moves the stopped frames; a second stop is
+   * above the first on the stack */
   assert_int_equal(run(s, "(list b a)", STOP), VS_OUTCOME_DONE);
   assert_string_equal(last, "(9 8)");
   assert_int_equal(run(s, "(deep 100000)", STOP), VS_OUTCOME_STOPPED);
@@ -154,9 +155,9 @@ static void test_stops(void **state) {
       "(let loop ([i 0] [l '()]) (if (< i 2000000) (loop (+ i 1) (cons i l)) (+ n (length l))))", STOP),
       VS_OUTCOME_DONE);
   assert_string_equal(last, "2000000");
-  assert_int_equal(run(s, "(car 5)", STOP), VS_OUTCOME_MODEL); /* an error there ends no stop */
+  assert_int_equal(run(s, "(car 5)", STOP), VS_OUTCOME_MODEL); /* an error at a stop does not end the stop */
   assert_int_equal(vs_stop_depth(s), 2);
-  /* out of one call of 100,000: the next stop is in its caller */
+  /* returns from one call of 100,000: the next stop is in its caller */
   assert_int_equal(vs_resume(s, VS_RESUME_OUT), VS_OUTCOME_STOPPED);
   assert_true(vs_stop_get(s, &stop));
   assert_int_equal(stop.kind, VS_STOPPED_VALUE);
@@ -170,7 +171,7 @@ static void test_stops(void **state) {
   assert_int_equal(vs_stop_depth(s), 1);
   assert_int_equal(vs_resume(s, VS_RESUME_CONTINUE), VS_OUTCOME_DONE);
   assert_string_equal(last, "(8 9 4)");
-  /* abandoned, and forgotten after a restart */
+  /* an abandoned stop is forgotten after a restart */
   assert_int_equal(run(s, "(wall 5)", STOP), VS_OUTCOME_STOPPED);
   vs_stop_drop(s);
   assert_int_equal(vs_stop_depth(s), 0);
@@ -213,8 +214,8 @@ static void test_stops_refused(void **state) {
   }
 }
 
-/* A restart once subtracted the bytes of the old heap from those of the new heap. The count fell below 0, and an empty
- * heap exceeded the limit. */
+/* A test of an old fault. A restart subtracted the bytes of the old heap from those of the new heap. The count fell
+ * below 0, and an empty heap exceeded the limit. */
 static void test_restarts_under_a_limit(void **state) {
   (void)state;
   budget b = { .left = -1 };
@@ -228,7 +229,7 @@ static void test_restarts_under_a_limit(void **state) {
     assert_int_equal(run(s, "(define (f x) (if (< x 2) x (* x (f (- x 1))))) (f 20)", 0), VS_OUTCOME_DONE);
     assert_int_equal(run(s, "(lambda (x) (if))", 0), VS_OUTCOME_MODEL);
     assert_int_equal(vs_restart(s), VS_OUTCOME_DONE);
-    /* Twice, since every second time the heap image is mapped, and not counted. */
+    /* A second restart, since the heap image is mapped, and not counted, every second time. */
     assert_int_equal(vs_restart(s), VS_OUTCOME_DONE);
     if (i == 0) anew = s->bytes;
     assert_int_equal(s->bytes, anew);
@@ -241,7 +242,7 @@ static void test_restarts_under_a_limit(void **state) {
   vs_free(s);
 }
 
-/* A host checks a long text while nothing runs: the limits of the evaluation before do not apply. */
+/* A host checks a long text while nothing runs. The limits of the evaluation before must not apply. */
 static void test_reading_after_a_limit(void **state) {
   (void)state;
   enum { LONG = 1 << 20 };

@@ -1,4 +1,4 @@
-/* Owns the table of strays: a facade, scanned from one side, with strays of several kinds, in several poses. A fit is
+/* Tests the table of strays: a facade, scanned from one side, with strays of several kinds, in several poses. A fit is
  * right if each number is within a hundredth of its true value; a wrong fit must report a doubt. LONG=1: 100 seeds for
  * each cell; otherwise a sample; FITS=N: N seeds. SHOW=1 prints the table, and each fit that is wrong or in doubt. */
 #include <math.h>
@@ -22,7 +22,7 @@ static double share(uint64_t *seed) {
   return (double)(x >> 11) * 0x1p-53;
 }
 static double between(uint64_t *seed, double a, double b) { return a + (b - a) * share(seed); }
-/* G. Box, M. Muller, 1958 */
+/* Returns a normally distributed random number (G. Box, M. Muller, 1958). */
 static double normal(uint64_t *seed) { return sqrt(-2 * log(1 - share(seed))) * cos(2 * acos(-1) * share(seed)); }
 
 /* ---- the facade ----
@@ -54,7 +54,7 @@ static bool breaks(const double *n, double x[ALONG + 1], double y[DEEP + 1], dou
 
 typedef void quad_fn(void *context, int axis, bool low, const int at[3]);
 
-/* Calls fn for each side of a full cell that faces an empty one; at: the cell's lower corner, or the corner one step
+/* Calls fn for each side of a full cell next to an empty cell. at: the cell's lower corner, or the corner one step
  * further. */
 static void each_side(quad_fn *fn, void *context) {
   for (int i = 0; i < ALONG; i++)
@@ -117,7 +117,7 @@ typedef struct {
   size_t count;
 } seen_sides;
 
-/* Keeps the sides that the scanner can see. */
+/* Keeps a side if the scanner can see it. */
 static void see(void *context, int axis, bool low, const int at[3]) {
   seen_sides *s = context;
   int past[3] = { at[0], at[1], at[2] };
@@ -134,8 +134,8 @@ static void see(void *context, int axis, bool low, const int at[3]) {
 
 typedef enum { ANYWHERE, TREE, GROUND, STRAY_KINDS } stray_kind;
 
-/* Returns a point that is not on the facade: anywhere around it; in a tree in front of it; on the ground, or in the
- * tree. */
+/* Returns a point that is not on the facade. By kind, it is anywhere around the facade, in a tree in front of it, or on
+ * the ground or in the tree. */
 static vs_vec3 stray(stray_kind kind, const double *n, uint64_t *seed) {
   if (kind == ANYWHERE)
     return vs_v3(between(seed, -.25 * n[0], 1.25 * n[0]), between(seed, -6, 1), between(seed, -.5, 1.3 * n[1]));
@@ -144,7 +144,7 @@ static vs_vec3 stray(stray_kind kind, const double *n, uint64_t *seed) {
   return vs_v3(.6 * n[0] + normal(seed), -3 + .8 * normal(seed), 2.6 + normal(seed));
 }
 
-/* Returns the rotation about an axis, by degrees. */
+/* Returns the rotation about an axis by an angle in degrees. */
 static vs_rigid_motion turned(double x, double y, double z, double degrees, vs_vec3 to) {
   vs_rigid_motion m = { .size = 1, .to = to };
   double w[VS_RIGID_UNKNOWNS] = { 0 }, length = sqrt(x * x + y * y + z * z), angle = degrees * acos(-1) / 180;
@@ -243,7 +243,7 @@ static void table(void **state) {
       wrong += c.wrong, few += five <= 3 && c.right * 100 < 95 * seeds;
     }
   assert_int_equal(wrong, 0);
-  assert_int_equal(few, 0); /* cells of the table */
+  assert_int_equal(few, 0); /* number of table cells that failed */
 }
 
 int main(void) {

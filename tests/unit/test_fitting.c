@@ -1,4 +1,4 @@
-/* Owns the tests of geometry/fitting/: losses, motions, quantiles, and fits of a box that needs no interpreter. */
+/* Tests geometry/fitting/: losses, motions, quantiles, and fits of a box that needs no interpreter. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -19,7 +19,8 @@ static void near(double a, double b, double off) {
   if (!(fabs(a - b) <= off)) fail_msg("%.12g is not %.12g, give or take %g", a, b, off);
 }
 
-/* The slope is the derivative of the square root; weight times residual is the derivative of the loss. */
+/* Tests that the slope is the derivative of the square root, and that weight times residual is the derivative of the
+ * loss. */
 static void losses(void **state) {
   (void)state;
   for (int loss = VS_LOSS_HUBER; loss <= VS_LOSS_TUKEY; loss++)
@@ -41,7 +42,7 @@ static void losses(void **state) {
 
 static vs_rigid_motion some_motion(void) {
   vs_rigid_motion m = { .size = 2, .centre = { 1, 2, 3 }, .to = { -4, 5, 6 } };
-  m.turn[0][1] = 1, m.turn[1][2] = 1, m.turn[2][0] = 1; /* x to z, y to x, z to y */
+  m.turn[0][1] = 1, m.turn[1][2] = 1, m.turn[2][0] = 1; /* maps x to z, y to x, z to y */
   return m;
 }
 
@@ -117,7 +118,7 @@ static void ignore(void *context, unsigned iteration, double spread) { (void)con
 
 enum { POINTS = 1500 };
 
-/* Computes points on the first `faces` sides of the box (the sixth has z = 0), moved; the last `far` points are
+/* Computes points on the first `faces` sides of a moved box; the sixth side has z = 0. The last `far` points are
  * scattered far outside. */
 static void scan_box(const double side[3], int faces, size_t far, vs_vec3 *out) {
   vs_rigid_motion m = some_motion();
@@ -151,7 +152,7 @@ static vs_fit_problem problem_of(const vs_fit_model *model, const vs_vec3 *point
                            .confidence = .95 };
 }
 
-/* A fit may find the sides of a box in any order: a box on its side is a box. */
+/* Compares the fitted sides with the true sides in any order, because a box that lies on its side is also a box. */
 static void expect_sides(const vs_model_fit *f, double off) {
   for (int k = 0; k < 3; k++) {
     double best = INFINITY;
@@ -191,7 +192,8 @@ static double normal_number(uint64_t *seed) {
   return sqrt(-2 * log(u[0])) * cos(2 * 3.14159265358979323846 * u[1]);
 }
 
-/* Of 90 intervals of 95 % some 85 contain the true side, with a deviation of 2; and they are as wide as the errors. */
+/* Of 90 intervals of 95 %, about 85 must contain the true side, with a deviation of 2. Their width must correspond to
+ * the errors. */
 static void intervals(void **state) {
   (void)state;
   enum { SCANS = 30 };
@@ -229,7 +231,7 @@ static void intervals(void **state) {
   near(sqrt(widths / squares), 1, .2);
 }
 
-/* A side without points could lie anywhere further out. */
+/* A side without points could be anywhere further out, so it must be reported. */
 static void open_boxes(void **state) {
   (void)state;
   static vs_vec3 points[POINTS];
@@ -313,7 +315,7 @@ static void clouds(void **state) {
     vs_face_list read = { 0 };
     vs_scan_points scan;
     vs_error e = { 0 };
-    assert_false(vs_mesh_file_read(&ply, (vs_poller){ 0 }, &read, &e)); /* no faces: not a solid */
+    assert_false(vs_mesh_file_read(&ply, (vs_poller){ 0 }, &read, &e)); /* a file without faces is not a solid */
     vs_face_list_free(&read);
     assert_true(vs_points_file_read(&ply, (vs_poller){ 0 }, true, &read, &e));
     assert_true(vs_scan_points_take(&read, 100, &scan, &e));

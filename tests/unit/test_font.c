@@ -1,5 +1,5 @@
-/* Owns the tests of fonts: kerning from the table GPOS equals FreeType's kerning from the table kern, for a font that
- * has both; and no bytes make the reader leave the table. */
+/* Tests fonts. Kerning from the table GPOS must equal FreeType's kerning from the table kern, for a font that has both
+ * tables. No bytes may make the reader read outside the table. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -16,7 +16,7 @@
 
 static uint32_t number(const unsigned char *at) { return (uint32_t)at[0] << 24 | (uint32_t)at[1] << 16 | (uint32_t)at[2] << 8 | at[3]; }
 
-/* Returns a copy of the table GPOS of a font file; NULL: none. */
+/* Returns a copy of the table GPOS of a font file, or NULL if it has none. */
 static unsigned char *gpos_of(const char *path, size_t *size) {
   FILE *f = fopen(path, "rb");
   static unsigned char bytes[4 << 20];
@@ -55,8 +55,8 @@ static void kerning(void **state) {
   }
   assert_true(vs_kerning_pair(table, size, vs_font_index(f, 'T'), vs_font_index(f, 'o')) < 0);
   srand(7);
-  for (int k = 0; k < 300; k++) { /* shortened, and with wrong bytes, more of them in the offsets: the reader ends,
-                                   * within the table */
+  for (int k = 0; k < 300; k++) { /* shortened tables, and tables with wrong bytes, mostly in the offsets: the reader
+                                   * must end, and stay within the table */
     size_t kept = k % 3 ? size : (size_t)rand() % size;
     unsigned char *wrong = malloc(kept + 1);
     assert_non_null(wrong);

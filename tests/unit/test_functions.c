@@ -1,4 +1,4 @@
-/* Owns the tests of tapes: the effect of adding a step, batches against single values, slopes against difference
+/* Tests tapes: the effect of adding a step, batches against single values, slopes against difference
  * quotients, valid bounds; and contours, which are closed manifolds for every function and every merging of cells. */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -16,7 +16,7 @@
 #include "geometry/functions/formula_text.h"
 #include "geometry/functions/sampling.h"
 
-static double drawn(uint64_t *seed, double a, double b) { /* xorshift: the same numbers in every run */
+static double drawn(uint64_t *seed, double a, double b) { /* returns a number by xorshift, the same in every run */
   *seed ^= *seed << 13;
   *seed ^= *seed >> 7;
   *seed ^= *seed << 17;
@@ -45,7 +45,8 @@ static void steps_are_kept_once(void **state) {
   vs_tape_free(c), vs_tape_free(t);
 }
 
-/* Returns a tape of three inputs with every operator, except those with jumps and poles at the numbers drawn below. */
+/* Returns a tape of three inputs with every operator, except operators with jumps and poles at the numbers drawn
+ * below. */
 static vs_tape *of_all(void) {
   vs_tape *t = vs_tape_new(3);
   uint32_t x = vs_tape_input(t, 0), y = vs_tape_input(t, 1), z = vs_tape_input(t, 2), sum = vs_tape_constant(t, .25);
@@ -162,8 +163,8 @@ static const side *find_side(const side *s, size_t n, uint32_t from, uint32_t to
   return bsearch(&wanted, s, n, sizeof *s, by_ends);
 }
 
-/* Checks that each edge lies between two triangles that contain it in opposite directions, and that the triangles of a
- * vertex form one fan. Returns the volume. */
+/* Checks that each edge belongs to two triangles in opposite directions, and that the triangles of a vertex form a
+ * single fan. Returns the volume. */
 static double check_manifold(const vs_contour *c) {
   size_t n = 3 * c->triangle_count;
   side *s = malloc((n + 1) * sizeof *s);
@@ -228,8 +229,8 @@ static uint32_t waves(vs_tape *t, uint64_t *seed) {
   return product;
 }
 
-/* Returns unions, intersections and differences of slabs, balls and waves: edges, corners, thin walls, sheets that
- * touch. */
+/* Returns unions, intersections and differences of slabs, balls and waves. They have edges, corners, thin walls, and
+ * sheets that touch. */
 static vs_tape *random_solid(uint64_t *seed) {
   vs_tape *t = vs_tape_new(3);
   uint32_t all = ball(t, seed);
@@ -280,11 +281,12 @@ static void flat_sides_are_few_triangles(void **state) {
   vs_contour c = { 0 };
   assert_int_equal(vs_contour_make(t, &(vs_contour_grid){ vs_v3(-1, -1, -1), vs_v3(1, 1, 1), 128, 0 }, (vs_long_work){ go_on, NULL }, &c), VS_CONTOUR_DONE);
   assert_true(fabs(check_manifold(&c) - 8 * .7 * .61 * .53) < 1e-6);
-  assert_true(c.triangle_count < 40); /* cells of one size would make some 90,000 */
+  assert_true(c.triangle_count < 40); /* cells of equal size would make about 90,000 triangles */
   vs_contour_free(&c), vs_tape_free(t);
 }
 
-/* The surface decides the size of cells: for a ball with a narrow groove, the cells on the ball are large. */
+/* Tests that the surface decides the size of cells. For a ball with a narrow groove, the cells on the ball must be
+ * large. */
 static void round_sides_follow_the_tolerance(void **state) {
   (void)state;
   vs_tape *t = vs_tape_new(3);

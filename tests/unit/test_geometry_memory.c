@@ -1,4 +1,4 @@
-/* Owns the tests of geometry/ when memory runs out: each of its calls to the C library's allocator fails in turn. The
+/* Tests geometry/ when memory runs out: each of its calls to the C library's allocator fails in turn. The
  * result is an error of kind memory, and no memory is lost. This program replaces the allocator; if a sanitizer has
  * already replaced it, the test is skipped. */
 #include <setjmp.h>
@@ -14,19 +14,19 @@
 #include "tests/unit/allocator.h"
 #include "tests/unit/skip.h"
 
-static size_t fail_at, held; /* counted only while fail_at is set */
+static size_t fail_at, held; /* number of blocks in use; counted only while fail_at is set */
 
 #if REPLACED
 static bool refused(void) {
   if (!fail_at) return false;
   if (fail_at > 1) return fail_at--, held++, false;
-  return true; /* fails this request and all after it */
+  return true; /* this request and all later requests fail */
 }
 void *malloc(size_t n) { return refused() ? NULL : __libc_malloc(n); }
 void *calloc(size_t n, size_t size) { return refused() ? NULL : __libc_calloc(n, size); }
 void *realloc(void *p, size_t n) {
   if (!refused()) {
-    if (fail_at && p) held--; /* realloc replaced a block */
+    if (fail_at && p) held--; /* realloc has replaced a block */
     return __libc_realloc(p, n);
   }
   return NULL;
@@ -39,7 +39,8 @@ void free(void *p) {
 
 #define NODE(lower, upper, ...) vs_node_new(s, VS_##upper, &(struct vs_##lower){ __VA_ARGS__, 0 }, NULL, 0)
 
-static vs_node *over(vs_store *s, vs_kind kind, const void *data, vs_node *a, vs_node *b) { /* takes a and b over */
+static vs_node *over(vs_store *s, vs_kind kind, const void *data, vs_node *a, vs_node *b) { /* takes over the references to a
+                                                                                             * and b */
   vs_ref refs[2] = { { a, NULL }, { b, NULL } };
   vs_node *n = vs_node_new(s, kind, data, refs, b ? 2 : 1);
   vs_node_release(a);

@@ -1,4 +1,4 @@
-/* Owns the tests of hidden lines against closed forms: the visible length of edges beside, behind, in and through
+/* Tests hidden lines against closed forms: the visible length of edges beside, behind, in and through
  * triangles, in parallel and perspective views. */
 #include <math.h>
 #include <setjmp.h>
@@ -15,8 +15,8 @@
 enum { MOST = 4000 };
 typedef struct { vs_vec3 points[MOST]; uint32_t triangles[MOST][3]; size_t point_count, triangle_count; } model;
 
-/* Adds a box from p to q, its corners multiplied by `turn` (three rows). Faces are counter-clockwise as a viewer sees
- * them from outside; the viewer's x, y, z are left-handed. */
+/* Adds a box from p to q, with its corners multiplied by `turn` (three rows). Faces are counter-clockwise as seen from
+ * outside. The viewer's axes x, y, z are left-handed. */
 static void add_box(model *m, vs_vec3 p, vs_vec3 q, const double turn[3][3]) {
   static const int faces[6][4] = { { 0, 2, 3, 1 }, { 4, 5, 7, 6 }, { 0, 1, 5, 4 }, { 2, 6, 7, 3 }, { 0, 4, 6, 2 }, { 1, 3, 7, 5 } };
   uint32_t base = (uint32_t)m->point_count;
@@ -43,7 +43,7 @@ static vs_sight sight_of(const model *m, bool perspective) {
 
 typedef struct { size_t pieces; double seen, hidden; } result;
 
-/* Returns the visible and hidden lengths in the picture. own: these edges; NULL: the model's edges. */
+/* Returns the visible and hidden lengths in the picture. own: edges to test; NULL: the model's edges. */
 static result look(const model *m, bool perspective, const vs_sight_edges *own) {
   vs_store *store = vs_store_new(NULL, NULL);
   vs_sight_host host = { store, always, NULL };
@@ -90,8 +90,8 @@ static void a_cube_in_isometric_has_nine_edges(void **state) {
   add_box(&m, vs_v3(0, 0, 0), vs_v3(2, 2, 2), isometric);
   result r = look(&m, false, NULL);
   assert_int_equal(r.pieces, 9);
-  assert_true(fabs(r.seen - 9 * 2 * sqrt(2. / 3)) < 1e-9); /* the other three end in a common point behind the nearest
-                                                            * corner, along the faces' diagonals */
+  assert_true(fabs(r.seen - 9 * 2 * sqrt(2. / 3)) < 1e-9); /* the other three edges lead to a common point behind the
+                                                            * nearest corner, along the faces' diagonals */
 }
 
 static void a_box_seen_from_the_front_is_a_rectangle(void **state) {
@@ -112,7 +112,8 @@ static void a_box_behind_a_box(void **state) {
   model touching = { .point_count = 0 }; /* face on face: coplanar faces hide nothing of each other */
   add_box(&touching, vs_v3(0, 0, 0), vs_v3(4, 4, 1), NULL);
   add_box(&touching, vs_v3(4, 0, 0), vs_v3(6, 4, 1), NULL);
-  assert_true(fabs(look(&touching, false, NULL).seen - (16 + 12 - 4)) < 1e-9); /* their common edge counts once */
+  assert_true(fabs(look(&touching, false, NULL).seen - (16 + 12 - 4)) < 1e-9); /* the common edge of the two faces
+                                                                                * counts once */
 }
 
 static void lines_beside_behind_and_through(void **state) {
@@ -121,18 +122,20 @@ static void lines_beside_behind_and_through(void **state) {
   add_box(&m, vs_v3(0, 0, 0), vs_v3(2, 2, 2), NULL);
   result r = look_at_line(&m, false, vs_v3(-1, 1, 5), vs_v3(5, 1, 5));
   assert_true(fabs(r.hidden - 2) < 1e-9 && fabs(r.seen - 4) < 1e-9 && r.pieces == 2);
-  r = look_at_line(&m, false, vs_v3(-1, 1, -1), vs_v3(5, 1, -1)); /* in front of it */
+  r = look_at_line(&m, false, vs_v3(-1, 1, -1), vs_v3(5, 1, -1)); /* a line in front of the box */
   assert_true(r.hidden == 0 && r.pieces == 1);
-  r = look_at_line(&m, false, vs_v3(-1, 1, 0), vs_v3(5, 1, 0)); /* in its front face */
+  r = look_at_line(&m, false, vs_v3(-1, 1, 0), vs_v3(5, 1, 0)); /* a line in the front face of the box */
   assert_true(r.hidden == 0 && r.pieces == 1);
-  r = look_at_line(&m, false, vs_v3(0.5, 1, -1), vs_v3(1.5, 1, 1)); /* into it, through the front in the middle */
+  r = look_at_line(&m, false, vs_v3(0.5, 1, -1), vs_v3(1.5, 1, 1)); /* a line into the box, through the front at its
+                                                                     * midpoint */
   assert_true(fabs(r.hidden - 0.5) < 1e-6 && fabs(r.seen - 0.5) < 1e-6);
-  r = look_at_line(&m, false, vs_v3(0, 0, 3), vs_v3(2, 2, 3)); /* along the diagonal that divides the face into
+  r = look_at_line(&m, false, vs_v3(0, 0, 3), vs_v3(2, 2, 3)); /* a line along the diagonal that divides the face into
                                                                 * triangles */
   assert_true(r.pieces == 0 && fabs(r.hidden - sqrt(8)) < 1e-9);
-  r = look_at_line(&m, false, vs_v3(0, -1, 3), vs_v3(0, 3, 3)); /* along its border, further back: hidden there */
+  r = look_at_line(&m, false, vs_v3(0, -1, 3), vs_v3(0, 3, 3)); /* a line along the border of the face, further back, is
+                                                                 * hidden there */
   assert_true(fabs(r.hidden - 2) < 1e-9 && r.pieces == 2);
-  r = look_at_line(&m, false, vs_v3(2, 1, 5), vs_v3(4, 3, 5)); /* it begins at the border */
+  r = look_at_line(&m, false, vs_v3(2, 1, 5), vs_v3(4, 3, 5)); /* a line that begins at the border */
   assert_true(r.hidden == 0 && r.pieces == 1);
 }
 
@@ -140,12 +143,13 @@ static void in_perspective(void **state) {
   (void)state;
   model m = { .point_count = 0 };
   add_box(&m, vs_v3(-1, -1, 4), vs_v3(1, 1, 6), NULL);
-  result r = look(&m, true, NULL); /* the back, at 1/6, is behind the front, at 1/4 */
+  result r = look(&m, true, NULL); /* the back appears at 1/6, behind the front, which appears at 1/4 */
   assert_true(fabs(r.seen - 8 * 0.25) < 1e-9);
-  r = look_at_line(&m, true, vs_v3(-4, 0, 8), vs_v3(4, 0, 8)); /* from -1/2 to 1/2: hidden from -1/4 to 1/4 */
+  r = look_at_line(&m, true, vs_v3(-4, 0, 8), vs_v3(4, 0, 8)); /* a line from -1/2 to 1/2 in the picture, hidden from
+                                                                * -1/4 to 1/4 */
   assert_true(fabs(r.hidden - 0.5) < 1e-9 && fabs(r.seen - 0.5) < 1e-9);
-  r = look_at_line(&m, true, vs_v3(-4, 0, 8), vs_v3(4, 0, 16)); /* oblique: from -1/2 to 1/4 in the picture, hidden from
-                                                                 * -1/4 on */
+  r = look_at_line(&m, true, vs_v3(-4, 0, 8), vs_v3(4, 0, 16)); /* an oblique line: from -1/2 to 1/4 in the picture,
+                                                                 * hidden from -1/4 on */
   assert_true(fabs(r.hidden - 0.5) < 1e-9 && fabs(r.seen - 0.25) < 1e-9);
 }
 
@@ -159,15 +163,15 @@ static void faces_seen_edge_on_hide_nothing(void **state) {
   assert_true(fabs(look(&m, false, NULL).seen - 8) < 1e-5);
 }
 
-/* A wall of boxes, each of which hides the next: time and memory grow no faster than they should, and only the first
- * box and the rims are visible. */
+/* Tests a wall of boxes, each of which hides the next. Time and memory must not grow too fast, and only the first box
+ * and the rims are visible. */
 static void many_boxes(void **state) {
   (void)state;
   model m = { .point_count = 0 };
   for (int i = 0; i < 300; i++) add_box(&m, vs_v3(0, 0, 2 * i), vs_v3(4 + 0.001 * i, 4, 2 * i + 1), NULL);
   result r = look(&m, false, NULL);
-  assert_true(fabs(r.seen - (16 + 299 * (4 + 0.001 * 2))) < 1e-6); /* for each later box its right edge, and 0.001 at
-                                                                    * both ends of it */
+  assert_true(fabs(r.seen - (16 + 299 * (4 + 0.001 * 2))) < 1e-6); /* of each later box: its right edge, and 0.001 at
+                                                                    * both ends of this edge */
 }
 
 static void stopping_and_failing(void **state) {
@@ -189,7 +193,8 @@ static void stopping_and_failing(void **state) {
   assert_int_equal(e.kind, VS_ERROR_INTERRUPT);
   host.going = always;
   vs_sight_pieces_free(&host, &pieces);
-  for (size_t n = 1; n < 12; n++) { /* the n-th request for memory is refused: an error, and no memory is lost */
+  for (size_t n = 1; n < 12; n++) { /* the n-th request for memory is refused: the result is an error, and no memory is
+                                     * lost */
     vs_store_fail_at(store, n);
     if (!vs_sight_find_visible(&host, &s, &edges, false, &pieces, &e)) assert_int_equal(e.kind, VS_ERROR_MEMORY);
     vs_store_fail_at(store, 0);

@@ -1,4 +1,4 @@
-/* Owns the test that every pass over a drawing takes linear time and can be interrupted: a chain, a comb and a fan of a
+/* Tests that every pass over a drawing takes linear time and can be interrupted: a chain, a comb and a fan of a
  * million nodes (LONG=1; otherwise fewer) go through each row of passes.def, and through all of them. The test measures
  * processor time, since the machine may be busy. */
 #include <setjmp.h>
@@ -28,7 +28,8 @@ static vs_node *leaf(vs_store *s, size_t i) {
   return vs_node_new(s, VS_SPHERE, &(struct vs_sphere){ .center = { (double)(i % 1000) * 3, (double)(i / 1000) * 3, 0 }, .radius = 1 }, NULL, 0);
 }
 
-static vs_node *over(vs_store *s, vs_kind kind, const void *data, vs_node *a, vs_node *b) { /* takes them over */
+static vs_node *over(vs_store *s, vs_kind kind, const void *data, vs_node *a, vs_node *b) { /* takes over the references to
+                                                                                             * the children */
   vs_node *n = vs_node_new(s, kind, data, (vs_ref[]){ { a, NULL }, { b, NULL } }, b ? 2 : 1);
   vs_node_release(a), vs_node_release(b);
   assert_non_null(n);
@@ -93,8 +94,8 @@ enum { TREES = sizeof trees / sizeof *trees };
 
 /* ---- running ---- */
 
-typedef struct { double last, gap, until; size_t asked; } listener; /* gap: the longest time between two polls; until:
-                                                                     * the time after which the poll refuses */
+typedef struct { double last, gap, until; size_t asked; } listener; /* gap: longest time between two polls. until: time
+                                                                     * after which the poll interrupts */
 
 static bool going(void *context) {
   listener *l = context;
@@ -105,7 +106,7 @@ static bool going(void *context) {
   return at < l->until;
 }
 
-/* Runs passes over the tree; *seconds: the time of all of it. */
+/* Runs passes over the tree. *seconds is the time of everything. */
 static vs_error_kind run(size_t tree, size_t n, unsigned passes, listener *l, double *seconds, double stop_after) {
   vs_store *s = vs_store_new(NULL, NULL);
   vs_node *root = trees[tree].make(s, n);
@@ -123,7 +124,7 @@ static vs_error_kind run(size_t tree, size_t n, unsigned passes, listener *l, do
   return ok ? VS_ERROR_NONE : e.kind;
 }
 
-/* Processor seconds between two polls, and from a refusal to the end, which includes freeing. */
+/* Greatest processor seconds between two polls, and from an interrupt to the end, which includes freeing. */
 #define SILENT 0.3
 
 static void every_pass(void **state) {

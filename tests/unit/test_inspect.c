@@ -1,4 +1,4 @@
-/* Owns the tests of the checks whether a mesh is a solid, of making a self-intersecting mesh simple, and of
+/* Tests the checks whether a mesh is a solid, of making a self-intersecting mesh simple, and of
  * rounding. */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -15,7 +15,8 @@
 #include "tests/oracle/sx.c"
 #include "tests/tools/crossings.h"
 
-/* Joins the leaves of the .sx text into one mesh, each at its place; leaves from number `turned` on are inside out. */
+/* Joins the leaves of the .sx text into a single mesh, each at its place. Leaves from number `turned` on are inside
+ * out. */
 static void join(vs_mesh *m, const char *text, uint32_t turned) {
   sx_problem p;
   assert_true(sx_parse(text, &p));
@@ -62,7 +63,7 @@ static void test_simple(void **state) {
     vs_mesh_flaws f = inspect(good[i], 9, -1);
     if (!vs_mesh_flawless(&f) || f.least != 0 || f.most != 1) fail_msg("%s: %zu open, %zu wound %d..%d", good[i], f.open_count, f.wound_count, f.least, f.most);
   }
-  vs_mesh_flaws f = inspect("(union (box 3 3 3) (translate 1 1 1 (box 1 1 1)))", 1, 26); /* a cavity */
+  vs_mesh_flaws f = inspect("(union (box 3 3 3) (translate 1 1 1 (box 1 1 1)))", 1, 26); /* the second box is a cavity */
   assert_true(vs_mesh_flawless(&f));
 }
 
@@ -73,11 +74,11 @@ static void test_wound(void **state) {
   assert_int_equal(f.most, 2);
   for (size_t i = 0; i < f.wound_count && i < VS_FLAWS_LISTED; i++) {
     assert_true(i == 0 || f.wound[i - 1].triangle < f.wound[i].triangle);
-    vs_vec3 at = f.wound[i].at; /* on the small cube that both contain */
+    vs_vec3 at = f.wound[i].at; /* the fault is on the small cube, which both solids contain */
     assert_true(at.x >= 1 && at.y >= 1 && at.z >= 1 && at.x <= 2 && at.y <= 2 && at.z <= 2);
     assert_int_equal(f.wound[i].winding, 2);
   }
-  f = inspect("(union (box 2 2 2) (box 2 2 2))", 9, 8); /* the same faces twice: nothing crosses, and yet the mesh is no
+  f = inspect("(union (box 2 2 2) (box 2 2 2))", 9, 8); /* the same faces twice: nothing crosses, but the mesh is not a
                                                          * solid */
   assert_int_equal(f.most, 2);
   assert_true(f.wound_count > 0);
@@ -88,7 +89,8 @@ static void test_wound(void **state) {
   assert_int_equal(f.least, -1);
   assert_int_equal(f.wound_count, 6);
   assert_true(f.volume < 0);
-  f = inspect("(union (box 2 2 2) (translate 5 0 0 (box 1 1 1)))", 1, 8); /* a shell inside out, outside */
+  f = inspect("(union (box 2 2 2) (translate 5 0 0 (box 1 1 1)))", 1, 8); /* a shell that is inside out, outside the
+                                                                           * other */
   assert_int_equal(f.least, -1);
   assert_int_equal(f.wound_count, 6);
   f = inspect("(union (rotate 12 34 56 (sphere 2 32)) (translate 1.5 0 0 (sphere 1 32)))", 9, -1);
@@ -123,8 +125,9 @@ static void test_open(void **state) {
 
 static bool count_polls(void *context, double done) { return (void)done, ++*(size_t *)context, true; }
 
-/* Returns the number of polls for boxes that form a stair, with very many storeys, or that are all in one place, with
- * six. Both have equally many triangles, so only the sorting of storeys differs. The faces of one side lie together. */
+/* Returns the number of polls for boxes that form a stair, with very many storeys, or that are all at the same place,
+ * with six storeys. Both have equally many triangles, so only the sorting of storeys differs. The faces of each side
+ * are consecutive. */
 static size_t polls_of_stair(size_t boxes, double step) {
   vs_mesh m = { 0 };
   size_t polls = 0;
@@ -155,7 +158,7 @@ static void test_storeys_are_interrupted(void **state) {
   if (many < few + 8) fail_msg("%zu polls, and %zu where there is nothing to sort", many, few);
 }
 
-/* Vertices closer than the format's precision: they collapse, and the mesh stays closed and the same solid. */
+/* Tests vertices closer than the format's precision: they are merged, and the mesh stays closed and the same solid. */
 static void test_settle(void **state) {
   (void)state;
   vs_mesh m = { 0 };
@@ -167,14 +170,14 @@ static void test_settle(void **state) {
   assert_true(vs_mesh_round(&m, VS_NUMBERS_SINGLE, NULL, &s, NULL));
   assert_int_equal(s.collapsed + s.flipped + s.met, 0);
   assert_int_equal(m.triangle_count, triangles);
-  for (uint32_t t = 0; t < triangles; t += 211) { /* an edge of a few triangles shrinks to almost nothing: its vertex
-                                                   * moves to its other end */
+  for (uint32_t t = 0; t < triangles; t += 211) { /* an edge of some triangles shrinks to almost nothing: its vertex
+                                                   * moves to the edge's other end */
     uint32_t *v = m.triangles[t];
     m.vertices[v[1]] = vs_v3_add(m.vertices[v[0]], vs_v3(1e-9, 0, -1e-9));
   }
   double pulled = vs_mesh_volume(&m);
   assert_true(vs_mesh_round(&m, VS_NUMBERS_DIGITS, NULL, &s, NULL));
-  assert_int_equal(s.collapsed, 0); /* 12 digits separate them */
+  assert_int_equal(s.collapsed, 0); /* 12 digits distinguish the vertices */
   assert_true(vs_mesh_round(&m, VS_NUMBERS_SINGLE, NULL, &s, NULL));
   assert_int_equal(s.collapsed, 5);
   assert_int_equal(m.triangle_count, triangles - 2 * s.collapsed);
@@ -182,8 +185,8 @@ static void test_settle(void **state) {
   assert_true(vs_mesh_closed(&m, &sure));
   assert_true(fabs(vs_mesh_volume(&m) - pulled) < 1e-6 && pulled < volume);
   vs_mesh_free(&m);
-  join(&m, "(cyl 1 1 0 3)", 9); /* a tetrahedron smaller than the format's precision stays one: only sheets would remain
-                                 * of it */
+  join(&m, "(cyl 1 1 0 3)", 9); /* a tetrahedron smaller than the format's precision is kept, since only sheets would
+                                 * remain of it */
   for (size_t i = 0; i < m.vertex_count; i++) m.vertices[i] = vs_v3_add(vs_v3(1000, 1000, 1000), vs_v3_scale(m.vertices[i], 1e-6));
   assert_true(vs_mesh_round(&m, VS_NUMBERS_SINGLE, NULL, &s, NULL));
   assert_int_equal(m.triangle_count, 4);
@@ -215,9 +218,9 @@ static void test_between(void **state) {
   }
 }
 
-/* A ring that is open by a gap: the gap between its two ends is below the precision, and the ends are far from each
- * other along the shell. If the ring is turned, rounding makes the ends intersect; parallel to the axes it cannot,
- * unless both ends come to lie in one plane. */
+/* Tests a ring with a gap between its two ends. The gap is below the precision, and the ends are far from each other
+ * along the shell. If the ring is rotated, rounding makes the ends intersect. If it is parallel to the axes, this
+ * cannot happen unless both ends are rounded to the same plane. */
 static void test_ends(void **state) {
   (void)state;
   static const char ring[] = "(union (box 5 1 1) (box 1 1 5) (translate 0 0 4 (box 5 1 1)) (translate 4 0 0 (box 1 1 2)) (translate 4.31 0.23 2.5 (box 0.5 0.5 2)))";
@@ -257,11 +260,11 @@ static size_t met_by_turns(int turns, int steps, int first, bool closed) {
     double angle = 6.283185307179586 * i / 7, out = turns > 1 ? 1.2 + 0.05 * (i % 7) * (i < 7 ? 1 : -1) - (i < 7 ? 0.15 : 0) : 1;
     assert_true(vs_mesh_add_vertex(&m, vs_v3(out * cos(angle), out * sin(angle), 0), NULL));
   }
-  for (int i = 0; i < steps; i++) { /* the first triangles: of step `first` */
+  for (int i = 0; i < steps; i++) { /* puts the triangles of step `first` first */
     uint32_t k = 2 + (uint32_t)((i + first) % steps), next = closed && k == (uint32_t)steps + 1 ? 2 : k + 1;
     assert_true(vs_mesh_add_triangle(&m, k, next, 1) && vs_mesh_add_triangle(&m, next, k, 0));
   }
-  if (closed) m.vertex_count--; /* the last vertex is the first */
+  if (closed) m.vertex_count--; /* in a closed ring, the last vertex is the first */
   assert_true(vs_mesh_round(&m, VS_NUMBERS_SINGLE, NULL, &s, NULL));
   vs_mesh_free(&m);
   return s.met;
@@ -271,22 +274,24 @@ static size_t met_by(const char *parts, double pull) {
   vs_mesh m = { 0 };
   vs_rounded s;
   join(&m, parts, 9);
-  m.vertices[0] = vs_v3_scale(m.vertices[0], 1 - pull); /* of a ball about the origin: the vertex moves towards the
-                                                         * other side, and past it */
+  m.vertices[0] = vs_v3_scale(m.vertices[0], 1 - pull); /* a ball about the origin: the vertex moves towards the
+                                                         * opposite side, and past it */
   assert_true(vs_mesh_round(&m, VS_NUMBERS_SINGLE, NULL, &s, NULL));
   vs_mesh_free(&m);
   return s.met;
 }
 
-/* The search skips shells that are separate and star-shaped about their centre; it tests shells that only seem to
+/* The search skips shells that are separate and star-shaped about their centre. It tests shells that only appear to
  * be. */
 static void test_stars(void **state) {
   (void)state;
   assert_int_equal(met_by_turns(1, 7, 0, true), 0);
-  assert_true(met_by_turns(2, 14, 0, true) > 0);   /* each direction meets it twice */
-  assert_true(met_by_turns(2, 11, 5, false) > 0);  /* open: the direction of its first triangle meets it once */
+  assert_true(met_by_turns(2, 14, 0, true) > 0);   /* each direction intersects the ring twice */
+  assert_true(met_by_turns(2, 11, 5, false) > 0);  /* an open ring: the direction of its first triangle intersects it
+                                                    * once */
   assert_int_equal(met_by("(sphere 2 32)", 0), 0);
-  assert_int_equal(met_by("(sphere 2 32)", 0.7), 0); /* a dent: not star-shaped, and without self-intersections */
+  assert_int_equal(met_by("(sphere 2 32)", 0.7), 0); /* a dent makes the mesh not star-shaped, but without
+                                                      * self-intersections */
   assert_true(met_by("(sphere 2 32)", 2.5) > 0);
   assert_int_equal(met_by("(union (sphere 2 32) (translate 9 0 0 (sphere 2 16)))", 0), 0);
   assert_true(met_by("(union (sphere 2 32) (translate 3 0 0 (sphere 2 16)))", 0) > 0);
@@ -320,8 +325,8 @@ static void test_apart(void **state) {
     met += faults > 0;
     missed += !apart && faults == 0;
   }
-  assert_true(said > 40000 && met > 40000); /* both cases occur */
-  assert_true(missed * 5 < said);           /* the test rarely fails to decide, although so many touch */
+  assert_true(said > 40000 && met > 40000); /* both answers occur often */
+  assert_true(missed * 5 < said);           /* the test rarely fails to decide, although many triangles touch */
   const vs_vec3 opposed[6] = { { 0, 0, 0 }, { 3, 1, 1 }, { 3, -1, 1 }, { 0, 0, 0 }, { -3, -1, -1 }, { -3, 1, -1 } }; /* as at the centre of a torus without a hole */
   int shared;
   assert_true(vs_triangles_apart(opposed, opposed + 3, &shared));

@@ -1,4 +1,5 @@
-/* Owns the tests of the mesh kernel: exact numbers against GMP, booleans against the rational oracle, degenerate cases, errors and limits. */
+/* Tests the mesh kernel: exact numbers against GMP, booleans against the rational oracle, degenerate cases, errors and
+ * limits. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -28,7 +29,7 @@ static int32_t span(int32_t low, int32_t high) { return (int32_t)(low + (int64_t
 
 /* ---- doubles, exactly ---- */
 
-/* Returns a coordinate near a few places, so that corners often meet edges and planes: integers, some of which are off
+/* Returns a coordinate near a few positions, so that corners are often on edges and planes: integers, some of them off
  * by the last bit, or thirds, or any number. */
 static double place_near(int round) {
   double x = span(-2, 2);
@@ -102,7 +103,8 @@ static void test_planes_meet(void **state) {
   int inside = 0;
   for (int i = 0; i < 3; i++) mpz_inits(d[i], n[i][0], n[i][1], n[i][2], NULL);
   for (int round = 0; round < 3000; round++) {
-    int32_t most = round % 3 == 0 ? 5 : round % 3 == 1 ? INT32_MAX : 1 << 25; /* the whole grid, and numbers small enough for the fast path */
+    int32_t most = round % 3 == 0 ? 5 : round % 3 == 1 ? INT32_MAX : 1 << 25; /* numbers of the whole grid, and numbers
+                                                                               * small enough for the fast path */
     vs_plane p[3];
     vs_homogeneous h;
     for (int i = 0; i < 3; i++) random_plane(&p[i], most);
@@ -120,7 +122,7 @@ static void test_planes_meet(void **state) {
       assert_int_equal(mpz_sgn(sum), 0);
       assert_int_equal(vs_homogeneous_side(&p[i], &h), 0);
     }
-    bool far = false, remainders = false; /* outside the grid: the kernel never asks for it */
+    bool far = false, remainders = false; /* outside the grid, where the kernel never uses the function */
     int64_t fixed[3], want[3];
     for (int a = 0; a < 3; a++) {
       set_wide(x, h.x[a], VS_LIMBS);
@@ -154,7 +156,7 @@ static void test_predicates(void **state) {
     for (uint32_t i = 0; i < 3; i++) {
       int32_t a[3], b[3], inside = most;
       vs_plane p;
-      do { /* a point on an edge, within the grid */
+      do { /* a point on an edge, inside the grid */
         random_plane(&p, most);
         for (int j = 0; j < 3; j++) a[j] = span(-inside, inside), b[j] = span(-inside, inside);
         points[i].big = VS_POINT_EXACT;
@@ -173,7 +175,7 @@ static void test_predicates(void **state) {
       int want = mpq_cmp(c[0][axis], c[1][axis]);
       assert_int_equal(vs_compare(view, 0, 1, axis), (want > 0) - (want < 0));
     }
-    mpq_set_ui(s, 0, 1); /* (1 - 0) x (2 - 0) in x and y */
+    mpq_set_ui(s, 0, 1); /* determinant (1 - 0) x (2 - 0) in x and y */
     mpq_sub(t, c[1][0], c[0][0]);
     mpq_sub(u, c[2][1], c[0][1]);
     mpq_mul(s, t, u);
@@ -269,7 +271,8 @@ static void test_against_oracle(void **state) {
       leaves[i] = (vs_kernel_leaf){ &meshes[i], vs_affine_identity(), i, false };
       terms[i] = (vs_kernel_term){ VS_TERM_LEAF, i, 0 };
     }
-    for (int i = 0; i < 4; i++) { /* each operation takes two or three random earlier terms; the last one is the root */
+    for (int i = 0; i < 4; i++) { /* each operation has two or three random earlier terms as operands; the last
+                                   * operation is the root */
       uint32_t n = (uint32_t)span(2, 3);
       terms[term] = (vs_kernel_term){ (vs_term_kind)span(1, 3), operand, n };
       for (uint32_t j = 0; j < n; j++) operands[operand++] = j == 0 ? term - 1 : (uint32_t)span(0, (int32_t)term - 1);
@@ -297,7 +300,7 @@ static void test_equal_turns_written_differently(void **state) {
   assert_int_equal(triangles, 12);
 }
 
-/* Leaves with one common shear touch as they did before it. */
+/* Leaves with a common shear touch as they did without the shear. */
 static void test_sheared_alike(void **state) {
   (void)state;
   size_t triangles;
@@ -324,7 +327,8 @@ static void check_manifold(const vs_mesh *m) {
     degree[a]++;
   }
   for (size_t i = 0; i < corners; i++)
-    for (size_t j = i + 1; j < corners; j++) assert_false(edges[i][0] == edges[j][0] && edges[i][1] == edges[j][1]); /* each direction once */
+    for (size_t j = i + 1; j < corners; j++) assert_false(edges[i][0] == edges[j][0] && edges[i][1] == edges[j][1]); /* each direction of an edge
+                                                                                                                      * occurs once */
   for (uint32_t v = 0; v < m->vertex_count; v++) { /* a walk around v visits all of its triangles */
     size_t start = corners, at, count = 0;
     for (size_t i = 0; i < corners && start == corners; i++)
@@ -343,16 +347,17 @@ static void check_manifold(const vs_mesh *m) {
   free(edges);
 }
 
-/* 16^3 unit cubes that share faces become one box, an L, or two halves with different tags, with the least possible
- * number of triangles and no vertices other than the corners. */
+/* Tests 16^3 unit cubes that share faces. They become a box, an L, or two halves with different tags, with the least
+ * possible number of triangles and no vertices except the corners. */
 static void test_cubes_become_one(void **state) {
   (void)state;
   enum { SIDE = 16, ALL = SIDE * SIDE * SIDE };
   enum { BOX, ELL, HALVES, SHAPES };
   static const struct { double volume; size_t triangles, vertices, tagged[2]; } want[SHAPES] = {
     [BOX] = { 4096, 12, 8, { 12, 0 } },
-    [ELL] = { 3072, 20, 12, { 20, 0 } },      /* an L of 6 corners: 2 ends of 6 - 2, 6 sides of 2 */
-    [HALVES] = { 4096, 20, 12, { 10, 10 } },  /* each half: an end and 4 sides of 2; their common face is inside */
+    [ELL] = { 3072, 20, 12, { 20, 0 } },      /* an L with 6 corners: 2 ends of 6 - 2 triangles, 6 sides of 2 */
+    [HALVES] = { 4096, 20, 12, { 10, 10 } },  /* each half has an end and 4 sides of 2 triangles; their common face is
+                                               * inside */
   };
   const vs_affine turns[] = { vs_affine_identity(), vs_affine_rotation(vs_v3(0, 0, 0), vs_v3(0, 0, 1), .5), vs_affine_rotation(vs_v3(.3, -7, 2), vs_v3(1, 2.3, -.7), .6180339) };
   vs_mesh cube = { 0 };
@@ -389,7 +394,9 @@ static void test_cubes_become_one(void **state) {
         double longest = 0;
         for (int k = 0; k < 3; k++) v[k] = m.vertices[m.triangles[i][k]];
         for (int k = 0; k < 3; k++) longest = fmax(longest, vs_v3_length(vs_v3_sub(v[k], v[(k + 1) % 3])));
-        assert_true(vs_v3_length(vs_v3_cross(vs_v3_sub(v[1], v[0]), vs_v3_sub(v[2], v[0]))) > 2 * longest); /* the height is above 2: no sliver */
+        assert_true(vs_v3_length(vs_v3_cross(vs_v3_sub(v[1], v[0]), vs_v3_sub(v[2], v[0]))) > 2 * longest); /* the height is above 2, so
+                                                                                                             * the triangle is not a
+                                                                                                             * sliver */
         assert_true(m.tags[i] < 2);
         tagged[m.tags[i]]++;
       }
@@ -405,8 +412,9 @@ static void test_cubes_become_one(void **state) {
 static void test_touching_is_split(void **state) {
   (void)state;
   static const struct { const char *text; size_t vertices, triangles; } cases[] = {
-    { "(union (box 1 1 1) (translate 1 1 0 (box 1 1 1)))", 16, 24 },                          /* along an edge */
-    { "(union (box 1 1 1) (translate 1 1 1 (box 1 1 1)))", 16, 24 },                          /* at a corner */
+    { "(union (box 1 1 1) (translate 1 1 0 (box 1 1 1)))", 16, 24 },                          /* the boxes touch along an
+                                                                                               * edge */
+    { "(union (box 1 1 1) (translate 1 1 1 (box 1 1 1)))", 16, 24 },                          /* the boxes touch at a corner */
     { "(rotate 33 21 17 (union (box 1 1 1) (translate 1 1 0 (box 1 1 1))))", 16, 24 },
     { "(difference (box 4 4 4) (translate 1 1 1 (box 1 1 1)) (translate 2 2 1 (box 1 1 1)))", 0, 0 }, /* two cavities that touch along an edge */
     { "(difference (box 2 2 1) (translate 0 0 -1 (box 1 1 3)) (translate 1 1 -1 (box 1 1 3)))", 16, 24 },
@@ -439,7 +447,7 @@ static void test_identities(void **state) {
   assert_int_equal(triangles, 0);
   double va = volume_of(a, NULL), vb = volume_of(b, NULL);
   snprintf(text, sizeof text, "(union %s %s)", a, a);
-  near(volume_of(text, NULL), va, 1e-7); /* the kernel copies a lone solid, and rounds others to the grid */
+  near(volume_of(text, NULL), va, 1e-7); /* the kernel copies a lone solid, but rounds other solids to the grid */
   snprintf(text, sizeof text, "(union %s %s)", a, b);
   double both = volume_of(text, NULL);
   snprintf(text, sizeof text, "(intersection %s %s)", a, b);
@@ -461,8 +469,8 @@ static void test_thin_and_nested(void **state) {
   near(volume_of("(union (box 1 1 1) (translate 1 1 0 (box 1 1 1)) (translate 1 1 1 (scale -1 -1 -1 (box .5 .5 .5))))", &triangles), 2, 1e-12);
 }
 
-/* Where nothing meets a large leaf, the kernel copies its triangles; if the leaf occurs twice, it arranges all of them.
- * The results must be equal. */
+/* If no other leaf touches a large leaf, the kernel copies its triangles. If the leaf occurs twice, the kernel arranges
+ * all of them. The results must be equal. */
 static void test_plain(void **state) {
   (void)state;
 #define RING "(torus 10 3 32 16)"
@@ -472,15 +480,17 @@ static void test_plain(void **state) {
 #define WITHIN "(rotate 3 2 1 (torus 10 1 32 16))"
 #define LINK "(translate 10 0 0 (rotate 90 0 0 (torus 10 3 32 16)))"
 #define TWICE(x) "(union " x x ")"
-  static const char *const cases[][2] = { /* each case with each operand once and twice */
+  static const char *const cases[][2] = { /* each case has each operand once, and then twice */
     { "(difference " RING OTHER ")", "(difference " TWICE(RING) TWICE(OTHER) ")" },
     { "(scale -1 1 1 (intersection " RING OTHER "))", "(scale -1 1 1 (intersection " TWICE(RING) TWICE(OTHER) "))" },
     { "(union " RING "(scale -1 1 1 " BALL ") " BALL ")", "(union " TWICE(RING) "(scale -1 1 1 " BALL ") " BALL BALL "(scale -1 1 1 " BALL "))" },
     { "(difference " RING BALL ")", "(difference " TWICE(RING) TWICE(BALL) ")" },
     { "(difference " BALL RING ")", "(difference " TWICE(BALL) TWICE(RING) ")" },
-    { SPINDLE, TWICE(SPINDLE) },                                                        /* it intersects itself */
+    { SPINDLE, TWICE(SPINDLE) },                                                        /* a solid that intersects
+                                                                                         * itself */
     { "(difference (box 20 20 3) " SPINDLE ")", "(difference (box 20 20 3) " TWICE(SPINDLE) ")" },
-    { "(difference " RING WITHIN ")", "(difference " TWICE(RING) TWICE(WITHIN) ")" },   /* surfaces that nothing meets */
+    { "(difference " RING WITHIN ")", "(difference " TWICE(RING) TWICE(WITHIN) ")" },   /* surfaces that no other surface
+                                                                                         * intersects */
     { "(difference (scale 1 -1 1 " RING ") " WITHIN ")", "(difference " TWICE("(scale 1 -1 1 " RING ")") TWICE(WITHIN) ")" },
     { "(union (difference " RING WITHIN ") " LINK ")", "(union (difference " TWICE(RING) TWICE(WITHIN) ") " TWICE(LINK) ")" },
   };
@@ -502,8 +512,8 @@ static void test_plain(void **state) {
   }
 }
 
-/* A part that nothing touches is not rounded to a grid, star-shaped or not: a horseshoe with coordinates in thirds,
- * twice. */
+/* A part that touches no other part is not rounded to a grid, star-shaped or not. The test uses a horseshoe with
+ * coordinates in thirds, twice. */
 static void test_alone(void **state) {
   (void)state;
   static const double at[8][2] = { { 0, 0 }, { 3, 0 }, { 3, 3 }, { 2, 3 }, { 2, 1 }, { 1, 1 }, { 1, 3 }, { 0, 3 } };
@@ -561,7 +571,9 @@ static void test_edge_on_diagonal(void **state) {
   assert_true(sx_parse("(union (box 1 1 1) (box 2 2 2))", &p));
   vs_mesh *t = p.meshes[1];
   t->vertex_count = t->triangle_count = 0;
-  vertex(t, 0, 0, 1), vertex(t, 1, 1, 1), vertex(t, 1, 0, 2), vertex(t, 1, 0, 0); /* through the top of the box, with an edge on its diagonal */
+  vertex(t, 0, 0, 1), vertex(t, 1, 1, 1), vertex(t, 1, 0, 2), vertex(t, 1, 0, 0); /* the tetrahedron goes through the
+                                                                                   * top of the box, with an edge on its
+                                                                                   * diagonal */
   face(t, 0, 2, 1), face(t, 0, 1, 3), face(t, 1, 2, 3), face(t, 0, 3, 2);
   if (!vs_kernel_evaluate(&p.problem, NULL, &m, &e)) fail_msg("%s", e.message);
   check_mesh(&m);
@@ -570,15 +582,16 @@ static void test_edge_on_diagonal(void **state) {
   sx_free(&p);
 }
 
-/* An operand far larger than the place where it matters is clipped first: a grid for all of it would be too coarse for
- * the rest. */
+/* An operand far larger than the place where it has an effect is clipped first. A grid for the whole operand would be
+ * too coarse for the other operand. */
 static void test_far_larger(void **state) {
   (void)state;
   static const struct { const char *text; double volume; } cases[] = {
     { "(intersection (translate -5e5 -5e5 -1 (box 1e6 1e6 1)) (translate .1 .2 -.005 (box .01 .01 .01)))", 5e-7 },
     { "(difference (translate .1 .2 -.005 (box .01 .01 .01)) (translate -5e5 -5e5 -1 (box 1e6 1e6 1)))", 5e-7 },
     { "(rotate 33 21 17 (difference (translate .1 .2 -.005 (box .01 .01 .01)) (translate -5e5 -5e5 -1 (box 1e6 1e6 1))))", 5e-7 },
-    { "(difference (translate .1 .2 -.005 (box .01 .01 .01)) (rotate 33 21 17 (translate -5e5 -5e5 -5e5 (box 1e6 1e6 1e6))))", 0 }, /* the other operand is inside of it */
+    { "(difference (translate .1 .2 -.005 (box .01 .01 .01)) (rotate 33 21 17 (translate -5e5 -5e5 -5e5 (box 1e6 1e6 1e6))))", 0 }, /* the other operand is inside
+                                                                                                                                     * the large operand */
     { "(union (translate 3 0 0 (box .01 .01 .01)) (difference (translate .1 .2 -.005 (box .01 .01 .01)) (translate -5e5 -5e5 -1 (box 1e6 1e6 1))))", 1.5e-6 },
     { "(difference (translate .1 .2 -.005 (box .01 .01 .01)) (difference (cbox 1e6 1e6 2) (translate 0 0 -2 (box 1e6 1e6 4))))", 1e-6 },
   };
@@ -588,7 +601,8 @@ static void test_far_larger(void **state) {
   }
   static const char *const large[] = { "(translate 0 0 -1e4 (sphere 1e4 64))", "(rotate 10 20 30 (translate 3e3 0 0 (torus 3e3 1e3 40 20)))", "(rotate 5 5 5 (translate 0 0 -9e5 (cyl 9e5 5e5 1 31)))",
                                        "(difference (rotate 3 4 5 (cbox 1e5 1e5 1e5)) (rotate 1 1 1 (box 1e5 1e5 1e5)))" };
-  for (size_t i = 0; i < sizeof large / sizeof *large; i++) { /* difference and intersection together are the whole */
+  for (size_t i = 0; i < sizeof large / sizeof *large; i++) { /* difference and intersection together are the whole
+                                                               * operand */
     char text[400];
     static const char detail[] = "(translate .002 .003 0 (rotate 40 30 20 (cbox .02 .01 .03)))";
     snprintf(text, sizeof text, "(difference %s %s)", detail, large[i]);
@@ -599,7 +613,7 @@ static void test_far_larger(void **state) {
   }
 }
 
-/* The kernel's check of its result: right results pass; for a lost, doubled or reversed part it reports a failure. */
+/* Tests the kernel's check of its result. It accepts right results, and reports a lost, doubled or reversed part. */
 static void test_self_check(void **state) {
   (void)state;
   static const char *const texts[] = {
@@ -717,7 +731,7 @@ static void test_wide_and_deep(void **state) {
   free(operands);
 }
 
-/* Clusters that are copies are stored once, also those that are turned, mirrored or painted differently. */
+/* Clusters that are copies are stored once, including rotated, mirrored and differently painted copies. */
 static void test_copies(void **state) {
   (void)state;
   static const char one[] = "(difference (box 4 2 2) (translate 1 1 -1 (cyl 5 .5 .5 16)))";
@@ -741,11 +755,13 @@ static void test_copies(void **state) {
     sum += vs_mesh_volume(from) * fabs(vs_affine_determinant(&c.copies[i].place));
   }
   near(sum, vs_mesh_volume(&m), 1e-9);
-  vs_vec3 at = vs_affine_point(&c.copies[2].place, c.meshes[0].vertices[0]); /* the third's first vertex: a corner of its box */
+  vs_vec3 at = vs_affine_point(&c.copies[2].place, c.meshes[0].vertices[0]); /* first vertex of the third copy, which is
+                                                                              * a corner of its box */
   bool found = false;
   for (size_t i = 0; i < m.vertex_count; i++) found = found || vs_v3_length(vs_v3_sub(m.vertices[i], at)) < 1e-9;
   assert_true(found);
-  for (uint32_t i = 0; i < p.problem.leaf_count; i++) p.leaves[i].tag = i; /* tags that all mean one paint: they are still copies, with separate tags */
+  for (uint32_t i = 0; i < p.problem.leaf_count; i++) p.leaves[i].tag = i; /* all tags mean the same paint: the clusters
+                                                                            * are still copies, with separate tags */
   uint32_t paints[9] = { 0 };
   p.problem.paints = paints;
   m.vertex_count = m.triangle_count = 0;
@@ -761,7 +777,7 @@ static bool stop(void *context, double done) {
   return --*(int *)context > 0;
 }
 
-/* Checks that any number of threads gives the same bytes; returns the number of triangles. */
+/* Checks that any number of threads gives the same bytes. Returns the number of triangles. */
 static size_t by_threads(const vs_kernel_problem *problem) {
   vs_mesh m[3] = { { 0 } };
   for (uint32_t i = 0; i < 3; i++) {
@@ -780,20 +796,20 @@ static size_t by_threads(const vs_kernel_problem *problem) {
   return triangles;
 }
 
-/* Threads copy a part that touches nothing to its place, and copies too; clusters that need combining lie between
- * them. */
+/* Threads copy a part that touches no other part to its place. They also place copies. Clusters that must be combined
+ * lie between them. */
 static void test_places(void **state) {
   (void)state;
   char text[8000] = "(union";
-  for (int i = 0; i < 20; i++) { /* different spheres, equal ones that are turned, and pairs that overlap; every second
-                                  * pair is equal */
+  for (int i = 0; i < 20; i++) { /* different spheres, equal spheres that are rotated, and pairs that overlap; every
+                                  * second pair is equal */
     sprintf(text + strlen(text), " (translate %d 0 0 (sphere %g 48)) (translate %d 9 0 (rotate 0 0 %d (sphere 2 48)))", 9 * i, 2 + i * 0.0625, 9 * i, 90 * i);
     sprintf(text + strlen(text), " (translate %d 18 0 (rotate 0 0 %d (union (cbox 2 2 2) (translate 1 1 %g (cbox 2 2 2)))))", 9 * i, 90 * i, i % 2 ? 1.0 : 1 + i * 0.03125);
   }
   strcat(text, ")");
   sx_problem p;
   assert_true(sx_parse(text, &p));
-  for (uint32_t i = 0; i < p.problem.leaf_count; i += 5) p.leaves[i].placement.m[2][2] *= -1; /* some mirrored */
+  for (uint32_t i = 0; i < p.problem.leaf_count; i += 5) p.leaves[i].placement.m[2][2] *= -1; /* mirrors some of the leaves */
   assert_true(by_threads(&p.problem) > 40 * 48 * 40);
   sx_free(&p);
 }
@@ -854,7 +870,8 @@ static void test_errors(void **state) {
   vs_kernel_options limits = { .max_triangles = 10 };
   assert_false(vs_kernel_evaluate(&p.problem, &limits, &m, &e));
   assert_int_equal(e.status, VS_KERNEL_LIMIT);
-  for (size_t bytes = 1000; bytes < 3000000; bytes *= 3) { /* fails at another place each time, and frees all memory */
+  for (size_t bytes = 1000; bytes < 3000000; bytes *= 3) { /* the run fails at another point each time, and must free
+                                                            * all memory */
     limits = (vs_kernel_options){ .max_bytes = bytes };
     if (!vs_kernel_evaluate(&p.problem, &limits, &m, &e)) assert_int_equal(e.status, VS_KERNEL_LIMIT);
     else assert_true(bytes > 200000);
@@ -916,7 +933,7 @@ static void test_facets_stay_whole(void **state) {
   (void)state;
   static const struct {
     const char *text;
-    size_t triangles; /* 0: unknown, but fewer */
+    size_t triangles; /* 0: the number is unknown, but lower */
   } cases[] = {
     { "(difference (box 4 4 4) (translate 2 2 2 (rotate 33 21 17 (cbox 1 1 9))))", 32 },
     { "(difference (rotate 33 21 17 (box 4 4 4)) (translate 0 0 1 (box 1 1 9)) (rotate 33 21 17 (translate 9 0 0 (box 1 1 1))))", 0 },

@@ -1,4 +1,4 @@
-/* Owns the test that memory may run out anywhere in the kernel, in any of its threads: each request in turn is refused,
+/* Tests that memory may run out anywhere in the kernel, in any of its threads: each request in turn is refused,
  * once and for good. Each run succeeds or returns a named error; none hangs, and all memory is freed. A sample; LONG=1:
  * every request of four threads. */
 #include <setjmp.h>
@@ -16,7 +16,8 @@
 #include "tests/unit/allocator.h"
 #include "tests/unit/skip.h"
 
-static _Atomic long left = -1, live; /* requests until a refusal; negative: none. The number of blocks in use */
+static _Atomic long left = -1, live; /* left: number of requests until a refusal; negative: no refusal. live: number of
+                                      * blocks in use */
 static _Atomic bool refused, for_good;
 
 #if REPLACED
@@ -45,7 +46,7 @@ void free(void *p) {
 
 static bool again(void *context, double done) { return (void)context, done <= 1; }
 
-/* returns true if it succeeded. *why: the status */
+/* returns true if the run succeeded; *why is its status */
 static bool perform(const sx_problem *p, uint32_t threads, vs_kernel_status *why) {
   vs_kernel_options options = { .threads = threads, .progress = again };
   vs_kernel_error e = { VS_KERNEL_FINE, 0, "" };

@@ -1,4 +1,4 @@
-/* Owns the tests of lamp files and of the sun in panoramas: intensities and symmetries in closed form, randomly damaged
+/* Tests lamp files and of the sun in panoramas: intensities and symmetries in closed form, randomly damaged
  * files, and suns that the test paints into skies. */
 #include <math.h>
 #include <setjmp.h>
@@ -38,7 +38,7 @@ static void test_intensities(void **state) {
   near_to(vs_ies_candelas(&x, 91, 0), 0, 0);
   near_to(x.most, 1000, 0);
   vs_ies_free(&x);
-  /* a quarter, a half that begins at 90 degrees, and a lamp with equal intensity all round */
+  /* a quarter, a half that begins at 90 degrees, and a lamp with equal intensity in all horizontal directions */
   assert_true(reads(s, "TILT=NONE\n1 1 1 2 2 1 1 0 0 0 1 1 1 0 90 0 90 8 6 8 2", &x, &e));
   near_to(vs_ies_candelas(&x, 90, 135), 4, 1e-9);
   near_to(vs_ies_candelas(&x, 90, 180), 6, 1e-9);
@@ -79,7 +79,7 @@ static void test_wrong_files(void **state) {
     assert_false(reads(s, rows[i].text, &x, &e));
     assert_string_equal(e.message, rows[i].said);
   }
-  /* bytes changed, removed and cut off at random: an error or a lamp, and no memory is lost */
+  /* bytes changed, removed and cut off at random: the result is an error or a lamp, and no memory is lost */
   uint32_t seed = 1;
   for (int i = 0; i < 20000; i++) {
     char text[sizeof asymmetric];
@@ -107,7 +107,7 @@ static vs_vec3 towards(double azimuth, double altitude) {
   return vs_v3(sin(a) * cos(h), cos(a) * cos(h), sin(h));
 }
 
-/* Paints a sky that is bluer at the top, with a disc of half a degree in it; each pixel is the mean of SUB x SUB of its
+/* Paints a sky that is bluer at the top, with a disc of half a degree in it. Each pixel is the mean of SUB x SUB of its
  * points. */
 static void paint(vs_exr *x, vs_vec3 sun, double bright) {
   enum { SUB = 8 };
@@ -147,7 +147,8 @@ static void test_suns(void **state) {
     near_to(sun.light.z, 0.7 * bright * angle, 0.02 * bright * angle);
     float most = 0;
     for (size_t k = 0; k < (size_t)x.columns * x.rows; k++) most = fmaxf(most, vs_exr_find(&x, "B")[k]);
-    assert_true(most < 1.3); /* the sky has 0.9, and more below the horizon: only the sky remains */
+    assert_true(most < 1.3); /* the sky has 0.9, and more below the horizon; only the sky remains after removing the
+                              * sun */
     assert_false(vs_panorama_take_sun(&x, &sun));
     vs_exr_free(&x);
     assert_int_equal(vs_store_bytes(s), 0);
@@ -155,7 +156,7 @@ static void test_suns(void **state) {
   }
 }
 
-/* Tests a file with runs and with plain rows; a file that is cut off anywhere is an error. */
+/* Tests a file with runs and with plain rows. A file that is cut off at any byte must be an error. */
 static void test_radiance(void **state) {
   (void)state;
   unsigned char file[256];

@@ -1,4 +1,4 @@
-/* Owns the tests of the library's C procedures: each row is an expression of nested calls, and the text that it prints,
+/* Tests the library's C procedures: each row is an expression of nested calls, and the text that it prints,
  * or its error. A few lines of evaluator replace the compiler, so that these tests need only reader, natives and
  * printer. */
 #include <setjmp.h>
@@ -19,11 +19,11 @@
 #include "vm/machine/natives.def"
 #undef VS_NATIVES
 
-static vs_value names, input;        /* roots of the test: name -> procedure; the datum being evaluated */
+static vs_value names, input;        /* names: table from name to procedure. input: datum that is being evaluated */
 
 static bool define(vs_scheme *vm, void *table, vs_value symbol, vs_value procedure) { return vs_table_put(vm, *(vs_value *)table, symbol, procedure); }
 
-/* Recursion is as deep as the rows of this file nest. */
+/* The recursion is as deep as the rows of this file nest. */
 static bool eval(vs_scheme *vm, vs_value form, vs_value *out) {
   if (vs_is_symbol(form)) return vs_table_get(vm, names, form, out);
   if (!vs_is_pair(form)) return *out = form, true;
@@ -307,7 +307,7 @@ static uint64_t next(uint64_t *s) {
   return *s;
 }
 
-/* Random doubles are read back unchanged, and no text with a digit less is. */
+/* Tests that random doubles are read back unchanged, and that a text with one digit less is not. */
 static void round_trips(vs_scheme *vm) {
   uint64_t s = 88172645463325252u;
   for (int i = 0; i < 20000; i++) {
@@ -334,7 +334,7 @@ static void round_trips(vs_scheme *vm) {
   }
 }
 
-/* q * d + r = n with |r| < |d| for integers of many sizes */
+/* Tests that q * d + r = n with |r| < |d|, for integers of many sizes. */
 static void division(vs_scheme *vm) {
   uint64_t s = 1234567;
   VS_ROOTS(vm, r, 5);
@@ -409,7 +409,7 @@ static void cycles(vs_scheme *vm) {
   print_of(vm, r[0], VS_PRINT_WRITE, "#0=(1 1 . #0#)");
   print_of(vm, r[0], VS_PRINT_DISPLAY, "#0=(1 1 . #0#)");
   assert_true(vs_equal(vm, r[0], r[1], &same) && same);
-  /* shared, not circular: only write-shared prints labels */
+  /* shared but not circular, so only write-shared prints labels */
   assert_true(vs_cons(vm, vs_fix(7), VS_NIL, &r[2]) && vs_cons(vm, r[2], VS_NIL, &r[3]) && vs_cons(vm, r[2], r[3], &r[3]));
   print_of(vm, r[3], VS_PRINT_WRITE, "((7) (7))");
   print_of(vm, r[3], VS_PRINT_SHARED, "(#0=(7) #0#)");
@@ -417,7 +417,7 @@ static void cycles(vs_scheme *vm) {
   assert_true(vs_make_vector(vm, 2, vs_fix(3), &r[2]));
   vs_gc_store(vm, vs_as_vector(r[2]), &vs_as_vector(r[2])->at[1], r[2]);
   print_of(vm, r[2], VS_PRINT_WRITE, "#0=#(3 #0#)");
-  /* shared structure that doubles 60 times is a tree of 2^60 */
+  /* shared structure that doubles 60 times represents a tree of 2^60 nodes */
   r[2] = r[3] = VS_NIL;
   for (int i = 0; i < 60; i++) assert_true(vs_cons(vm, r[3], r[3], &r[3]) && vs_cons(vm, r[2], r[2], &r[2]));
   assert_true(vs_equal(vm, r[2], r[3], &same) && same);

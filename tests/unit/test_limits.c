@@ -1,4 +1,4 @@
-/* Owns the test that limits and interrupts end every long operation: builtins, reading, expanding, compiling. Each
+/* Tests that limits and interrupts end every long operation: builtins, reading, expanding, compiling. Each
  * ends soon after the request, with an error that names the right limit and has a place; the interpreter works
  * afterwards. */
 #include <math.h>
@@ -16,14 +16,16 @@
 #include "visualscheme.h"
 #include "vm/values/debug.h"
 
-/* processor time of the program, so that a busy machine does not matter */
+/* Returns processor time of the program, so that a busy machine does not matter. */
 static double now(void) {
   struct timespec t;
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
   return (double)t.tv_sec + (double)t.tv_nsec * 1e-9;
 }
 
-typedef struct { double ask_at, asked; char said[300]; unsigned line; } watch; /* ask_at: the time of the interrupt, 0: none; asked: the time at which it was first seen */
+typedef struct { double ask_at, asked; char said[300]; unsigned line; } watch; /* ask_at: time of the interrupt; 0: no
+                                                                                * interrupt. asked: time at which the
+                                                                                * interpreter first noticed it */
 
 static bool poll_watch(void *context) {
   watch *w = context;
@@ -155,7 +157,7 @@ static void test_interrupts(void **state) {
   vs_free(s);
 }
 
-/* The same under a limit of time, which the machine fails: the limit may also be reached while the data is prepared. */
+/* Tests the same work under a limit of time. The limit may also be reached while the data is prepared. */
 static void test_time(void **state) {
   (void)state;
   watch w;
@@ -208,7 +210,8 @@ static void test_memory(void **state) {
   vs_scheme *s = open_with(&w, (vs_options){ .limit_memory = 24u << 20 });
   for (size_t i = 0; i < sizeof hungry / sizeof *hungry; i++) {
     vs_outcome outcome = eval(s, &w, hungry[i]);
-    bool digits = outcome == VS_OUTCOME_MODEL && strstr(w.said, "million digits"); /* a number may reach the limit of digits first */
+    bool digits = outcome == VS_OUTCOME_MODEL && strstr(w.said, "million digits"); /* a number may reach the limit of
+                                                                                    * digits first */
     if ((outcome != VS_OUTCOME_MACHINE || !strstr(w.said, "memory")) && !digits) fail_msg("%s: ended with %d: %s", hungry[i], (int)outcome, w.said);
     if (w.line != 1) fail_msg("%s: no place: %s", hungry[i], w.said);
     goes_on(s, &w, hungry[i]);

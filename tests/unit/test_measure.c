@@ -1,4 +1,4 @@
-/* Owns the tests of bounds, of contains? and of measures: each against the others and against closed forms. */
+/* Tests bounds, of contains? and of measures: each against the others and against closed forms. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -14,7 +14,8 @@ static const double pi = 3.14159265358979323846;
 
 #define NODE(lower, upper, ...) vs_node_new(s, VS_##upper, &(struct vs_##lower){ __VA_ARGS__, 0 }, NULL, 0)
 
-static vs_node *over(vs_store *s, vs_kind kind, const void *data, vs_node *a, vs_node *b) { /* takes a and b over */
+static vs_node *over(vs_store *s, vs_kind kind, const void *data, vs_node *a, vs_node *b) { /* takes over the references to a
+                                                                                             * and b */
   vs_ref refs[2] = { { a, NULL }, { b, NULL } };
   vs_node *n = vs_node_new(s, kind, data, refs, b ? 2 : 1);
   vs_node_release(a);
@@ -24,14 +25,14 @@ static vs_node *over(vs_store *s, vs_kind kind, const void *data, vs_node *a, vs
 
 static vs_node *placed(vs_store *s, vs_affine a, vs_node *n) { return over(s, VS_TRANSFORM, &(struct vs_transform){ .matrix = a }, n, NULL); }
 
-static double drawn(uint64_t *seed) { /* xorshift: the same points in every run */
+static double drawn(uint64_t *seed) { /* returns a number by xorshift, the same in every run */
   *seed ^= *seed << 13;
   *seed ^= *seed >> 7;
   *seed ^= *seed << 17;
   return (double)(*seed >> 11) / 9007199254740992.0;
 }
 
-/* Checks that the share of 60,000 points of the bounds that are inside gives the volume, within four standard
+/* Returns the volume by 60,000 random points of the bounds, as the fraction that is inside. *deviation is four standard
  * deviations. */
 static double sampled_volume(const vs_node *n, double *deviation) {
   enum { POINTS = 60000 };
@@ -50,7 +51,7 @@ static double sampled_volume(const vs_node *n, double *deviation) {
   return share * box;
 }
 
-/* Mesh, formula, samples and bounds of one solid agree. Releases n. */
+/* Checks that mesh, formula, sample points and bounds of a solid agree. Releases n. */
 static void agree(vs_node *n, bool formula) {
   vs_mesh m = { 0 };
   vs_error e = { 0 };

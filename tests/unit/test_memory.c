@@ -1,4 +1,4 @@
-/* Owns the tests of the command's large blocks: contents survive growing, shrinking, and moving from the C library's
+/* Tests the command's large blocks: contents survive growing, shrinking, and moving from the C library's
  * blocks to mapped ones and back. */
 #include "cli/large_blocks.c"
 
@@ -10,7 +10,7 @@
 enum { BLOCKS = 12, TURNS = 3000 };
 typedef struct { unsigned char *at; size_t size; unsigned char mark; } block;
 
-/* Returns the distance between marked bytes: the test marks a block at both ends and at some places in between. */
+/* Returns the distance between marked bytes. The test marks a block at both ends and at some places in between. */
 static size_t step_of(size_t size) { return size / 61 + 1; }
 static void mark(block *b) {
   for (size_t i = 0; i < b->size; i += step_of(b->size)) b->at[i] = b->mark;
@@ -35,7 +35,8 @@ static void test_blocks(void **state) {
     block *b = &at[(random >> 16) % BLOCKS];
     random = random * 1664525 + 1013904223;
     static const size_t most[] = { 100, 1 << 16, HUGE_PAGE + 100, 9 << 20 };
-    resize(b, random >> 30 ? (random >> 4) % most[random >> 30] : b->size + (random >> 16) % 5000); /* or a little more */
+    resize(b, random >> 30 ? (random >> 4) % most[random >> 30] : b->size + (random >> 16) % 5000); /* a random size, or slightly
+                                                                                                     * more than the old size */
   }
   for (int i = 0; i < BLOCKS; i++) resize(&at[i], 0);
 }

@@ -1,4 +1,4 @@
-/* Owns the tests of reading mesh files and of repairing their meshes: one cube in every format, thousands of damaged
+/* Tests reading mesh files and of repairing their meshes: one cube in every format, thousands of damaged
  * copies of each, and broken solids. An argument multiplies the number of damaged copies. */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -17,7 +17,7 @@
 
 static size_t rounds = 1;
 
-static uint64_t drawn(uint64_t *seed) { /* xorshift: the same in every run */
+static uint64_t drawn(uint64_t *seed) { /* returns a number by xorshift, the same in every run */
   *seed ^= *seed << 13;
   *seed ^= *seed >> 7;
   *seed ^= *seed << 17;
@@ -40,7 +40,7 @@ static const unsigned char quads[6][4] = { { 0, 2, 3, 1 }, { 4, 5, 7, 6 }, { 0, 
 
 enum { SAMPLES = 9, WORD_STRIPS = 7, BYTE_STRIPS };
 
-/* Writes the cube as three strips of two sides each: a repeated corner reverses the strip's orientation, and -1 begins
+/* Writes the cube as three strips of two sides each. A repeated corner reverses the strip's orientation, and -1 begins
  * another strip. */
 static void put_strips(sample *s, bool bytes) {
   int32_t corners[32];
@@ -112,7 +112,7 @@ static sample make(int which) {
   return s;
 }
 
-/* Returns the volume of a list of triangles, which must be a closed chain. */
+/* Returns the volume enclosed by a list of triangles, which must be a closed chain. */
 static double chain_volume(const vs_face_list *l) {
   vs_mesh m = { 0 };
   for (size_t i = 0; i < l->point_count; i++) assert_true(vs_mesh_add_vertex(&m, l->points[i], NULL));
@@ -157,13 +157,13 @@ static void damaged_files(void **state) {
           case 3: memmove(s.bytes + at, s.bytes + at + 1, s.size - at - 1), s.size -= s.size > 1; break;
           case 4: s.bytes[at] = (unsigned char)"0123456789-. \nef"[drawn(&seed) % 16]; break;
           case 5: if (at + 4 < s.size) memset(s.bytes + at, drawn(&seed) % 2 ? 0xff : 0x7f, 4); break;
-          default: { /* a piece of the file is repeated at another place */
+          default: { /* repeats a piece of the file at another place */
             size_t from = (size_t)(drawn(&seed) % s.size), size = (size_t)(drawn(&seed) % 40);
             if (from + size < s.size && at + size < s.size) memmove(s.bytes + at, s.bytes + from, size);
           }
         }
       }
-      unsigned char *exact = malloc(s.size); /* of exact size, so that a sanitizer finds reads past the end */
+      unsigned char *exact = malloc(s.size); /* a block of exact size, so that a sanitizer finds reads past its end */
       memcpy(exact, s.bytes, s.size);
       vs_face_list l = { 0 };
       vs_error e = { 0 };
@@ -194,8 +194,8 @@ static vs_face_list list_of(const vs_mesh *m) {
   return l;
 }
 
-/* Balls with missing, reversed and duplicated faces, and with split vertices: after the repair, their volume is nearly
- * that of the ball. */
+/* Tests balls with missing, reversed and duplicated faces, and with split vertices. After the repair, the volume must
+ * be nearly that of the ball. */
 static void broken_solids(void **state) {
   (void)state;
   uint64_t seed = 5;
@@ -205,7 +205,7 @@ static void broken_solids(void **state) {
     assert_true(vs_solid_sphere(&ball, vs_v3(100, 0, 0), 1, 32));
     double volume = vs_mesh_volume(&ball);
     vs_face_list whole = list_of(&ball), l = { 0 };
-    if (round % 3 == 0) { /* a cavity */
+    if (round % 3 == 0) { /* adds a cavity */
       assert_true(vs_solid_sphere(&hollow, vs_v3(100, 0, 0), 0.5, 32));
       volume -= vs_mesh_volume(&hollow);
       for (size_t i = 0; i < hollow.triangle_count; i++) {

@@ -1,4 +1,4 @@
-/* Owns the tests of model/'s nodes: hashes, equality, deep trees, wide DAGs, materials, and a failure of each
+/* Tests model/'s nodes: hashes, equality, deep trees, wide DAGs, materials, and a failure of each
  * allocation. */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -20,7 +20,8 @@ static vs_node *sphere(vs_store *s, double x, double r) {
   return vs_node_new(s, VS_SPHERE, &data, NULL, 0);
 }
 
-static vs_node *both(vs_store *s, vs_kind kind, vs_node *a, vs_node *b) { /* takes the children over */
+static vs_node *both(vs_store *s, vs_kind kind, vs_node *a, vs_node *b) { /* takes over the references to the
+                                                                           * children */
   vs_ref refs[2] = { { a, NULL }, { b, NULL } };
   vs_node *n = a && b ? vs_node_new(s, kind, NULL, refs, 2) : NULL;
   vs_node_release(a);
@@ -102,7 +103,7 @@ static void two_hundred_thousand_deep(void **state) {
   vs_store_release(s);
 }
 
-/* 2^60 paths through 60 nodes: the comparison of two separately built ones must go by node */
+/* Tests 2^60 paths through 60 nodes. The comparison of two separately built graphs must compare each node once. */
 static void wide_dags_compare_by_node(void **state) {
   (void)state;
   vs_store *s = vs_store_new(NULL, NULL);
@@ -163,8 +164,9 @@ static void long_messages_are_cut_at_a_character(void **state) {
   assert_int_equal(strlen(e.message), 511);
 }
 
-/* Directions of pictures: a face deviates from the plane of its direction by at most 11.25 degrees in each direction.
- * The axes of the plane are perpendicular; seen from outside, the first points right when the second points up. */
+/* Tests the directions of pictures. A face deviates from the plane of its direction by at most 11.25 degrees in each
+ * direction. The axes of the plane are perpendicular. Seen from outside, the first axis points right when the second
+ * points up. */
 static void pictures_lie_by_directions(void **state) {
   (void)state;
   uint32_t seed = 7;
@@ -183,7 +185,7 @@ static void pictures_lie_by_directions(void **state) {
   double place[2];
   vs_picture_place(2, 1, 0, vs_picture_direction(0, -1, 0), (double[]){ 1, 7, 0.25 }, place); /* a wall to the south */
   assert_true(fabs(place[0] - 0.5) < 1e-12 && fabs(place[1] - 0.25) < 1e-12);
-  vs_picture_place(2, 1, 0, vs_picture_direction(0, 1, 0), (double[]){ 1, 7, 0.25 }, place); /* and to the north */
+  vs_picture_place(2, 1, 0, vs_picture_direction(0, 1, 0), (double[]){ 1, 7, 0.25 }, place); /* a wall to the north */
   assert_true(fabs(place[0] + 0.5) < 1e-12 && fabs(place[1] - 0.25) < 1e-12);
   vs_picture_place(2, 1, 90, vs_picture_direction(0, 0, 1), (double[]){ 1, 3, 7 }, place); /* a floor, rotated */
   assert_true(fabs(place[0] - 1.5) < 1e-12 && fabs(place[1] + 1) < 1e-12);

@@ -1,4 +1,4 @@
-/* Owns the tests of the passes: random drawings stay the same solids, and each pass has its intended effect. */
+/* Tests the passes: random drawings stay the same solids, and each pass has its intended effect. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -31,7 +31,8 @@ static vs_pass_stats run(vs_store *s, vs_ref *ref, unsigned passes) {
   return stats;
 }
 
-static vs_node *over(vs_store *s, vs_kind kind, const void *data, vs_node **kids, size_t count) { /* takes the kids over */
+static vs_node *over(vs_store *s, vs_kind kind, const void *data, vs_node **kids, size_t count) { /* takes over the references to
+                                                                                                   * the kids */
   vs_ref *refs = malloc((count + 1) * sizeof *refs);
   assert_non_null(refs);
   for (size_t i = 0; i < count; i++) refs[i] = (vs_ref){ kids[i], NULL };
@@ -131,7 +132,8 @@ static void placements_fold(void **state) {
   vs_store_release(s);
 }
 
-/* Checks the kind to which the map folds: for maps under which a kind is closed, and for others. Releases r. */
+/* Checks the kind to which a moved node is folded, for maps under which a kind is closed, and for other maps. Releases
+ * n. */
 static void folds_to(vs_store *s, vs_affine a, vs_node *n, vs_kind kind) {
   vs_ref r = { moved(s, a, n), NULL };
   vs_bounds before, after;
@@ -168,7 +170,8 @@ static void kinds_fold_under_what_they_are_closed_under(void **state) {
   folds_to(s, vs_affine_translation(vs_v3(1, 0, 0)), NODE(superellipsoid, SUPERELLIPSOID, 0.5, 0.5, 2, 0), VS_TRANSFORM);
   folds_to(s, larger, NODE(pyramid, PYRAMID, { 1, 2, 3 }, 2, 5, { 1, 4, 5 }, 1), VS_PYRAMID);
   folds_to(s, turn, NODE(arc, ARC, { 1, 2, 3 }, 2, 0.5, 2, 0), VS_ARC);
-  folds_to(s, turn, NODE(circle, CIRCLE, { 1, 2, 3 }, 2, 0), VS_TRANSFORM); /* it would begin at another point, which changes a sweep along it */
+  folds_to(s, turn, NODE(circle, CIRCLE, { 1, 2, 3 }, 2, 0), VS_TRANSFORM); /* the circle would begin at another point,
+                                                                             * which changes a sweep along it */
   vs_points *points = vs_points_new(s, heights, 4);
   folds_to(s, mirror, NODE(line, LINE, points, false), VS_LINE);
   folds_to(s, tilt, NODE(spline, SPLINE, points, false, { 0, 0, 0 }, { 0, 0, 0 }, 0), VS_SPLINE);
@@ -228,7 +231,7 @@ static void paint_rises(void **state) {
   for (int i = 0; i < 6; i++) kids[i] = painted(s, "red", layered(s, i < 4 ? "roof" : "wall", NODE(sphere, SPHERE, { i, 0, 0 }, 1, 0)));
   vs_ref r = { over(s, VS_UNION, NULL, kids, 6), NULL };
   vs_pass_stats stats = run(s, &r, 1 << VS_PASS_FOLD);
-  assert_int_equal(r.node->kind, VS_MATERIAL); /* one material for all six */
+  assert_int_equal(r.node->kind, VS_MATERIAL); /* a single material around all six */
   assert_true(stats.commands_before == 23 && stats.commands_after == 14);
   vs_node_release(r.node);
   for (int i = 0; i < 6; i++) kids[i] = painted(s, i == 2 ? "green" : "red", NODE(sphere, SPHERE, { i, 0, 0 }, 1, 0));
@@ -284,17 +287,17 @@ static void copies_become_a_template(void **state) {
   vs_pass_stats stats = run(s, &r, 1 << VS_PASS_SHARE);
   assert_int_equal(stats.changed[VS_PASS_SHARE], 48);
   assert_true(stats.commands_before == 49 * 5 + 48);
-  assert_true(stats.commands_after == 5 + 1 + 49 + 48 + 48); /* one column, its template, its uses, their placements,
-                                                              * the union */
+  assert_true(stats.commands_after == 5 + 1 + 49 + 48 + 48); /* commands of a column, its template, its uses, their
+                                                              * placements, the union */
   assert_true(vs_node_bounds(r.node, &after, NULL));
   assert_true(vs_v3_length(vs_v3_sub(before.max, after.max)) < 1e-9 && vs_v3_length(vs_v3_sub(before.min, after.min)) < 1e-9);
   vs_node_release(r.node);
   vs_store_release(s);
 }
 
-/* A tree that is written again at other places has other last bits, and some of its numbers fall on either side of any
- * rounding step. */
-/* Returns a strip of 40 points, whose last is displaced by `off`, with two holes. */
+/* A tree that is written again at other places differs in the last bits of its numbers. Some of them fall on different
+ * sides of any rounding step. */
+/* Returns a strip of 40 points with two holes. The last point is displaced by `off`. */
 static vs_node *strip(vs_store *s, double x, double off) {
   enum { POINTS = 40 };
   vs_vec3 at[POINTS];
@@ -375,14 +378,14 @@ static void turned_copies_become_a_template(void **state) {
   vs_store *s = vs_store_new(NULL, NULL);
   vs_node *all[14];
   for (int i = 0; i < 12; i++) all[i] = brace(s, 3, 6.283185307179586 / 12 * i, i % 3 == 2, 0.3);
-  all[12] = brace(s, 3, 1, false, 0.3001); /* these are different: another radius, a mirrored part */
+  all[12] = brace(s, 3, 1, false, 0.3001); /* different parts: another radius, a mirrored part */
   all[13] = two(s, VS_UNION, brace(s, 3, 2, false, 0.3), NODE(sphere, SPHERE, { 0, 0, 0 }, 1, 0));
   vs_ref r = { over(s, VS_UNION, NULL, all, 14), NULL };
   vs_bounds before, after;
   assert_true(vs_node_bounds(r.node, &before, NULL));
   vs_inside *was = vs_inside_new(r.node, NULL);
   vs_pass_stats stats = run(s, &r, 1 << VS_PASS_SHARE);
-  assert_int_equal(stats.changed[VS_PASS_SHARE], 12); /* the eleven, and the one within the last */
+  assert_int_equal(stats.changed[VS_PASS_SHARE], 12); /* the eleven parts, and the part inside the last */
   const vs_node *first = r.node->children[0].node;
   for (int i = 1; i < 12; i++) {
     const vs_node *n = r.node->children[i].node;
@@ -391,7 +394,7 @@ static void turned_copies_become_a_template(void **state) {
     assert_true((vs_affine_determinant(&VS_AS(transform, n)->matrix) < 0) == (i % 3 == 2));
   }
   const vs_affine *quarter = &VS_AS(transform, r.node->children[3].node)->matrix;
-  assert_true(quarter->m[0][0] == 0 && quarter->m[0][1] == -1 && quarter->m[1][0] == 1 && quarter->m[2][2] == 1); /* exact */
+  assert_true(quarter->m[0][0] == 0 && quarter->m[0][1] == -1 && quarter->m[1][0] == 1 && quarter->m[2][2] == 1); /* a quarter turn is exact */
   assert_int_equal(r.node->children[12].node->kind, VS_UNION);
   assert_true(vs_node_bounds(r.node, &after, NULL)); /* a turned set has the bounds of its parts, not of a turned box */
   assert_true(vs_v3_length(vs_v3_sub(before.max, after.max)) < 1e-9 && vs_v3_length(vs_v3_sub(before.min, after.min)) < 1e-9);
@@ -452,7 +455,7 @@ static void large_sets_become_trees_of_boxes(void **state) {
   assert_true(vs_sets_group(s, &r, 1, &o, NULL));
   const vs_node *cut = r.node->children[0].node;
   assert_int_equal(cut->kind, VS_DIFFERENCE);
-  assert_int_equal(cut->child_count, 3); /* the minuend, the painted cutter, all other cutters */
+  assert_int_equal(cut->child_count, 3); /* the minuend, the painted cutter, and all other cutters as one */
   assert_int_equal(cut->children[1].node->kind, VS_MATERIAL);
   vs_ref level[64] = { cut->children[2] };
   size_t open = 1, leaves = 0;
@@ -551,7 +554,7 @@ static void random_solids_stay_what_they_are(void **state) {
     run(s, &r, round % 2 ? ALL : 1u << (round / 2 % VS_PASS_COUNT));
     vs_inside *after = vs_inside_new(r.node, NULL);
     assert_true(before && after);
-    for (int i = 0; i < 400; i++) { /* not at the common corners of the solids, where rounding decides */
+    for (int i = 0; i < 400; i++) { /* points that are not at common corners of the solids, where rounding decides */
       vs_vec3 p = { real(&seed) * 1.3 + 0.0137, real(&seed) * 1.3 + 0.0171, real(&seed) * 1.3 + 0.0113 };
       bool was = vs_inside_test(before, p);
       inside += was;
@@ -580,7 +583,7 @@ static void deep_trees_and_short_memory(void **state) {
   r.node = random_tree(s, &seed);
   vs_node *was = r.node;
   bool done = false;
-  for (size_t n = 1; !done; n++) { /* every allocation fails in turn: then the drawing is unchanged, and no memory is
+  for (size_t n = 1; !done; n++) { /* every allocation fails in turn; the drawing is then unchanged, and no memory is
                                     * lost */
     vs_pass_options o = { ALL, NULL, NULL };
     vs_error e = { 0 };

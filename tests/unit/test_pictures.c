@@ -1,4 +1,4 @@
-/* Owns the tests of geometry/pictures and of EXR files: tone curves against the published values, exposure by the
+/* Tests geometry/pictures and of EXR files: tone curves against the published values, exposure by the
  * histogram, measures of difference against closed forms, noise and edges, files that are cut short or changed. */
 #include <math.h>
 #include <setjmp.h>
@@ -33,7 +33,7 @@ static int grey(vs_tone_curve curve, double stops, float x) {
   return rgb[1];
 }
 
-/* IEC 61966-2-1: middle grey is 118 (0.4613 of 255), .0031308 the end of the straight part. */
+/* IEC 61966-2-1: middle grey is 118 (0.4613 of 255), and .0031308 is the end of the straight part. */
 static void test_linear(void **state) {
   (void)state;
   assert_int_equal(grey(VS_TONE_LINEAR, 0, 0.18f), 118);
@@ -43,7 +43,7 @@ static void test_linear(void **state) {
   assert_int_equal(grey(VS_TONE_LINEAR, 0, -7), 0);
 }
 
-/* Every screen value is the nearest one to the standard's formula, also for dark values in its linear part. */
+/* Tests that every screen value is the nearest to the standard's formula, including dark values in its linear part. */
 static void test_screen(void **state) {
   (void)state;
   for (int i = 0; i <= 200000; i++) {
@@ -55,16 +55,16 @@ static void test_screen(void **state) {
   }
 }
 
-/* Khronos: a value below .76 changes only by .04, the reflection of dielectrics; a peak of 1.72 above that is
- * compressed to 1 - .24^2 / (1.72 + .24 - .76) = .952. */
+/* The curve of Khronos. A value below .76 decreases only by .04, the reflection of dielectrics. A peak of 1.72 above
+ * that is compressed to 1 - .24^2 / (1.72 + .24 - .76) = .952. */
 static void test_neutral(void **state) {
   (void)state;
   unsigned char rgb[3];
-  assert_int_equal(grey(VS_TONE_NEUTRAL, 0, 0.54f), 188); /* .5 */
+  assert_int_equal(grey(VS_TONE_NEUTRAL, 0, 0.54f), 188); /* the value .5 */
   assert_int_equal(grey(VS_TONE_NEUTRAL, 0, 1.76f), 250);
   screen(VS_TONE_NEUTRAL, 0, 0.5f, 0.08f, 0.08f, rgb);
-  assert_int_equal(rgb[0], 181); /* .46 */
-  assert_int_equal(rgb[1], 56);  /* .04 */
+  assert_int_equal(rgb[0], 181); /* the value .46 */
+  assert_int_equal(rgb[1], 56);  /* the value .04 */
   assert_in_range(grey(VS_TONE_NEUTRAL, 0, 1000), 254, 255);
 }
 
@@ -79,7 +79,7 @@ static void test_filmic(void **state) {
   assert_int_equal(grey(VS_TONE_FILMIC, 0, 0), 0);
 }
 
-/* AgX covers ten stops below middle grey and 6.5 above: values outside are black and white. */
+/* AgX covers ten stops below middle grey and 6.5 above. Values outside are black and white. */
 static void test_agx(void **state) {
   (void)state;
   int last = -1;
@@ -93,7 +93,7 @@ static void test_agx(void **state) {
   assert_in_range(grey(VS_TONE_AGX, 0, 0.18f), 90, 120);
 }
 
-/* The exposure compensates a gain of light, for every curve: the picture is the same. */
+/* Tests that the exposure compensates a gain of light, for every curve, so that the picture does not change. */
 static void test_exposure(void **state) {
   (void)state;
   enum { COUNT = 1000 };
@@ -109,7 +109,7 @@ static void test_exposure(void **state) {
   }
 }
 
-/* Light without pixels, NaN and infinities. */
+/* Tests light without pixels, with NaN and with infinities. */
 static void test_odd_light(void **state) {
   (void)state;
   float at[3] = { NAN, INFINITY, -INFINITY };
@@ -135,7 +135,7 @@ static double chance(uint32_t *seed) {
   return (*seed >> 8) / 16777216.0;
 }
 
-/* Makes two fields of paint, grey 0.2 and 0.8, with noise in their light; the layers are without noise. */
+/* Makes a picture of two areas of paint, grey 0.2 and 0.8. Their light has noise, but the layers have none. */
 static void make_picture(vs_store *store, vs_exr *x, double noise) {
   static const char *const names[] = { "R", "G", "B", "albedo.R", "albedo.G", "albedo.B", "N.X", "N.Y", "N.Z" };
   vs_error e = { VS_ERROR_NONE, NULL, "" };
@@ -176,7 +176,7 @@ static void test_exr_round_trip(void **state) {
   for (size_t i = 0; i < PIXELS; i++)
     assert_true(fabsf(vs_exr_find(&y, "R")[i] - vs_exr_find(&x, "R")[i]) <= vs_exr_find(&x, "R")[i] / 1024);
   vs_exr_free(&y);
-  /* a file that is shortened at any length, or randomly changed, gives a picture or a message */
+  /* a file that is cut off at any length, or randomly changed, gives a picture or a message */
   unsigned char *copy = malloc(size);
   for (size_t n = 0; n < size; n += n < 1000 ? 1 : 37) {
     e = (vs_error){ VS_ERROR_NONE, NULL, "" };
@@ -200,7 +200,7 @@ static void test_exr_round_trip(void **state) {
   vs_store_release(store);
 }
 
-/* All 65,536 half floats have the values of IEEE 754. */
+/* Tests that all 65,536 half floats have the values of IEEE 754. */
 static void test_halves(void **state) {
   (void)state;
   enum { SIDE = 256 };
@@ -228,7 +228,7 @@ static void test_halves(void **state) {
   vs_store_release(store);
 }
 
-/* Pixels written as PNG are read back unchanged: noise, and a picture of a single pixel. */
+/* Tests that pixels written as PNG are read back unchanged: noise, and a picture of a single pixel. */
 static void test_png(void **state) {
   (void)state;
   vs_store *store = vs_store_new(NULL, NULL);
@@ -263,7 +263,7 @@ static double spread(const float *at, uint32_t from, uint32_t to) {
   return sqrt(fmax(squares / n - sum / n * (sum / n), 0)) / (sum / n);
 }
 
-/* Noise falls to a quarter or less, and the edge of the paint stays in place. */
+/* Tests that noise decreases to a quarter or less, and that the edge of the paint stays in place. */
 static void test_denoise(void **state) {
   (void)state;
   vs_store *store = vs_store_new(NULL, NULL);
@@ -286,7 +286,8 @@ static void test_denoise(void **state) {
   vs_store_release(store);
 }
 
-/* A constant difference of .1 is 20 dB; equal pictures are reported as equal; noise lowers the similarity. */
+/* Tests that a constant difference of .1 is 20 dB, that equal pictures are reported as equal, and that noise lowers the
+ * similarity. */
 static void test_gap(void **state) {
   (void)state;
   vs_store *store = vs_store_new(NULL, NULL);
@@ -309,7 +310,7 @@ static void test_gap(void **state) {
   vs_store_release(store);
 }
 
-/* The ends of the scale, its steps, and numbers outside. */
+/* Tests the ends of the scale, its steps, and numbers outside the scale. */
 static void test_false_color(void **state) {
   (void)state;
   float at[1000];
@@ -326,7 +327,7 @@ static void test_false_color(void **state) {
   assert_memory_equal(rgb, high, 3);
   vs_false_color(&s, NAN, rgb);
   assert_memory_equal(rgb, low, 3);
-  assert_true(high[0] > 2 * high[2] && low[0] < 60 && low[1] < 60); /* red, dark */
+  assert_true(high[0] > 2 * high[2] && low[0] < 60 && low[1] < 60); /* the high end is red, the low end dark */
   vs_color_scale steps = { .least = 0, .most = 10, .steps = 5, .unit = "h" };
   vs_false_color(&steps, 0.1, low);
   vs_false_color(&steps, 1.9, rgb);
@@ -337,7 +338,8 @@ static void test_false_color(void **state) {
 
 /* ---- rays ---- */
 
-/* A ray in the plane of a box's side meets the box if it runs along that side; a ray beside it does not. */
+/* Tests that a ray in the plane of a box's side hits the box if it runs along that side, and that a ray beside it does
+ * not. */
 static void test_ray_box(void **state) {
   (void)state;
   vs_bounds b = { vs_v3(0, 0, 0), vs_v3(1, 2, 3) };
@@ -352,7 +354,8 @@ static void test_ray_box(void **state) {
   }
 }
 
-/* The tree finds the hits that a test of every triangle finds, for triangles of all sizes and for many in one place. */
+/* Tests that the tree finds the hits that a test of every triangle finds, for triangles of all sizes and for many at
+ * the same place. */
 static void test_ray_tree(void **state) {
   (void)state;
   vs_store *store = vs_store_new(NULL, NULL);
@@ -415,10 +418,11 @@ static void test_openness(void **state) {
   const struct { vs_surrounding round; vs_vec3 from, normal; double open; } cases[] = {
     { { &none, -INFINITY, 1 }, vs_v3(0, 0, 0), vs_v3(0, 0, 1), 1 },
     { { &none, 0, 1e9 }, vs_v3(0, 0, 1), vs_v3(1, 0, 0), 0.5 },        /* a wall on an infinite ground */
-    { { &none, 0, 1e9 }, vs_v3(0, 0, 1), vs_v3(0, 0, -1), 0 },         /* its underside */
+    { { &none, 0, 1e9 }, vs_v3(0, 0, 1), vs_v3(0, 0, -1), 0 },         /* the underside of a wall on an infinite
+                                                                        * ground */
     { { &t, -INFINITY, 2 }, vs_v3(0, 0, 0), vs_v3(0, 0, 1), 1 - (acos(0.5) - 0.5 * sqrt(0.75)) / acos(-1) },
     { { &t, -INFINITY, 1e9 }, vs_v3(-1, 0, 0), vs_v3(0, 0, 1), 1 - 0.5 * (1 - 2 / sqrt(8)) },
-    { { &t, -INFINITY, 0.9 }, vs_v3(0, 0, 0), vs_v3(0, 0, 1), 1 },     /* too far away to matter */
+    { { &t, -INFINITY, 0.9 }, vs_v3(0, 0, 0), vs_v3(0, 0, 1), 1 },     /* a surface too far away to have an effect */
   };
   for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
     double sum = 0;

@@ -1,6 +1,6 @@
-/* Owns the property that every pass keeps a drawing: each pass alone, each set of passes and all of them keep the drawn
- * points, the place of each part, its paint, and its origin. A sample of random drawings, or with LONG=1 five thousand.
- * The test shrinks a drawing as long as it fails, and prints it. SEED=n runs that one alone. */
+/* Tests the property that every pass keeps a drawing: each pass alone, each set of passes and all of them keep the
+ * drawn points, the place of each part, its paint, and its origin. A sample of random drawings, or with LONG=1 five
+ * thousand. The test shrinks a drawing as long as it fails, and prints it. SEED=n runs that one alone. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -89,7 +89,8 @@ static bool differs(void *context, const drawing *d) {
     t->close += close;
   }
   double v[2], area[2];
-  if (t->volume && mesh_volume(d, &v[0], &area[0])) { /* a kind without a mesh (an xline, a section) has none in both */
+  if (t->volume && mesh_volume(d, &v[0], &area[0])) { /* a drawing without a mesh (an xline, a section) has no mesh
+                                                       * before and after the passes */
     t->volumes++;
     if (!mesh_volume(&after, &v[1], &area[1])) {
       snprintf(t->why, sizeof t->why, "it has no mesh any more");
@@ -160,7 +161,7 @@ static void passes_keep_what_is_drawn(void **state) {
             t.changed[0], t.changed[1], t.changed[2], t.changed[3]);
   assert_int_equal(bad, 0);
   if (count == 1) return;
-  /* the run has compared enough */
+  /* checks that the run has compared enough */
   assert_true(t.looked > 5 * t.drawings && t.inside * 10 > t.points && t.close * 2000 < t.points && t.volumes * 40 > t.drawings);
   for (int k = 0; k < VS_PASS_COUNT; k++) assert_true(t.changed[k] > count / 2);
 }

@@ -1,4 +1,4 @@
-/* Owns the property that solids keep for any program: a model of any kinds (tests/oracle/models.h), placed, nearly
+/* Tests the property that solids keep for any program: a model of any kinds (tests/oracle/models.h), placed, nearly
  * copied and combined, ends with an error of the model, or has all of these:
  *   - a closed mesh without self-intersections, as doubles (.off has 12 digits) and as 32-bit numbers (.stl), unless the
  *     writer warns;

@@ -1,4 +1,4 @@
-/* Owns the property that an object is the same for every way to inspect it. The programs place the samples of every
+/* Tests the property that an object is the same for every way to inspect it. The programs place the samples of every
  * kind and of every constructor (tests/oracle/paths.h) in every way and on both sides of every set:
  *
  *   - (volume o), the volume of the written mesh, the volume of the mesh written without passes, (contains? o p) and
@@ -18,16 +18,16 @@ enum { PLACES = 12 };
 static const char samples_file[] = "tests/cross/shapes.vs";
 
 typedef struct {
-  bool solid, drawn;            /* o is a solid; its mesh was written */
-  double volume;                /* NAN: no volume */
-  double low[3], high[3], size; /* corners of the bounds; size is their diagonal */
-  char told[TEXT];              /* all answers, as text */
-  char error[600];              /* the reason why nothing was written */
+  bool solid, drawn;            /* solid: whether o is a solid. drawn: whether its mesh was written */
+  double volume;                /* volume of o; NAN: it has none */
+  double low[3], high[3], size; /* low, high: corners of the bounds. size: their diagonal */
+  char told[TEXT];              /* all answers as text */
+  char error[600];              /* reason why nothing was written */
   written mesh;
 } looks;
 
 typedef struct {
-  trial kept, bare; /* with a cache; without a cache */
+  trial kept, bare; /* kept: interpreter with a cache. bare: interpreter without a cache */
   char why[900];
   size_t made, late, refused, flat, compared, nothing, points, inside;
 } paths;

@@ -1,4 +1,4 @@
-/* Owns the test that a sweep is the union of all positions of its profile, for all bends, twists and overlaps with
+/* Tests that a sweep is the union of all positions of its profile, for all bends, twists and overlaps with
  * itself.
  *
  * Random profiles move along random paths, with random twists, scales and base points; most of them overlap. The
@@ -59,24 +59,24 @@ static vs_node *profile(vs_store *s, dice *d, double r) {
   vs_vec3 at[12];
   switch (any(d, 6)) {
   case 0: return NODE(circle, CIRCLE, { 0, 0, 0 }, r, 0);
-  case 1: { /* a regular polygon */
+  case 1: { /* makes a regular polygon */
     int n = 3 + any(d, 6);
     for (int i = 0; i < n; i++) at[i] = vs_v3(r * cos(2 * pi * i / n), r * sin(2 * pi * i / n), 0);
     return through(s, VS_LINE, at, (size_t)n, true);
   }
-  case 2: { /* a star: not convex */
+  case 2: { /* makes a star, which is not convex */
     int n = 6 + 2 * any(d, 3);
     for (int i = 0; i < n; i++) at[i] = vs_v3(r * (i % 2 ? .4 : 1) * cos(2 * pi * i / n), r * (i % 2 ? .4 : 1) * sin(2 * pi * i / n), 0);
     return through(s, VS_LINE, at, (size_t)n, true);
   }
-  case 3: { /* a frame: with a hole */
+  case 3: { /* makes a frame, which has a hole */
     double w = between(d, r, 2 * r), h = between(d, r, 2 * r);
     vs_ref loops[] = { { rectangle(s, 0, 0, w, h), NULL }, { rectangle(s, w * .2, h * .2, w * .5, h * .6), NULL } };
     vs_node *region = vs_node_new(s, VS_REGION, NULL, loops, 2);
     for (int i = 0; i < 2; i++) vs_node_release(loops[i].node);
     return region;
   }
-  case 4: { /* an L */
+  case 4: { /* makes an L */
     double w = between(d, r, 2 * r), h = between(d, r, 2 * r), t = between(d, .1, .6) * r;
     vs_vec3 l[] = { { 0, 0, 0 }, { w, 0, 0 }, { w, t, 0 }, { t, t, 0 }, { t, h, 0 }, { 0, h, 0 } };
     return through(s, VS_LINE, l, 6, true);
@@ -92,7 +92,7 @@ static vs_node *path(vs_store *s, dice *d) {
   if (which == 0) return NODE(circle, CIRCLE, { 0, 0, 0 }, between(d, .2, 2), 0);
   if (which == 1) return NODE(arc, ARC, { 0, 0, 0 }, between(d, .2, 2), 0, between(d, 1, 6), 0);
   for (int i = 0; i < n; i++) {
-    bool good = false; /* no two neighbours nearly coincide */
+    bool good = false; /* whether no two neighbouring points nearly coincide */
     while (!good) {
       at[i] = vs_v3(between(d, -2, 2), between(d, -2, 2), flat ? 0 : between(d, -2, 2));
       good = (!i || vs_v3_length(vs_v3_sub(at[i], at[i - 1])) > .3) && (i + 1 < n || vs_v3_length(vs_v3_sub(at[i], at[0])) > .3);
@@ -105,7 +105,7 @@ static vs_node *sweep(vs_store *s, uint64_t seed) {
   dice d = { seed * 7919 };
   struct vs_sweep data = { .scale = any(&d, 3) ? 1 : between(&d, 0, 2), .twist = any(&d, 2) ? 0 : any(&d, 4) ? between(&d, -6, 6) : pi / 2 * any(&d, 5) };
   double r = between(&d, 0, 1);
-  r = .05 + r * r * 1.2; /* thin ones as well */
+  r = .05 + r * r * 1.2; /* includes thin profiles */
   vs_ref children[2] = { { profile(s, &d, r), NULL }, { NULL, NULL } };
   children[1].node = path(s, &d);
   if (any(&d, 6) == 0) data.has_base = true, data.base = vs_v3(between(&d, -r, r), between(&d, -r, r), 0);
@@ -141,7 +141,7 @@ static double from_surface(const vs_mesh *m, vs_vec3 p) {
 
 /* ---- the trial ---- */
 
-/* most: sweeps with more triangles are skipped; 0: none is */
+/* most: sweeps with more triangles are skipped; 0: no sweep is skipped */
 typedef struct { size_t most, sweeps, overlapping, points, inside, met, refused, wrong; double furthest; } tally;
 
 /* Returns the number of triangles that intersect after rounding to these numbers. */
@@ -160,7 +160,7 @@ static double now(void) {
   return (double)t.tv_sec + (double)t.tv_nsec * 1e-9;
 }
 
-/* With TELL=1, prints the sweep before the test, so that the output also names a sweep that takes too long. */
+/* With TELL=1, prints the sweep before the test, so that the output also shows a sweep that takes too long. */
 static void describe(const vs_node *n, uint64_t seed) {
   const struct vs_sweep *w = VS_AS(sweep, n);
   const vs_node *curve = n->children[1].node;
@@ -181,7 +181,7 @@ static size_t triangles(const vs_node *n, const vs_fineness *f) {
   return count;
 }
 
-/* Tests the sweep of this seed; why: the fault, "" for none. */
+/* Tests the sweep of this seed. Writes the fault to why, "" if there is none. */
 static void look(vs_store *s, uint64_t seed, tally *t, char why[600]) {
   double begun = now();
   vs_error e = { 0 };
@@ -257,7 +257,8 @@ static void sweeps_are_where_the_profile_was(void **state) {
             t.furthest, t.wrong, t.refused, t.met);
   assert_int_equal(t.wrong, 0);
   assert_true(t.refused * 20 <= t.overlapping || seeds.to - seeds.from < 20);
-  if (seeds.to - seeds.from > 20) assert_true(t.overlapping * 3 > t.sweeps && t.inside * 40 > t.points); /* the run has tested enough */
+  if (seeds.to - seeds.from > 20) assert_true(t.overlapping * 3 > t.sweeps && t.inside * 40 > t.points); /* checks that the run has tested
+                                                                                                          * enough */
 }
 
 int main(void) {

@@ -1,9 +1,9 @@
-/* Owns the test that every request for memory may be refused, in some forty programs: every kind of object, every form
+/* Tests that every request for memory may be refused, in some forty programs: every kind of object, every form
  * of the language, every format. Each request in turn (of the later ones a sample) is refused, once and for good:
  * objects of the heap, requests of the interpreter to its host, and requests of geometry and the libraries below it
  * (GEOS, FreeType, libzip) to the C library. The run ends cleanly or writes the very same bytes, the interpreter works
  * afterwards, and all memory is freed. */
-#define _DEFAULT_SOURCE /* mkdtemp */
+#define _DEFAULT_SOURCE /* for mkdtemp */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -22,9 +22,10 @@
 #include "tests/unit/allocator.h"
 #include "vm/values/gc.h"
 
-/* left counts down to the refused request; good: all later requests are refused too */
+/* left: counts down to the refused request. good: whether all later requests are refused too */
 typedef struct { long left; bool on, good, refused; } refusal;
-static refusal host, library; /* requests to the host's callback; to the C library's allocator */
+static refusal host, library; /* host: requests to the host's callback. library: requests to the C library's
+                               * allocator */
 
 static bool refuse(refusal *r) {
   if (!r->on) return false;
@@ -55,7 +56,7 @@ static void *take(void *context, void *old, size_t old_size, size_t new_size) {
     return NULL;
   }
   if (new_size > old_size && refuse(&host)) return NULL;
-  void *p = __libc_realloc(old, new_size); /* not the replaced one, since the request is counted as the host's */
+  void *p = __libc_realloc(old, new_size); /* not the replaced function, because the request is counted as the host's */
   assert_non_null(p);
   if (!old) b->blocks++;
   b->live += new_size - old_size;
@@ -68,7 +69,7 @@ static void told(void *context, const vs_diagnostic *d) {
   if (d->severity == VS_SEVERITY_ERROR) snprintf(b->said, sizeof b->said, "%s", d->message);
 }
 static bool drop(void *context, const char *text, size_t length) { return (void)context, (void)text, (void)length, true; }
-static bool sum_bytes(void *context, const void *bytes, size_t count) { /* FNV-1a */
+static bool sum_bytes(void *context, const void *bytes, size_t count) { /* the hash FNV-1a */
   uint64_t *sum = context;
   for (size_t i = 0; i < count; i++) *sum = (*sum ^ ((const unsigned char *)bytes)[i]) * UINT64_C(0x100000001B3);
   return true;
@@ -146,7 +147,7 @@ static vs_outcome perform(vs_scheme *s, const program *p, uint64_t *sum) {
   return outcome == VS_OUTCOME_DONE ? vs_write_drawing_to(s, p->format, NULL, sum_bytes, sum) : outcome;
 }
 
-/* the ending of a program without a refusal */
+/* The result of a program without a refusal. */
 typedef struct { vs_outcome outcome; uint64_t sum; char said[200]; } ending;
 
 static void refuse_in(vs_scheme *s, account *b, size_t which, int way, const ending *w) {
@@ -154,7 +155,7 @@ static void refuse_in(vs_scheme *s, account *b, size_t which, int way, const end
   uint64_t wanted_sum = w->sum;
   uint64_t sum;
   const program *p = &programs[which];
-  long most = which % 4 == 0 ? 40 : 12; /* each of the first requests, then fewer and fewer */
+  long most = which % 4 == 0 ? 40 : 12; /* tests each of the first requests, then fewer and fewer */
   for (long n = 0;; n += n < most ? 1 : 1 + n / 5) {
     b->said[0] = 0;
     int before = b->told;
@@ -188,7 +189,8 @@ static void test_programs(void **state) {
     vs_scheme *s = vs_new(&o);
     assert_non_null(s);
     ending plain = { 0 };
-    vs_outcome wanted = plain.outcome = perform(s, &programs[i], &plain.sum); /* libraries that are loaded on first use are loaded from here on */
+    vs_outcome wanted = plain.outcome = perform(s, &programs[i], &plain.sum); /* libraries that are loaded at first use
+                                                                               * are loaded from here on */
     if (wanted == VS_OUTCOME_MACHINE || wanted == VS_OUTCOME_USAGE) fail_msg("%s: %s", programs[i].text, b.said);
     if (wanted == VS_OUTCOME_MODEL && programs[i].format) fail_msg("%s: %s", programs[i].text, b.said);
     snprintf(plain.said, sizeof plain.said, "%s", b.said);
@@ -200,7 +202,7 @@ static void test_programs(void **state) {
   }
 }
 
-/* opening, checking whether a text is complete, completing, parameters */
+/* Tests opening, checking whether a text is complete, completing, and parameters. */
 static void test_around(void **state) {
   (void)state;
   for (int good = 0; good < 2; good++)

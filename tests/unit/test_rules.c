@@ -1,4 +1,4 @@
-/* Owns the tests of the C part of rules: scopes, their flags and paths, and objects deformed by hexahedra. */
+/* Tests the C part of rules: scopes, their flags and paths, and objects deformed by hexahedra. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -71,7 +71,8 @@ static void corners_and_loops(void **state) {
   vs_vec3 p = vs_scope_corner(b, 1, 1, 1);
   assert_true(p.x == 4 && p.y == -2 && p.z == 3);
   vs_scope_release(b);
-  /* a triangle in an oblique plane: its frame has its first edge along x, and its size is that of the box around it */
+  /* a triangle in an oblique plane: its first edge is the x axis of its frame, and its size is that of the box around
+   * it */
   const vs_vec3 at[3] = { { 0, 0, 0 }, { 3, 0, 4 }, { 0, 2, 0 } };
   vs_scope *t = vs_scope_fresh(s, VS_SCOPE_TRIANGLE);
   t->loops = vs_scope_loops_new(s, at, (const uint32_t[]){ 0, 3 }, 1);
@@ -97,7 +98,7 @@ static const struct vs_deform frustum = {
   .c000 = { -2, -2, 0 }, .c100 = { 2, -2, 0 }, .c010 = { -2, 2, 0 }, .c110 = { 2, 2, 0 },
   .c001 = { -1, -1, 3 }, .c101 = { 1, -1, 3 }, .c011 = { -1, 1, 3 }, .c111 = { 1, 1, 3 } };
 
-/* Returns the volume of the placed mesh; *mesh: the mesh. */
+/* Returns the volume of the placed mesh. Sets *mesh to the mesh. */
 static double volume_below(const vs_node *placed, const vs_node **mesh) {
   assert_int_equal(placed->kind, VS_TRANSFORM);
   *mesh = placed->children[0].node;
@@ -123,7 +124,7 @@ static void deformed_objects(void **state) {
   vs_ref cube = { vs_node_new(s, VS_BOX, &unit, NULL, 0), NULL };
   vs_deformer *d = vs_deformer_new(s, &facets, &options);
   const vs_node *mesh[3];
-  /* one mesh for a hexahedron, its copy elsewhere, and a turned copy; with the volume of a frustum */
+  /* a hexahedron, its copy elsewhere, and a rotated copy share a mesh, whose volume is that of a frustum */
   vs_affine away = vs_affine_translation(vs_v3(7, -3, 100));
   vs_affine turn = vs_affine_rotation(vs_v3(1, 2, 3), vs_v3(1, 1, 0), 0.7);
   const struct vs_deform shape[3] = { frustum, moved(frustum, &away), moved(frustum, &turn) };
@@ -135,12 +136,12 @@ static void deformed_objects(void **state) {
   }
   assert_ptr_equal(mesh[0], mesh[1]);
   assert_ptr_equal(mesh[0], mesh[2]);
-  /* a mirrored one has the right orientation, too */
+  /* a mirrored copy also has the right orientation */
   vs_affine mirror = vs_affine_mirror(vs_v3(0, 0, 0), vs_v3(1, 0, 0));
   struct vs_deform other = moved(frustum, &mirror);
   vs_node *turned = vs_deformer_apply(d, &other, cube, &e);
   assert_true(fabs(volume_below(turned, &mesh[1]) - 28) < 1e-6);
-  /* for a parallelepiped the object itself is placed, not a mesh */
+  /* for a parallelepiped, the object itself is placed, not a mesh */
   struct vs_deform slanting = frustum;
   slanting.c001 = vs_v3(-1, -2, 3), slanting.c101 = vs_v3(3, -2, 3);
   slanting.c011 = vs_v3(-1, 2, 3), slanting.c111 = vs_v3(3, 2, 3);
@@ -159,7 +160,7 @@ static void deformed_objects(void **state) {
   vs_store_release(s);
 }
 
-/* Leaves keep the innermost paint and layer, and their origin. */
+/* Tests that leaves keep the innermost paint and layer, and their origin. */
 static void leaves_keep_their_looks(void **state) {
   (void)state;
   vs_store *s = vs_store_new(NULL, NULL);
@@ -167,7 +168,7 @@ static void leaves_keep_their_looks(void **state) {
   vs_kernel_options options = { 0 };
   vs_error e = { 0 };
   struct vs_box unit = { .p = { 0, 0, 0 }, .q = { 1, 1, 1 } };
-  const vs_origin *here = (const vs_origin *)(const void *)&unit; /* a pointer that is only passed on, never
+  const vs_origin *here = (const vs_origin *)(const void *)&unit; /* a pointer that is passed on, but never
                                                                    * dereferenced */
   vs_ref at = { vs_node_new(s, VS_BOX, &unit, NULL, 0), here };
   for (int i = 0; i < 12; i++) {
@@ -187,7 +188,7 @@ static void leaves_keep_their_looks(void **state) {
   vs_store_release(s);
 }
 
-/* Each allocation of the store fails once: the result is a message or complete, and no memory is lost. */
+/* Each allocation of the store fails once. The result must be a message or complete, and no memory may be lost. */
 static void refused_memory(void **state) {
   (void)state;
   vs_fineness facets = { 0.01, 0 };

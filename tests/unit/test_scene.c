@@ -1,4 +1,4 @@
-/* Owns the tests of a host's use of a scene: rays against closed forms; random sequences of calls with good and bad
+/* Tests a host's use of a scene: rays against closed forms; random sequences of calls with good and bad
  * handles; and refused memory while a program in GML runs, while nodes are made and while meshes are handed over. */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -30,7 +30,7 @@ static bool take_first(void *context, vs_scheme *s, const vs_hit *hit) {
   return false;
 }
 
-/* A ball in a node that is moved, rotated and scaled; a ray meets it at a root of a quadratic. */
+/* Tests a ball in a node that is moved, rotated and scaled. A ray hits it at a root of a quadratic equation. */
 static void test_rays(void **unused) {
   (void)unused;
   vs_scheme *s = vs_new(NULL);
@@ -54,7 +54,7 @@ static void test_rays(void **unused) {
     for (int k = 0; k < 3; k++) away += pow(from[k] + along * way[k] - centre[k], 2);
     double outside = 0;
     for (int k = 0; k < 3; k++) outside += pow(from[k] - centre[k], 2);
-    /* inside, or too near the rim to decide */
+    /* skips rays that begin inside, or pass too close to the rim to decide */
     if (sqrt(outside) < radius * 1.01 || fabs(sqrt(away) - radius) < 0.05) continue;
     vs_hit hit = { .distance = -1 };
     assert_int_equal(vs_pick(s, from, way, take_first, &hit), VS_OUTCOME_DONE);
@@ -67,8 +67,8 @@ static void test_rays(void **unused) {
   vs_free(s);
 }
 
-/* Random calls with handles that are good, released, 0, or another interpreter's: nothing crashes, each call returns an
- * outcome, and the interpreter works afterwards. */
+/* Makes random calls with handles that are valid, released, 0, or another interpreter's. Nothing may crash, each call
+ * must return an outcome, and the interpreter must work afterwards. */
 enum { HELD = 24 };
 static bool called(void *context, vs_scheme *s, const vs_handle *a, size_t n, vs_handle *result) {
   (void)context;
@@ -150,7 +150,7 @@ static void test_random_calls(void **unused) {
 /* ---- memory ---- */
 
 typedef struct {
-  long left; /* allocations until one is refused; negative: never */
+  long left; /* number of allocations until a refusal; negative: no refusal */
   size_t blocks, bytes;
 } budget;
 static void *take(void *context, void *old, size_t old_size, size_t new_size) {
@@ -171,7 +171,7 @@ static void *take(void *context, void *old, size_t old_size, size_t new_size) {
 
 static uint64_t no_material(void *context, const char *name) { return (void)context, (uint64_t)strlen(name); }
 
-/* returns true if it succeeded */
+/* returns true if the session succeeded */
 static bool session(budget *b) {
   vs_options o = vs_options_default();
   o.alloc = take, o.alloc_context = b;
@@ -194,7 +194,7 @@ static bool session(budget *b) {
   return ok;
 }
 
-/* Every session makes the first allocations, which test_embedding.c tests. This test refuses the later ones, a sample
+/* Every session begins with the allocations that test_embedding.c tests. This test refuses later allocations, a sample
  * of some hundred. */
 static void test_refused_memory(void **unused) {
   (void)unused;
@@ -203,12 +203,13 @@ static void test_refused_memory(void **unused) {
   long count = 1000000 - whole.left, step = count / 150 + 1;
   for (long n = 0; n < count; n += step) {
     budget b = { .left = n };
-    session(&b); /* it may succeed all the same: a cache works without memory */
+    session(&b); /* the session may succeed: a cache works without memory */
     assert_int_equal(b.blocks, 0);
   }
 }
 
-/* The host's allocator holds all arrays of a mesh, normals too, so limits count them; the next call frees them. */
+/* Tests that the host's allocator provides all arrays of a mesh, including normals, so that limits include them. The
+ * next call frees them. */
 static void test_counted_meshes(void **unused) {
   (void)unused;
   budget b = { .left = -1 };

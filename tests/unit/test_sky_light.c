@@ -1,4 +1,4 @@
-/* Owns the tests of the physical sky: luminance and colour against the paper's formulas, evaluated by another program
+/* Tests the physical sky: luminance and colour against the paper's formulas, evaluated by another program
  * (numpy, in double precision), and daylight against the clear skies of the Illuminating Engineering Society. */
 #include <math.h>
 #include <setjmp.h>

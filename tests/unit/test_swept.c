@@ -1,4 +1,4 @@
-/* Owns the tests of curves, regions and objects made from them: extrusions, sweeps, thickened curves, plates and
+/* Tests curves, regions and objects made from them: extrusions, sweeps, thickened curves, plates and
  * surfaces. */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -24,7 +24,7 @@ static vs_node *polyline(vs_store *s, const vs_vec3 *at, size_t n, bool closed) 
   return line;
 }
 
-/* Takes its children over, as the next functions do. */
+/* Returns a new node and takes over the references to its children, as the next functions do. */
 static vs_node *over(vs_store *s, vs_kind kind, const void *data, vs_node *a, vs_node *b) {
   vs_ref refs[2] = { { a, NULL }, { b, NULL } };
   vs_node *n = vs_node_new(s, kind, data, refs, b ? 2 : 1);
@@ -67,7 +67,7 @@ static void extrusions(void **state) {
   vs_node *region = vs_node_new(s, VS_REGION, NULL, bounds, 4);
   for (int i = 0; i < 4; i++) vs_node_release(bounds[i].node);
   check(over(s, VS_EXTRUDE, &up, region, NULL), 3 * (100 - 25 + 1 - 1), 1e-14);
-  /* along a curve without rotation the solid is sheared: by Cavalieri, the height gives the volume */
+  /* along a curve without rotation, the solid is sheared, and by Cavalieri's principle its height gives the volume */
   struct vs_extrude follow = { .scale = 1 };
   vs_vec3 bent[] = { { 0, 0, 0 }, { 1, 0, 2 }, { -2, 1, 5 } };
   check(over(s, VS_EXTRUDE, &follow, square_at(s, 1, 2, 5, 2), polyline(s, bent, 3, false)), 20, 1e-14);
@@ -86,7 +86,7 @@ static void sweeps(void **state) {
   vs_store *s = vs_store_new(NULL, NULL);
   struct vs_sweep plain = { .scale = 1 }, half = { .scale = 0.5 }, none = { .scale = 0 }, turned = { .scale = 1, .twist = 2 * pi };
   vs_vec3 corner[] = { { 0, 0, 0 }, { 10, 0, 0 }, { 10, 10, 0 }, { 10, 10, 10 } }, straight[] = { { 1, 1, 1 }, { 4, 5, 1 } };
-  /* the centroid moves on the path: mitred corners keep area times length, for any place of the profile */
+  /* the centroid moves on the path: mitred corners keep area times length, wherever the profile is */
   check(over(s, VS_SWEEP, &plain, square_at(s, 7, 8, 9, 1), polyline(s, corner, 4, false)), 30, 1e-13);
   check(over(s, VS_SWEEP, &plain, square_at(s, 7, 8, 9, 1), square_at(s, 0, 0, 0, 10)), 40, 1e-13);
   check(over(s, VS_SWEEP, &half, square_at(s, 7, 8, 9, 2), polyline(s, straight, 2, false)), 5 * 4 * 1.75 / 3, 1e-13);
@@ -95,7 +95,7 @@ static void sweeps(void **state) {
   check(over(s, VS_SWEEP, &plain, NODE(circle, CIRCLE, { 1, 2, 3 }, 1, 0), NODE(circle, CIRCLE, { 1, 2, 3 }, 5, 0)), 2 * pi * pi * 5, 1e-3);
   check(over(s, VS_SWEEP, &turned, square_at(s, 0, 0, 0, 1), NODE(circle, CIRCLE, { 1, 2, 3 }, 5, 0)), 2 * pi * 5, 1e-3);
   check(over(s, VS_SWEEP, &half, square_at(s, 0, 0, 0, 1), NODE(circle, CIRCLE, { 1, 2, 3 }, 5, 0)), 2 * pi * 5 * 1.75 / 3, 2e-3);
-  /* a closed path that is not planar gathers spin, and its ends still join */
+  /* along a closed path that is not planar, the profile rotates, but the ends must join */
   vs_vec3 knot[24];
   for (int i = 0; i < 24; i++) knot[i] = vs_v3((4 + cos(3 * pi * i / 12)) * cos(2 * pi * i / 12), (4 + cos(3 * pi * i / 12)) * sin(2 * pi * i / 12), sin(3 * pi * i / 12));
   vs_points *p = vs_points_new(s, knot, 24);
@@ -146,7 +146,8 @@ static void splines_pass_through_their_points(void **state) {
       sharpest = fmax(sharpest, acos(fmin(1, vs_v3_dot(a, b))));
     }
     assert_int_equal(found, 4);
-    assert_true(line.closed == closed && sharpest < 0.3); /* smooth at the knots, and at the ends when closed */
+    assert_true(line.closed == closed && sharpest < 0.3); /* smooth at the knots, and also at the ends if the curve is
+                                                           * closed */
     vs_polyline_free(&line);
     vs_node_release(n);
   }
@@ -165,7 +166,7 @@ static void splines_pass_through_their_points(void **state) {
 
 static bool never(void *asked) { return ++*(size_t *)asked, false; }
 
-/* Lofts poll where they search for the least twist, about once a point, and where they fill rows. */
+/* Tests that lofts poll while they search for the least twist, about once per point, and while they fill rows. */
 static void lofts_are_interrupted(void **state) {
   (void)state;
   static const int segments[3][2] = { { 4000, 4000 }, { 300, 301 }, { 40000, 40001 } };
@@ -181,7 +182,7 @@ static void lofts_are_interrupted(void **state) {
     vs_mesh_free(&m);
     vs_store_watch(s, never, &asked);
     bool made = vs_tessellate(n, &f, &m, &e);
-    assert_true(made == (i == 1)); /* a small one ends before its first poll */
+    assert_true(made == (i == 1)); /* a small loft ends before its first poll */
     assert_int_equal(asked, !made);
     if (!made) assert_int_equal(e.kind, VS_ERROR_INTERRUPT);
     vs_store_watch(s, NULL, NULL);
@@ -199,7 +200,7 @@ static void regions_join_open_curves(void **state) {
   vs_error e = { 0 };
   vs_ref joined[] = { parts[0], parts[1] };
   size_t count = 2;
-  assert_true(vs_curves_join(s, joined, &count, &e)); /* the line's direction is opposite to the arc's, so it is
+  assert_true(vs_curves_join(s, joined, &count, &e)); /* the line's direction is opposite to the arc's, so the line is
                                                        * reversed */
   assert_int_equal(count, 1);
   assert_int_equal(joined[0].node->kind, VS_JOIN);

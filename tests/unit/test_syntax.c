@@ -1,4 +1,4 @@
-/* Owns the tests of reading and expanding from C: the errors of a text, with place and wording; and whether a text is
+/* Tests reading and expanding from C: the errors of a text, with place and wording; and whether a text is
  * complete. */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -39,7 +39,8 @@ static int load_prelude(void **state) {
 }
 static int drop_prelude(void **state) { (void)state; free(prelude); return 0; }
 
-/* "line:col message" of the error with which a program ends, then "; line:col message" of the further errors found */
+/* Writes the error with which a program ends, as "line:col message", then "; line:col message" for each further
+ * error. */
 static void run(vs_scheme *vm, const char *program, char *out, size_t room) {
   vs_value last;
   out[0] = 0;
@@ -124,7 +125,7 @@ static void test_whole(void **state) {
   vs_close_vm(vm);
 }
 
-/* places of pairs and atoms, and depth far beyond the C stack */
+/* Tests places of pairs and atoms, and depth far beyond the C stack. */
 static void check_places(vs_scheme *vm) {
   VS_ROOTS(vm, r, 2);
   const char *text = "\n (a \xC3\xA4 (b\n  c))";
@@ -153,8 +154,8 @@ static void test_places(void **state) {
   vs_close_vm(vm);
 }
 
-/* every allocation of reading and expanding is refused in turn: an error, no memory is lost, and the interpreter works
- * afterwards */
+/* Refuses every allocation of reading and expanding in turn. The result must be an error, no memory may be lost, and
+ * the interpreter must work afterwards. */
 static void test_no_memory(void **state) {
   (void)state;
   const char *program = "(define-syntax m (syntax-rules () ((_ (a b ...) ...) (list (list a b ...) ...))))"

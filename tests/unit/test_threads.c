@@ -1,7 +1,7 @@
-/* Owns the tests of threads. Interpreters share nothing: several threads, each with an interpreter, concurrently make
- * the same bytes as a single thread, while another thread interrupts one of them. No thread that the library starts
- * receives a signal of the host. `make tsan` runs it under the thread sanitizer. */
-#define _GNU_SOURCE /* gettid, pthread_tryjoin_np */
+/* Tests threads. Interpreters share nothing: several threads, each with an interpreter, make the bytes that a single
+ * thread makes, while another thread interrupts one of them. No thread that the library starts receives a signal of the
+ * host. `make tsan` runs it under the thread sanitizer. */
+#define _GNU_SOURCE /* for gettid, pthread_tryjoin_np */
 #include <dirent.h>
 #include <pthread.h>
 #include <setjmp.h>
@@ -29,7 +29,7 @@ typedef struct {
   print of[32];
   vs_outcome outcome;
   size_t formats;
-  size_t hits, meshes, gizmos, changes; /* counts of the scene */
+  size_t hits, meshes, gizmos, changes; /* numbers of events of the scene */
   double distance, width;
 } result;
 
@@ -46,7 +46,7 @@ static const char model[] =
     "(draw (make-isosurface ball (xyz -2 -2 -2) (xyz 2 2 2)))"
     "(twice (display (volume (tower 0)))) (guard (e (#t (display e))) (car 5))";
 
-static bool add(void *context, const void *bytes, size_t count) { /* FNV-1a */
+static bool add(void *context, const void *bytes, size_t count) { /* updates the hash FNV-1a */
   print *p = context;
   const unsigned char *b = bytes;
   for (size_t i = 0; i < count; i++) p->sum = (p->sum ^ b[i]) * 1099511628211u;
@@ -77,7 +77,7 @@ static bool changed(void *context, vs_scheme *s, const vs_handle *arguments, siz
   return ++((result *)context)->changes != 0;
 }
 
-/* Uses a scene as a host does: it moves a node, follows a property, drags, runs frames, picks, takes meshes. */
+/* Uses a scene as a host does: moves a node, follows a property, drags, runs frames, picks objects, reads meshes. */
 static void hold_scene(vs_scheme *s, result *r) {
   const double down[] = { 0, 0, -1 };
   vs_mesh_info m;
@@ -98,7 +98,7 @@ static void hold_scene(vs_scheme *s, result *r) {
   vs_gizmos(s, take_gizmo, r);
   vs_pick(s, (double[]){ -30, 0.3, 60.4 }, (double[]){ 1, 0, 0 }, take_hit, r);
   vs_handle_release(s, rig);
-  vs_meshes_forget(s); /* the meshes of the previous turn */
+  vs_meshes_forget(s); /* forgets the meshes of the previous turn */
   if (vs_meshes_begin(s, NULL) != VS_OUTCOME_DONE) return;
   while (vs_mesh_next(s, &m)) r->meshes++;
 }
@@ -159,7 +159,7 @@ static void test_interrupted(void **state) {
   vs_free(s);
 }
 
-static atomic_int host; /* the thread that evaluates */
+static atomic_int host; /* number of the thread that evaluates */
 
 static void *evaluate(void *s) {
   static const char solids[] =
@@ -173,7 +173,7 @@ static void *evaluate(void *s) {
 static bool hears(const char *thread, int signal_number) {
   char path[300], line[200];
   unsigned long long held = ~0ull;
-  int threads = 0; /* 0 in the status of a thread that has just ended */
+  int threads = 0; /* it is 0 in the status of a thread that has just ended */
   snprintf(path, sizeof path, "/proc/self/task/%s/status", thread);
   FILE *f = fopen(path, "r");
   while (f && fgets(line, sizeof line, f)) sscanf(line, "Threads: %d", &threads), sscanf(line, "SigBlk: %llx", &held);

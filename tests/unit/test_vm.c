@@ -1,4 +1,4 @@
-/* Owns the tests of the VM's core: the collector, compiler and run loop on texts, limits, and a failure of each
+/* Tests the VM's core: the collector, compiler and run loop on texts, limits, and a failure of each
  * allocation. */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -46,7 +46,8 @@ static void objects_survive_and_move(void **state) {
   {
     VS_ROOTS(vm, r, 3);
     r[0] = VS_NIL;
-    for (int i = 0; i < 100000; i++) assert_true(vs_cons(vm, vs_fix(i), r[0], &r[0]));      /* more than a nursery */
+    for (int i = 0; i < 100000; i++) assert_true(vs_cons(vm, vs_fix(i), r[0], &r[0]));      /* allocates more than a nursery
+                                                                                             * contains */
     assert_true(vm->collections > 0);
     int64_t i = 100000;
     for (vs_value l = r[0]; l != VS_NIL; l = vs_cdr(l)) assert_int_equal(vs_fixnum(vs_car(l)), --i);
@@ -66,7 +67,7 @@ static void objects_survive_and_move(void **state) {
     assert_true(vs_make_vector(vm, 1000000, VS_NIL, &r[2]));
     r[2] = VS_NIL;
     vs_gc_major(vm);
-    assert_true(vm->bytes <= before + (2u << 20));      /* the memory of the large vector is free again */
+    assert_true(vm->bytes <= before + (2u << 20));      /* the memory of the large vector has been freed */
     assert_true(vs_gc_check(vm));
   }
   vs_close_vm(vm);
@@ -84,7 +85,7 @@ static void foreign_objects_are_released_once(void **state) {
   {
     VS_ROOTS(vm, r, 1);
     for (int i = 0; i < 1000; i++) assert_true(vs_make_foreign(vm, &thing, &object, 1 << 20, &r[0]));
-    assert_true(released > 900);                        /* their bytes alone caused collections */
+    assert_true(released > 900);                        /* the bytes of these objects alone caused collections */
     int soon = released;
     vs_gc_major(vm);
     assert_int_equal(released, 999);
@@ -159,7 +160,7 @@ static void programs(void **state) {
   }
 }
 
-/* more variables and arguments than an instruction can name */
+/* Tests more variables and arguments than an instruction can number. */
 static void wide_frames(void **state) {
   (void)state;
   vs_scheme *vm = open_plain();
@@ -214,7 +215,8 @@ static void limits_stop_programs(void **state) {
   vs_close_vm(vm);
 }
 
-/* every allocation of a task fails in turn: each time an error, and the interpreter works afterwards */
+/* Refuses each allocation of a task in turn. Each time the result must be an error, and the interpreter must work
+ * afterwards. */
 static void each_allocation_fails(void **state) {
   (void)state;
   static const char task[] =

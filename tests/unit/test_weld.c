@@ -1,4 +1,4 @@
-/* Owns the test that welding removes details smaller than a step from a mesh, and changes nothing else.
+/* Tests that welding removes details smaller than a step from a mesh, and changes nothing else.
  *
  * The test splits the edges of a cube again and again, near their ends and in their middles, and displaces every new
  * corner. The mesh then has hundreds of needles, crumbs and folds. After welding it must be a closed chain without
@@ -29,7 +29,7 @@ static vs_mesh cube(void) {
   return m;
 }
 
-/* Splits an edge of a triangle at a new corner near it, in all triangles that have the edge. */
+/* Splits an edge of a triangle at a new corner near the edge, in all triangles with this edge. */
 static void split(vs_mesh *m, dice *d) {
   static const double parts[] = { 1e-9, 1e-5, 1e-4, .3, .5, .9999 };
   uint32_t *t = m->triangles[throw(d) % m->triangle_count], a = t[0], b = t[1], c;
@@ -58,7 +58,7 @@ static double winding(const vs_mesh *m, vs_vec3 p) {
   return sum / (4 * pi);
 }
 
-static bool near_cube(vs_vec3 p, double distance) { /* returns true if p is near its surface */
+static bool near_cube(vs_vec3 p, double distance) { /* returns true if p is near the surface of the cube */
   double inside = fmin(fmin(fmin(p.x, 1 - p.x), fmin(p.y, 1 - p.y)), fmin(p.z, 1 - p.z));
   return fabs(inside) < distance;
 }
@@ -95,7 +95,7 @@ static void welded_meshes_have_no_details(void **state) {
   }
 }
 
-/* Details larger than a step stay, corner by corner. */
+/* Tests that details larger than a step stay, corner by corner. */
 static void welding_keeps_the_rest(void **state) {
   (void)state;
   vs_mesh m = cube(), w = cube();
@@ -111,7 +111,7 @@ static void sheets_cancel(void **state) {
   (void)state;
   vs_mesh m = cube();
   assert_true(vs_mesh_add_triangle(&m, 0, 1, 2)); /* the first triangle, reversed */
-  assert_true(vs_mesh_add_triangle(&m, 5, 6, 4)); /* the third triangle again */
+  assert_true(vs_mesh_add_triangle(&m, 5, 6, 4)); /* the third triangle, repeated */
   assert_true(vs_mesh_add_triangle(&m, 3, 3, 4));
   assert_true(vs_mesh_net(&m, 0));
   assert_int_equal(m.triangle_count, 12);

@@ -1,5 +1,5 @@
-/* Owns the trial of a random program: an interpreter that records messages, runs texts, writes the drawing, reads it
- * back as a mesh, and measures that. */
+/* Contains the trial of a random program: an interpreter that records messages, runs texts, writes the drawing, reads
+ * it back as a mesh, and measures that. */
 #ifndef VS_TESTS_TRIALS_H
 #define VS_TESTS_TRIALS_H
 
@@ -28,8 +28,8 @@ typedef struct {
   said heard;
   char why[900];
   unsigned line;
-  const char *file;                /* the name of the texts' file; NULL: model */
-  bool volumes;                    /* measure volumes, and write two more formats: these take longest */
+  const char *file;                /* name of the texts' file; NULL: model */
+  bool volumes;                    /* whether to measure volumes and to write two more formats, which takes longest */
   const vs_output_options *output; /* options for writing; NULL: the defaults */
 } trial;
 
@@ -96,7 +96,7 @@ static void release(written *w) {
   *w = (written){ .volume = 0 };
 }
 
-/* Writes the drawing in the format and reads back the mesh with that number. Returns false if it was not written. */
+/* Writes the drawing in the format, and reads mesh number `which` back. Returns false if it was not written. */
 static bool write_as(trial *t, const char *suffix, size_t which, written *out, bool *more) {
   char path[100];
   *more = false;
@@ -114,7 +114,7 @@ static bool write_as(trial *t, const char *suffix, size_t which, written *out, b
   return ok;
 }
 
-/* Returns the winding number: the sum of the triangles' solid angles divided by 4 pi. *nearest: the distance of the
+/* Returns the winding number: the sum of the triangles' solid angles divided by 4 pi. *nearest is the distance of the
  * nearest triangle. */
 static double winding(const written_mesh *s, const double p[3], double *nearest) {
   double sum = 0;
@@ -136,8 +136,8 @@ static double winding(const written_mesh *s, const double p[3], double *nearest)
       dots[j] = v[j][0] * v[(j + 1) % 3][0] + v[j][1] * v[(j + 1) % 3][1] + v[j][2] * v[(j + 1) % 3][2];
     sum += 2 * atan2(det, length[0] * length[1] * length[2] + dots[0] * length[2] + dots[1] * length[0] +
                               dots[2] * length[1]);
-    /* the distance to the plane for a triangle that appears large, otherwise a bound by its corners: never more than
-     * the true one */
+    /* For a triangle that appears large: its distance from the point's plane. Otherwise a bound computed from its
+     * corners. Both are never more than the true distance. */
     double plane = size > 0 ? fabs(det) / sqrt(size) : 0, longest = 0;
     for (int k = 0; k < 3; k++) longest = fmax(longest, fmax(fabs(e[k]), fabs(f[k])));
     *nearest = fmin(*nearest, fmax(plane, fmin(length[0], fmin(length[1], length[2])) - 2 * longest));
@@ -151,7 +151,7 @@ static bool number_of(trial *t, const char *expression, double *out) {
   return true;
 }
 
-/* cache: bytes of cached results, as in vs_options. */
+/* Begins a trial. cache: bytes of cached results, as in vs_options. */
 static void begin(trial *t, size_t cache) {
   vs_options o = vs_options_default();
   *t = (trial){ .vm = NULL };
