@@ -33,7 +33,7 @@ bool live_files_note(live_files *f, const char *path); /* Records the current st
 bool live_files_changed(const live_files *f);
 bool live_files_newer(const live_files *f); /* Returns true if a file changed. For calls while the files are being
                                              * read. */
-/* Waits until no file has changed for a moment, at most about a second. A file whose last change is younger than a
+/* Waits until no file has changed for a moment, at most about 0.7 seconds. A file whose last change is younger than a
  * tick of its file system's clock could change again without a visible difference. An empty file is probably being
  * written. */
 void live_files_settle(const live_files *f);

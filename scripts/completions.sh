@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns the shells' completion of the command: prints the file for SHELL, made from cli/options.def and cli/commands.def.
+# Prints the completion of the command for a shell: the file for SHELL, made from cli/options.def and cli/commands.def.
 #
 #   scripts/completions.sh bash|zsh|fish
 #

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns the report of `make coverage`: `scripts/coverage.sh BUILD FOLDER...` prints for each folder the number of lines
+# Prints the report of `make coverage`: `scripts/coverage.sh BUILD FOLDER...` prints for each folder the number of lines
 # of code that the tests have reached.
 set -u
 build=$1

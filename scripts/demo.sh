@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns the demonstration: one model, the Gare do Oriente, as a picture, a web page, an OpenSCAD program and a mesh to
+# Makes the demonstration: one model, the Gare do Oriente, as a picture, a web page, an OpenSCAD program and a mesh to
 # print. If npm could not fetch the viewer there is no page, and the last line gives the reason, which
 # scripts/install.sh wrote to a file. The exit code is that of vs.
 set -u

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns the trial on a fresh machine: a bare Debian bookworm in a separate folder (debootstrap, make, ca-certificates and
+# Runs the trial on a fresh machine: a bare Debian bookworm in a separate folder (debootstrap, make, ca-certificates and
 # a clone of the committed files). There it runs the README's two commands as a new user would, and then the first one
 # without access to npm. Prints sizes and times at the end; fails if a file of the demonstration is missing or a test
 # failed. Needs root: chroot and mount.

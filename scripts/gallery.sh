@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns the gallery: a picture of every example on one page, BUILD/gallery/index.html. `sh scripts/gallery.sh BUILD`; in
+# Makes the gallery: a picture of every example on one page, BUILD/gallery/index.html. `sh scripts/gallery.sh BUILD`; in
 # its environment QUALITY (good), SIZE (960x720), EXAMPLES (names; all of them), JOBS (the number of pictures at a time;
 # default: the number of cores). It keeps pictures whose scenes have not changed; it reports failures, and the exit code
 # is then 1.

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns preparing a machine: installs the packages of scripts/packages.list for the named purposes, and fetches packages
+# Prepares a machine: installs the packages of scripts/packages.list for the named purposes, and fetches packages
 # from npm: the viewer's parts for a build, those of tests/package.json for the tests. Does nothing, and asks for
 # nothing, if all is installed. For Debian and Ubuntu; elsewhere it prints the needed packages. If npm can fetch
 # nothing, the script goes on: BUILD/no-page then gives the reason why there will be no web page.

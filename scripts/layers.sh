@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns the check of the layers and of other rules of the sources. `sh scripts/layers.sh BUILD` prints all faults and
+# Checks the layers and other rules of the sources. `sh scripts/layers.sh BUILD` prints all faults and
 # ends with 1, or prints one line if there is none. It reads the sources, and the objects below BUILD that are newer
 # than their sources: it builds nothing, and prints the number of objects that it had.
 #

@@ -1,4 +1,4 @@
-# Owns the conversion of a page of the manual from Markdown to a page for man(1): headings, paragraphs, lists, tables,
+# Converts a page of the manual from Markdown to a page for man(1): headings, paragraphs, lists, tables,
 # blocks of code, `code`, **strong**, links. -v part=first: the text before the first heading of level 2; -v part=rest:
 # the other text.
 function safe(s) { gsub(/\\/, "\\e", s); gsub(/-/, "\\-", s); return s }

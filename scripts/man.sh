@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns the manual page of the command, vs(1): prints it, made from cli/options.def, cli/commands.def and manual/command.md.
+# Prints the manual page of the command, vs(1), made from cli/options.def, cli/commands.def and manual/command.md.
 #
 #   scripts/man.sh VERSION
 set -u

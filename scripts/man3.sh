@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns the manual pages of the library, section 3, made from visualscheme.h: visualscheme(3) is the text before its
+# Writes the manual pages of the library, section 3, made from visualscheme.h: visualscheme(3) is the text before its
 # first topic. Each topic has a page with the name of the topic's first function (or type, if it has none); all other
 # names that the topic declares link to it.
 #

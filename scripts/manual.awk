@@ -1,4 +1,4 @@
-# Owns the manual's way from its Markdown to HTML: headings, paragraphs, lists, tables, blocks of code, `code`, **strong**, links, pictures.
+# Converts the manual from Markdown to HTML: headings, paragraphs, lists, tables, blocks of code, `code`, **strong**, links, pictures.
 # -v title=...   of the page, if the text has none       -v root=...  the way up to the manual's first page: "" or "../"
 # -v after=...   HTML that goes behind the last block of code (a picture)
 # -v pictures=P  a picture P-N.png goes behind the N-th block of scheme, where that file is (-v folder=... says where it is looked for)

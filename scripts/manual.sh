@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns the making of the manual to be read: BUILD/manual, HTML pages of manual/*.md. Each kind of model/prims.def, and each operator of rules, has a page with its forms and contracts,
+# Makes the manual for reading: BUILD/manual, HTML pages of manual/*.md. Each kind of model/prims.def, and each operator of rules, has a page with its forms and contracts,
 # what it is in the tree, an example, and the picture that the example makes; the tutorial has the pictures of its steps.
 #
 #   scripts/manual.sh BUILD   KINDS="sphere text"  pictures and pages of these kinds alone, and no steps   STEPS=last  a picture of each step's last program

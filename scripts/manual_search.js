@@ -1,4 +1,4 @@
-/* Owns the search of the manual's pages. index.js, made with the pages, holds `manual`: [heading, page's title, address, text] for each section. Nothing is
+/* Implements the search of the manual's pages. index.js, made with the pages, holds `manual`: [heading, page's title, address, text] for each section. Nothing is
  * fetched, so that it works from a folder. All words must occur; headings that are or begin with what was typed come first, and what only has it within a
  * word, as "search" has "arch", last. */
 (() => {

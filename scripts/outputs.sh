@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns the checksums of all outputs of a binary, for comparing two builds byte by byte: `sh scripts/outputs.sh VS >
+# Prints the checksums of all outputs of a binary, for comparing two builds byte by byte: `sh scripts/outputs.sh VS >
 # sums` for each, then diff.
 #
 # Programs: every example, every workload of bench/kernel, and tests/cross: the sheet in each variant, its tree and each

@@ -1,4 +1,4 @@
-# Owns counting the breaches of the rules of plain speech (CONTRIBUTING.md). Reads the files whose names are its input,
+# Counts the breaches of the rules of plain speech (CONTRIBUTING.md). Reads the files whose names are its input,
 # one a line:
 #   awk -v kind=manual|comments|messages|changes [-v list=NAME] -f scripts/speech.awk < NAMES
 # Prints `KIND-COUNT NUMBER` for each count. With `list` it prints instead the sentences of the count of that name. A

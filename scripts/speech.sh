@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns the check that texts keep the rules of plain speech (CONTRIBUTING.md). Compares the counts of manual, comments, messages and CHANGELOG with
+# Checks that texts keep the rules of plain speech (CONTRIBUTING.md). Compares the counts of manual, comments, messages and CHANGELOG with
 # scripts/speech.limits, where a count may only shrink. Prints each count above its limit and ends with 1; names the limits that can be lowered.
 #
 #   sh scripts/speech.sh              check

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns `make static`: the findings of cppcheck, clang's analyzer (scan-build's) and gcc -fanalyzer in the code that
+# Implements `make static`: prints the findings of cppcheck, clang's analyzer (scan-build's) and gcc -fanalyzer in the code that
 # reads untrusted data: texts, files, requests. Every finding was read; scripts/static.known lists the false ones, a
 # line each: TOOL FILE MESSAGE | why it is false. Fails if there is another finding, or if an installed tool cannot be
 # run.

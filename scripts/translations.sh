@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns the figures of manual/translate.md: the number of programs that `vs translate` translates, and the number of
+# Prints the figures of manual/translate.md: the number of programs that `vs translate` translates, and the number of
 # translations that have, in their own programs, the volume of the original, with 12 facets a turn.
 #
 #   scripts/translations.sh BUILD          the rows of the table: translated, refused with a place, refused otherwise

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Owns the breaking of long lines: `scripts/wrap.py FILE...` rewrites lines past 120 columns, and no others.
+"""Breaks long lines: `scripts/wrap.py FILE...` rewrites lines past 120 columns, and no others.
 
 Comments are broken at a space, and the rest begins the next line of its paragraph; a comment behind code that begins far
 to the right goes above that code. Code is broken by clang-format, asked for these lines alone. Lines of macros keep
