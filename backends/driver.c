@@ -645,8 +645,8 @@ static bool drive_nothing(vs_emitter *e) {
   }
   if (empty && !other)
     return vs_error_set(e->error, VS_ERROR_MODEL, empty->origin,
-                        "all that is drawn is empty: ghosts, objects without an extent, solids that are cut away "
-                        "whole, or that do not meet where they are intersected");
+                        "every drawn object is empty: a ghost, an object without extent, a solid that is subtracted "
+                        "wholly, or an intersection of solids that do not overlap");
   return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "the drawing holds nothing that this format can show");
 }
 
@@ -679,8 +679,8 @@ static bool drive_bounds(vs_emitter *e) {
   if (single && step > vs_fineness_tolerance(&e->bounds) / 8 && e->options->warn != NULL) {
     char message[200];
     snprintf(message, sizeof message,
-             "the drawing is far from the origin for its size: this format's numbers have steps of %.3g there; move it "
-             "nearer, or write .obj, .off or .glb",
+             "the drawing is too far from the origin for its size: this format's numbers have steps of %.3g there; "
+             "move the drawing to the origin, or write .obj, .off or .glb",
              step);
     e->options->warn(e->options->context, NULL, message);
   }

@@ -34,21 +34,24 @@ bool vs_emit_rounded(vs_emitter *e, const vs_rounded *what) {
   if (e->options->warn == NULL) return true;
   if (what->dropped != 0) {
     snprintf(message, sizeof message,
-             "%zu slivers are omitted: thinner than this format's numbers distinguish, the first near %g %g %g",
+             "%zu slivers are omitted because they are thinner than the steps of this format's numbers; the first is "
+             "near %g %g %g",
              what->dropped, at.x, at.y, at.z);
     e->options->warn(e->options->context, NULL, message);
   }
   if (what->lost != 0) {
     at = what->lost_at;
     snprintf(message, sizeof message,
-             "details are omitted that are finer than this format's numbers: %zu corner%s, the first near %g %g %g",
+             "details that are finer than the steps of this format's numbers are omitted: %zu corner%s, the first is "
+             "near %g %g %g",
              what->lost, what->lost == 1 ? "" : "s", at.x, at.y, at.z);
     e->options->warn(e->options->context, NULL, message);
   }
   if (what->met == 0) return true;
   at = what->at;
   snprintf(message, sizeof message,
-           "rounded to this format's numbers, %zu triangles meet others that they only come near to, the first near %g "
+           "rounded to this format's numbers, %zu triangles touch or cross triangles that were only near them, the "
+           "first is near %g "
            "%g %g",
            what->met, at.x, at.y, at.z);
   e->options->warn(e->options->context, NULL, message);

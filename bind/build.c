@@ -65,7 +65,7 @@ static vs_status refuse_large(vs_args *f, const char *field) {
   bool given = strcmp(field, "matrix") != 0;
   for (int i = 0; !given && p[i].mode != VS_ARG_END; i++) given = strcmp(p[i].name, field) == 0;
   if (!given && f->count > 0) field = p[f->count - 1].name;
-  return vs_fail(f->vm, f->vm->sym.range, "%s is too large: lengths end at 1e60", field);
+  return vs_fail(f->vm, f->vm->sym.range, "%s is too large: lengths must stay below 1e60", field);
 }
 
 vs_status vs_bind_give_node(vs_args *f, vs_node *node, vs_value *out) {

@@ -312,7 +312,7 @@
               ((and (pair? words) (string=? (car words) "newmtl"))
                (let ((new (string-trim (substring text 6 (string-length text)))))
                  (put name said)
-                 (if (string=? new "") (%mtl-fail path line "a name is missing behind newmtl"))
+                 (if (string=? new "") (%mtl-fail path line "a name is missing after newmtl"))
                  (if (hash-ref materials new #f) (%mtl-fail path line (format "the material ~s is there already" new)))
                  (next (cdr lines) (+ line 1) new (make-hasheq))))
               ((and name (pair? words) (string=? (car words) "map_Kd"))

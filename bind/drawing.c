@@ -38,8 +38,10 @@ static void warn_drawn_twice(vs_bind *b, size_t before, const vs_ref *ref, size_
     for (uint32_t k = 0; node->kind == VS_UNION && k < node->child_count && k < MOST; k++) twice = twice ||
         drawn_just_now(b, before, node->children[k].node);
   }
-  if (twice) vs_bind_warn(b, "drawn twice",
-      "this object is drawn already and is now there twice: an object that a procedure has drawn needs no second draw");
+  if (twice)
+    vs_bind_warn(b, "drawn twice",
+                 "this object was drawn already, and is now in the drawing twice; remove this draw if a procedure has "
+                 "drawn the object");
 }
 
 vs_status vs_p_draw(vs_args *f, vs_value *out) {
@@ -78,7 +80,7 @@ vs_status vs_p_erase(vs_args *f, vs_value *out) {
     }
     scene->drawn_count = kept;
     if (kept == count) return vs_fail(f->vm, f->vm->sym.range,
-        "this object does not stand in the drawing; (erase-all) empties it");
+        "this object is not in the drawing; (erase-all) empties the whole drawing");
   }
   return VS_OK;
 }

@@ -149,7 +149,7 @@ static vs_status measure(vs_args *f, vs_measure *m, vs_ask ask) {
   if (isfinite(m->volume) && isfinite(ask == VS_ASK_AREA ? m->area : 0) && isfinite(m->length) && isfinite(c.x) &&
       isfinite(c.y) && isfinite(c.z))
     return VS_OK;
-  return vs_bind_refuse(f, "o", "smaller: this size is beyond all numbers", f->arg[0].value);
+  return vs_bind_refuse(f, "o", "smaller: its size overflows the largest number", f->arg[0].value);
 }
 
 vs_status vs_p_volume(vs_args *f, vs_value *out) {
@@ -208,7 +208,7 @@ vs_status vs_p_bounding_box(vs_args *f, vs_value *out) {
   if (vs_bounds_is_empty(&b)) return *out = VS_FALSE, VS_OK;
   vs_vec3 size = vs_v3_sub(b.max, b.min);
   if (!isfinite(size.x) || !isfinite(size.y) || !isfinite(size.z))
-    return vs_bind_refuse(f, "o", "smaller: its corners are beyond all numbers", f->arg[0].value);
+    return vs_bind_refuse(f, "o", "smaller: its corners overflow the largest number", f->arg[0].value);
   VS_ROOTS(f->vm, r, 2);
   return vs_bind_give_point(f, b.max, &r[0]) && vs_cons(f->vm, r[0], VS_NIL, &r[1]) &&
          vs_bind_give_point(f, b.min, &r[0]) && vs_cons(f->vm, r[0], r[1], out);

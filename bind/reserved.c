@@ -21,6 +21,6 @@ const vs_native_table vs_bind_reserved_table = { "reserved", defs };
 
 static vs_status refuse(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)a, (void)n, (void)out;
-  return vs_fail(vm, vm->sym.unbound, "this name is reserved: it is not there yet; %s",
+  return vs_fail(vm, vm->sym.unbound, "this procedure does not exist yet; instead: %s",
                  reserved[vm->native->def - defs].instead);
 }

@@ -239,5 +239,5 @@ vs_status vs_p_warn(vs_args *f, vs_value *out) {
 vs_status vs_p_reserved(vs_args *f, vs_value *out) {
   (void)out;
   return vs_fail_at(f->vm, f->vm->sym.unbound, vs_call_place(f->vm), VS_NIL,
-                    "%s: this name is reserved: it is not there yet; %s", f->arg[0].text.at, f->arg[1].text.at);
+                    "%s: this procedure does not exist yet; instead: %s", f->arg[0].text.at, f->arg[1].text.at);
 }

@@ -36,14 +36,13 @@ void vs_bind_dropped(vs_scheme *vm, vs_value v) {
 
 void vs_bind_warn_thrown(vs_bind *b, const vs_node *node, const vs_origin *origin, bool in_body) {
   if (!b->warn || vs_bind_warned(b, origin, "thrown away")) return;
-  b->warn(
-      b->warn_context, origin,
-      node->kind == VS_TRANSFORM ? "this object is made and thrown away: do-move returns the moved object, as "
-                                   "do-rotate and the like do; their argument does not change"
-      : in_body
-          ? "this object is made and thrown away: a body gives only its last value, a loop none; unite them, or (draw "
-            "...) each"
-          : "this object is made and thrown away: others are drawn, this one is not; unite them, or (draw ...) it too");
+  b->warn(b->warn_context, origin,
+          node->kind == VS_TRANSFORM ? "this object is made and not used: do-move, do-rotate and similar procedures "
+                                       "return a new object, and do not change their argument"
+          : in_body ? "this object is made and not used: a body returns only its last value, a loop returns none; "
+                      "unite the objects, or (draw ...) each of them"
+                    : "this object is made and not used: other objects are drawn, but this object is not; unite the "
+                      "objects, or (draw ...) this object too");
 }
 
 /* Removes from `left` the objects that are the root or its descendants. */

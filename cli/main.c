@@ -240,8 +240,8 @@ typedef vs_outcome write_fn(cli_session *c, const cli_target *t);
 static vs_outcome may_write(cli_session *c, const cli_target *t) {
   if (strcmp(t->path, "-") == 0 || !vs_is_input(c->scheme, t->path)) return VS_OUTCOME_DONE;
   cli_report_settle(&c->reporter);
-  fprintf(stderr, "vs: %s: this run has read it, and no output replaces a file that it is made from; -o names another "
-          "file\n", t->path);
+  fprintf(stderr, "vs: %s: the model reads this file, and no output may replace it; name another file by -o\n",
+          t->path);
   return VS_OUTCOME_USAGE;
 }
 

@@ -223,8 +223,9 @@ void cli_report_summary(const char *title, const vs_summary *s) {
   double largest = 0;
   for (int i = 0; i < 3 && s->has_bounds && !s->bounds_at_most; i++) largest = fmax(largest, s->max[i] - s->min[i]);
   if (largest >= LARGEST_BUILDING && strcmp(s->units, "m") == 0) /* probably a house drawn in millimetres */
-    fprintf(stderr, "%s: that is %.3g km; (units 'mm), or 'cm, says that lengths are not in metres\n", title,
-            largest / 1000);
+    fprintf(stderr,
+            "%s: the model is %.3g km large; if its lengths are not in metres, write (units 'mm) or (units 'cm)\n",
+            title, largest / 1000);
 }
 
 /* ---- parameters ---- */

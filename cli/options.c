@@ -461,7 +461,7 @@ static bool late_format(const cli_options *o, cli_target *t, const vs_scheme *sc
   } else {
     fprintf(stderr, "vs: %s: ", t->path);
     if (ending) fprintf(stderr, "no format has the ending %s;", ending);
-    else fputs("the name has no ending, which would say the format;", stderr);
+    else fputs("the name has no ending that names a format;", stderr);
   }
   size_t count;
   const vs_format_info *formats = vs_format_list(&count);
@@ -541,7 +541,7 @@ static bool batch_files(const cli_options *o) {
     return false;
   }
   if (o->interactive || o->check || (o->untrusted && o->all_views)) {
-    fprintf(stderr, "vs render: %s is for vs FILE alone\n", o->interactive ? "-i" : o->check ? "--check"
+    fprintf(stderr, "vs render: %s works only with vs FILE\n", o->interactive ? "-i" : o->check ? "--check"
             : "--all-views of an untrusted model");
     return false;
   }
@@ -578,7 +578,7 @@ static bool command_files(const cli_options *o, unsigned takes) {
     fprintf(stderr, "vs %s: give the files of a model and of a scan, as in vs %s column.vs scan.ply\n", name, name);
   else if (want == 2) fprintf(stderr, "vs %s: give the files of two models, as in vs %s old.vs new.vs\n", name, name);
   else fprintf(stderr, "vs %s: give the file of one model, as in vs %s house.vs%s\n", name, name,
-               output ? "" : "; -o is for vs FILE alone");
+               output ? "" : "; -o works only with vs FILE");
   return false;
 }
 
@@ -661,7 +661,7 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
     return CLI_BAD_USAGE;
   }
   if (o->json && o->xml) {
-    fputs("vs: --json and --xml are one too many\n", stderr);
+    fputs("vs: give --json or --xml, not both\n", stderr);
     return CLI_BAD_USAGE;
   }
   const char *of_fit = o->placed       ? "placed"
@@ -675,7 +675,7 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
     return CLI_BAD_USAGE;
   }
   if (o->placed + o->near + o->any_pose > 1) {
-    fputs("vs fit: give one of --placed, --near and --any-pose: each says where the scan lies\n", stderr);
+    fputs("vs fit: give only one of --placed, --near and --any-pose\n", stderr);
     return CLI_BAD_USAGE;
   }
   if (o->command != CLI_COMMAND_render && (o->set_count || o->jobs || o->manifest || o->sheet || o->film)) {
@@ -710,11 +710,13 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
   }
   if (o->command != CLI_COMMAND_NONE && !command_files(o, takes)) return CLI_BAD_USAGE;
   if (o->command == CLI_COMMAND_view && o->untrusted) {
-    fputs("vs view: --untrusted is for vs FILE alone: a window may write the model and run what it likes\n", stderr);
+    fputs("vs view: --untrusted works only with vs FILE: the window of vs view can change the model and run it\n",
+          stderr);
     return CLI_BAD_USAGE;
   }
   if (o->command == CLI_COMMAND_doc && o->untrusted) {
-    fputs("vs doc: --untrusted is for vs FILE alone: pictures need the program's procedures one by one\n", stderr);
+    fputs("vs doc: --untrusted works only with vs FILE: for its pictures vs doc calls each procedure of the program\n",
+          stderr);
     return CLI_BAD_USAGE;
   }
   if (o->command == CLI_COMMAND_params) o->parameters = o->quiet = true;
@@ -731,12 +733,14 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
   for (size_t i = 0; takes & CLI_TAKES_SCAN && i < o->target_count; i++) {
     const vs_format_info *f = vs_format_find(o->targets[i].path);
     if (f && (!strcmp(f->suffix, "ply") || !strcmp(f->suffix, "x3d"))) continue;
-    fprintf(stderr, "vs fit: %s: -o writes the map of distances, as .ply or .x3d; for the fitted model run it with the "
-            "values that are found\n", o->targets[i].path);
+    fprintf(stderr,
+            "vs fit: %s: -o writes the map of distances, and ends in .ply or .x3d; to write the fitted model, run vs "
+            "FILE with the fitted values by -D\n",
+            o->targets[i].path);
     return CLI_BAD_USAGE;
   }
   if (o->all_views && o->output.view) {
-    fputs("vs: --all-views and --view are one too many\n", stderr);
+    fputs("vs: give --all-views or --view, not both\n", stderr);
     return CLI_BAD_USAGE;
   }
   if (o->frames.resume && !o->frames.count) {
@@ -752,16 +756,18 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
     return CLI_BAD_USAGE;
   }
   if (o->frames.resume && o->command == CLI_COMMAND_render) {
-    fputs("vs render: --resume is for vs FILE: here the manifest tells which frames are up to date\n", stderr);
+    fputs(
+        "vs render: --resume works only with vs FILE; vs render finds the frames that are up to date by its manifest\n",
+        stderr);
     return CLI_BAD_USAGE;
   }
   if (o->frames.count && o->command == CLI_COMMAND_NONE && (o->interactive || o->to_stdout || o->target_count == 0)) {
-    fputs(o->interactive ? "vs: --frames and -i do not go together\n"
+    fputs(o->interactive ? "vs: give --frames or -i, not both\n"
           : "vs: --frames writes files: name them by -o, as in -o tower.png for tower-001.png and so on\n", stderr);
     return CLI_BAD_USAGE;
   }
   if (o->target_count && o->check) {
-    fputs("vs: --check writes nothing: leave -o out, or --check\n", stderr);
+    fputs("vs: --check writes no output: give --check or -o, not both\n", stderr);
     return CLI_BAD_USAGE;
   }
   if (o->target_count && !o->source_count) {

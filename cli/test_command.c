@@ -61,8 +61,8 @@ vs_outcome cli_test_run(cli_session *c, vs_outcome (*run_file)(cli_session *c, c
   vs_outcome outcome = run_file(c, path, VS_EVAL_CHECK_LATER | VS_EVAL_PASS);
   if (outcome == VS_OUTCOME_INTERRUPTED) return tell(c, INTERRUPTED), outcome;
   if (outcome == VS_OUTCOME_USAGE) tell(c, UNREAD);
-  if (outcome == VS_OUTCOME_USAGE) broken(c, path, "the program was not run", "");
-  else if (outcome != VS_OUTCOME_DONE) broken(c, path, "the program did not come to its end", "");
+  if (outcome == VS_OUTCOME_USAGE) broken(c, path, "the program did not run", "");
+  else if (outcome != VS_OUTCOME_DONE) broken(c, path, "the program stopped before its end", "");
   else if (vs_exit_requested(c->scheme, &code)) broken(c, path, "(exit) ended the program before its end", "");
   const char *own = vs_check_redefined(c->scheme);
   if (own) broken(c, path, own, " is defined anew: its uses in the program are no checks");

@@ -30,7 +30,7 @@ bool live_file_read(const char *path, char **text, size_t *length, const char **
   if (fstat(file, &s) != 0 || !S_ISREG(s.st_mode) || s.st_size > MOST_BYTES) {
     *why = S_ISDIR(s.st_mode)       ? "it is a folder"
            : s.st_size > MOST_BYTES ? "it is too large"
-                                    : "it is no ordinary file";
+                                    : "this is no ordinary file";
     close(file);
     return false;
   }

@@ -107,7 +107,7 @@ static const char *refuse(const live_server *s, struct MHD_Connection *c, bool s
   const char *origin = header(s, c, "Origin"), *token = header(s, c, "X-VS-Token");
   if (!own_host(s, header(s, c, "Host"))) return "not this host\n";
   if (origin != NULL && (strncmp(origin, "http://", 7) != 0 || !own_host(s, origin + 7))) return "not from this page\n";
-  if (secret && (token == NULL || !same_secret(token, s->token))) return "open the address that vs view has printed\n";
+  if (secret && (token == NULL || !same_secret(token, s->token))) return "open the address that vs view printed\n";
   return NULL;
 }
 
@@ -287,7 +287,7 @@ static enum MHD_Result serve_source(live_server *s, struct MHD_Connection *c) {
 static enum MHD_Result save_source(live_server *s, struct MHD_Connection *c, const live_text *body) {
   const char *expected = query(s, c, "hash"), *text = body->at != NULL ? body->at : "";
   if (s->model == NULL) return answer_text(s, c, 404, NO_SOURCE);
-  if (expected == NULL) return answer_text(s, c, 400, "which version is it written over?\n");
+  if (expected == NULL) return answer_text(s, c, 400, "the request does not name the version that it replaces\n");
   const char *why = live_file_write(s->model, text, body->length, strtoull(expected, NULL, 16));
   if (why == LIVE_NEWER) return answer_text(s, c, 409, why);
   if (why != NULL) return answer_text(s, c, 500, why);
@@ -361,7 +361,7 @@ static enum MHD_Result wish(live_server *s, struct MHD_Connection *c, live_wish_
   if (w == NULL) return answer_text(s, c, 400, "something is missing\n");
   w->coarse = query(s, c, "coarse") != NULL;
   return live_wish_put(s->publish, &s->publish->wishes, w) ? answer_text(s, c, 202, "ok\n")
-                                                           : answer_text(s, c, 503, "too much is waiting to be done\n");
+                                                           : answer_text(s, c, 503, "too many requests are waiting\n");
 }
 
 /* GET: answers with the current drawing. POST: answers with the drawing of the text with the values in the body, made
@@ -382,7 +382,7 @@ static enum MHD_Result export(live_server *s, struct MHD_Connection *c, const li
     }
   }
   if (!live_wish_put(p, values != NULL ? &p->asides : &p->wishes, w))
-    return answer_text(s, c, 503, "too much is waiting to be done\n");
+    return answer_text(s, c, 503, "too many requests are waiting\n");
   struct timespec until;
   clock_gettime(CLOCK_MONOTONIC, &until);
   until.tv_sec += EXPORT_SECONDS;

@@ -116,10 +116,8 @@ bool vs_scene_resolve(vs_scene *scene, const vs_kernel_options *options, const v
     vs_ref line = { clipped(scene->store, &lines.at[i], &all), lines.at[i].origin };
     if (notes && line.node && line.node->kind == VS_EMPTY)
       notes->warn(notes->context, line.origin,
-                  lines.at[i].ray ? "make-ray: it does not meet the drawing's box, in which such lines are drawn: "
-                                    "nothing of it is to be seen"
-                                  : "make-xline: it does not meet the drawing's box, in which such lines are drawn: "
-                                    "nothing of it is to be seen");
+                  lines.at[i].ray ? "make-ray: the ray does not meet the drawing's bounding box, and is not shown"
+                                  : "make-xline: the line does not meet the drawing's bounding box, and is not shown");
     ok = line.node ? vs_scene_draw(scene, line) || vs_error_memory(e, NULL) : vs_error_memory(e, NULL);
     vs_node_release(line.node);
   }

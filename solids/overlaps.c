@@ -263,11 +263,11 @@ static bool refuse(const vs_node *n, const vs_fineness *f, const vs_vec3 *at, vs
   vs_sweep_bend bend;
   char fits[60] = "no profile fits";
   if (!vs_sweep_tightest(n, f, at, &bend, e)) return false;
-  if (bend.fits > 1e-3) snprintf(fits, sizeof fits, "one %.2g times as large fits", bend.fits * .99);
-  return vs_error_set(e, VS_ERROR_MODEL, NULL,
-                      "the bend at (xyz %.4g %.4g %.4g) is too tight: the profile overlaps itself "
-                      "too often there to be made a solid; %s",
-                      bend.at.x, bend.at.y, bend.at.z, fits);
+  if (bend.fits > 1e-3) snprintf(fits, sizeof fits, "a profile %.2g times as large fits", bend.fits * .99);
+  return vs_error_set(
+      e, VS_ERROR_MODEL, NULL,
+      "the bend at (xyz %.4g %.4g %.4g) is too tight: the profile overlaps itself there, and makes no solid; %s",
+      bend.at.x, bend.at.y, bend.at.z, fits);
 }
 
 static bool is_sweep(const vs_node *n) {

@@ -450,7 +450,7 @@ static bool resolve_one(resolver *r, const vs_ref *ref) {
                      "do-edges: no faces meet at an angle: nothing is made (the empty object)");
     if (n->kind == VS_DEFORM && made->class_ == VS_NOTHING && n->children[0].node->class_ == VS_SOLID && r->notes)
       r->notes->warn(r->notes->context, ref->origin,
-                     "the hexahedron is flat or inside out: nothing is left of the solid in it");
+                     "the hexahedron is flat or inside out: nothing is left of the solid in the hexahedron");
   } else {
     made = vs_node_has(n, VS_IS_UNRESOLVED) ? nothing(r->store) : rebuilt(r, n); /* a line without end becomes
                                                                                   * nothing */

@@ -512,7 +512,8 @@ static void warn_coarse(const builder *b, const vs_kernel_options *options, cons
   if (!counts->coarse || !options->warn) return;
   if (counts->coarse > 1) snprintf(more, sizeof more, " (and %zu more parts)", counts->coarse - 1);
   snprintf(message, sizeof message,
-           "too small for what it touches: all of that is computed in steps of %.3g, which makes this part %.0f %% "
+           "this part is too small for the solids that it touches: all of them are computed in steps of %.3g, which "
+           "makes this part %.0f %% "
            "%s%s",
            counts->coarse_step, 100 * fabs(counts->coarse_by), counts->coarse_by > 0 ? "larger" : "smaller", more);
   options->warn(options->context, b->origins.at[counts->coarse_leaf], message);

@@ -114,7 +114,7 @@ the variables where it is stopped|(* 2000 h)\n| = 4000
 |h\n|break> h
 ,continue|,continue\n| = 50
 ,quit gives up what is stopped|(leg 6)\n|stopped, in leg: h = 6
-|,quit\n|; given up; ,quit once more ends
+|,quit\n|; the stopped program has been ended; ,quit once more ends the prompt
 ctrl-D gives up what is stopped|(leg 7)\n|stopped, in leg: h = 7
 |\x04| given up
 |,continue\n|; nothing is stopped

@@ -30,7 +30,7 @@ case solids/fine in *"$ONLY"*) # details finer than a format's numbers: the loss
 END
   limited 60 "$vs" --quiet "$work/fine.vs" -o "$work/fine.stl" > "$work/said" 2>&1 || echo "ended with $?" >> "$work/said"
   limited 60 "$BUILD/tools/crossings" "$work/fine.stl" > "$work/why"
-  if grep -q 'details are omitted' "$work/said" && grep -q ' triangles, volume ' "$work/why" && ! grep -q ' crossing (' "$work/why"; then echo "ok solids/fine"
+  if grep -q 'details that are finer' "$work/said" && grep -q ' triangles, volume ' "$work/why" && ! grep -q ' crossing (' "$work/why"; then echo "ok solids/fine"
   else echo "not ok solids/fine"; cat "$work/said" "$work/why" | sed 's/^/    /'; fi ;;
 esac
 case solids/radial in *"$ONLY"*) # holes whose flat ends meet in one axis: where corners are only places, none of the slivers along it is left that crosses anything
@@ -45,7 +45,7 @@ case solids/radial in *"$ONLY"*) # holes whose flat ends meet in one axis: where
 (draw (tower $tower))
 END
     limited 60 "$vs" --quiet "$work/radial.vs" -o "$work/radial.stl" > "$work/said" 2>&1 || echo "ended with $?" >> "$work/why"
-    grep 'triangles meet others' "$work/said" >> "$work/why"
+    grep 'triangles touch or cross triangles' "$work/said" >> "$work/why"
     limited 60 "$BUILD/tools/crossings" -q "$work/radial.stl" >> "$work/why" 2>&1
   done
   if [ ! -s "$work/why" ]; then echo "ok solids/radial"; else echo "not ok solids/radial"; sed 's/^/    /' "$work/why"; fi ;;

@@ -169,7 +169,7 @@ bool vs_sheet_write_pdf(vs_emitter *e, const vs_sheet *s) {
   e->error->kind = VS_ERROR_NONE;
   if (!vs_font_file("", path, sizeof path, e->error))
     return e->error->kind != VS_ERROR_NONE ? false : vs_error_set(e->error, VS_ERROR_FILE, NULL,
-        "writing .pdf: no font was found; the package fonts-dejavu-core has one");
+        "cannot write .pdf: no font is installed; install the package fonts-dejavu-core");
   HPDF_Doc doc = lib.HPDF_NewEx(NULL, NULL, NULL, 0, NULL);
   if (!doc) return vs_emit_no_memory(e);
   writing w = { &lib, NULL, NULL, s };

@@ -140,7 +140,7 @@ static bool choose(vs_emitter *e, vs_sheet *s) {
   char name[48] = "a sheet";
   if (sheet) snprintf(name, sizeof name, "the sheet %.8s", sheet);
   if (scale > 0) return vs_error_set(e->error, VS_ERROR_MODEL, NULL,
-      "the drawing does not fit %s at 1:%g; leave #:scale%s away, and one that fits is found", name, scale,
+      "the drawing does not fit %s at 1:%g; remove #:scale%s, and vs chooses a scale that fits", name, scale,
           sheet ? " or #:sheet" : "");
   return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "the drawing does not fit %s at any scale", name);
 }

@@ -260,7 +260,7 @@ static vs_emit_status scad_slab(vs_emitter *e, const vs_ref *ref) {
   if (made == NULL && e->error->kind == VS_ERROR_MODEL) {
     e->error->kind = VS_ERROR_NONE;
     if (vs_emit_warn_once(
-            e, ref, "OpenSCAD programs hold solids: open surfaces that no thickness makes a solid of are omitted"))
+            e, ref, "OpenSCAD programs hold solids: open surfaces that cannot be thickened to solids are omitted"))
       status = VS_EMITTED;
   } else if (made != NULL && made->kind != VS_POLYFACE_MESH) {
     status = VS_EMITTED;

@@ -408,7 +408,7 @@ static bool pov_tell_eye(vs_emitter *e, const vs_look *look) {
         p.y > b.max.y || p.z > b.max.z)
       continue;
     if (vs_node_contains(r->node, p, &inside, &none) && inside &&
-        !vs_emit_warn_once(e, r, "the camera is within this object, and shows its inside"))
+        !vs_emit_warn_once(e, r, "the camera is inside this object: the picture shows the object's inside"))
       return false;
   }
   return true;

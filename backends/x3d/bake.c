@@ -149,9 +149,10 @@ static bool bake_coarsely(vs_emitter *e) {
     if (bytes <= VS_X3D_BAKED_MOST) break;
   }
   x->least = i > 0 ? least[i] : 0;
-  return i == 0 || vs_emit_warn_once(e, NULL,
-                                     "so many shapes are shown as triangles that small round ones are cut coarsely "
-                                     "here; parts that are made once and placed several times keep their facets");
+  return i == 0 ||
+         vs_emit_warn_once(e, NULL,
+                           "the drawing has so many shapes that small round shapes get fewer facets in this format; to "
+                           "keep all facets, make a repeated part once and place it several times");
 }
 
 double vs_x3d_batch_bytes(const vs_x3d *x, const vs_x3d_group *g) {

@@ -321,9 +321,11 @@ bool vs_packed_open(vs_emitter *e) {
   p->middle = packed_middle(&e->bounds);
   e->state = p;
   if (e->scene->sky_image != NULL &&
-      !vs_emit_warn_once(e, NULL, "a sky with an image is shown by POV-Ray alone: here it has one colour"))
+      !vs_emit_warn_once(e, NULL, "only POV-Ray shows the image of a sky: in this format the sky has one colour"))
     return false;
-  if (e->scene->lamp_count > 0 && !vs_emit_warn_once(e, NULL, "lamps shine in POV-Ray's pictures alone")) return false;
+  if (e->scene->lamp_count > 0 &&
+      !vs_emit_warn_once(e, NULL, "only POV-Ray shows the light of lamps: in this format lamps give no light"))
+    return false;
   packed_head(e);
   return !e->out->failed;
 }

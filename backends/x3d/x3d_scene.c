@@ -334,10 +334,12 @@ static void scene_templates(vs_emitter *e, bool *said) {
 
 static void scene_background(vs_emitter *e) {
   if (e->scene->sky_image != NULL)
-    vs_emit_warn_once(e, NULL, "a sky with an image is shown by POV-Ray alone: here it has one colour");
-  if (e->scene->lamp_count > 0) vs_emit_warn_once(e, NULL, "lamps shine in POV-Ray's pictures alone");
+    vs_emit_warn_once(e, NULL, "only POV-Ray shows the image of a sky: in this format the sky has one colour");
+  if (e->scene->lamp_count > 0)
+    vs_emit_warn_once(e, NULL, "only POV-Ray shows the light of lamps: in this format lamps give no light");
   if (e->scene->turbidity > 0)
-    vs_emit_warn_once(e, NULL, "a physical sky is shown by POV-Ray and web pages: here it has plain colours");
+    vs_emit_warn_once(e, NULL,
+                      "only POV-Ray and web pages show a physical sky: in this format the sky has plain colours");
   double c[3] = { 0.62, 0.76, 0.92 };
   if (e->scene->has_sky)
     for (int i = 0; i < 3; i++) c[i] = e->scene->sky[i];

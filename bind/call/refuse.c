@@ -58,8 +58,8 @@ bool vs_bind_refuse_uncalled(vs_args *f, const vs_bind_param *p, vs_value v) {
   const char *call = vs_procedure_form(v, form, sizeof form);
   if (!call)
     return vs_is(v, VS_T_CLOSURE) && !vs_fail(f->vm, f->vm->sym.type,
-                                              "%s must be %s, got #<procedure>, which waits to be called: a lambda, or "
-                                              "a call that lacks arguments as (subtract a) does",
+                                              "%s must be %s, got #<procedure>; call the lambda, or add the missing "
+                                              "arguments of the call ((subtract a) lacks an argument)",
                                               p->name, vs_contract_noun(p->contract));
   size_t name = strcspn(call + 1, " )");
   vs_fail(f->vm, f->vm->sym.type, "%s must be %s, got the procedure %.*s; call it: %s", p->name,
@@ -72,7 +72,7 @@ bool vs_bind_refuse_uncalled(vs_args *f, const vs_bind_param *p, vs_value v) {
 vs_status vs_bind_refuse_kind(vs_args *f, const vs_bind_param *p, vs_value got) {
   if (vs_is_dual(got))
     return vs_fail(f->vm, f->vm->sym.type,
-                   "%s is a number that is being differentiated; objects hold plain numbers, so derivatives end here",
+                   "%s is a number that is being differentiated, and objects accept plain numbers only",
                    p->name);
   bool wants_vector = p->contract == VS_C_VECTOR || p->contract == VS_C_DIRECTION || p->contract == VS_C_PATH,
        wants_point = p->contract == VS_C_POINT;
@@ -103,8 +103,8 @@ vs_status vs_bind_refuse_kind(vs_args *f, const vs_bind_param *p, vs_value got) 
   if (p->contract == VS_C_ANGLE && first->mode != VS_ARG_END && first->contract == VS_C_SECTIONS &&
       vs_bind_take_ref(got).node)
     return vs_bind_refuse_hint(f, p->name, vs_contract_noun(p->contract), got,
-                       "the sections stand in one list: (list section ...)");
-  vs_arg word; /* suggests 'walls for "walls", and "top" for 'top */
+                       "put the sections into one list: (list section ...)");
+  vs_arg word; /* suggests 'walls for "walls", "top" for 'top */
   if (((p->contract == VS_C_TEXT && vs_is_symbol(got)) || (p->contract == VS_C_NAME && vs_is_string(got))) &&
       vs_convert_text(f, p, got, &word) && word.text.length < 40 &&
       strcspn(word.text.at, " \t\n\"'()") == word.text.length) {

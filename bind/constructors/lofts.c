@@ -88,7 +88,7 @@ static vs_status sections(vs_args *f, vs_ref *all, size_t *count, vs_value *out)
       if (!all[n++].origin) all[n - 1].origin = origin;
     }
   *count = n < 2 ? 0 : n;
-  return n < 2 ? vs_bind_empty(f, "fewer than two sections are more than nothing", out) : VS_OK;
+  return n < 2 ? vs_bind_empty(f, "at most one section is not empty", out) : VS_OK;
 }
 
 static vs_status loft(vs_args *f, vs_kind kind, const void *data, const vs_ref *children, size_t count,

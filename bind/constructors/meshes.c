@@ -222,7 +222,7 @@ vs_status vs_p_make_polyface_mesh(vs_args *f, vs_value *out) {
   for (size_t i = 0; i < count; i++)
     for (uint32_t c = starts[i]; c < starts[i + 1]; c++) {
       if (corner[c] >= points)
-        return vs_fail(f->vm, f->vm->sym.range, "face %zu asks for point %u, but there are %zu points, counted from 1",
+        return vs_fail(f->vm, f->vm->sym.range, "face %zu refers to point %u, but there are %zu points, counted from 1",
                        i + 1, corner[c] + 1, points);
       for (uint32_t o = starts[i]; o < c; o++)
         if (corner[o] == corner[c])

@@ -123,25 +123,27 @@ static vs_status filled(vs_args *f, vs_ref *ref, size_t n) {
     else if (o->class_ == VS_REGION_CLASS || (o->class_ == VS_CURVE && (o->flags & VS_NODE_CLOSED))) planar = true;
     else if (o->class_ != VS_NOTHING)
       return vs_fail(f->vm, f->vm->sym.type,
-                     "objects must be solids, or regions and closed curves of one plane; one is %s",
+                     "objects must be solids, or regions and closed curves of one plane; one object is %s",
                      o->class_ == VS_CURVE && o->kind == VS_UNION ? "several curves"
                      : o->class_ == VS_CURVE                      ? "an open curve"
                      : o->class_ == VS_SURFACE                    ? "a surface"
                                                                   : "a union of solids with curves or surfaces");
   }
   if (planar && solid)
-    return vs_fail(f->vm, f->vm->sym.type, "solids and flat regions do not meet: do-extrude the regions first");
+    return vs_fail(f->vm, f->vm->sym.type, "solids cannot be combined with flat regions: do-extrude the regions first");
   if (!planar) return VS_OK;
   switch (look_at_areas(ref, n, &a, &b)) {
     case AREAS_ONE_PLANE: return fill(f, ref, n);
     case AREAS_NOT:
-      return vs_fail(f->vm, f->vm->sym.type,
-                     "objects must be solids, or regions and closed curves of one plane; one does not lie in a plane");
+      return vs_fail(
+          f->vm, f->vm->sym.type,
+          "objects must be solids, or regions and closed curves of one plane; one object does not lie in a plane");
     case AREAS_APART: break;
   }
   char one[160], other[160];
   plane_text(&a, one), plane_text(&b, other);
-  return vs_fail(f->vm, f->vm->sym.type, "regions must lie in one plane; one lies in %s, one in %s", one, other);
+  return vs_fail(f->vm, f->vm->sym.type, "regions must lie in one plane; one region lies in %s, another in %s", one,
+                 other);
 }
 
 vs_status vs_p_intersect(vs_args *f, vs_value *out) {
@@ -259,7 +261,7 @@ vs_status vs_p_hull(vs_args *f, vs_value *out) {
     if (n->class_ == VS_NOTHING) continue;
     if (n->flags & VS_NODE_ENDLESS)
       return vs_fail(f->vm, f->vm->sym.range,
-                     "things must be finite: one of them is a half-space, or a set of them, without an end");
+                     "objects must be finite: one of them is, or contains, an endless half-space");
     solid = solid || n->class_ == VS_SOLID || n->class_ == VS_MIXED;
     child[count++] = child[i];
   }
@@ -367,9 +369,9 @@ static vs_status is_straight(vs_args *f, const vs_node *curve, vs_vec3 *way, boo
 /* Returns false, with the error set, if a taper is not possible here. */
 static bool check_taper(vs_args *f, const struct vs_extrude *d) {
   if (d->twist != 0 || d->scale != 1) return vs_fail(f->vm, f->vm->sym.range,
-      "a taper does not go with #:twist or #:scale"), false;
+      "give a taper, or #:twist and #:scale, not both"), false;
   if (NODE(0)->class_ == VS_CURVE && !(NODE(0)->flags & VS_NODE_CLOSED)) return vs_bind_refuse(f, "profile",
-      "closed where there is a taper", f->arg[0].value), false;
+      "closed if a taper is given", f->arg[0].value), false;
   if (fabs(d->taper) >= 1.5707963) return vs_bind_refuse(f, "taper", "between -pi/2 and pi/2", f->arg[2].value), false;
   return true;
 }
@@ -388,7 +390,7 @@ static bool check_rising(vs_args *f, const vs_node *curve, vs_vec3 normal) {
   rising = rising && !line.closed;
   vs_polyline_free(&line);
   if (!rising) vs_bind_refuse(f, "amount",
-      "a curve that leads away from the profile's plane all the way, where there is a taper", f->arg[1].value);
+      "a curve that leads away from the profile's plane at every point, since a taper is given", f->arg[1].value);
   return rising;
 }
 
@@ -416,7 +418,7 @@ vs_status vs_p_do_extrude(vs_args *f, vs_value *out) {
     if (d.taper != 0 && !check_taper(f, &d)) return VS_ERROR;
     if (d.twist != 0 || d.scale != 1)
       return vs_fail(f->vm, f->vm->sym.range,
-                     "#:twist and #:scale go with a number or a gvector; along a curve use do-sweep");
+                     "#:twist and #:scale need an amount that is a number or a gvector; along a curve use do-sweep");
     if (flat && !leaves(f, child[1].node, LEAVES_PLANE, plane.normal, &leaving_it)) return VS_ERROR;
     if (flat && !leaving_it)
       return vs_bind_refuse(f, "amount", "a curve that leaves the profile's plane", f->arg[1].value);
@@ -439,11 +441,12 @@ vs_status vs_p_do_extrude(vs_args *f, vs_value *out) {
       /* The user probably drew an arch in the ground plane, and gave the depth of the wall as a gvector. */
       bool flat_arch = fabs(n.z) > .999999 && vs_is_flat(f->arg[1].value, VS_FLAT_VECTOR);
       const char *cure = "";
-      if (flat_arch && fabs(d.along.x) > fabs(d.along.y)) cure = ", or stand it up: #:plane 'yz where it is made";
-      else if (flat_arch) cure = ", or stand it up: (do-rotate profile 'x pi/2), or #:plane 'xz where it is made";
+      if (flat_arch && fabs(d.along.x) > fabs(d.along.y)) cure = ", or make the profile with #:plane 'yz";
+      else if (flat_arch)
+        cure = ", or turn the profile upright: (do-rotate profile 'x pi/2), or make the profile with #:plane 'xz";
       return vs_fail(f->vm, f->vm->sym.range,
-                     "the profile would be moved within its own plane, whose normal is (vxyz %s %s %s); "
-                     "give a gvector that leaves it%s",
+                     "the amount lies in the profile's own plane, whose normal is (vxyz %s %s %s); give a gvector that "
+                     "leaves the plane%s",
                      x, y, z, cure);
     }
   }

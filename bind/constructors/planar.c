@@ -84,7 +84,7 @@ static vs_status joined(vs_args *f, vs_ref **out, size_t *count) {
   for (size_t i = 0; i < f->arg[0].refs.count; i++) {
     if (vs_bind_is_empty(c[i].node)) continue;
     if (c[i].node->kind == VS_XLINE || c[i].node->kind == VS_RAY)
-      return vs_fail(f->vm, f->vm->sym.type, "curves must have ends or be closed; one is without end");
+      return vs_fail(f->vm, f->vm->sym.type, "curves must be finite; one curve is endless");
     c[n++] = c[i];
   }
   if (!vs_curves_join(f->store, c, &n, &e)) return vs_bind_error(f->vm, &e);
@@ -103,8 +103,8 @@ static vs_status open_end(vs_args *f, const vs_node *n) {
   char one[112], other[112];
   if (!vs_curve_ends(n, &start, &end, &size, &e)) return vs_bind_error(f->vm, &e);
   return vs_fail(f->vm, f->vm->sym.type,
-                 "curves must be closed, or open ones that meet end to end; one is open: it runs from %s to %s, where "
-                 "no other begins",
+                 "curves must be closed, or open ones that meet end to end; one curve is open: it runs from %s to %s, "
+                 "where no other curve begins",
                  point_text(start, one), point_text(end, other));
 }
 
@@ -122,7 +122,8 @@ vs_status vs_p_join_curves(vs_args *f, vs_value *out) {
   vs_error e = { 0 };
   char one[112], other[112];
   if (!vs_curve_ends(c[0].node, &start, &end, &size, &e)) return vs_bind_error(f->vm, &e);
-  return vs_fail(f->vm, f->vm->sym.type, "curves must meet end to end; they make %lu curves, the first from %s to %s",
+  return vs_fail(f->vm, f->vm->sym.type,
+                 "curves must meet end to end; they make %lu separate curves, the first from %s to %s",
                  (unsigned long)n, point_text(start, one), point_text(end, other));
 }
 
@@ -146,9 +147,10 @@ vs_status vs_p_make_region(vs_args *f, vs_value *out) {
     if (planes == VS_PLANE_MANY) continue; /* all curves so far lie on one line: the area is 0 */
     if (kept && !vs_plane_same(&first, &here)) {
       char other[112];
-      return vs_fail(f->vm, f->vm->sym.type,
-                     "curves must lie in one plane; curve 1 is in that through %s, curve %lu in that through %s",
-                     point_text(first.point, text), (unsigned long)i + 1, point_text(here.point, other));
+      return vs_fail(
+          f->vm, f->vm->sym.type,
+          "curves must lie in one plane; curve 1 lies in the plane through %s, curve %lu in the plane through %s",
+          point_text(first.point, text), (unsigned long)i + 1, point_text(here.point, other));
     }
     if (!kept) first = here;
     c[kept++] = c[i];
@@ -216,7 +218,7 @@ vs_status vs_p_do_offset(vs_args *f, vs_value *out) {
   if (vs_bind_is_empty(NODE(0))) return vs_bind_give_node(f, vs_node_retain(NODE(0)), out);
   if (vs_is_several(NODE(0)) && !(NODE(0)->flags & VS_NODE_CLOSED)) return vs_bind_each_part(f, vs_p_do_offset, out);
   if (NODE(0)->kind == VS_XLINE || NODE(0)->kind == VS_RAY)
-    return vs_bind_refuse(f, "s", "a curve with two ends or none, or a region", f->arg[0].value);
+    return vs_bind_refuse(f, "s", "a finite curve, a closed curve or a region", f->arg[0].value);
   if (vs_node_plane(NODE(0), &plane) == VS_PLANE_NONE)
     return vs_bind_refuse(f, "s", "a curve or region that lies in one plane", f->arg[0].value);
   vs_bounds box;
@@ -235,7 +237,7 @@ vs_status vs_p_do_offset(vs_args *f, vs_value *out) {
   f->arg[0].ref = whole;
   if (plain->class_ == VS_NOTHING) left = 0;
   else if (!what_is_left(plain, &left, &e)) return vs_bind_error(f->vm, &e);
-  if (left == 0) return vs_bind_empty(f, "nothing is left so far inside", out);
+  if (left == 0) return vs_bind_empty(f, "no part of the profile lies so far inside", out);
   d.filled = left > 1 && made->class_ == VS_CURVE;
   return d.filled ? vs_bind_make(f, VS_OFFSET, &d, &f->arg[0].ref, 1, out)
                   : vs_bind_give_node(f, vs_node_retain(made), out);

@@ -65,8 +65,8 @@ static vs_status take_place(vs_args *f, vs_scene_view *v, const vs_arg *from, co
 
 static vs_status take_cut(vs_args *f, vs_scene_view *v, const vs_arg *cut) {
   if (v->cut == VS_CUT_PLANE && !(cut->given && cut->value != VS_FALSE))
-    return vs_fail(f->vm, f->vm->sym.arity, "a section takes #:cut, the plane that it is cut in "
-                                               "and looked at along the normal of");
+    return vs_fail(f->vm, f->vm->sym.arity,
+                   "a section takes #:cut, a plane; the view looks at the plane along its normal");
   if (!cut->given) return VS_OK;
   bool section = v->cut == VS_CUT_PLANE;
   v->cut = cut->value != VS_FALSE ? VS_CUT_PLANE : VS_CUT_NONE;

@@ -253,17 +253,18 @@ bool vs_interval_call(vs_scheme *vm, const char *name, const vs_value *a, int n,
     r = vs_enclose(VS_TAPE_DIV, vs_enclose(VS_TAPE_LOG, of[0], of[0], of[0]),
                    vs_enclose(VS_TAPE_LOG, of[1], of[1], of[1]), of[2]);
   else if (op == VS_TAPE_CONSTANT)
-    return vs_fail(vm, vm->sym.type, "an interval is no argument for it");
+    return vs_fail(vm, vm->sym.type, "an interval is no argument of this operation");
   else
     r = vs_enclose(op, of[0], of[1], of[2]);
   if (r.low != r.low) {
     VS_ROOTS(vm, list, 1);
     if (!vs_cons(vm, a[vs_is(a[0], VS_T_FLAT) ? 0 : 1], VS_NIL, &list[0])) return false;
-    return vs_fail_with(vm, vm->sym.range, list[0], "it has no value anywhere in");
+    return vs_fail_with(vm, vm->sym.range, list[0], "the operation has no value anywhere in the interval");
   }
   if (op == VS_TAPE_LESS || op == VS_TAPE_ATMOST || op == VS_TAPE_EQUAL) {
     if (r.low == r.high) return *out = vs_bool(r.low != 0), true;
-    return vs_fail(vm, vm->sym.range, "%s holds for a part of the intervals; ask interval-low and interval-high", name);
+    return vs_fail(vm, vm->sym.range,
+                   "%s is true for only a part of the intervals; compare interval-low or interval-high instead", name);
   }
   return vs_make_flat(vm, VS_FLAT_INTERVAL, (double[]){ r.low, r.high }, 2, out);
 }

@@ -30,8 +30,8 @@ static vs_status refuse(vs_args *f, vs_contour_outcome outcome, const vs_contour
                    y, z);
   case VS_CONTOUR_EMPTY:
     return vs_fail(f->vm, f->vm->sym.range,
-                   "f is nowhere below the level in the box, or in parts smaller than a cell alone");
-  case VS_CONTOUR_STOPPED: return VS_ERROR; /* the condition is already set */
+                   "f is nowhere below the level in the box, or only in parts smaller than a cell");
+  case VS_CONTOUR_STOPPED: return VS_ERROR; /* the condition is set */
   case VS_CONTOUR_MANY:
     return vs_fail(f->vm, f->vm->sym.limit, VS_SHAPES_OVER, c->most, VS_ON_THE_WAY, f->bind->mesh_triangles);
   case VS_CONTOUR_MEMORY:

@@ -97,10 +97,10 @@ vs_status vs_p_scope_split(vs_args *f, vs_value *out) {
     return vs_fail(vm, vm->sym.range, "the parts sum to %.12g, but the scope is %.12g along %c", sum, whole,
                    'x' + axis);
   if (left > slack && weight == 0)
-    vs_bind_warn(
-        f->bind, "split",
-        "scope-split: the parts sum to %.12g, but the scope is %.12g along %c: the rest stays empty; (rest #f) says so",
-        sum, whole, 'x' + axis);
+    vs_bind_warn(f->bind, "split",
+                 "scope-split: the parts sum to %.12g, but the scope is %.12g along %c: the rest stays empty; write "
+                 "(rest #f) if the rest is to be empty",
+                 sum, whole, 'x' + axis);
   if (left <= slack) left = 0;
   vs_derivation *d = vs_rules_begin(f, &r[1]);
   vs_rule_task *t = d ? vs_task_new(d, (uint32_t)n, true) : NULL;

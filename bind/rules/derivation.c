@@ -357,7 +357,7 @@ vs_status vs_p_derivation_made(vs_args *f, vs_value *out) {
   vs_value v = f->arg[1].value;
   const char *expected = vs_bind_take_scope(v) ? "an object or a list of objects (scope-place puts one into the scope)"
                                           : "an object or a list of objects";
-  return gather_value(f, d, d->now, v, "what a rule gives", expected) ? VS_OK : VS_ERROR;
+  return gather_value(f, d, d->now, v, "the value of a rule", expected) ? VS_OK : VS_ERROR;
 }
 
 /* (%derivation-object d): returns the union of all objects, and ends the derivation. */
@@ -534,7 +534,7 @@ vs_status vs_p_took(vs_args *f, vs_value *out) {
   if (v == VS_UNSPECIFIC) return VS_OK;
   if (vs_bind_take_scope(v)) return *out = v, VS_OK;
   if (!f->bind->growing) return vs_fail(f->vm, f->vm->sym.error, "no rule is being derived");
-  return gather_value(f, f->bind->growing, vs_bind_take_scope(*out), v, "what a form of a rule gives",
+  return gather_value(f, f->bind->growing, vs_bind_take_scope(*out), v, "the value of a form of a rule",
                       "a scope, an object or a list of objects")
              ? VS_OK
              : VS_ERROR;

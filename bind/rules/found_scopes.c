@@ -109,7 +109,7 @@ static vs_scope *with_mark(vs_args *f, vs_scope *s, int64_t number) {
 vs_status vs_p_scope_mark(vs_args *f, vs_value *out) {
   const vs_node *n = f->arg[1].ref.node;
   vs_derivation *d = f->bind->growing;
-  if (!d) return vs_fail(f->vm, f->vm->sym.error, "belongs in a rule: outside of one there is no scope");
+  if (!d) return vs_fail(f->vm, f->vm->sym.error, "works only in a rule: outside of a rule there is no scope");
   if (!vs_rules_gather(d, f->arg[1].ref, f->arg[0].scope->flags)) return VS_ERROR;
   vs_scope *s = with_mark(f, f->arg[0].scope, VS_AS(custom, n)->values->id);
   return s ? vs_bind_give_scope(f->vm, s, out) : VS_ERROR;

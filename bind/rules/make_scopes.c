@@ -128,7 +128,7 @@ vs_status vs_p_make_polygon_scope(vs_args *f, vs_value *out) {
     vs_fail_memory(f->vm);
   else if ((s->loops = vs_rules_outline_loops(f, &o, &next))) {
     if (next < o.count)
-      vs_bind_refuse(f, "region", "one piece: several are several scopes, or the faces of a mesh scope",
+      vs_bind_refuse(f, "region", "one piece; make a scope of each piece, or a mesh scope of all",
                      f->arg[0].value);
     else if (!vs_scope_frame_loops(s))
       vs_bind_refuse(f, "region", "a region that has an area", f->arg[0].value);

@@ -92,7 +92,7 @@
       (define (wrong clause)
         (cond
           ((not (list? clause)) "a clause is [#:when test sequence ...] or [sequence ...], not")
-          ((and (keyword? (car clause) "#:when") (null? (cdr clause))) "a test is missing behind #:when in")
+          ((and (keyword? (car clause) "#:when") (null? (cdr clause))) "a test is missing after #:when in")
           ((not (every arrow? (clause-sequences clause))) "a sequence is (=> form ...) or (=> #:chance p form ...); this clause has something else:")
           ((any (lambda (s) (not (list? s))) (clause-sequences clause)) "a sequence is (=> form ...), not")
           ((any (lambda (s) (any (lambda (f) (not (or (identifier? f) (and (list? f) (pair? f))))) (cdr (sequence s)))) (clause-sequences clause))

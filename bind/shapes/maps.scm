@@ -82,7 +82,7 @@
           (lambda (t a b long x y z)
             ; %along-spine's first direction is the upright one; its second is to the left of it
             (or (%walk-upright walk t (- b) a up)
-                (error 'flow-map "the curve runs along up at ~s, where nothing can be upright" (%walk-place walk t 0 0)))))
+                (error 'flow-map "the curve runs along up at ~s; choose another #:up" (%walk-place walk t 0 0)))))
         (%along-spine 'flow-map p q #f (lambda (t a b long x y z) (%walk-place walk t a b))))))
 
 ; Moves the rectangle from p to q to the surface f of u and v from 0 to 1; heights go along its normals.

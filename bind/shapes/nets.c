@@ -47,7 +47,7 @@ static vs_status unsettled(vs_args *f, vs_relax_outcome outcome, const vs_relax_
   char a[32], b[32];
   switch (outcome) {
   case VS_RELAX_LOOSE:
-    return vs_fail(f->vm, f->vm->sym.range, "point %zu is loaded, and no members lead from it to a fixed one",
+    return vs_fail(f->vm, f->vm->sym.range, "point %zu is loaded, and no members lead from that point to a fixed point",
                    report->where + 1);
   case VS_RELAX_SHORT: {
     const vs_net_member *m = &n->members[report->where];
@@ -147,8 +147,8 @@ vs_status vs_p_planarise(vs_args *f, vs_value *out) {
     char text[32];
     vs_bind_number_text(text, worst);
     return vs_fail(f->vm, f->vm->sym.range,
-                   "no plane faces were found: after %d rounds a corner still lies %s from its face", VS_PLANE_ROUNDS,
-                   text);
+                   "the faces cannot be made plane: after %d rounds a corner still lies %s from its face's plane",
+                   VS_PLANE_ROUNDS, text);
   }
   case VS_PLANE_DONE: break;
   }

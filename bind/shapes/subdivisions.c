@@ -100,7 +100,8 @@ static bool point_number(vs_args *f, const vs_face_list *l, vs_value v, uint32_t
 /* Reads a list of creases. Each is a list of two points of an edge, or their numbers from 1, and the sharpness if it is
  * finite. */
 static bool creases_of(vs_args *f, const vs_face_list *l, vs_crease **out, size_t *count) {
-  static const char *const expected = "lists of two points of an edge, or their numbers, and how sharp it is";
+  static const char *const expected =
+      "lists of three: two points of an edge, or their numbers, and the edge's sharpness";
   size_t room = 0;
   for (vs_value c = f->arg[2].value; vs_is_pair(c); c = vs_cdr(c)) {
     vs_value e = vs_car(c);
@@ -110,7 +111,7 @@ static bool creases_of(vs_args *f, const vs_face_list *l, vs_crease **out, size_
     if (!point_number(f, l, vs_car(e), &made.a) || !point_number(f, l, vs_car(vs_cdr(e)), &made.b)) return false;
     vs_value sharpness = n == 3 ? vs_car(vs_cdr(vs_cdr(e))) : VS_FALSE;
     if (n == 3 && (!vs_bind_take_number(f->vm, sharpness, &made.sharpness) || !(made.sharpness >= 0)))
-      return vs_bind_refuse(f, "creases", "as sharp as a number of 0 or more says", sharpness);
+      return vs_bind_refuse(f, "creases", "of a sharpness that is a number of 0 or more", sharpness);
     bool is_edge = false;
     for (size_t i = 0; !is_edge && i < l->face_count; i++)
       for (uint32_t k = l->starts[i]; !is_edge && k < l->starts[i + 1]; k++) {
@@ -183,7 +184,7 @@ vs_status vs_p_make_crust(vs_args *f, vs_value *out) {
   double t = f->arg[1].real, outwards = 0, inwards = t;
   if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return VS_ERROR;
   vs_node *o = f->arg[0].ref.node;
-  if (vs_bind_is_empty(o)) return vs_bind_empty(f, "there is nothing to make a crust of", out);
+  if (vs_bind_is_empty(o)) return vs_bind_empty(f, "the object is empty, and has no crust", out);
   if (o->class_ != VS_SOLID && o->class_ != VS_SURFACE)
     return vs_bind_refuse(f, "o", "a solid or a surface", f->arg[0].value);
   if (f->key[0].given) {

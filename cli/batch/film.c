@@ -71,8 +71,11 @@ vs_outcome cli_film_make(const cli_film *f) {
     return VS_OUTCOME_DONE;
   }
   remove(part);
-  fprintf(stderr, code == NO_FFMPEG ? "vs render: %s: there is no ffmpeg (package ffmpeg) to make the film; the frames "
-          "stand\n" : "vs render: %s: ffmpeg made no film\n", name);
+  fprintf(stderr,
+          code == NO_FFMPEG
+              ? "vs render: %s: the film needs ffmpeg: install the package ffmpeg; all frames were written\n"
+              : "vs render: %s: ffmpeg failed: there is no film\n",
+          name);
   return VS_OUTCOME_WORKER;
 }
 

@@ -99,7 +99,10 @@ static bool add_picture(batch *b, const char *model, const char *set, const char
   }
   for (size_t i = 0; i < b->count; i++)
     if (!strcmp(b->at[i].file, file)) {
-      fprintf(stderr, "vs render: %s would be two pictures: models of one name need folders of their own\n", file);
+      fprintf(stderr,
+              "vs render: %s would be the picture of two models: rename a model, or write its pictures into another "
+              "folder\n",
+              file);
       return false;
     }
   picture p = {.model = model, .set = set ? strdup(set) : NULL, .told = -1, .view = view ? strdup(view) : NULL,
@@ -290,7 +293,7 @@ static void manifest_picture(FILE *to, const picture *p) {
 static bool may_write(const batch *b, const char *path) {
   cli_inputs_hear(b->told, b->inputs);
   if (!vs_is_input(b->inputs, path)) return true;
-  fprintf(stderr, "vs render: %s: a model is made from it, and no output takes its place; name another file\n", path);
+  fprintf(stderr, "vs render: %s: a model reads this file, and no output may replace it; name another file\n", path);
   return false;
 }
 
@@ -576,8 +579,12 @@ static bool take_manifest(batch *b) {
   if (b->lock < 0) return fprintf(stderr, "vs render: cannot write %s: %s\n", path, strerror(errno)), false;
   bool taken = flock(b->lock, LOCK_EX | LOCK_NB) == 0 && fstat(b->lock, &mine) == 0 && stat(path, &named) == 0 &&
                mine.st_ino == named.st_ino && mine.st_dev == named.st_dev;
-  if (!taken) return fprintf(stderr, "vs render: %s: another run is writing it; let it end, or name another by "
-                             "--manifest\n", path), false;
+  if (!taken)
+    return fprintf(stderr,
+                   "vs render: %s: another run of vs is writing this manifest; wait until that run ends, or name "
+                   "another file by --manifest\n",
+                   path),
+           false;
   b->manifest = read_text(path);
   return true;
 }
@@ -749,7 +756,7 @@ vs_outcome cli_render_command(const cli_options *o, const volatile sig_atomic_t 
   batch b = {.options = o, .ended = ended, .lock = -1, .told = -1, .inputs = vs_new(&o->interpreter)};
   ssize_t length = readlink("/proc/self/exe", b.program, sizeof b.program - 1);
   vs_outcome outcome = VS_OUTCOME_MACHINE;
-  if (length <= 0) fputs("vs render: where this program is cannot be found\n", stderr);
+  if (length <= 0) fputs("vs render: the path of the vs program cannot be found\n", stderr);
   else if (!b.inputs) no_memory();
   else {
     outcome = VS_OUTCOME_USAGE;

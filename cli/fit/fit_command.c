@@ -20,7 +20,7 @@ static const struct {
   const char *word, *remark;
 } states[] = { [VS_FIT_FITTED] = { "fitted", "" },
                [VS_FIT_HELD] = { "held", "held" },
-               [VS_FIT_NO_NUMBER] = { "no number", "not fitted: its default is no real number" },
+               [VS_FIT_NO_NUMBER] = { "no number", "not fitted: its default is no inexact number" },
                [VS_FIT_AT_BOUND] = { "at bound", "at its bound" },
                [VS_FIT_UNDETERMINED] = { "undetermined", "not determined by the scan" } };
 

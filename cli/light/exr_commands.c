@@ -105,8 +105,11 @@ static vs_outcome pick(const job *j) {
   }
   if (p.id == 0 || *p.place) return VS_OUTCOME_DONE;
   fflush(stdout);
-  fprintf(stderr, p.id < 0 ? "vs pick: %s has no layer id, which would say what was met there\n"
-                           : "vs pick: %s does not say where in the program its parts were made\n", file_of(j, 0));
+  fprintf(stderr,
+          p.id < 0
+              ? "vs pick: %s has no layer id, and the object at the pixel is unknown; make the picture with --layers\n"
+              : "vs pick: %s has no source lines of its objects\n",
+          file_of(j, 0));
   return VS_OUTCOME_MODEL;
 }
 
@@ -136,7 +139,10 @@ static vs_outcome denoise(const job *j) {
   bool layers = false;
   vs_outcome outcome = vs_picture_denoise(j->scheme, file_of(j, 0), target_of(j), &layers);
   if (outcome == VS_OUTCOME_DONE && !j->options->quiet && !layers)
-    fprintf(stderr, "%s: by its colours alone: it has no layers of albedo and normal\n", target_of(j));
+    fprintf(stderr,
+            "%s: denoised by its colours alone, because the picture has no layers of albedo and normal (--layers "
+            "writes them)\n",
+            target_of(j));
   return outcome;
 }
 

@@ -603,11 +603,11 @@ cli_editor *cli_editor_open(vs_scheme *scheme, void (*commands)(void (*each)(voi
   libedit.el_set(e->line, EL_HIST, libedit.history, e->history);
   libedit.el_set(e->line, EL_ADDFN, "vs-complete", "complete the word before the cursor", complete);
   libedit.el_set(e->line, EL_ADDFN, "vs-close", "close a parenthesis and show the one it closes", close_parenthesis);
-  libedit.el_set(e->line, EL_ADDFN, "vs-flashed", "leave the parenthesis that was closed", flashed);
-  libedit.el_set(e->line, EL_ADDFN, "vs-quote", "insert a quote, but for one that stands there by completion", quote);
+  libedit.el_set(e->line, EL_ADDFN, "vs-flashed", "move the cursor back behind the closed parenthesis", flashed);
+  libedit.el_set(e->line, EL_ADDFN, "vs-quote", "insert a quote, unless completion has inserted it", quote);
   libedit.el_set(e->line, EL_ADDFN, "vs-enter", "end the line, or begin another of an open expression", enter);
   libedit.el_set(e->line, EL_ADDFN, "vs-newline", "begin another line", new_line);
-  libedit.el_set(e->line, EL_ADDFN, "vs-paste", "take what is pasted as text", paste);
+  libedit.el_set(e->line, EL_ADDFN, "vs-paste", "insert pasted text", paste);
   libedit.el_set(e->line, EL_ADDFN, "vs-up", "the line above, or the entry before", line_up);
   libedit.el_set(e->line, EL_ADDFN, "vs-down", "the line below, or the entry after", line_down);
   libedit.el_set(e->line, EL_ADDFN, "vs-signature", "show how the procedure is called", signature);

@@ -214,7 +214,7 @@ void cli_manual_mentions(const char *word, FILE *to) {
 }
 
 void cli_manual_topics(FILE *to) {
-  fputs("vs help WORD shows what the manual has on a name, a page or a topic. Pages:\n ", to);
+  fputs("vs help WORD shows the manual's text on a name, a page or a topic. Pages:\n ", to);
   int column = 1, width = cli_terminal_width();
   for (const char *at = vs_manual_text; at < vs_manual_text_end;) {
     part line = line_at(at);

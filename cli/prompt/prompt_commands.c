@@ -34,7 +34,7 @@ static void write_file(cli_session *c, const char *path, const char *command) {
   if (!*path) {
     fprintf(stderr, ",%s needs a file name, as in ,%s house.png\n", command, command);
   } else if (!target.format) {
-    fprintf(stderr, "%s: the ending says no format; there are %s\n", path, vs_format_endings());
+    fprintf(stderr, "%s: no format has this ending; the formats are %s\n", path, vs_format_endings());
   } else if (cli_session_write(c, &target) == VS_OUTCOME_DONE) {
     printf("; wrote %s\n", path);
   }
@@ -304,7 +304,7 @@ static void tell_entry(const char *what, const cli_entry *e) {
 
 static void undo(cli_session *c, cli_prompt *p) {
   if (!p->count) {
-    puts("; there is nothing to take back");
+    puts("; there is nothing to undo");
     return;
   }
   p->count--;
@@ -314,7 +314,7 @@ static void undo(cli_session *c, cli_prompt *p) {
 
 static void redo(cli_session *c, cli_prompt *p) {
   if (p->count == p->known) {
-    puts("; there is nothing to do again");
+    puts("; there is nothing to redo");
     return;
   }
   tell_entry("done again", &p->entries[p->count]);
@@ -372,7 +372,7 @@ static void save(cli_session *c, cli_prompt *p, const char *path) {
   FILE *exists = fopen(path, "r");
   if (exists) {
     fclose(exists);
-    fprintf(stderr, "%s is there already; ,save writes new files only\n", path);
+    fprintf(stderr, "%s exists already, and ,save writes only new files: give another name\n", path);
     return;
   }
   FILE *f = fopen(path, "w");
@@ -412,13 +412,13 @@ static void print_profile(cli_session *c) {
   vs_profile_info row;
   size_t looks;
   for (size_t i = 0; i < 12 && vs_profile_get(c->scheme, i, &row, &looks); i++) {
-    if (!i) printf("  itself  with what it calls, of %zu looks\n", looks);
+    if (!i) printf("  itself  with its calls, of %zu samples\n", looks);
     printf("  %5.1f%%  %5.1f%%  %s", 100 * row.own, 100 * row.whole, row.procedure);
     if (row.at.file) printf("  (%s:%u)", row.at.file, (unsigned)row.at.line);
     putchar('\n');
   }
   if (!vs_profile_get(c->scheme, 0, &row,
-      &looks)) puts("; too short to be seen: a look is taken every few milliseconds");
+      &looks)) puts("; the run was too short: the profiler takes a sample every few milliseconds");
 }
 
 static void time_expression(cli_session *c, cli_prompt *p, const char *expression, bool profile) {
@@ -462,7 +462,7 @@ static void quit(cli_session *c, cli_prompt *p) {
     return;
   }
   cli_prompt_drop(c, p);
-  puts(p->stopped_count ? "; given up" : "; given up; ,quit once more ends");
+  puts(p->stopped_count ? "; given up" : "; the stopped program has been ended; ,quit once more ends the prompt");
 }
 
 static void trace(cli_session *c, cli_prompt *p, const char *name, bool on) {

@@ -157,8 +157,10 @@ vs_outcome cli_prompt_stopped(cli_session *c, cli_prompt *p, cli_entry entry) {
   }
   if (outcome == VS_OUTCOME_STOPPED) {
     p->stopped[p->stopped_count++] = entry;
-    if (!p->told_stops) fputs("; ,step enters the call, ,over passes it, ,out leaves the procedure, "
-                              ",continue goes on; ,quit gives up\n", stderr);
+    if (!p->told_stops)
+      fputs("; ,step enters the call, ,over finishes the call, ,out leaves the procedure, ,continue runs on; "
+            ",quit ends the program\n",
+            stderr);
     p->told_stops = true;
     return outcome;
   }
@@ -171,7 +173,7 @@ vs_outcome cli_prompt_stopped(cli_session *c, cli_prompt *p, cli_entry entry) {
 
 void cli_prompt_resume(cli_session *c, cli_prompt *p, vs_resume_way way) {
   if (!p->stopped_count) {
-    fputs("; nothing is stopped; ,step EXPR goes through an expression, (break) in a program stops it there\n", stderr);
+    fputs("; no program is stopped; ,step EXPR runs an expression call by call, (break) stops a program\n", stderr);
     return;
   }
   p->again = way == VS_RESUME_CONTINUE ? 0 : 1 + (int)way;
@@ -262,7 +264,7 @@ void cli_prompt_view(cli_session *c, cli_prompt *p) {
   if (!c->view) return;
   p->session = c;
   if (c->editor) cli_editor_idle(c->editor, (cli_idle){view_asked, view_act, p});
-  puts("; the page follows the drawing for as long as this prompt lives");
+  puts("; the page follows the drawing until this prompt ends");
 }
 
 /* Shows the result of the last line in the live view. */

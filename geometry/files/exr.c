@@ -33,7 +33,7 @@ float *vs_exr_find(const vs_exr *x, const char *channel) {
 float *vs_exr_add(vs_exr *x, const char *channel, vs_exr_type type, vs_error *e) {
   VS_ASSERT(x->columns > 0 && x->rows > 0);
   if (x->count == VS_EXR_CHANNELS) {
-    vs_error_set(e, VS_ERROR_MODEL, NULL, "an EXR picture has up to %d channels here", VS_EXR_CHANNELS);
+    vs_error_set(e, VS_ERROR_MODEL, NULL, "an EXR picture may have at most %d channels", VS_EXR_CHANNELS);
     return NULL;
   }
   float *at = vs_store_realloc(x->store, NULL, 0, exr_plane_bytes(x));

@@ -207,7 +207,7 @@ static bool exr_measure(exr_reader *r, const vs_file_bytes *file, exr_result_t *
   *result = r->call.storage(r->c, 0, &storage);
   if (*result != EXR_ERR_SUCCESS) return false;
   if (storage != EXR_STORAGE_SCANLINE && storage != EXR_STORAGE_TILED)
-    return vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: the EXR picture is a deep one: those are not read",
+    return vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: deep EXR pictures cannot be read",
         file->name);
   *result = r->call.window(r->c, 0, &r->box);
   if (*result == EXR_ERR_SUCCESS) *result = r->call.channels(r->c, 0, &r->all);
@@ -284,8 +284,7 @@ bool vs_exr_decode(vs_store *store, const vs_file_bytes *file, const vs_exr_wind
   if (result == EXR_ERR_OUT_OF_MEMORY) ok = vs_error_memory(e, NULL);
   else if (result == EXR_ERR_FEATURE_NOT_IMPLEMENTED)
     ok = vs_error_set(e, VS_ERROR_MODEL, NULL,
-        "%.100s: the EXR picture is compressed, or its channels are sampled, in a "
-                      "way that is not read", file->name);
+        "%.100s: vs cannot read the compression, or the sampling of channels, of this EXR picture", file->name);
   else if (result != EXR_ERR_SUCCESS)
     ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: the EXR picture cannot be read: %s", file->name,
         r.call.words(result));

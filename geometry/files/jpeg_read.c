@@ -64,7 +64,7 @@ static void jpeg_say(j_common_ptr j, int level) {
 static void jpeg_progress(j_common_ptr j) {
   jpeg_run *run = (jpeg_run *)j->err;
   if (((j_decompress_ptr)j)->input_scan_number <= SCANS_MOST) return;
-  snprintf(run->said, sizeof run->said, "more scans than a picture needs");
+  snprintf(run->said, sizeof run->said, "the file has too many scans");
   longjmp(run->out, 1);
 }
 

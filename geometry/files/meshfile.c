@@ -131,7 +131,7 @@ static bool read_obj_face(vs_byte_scan *s, vs_face_list *out) {
       return vs_scan_fail(s, "expected the number of a point, got \"%.32s\"", word);
     if (i < 0) i += (long long)out->point_count + 1; /* index -1 means the last point read so far */
     if (i < 1 || i > (long long)UINT32_MAX)
-      return vs_scan_fail(s, "the face asks for point %.32s, but there are %zu so far", word, out->point_count);
+      return vs_scan_fail(s, "the face refers to point %.32s, but there are %zu so far", word, out->point_count);
     if (!face_list_memory(s, vs_face_list_corner(out, (uint32_t)(i - 1)))) return false;
   }
   size_t open = out->corner_count - (out->face_count ? out->starts[out->face_count] : 0);
@@ -187,7 +187,7 @@ static bool read_off(vs_byte_scan *s, vs_face_list *out) {
     for (int64_t k = 0; k < corners; k++) {
       if (!vs_scan_integer(s, true, '#', &index)) return false;
       if (index < 0 || index >= points)
-        return vs_scan_fail(s, "face %lld asks for point %lld, but there are %lld, counted from 0", (long long)f + 1,
+        return vs_scan_fail(s, "face %lld refers to point %lld, but there are %lld, counted from 0", (long long)f + 1,
                             (long long)index, (long long)points);
       if (!face_list_memory(s, vs_face_list_corner(out, (uint32_t)index))) return false;
     }
@@ -240,7 +240,7 @@ bool vs_points_file_read(const vs_file_bytes *file, vs_poller poll, bool nowhere
   for (size_t f = 0; f < out->face_count; f++)
     for (uint32_t c = out->starts[f]; c < out->starts[f + 1]; c++)
       if (out->corners[c] >= out->point_count)
-        return vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: face %zu asks for point %u, but there are %zu", s.name,
+        return vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: face %zu refers to point %u, but there are %zu", s.name,
                             f + 1, out->corners[c] + 1, out->point_count);
   return true;
 }

@@ -167,7 +167,7 @@ static bool ply_one(vs_byte_scan *s, ply_form form, const ply_element *e, uint64
         continue;
       }
       if (!(value >= 0) || value >= (double)points || value != floor(value))
-        return vs_scan_fail(s, "%s %llu asks for point %.10g, but there are %llu, counted from 0", e->name,
+        return vs_scan_fail(s, "%s %llu refers to point %.10g, but there are %llu, counted from 0", e->name,
                             (unsigned long long)number + 1, value, (unsigned long long)points);
       ok = p->role == PLY_STRIPS ? ply_strip_corner(&strip, (uint32_t)value, out)
                                  : vs_face_list_corner(out, (uint32_t)value);

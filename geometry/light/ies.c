@@ -38,8 +38,8 @@ static bool ies_labels(ies_text *t) {
   while (ies_line(t, &from, &count)) {
     if (count > LINE_MOST || memchr(from, 0, count)) return ies_wrong(t, "this is no text of an IES file");
     if (count < 5 || memcmp(from, "TILT=", 5) != 0) continue;
-    if (count == 9 && !memcmp(from + 5, "NONE", 4)) return t->line++, true; /* the numbers begin on the next line */
-    return ies_wrong(t, "only TILT=NONE is read: intensities that depend on how the lamp is mounted are not");
+    if (count == 9 && !memcmp(from + 5, "NONE", 4)) return t->line++, true; /* the numbers begin in the next line */
+    return ies_wrong(t, "only IES files with TILT=NONE can be read");
   }
   return ies_wrong(t, "this is no IES file: it has no line TILT=NONE");
 }
@@ -103,7 +103,7 @@ static bool ies_body(ies_text *t, vs_ies *x) {
       !ies_count(t, "the number of horizontal angles", ANGLES_MOST, &x->horizontals) ||
       !ies_number(t, "the type of photometry", 1, 3, &type))
     return false;
-  if (type != 1) return ies_wrong(t, "only photometry of type C, which is 1, is read");
+  if (type != 1) return ies_wrong(t, "only photometry of type C (the number 1) can be read");
   if (!ies_number(t, "the unit of lengths", 1, 2, &unused)) return false;
   for (int i = 0; i < 3; i++)
     if (!ies_number(t, "the width, length or height of the lamp", -1e6, 1e6, &unused)) return false;
@@ -113,7 +113,7 @@ static bool ies_body(ies_text *t, vs_ies *x) {
   size_t count = (size_t)x->verticals * x->horizontals;
   /* Each number takes at least two bytes of the file. This check prevents the allocation of more memory than the file
    * can fill. */
-  if (count > (size_t)(t->end - t->at)) return ies_wrong(t, "the file is too short for so many angles");
+  if (count > (size_t)(t->end - t->at)) return ies_wrong(t, "the file has fewer numbers than its angles need");
   x->room = (x->verticals + x->horizontals + count) * sizeof *x->at;
   x->at = vs_store_realloc(x->store, NULL, 0, x->room);
   if (!x->at) return vs_error_memory(t->error, NULL);
@@ -126,7 +126,7 @@ static bool ies_body(ies_text *t, vs_ies *x) {
     x->most = fmax(x->most, candelas[i]);
   }
   return (x->most > 0 && x->most <= candelas_most) ||
-         ies_wrong(t, x->most > 0 ? "the lamp is brighter than any" : "the lamp gives no light");
+         ies_wrong(t, x->most > 0 ? "the lamp is impossibly bright" : "the lamp gives no light");
 }
 
 bool vs_ies_read(vs_store *store, const char *name, const char *text, size_t size, vs_ies *out, vs_error *e) {

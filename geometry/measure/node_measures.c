@@ -245,7 +245,7 @@ static bool measure_unknown(const measured *of, vs_measure *m, vs_error *e) {
 
 static bool measure_endless(const measured *of, vs_measure *m, vs_error *e) {
   (void)of, (void)m;
-  return vs_error_set(e, VS_ERROR_MODEL, NULL, "it has no end: nothing about it can be measured");
+  return vs_error_set(e, VS_ERROR_MODEL, NULL, "the object has no end and cannot be measured");
 }
 
 /* Maps a measure from the node's own coordinates by its placement. */

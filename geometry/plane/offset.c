@@ -297,8 +297,8 @@ bool vs_line_frame(const vs_polyline *line, vs_affine *frame, vs_error *e) {
   }
   for (size_t i = 0; i < line->count; i++) off = fmax(off, fabs(vs_v3_dot(normal, vs_v3_sub(line->at[i], o))));
   if (off > 1e-6 * size)
-    return vs_error_set(e, VS_ERROR_MODEL, NULL, "do-offset: the curve does not lie in one plane: it leaves it by %.6g",
-                        off);
+    return vs_error_set(e, VS_ERROR_MODEL, NULL,
+                        "do-offset: the curve must lie in one plane, and deviates from a plane by %.6g", off);
   *frame = vs_frame_on_axis(vs_v3_scale(normal, vs_v3_dot(normal, o)), normal);
   return true;
 }

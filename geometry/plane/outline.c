@@ -153,7 +153,8 @@ bool vs_outline_plane(vs_outline *o, vs_error *e) {
     for (size_t k = 0; k < o->loops[i].count; k++)
       off = fmax(off, fabs(vs_v3_dot(o->normal, vs_v3_sub(o->loops[i].at[k], o->point))));
   if (off > 1e-6 * size)
-    return vs_error_set(e, VS_ERROR_MODEL, NULL, "the curve does not lie in one plane: it leaves it by %.6g", off);
+    return vs_error_set(e, VS_ERROR_MODEL, NULL, "the curve must lie in one plane, and deviates from a plane by %.6g",
+                        off);
   return true;
 }
 

@@ -137,7 +137,7 @@ static bool flat_enter(vs_flat *f, const vs_ref *ref, vs_affine map, const vs_fi
           continue;
         }
         return flat_fail(f, ref,
-                         n->class_ == VS_CURVE ? "expected one curve, which join-curves makes of several"
+                         n->class_ == VS_CURVE ? "expected one curve; join-curves joins several curves"
                                                : "expected a curve or a region");
 #include "model/cases/shape_cases.def"
       case VS_SLICE:
@@ -244,8 +244,8 @@ static bool flat_combine(vs_flat *f, const vs_ref *ref, vs_flat_value *values, s
     if (!vs_outline_coplanar(plane, o))
       ok = vs_error_set(
           f->error, VS_ERROR_MODEL, ref->origin,
-          "regions must lie in one plane: one is in the plane through (xyz %.6g %.6g %.6g) with the normal "
-          "(vxyz %.6g %.6g %.6g), one in that through (xyz %.6g %.6g %.6g) with (vxyz %.6g %.6g %.6g)",
+          "regions must lie in one plane: one region lies in the plane through (xyz %.6g %.6g %.6g) with the normal "
+          "(vxyz %.6g %.6g %.6g), another in the plane through (xyz %.6g %.6g %.6g) with (vxyz %.6g %.6g %.6g)",
           plane->point.x, plane->point.y, plane->point.z, plane->normal.x, plane->normal.y, plane->normal.z, o->point.x,
           o->point.y, o->point.z, o->normal.x, o->normal.y, o->normal.z);
     else ok = vs_area_of_outline(o, &plane->frame, &areas[i]) || vs_error_memory(f->error, ref->origin);

@@ -44,7 +44,7 @@ bool vs_solid_fits(int around, int across, const char *what, vs_error *e) {
   double triangles = 2.0 * around * across;
   return triangles <= 4e6 || vs_error_set(e, VS_ERROR_MODEL, NULL,
                                           "a %s of %d facets a turn has %.0f million triangles, and one shape may have "
-                                          "4 million: fewer #:segments, or a larger tolerance",
+                                          "4 million: give fewer #:segments, or a larger tolerance",
                                           what, around, triangles / 1e6);
 }
 

@@ -85,7 +85,7 @@ static bool guided_stations(const vs_loft *l, vs_path *p, double *s, vs_error *e
     if (i && !(s[i] > s[i - 1] + 1e-9 * p->length))
       return vs_error_set(
           e, VS_ERROR_MODEL, NULL,
-          "sections must follow each other along the path; number %zu stands where number %zu does, or before it",
+          "sections must follow each other along the path; section %zu does not lie after section %zu",
           i + 1, i);
   }
   return true;
@@ -309,7 +309,7 @@ static bool guided_line_make(const vs_node *n, size_t number, const vs_loft *l, 
   }
   for (size_t i = 0; i < l->rows; i++) {
     if (i && g->s[i] <= g->s[i - 1])
-      return vs_error_set(e, VS_ERROR_MODEL, NULL, "guide %zu must meet the sections one after the other", number);
+      return vs_error_set(e, VS_ERROR_MODEL, NULL, "guide %zu must meet the sections in their order", number);
     if (g->column[i] < 0) g->column[i] = g->column[i ? i - 1 : 1];
   }
   if (g->column[0] < 0) g->column[0] = 0;
@@ -482,7 +482,7 @@ bool vs_loft_along_guides(const vs_node *n, const vs_loft *l, const vs_fineness 
   bool ok = (g && pins && points && vs_loft_smooth_make(l, &s)) || vs_error_memory(e, NULL);
   if (ok && l->joined)
     ok = vs_error_set(e, VS_ERROR_MODEL, NULL,
-                      "sections that end where they begin cannot be guided; give a closed path");
+                      "the first and the last section coincide, which guides do not allow; give a closed path instead");
   for (size_t j = 0; ok && j < guides; j++) {
     ok = guided_line_make(n->children[sections + j].node, j + 1, l, f, &g[j], e);
     if (!ok && e && !e->origin) e->origin = n->children[sections + j].origin;

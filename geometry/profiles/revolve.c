@@ -52,11 +52,14 @@ static bool revolve_place(vs_revolve *r, const vs_outline *o, vs_error *e) {
     }
   if (beside > 1e-6 * size && high - low < 1e-9 * size) {
     const char *cure = "turn it by pi/2 first: (do-rotate profile point gvector pi/2)";
-    if (fabs(r->axis.x) > .999999) cure = "(do-rotate profile 'y pi/2) lays it down, or #:plane 'xy where it is made";
-    if (fabs(r->axis.y) > .999999) cure = "(do-rotate profile 'x pi/2) lays it down, or #:plane 'xy where it is made";
-    if (fabs(r->axis.z) > .999999) cure = "(do-rotate profile 'x pi/2) stands it up, or #:plane 'xz where it is made";
+    if (fabs(r->axis.x) > .999999)
+      cure = "(do-rotate profile 'y pi/2) lays the profile down, or make the profile with #:plane 'xy";
+    if (fabs(r->axis.y) > .999999)
+      cure = "(do-rotate profile 'x pi/2) lays the profile down, or make the profile with #:plane 'xy";
+    if (fabs(r->axis.z) > .999999)
+      cure = "(do-rotate profile 'x pi/2) turns the profile upright, or make the profile with #:plane 'xz";
     return vs_error_set(e, VS_ERROR_MODEL, NULL,
-                        "the profile lies flat across the axis, and its plane must hold the axis; %s", cure);
+                        "the profile's plane crosses the axis, and must contain the axis; %s", cure);
   }
   for (size_t l = 0; l < o->count; l++) {
     r->sizes[l] = o->loops[l].count;
@@ -66,16 +69,16 @@ static bool revolve_place(vs_revolve *r, const vs_outline *o, vs_error *e) {
       double x = vs_v3_dot(d, r->out), y = vs_v3_dot(d, r->axis), off = vs_v3_dot(d, r->side);
       vs_vec3 at = o->loops[l].at[i];
       if (fabs(off) > 1e-6 * size)
+        return vs_error_set(e, VS_ERROR_MODEL, NULL,
+                            "the profile's plane must contain the axis; the point (xyz %.6g %.6g %.6g) lies %.6g "
+                            "beside it: do-rotate or do-move the profile, or make the profile with another #:plane",
+                            at.x, at.y, at.z, fabs(off));
+      if (x < -1e-9 * size)
         return vs_error_set(
             e, VS_ERROR_MODEL, NULL,
-            "the profile's plane must hold the axis; the point (xyz %.6g %.6g %.6g) lies %.6g beside it: "
-            "do-rotate or do-move the profile, or give #:plane where it is made",
-            at.x, at.y, at.z, fabs(off));
-      if (x < -1e-9 * size)
-        return vs_error_set(e, VS_ERROR_MODEL, NULL,
-                            "the profile must lie on one side of the axis; it crosses it near (xyz %.6g %.6g %.6g): "
-                            "(do-move profile v) brings it to one side, (do-slice region plane) cuts it at the axis",
-                            at.x, at.y, at.z);
+            "the profile must lie on one side of the axis; the profile crosses the axis near (xyz %.6g %.6g %.6g): "
+            "(do-move profile v) moves the profile to one side, (do-slice region plane) cuts the region at the axis",
+            at.x, at.y, at.z);
       r->profile[r->count++] = (vs_vec2){ x < 1e-9 * size ? 0 : x, y };
     }
   }

@@ -281,7 +281,7 @@ static bool swept_stand(const vs_upright *u, const vs_path *path, vs_vec3 *x, vs
     x[i] = swept_stood(u, path->at[i].leaving);
     if (vs_v3_equal(x[i], vs_v3(0, 0, 0)))
       return vs_error_set(e, VS_ERROR_MODEL, NULL,
-                          "do-sweep: the path runs along #:up at (xyz %.6g %.6g %.6g), where nothing can be upright",
+                          "do-sweep: the path runs along #:up at (xyz %.6g %.6g %.6g); choose another #:up",
                           at.x, at.y, at.z);
   }
   return true;
@@ -495,7 +495,7 @@ static bool swept_pieces(vs_swept *s, const vs_profile_plane *plane, const vs_pa
   if (!ok) return vs_error_memory(e, NULL);
   return s->section_count ||
          vs_error_set(e, VS_ERROR_MODEL, NULL,
-                      "the profile would be moved within its own plane, whose normal is (vxyz %.6g %.6g %.6g)",
+                      "the amount lies in the profile's own plane, whose normal is (vxyz %.6g %.6g %.6g)",
                       plane->normal.x, plane->normal.y, plane->normal.z);
 }
 

@@ -131,7 +131,7 @@ bool vs_taper_path_mesh(const vs_node *n, const vs_fineness *f, vs_mesh *out, vs
       heights[i] = vs_v3_dot(vs_v3_sub(path.at[i], path.at[0]), normal);
       if (i > 0 && !(heights[i] > heights[i - 1]))
         ok = vs_error_set(e, VS_ERROR_MODEL, NULL,
-            "do-extrude: with a taper the curve must lead away from the profile's plane all the way");
+            "do-extrude: with a taper the curve must lead away from the profile's plane at every point");
     }
     double height = ok ? heights[path.count - 1] : 0;
     ok = ok && vs_taper_straight(n, vs_v3_scale(normal, height), f, out, e);

@@ -130,14 +130,14 @@ static void check_names(know_findings *f) {
     bool used = used_outside(k, s), top = s->scope == PROGRAM;
     if (used || of_library(k, s)) continue;
     if (s->sets && !s->reads && s->kind != KNOW_FUNCTION && s->kind != KNOW_MACRO) {
-      know_found(f, KNOW_CHECK_NEVER_READ, s->definition, "%s is set and never read", s->text);
+      know_found(f, KNOW_CHECK_NEVER_READ, s->definition, "%s is set but never read", s->text);
       continue;
     }
     if (s->sets) continue;
     know_index other = top ? 0 : hiding(k, i);
     if (other && (s->kind == KNOW_PARAMETER || s->value)) {
       know_found(f, KNOW_CHECK_SHADOWED, k->symbols[other].definition,
-          "this %s hides the one of line %u, which nothing uses then",
+          "this %s hides the one of line %u, and nothing uses the hidden definition",
                  s->text, k->nodes[s->definition].at.line);
     } else if (s->kind == KNOW_PARAMETER) {
       const know_symbol *owner = &k->symbols[s->owner];
@@ -298,7 +298,9 @@ static void check_body(know_findings *f, know_index node) {
   const know_node *n = &k->nodes[node];
   if (n->parent && know_is(k, k->nodes[n->parent].first, "if")) return; /* only one of the two branches runs */
   if (leaves(k, node)) {
-    if (!harmless(k, next)) know_found(f, KNOW_CHECK_UNREACHABLE, next, "line %u never goes on to this", n->at.line);
+    if (!harmless(k, next))
+      know_found(f, KNOW_CHECK_UNREACHABLE, next, "line %u always leaves this body: the expressions after it never run",
+                 n->at.line);
     return;
   }
   bool top = n->scope == PROGRAM;

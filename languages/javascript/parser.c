@@ -84,8 +84,8 @@ static bool close_node(parser *p, uint32_t i) {
 static bool above(parser *p, uint32_t i, uint32_t part) {
   if (!part || node(p, part)->height < node(p, i)->height) return true;
   if (node(p, part)->height >= VS_SCRIPT_HEIGHT)
-    return vs_script_fail(p->s, node(p, part)->at, "this is more than %d levels high: give parts of it names",
-                          VS_SCRIPT_HEIGHT);
+    return vs_script_fail(p->s, node(p, part)->at,
+                          "this expression nests more than %d levels deep: give its parts names", VS_SCRIPT_HEIGHT);
   node(p, i)->height = (uint16_t)(node(p, part)->height + 1);
   return true;
 }
@@ -278,7 +278,7 @@ static bool may_be_assigned(parser *p, uint32_t target) {
   if (n->kind == VS_SCRIPT_NAME && vs_script_is(p->s, n->name, "arguments"))
     return vs_script_fail(p->s, n->at, "arguments holds the arguments of a function: take another name");
   return n->kind == VS_SCRIPT_NAME || n->kind == VS_SCRIPT_MEMBER || n->kind == VS_SCRIPT_INDEX ||
-         vs_script_fail(p->s, n->at, "a value can be given to a variable or a property, not to this");
+         vs_script_fail(p->s, n->at, "only a variable or a property can be set");
 }
 
 static bool postfix(parser *p, uint32_t *out) {
@@ -463,7 +463,7 @@ static bool declarations(parser *p, bool in, uint32_t *out) {
     uint32_t own, value = 0, one;
     vs_script_place at = now(p)->at;
     if (at_mark(p, "[") || at_mark(p, "{"))
-      return vs_script_fail(p->s, at, "taking values apart is not part of this language (ECMAScript 3)");
+      return vs_script_fail(p->s, at, "destructuring is not part of this language (ECMAScript 3)");
     if (!own_name(p, "a variable's name", &own)) return false;
     if (at_mark(p, "=") && (!next(p) || !assignment(p, in, &value))) return false;
     if (!make_of(p, VS_SCRIPT_DECLARATOR, at, own, value, 0, 0, &one)) return false;
@@ -547,7 +547,7 @@ static bool switch_statement(parser *p, vs_script_place at, uint32_t *out) {
 static bool try_statement(parser *p, vs_script_place at, uint32_t *out) {
   uint32_t body, own = 0, handler = 0, last = 0;
   if (!next(p) || !block(p, &body)) return false;
-  if (at_word(p, VS_WORD_CATCH) && (!next(p) || !expect(p, "(") || !own_name(p, "the name of what was thrown", &own) ||
+  if (at_word(p, VS_WORD_CATCH) && (!next(p) || !expect(p, "(") || !own_name(p, "the name of the thrown value", &own) ||
                                     !expect(p, ")") || !block(p, &handler)))
     return false;
   if (at_word(p, VS_WORD_FINALLY) && (!next(p) || !block(p, &last))) return false;
@@ -562,8 +562,9 @@ static bool jump(parser *p, vs_script_kind kind, vs_script_place at, uint32_t *o
   if (!now(p)->newline && now(p)->kind == VS_TOKEN_NAME) {
     if (!name(p, "a label", &label)) return false;
   } else if (kind == VS_SCRIPT_CONTINUE ? !p->loops : !p->loops && !p->switches) {
-    return vs_script_fail(
-        p->s, at, kind == VS_SCRIPT_CONTINUE ? "continue is in no loop" : "break is in no loop and no switch");
+    return vs_script_fail(p->s, at,
+                          kind == VS_SCRIPT_CONTINUE ? "continue is not inside a loop"
+                                                     : "break is not inside a loop or a switch");
   }
   return make_of(p, kind, at, label, 0, 0, 0, out) && semicolon(p);
 }
@@ -602,7 +603,7 @@ static bool word_statement(parser *p, vs_script_place at, uint32_t *out) {
   case VS_WORD_CONTINUE: return jump(p, VS_SCRIPT_CONTINUE, at, out);
   case VS_WORD_BREAK: return jump(p, VS_SCRIPT_BREAK, at, out);
   case VS_WORD_RETURN:
-    if (!p->functions) return vs_script_fail(p->s, at, "return is in no function");
+    if (!p->functions) return vs_script_fail(p->s, at, "return is not inside a function");
     a = 0;
     if (!next(p)) return false;
     if (!now(p)->newline && !at_mark(p, ";") && !at_mark(p, "}") && now(p)->kind != VS_TOKEN_END &&

@@ -166,7 +166,7 @@ static bool number(vs_scanner *c) {
     t->number = 0;
     for (int a; a = peek(c, 0), (a >= '0' && a <= '9') || ((a | 32) >= 'a' && (a | 32) <= 'f'); c->at++)
       t->number = t->number * 16 + (a <= '9' ? a - '0' : (a | 32) - 'a' + 10);
-    if (c->at == digits) return vs_script_fail(c->s, t->at, "0x needs digits behind it");
+    if (c->at == digits) return vs_script_fail(c->s, t->at, "0x needs digits after it");
     if (c->at - digits > 13)
       return vs_script_fail(c->s, t->at, "a number of more than 13 hexadecimal digits: write it in decimal");
   } else {
@@ -189,7 +189,7 @@ static bool number(vs_scanner *c) {
     copy[n] = 0;
     t->number = strtod(copy, NULL);
   }
-  if (name_part(c)) return vs_script_fail(c->s, here(c), "a name begins right behind a number");
+  if (name_part(c)) return vs_script_fail(c->s, here(c), "a name follows a number without a blank");
   return true;
 }
 
@@ -290,8 +290,8 @@ static bool mark(vs_scanner *c) {
     return vs_script_fail(c->s, t->at, "text between ` is not part of this language (ECMAScript 3): write \"a\" + b");
   if (!strchr("{}()[];,<>+-*/%&|^!~?:=.", a))
     return vs_script_fail(c->s, t->at,
-                          a > ' ' && a < 127 ? "the character %c begins nothing here"
-                                             : "a character with code %d begins nothing here",
+                          a > ' ' && a < 127 ? "the character %c has no meaning here"
+                                             : "a character with code %d has no meaning here",
                           a);
   t->mark[0] = (char)a, t->mark[1] = 0;
   c->at++;

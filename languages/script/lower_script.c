@@ -401,7 +401,7 @@ static void choose(lowering *l, know_index n, const sequence *rest, tr_index int
   const sequence *then = rest;
   while (then && !then->first) then = then->rest;
   if (then && !is(l, then->first, "js:return") && !leaves(l, n))
-    cannot(l, n, "a switch that is left by some ways only, with more than a return behind it,");
+    cannot(l, n, "a switch of which only some cases return, and other statements than a return follow,");
   become(l, into, TR_BODY, "");
   tr_index d = define(l, into, 0, "chosen", n), v = at(l, d)->variable;
   value(l, chosen, add(l, d, TR_NOTHING, chosen));
@@ -445,7 +445,7 @@ static void statements(lowering *l, sequence s, tr_index into) {
     } else if (is(l, n, "js:if")) {
       know_index then = nth(l, n, 2), other = nth(l, n, 3), kept = l->k->nodes[then].next;
       tr_index made = add(l, into, TR_IF, n);
-      if (!leaves(l, then) && !(other && leaves(l, other))) cannot(l, n, "an if of which both ways may go on");
+      if (!leaves(l, then) && !(other && leaves(l, other))) cannot(l, n, "an if of which neither branch returns");
       test(l, nth(l, n, 1), add(l, made, TR_NOTHING, n));
       know_index other_next = other ? l->k->nodes[other].next : 0;
       l->k->nodes[then].next = 0; /* lowers each arm separately, then the statements that follow */

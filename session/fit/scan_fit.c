@@ -605,7 +605,7 @@ vs_outcome vs_fit_map(vs_scheme *vm, const char *path, double range, double *use
   bool ply = format && !strcmp(format->suffix, "ply"), x3d = format && !strcmp(format->suffix, "x3d");
   *used = 0;
   if (!f || !f->distances) return file_failed(s, path, "there is no fit whose distances could be mapped");
-  if (!ply && !x3d) return file_failed(s, path, "a map of distances is a .ply or .x3d");
+  if (!ply && !x3d) return file_failed(s, path, "a map of distances must end in .ply or .x3d");
   if (!(range > 0)) range = usual_range(f);
   if (!(range > 0)) return vs_session_out_of_memory(s);
   vs_distance_map map = { &f->scan.file, f->distances, range, s->bind.scene.units };

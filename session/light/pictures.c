@@ -197,8 +197,9 @@ vs_outcome vs_picture_illuminance(vs_scheme *vm, const char *from, const char *t
   bool ok = take(s, from, wanted, &x, &e);
   vs_lit_surfaces lit = vs_lit_surfaces_of(&x);
   if (ok && !vs_lit_surfaces_are_known(&lit))
-    ok = vs_error_set(&e, VS_ERROR_MODEL, NULL, "%.100s: illuminance is found by the layers of albedo and normal, "
-                      "which pictures made with --layers have", bare(from));
+    ok = vs_error_set(&e, VS_ERROR_MODEL, NULL,
+                      "%.100s: illuminance needs the layers albedo and normal; make the picture with --layers",
+                      bare(from));
   ok = ok && (at = vs_exr_add(&x, "illuminance", VS_EXR_FLOAT, &e)) != NULL;
   size_t floors = 0;
   for (size_t i = 0; ok && i < (size_t)x.columns * x.rows; i++) {
@@ -206,7 +207,7 @@ vs_outcome vs_picture_illuminance(vs_scheme *vm, const char *from, const char *t
     floors += isfinite(at[i]) != 0;
   }
   if (ok && !floors)
-    ok = vs_error_set(&e, VS_ERROR_MODEL, NULL, "%.100s shows no floor: nothing that looks up", bare(from));
+    ok = vs_error_set(&e, VS_ERROR_MODEL, NULL, "%.100s shows no floor: no surface in it faces up", bare(from));
   ok = ok && write_scaled(s, &x, to, &(quantity){ at, "lx", least, most }, &e);
   vs_exr_free(&x);
   return end(s, ok, &e);

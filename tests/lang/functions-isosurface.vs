@@ -33,7 +33,7 @@
 (displayln (solid? board))                                             ; expect: #t
 (displayln (near? (volume (subtract (make-box (xyz -1 -1 -1) (xyz 1 1 1)) b)) (- 8 (* 8 0.7 0.61 0.53)) 1e-3)) ; expect: #t
 ; refusals
-(fails (make-isosurface ball (xyz 2 2 2) (xyz 3 3 3)))        ; expect: make-isosurface: f is nowhere below the level in the box, or in parts smaller than a cell alone
+(fails (make-isosurface ball (xyz 2 2 2) (xyz 3 3 3)))        ; expect: make-isosurface: f is nowhere below the level in the box, or only in parts smaller than a cell
 (fails (make-isosurface ball corner other))                   ; expect: make-isosurface: q must be a corner beyond p along each axis, got (xyz -1.5 -1.5 -1.5)
 (fails (make-isosurface ball other corner #:cells 1000000))   ; expect: make-isosurface: cells must be from 2 to 1024, got 1000000
 (fails (make-isosurface (lambda (x y z) x) other corner))     ; expect: make-isosurface: f must be a function that keeps its expression, made by define-function, got #<procedure>

@@ -35,7 +35,7 @@
 (define (deep n) (if (= n 0) (lambda (x) (* x x)) (lambda (x) (derivative (lambda (y) ((deep (- n 1)) (+ x y))) 0))))
 (fails ((deep 30) 1)) ; expect: +: derivatives lie more than 24 deep in one another
 ; where it ends
-(fails (derivative (lambda (r) (make-sphere origin r)) 1))   ; expect: make-sphere: r is a number that is being differentiated; objects hold plain numbers, so derivatives end here
+(fails (derivative (lambda (r) (make-sphere origin r)) 1))   ; expect: make-sphere: r is a number that is being differentiated, and objects accept plain numbers only
 (fails (derivative (lambda (r) (make-line (xyz 0 0 0) (xyz r 0 0))) 1)) ; expect: make-line: points must be a point or a list of points, got #<dual (xyz 1 0 0)>
 (fails (derivative (lambda (x) 'red) 1))                     ; expect: derivative: f must give a number, a point, a gvector or a list of them, got red
 (fails (gradient 5 1))                                       ; expect: gradient: f must be a procedure, got 5
@@ -87,5 +87,5 @@
 ; intervals hold what they should
 (displayln (let ((i (interval 0.1 0.3))) (let ((b (sin (* 10 i)))) (and (<= (interval-low b) (sin 3)) (>= (interval-high b) 1)))))  ; expect: #t
 (displayln (/ 1 (interval -1 1)))                                       ; expect: (interval -inf.0 +inf.0)
-(fails (sqrt (interval -2 -1)))                                         ; expect: sqrt: it has no value anywhere in (interval -2 -1)
+(fails (sqrt (interval -2 -1)))                                         ; expect: sqrt: the operation has no value anywhere in the interval (interval -2 -1)
 (fails (+ (interval 0 1) "a"))                                          ; expect: +: expected a number, got "a"

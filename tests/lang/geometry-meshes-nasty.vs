@@ -59,8 +59,8 @@
 (try (make-polyface-mesh tp '((0 1 2)))) ; expect: make-polyface-mesh: faces must be lists of exact integers from 1, got
 (try (make-polyface-mesh tp '((0 1 2)) #:repair #t)) ; expect: make-polyface-mesh: faces must be lists of exact integers from 1, got
 ; index out
-(try (make-polyface-mesh tp '((1 3 9)))) ; expect: make-polyface-mesh: face 1 asks for point 9, but there are 4 points, counted from 1
-(try (make-polyface-mesh tp '((1 3 9)) #:repair #t)) ; expect: make-polyface-mesh: face 1 asks for point 9, but there are 4 points, counted from 1
+(try (make-polyface-mesh tp '((1 3 9)))) ; expect: make-polyface-mesh: face 1 refers to point 9, but there are 4 points, counted from 1
+(try (make-polyface-mesh tp '((1 3 9)) #:repair #t)) ; expect: make-polyface-mesh: face 1 refers to point 9, but there are 4 points, counted from 1
 ; index repeated
 (try (make-polyface-mesh tp '((1 1 2) (1 3 2) (1 2 4) (2 3 4) (3 1 4)))) ; expect: make-polyface-mesh: face 1 uses point 1 twice
 (try (make-polyface-mesh tp '((1 1 2) (1 3 2) (1 2 4) (2 3 4) (3 1 4)) #:repair #t)) ; expect: make-polyface-mesh: face 1 uses point 1 twice

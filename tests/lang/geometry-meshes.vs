@@ -15,7 +15,7 @@
 (fails (load-mesh 'cube))                            ; expect: load-mesh: file must be a string ("cube"?), got (cube)
 (fails (load-mesh "lib/meshes/open.off"))            ; expect: load-mesh: open.off: the mesh is open at the edge from (xyz 1 0 0) to (xyz 1 1 0) of face 1, and at 3 edges more; #:repair #t closes it ()
 (fails (load-mesh "lib/meshes/bad.stl"))             ; expect: load-mesh: bad.stl: line 6: expected a number, got "x" ()
-(fails (load-mesh "lib/meshes/index.obj"))           ; expect: load-mesh: index.obj: face 4 asks for point 5, but there are 4 ()
+(fails (load-mesh "lib/meshes/index.obj"))           ; expect: load-mesh: index.obj: face 4 refers to point 5, but there are 4 ()
 (fails (load-mesh "lib/meshes/huge.ply"))            ; expect: load-mesh: huge.ply: line 10: the file is cut off: it is too short for 4000000000 of element vertex ()
 (about (volume (load-mesh "lib/meshes/strips.ply")) 1/3)   ; expect: #t
 (fails (load-mesh "lib/meshes/sheet.off" #:repair #t)) ; expect: load-mesh: sheet.off: the faces are a surface, which encloses nothing: make-polyface-mesh makes one of them ()

@@ -95,7 +95,7 @@
 (displayln (hull (make-line origin (xyz 1 1 1)) (xyz 2 2 2) (xyz 3 3 3))) ; expect: (make-line (list (xyz 0 0 0) (xyz 3 3 3)))
 (displayln (list (hull) (hull '()) (hull origin (list origin)) (hull (empty-object)))) ; expect: ((empty-object) (empty-object) (empty-object) (empty-object))
 (displayln (object-children (hull slot origin)))   ; expect: ((hull (make-circle (xyz 0 0 0) 1) (make-circle (xyz 4 0 0) 1)))
-(fails (hull (make-half-space 'xy) origin))        ; expect: hull: things must be finite: one of them is a half-space, or a set of them, without an end ()
+(fails (hull (make-half-space 'xy) origin))        ; expect: hull: objects must be finite: one of them is, or contains, an endless half-space ()
 (fails (hull origin (vxyz 1 0 0)))                 ; expect: hull: things must be a point, an object or a list of them, got ((vxyz 1 0 0))
 (define carved (subtract (make-box origin (xyz 2 2 2)) (make-box (xyz 1 1 1) (xyz 3 3 3))))
 (displayln (list (volume (hull carved)) (contains? (hull carved) (xyz 1.9 1.9 1.9)))) ; expect: (7.833333333333333 #f)

@@ -55,11 +55,11 @@
   (display (guard (e ((read-error? e) (error-object-message e))) (read-back text)))
   (newline))
 (trouble "(1 2")        ; expect: this parenthesis is never closed: a ) is missing
-(trouble "(1 . )")      ; expect: a datum is missing behind the . of this list
+(trouble "(1 . )")      ; expect: a datum is missing after the . of this list
 (trouble "(1 . 2 3)")   ; expect: only one datum may follow the . of a list
 (trouble "#\\foo")      ; expect: no character has the name #\foo
 (trouble "\"open")      ; expect: this string is never closed: a " is missing
 (trouble "#| open")     ; expect: this comment #| is never closed by |#
-(trouble "#5#")         ; expect: the label #5= comes nowhere before
+(trouble "#5#")         ; expect: there is no label #5= before this
 (trouble "#zz")         ; expect: #zz is not known here: # begins #t, #f, #\a (a character), #(1 2) (a vector), #:name (a keyword) and #;, #| (comments); ; begins a comment to the end of the line
 (trouble "\"\\q\"")     ; expect: \q means nothing in a string; a backslash is written \\

@@ -81,14 +81,14 @@
 (fails (scope-repeat bar 'x 1e-9 cube))     ; expect: scope-repeat: 10 by 1e-09 would be 10000000000 parts, more than 10000000
 (fails (scope-extrude bar 2 #:top cube))    ; expect: scope-extrude: s must be a polygon scope or a triangle scope, got #<box-scope root>
 (fails (scope-component bar cube #:of 'top-left)) ; expect: scope-component: #:of must be one of 'faces 'sides 'edges 'vertices 'front 'back 'left 'right 'top 'bottom, got top-left
-(fails (scope-repeat bar 'x 1 (lambda (s) 5))) ; expect: rule: what a rule gives must be an object or a list of objects, got 5
-(fails (scope-repeat bar 'x 20 (lambda (s) s))) ; expect: rule: what a rule gives must be an object or a list of objects (scope-place puts one into the scope), got #<box-scope repeat.0>
+(fails (scope-repeat bar 'x 1 (lambda (s) 5))) ; expect: rule: the value of a rule must be an object or a list of objects, got 5
+(fails (scope-repeat bar 'x 20 (lambda (s) s))) ; expect: rule: the value of a rule must be an object or a list of objects (scope-place puts one into the scope), got #<box-scope repeat.0>
 (define-rule (unlikely [self box-scope?] [p number?]) [(=> #:chance p (scope-place cube)) (=> #:chance 0.7 (scope-place cube))])
 (fails (unlikely bar 0.5))                  ; expect: unlikely: the chances of a clause sum to 1.2, which is more than 1
 (fails (unlikely bar 2))                    ; expect: unlikely: #:chance must be a number from 0 to 1, got 2
 (fails (with-flags bar '(5) cube))          ; expect: with-flags: flags must be a list of names and of (name test), got 5
 (fails (make-box-scope origin -1 1 1))      ; expect: make-box-scope: dx must be positive, got -1
-(scope-split bar 'x (absolute 4 cube))      ; expect warning: scope-split: the parts sum to 4, but the scope is 10 along x: the rest stays empty; (rest #f) says so
+(scope-split bar 'x (absolute 4 cube))      ; expect warning: scope-split: the parts sum to 4, but the scope is 10 along x: the rest stays empty; write (rest #f) if the rest is to be empty
 (define-rule (street-of [self box-scope?])
   [(=> (scope-repeat 'x 1 leaf))])          ; expect error: leaf: self must satisfy turtle-scope?, got a box scope; the rule is at tests/lang/rules-boxes.vs:68:1
 (street-of bar)

@@ -161,7 +161,7 @@
 (displayln (length (cdar (derivation early))))         ; expect: 3
 
 (fails (derivation cube))              ; expect: derivation: no rule gave this object; a derivation is that of an object as a rule gave it, also moved or painted
-(fails (scope-mark (at 0 0 0 1 1 1) 'x)) ; expect: scope-mark: belongs in a rule: outside of one there is no scope
+(fails (scope-mark (at 0 0 0 1 1 1) 'x)) ; expect: scope-mark: works only in a rule: outside of a rule there is no scope
 (fails (scope-mark (at 0 0 0 1 1 1) 5))  ; expect: scope-mark: name must be a symbol, got 5
 (define-rule (odd [self box-scope?]) [(=> (scope-mark 'x 'y))])
 (fails (odd (at 0 0 0 1 1 1)))         ; expect: scope-mark: behind the name stand properties and their values, as in (scope-mark s 'wall 'material 'stone), got (y)

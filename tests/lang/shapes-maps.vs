@@ -65,7 +65,7 @@
 (define ramp (make-bezier-curve origin (xyz 9 0 0) (xyz 9 9 3) (xyz 0 9 3)))
 (define kerb (do-deform (do-extrude (make-rectangle (xy -0.1 0) (xy 0.1 0.5)) 8) (flow-map origin (xyz 0 0 8) ramp #:up uz)))
 (displayln (near? (volume kerb) (* 0.1 (curve-length ramp)) 1e-3)) ; expect: #t
-(fails ((flow-map origin (xyz 0 0 8) (make-line origin (xyz 0 0 8)) #:up uz) origin)) ; expect: flow-map: the curve runs along up at (xyz 0 0 0), where nothing can be upright
+(fails ((flow-map origin (xyz 0 0 8) (make-line origin (xyz 0 0 8)) #:up uz) origin)) ; expect: flow-map: the curve runs along up at (xyz 0 0 0); choose another #:up
 (fails (flow-map origin (xyz 0 0 8) ramp #:up 3)) ; expect: flow-map: up must be a gvector longer than 0, got 3
 ; a map that folds: the part that overlaps itself counts once, as in a union of it
 (define coil (do-deform (make-box (xyz -.5 -.5 0) 1 1 8) (bend-map origin (xyz 0 0 8) (* 3 pi) ux)))

@@ -39,7 +39,7 @@
 (displayln (net-border 2 2))  ; expect: (1 2 3 4 6 7 8 9)
 (displayln (length (net-points (lambda (u v) (xyz u v 0)) 4 3))) ; expect: 20
 ; what is wrong
-(fails (form-find chain links #:weight (vxyz 0 0 -1)))  ; expect: form-find: point 1 is loaded, and no members lead from it to a fixed one
+(fails (form-find chain links #:weight (vxyz 0 0 -1)))  ; expect: form-find: point 1 is loaded, and no members lead from that point to a fixed point
 (define (starts text) (substring text 0 60))
 (displayln (starts (condition/report-string (guard (c (#t c)) (form-find chain links #:fixed '(1 61) #:load (vxyz 0 0 -1) #:lengths 1/60))))) ; expect: form-find: the cables are too short between the fixed points
 (fails (form-find chain '((1 1))))                      ; expect: form-find: a member must join two points, got (1 1)
@@ -61,7 +61,7 @@
 (define flat (planarise (net-points saddle 6 4) faces #:fixed '(1 5 31 35)))
 (displayln (list (< (bent flat) 1e-5) (> (bent (net-points saddle 6 4)) 0.01))) ; expect: (#t #t)
 (displayln (list-ref flat 34))                                            ; expect: (xyz 6 4 3)
-(fails (planarise (net-points saddle 1 1) '((1 2 4 3)) #:fixed '(1 2 3 4))) ; expect: planarise: no plane faces were found: after 60000 rounds a corner still lies 0.6837634587578276 from its face
+(fails (planarise (net-points saddle 1 1) '((1 2 4 3)) #:fixed '(1 2 3 4))) ; expect: planarise: the faces cannot be made plane: after 60000 rounds a corner still lies 0.6837634587578276 from its face's plane
 (fails (planarise chain '((1 2))))    ; expect: planarise: faces must be a list of lists of three numbers of points or more, got ((1 2))
 ; circles: none overlap, none leave the region, the first is the largest there is
 (define yard (make-region (make-rectangle (xy 0 0) (xy 10 6)) (make-circle (xyz 5 3 0) 1)))

@@ -40,6 +40,6 @@
 (define (told form) (guard (e (#t (condition/report-string e))) (eval form (interaction-environment))))
 (define (endless . begin) (let ((l (append begin (list 'b)))) (set-cdr! (list-tail l (- (length l) 1)) l) l))
 (check 'b (car (told (list 'quasiquote (endless)))))
-(check "a list without an end (#0#) cannot stand around , or ,@" (told (list 'quasiquote (endless 'a '(unquote (+ 1 2)) 'c 'd))))
-(check "a list without an end (#0#) cannot stand around , or ,@" (told (list 'quasiquote (cons '(unquote (+ 1 2)) (endless 'a 'c 'd)))))
+(check "a list without an end (#0#) cannot contain , or ,@" (told (list 'quasiquote (endless 'a '(unquote (+ 1 2)) 'c 'd))))
+(check "a list without an end (#0#) cannot contain , or ,@" (told (list 'quasiquote (cons '(unquote (+ 1 2)) (endless 'a 'c 'd)))))
 (display failures) (newline)   ; expect: 0

@@ -59,12 +59,12 @@ static void test_wrong_files(void **state) {
   (void)state;
   static const struct { const char *text, *said; } rows[] = {
     { "", "a.ies:0: this is no IES file: it has no line TILT=NONE" },
-    { "IESNA91\nTILT=INCLUDE\n", "a.ies:2: only TILT=NONE is read: intensities that depend on how the lamp is mounted are not" },
+    { "IESNA91\nTILT=INCLUDE\n", "a.ies:2: only IES files with TILT=NONE can be read" },
     { "TILT=NONE\n", "a.ies:2: the file ends before the number of lamps, a number from 1 to 1e+06" },
-    { "TILT=NONE\n1 1 1 2 1 3 1", "a.ies:2: only photometry of type C, which is 1, is read" },
+    { "TILT=NONE\n1 1 1 2 1 3 1", "a.ies:2: only photometry of type C (the number 1) can be read" },
     { "TILT=NONE\n1 1 1 2.5 1 1 1", "a.ies:2: a count must be a whole number" },
     { "TILT=NONE\n1 1 nan", "a.ies:2: the multiplier of candelas must be a number from 0 to 1e+06, got nan" },
-    { "TILT=NONE\n1 1 1 2000 2000 1 1 0 0 0\n1 1 1\n0", "a.ies:3: the file is too short for so many angles" },
+    { "TILT=NONE\n1 1 1 2000 2000 1 1 0 0 0\n1 1 1\n0", "a.ies:3: the file has fewer numbers than its angles need" },
     { "TILT=NONE\n1 1 1 2 1 1 1 0 0 0\n1 1 1\n9 3\n0\n1 1", "a.ies:4: the angles must ascend" },
     { "TILT=NONE\n1 1 1 2 2 1 1 0 0 0\n1 1 1\n0 90\n0 45\n1 1 1 1",
       "a.ies:5: the horizontal angles must go from 0 to 0, 90, 180 or 360, or from 90 to 270" },
@@ -121,7 +121,8 @@ static void paint(vs_exr *x, vs_vec3 sun, double bright) {
       vs_vec3 middle = vs_v3(cos(up) * sin(east), cos(up) * cos(east), sin(up));
       bool near = vs_v3_dot(middle, sun) > cos(2 * pi / 180);
       for (int v = 0; near && v < SUB * SUB; v++) {
-        double h = up + ((v / SUB + 0.5) / SUB - 0.5) * pi / x->rows, a = east + ((v % SUB + 0.5) / SUB - 0.5) * 2 * pi / x->columns;
+        double h = up + ((v / SUB + 0.5) / SUB - 0.5) * pi / x->rows,
+               a = east + ((v % SUB + 0.5) / SUB - 0.5) * 2 * pi / x->columns;
         share += vs_v3_dot(vs_v3(cos(h) * sin(a), cos(h) * cos(a), sin(h)), sun) > cos(0.266 * pi / 180);
       }
       share /= SUB * SUB;

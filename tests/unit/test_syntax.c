@@ -62,45 +62,60 @@ static void run(vs_scheme *vm, const char *program, char *out, size_t room) {
 
 static void test_messages(void **state) {
   (void)state;
-  static const struct { const char *program, *message; } cases[] = {
-    {"(define (f x)\n  (+ x 1)\n(define (g x)\n  x)\n", "1:1 this parenthesis is never closed; by the indentation a ) is missing at the end of line 2"},
-    {"(display 1)\n(display 2))", "2:12 this ) closes nothing: one too many for the form of line 2"},
-    {"(define (f)\n  (g))\n  (h))\n", "3:6 this ) closes nothing: the form of line 1 was already closed on line 2"},
-    {"(list [1 2))", "1:11 the [ of line 1, column 7 is closed by ); ] belongs here"},
-    {"(define x 1,5)", "1:11 a decimal point is a point: 1.5 instead of 1,5"},
-    {"(display \xE2\x80\x9Chi\xE2\x80\x9D)", "1:10 \xE2\x80\x9C is a typographic quotation mark; write \" (or ' before a symbol)"},
-    {"{1}", "1:1 { is not used here; parentheses are ( ) and [ ]; 1:3 } is not used here; parentheses are ( ) and [ ]"},
-    {"#\\foo\n\"\\q\"\n(", "1:1 no character has the name #\\foo; 2:2 \\q means nothing in a string; a backslash is written \\\\; 3:1 this parenthesis is never closed: a ) is missing"},
-    {"(a\x01" "b\xFF)", "1:5 this is not a text in UTF-8 (byte FF at offset 4)"},
-    {"(define helper (phi) (+ phi 1))", "1:1 define: a procedure is written (define (helper parameter ...) body ...), its name inside the parentheses of its parameters"},
-    {"(define x 1 2)", "1:1 define: x gets 2 values; it is written (define x value)"},
-    {"(let (x 1) x)", "1:6 the bindings stand in parentheses of their own, even one alone: (let ((name value) ...) body ...); not (x 1)"},
-    {"(let ((x 1)))", "1:1 a body is missing: (let ((name value) ...) body ...)"},
-    {"(let ((x 1) (x 2)) x)", "1:13 x is bound twice here"},
-    {"(lambda (x x) 1)", "1:12 two parameters are called x"},
-    {"(define (f [n 10]) n)\n(f 5)", "1:12 a default follows a predicate, [name any? value] or [name positive? value], not (n 10)"},
-    {"(define (f) (define x 1))", "1:1 this body ends with a definition; an expression must follow, whose value it has"},
-    {"(if 1)", "1:1 if is written (if test then else), not (if 1)"},
-    {"(if 1 (define y 1) 2)", "1:7 define cannot stand here, only at top level or in the body of a procedure, let, when and the like; for a name inside an expression use let"},
-    {"(cond (else 1) (2 3))", "1:7 else must be the last clause of cond"},
-    {"(list else)", "1:7 else is syntax and has no value; it is written (cond ... (else value ...))"},
-    {"(list . 5)", "1:1 a call is a list: no . may stand in it: (list . 5)"},
-    {"()", "1:1 () calls nothing; the empty list is written '()"},
-    {"(displya 1)", "1:1 displya is not defined; did you mean display?"},
-    {"(list\n 1\n (car 2))", "3:2 car: expected a pair, got 2"},
-    {"(define-syntax m (syntax-rules () ((_ a ...) a)))\n(m 1)", "1:46 a matches a sequence: an ellipsis must follow it in the template"},
-    {"(define-syntax m (syntax-rules () ((_ a) a)))\n(m)", "2:1 m: this does not have the right form; the pattern and the use: (m a) (m)"},
-    {"(define-syntax m (syntax-rules () ((_ a) (car a))))\n(list (m 5))", "2:7 car: expected a pair, got 5"},
-    {"(define-syntax m 5)", "1:1 a transformer is (syntax-rules ...) or (er-macro-transformer ...), not 5"},
-    {"(import (no such))", "1:9 import: there is no library (no such)"},
-    {"(f #:a)", "1:4 a value is missing behind #:a"},
-    {"(define (f [n string?]) n)\n(f 5)", "2:1 f: n must be string?, got 5"},
+  static const struct { const char *program, *message;
+  } cases[] = {
+    { "(define (f x)\n  (+ x 1)\n(define (g x)\n  x)\n",
+      "1:1 this parenthesis is never closed; by the indentation a ) is missing at the end of line 2" },
+    { "(display 1)\n(display 2))", "2:12 this ) closes nothing: one too many for the form of line 2" },
+    { "(define (f)\n  (g))\n  (h))\n", "3:6 this ) closes nothing: the form of line 1 was already closed on line 2" },
+    { "(list [1 2))", "1:11 the [ of line 1, column 7 is closed by ); ] belongs here" },
+    { "(define x 1,5)", "1:11 a decimal point is a point: 1.5 instead of 1,5" },
+    { "(display \xE2\x80\x9Chi\xE2\x80\x9D)",
+      "1:10 \xE2\x80\x9C is a typographic quotation mark; write \" (or ' before a symbol)" },
+    { "{1}",
+      "1:1 { is not used here; parentheses are ( ) and [ ]; 1:3 } is not used here; parentheses are ( ) and [ ]" },
+    { "#\\foo\n\"\\q\"\n(", "1:1 no character has the name #\\foo; 2:2 \\q means nothing in a string; a backslash is "
+                            "written \\\\; 3:1 this parenthesis is never closed: a ) is missing" },
+    { "(a\x01"
+      "b\xFF)",
+      "1:5 this is not a text in UTF-8 (byte FF at offset 4)" },
+    { "(define helper (phi) (+ phi 1))", "1:1 define: a procedure is written (define (helper parameter ...) body ...), "
+                                         "its name inside the parentheses of its parameters" },
+    { "(define x 1 2)", "1:1 define: x gets 2 values; it is written (define x value)" },
+    { "(let (x 1) x)", "1:6 put the bindings into parentheses of their own, even a single binding: (let ((name value) "
+                       "...) body ...); not (x 1)" },
+    { "(let ((x 1)))", "1:1 a body is missing: (let ((name value) ...) body ...)" },
+    { "(let ((x 1) (x 2)) x)", "1:13 x is bound twice here" },
+    { "(lambda (x x) 1)", "1:12 two parameters are called x" },
+    { "(define (f [n 10]) n)\n(f 5)",
+      "1:12 a default follows a predicate, [name any? value] or [name positive? value], not (n 10)" },
+    { "(define (f) (define x 1))",
+      "1:1 this body ends with a definition; an expression must follow, whose value it has" },
+    { "(if 1)", "1:1 if is written (if test then else), not (if 1)" },
+    { "(if 1 (define y 1) 2)", "1:7 define is not allowed here, only at top level or in the body of a procedure, let, "
+                               "when and the like; for a name inside an expression use let" },
+    { "(cond (else 1) (2 3))", "1:7 else must be the last clause of cond" },
+    { "(list else)", "1:7 else is syntax and has no value; it is written (cond ... (else value ...))" },
+    { "(list . 5)", "1:1 a call is a list: remove the . in it: (list . 5)" },
+    { "()", "1:1 () calls nothing; the empty list is written '()" },
+    { "(displya 1)", "1:1 displya is not defined; did you mean display?" },
+    { "(list\n 1\n (car 2))", "3:2 car: expected a pair, got 2" },
+    { "(define-syntax m (syntax-rules () ((_ a ...) a)))\n(m 1)",
+      "1:46 a matches a sequence: an ellipsis must follow it in the template" },
+    { "(define-syntax m (syntax-rules () ((_ a) a)))\n(m)",
+      "2:1 m: this does not have the right form; the pattern and the use: (m a) (m)" },
+    { "(define-syntax m (syntax-rules () ((_ a) (car a))))\n(list (m 5))", "2:7 car: expected a pair, got 5" },
+    { "(define-syntax m 5)", "1:1 a transformer is (syntax-rules ...) or (er-macro-transformer ...), not 5" },
+    { "(import (no such))", "1:9 import: there is no library (no such)" },
+    { "(f #:a)", "1:4 a value is missing after #:a" },
+    { "(define (f [n string?]) n)\n(f 5)", "2:1 f: n must be string?, got 5" },
   };
   vs_scheme *vm = machine();
   char out[1000];
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     run(vm, cases[i].program, out, sizeof out);
-    if (strcmp(out, cases[i].message)) print_error("%s\n  gave   %s\n  wanted %s\n", cases[i].program, out, cases[i].message);
+    if (strcmp(out, cases[i].message))
+      print_error("%s\n  gave   %s\n  wanted %s\n", cases[i].program, out, cases[i].message);
     assert_string_equal(out, cases[i].message);
   }
   vs_close_vm(vm);
@@ -108,17 +123,31 @@ static void test_messages(void **state) {
 
 static void test_whole(void **state) {
   (void)state;
-  static const struct { const char *text; vs_text_state state; uint32_t depth; } cases[] = {
-    {"", VS_TEXT_EMPTY, 0}, {"  ; only a comment\n#| and | this |# ", VS_TEXT_EMPTY, 0}, {"x", VS_TEXT_WHOLE, 0}, {"(a b) (c)", VS_TEXT_WHOLE, 0},
-    {"(a (b [c", VS_TEXT_OPEN, 3}, {"\"a (b", VS_TEXT_OPEN, 0}, {"(a \"\\\"\" #\\( ", VS_TEXT_OPEN, 1}, {"#| a #| b |#", VS_TEXT_OPEN, 0},
-    {"(a ]", VS_TEXT_BAD, 0}, {"a)", VS_TEXT_BAD, 0}, {"#;", VS_TEXT_OPEN, 0}, {"#;(a) b", VS_TEXT_WHOLE, 0}, {"#u8(1", VS_TEXT_OPEN, 1}, {"'(a)", VS_TEXT_WHOLE, 0},
-    {"|a (b", VS_TEXT_OPEN, 0}, {"(a ; )\n", VS_TEXT_OPEN, 1},
+  static const struct { const char *text; vs_text_state state; uint32_t depth;
+  } cases[] = {
+    { "", VS_TEXT_EMPTY, 0 },
+    { "  ; only a comment\n#| and | this |# ", VS_TEXT_EMPTY, 0 },
+    { "x", VS_TEXT_WHOLE, 0 },
+    { "(a b) (c)", VS_TEXT_WHOLE, 0 },
+    { "(a (b [c", VS_TEXT_OPEN, 3 },
+    { "\"a (b", VS_TEXT_OPEN, 0 },
+    { "(a \"\\\"\" #\\( ", VS_TEXT_OPEN, 1 },
+    { "#| a #| b |#", VS_TEXT_OPEN, 0 },
+    { "(a ]", VS_TEXT_BAD, 0 },
+    { "a)", VS_TEXT_BAD, 0 },
+    { "#;", VS_TEXT_OPEN, 0 },
+    { "#;(a) b", VS_TEXT_WHOLE, 0 },
+    { "#u8(1", VS_TEXT_OPEN, 1 },
+    { "'(a)", VS_TEXT_WHOLE, 0 },
+    { "|a (b", VS_TEXT_OPEN, 0 },
+    { "(a ; )\n", VS_TEXT_OPEN, 1 },
   };
   vs_scheme *vm = machine();
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     vs_text_check c;
     assert_true(vs_read_whole(vm, cases[i].text, strlen(cases[i].text), &c));
-    if (c.state != cases[i].state || c.depth != cases[i].depth) print_error("%s: state %d depth %u\n", cases[i].text, (int)c.state, c.depth);
+    if (c.state != cases[i].state || c.depth != cases[i].depth)
+      print_error("%s: state %d depth %u\n", cases[i].text, (int)c.state, c.depth);
     assert_int_equal(c.state, cases[i].state);
     assert_int_equal(c.depth, cases[i].depth);
   }
@@ -130,7 +159,8 @@ static void check_places(vs_scheme *vm) {
   VS_ROOTS(vm, r, 2);
   const char *text = "\n (a \xC3\xA4 (b\n  c))";
   uint32_t file;
-  assert_true(vs_file_number(vm, "p.vs", 4, &file) && vs_read_all(vm, &(vs_passage){ text, strlen(text), 1 }, file, false, &r[0]));
+  assert_true(vs_file_number(vm, "p.vs", 4, &file) &&
+              vs_read_all(vm, &(vs_passage){ text, strlen(text), 1 }, file, false, &r[0]));
   vs_value form = vs_car(r[0]);
   assert_true(vs_pair_pos(form) == vs_pos_make(file, 2, 2));
   assert_true(vs_pair_pos(vs_cdr(vs_cdr(form))) == vs_pos_make(file, 2, 7));          /* columns count characters */
@@ -159,7 +189,8 @@ static void test_places(void **state) {
 static void test_no_memory(void **state) {
   (void)state;
   const char *program = "(define-syntax m (syntax-rules () ((_ (a b ...) ...) (list (list a b ...) ...))))"
-                        "(define (f [x any? 1] #:k [k (and integer? positive?) 2]) (let loop ((i x)) (if (< i 3) (loop (+ i 1)) (m (i k) (1)))))"
+                        "(define (f [x any? 1] #:k [k (and integer? positive?) 2]) (let loop ((i x)) (if (< i 3) (loop "
+                        "(+ i 1)) (m (i k) (1)))))"
                         "(define-record-type p (mk a) p? (a p-a set-p-a!)) (f 1 #:k 5) `(1 ,@(list 2 3) #(,(f)))";
   vs_scheme *vm = machine();
   vs_value last;
@@ -174,6 +205,7 @@ static void test_no_memory(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(test_messages), cmocka_unit_test(test_whole), cmocka_unit_test(test_places), cmocka_unit_test(test_no_memory)};
+  const struct CMUnitTest tests[] = { cmocka_unit_test(test_messages), cmocka_unit_test(test_whole),
+                                      cmocka_unit_test(test_places), cmocka_unit_test(test_no_memory) };
   return cmocka_run_group_tests(tests, load_prelude, drop_prelude);
 }

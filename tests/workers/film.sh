@@ -15,7 +15,7 @@ film() { "$vs" render "$work/tower.vs" -o "$work/100% a.png" --view street --fra
 mkdir "$work/bin" && for program in povray sh; do ln -s "$(command -v $program)" "$work/bin/"; done
 (PATH=$work/bin; film) > "$work/said" 2> "$work/err"; status=$?
 [ $status = 3 ] || echo "without ffmpeg it ended with $status" >> "$work/why"
-grep -q 'there is no ffmpeg (package ffmpeg) to make the film; the frames stand' "$work/err" || cat "$work/err" >> "$work/why"
+grep -q 'the film needs ffmpeg: install the package ffmpeg; all frames were written' "$work/err" || cat "$work/err" >> "$work/why"
 [ "$(find "$work" -name '*street-00[1-4].png' | wc -l)" = 4 ] || echo "the frames do not stand" >> "$work/why"
 result film:without "$work/why"
 

@@ -52,5 +52,5 @@ for at in "100 100 250" "150 100 105.6" "157 100 88.2"; do
   set -- $at; "$vs" pick "$work/lux.exr" "$1" "$2" | awk -v want="$3" '$1 == "illuminance" { got = $2 } END { if (!(got > .98 * want && got < 1.02 * want)) print "illuminance " got ", not " want }' >> "$work/why"
 done
 "$vs" falsecolor --lux "$work/even.exr" -o "$work/no.png" > "$work/said" 2>&1 && echo "a picture without layers has illuminances" >> "$work/why"
-grep -q "made with --layers" "$work/said" || cat "$work/said" >> "$work/why"
+grep -q "with --layers" "$work/said" || cat "$work/said" >> "$work/why"
 result lamps:illuminance "$work/why"

@@ -28,7 +28,7 @@ zero size|2|--size 0x60: expected WIDTHxHEIGHT|--size 0x60|(draw (make-sphere or
 at itself|1|camera: target must be another point than eye||(draw (make-sphere origin 1)) (camera origin origin)
 empty|1|nothing is drawn||(define a 1)
 date|1|sun: date must be a day such as||(draw (make-sphere origin 1)) (sun #:latitude 38 #:longitude -9 #:date "2026-02-30" #:time "12:00")
-in a wall|0|m.vs:1:7: warning: the camera is within this object||(draw (subtract (make-box origin (xyz 4 4 4)) (make-box (xyz 1 1 1) (xyz 3 3 3)))) (camera (xyz 0.5 2 2) (xyz 9 2 2))
+in a wall|0|m.vs:1:7: warning: the camera is inside this object||(draw (subtract (make-box origin (xyz 4 4 4)) (make-box (xyz 1 1 1) (xyz 3 3 3)))) (camera (xyz 0.5 2 2) (xyz 9 2 2))
 night|0|||(draw (make-sphere origin 1)) (sun #:azimuth 0 #:altitude -20)
 OUTER2
 

@@ -17,8 +17,8 @@ static bool check_bindings(vs_expansion *x, vs_value list, vs_pos outer, int for
     int64_t n = vs_list_length(b);
     if ((n == 2 || (step && n == 3)) && vs_is_identifier(vs_car(b))) continue;
     if (vs_is_identifier(b) && l == list && vs_list_length(list) == 2)
-      return vs_expand_fail(x, outer, list, "the bindings stand in parentheses of their own, even one alone: %s; not",
-                            name);
+      return vs_expand_fail(x, outer, list,
+                            "put the bindings into parentheses of their own, even a single binding: %s; not", name);
     if (n == 1) return vs_expand_fail(x, pos, b, "this binding has no value: %s; not", name);
     if (n > 2 && vs_is_identifier(vs_car(b)))
       return vs_expand_fail(x, pos, b, "this binding has more than one value: %s; not", name);

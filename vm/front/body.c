@@ -270,7 +270,7 @@ bool vs_body_step(vs_expansion *x) {
     x->now.form = vs_cdr(x->now.form);
   }
   if (x->now.form != VS_NIL)
-    return vs_expand_fail(x, x->now.pos, x->now.form, "a body is a list: no . may stand before");
+    return vs_expand_fail(x, x->now.pos, x->now.form, "a body is a list: remove the . before");
   return finish_body(x);
 }
 

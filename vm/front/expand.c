@@ -348,13 +348,13 @@ static bool application(vs_expansion *x) {
   vs_scheme *vm = x->vm;
   vs_value form = x->now.form;
   int64_t length = vs_list_length(form);
-  if (length < 0) return vs_expand_fail(x, x->now.pos, form, "a call is a list: no . may stand in it:");
+  if (length < 0) return vs_expand_fail(x, x->now.pos, form, "a call is a list: remove the . in it:");
   size_t keys = 0;
   for (vs_value l = vs_cdr(form); vs_is_pair(l); l = vs_cdr(l)) {
     if (!is_keyword(vs_car(l))) continue;
     keys++;
     if (!vs_is_pair(vs_cdr(l)) || is_keyword(vs_car(vs_cdr(l))))
-      return vs_expand_fail(x, vs_element_pos(l, false, x->now.pos), VS_ABSENT, "a value is missing behind %s",
+      return vs_expand_fail(x, vs_element_pos(l, false, x->now.pos), VS_ABSENT, "a value is missing after %s",
                             vs_as_symbol(vs_car(l))->name);
     l = vs_cdr(l);
   }
@@ -536,7 +536,7 @@ static bool expression(vs_expansion *x) {
   case VS_FORM_require:
   case VS_FORM_provide:
     return vs_expand_fail(
-        x, x->now.pos, VS_ABSENT, "%s cannot stand here, only at top level%s", form_table[form].name,
+        x, x->now.pos, VS_ABSENT, "%s is not allowed here, only at top level%s", form_table[form].name,
         form <= VS_FORM_define_syntax
             ? " or in the body of a procedure, let, when and the like; for a name inside an expression use let"
             : "");
@@ -548,7 +548,7 @@ static bool expression(vs_expansion *x) {
                           "a comma belongs inside a template: %s; a decimal point is a point, 1.5",
                           form_table[form].shape);
   default:
-    return vs_expand_fail(x, x->now.pos, VS_ABSENT, "%s cannot stand here; it belongs into %s", form_table[form].name,
+    return vs_expand_fail(x, x->now.pos, VS_ABSENT, "%s is not allowed here; it belongs into %s", form_table[form].name,
                           form_table[form].shape);
   }
 }

@@ -375,7 +375,7 @@ bool vs_quasi_step(vs_expansion *x) {
   vs_value l = form, met = VS_NIL; /* Brent's cycle detection: `met` is an earlier pair, set to l each time the distance
                                     * has doubled */
   for (; vs_is_pair(l) && (l == form || quasi_kind(x->now.env, l) < 0); l = vs_cdr(l)) {
-    if (l == met) return vs_expand_fail(x, pos, VS_ABSENT, "a list without an end (#0#) cannot stand around , or ,@");
+    if (l == met) return vs_expand_fail(x, pos, VS_ABSENT, "a list without an end (#0#) cannot contain , or ,@");
     if ((elements & (elements - 1)) == 0) met = l;
     bool splice = level == 1 && quasi_kind(x->now.env, vs_car(l)) == VS_FORM_unquote_splicing;
     if (splice) { splices++; in_run = 0; }

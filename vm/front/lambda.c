@@ -86,7 +86,7 @@ static bool parse(vs_expansion *x, parameters *p, vs_value list, vs_pos outer) {
       keyword++;
       l = vs_cdr(l);
       if (!vs_is_pair(l))
-        return vs_expand_fail(x, pos, VS_ABSENT, "a parameter is missing behind #:%s", vs_as_symbol(name)->name);
+        return vs_expand_fail(x, pos, VS_ABSENT, "a parameter is missing after #:%s", vs_as_symbol(name)->name);
       spec = vs_car(l);
       keyed = true;
     } else if (keyed) return vs_expand_fail(x, pos, spec, "keyword parameters come last; this follows one:");

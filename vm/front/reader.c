@@ -240,7 +240,7 @@ static bool close_frame(reader *r, vs_value *out) {
   vs_value head = r->slots[2 * (r->depth - 1)];
   VS_ASSERT(r->depth > 0);
   if (f.kind == LIST && head != VS_NIL && f.open == '[') vs_object_of(head)->flags |= VS_F_SQUARE;
-  if (f.kind == LIST && f.dot == 1) problem(r, f.pos, "a datum is missing behind the . of this list");
+  if (f.kind == LIST && f.dot == 1) problem(r, f.pos, "a datum is missing after the . of this list");
   *out = head;
   if (f.kind == VECTOR || f.kind == BYTEVECTOR) {
     size_t n = 0;
@@ -289,7 +289,7 @@ static void read_char(reader *r, vs_value *out) {
   r->at += 2;
   uint32_t c = 0;
   *out = VS_CHAR(' ');
-  if (r->at >= r->size) { problem(r, pos, "a character is missing behind #\\"); return; }
+  if (r->at >= r->size) { problem(r, pos, "a character is missing after #\\"); return; }
   size_t n = vs_utf8_decode(r->text + r->at, r->size - r->at, &c), first = r->at;
   r->at += n;
   if (c < 128 && ends_line(r, (int)c)) newline(r, r->at);
@@ -338,7 +338,7 @@ static bool read_escape(reader *r, vs_text *t) {
     r->at = start;
     while (peek(r, 0) == ' ' || peek(r, 0) == '\t' || (peek(r, 0) == '\r' && peek(r, 1) == '\n')) r->at++;
     if (peek(r, 0) != '\n' && peek(r, 0) != '\r') {
-      problem(r, pos, "behind this backslash the line must end");
+      problem(r, pos, "the line must end after this backslash");
       return true;
     }
     newline(r, ++r->at);
@@ -426,9 +426,8 @@ static bool read_symbol(reader *r, vs_value *out) {
     if (ok && vs_is_number(*out) && !r->quasi && peek(r, 0) == ',' && peek(r, 1) >= '0' && peek(r, 1) <= '9') {
       size_t more = 1;
       while (peek(r, more) >= '0' && peek(r, more) <= '9') more++;
-      if (peek(r, more) == ',' || (r->depth && r->levels[r->depth - 1].open == '[')) {      /* a list of other
-                                                                                             * languages: [1,2,3] */
-        problem(r, pos, "no commas stand between elements, only blanks: (list 1 2 3), or (xyz 1 2 3) for a point");
+      if (peek(r, more) == ',' || (r->depth && r->levels[r->depth - 1].open == '[')) { /* [1,2,3] of other languages */
+        problem(r, pos, "separate elements by blanks, not by commas: (list 1 2 3), or (xyz 1 2 3) for a point");
         while (peek(r, more) >= 0 &&
                (peek(r, more) == ',' || peek(r, more) == '.' || (peek(r, more) >= '0' && peek(r, more) <= '9')))
           more++;
@@ -503,7 +502,7 @@ static bool read_hash(reader *r, vs_value *out, bool *prefix) {
       r->label_used = true;
       for (vs_value l = r->labels; vs_is_pair(l); l = vs_cdr(l))
         if (vs_car(vs_car(l)) == vs_fix(number)) { *out = vs_cdr(vs_car(l)); return true; }
-      problem(r, pos, "the label #%lld= comes nowhere before", (long long)number);
+      problem(r, pos, "there is no label #%lld= before this", (long long)number);
       *out = VS_FALSE;
       return true;
     }
@@ -526,7 +525,7 @@ static bool read_close(reader *r, char c, vs_pos pos, vs_value *out, bool *got) 
   while (r->depth && r->levels[r->depth - 1].kind >= QUOTE) {     /* a prefix without a datum: '), #;) */
     if (r->levels[r->depth - 1].quote == QUOTE_PLAIN)
       problem(r, r->levels[r->depth - 1].pos,
-              "a datum is missing behind this '; a text is written in double quotes, \"like this\"");
+              "a datum is missing after this '; a text is written in double quotes, \"like this\"");
     else problem(r, r->levels[r->depth - 1].pos, "a datum is missing here, before the %c", c);
     pop(r);
   }
@@ -633,7 +632,7 @@ static int next(reader *r, vs_value *out, vs_pos *where) {
       char before = r->at ? r->text[r->at - 1] : ' ';
       /* Commas between elements, as in (list 1, 2, 3), are reported. */
       if (r->located && !r->quasi && peek(r, 1) == ' ' && before > ' ' && !strchr("([{'`,;", before)) {
-        if (r->comma_line != r->line) problem(r, pos, "no commas stand between elements, only blanks: (list 1 2 3)");
+        if (r->comma_line != r->line) problem(r, pos, "separate elements by blanks, not by commas: (list 1 2 3)");
         r->comma_line = r->line;
         r->at++;
         got = false;
@@ -675,7 +674,7 @@ static int next(reader *r, vs_value *out, vs_pos *where) {
   if (r->depth && !r->cut) {
     size_t i = r->depth;
     while (i > 0 && r->levels[i - 1].kind >= QUOTE) i--;
-    if (i != r->depth) problem(r, r->levels[r->depth - 1].pos, "an expression is missing behind this");
+    if (i != r->depth) problem(r, r->levels[r->depth - 1].pos, "an expression is missing after this");
     never_closed(r, i);
   }
   return 0;

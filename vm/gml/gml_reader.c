@@ -272,7 +272,7 @@ static size_t number_length(const reader *r, size_t from) {
 static bool read_number(reader *r, size_t n, vs_pos pos, vs_value *out) {
   size_t plus = peek(r, 0) == '+';
   if (!vs_read_number(r->vm, r->text + r->at + plus, n - plus, pos, out)) return false;
-  if (!vs_is_number(*out)) return refuse(r, pos, "this is no number that can be worked with");
+  if (!vs_is_number(*out)) return refuse(r, pos, "this is no number in the allowed range");
   advance(r, n);
   return true;
 }
@@ -361,7 +361,7 @@ static bool read_name(reader *r, vs_pos pos) {
 static bool read_literal_name(reader *r, vs_pos pos) {
   VS_ROOTS(r->vm, p, 1);
   size_t n = name_length(r, 1);
-  if (!n) return refuse(r, pos, "a name is missing behind this /");
+  if (!n) return refuse(r, pos, "a name is missing after this /");
   if (!vs_intern(r->vm, r->text + r->at + 1, n, &p[0])) return false;
   advance(r, n + 1);
   return literal(r, &p[0], pos);

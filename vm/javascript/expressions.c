@@ -378,7 +378,7 @@ static bool call(vs_translation *t, const vs_script_node *n) {
                             "a parameter of the model is a variable of its own at top level: var x = %.*s(...)",
                             (int)t->s->names[f->name].length, t->s->texts + t->s->names[f->name].text);
     if (!v && (vs_script_is(t->s, f->name, "eval") || vs_script_is(t->s, f->name, "Function")))
-      return vs_script_fail(t->s, f->at, "%s is not part of this language: a program is known before it runs",
+      return vs_script_fail(t->s, f->at, "%s is not part of this language: a program cannot make code while it runs",
                             vs_script_is(t->s, f->name, "eval") ? "eval" : "Function");
   }
   if (f->kind == VS_SCRIPT_MEMBER || f->kind == VS_SCRIPT_INDEX) {

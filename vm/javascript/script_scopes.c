@@ -227,14 +227,15 @@ static bool jump(walker *w, uint32_t i, unsigned *least) {
     const char *text = n->a ? vs_script_spelling(w->s, node(w, n->a)->name, &length) : "";
     return n->a ? vs_script_fail(w->s, node(w, n->a)->at, "no statement around here has the label %.*s", (int)length,
                                  text)
-                : vs_script_fail(w->s, n->at, "this is in no loop of its function");
+                : vs_script_fail(w->s, n->at, "this is not inside a loop of its function");
   }
   uint32_t to = t->node;
   if (again) {
     to = labelled(w, to);
     if (!is_loop((vs_script_kind)node(w, to)->kind))
-      return vs_script_fail(w->s, node(w, n->a)->at, "continue goes to a loop, and this label is of none");
-    while (t->node != to) { /* the loop itself is a target further inside, which was already passed */
+      return vs_script_fail(w->s, node(w, n->a)->at,
+                            "continue needs the label of a loop, and this label names another statement");
+    while (t->node != to) { /* the loop is an inner target, already passed */
       jump_target *inner = w->jump_targets;
       while (inner->up != t) inner = inner->up;
       t = inner;

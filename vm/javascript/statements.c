@@ -389,7 +389,7 @@ static bool leaving_part(vs_translation *t, uint32_t i, const vs_then *then) {
 static bool leaving(vs_translation *t, uint32_t i, const vs_then *then) {
   if (++t->depth > MOST_DEPTH)
     return vs_script_fail(t->s, node(t, i)->at,
-                          "too many statements that are left by jumps stand within each other here");
+                          "too many statements with break or continue are nested here: move some into a function");
   bool ok = leaving_part(t, i, then);
   t->depth--;
   return ok;
@@ -580,7 +580,7 @@ bool vs_translate_function(vs_translation *t, uint32_t i, bool direct) {
   uint32_t outer = t->scope, scope = t->k->targets[i];
   bool own = n->c && !n->flag, all = t->k->scopes[scope].uses_arguments;
   if (t->functions > 300)
-    return vs_script_fail(t->s, n->at, "functions stand within each other more than 300 levels deep");
+    return vs_script_fail(t->s, n->at, "functions are nested more than 300 levels deep");
   vs_jump_target *targets = t->targets;
   unsigned depth = t->depth;
   t->at = n->at;

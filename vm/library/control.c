@@ -195,7 +195,7 @@ static vs_status raise_either(vs_scheme *vm, vs_value *a, int n, bool continuabl
       if (!vs_is(a[0], VS_T_CONDITION)) {
         VS_ROOTS(vm, r, 1);
         if (!vs_cons(vm, a[0], VS_NIL, &r[0])) return VS_UNCAUGHT;
-        vs_fail_with(vm, vm->sym.raise, r[0], "raised, and nobody handles it:");
+        vs_fail_with(vm, vm->sym.raise, r[0], "an object was raised and has no handler:");
         if (vs_is(vm->condition, VS_T_CONDITION) && vm->condition != vm->at.no_memory)
           vs_gc_store(vm, vs_as_condition(vm->condition), &vs_as_condition(vm->condition)->payload, a[0]);
       } else {
@@ -428,7 +428,7 @@ static const vs_native_def defs[] = {
   { "%apply-self", "procedure list this", apply_self, -1, NULL },
   { "%procedure-shape", "procedure", procedure_shape, 0, NULL },
   { "with-exception-handler", "handler thunk", with_exception_handler, 1,
-    "call thunk; what it raises goes to handler" },
+    "call thunk; handler gets the object that thunk raises" },
   { "raise", "obj", raise_, 1, "raise obj to the handler in force" },
   { "raise-continuable", "obj", raise_continuable, 1, "raise obj; the handler's value comes back" },
   { "make-parameter", "value [converter]", make_parameter, 1, "a variable that parameterize sets for a while" },

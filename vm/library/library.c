@@ -69,10 +69,10 @@ static bool take(vs_scheme *vm, vs_value env, vs_value from, vs_value mapping, v
   vs_text_open(vm, &t, 300);
   const char *text = vs_as_symbol(clash)->name,
              *why = own ? "is defined here already" : "was imported already, with another meaning";
-  bool ok =
-      vs_print(vm, r[0], VS_PRINT_WRITE, &t) && vs_text_end(&t) &&
-      vs_fail_at(vm, vm->sym.syntax, pos, VS_NIL,
-                 "import: %s %s; (except %s %s) leaves it out, rename or prefix keep both", text, why, t.at, text);
+  bool ok = vs_print(vm, r[0], VS_PRINT_WRITE, &t) && vs_text_end(&t) &&
+            vs_fail_at(vm, vm->sym.syntax, pos, VS_NIL,
+                       "import: %s %s; (except %s %s) omits the name, rename or prefix keep both names", text, why,
+                       t.at, text);
   vs_text_close(&t);
   return ok;
 }

@@ -68,7 +68,7 @@ static bool arg_pairs(vs_scheme *vm, const vs_value *a, int arg, int64_t n, vs_v
   for (int64_t i = 0; i < n; i++, l = vs_cdr(l)) {
     if (!vs_is_pair(l) && l != VS_NIL) return vs_fail_type(vm, arg, "a list", a[arg]);
     if (!vs_is_pair(l))
-      return vs_fail(vm, vm->sym.range, "the list is too short: it has %lld elements, %lld are wanted", (long long)i,
+      return vs_fail(vm, vm->sym.range, "the list is too short: it has %lld elements, and needs %lld", (long long)i,
                      (long long)n);
     if (i % POLL_STEP == POLL_STEP - 1 && !vs_poll(vm, POLL_COST)) return false;
   }

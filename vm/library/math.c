@@ -295,7 +295,7 @@ static const vs_native_def defs[] = {
     {"hypot", "x y", hypot_, 0, NULL},
     {"sqrt", "x", sqrt_, 0, "exact where the root is"},
     {"cube-root", "x", cbrt_, 0, NULL},
-    {"exact-integer-sqrt", "n", exact_integer_sqrt, 0, "two values: the root's integer part and what is left"},
+    {"exact-integer-sqrt", "n", exact_integer_sqrt, 0, "two values: the root's integer part and the remainder"},
     {"expt", "base power", expt, 0, NULL},
     {NULL, NULL, NULL, 0, NULL},
 };

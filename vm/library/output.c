@@ -320,7 +320,7 @@ static vs_status flush_output_port(vs_scheme *vm, vs_value *a, int n, vs_value *
 static const vs_native_def defs[] = {
     {"display", "x [port]", display, 0, "print x for people"},
     {"displayln", "x [port]", displayln, 0, "display x and end the line"},
-    {"write", "x [port]", write_, 0, "print x as read takes it, cycles with labels"},
+    {"write", "x [port]", write_, 0, "print x so that read reads it again, cycles with labels"},
     {"writeln", "x [port]", writeln, 0, "write x and end the line"},
     {"print", "x [port]", write_, 0, NULL},
     {"pretty-print", "x [port]", writeln, 0, NULL},

@@ -110,7 +110,7 @@ class Live {
       try {
         const answer = await ask("/events");
         if (answer.status === 403) {
-          this.#status("open the address that vs view has printed", true);
+          this.#status("open the address that vs view printed", true);
           return;
         }
         if (!answer.ok) throw new Error(await answer.text());

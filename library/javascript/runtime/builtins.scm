@@ -52,7 +52,7 @@
 
 ; ---- Function ----
 
-(define Function (fn this () (type-error "Function is not part of this language: a program is known before it runs")))
+(define Function (fn this () (type-error "Function is not part of this language: a program cannot make code while it runs")))
 (constructor! Function function-prototype (lambda more (Function undefined)))
 (define (argument-list v)
   (cond ((array? v) (array->list v)) ((nothing? v) '())
