@@ -254,9 +254,8 @@ static bool take_parameters(job *j, const vs_fit_options *o, vs_fit_number **num
   }
   if (f->number_count || !o->placed) return true;
   const char *why =
-      n ? "nothing is left to fit: the scan is placed, and no parameter is free whose default is a real number, as 5.0 "
-          "is "
-          "and 5 is not"
+      n ? "nothing is left to fit: the scan is placed, and no free parameter has a real number such as 5.0 as its "
+          "default; an exact number such as 5 is never fitted"
         : "nothing is there to fit: the scan is placed, and the model has no parameters; (define-parameter height 5.0) "
           "makes one";
   vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_USAGE, (vs_span){ .file = j->model }, why);
@@ -341,29 +340,31 @@ static void warn_all(const job *j, const vs_fit_result *r) {
     warn(j, text);
   }
   if (!stopped && names_of(f, VS_FIT_AT_BOUND, names)) {
-    snprintf(text, sizeof text, "%s: stopped by #:min or #:max; the scan would have it beyond", names);
+    snprintf(text, sizeof text, "%s: stopped by #:min or #:max; the scan fits better with a value beyond that limit",
+             names);
     warn(j, text);
   }
   for (size_t i = 0; m->rival && m->doubt != VS_FIT_DOUBT_RIVAL && i < f->number_count; i++) {
     double a = m->numbers[i].value, b = m->numbers[i].rival;
     if (!(fabs(a - b) > .05 * fmax(fabs(a), fabs(b))) || m->numbers[i].verdict == VS_FIT_NUMBER_LOOSE) continue;
-    snprintf(text, sizeof text,
-             "from another start the model came as near with %s = %.4g in place of %.4g: the scan leaves both open",
-             f->parameters[f->number[i]].name, b, a);
+    snprintf(
+        text, sizeof text,
+        "another start gave an equally near fit with %s = %.4g instead of %.4g: the scan does not decide between them",
+        f->parameters[f->number[i]].name, b, a);
     warn(j, text);
     break;
   }
   if (r->outliers > r->samples / 20 && m->doubt != VS_FIT_DOUBT_STRAYS) {
     snprintf(text, sizeof text,
-             "%.0f %% of the points lie further than %.3g from the fitted model and had no say: damage, "
-             "other things in the scan, or a wrong fit; a map (-o map.ply) shows which",
+             "%.0f %% of the points lie further than %.3g from the fitted model and had no influence: damage, other "
+             "things in the scan, or a wrong fit; a map (-o map.ply) shows these points",
              100. * (double)r->outliers / (double)r->samples, VS_TUKEY_REACH * r->spread);
     warn(j, text);
   }
   if (r->correlation > .5 && r->spread > 1e-3 * r->size && m->doubt != VS_FIT_DOUBT_SHAPE) {
     snprintf(text, sizeof text,
-             "neighbouring points lie on the same side of the model (correlation %.2f): it differs from the scan "
-             "by more than noise, and the intervals are too narrow",
+             "neighbouring points lie on the same side of the model (correlation %.2f): the model differs from the "
+             "scan by more than noise, and the intervals are too narrow",
              r->correlation);
     warn(j, text);
   }
@@ -433,36 +434,37 @@ static bool tell_doubt(const job *j, const vs_fit_result *r, char text[MOST_DOUB
   switch (m->doubt) {
   case VS_FIT_DOUBT_NONE: return false;
   case VS_FIT_DOUBT_FAR:
-    snprintf(text, MOST_DOUBT,
-             "the model does not fit the scan: half of the points lie further than %.3g from it, %.2g %% of the "
-             "scan's size; the result is wrong. Other values to start from (-D), --near, --any-pose, or another "
-             "model, may do better",
-             r->median, 100 * r->median / r->size);
+    snprintf(
+        text, MOST_DOUBT,
+        "the model does not fit the scan: half of the points lie further than %.3g from it, %.2g %% of the "
+        "scan's size; the result is wrong. Try other values to start from (-D), --near, --any-pose, or another model",
+        r->median, 100 * r->median / r->size);
     return true;
   case VS_FIT_DOUBT_TILTED:
     snprintf(text, MOST_DOUBT,
-             "the scan lies on its side, or upside down, where the model comes nearest to it; if it does, give "
-             "--any-pose; else the result is wrong: other values to start from (-D), or --near, may do better");
+             "the nearest fit turns the scan on its side or upside down; if the scan lies so, give --any-pose; "
+             "otherwise the result is wrong: try other values to start from (-D), or --near");
     return true;
   case VS_FIT_DOUBT_STRAYS:
     snprintf(text, MOST_DOUBT,
              "%.0f %% of the scan's points lie further than %.3g from the fitted model: strays, or the fit is wrong. "
-             "Crop the scan, or lay it near the model and give --near; a map (-o map.ply) shows which points",
+             "Crop the scan, or lay the scan near the model and give --near; a map (-o map.ply) shows these points",
              100. * (double)r->outliers / (double)r->samples, VS_TUKEY_REACH * r->spread);
     return true;
   case VS_FIT_DOUBT_SHAPE:
-    snprintf(text, MOST_DOUBT,
-             "neighbouring points lie on the same side of the model (correlation %.2f): the scan has another shape, or "
-             "the fit is wrong. Other values to start from (-D), or --near, may do better; a map (-o map.ply) shows "
-             "where it differs",
-             r->correlation);
+    snprintf(
+        text, MOST_DOUBT,
+        "neighbouring points lie on the same side of the model (correlation %.2f): the scan has another shape, or the "
+        "fit is wrong. Try other values to start from (-D), or --near; a map (-o map.ply) shows the differences",
+        r->correlation);
     return true;
   case VS_FIT_DOUBT_RIVAL:
     rival = rival_number(m, f->number_count);
-    snprintf(text, MOST_DOUBT,
-             "from another start the model came as near with %.100s = %.4g in place of %.4g: the scan leaves both "
-             "open. Hold the known parameters (--hold), scan more, or lay the scan near the model and give --near",
-             f->parameters[f->number[rival]].name, m->numbers[rival].rival, m->numbers[rival].value);
+    snprintf(
+        text, MOST_DOUBT,
+        "another start gave an equally near fit with %.100s = %.4g instead of %.4g: the scan does not decide between "
+        "them. Hold the known parameters (--hold), scan more, or lay the scan near the model and give --near",
+        f->parameters[f->number[rival]].name, m->numbers[rival].rival, m->numbers[rival].value);
     return true;
   }
   return false;

@@ -48,24 +48,23 @@ for format in pov scad x3d html glb 3mf obj ply off stl tree; do
 done
 cat <<'EOF'
 
-- *native*: in the format's own words; a round shape stays round, and you can edit it there
+- *native*: in the format's own words; a round shape stays round
 - *triangles*, *lines*: triangles or straight pieces, as fine as `--tolerance`
-- *italics*: the text of a warning
+- *rods*, *slabs*: curves as thin rods; flat regions or open surfaces as thin slabs; `vs` warns
+- other *italics*: the text of a warning
 
-With several entries, it depends on the object: a straight extrusion can be native, a tapered one triangles. `vs` never
-omits a shape without a warning; it omits colours and names that a format cannot hold.
+A cell with several entries depends on the object: a straight extrusion can be native, a tapered extrusion triangles.
+`vs` never omits a shape without a warning; it omits colours and names that a format cannot hold.
 
-- `.png` and `.exr` are those of POV-Ray.
-- `.x3dv` and `.html` contain the same shapes as `.x3d`.
+- `.png` and `.exr` have the shapes of `.pov`, `.x3dv` and `.html` those of `.x3d`.
 - The column *meshes* is for formats of bare triangles (`.stl .3mf .obj .ply .off`): the union of all solids. `.obj`,
   `.ply` and `.off` also contain regions and open surfaces, as open faces; `.obj` and `.ply` contain curves, as lines.
 - [Drawings](drawings.md) (`.svg .pdf .dxf`) show solids, surfaces and curves by their lines.
 - `.tree` contains everything.
 
-`.pov` and `.scad` show curves as thin rods, and `.scad` flat regions and open surfaces as thin slabs. Other formats
-omit the shapes that they cannot show. A warning names the first place, and `vs` writes all other objects. With
-`--strict` this is an error. In pictures (`.png .exr`, and `.pov`) curves are at least two pixels wide. Curves, flat
-regions, text and open surfaces without a material are dark.
+A warning names the place of the first omitted shape, and `vs` writes all other objects. With `--strict` this is an
+error. In pictures (`.png .exr`, and `.pov`) curves are at least two pixels wide. Curves, flat regions, text and open
+surfaces without a material are dark.
 
 EOF
 
@@ -131,8 +130,9 @@ awk -F '\t' -v found="$work/found" -v formats='pov scad x3d glb stl' '
     count = split(formats, format, " ")
     while ((getline line < found) > 0) {
       split(line, part, "\t")
-      sub(/^\*(the drawing holds nothing that this format can show|all that is drawn is empty[^*]*)/, "*nothing to show", part[3])
+      sub(/^\*(the drawing holds nothing that this format can show|every drawn object is empty[^*]*)/, "*nothing to show", part[3])
       sub(/^\*[^:]*: /, "*", part[3]); sub(/ are drawn as /, " as ", part[3]); sub(/ are (left out|omitted)/, " omitted", part[3])
+      sub(/^\*curves as thin rods/, "*rods", part[3]); sub(/^\*(flat regions|open surfaces) as thin slabs/, "*slabs", part[3])
       key = part[1] SUBSEP part[2]
       met[part[1]] = 1
       word = part[3] == "both" ? "native\ttriangles" : part[3]
