@@ -29,7 +29,7 @@ bool vs_emit_round(vs_emitter *e, vs_mesh *m, vs_numbers numbers, vs_rounded *su
 }
 
 bool vs_emit_rounded(vs_emitter *e, const vs_rounded *what) {
-  char message[160];
+  char message[200];
   vs_vec3 at = what->dropped_at;
   if (e->options->warn == NULL) return true;
   if (what->dropped != 0) {
