@@ -55,6 +55,7 @@ struct vs_emitter {
   vs_writer *out;
   const vs_scene *scene;
   const vs_export_options *options;
+  vs_job *job;         /* that of the options, or one without limits */
   const vs_backend *backend;
   vs_error *error;
   const char *path;    /* path of the output file, from which the names of files beside it are formed; NULL: there is no

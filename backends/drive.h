@@ -67,8 +67,6 @@ struct vs_drive {
   const char **said;    /* addresses of the warnings already given */
   size_t said_count, said_room;
   vs_bounds_memo bounds;
-  double from, share, told; /* progress as fractions of the export. from: where the current mesh begins. share: the part
-                             * of this mesh. told: the last reported fraction */
   vs_solid scratch; /* mesh of a node without an entry, valid until the next call */
   uint32_t ticks;
   vs_reuse reuse;       /* kept text of runs (text_runs.c) */

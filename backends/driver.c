@@ -21,7 +21,7 @@
 #include "model/kinds.h"
 #include "solids/drawn_bounds.h"
 #include "model/store/cache.h"
-#include "model/tally.h"
+#include "model/job.h"
 
 /* ---- functions of the driver for emit functions ---- */
 
@@ -49,23 +49,18 @@ bool vs_emit_warn_once(vs_emitter *e, const vs_ref *ref, const char *message) {
   if (e->options->strict) return vs_emit_fail(e, ref, message);
   if (!vs_emit_grow(e, &d->said, &d->said_room, d->said_count + 1, sizeof *d->said)) return false;
   d->said[d->said_count++] = message;
-  if (e->options->warn != NULL) e->options->warn(e->options->context, ref != NULL ? ref->origin : NULL, message);
+  vs_job_warn(e->job, ref != NULL ? ref->origin : NULL, message);
   return true;
 }
 
-/* Reports the completed fraction of the drawing; each drawn object has an equal share. Reported fractions never
- * decrease, although meshing restarts at 0 for each object. */
 bool vs_emit_progress(vs_emitter *e, const char *stage, double fraction) {
-  vs_drive *d = e->drive;
-  if (d != NULL && fraction >= 0 && strcmp(stage, "meshing") == 0)
-    d->told = fraction = fmax(d->told, d->from + d->share * fraction);
-  if (e->options->progress == NULL || e->options->progress(e->options->context, stage, fraction)) return true;
+  if (vs_job_going(e->job, stage, fraction)) return true;
   return vs_error_set(e->error, VS_ERROR_INTERRUPT, NULL, "interrupted");
 }
 
 bool vs_emit_triangles(vs_emitter *e, size_t count) {
   vs_tally *tally = vs_store_tally(e->scene->store);
-  size_t limit = e->options->mesh_triangles;
+  size_t limit = e->job->limits.mesh_triangles;
   e->triangles += count;
   if (tally != NULL) tally->triangles += count;
   return !limit || e->triangles <= limit ||
@@ -575,8 +570,6 @@ static void drive_include(vs_bounds *all, const vs_bounds *b) {
   all->max = vs_v3(fmax(all->max.x, b->max.x), fmax(all->max.y, b->max.y), fmax(all->max.z, b->max.z));
 }
 
-static bool drive_settling(void *context, double done) { return vs_emit_progress(context, "meshing", done); }
-
 /* Returns true if the drawing contains text that the user wrote for this program (`native`). */
 static bool drive_has_native(const vs_emitter *e) {
   for (size_t i = 0; i < e->drive->entry_count; i++)
@@ -591,10 +584,9 @@ static bool drive_has_native(const vs_emitter *e) {
 static bool drive_boxes(vs_emitter *e, const vs_ref *ref, vs_bounds_memo *memo, size_t *budget, vs_bounds *all) {
   enum { most = 4096 };
   const vs_node *n = ref->node;
-  vs_kernel_options options = { .progress = drive_settling,
-                                .context = e,
-                                .max_bytes = e->options->mesh_bytes,
-                                .max_triangles = e->options->mesh_triangles };
+  vs_kernel_options options = { .job = e->job,
+                                .max_bytes = e->job->limits.mesh_bytes,
+                                .max_triangles = e->job->limits.mesh_triangles };
   vs_drawn_search search = { .facets = &e->drawing_facets, .options = &options, .budget = budget };
   while (vs_node_is_wrapper(n)) n = n->children[0].node;
   bool parts = n->kind == VS_UNION && n->child_count + e->box_count <= most;
@@ -676,13 +668,13 @@ static bool drive_bounds(vs_emitter *e) {
   for (int i = 0; i < 3; i++) most = fmax(most, fmax(fabs(low[i]), fabs(high[i])));
   bool single = e->backend->numbers == VS_NUMBERS_SINGLE || e->backend->numbers == VS_NUMBERS_LOOSE;
   double step = ldexp(1, ilogb(most > 0 ? most : 1) - 23);
-  if (single && step > vs_fineness_tolerance(&e->bounds) / 8 && e->options->warn != NULL) {
+  if (single && step > vs_fineness_tolerance(&e->bounds) / 8 && e->job->warn != NULL) {
     char message[200];
     snprintf(message, sizeof message,
              "the drawing is too far from the origin for its size: this format's numbers have steps of %.3g there; "
              "move the drawing to the origin, or write .obj, .off or .glb",
              step);
-    e->options->warn(e->options->context, NULL, message);
+    vs_job_warn(e->job, NULL, message);
   }
   return true;
 }
@@ -712,7 +704,7 @@ bool vs_drive_scene(vs_emitter *e) {
   if (d == NULL) return vs_emit_no_memory(e);
   memset(d, 0, sizeof *d);
   d->index.store = d->paints.store = d->bounds.places.store = e->scene->store;
-  d->share = 1;
+  vs_job_stage(e->job, "meshing");
   e->drive = d;
   drive_find_operations(d);
   d->reuse = (vs_reuse){ .store = e->scene->store };
@@ -745,13 +737,14 @@ bool vs_drive_scene(vs_emitter *e) {
     vs_solid_copies_free(&parts);
     return ok && e->backend->end(e);
   }
-  d->share = 1 / ((double)e->scene->drawn_count + 1); /* the definitions have the first share of the progress */
+  double share = 1 / ((double)e->scene->drawn_count + 1); /* of each object; the definitions have the first */
+  vs_job_part(e->job, 0, share);
   if (!drive_definitions(e)) return false;
   const vs_run_row drawn = { NULL, e->scene->drawn, e->scene->drawn_count, false };
   for (size_t i = 0, asked = 0; i < e->scene->drawn_count; i++) {
     const vs_ref *ref = &e->scene->drawn[i];
     size_t next = i;
-    d->from = (double)(i + 1) * d->share;
+    vs_job_part(e->job, (double)(i + 1) * share, share);
     drive_reset(e);
     if (d->reuse.open && i == d->run_until) vs_drive_run_end(e);
     if (!drive_root(e, &drawn, i, &asked, &next)) return false;

@@ -18,9 +18,8 @@
 
 #include "backends/backend.h"
 #include "backends/publish.h"
-#include "geometry/measure/node_measures.h"
 #include "model/store/array.h"
-#include "model/tally.h"
+#include "model/job.h"
 
 void vs_export_options_init(vs_export_options *o) { *o = (vs_export_options){ .width = 0 }; }
 
@@ -89,6 +88,7 @@ static bool export_text(vs_emitter *e, vs_writer *w) {
 }
 
 static void export_close(vs_emitter *e) {
+  vs_job_stage(e->job, NULL);
   if (e->backend->close != NULL && e->drive != NULL) e->backend->close(e);
   vs_drive_free(e);
 }
@@ -101,7 +101,7 @@ static vs_writer *export_writer(vs_emitter *e, vs_sink_fn *sink, void *context) 
   }
   vs_writer_init(w, sink, context);
   vs_emit_watch(e, w);
-  w->limit = e->options->byte_limit;
+  w->limit = e->job->limits.output_bytes;
   return w;
 }
 
@@ -131,8 +131,7 @@ static char *export_join(const char *a, const char *b, unsigned long number) {
 
 /* Returns false if path is an input file of the model. The export never replaces an input file. */
 static bool export_may_write(vs_emitter *e, const char *path) {
-  const vs_export_options *o = e->options;
-  return !o->is_input || !o->is_input(o->context, path) ||
+  return !vs_known_files_read(e->options->inputs, path) ||
          vs_error_set(e->error, VS_ERROR_FILE, NULL, "cannot write %s: the model has read it", path);
 }
 
@@ -246,11 +245,6 @@ static bool export_render_to(vs_emitter *e, vs_sink_fn *sink, void *context) {
   return ok;
 }
 
-static bool settle_bounds(void *context, const vs_node *n, vs_bounds *out, vs_error *e) {
-  (void)context;
-  return vs_node_bounds(n, out, e);
-}
-
 const char *vs_export_family(const vs_format *format) { return format->backend->family; }
 
 bool vs_export_sugar(vs_scene *scene, const vs_format *format, const vs_export_options *options, vs_error *e) {
@@ -263,35 +257,49 @@ bool vs_export_sugar(vs_scene *scene, const vs_format *format, const vs_export_o
                           .ghosts = b->ghosts,
                           .target = b->native,
                           .muted = options->safe,
-                          .said = options->warn,
-                          .said_context = options->context,
-                          .bounds = settle_bounds };
+                          .job = options->job };
   if (b->ghosts_in_drafts && options->quality != VS_RENDER_DRAFT) o.ghosts = VS_MARKS_DROP;
   return vs_scene_sugar(scene, &o, e);
 }
 
-static vs_emitter export_emitter(const vs_scene *scene, const vs_format *format, const vs_export_options *options,
-                                 vs_error *e) {
-  return (vs_emitter){ .scene = scene, .options = options, .backend = format->backend, .error = e };
+/* The emitter of an export; options, job and error that take the place of those that a caller does not give. */
+typedef struct {
+  vs_emitter emitter;
+  vs_export_options defaults;
+  vs_job idle;
+  vs_error unread;
+} export_run;
+
+/* Sets up an emitter, which holds addresses in the run. options and e may be NULL. */
+static vs_emitter *export_begin(export_run *run, const vs_scene *scene, const vs_format *format,
+                                const vs_export_options *options, vs_error *e) {
+  vs_export_options_init(&run->defaults);
+  run->idle = (vs_job){ .going = NULL };
+  run->unread = (vs_error){ VS_ERROR_NONE, NULL, "" };
+  if (options == NULL) options = &run->defaults;
+  run->emitter = (vs_emitter){ .scene = scene,
+                               .options = options,
+                               .job = options->job != NULL ? options->job : &run->idle,
+                               .backend = format->backend,
+                               .error = e != NULL ? e : &run->unread };
+  return &run->emitter;
 }
 
 bool vs_export_to(const vs_scene *scene, const vs_format *format, vs_sink_fn *sink, void *context,
                   const vs_export_options *options, vs_error *e) {
-  vs_export_options defaults;
-  vs_export_options_init(&defaults);
-  vs_error unread = { VS_ERROR_NONE, NULL, "" };
-  vs_emitter emitter = export_emitter(scene, format, options != NULL ? options : &defaults, e != NULL ? e : &unread);
+  export_run run;
+  vs_emitter *emitter = export_begin(&run, scene, format, options, e);
   bool ok;
   if (format->backend->render != NULL) {
-    ok = export_render_to(&emitter, sink, context);
+    ok = export_render_to(emitter, sink, context);
   } else {
-    vs_writer *w = export_writer(&emitter, sink, context);
-    ok = w != NULL && export_text(&emitter, w);
-    if (!ok && emitter.error->kind == VS_ERROR_NONE)
-      vs_error_set(e, VS_ERROR_FILE, NULL, "the output could not be written");
+    vs_writer *w = export_writer(emitter, sink, context);
+    ok = w != NULL && export_text(emitter, w);
+    if (!ok && emitter->error->kind == VS_ERROR_NONE)
+      vs_error_set(emitter->error, VS_ERROR_FILE, NULL, "the output could not be written");
     free(w);
   }
-  export_close(&emitter);
+  export_close(emitter);
   return ok;
 }
 
@@ -308,11 +316,10 @@ bool vs_export(const vs_scene *scene, const vs_format *format, const char *path,
     if (f.problem != 0) export_problem(e, "standard output", f.problem);
     return ok;
   }
-  vs_export_options defaults;
-  vs_export_options_init(&defaults);
-  vs_emitter emitter = export_emitter(scene, format, options != NULL ? options : &defaults, e);
-  emitter.path = path;
-  bool ok = export_named(&emitter, path);
-  export_close(&emitter);
+  export_run run;
+  vs_emitter *emitter = export_begin(&run, scene, format, options, e);
+  emitter->path = path;
+  bool ok = export_named(emitter, path);
+  export_close(emitter);
   return ok;
 }

@@ -7,8 +7,10 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "backends/known_files.h"
 #include "backends/writer.h"
 #include "geometry/pictures/tone.h"
+#include "model/job.h"
 #include "model/scene.h"
 
 typedef enum { VS_RENDER_GOOD, VS_RENDER_DRAFT, VS_RENDER_FINAL } vs_render_quality; /* quality of rendered pictures */
@@ -21,23 +23,13 @@ typedef struct {
   vs_tone tone;       /* conversion of light to the numbers of a .png */
   bool layers;        /* whether an .exr also contains depth, normal, albedo, id, material and ambient occlusion */
   const char *view;   /* name of the view of a drawing; "*": all views; NULL: the view that the file's name gives */
-  uint64_t byte_limit; /* greatest size of an output in bytes; 0: no limit */
   unsigned threads;   /* number of processors that a worker program may use; 0: all processors */
-  double worker_seconds; /* time in seconds after which a worker program is stopped; 0: never */
-  size_t mesh_bytes, mesh_triangles; /* mesh_bytes: most memory for combining solids. mesh_triangles: most triangles of
-                                      * a mesh. 0: no limit */
   const void *given;  /* text that vs_backend_given writes in place of a drawing */
   size_t given_size;
   bool strict;        /* whether a warning that a format omits or changes an object becomes an error */
   bool safe;          /* whether limits are set, so that no text of the user reaches a target program as directives */
-  void *context;      /* argument of the functions below, any of which may be NULL */
-  /* Receives a warning that the output differs from the model, once for each reason. origin may be NULL. */
-  void (*warn)(void *context, const vs_origin *origin, const char *message);
-  bool (*is_input)(void *context, const char *path); /* Returns true if path is an input file of the drawing, which is
-                                                      * never replaced. */
-  /* Receives the stage ("writing", "meshing" or "rendering") and the completed fraction from 0 to 1, negative if
-   * unknown. A result of false stops the export with VS_ERROR_INTERRUPT. */
-  bool (*progress)(void *context, const char *stage, double fraction);
+  const vs_known_files *inputs; /* input files of the drawing, which are never replaced; NULL: none */
+  vs_job *job;        /* limits, messages and progress of this output; NULL: no limits, and nobody listens */
 } vs_export_options;
 
 void vs_export_options_init(vs_export_options *o);

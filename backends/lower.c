@@ -15,7 +15,7 @@
 #include "solids/primitive_meshes.h"
 #include "geometry/primitives/half_space.h"
 #include "geometry/primitives/shape.h"
-#include "model/tally.h"
+#include "model/job.h"
 
 static vs_node *lower_polyline(vs_emitter *e, const vs_ref *ref) {
   vs_polyline p = { .count = 0 };
@@ -146,19 +146,12 @@ vs_node *vs_lower(vs_emitter *e, const vs_ref *ref) {
 
 bool vs_lower_is_round(const vs_node *n) { return vs_node_has(n, VS_IS_ROUND); }
 
-static void lower_warn(void *context, const vs_origin *origin, const char *message) {
-  const vs_emitter *e = context;
-  if (e->options->warn != NULL) e->options->warn(e->options->context, origin, message);
-}
-static bool lower_progress(void *context, double done) { return vs_emit_progress(context, "meshing", done); }
-
 static vs_kernel_options lower_options(vs_emitter *e, vs_bends bends) {
-  return (vs_kernel_options){ .progress = lower_progress,
-                              .context = e,
-                              .warn = bends == VS_BENT_AGAIN ? NULL : lower_warn,
+  return (vs_kernel_options){ .job = e->job,
+                              .warns = bends != VS_BENT_AGAIN,
                               .straight = bends == VS_STRAIGHT,
-                              .max_bytes = e->options->mesh_bytes,
-                              .max_triangles = e->options->mesh_triangles };
+                              .max_bytes = e->job->limits.mesh_bytes,
+                              .max_triangles = e->job->limits.mesh_triangles };
 }
 
 bool vs_lower_solids(vs_emitter *e, const vs_ref *refs, size_t count, vs_bends bends, vs_solid *out) {

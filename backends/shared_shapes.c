@@ -20,7 +20,7 @@ bool vs_shared_unit(vs_emitter *e, vs_shared_shapes *s, const vs_unit_copy *copy
   uint32_t *at = s->units[copy->unit].at;
   if (*room > old) memset(at + old, 0, (*room - old) * sizeof *at);
   if (at[turn] == 0) {
-    vs_solid form = { .mesh.most = e->options->mesh_triangles };
+    vs_solid form = { .mesh.most = e->job->limits.mesh_triangles };
     bool ok = (vs_unit_mesh(copy->unit, copy->turn, &form.mesh) ||
                (form.mesh.over ? vs_emit_triangles(e, form.mesh.most + 1) : vs_emit_no_memory(e))) &&
               write(e, &form, vs_shade_crease(copy->turn > 0), number);

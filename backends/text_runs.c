@@ -12,7 +12,7 @@
 
 #include "backends/drive.h"
 #include "model/store/cache.h"
-#include "model/tally.h"
+#include "model/job.h"
 
 /* Weights of runs. LIGHT: the least weight for which a run is kept. USUAL: the usual weight. HEAVY: the greatest
  * weight, except for a single shape. */

@@ -45,7 +45,7 @@ static vs_status lower_triangles(vs_args *f, const vs_fineness *facets, vs_node 
   bool ok;
   if (ref->node->class_ == VS_SOLID || ref->node->class_ == VS_MIXED) {
     vs_solid solid = { 0 };
-    vs_kernel_options options = { .progress = vs_bind_keep_going, .context = f->vm };
+    vs_kernel_options options = { .job = vs_bind_job(f->vm) };
     ok = vs_solid_evaluate(ref, 1, facets, &options, &solid, &e);
     if (ok) *made = vs_node_of_mesh(f->store, &solid.mesh, true);
     vs_solid_free(&solid);

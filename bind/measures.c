@@ -12,6 +12,7 @@
 #include "bind/constructors/operations.h"
 #include "bind/objects.h"
 #include "bind/queries.h"
+#include "bind/state.h"
 #include "geometry/measure/node_measures.h"
 #include "geometry/parts.h"
 #include "geometry/tessellate.h"
@@ -19,6 +20,8 @@
 #include "solids/solid_measures.h"
 #include "solids/resolve.h"
 #include "model/store/cache.h"
+
+vs_job *vs_bind_job(vs_scheme *vm) { return &vs_bind_of(vm)->job; }
 
 bool vs_bind_keep_going(void *vm, double done) {
   (void)done;
@@ -33,7 +36,7 @@ vs_status vs_bind_resolve(vs_args *f, int i) {
   vs_fineness facets = { .tolerance = vs_bind_tolerance(f->vm) };
   if (facets.tolerance <= 0 && vs_node_bounds(ref->node, &b, &e) && vs_bounds_diagonal(&b) > 0)
     facets.tolerance = vs_fineness_tolerance(&b) / 16;
-  vs_kernel_options options = { .progress = vs_bind_keep_going, .context = f->vm };
+  vs_kernel_options options = { .job = vs_bind_job(f->vm) };
   vs_node_retain(made.node);
   e = (vs_error){ 0 };
   bool ok = vs_resolve(&made, 1, &facets, &options, &e);
@@ -47,7 +50,7 @@ bool vs_bind_bounds(vs_scheme *vm, vs_ref ref, vs_bounds *out, vs_error *e) {
   if (vs_node_bounds(ref.node, out, e)) return true;
   if (e->kind == VS_ERROR_MEMORY || !(ref.node->flags & VS_NODE_UNRESOLVED)) return false;
   vs_fineness facets = { .tolerance = vs_bind_tolerance(vm) };
-  vs_kernel_options options = { .progress = vs_bind_keep_going, .context = vm };
+  vs_kernel_options options = { .job = vs_bind_job(vm) };
   *e = (vs_error){ 0 };
   vs_node_retain(ref.node);
   bool ok = vs_resolve(&ref, 1, &facets, &options, e) && vs_node_bounds(ref.node, out, e);
@@ -58,7 +61,7 @@ bool vs_bind_bounds(vs_scheme *vm, vs_ref ref, vs_bounds *out, vs_error *e) {
 bool vs_bind_drawn_bounds(vs_args *f, int i, vs_bounds *out) {
   vs_error e = { 0 };
   vs_fineness facets = { .tolerance = vs_bind_tolerance(f->vm) };
-  vs_kernel_options options = { .progress = vs_bind_keep_going, .context = f->vm };
+  vs_kernel_options options = { .job = vs_bind_job(f->vm) };
   vs_drawn_search search = { .facets = &facets, .options = &options };
   if (vs_drawn_bounds(&f->arg[i].ref, &search, out, &e)) return true;
   if (e.kind != VS_ERROR_INTERRUPT) vs_bind_error(f->vm, &e);
@@ -91,7 +94,7 @@ static vs_status measure_solid(vs_args *f, vs_measure *m, vs_ask ask) {
   vs_fineness facets = { .tolerance = vs_bind_tolerance(f->vm) };
   uint64_t what = SOLID_MEASURE + (uint64_t)ask;
   if (known(f, what, &facets, m, sizeof *m)) return VS_OK;
-  vs_kernel_options options = { .progress = vs_bind_keep_going, .context = f->vm };
+  vs_kernel_options options = { .job = vs_bind_job(f->vm) };
   if (!vs_solid_measure(f->arg[0].ref, ask, facets.tolerance, &options, m, &e))
     return e.kind == VS_ERROR_INTERRUPT ? VS_ERROR : vs_bind_error(f->vm, &e);
   keep(f, what, &facets, m, sizeof *m);

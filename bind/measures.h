@@ -3,11 +3,14 @@
 #define VS_BIND_MEASURES_H
 
 #include "geometry/frame.h"
+#include "model/job.h"
 #include "model/node.h"
 #include "vm/machine/native.h"
 
 typedef struct vs_args vs_args;
 
+/* Returns the job of work that the running program asks of the layers below (bind/state.h). */
+vs_job *vs_bind_job(vs_scheme *vm);
 /* Callback of long computations; vm is the vs_scheme. On an interrupt, sets the condition and returns false. */
 bool vs_bind_keep_going(void *vm, double done);
 /* Replaces sections, shadows and edges in argument i by the curves and regions that they are. */

@@ -1,6 +1,7 @@
 /* Creates and frees the data that an interpreter has outside of its heap. Also determines the model of a file: the
  * objects that it draws, else the values of its top-level expressions. */
 #include "bind/state.h"
+#include "bind/measures.h"
 
 #include "bind/back_ends.h"
 #include "bind/call/call.h"
@@ -19,8 +20,13 @@
 #include "vm/machine/activation.h"
 #include "vm/machine/fail.h"
 
+static bool going(void *bind, const char *stage, double fraction) {
+  (void)stage;
+  return vs_bind_keep_going(((vs_bind *)bind)->vm, fraction);
+}
+
 bool vs_bind_open(vs_bind *b, vs_scheme *vm, vs_store *store) {
-  *b = (vs_bind){ .vm = vm, .store = vs_store_retain(store), .refused = b->refused };
+  *b = (vs_bind){ .vm = vm, .store = vs_store_retain(store), .refused = b->refused, .job = { going, .context = b } };
   vs_scene_init(&b->scene, store);
   vs_store_on_ticket(store, vs_bind_ticket_gone, b);
   vm->host = b;
@@ -65,8 +71,7 @@ void vs_bind_restart(vs_bind *b) {
                   .is_built_in = kept.is_built_in,
                   .is_format = kept.is_format,
                   .host_call = kept.host_call,
-                  .warn = kept.warn,
-                  .warn_context = kept.warn_context };
+                  .job = kept.job };
   for (size_t i = 0; i < b->setting_count; i++) b->settings[i].used = false;
   vs_scene_init(&b->scene, b->store);
   vs_store_on_ticket(b->store, vs_bind_ticket_gone, b);
@@ -92,7 +97,7 @@ void vs_bind_clear_drawing(vs_bind *b) {
 
 static bool remember(vs_bind *b, vs_ref ref, bool shown) {
   if (ref.node->flags & VS_NODE_ENDLESS) { /* an unbounded object cannot be drawn */
-    if (!shown && b->warn) b->warn(b->warn_context, ref.origin, VS_ENDLESS_MESSAGE);
+    if (!shown) vs_job_warn(&b->job, ref.origin, VS_ENDLESS_MESSAGE);
     return true;
   }
   if (b->returned_count == b->returned_room) {

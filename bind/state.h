@@ -3,6 +3,7 @@
 #define VS_BIND_STATE_H
 
 #include "geometry/measure/node_measures.h"
+#include "model/job.h"
 #include "model/scene.h"
 #include "vm/machine/native.h"
 
@@ -69,9 +70,9 @@ struct vs_bind {
   size_t mesh_triangles;           /* greatest number of triangles in an output, also for meshes computed before the
                                     * output; 0: no limit */
   bool bad_parameter;              /* whether the current error is caused by a value of -D; exit status 2 */
-  /* Callback that shows a warning; origin NULL: without a place. */
-  void (*warn)(void *context, const vs_origin *origin, const char *message);
-  void *warn_context;
+  /* Job of long computations in procedures, with b as its context. The limits of the program end it; the condition is
+   * then set. The host sets its warn and its tally. */
+  vs_job job;
 };
 
 static inline vs_bind *vs_bind_of(vs_scheme *vm) { return (vs_bind *)vm->host; }

@@ -35,8 +35,8 @@ void vs_bind_dropped(vs_scheme *vm, vs_value v) {
 }
 
 void vs_bind_warn_thrown(vs_bind *b, const vs_node *node, const vs_origin *origin, bool in_body) {
-  if (!b->warn || vs_bind_warned(b, origin, "thrown away")) return;
-  b->warn(b->warn_context, origin,
+  if (!b->job.warn || vs_bind_warned(b, origin, "thrown away")) return;
+  vs_job_warn(&b->job, origin,
           node->kind == VS_TRANSFORM ? "this object is made and not used: do-move, do-rotate and similar procedures "
                                        "return a new object, and do not change their argument"
           : in_body ? "this object is made and not used: a body returns only its last value, a loop returns none; "

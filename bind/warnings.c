@@ -41,16 +41,16 @@ bool vs_bind_warned(vs_bind *b, const vs_origin *o, const char *kind) {
 }
 
 void vs_bind_clear(vs_bind *b, const char *kind) {
-  if (b->warn) vs_bind_warned(b, vs_bind_origin(b), kind);
+  if (b->job.warn) vs_bind_warned(b, vs_bind_origin(b), kind);
 }
 
 void vs_bind_warn(vs_bind *b, const char *kind, const char *format, ...) {
   const vs_origin *o = vs_bind_origin(b);
-  if (!b->warn || vs_bind_warned(b, o, kind)) return;
+  if (!b->job.warn || vs_bind_warned(b, o, kind)) return;
   char text[512];
   va_list args;
   va_start(args, format);
   vsnprintf(text, sizeof text, format, args);
   va_end(args);
-  b->warn(b->warn_context, o, text);
+  vs_job_warn(&b->job, o, text);
 }

@@ -1,4 +1,4 @@
-/* Defines the inputs and outputs of the kernel other than meshes: limits, progress, counts and errors. */
+/* Defines the inputs and outputs of the kernel other than meshes: the job, limits, counts and errors. */
 #ifndef VS_KERNEL_KERNEL_OPTIONS_H
 #define VS_KERNEL_KERNEL_OPTIONS_H
 
@@ -6,8 +6,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "model/job.h"
 #include "model/node.h"
-#include "model/tally.h"
 
 typedef struct {
   size_t clusters;   /* number of groups of solids that touch; it is the sum of the next three members */
@@ -28,16 +28,12 @@ enum { VS_ON_THE_WAY = 8 };
 #define VS_SHAPES_OVER "the shapes have more than %zu triangles, %d times the limit of %zu for the result"
 
 typedef struct {
-  /* called some hundred times a second; done is the completed part of the work, 0 to 1. Returns false to stop the work.
-   * NULL: no progress is reported */
-  bool (*progress)(void *context, double done);
-  void *context;
+  vs_job *job;          /* the kernel calls vs_job_done some hundred times a second; NULL: it never stops */
   size_t max_bytes;     /* limit on the kernel's memory in bytes; 0: no limit */
   size_t max_triangles; /* limit on the triangles of the result; 0: no limit. Intermediate steps may have VS_ON_THE_WAY
                          * times as many triangles and pieces of triangles */
   vs_cache *cache;   /* cache of evaluated clusters (model/store/cache.h); NULL: nothing is cached */
-  /* vs_solid_evaluate calls this for a fault that does not stop it; NULL: no warnings */
-  void (*warn)(void *context, const vs_origin *origin, const char *message);
+  bool warns;           /* vs_solid_evaluate warns of a fault that does not stop it */
   vs_kernel_counts *counts; /* the kernel adds its counts to these, except that the peak becomes the greater one; NULL:
                              * no counts */
   bool in_levels;       /* for tests: every cluster is arranged level by level (arrange/levels.c) if possible */
@@ -45,7 +41,7 @@ typedef struct {
                          * split into several planes. The caller must then search the result for contacts
                          * (round/rounding.h). If there are any, it must evaluate again with straight == false */
   uint32_t threads;     /* number of threads; 0: one for each processor. The result does not depend on it. Only the
-                         * caller's thread calls progress */
+                         * caller's thread asks the job */
 } vs_kernel_options;
 
 typedef enum {

@@ -66,8 +66,7 @@ bool vs_kernel_report(vs_kernel *k, double part) {
   VS_ASSERT(part >= 0 && part <= 1);
   if (k->owner) return !atomic_load(&k->owner->stop);
   k->part = part;
-  if (!k->options || !k->options->progress) return true;
-  if (k->options->progress(k->options->context, k->done + k->share * part)) return true;
+  if (!k->options || vs_job_done(k->options->job, k->done + k->share * part)) return true;
   return vs_kernel_fail(k, VS_KERNEL_INTERRUPTED, 0, "interrupted while combining solids");
 }
 

@@ -19,7 +19,7 @@ typedef struct vs_kernel {
   _Atomic size_t bytes;    /* number of bytes that are allocated for arrays */
   _Atomic size_t peak;     /* largest value of `bytes` so far */
   _Atomic bool stop;       /* true if a thread has failed or the caller has interrupted; all threads then return */
-  uint32_t ticks;          /* number of polls since the last call of options->progress */
+  uint32_t ticks;          /* number of polls since the last call of vs_job_done */
   double done, share;      /* done: progress of the whole work before this cluster, 0 to 1; share: the part of the work
                             * that the cluster is */
   double part;             /* progress within the cluster, as last reported, 0 to 1 */

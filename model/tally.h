@@ -1,5 +1,5 @@
-/* Declares the account of a run: the time and memory of each phase, and other counts. The store holds its address, for
- * all code that works on nodes (vs_store_tally). No result depends on it. */
+/* Declares the account of a run: the time and memory of each phase, and other counts. A job holds its address, for
+ * all code that works on nodes (vs_store_tally in job.h). No result depends on it. */
 #ifndef VS_MODEL_TALLY_H
 #define VS_MODEL_TALLY_H
 
@@ -28,8 +28,6 @@ typedef struct {
 } vs_phase_use;
 
 typedef struct vs_tally {
-  double (*clock)(void *context); /* returns monotonic time in seconds */
-  void *context;
   const size_t *held;             /* address of the number of bytes held now */
   vs_work_phase now;
   double since;
@@ -45,14 +43,12 @@ typedef struct vs_tally {
   uint64_t texts, texts_found, bytes_found;
 } vs_tally;
 
+double vs_clock(void); /* seconds, monotonic */
 /* Begins phase p and returns the previous phase, to which the caller later returns. t NULL: nothing is counted. */
 vs_work_phase vs_tally_enter(vs_tally *t, vs_work_phase p);
 void vs_tally_also(vs_tally *t, size_t bytes); /* Counts bytes that this phase held temporarily and that `held` does not
                                                 * contain. */
 size_t vs_tally_peak(const vs_tally *t);       /* Returns the greatest number of bytes held in any phase, without those
                                                 * of vs_tally_also. */
-vs_tally *vs_store_tally(const vs_store *s);   /* Returns the account, or NULL. */
-void vs_store_set_tally(vs_store *s, vs_tally *t); /* Sets the account. The caller owns it, and sets NULL before freeing
-                                                    * it. */
 
 #endif

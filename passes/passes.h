@@ -17,9 +17,8 @@ const vs_pass_info *vs_pass_get(vs_pass_kind pass);
 
 typedef struct {
   unsigned passes; /* set of passes to run: bit k means vs_pass_kind k */
-  /* Computes safe bounds of a node in its own coordinates. The function comes from geometry, which this layer cannot
-   * call. NULL: prune removes only empty nodes. Nodes may be freed at the end of the run, so context must then forget
-   * them. */
+  /* Computes safe bounds of a node in its own coordinates. NULL: prune removes only empty nodes. Nodes may be
+   * freed at the end of the run, so context must then forget them. */
   bool (*bounds)(void *context, const vs_node *n, vs_bounds *out, vs_error *e);
   void *context;
 } vs_pass_options;

@@ -7,6 +7,7 @@
 
 #include <stdio.h>
 
+#include "geometry/measure/node_measures.h"
 #include "passes/rewrite.h"
 
 enum { MARKS_MOST = 4096, STEPS_MOST = 1 << 22 };
@@ -103,8 +104,7 @@ static vs_node *sugar_strip(sugar_walk *w, vs_ref ref) {
  * fully visible. */
 static bool sugar_shrink(const sugar_walk *w, const vs_node *n, vs_affine *placed) {
   vs_bounds b;
-  if (!w->options->bounds) return true;
-  if (!w->options->bounds(w->options->bounds_context, n, &b, w->error)) return false;
+  if (!vs_node_bounds(n, &b, w->error)) return false;
   if (vs_bounds_is_empty(&b) || !isfinite(vs_bounds_diagonal(&b))) return true;
   vs_affine smaller = vs_affine_scaling(vs_v3_scale(vs_v3_add(b.min, b.max), 0.5), vs_v3(0.999, 0.999, 0.999));
   *placed = vs_affine_multiply(placed, &smaller);
@@ -220,7 +220,7 @@ static bool sugar_lacks(const sugar_kinds *k, vs_ref ref, vs_error *e) {
            "something to show)",
            VS_AS(native, n)->target, o->output);
   if (o->strict) return vs_error_set(e, VS_ERROR_MODEL, ref.origin, "%s", message);
-  if (o->said) o->said(o->said_context, ref.origin, message);
+  vs_job_warn(o->job, ref.origin, message);
   return true;
 }
 
@@ -256,13 +256,12 @@ bool vs_scene_sugar(vs_scene *scene, const vs_sugar_options *options, vs_error *
   for (size_t i = 0; i < scene->drawn_count; i++) sugar |= (scene->drawn[i].node->flags & VS_NODE_SUGAR) != 0;
   if (!sugar) return true;
   ok = sugar_look(&kinds, scene, e);
-  if (ok && options->muted && kinds.native.node && options->said)
-    options->said(options->said_context, kinds.native.origin,
-                  "native: text for other programs is switched off here; the object of #:otherwise is drawn");
+  if (ok && options->muted && kinds.native.node)
+    vs_job_warn(options->job, kinds.native.origin,
+                "native: text for other programs is switched off here; the object of #:otherwise is drawn");
   for (size_t i = 0; ok && kinds.only && i < scene->drawn_count; i++) ok = sugar_below(&w, scene->drawn[i], true);
   if (ok && w.count) { /* an `only` inside a ghost has no effect */
-    if (options->said)
-      options->said(options->said_context, w.found[0].origin, "only: nothing else of the drawing is shown");
+    vs_job_warn(options->job, w.found[0].origin, "only: nothing else of the drawing is shown");
     sugar_take(scene, &w);
   }
   size_t before = scene->drawn_count;

@@ -9,6 +9,7 @@
 #ifndef VS_PASSES_SUGAR_H
 #define VS_PASSES_SUGAR_H
 
+#include "model/job.h"
 #include "passes/passes.h"
 #include "model/scene.h"
 
@@ -27,12 +28,7 @@ typedef struct {
   bool keeps_text;    /* whether to keep native text that has no alternative for other formats, for counts */
   bool strict;        /* whether native text without an alternative for this format is an error, not a warning */
   bool muted;         /* whether native text is not written in any case, with a warning */
-  /* Both functions may be NULL. said: receives a message once for each kind, with the first place. bounds: as in
-   * vs_pass_options, for highlights of cut parts. */
-  void (*said)(void *context, const vs_origin *origin, const char *message);
-  void *said_context;
-  bool (*bounds)(void *context, const vs_node *n, vs_bounds *out, vs_error *e);
-  void *bounds_context;
+  const vs_job *job;  /* receives a warning once for each kind, with the first place; may be NULL */
 } vs_sugar_options;
 
 /* Rewrites the scene's drawn array, which belongs to the store. For a scene without such nodes it only examines each

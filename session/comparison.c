@@ -180,14 +180,8 @@ static vs_node *painted(vs_store *store, vs_node *n, const vs_material *paint) {
   return layered;
 }
 
-/* Callback of long computations: returns false, to stop them, if the host interrupts. */
-static bool going(void *session, double done) {
-  (void)done;
-  return !vs_session_interrupted(session);
-}
-
 static bool compare(vs_session *s, pairing *p, vs_comparison *out, vs_error *e) {
-  vs_kernel_options options = { .progress = going, .context = s, .cache = vs_store_cache(s->bind.store) };
+  vs_kernel_options options = { .job = s->writing, .cache = vs_store_cache(s->bind.store) };
   double tolerance = vs_bind_tolerance(s->bind.vm);
   vs_node *nodes[VS_CHANGES];
   if (!vs_drawn_parts_match(&p->a, &p->b, p->before, p->after, e)) return false;
@@ -207,7 +201,7 @@ static bool compare(vs_session *s, pairing *p, vs_comparison *out, vs_error *e) 
 }
 
 bool vs_session_swell(vs_session *s, size_t number, vs_ref *ref, vs_error *e) {
-  vs_kernel_options options = { .progress = going, .context = s, .cache = vs_store_cache(s->bind.store) };
+  vs_kernel_options options = { .job = &s->job, .cache = vs_store_cache(s->bind.store) };
   const struct vs_material *paint = VS_AS(material, s->change[number].node->children[0].node);
   vs_node *n = s->change[number].node->children[0].node->children[0].node, *swollen;
   if (!strcmp(paint->material->name, shown[VS_CHANGES - 1].paint.name)) return true; /* unchanged parts are not
@@ -221,7 +215,7 @@ bool vs_session_swell(vs_session *s, size_t number, vs_ref *ref, vs_error *e) {
 }
 
 static bool volume_of(vs_session *s, const vs_ref *refs, size_t count, double *volume, vs_error *e) {
-  vs_kernel_options options = { .progress = going, .context = s, .cache = vs_store_cache(s->bind.store) };
+  vs_kernel_options options = { .job = s->writing, .cache = vs_store_cache(s->bind.store) };
   vs_node *all = vs_node_new(s->bind.store, VS_UNION, &(struct vs_union){ 0 }, refs, count);
   bool ok = all ? vs_drawn_parts_volume(all, vs_bind_tolerance(s->bind.vm), &options, volume, e)
                 : vs_error_memory(e, NULL);
@@ -240,15 +234,18 @@ vs_outcome vs_drawing_compare(vs_scheme *vm, vs_comparison *out, each_part *each
   if (outcome != VS_OUTCOME_DONE) return outcome;
   pairing p = { .a.store = s->bind.store, .b.store = s->bind.store };
   vs_error e = { 0 };
-  s->writing = true, s->late = false; /* the limit of time for an output applies */
-  s->write_began = vs_session_clock(s), s->write_worker = s->tally.of[VS_WORK_WORKER].seconds;
+  vs_job job = vs_session_job(s);
+  job.limits.seconds = s->options.limit_time; /* as for an output */
+  vs_job_start(&job);
+  vs_store_set_job(s->bind.store, s->writing = &job);
   bool ok = vs_drawn_parts_take(&p.a, s->kept, s->kept_count, &e) && vs_drawn_parts_take(&p.b, now, count, &e) &&
             pairing_open(&p, &e) && compare(s, &p, out, &e);
   bool differs = out->repainted + out->moved + out->changed + out->added + out->removed > 0;
   ok = ok && volume_of(s, s->kept, s->kept_count, &out->volume_before, &e);
   if (!differs) out->volume_after = out->volume_before;
   else ok = ok && volume_of(s, now, count, &out->volume_after, &e);
-  s->writing = false;
+  s->writing = NULL;
+  vs_store_set_job(s->bind.store, &s->job);
   if (ok && each) tell_all(&p, each, context);
   pairing_close(&p);
   free_refs(s, &now, &count);

@@ -2,7 +2,6 @@
  * it has set them. The VM makes no other system calls. */
 #include "session/host.h"
 
-#include "session/inputs/inputs.h"
 #include "session/names.h"
 #include "session/report.h"
 #include "session/session.h"
@@ -47,24 +46,14 @@ void *vs_session_memory(void *session, void *old, size_t old_bytes, size_t bytes
 /* ---- time and interrupts ---- */
 
 double vs_session_clock(void *session) {
-  struct timespec t;
   (void)session;
-  clock_gettime(CLOCK_MONOTONIC, &t);
-  return (double)t.tv_sec + (double)t.tv_nsec * 1e-9;
-}
-
-/* Returns true if the current output has used its limit of time. The time of an external program does not count:
- * rendering a picture takes longer than computing the model. */
-static bool write_late(vs_session *s) {
-  if (!s->writing || s->options.limit_time <= 0 || s->tally.now == VS_WORK_WORKER) return false;
-  double took = vs_session_clock(s) - s->write_began - (s->tally.of[VS_WORK_WORKER].seconds - s->write_worker);
-  return s->late = s->late || took > s->options.limit_time;
+  return vs_clock();
 }
 
 bool vs_session_interrupted(void *session) {
   vs_session *s = session;
   const vs_host *h = &s->options.host;
-  if (write_late(s)) return true;
+  if (s->writing && vs_job_late(s->writing)) return true;
   if (s->profiling && !s->writing) vs_session_look(s);
   if (h->progress && s->phase) {
     double now = vs_session_clock(s);
@@ -75,6 +64,15 @@ bool vs_session_interrupted(void *session) {
   }
   if (h->poll && h->poll(h->context)) return true;
   return atomic_exchange(&s->interrupted, false);
+}
+
+bool vs_session_going(void *session, const char *stage, double fraction) {
+  (void)stage, (void)fraction;
+  return !vs_session_interrupted(session);
+}
+
+vs_job vs_session_job(vs_session *s) {
+  return (vs_job){ .going = vs_session_going, .warn = vs_session_warn, .context = s, .tally = &s->tally };
 }
 
 static double now_of_day(void *session) {
@@ -118,7 +116,7 @@ static bool slurp(vs_session *s, const char *path, char **text, size_t *length, 
   FILE *f = fopen(path, "rb");
   if (!f) return refuse(s, reason(errno), why);
   if (fstat(fileno(f), &st) == 0 && S_ISDIR(st.st_mode)) return fclose(f), refuse(s, reason(EISDIR), why);
-  if (!vs_session_note(s, path, fileno(f), false)) return fclose(f), refuse(s, VS_IO_NO_MEMORY, why);
+  if (!vs_known_files_add(&s->inputs, path, fileno(f), false)) return fclose(f), refuse(s, VS_IO_NO_MEMORY, why);
   size_t room = st.st_size > 0 ? (size_t)st.st_size + 1 : 65536, used = 0;
   char *at = NULL;
   bool over = false;
@@ -146,7 +144,7 @@ static bool read_whole(vs_session *s, const char *path, char **text, size_t *len
   const vs_host *h = &s->options.host;
   if (!h->read_file) return slurp(s, path, text, length, why);
   if (!h->read_file(h->context, path, text, length, why)) return false;
-  return vs_session_note_path(s, path) || (free(*text), refuse(s, VS_IO_NO_MEMORY, why));
+  return vs_known_files_add_path(&s->inputs, path) || (free(*text), refuse(s, VS_IO_NO_MEMORY, why));
 }
 
 bool vs_session_read(vs_session *s, const char *path, bool source, char **text, size_t *length, const char **why) {
@@ -256,7 +254,7 @@ static int64_t open_stream(void *session, const char *path, vs_io_mode mode, con
     if (s->options.untrusted) return refuse(s, "writing files is switched off", why), -1;
     fresh.file = fopen(path, mode == VS_IO_WRITE ? "wb" : "ab");
     if (!fresh.file) return refuse(s, errno == EACCES ? "not permitted to write it" : reason(errno), why), -1;
-    if (mode == VS_IO_WRITE && !vs_session_note(s, path, fileno(fresh.file), true))
+    if (mode == VS_IO_WRITE && !vs_known_files_add(&s->inputs, path, fileno(fresh.file), true))
       return fclose(fresh.file), refuse(s, VS_IO_NO_MEMORY, why), -1;
   }
   s->stream[i] = fresh;

@@ -9,7 +9,11 @@ void *vs_session_memory(void *session, void *old, size_t old_bytes, size_t bytes
                                                                                      * the store. */
 double vs_session_clock(void *session);                                            /* Returns monotonic time in
                                                                                     * seconds. */
-bool vs_session_interrupted(void *session);
+bool vs_session_interrupted(void *session); /* for the VM: also true when an output that is being written is late */
+/* The calls of a job back to the host, with the session as their context. Returns false if the host interrupts. */
+bool vs_session_going(void *session, const char *stage, double fraction);
+/* Returns the job of work for the session's host that is not an output: it has no limits. */
+vs_job vs_session_job(vs_session *s);
 /* Reads a whole file as text, which the caller frees. source: also keeps the text, for messages. If it fails, returns
  * false and sets *why to the reason. */
 bool vs_session_read(vs_session *s, const char *path, bool source, char **text, size_t *length, const char **why);

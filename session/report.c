@@ -118,7 +118,7 @@ bool vs_session_span(vs_session *s, vs_pos place, vs_span *out) {
 }
 
 /* Returns true if the interrupt came from the limit of time for outputs, and not from the user. */
-static bool is_late(const vs_session *s) { return s->writing && s->late; }
+static bool is_late(const vs_session *s) { return s->writing && s->writing->late; }
 
 static vs_outcome outcome_of(const vs_session *s, vs_value kind, bool usage) {
   const vs_scheme *vm = s->bind.vm;

@@ -12,7 +12,7 @@
 #include "model/store/cache.h"
 #include "passes/passes.h"
 #include "model/scene.h"
-#include "model/tally.h"
+#include "model/job.h"
 #include "visualscheme.h"
 #include "vm/library/port.h"
 #include "vm/values/text.h"
@@ -24,9 +24,6 @@ typedef struct {
   unsigned first_line;
   bool before; /* whether it was read before the last vs_restart and not again since */
 } vs_source;
-
-/* A file that the program has read or (made) created (inputs.c). */
-typedef struct { uint64_t device, node; char *path; bool made; } vs_known_file;
 
 enum { VS_STREAMS = 64 };
 typedef struct {
@@ -60,6 +57,8 @@ typedef struct {
  * in procedures that it called. */
 typedef struct { vs_value name; vs_pos place; uint64_t own, whole; } vs_profile_row;
 
+#define VS_INPUT_KEPT "it was read by this run, and no output takes the place of what it is made from"
+
 typedef struct vs_own_format vs_own_format;
 typedef struct vs_handles vs_handles;
 typedef struct vs_host_meshes vs_host_meshes;
@@ -80,13 +79,11 @@ typedef struct {
   vs_stream stream[VS_STREAMS];
   vs_source *sources;
   size_t source_count, source_room;
-  vs_known_file *inputs;
-  size_t input_count, input_room;
+  vs_known_files inputs;    /* the files that the program has read or created */
   char why[256];            /* reason why the last file operation failed */
   double evaluate_seconds, write_seconds;
-  bool writing, late;       /* writing: an output is being written; late: the limit of time has stopped it */
-  double write_began, write_worker; /* write_began: clock at the output's begin; write_worker: seconds that external
-                                     * programs had used until then */
+  vs_job job;               /* of the work between outputs; it has no limits of its own */
+  vs_job *writing;          /* of the output that is being written, from its first stage with a limit; NULL: none */
   vs_output_record *outputs; /* accounts of the latest outputs, oldest first */
   size_t output_count, output_room;
   vs_ref *kept; size_t kept_count; /* objects of vs_drawing_keep, whose nodes are retained (comparison.c) */

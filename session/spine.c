@@ -34,7 +34,6 @@
 #include "session/comparison.h"
 #include "session/evaluation.h"
 #include "session/host.h"
-#include "session/inputs/inputs.h"
 #include "session/light/pictures.h"
 #include "session/report.h"
 #include "session/statistics.h"
@@ -42,8 +41,10 @@
 #include "solids/endless_lines.h"
 #include "solids/resolve.h"
 
+/* An output that is made, or the drawing that is measured. */
 typedef struct {
   vs_session *session;
+  vs_job job;                    /* all layers below get it; the store has it meanwhile */
   const vs_format *format;       /* format of the output; NULL if the drawing is only measured */
   const vs_output_options *options;
   const char *path;              /* path of the output; NULL if it goes to `to` */
@@ -57,32 +58,34 @@ typedef struct {
                                   * none */
   size_t text_bytes;
   double told;                   /* clock in seconds at the last call of the host's progress */
-} vs_job;
+} writing;
 
-/* ---- callbacks for interrupts and progress ---- */
+/* ---- callbacks for interrupts, progress and warnings ---- */
 
-static bool keep_resolving(void *session, double done) {
-  (void)done;
-  return !vs_session_interrupted(session);
-}
-
-static void job_warn(void *job, const vs_origin *origin, const char *message) {
-  vs_session_warn(((vs_job *)job)->session, origin, message);
+static void job_warn(void *output, const vs_origin *origin, const char *message) {
+  vs_session_warn(((writing *)output)->session, origin, message);
 }
 
 /* Reports the progress of the output to the host, at most ten times a second. Returns false if the host interrupts. */
-static bool job_progress(void *job, const char *stage, double fraction) {
-  vs_job *j = job;
+static bool job_going(void *output, const char *stage, double fraction) {
+  writing *j = output;
   const vs_host *h = &j->session->options.host;
-  double now = vs_session_clock(j->session);
-  if (h->progress && now - j->told > .1) {
+  double now = stage ? vs_clock() : 0;
+  if (h->progress && stage && now - j->told > .1) {
     j->told = now;
     h->progress(h->context, &(vs_progress){ .phase = stage, .subject = j->path, .fraction = fraction });
   }
   return !vs_session_interrupted(j->session);
 }
 
-static bool job_is_input(void *job, const char *path) { return vs_session_is_input(((vs_job *)job)->session, path); }
+/* Begins the output's job. */
+static void begin(writing *j) {
+  vs_session *s = j->session;
+  j->job = (vs_job){ .going = job_going, .warn = job_warn, .context = j, .tally = &s->tally };
+  j->told = vs_clock();
+  vs_store_set_job(s->bind.store, &j->job);
+  vs_tally_enter(&s->tally, VS_WORK_PASSES);
+}
 
 /* ---- options of the output ---- */
 
@@ -103,7 +106,7 @@ void vs_session_size(const vs_output_options *o, vs_export_options *e) {
 }
 
 /* Computes the export options from those of the caller and the program, and from the session's limits. */
-static void set_options(vs_job *j) {
+static void set_options(writing *j) {
   static const vs_render_quality qualities[] = {
     [VS_QUALITY_DRAFT] = VS_RENDER_DRAFT, [VS_QUALITY_GOOD] = VS_RENDER_GOOD, [VS_QUALITY_FINAL] = VS_RENDER_FINAL
   };
@@ -111,14 +114,15 @@ static void set_options(vs_job *j) {
   const vs_output_options *o = j->options;
   vs_export_options *e = &j->export;
   vs_export_options_init(e);
-  e->context = j, e->warn = job_warn, e->progress = job_progress, e->is_input = job_is_input;
+  e->job = &j->job;
+  e->inputs = &j->session->inputs;
   e->safe = limits->untrusted || limits->limit_time > 0 || limits->limit_memory || limits->limit_steps ||
             limits->limit_output;
-  e->mesh_triangles = limits->limit_triangles;
-  e->worker_seconds = limits->limit_worker;
+  j->job.limits.mesh_triangles = limits->limit_triangles;
+  j->job.limits.worker_seconds = limits->limit_worker;
   e->strict = o->strict;
   if (limits->limit_memory)
-    e->mesh_bytes = j->session->bytes < limits->limit_memory ? limits->limit_memory - j->session->bytes : 1;
+    j->job.limits.mesh_bytes = j->session->bytes < limits->limit_memory ? limits->limit_memory - j->session->bytes : 1;
   vs_session_size(o, e);
   memcpy(e->crop, o->crop, sizeof e->crop);
   e->threads = o->threads;
@@ -132,12 +136,12 @@ static void set_options(vs_job *j) {
   vs_session_aim(o, scene);
 }
 
-/* ---- stages. A stage that fails returns false, and sets the job's error, or its outcome if it has already reported
+/* ---- stages. A stage that fails returns false, and sets the output's error, or its outcome if it has already reported
  * the failure ---- */
 
 /* Computes the objects that the tree of scene nodes shows, as a separate evaluation. Sets *beside to false if the
  * drawing belongs to a node; the objects then include that of the root. */
-static bool show_nodes(vs_job *j, bool *beside, vs_value *objects) {
+static bool show_nodes(writing *j, bool *beside, vs_value *objects) {
   vs_session *s = j->session;
   if (!vs_nodes_are_there(&s->bind)) return true;
   vs_session_begin(s, 0);
@@ -150,7 +154,7 @@ static bool show_nodes(vs_job *j, bool *beside, vs_value *objects) {
 
 /* Collects garbage first: a node that only dead values refer to would look shared. The scene's copy retains its
  * references, because later stages replace them. */
-static bool stage_collect(vs_job *j) {
+static bool stage_collect(writing *j) {
   vs_session *s = j->session;
   bool beside = true, change = j->options && j->options->change;
   VS_ROOTS(s->bind.vm, shown, 1);
@@ -183,7 +187,7 @@ static bool stage_collect(vs_job *j) {
 
 /* Calls the drawing functions as a separate evaluation with its own limits. The time limit of the output begins after
  * them. */
-static bool stage_hand_over(vs_job *j) {
+static bool stage_hand_over(writing *j) {
   vs_session *s = j->session;
   const vs_format *f = j->format;
   const char *names[4] = { NULL };
@@ -205,12 +209,13 @@ static bool stage_hand_over(vs_job *j) {
     }
   }
   if (j->record) vs_cache_turn(vs_store_cache(s->bind.store), !j->options->last);
-  s->writing = true, s->late = false;
-  s->write_began = vs_session_clock(s), s->write_worker = s->tally.of[VS_WORK_WORKER].seconds;
+  j->job.limits.seconds = s->options.limit_time;
+  vs_job_start(&j->job);
+  s->writing = &j->job;
   return true;
 }
 
-static bool stage_sugar(vs_job *j) {
+static bool stage_sugar(writing *j) {
   static const vs_sugar_options solids_only = { .highlights = VS_MARKS_DROP, .keeps_text = true };
   return j->format ? vs_export_sugar(&j->scene, j->format, &j->export, &j->error)
                    : vs_scene_sugar(&j->scene, &solids_only, &j->error);
@@ -225,7 +230,7 @@ static void list_views(const vs_scene *scene, char *message, size_t room) {
   }
 }
 
-static bool stage_view(vs_job *j) {
+static bool stage_view(writing *j) {
   vs_scene *scene = &j->scene;
   const char *name = j->record ? j->options->view : NULL;
   /* A format of drawings chooses its views itself. */
@@ -244,13 +249,12 @@ static bool stage_view(vs_job *j) {
   return view->cut != VS_CUT_PLANE || vs_scene_cut(scene, view->cut_point, view->cut_normal, &j->error);
 }
 
-static bool stage_resolve(vs_job *j) {
-  vs_kernel_options options = { .progress = keep_resolving, .context = j->session };
-  return vs_scene_resolve(&j->scene, &options, &(vs_resolve_notes){ job_warn, j }, &j->error);
+static bool stage_resolve(writing *j) {
+  return vs_scene_resolve(&j->scene, &(vs_kernel_options){ .job = &j->job, .warns = true }, &j->error);
 }
 
 /* A back-end of the program receives the drawing before the passes, unless it requests the optimised drawing. */
-static bool stage_optimise(vs_job *j) {
+static bool stage_optimise(writing *j) {
   const vs_bind_back_end *own =
       j->format->backend == &vs_backend_given ? vs_bind_back_end_find(&j->session->bind, j->format->name) : NULL;
   unsigned passes = own && !own->optimised ? 0 : j->options->passes;
@@ -258,18 +262,18 @@ static bool stage_optimise(vs_job *j) {
          vs_scene_optimise(&j->scene, passes, &j->record->passes, &j->error);
 }
 
-static bool stage_looks(vs_job *j) { return vs_scene_looks(&j->scene, &j->error); }
+static bool stage_looks(writing *j) { return vs_scene_looks(&j->scene, &j->error); }
 
-static bool stage_ink(vs_job *j) { return vs_scene_ink(&j->scene, &j->error); }
+static bool stage_ink(writing *j) { return vs_scene_ink(&j->scene, &j->error); }
 
-static bool stage_lay(vs_job *j) { return vs_scene_lay(&j->scene, &j->error); }
+static bool stage_lay(writing *j) { return vs_scene_lay(&j->scene, &j->error); }
 
-static bool stage_flush(vs_job *j) { return vs_scene_part_flush(&j->scene, &j->error); }
+static bool stage_flush(writing *j) { return vs_scene_part_flush(&j->scene, &j->error); }
 
-static bool stage_group(vs_job *j) { return vs_scene_group(&j->scene, &j->error); }
+static bool stage_group(writing *j) { return vs_scene_group(&j->scene, &j->error); }
 
 /* Calls the program's back-end as a separate evaluation. */
-static bool stage_defined(vs_job *j) {
+static bool stage_defined(writing *j) {
   vs_session *s = j->session;
   vs_session_begin(s, 0);
   bool ok =
@@ -286,7 +290,7 @@ static bool write_bytes(void *sink, const void *bytes, size_t count) {
   return to->write(to->context, bytes, count);
 }
 
-static bool stage_write(vs_job *j) {
+static bool stage_write(writing *j) {
   vs_tally_enter(&j->session->tally, VS_WORK_EMIT);
   vs_scene scene = j->scene;
   /* The text of the program's back-end is complete: there are no objects to write. */
@@ -318,8 +322,8 @@ static double worked(vs_session *s) {
   return sum;
 }
 
-static bool go_through(vs_job *j, vs_stage last) {
-  static bool (*const stages[])(vs_job *) = {
+static bool go_through(writing *j, vs_stage last) {
+  static bool (*const stages[])(writing *) = {
 #define VS_STAGE(upper, lower, when, formats, doc) stage_##lower,
 #include "session/stages.def"
   };
@@ -346,11 +350,12 @@ static bool report_nothing(vs_session *s, const char *message) {
   return told;
 }
 
-/* Releases the job's references, reports the error of a failed stage, and returns the outcome. */
-static vs_outcome end_job(vs_job *j, bool ok) {
+/* Ends the job, and releases the references, reports the error of a failed stage, and returns the outcome. */
+static vs_outcome end_writing(writing *j, bool ok) {
   vs_session *s = j->session;
-  bool stopped = s->writing && s->late && j->error.kind == VS_ERROR_INTERRUPT;
-  s->writing = false;
+  bool stopped = s->writing && s->writing->late && j->error.kind == VS_ERROR_INTERRUPT;
+  s->writing = NULL;
+  vs_store_set_job(s->bind.store, &s->job);
   bool nothing = !ok && j->scene.drawn_count == 0 && j->error.kind == VS_ERROR_MODEL && !strcmp(j->error.message,
       "nothing is drawn");
   for (size_t i = 0; i < j->scene.drawn_count; i++) vs_node_release(j->scene.drawn[i].node);
@@ -368,26 +373,25 @@ static vs_outcome end_job(vs_job *j, bool ok) {
 vs_outcome vs_session_write(vs_session *s, const char *path, const vs_format *format, const vs_output_options *options,
                             vs_byte_sink *to) {
   if (!vs_session_output_begin(s, path, format->name)) return vs_session_out_of_memory(s);
-  vs_job j = { .session = s,
+  writing j = { .session = s,
                .format = format,
                .options = options,
                .path = path,
                .to = to,
-               .record = &s->outputs[s->output_count - 1],
-               .told = vs_session_clock(s) };
-  vs_tally_enter(&s->tally, VS_WORK_PASSES);
-  vs_outcome outcome = end_job(&j, go_through(&j, VS_STAGE_WRITE));
+               .record = &s->outputs[s->output_count - 1] };
+  begin(&j);
+  vs_outcome outcome = end_writing(&j, go_through(&j, VS_STAGE_WRITE));
   vs_session_output_end(s, outcome == VS_OUTCOME_DONE);
   return outcome;
 }
 
 /* ---- measuring the drawing without an output ---- */
 
-static bool summarise(vs_session *s, const vs_scene *scene, vs_summary *out, vs_error *e) {
+static bool summarise(vs_job *job, const vs_scene *scene, vs_summary *out, vs_error *e) {
   vs_bounds all;
   vs_bind_counts sum = { 0 }, c;
   vs_fineness facets = { .tolerance = scene->tolerance, .segments = scene->segments };
-  vs_kernel_options options = { .progress = keep_resolving, .context = s };
+  vs_kernel_options options = { .job = job };
   for (size_t i = 0; i < scene->drawn_count; i++) {
     if (!vs_bind_count(scene->drawn[i], &c)) return vs_error_memory(e, scene->drawn[i].origin);
     sum.all += c.all;
@@ -407,10 +411,10 @@ static bool summarise(vs_session *s, const vs_scene *scene, vs_summary *out, vs_
 }
 
 vs_outcome vs_session_summary(vs_session *s, vs_summary *out) {
-  vs_job j = { .session = s };
+  writing j = { .session = s };
   *out = (vs_summary){ .units = s->bind.scene.units };
-  vs_tally_enter(&s->tally, VS_WORK_PASSES);
-  vs_outcome outcome = end_job(&j, go_through(&j, VS_STAGE_RESOLVE) && summarise(s, &j.scene, out, &j.error));
+  begin(&j);
+  vs_outcome outcome = end_writing(&j, go_through(&j, VS_STAGE_RESOLVE) && summarise(&j.job, &j.scene, out, &j.error));
   vs_tally_enter(&s->tally, VS_WORK_NONE);
   if (outcome == VS_OUTCOME_DONE && out->objects == 0) {
     vs_text why;
@@ -423,15 +427,15 @@ vs_outcome vs_session_summary(vs_session *s, vs_summary *out) {
 }
 
 vs_outcome vs_session_take(vs_session *s, vs_ref **out, size_t *count) {
-  vs_job j = { .session = s };
+  writing j = { .session = s };
   *out = NULL, *count = 0;
-  vs_tally_enter(&s->tally, VS_WORK_PASSES);
+  begin(&j);
   bool ok = go_through(&j, VS_STAGE_RESOLVE);
   size_t n = j.scene.drawn_count;
   vs_ref *refs = ok ? vs_store_realloc(s->bind.store, NULL, 0, (n + 1) * sizeof *refs) : NULL;
   if (ok && !refs) ok = vs_error_memory(&j.error, NULL);
   for (size_t i = 0; ok && i < n; i++) refs[i] = j.scene.drawn[i], vs_node_retain(refs[i].node);
-  vs_outcome outcome = end_job(&j, ok);
+  vs_outcome outcome = end_writing(&j, ok);
   vs_tally_enter(&s->tally, VS_WORK_NONE);
   if (ok) *out = refs, *count = n;
   return outcome;

@@ -29,7 +29,6 @@
 #include "session/stops.h"
 #include "session/comparison.h"
 #include "session/fit/scan_fit.h"
-#include "session/inputs/inputs.h"
 #include "solids/drawn_bounds.h"
 
 #include "backends/export.h"
@@ -95,7 +94,7 @@ static bool tell_object(vs_session *s, vs_value v) {
   vs_bounds b;
   vs_error e = { 0 };
   vs_fineness facets = { .tolerance = vs_bind_tolerance(s->bind.vm) };
-  vs_kernel_options options = { .progress = vs_bind_keep_going, .context = vm };
+  vs_kernel_options options = { .job = &s->bind.job };
   size_t budget = VS_DRAWN_BOUNDS_MOST;
   vs_drawn_search search = { .facets = &facets, .options = &options, .budget = &budget };
   object = vs_bind_take_ref(r[0]);
@@ -190,8 +189,6 @@ static void warn_vm(vs_scheme *vm, const char *kind, const char *message) {
   else vs_bind_clear(vs_bind_of(vm), kind);
 }
 
-static double tally_clock(void *session) { return vs_session_clock(session); }
-
 /* Switches the phase of work, and returns the previous one. The VM's phases are the first phases of tally.def, in the
  * same order. */
 static vs_vm_phase vm_phase(void *session, vs_vm_phase phase) {
@@ -201,8 +198,6 @@ static vs_vm_phase vm_phase(void *session, vs_vm_phase phase) {
 _Static_assert((int)VS_WORK_READ == VS_VM_READ && (int)VS_WORK_EXPAND == VS_VM_EXPAND &&
                    (int)VS_WORK_COMPILE == VS_VM_COMPILE && (int)VS_WORK_RUN == VS_VM_RUN,
                "tally.def");
-
-static bool keep_making(void *session) { return !vs_session_interrupted(session); }
 
 static void *store_memory(void *session, void *old, size_t old_bytes, size_t bytes) {
   return vs_session_memory(session, old, old_bytes, bytes);
@@ -255,9 +250,9 @@ vs_scheme *vs_new(const vs_options *options) {
   if (!s) return NULL;
   memset(s, 0, sizeof *s);
   s->options = o;
-  s->tally = (vs_tally){
-    .clock = tally_clock, .context = s, .held = &s->bytes, .now = VS_WORK_NONE, .since = vs_session_clock(s)
-  };
+  s->tally = (vs_tally){ .held = &s->bytes, .now = VS_WORK_NONE, .since = vs_clock() };
+  s->inputs = (vs_known_files){ .memory = vs_session_memory, .context = s };
+  s->job = vs_session_job(s);
   atomic_init(&s->interrupted, false);
   bool copied = copy_texts(s);
   vs_config config = {
@@ -288,8 +283,7 @@ vs_scheme *vs_new(const vs_options *options) {
   bool ok = vm && vs_bind_open(&s->bind, vm, store) && open_program(vm);
   if (ok) s->bind.library_files = vs_bind_file_count(vm);
   if (store) vs_store_release(store); /* the session's reference suffices: s->bind retains the store */
-  if (ok) vs_store_set_tally(store, &s->tally);
-  if (ok) vs_store_watch(store, keep_making, s);
+  if (ok) vs_store_set_job(store, &s->job);
   if (ok && o.cache != SIZE_MAX) { /* if memory is out, the session works without a cache */
     enum { USUAL = 256 };
     vs_cache_new(store, o.cache ? o.cache : o.limit_memory ? o.limit_memory / 4 : (size_t)USUAL << 20);
@@ -298,7 +292,7 @@ vs_scheme *vs_new(const vs_options *options) {
   s->bind.is_built_in = is_built_in;
   s->bind.is_format = is_format;
   s->bind.mesh_triangles = o.limit_triangles;
-  s->bind.warn = vs_session_warn, s->bind.warn_context = s;
+  s->bind.job.warn = vs_session_warn, s->bind.job.tally = &s->tally;
   if (ok) return vm;
   if (vm) vs_free(vm);
   else {
@@ -340,7 +334,7 @@ void vs_free(vs_scheme *vm) {
   vs_bind_close(&s->bind);
   vs_session_close_files(s);
   vs_session_free_sources(s);
-  vs_session_free_inputs(s);
+  vs_known_files_free(&s->inputs);
   vs_session_free_outputs(s);
   free_texts(s);
   vs_options o = s->options;
@@ -659,18 +653,22 @@ static vs_outcome write_to(vs_scheme *vm, const char *path, const char *format_n
     return VS_OUTCOME_USAGE;
   }
   if (!crop_is_within(s, &o)) return VS_OUTCOME_USAGE;
-  if (path && vs_session_is_input(s, path)) {
+  if (path && vs_known_files_read(&s->inputs, path)) {
     vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_USAGE, (vs_span){ .file = path }, VS_INPUT_KEPT);
     return VS_OUTCOME_USAGE;
   }
   return vs_session_write(s, path, format, &o, to);
 }
 
-bool vs_is_input(const vs_scheme *vm, const char *path) { return vs_session_is_input(vs_session_of(vm), path); }
-const char *vs_input_name(const vs_scheme *vm, size_t index) {
-  return vs_session_input(vs_session_of(vm), index);
+bool vs_is_input(const vs_scheme *vm, const char *path) {
+  return vs_known_files_read(&vs_session_of(vm)->inputs, path);
 }
-bool vs_note_input(vs_scheme *vm, const char *path) { return vs_session_note_path(vs_session_of(vm), path); }
+const char *vs_input_name(const vs_scheme *vm, size_t index) {
+  return vs_known_files_name(&vs_session_of(vm)->inputs, index);
+}
+bool vs_note_input(vs_scheme *vm, const char *path) {
+  return vs_known_files_add_path(&vs_session_of(vm)->inputs, path);
+}
 
 vs_outcome vs_write_drawing(vs_scheme *vm, const char *path, const char *format, const vs_output_options *o) {
   return write_to(vm, path, format, o, NULL);

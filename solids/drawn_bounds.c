@@ -11,7 +11,7 @@
 #include "solids/solid_meshes.h"
 #include "model/store/array.h"
 #include "model/store/cache.h"
-#include "model/tally.h"
+#include "model/job.h"
 
 enum { BOX_LOOK = 1 << 20, KEPT_BOUNDS = 1000 /* key of kept bounds in VS_CACHED_MEASURE */ };
 

@@ -94,7 +94,7 @@ static void widen(vs_bounds *b, double by) {
   b->max = vs_v3_add(b->max, vs_v3(by, by, by));
 }
 
-bool vs_scene_resolve(vs_scene *scene, const vs_kernel_options *options, const vs_resolve_notes *notes, vs_error *e) {
+bool vs_scene_resolve(vs_scene *scene, const vs_kernel_options *options, vs_error *e) {
   bool needed = false, ok = true;
   vs_fineness facets = { scene->tolerance, scene->segments };
   endless_list lines = { 0 };
@@ -102,7 +102,7 @@ bool vs_scene_resolve(vs_scene *scene, const vs_kernel_options *options, const v
   for (size_t i = 0; i < scene->drawn_count; i++) needed = needed || scene->drawn[i].node->flags & VS_NODE_UNRESOLVED;
   if (!needed) return true;
   for (size_t i = 0; ok && i < scene->drawn_count; i++) ok = collect(scene->drawn[i], &lines, e);
-  ok = ok && vs_resolve_noting(scene->drawn, scene->drawn_count, &facets, options, notes, e);
+  ok = ok && vs_resolve(scene->drawn, scene->drawn_count, &facets, options, e);
   if (ok && lines.count) {
     ok = extent(scene, &all, e);
     if (vs_bounds_is_empty(&all)) {
@@ -114,8 +114,8 @@ bool vs_scene_resolve(vs_scene *scene, const vs_kernel_options *options, const v
   }
   for (size_t i = 0; ok && i < lines.count; i++) {
     vs_ref line = { clipped(scene->store, &lines.at[i], &all), lines.at[i].origin };
-    if (notes && line.node && line.node->kind == VS_EMPTY)
-      notes->warn(notes->context, line.origin,
+    if (options && options->warns && line.node && line.node->kind == VS_EMPTY)
+      vs_job_warn(options->job, line.origin,
                   lines.at[i].ray ? "make-ray: the ray does not meet the drawing's bounding box, and is not shown"
                                   : "make-xline: the line does not meet the drawing's bounding box, and is not shown");
     ok = line.node ? vs_scene_draw(scene, line) || vs_error_memory(e, NULL) : vs_error_memory(e, NULL);

@@ -43,8 +43,7 @@ typedef struct {
   uint32_t kept[KEPT]; /* indices of boxes of triangles that hid whole edges, the latest first */
 } sight;
 
-static bool going(sight *v) { return (++v->turns & 0xfff) != 0 || v->host->going == NULL ||
-    v->host->going(v->host->context); }
+static bool going(sight *v) { return (++v->turns & 0xfff) != 0 || vs_job_going(v->host->job, "drawing", -1); }
 
 /* ---- the tree ---- */
 

@@ -6,6 +6,7 @@
 #ifndef VS_SOLIDS_HIDDEN_LINES_H
 #define VS_SOLIDS_HIDDEN_LINES_H
 
+#include "model/job.h"
 #include "model/mesh.h"
 #include "model/node.h"
 
@@ -42,7 +43,7 @@ typedef struct {
   double slack;             /* lengths up to this count as zero: about 1e-7 of the size of the drawing */
 } vs_sight;
 
-typedef struct { vs_store *store; bool (*going)(void *context); void *context; } vs_sight_host;
+typedef struct { vs_store *store; vs_job *job; /* NULL: nothing stops the work */ } vs_sight_host;
 
 /* Appends the visible parts of the edges, in order. with_hidden: also appends the hidden parts. Parts shorter than a
  * few times the slack are omitted. An edge is tested only against triangles that it crosses in the picture, nearest

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "geometry/primitives/half_space.h"
-#include "model/tally.h"
+#include "model/job.h"
 #include "solids/overlaps.h"
 
 static bool primitive_mesh(const vs_node *n, const vs_fineness *f, const vs_kernel_options *options, vs_mesh *out,

@@ -20,7 +20,6 @@ typedef struct {
   vs_store *store;
   const vs_fineness *facets;
   const vs_kernel_options *options;
-  const vs_resolve_notes *notes; /* callbacks; may be NULL */
   vs_error *error;
   vs_deformer *deformer; /* NULL: nothing has been deformed up to now */
   vs_nodemap known;    /* maps an old node to its new node, which `made` retains */
@@ -445,12 +444,13 @@ static bool resolve_one(resolver *r, const vs_ref *ref) {
       if (r->error && !r->error->origin) r->error->origin = ref->origin;
       return false;
     }
-    if (n->kind == VS_EDGES && made->kind == VS_EMPTY && r->notes)
-      r->notes->warn(r->notes->context, ref->origin,
-                     "do-edges: no faces meet at an angle: nothing is made (the empty object)");
-    if (n->kind == VS_DEFORM && made->class_ == VS_NOTHING && n->children[0].node->class_ == VS_SOLID && r->notes)
-      r->notes->warn(r->notes->context, ref->origin,
-                     "the hexahedron is flat or inside out: nothing is left of the solid in the hexahedron");
+    bool warns = r->options && r->options->warns;
+    if (n->kind == VS_EDGES && made->kind == VS_EMPTY && warns)
+      vs_job_warn(r->options->job, ref->origin,
+                  "do-edges: no faces meet at an angle: nothing is made (the empty object)");
+    if (n->kind == VS_DEFORM && made->class_ == VS_NOTHING && n->children[0].node->class_ == VS_SOLID && warns)
+      vs_job_warn(r->options->job, ref->origin,
+                  "the hexahedron is flat or inside out: nothing is left of the solid in the hexahedron");
   } else {
     made = vs_node_has(n, VS_IS_UNRESOLVED) ? nothing(r->store) : rebuilt(r, n); /* a line without end becomes
                                                                                   * nothing */
@@ -459,13 +459,8 @@ static bool resolve_one(resolver *r, const vs_ref *ref) {
 }
 
 bool vs_resolve(vs_ref *refs, size_t count, const vs_fineness *facets, const vs_kernel_options *options, vs_error *e) {
-  return vs_resolve_noting(refs, count, facets, options, NULL, e);
-}
-
-bool vs_resolve_noting(vs_ref *refs, size_t count, const vs_fineness *facets, const vs_kernel_options *options,
-                       const vs_resolve_notes *notes, vs_error *e) {
   bool ok = true;
-  resolver r = { .facets = facets, .options = options, .notes = notes, .error = e };
+  resolver r = { .facets = facets, .options = options, .error = e };
   for (size_t i = 0; ok && i < count; i++) {
     if (!is_unresolved(refs[i].node)) continue;
     r.store = r.known.store = refs[i].node->store;

@@ -8,15 +8,9 @@
 
 /* Replaces each of refs, whose nodes the caller owns, by a node without sections, shadows, feature edges and lines
  * without end. Lines without end become nothing. facets with tolerance 0: each solid has its default tolerance. Each
- * distinct node is resolved once. Only nodes with the flag VS_NODE_UNRESOLVED change. */
+ * distinct node is resolved once. Only nodes with the flag VS_NODE_UNRESOLVED change. With
+ * options->warns, the job receives a warning for each object that becomes nothing: the edges of an object that has no
+ * edges, a solid in a flat hexahedron. */
 bool vs_resolve(vs_ref *refs, size_t count, const vs_fineness *facets, const vs_kernel_options *options, vs_error *e);
-/* Callbacks for objects that become nothing: the edges of an object that has no edges, and lines outside the drawing.
- * May be NULL. */
-typedef struct {
-  void (*warn)(void *context, const vs_origin *origin, const char *message);
-  void *context;
-} vs_resolve_notes;
-bool vs_resolve_noting(vs_ref *refs, size_t count, const vs_fineness *facets, const vs_kernel_options *options,
-                       const vs_resolve_notes *notes, vs_error *e);
 
 #endif

@@ -79,7 +79,7 @@ bool vs_sight_find_edges(const vs_sight_host *host, const vs_sight *s, vs_sight_
   bool going = true;
   for (size_t i = 0, end; ok && going && i < sides; i = end) {
     for (end = i; end < sides && all[end].key == all[i].key; end++) {}
-    if ((i & 0xffff) == 0) going = host->going == NULL || host->going(host->context);
+    if ((i & 0xffff) == 0) going = vs_job_going(host->job, "drawing", -1);
     vs_sight_kind kind = VS_SIGHT_OUTLINE;
     if (end - i == 2) kind = kind_between(s, faces, &all[i], &all[i + 1]);
     else if (all[i].face < s->closed) { /* an edge with more than two faces of solids is drawn if one of the faces is

@@ -17,7 +17,7 @@
 #include "solids/primitive_meshes.h"
 #include "model/store/array.h"
 #include "model/store/cache.h"
-#include "model/tally.h"
+#include "model/job.h"
 #include "model/walk.h"
 
 typedef struct {
@@ -509,14 +509,14 @@ static bool solve(const builder *b, const vs_kernel_options *options, target to)
 /* Warns about parts whose volume the kernel's grid has changed, with the origin of the first. */
 static void warn_coarse(const builder *b, const vs_kernel_options *options, const vs_kernel_counts *counts) {
   char message[200], more[40] = "";
-  if (!counts->coarse || !options->warn) return;
+  if (!counts->coarse || !options->warns) return;
   if (counts->coarse > 1) snprintf(more, sizeof more, " (and %zu more parts)", counts->coarse - 1);
   snprintf(message, sizeof message,
            "this part is too small for the solids that it touches: all of them are computed in steps of %.3g, which "
            "makes this part %.0f %% "
            "%s%s",
            counts->coarse_step, 100 * fabs(counts->coarse_by), counts->coarse_by > 0 ? "larger" : "smaller", more);
-  options->warn(options->context, b->origins.at[counts->coarse_leaf], message);
+  vs_job_warn(options->job, b->origins.at[counts->coarse_leaf], message);
 }
 
 /* Copies the kernel's error to the solid's, with the origin of the leaf if there is one. An earlier error remains. */
@@ -566,7 +566,7 @@ static bool evaluate(const vs_ref *refs, size_t count, const vs_fineness *facets
   vs_tally *tally = count ? vs_store_tally(refs[0].node->store) : NULL;
   vs_work_phase was = vs_tally_enter(tally, VS_WORK_MESH);
   vs_kernel_counts counts = { 0 };
-  vs_kernel_options mine = options ? *options : (vs_kernel_options){ .progress = NULL };
+  vs_kernel_options mine = options ? *options : (vs_kernel_options){ .job = NULL };
   if (count && !mine.cache) mine.cache = vs_store_cache(refs[0].node->store);
   b->cache = vs_cache_asks(mine.cache) ? mine.cache : NULL;
   b->k.options = &mine;

@@ -29,8 +29,6 @@ typedef struct {
   vs_sight_pieces pieces;
 } seen;
 
-static bool going(void *context) { return vs_emit_progress(context, "drawing", -1); }
-
 static vs_vec3 into_view(const vs_look *l, vs_vec3 p) {
   vs_vec3 d = l->parallel ? p : vs_v3_sub(p, l->eye);
   return vs_v3(vs_v3_dot(d, l->right), vs_v3_dot(d, l->up), vs_v3_dot(d, l->forward));
@@ -482,7 +480,7 @@ static void measure(vs_flat_view *v) {
 }
 
 bool vs_flat_view_make(vs_emitter *e, vs_flat_view *v, const vs_loose *loose, vs_flat_whole *whole) {
-  seen s = { .e = e, .v = v, .host = { e->scene->store, going, e } };
+  seen s = { .e = e, .v = v, .host = { e->scene->store, e->job } };
   vs_scene scene = *e->scene;
   vs_scene_look(&scene, &v->spec);
   v->look = vs_look_find(&scene, &e->bounds, &e->bounds, 1, 1);

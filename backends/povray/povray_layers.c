@@ -212,9 +212,6 @@ bool vs_povray_say_view(vs_emitter *e, vs_exr *x, uint32_t columns, uint32_t row
 
 /* ---- the layers ---- */
 
-static bool keep_going(void *emitter, double done) { return vs_emit_progress(emitter, "meshing", done); }
-static bool keep_looking(void *emitter, double done) { return vs_emit_progress(emitter, "layers", done); }
-
 bool vs_povray_layers(vs_emitter *e, vs_exr *x, uint32_t columns, uint32_t rows) {
   static const struct { const char *name; vs_exr_type type; } channels[LAYERS] = {
       [DEPTH] = { "Z", VS_EXR_FLOAT }, [NX] = { "N.X", VS_EXR_HALF }, [NY] = { "N.Y", VS_EXR_HALF },
@@ -222,7 +219,7 @@ bool vs_povray_layers(vs_emitter *e, vs_exr *x, uint32_t columns, uint32_t rows)
       [BLUE] = { "albedo.B", VS_EXR_HALF }, [ID] = { "id", VS_EXR_WHOLE }, [MATERIAL] = { "material", VS_EXR_WHOLE },
       [OPEN] = { "AO", VS_EXR_HALF } };
   const vs_scene *scene = e->scene;
-  vs_kernel_options options = { .progress = keep_going, .context = e };
+  vs_kernel_options options = { .job = e->job };
   layers l = { .e = e, .columns = columns, .rows = rows, .x = x };
   bool ok = vs_solid_evaluate(scene->drawn, scene->drawn_count, &e->drawing_facets, &options, &l.solid, e->error);
   size_t bytes = 2 * (l.solid.part_count + 1) * sizeof *l.id;
@@ -236,10 +233,11 @@ bool vs_povray_layers(vs_emitter *e, vs_exr *x, uint32_t columns, uint32_t rows)
   l.hair = 1e-6 * diagonal;
   l.round = (vs_surrounding){ &l.tree, scene->has_ground ? scene->ground_z : -INFINITY, diagonal / 10 };
   vs_kernel_error problem = { VS_KERNEL_FINE, 0, "" };
-  options.progress = keep_looking;
+  vs_job_stage(e->job, "layers");
   vs_kernel k = { .options = &options, .error = &problem, .threads = vs_kernel_threads(&options), .share = 1 };
   if (ok && !vs_kernel_run(&k, x->rows, look_along, &l))
-    ok = e->error->kind != VS_ERROR_NONE ? false : vs_emit_no_memory(e);
+    ok = problem.status == VS_KERNEL_INTERRUPTED ? vs_error_set(e->error, VS_ERROR_INTERRUPT, NULL, "interrupted")
+         : e->error->kind == VS_ERROR_NONE && vs_emit_no_memory(e);
   vs_ray_tree_free(&l.tree);
   if (l.id) vs_store_realloc(scene->store, l.id, bytes, 0);
   vs_solid_free(&l.solid);

@@ -181,7 +181,7 @@ static bool pov_combine(vs_emitter *e, const vs_ref *ref, vs_solid *out, bool *f
   e->error = &why;
   *fits = vs_lower_solids(e, ref, 1, VS_BENT_AGAIN, out);
   e->error = was;
-  size_t limit = e->options->mesh_triangles, count = out->mesh.triangle_count;
+  size_t limit = e->job->limits.mesh_triangles, count = out->mesh.triangle_count;
   if (*fits) *fits = count > 0 && (!limit || e->triangles + 2 * count <= limit);
   if (why.kind != VS_ERROR_INTERRUPT) return true;
   *e->error = why;

@@ -391,7 +391,7 @@ static double pov_pixel(const vs_emitter *e, const vs_look *l, int width) {
  * own plane faces away, before the shading does. This makes steps as wide as a facet, which are clearly visible with
  * half a pixel. A limit of triangles concerns the model, not these finer facets. */
 static double pov_chord(const vs_emitter *e, double pixel) {
-  if (e->options->mesh_triangles > 0) return 1;
+  if (e->job->limits.mesh_triangles > 0) return 1;
   return fmin(1, fmax(1. / 16, pixel / 8 / e->unit / e->drawing_facets.tolerance));
 }
 

@@ -174,7 +174,7 @@ static bool crew_take(pov_work *work, pov_crew *c) {
 
 /* Reports the progress ten times a second. Returns false, with the error set, if the work must stop. */
 static bool crew_tell(pov_work *work, const pov_crew *c) {
-  double at = now(), limit = work->e->options->worker_seconds, pixels = c->finished;
+  double at = now(), limit = work->e->job->limits.worker_seconds, pixels = c->finished;
   if (limit > 0 && at - work->begun > limit)
     return vs_error_set(work->e->error, VS_ERROR_WORKER, NULL, "POV-Ray was stopped after %g seconds", limit);
   if (at - work->told < 0.1) return true;

@@ -87,7 +87,7 @@ static size_t collect_paint(const vs_emitter *e, const vs_solid *m, size_t part,
  * The limit is that of combined solids. */
 static bool collect_count(vs_emitter *e, size_t count) {
   vs_x3d *x = e->state;
-  size_t limit = e->options->mesh_triangles;
+  size_t limit = e->job->limits.mesh_triangles;
   x->collected += count;
   return !limit || x->collected / VS_ON_THE_WAY <= limit ||
          vs_error_set(e->error, VS_ERROR_MEMORY, NULL, VS_SHAPES_OVER, limit * VS_ON_THE_WAY, VS_ON_THE_WAY, limit);

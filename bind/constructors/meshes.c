@@ -19,7 +19,7 @@
 #include "solids/solid_meshes.h"
 #include "model/store/array.h"
 #include "model/store/cache.h"
-#include "model/tally.h"
+#include "model/job.h"
 
 #define POINT(i) (f->arg[i].point)
 
@@ -51,7 +51,7 @@ static void place_text(char text[112], vs_vec3 p) {
 static vs_status inspect(vs_args *f, vs_node *n, vs_mesh *mesh, vs_mesh_flaws *flaws, bool *flawless) {
   const struct vs_polyface_mesh *d = VS_AS(polyface_mesh, n);
   vs_kernel_counts counts = { 0 };
-  vs_kernel_options options = { .progress = vs_bind_keep_going, .context = f->vm, .counts = &counts };
+  vs_kernel_options options = { .job = vs_bind_job(f->vm), .counts = &counts };
   vs_kernel_error why;
   if (!mesh->tags && (!(mesh->tags = vs_fresh(1, sizeof *mesh->tags)) || !vs_solid_polyface(mesh, d->points, d->faces)))
     return vs_fail_memory(f->vm);
@@ -142,7 +142,7 @@ static vs_status repaired(vs_args *f, const char *file, vs_face_list *l, bool *s
   if (ok && !(*out = vs_polyface_make(f->store, &faces, &e))) ok = vs_bind_error(f->vm, &e);
   if (ok && (*out)->class_ == VS_SOLID) ok = inspect(f, *out, &mesh, &flaws, &flawless);
   if (ok && !flawless) {
-    vs_kernel_options options = { .progress = vs_bind_keep_going, .context = f->vm };
+    vs_kernel_options options = { .job = vs_bind_job(f->vm) };
     vs_kernel_error why;
     if (!vs_kernel_resolve(&mesh, 0, &options, &whole, &why))
       ok = why.status == VS_KERNEL_INTERRUPTED ? VS_ERROR

@@ -83,7 +83,7 @@ static bool add_leaf(faces *all, vs_ref ref, const vs_affine *map) {
   bool ok = true;
   if (n->class_ == VS_SOLID) {
     vs_solid solid = { 0 };
-    vs_kernel_options options = { .progress = vs_bind_keep_going, .context = all->f->vm };
+    vs_kernel_options options = { .job = vs_bind_job(all->f->vm) };
     if (!vs_solid_evaluate(&ref, 1, &facets, &options, &solid, &e))
       return e.kind == VS_ERROR_INTERRUPT ? false : vs_bind_error(all->f->vm, &e);
     ok = add_mesh(all, &solid.mesh, map);

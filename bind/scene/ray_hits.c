@@ -32,7 +32,7 @@ static size_t meets_mesh(const vs_mesh *m, const ray *r, double *at) {
 
 static bool meets_solid(vs_scheme *vm, vs_ref ref, const vs_fineness *facets, const ray *r, vs_ray_hit *hit,
                         vs_error *e) {
-  vs_kernel_options options = { .progress = vs_bind_keep_going, .context = vm };
+  vs_kernel_options options = { .job = vs_bind_job(vm) };
   vs_solid solid;
   if (!vs_solid_evaluate(&ref, 1, facets, &options, &solid, e)) return false;
   double at;
@@ -63,7 +63,7 @@ bool vs_ray_meets(vs_scheme *vm, vs_ref object, vs_vec3 from, vs_vec3 direction,
   const ray r = { from, direction };
   *hit = (vs_ray_hit){ INFINITY, NULL };
   vs_fineness facets = { .tolerance = vs_bind_tolerance(vm) };
-  vs_kernel_options options = { .progress = vs_bind_keep_going, .context = vm };
+  vs_kernel_options options = { .job = vs_bind_job(vm) };
   vs_bounds bounds;
   if (object.node->class_ == VS_NOTHING) return true;
   if (!vs_node_bounds(object.node, &bounds, e)) return false;

@@ -287,7 +287,7 @@ vs_status vs_p_distance_field(vs_args *f, vs_value *out) {
   vs_fineness facets = vs_bend_facets(f->vm, ref.node);
   facets.tolerance /= 4;
   vs_solid solid = { 0 };
-  vs_kernel_options options = { .progress = vs_bind_keep_going, .context = f->vm };
+  vs_kernel_options options = { .job = vs_bind_job(f->vm) };
   if (!vs_solid_evaluate(&ref, 1, &facets, &options, &solid, &e))
     return e.kind == VS_ERROR_INTERRUPT ? VS_ERROR : vs_bind_error(f->vm, &e);
   bool ok = VS_GROW(d, room, 1);

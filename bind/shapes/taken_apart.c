@@ -30,14 +30,14 @@ static bool ended(vs_scheme *vm, bool ok, const vs_error *e) {
 bool vs_bend_resolve(vs_scheme *vm, vs_ref *ref) {
   vs_error e = { 0 };
   vs_fineness facets = { .tolerance = vs_bind_tolerance(vm), .segments = vs_bind_segments(vm) };
-  vs_kernel_options options = { .progress = vs_bind_keep_going, .context = vm };
+  vs_kernel_options options = { .job = vs_bind_job(vm) };
   return ended(vm, vs_resolve(ref, 1, &facets, &options, &e), &e);
 }
 
 bool vs_bend_take_apart(vs_scheme *vm, vs_ref object, const char *no_regions, vs_bend_leaves *out) {
   vs_error e = { 0 };
   vs_fineness facets = { .tolerance = vs_bind_tolerance(vm), .segments = vs_bind_segments(vm) };
-  vs_kernel_options options = { .progress = vs_bind_keep_going, .context = vm };
+  vs_kernel_options options = { .job = vs_bind_job(vm) };
   vs_node_retain(object.node);
   *out = (vs_bend_leaves){ 0 };
   bool ok = vs_bend_resolve(vm, &object);
@@ -48,7 +48,7 @@ bool vs_bend_take_apart(vs_scheme *vm, vs_ref object, const char *no_regions, vs
 
 bool vs_bend_solid(vs_scheme *vm, vs_mesh *m) {
   vs_error e = { 0 };
-  vs_kernel_options options = { .progress = vs_bind_keep_going, .context = vm };
+  vs_kernel_options options = { .job = vs_bind_job(vm) };
   return ended(vm, vs_mesh_without_overlaps(m, &options, &e), &e);
 }
 
@@ -60,7 +60,7 @@ vs_status vs_bend_triangles(vs_scheme *vm, vs_ref ref, vs_mesh *out) {
   if (!(facets.tolerance > 0)) facets.tolerance = fmax(vs_fineness_tolerance(&b) / 4, 1e-300);
   if (ref.node->class_ == VS_SOLID) {
     vs_solid solid = { 0 };
-    vs_kernel_options options = { .progress = vs_bind_keep_going, .context = vm };
+    vs_kernel_options options = { .job = vs_bind_job(vm) };
     if (!vs_solid_evaluate(&ref, 1, &facets, &options, &solid, &e))
       return e.kind == VS_ERROR_INTERRUPT ? VS_ERROR : vs_bind_error(vm, &e);
     *out = solid.mesh;

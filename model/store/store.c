@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "model/job.h"
 #include "model/store/hashes.h"
 #include "model/store/piece.h"
 #include "model/store/store_inside.h"
@@ -71,16 +72,11 @@ void vs_store_on_ticket(vs_store *s, void (*gone)(void *context, uint32_t id), v
   s->ticket_context = context;
 }
 
-void vs_store_watch(vs_store *s, bool (*going)(void *context), void *context) {
-  s->going = going;
-  s->going_context = context;
-}
-
 bool vs_store_going(vs_store *s, uint32_t work, vs_error *e) {
   enum { MANY = 1 << 20 };
-  if (!s || !s->going || (s->work += work < MANY ? work : MANY) < MANY) return true;
+  if (!s || !s->job || (s->work += work < MANY ? work : MANY) < MANY) return true;
   s->work = 0;
-  if (s->going(s->going_context)) return true;
+  if (vs_job_going(s->job, NULL, -1)) return true;
   return vs_error_set(e, VS_ERROR_INTERRUPT, NULL, "interrupted");
 }
 

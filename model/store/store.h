@@ -1,4 +1,4 @@
-/* Declares the store: the memory of a model, its interned values, and the callback that may stop long computations. */
+/* Declares the store: the memory of a model, its interned values, and the job that may stop long computations. */
 #ifndef VS_MODEL_STORE_STORE_H
 #define VS_MODEL_STORE_STORE_H
 
@@ -19,11 +19,8 @@ vs_store *vs_store_retain(vs_store *s);
 void vs_store_release(vs_store *s);
 size_t vs_store_bytes(const vs_store *s); /* Returns the bytes that nodes and arrays hold now. They count towards the
                                            * interpreter's memory budget. */
-/* Sets the callback of long computations. If it returns false, the computation stops with the error "interrupted".
- * NULL: computations never stop early. */
-void vs_store_watch(vs_store *s, bool (*going)(void *context), void *context);
-/* Counts work steps of about a nanosecond, and calls the callback once in a million. Returns false, with the error in
- * e, if the callback does. s NULL: returns true. */
+/* Counts work steps of about a nanosecond, and calls vs_job_going of the store's job (model/job.h) once in a million.
+ * Returns false, with the error "interrupted" in e, if the job must end. s NULL: returns true. */
 bool vs_store_going(vs_store *s, uint32_t work, vs_error *e);
 /* Reallocates and counts the bytes. new_size 0 frees. old_size is the size that was allocated. */
 void *vs_store_realloc(vs_store *s, void *old, size_t old_size, size_t new_size);

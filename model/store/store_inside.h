@@ -24,10 +24,8 @@ struct vs_store {
   const vs_picture *pictures; /* list of the store's pictures, which are few */
   void *kept;           /* data that geometry/ keeps until the store is freed (fonts); let_go frees it */
   void (*let_go)(vs_store *s, void *kept);
-  bool (*going)(void *context); /* callback that may stop a long computation, or NULL */
-  void *going_context;
-  uint32_t work;        /* work since the last call of `going`, in the unit of vs_store_going */
-  struct vs_tally *tally; /* account of times and memory (tally.h), or NULL; the caller owns it */
+  struct vs_job *job;   /* job in progress (job.h), or NULL; the caller owns it */
+  uint32_t work;        /* work since the last call of vs_job_going, in the unit of vs_store_going */
   vs_cache *cache;      /* world cache (cache.h), or NULL; the caller owns it and frees it before the store */
   void (*ticket_gone)(void *context, uint32_t id);
   void *ticket_context;

@@ -17,7 +17,6 @@
 #include "model/store/array.h"
 #include "session/handles.h"
 #include "session/host.h"
-#include "session/inputs/inputs.h"
 #include "session/report.h"
 #include "session/spine.h"
 #include "solids/solid_meshes.h"
@@ -119,10 +118,10 @@ static void progress(void *context, unsigned iteration, double spread) {
 }
 
 /* Returns true until twice the limit of time has passed: after the limit, the best result is evaluated once more. */
-static bool keep_combining(void *context, double done) {
+static bool keep_combining(void *context, const char *stage, double done) {
   job *j = context;
   bool go = going(j);
-  (void)done;
+  (void)stage, (void)done;
   return go || (j->late && vs_session_clock(j->session) - j->began < 2 * j->session->options.limit_time);
 }
 
@@ -157,7 +156,8 @@ static bool mesh_drawn(job *j, double tolerance, vs_mesh *out, vs_error *e) {
   }
   vs_outcome outcome = vs_session_take(s, &refs, &count);
   if (outcome != VS_OUTCOME_DONE) return failed(j, outcome, e);
-  vs_kernel_options options = { .progress = keep_combining, .context = j, .cache = vs_store_cache(s->bind.store) };
+  vs_job work = { .going = keep_combining, .context = j };
+  vs_kernel_options options = { .job = &work, .cache = vs_store_cache(s->bind.store) };
   vs_solid solid = { 0 };
   bool ok = vs_solid_evaluate(refs, count, &facets, &options, &solid, e);
   if (ok) *out = solid.mesh, solid.mesh = (vs_mesh){ 0 };
@@ -611,7 +611,7 @@ vs_outcome vs_fit_map(vs_scheme *vm, const char *path, double range, double *use
   if (!(range > 0)) range = usual_range(f);
   if (!(range > 0)) return vs_session_out_of_memory(s);
   vs_distance_map map = { &f->scan.file, f->distances, range, s->bind.scene.units };
-  if (vs_session_is_input(s, path)) return file_failed(s, path, VS_INPUT_KEPT);
+  if (vs_known_files_read(&s->inputs, path)) return file_failed(s, path, VS_INPUT_KEPT);
   if (!vs_publish_begin(&file, path, false)) return file_failed(s, path, strerror(errno));
   bool ok = ply ? vs_distance_map_ply(&map, write_file, &file.file) : vs_distance_map_x3d(&map, write_file, &file.file);
   int problem = ok ? 0 : errno;

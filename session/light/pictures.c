@@ -19,7 +19,6 @@
 #include "geometry/pictures/illuminance.h"
 #include "geometry/pictures/picture_difference.h"
 #include "session/handles.h"
-#include "session/inputs/inputs.h"
 #include "session/report.h"
 #include "session/session.h"
 
@@ -45,7 +44,7 @@ static bool read_bytes(vs_session *s, const char *path, vs_made_bytes *out, vs_e
   bool ok = fstat(file, &info) == 0;
   if (ok && !S_ISREG(info.st_mode)) ok = false, errno = S_ISDIR(info.st_mode) ? EISDIR : EINVAL;
   if (!ok) no_file(e, "read", path);
-  if (ok && !vs_session_note(s, path, file, false)) ok = vs_error_memory(e, NULL);
+  if (ok && !vs_known_files_add(&s->inputs, path, file, false)) ok = vs_error_memory(e, NULL);
   if (ok) {
     out->room = (size_t)info.st_size + 1;
     out->at = vs_store_realloc(store, NULL, 0, out->room);
@@ -64,7 +63,8 @@ static bool read_bytes(vs_session *s, const char *path, vs_made_bytes *out, vs_e
 
 bool vs_session_write_bytes(const vs_session *s, const char *path, const unsigned char *at, size_t size, vs_error *e) {
   vs_publish p;
-  if (vs_session_is_input(s, path)) return vs_error_set(e, VS_ERROR_FILE, NULL, "%.300s: " VS_INPUT_KEPT, path);
+  if (vs_known_files_read(&s->inputs, path))
+    return vs_error_set(e, VS_ERROR_FILE, NULL, "%.300s: " VS_INPUT_KEPT, path);
   if (!vs_publish_begin(&p, path, false)) return no_file(e, "write", path);
   bool ok = true;
   for (size_t sent = 0; ok && sent < size;) {

@@ -18,7 +18,6 @@
 #include "geometry/sun_position.h"
 #include "session/handles.h"
 #include "session/host.h"
-#include "session/inputs/inputs.h"
 #include "session/light/pictures.h"
 #include "session/report.h"
 #include "session/session.h"
@@ -161,7 +160,7 @@ static bool may_write_all(study *t) {
   for (size_t i = 0; i < NAMES + days; i++) {
     if (i >= NAMES) name_shadow(i - NAMES, name);
     if (!path_in(t, i < NAMES ? names[i] : name, path)) return false;
-    if (vs_session_is_input(t->session, path))
+    if (vs_known_files_read(&t->session->inputs, path))
       return vs_error_set(&t->error, VS_ERROR_FILE, NULL, "%.300s: " VS_INPUT_KEPT, path);
   }
   return true;
@@ -408,16 +407,11 @@ static vs_outcome shade_all(study *t, const vs_output_options *options, size_t *
 
 /* ---- running a study ---- */
 
-static bool keep_going(void *session, double done) {
-  (void)done;
-  return !vs_session_interrupted(session);
-}
-
 /* Computes the mesh of the drawn references, and the tree of its triangles for ray tracing. */
 static bool take_model(study *t, const vs_ref *refs, size_t count) {
   const vs_scene *scene = &t->session->bind.scene;
   vs_fineness facets = { .tolerance = vs_bind_tolerance(t->session->bind.vm), .segments = scene->segments };
-  vs_kernel_options options = { .progress = keep_going, .context = t->session };
+  vs_kernel_options options = { .job = &t->session->job };
   vs_bounds all;
   size_t budget = VS_DRAWN_BOUNDS_MOST;
   vs_drawn_search search = { .facets = &facets, .options = &options, .budget = &budget };

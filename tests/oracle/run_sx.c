@@ -28,7 +28,8 @@ static double cpu(void) {
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
   return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
-static bool watch(void *context, double done) {
+static bool watch(void *context, const char *stage, double done) {
+  (void)stage;
   gaps *g = context;
   double now = cpu();
   if (now - g->last > g->longest) g->longest = now - g->last, g->at = g->done;
@@ -42,9 +43,10 @@ int main(int argc, char **argv) {
   vs_kernel_options options = { .threads = 0 };
   int failures = 0;
   gaps g = { 0 };
+  vs_job job = { .context = &g };
   for (int i = 1; i < argc; i++) {
     if (!strcmp(argv[i], "-o") && i + 1 < argc) { stl = argv[++i]; continue; }
-    if (!strcmp(argv[i], "-g")) { options.progress = watch, options.context = &g; continue; }
+    if (!strcmp(argv[i], "-g")) { job.going = watch, options.job = &job; continue; }
     if (!strcmp(argv[i], "-t") && i + 1 < argc) { options.threads = (uint32_t)atoi(argv[++i]); continue; }
     char *text = slurp(argv[i]);
     sx_problem p;
@@ -58,8 +60,8 @@ int main(int argc, char **argv) {
     clock_gettime(CLOCK_MONOTONIC, &b);
     if (fine) {
       bool closed = vs_mesh_closed(&m, &sure);
-      watch(&g, 1);
-      if (options.progress) printf("longest gap %.1f ms, at %.3f; ", 1e3 * g.longest, g.at);
+      watch(&g, NULL, 1);
+      if (options.job) printf("longest gap %.1f ms, at %.3f; ", 1e3 * g.longest, g.at);
       printf("%s volume %.12g triangles %zu %s %.3f s\n", argv[i], vs_mesh_volume(&m), m.triangle_count, closed ? "closed" : "OPEN",
              (double)(b.tv_sec - a.tv_sec) + 1e-9 * (double)(b.tv_nsec - a.tv_nsec));
       failures += !closed;

@@ -56,7 +56,8 @@ static char *written_quietly(test_model *m, const char *format, size_t *length, 
   memory out = { NULL, 0, 0 };
   vs_export_options options;
   vs_export_options_init(&options);
-  options.warn = count_warning;
+  vs_job job = { .warn = count_warning };
+  options.job = &job;
   if (!vs_export_to(&m->scene, vs_export_format_find(format), memory_sink, &out, &options, e)) {
     free(out.text);
     return NULL;
@@ -745,13 +746,14 @@ static void test_povray_stops(void **state) {
   place_open(&p, "out.png");
   vs_export_options options;
   vs_export_options_init(&options);
-  options.progress = stop_rendering;
+  vs_job job = { .going = stop_rendering };
+  options.job = &job;
   vs_error e = { VS_ERROR_NONE, NULL, "" };
   assert_false(vs_export(&m.scene, NULL, p.path, &options, &e));
   assert_int_equal(e.kind, VS_ERROR_INTERRUPT);
   assert_int_equal(place_files(&p), 0);
-  options.progress = NULL;
-  options.worker_seconds = 1e-6;
+  job.going = NULL;
+  job.limits.worker_seconds = 1e-6;
   options.width = options.height = 2000;
   assert_false(vs_export(&m.scene, NULL, p.path, &options, &e));
   assert_int_equal(e.kind, VS_ERROR_WORKER);

@@ -36,7 +36,7 @@ static bool define(vs_scheme *vm, void *context, vs_value symbol, vs_value proce
   return w->count < NAMES;
 }
 static void warn(void *context, const vs_origin *origin, const char *message) {
-  world *w = context;
+  world *w = (world *)(void *)((char *)context - offsetof(world, bind)); /* the context is bind's own */
   (void)origin;
   w->warnings++;
   snprintf(w->warning, sizeof w->warning, "%s", message);
@@ -49,7 +49,7 @@ static int setup(void **state) {
   w->store = vs_store_new(NULL, NULL);
   vs_bind_flat_rules(&rules);
   assert_true(w->vm && w->store && vs_flat_register(w->vm, &rules) && vs_bind_open(&w->bind, w->vm, w->store));
-  w->bind.warn = warn, w->bind.warn_context = w;
+  w->bind.job.warn = warn;
   w->kept[0] = (struct vs_roots){ NULL, w->vm, w->names, NAMES };
   w->kept[1] = (struct vs_roots){ NULL, w->vm, w->procedures, NAMES };
   vs_gc_link(&w->kept[0]);

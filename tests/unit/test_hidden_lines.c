@@ -33,8 +33,7 @@ static void add_box(model *m, vs_vec3 p, vs_vec3 q, const double turn[3][3]) {
     }
 }
 
-static bool always(void *context) { return (void)context, true; }
-static bool never(void *context) { return (void)context, false; }
+static bool never(void *context, const char *stage, double done) { return (void)context, (void)stage, (void)done, false; }
 
 static vs_sight sight_of(const model *m, bool perspective) {
   return (vs_sight){ .points = m->points, .triangles = m->triangles, .point_count = m->point_count, .triangle_count = m->triangle_count,
@@ -46,7 +45,7 @@ typedef struct { size_t pieces; double seen, hidden; } result;
 /* Returns the visible and hidden lengths in the picture. own: edges to test; NULL: the model's edges. */
 static result look(const model *m, bool perspective, const vs_sight_edges *own) {
   vs_store *store = vs_store_new(NULL, NULL);
-  vs_sight_host host = { store, always, NULL };
+  vs_sight_host host = { store, NULL };
   vs_sight s = sight_of(m, perspective);
   vs_sight_edges edges = { 0 };
   vs_sight_pieces pieces = { 0 };
@@ -183,15 +182,16 @@ static void stopping_and_failing(void **state) {
   vs_sight_edges edges = { 0 };
   vs_sight_pieces pieces = { 0 };
   vs_error e = { VS_ERROR_NONE, NULL, "" };
-  assert_false(vs_sight_find_edges(&(vs_sight_host){ store, never, NULL }, &s, &edges, &e));
+  vs_job stopped = { .going = never };
+  assert_false(vs_sight_find_edges(&(vs_sight_host){ store, &stopped }, &s, &edges, &e));
   assert_int_equal(e.kind, VS_ERROR_INTERRUPT);
-  vs_sight_host host = { store, always, NULL };
+  vs_sight_host host = { store, NULL };
   vs_sight_edges_free(&host, &edges);
   assert_true(vs_sight_find_edges(&host, &s, &edges, &e));
-  host.going = never;
+  host.job = &stopped;
   assert_false(vs_sight_find_visible(&host, &s, &edges, false, &pieces, &e));
   assert_int_equal(e.kind, VS_ERROR_INTERRUPT);
-  host.going = always;
+  host.job = NULL;
   vs_sight_pieces_free(&host, &pieces);
   for (size_t n = 1; n < 12; n++) { /* the n-th request for memory is refused: the result is an error, and no memory is
                                      * lost */

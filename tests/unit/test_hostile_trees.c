@@ -12,6 +12,7 @@
 #include <cmocka.h>
 
 #include "geometry/measure/node_measures.h"
+#include "model/job.h"
 #include "model/store/store_inside.h"
 #include "passes/optimise.h"
 #include "passes/passes.h"
@@ -97,7 +98,8 @@ enum { TREES = sizeof trees / sizeof *trees };
 typedef struct { double last, gap, until; size_t asked; } listener; /* gap: longest time between two polls. until: time
                                                                      * after which the poll interrupts */
 
-static bool going(void *context) {
+static bool going(void *context, const char *stage, double done) {
+  (void)stage, (void)done;
   listener *l = context;
   double at = now();
   if (at - l->last > l->gap) l->gap = at - l->last;
@@ -114,11 +116,12 @@ static vs_error_kind run(size_t tree, size_t n, unsigned passes, listener *l, do
   vs_error e = { 0 };
   double began = now();
   *l = (listener){ .last = began, .until = began + stop_after };
-  vs_store_watch(s, going, l);
+  vs_job job = { .going = going, .context = l };
+  vs_store_set_job(s, &job);
   bool ok = vs_scene_optimise(&scene, passes, NULL, &e);
   *seconds = now() - began;
   if (now() - l->last > l->gap) l->gap = now() - l->last;
-  vs_store_watch(s, NULL, NULL);
+  vs_store_set_job(s, NULL);
   vs_node_release(scene.drawn[0].node);
   vs_store_release(s);
   return ok ? VS_ERROR_NONE : e.kind;

@@ -123,7 +123,7 @@ static void test_open(void **state) {
   vs_mesh_free(&made);
 }
 
-static bool count_polls(void *context, double done) { return (void)done, ++*(size_t *)context, true; }
+static bool count_polls(void *context, const char *stage, double done) { return (void)stage, (void)done, ++*(size_t *)context, true; }
 
 /* Returns the number of polls for boxes that form a stair, with very many storeys, or that are all at the same place,
  * with six storeys. Both have equally many triangles, so only the sorting of storeys differs. The faces of each side
@@ -145,7 +145,7 @@ static size_t polls_of_stair(size_t boxes, double step) {
     uint32_t base = 8 * (uint32_t)(i % boxes);
     assert_true(vs_mesh_add_triangle(&m, base + face[0], base + face[1], base + face[2]));
   }
-  vs_kernel_options o = { .progress = count_polls, .context = &polls, .threads = 1 };
+  vs_kernel_options o = { .job = &(vs_job){ .going = count_polls, .context = &polls }, .threads = 1 };
   assert_true(vs_mesh_round(&m, VS_NUMBERS_DIGITS, &o, &s, &e));
   vs_mesh_free(&m);
   return polls;

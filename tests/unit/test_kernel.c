@@ -772,7 +772,8 @@ static void test_copies(void **state) {
   sx_free(&p);
 }
 
-static bool stop(void *context, double done) {
+static bool stop(void *context, const char *stage, double done) {
+  (void)stage;
   (void)done;
   return --*(int *)context > 0;
 }
@@ -826,7 +827,8 @@ static void test_threads(void **state) {
   assert_true(by_threads(&p.problem) > 10000);
   for (int ticks = 1; ticks < 40; ticks += 7) {
     int left = ticks;
-    vs_kernel_options options = { .progress = stop, .context = &left, .threads = 4 };
+    vs_job job = { .going = stop, .context = &left };
+    vs_kernel_options options = { .job = &job, .threads = 4 };
     vs_kernel_error e;
     assert_false(vs_kernel_evaluate(&p.problem, &options, &m, &e));
     assert_int_equal(e.status, VS_KERNEL_INTERRUPTED);
@@ -878,7 +880,8 @@ static void test_errors(void **state) {
   }
   for (int ticks = 1; ticks < 6; ticks++) {
     int left = ticks;
-    limits = (vs_kernel_options){ .progress = stop, .context = &left };
+    vs_job job = { .going = stop, .context = &left };
+    limits = (vs_kernel_options){ .job = &job };
     assert_false(vs_kernel_evaluate(&p.problem, &limits, &m, &e));
     assert_int_equal(e.status, VS_KERNEL_INTERRUPTED);
   }

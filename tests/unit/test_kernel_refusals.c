@@ -44,11 +44,11 @@ void free(void *p) {
 }
 #endif
 
-static bool again(void *context, double done) { return (void)context, done <= 1; }
+static bool again(void *context, const char *stage, double done) { return (void)context, (void)stage, done <= 1; }
 
 /* returns true if the run succeeded; *why is its status */
 static bool perform(const sx_problem *p, uint32_t threads, vs_kernel_status *why) {
-  vs_kernel_options options = { .threads = threads, .progress = again };
+  vs_kernel_options options = { .threads = threads, .job = &(vs_job){ .going = again } };
   vs_kernel_error e = { VS_KERNEL_FINE, 0, "" };
   vs_mesh m = { 0 };
   vs_rounded settled;

@@ -9,6 +9,7 @@
 #include <cmocka.h>
 
 #include "geometry/measure/node_measures.h"
+#include "model/job.h"
 #include "model/order.h"
 #include "passes/group.h"
 #include "passes/passes.h"
@@ -66,7 +67,10 @@ static void sets_become_flat(void **state) {
   vs_store_release(s);
 }
 
-static bool never(void *asked) { return ++*(size_t *)asked, false; }
+static bool never(void *asked, const char *stage, double done) {
+  (void)stage, (void)done;
+  return ++*(size_t *)asked, false;
+}
 
 /* Numbering a large drawing polls, and frees all memory after an interrupt. */
 static void numbering_is_interrupted(void **state) {
@@ -83,11 +87,12 @@ static void numbering_is_interrupted(void **state) {
   vs_order o = { .store = s };
   vs_error e = { 0 };
   assert_true(vs_order_make(&o, refs, count, &e) && o.count == count);
-  s->going = never, s->going_context = &asked;
+  vs_job job = { .going = never, .context = &asked };
+  vs_store_set_job(s, &job);
   assert_false(vs_order_make(&o, refs, count, &e));
   assert_int_equal(e.kind, VS_ERROR_INTERRUPT);
   assert_true(asked == 1 && o.at == NULL && o.count == 0);
-  s->going = NULL;
+  vs_store_set_job(s, NULL);
   for (size_t i = 0; i < count; i++) vs_node_release(all[i]);
   free(refs);
   vs_store_release(s);

@@ -11,6 +11,7 @@
 #include "geometry/files/polyface.h"
 #include "geometry/plane/planar_evaluation.h"
 #include "geometry/tessellate.h"
+#include "model/job.h"
 
 static const double pi = 3.14159265358979323846;
 static const vs_fineness fine = { 1e-4, 0 };
@@ -164,7 +165,10 @@ static void splines_pass_through_their_points(void **state) {
   vs_store_release(s);
 }
 
-static bool never(void *asked) { return ++*(size_t *)asked, false; }
+static bool never(void *asked, const char *stage, double done) {
+  (void)stage, (void)done;
+  return ++*(size_t *)asked, false;
+}
 
 /* Tests that lofts poll while they search for the least twist, about once per point, and while they fill rows. */
 static void lofts_are_interrupted(void **state) {
@@ -180,12 +184,13 @@ static void lofts_are_interrupted(void **state) {
     vs_error e = { 0 };
     assert_true(vs_tessellate(n, &f, &m, &e));
     vs_mesh_free(&m);
-    vs_store_watch(s, never, &asked);
+    vs_job job = { .going = never, .context = &asked };
+    vs_store_set_job(s, &job);
     bool made = vs_tessellate(n, &f, &m, &e);
     assert_true(made == (i == 1)); /* a small loft ends before its first poll */
     assert_int_equal(asked, !made);
     if (!made) assert_int_equal(e.kind, VS_ERROR_INTERRUPT);
-    vs_store_watch(s, NULL, NULL);
+    vs_store_set_job(s, NULL);
     vs_mesh_free(&m);
     vs_node_release(n);
   }

@@ -1,0 +1,60 @@
+/* Declares the job: the data of one long computation, such as the write of an output, for all layers below its caller.
+ *
+ * It holds the limits, the clock, the account, the progress and the messages. The caller makes it, and passes its
+ * address down through stages, driver, solids and kernel. `going` and `warn` are the two ways back to the caller: no
+ * layer calls another function above it. */
+#ifndef VS_MODEL_JOB_H
+#define VS_MODEL_JOB_H
+
+#include "model/tally.h"
+
+/* 0: no limit. */
+typedef struct {
+  double seconds;        /* of the job, from vs_job_start, without the time of worker programs */
+  double worker_seconds; /* of one worker program */
+  uint64_t output_bytes; /* the size of one output */
+  size_t mesh_bytes;     /* the memory for combining solids */
+  size_t mesh_triangles; /* the triangles of a mesh */
+} vs_job_limits;
+
+typedef struct vs_job {
+  /* Receives the stage ("writing", "meshing" or "rendering"; NULL: nothing new to show) and the completed fraction from
+   * 0 to 1, negative if unknown. Returns false to stop the job, which then ends with VS_ERROR_INTERRUPT. NULL: the job
+   * never stops. */
+  bool (*going)(void *context, const char *stage, double fraction);
+  /* Receives a warning, once for each reason. origin may be NULL. NULL: no warnings. */
+  void (*warn)(void *context, const vs_origin *origin, const char *message);
+  void *context;      /* argument of both */
+  vs_tally *tally;    /* account of times and memory, which outlives the job; NULL: nothing is counted */
+  vs_job_limits limits;
+  bool late;          /* the limit of time has stopped it */
+  double began, worked; /* clock at vs_job_start; seconds that external programs had used until then */
+  const char *stage;  /* stage whose parts vs_job_done counts, or NULL */
+  double from, share, told; /* progress as fractions of the stage. from: where the current part begins. share: of the
+                             * part. told: the greatest reported fraction */
+} vs_job;
+
+/* Begins the time that limits.seconds bounds. */
+void vs_job_start(vs_job *job);
+/* Returns true if the job has used its limit of time. The time of an external program does not count: rendering a
+ * picture takes longer than computing the model. */
+bool vs_job_late(vs_job *job);
+/* Asks the caller, with the stage and the fraction to show (see `going`). Returns false if the job must end: the caller
+ * stops it, or it is late. job NULL: returns true. */
+bool vs_job_going(vs_job *job, const char *stage, double fraction);
+/* Begins to count the parts of a stage; the first part is the whole. stage NULL: ends it. job may be NULL. */
+void vs_job_stage(vs_job *job, const char *stage);
+/* Begins a part of the stage: it takes `share` of the whole, after `from`. job may be NULL. */
+void vs_job_part(vs_job *job, double from, double share);
+/* Calls vs_job_going with the completed fraction of the stage; done: the completed fraction of the current part.
+ * Reported fractions never decrease, although each part begins at 0. */
+bool vs_job_done(vs_job *job, double done);
+/* Passes a warning to the caller. job may be NULL. */
+void vs_job_warn(const vs_job *job, const vs_origin *origin, const char *message);
+
+/* Sets the job of all code that works on the store's nodes, and returns the previous one; NULL: none. The caller owns
+ * the job, and sets another one before freeing it. */
+vs_job *vs_store_set_job(vs_store *s, vs_job *job);
+vs_tally *vs_store_tally(const vs_store *s); /* Returns the account of the store's job, or NULL. */
+
+#endif
