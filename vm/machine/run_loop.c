@@ -108,6 +108,11 @@ static bool loop(vs_scheme *vm, vs_value *w, size_t n, vs_value *out) {
 #define SAVE (vm->base = base, vm->pc = pc, vm->top = base + REGISTERS, vm->native = NULL)
 #define BRANCH_IF(truth) do { if ((truth) == (bool)C) pc += (int32_t)*pc + 1; else pc++; NEXT; } while (0)
 
+/* Takes the object of a method call off the arguments in w if w[0] does not take it. Calls without keywords skip it. */
+#define LEAVE_SELF do {                                                                                    \
+    if (vs_is_object(w[0]) && vs_leaves_self(vm, w[0], kw)) n--, kw = VS_FALSE;                            \
+  } while (0)
+
 /* Calls a closure with exactly its required arguments, if there is room on the stack, as in most calls. Others continue
  * at `call`. */
 #define PLAIN(callee, count, at)                                                                           \
@@ -259,6 +264,7 @@ look:
   }
   OP(CALLX):
     w = base + pc[0]; n = pc[1]; kw = pc[2] ? k[pc[2] - 1] : VS_FALSE; tail = A != 0;
+    if (kw != VS_FALSE) LEAVE_SELF;
     ret = vs_ret_make(pc[0], HERE + 3);
     pc += 3;
     goto call;
@@ -628,7 +634,6 @@ call_record:
 call: {
     vs_value f = w[0];
     if (!vs_is_object(f)) goto no_procedure;
-    if (kw != VS_FALSE && vs_leaves_self(vm, f, kw)) n--, kw = VS_FALSE;
     switch (vs_object_of(f)->type) {
       case VS_T_CLOSURE: {
         const vs_code *code = CALLEE(f);
@@ -797,8 +802,7 @@ native_done:
     case VS_CALL: {
       size_t size = (size_t)(vm->top - base);
       n = vm->call_count;
-      kw = vm->call_self ? vm->at.self_call : VS_FALSE;
-      vm->call_self = false;
+      kw = VS_FALSE;
       tail = false;
       if (status == VS_CALL) {
         w = base + size;
@@ -815,6 +819,11 @@ native_done:
       }
       w[0] = vm->call_procedure;
       if (n) memcpy(w + 2, vm->call_args, n * sizeof *w);
+      if (vm->call_self) {
+        vm->call_self = false;
+        kw = vm->at.self_call;
+        LEAVE_SELF;
+      }
       vm->call_count = 0;
       vm->call_procedure = VS_FALSE;
       base = w + 2;
