@@ -372,11 +372,21 @@ static bool swept_flatten(vs_swept *s, const vs_fineness *f) {
  * angle by which it is turned. */
 typedef struct { vs_vec3 lean; double spin; } swept_stance;
 
-/* Makes the sections along a path; this function may change the path's points, and divides the path for a twist. x:
- * first direction of the profile at the start; if upright is not NULL, it determines the direction everywhere. Returns
- * false and sets e on failure. */
-static bool swept_along(vs_swept *s, vs_path *path, vs_vec3 x, const vs_upright *upright, double twist, double scale,
-                        vs_vec2 base, double reach, const vs_fineness *f, vs_error *e) {
+/* The motion of a profile along a path. */
+typedef struct {
+  vs_vec3 x;                 /* first direction of the profile at the start, unless `upright` determines it */
+  const vs_upright *upright; /* determines the direction everywhere, or NULL */
+  double twist, scale;       /* of the profile at the end of the path: its turn in radians, its scale */
+  vs_vec2 base;              /* point of the profile that follows the path */
+  double reach;              /* greatest distance of the profile's points from the base */
+} swept_way;
+
+/* Makes the sections along a path; this function may change the path's points, and divides the path for a twist.
+ * Returns false and sets e on failure. */
+static bool swept_along(vs_swept *s, vs_path *path, const swept_way *way, const vs_fineness *f, vs_error *e) {
+  const vs_upright *upright = way->upright;
+  double twist = way->twist, scale = way->scale, reach = way->reach;
+  vs_vec2 base = way->base;
   vs_path fine = { 0 };
   vs_vec3 *carried = NULL;
   swept_stance *stance = NULL; /* position of the profile at each point of `fine` */
@@ -396,8 +406,8 @@ static bool swept_along(vs_swept *s, vs_path *path, vs_vec3 x, const vs_upright 
   }
   for (size_t i = 0; ok && i < stretches; i++) {
     const vs_path_point *p = &path->at[i], *q = &path->at[i + 1 < path->count ? i + 1 : 0];
-    vs_vec3 way = vs_v3_sub(q->at, p->at);
-    double share = vs_v3_length(way) / path->length, spin = upright ? swept_spin(upright, q) : 0,
+    vs_vec3 step = vs_v3_sub(q->at, p->at);
+    double share = vs_v3_length(step) / path->length, spin = upright ? swept_spin(upright, q) : 0,
            turned = (fabs(twist) * share + fabs(spin)) / full_turn * vs_fineness_turn(f, reach * widest, 0);
     size_t steps = swept_share(all_steps, share);
     if (spin != 0 && (double)steps < turned) steps = swept_count(turned, MOST_STEPS);
@@ -406,7 +416,7 @@ static bool swept_along(vs_swept *s, vs_path *path, vs_vec3 x, const vs_upright 
     for (size_t k = 1; ok && k < steps; k++) {
       double t = (double)k / (double)steps;
       vs_vec3 d = vs_v3_unit(vs_v3_add(vs_v3_scale(p->leaving, 1 - t), vs_v3_scale(q->arriving, t)));
-      ok = vs_path_add(&fine, vs_v3_add(p->at, vs_v3_scale(way, t)), d, d);
+      ok = vs_path_add(&fine, vs_v3_add(p->at, vs_v3_scale(step, t)), d, d);
       if (ok) stance[fine.count - 1] = (swept_stance){ swept_lean_between(p, q, t, reach * widest), spin * t };
     }
   }
@@ -421,7 +431,7 @@ static bool swept_along(vs_swept *s, vs_path *path, vs_vec3 x, const vs_upright 
   carried = ok ? malloc(fine.count * sizeof *carried) : NULL;
   ok = ok && carried;
   bool stands = !ok || !upright || swept_stand(upright, &fine, carried, e);
-  if (ok && !upright) vs_frame_transport(fine.at, fine.count - seam, joins || seam, fine.length, x, carried);
+  if (ok && !upright) vs_frame_transport(fine.at, fine.count - seam, joins || seam, fine.length, way->x, carried);
   if (ok && seam) carried[fine.count - 1] = carried[0];
   bool broken = false;
   for (size_t i = 0; ok && stands && i < fine.count + broken; i++) {
@@ -575,8 +585,9 @@ static bool swept_sweep(vs_swept *s, const vs_node *n, const vs_fineness *f, vs_
     vs_upright upright = { 0 };
     bool stands = vs_v3_length(w->up) > 0;
     if (stands) upright = swept_upright(&plane, w->up);
-    ok = swept_along(s, &path, vs_affine_vector(&turn, plane.x), stands ? &upright : NULL, round ? 0 : w->twist,
-                     w->scale, plane.base, plane.reach, f, e);
+    const swept_way way = { vs_affine_vector(&turn, plane.x), stands ? &upright : NULL, round ? 0 : w->twist, w->scale,
+                            plane.base, plane.reach };
+    ok = swept_along(s, &path, &way, f, e);
   }
   vs_path_free(&path);
   return ok;
@@ -600,7 +611,7 @@ static bool swept_thicken(vs_swept *s, const vs_node *n, const vs_fineness *f, v
   if (ok) {
     vs_affine square = vs_frame_on_axis(path.at[0].at, path.at[0].leaving);
     vs_vec3 x = { square.m[0][0], square.m[1][0], square.m[2][0] };
-    ok = swept_along(s, &path, x, NULL, 0, 1, (vs_vec2){ 0, 0 }, t->width / 2, f, e);
+    ok = swept_along(s, &path, &(swept_way){ .x = x, .scale = 1, .reach = t->width / 2 }, f, e);
   }
   vs_path_free(&path);
   return ok;
