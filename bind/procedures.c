@@ -59,7 +59,6 @@ static vs_procedure_fn *const functions[] = {
 const vs_native_table vs_bind_table = { "geometry", vs_bind_defs };
 
 vs_status vs_bind_enter(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
-  const ptrdiff_t i = vm->native->def - vs_bind_defs;
-  const vs_bind_row row = { &vs_bind_procedures[i], functions[i], vs_bind_defs[i].name, vs_dual_points };
-  return vs_bind_call(vm, &row, a, n, out);
+  static const vs_bind_columns table = { vs_bind_defs, vs_bind_procedures, functions, vs_dual_points };
+  return vs_bind_call(vm, &table, a, n, out);
 }

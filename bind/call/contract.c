@@ -191,7 +191,7 @@ static bool enter_slowly(vs_args *f, const vs_value *a, int given) {
   return true;
 }
 
-static vs_status run(vs_args *f, const vs_bind_row *row, vs_value *a, int n, vs_value *out) {
+static vs_status run(vs_args *f, const vs_bind_columns *table, vs_value *a, int n, vs_value *out) {
   bool keyed = f->procedure->key[0].mode != VS_ARG_END;
   int given = n, places = n;
   /* a[] contains a value for each positional parameter, then one for each keyword. With a rest there are no unused
@@ -204,7 +204,8 @@ static vs_status run(vs_args *f, const vs_bind_row *row, vs_value *a, int n, vs_
     vs_status status;
     bool duals = vs_is_fixnum(vs_lib_get(f->vm, VS_LIB_DUALS)); /* whether a differentiation has begun, so that
                                                                  * arguments may be dual numbers */
-    if (duals && vs_dual_level(a, (size_t)given) >= 0 && row->differentiate(f->vm, f->function, a, given, out, &status))
+    if (duals && vs_dual_level(a, (size_t)given) >= 0 &&
+        table->differentiate(f->vm, f->function, a, given, out, &status))
       return status;
     if (!enter_slowly(f, a, given)) return VS_ERROR;
   }
@@ -220,11 +221,13 @@ static vs_status run(vs_args *f, const vs_bind_row *row, vs_value *a, int n, vs_
   return stand && status == VS_OK ? vs_bind_stand(f, stand, out) : status;
 }
 
-vs_status vs_bind_call(vs_scheme *vm, const vs_bind_row *row, vs_value *a, int n, vs_value *out) {
+vs_status vs_bind_call(vs_scheme *vm, const vs_bind_columns *table, vs_value *a, int n, vs_value *out) {
+  const vs_native_def *native = vm->native->def;
+  const ptrdiff_t i = native - table->natives;
   vs_args f; /* the members are set one by one: clearing the struct would take longer than most procedures */
   f.vm = vm, f.bind = vs_bind_of(vm), f.store = f.bind ? f.bind->store : NULL, f.scratch = NULL, f.count = 0;
-  f.procedure = row->procedure, f.function = row->function, f.names = row->names;
-  vs_status s = run(&f, row, a, n, out);
+  f.procedure = &table->procedures[i], f.function = table->functions[i], f.names = native->name;
+  vs_status s = run(&f, table, a, n, out);
   if (f.scratch) vs_bind_scratch_free(&f);
   return s;
 }

@@ -8,19 +8,20 @@ typedef struct vs_args vs_args;
 typedef struct vs_procedure vs_procedure;
 typedef vs_status vs_procedure_fn(vs_args *f, vs_value *out);
 
-/* A row of the table of procedures. */
+/* The table of procedures, as columns: natives, contracts and C functions. */
 typedef struct {
-  const vs_procedure *procedure;
-  vs_procedure_fn *function;
-  const char *names; /* names of the procedure, separated by spaces */
+  const vs_native_def *natives;
+  const vs_procedure *procedures;
+  vs_procedure_fn *const *functions;
   /* Called if an argument is a dual number (of a differentiation). Runs the call and sets *status. Returns false,
    * without an error, if the procedure accepts only plain numbers. */
   bool (*differentiate)(vs_scheme *vm, vs_procedure_fn *procedure, vs_value *a, int n, vs_value *out,
                         vs_status *status);
-} vs_bind_row;
+} vs_bind_columns;
 
-/* Checks and converts n arguments, and calls the row's function. If it fails, sets the error and returns VS_ERROR. */
-vs_status vs_bind_call(vs_scheme *vm, const vs_bind_row *row, vs_value *a, int n, vs_value *out);
+/* Checks and converts n arguments, and calls the function of the running native's row. If it fails, sets the error and
+ * returns VS_ERROR. */
+vs_status vs_bind_call(vs_scheme *vm, const vs_bind_columns *table, vs_value *a, int n, vs_value *out);
 /* Writes all forms of the call: "takes (make-plane point normal) or (make-plane p q r)". */
 void vs_bind_forms(const vs_procedure *procedure, const char *name, char *text, size_t room);
 
