@@ -93,6 +93,28 @@ struct vs_emitter {
   uint64_t triangles;  /* number of triangles written up to now, counted by vs_emit_triangles */
 };
 
+/* Traits of a format: needs and abilities of its program. */
+typedef enum {
+  VS_SHOWS_GHOSTS_IN_DRAFTS = 1 << 0, /* shows ghosts in pictures of draft quality only */
+  VS_KEEPS_ORIGINS = 1 << 1, /* the emitter records the origin of each line of the text */
+  VS_PARTS_FLUSH = 1 << 2,   /* a pass first separates faces that lie in one plane (flush.h): the format's program
+                              * leaves thin skins when it cuts such solids */
+  VS_SHOWS_HULLS = 1 << 3,   /* shows hulls of solids as operations. It shows every other hull as one shape */
+  VS_DRAWS = 1 << 4,         /* makes drawings. Such a format selects the scene's views and cuts the solids itself
+                              * (vs_lower_drawing); its `solid` receives none */
+  VS_FRAMES = 1 << 5,        /* shows the drawing through a camera that frames it */
+  VS_LOOSE = 1 << 6,         /* for a format with `solid` or `copies`: the driver first walks the objects that are not
+                              * solid, and calls their rows of `emit` */
+  VS_INKS = 1 << 7,          /* a pass makes thin objects without a material dark (ink.h) */
+  VS_LAYS = 1 << 8,          /* its patterns are correct only on faces that no placement rotates (lay.h) */
+  VS_GROUPS = 1 << 9,        /* receives large sets as trees of boxes (vs_sets_group) */
+  VS_AREA_SETS = 1 << 10,    /* its emit function receives sets of regions before they are lowered to one region */
+  VS_KEEPS_TEXT = 1 << 11,   /* the text of a node depends only on the values that drive_key puts into a key, not on
+                              * earlier output */
+  VS_VERBATIM = 1 << 12      /* the driver emits every node, including empty nodes, and visits the children of all
+                              * kinds */
+} vs_backend_trait;
+
 struct vs_backend {
   bool (*begin)(vs_emitter *e);
   bool (*item)(vs_emitter *e, size_t index, bool end); /* called before and after each drawn object; may be NULL */
@@ -114,29 +136,10 @@ struct vs_backend {
   /* Writes the files beside e->path (such as an .mtl) after the text. NULL: the format has no such files. */
   bool (*beside)(vs_emitter *e);
   vs_mark_style highlights, ghosts; /* how the format shows the marks `highlight` and `ghost` (passes/sugar.h) */
-  bool ghosts_in_drafts;   /* whether the format shows ghosts in pictures of draft quality only */
   const char *family;      /* additional name that several formats share; NULL: the format has only its own names */
   const char *native;      /* target of targets.def whose `native` text this format accepts; NULL: the format accepts no
                             * such text */
-  bool keep_origins;    /* whether the emitter records the origin of each line of the text */
-  bool parts_flush;     /* whether a pass first separates faces that lie in one plane (flush.h): the format's program
-                         * leaves thin skins when it cuts such solids */
-  bool hulls; /* whether the format shows hulls of solids as operations. It shows every other hull as one shape */
-  bool draws;           /* whether the format makes drawings. Such a format selects the scene's views and cuts the
-                         * solids itself (vs_lower_drawing); its `solid` receives none */
-  bool frames;          /* whether the format shows the drawing through a camera that frames it */
-  bool loose;           /* for a format with `solid` or `copies`: whether the driver first walks the objects that are
-                         * not solid and calls their rows of `emit` */
-  bool inks;            /* whether a pass makes thin objects without a material dark (ink.h) */
-  bool lays;            /* whether the format's patterns are correct only on faces that no placement rotates (lay.h) */
-  bool groups;          /* whether the format receives large sets as trees of boxes (vs_sets_group) */
-  bool area_sets;       /* whether the format's emit function receives sets of regions before they are lowered to one
-                         * region */
-  bool
-      keeps_text; /* whether the text of a node depends only on the values that drive_key puts into a key, not on
-                   * earlier output */
-  bool verbatim;        /* whether the driver emits every node, including empty nodes, and visits the children of all
-                         * kinds */
+  unsigned traits;      /* of vs_backend_trait, joined by | */
   const char *omit[VS_MIXED]; /* omit[c]: warning, given once, that the format omits objects of class c; NULL: the
                                * format shows them */
   vs_emit_fn *shape;    /* emits the primitive solids that have no row in `emit`; NULL: the driver lowers them */
@@ -144,6 +147,8 @@ struct vs_backend {
                                                                       * shows this kind with a loss; NULL: there is no
                                                                       * loss */
 };
+
+static inline bool vs_backend_has(const vs_backend *b, vs_backend_trait trait) { return (b->traits & trait) != 0; }
 
 /* Returns the function that writes n. Returns NULL if n must be lowered. */
 static inline vs_emit_fn *vs_backend_writes(const vs_backend *b, const vs_node *n) {
@@ -221,7 +226,7 @@ size_t vs_emit_material_number(const vs_emitter *e, const vs_material *m);
  * again. Every such number inside the walk must therefore be written by these two functions. */
 bool vs_emit_put_template_number(vs_emitter *e, uint32_t id);
 bool vs_emit_put_material_number(vs_emitter *e, const vs_material *m);
-/* Returns the origin of the objects on a line of the text, or NULL. For formats with keep_origins. */
+/* Returns the origin of the objects on a line of the text, or NULL. For formats with VS_KEEPS_ORIGINS. */
 const vs_origin *vs_emit_line_origin(const vs_emitter *e, uint32_t line);
 /* Grows an array of the emitter's state by half, in memory from the store's allocator. `size` is the size of an item in
  * bytes. Returns false, and sets the error, if memory is out. */

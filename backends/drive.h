@@ -78,23 +78,26 @@ struct vs_drive {
 
 /* ---- entries ---- */
 
+static inline bool drive_has(const vs_emitter *e, vs_backend_trait trait) { return vs_backend_has(e->backend, trait); }
+
 static inline bool drive_hull_is_operation(const vs_emitter *e, const vs_node *n) {
-  if (!e->backend->hulls || n->class_ != VS_SOLID || VS_AS(hull, n)->points->count > 0) return false;
+  if (!drive_has(e, VS_SHOWS_HULLS) || n->class_ != VS_SOLID || VS_AS(hull, n)->points->count > 0) return false;
   for (uint32_t i = 0; i < n->child_count; i++)
     if (n->children[i].node->class_ != VS_SOLID) return false;
   return true;
 }
 
 static inline bool drive_is_operation(const vs_emitter *e, const vs_node *n) {
-  if (e->backend->verbatim && n->child_count > 0) return true;
-  return n->kind == VS_HULL && !e->backend->verbatim ? drive_hull_is_operation(e, n) : e->drive->operation[n->kind];
+  if (drive_has(e, VS_VERBATIM) && n->child_count > 0) return true;
+  if (n->kind == VS_HULL && !drive_has(e, VS_VERBATIM)) return drive_hull_is_operation(e, n);
+  return e->drive->operation[n->kind];
 }
 
 /* Facts about a node that are equal at all its places. A leaf with a single reference has no entry. */
 typedef struct { drive_entry *entry; bool operation, vain; } drive_view;
 
 static inline bool drive_leaf_vain(const vs_emitter *e, const vs_node *n) {
-  if (e->backend->verbatim) return false;
+  if (drive_has(e, VS_VERBATIM)) return false;
   return n->kind == VS_EMPTY || n->class_ == VS_NOTHING ||
          (n->class_ < VS_MIXED && e->backend->omit[n->class_] != NULL);
 }

@@ -138,7 +138,7 @@ static bool drive_add_material(vs_emitter *e, const vs_material *m) {
 
 static bool drive_op_vain(const vs_emitter *e, const drive_entry *entry) {
   const vs_node *n = entry->ref.node;
-  if (e->backend->verbatim) return false;
+  if (drive_has(e, VS_VERBATIM)) return false;
   if (n->kind == VS_NATIVE) return false;
   if (n->kind == VS_HULL || n->kind == VS_UNION) return entry->shown == 0;
   if (n->kind == VS_INTERSECTION) return n->child_count == 0 || entry->some_vain;
@@ -336,7 +336,7 @@ bool vs_drive_mark(vs_emitter *e, uint32_t line, const vs_origin *origin) {
 
 static bool drive_mark(vs_emitter *e, const vs_ref *ref) {
   const vs_drive *d = e->drive;
-  if (!e->backend->keep_origins || (d->line_count > 0 && d->lines[d->line_count - 1].origin == ref->origin))
+  if (!drive_has(e, VS_KEEPS_ORIGINS) || (d->line_count > 0 && d->lines[d->line_count - 1].origin == ref->origin))
     return true;
   return vs_drive_mark(e, vs_writer_line(e->out), ref->origin);
 }
@@ -414,7 +414,7 @@ static bool drive_reach(vs_emitter *e, const vs_node *n) {
   vs_affine back;
   if (n->kind == VS_TRANSFORM && vs_affine_invert(&VS_AS(transform, n)->matrix, &back))
     e->reach = vs_bounds_transform(&e->reach, &back);
-  if (n->flags & VS_NODE_ENDLESS || e->backend->verbatim) return true;
+  if (n->flags & VS_NODE_ENDLESS || drive_has(e, VS_VERBATIM)) return true;
   if (!vs_bounds_memo_get(&e->drive->bounds, n, &b, e->error)) return false;
   if (n->kind != VS_TRANSFORM && !vs_bounds_is_empty(&b)) e->reach = b;
   return true;
@@ -449,7 +449,7 @@ static bool drive_show(vs_emitter *e, const vs_ref *ref, drive_view view, bool b
   bool placed = n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER || n->kind == VS_NATIVE ||
                 n->kind == VS_HIGHLIGHT || n->kind == VS_GHOST;
   size_t shown = drive_shown(e, n, view.entry);
-  frame.silent = shown == 1 && !placed && n->kind != VS_HULL && !e->backend->verbatim;
+  frame.silent = shown == 1 && !placed && n->kind != VS_HULL && !drive_has(e, VS_VERBATIM);
   if (!frame.silent) {
     e->child_count = shown;
     if (n->kind == VS_TRANSFORM) {
@@ -459,8 +459,9 @@ static bool drive_show(vs_emitter *e, const vs_ref *ref, drive_view view, bool b
     if (n->kind == VS_MATERIAL) e->material = VS_AS(material, n)->material;
     if (n->flags & VS_NODE_CUT && !drive_reach(e, n)) return false;
     e->carved = view.entry != NULL && view.entry->carved;
-    bool area = !e->backend->verbatim && vs_lower_as_area(e, n);
-    vs_emit_status status = fn != NULL && !(area && !e->backend->area_sets) ? fn(e, ref, VS_PHASE_ENTER) : VS_LOWER;
+    bool area = !drive_has(e, VS_VERBATIM) && vs_lower_as_area(e, n);
+    bool lowered = fn == NULL || (area && !drive_has(e, VS_AREA_SETS));
+    vs_emit_status status = lowered ? VS_LOWER : fn(e, ref, VS_PHASE_ENTER);
     if (status != VS_EMITTED) {
       e->material = frame.material;
       drive_place(e, &frame.placement);
@@ -615,7 +616,7 @@ static bool drive_boxes(vs_emitter *e, const vs_ref *ref, vs_bounds_memo *memo, 
 static bool drive_frame_boxes(vs_emitter *e) {
   size_t budget = VS_DRAWN_BOUNDS_MOST, wide = e->box_count;
   e->framed = e->bounds;
-  if (!e->backend->frames || e->scene->view == VS_VIEW_CAMERA || drive_has_native(e)) return true;
+  if (!drive_has(e, VS_FRAMES) || e->scene->view == VS_VIEW_CAMERA || drive_has_native(e)) return true;
   e->box_count = 0;
   for (size_t i = 0; i < e->scene->drawn_count; i++)
     if (!drive_vain(e, &e->scene->drawn[i]) &&
@@ -643,7 +644,7 @@ static bool drive_nothing(vs_emitter *e) {
 }
 
 static bool drive_bounds(vs_emitter *e) {
-  if (e->backend->verbatim) return true;
+  if (drive_has(e, VS_VERBATIM)) return true;
   for (size_t i = 0; i < e->scene->drawn_count; i++) {
     const vs_ref *ref = &e->scene->drawn[i];
     if (drive_vain(e, ref)) continue;
@@ -708,23 +709,23 @@ bool vs_drive_scene(vs_emitter *e) {
   e->drive = d;
   drive_find_operations(d);
   d->reuse = (vs_reuse){ .store = e->scene->store };
-  if (e->backend->keeps_text && vs_cache_asks(vs_store_cache(e->scene->store)))
+  if (drive_has(e, VS_KEEPS_TEXT) && vs_cache_asks(vs_store_cache(e->scene->store)))
     d->reuse.cache = vs_store_cache(e->scene->store);
-  e->out->keeps_lines = e->backend->keep_origins;
+  e->out->keeps_lines = drive_has(e, VS_KEEPS_ORIGINS);
   if (e->scene->has_ground && e->scene->ground_material != NULL && !drive_add_material(e, e->scene->ground_material))
     return false;
   if (!drive_plan(e)) return false;
-  if (e->scene->drawn_count == 0 && !e->backend->verbatim)
+  if (e->scene->drawn_count == 0 && !drive_has(e, VS_VERBATIM))
     return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "nothing is drawn");
-  if (drive_all_vain(e) && !e->backend->verbatim) return drive_nothing(e);
-  if (!drive_bounds(e) || (!e->backend->verbatim && !drive_frame_boxes(e))) return false;
+  if (drive_all_vain(e) && !drive_has(e, VS_VERBATIM)) return drive_nothing(e);
+  if (!drive_bounds(e) || (!drive_has(e, VS_VERBATIM) && !drive_frame_boxes(e))) return false;
   drive_reset(e);
   if (!e->backend->begin(e)) return false;
   bool loose = false;
-  if (e->backend->loose && !drive_loose(e, &loose)) return false;
+  if (drive_has(e, VS_LOOSE) && !drive_loose(e, &loose)) return false;
   if (e->backend->solid != NULL) {
     vs_solid mesh = { .part_count = 0 };
-    bool ok = e->backend->draws || (vs_lower_drawing(e, &mesh) && (mesh.mesh.triangle_count > 0 || loose ||
+    bool ok = drive_has(e, VS_DRAWS) || (vs_lower_drawing(e, &mesh) && (mesh.mesh.triangle_count > 0 || loose ||
                                                                    drive_nothing(e)));
     ok = ok && e->backend->solid(e, &mesh);
     vs_solid_free(&mesh);

@@ -33,7 +33,7 @@ static const vs_format formats[] = {
 
 static bool given_begin(vs_emitter *e) { return vs_put(e->out, e->options->given, e->options->given_size); }
 static bool given_end(vs_emitter *e) { return !e->out->failed; }
-const vs_backend vs_backend_given = { .begin = given_begin, .end = given_end, .verbatim = true };
+const vs_backend vs_backend_given = { .begin = given_begin, .end = given_end, .traits = VS_VERBATIM };
 
 size_t vs_export_format_count(void) { return sizeof formats / sizeof *formats; }
 const vs_format *vs_export_format_at(size_t index) { return &formats[index]; }
@@ -258,7 +258,7 @@ bool vs_export_sugar(vs_scene *scene, const vs_format *format, const vs_export_o
                           .target = b->native,
                           .muted = options->safe,
                           .job = options->job };
-  if (b->ghosts_in_drafts && options->quality != VS_RENDER_DRAFT) o.ghosts = VS_MARKS_DROP;
+  if (vs_backend_has(b, VS_SHOWS_GHOSTS_IN_DRAFTS) && options->quality != VS_RENDER_DRAFT) o.ghosts = VS_MARKS_DROP;
   return vs_scene_sugar(scene, &o, e);
 }
 

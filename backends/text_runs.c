@@ -112,7 +112,7 @@ static void put_ends(vs_emitter *e, const spelling *s) {
 static void put_node(vs_emitter *e, spelling *s, const vs_ref *ref, drive_view view, bool whole) {
   vs_reuse *r = &e->drive->reuse;
   const vs_node *n = ref->node;
-  if (e->backend->keep_origins) vs_reuse_put(r, (uintptr_t)ref->origin);
+  if (drive_has(e, VS_KEEPS_ORIGINS)) vs_reuse_put(r, (uintptr_t)ref->origin);
   if (view.entry != NULL && view.entry->definition > 0 && !whole) {
     vs_reuse_put(r, TAG_TEMPLATE | paint_bits(e, n));
     vs_reuse_put_number(r, VS_NUMBER_TEMPLATE, view.entry->definition);
@@ -191,7 +191,7 @@ static bool all_said(const vs_emitter *e, const vs_reused *found) {
 static bool put_out(vs_emitter *e, const vs_ref *first, const vs_reused *found) {
   vs_tally *tally = vs_store_tally(e->scene->store);
   bool ok = true;
-  if (e->backend->keep_origins) {
+  if (drive_has(e, VS_KEEPS_ORIGINS)) {
     uint32_t line = vs_writer_line(e->out);
     ok = vs_drive_mark(e, line, first->origin);
     for (size_t i = 0; ok && i < found->line_count; i++)
@@ -206,7 +206,7 @@ static void run_begin(vs_emitter *e, size_t until) {
   vs_drive *d = e->drive;
   d->run_frames = d->frame_count;
   d->run_until = until;
-  if (e->backend->keep_origins) {
+  if (drive_has(e, VS_KEEPS_ORIGINS)) {
     d->run_line = vs_writer_line(e->out);
     /* the line may still receive another origin */
     d->run_first =
@@ -218,7 +218,7 @@ static void run_begin(vs_emitter *e, size_t until) {
 
 void vs_drive_run_end(vs_emitter *e) {
   vs_drive *d = e->drive;
-  size_t count = e->backend->keep_origins ? d->line_count - d->run_first : 0;
+  size_t count = drive_has(e, VS_KEEPS_ORIGINS) ? d->line_count - d->run_first : 0;
   vs_reuse_line *lines = count > 0 ? d->lines + d->run_first : NULL;
   for (size_t i = 0; i < count; i++) lines[i].line -= (uint32_t)d->run_line;
   d->reuse.triangles = e->triangles - d->reuse.triangles;

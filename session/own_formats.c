@@ -180,7 +180,7 @@ static bool own_fill(vs_session *s, vs_own_format *f, const vs_format_own *given
   }
   if (f->kinds[VS_POLYFACE_MESH].write == NULL) return false; /* a callback for polyhedra is required: all solids and
                                                                * surfaces can be replaced by them */
-  f->backend.hulls = f->kinds[VS_HULL].write != NULL;
+  if (f->kinds[VS_HULL].write != NULL) f->backend.traits |= VS_SHOWS_HULLS;
   for (size_t i = 0; i < sizeof through / sizeof *through; i++) f->backend.emit[through[i]].fn = own_emit;
   char text[120];
   snprintf(text, sizeof text, "%.40s has no lines: curves are omitted", given->name);

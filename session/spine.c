@@ -175,7 +175,7 @@ static bool stage_collect(writing *j) {
   for (size_t i = 0; i < n; i++) vs_node_retain(scene->drawn[i].node);
   for (; vs_is_pair(shown[0]); shown[0] = vs_cdr(shown[0]))
     if (!vs_scene_draw(scene, vs_bind_take_ref(vs_car(shown[0])))) return vs_error_memory(&j->error, NULL);
-  for (size_t i = 0; change && j->format->backend->parts_flush && i < n; i++)
+  for (size_t i = 0; change && vs_backend_has(j->format->backend, VS_PARTS_FLUSH) && i < n; i++)
     if (!vs_session_swell(s, i, &scene->drawn[i], &j->error)) return false;
   if (!j->record) return true;
   vs_tally_enter(&s->tally, VS_WORK_RUN);
@@ -234,11 +234,11 @@ static bool stage_view(writing *j) {
   vs_scene *scene = &j->scene;
   const char *name = j->record ? j->options->view : NULL;
   /* A format of drawings chooses its views itself. */
-  if (!j->format || j->format->backend->draws || (name && !strcmp(name, "*"))) return true;
+  if (!j->format || vs_backend_has(j->format->backend, VS_DRAWS) || (name && !strcmp(name, "*"))) return true;
   const vs_scene_view *view = name ? vs_scene_find_view(scene, name) : j->options->has_camera ? NULL
       : vs_scene_own_view(scene);
   /* Only a view that was requested may cut a mesh or a page. */
-  if (!name && (!view || (view->cut == VS_CUT_PLANE && !j->format->backend->frames))) return true;
+  if (!name && (!view || (view->cut == VS_CUT_PLANE && !vs_backend_has(j->format->backend, VS_FRAMES)))) return true;
   if (!view) {
     char message[400];
     snprintf(message, sizeof message, "the model has no view \"%.100s\"", name);
@@ -302,7 +302,7 @@ static bool stage_write(writing *j) {
 /* ---- the table of the stages, and their order ---- */
 
 /* Returns true for a format that shows the unchanged tree. */
-static bool shows_tree(const vs_backend *b) { return b->verbatim && b != &vs_backend_given; }
+static bool shows_tree(const vs_backend *b) { return vs_backend_has(b, VS_VERBATIM) && b != &vs_backend_given; }
 
 static bool runs_for(vs_stage stage, const vs_backend *b) {
   switch (stage) {

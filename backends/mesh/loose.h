@@ -29,12 +29,12 @@ vs_emit_fn vs_loose_leaf, vs_loose_line, vs_loose_through, vs_loose_boolean;
 size_t vs_loose_triangles(const vs_loose *l); /* returns the number of triangles of all open faces */
 size_t vs_loose_pieces(const vs_loose *l);    /* returns the number of segments of all lines */
 
-/* VS_LOOSE_SHAPES: rows of a back-end that writes lines and open faces. A second macro has the rows of a back-end that
- * writes only open faces. */
-#define VS_LOOSE_SHAPES                                                                                                \
-  .loose = true, .close = vs_loose_close,                                                                              \
+/* VS_LOOSE_SHAPES: rows of a back-end that writes lines and open faces; more: its other traits, or 0. The second macro
+ * has the rows of a back-end that writes only open faces. */
+#define VS_LOOSE_SHAPES(more)                                                                                          \
+  .traits = VS_LOOSE | (more), .close = vs_loose_close,                                                                \
   VS_EMIT_SHAPES(vs_loose_leaf, vs_loose_line, vs_loose_through, vs_loose_boolean)
-#define VS_LOOSE_FACES(curves) .loose = true, .close = vs_loose_close, .omit = { [VS_CURVE] = curves }, \
+#define VS_LOOSE_FACES(curves) .traits = VS_LOOSE, .close = vs_loose_close, .omit = { [VS_CURVE] = curves }, \
                                VS_EMIT_SHAPES(vs_loose_leaf, NULL, vs_loose_through, vs_loose_boolean)
 
 #endif

@@ -279,7 +279,7 @@ static bool ply_solid(vs_emitter *e, const vs_solid *solid) {
          ply_loose(e, base, false) && ply_loose(e, base, true);
 }
 
-const vs_backend vs_backend_ply = { .begin = vs_loose_begin, .end = mesh_end, .solid = ply_solid, VS_LOOSE_SHAPES };
+const vs_backend vs_backend_ply = { .begin = vs_loose_begin, .end = mesh_end, .solid = ply_solid, VS_LOOSE_SHAPES(0) };
 
 /* ---- OBJ ---- */
 
@@ -491,5 +491,5 @@ static bool obj_beside(vs_emitter *e) {
 
 const vs_backend vs_backend_obj = {
   .begin = vs_loose_begin, .end = mesh_end, .solid = obj_solid, .numbers = VS_NUMBERS_DIGITS, .beside = obj_beside,
-  VS_LOOSE_SHAPES
+  VS_LOOSE_SHAPES(0)
 };

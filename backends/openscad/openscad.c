@@ -665,8 +665,8 @@ static bool scad_end(vs_emitter *e) { return !e->out->failed; }
 
 const vs_backend vs_backend_openscad = {
   .highlights = VS_MARKS_KEEP, .ghosts = VS_MARKS_KEEP, .native = "openscad",
-  .begin = scad_begin, .end = scad_end, .define = scad_define, .use = scad_use, .hulls = true, .area_sets = true,
-  .keeps_text = true,
+  .begin = scad_begin, .end = scad_end, .define = scad_define, .use = scad_use,
+  .traits = VS_SHOWS_HULLS | VS_AREA_SETS | VS_KEEPS_TEXT,
   .emit = {
     [VS_LINE] = { scad_line, "OpenSCAD programs hold solids: curves are drawn as thin rods" },
     [VS_TEXT] = { scad_region, "OpenSCAD programs hold solids: flat regions are drawn as thin slabs" },

@@ -458,12 +458,12 @@ bool vs_povray_begin(vs_emitter *e) {
 
 bool vs_povray_end(vs_emitter *e) { return !e->out->failed; }
 
-#define POVRAY_SHARED                                                                                                  \
+#define POVRAY_SHARED(more)                                                                                            \
   .begin = vs_povray_begin, .item = vs_povray_item, .end = vs_povray_end, .define = vs_povray_define, \
   .use = vs_povray_use, \
-  .highlights = VS_MARKS_PAINT, .ghosts = VS_MARKS_PAINT, .ghosts_in_drafts = true, .parts_flush = true, \
-  .family = "povray", .native = "povray", .inks = true, .lays = true, .groups = true, .keeps_text = true, \
-  .frames = true, \
+  .highlights = VS_MARKS_PAINT, .ghosts = VS_MARKS_PAINT, .family = "povray", .native = "povray",              \
+  .traits = VS_SHOWS_GHOSTS_IN_DRAFTS | VS_PARTS_FLUSH | VS_INKS | VS_LAYS | VS_GROUPS | VS_KEEPS_TEXT | VS_FRAMES |   \
+            (more),                                                                                                    \
   .emit = {                                                                                                            \
     [VS_LINE] = { vs_povray_line, "POV-Ray has no lines: curves are drawn as thin rods" },                             \
     [VS_ARC] = { NULL, NULL }, [VS_CIRCLE] = { NULL, NULL }, [VS_SPLINE] = { NULL, NULL },                             \
@@ -481,6 +481,6 @@ bool vs_povray_end(vs_emitter *e) { return !e->out->failed; }
     [VS_DIFFERENCE] = { vs_povray_csg, NULL }, \
   }
 
-const vs_backend vs_backend_povray = { POVRAY_SHARED };
-const vs_backend vs_backend_povray_png = { POVRAY_SHARED, .render = vs_povray_render_png, .keep_origins = true };
-const vs_backend vs_backend_povray_exr = { POVRAY_SHARED, .render = vs_povray_render_exr, .keep_origins = true };
+const vs_backend vs_backend_povray = { POVRAY_SHARED(0) };
+const vs_backend vs_backend_povray_png = { POVRAY_SHARED(VS_KEEPS_ORIGINS), .render = vs_povray_render_png };
+const vs_backend vs_backend_povray_exr = { POVRAY_SHARED(VS_KEEPS_ORIGINS), .render = vs_povray_render_exr };

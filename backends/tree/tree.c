@@ -126,8 +126,8 @@ static bool tree_use(vs_emitter *e, uint32_t id, const vs_ref *ref) {
 }
 
 const vs_backend vs_backend_tree = {
-  .begin = tree_begin, .item = tree_item, .end = tree_end, .define = tree_define, .use = tree_use, .verbatim = true,
-  .keeps_text = true,
+  .begin = tree_begin, .item = tree_item, .end = tree_end, .define = tree_define, .use = tree_use,
+  .traits = VS_VERBATIM | VS_KEEPS_TEXT,
   .emit = {
 #define VS_KIND(upper, lower, name, class_, level, role, traits) [VS_##upper] = { tree_node, NULL },
 #define VS_FIELD(type, member, argument)

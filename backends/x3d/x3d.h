@@ -84,7 +84,7 @@ bool vs_x3d_use_template(vs_emitter *e, uint32_t id, const vs_ref *ref);
 
 #define VS_X3D_BACKEND(begin_, end_)                                                                                   \
   .begin = begin_, .end = end_, .close = vs_x3d_close, .define = vs_x3d_define, .use = vs_x3d_use_template,            \
-  .family = "x3d", .frames = true, .highlights = VS_MARKS_PAINT, \
+  .family = "x3d", .traits = VS_FRAMES, .highlights = VS_MARKS_PAINT, \
   VS_EMIT_SHAPES(vs_x3d_leaf, vs_x3d_line, vs_x3d_through, vs_x3d_boolean)
 
 #endif

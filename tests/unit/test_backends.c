@@ -914,7 +914,7 @@ static void test_tells_what_is_left_out(void **state) {
   size_t solids_alone = 0;
   for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
     const vs_backend *b = all[i].backend;
-    if ((!b->solid && !b->copies) || b->loose) continue;
+    if ((!b->solid && !b->copies) || vs_backend_has(b, VS_LOOSE)) continue;
     solids_alone++;
     for (int class_ = VS_CURVE; class_ < VS_MIXED; class_++)
       if (class_ != VS_SOLID && !b->omit[class_]) fail_msg("%s: no word on leaving out class %d", all[i].name, class_);
