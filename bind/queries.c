@@ -121,7 +121,8 @@ vs_status vs_p_object_children(vs_args *f, vs_value *out) {
 
 vs_status vs_p_object_count(vs_args *f, vs_value *out) {
   vs_bind_counts c;
-  if (!vs_bind_count(f->arg[0].ref, &c)) return vs_fail_memory(f->vm);
+  vs_error e = { 0 };
+  if (!vs_bind_count(f->arg[0].ref, &c, &e)) return e.kind == VS_ERROR_INTERRUPT ? VS_ERROR : vs_bind_error(f->vm, &e);
   *out = c.all < (double)VS_FIXNUM_MAX ? vs_fix((int64_t)c.all) : vs_flonum(c.all);
   return VS_OK;
 }

@@ -182,19 +182,21 @@ static vs_bind_counts count_node(const vs_node *n, const vs_nodemap *known, cons
   return c;
 }
 
-bool vs_bind_count(vs_ref ref, vs_bind_counts *out) {
+enum { COUNT_WORK = 200 }; /* nanoseconds for counting a node, as vs_store_going expects */
+
+bool vs_bind_count(vs_ref ref, vs_bind_counts *out, vs_error *e) {
   vs_store *s = ref.node->store;
   vs_nodemap known = { .store = s };
   vs_bind_counts *sums = NULL;
   size_t count = 0, room = 0, depth;
   vs_walk *w = vs_walk_new(s, ref);
   vs_ref at;
-  bool ok = w != NULL;
-  while (ok) {
-    vs_walk_event e = vs_walk_next(w, &at, &depth);
-    if (e == VS_WALK_DONE) break;
-    if (e == VS_WALK_FAILED) ok = false;
-    else if (e == VS_WALK_ENTER) {
+  bool ok = w != NULL, going = true;
+  while (ok && (going = vs_store_going(s, COUNT_WORK, e))) {
+    vs_walk_event event = vs_walk_next(w, &at, &depth);
+    if (event == VS_WALK_DONE) break;
+    if (event == VS_WALK_FAILED) ok = false;
+    else if (event == VS_WALK_ENTER) {
       if (!is_transparent(at.node) || vs_nodemap_get(&known, at.node)) vs_walk_skip(w);
     } else if (!vs_nodemap_get(&known, at.node)) {
       if (count == room) {
@@ -208,6 +210,8 @@ bool vs_bind_count(vs_ref ref, vs_bind_counts *out) {
       if (slot) *slot = count++;
     }
   }
+  if (!ok) vs_error_memory(e, ref.origin);
+  ok = ok && going;
   if (ok) *out = sums[count - 1];
   if (sums) vs_store_realloc(s, sums, room * sizeof *sums, 0);
   vs_walk_free(w);

@@ -91,6 +91,7 @@ bool vs_bind_returned(vs_bind *b, vs_value v, bool shown);
 /* Returns true if nothing was drawn, so that the top-level values are the model. Otherwise warns of top-level values
  * that are not used. */
 bool vs_bind_finish(vs_bind *b);
-bool vs_bind_count(vs_ref ref, vs_bind_counts *out);
+/* Counts the objects of ref. Returns false, with the error in e, if memory is out or the run is interrupted. */
+bool vs_bind_count(vs_ref ref, vs_bind_counts *out, vs_error *e);
 
 #endif

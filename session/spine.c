@@ -393,7 +393,7 @@ static bool summarise(vs_job *job, const vs_scene *scene, vs_summary *out, vs_er
   vs_fineness facets = { .tolerance = scene->tolerance, .segments = scene->segments };
   vs_kernel_options options = { .job = job };
   for (size_t i = 0; i < scene->drawn_count; i++) {
-    if (!vs_bind_count(scene->drawn[i], &c)) return vs_error_memory(e, scene->drawn[i].origin);
+    if (!vs_bind_count(scene->drawn[i], &c, e)) return false;
     sum.all += c.all;
     for (int k = 0; k < VS_INHERIT; k++) sum.of[k] += c.of[k];
   }

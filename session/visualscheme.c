@@ -86,7 +86,7 @@ static bool tell_object(vs_session *s, vs_value v) {
   if (ok && !shown.cut) ok = vs_text_puts(&t, shown.at);
   else if (ok) {
     const char *kind = vs_kind_get(object.node->kind)->name;
-    if (object.node->kind == VS_UNION && vs_bind_count(object, &parts)) snprintf(text, sizeof text,
+    if (object.node->kind == VS_UNION && vs_bind_count(object, &parts, &(vs_error){ 0 })) snprintf(text, sizeof text,
         "#<%s of %.15g object%s>", kind, parts.all, parts.all == 1 ? "" : "s");
     else snprintf(text, sizeof text, "#<%s>", kind);
     ok = vs_text_puts(&t, text);
@@ -151,7 +151,8 @@ static bool take_value(vs_scheme *vm, vs_value v, vs_pos place) {
   ok = ok && (objects || vs_text_put(&t, shown.at ? shown.at : "", shown.count)) && vs_text_puts(&t, note);
   vs_bind_counts parts;
   vs_ref object = shown.cut ? vs_bind_take_ref(r[0]) : (vs_ref){ NULL, NULL };
-  if (ok && object.node && vs_bind_count(object, &parts)) { /* comment after the value: (unite ... ; 3000 objects */
+  /* A comment after the value: (unite ... ; 3000 objects */
+  if (ok && object.node && vs_bind_count(object, &parts, &(vs_error){ 0 })) {
     char text[60];
     snprintf(text, sizeof text, " ; %.15g object%s", parts.all, parts.all == 1 ? "" : "s");
     ok = vs_text_puts(&t, text);

@@ -9,6 +9,7 @@
 #include <stdlib.h>
 
 #include "geometry/files/polyface.h"
+#include "model/store/patient_sort.h"
 
 static const double sharp = 0.9396926207859084; /* cosine of 20 degrees, the least angle of a crease */
 
@@ -75,8 +76,7 @@ bool vs_sight_find_edges(const vs_sight_host *host, const vs_sight *s, vs_sight_
       if (a != b) all[sides++] = (side){ a < b ? (uint64_t)a << 32 | b : (uint64_t)b << 32 | a, (uint32_t)i, a < b };
     }
   }
-  if (ok) qsort(all, sides, sizeof *all, side_compare);
-  bool going = true;
+  bool going = ok && vs_store_sort(store, all, sides, sizeof *all, side_compare, e);
   for (size_t i = 0, end; ok && going && i < sides; i = end) {
     for (end = i; end < sides && all[end].key == all[i].key; end++) {}
     if ((i & 0xffff) == 0) going = vs_job_going(host->job, "drawing", -1);
@@ -95,6 +95,7 @@ bool vs_sight_find_edges(const vs_sight_host *host, const vs_sight *s, vs_sight_
   vs_store_realloc(store, all, 3 * n * sizeof *all, 0);
   vs_store_realloc(store, faces, n * sizeof *faces, 0);
   if (!ok) return vs_error_memory(e, NULL);
+  if (!going && e->kind != VS_ERROR_NONE) return false; /* vs_store_sort has set the error */
   return going || vs_error_set(e, VS_ERROR_INTERRUPT, NULL, "interrupted");
 }
 

@@ -10,6 +10,7 @@
 #include "backends/lower.h"
 #include "backends/drawing/flat_view.h"
 #include "geometry/plane/slice.h"
+#include "model/store/patient_sort.h"
 #include "solids/sight_edges.h"
 
 /* The contents of the view, in its own coordinates. */
@@ -299,10 +300,9 @@ static bool join(seen *s, const stretch *all, size_t count, double slack) {
     const stretch *one = &all[i / 2];
     t.tips[i] = (tip){ i % 2 ? one->b : one->a, (uint32_t)(i / 2), (uint8_t)one->layer, i % 2 };
   }
-  if (ok) qsort(t.tips, 2 * count, sizeof *t.tips, tip_compare);
+  bool grew = ok && vs_store_sort(store, t.tips, 2 * count, sizeof *t.tips, tip_compare, s->e->error);
   if (ok) memset(t.used, 0, count + 1);
-  for (size_t i = 0; ok && i < 2 * count; i++) t.slot[2 * t.tips[i].stretch + t.tips[i].end] = (uint32_t)i;
-  bool grew = ok;
+  for (size_t i = 0; grew && i < 2 * count; i++) t.slot[2 * t.tips[i].stretch + t.tips[i].end] = (uint32_t)i;
   for (uint32_t i = 0; grew && i < count; i++)
     if (!t.used[i]) grew = chain(s->e, s->v, &t, i);
   vs_store_realloc(store, t.tips, (2 * count + 1) * sizeof *t.tips, 0);
@@ -396,6 +396,8 @@ static bool take_loop(seen *s, border *all, size_t count, size_t i, double slack
   return true;
 }
 
+enum { SEARCH_WORK = 200 }; /* nanoseconds of a search, as vs_store_going expects */
+
 static bool add_fills(seen *s) {
   vs_store *store = s->host.store;
   vs_flat_view *v = s->v;
@@ -415,15 +417,15 @@ static bool add_fills(seen *s) {
       if (c[k].x != c[(k + 1) % 3].x || c[k].y != c[(k + 1) % 3].y) all[count++] = (border){ c[(k + 1) % 3], c[k],
           s->paints[i], false };
   }
-  qsort(all, count, sizeof *all, border_compare);
-  for (size_t i = 0; i < count; i++) { /* removes the sides that two triangles of the same material share */
+  bool ok = vs_store_sort(store, all, count, sizeof *all, border_compare, s->e->error);
+  for (size_t i = 0; ok && i < count; i++) { /* removes the sides that two triangles of the same material share */
     border back = { all[i].b, all[i].a, all[i].paint, false };
     const border *found = bsearch(&back, all, count, sizeof *all, border_compare);
     all[i].used = found != NULL;
+    ok = vs_store_going(store, SEARCH_WORK, s->e->error);
   }
-  for (size_t i = 0; i < count; i++)
+  for (size_t i = 0; ok && i < count; i++)
     if (!all[i].used) all[kept++] = all[i];
-  bool ok = true;
   for (size_t i = 0; ok && i < kept; i++)
     if (!all[i].used) ok = take_loop(s, all, kept, i, 2 * s->slack);
   vs_store_realloc(store, all, room * sizeof *all, 0);

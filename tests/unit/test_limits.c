@@ -223,7 +223,80 @@ static void test_memory(void **state) {
   vs_free(s);
 }
 
+/* ---- outputs ---- */
+
+/* Drawings with much work in the language, the passes and the writers, or in the mesh kernel; %u is the number of
+ * parts. turn differs each time, so that no cache answers. */
+static const struct { const char *made; unsigned parts, many; } drawn[] = {
+  { "(erase-all) (draw (unite (map (lambda (i) (make-box (xyz (* 2 i) 0 0) 1 1 (+ 1 (* i 1e-6) turn))) (iota %u))))", 5000,
+    200000 },
+  { "(erase-all) (draw (unite (map (lambda (i) (make-sphere (xyz (* .7 (remainder i 9)) (* .7 (quotient i 9)) (* .01 "
+    "i)) (+ .6 turn))) (iota %u))))",
+    20, 400 },
+  { "(erase-all) (draw (subtract (make-box (xyz 0 0 0) 60 60 1) (unite (map (lambda (i) (make-cylinder (xyz (- "
+    "(remainder i 20) 10) (- (quotient i 20) 10) -2) 4 (+ .3 turn))) (iota %u)))))",
+    20, 400 },
+};
+enum { DRAWN = sizeof drawn / sizeof *drawn };
+
+static bool swallow(void *context, const void *data, size_t size) { return (void)context, (void)data, (void)size, true; }
+
+/* Measures the drawing if format is NULL; otherwise writes it in this format. */
+static vs_outcome put_out(vs_scheme *s, const vs_format_info *format) {
+  vs_summary all;
+  if (format == NULL) return vs_drawing_summary(s, &all);
+  return vs_write_drawing_to(s, format->name, NULL, swallow, NULL);
+}
+
+/* The summary and every format that needs no other program end soon after an interrupt, which comes at a tenth, a half
+ * and nine tenths of their time. */
+static void test_outputs(void **state) {
+  (void)state;
+  const char *longer = getenv("LONG");
+  bool many = longer && *longer;
+  const double most = VS_DEBUG_STRESS ? 20 : 0.5;
+  const double part[] = { .1, .5, .9 };
+  size_t count;
+  const vs_format_info *formats = vs_format_list(&count);
+  watch w;
+  vs_scheme *s = open_with(&w, vs_options_default());
+  double worst = 0, turns = 0;
+  const char *slowest = "";
+  for (size_t i = 0; i < DRAWN; i++) {
+    char text[400];
+    snprintf(text, sizeof text, drawn[i].made, many ? drawn[i].many : drawn[i].parts);
+    for (size_t k = 0; k <= count; k++) {
+      const vs_format_info *format = k < count ? &formats[k] : NULL;
+      const char *name = format ? format->name : "the summary";
+      if (format && format->worker) continue;
+      double whole = 0;
+      for (int j = -1; j < 3; j++) { /* the first turn measures the time without an interrupt */
+        char again[60];
+        snprintf(again, sizeof again, "(define turn %g)", 1e-6 * ++turns);
+        if (eval(s, &w, again) != VS_OUTCOME_DONE || eval(s, &w, text) != VS_OUTCOME_DONE) fail_msg("%s: %s", text, w.said);
+        double began = now();
+        w.ask_at = j < 0 ? 0 : began + part[j] * whole, w.asked = 0;
+        vs_outcome outcome = put_out(s, format);
+        double ended = now(), took = ended - w.ask_at;
+        if (j < 0) whole = ended - began;
+        if (j < 0 && outcome != VS_OUTCOME_DONE && outcome != VS_OUTCOME_MODEL)
+          fail_msg("%s of %s: %s", name, text, w.said);
+        if (j >= 0 && outcome == VS_OUTCOME_DONE && took > most)
+          fail_msg("%s of %s: does not notice an interrupt", name, text);
+        if (j >= 0 && outcome == VS_OUTCOME_INTERRUPTED && took > worst) worst = took, slowest = name;
+        if (j >= 0 && outcome == VS_OUTCOME_INTERRUPTED && took > most)
+          fail_msg("%s of %s: ended %.0f ms after the interrupt", name, text, took * 1e3);
+        goes_on(s, &w, name);
+      }
+      if (getenv("SHOW")) print_message("%zu %-14s %.3f s; slowest so far: %.0f ms, %s\n", i, name, whole, worst * 1e3, slowest);
+    }
+  }
+  print_message("slowest output to end: %.0f ms, %s\n", worst * 1e3, slowest);
+  vs_free(s);
+}
+
 int main(void) {
-  const struct CMUnitTest tests[] = { cmocka_unit_test(test_interrupts), cmocka_unit_test(test_time), cmocka_unit_test(test_steps_and_output), cmocka_unit_test(test_memory) };
+  const struct CMUnitTest tests[] = { cmocka_unit_test(test_interrupts), cmocka_unit_test(test_time), cmocka_unit_test(test_steps_and_output), cmocka_unit_test(test_memory),
+                                      cmocka_unit_test(test_outputs) };
   return cmocka_run_group_tests_name("limits", tests, NULL, NULL);
 }
