@@ -151,3 +151,34 @@ bool vs_mesh_shadow(const vs_mesh *m, vs_vec3 point, vs_vec3 normal, vs_outline 
   free(at);
   return ok;
 }
+
+/* ---- flat surfaces ---- */
+
+static vs_vec3 area_of(const vs_mesh *m, size_t i) { /* twice the triangle's area, along its normal */
+  vs_vec3 p = m->vertices[m->triangles[i][0]];
+  return vs_v3_cross(vs_v3_sub(m->vertices[m->triangles[i][1]], p), vs_v3_sub(m->vertices[m->triangles[i][2]], p));
+}
+
+bool vs_mesh_flat_outline(vs_mesh *m, vs_outline *o, vs_error *e) {
+  vs_vec3 most = { 0, 0, 0 };
+  vs_bounds b = vs_mesh_bounds(m);
+  double size = vs_bounds_diagonal(&b), off = 0;
+  *o = (vs_outline){ 0 };
+  for (size_t i = 0; i < m->triangle_count; i++) {
+    vs_vec3 area = area_of(m, i);
+    if (vs_v3_dot(area, area) > vs_v3_dot(most, most)) most = area;
+  }
+  if (!(vs_v3_length(most) > 1e-14 * size * size)) return true;
+  vs_vec3 normal = vs_v3_unit(most), at = m->vertices[m->triangles[0][0]];
+  for (size_t i = 0; i < m->triangle_count; i++) {
+    for (int k = 0; k < 3; k++)
+      off = fmax(off, fabs(vs_v3_dot(normal, vs_v3_sub(m->vertices[m->triangles[i][k]], at))));
+    if (vs_v3_dot(area_of(m, i), normal) < 0) {
+      uint32_t swap = m->triangles[i][1];
+      m->triangles[i][1] = m->triangles[i][2], m->triangles[i][2] = swap;
+    }
+  }
+  if (off > 1e-6 * size)
+    return vs_error_set(e, VS_ERROR_MODEL, NULL, "the surface is not flat: it leaves a plane by %.6g", off);
+  return vs_mesh_shadow(m, at, normal, o, e);
+}

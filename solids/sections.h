@@ -11,6 +11,11 @@ bool vs_mesh_section(const vs_mesh *m, vs_vec3 point, vs_vec3 normal, vs_outline
 /* Computes the shadow that a closed mesh casts along the normal on the plane. */
 bool vs_mesh_shadow(const vs_mesh *m, vs_vec3 point, vs_vec3 normal, vs_outline *o, vs_error *e);
 
+/* Computes the outline of a mesh whose triangles lie in one plane. Turns triangles of m that face backwards. Fails with
+ * a message of its own if the mesh leaves every plane by more than 1e-6 of its size; o has no loops if the area is
+ * 0. */
+bool vs_mesh_flat_outline(vs_mesh *m, vs_outline *o, vs_error *e);
+
 /* Finds the edges where faces have an angle of more than 30 degrees, and borders, joined to polylines. A polyline ends
  * where three or more edges meet, or where the direction changes by more than 30 degrees. */
 typedef struct { vs_polyline *at; size_t count, room; } vs_polylines;

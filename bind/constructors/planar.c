@@ -10,6 +10,7 @@
 #include "bind/objects.h"
 #include "bind/print.h"
 #include "bind/queries.h"
+#include "bind/workshop/outlines.h"
 #include "geometry/plane/offset.h"
 #include "geometry/plane/planar_evaluation.h"
 
@@ -273,7 +274,15 @@ vs_status vs_p_do_project(vs_args *f, vs_value *out) {
 vs_status vs_p_do_edges(vs_args *f, vs_value *out) {
   if (!vs_bind_finite(f, 0)) return VS_ERROR;
   if (NODE(0)->class_ == VS_NOTHING) return vs_bind_empty(f, NULL, out);
+  if (NODE(0)->class_ == VS_REGION_CLASS) {
+    size_t n;
+    if (!vs_bind_resolve(f, 0)) return VS_ERROR;
+    vs_ref *curves = vs_bind_outlines(f, f->arg[0].ref, &n);
+    if (!curves) return VS_ERROR;
+    if (n == 1) return vs_bind_give_ref(f->bind, curves[0], out);
+    return n ? vs_bind_make(f, VS_UNION, &(struct vs_union){ 0 }, curves, n, out) : vs_bind_empty(f, NULL, out);
+  }
   if (NODE(0)->class_ != VS_SOLID && NODE(0)->class_ != VS_SURFACE)
-    return vs_bind_refuse(f, "o", "a solid or a surface", f->arg[0].value);
+    return vs_bind_refuse(f, "o", "a solid, a surface or a region", f->arg[0].value);
   return vs_bind_make(f, VS_EDGES, &(struct vs_edges){ 0 }, &f->arg[0].ref, 1, out);
 }

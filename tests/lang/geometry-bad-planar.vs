@@ -155,7 +155,7 @@
 (fails (do-edges 5))
 ; expect: do-edges: o must be an object or a list of objects, got (5)
 (fails (do-edges square))
-; expect: do-edges: o must be a solid or a surface, got ((make-polygon (list (xyz 0 0 0) (xyz 4 0 0) (xyz 4 4 0) (xyz 0 4 0))))
+; expect: do-edges: o must be a solid, a surface or a region, got ((make-polygon (list (xyz 0 0 0) (xyz 4 0 0) (xyz 4 4 0) (xyz 0 4 0))))
 (fails (do-edges (make-half-space 'xy)))
 ; expect: do-edges: o must be finite (a half-space has to be intersected with something that is, or subtracted from it), got ((make-half-space (make-plane (xyz 0 0 0) (vxyz 0 0 1))))
 (fails (do-edges))

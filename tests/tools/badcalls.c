@@ -89,6 +89,7 @@ static const struct { const char *procedure, *parameter, *good; } special[] = {
   { "make-text", "font", "\"DejaVu Sans\"" }, { "text-width", "font", "\"DejaVu Sans\"" }, { "make-text", "align", "'left" }, { "make-text", "valign", "'top" },
   { "join-curves", "curves", "rail" }, { "make-superellipsoid", "e", "1" }, { "make-superellipsoid", "n", "1" },
   { "do-revolve", "s", "(make-circle (xyz 5 0 0) 1)" }, { "do-revolve", "axis", "'y" }, { "do-offset", "corners", "'round" },
+  { "outline", "o", "plate" },
   { "do-resize", "dx", NULL }, { "do-resize", "dy", NULL }, { "do-resize", "dz", NULL }, { "make-mesh", "rows", NULL },
   { "do-guided-loft", "guides", "bar" }, { "do-guided-loft", "path", NULL },  { "curve-length", "c", "rail" },
   { "curve-intersections", "b", "(make-circle origin 2)" },

@@ -1,0 +1,254 @@
+/* Owns the natives of outlines and level lines of regions, surfaces and solids. */
+#include "bind/workshop/outlines.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "bind/build.h"
+#include "bind/call/call.h"
+#include "bind/call/refuse.h"
+#include "bind/call/scratch.h"
+#include "bind/call/take.h"
+#include "bind/constructors/operations.h"
+#include "bind/measures.h"
+#include "bind/objects.h"
+#include "bind/queries.h"
+#include "bind/shapes/taken_apart.h"
+#include "geometry/measure/node_measures.h"
+#include "geometry/nets/contour_lines.h"
+#include "geometry/parts.h"
+#include "geometry/plane/planar_evaluation.h"
+#include "model/store/array.h"
+#include "solids/sections.h"
+#include "vm/machine/fail.h"
+
+/* Returns a closed or open line of these points. The call owns it; NULL with the error set. */
+static vs_node *line_of(vs_args *f, const vs_polyline *p) {
+  vs_points *points = vs_points_new(f->store, p->at, p->count);
+  vs_node *n = points ? vs_node_new(f->store, VS_LINE, &(struct vs_line){ .points = points, .closed = p->closed }, NULL,
+                                    0)
+                      : NULL;
+  if (points) vs_points_release(f->store, points);
+  return vs_bind_keep(f, n) ? n : NULL;
+}
+
+/* Returns true if both are the same closed points in the same or the opposite order. */
+static bool same_loop(const vs_polyline *a, const vs_polyline *b) {
+  bool forward = a->count == b->count, back = forward;
+  for (size_t i = 0; (forward || back) && i < a->count; i++) {
+    forward = forward && vs_v3_equal(a->at[i], b->at[i]);
+    back = back && vs_v3_equal(a->at[i], b->at[a->count - 1 - i]);
+  }
+  return forward || back;
+}
+
+/* Sets curve[i] to the child of the region that is loop i of its outline; to no node where none is exactly that. */
+static bool match_curves(vs_args *f, const vs_node *region, const vs_fineness *facets, const vs_outline *o,
+                         vs_ref *curve) {
+  for (size_t i = 0; i < o->count; i++) curve[i] = (vs_ref){ 0 };
+  if (region->kind != VS_REGION) return true;
+  for (uint32_t c = 0; c < region->child_count; c++) {
+    vs_polyline p = { 0 };
+    vs_error e = { 0 };
+    if (!vs_curve_sample(region->children[c].node, facets, &p, &e)) return vs_bind_error(f->vm, &e);
+    if (p.closed)
+      for (size_t i = 0; i < o->count; i++)
+        if (!curve[i].node && same_loop(&p, &o->loops[i])) {
+          curve[i] = region->children[c];
+          break;
+        }
+    vs_polyline_free(&p);
+    if (!vs_poll(f->vm, 16)) return false;
+  }
+  return true;
+}
+
+/* Adds the loops that are holes, or those that are not, to out, within the wrappers of `whole`. */
+static bool put_loops(vs_args *f, vs_ref whole, const vs_outline *o, const vs_ref *curve, bool holes, vs_ref *out,
+                      size_t *count) {
+  for (size_t i = 0; i < o->count; i++) {
+    if (o->hole[i] != holes) continue;
+    vs_ref inner = { curve && curve[i].node ? curve[i].node : line_of(f, &o->loops[i]), whole.origin };
+    vs_node *made = inner.node ? vs_parts_within(whole, inner) : NULL;
+    if (!inner.node || !vs_bind_keep(f, made)) return false;
+    out[(*count)++] = (vs_ref){ made, whole.origin };
+  }
+  return true;
+}
+
+static vs_ref *of_outline(vs_args *f, vs_ref whole, const vs_outline *o, const vs_ref *curve, size_t *count) {
+  vs_ref *out = vs_bind_scratch(f, (o->count + 1) * sizeof *out);
+  *count = 0;
+  bool ok = out && put_loops(f, whole, o, curve, false, out, count) && put_loops(f, whole, o, curve, true, out, count);
+  return ok ? out : NULL;
+}
+
+static vs_ref *of_region(vs_args *f, vs_ref ref, size_t *count) {
+  vs_outline o = { 0 };
+  vs_error e = { 0 };
+  const vs_node *n = ref.node;
+  while (vs_is_wrapper(n)) n = n->children[0].node;
+  vs_fineness facets = vs_bend_facets(f->vm, n);
+  if (vs_bind_tolerance(f->vm) <= 0) facets.tolerance /= 16; /* as fine as sections: the lines are kept */
+  if (!vs_region_outline(n, &facets, &o, &e)) return vs_bind_error(f->vm, &e), NULL;
+  vs_ref *curve = vs_bind_scratch(f, (o.count + 1) * sizeof *curve);
+  vs_ref *out = curve && match_curves(f, n, &facets, &o, curve) ? of_outline(f, ref, &o, curve, count) : NULL;
+  vs_outline_free(&o);
+  return out;
+}
+
+static vs_ref *of_surface(vs_args *f, vs_ref ref, size_t *count) {
+  vs_mesh m = { 0 };
+  vs_outline o = { 0 };
+  vs_error e = { 0 };
+  vs_ref *out = NULL;
+  vs_ref inner = ref;
+  while (vs_is_wrapper(inner.node)) inner = inner.node->children[0];
+  if (!vs_bend_triangles(f->vm, inner, &m)) return vs_mesh_free(&m), NULL;
+  if (!vs_mesh_flat_outline(&m, &o, &e)) vs_bind_error(f->vm, &e);
+  else out = of_outline(f, ref, &o, NULL, count);
+  vs_outline_free(&o);
+  vs_mesh_free(&m);
+  return out;
+}
+
+static vs_ref *of_curves(vs_args *f, vs_ref ref, size_t *count) {
+  vs_ref *parts;
+  if (!vs_several_parts(ref, &parts, count)) return vs_fail_memory(f->vm), NULL;
+  vs_ref *out = vs_bind_scratch(f, (*count + 1) * sizeof *out);
+  bool ok = out != NULL;
+  for (size_t i = 0; out && i < *count; i++) {
+    out[i] = parts[i];
+    ok = vs_bind_keep(f, vs_node_retain(parts[i].node)) && ok;
+    if (ok && !(parts[i].node->flags & VS_NODE_CLOSED))
+      ok = vs_bind_refuse(f, "o", "a region, a flat surface or closed curves", f->arg[0].value);
+    ok = ok && vs_bind_uncrossed(f, parts[i], "a closed curve that is taken as filled");
+  }
+  vs_several_free(parts, *count);
+  return ok ? out : NULL;
+}
+
+vs_ref *vs_bind_outlines(vs_args *f, vs_ref ref, size_t *count) {
+  *count = 0;
+  switch ((vs_class)ref.node->class_) {
+  case VS_NOTHING: return vs_bind_scratch(f, sizeof(vs_ref));
+  case VS_CURVE: return of_curves(f, ref, count);
+  case VS_REGION_CLASS: return of_region(f, ref, count);
+  case VS_SURFACE: return of_surface(f, ref, count);
+  case VS_SOLID: case VS_MIXED: case VS_INHERIT: break;
+  }
+  return vs_bind_refuse_hint(f, "o", "a region, a flat surface or closed curves", f->arg[0].value,
+                             "outline (do-section o plane)"),
+         NULL;
+}
+
+static vs_status list_of(vs_args *f, const vs_ref *refs, size_t count, vs_value *out) {
+  VS_ROOTS(f->vm, r, 2);
+  r[0] = VS_NIL;
+  for (size_t i = count; i-- > 0;)
+    if (!vs_bind_give_ref(f->bind, refs[i], &r[1]) || !vs_cons(f->vm, r[1], r[0], &r[0])) return VS_ERROR;
+  *out = r[0];
+  return VS_OK;
+}
+
+/* (outline o) */
+vs_status vs_p_outline(vs_args *f, vs_value *out) {
+  size_t count;
+  vs_kind kind = (vs_kind)f->arg[0].ref.node->kind;
+  if (kind == VS_XLINE || kind == VS_RAY)
+    return vs_bind_refuse(f, "o", "a region, a flat surface or closed curves", f->arg[0].value);
+  if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return VS_ERROR;
+  vs_ref *curves = vs_bind_outlines(f, f->arg[0].ref, &count);
+  return curves ? list_of(f, curves, count, out) : VS_ERROR;
+}
+
+/* ---- level lines ---- */
+
+typedef struct {
+  vs_args *f;
+  vs_ref *at;
+  size_t count, room;
+} level_lines;
+
+static bool keep_line(void *context, const vs_polyline *line) {
+  level_lines *l = context;
+  if (!VS_GROW(l->at, l->room, l->count + 1)) return vs_fail_memory(l->f->vm);
+  l->at[l->count] = (vs_ref){ line_of(l->f, line), NULL };
+  return l->at[l->count++].node != NULL;
+}
+
+/* Makes the list of the lines of an open mesh at a level. */
+static vs_status surface_level(vs_args *f, const vs_mesh *m, vs_vec3 at, vs_vec3 normal, vs_value *out) {
+  level_lines lines = { .f = f };
+  bool ok = vs_mesh_contour(m, at, normal, &(vs_line_put){ keep_line, &lines });
+  if (!ok) vs_fail_memory(f->vm); /* nothing else fails */
+  ok = ok && list_of(f, lines.at, lines.count, out);
+  free(lines.at);
+  return ok ? VS_OK : VS_ERROR;
+}
+
+/* Makes a list of the section of a closed mesh, a region; the empty list if there is none. */
+static vs_status solid_level(vs_args *f, const vs_mesh *m, vs_vec3 at, vs_vec3 normal, vs_value *out) {
+  vs_outline o = { 0 };
+  vs_error e = { 0 };
+  *out = VS_NIL;
+  if (!vs_mesh_section(m, at, normal, &o, &e)) return vs_bind_error(f->vm, &e);
+  vs_ref *refs = vs_bind_scratch(f, (o.count + 1) * sizeof *refs), region = { 0 };
+  bool ok = refs != NULL;
+  for (size_t i = 0; ok && i < o.count; i++) {
+    refs[i] = (vs_ref){ line_of(f, &o.loops[i]), NULL };
+    ok = refs[i].node != NULL;
+  }
+  if (ok && o.count) {
+    region.node = vs_node_new(f->store, VS_REGION, &(struct vs_region){ 0 }, refs, o.count);
+    ok = vs_bind_keep(f, region.node) && list_of(f, &region, 1, out);
+  }
+  vs_outline_free(&o);
+  return ok ? VS_OK : VS_ERROR;
+}
+
+/* (%levels o plane heights): for each height above the plane, from the last to the first, a list: of a solid its
+ * section, a region; of a surface its curves. */
+vs_status vs_p_levels(vs_args *f, vs_value *out) {
+  vs_mesh m = { 0 };
+  vs_vec3 point = f->arg[1].line.at, normal = f->arg[1].line.direction, up = vs_v3_unit(normal);
+  if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return VS_ERROR;
+  vs_class class_ = (vs_class)f->arg[0].ref.node->class_;
+  if (class_ != VS_SOLID && class_ != VS_SURFACE)
+    return vs_bind_refuse(f, "o", "a solid or a surface", f->arg[0].value);
+  VS_ROOTS(f->vm, r, 2);
+  r[0] = VS_NIL;
+  bool ok = vs_bend_triangles(f->vm, f->arg[0].ref, &m);
+  for (vs_value l = f->arg[2].value; ok && vs_is_pair(l); l = vs_cdr(l)) {
+    double d = 0;
+    vs_bind_take_number(f->vm, vs_car(l), &d);
+    vs_vec3 at = vs_v3_add(point, vs_v3_scale(up, d));
+    ok = (class_ == VS_SOLID ? solid_level : surface_level)(f, &m, at, normal, &r[1]) &&
+         vs_cons(f->vm, r[1], r[0], &r[0]) && vs_poll(f->vm, (uint64_t)m.triangle_count);
+  }
+  vs_mesh_free(&m);
+  *out = r[0];
+  return ok ? VS_OK : VS_ERROR;
+}
+
+/* (%heights o plane): the least and the greatest height above the plane of the object's corners, or #f. */
+vs_status vs_p_heights(vs_args *f, vs_value *out) {
+  vs_mesh m = { 0 };
+  vs_vec3 point = f->arg[1].line.at, up = vs_v3_unit(f->arg[1].line.direction);
+  double low = INFINITY, high = -INFINITY;
+  *out = VS_FALSE;
+  if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return VS_ERROR;
+  vs_class class_ = (vs_class)f->arg[0].ref.node->class_;
+  if (class_ == VS_NOTHING) return VS_OK;
+  if (class_ != VS_SOLID && class_ != VS_SURFACE)
+    return vs_bind_refuse(f, "o", "a solid or a surface", f->arg[0].value);
+  if (!vs_bend_triangles(f->vm, f->arg[0].ref, &m)) return vs_mesh_free(&m), VS_ERROR;
+  for (size_t i = 0; i < m.triangle_count; i++)
+    for (int k = 0; k < 3; k++) {
+      double d = vs_v3_dot(up, vs_v3_sub(m.vertices[m.triangles[i][k]], point));
+      low = fmin(low, d), high = fmax(high, d);
+    }
+  vs_mesh_free(&m);
+  if (!(low <= high)) return VS_OK;
+  return vs_cons(f->vm, vs_flonum(low), vs_flonum(high), out);
+}

@@ -1,0 +1,18 @@
+/* Owns the interface of contour_lines.c: where a plane cuts an open mesh. */
+#ifndef VS_GEOMETRY_NETS_CONTOUR_LINES_H
+#define VS_GEOMETRY_NETS_CONTOUR_LINES_H
+
+#include "geometry/plane/outline.h"
+#include "model/mesh.h"
+
+/* Takes one line, which is borrowed; returns false when it fails. */
+typedef struct {
+  bool (*put)(void *context, const vs_polyline *line);
+  void *context;
+} vs_line_put;
+
+/* Puts the lines in which the plane through point cuts an open mesh: the border of the part above the plane, without
+ * the mesh's own border. Equal points count as one vertex. Returns false if put did, or memory is out. */
+bool vs_mesh_contour(const vs_mesh *m, vs_vec3 point, vs_vec3 normal, const vs_line_put *put);
+
+#endif
