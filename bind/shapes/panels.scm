@@ -84,18 +84,28 @@
   (if (not (and (list? grid) (every (lambda (c) (and (list? c) (>= (length c) 3) (every (lambda (p) (and (pair? p) (real? (car p)) (real? (cdr p)))) c))) grid)))
       (error who "grid must be a grid, such as (quad-grid 8 4), got ~s" grid)))
 
-; Returns the corners of each cell on the surface, for the procedure `who`.
+; Returns the corners of a panel without those that equal their neighbour, as at the pole of a dome. #f: it has no area.
+(define (%distinct-corners corners)
+  (let* ((size (apply max (map (lambda (p) (distance (car corners) p)) corners))) (blur (* 1e-9 size)))
+    (define (apart? p q) (> (distance p q) blur))
+    (let* ((kept (reverse (fold (lambda (p made) (if (and (pair? made) (not (apart? p (car made)))) made (cons p made))) '() corners)))
+           (round (if (and (pair? (cdr kept)) (not (apart? (car kept) (last kept)))) (cdr kept) kept)))
+      (and (>= (length round) 3) (> (vlength (%newell round)) (* 1e-12 size size)) round))))
+
+; Returns the corners of each cell on the surface, for the procedure `who`; cells without an area are omitted.
 (define (%corners-for who f grid)
   (%need-procedure who 'f f)
   (%need-cells who grid)
-  (map (lambda (cell)
-         (map (lambda (c)
-                (let ((p (f (car c) (cdr c))))
-                  (if (%finite-point? p)
-                      p
-                      (error who "f must give points of finite coordinates; at (u, v) = (~a, ~a) it gave ~s" (car c) (cdr c) p))))
-              cell))
-       grid))
+  (filter-map
+    (lambda (cell)
+      (%distinct-corners
+        (map (lambda (c)
+               (let ((p (f (car c) (cdr c))))
+                 (if (%finite-point? p)
+                     p
+                     (error who "f must give points of finite coordinates; at (u, v) = (~a, ~a) it gave ~s" (car c) (cdr c) p))))
+             cell)))
+    grid))
 (define (panel-corners f grid) (%corners-for 'panel-corners f grid))
 
 ; component makes an object for the corners of a cell.

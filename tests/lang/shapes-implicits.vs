@@ -58,6 +58,17 @@
 (displayln (list (cdr (assq 'panels report)) (cdr (assq 'bent report)) (near? (cdr (assq 'worst report)) 0.0625 0.005))) ; expect: (16 16 #t)
 (displayln (cdr (assq 'bent (panel-report saddle (triangle-grid 4 4)))))  ; expect: 0
 (displayln (solid? (panelise saddle (hexagon-grid 6 6) (lambda (c) (panel-plate c 0.1 #:gap 0.02))))) ; expect: #t
+; cells at the pole of a dome lose the corners that are one there; cells without area are no panels
+(define (dome u v) (sph 5 (* 2pi u) (* v pi/2)))
+(define (needle u v) (xyz u 0 0)) ; no area at all
+(displayln (map (lambda (g)
+                  (let ((corners (panel-corners dome g)))
+                    (list (solid? (panelise dome g (lambda (c) (panel-plate c 0.1 #:gap 0.01))))
+                          (apply min (map length corners)) (= (length corners) (cdr (assq 'panels (panel-report dome g))))
+                          (every (lambda (c) (> (area (make-polyface-mesh c (list (iota (length c) 1)))) 1e-3)) corners))))
+                (list (quad-grid 8 4) (triangle-grid 8 4) (diamond-grid 8 4))))
+; expect: ((#t 3 #t #t) (#t 3 #t #t) (#t 3 #t #t))
+(displayln (panel-corners needle (quad-grid 2 2))) ; expect: ()
 (displayln (volume (panel-plate (list origin (xyz 4 0 0) (xyz 4 2 0) (xyz 0 2 0)) 0.5)))  ; expect: 4.0
 (fails (panelise saddle 3 list))                   ; expect: panelise: grid must be a grid, such as (quad-grid 8 4), got 3
 (fails (panelise saddle (quad-grid 2 2) list))     ; expect: panelise: component must give an object, got (((xyz 0 0 1) (xyz 5 0 0) (xyz 5 5 0) (xyz 0 5 0)))
