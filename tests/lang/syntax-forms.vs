@@ -48,3 +48,11 @@
 (define (written v) (let ((p (open-output-string))) (write v p) (get-output-string p)))
 (check "(unquote @x)" (written '(unquote @x))) (check ",x" (written '(unquote x))) (check ",@x" (written '(unquote-splicing x)))
 (display failures) (newline)   ; expect: 0
+
+; (in-naturals) beside other sequences, before and after them, with a start, a guard and an inner sequence
+(displayln (for/list ([i (in-naturals)] [s '(a b c)]) (list i s)))      ; expect: ((0 a) (1 b) (2 c))
+(displayln (for/list ([s '(a b c)] [i (in-naturals 5)] #:when (odd? i) [j 2]) (list i s j))) ; expect: ((5 a 0) (5 a 1) (7 c 0) (7 c 1))
+(displayln (for*/list ([s '(a b)] [i 2]) (list i s)))                   ; expect: ((0 a) (1 a) (0 b) (1 b))
+(displayln (let/ec leave (for ([i (in-naturals 3)] [j (in-naturals)]) (if (> j 5) (leave i))))) ; expect: 9
+(displayln (for/vector ([i (in-naturals)] [c "xyz"]) (cons i c)))       ; expect: #((0 . x) (1 . y) (2 . z))
+(for ([i (in-naturals -1)] [s '(a)]) i) ; expect error: in-naturals: start must be an exact integer, 0 or more, got -1
