@@ -553,6 +553,7 @@ typedef struct {
   double tolerance;      /* height of chords in model units; 0: the model's tolerance, or that of the rule for
                           * drawings */
   int segments;          /* number of facets in a full turn; 0: by tolerance */
+  int least_segments;    /* least number of facets in a full turn by tolerance; 0: 32 */
   unsigned passes;       /* mask of optimisation passes; VS_PASSES_ALL by default */
   bool count;            /* whether the statistics count nodes, and commands with and without each pass; the passes then
                           * run once more for each count */

@@ -474,6 +474,7 @@ static int run_session(cli_options *o, bool *told) {
   if (o->untrusted && !cli_untrusted_begin(&session.untrusted, o)) return VS_OUTCOME_USAGE;
   if (o->interactive && !o->untrusted) session.stops = VS_EVAL_STOP;
   session.reporter.progress = !o->quiet && isatty(STDERR_FILENO);
+  session.reporter.quiet = o->quiet;
   o->interpreter.host = (vs_host){ .context = &session,
                               .output = print_output,
                               .input = read_input,

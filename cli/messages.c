@@ -89,6 +89,7 @@ static void print_source(const vs_diagnostic *d, const char *behind) {
 }
 
 void cli_report_diagnostic(cli_reporter *r, const vs_diagnostic *d) {
+  if (r->quiet && d->severity == VS_SEVERITY_NOTE) return;
   fflush(stdout); /* prints earlier output of the program first */
   cli_report_settle(r);
   if (d->severity == VS_SEVERITY_ERROR) r->errors++;

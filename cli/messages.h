@@ -9,6 +9,7 @@
 
 typedef struct {
   bool progress;      /* whether to show a progress line: standard error is a terminal, and the options are not quiet */
+  bool quiet;         /* whether to omit notes */
   bool shown;         /* whether a progress line is on the terminal, which must be removed before other output */
   char line[200];     /* the shown progress line, so that an equal one is not printed again */
   char phase[32];     /* name of the current phase, and its start in seconds of monotonic time */

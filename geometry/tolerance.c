@@ -20,10 +20,12 @@ int vs_fineness_turn_least(const vs_fineness *f, double r, int least) {
   return whole < least ? least : whole;
 }
 
+int vs_fineness_least(const vs_fineness *f) { return f->segments < 0 ? (-f->segments + 3) / 4 * 4 : LEAST_TURN; }
+
 int vs_fineness_turn(const vs_fineness *f, double r, int segments) {
   if (!segments) segments = f->segments;
   if (segments > 0) return segments < 3 ? 3 : segments > MOST_TURN ? MOST_TURN : segments;
-  return vs_fineness_turn_least(f, r, LEAST_TURN);
+  return vs_fineness_turn_least(f, r, vs_fineness_least(f));
 }
 
 vs_fineness vs_fineness_placed(const vs_fineness *f, const vs_affine *a) {

@@ -44,6 +44,10 @@ bool vs_job_done(vs_job *job, double done) {
   return vs_job_going(job, job->stage, job->stage ? job->told : done);
 }
 
+void vs_job_note(const vs_job *job, const char *message) {
+  if (job && job->note) job->note(job->context, message);
+}
+
 void vs_job_warn(const vs_job *job, const vs_origin *origin, const char *message) {
   if (job && job->warn) job->warn(job->context, origin, message);
 }

@@ -1,8 +1,8 @@
 /* Declares the job: the data of one long computation, such as the write of an output, for all layers below its caller.
  *
  * It holds the limits, the clock, the account, the progress and the messages. The caller makes it, and passes its
- * address down through stages, driver, solids and kernel. `going` and `warn` are the two ways back to the caller: no
- * layer calls another function above it. */
+ * address down through stages, driver, solids and kernel. `going`, `warn` and `note` are the ways back to the caller:
+ * no layer calls another function above it. */
 #ifndef VS_MODEL_JOB_H
 #define VS_MODEL_JOB_H
 
@@ -24,7 +24,9 @@ typedef struct vs_job {
   bool (*going)(void *context, const char *stage, double fraction);
   /* Receives a warning, once for each reason. origin may be NULL. NULL: no warnings. */
   void (*warn)(void *context, const vs_origin *origin, const char *message);
-  void *context;      /* argument of both */
+  /* Receives a line for the summary, such as the view, the scale and the sheet of a drawing. NULL: no lines. */
+  void (*note)(void *context, const char *message);
+  void *context;      /* argument of all three */
   vs_tally *tally;    /* account of times and memory, which outlives the job; NULL: nothing is counted */
   vs_job_limits limits;
   bool late;          /* the limit of time has stopped it */
@@ -49,6 +51,8 @@ void vs_job_part(vs_job *job, double from, double share);
 /* Calls vs_job_going with the completed fraction of the stage; done: the completed fraction of the current part.
  * Reported fractions never decrease, although each part begins at 0. */
 bool vs_job_done(vs_job *job, double done);
+/* Passes a line for the summary to the caller. job may be NULL. */
+void vs_job_note(const vs_job *job, const char *message);
 /* Passes a warning to the caller. job may be NULL. */
 void vs_job_warn(const vs_job *job, const vs_origin *origin, const char *message);
 

@@ -31,7 +31,8 @@ typedef struct {
   vs_cut cut;
   vs_vec3 cut_point, cut_normal; /* VS_CUT_PLANE: a point of the plane, and the unit normal towards the kept side */
   double scale;              /* scale of a drawing: 100 is 1:100; 0: a round scale that fits */
-  const char *sheet;         /* name from sheets.def, such as "A3"; NULL: a sheet that fits */
+  const char *sheet;         /* name from sheets.def, such as "A3"; "none": as large as the drawing, without a frame;
+                              * NULL: a sheet that fits */
   bool hidden;               /* whether the drawing shows hidden edges as dashed lines */
 } vs_scene_view;
 
@@ -98,7 +99,8 @@ typedef struct {
   const char *units;         /* the model's unit: "m", "mm", "cm", "in" or "ft" */
   double tolerance;          /* greatest deviation of facets from curves, in model units; 0: by the rule of
                               * geometry/tessellate.h */
-  int segments;              /* facets of a full turn, set by --segments; 0: computed from the tolerance */
+  int segments;              /* facets of a full turn, set by --segments; 0: computed from the tolerance; below 0: the same,
+                              * and -segments is the least number */
 } vs_scene;
 
 void vs_scene_init(vs_scene *scene, vs_store *store); /* Sets the defaults of an empty drawing; retains the store. */

@@ -66,6 +66,11 @@ static void job_warn(void *output, const vs_origin *origin, const char *message)
   vs_session_warn(((writing *)output)->session, origin, message);
 }
 
+static void job_note(void *output, const char *message) {
+  const writing *j = output;
+  vs_session_report_at(j->session, VS_SEVERITY_NOTE, VS_OUTCOME_DONE, (vs_span){ .file = j->path }, message);
+}
+
 /* Reports the progress of the output to the host, at most ten times a second. Returns false if the host interrupts. */
 static bool job_going(void *output, const char *stage, double fraction) {
   writing *j = output;
@@ -81,7 +86,7 @@ static bool job_going(void *output, const char *stage, double fraction) {
 /* Begins the output's job. */
 static void begin(writing *j) {
   vs_session *s = j->session;
-  j->job = (vs_job){ .going = job_going, .warn = job_warn, .context = j, .tally = &s->tally };
+  j->job = (vs_job){ .going = job_going, .warn = job_warn, .note = job_note, .context = j, .tally = &s->tally };
   j->told = vs_clock();
   vs_store_set_job(s->bind.store, &j->job);
   vs_tally_enter(&s->tally, VS_WORK_PASSES);
@@ -133,6 +138,7 @@ static void set_options(writing *j) {
   vs_scene *scene = &j->scene;
   if (o->tolerance > 0) scene->tolerance = o->tolerance;
   if (o->segments > 0) scene->segments = o->segments;
+  else if (o->least_segments > 0 && !scene->segments) scene->segments = -o->least_segments;
   vs_session_aim(o, scene);
 }
 

@@ -181,7 +181,7 @@ static vs_node *round_edges(const resolver *r, const vs_node *n, const vs_origin
     *known = false;
     return NULL;
   }
-  *known = segments == 0 && r->facets->segments == 0; /* with a given number of facets, the edges are the edges of these
+  *known = segments == 0 && r->facets->segments <= 0; /* with a given number of facets, the edges are the edges of these
                                                        * facets */
   if (!*known) return NULL;
   vs_ref circles[2];

@@ -67,6 +67,29 @@ static void stem(const char *path, char *out, size_t room) {
   snprintf(out, room, "%.*s", (int)(length < room ? length : room - 1), base);
 }
 
+/* Finds the view that the end of the file's name says, after a blank, a line or a dot: "house-section A". */
+static bool find_at_end(const vs_emitter *e, const char *base, vs_scene_view *out) {
+  for (const char *at = base; *at; at++)
+    if (strchr("-_. ", *at) && at[1] && find(e, at + 1, out)) return true;
+  return false;
+}
+
+/* Warns that the end of the file's name, a view in other models, is none in this one. */
+static void warn_of_name(const vs_emitter *e, const char *base) {
+  static const char *const words[] = { "north", "south", "east", "west", "roof", "floor", "ground", "side", "rear",
+                                       "perspective", "axonometry", "elevations", "sections", "views" };
+  const char *last = base;
+  char message[300];
+  for (const char *at = base; *at; at++)
+    if (strchr("-_. ", *at) && at[1]) last = at + 1;
+  bool view = last > base && e->scene->view_count > 0;
+  for (size_t i = 0; i < sizeof words / sizeof *words; i++) view = view || strcmp(last, words[i]) == 0;
+  if (!view) return;
+  snprintf(message, sizeof message,
+           "the file's name ends in \"%.80s\", and the model has no view of that name: the drawing is the plan", last);
+  vs_job_warn(e->job, NULL, message);
+}
+
 static bool unknown(vs_emitter *e, const char *name) {
   char message[420];
   int used = snprintf(message, sizeof message, "the model has no view \"%.80s\"; there are", name);
@@ -84,8 +107,9 @@ bool vs_drawing_choose(vs_emitter *e, vs_flat_view **out, size_t *count, size_t 
   stem(e->path, base, sizeof base);
   bool all = name && strcmp(name, "*") == 0, named = name && !all;
   if (named && !find(e, name, &v)) return unknown(e, name);
-  if (!named && !all && !find(e, base, &v)) {
+  if (!named && !all && !find(e, base, &v) && !find_at_end(e, base, &v)) {
     all = strcmp(base, "sheet") == 0;
+    if (!all) warn_of_name(e, base);
     if (!all && !find(e, "plan", &v)) return unknown(e, "plan");
   }
   if (!all) return add(e, out, count, room, v);

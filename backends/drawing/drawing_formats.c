@@ -20,6 +20,11 @@ static bool draw(vs_emitter *e, bool (*write)(vs_emitter *e, const vs_sheet *s))
   if (ok && shown == 0) ok = vs_error_set(e->error, VS_ERROR_MODEL, NULL,
       "the view \"%.80s\" shows nothing of the model", views[0].spec.name);
   ok = ok && vs_sheet_make(e, &sheet, views, count) && write(e, &sheet);
+  if (ok) {
+    char text[240];
+    vs_sheet_describe(&sheet, text, sizeof text);
+    vs_job_note(e->job, text);
+  }
   vs_sheet_free(e, &sheet);
   vs_solid_free(&whole.solid);
   for (size_t i = 0; i < count; i++) vs_flat_view_free(e, &views[i]);

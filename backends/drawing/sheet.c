@@ -111,10 +111,31 @@ static void asked(const vs_sheet *s, const char **sheet, double *scale) {
   }
 }
 
+/* Places the views beside each other at true size, or at their scale, on a sheet that is as large as they are. A
+ * perspective view becomes 200 mm wide. */
+static void place_bare(vs_emitter *e, vs_sheet *s, double scale) {
+  static const double border = 5, perspective = 200;
+  double x = border, highest = 0;
+  s->name = "none", s->bare = true;
+  for (size_t i = 0; i < s->view_count; i++) {
+    vs_flat_view *v = &s->views[i];
+    double wide = v->high.x - v->low.x;
+    v->scale = !is_flat(v) ? 0 : v->spec.scale > 0 ? v->spec.scale : scale > 0 ? scale : 1;
+    v->mm = v->scale > 0 ? vs_drawing_unit(e->scene) / v->scale : wide > 0 ? perspective / wide : 1;
+    vs_sheet_room room = vs_sheet_notes_room(e, v);
+    v->at = (vs_sheet_point){ x + room.across, border + room.up };
+    x += wide * v->mm + 2 * room.across + (i + 1 < s->view_count ? gap : border);
+    highest = fmax(highest, (v->high.y - v->low.y) * v->mm + 2 * room.up);
+  }
+  s->width = x, s->height = highest + 2 * border;
+  s->left = s->bottom = 0, s->right = s->width, s->top = s->height;
+}
+
 static bool choose(vs_emitter *e, vs_sheet *s) {
   const char *sheet;
   double scale;
   asked(s, &sheet, &scale);
+  if (sheet && strcmp(sheet, "none") == 0) return place_bare(e, s, scale), true;
   size_t low = 0, high = PAPERS;
   for (size_t i = 0; sheet && i < PAPERS; i++)
     if (strcmp(papers[i].name, sheet) == 0) low = i, high = i + 1;
@@ -261,10 +282,22 @@ bool vs_sheet_make(vs_emitter *e, vs_sheet *s, vs_flat_view *views, size_t count
   s->views = views, s->view_count = count;
   const vs_sheet_pen pen = pen_of(e, s);
   bool ok = choose(e, s) &&
-            vs_sheet_rectangle(&pen, VS_DRAWN_FRAME, point(s->left, s->bottom), point(s->right, s->top)) &&
-            title_block(e, s) && captions(e, s);
+            (s->bare || (vs_sheet_rectangle(&pen, VS_DRAWN_FRAME, point(s->left, s->bottom), point(s->right, s->top)) &&
+                         title_block(e, s) && captions(e, s)));
   for (size_t i = 0; ok && i < count; i++) ok = put_view(e, s, (uint32_t)i);
   return ok;
+}
+
+void vs_sheet_describe(const vs_sheet *s, char *out, size_t room) {
+  bool several;
+  char scale[32];
+  const vs_flat_view *scaled = scaled_view(s, &several);
+  int n = s->view_count == 1 ? snprintf(out, room, "view \"%.*s\"", (int)vs_character_cut(s->views[0].spec.name, 100),
+                                        s->views[0].spec.name)
+                             : snprintf(out, room, "%zu views", s->view_count);
+  snprintf(out + n, room - (size_t)n, "%s%s, %s%s", several ? ", scales as shown" : scaled ? ", scale " : "",
+           several || !scaled ? "" : scale_text(scaled->scale, scale), s->bare ? "no sheet" : "sheet ",
+           s->bare ? "" : s->name);
 }
 
 void vs_sheet_free(vs_emitter *e, vs_sheet *s) {

@@ -11,6 +11,8 @@
 
 /* Places the views and adds all marks. */
 bool vs_sheet_make(vs_emitter *e, vs_sheet *s, vs_flat_view *views, size_t count);
+/* Writes the view, the scale and the sheet in words; room for 200 bytes is enough. */
+void vs_sheet_describe(const vs_sheet *s, char *out, size_t room);
 void vs_sheet_free(vs_emitter *e, vs_sheet *s);
 
 #endif

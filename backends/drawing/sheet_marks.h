@@ -23,6 +23,7 @@ typedef struct {
 typedef struct {
   double width, height;     /* size in mm */
   const char *name;         /* name of the paper, such as "A3" */
+  bool bare;                /* whether there is no paper: only the views, within the room that they need */
   double left, right, bottom, top; /* edges of the frame in mm */
   vs_mark *marks;
   vs_sheet_point *points;

@@ -117,10 +117,18 @@ bool vs_sheet_write_svg(vs_emitter *e, const vs_sheet *s) {
   if (!order) return vs_emit_no_memory(e);
   vs_puts(w, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\""
              " xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\"");
-  int wide = (int)s->width, high = (int)s->height;
-  vs_putf(w, " width=\"%dmm\" height=\"%dmm\" viewBox=\"0 0 %d %d\">\n<title>", wide, high, wide, high);
+  vs_puts(w, " width=\"");
+  number(w, s->width);
+  vs_puts(w, "mm\" height=\"");
+  number(w, s->height);
+  vs_puts(w, "mm\" viewBox=\"0 0 ");
+  number(w, s->width);
+  vs_puts(w, " ");
+  number(w, s->height);
+  vs_puts(w, "\">\n<title>");
   vs_put_xml(w, e->scene->title);
-  vs_puts(w, "</title>\n<rect id=\"paper\" width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n");
+  vs_puts(w, "</title>\n");
+  if (!s->bare) vs_puts(w, "<rect id=\"paper\" width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n");
   size_t count = 0;
   for (int l = 0; l < VS_DRAWN_LAYERS && !w->failed; l++) {
     size_t from = count = 0;

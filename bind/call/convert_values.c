@@ -127,7 +127,8 @@ vs_status vs_convert_boolean(vs_args *f, const vs_bind_param *p, vs_value v, vs_
 }
 
 vs_status vs_convert_string(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
-  return vs_is_string(v) ? vs_convert_text(f, p, v, out) : vs_bind_refuse_kind(f, p, v);
+  bool fits = vs_is_string(v) || (p->contract == VS_C_SHEET && vs_is_symbol(v));
+  return fits ? vs_convert_text(f, p, v, out) : vs_bind_refuse_kind(f, p, v);
 }
 
 vs_status vs_convert_name(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg *out) {

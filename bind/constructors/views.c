@@ -39,7 +39,7 @@ static bool is_sheet(const char *name) {
 #define SHEET(sheet, width, height) if (strcmp(name, sheet) == 0) return true;
 #include "model/sheets.def"
 
-  return false;
+  return strcmp(name, "none") == 0;
 }
 
 /* Sets the eye and the target of the view from its kind, #:from and #:to. */
@@ -128,7 +128,7 @@ vs_status vs_p_view(vs_args *f, vs_value *out) {
   if (take_cut(f, &v, &k[4]) != VS_OK) return VS_ERROR;
   if (k[5].given) v.scale = k[5].real;
   if (k[6].given && !is_sheet(k[6].text.at)) return vs_bind_refuse(f, "sheet",
-      "one of \"A4\" \"A3\" \"A2\" \"A1\" \"A0\"", k[6].value);
+      "one of \"A4\" \"A3\" \"A2\" \"A1\" \"A0\", or 'none", k[6].value);
   v.hidden = k[7].given && k[7].boolean;
   if (!keep_text(f, &f->arg[0], &v.name) || !keep_text(f, &k[6], &v.sheet)) return VS_ERROR;
   return f->bind->handing || vs_scene_add_view(&f->bind->scene, &v) ? VS_OK : vs_fail_memory(f->vm);

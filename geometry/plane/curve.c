@@ -210,7 +210,7 @@ static bool curve_spline(vs_path *out, const struct vs_spline *s, const vs_finen
   for (size_t i = 0; i < w.n; i++) w.h[i] = vs_v3_length(vs_v3_sub(w.p[(i + 1) % w.n], w.p[i]));
   spline_solve(&w, s->start_tangent, s->end_tangent);
   int segments = s->segments ? s->segments : f->segments;
-  double turn = segments > 0 ? segments : 32;
+  double turn = segments > 0 ? segments : vs_fineness_least(f);
   size_t spans = w.closed ? w.n : w.n - 1;
   for (size_t i = 0; ok && i < spans; i++) {
     vs_path_point last = spline_at(&w, i, 0), here;

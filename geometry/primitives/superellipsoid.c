@@ -50,7 +50,7 @@ static void oval_quarter(double p, int half, vs_oval_point *at) {
  * as many facets. */
 static int oval_turn(const struct vs_superellipsoid *s, double exponent, const vs_fineness *f) {
   int n = vs_fineness_turn(f, s->size, s->segments);
-  if (exponent != 1 && s->segments == 0 && f->segments == 0) n = 7 * n / 4;
+  if (exponent != 1 && s->segments == 0 && f->segments <= 0) n = 7 * n / 4;
   return (n + 7) / 8 * 8;
 }
 

@@ -74,7 +74,7 @@ double vs_loft_hermite_steps(vs_vec3 p, vs_vec3 q, vs_vec3 m, vs_vec3 k, const v
   vs_vec3 middle = vs_v3_sub(vs_v3_scale(d, 1.5), vs_v3_scale(vs_v3_add(m, k), 0.25)), ways[3] = { m, middle, k };
   for (int i = 0; i < 2; i++)
     turning += atan2(vs_v3_length(vs_v3_cross(ways[i], ways[i + 1])), vs_v3_dot(ways[i], ways[i + 1]));
-  double n = ceil(turning / 6.28318530717958647693 * (f->segments > 0 ? f->segments : 32) - 1e-9);
+  double n = ceil(turning / 6.28318530717958647693 * (f->segments > 0 ? f->segments : vs_fineness_least(f)) - 1e-9);
   if (f->segments <= 0) n = fmax(n, ceil(sqrt(bend / (8 * f->tolerance)) - 1e-9));
   return n < 1 ? 1 : n > 256 ? 256 : n;
 }

@@ -87,7 +87,7 @@ class Development(Structure):
 class OutputOptions(Structure):
     _fields_ = [("width", c_int), ("height", c_int), ("quality", c_int), ("development", Development),
                 ("layers", c_bool), ("view", c_char_p), ("has_camera", c_bool), ("camera", c_double * 7),
-                ("has_sun", c_bool), ("sun", c_double * 2), ("tolerance", c_double), ("segments", c_int),
+                ("has_sun", c_bool), ("sun", c_double * 2), ("tolerance", c_double), ("segments", c_int), ("least_segments", c_int),
                 ("passes", c_uint), ("count", c_bool), ("strict", c_bool), ("change", c_bool), ("last", c_bool),
                 ("crop", c_int * 4), ("threads", c_uint)]
 
