@@ -12,6 +12,7 @@
 #include "bind/objects.h"
 #include "bind/origins.h"
 #include "bind/state.h"
+#include "bind/workshop/sunlight.h"
 #include "bind/warnings.h"
 #include "geometry/sky_light.h"
 #include "geometry/sun_position.h"
@@ -208,39 +209,17 @@ vs_status vs_p_zoom_extents(vs_args *f, vs_value *out) {
 
 /* ---- the sun ---- */
 
-/* Reads a time, and sets *hours to hours of universal time: "15:00+01:00", "15:00:30Z", or "15:00" for mean local time
- * at the longitude. Returns false for other texts. */
-static bool read_time(const char *text, double longitude, double *hours) {
-  int h, m, s = 0, used = 0, more = 0, zh, zm;
-  if (sscanf(text, "%2d:%2d%n:%2d%n", &h, &m, &used, &s, &more) < 2) return false;
-  if (h < 0 || h > 24 || m < 0 || m > 59 || s < 0 || s > 59) return false;
-  *hours = h + m / 60.0 + s / 3600.0;
-  text += more ? more : used;
-  if (!*text) return *hours -= longitude / 15, true;
-  if (!strcmp(text, "Z")) return true;
-  if ((*text != '+' && *text != '-') || sscanf(text + 1, "%2d:%2d", &zh, &zm) != 2 || zh > 14 || zm > 59) return false;
-  *hours -= (*text == '+' ? 1 : -1) * (zh + zm / 60.0);
-  return true;
-}
-
 vs_status vs_p_sun(vs_args *f, vs_value *out) {
   const vs_arg *k = f->key; /* keywords in order: azimuth altitude latitude longitude date time */
   vs_scene *s = &f->bind->scene;
   double azimuth, altitude;
   (void)out;
   if (k[2].given || k[3].given || k[4].given || k[5].given) {
-    vs_sun_moment m = { .latitude = k[2].real, .longitude = k[3].real };
-    char rest;
+    vs_sun_moment m;
     if (!k[2].given || !k[3].given || !k[4].given || !k[5].given || k[0].given || k[1].given)
       return vs_fail(f->vm, f->vm->sym.arity,
                      "takes #:azimuth and #:altitude, or #:latitude #:longitude #:date #:time");
-    if (fabs(k[2].real) > 90) return vs_bind_refuse(f, "latitude", "from -90 to 90", k[2].value);
-    if (fabs(k[3].real) > 180) return vs_bind_refuse(f, "longitude", "from -180 to 180", k[3].value);
-    bool read = sscanf(k[4].text.at, "%4d-%2d-%2d%c", &m.year, &m.month, &m.day, &rest) == 3;
-    if (!read || !vs_sun_is_day(m.year, m.month, m.day))
-      return vs_bind_refuse(f, "date", "a day such as \"2026-06-21\"", k[4].value);
-    if (!read_time(k[5].text.at, k[3].real, &m.hours))
-      return vs_bind_refuse(f, "time", "a time such as \"15:00+01:00\"", k[5].value);
+    if (!vs_bind_moment(f, k + 2, &m)) return VS_ERROR;
     vs_sun_direction at = vs_sun_position(&m);
     azimuth = at.azimuth, altitude = at.altitude;
     if (altitude < 0)

@@ -1,0 +1,135 @@
+/* Owns the sun in the language: its direction at a moment, and the hours of sun at places among objects. */
+#include "bind/workshop/sunlight.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "bind/build.h"
+#include "bind/call/call.h"
+#include "bind/call/refuse.h"
+#include "bind/call/scratch.h"
+#include "bind/call/take.h"
+#include "bind/measures.h"
+#include "bind/queries.h"
+#include "bind/shapes/taken_apart.h"
+#include "geometry/measure/ray_tree.h"
+
+/* "15:00+01:00", "15:00:30Z", "15:00" (mean local time by the longitude): hours UT */
+static bool read_time(const char *text, double longitude, double *hours) {
+  int h, m, s = 0, used = 0, more = 0, zh, zm;
+  if (sscanf(text, "%2d:%2d%n:%2d%n", &h, &m, &used, &s, &more) < 2) return false;
+  if (h < 0 || h > 24 || m < 0 || m > 59 || s < 0 || s > 59) return false;
+  *hours = h + m / 60.0 + s / 3600.0;
+  text += more ? more : used;
+  if (!*text) return *hours -= longitude / 15, true;
+  if (!strcmp(text, "Z")) return true;
+  if ((*text != '+' && *text != '-') || sscanf(text + 1, "%2d:%2d", &zh, &zm) != 2 || zh > 14 || zm > 59) return false;
+  *hours -= (*text == '+' ? 1 : -1) * (zh + zm / 60.0);
+  return true;
+}
+
+bool vs_bind_moment(vs_args *f, const vs_arg *place, vs_sun_moment *out) {
+  const vs_arg *longitude = &place[1], *time = &place[3];
+  char rest;
+  *out = (vs_sun_moment){ .latitude = place[0].real, .longitude = longitude->given ? longitude->real : 0 };
+  if (fabs(out->latitude) > 90) return vs_bind_refuse(f, "latitude", "from -90 to 90", place[0].value);
+  if (fabs(out->longitude) > 180) return vs_bind_refuse(f, "longitude", "from -180 to 180", longitude->value);
+  bool read = sscanf(place[2].text.at, "%4d-%2d-%2d%c", &out->year, &out->month, &out->day, &rest) == 3;
+  if (!read || !vs_sun_is_day(out->year, out->month, out->day))
+    return vs_bind_refuse(f, "date", "a day such as \"2026-06-21\"", place[2].value);
+  out->hours = 12 - out->longitude / 15;
+  if (time->given && !read_time(time->text.at, out->longitude, &out->hours))
+    return vs_bind_refuse(f, "time", "a time such as \"15:00+01:00\"", time->value);
+  return true;
+}
+
+/* Returns the direction to the sun: Y is north, X is east. */
+static vs_vec3 towards_sun(const vs_sun_moment *m) {
+  vs_sun_direction d = vs_sun_position(m);
+  double a = d.azimuth * (acos(-1) / 180), h = d.altitude * (acos(-1) / 180);
+  return vs_v3(cos(h) * sin(a), cos(h) * cos(a), sin(h));
+}
+
+/* (sun-direction #:latitude #:longitude #:date #:time) */
+vs_status vs_p_sun_direction(vs_args *f, vs_value *out) {
+  vs_sun_moment m;
+  if (!f->key[0].given || !f->key[2].given || !f->key[3].given)
+    return vs_fail(f->vm, f->vm->sym.arity, "takes #:latitude, #:date and #:time, and perhaps #:longitude");
+  return vs_bind_moment(f, f->key, &m) && vs_bind_give_vector(f, towards_sun(&m), out);
+}
+
+/* (%sun-path hours #:latitude #:longitude #:date): the direction at so many hours of mean local time. */
+vs_status vs_p_sun_at(vs_args *f, vs_value *out) {
+  vs_sun_moment m;
+  vs_arg place[4] = { f->key[0], f->key[1], f->key[2], { .given = false } };
+  if (!f->key[0].given || !f->key[2].given)
+    return vs_fail(f->vm, f->vm->sym.arity, "takes #:latitude and #:date, and perhaps #:longitude");
+  if (!vs_bind_moment(f, place, &m)) return VS_ERROR;
+  m.hours += f->arg[0].real - 12;
+  return vs_bind_give_vector(f, towards_sun(&m), out);
+}
+
+/* Makes the list of the hours of sun at each place. tree: the triangles that cast shadows; NULL if there are none. */
+static vs_status count_hours(vs_args *f, const vs_ray_tree *tree, double size, vs_value *out) {
+  const vs_arg *at = &f->arg[0], *normals = &f->arg[1], *suns = &f->arg[2];
+  VS_ROOTS(f->vm, r, 1);
+  r[0] = VS_NIL;
+  for (size_t i = at->points.count; i-- > 0;) {
+    vs_vec3 normal = vs_v3_unit(normals->points.at[i]);
+    vs_vec3 from = vs_v3_add(at->points.at[i], vs_v3_scale(normal, 1e-6 * size));
+    double sum = 0, met;
+    for (size_t k = 0; k < suns->points.count; k++) {
+      vs_vec3 sun = suns->points.at[k];
+      if (vs_v3_dot(sun, normal) <= 1e-9) continue;
+      bool lit = !tree || vs_ray_tree_meet(tree, from, sun, INFINITY, true, &met) == tree->mesh->triangle_count;
+      if (lit) sum += f->arg[3].real;
+    }
+    if (!vs_cons(f->vm, vs_flonum(sum), r[0], &r[0]) || !vs_poll(f->vm, 16 * suns->points.count)) return VS_ERROR;
+  }
+  *out = r[0];
+  return VS_OK;
+}
+
+/* Adds the triangles of an object that casts a shadow. */
+static bool add_shade(vs_args *f, vs_ref ref, vs_mesh *all) {
+  vs_arg first = f->arg[0];
+  vs_mesh m = { 0 };
+  f->arg[0].ref = ref;
+  bool ok = vs_bind_resolve(f, 0);
+  ref = f->arg[0].ref;
+  f->arg[0] = first;
+  vs_class class_ = (vs_class)ref.node->class_;
+  if (!ok || class_ == VS_NOTHING) return ok;
+  if ((class_ != VS_SOLID && class_ != VS_SURFACE) || ref.node->flags & VS_NODE_ENDLESS)
+    return vs_bind_refuse(f, "among", "a list of finite solids and surfaces", f->arg[4].value);
+  ok = vs_bend_triangles(f->vm, ref, &m);
+  uint32_t base = (uint32_t)all->vertex_count;
+  for (size_t i = 0; ok && i < m.vertex_count; i++)
+    ok = vs_mesh_add_vertex(all, m.vertices[i], NULL) || vs_fail_memory(f->vm);
+  for (size_t i = 0; ok && i < m.triangle_count; i++) {
+    const uint32_t *t = m.triangles[i];
+    ok = vs_mesh_add_triangle(all, base + t[0], base + t[1], base + t[2]) || vs_fail_memory(f->vm);
+  }
+  vs_mesh_free(&m);
+  return ok;
+}
+
+/* (%solar-hours points normals suns step among): normals and suns are points in place of gvectors; each sun shines for
+ * `step` hours. */
+vs_status vs_p_solar_hours(vs_args *f, vs_value *out) {
+  vs_mesh m = { 0 };
+  vs_ray_tree tree = { 0 };
+  vs_error e = { 0 };
+  bool ok = true;
+  if (f->arg[1].points.count != f->arg[0].points.count)
+    return vs_fail(f->vm, f->vm->sym.range, "normals must be one gvector or as many as points");
+  for (size_t i = 0; ok && i < f->arg[4].refs.count; i++) ok = add_shade(f, f->arg[4].refs.at[i], &m);
+  vs_bounds b = vs_mesh_bounds(&m);
+  bool any = ok && m.triangle_count > 0;
+  if (any && !vs_ray_tree_make(&tree, f->store, &m, &e)) ok = vs_bind_error(f->vm, &e);
+  ok = ok && count_hours(f, any ? &tree : NULL, any ? vs_bounds_diagonal(&b) : 0, out);
+  if (any) vs_ray_tree_free(&tree);
+  vs_mesh_free(&m);
+  return ok ? VS_OK : VS_ERROR;
+}
