@@ -167,6 +167,28 @@ vs_status vs_p_volume(vs_args *f, vs_value *out) {
   return measure(f, &m, VS_ASK_VOLUME) && vs_bind_give_real(f, m.volume, out);
 }
 
+/* Measures the regions of a union of regions and curves, as the flat parts of a workshop are: a curve has no area. */
+static vs_status measure_regions(vs_args *f, vs_value *out) {
+  vs_ref whole = f->arg[0].ref, *parts;
+  size_t count;
+  double sum = 0;
+  vs_measure m;
+  bool ok = true;
+  if (!vs_several_parts(whole, &parts, &count)) return vs_fail_memory(f->vm);
+  for (size_t i = 0; ok && i < count; i++) {
+    vs_class c = (vs_class)parts[i].node->class_;
+    if (c != VS_REGION_CLASS && c != VS_CURVE)
+      ok = vs_bind_refuse(f, "o", "a solid, a region, a surface or a closed curve", f->arg[0].value);
+    if (!ok || c == VS_CURVE) continue;
+    f->arg[0].ref = parts[i];
+    ok = measure(f, &m, VS_ASK_AREA);
+    if (ok) sum += m.area;
+  }
+  f->arg[0].ref = whole;
+  vs_several_free(parts, count);
+  return ok ? vs_bind_give_real(f, sum, out) : VS_ERROR;
+}
+
 vs_status vs_p_area(vs_args *f, vs_value *out) {
   vs_measure m;
   if (f->arg[0].ref.node->class_ != VS_CURVE && !vs_bind_resolve(f, 0)) return VS_ERROR;
@@ -179,6 +201,7 @@ vs_status vs_p_area(vs_args *f, vs_value *out) {
     f->arg[0].ref.node = region;
     c = VS_REGION_CLASS;
   }
+  if (c == VS_MIXED) return measure_regions(f, out);
   if (c != VS_SOLID && c != VS_REGION_CLASS && c != VS_SURFACE)
     return vs_bind_refuse(f, "o", "a solid, a region, a surface or a closed curve", f->arg[0].value);
   return measure(f, &m, VS_ASK_AREA) && vs_bind_give_real(f, m.area, out);

@@ -17,6 +17,7 @@
 #include "geometry/measure/node_measures.h"
 #include "geometry/nets/contour_lines.h"
 #include "geometry/parts.h"
+#include "geometry/plane/inner_lines.h"
 #include "geometry/plane/planar_evaluation.h"
 #include "model/store/array.h"
 #include "solids/sections.h"
@@ -187,35 +188,59 @@ static vs_status surface_level(vs_args *f, const vs_mesh *m, vs_vec3 at, vs_vec3
   return ok ? VS_OK : VS_ERROR;
 }
 
+/* Sets *region to the region of the outline; to no node if it has no loops. */
+static bool region_of(vs_args *f, const vs_outline *o, vs_ref *region) {
+  vs_ref *refs = vs_bind_scratch(f, (o->count + 1) * sizeof *refs);
+  bool ok = refs != NULL;
+  *region = (vs_ref){ 0 };
+  for (size_t i = 0; ok && i < o->count; i++) {
+    refs[i] = (vs_ref){ line_of(f, &o->loops[i]), NULL };
+    ok = refs[i].node != NULL;
+  }
+  if (!ok || !o->count) return ok;
+  region->node = vs_node_new(f->store, VS_REGION, &(struct vs_region){ 0 }, refs, o->count);
+  return vs_bind_keep(f, region->node);
+}
+
 /* Makes a list of the section of a closed mesh, a region; the empty list if there is none. */
 static vs_status solid_level(vs_args *f, const vs_mesh *m, vs_vec3 at, vs_vec3 normal, vs_value *out) {
   vs_outline o = { 0 };
   vs_error e = { 0 };
-  *out = VS_NIL;
+  vs_ref region;
   if (!vs_mesh_section(m, at, normal, &o, &e)) return vs_bind_error(f->vm, &e);
-  vs_ref *refs = vs_bind_scratch(f, (o.count + 1) * sizeof *refs), region = { 0 };
-  bool ok = refs != NULL;
-  for (size_t i = 0; ok && i < o.count; i++) {
-    refs[i] = (vs_ref){ line_of(f, &o.loops[i]), NULL };
-    ok = refs[i].node != NULL;
-  }
-  if (ok && o.count) {
-    region.node = vs_node_new(f->store, VS_REGION, &(struct vs_region){ 0 }, refs, o.count);
-    ok = vs_bind_keep(f, region.node) && list_of(f, &region, 1, out);
-  }
+  bool ok = region_of(f, &o, &region) && list_of(f, &region, region.node != NULL, out);
   vs_outline_free(&o);
   return ok ? VS_OK : VS_ERROR;
 }
 
-/* (%levels o plane heights): for each height above the plane, from the last to the first, a list: of a solid its
- * section, a region; of a surface its curves. */
+/* Sets *out to the least and the greatest height above the plane of the object's corners, or #f. */
+static vs_status give_span(vs_args *f, vs_value *out) {
+  vs_mesh m = { 0 };
+  vs_vec3 point = f->arg[1].line.at, up = vs_v3_unit(f->arg[1].line.direction);
+  double low = INFINITY, high = -INFINITY;
+  if (!vs_bend_triangles(f->vm, f->arg[0].ref, &m)) return vs_mesh_free(&m), VS_ERROR;
+  for (size_t i = 0; i < m.triangle_count; i++)
+    for (int k = 0; k < 3; k++) {
+      double d = vs_v3_dot(up, vs_v3_sub(m.vertices[m.triangles[i][k]], point));
+      low = fmin(low, d), high = fmax(high, d);
+    }
+  vs_mesh_free(&m);
+  *out = VS_FALSE;
+  return low <= high ? vs_cons(f->vm, vs_flonum(low), vs_flonum(high), out) : VS_OK;
+}
+
+/* (%contours o plane heights): for each height above the plane, from the last to the first, a list: of a solid its
+ * section, a region; of a surface its curves. Without heights: the pair of the least and the greatest, or #f. */
 vs_status vs_p_levels(vs_args *f, vs_value *out) {
   vs_mesh m = { 0 };
   vs_vec3 point = f->arg[1].line.at, normal = f->arg[1].line.direction, up = vs_v3_unit(normal);
   if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return VS_ERROR;
   vs_class class_ = (vs_class)f->arg[0].ref.node->class_;
+  *out = VS_FALSE;
+  if (class_ == VS_NOTHING) return VS_OK;
   if (class_ != VS_SOLID && class_ != VS_SURFACE)
     return vs_bind_refuse(f, "o", "a solid or a surface", f->arg[0].value);
+  if (f->arg[2].value == VS_FALSE) return give_span(f, out);
   VS_ROOTS(f->vm, r, 2);
   r[0] = VS_NIL;
   bool ok = vs_bend_triangles(f->vm, f->arg[0].ref, &m);
@@ -231,24 +256,95 @@ vs_status vs_p_levels(vs_args *f, vs_value *out) {
   return ok ? VS_OK : VS_ERROR;
 }
 
-/* (%heights o plane): the least and the greatest height above the plane of the object's corners, or #f. */
-vs_status vs_p_heights(vs_args *f, vs_value *out) {
-  vs_mesh m = { 0 };
-  vs_vec3 point = f->arg[1].line.at, up = vs_v3_unit(f->arg[1].line.direction);
-  double low = INFINITY, high = -INFINITY;
+/* ---- slices ---- */
+
+/* (%slices-normal plane): the plane's normal, of length 1. */
+vs_status vs_p_slices_normal(vs_args *f, vs_value *out) {
+  return vs_bind_give_vector(f, vs_v3_unit(f->arg[0].line.direction), out);
+}
+
+
+/* Adds the curves of the outline `above` that lie within the outline o, in o's plane, to the list *out. */
+static bool add_engraved(vs_args *f, const vs_outline *o, const vs_outline *above, double slack, vs_value *out) {
+  vs_area a = { 0 }, b = { 0 };
+  vs_inner_lines lines = { 0 };
+  vs_error e = { 0 };
+  vs_ref *refs = NULL;
+  bool ok = vs_area_of_outline(o, &o->frame, &a) && vs_area_of_outline(above, &o->frame, &b);
+  if (!ok) vs_fail_memory(f->vm);
+  ok = ok && (vs_area_inner_lines(&a, &b, slack, "slices", &lines, &e) || vs_bind_error(f->vm, &e));
+  ok = ok && (refs = vs_bind_scratch(f, (lines.line_count + 1) * sizeof *refs)) != NULL;
+  for (size_t l = 0, first = 0; ok && l < lines.line_count; first += lines.lines[l++].size) {
+    vs_polyline p = { .count = lines.lines[l].size, .closed = lines.lines[l].closed };
+    p.at = vs_bind_scratch(f, p.count * sizeof *p.at);
+    for (size_t i = 0; p.at && i < p.count; i++)
+      p.at[i] = vs_affine_point(&o->frame, vs_v3(lines.at[first + i].x, lines.at[first + i].y, 0));
+    refs[l] = (vs_ref){ p.at ? line_of(f, &p) : NULL, NULL };
+    ok = refs[l].node != NULL;
+  }
+  ok = ok && list_of(f, refs, lines.line_count, out);
+  vs_inner_lines_free(&lines);
+  vs_area_free(&a), vs_area_free(&b);
+  return ok;
+}
+
+/* (%slices-middle region): the middle of the largest circle within it and its radius, or #f. */
+vs_status vs_p_slices_middle(vs_args *f, vs_value *out) {
+  vs_outline o = { 0 };
+  vs_area a = { 0 };
+  vs_error e = { 0 };
+  vs_vec2 at = { 0, 0 };
+  double radius = 0;
   *out = VS_FALSE;
+  if (!vs_bind_resolve(f, 0)) return VS_ERROR;
+  const vs_node *n = f->arg[0].ref.node;
+  if (n->class_ == VS_NOTHING) return VS_OK;
+  vs_fineness facets = vs_bend_facets(f->vm, n);
+  bool ok = vs_region_outline(n, &facets, &o, &e) || vs_bind_error(f->vm, &e);
+  ok = ok && (!o.count || vs_area_of_outline(&o, &o.frame, &a) || vs_fail_memory(f->vm));
+  ok = ok && (vs_area_middle(&a, "slices", &at, &radius, &e) || vs_bind_error(f->vm, &e));
+  VS_ROOTS(f->vm, r, 1);
+  if (ok && radius > 0)
+    ok = vs_bind_give_point(f, vs_affine_point(&o.frame, vs_v3(at.x, at.y, 0)), &r[0]) &&
+         vs_cons(f->vm, r[0], vs_flonum(radius), out);
+  vs_area_free(&a);
+  vs_outline_free(&o);
+  return ok ? VS_OK : VS_ERROR;
+}
+
+/* (%slices o plane heights): heights are descending. Returns, from the lowest on, pairs of a section, a region or #f,
+ * and a list of the curves of the section above it that lie within it. Without heights: as %contours. */
+vs_status vs_p_slices(vs_args *f, vs_value *out) {
+  vs_mesh m = { 0 };
+  vs_outline above = { 0 };
+  vs_error e = { 0 };
+  vs_vec3 point = f->arg[1].line.at, normal = f->arg[1].line.direction, up = vs_v3_unit(normal);
   if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return VS_ERROR;
-  vs_class class_ = (vs_class)f->arg[0].ref.node->class_;
-  if (class_ == VS_NOTHING) return VS_OK;
-  if (class_ != VS_SOLID && class_ != VS_SURFACE)
-    return vs_bind_refuse(f, "o", "a solid or a surface", f->arg[0].value);
-  if (!vs_bend_triangles(f->vm, f->arg[0].ref, &m)) return vs_mesh_free(&m), VS_ERROR;
-  for (size_t i = 0; i < m.triangle_count; i++)
-    for (int k = 0; k < 3; k++) {
-      double d = vs_v3_dot(up, vs_v3_sub(m.vertices[m.triangles[i][k]], point));
-      low = fmin(low, d), high = fmax(high, d);
-    }
+  *out = VS_FALSE;
+  if (f->arg[0].ref.node->class_ == VS_NOTHING) return VS_OK;
+  if (f->arg[0].ref.node->class_ != VS_SOLID) return vs_bind_refuse(f, "o", "a solid", f->arg[0].value);
+  if (f->arg[2].value == VS_FALSE) return give_span(f, out);
+  VS_ROOTS(f->vm, r, 3);
+  r[0] = VS_NIL;
+  bool ok = vs_bend_triangles(f->vm, f->arg[0].ref, &m);
+  vs_bounds b = vs_mesh_bounds(&m);
+  for (vs_value l = f->arg[2].value; ok && vs_is_pair(l); l = vs_cdr(l)) {
+    vs_outline here = { 0 };
+    vs_ref region;
+    double d = 0;
+    vs_bind_take_number(f->vm, vs_car(l), &d);
+    ok = vs_mesh_section(&m, vs_v3_add(point, vs_v3_scale(up, d)), normal, &here, &e) || vs_bind_error(f->vm, &e);
+    ok = ok && region_of(f, &here, &region);
+    r[1] = VS_NIL, r[2] = VS_FALSE;
+    if (ok && here.count && above.count) ok = add_engraved(f, &here, &above, 1e-6 * vs_bounds_diagonal(&b), &r[1]);
+    if (ok && region.node) ok = vs_bind_give_ref(f->bind, region, &r[2]);
+    ok = ok && vs_cons(f->vm, r[2], r[1], &r[1]) && vs_cons(f->vm, r[1], r[0], &r[0]) &&
+         vs_poll(f->vm, (uint64_t)m.triangle_count);
+    vs_outline_free(&above);
+    above = here;
+  }
+  vs_outline_free(&above);
   vs_mesh_free(&m);
-  if (!(low <= high)) return VS_OK;
-  return vs_cons(f->vm, vs_flonum(low), vs_flonum(high), out);
+  *out = r[0];
+  return ok ? VS_OK : VS_ERROR;
 }

@@ -59,3 +59,99 @@
           (map (lambda (p) 0.0) places)
           (%solar-hours places (map (lambda (v) (p+v origin v)) given) (map (lambda (v) (p+v origin v)) suns) hours
                         among)))))
+
+; ---- contours ----
+
+; Returns 1, 2 or 5 times a power of ten that divides a height into about ten.
+(define (%round-step height)
+  (let* ((least (/ height 10.)) (power (expt 10. (floor (/ (log least) (log 10.))))) (rest (/ least power)))
+    (* power (cond ((<= rest 1.0001) 1) ((<= rest 2) 2) ((<= rest 5) 5) (else 10)))))
+
+(define (%need-height who name x)
+  (if (and x (not (and (real? x) (finite? x)))) (error who "~a must be a number, finite, got ~s" name x)))
+
+; Returns the level lines of a solid or surface: a list of curves for each height, the lowest first.
+(define (contours o #:from [from any? #f] #:to [to any? #f] #:step [step any? #f] #:plane [plane any? 'xy])
+  (%need-height 'contours 'from from)
+  (%need-height 'contours 'to to)
+  (if step (%need-positive 'contours 'step step))
+  (let ((span (%contours o plane #f)))
+    (if (not span)
+        '()
+        (let* ((low (car span)) (high (cdr span)) (blur (* 1e-9 (max (abs low) (abs high) (- high low)))))
+          (if (and (not step) (<= (- high low) blur)) (error 'contours "o is flat: #:step must be given"))
+          (let* ((step (or step (%round-step (- high low))))
+                 (from (or from (+ 0.0 (* step (ceiling (/ (- low blur) step))))))
+                 (count (+ 1 (exact (floor (+ 1e-9 (/ (- (or to high) from) step)))))))
+            (if (> count 10000) (error 'contours "there are more than 10000 heights from ~a on by ~a" from step))
+            (map (lambda (level) (if (solid? o) (append-map outline level) level))
+                 (%contours o plane (map (lambda (i) (+ from (* step i))) (reverse (iota (max count 0)))))))))))
+
+; ---- slices ----
+
+; Returns the name of the layer in which the whole object is, or #f; the innermost wins.
+(define (%whole-layer o)
+  (let loop ((o o) (name #f))
+    (case (object-kind o)
+      ((layer) (loop (car (object-children o)) (car (object-arguments o))))
+      ((with-material transform) (loop (car (object-children o)) name))
+      (else name))))
+
+; Returns, for each slice, the places of its pins in its own plane: two in each pair of slices, kept from pair to pair as
+; long as they fit. reach: how far a pin's middle must be from the border.
+(define (%pin-places regions heights plane reach)
+  (define normal (%slices-normal plane))
+  (define (up p d) (p+v p (v*r normal d)))
+  (define (room p) (make-region (make-circle p (* 3 reach) #:plane plane)))
+  ; Returns the middles of the largest circles of at least this radius, at most n of them, apart from those given.
+  (define (found-in common given n)
+    (let* ((free (if (null? given) common (subtract common (map room given))))
+           (best (and (> n 0) (%slices-middle free))))
+      (if (and best (>= (cdr best) reach))
+          (cons (car best) (found-in common (cons (car best) given) (- n 1)))
+          '())))
+  (let loop ((l regions) (h heights) (carried '()) (all '()) (number 1))
+    (if (or (null? l) (null? (cdr l)))
+        (reverse (cons carried all))
+        (let* ((step (- (cadr h) (car h)))
+               (common (and (car l) (cadr l) (intersect (car l) (do-move (cadr l) (v*r normal (- step))))))
+               (border (if (and common (pair? carried)) (outline common) '()))
+               (kept (filter (lambda (p) (and (pair? border) (contains? common p) (every (lambda (c) (>= (distance p (closest-point c p)) reach)) border))) carried))
+               (pins (if common (append kept (found-in common carried (- 2 (length kept)))) '())))
+          (if (null? pins) (%warn (format "slices: slices ~a and ~a meet in too little for a pin" number (+ number 1))))
+          (loop (cdr l) (cdr h) (map (lambda (p) (up p step)) pins)
+                (cons (append carried (filter (lambda (p) (not (member p carried))) pins)) all) (+ number 1))))))
+
+; Returns the slices of a solid as flat objects, the lowest first, each in the plane halfway up it: the region to cut, in
+; layer "cut" or that of o, and in layer "engrave" its number and the outline of the slice above.
+(define (slices o thickness #:plane [plane any? 'xy] #:registration [registration any? #f] #:diameter [diameter any? #f]
+                #:numbers [numbers any? #t])
+  (%need-positive 'slices 'thickness thickness)
+  (if diameter (%need-positive 'slices 'diameter diameter))
+  (if (not (memq registration '(#f dowels tabs))) (error 'slices "registration must be 'dowels, 'tabs or #f, got ~s" registration))
+  (let ((span (%slices o plane #f)))
+    (if (not span)
+        '()
+        (let* ((low (car span)) (high (cdr span)) (count (max 1 (exact (ceiling (- (/ (- high low) thickness) 1e-9))))))
+          (if (> count 10000) (error 'slices "a thickness of ~a makes ~a slices; 10000 are the most" thickness count))
+          (let* ((heights (map (lambda (i) (let ((z (+ low (* i thickness)))) (/ (+ z (min high (+ z thickness))) 2))) (iota count)))
+                 (made (%slices o plane (reverse heights)))
+                 (name (or (%whole-layer o) "cut"))
+                 (wide (or diameter thickness))
+                 (pins (if registration (%pin-places (map car made) heights plane (if (eq? registration 'dowels) wide (* 1.2 wide))) (map (lambda (m) '()) made))))
+            (define (pin p)
+              (make-region (if (eq? registration 'dowels) (make-circle p (/ wide 2) #:plane plane) (make-regular-polygon p (/ wide (sqrt 2)) 4 pi/4 #:plane plane))))
+            (define (number i region)
+              (let ((place (and numbers (%slices-middle region))))
+                (if place
+                    (outline (make-text (car place) (min (* 2 thickness) (* 0.8 (cdr place))) (number->string i) #:align 'center #:valign 'center #:plane plane))
+                    '())))
+            (filter-map
+              (lambda (m pins i)
+                (and (car m)
+                     (let* ((region (if (null? pins) (car m) (subtract (car m) (map pin pins))))
+                            (engraved (append (cdr m) (number i region))))
+                       (if (null? engraved)
+                           (layer name region)
+                           (layer (format "slice ~a" i) (layer name region) (layer "engrave" engraved))))))
+              made pins (iota count 1)))))))

@@ -64,7 +64,7 @@ bool vs_area_loop(vs_area *a, bool hole) { return area_close(a, area_ended(a), h
   X(GEOSUnaryUnion_r) X(GEOSIntersection_r) X(GEOSDifference_r) X(GEOSMakeValid_r) X(GEOSGeom_createLineString_r) \
   X(GEOSPolygonize_r) \
   X(GEOSisEmpty_r) X(GEOSCoordSeq_destroy_r) X(GEOSPointOnSurface_r) X(GEOSGeomGetX_r) X(GEOSGeomGetY_r) \
-  X(GEOSDelaunayTriangulation_r)
+  X(GEOSDelaunayTriangulation_r) X(GEOSMaximumInscribedCircle_r)
 
 typedef struct {
 #define X(name) __typeof__(&name) name;
@@ -314,6 +314,31 @@ bool vs_area_combine(vs_area_operation operation, const vs_area *operands, size_
   g.GEOSGeom_destroy_r(g.h, made);
   geos_close(&g);
   if (!ok) vs_area_free(out);
+  return ok;
+}
+
+bool vs_area_middle(const vs_area *a, const char *purpose, vs_vec2 *at, double *radius, vs_error *e) {
+  vs_geos g;
+  vs_vec2 low = { INFINITY, INFINITY }, high = { -INFINITY, -INFINITY }, rim = { 0, 0 };
+  *radius = 0;
+  if (!a->loop_count) return true;
+  if (!geos_open(&g, purpose, e)) return false;
+  for (size_t i = 0; i < a->count; i++) {
+    low = (vs_vec2){ fmin(low.x, a->at[i].x), fmin(low.y, a->at[i].y) };
+    high = (vs_vec2){ fmax(high.x, a->at[i].x), fmax(high.y, a->at[i].y) };
+  }
+  GEOSGeometry *whole = geos_polygons(&g, a, 1);
+  if (whole) whole = geos_unite(&g, whole);
+  double step = hypot(high.x - low.x, high.y - low.y) / 1000;
+  GEOSGeometry *line = whole && step > 0 ? g.GEOSMaximumInscribedCircle_r(g.h, whole, step) : NULL;
+  const GEOSCoordSequence *s = line ? g.GEOSGeom_getCoordSeq_r(g.h, line) : NULL;
+  bool ok = s && g.GEOSCoordSeq_getXY_r(g.h, s, 0, &at->x, &at->y) == 1 &&
+            g.GEOSCoordSeq_getXY_r(g.h, s, 1, &rim.x, &rim.y) == 1;
+  if (ok) *radius = hypot(rim.x - at->x, rim.y - at->y);
+  else ok = geos_failed(&g, purpose, e);
+  g.GEOSGeom_destroy_r(g.h, line);
+  g.GEOSGeom_destroy_r(g.h, whole);
+  geos_close(&g);
   return ok;
 }
 

@@ -36,6 +36,9 @@ bool vs_area_combine(vs_area_operation operation, const vs_area *operands, size_
 /* Makes the area where the winding number of directed edges is not 0. In each point as many edges must begin as end.
  * Edges may intersect or overlap. Returns false and sets e on failure. */
 bool vs_area_of_chain(const vs_vec2 (*edges)[2], size_t count, const char *purpose, vs_area *out, vs_error *e);
+/* Finds the middle of the largest circle within the area, to a thousandth of its size, and its radius; 0: the area is
+ * empty. */
+bool vs_area_middle(const vs_area *a, const char *purpose, vs_vec2 *at, double *radius, vs_error *e);
 /* Returns true if the point is inside the area, or within 1e-9 of the area's size from its border. */
 bool vs_area_holds(const vs_area *a, double x, double y);
 
