@@ -155,3 +155,64 @@
                            (layer name region)
                            (layer (format "slice ~a" i) (layer name region) (layer "engrave" engraved))))))
               made pins (iota count 1)))))))
+
+; ---- ribs ----
+
+; Returns the flat part of a rib: its region to cut and its name to engrave.
+(define (%rib-part o name region numbers size placed flat plane)
+  (let* ((middle (and numbers (%slices-middle region)))
+         (cut (layer (or (%whole-layer o) "cut") region))
+         (part (if middle
+                   (layer name cut
+                     (layer "engrave" (outline (make-text (car middle) (min size (* 0.5 (cdr middle))) name #:align 'center #:valign 'center #:plane plane))))
+                   cut)))
+    (if placed part (do-transform part flat))))
+
+; Returns two values: the ribs across X and those across Y of a solid, as flat parts with slots into each other.
+(define (ribs o #:x [x any? 4] #:y [y any? 4] #:thickness thickness #:clearance [clearance any? 0]
+              #:numbers [numbers any? #t] #:placed [placed any? #f])
+  (%need-count 'ribs 'x x 1000)
+  (%need-count 'ribs 'y y 1000)
+  (%need-positive 'ribs 'thickness thickness)
+  (if (not (and (real? clearance) (finite? clearance) (> (+ thickness clearance) 0)))
+      (error 'ribs "clearance must be a number that leaves a slot, got ~s" clearance))
+  (define (places span n) (map (lambda (i) (+ (car span) (* (/ (+ i 1/2) n) (- (cdr span) (car span))))) (iota n)))
+  (define half (/ (+ thickness clearance) 2))
+  ; Returns the heights of a region within a strip of its plane as a pair, or #f.
+  (define (heights region strip)
+    (let ((b (and region (bounding-box (intersect region strip)))))
+      (and b (cons (cz (first b)) (cz (second b))))))
+  (let ((across-x (%ribs o 'yz #f)) (across-y (%ribs o 'xz #f)) (upright (%ribs o 'xy #f)))
+    (if (not across-x)
+        (values '() '())
+        (let* ((xs (places across-x x)) (ys (places across-y y)) (low (- (car upright) 1)) (high (+ (cdr upright) 1))
+               (gap (apply min (append (if (> x 1) (list (- (cadr xs) (car xs))) '()) (if (> y 1) (list (- (cadr ys) (car ys))) '()) (list +inf.0)))))
+          (define (in-x at y0 y1 z0 z1) (make-polygon (xyz at y0 z0) (xyz at y1 z0) (xyz at y1 z1) (xyz at y0 z1)))
+          (define (in-y at x0 x1 z0 z1) (make-polygon (xyz x0 at z0) (xyz x1 at z0) (xyz x1 at z1) (xyz x0 at z1)))
+          (if (<= gap (* 2 half)) (error 'ribs "the ribs are ~a apart, and a slot takes ~a: fewer ribs fit" gap (* 2 half)))
+          (let* ((x-regions (map car (%ribs o 'yz (reverse xs)))) (y-regions (map car (%ribs o 'xz (reverse ys))))
+                 ; the height at which the slots of two ribs meet, or #f where the ribs do not meet
+                 (meets (map (lambda (at across)
+                               (map (lambda (other along)
+                                      (let ((a (heights across (in-x at (- other half) (+ other half) low high)))
+                                            (b (heights along (in-y other (- at half) (+ at half) low high))))
+                                        (and a b (< (max (car a) (car b)) (min (cdr a) (cdr b)))
+                                             (/ (+ (max (car a) (car b)) (min (cdr a) (cdr b))) 2))))
+                                    ys y-regions))
+                             xs x-regions)))
+            (define (slotted region slots) (if (null? slots) region (subtract region slots)))
+            (values
+              (filter-map
+                (lambda (at region row i)
+                  (and region
+                       (%rib-part o (format "X~a" i)
+                         (slotted region (filter-map (lambda (other z) (and z (in-x at (- other half) (+ other half) low z))) ys row))
+                         numbers (* 3 thickness) placed (make-matrix 0 1 0 0 0 0 1 0 1 0 0 (- at) 0 0 0 1) 'yz)))
+                xs x-regions meets (iota x 1))
+              (filter-map
+                (lambda (at region column i)
+                  (and region
+                       (%rib-part o (format "Y~a" i)
+                         (slotted region (filter-map (lambda (other z) (and z (in-y at (- other half) (+ other half) z high))) xs column))
+                         numbers (* 3 thickness) placed (make-matrix 1 0 0 0 0 0 1 0 0 -1 0 at 0 0 0 1) 'xz)))
+                ys y-regions (apply map list meets) (iota y 1))))))))
