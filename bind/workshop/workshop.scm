@@ -158,6 +158,8 @@
 
 ; ---- ribs ----
 
+(define (%to-six x) (/ (round (* 1e6 x)) 1e6))
+
 ; Returns the flat part of a rib: its region to cut and its name to engrave.
 (define (%rib-part o name region numbers size placed flat plane)
   (let* ((middle (and numbers (%slices-middle region)))
@@ -189,7 +191,7 @@
                (gap (apply min (append (if (> x 1) (list (- (cadr xs) (car xs))) '()) (if (> y 1) (list (- (cadr ys) (car ys))) '()) (list +inf.0)))))
           (define (in-x at y0 y1 z0 z1) (make-polygon (xyz at y0 z0) (xyz at y1 z0) (xyz at y1 z1) (xyz at y0 z1)))
           (define (in-y at x0 x1 z0 z1) (make-polygon (xyz x0 at z0) (xyz x1 at z0) (xyz x1 at z1) (xyz x0 at z1)))
-          (if (<= gap (* 2 half)) (error 'ribs "the ribs are ~a apart, and a slot takes ~a: fewer ribs fit" gap (* 2 half)))
+          (if (<= gap (* 2 half)) (error 'ribs "the ribs are ~a apart, and a slot takes ~a: fewer ribs fit" (%to-six gap) (* 2 half)))
           (let* ((x-regions (map car (%ribs o 'yz (reverse xs)))) (y-regions (map car (%ribs o 'xz (reverse ys))))
                  ; the height at which the slots of two ribs meet, or #f where the ribs do not meet
                  (meets (map (lambda (at across)
@@ -216,3 +218,31 @@
                          (slotted region (filter-map (lambda (other z) (and z (in-y at (- other half) (+ other half) z high))) xs column))
                          numbers (* 3 thickness) placed (make-matrix 1 0 0 0 0 0 1 0 0 -1 0 at 0 0 0 1) 'xz)))
                 ys y-regions (apply map list meets) (iota y 1))))))))
+
+; ---- land ----
+
+; Returns the corners of a breakline: a list of points, or a curve.
+(define (%breakline-points b)
+  (cond
+    ((and (list? b) (pair? b) (every %finite-point? b)) b)
+    ((and (object? b) (curve? b) (eq? (object-kind (lowered b)) 'line))
+     (let ((l (object-arguments (lowered b)))) (if (cadr l) (append (car l) (list (caar l))) (car l))))
+    (else (error 'terrain "breaklines must be a list of curves and lists of points, got ~s" b))))
+
+; Returns the surface over points, seen from above as Delaunay triangles, with the breaklines as edges.
+(define (terrain points #:breaklines [breaklines any? '()])
+  (let ((points (if (and (pair? points) (list? (car points))) (append-map values points) points)))
+    (%need-points 'terrain 'points points 3)
+    (let* ((lines (map %breakline-points (if (or (object? breaklines) (and (pair? breaklines) (point? (car breaklines)))) (list breaklines) breaklines)))
+           (made (%terrain points (append-map values lines) (map length lines))))
+      (make-polyface-mesh (car made) (cdr made)))))
+
+; Returns two values: the volume to take away from the land to make the design, and that to add, where both are.
+(define (cut-and-fill land design)
+  (let* ((a (%cut-and-fill land #f #f 'land)) (b (%cut-and-fill design #f #f 'design))
+         (bottom (min (car a) (car b))) (top (max (cdr a) (cdr b))) (margin (+ 1 (- top bottom)))
+         (low (- bottom margin)) (high (+ top margin)))
+    (define (under o name) (let ((m (%cut-and-fill o low #f name))) (make-polyface-mesh (car m) (cdr m))))
+    (define (column o name) (let ((m (%cut-and-fill o low high name))) (make-polyface-mesh (car m) (cdr m))))
+    (values (volume (subtract (intersect (under land 'land) (column design 'design)) (under design 'design)))
+            (volume (subtract (intersect (under design 'design) (column land 'land)) (under land 'land))))))
