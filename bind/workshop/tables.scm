@@ -1,0 +1,126 @@
+; Tables of quantities, and their files. After workshop.scm. Names that begin with % are hidden from programs. Compiled
+; into the binary when it is built.
+
+; kilograms in a cubic metre of the ready materials
+(define %densities
+  '(("concrete" . 2400) ("plaster" . 1200) ("steel" . 7850) ("copper" . 8960) ("gold" . 19300) ("glass" . 2500) ("wood" . 500)
+    ("brick" . 1800) ("stone" . 2600) ("water" . 1000) ("asphalt" . 2300)))
+
+(define %schedule-keys '(name layer material))
+(define %schedule-sums '(count length area volume mass cost))
+
+(define (%schedule-text x) (if (symbol? x) (symbol->string x) x))
+
+; Returns the objects of a list of lists as those that a table counts: what (layer "a" x y) and (with-material m x y)
+; unite is counted one by one.
+(define (%schedule-objects o)
+  (cond
+    ((null? o) '())
+    ((pair? o) (append (%schedule-objects (car o)) (%schedule-objects (cdr o))))
+    ((not (object? o)) (error 'schedule "objects must be a list of objects, got ~s" o))
+    ((empty-object? o) '())
+    (else
+      (let ((kind (object-kind o)) (children (object-children o)))
+        (define (looks? c) (memq (object-kind c) '(layer with-material)))
+        (define (within c) ; what a layer or a material holds
+          (cond ((looks? c) (%schedule-objects c))
+                ((eq? (object-kind c) 'unite) (append-map %schedule-objects (object-children c)))
+                (else (list c))))
+        (cond
+          ((looks? o)
+           (let ((look (car (object-arguments o))))
+             (map (lambda (c) (if (eq? kind 'layer) (layer look c) (with-material look c))) (within (car children)))))
+          ((and (eq? kind 'unite) (any looks? children)) (append-map %schedule-objects children))
+          (else (list o)))))))
+
+; Returns the rate of the first of an object's names that the table has, or #f.
+(define (%schedule-find table names)
+  (let loop ((names names))
+    (and (pair? names)
+         (or (assoc (car names) table (lambda (a b) (equal? (%schedule-text a) (%schedule-text b)))) (loop (cdr names))))))
+
+(define (%schedule-column? c)
+  (or (memq c %schedule-keys) (memq c %schedule-sums) (procedure? c)
+      (and (pair? c) (or (string? (car c)) (symbol? (car c))) (procedure? (cdr c)))))
+
+(define (%need-rates rates)
+  (if (not (and (list? rates)
+                (every (lambda (r) (and (list? r) (= (length r) 3) (or (string? (car r)) (symbol? (car r)))
+                                        (memq (cadr r) '(count length area volume mass)) (real? (caddr r))))
+                       rates)))
+      (error 'schedule "rates must be a list of (name measure rate), such as (\"concrete\" volume 180), got ~s" rates)))
+
+; Returns rows: a head with the columns' names, then a row for each set of objects that agree in all columns that are no
+; measures; the measures are sums.
+(define (schedule objects #:rates [rates any? '()] #:densities [densities any? '()] #:digits [digits any? #f]
+                  #:total [total any? #f] . columns)
+  (if (null? columns) (error 'schedule "takes one column or more, such as 'layer 'count 'volume"))
+  (for-each (lambda (c)
+              (if (not (%schedule-column? c))
+                  (error 'schedule "a column is one of ~s, a procedure of an object, or a pair of a name and a procedure, got ~s" (append %schedule-keys %schedule-sums) c)))
+            columns)
+  (%need-rates rates)
+  (if (not (and (list? densities) (every (lambda (d) (and (pair? d) (real? (cdr d)))) densities)))
+      (error 'schedule "densities must be a list of (material . density), such as (\"oak\" . 700), got ~s" densities))
+  (if (not (or (not digits) (and (exact-integer? digits) (<= 0 digits 15)))) (error 'schedule "digits must be an exact integer from 0 to 15, got ~s" digits))
+  (define (rounded x)
+    (if (and digits (real? x) (not (exact-integer? x))) (let ((power (expt 10. digits))) (/ (round (* x power)) power)) x))
+  (define (sum? c) (memq c %schedule-sums))
+  (define (mass o looks)
+    (let* ((name (caddr looks)) (own (assoc name densities (lambda (a b) (equal? a (%schedule-text b))))) (known (assoc name %densities)))
+      (cond
+        ((not (solid? o)) 0)
+        (own (* (volume o) (cdr own)))
+        (known (* (volume o) (expt (cadddr looks) 3) (cdr known)))
+        (else (error 'schedule "there is no density of ~s: #:densities '((~s . 700)) gives one" name name)))))
+  (define (measure o looks c)
+    (case c
+      ((count) 1)
+      ((length) (if (curve? o) (curve-length o) 0))
+      ((area) (if (curve? o) 0 (area o)))
+      ((volume) (if (solid? o) (volume o) 0))
+      ((mass) (mass o looks))
+      (else
+        (let ((rate (%schedule-find rates (list (cadr looks) (caddr looks) (car looks)))))
+          (if rate (* (caddr rate) (measure o looks (cadr rate))) 0)))))
+  (define (cell o looks c)
+    (case c
+      ((name) (car looks))
+      ((layer) (cadr looks))
+      ((material) (caddr looks))
+      (else (cond ((procedure? c) (c o)) ((pair? c) ((cdr c) o)) (else (measure o looks c))))))
+  (let* ((rows (make-hash)) (keys? (map (lambda (c) (not (sum? c))) columns)))
+    (for-each
+      (lambda (o)
+        (let* ((looks (%schedule-looks o)) (cells (map (lambda (c) (cell o looks c)) columns))
+               (key (filter-map (lambda (x key?) (and key? (list x))) cells keys?)) (old (hash-ref rows key #f)))
+          (hash-set! rows key (if old (map (lambda (x y key?) (if key? x (+ x y))) old cells keys?) cells))))
+      (%schedule-objects objects))
+    (let* ((made (map cdr (hash->list rows))) (head (map (lambda (c) (cond ((pair? c) (car c)) ((procedure? c) 'value) (else c))) columns)))
+      (define (total-of i) (apply + (map (lambda (row) (list-ref row i)) made)))
+      (append
+        (list head)
+        (map (lambda (row) (map rounded row)) made)
+        (if total
+            (list (map (lambda (i key?) (if key? (if (= i 0) "total" "") (rounded (total-of i)))) (iota (length columns)) keys?))
+            '())))))
+
+; ---- files ----
+
+(define (%csv-cell x separator)
+  (let ((text (cond
+                ((string? x) x)
+                ((not x) "")
+                ((and (rational? x) (exact? x) (not (integer? x))) (number->string (inexact x)))
+                (else (call-with-output-string (lambda (port) (display x port)))))))
+    (if (or (string-contains? text (string separator)) (string-contains? text "\"") (string-contains? text "\n") (string-contains? text "\r"))
+        (string-append "\"" (string-replace text "\"" "\"\"") "\"")
+        text)))
+
+; Writes rows, lists of cells, as a file of comma-separated values.
+(define (write-csv file rows #:separator [separator any? #\,])
+  (%need-string 'write-csv file)
+  (if (not (and (list? rows) (every list? rows))) (error 'write-csv "rows must be a list of lists, got ~s" rows))
+  (if (not (char? separator)) (error 'write-csv "#:separator must be a character, got ~s" separator))
+  (let ((lines (map (lambda (row) (string-append (string-join (map (lambda (x) (%csv-cell x separator)) row) (string separator)) "\n")) rows)))
+    (call-with-output-file file (lambda (port) (for-each (lambda (l) (write-string l port)) lines)))))
