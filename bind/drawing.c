@@ -119,7 +119,13 @@ vs_status vs_p_color(vs_args *f, vs_value *out) {
 
 vs_status vs_p_layer(vs_args *f, vs_value *out) {
   const char *name = vs_store_text(f->store, f->arg[0].text.at, f->arg[0].text.length);
+  const vs_arg *color = &f->key[0], *line = &f->key[1];
   if (!name) return vs_fail_memory(f->vm);
+  vs_scene_pen pen = { .layer = name, .colored = color->given, .line = line->given ? line->real : 0 };
+  if (color->given)
+    pen.color[0] = color->material->red, pen.color[1] = color->material->green, pen.color[2] = color->material->blue;
+  if ((color->given || line->given) && !f->bind->handing && !vs_scene_add_pen(&f->bind->scene, &pen))
+    return vs_fail_memory(f->vm);
   return around(f, VS_LAYER, &(struct vs_layer){ .name = name }, &f->arg[1], out);
 }
 

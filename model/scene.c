@@ -36,6 +36,7 @@ void vs_scene_free(vs_scene *scene) {
   for (size_t i = 0; i < scene->drawn_count; i++) vs_node_release(scene->drawn[i].node);
   vs_store_realloc(scene->store, scene->drawn, scene->drawn_room * sizeof *scene->drawn, 0);
   vs_store_realloc(scene->store, scene->views, scene->view_room * sizeof *scene->views, 0);
+  vs_store_realloc(scene->store, scene->pens, scene->pen_room * sizeof *scene->pens, 0);
   vs_store_realloc(scene->store, scene->notes, scene->note_room * sizeof *scene->notes, 0);
   vs_store_realloc(scene->store, scene->lamps, scene->lamp_room * sizeof *scene->lamps, 0);
   vs_store_release(scene->store);
@@ -47,6 +48,20 @@ bool vs_scene_add_view(vs_scene *scene, const vs_scene_view *view) {
     if (strcmp(scene->views[i].name, view->name) == 0) return scene->views[i] = *view, true;
   if (!vs_store_grow(scene->store, &scene->views, &scene->view_room, scene->view_count + 1, sizeof *view)) return false;
   scene->views[scene->view_count++] = *view;
+  return true;
+}
+
+const vs_scene_pen *vs_scene_find_pen(const vs_scene *scene, const char *layer) {
+  for (size_t i = 0; i < scene->pen_count; i++)
+    if (strcmp(scene->pens[i].layer, layer) == 0) return &scene->pens[i];
+  return NULL;
+}
+
+bool vs_scene_add_pen(vs_scene *scene, const vs_scene_pen *pen) {
+  for (size_t i = 0; i < scene->pen_count; i++)
+    if (strcmp(scene->pens[i].layer, pen->layer) == 0) return scene->pens[i] = *pen, true;
+  if (!vs_store_grow(scene->store, &scene->pens, &scene->pen_room, scene->pen_count + 1, sizeof *pen)) return false;
+  scene->pens[scene->pen_count++] = *pen;
   return true;
 }
 

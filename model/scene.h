@@ -63,6 +63,14 @@ typedef struct {
   vs_vec3 color;             /* colour of the light: linear RGB, of luminance 1 */
 } vs_scene_lamp;
 
+/* The pen of a layer in drawings. */
+typedef struct {
+  const char *layer;         /* interned */
+  bool colored;
+  double color[3];           /* sRGB, 0 to 1, if colored */
+  double line;               /* the width in mm; 0: by the kind of line */
+} vs_scene_pen;
+
 typedef struct {
   vs_store *store;           /* the store of the nodes, retained */
   vs_ref *drawn;             /* drawn references in drawing order; their nodes are retained */
@@ -79,6 +87,8 @@ typedef struct {
   size_t view_count, view_room;
   vs_scene_note *notes;
   size_t note_count, note_room;
+  vs_scene_pen *pens;        /* one for a layer at most */
+  size_t pen_count, pen_room;
   vs_scene_lamp *lamps;
   size_t lamp_count, lamp_room;
   bool has_sun;              /* whether the program set the sun; if not, each format chooses a default */
@@ -99,8 +109,8 @@ typedef struct {
   const char *units;         /* the model's unit: "m", "mm", "cm", "in" or "ft" */
   double tolerance;          /* greatest deviation of facets from curves, in model units; 0: by the rule of
                               * geometry/tessellate.h */
-  int segments;              /* facets of a full turn, set by --segments; 0: computed from the tolerance; below 0: the same,
-                              * and -segments is the least number */
+  int segments;              /* facets of a full turn, set by --segments; 0: by the tolerance; below 0: the same, and
+                              * -segments is the least number */
 } vs_scene;
 
 void vs_scene_init(vs_scene *scene, vs_store *store); /* Sets the defaults of an empty drawing; retains the store. */
@@ -113,6 +123,10 @@ void vs_scene_free(vs_scene *scene);
 bool vs_scene_add_view(vs_scene *scene, const vs_scene_view *view);
 bool vs_scene_add_lamp(vs_scene *scene, const vs_scene_lamp *lamp); /* Adds a lamp. Returns false when memory is out. */
 bool vs_scene_add_note(vs_scene *scene, const vs_scene_note *note); /* Adds a note. Returns false when memory is out. */
+/* Adds a pen, which replaces that of the same layer. Returns false when memory is out. */
+bool vs_scene_add_pen(vs_scene *scene, const vs_scene_pen *pen);
+/* Returns the pen of the layer, or NULL. */
+const vs_scene_pen *vs_scene_find_pen(const vs_scene *scene, const char *layer);
 /* Returns the view of that name, or NULL. */
 const vs_scene_view *vs_scene_find_view(const vs_scene *scene, const char *name);
 /* Returns the default view of a picture: the first perspective, panorama or axonometry, else the first view. Returns

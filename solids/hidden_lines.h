@@ -24,6 +24,7 @@ typedef struct {
   vs_vec3 p, q;
   vs_sight_kind kind;
   double slack; /* distance behind a face up to which the edge counts as lying in the face */
+  uint32_t owner; /* owner of a triangle at the edge; 0: none */
 } vs_sight_edge;
 typedef struct { vs_sight_edge *at; size_t count, room; } vs_sight_edges;
 
@@ -38,6 +39,7 @@ typedef struct {
   const uint32_t (*triangles)[3];
   size_t point_count, triangle_count, closed;
   const uint32_t *paints;   /* paint of each triangle: edges between different paints are drawn; may be NULL */
+  const uint32_t *owners;   /* owner of each triangle, which its edges take; may be NULL */
   const uint8_t *caps;      /* for each triangle: 1 if it lies in the plane of the cut; may be NULL */
   bool perspective;
   double slack;             /* lengths up to this count as zero: about 1e-7 of the size of the drawing */

@@ -60,6 +60,14 @@ static bool add_edge(const vs_sight_host *host, vs_sight_edges *out, vs_sight_ed
   return true;
 }
 
+/* Returns the owner of the edge of these sides: that of a face towards the viewer, if one has an owner. */
+static uint32_t owner_of(const vs_sight *s, const face *faces, const side *first, const side *end) {
+  uint32_t owner = 0;
+  for (const side *a = first; s->owners && a < end; a++)
+    if (!owner || (s->owners[a->face] && faces[a->face].front > 0)) owner = s->owners[a->face];
+  return owner;
+}
+
 bool vs_sight_find_edges(const vs_sight_host *host, const vs_sight *s, vs_sight_edges *out, vs_error *e) {
   size_t n = s->triangle_count, points = s->point_count, sides = 0;
   if (n == 0) return true;
@@ -88,7 +96,8 @@ bool vs_sight_find_edges(const vs_sight_host *host, const vs_sight *s, vs_sight_
       for (size_t k = i; k < end; k++)
         if (faces[all[k].face].front > 0) kind = s->caps && s->caps[all[k].face] ? VS_SIGHT_CUT : VS_SIGHT_OUTLINE;
     }
-    vs_sight_edge edge = { s->points[(uint32_t)(all[i].key >> 32)], s->points[(uint32_t)all[i].key], kind, s->slack };
+    vs_sight_edge edge = { s->points[(uint32_t)(all[i].key >> 32)], s->points[(uint32_t)all[i].key], kind, s->slack,
+                           owner_of(s, faces, &all[i], &all[end]) };
     if (kind != VS_SIGHT_KINDS) ok = add_edge(host, out, edge);
   }
   vs_store_realloc(store, place, (points + 1) * sizeof *place, 0);

@@ -19,6 +19,7 @@ static bool draw(vs_emitter *e, bool (*write)(vs_emitter *e, const vs_sheet *s))
   for (size_t i = 0; ok && i < count; i++) shown += views[i].point_count > 0;
   if (ok && shown == 0) ok = vs_error_set(e->error, VS_ERROR_MODEL, NULL,
       "the view \"%.80s\" shows nothing of the model", views[0].spec.name);
+  sheet.layers = whole.layers, sheet.layer_count = whole.layer_count;
   ok = ok && vs_sheet_make(e, &sheet, views, count) && write(e, &sheet);
   if (ok) {
     char text[240];
@@ -27,6 +28,7 @@ static bool draw(vs_emitter *e, bool (*write)(vs_emitter *e, const vs_sheet *s))
   }
   vs_sheet_free(e, &sheet);
   vs_solid_free(&whole.solid);
+  vs_emit_release(e, whole.layers, whole.layer_room, sizeof *whole.layers);
   for (size_t i = 0; i < count; i++) vs_flat_view_free(e, &views[i]);
   vs_emit_release(e, views, room, sizeof *views);
   return ok;

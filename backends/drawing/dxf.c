@@ -6,10 +6,18 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
 
 #include "backends/drawing/dxf.h"
 
-typedef struct { vs_writer *w; const vs_sheet *s; double mm; vs_sheet_point shift; unsigned handle; } writing;
+typedef struct {
+  vs_writer *w;
+  const vs_sheet *s;
+  double mm;
+  vs_sheet_point shift;
+  unsigned handle;
+  const vs_scene *scene; /* with the layers' pens */
+} writing;
 
 /* FIRST_HANDLE: first handle of a drawn object; tables have lower handles. */
 enum { FIRST_HANDLE = 0x100, MODEL_SPACE = 0x1f, PAPER_SPACE = 0x1e, ROOT = 0xc, GROUPS = 0xd };
@@ -82,6 +90,80 @@ static void code_long_text(vs_writer *w, const char *text) {
   code_text(w, 1, text);
 }
 
+/* ---- layers of the program ---- */
+
+enum { NAME = 250 };
+
+/* Spells the name of the program's layer as DXF allows, in lines of one file: some signs become underscores. */
+static const char *own_name(const writing *out, uint32_t own, char name[NAME]) {
+  snprintf(name, NAME, "%.*s", (int)vs_character_cut(out->s->layers[own - 1], NAME - 10), out->s->layers[own - 1]);
+  for (char *at = name; *at; at++)
+    if (strchr("<>/\\\":;?*|=,`", *at) || (unsigned char)*at < ' ') *at = '_';
+  return name[0] ? name : strcpy(name, "_");
+}
+
+/* Returns the number of the drawing's own layer of that name; VS_DRAWN_LAYERS if there is none. */
+static int drawn_named(const char *name) {
+  int i = 0;
+  while (i < VS_DRAWN_LAYERS && strcasecmp(vs_drawn_rows[i].name, name) != 0) i++;
+  return i;
+}
+
+/* Returns true if the program's layer needs a row, because no layer of the drawing and none before has its name. */
+static bool needs_row(const writing *out, uint32_t own) {
+  char name[NAME], other[NAME];
+  own_name(out, own, name);
+  if (drawn_named(name) < VS_DRAWN_LAYERS || strcmp(name, "0") == 0) return false;
+  for (uint32_t i = 1; i < own; i++)
+    if (strcasecmp(own_name(out, i, other), name) == 0) return false;
+  return true;
+}
+
+static const vs_scene_pen *own_pen(const writing *out, uint32_t own) {
+  return vs_scene_find_pen(out->scene, out->s->layers[own - 1]);
+}
+
+/* Returns the pen that the program gives the drawing's layer i by a layer of the same name, or NULL. */
+static const vs_scene_pen *drawn_pen(const writing *out, unsigned i) {
+  char name[NAME];
+  const vs_scene_pen *pen = NULL;
+  for (uint32_t own = 1; own <= out->s->layer_count && !pen; own++)
+    if (strcasecmp(own_name(out, own, name), vs_drawn_rows[i].name) == 0) pen = own_pen(out, own);
+  return pen;
+}
+
+/* Returns the colour of DXF's table that is nearest to the pen's: 1 to 9 the pure ones, from 10 on 24 hues in five
+ * shades, full and pale, from 250 on greys. */
+static int colour_index(const double rgb[3]) {
+  static const double pure[9][3] = { { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 1, 1 }, { 0, 0, 1 },
+                                     { 1, 0, 1 }, { 1, 1, 1 }, { .5, .5, .5 }, { .75, .75, .75 } };
+  static const double shades[5] = { 1, 0.65, 0.5, 0.3, 0.15 };
+  int best = 7;
+  double least = rgb[0] * rgb[0] + rgb[1] * rgb[1] + rgb[2] * rgb[2]; /* black is 7, too: it is drawn on white */
+  for (int i = 1; i < 256; i++) {
+    double c[3];
+    for (int k = 0; k < 3; k++) {
+      double hue = fmod((i / 10 - 1) * 15 / 60. - 2 * k + 9, 6) - 3; /* 0: this colour is the full one */
+      double full = fmin(1, fmax(0, 2 - fabs(hue))), shade = shades[i % 10 / 2];
+      c[k] = i < 10 ? pure[i - 1][k] : i >= 250 ? 0.2 + 0.16 * (i - 250) : shade * (i % 2 ? (1 + full) / 2 : full);
+    }
+    double off = (c[0] - rgb[0]) * (c[0] - rgb[0]) + (c[1] - rgb[1]) * (c[1] - rgb[1]) +
+                 (c[2] - rgb[2]) * (c[2] - rgb[2]);
+    if (off < least - 1e-9) least = off, best = i;
+  }
+  return best;
+}
+
+/* Returns the line weight of DXF that is nearest to a width in millimetres, in hundredths. */
+static int line_weight(double width) {
+  static const int weights[] = { 0,  5,  9,  13, 15, 18, 20,  25,  30,  35,  40,  50,
+                                 53, 60, 70, 80, 90, 100, 106, 120, 140, 158, 200, 211 };
+  int best = 0;
+  for (size_t i = 0; i < sizeof weights / sizeof *weights; i++)
+    if (fabs(weights[i] - 100 * width) < fabs(best - 100 * width)) best = weights[i];
+  return best;
+}
+
 /* ---- tables ---- */
 
 static void table(vs_writer *w, const char *name, unsigned handle, long count) {
@@ -119,6 +201,39 @@ static void line_type(const writing *out, unsigned handle, const vs_layer_row *r
   }
 }
 
+/* Writes a row of the table of layers; pen may be NULL. */
+static void layer_row(const writing *out, unsigned handle, const char *name, const vs_layer_row *r,
+                      const vs_scene_pen *pen) {
+  vs_writer *w = out->w;
+  code(w, 0, "LAYER");
+  code_handle(w, 5, handle);
+  code_handle(w, 330, 0x2);
+  code(w, 100, "AcDbSymbolTableRecord");
+  code(w, 100, "AcDbLayerTableRecord");
+  code_text(w, 2, name);
+  code_int(w, 70, 0);
+  code_int(w, 62, pen && pen->colored ? colour_index(pen->color) : r->colour);
+  code(w, 6, r->dash > 0 ? r->name : "CONTINUOUS");
+  code_int(w, 370, pen && pen->line > 0 ? line_weight(pen->line) : r->weight);
+  code_handle(w, 390, 0xf);
+}
+
+static void layers(const writing *out) {
+  static const vs_layer_row solid = { "", 0, 0, 0, 0, 0, 7, 0 };
+  char name[NAME];
+  uint32_t count = (uint32_t)out->s->layer_count, rows = 0;
+  for (uint32_t own = 1; own <= count; own++) rows += needs_row(out, own);
+  table(out->w, "LAYER", 0x2, VS_DRAWN_LAYERS + 1 + (long)rows);
+  layer_row(out, 0x60, "0", &solid, NULL);
+  for (unsigned i = 0; i < VS_DRAWN_LAYERS; i++)
+    layer_row(out, 0x61 + i, vs_drawn_rows[i].name, &vs_drawn_rows[i], drawn_pen(out, i));
+  for (uint32_t own = 1; own <= count; own++)
+    if (needs_row(out, own))
+      layer_row(out, FIRST_HANDLE + (unsigned)out->s->mark_count + own, own_name(out, own, name),
+                &vs_drawn_rows[VS_DRAWN_EDGE], own_pen(out, own));
+  end_table(out->w);
+}
+
 static void tables(const writing *out) {
   vs_writer *w = out->w;
   static const vs_layer_row solid = { "", 0, 0, 0, 0, 0, 7, 0 };
@@ -140,17 +255,7 @@ static void tables(const writing *out) {
   for (unsigned i = 0; i < VS_DRAWN_LAYERS; i++)
     if (vs_drawn_rows[i].dash > 0) line_type(out, 0x40 + i, &vs_drawn_rows[i]);
   end_table(w);
-  table(w, "LAYER", 0x2, VS_DRAWN_LAYERS + 1);
-  for (unsigned i = 0; i <= VS_DRAWN_LAYERS; i++) {
-    const vs_layer_row *r = i > 0 ? &vs_drawn_rows[i - 1] : &solid;
-    row(w, "LAYER", 0x60 + i, 0x2, "AcDbLayerTableRecord", i > 0 ? r->name : "0");
-    code_int(w, 70, 0);
-    code_int(w, 62, r->colour);
-    code(w, 6, r->dash > 0 ? r->name : "CONTINUOUS");
-    code_int(w, 370, r->weight);
-    code_handle(w, 390, 0xf);
-  }
-  end_table(w);
+  layers(out);
   table(w, "STYLE", 0x3, 1);
   row(w, "STYLE", 0x11, 0x3, "AcDbTextStyleTableRecord", "STANDARD");
   code_int(w, 70, 0);
@@ -209,12 +314,18 @@ static void block(vs_writer *w, const char *name, unsigned record, unsigned hand
 static double across(const writing *out, double x) { return (x + out->shift.x) / out->mm; }
 static double up(const writing *out, double y) { return (y + out->shift.y) / out->mm; }
 
-static void entity(writing *out, const char *type, vs_drawn_layer layer, const char *kind) {
+static void entity(writing *out, const char *type, const vs_mark *m, const char *kind) {
+  const vs_layer_row *r = &vs_drawn_rows[m->layer];
+  char name[NAME];
   code(out->w, 0, type);
   code_handle(out->w, 5, out->handle++);
   code_handle(out->w, 330, MODEL_SPACE);
   code(out->w, 100, "AcDbEntity");
-  code(out->w, 8, vs_drawn_rows[layer].name);
+  code_text(out->w, 8, m->own ? own_name(out, m->own, name) : r->name);
+  if (m->own && r->dash > 0) code(out->w, 6, r->name);
+  const vs_scene_pen *pen = m->own ? own_pen(out, m->own) : NULL;
+  bool by_kind = m->own && !(pen && pen->line > 0) && r->weight != vs_drawn_rows[VS_DRAWN_EDGE].weight;
+  if (by_kind) code_int(out->w, 370, r->weight);
   code(out->w, 100, kind);
 }
 
@@ -227,7 +338,7 @@ static void corners(const writing *out, uint32_t first, uint32_t count) {
 
 static void put_line(writing *out, const vs_mark *m) {
   if (m->count == 2) {
-    entity(out, "LINE", m->layer, "AcDbLine");
+    entity(out, "LINE", m, "AcDbLine");
     for (uint32_t i = 0; i < 2; i++) {
       code_real(out->w, 10 + (int)i, across(out, out->s->points[m->first + i].x));
       code_real(out->w, 20 + (int)i, up(out, out->s->points[m->first + i].y));
@@ -235,7 +346,7 @@ static void put_line(writing *out, const vs_mark *m) {
     }
     return;
   }
-  entity(out, "LWPOLYLINE", m->layer, "AcDbPolyline");
+  entity(out, "LWPOLYLINE", m, "AcDbPolyline");
   code_int(out->w, 90, (long)m->count);
   code_int(out->w, 70, m->closed);
   corners(out, m->first, m->count);
@@ -280,7 +391,7 @@ static void put_long_text(writing *out, const vs_mark *m, int align) {
   enum { BOTTOM_LEFT = 7 };
   vs_writer *w = out->w;
   double turn = m->angle * (acos(-1) / 180);
-  entity(out, "MTEXT", m->layer, "AcDbMText");
+  entity(out, "MTEXT", m, "AcDbMText");
   code_real(w, 10, across(out, m->at.x));
   code_real(w, 20, up(out, m->at.y));
   code_real(w, 30, 0);
@@ -301,7 +412,7 @@ static void put_text(writing *out, const vs_mark *m) {
     put_long_text(out, m, align);
     return;
   }
-  entity(out, "TEXT", m->layer, "AcDbText");
+  entity(out, "TEXT", m, "AcDbText");
   code_real(w, 10, across(out, m->at.x));
   code_real(w, 20, up(out, m->at.y));
   code_real(w, 30, 0);
@@ -335,7 +446,7 @@ static void header(vs_emitter *e, const writing *out) {
   code(w, 9, "$LWDISPLAY");
   code_int(w, 290, 1);
   code(w, 9, "$HANDSEED");
-  code_handle(w, 5, FIRST_HANDLE + (unsigned)out->s->mark_count + 1);
+  code_handle(w, 5, FIRST_HANDLE + (unsigned)(out->s->mark_count + out->s->layer_count) + 1);
   code(w, 0, "ENDSEC");
 }
 
@@ -351,7 +462,7 @@ bool vs_sheet_write_dxf(vs_emitter *e, const vs_sheet *s) {
   vs_writer *w = e->out;
   const vs_flat_view *first = &s->views[0];
   writing out = { w, s, first->mm, { first->low.x * first->mm - first->at.x,
-      first->low.y * first->mm - first->at.y }, FIRST_HANDLE };
+      first->low.y * first->mm - first->at.y }, FIRST_HANDLE, e->scene };
   header(e, &out);
   tables(&out);
   code(w, 0, "SECTION");

@@ -21,7 +21,11 @@ typedef struct {
   vs_vec3 *points;
   uint32_t (*triangles)[3];
   uint32_t *paints;    /* paints[i]: number of triangle i's material */
+  uint32_t *owners;    /* owners[i]: number of triangle i's layer */
   uint8_t *caps;
+  vs_flat_whole *whole;
+  uint32_t curve_owner; /* of the curve that is being added */
+  size_t owner_room;
   size_t point_count, point_room, triangle_count, triangle_room, paint_room, cap_room;
   size_t closed;       /* number of triangles of solids, which precede all other triangles */
   double slack, nearest; /* slack: tolerance of lengths. nearest: in a perspective view, the distance in front of the
@@ -43,7 +47,20 @@ vs_sheet_point vs_flat_view_project(const vs_flat_view *v, vs_vec3 p) { return f
 
 /* ---- triangles and curves ---- */
 
-static bool add_triangles(seen *s, const vs_mesh *m, const vs_solid *solid, const vs_material *paint) {
+/* Sets *number to the number of the program's layer; 0: none. */
+static bool number_layer(seen *s, const char *name, uint32_t *number) {
+  vs_flat_whole *w = s->whole;
+  *number = 0;
+  if (!name) return true;
+  for (size_t i = 0; i < w->layer_count; i++)
+    if (w->layers[i] == name || strcmp(w->layers[i], name) == 0) return *number = (uint32_t)i + 1, true;
+  if (!vs_emit_grow(s->e, &w->layers, &w->layer_room, w->layer_count + 1, sizeof *w->layers)) return false;
+  w->layers[w->layer_count++] = name;
+  *number = (uint32_t)w->layer_count;
+  return true;
+}
+
+static bool add_triangles(seen *s, const vs_mesh *m, const vs_solid *solid, const vs_loose_run *run) {
   vs_emitter *e = s->e;
   size_t base = s->point_count, count = s->triangle_count + m->triangle_count;
   if (base + m->vertex_count > UINT32_MAX) return vs_error_set(e->error, VS_ERROR_MODEL, NULL,
@@ -51,6 +68,7 @@ static bool add_triangles(seen *s, const vs_mesh *m, const vs_solid *solid, cons
   if (!vs_emit_grow(e, &s->points, &s->point_room, base + m->vertex_count, sizeof *s->points) ||
       !vs_emit_grow(e, &s->triangles, &s->triangle_room, count, sizeof *s->triangles) ||
       !vs_emit_grow(e, &s->paints, &s->paint_room, count, sizeof *s->paints) ||
+      !vs_emit_grow(e, &s->owners, &s->owner_room, count, sizeof *s->owners) ||
           !vs_emit_grow(e, &s->caps, &s->cap_room, count, sizeof *s->caps))
     return false;
   const vs_scene_view *spec = &s->v->spec;
@@ -67,7 +85,9 @@ static bool add_triangles(seen *s, const vs_mesh *m, const vs_solid *solid, cons
     if (lid) continue;
     s->triangle_count++;
     s->paints[at] = (uint32_t)vs_emit_material_number(e, solid &&
-        tag < solid->part_count ? solid->parts[tag].material : paint);
+        tag < solid->part_count ? solid->parts[tag].material : run ? run->material : NULL);
+    const char *layer = solid && tag < solid->part_count ? solid->parts[tag].layer : run ? run->layer : NULL;
+    if (!number_layer(s, layer, &s->owners[at])) return false;
     bool cap = s->v->has_cut && solid;
     for (int k = 0; cap && k < 3; k++) cap = fabs(vs_v3_dot(vs_v3_sub(m->vertices[t[k]], spec->cut_point),
         spec->cut_normal)) <= 4 * s->slack;
@@ -79,14 +99,14 @@ static bool add_triangles(seen *s, const vs_mesh *m, const vs_solid *solid, cons
   return true;
 }
 
-static bool add_curve_edge(seen *s, vs_vec3 p, vs_vec3 q) {
+static bool add_curve_edge(seen *s, vs_vec3 p, vs_vec3 q) { /* of the current curve */
   if (s->edges.count == s->edges.room && !vs_store_grow(s->host.store, &s->edges.at, &s->edges.room,
       s->edges.count + 1, sizeof *s->edges.at))
     return vs_emit_no_memory(s->e);
   double slack = fmax(s->slack, 4 * s->e->facets.tolerance);
       /* a curve drawn on a round surface lies on the surface, but its chords do not */
   s->edges.at[s->edges.count++] = (vs_sight_edge){ into_view(&s->v->look, p), into_view(&s->v->look, q),
-      VS_SIGHT_CURVE, slack };
+      VS_SIGHT_CURVE, slack, s->curve_owner };
   return true;
 }
 
@@ -115,6 +135,7 @@ static bool add_loose(seen *s, const vs_loose *l) {
   bool near = near_plane(s->v, s->e, &point, &normal), ok = true;
   for (size_t i = 0; ok && l && i < l->run_count; i++) {
     const vs_loose_run *run = &l->runs[i];
+    if (run->line && !number_layer(s, run->layer, &s->curve_owner)) return false;
     if (run->line) {
       vs_polyline p = { 0 }, *line = &p;
       p.at = vs_store_realloc(s->host.store, NULL, 0, run->count * sizeof *p.at);
@@ -134,7 +155,7 @@ static bool add_loose(seen *s, const vs_loose *l) {
     }
     if (ok && s->v->has_cut) ok = vs_slice_mesh(&whole, spec->cut_point, spec->cut_normal, &part);
     else if (ok && near) ok = vs_slice_mesh(&whole, point, normal, &part);
-    ok = ok && add_triangles(s, s->v->has_cut || near ? &part : &whole, NULL, run->material);
+    ok = ok && add_triangles(s, s->v->has_cut || near ? &part : &whole, NULL, run);
     vs_mesh_free(&whole);
     vs_mesh_free(&part);
   }
@@ -196,12 +217,13 @@ static const vs_drawn_layer layer_of[VS_SIGHT_KINDS] = {
   [VS_SIGHT_CREASE] = VS_DRAWN_EDGE, [VS_SIGHT_CURVE] = VS_DRAWN_CURVE,
 };
 
-typedef struct { vs_sheet_point a, b; vs_drawn_layer layer; } stretch;
-typedef struct { vs_sheet_point at; uint32_t stretch; uint8_t layer, end; } tip;
+typedef struct { vs_sheet_point a, b; vs_drawn_layer layer; uint32_t own; } stretch;
+typedef struct { vs_sheet_point at; uint32_t stretch, own; uint8_t layer, end; } tip;
 
 static int tip_compare(const void *p, const void *q) {
   const tip *a = p, *b = q;
   if (a->layer != b->layer) return a->layer < b->layer ? -1 : 1;
+  if (a->own != b->own) return a->own < b->own ? -1 : 1;
   if (a->at.x != b->at.x) return a->at.x < b->at.x ? -1 : 1;
   if (a->at.y != b->at.y) return a->at.y < b->at.y ? -1 : 1;
   if (a->stretch != b->stretch) return a->stretch < b->stretch ? -1 : 1;
@@ -209,7 +231,8 @@ static int tip_compare(const void *p, const void *q) {
 }
 
 static bool same_place(const tip *tips, size_t count, size_t a, size_t b) {
-  return a < count && b < count && tips[a].layer == tips[b].layer && tips[a].at.x == tips[b].at.x &&
+  return a < count && b < count && tips[a].layer == tips[b].layer && tips[a].own == tips[b].own &&
+      tips[a].at.x == tips[b].at.x &&
       tips[a].at.y == tips[b].at.y;
 }
 
@@ -285,7 +308,8 @@ static bool chain(vs_emitter *e, vs_flat_view *v, const stretches *s, uint32_t s
   size_t n = v->point_count - first;
   closed = closed && n > 3;
   if (closed) v->point_count--, n--; /* removes the last point, which repeats the first */
-  v->lines[v->line_count++] = (vs_flat_line){ (uint32_t)first, (uint32_t)n, closed, s->all[start].layer };
+  const stretch *one = &s->all[start];
+  v->lines[v->line_count++] = (vs_flat_line){ (uint32_t)first, (uint32_t)n, closed, one->layer, one->own };
   return true;
 }
 
@@ -298,7 +322,7 @@ static bool join(seen *s, const stretch *all, size_t count, double slack) {
   bool ok = t.tips && t.slot && t.used;
   for (size_t i = 0; ok && i < 2 * count; i++) {
     const stretch *one = &all[i / 2];
-    t.tips[i] = (tip){ i % 2 ? one->b : one->a, (uint32_t)(i / 2), (uint8_t)one->layer, i % 2 };
+    t.tips[i] = (tip){ i % 2 ? one->b : one->a, (uint32_t)(i / 2), one->own, (uint8_t)one->layer, i % 2 };
   }
   bool grew = ok && vs_store_sort(store, t.tips, 2 * count, sizeof *t.tips, tip_compare, s->e->error);
   if (ok) memset(t.used, 0, count + 1);
@@ -335,7 +359,8 @@ static bool add_lines(seen *s) {
         step);
     if (a.x == b.x && a.y == b.y) continue;
     bool turned = a.x > b.x || (a.x == b.x && a.y > b.y);
-    all[count++] = (stretch){ turned ? b : a, turned ? a : b, p->hidden ? VS_DRAWN_HIDDEN : layer_of[edge->kind] };
+    vs_drawn_layer layer = p->hidden ? VS_DRAWN_HIDDEN : layer_of[edge->kind];
+    all[count++] = (stretch){ turned ? b : a, turned ? a : b, layer, edge->owner };
   }
   bool ok = join(s, all, count, 2 * s->slack / far);
   vs_store_realloc(store, all, room * sizeof *all, 0);
@@ -482,7 +507,7 @@ static void measure(vs_flat_view *v) {
 }
 
 bool vs_flat_view_make(vs_emitter *e, vs_flat_view *v, const vs_loose *loose, vs_flat_whole *whole) {
-  seen s = { .e = e, .v = v, .host = { e->scene->store, e->job } };
+  seen s = { .e = e, .v = v, .whole = whole, .host = { e->scene->store, e->job } };
   vs_scene scene = *e->scene;
   vs_scene_look(&scene, &v->spec);
   v->look = vs_look_find(&scene, &e->bounds, &e->bounds, 1, 1);
@@ -497,7 +522,7 @@ bool vs_flat_view_make(vs_emitter *e, vs_flat_view *v, const vs_loose *loose, vs
   ok = ok && add_loose(&s, loose);
   vs_sight sight = { .points = s.points, .triangles = (const uint32_t (*)[3])s.triangles,
       .point_count = s.point_count, .triangle_count = s.triangle_count,
-                     .closed = s.closed, .paints = s.paints, .caps = v->has_cut ? s.caps : NULL,
+                     .closed = s.closed, .paints = s.paints, .owners = s.owners, .caps = v->has_cut ? s.caps : NULL,
                          .perspective = !v->look.parallel, .slack = s.slack };
   ok = ok && vs_sight_find_edges(&s.host, &sight, &s.edges, e->error) &&
        vs_sight_find_visible(&s.host, &sight, &s.edges, v->spec.hidden, &s.pieces, e->error) && add_lines(&s) &&
@@ -508,6 +533,7 @@ bool vs_flat_view_make(vs_emitter *e, vs_flat_view *v, const vs_loose *loose, vs
   vs_emit_release(e, s.points, s.point_room, sizeof *s.points);
   vs_emit_release(e, s.triangles, s.triangle_room, sizeof *s.triangles);
   vs_emit_release(e, s.paints, s.paint_room, sizeof *s.paints);
+  vs_emit_release(e, s.owners, s.owner_room, sizeof *s.owners);
   vs_emit_release(e, s.caps, s.cap_room, sizeof *s.caps);
   return ok;
 }

@@ -18,9 +18,12 @@ extern const vs_layer_row vs_drawn_rows[VS_DRAWN_LAYERS];
 
 /* ---- a flat view: in model units, in the view's own plane ---- */
 
-typedef struct { uint32_t first, count; bool closed; vs_drawn_layer layer; } vs_flat_line;     /* first: index of the
-                                                                                                * first point. count:
-                                                                                                * number of points */
+typedef struct {
+  uint32_t first, count; /* index of the first point, and number of points */
+  bool closed;
+  vs_drawn_layer layer;
+  uint32_t own; /* number of the program's layer; 0: none */
+} vs_flat_line;
 typedef struct { uint32_t first_loop, loop_count; const vs_material *material; } vs_flat_fill;
     /* Loops that bound a fill by the even-odd rule. */
 
@@ -42,8 +45,14 @@ typedef struct {
   vs_sheet_point at;
 } vs_flat_view;
 
-/* The drawing's solids, made for the first view without a cut. The caller frees them. */
-typedef struct { vs_solid solid; bool made; } vs_flat_whole;
+/* Data that all views of a drawing use: its solids, made for the first view without a cut; the layers of the program.
+ * The caller frees both. */
+typedef struct {
+  vs_solid solid;
+  bool made;
+  const char **layers; /* the program's layers, interned; layer number n is layers[n - 1] */
+  size_t layer_count, layer_room;
+} vs_flat_whole;
 bool vs_flat_view_make(vs_emitter *e, vs_flat_view *v, const vs_loose *loose, vs_flat_whole *whole);
 void vs_flat_view_free(vs_emitter *e, vs_flat_view *v);
 /* Returns the projection of a point of the model onto the view's plane. Only for a parallel view: a point behind the

@@ -15,7 +15,8 @@
 #define PDF_FUNCTIONS(X) \
   X(HPDF_NewEx) X(HPDF_Free) X(HPDF_SetCompressionMode) X(HPDF_AddPage) X(HPDF_Page_SetWidth) \
   X(HPDF_Page_SetHeight) X(HPDF_Page_SetLineWidth) X(HPDF_Page_SetLineCap) X(HPDF_Page_SetLineJoin) \
-  X(HPDF_Page_SetGrayStroke) X(HPDF_Page_SetGrayFill) X(HPDF_Page_MoveTo) X(HPDF_Page_LineTo) \
+  X(HPDF_Page_SetGrayStroke) X(HPDF_Page_SetRGBStroke) X(HPDF_Page_SetGrayFill) \
+  X(HPDF_Page_MoveTo) X(HPDF_Page_LineTo) \
   X(HPDF_Page_ClosePath) X(HPDF_Page_Stroke) X(HPDF_Page_Eofill) X(HPDF_Page_BeginText) X(HPDF_Page_EndText) \
   X(HPDF_Page_SetFontAndSize) X(HPDF_Page_SetTextMatrix) X(HPDF_Page_ShowText) X(HPDF_Page_TextWidth) \
   X(HPDF_LoadTTFontFromFile) X(HPDF_GetFont) X(HPDF_UseUTFEncodings) X(HPDF_SetInfoAttr) X(HPDF_SaveToStream) \
@@ -43,10 +44,14 @@ static HPDF_REAL at(double mm) { return (HPDF_REAL)(mm * point); }
 
 typedef struct { const pdf_library *lib; HPDF_Page page; HPDF_Font font; const vs_sheet *s; } writing;
 
-static void set_layer(const writing *w, vs_drawn_layer layer) {
+/* Takes the pen of a kind of line; pen: that of the program's layer, or NULL. */
+static void set_layer(const writing *w, vs_drawn_layer layer, const vs_scene_pen *pen) {
   const vs_layer_row *r = &vs_drawn_rows[layer];
-  w->lib->HPDF_Page_SetLineWidth(w->page, at(r->width));
-  w->lib->HPDF_Page_SetGrayStroke(w->page, (HPDF_REAL)r->grey);
+  w->lib->HPDF_Page_SetLineWidth(w->page, at(pen && pen->line > 0 ? pen->line : r->width));
+  if (pen && pen->colored)
+    w->lib->HPDF_Page_SetRGBStroke(w->page, (HPDF_REAL)pen->color[0], (HPDF_REAL)pen->color[1],
+                                   (HPDF_REAL)pen->color[2]);
+  else w->lib->HPDF_Page_SetGrayStroke(w->page, (HPDF_REAL)r->grey);
   w->lib->HPDF_Page_SetGrayFill(w->page, (HPDF_REAL)r->grey);
 }
 
@@ -113,14 +118,19 @@ static void put_mark(const writing *w, const vs_mark *m) {
   }
 }
 
-static bool put_all(vs_emitter *e, const writing *w) {
-  for (int l = 0; l < VS_DRAWN_LAYERS; l++) {
-    set_layer(w, (vs_drawn_layer)l);
-    for (size_t i = 0; i < w->s->mark_count; i++) {
-      if ((int)w->s->marks[i].layer == l) put_mark(w, &w->s->marks[i]);
-      if (!vs_emit_going(e, i + 1)) return false;
-    }
+static bool put_layer(vs_emitter *e, const writing *w, vs_drawn_layer layer, uint32_t own) {
+  set_layer(w, layer, own ? vs_scene_find_pen(e->scene, w->s->layers[own - 1]) : NULL);
+  for (size_t i = 0; i < w->s->mark_count; i++) {
+    if (w->s->marks[i].layer == layer && w->s->marks[i].own == own) put_mark(w, &w->s->marks[i]);
+    if (!vs_emit_going(e, i + 1)) return false;
   }
+  return true;
+}
+
+static bool put_all(vs_emitter *e, const writing *w) {
+  for (uint32_t own = 0; own <= w->s->layer_count; own++)
+    for (int l = 0; l < VS_DRAWN_LAYERS; l++)
+      if (!put_layer(e, w, (vs_drawn_layer)l, own)) return false;
   return true;
 }
 

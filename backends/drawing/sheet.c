@@ -273,6 +273,7 @@ static bool put_view(vs_emitter *e, vs_sheet *s, uint32_t i) {
     const vs_flat_line *l = &v->lines[k];
     size_t first = s->point_count;
     ok = vs_sheet_line(&pen, l->layer, v->points + l->first, l->count, l->closed);
+    if (ok) s->marks[s->mark_count - 1].own = l->own;
     for (size_t n = first; ok && n < s->point_count; n++) s->points[n] = vs_sheet_place(v, s->points[n]);
   }
   return ok && vs_sheet_notes(&pen);

@@ -9,6 +9,7 @@ typedef enum { VS_MARK_LINE, VS_MARK_FILL, VS_MARK_TEXT } vs_mark_kind;
 typedef struct {
   vs_mark_kind kind;
   vs_drawn_layer layer;
+  uint32_t own;             /* number of the program's layer; 0: none */
   uint32_t view;            /* index of the mark's view; equal to the number of views for a mark of the sheet itself */
   uint32_t first, count;    /* of a LINE: its points. Of a FILL: its loops */
   bool closed;
@@ -31,6 +32,8 @@ typedef struct {
   size_t mark_count, mark_room, point_count, point_room, loop_count, loop_room;
   vs_flat_view *views;
   size_t view_count;
+  const char *const *layers; /* the program's: number n is layers[n - 1] */
+  size_t layer_count;
 } vs_sheet;
 
 /* Adds marks of a single view to a sheet. */

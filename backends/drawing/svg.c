@@ -1,5 +1,6 @@
-/* Writes .svg: the sheet in millimetres, with a group for each layer, which contains a group for each view. Text
- * remains text. Inkscape and other programs show the groups as layers. */
+/* Writes .svg: the sheet in millimetres, with a group for each layer, which contains a group for each view. The layers
+ * of the program follow those of the drawing. Text remains text. Inkscape and other programs show the groups as
+ * layers. */
 #include <string.h>
 
 #include "backends/drawing/svg.h"
@@ -74,10 +75,14 @@ static void group(vs_writer *w, const vs_sheet *s, const uint32_t *order, size_t
   if (open > 0) vs_puts(w, "\"/>\n");
 }
 
-static void layer(vs_writer *w, const vs_sheet *s, vs_drawn_layer which, const uint32_t *order, size_t from,
-    size_t to) {
+/* The marks of one kind of line and one layer of the program: order[from] to order[to - 1]. */
+typedef struct {
+  const uint32_t *order;
+  size_t from, to;
+} chosen;
+
+static void style(vs_writer *w, vs_drawn_layer which, const vs_scene_pen *pen) {
   const vs_layer_row *r = &vs_drawn_rows[which];
-  vs_putf(w, "<g id=\"%s\" inkscape:groupmode=\"layer\" inkscape:label=\"%s\"", r->name, r->name);
   if (which == VS_DRAWN_FILL) {
     vs_puts(w, " stroke=\"none\" fill-rule=\"evenodd\"");
   } else if (which == VS_DRAWN_TEXT) {
@@ -85,9 +90,12 @@ static void layer(vs_writer *w, const vs_sheet *s, vs_drawn_layer which, const u
     vs_puts(w, " font-family=\"DejaVu Sans, sans-serif\"");
   } else {
     vs_puts(w, " fill=\"none\"");
-    colour(w, "stroke", r->grey);
+    if (pen && pen->colored)
+      vs_putf(w, " stroke=\"#%02x%02x%02x\"", (unsigned)(255 * pen->color[0] + 0.5),
+              (unsigned)(255 * pen->color[1] + 0.5), (unsigned)(255 * pen->color[2] + 0.5));
+    else colour(w, "stroke", r->grey);
     vs_puts(w, " stroke-width=\"");
-    number(w, r->width);
+    number(w, pen && pen->line > 0 ? pen->line : r->width);
     vs_puts(w, "\" stroke-linecap=\"round\" stroke-linejoin=\"round\"");
   }
   const double dashes[] = { r->dash, r->gap, r->dot, r->gap };
@@ -96,18 +104,45 @@ static void layer(vs_writer *w, const vs_sheet *s, vs_drawn_layer which, const u
     number(w, dashes[i]);
   }
   vs_puts(w, r->dash > 0 ? "\">\n" : ">\n");
-  for (size_t i = from, end; i < to; i = end) {
-    uint32_t view = s->marks[order[i]].view;
-    for (end = i; end < to && s->marks[order[end]].view == view; end++) {}
+}
+
+static void each_view(vs_writer *w, const vs_sheet *s, const chosen *c) {
+  for (size_t i = c->from, end; i < c->to; i = end) {
+    uint32_t view = s->marks[c->order[i]].view;
+    for (end = i; end < c->to && s->marks[c->order[end]].view == view; end++) {}
     if (view < s->view_count) {
       vs_putf(w, "<g class=\"view-%u\"><title>", view + 1);
       vs_put_xml(w, s->views[view].spec.name);
       vs_puts(w, "</title>\n");
     }
-    group(w, s, order, i, end);
+    group(w, s, c->order, i, end);
     if (view < s->view_count) vs_puts(w, "</g>\n");
   }
-  vs_puts(w, "</g>\n");
+}
+
+/* Writes all marks of a kind of line in a layer of the program; own 0: those in none. The first group of such a layer
+ * opens it. */
+static bool layer(vs_emitter *e, const vs_sheet *s, uint32_t *order, vs_drawn_layer which, uint32_t own, bool *open) {
+  vs_writer *w = e->out;
+  chosen c = { order, 0, 0 };
+  for (uint32_t view = 0; view <= s->view_count; view++) /* few views: a pass for each */
+    for (size_t i = 0; i < s->mark_count; i++)
+      if (s->marks[i].layer == which && s->marks[i].own == own && s->marks[i].view == view)
+        order[c.to++] = (uint32_t)i;
+  if (c.to == 0) return true;
+  const vs_scene_pen *pen = own ? vs_scene_find_pen(e->scene, s->layers[own - 1]) : NULL;
+  if (own && !*open) {
+    vs_putf(w, "<g id=\"layer-%u\" inkscape:groupmode=\"layer\" inkscape:label=\"", (unsigned)own);
+    vs_put_xml(w, s->layers[own - 1]);
+    vs_puts(w, "\">\n");
+    *open = true;
+  }
+  if (own) vs_putf(w, "<g class=\"%s\"", vs_drawn_rows[which].name);
+  else vs_putf(w, "<g id=\"%s\" inkscape:groupmode=\"layer\" inkscape:label=\"%s\"", vs_drawn_rows[which].name,
+               vs_drawn_rows[which].name);
+  style(w, which, pen);
+  each_view(w, s, &c);
+  return vs_puts(w, "</g>\n");
 }
 
 bool vs_sheet_write_svg(vs_emitter *e, const vs_sheet *s) {
@@ -129,14 +164,10 @@ bool vs_sheet_write_svg(vs_emitter *e, const vs_sheet *s) {
   vs_put_xml(w, e->scene->title);
   vs_puts(w, "</title>\n");
   if (!s->bare) vs_puts(w, "<rect id=\"paper\" width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n");
-  size_t count = 0;
-  for (int l = 0; l < VS_DRAWN_LAYERS && !w->failed; l++) {
-    size_t from = count = 0;
-    for (uint32_t view = 0; view <= s->view_count; view++) /* there are few views, so the loop passes over all marks for
-                                                            * each */
-      for (size_t i = 0; i < s->mark_count; i++)
-        if ((int)s->marks[i].layer == l && s->marks[i].view == view) order[count++] = (uint32_t)i;
-    if (count > from) layer(w, s, (vs_drawn_layer)l, order, from, count);
+  for (uint32_t own = 0; own <= s->layer_count; own++) {
+    bool open = false;
+    for (int l = 0; l < VS_DRAWN_LAYERS && !w->failed; l++) layer(e, s, order, (vs_drawn_layer)l, own, &open);
+    if (open) vs_puts(w, "</g>\n");
   }
   vs_store_realloc(store, order, (s->mark_count + 1) * sizeof *order, 0);
   return vs_puts(w, "</svg>\n");

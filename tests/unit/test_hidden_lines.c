@@ -74,7 +74,7 @@ static result look(const model *m, bool perspective, const vs_sight_edges *own) 
 }
 
 static result look_at_line(const model *m, bool perspective, vs_vec3 p, vs_vec3 q) {
-  vs_sight_edge edge = { p, q, VS_SIGHT_CURVE, 1e-7 };
+  vs_sight_edge edge = { p, q, VS_SIGHT_CURVE, 1e-7, 0 };
   return look(m, perspective, &(vs_sight_edges){ &edge, 1, 1 });
 }
 

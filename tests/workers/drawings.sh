@@ -22,6 +22,20 @@ echo '(draw (make-box origin (xyz 2 2 2)))' > cube.vs
 for name in plan hall street sheet; do
   for format in svg pdf dxf; do "$vs" -q house.vs -o "$name.$format" || echo "$name.$format"; done
 done > said 2>&1
+# layers of the program: of regions, curves, solids and surfaces; with pens, and without; names of other languages, names
+# that DXF forbids, and one of the drawing's own; hidden edges keep their dashes
+cat > layers.vs <<'EOF'
+(units 'mm)
+(draw (layer "schneiden" #:color "red" #:line 0.1 (make-region (make-rectangle origin (xy 100 60)))))
+(draw (layer "gravur" (make-circle (xy 50 30) 20) #:color "blue"))
+(draw (layer "box" (make-box (xyz 120 0 0) (xyz 160 40 10))) (layer "box" (make-line (xy 120 50) (xy 160 50))))
+(draw (layer "a<b>/c" (make-3dface (xy 170 0) (xy 180 0) (xy 180 10) (xy 170 10)) #:line 0.7))
+(draw (make-line (xy 0 70) (xy 100 70)))
+(draw (layer "cut" (make-line (xy 0 80) (xy 90 80)) #:color "#00ff00"))
+(draw (layer "below" (make-box (xyz 121 1 -9) (xyz 159 39 -5)) #:color (list 1 0 1)))
+(view "layers" 'top #:sheet 'none #:hidden #t)
+EOF
+"$vs" -q layers.vs -o layers.svg -o layers.pdf -o layers.dxf >> said 2>&1
 "$vs" -q cube.vs -o isometric.dxf -o isometric.svg >> said 2>&1
 for i in 1 2; do "$vs" -q house.vs -o sheet.pdf && cp sheet.pdf "again$i.pdf"; done
 cmp again1.pdf again2.pdf >> said 2>&1
@@ -65,6 +79,16 @@ want('the wall begins at x', min(x for e in m.query('LWPOLYLINE[layer=="cut"]') 
 texts = [t.dxf.text for t in m.query('TEXT')]
 if '10.00' not in texts: print('no dimension', texts)
 if not any('\\U+00E3' in t or 'ã' in t for t in texts): print('no label', texts)
+m = read('layers.dxf')
+rows = {l.dxf.name: l for l in m.doc.layers}
+for name, colour, weight, length in (('schneiden', 1, 9, 320), ('gravur', 5, 18, 40 * math.pi), ('box', 7, 18, 200),
+                                     ('a_b__c', 7, 70, 40), ('cut', 3, 50, 90), ('curve', 5, 18, 100), ('below', 6, 18, 152)):
+    if name not in rows: print('no layer', name, sorted(rows)); continue
+    want(f'colour of {name}', rows[name].color, colour)
+    want(f'weight of {name}', rows[name].dxf.lineweight, weight)
+    want(f'length in {name}', total(m, name), length, 0.01 * length)
+if {e.dxf.linetype for e in m.query('*[layer=="below"]')} != {'hidden'}: print('hidden edges without dashes')
+if len(rows) != len({n.lower() for n in rows}): print('two rows of one layer', sorted(rows))
 m = read('hall.dxf')
 want('area cut in the section', sum(area(m).values()), 10 * 3 - 9.2 * 2.7 + 0.5 * 2.7)
 for name in ('street.dxf', 'sheet.dxf'): read(name)
@@ -75,6 +99,37 @@ EOF
   result drawings/dxf said
 else
   echo "skip drawings/dxf: no python3-ezdxf"
+fi
+
+/usr/bin/python3 - > said 2>&1 <<'EOF'
+import re, xml.etree.ElementTree as tree
+svg, ink = '{http://www.w3.org/2000/svg}', '{http://www.inkscape.org/namespaces/inkscape}'
+root = tree.parse('layers.svg').getroot()
+found = {}
+for g in root.findall(svg + 'g'):
+    if g.get(ink + 'groupmode') != 'layer': print('a group that is no layer')
+    pens = [(x.get('stroke'), x.get('stroke-width')) for x in ([g] if g.get('stroke') else g.findall(svg + 'g'))]
+    found[g.get(ink + 'label')] = pens
+wanted = {'curve': [('#000000', '0.18')], 'schneiden': [('#ff0000', '0.1')], 'gravur': [('#0000ff', '0.18')],
+          'box': [('#000000', '0.18'), ('#000000', '0.3')], 'a<b>/c': [('#000000', '0.7')], 'cut': [('#00ff00', '0.18')],
+          'below': [('#ff00ff', '0.13')]}
+if found != wanted: print(found)
+ids = [g.get('id') for g in root.iter() if g.get('id')]
+if len(ids) != len(set(ids)): print('ids that are not unique', ids)
+EOF
+result drawings/svg-layers said
+if command -v pdftoppm > /dev/null; then
+  pdftoppm -r 100 layers.pdf page > said 2>&1
+  /usr/bin/python3 - >> said 2>&1 <<'EOF'
+import glob
+data = open(glob.glob('page*.ppm')[0], 'rb').read().split(b'\n', 3)[3]
+seen = {tuple(c > 128 for c in data[i:i + 3]) for i in range(0, len(data) - 2, 3) if max(data[i:i + 3]) - min(data[i:i + 3]) > 100}
+for name, c in (('red', (True, False, False)), ('blue', (False, False, True)), ('green', (False, True, False)), ('magenta', (True, False, True))):
+    if c not in seen: print('no line is', name, seen)
+EOF
+  result drawings/pdf-pens said
+else
+  echo "skip drawings/pdf-pens: no pdftoppm"
 fi
 
 if command -v pdftotext > /dev/null; then
