@@ -231,7 +231,7 @@
 
 ; Returns the surface over points, seen from above as Delaunay triangles, with the breaklines as edges.
 (define (terrain points #:breaklines [breaklines any? '()])
-  (let ((points (if (and (pair? points) (list? (car points))) (append-map values points) points)))
+  (let ((points (if (and (pair? points) (list? points) (every list? points)) (append-map values points) points)))
     (%need-points 'terrain 'points points 3)
     (let* ((lines (map %breakline-points (if (or (object? breaklines) (and (pair? breaklines) (point? (car breaklines)))) (list breaklines) breaklines)))
            (made (%terrain points (append-map values lines) (map length lines))))
