@@ -156,9 +156,10 @@
   (syntax-rules () ((_ clauses . body) (let/ec leave (%for-each clauses (let ((x (let () . body))) (if x (leave x)))) #f))))
 (define-syntax for/fold
   (syntax-rules ()
-    ((_ ((name start)) clauses . body) (let ((name start)) (%for-each clauses (set! name (let () . body))) name))
-    ((_ ((name start) ...) clauses . body)
-     (let ((name start) ...) (%for-each clauses (%set-values (name ...) (let () . body))) (values name ...)))))
+    ((_ ((name start)) (clause ...) . body) (let ((name start)) (%for-each (clause ...) (set! name (let () . body))) name))
+    ((_ ((name start) ...) (clause ...) . body)
+     (let ((name start) ...) (%for-each (clause ...) (%set-values (name ...) (let () . body))) (values name ...)))
+    ((_ . other) (syntax-error "for/fold is written (for/fold ([total start]) ([name sequence] ...) new-total), as in (for/fold ([sum 0]) ([i 5]) (+ sum i)); not" (for/fold . other)))))
 (define-syntax %set-values
   (syntax-rules () ((_ (name ...) expression) (%set-values-from (name ...) () expression))))
 (define-syntax %set-values-from

@@ -242,6 +242,12 @@ VS_API bool vs_name_get(vs_scheme *s, const char *name, vs_name_info *out);
 /* Returns the advice that an error gives for an unknown name: "make-box is the name here: ...", "did you mean
  * make-box?". Returns "" if there is no advice. */
 VS_API const char *vs_name_advice(vs_scheme *s, const char *name);
+/* Returns the message with the advice that a run adds to an error at this byte of the text: of an unknown name ("x is
+ * not defined"), of a value that is called, of a form's name alone, or of (< 1 x < 3). A valid text until the next call
+ * with `s`. */
+typedef enum { VS_ADVICE_NAME, VS_ADVICE_CALL, VS_ADVICE_WORD, VS_ADVICE_CHAIN } vs_advice_kind;
+VS_API const char *vs_place_advice(vs_scheme *s, vs_advice_kind kind, const char *text, size_t length, size_t at,
+                                   const char *message);
 /* Passes each line of a procedure's compiled instructions to `each`, until `each` returns false. Returns false if the
  * name does not denote a procedure of Scheme code. */
 VS_API bool vs_disassemble(vs_scheme *s, const char *name, bool (*each)(void *context, const char *line),

@@ -639,7 +639,8 @@ static bool drive_nothing(vs_emitter *e) {
   if (empty && !other)
     return vs_error_set(e->error, VS_ERROR_MODEL, empty->origin,
                         "every drawn object is empty: a ghost, an object without extent, a solid that is subtracted "
-                        "wholly, or an intersection of solids that do not overlap");
+                        "wholly, or an intersection of solids that do not overlap; (subtract object cutter) takes the "
+                        "second from the first, and intersect keeps the common part of solids that overlap");
   return vs_error_set(e->error, VS_ERROR_MODEL, NULL, "the drawing holds nothing that this format can show");
 }
 

@@ -96,6 +96,15 @@ vs_status vs_p_erase_all(vs_args *f, vs_value *out) {
 
 static vs_status around(vs_args *f, vs_kind kind, const void *data, const vs_arg *objects, vs_value *out) {
   vs_ref child;
+  char name[64];
+  if (objects->refs.count == 0 && objects != f->arg && f->given < 2) {
+    vs_bind_own_name(f, name);
+    vs_bind_warn(f->bind, "no object", "%s gets no object, and changes none that is drawn elsewhere: (%s%s object)",
+                 name, name,
+                 kind == VS_MATERIAL ? strcmp(name, "color") ? " steel" : " \"red\""
+                 : kind == VS_LAYER  ? " \"walls\""
+                                     : "");
+  }
   if (objects->refs.count == 0) return vs_bind_empty(f, NULL, out);
   if (objects->refs.count == 1) child = objects->refs.at[0];
   else {
@@ -215,6 +224,13 @@ vs_status vs_p_zoom_extents(vs_args *f, vs_value *out) {
 
 /* ---- the sun ---- */
 
+/* Returns true for a multiple of pi/12 up to two turns, which was surely meant in radians. */
+#define HALF_TURN 3.141592653589793
+static bool is_radians(double angle) {
+  double parts = angle * 12 / HALF_TURN;
+  return parts > 0.5 && parts < 24.5 && fabs(parts - round(parts)) < 1e-9;
+}
+
 vs_status vs_p_sun(vs_args *f, vs_value *out) {
   const vs_arg *k = f->key; /* keywords in order: azimuth altitude latitude longitude date time */
   vs_scene *s = &f->bind->scene;
@@ -233,6 +249,11 @@ vs_status vs_p_sun(vs_args *f, vs_value *out) {
   } else {
     azimuth = k[0].given ? k[0].real : 135, altitude = k[1].given ? k[1].real : 45;
     if (fabs(altitude) > 90) return vs_bind_refuse(f, "altitude", "from -90 to 90", k[1].value);
+    double radians = k[0].given && is_radians(azimuth) ? azimuth : k[1].given && is_radians(altitude) ? altitude : 0;
+    if (radians > 0)
+      vs_bind_warn(f->bind, "radians",
+                   "sun: its angles are degrees, and %.4g is a part of pi; (radians->degrees x), or %.4g", radians,
+                   radians * 180 / HALF_TURN);
   }
   if (f->bind->handing) return VS_OK;
   s->has_sun = true, s->sun_azimuth = azimuth, s->sun_altitude = altitude;

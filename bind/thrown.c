@@ -38,7 +38,7 @@ void vs_bind_warn_thrown(vs_bind *b, const vs_node *node, const vs_origin *origi
   if (!b->job.warn || vs_bind_warned(b, origin, "thrown away")) return;
   vs_job_warn(&b->job, origin,
           node->kind == VS_TRANSFORM ? "this object is made and not used: do-move, do-rotate and similar procedures "
-                                       "return a new object, and do not change their argument"
+                                       "return a new object, and do not change their argument: (draw (do-move o v))"
           : in_body ? "this object is made and not used: a body returns only its last value, a loop returns none; "
                       "unite the objects, or (draw ...) each of them"
                     : "this object is made and not used: other objects are drawn, but this object is not; unite the "

@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -446,6 +447,26 @@ static const char *ending_of(const char *path) {
   return strcmp(path, "-") == 0 ? NULL : strrchr(base ? base + 1 : path, '.');
 }
 
+/* Writes the name with the ending that other programs read. Returns false if the ending is not in the table. */
+static bool advise_ending(const char *path, const char *ending) {
+  static const struct { const char *endings, *here, *who; } endings_here[] = {
+#define ENDING(endings, here, who) { endings, here, who },
+#include "cli/endings.def"
+  };
+  size_t n = strlen(ending + 1);
+  for (size_t i = 0; n && i < sizeof endings_here / sizeof *endings_here; i++)
+    for (const char *w = endings_here[i].endings; *w; w += *w == ' ') {
+      size_t length = strcspn(w, " ");
+      if (length == n && !strncasecmp(w, ending + 1, n)) {
+        fprintf(stderr, " write -o %.*s.%s, %s;", (int)(ending - path), path, endings_here[i].here,
+                endings_here[i].who);
+        return true;
+      }
+      w += length;
+    }
+  return false;
+}
+
 /* Finds the format of a target among those that the program defines. scheme may be NULL. Returns false after a message
  * on standard error. */
 static bool late_format(const cli_options *o, cli_target *t, const vs_scheme *scheme) {
@@ -467,7 +488,8 @@ static bool late_format(const cli_options *o, cli_target *t, const vs_scheme *sc
   const vs_format_info *formats = vs_format_list(&count);
   cli_nearby near = cli_nearby_start(o->format ? o->format : ending ? ending + 1 : "");
   for (size_t i = 0; i < count; i++) cli_nearby_offer(&near, formats[i].suffix);
-  if (near.best && *near.wanted) fprintf(stderr, " perhaps .%s;", near.best);
+  if (!o->format && ending && advise_ending(t->path, ending)) near.best = NULL;
+  if (near.best && *near.wanted && (o->format || near.distance < 2)) fprintf(stderr, " perhaps .%s;", near.best);
   fprintf(stderr, " there are %s\n", vs_format_endings());
   return false;
 }

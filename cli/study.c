@@ -24,7 +24,7 @@ static void diagnose(void *context, const vs_diagnostic *d) {
   if (s->k.reading && !d->at.line) return;
   if (s->k.reading && d->severity == VS_SEVERITY_ERROR) s->k.unreadable = true;
   if (!s->k.muted) cli_report_diagnostic(&s->reporter, d);
-  else if (!*s->k.heard && d->severity == VS_SEVERITY_ERROR) snprintf(s->k.heard, sizeof s->k.heard, "%s", d->message);
+  else know_hear(&s->k, d);
 }
 
 static vs_outcome tell(study *s, const cli_options *o) {
@@ -56,6 +56,7 @@ typedef struct { knowledge k; know_place at; char message[300]; } draft;
 /* Receives messages of the interpreter, and keeps the first error in the text itself. */
 static void keep_error(void *context, const vs_diagnostic *d) {
   draft *t = context;
+  if (t->k.muted) know_hear(&t->k, d);
   if (d->severity != VS_SEVERITY_ERROR || !d->at.line) return;
   t->k.unreadable |= t->k.reading;
   if (t->k.muted || *t->message) return;
@@ -284,6 +285,7 @@ vs_outcome cli_study(const cli_options *o) {
     return VS_OUTCOME_USAGE;
   }
   interpreter.host = (vs_host){.context = &s, .diagnose = diagnose};
+  if (o->command == CLI_COMMAND_check && interpreter.limit_time <= 0) interpreter.limit_time = CHECK_SECONDS;
   vs_scheme *scheme = vs_new(&interpreter);
   if (!scheme) return fputs("vs: out of memory\n", stderr), VS_OUTCOME_MACHINE;
   vs_outcome outcome = VS_OUTCOME_DONE;

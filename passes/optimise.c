@@ -18,9 +18,10 @@ static bool optimise_bounds(void *context, const vs_node *n, vs_bounds *out, vs_
   return true;
 }
 
-bool vs_scene_optimise(vs_scene *scene, unsigned passes, vs_pass_stats *stats, vs_error *e) {
+bool vs_scene_optimise(vs_scene *scene, unsigned passes, vs_pass_stats *stats, const vs_pass_notes *notes,
+                       vs_error *e) {
   vs_bounds_memo memo = { .places = { .store = scene->store } };
-  vs_pass_options options = { passes, optimise_bounds, &memo };
+  vs_pass_options options = { passes, optimise_bounds, &memo, notes };
   bool ok = vs_passes_run(scene->store, scene->drawn, scene->drawn_count, &options, stats, e);
   vs_bounds_memo_free(&memo);
   return ok;
@@ -38,7 +39,7 @@ static bool group_bounds(void *context, const vs_node *n, vs_bounds *out, vs_err
 
 bool vs_scene_group(vs_scene *scene, vs_error *e) {
   vs_bounds_memo memo = { .places = { .store = scene->store } };
-  vs_pass_options options = { 0, group_bounds, &memo };
+  vs_pass_options options = { 0, group_bounds, &memo, NULL };
   bool ok = vs_sets_group(scene->store, scene->drawn, scene->drawn_count, &options, e);
   vs_bounds_memo_free(&memo);
   return ok;

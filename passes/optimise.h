@@ -6,8 +6,9 @@
 #include "passes/passes.h"
 #include "model/scene.h"
 
-/* Rewrites the scene's drawn array. On failure the scene is unchanged. stats may be NULL. */
-bool vs_scene_optimise(vs_scene *scene, unsigned passes, vs_pass_stats *stats, vs_error *e);
+/* Rewrites the scene's drawn array. On failure the scene is unchanged. stats and notes may be NULL. */
+bool vs_scene_optimise(vs_scene *scene, unsigned passes, vs_pass_stats *stats, const vs_pass_notes *notes,
+                       vs_error *e);
 /* Converts the scene's large sets to trees of boxes (group.c), for a format whose program tests every part of a set for
  * every ray. */
 bool vs_scene_group(vs_scene *scene, vs_error *e);

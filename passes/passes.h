@@ -15,12 +15,19 @@ typedef enum {
 typedef struct { const char *name, *doc; } vs_pass_info;
 const vs_pass_info *vs_pass_get(vs_pass_kind pass);
 
+/* The host of the passes' warnings. */
+typedef struct {
+  void (*warn)(void *context, const vs_origin *origin, const char *message);
+  void *context;
+} vs_pass_notes;
+
 typedef struct {
   unsigned passes; /* set of passes to run: bit k means vs_pass_kind k */
   /* Computes safe bounds of a node in its own coordinates. NULL: prune removes only empty nodes. Nodes may be
    * freed at the end of the run, so context must then forget them. */
   bool (*bounds)(void *context, const vs_node *n, vs_bounds *out, vs_error *e);
   void *context;
+  const vs_pass_notes *notes; /* NULL: no warnings */
 } vs_pass_options;
 
 typedef struct {

@@ -34,14 +34,19 @@ vs_node *vs_pass_prune(vs_rewrite *w, const vs_node *n, const vs_ref *kids, cons
   size_t kept = 0;
   vs_ref *all = vs_store_realloc(w->store, NULL, 0, (n->child_count + (size_t)1) * sizeof *all);
   if (!all) return NULL;
-  bool nothing = n->child_count == 0, ok = true;
+  bool nothing = n->child_count == 0, ok = true, misses = n->kind == VS_DIFFERENCE && n->child_count > 1;
   for (uint32_t i = 0; ok && !nothing && i < n->child_count; i++) {
     bool empty = prune_empty(kids[i].node), apart = false;
     if (n->kind != VS_UNION && !empty && i) ok = prune_apart(w, kids[0].node, kids[i].node, &apart);
+    misses = misses && (i == 0 ? !empty : apart);
     if (n->kind == VS_INTERSECTION && (empty || apart)) nothing = true;
     else if (n->kind == VS_DIFFERENCE && i == 0 && empty) nothing = true;
     else if (!empty && !apart) all[kept++] = kids[i];
   }
+  const vs_pass_notes *notes = w->options->notes;
+  if (ok && misses && notes)
+    notes->warn(notes->context, w->at, "subtract takes nothing away here: no other object meets the first one; "
+                                       "move it, or (bounding-box object) shows where it is");
   vs_node *result = NULL;
   if (ok && (nothing || !kept)) result = prune_to_nothing(w);
   else if (ok && kept == n->child_count) result = vs_rewrite_keep(w, n, kids);

@@ -42,6 +42,7 @@ static bool rewrite_node(vs_rewrite *w, vs_rewrite_fn *fn, size_t index, vs_rewr
     kids = room;
   }
   results[index].origin = NULL;
+  w->at = at.origin;
   results[index].node = fn(w, at.node, kids, &results[index].origin);
   if (w->order.note[index].uses > 1) results[index].origin = NULL; /* several calls refer to the node, and each
                                                                     * reference keeps its own origin */

@@ -19,6 +19,7 @@ struct vs_rewrite {
   void *state;      /* the pass's own data */
   vs_error *error;  /* set by a pass that returns NULL, or if memory is out */
   vs_order order;   /* order of the nodes before the pass */
+  const vs_origin *at; /* call site of the node */
   size_t changed;
   bool nests;       /* set by fold: a placement around a set was removed, so the set may now be nested directly in a set
                      * of its own kind */

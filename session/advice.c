@@ -3,6 +3,7 @@
  * payload of #t means that the called value is no procedure (vm/machine/run_failures.h). */
 #include "session/advice.h"
 
+#include <ctype.h>
 #include <stdarg.h>
 #include <stdio.h>
 
@@ -10,8 +11,12 @@
 #include "bind/constructors/regroup.h"
 #include "bind/objects.h"
 #include "bind/procedures.h"
+#include "session/file_advice.h"
 #include "session/report.h"
 #include "session/source_outline.h"
+#include "session/text_advice.h"
+#include "session/type_advice.h"
+#include "vm/machine/arguments.h"
 #include "vm/machine/fail.h"
 #include "vm/values/printer.h"
 #include "vm/front/environment.h"
@@ -64,6 +69,10 @@ static bool put(vs_text *t, const char *format, ...) {
   vsnprintf(text, sizeof text, format, list);
   va_end(list);
   return vs_text_puts(t, text);
+}
+
+static vs_text_place view_of(place p) {
+  return (vs_text_place){ p.source->text, p.at, p.end, p.source->first_line };
 }
 
 /* ---- undefined names ---- */
@@ -146,32 +155,6 @@ static bool advise_word(place p, size_t n, size_t bare, vs_text *t) {
   return true;
 }
 
-static bool advise_unbound(place p, vs_span at, vs_text *t) {
-  size_t n = vs_outline_word(p.at, p.end), m;
-  const char *value;
-  uint32_t unused = 0;
-  bool call = n == 0 && *p.at == '(';
-  size_t bare;
-  if (call) p.at = vs_outline_blanks(p.at + 1, p.end, &unused), n = vs_outline_word(p.at, p.end);
-  if (!n || n > 100) return true;
-  static const char is_not[] = " is not defined";
-  if (t->count < n + sizeof is_not - 1 || memcmp(t->at, p.at, n) || memcmp(t->at + n, is_not,
-      sizeof is_not - 1)) return true;
-  uint32_t line = defined_on(p.source, p.at, n);
-  bare = n + sizeof is_not - 1;
-  if (line >= at.line && line) {
-    t->count = bare; /* removes the advice about a similar name, which is probably not meant */
-    return put(t, " yet: line %u defines it, after this use; move the definition up", (unsigned)line);
-  }
-  if (is_assignment(p, n, &value, &m)) {
-    while (call && m && (value[m - 1] == ')' || value[m - 1] == ' ')) m--; /* removes the parenthesis of (x = 5) */
-    return !m || put(t, "; (define %.*s %.*s) names a value", (int)n, p.at, (int)m, value);
-  }
-  return call || advise_word(p, n, bare, t);
-}
-
-/* ---- calls of a value that is no procedure ---- */
-
 /* Returns the length of the operator in "(x > 3)", or 0. The operator follows the first operand, which has n characters
  * at p. *operand and *length receive the next operand if it is a single word. */
 static size_t operator_behind(const char *p, size_t n, const char *end, const char **operator, const char ** operand,
@@ -187,6 +170,61 @@ static size_t operator_behind(const char *p, size_t n, const char *end, const ch
   return m;
 }
 
+/* p: the word set! of (set! name value). */
+static bool advise_set(place p, vs_text *t) {
+  uint32_t unused = 0;
+  const char *name = vs_outline_blanks(p.at + 4, p.end, &unused);
+  size_t n = vs_outline_word(name, p.end);
+  const char *value = vs_outline_blanks(name + n, p.end, &unused), *end = vs_outline_datum(value, p.end, &unused);
+  if (t->count < n || !n || memcmp(t->at, name, n)) return true;
+  return put(t, "; set! changes a value that is there: (define %.*s %.*s) makes it first", (int)(n < 60 ? n : 60), name,
+             end - value < 60 ? (int)(end - value) : 5, end - value < 60 ? value : "value");
+}
+
+static bool advise_unbound(place p, vs_span at, vs_text *t) {
+  size_t n = vs_outline_word(p.at, p.end), m;
+  const char *value;
+  uint32_t unused = 0;
+  bool call = n == 0 && *p.at == '(';
+  size_t bare;
+  if (call) p.at = vs_outline_blanks(p.at + 1, p.end, &unused), n = vs_outline_word(p.at, p.end);
+  if (!n || n > 100) return true;
+  if (call && n == 4 && !memcmp(p.at, "set!", 4)) return advise_set(p, t);
+  static const char is_not[] = " is not defined";
+  if (t->count < n + sizeof is_not - 1 || memcmp(t->at, p.at, n) || memcmp(t->at + n, is_not,
+      sizeof is_not - 1)) return true;
+  uint32_t line = defined_on(p.source, p.at, n);
+  bare = n + sizeof is_not - 1;
+  if (!call && p.at > p.source->text && p.at[-1] == '"') {
+    t->count = bare;
+    return put(t, "; a quotation mark within a text is written \\\"");
+  }
+  if (!call && n == 1 && p.at + n < p.end && p.at[n] == '"') {
+    t->count = bare;
+    return put(t, "; (format \"x = ~a\" x) sets values into a text");
+  }
+  size_t before = t->count;
+  if (!call && !vs_text_advise_operator(view_of(p), t)) return false;
+  if (t->count != before) return true;
+  if (line >= at.line && line) {
+    t->count = bare; /* removes the advice about a similar name, which is probably not meant */
+    return put(t, " yet: line %u defines it, after this use; move the definition up", (unsigned)line);
+  }
+  if (is_assignment(p, n, &value, &m)) {
+    while (call && m && (value[m - 1] == ')' || value[m - 1] == ' ')) m--; /* (x = 5) */
+    return !m || put(t, "; (define %.*s %.*s) names a value", (int)n, p.at, (int)m, value);
+  }
+  const char *operator, *operand;
+  size_t length, sign = p.at > p.source->text && strchr("([", p.at[-1])
+                            ? operator_behind(p.at, n, p.end, &operator, &operand, &length) : 0;
+  if (sign)
+    return put(t, "; the operator comes first: (%.*s %.*s %.*s)", (int)sign, operator, (int)n, p.at,
+               length ? (int)length : 3, length ? operand : "...");
+  return call || advise_word(p, n, bare, t);
+}
+
+/* ---- calls of a value that is no procedure ---- */
+
 static bool advise_callee(place p, vs_span at, vs_value irritants, vs_text *t, vs_scheme *vm) {
   uint32_t unused = 0;
   if (*p.at != '(' && *p.at != '[') return true;
@@ -195,19 +233,33 @@ static bool advise_callee(place p, vs_span at, vs_value irritants, vs_text *t, v
   const char *operator, *operand;
   size_t sign = n < 100 ? operator_behind(name, n, p.end, &operator, &operand, &length) : 0;
   if (sign) {
+    size_t before = t->count;
+    if (!vs_text_advise_operator((vs_text_place){ p.source->text, operator, p.end, p.source->first_line }, t))
+      return false;
+    if (t->count != before) return true;
     t->count = 0;
     return put(t, "the operator comes first: (%.*s %.*s %.*s)", (int)sign, operator,(int) n, name,
                length ? (int)length : 3, length ? operand : "...");
   }
+  if (*p.at == '[' && p.at > p.source->text && (isalnum((unsigned char)p.at[-1]) || p.at[-1] == ')')) {
+    if (p.at[-1] == ')') return put(t, "; an element is (list-ref list %.*s), counted from 0", (int)n, name);
+    const char *list = p.at;
+    while (list > p.source->text && !strchr(" \t\r\n()[]\"';", list[-1])) list--;
+    return put(t, "; an element is (list-ref %.*s %.*s), counted from 0", (int)(p.at - list), list, (int)n, name);
+  }
+  if (*p.at == '(' && p.at > p.source->text && (isalnum((unsigned char)p.at[-1]) || p.at[-1] == '_'))
+    return vs_text_advise_statement(vm, view_of(p), t);
   uint32_t line = n && n < 100 ? defined_on(p.source, name, n) : 0;
-  if (!line || line > at.line || !vs_is_pair(irritants)) return true;
   vs_value symbol;
   if (!vs_intern(vm, name, n, &symbol)) return false;
   bool ours = vs_idtable_get(vs_as_environment(vm->at.core)->table, symbol) != VS_VACANT;
+  if (!line && ours) return vs_text_advise_hidden(view_of(p), t);
+  if (!line || line > at.line || !vs_is_pair(irritants)) return true;
   t->count = 0;
   return put(t, "%.*s is %s here, no procedure: line %u made it ", (int)n, name, vs_noun(vm, vs_car(irritants)),
       (unsigned)line) &&
          vs_print(vm, vs_car(irritants), VS_PRINT_WRITE, t) &&
+         (ours || name[n] != ')' || put(t, "; its value is %.*s, without parentheses", (int)n, name)) &&
          (!ours || put(t, "; under another name for that, (%.*s ...) has its old meaning again", (int)n, name));
 }
 
@@ -218,8 +270,26 @@ static const vs_procedure *procedure_of(const vs_native *native) {
   return &vs_bind_procedures[native->def - vs_bind_defs];
 }
 
+/* Advises on (map make-sphere points), which calls with one argument for each list. */
+static bool advise_mapped(const place *p, vs_value callee, vs_text *t) {
+  char form[200];
+  const char *call = vs_is_procedure(callee) ? vs_procedure_form(callee, form, sizeof form) : NULL;
+  uint32_t unused = 0;
+  if (!call || (*p->at != '(' && *p->at != '[')) return true;
+  const char *head = vs_outline_blanks(p->at + 1, p->end, &unused);
+  size_t n = vs_outline_word(head, p->end), name = strcspn(call + 1, " )");
+  if (!is_word_of("map for-each append-map filter map-division", head, n) || call[1 + name] != ' ') return true;
+  const char *first = call + 1 + name + 1;
+  size_t length = strcspn(first, " )");
+  return put(t, "; (lambda (%.*s) %s) gives the others", (int)length, first, call);
+}
+
 static bool advise_arity(vs_scheme *vm, vs_value payload, vs_text *t) {
   vs_value callee = vs_is_pair(payload) ? vs_car(payload) : VS_FALSE;
+  if (vs_text_end(t) && !strncmp(t->at, "the procedure needs ", 20))
+    return put(t, "; a lambda has its parameters in one list: (lambda (u v) ...)");
+  if (vs_text_end(t) && strstr(t->at, " / "))
+    return put(t, "; names behind / are not local here: (let ([y 0]) ...) in the body makes one");
   if (!vs_is(callee, VS_T_NATIVE)) return true;
   const vs_native *native = vs_as_native(callee);
   if (!vs_is_symbol(native->name)) return true;
@@ -246,48 +316,7 @@ static bool advise_arity(vs_scheme *vm, vs_value payload, vs_text *t) {
   return vs_foreign_advice(name, t);
 }
 
-/* ---- missing values, and texts in single quotes ---- */
-
-/* Returns the first argument of the call at p that may have no value: an `if` without else, a loop, a definition.
- * Returns NULL if there is none. */
-static const char *valueless(place p, uint32_t *line, const char **why) {
-  static const struct { const char *word; int parts; const char *why; } kinds[] = {
-    { "if", 3, "this `if` has no value where its test is false: (if test object (empty-object))" },
-    { "when", 0, "`when` has no value where its test is false: (if test object (empty-object))" },
-    { "unless", 0, "`unless` has no value where its test is true: (if test (empty-object) object)" },
-    { "cond", 0, "this `cond` has no value where no test is true: [else (empty-object)]" },
-    { "for", 0, "`for` gives no list: for/list does" }, { "for*", 0, "`for*` gives no list: for*/list does" },
-    { "for-each", 0, "`for-each` gives no list: map does" }, { "do", 0,
-        "a `do` loop returns the value of the expressions after its test" },
-    { "display", 0, "`display` prints and has no value" }, { "define", 0, "a definition has no value" }, { "set!", 0,
-        "`set!` has no value" },
-  };
-  if (*p.at != '(' && *p.at != '[') return NULL;
-  uint32_t at_line = *line;
-  const char *at = vs_outline_blanks(p.at + 1, p.end, &at_line);
-  at = vs_outline_blanks(vs_outline_datum(at, p.end, &at_line), p.end, &at_line);
-  for (const char *next; at < p.end && *at != ')' && *at != ']'; at = next) {
-    uint32_t here = at_line, inner = at_line;
-    next = vs_outline_blanks(vs_outline_datum(at, p.end, &at_line), p.end, &at_line);
-    if (*at != '(' && *at != '[') continue;
-    const char *in = vs_outline_blanks(at + 1, p.end, &inner);
-    size_t n = vs_outline_word(in, p.end);
-    for (size_t i = 0; i < sizeof kinds / sizeof *kinds; i++) {
-      if (strlen(kinds[i].word) != n || memcmp(kinds[i].word, in, n)) continue;
-      int parts = -1;
-      bool has_else = false;
-      for (const char *q = in; q < p.end && *q != ')' && *q != ']'; parts++) {
-        uint32_t skipped = inner;
-        has_else = (*q == '(' || *q == '[') && p.end - q > 5 && !memcmp(q + 1, "else", 4);
-        q = vs_outline_blanks(vs_outline_datum(q, p.end, &inner), p.end, &skipped);
-      }
-      if ((kinds[i].parts && parts >= kinds[i].parts) || (!strcmp(kinds[i].word, "cond") && has_else)) continue;
-      *line = here, *why = kinds[i].why;
-      return at;
-    }
-  }
-  return NULL;
-}
+/* ---- texts in single quotes ---- */
 
 /* Finds a text in single quotes ('red') within the form at p, and returns its length, or 0. In Scheme a single quote
  * has another meaning. */
@@ -312,6 +341,9 @@ static bool is_quoted_call(place p) {
   return false;
 }
 
+/* Returns true for the error of a form's name without its parentheses. */
+static bool is_word_alone(vs_text *t) { return vs_text_end(t) && t->at && strstr(t->at, "is syntax and has no value"); }
+
 bool vs_session_advise(vs_session *s, vs_value condition, vs_span at, vs_text *t) {
   vs_scheme *vm = s->bind.vm;
   VS_ROOTS(vm, r, 1);
@@ -319,24 +351,57 @@ bool vs_session_advise(vs_session *s, vs_value condition, vs_span at, vs_text *t
   const vs_condition *c = vs_as_condition(r[0]);
   place p;
   bool known = find_place(s, at, &p);
-  if (c->kind == vm->sym.arity) return advise_arity(vm, c->payload, t);
-  if (!known) return true;
+  if (c->kind == vm->sym.file) return vs_session_advise_file(vm, t);
+  if (c->kind == vm->sym.arity) {
+    size_t before = t->count;
+    vs_value callee = vs_is_pair(c->payload) ? vs_car(c->payload) : VS_FALSE;
+    if (known && !advise_mapped(&p, callee, t)) return false;
+    return t->count > before || advise_arity(vm, vs_as_condition(r[0])->payload, t);
+  }
+  if (!known) return c->kind == vm->sym.unbound || vs_session_advise_value(vm, c, t);
   if (c->kind == vm->sym.unbound) return advise_unbound(p, at, t);
-  if (c->kind != vm->sym.type) return true;
+  if (vs_source_language(at.file)) return vs_session_advise_value(vm, c, t);
+  if (c->kind == vm->sym.read || (c->kind == vm->sym.syntax && is_word_alone(t)))
+    return vs_text_advise_statement(vm, view_of(p), t);
+  if (c->kind != vm->sym.type) return vs_session_advise_value(vm, c, t);
+  if (vs_is_string(c->payload)) return vs_text_puts(t, "; ") && vs_text_string(t, c->payload);
   if (c->payload == VS_TRUE) return advise_callee(p, at, c->irritants, t, vm);
-  const char *word, *why;
-  if (vs_text_end(t) && !strncmp(t->at, "+: expected a number, got \"", 27))
-    return put(t, "; (string-append a b) joins texts");
+  const char *word;
   if (t->at && strstr(t->at, "must be an object") && is_quoted_call(p))
     return put(t, "; the ' before a parenthesis passes the list itself, and does not call: remove the '");
   size_t n = quoted_word(p, &word);
   if (n) return put(t, "; a text is written in double quotes: \"%.*s\"", (int)(n < 60 ? n : 60), word);
   if (vs_text_end(t) && !strncmp(t->at, "display", 7) && strstr(t->at, "port must be an output port"))
     return vs_foreign_advice("display", t);
-  uint32_t line = at.line;
-  if (vs_text_end(t) && strstr(t->at, VS_BIND_NO_VALUE) && valueless(p, &line, &why)) return put(t, "; line %u: %s",
-      (unsigned)line, why);
-  return true;
+  size_t before = t->count;
+  vs_value got = vs_is_pair(c->irritants) ? vs_car(c->irritants) : VS_UNSPECIFIC;
+  bool ok = vs_text_end(t);
+  if (ok && strstr(t->at, VS_BIND_NO_VALUE)) ok = vs_text_advise_valueless(view_of(p), t);
+  if (ok && t->count == before && vs_is_symbol(got)) ok = vs_text_advise_quoted(view_of(p), vs_as_symbol(got)->name, t);
+  if (ok && t->count == before && vs_is_procedure(got)) ok = vs_text_advise_chain(view_of(p), t);
+  if (ok && t->count == before && got == VS_FALSE) ok = vs_text_advise_missing_key(vm, view_of(p), t);
+  if (ok && t->count == before && vs_is_pair(got)) ok = vs_text_advise_rest(view_of(p), t);
+  if (!ok || t->count > before) return ok;
+  return vs_session_advise_value(vm, vs_as_condition(r[0]), t);
+}
+
+const char *vs_place_advice(vs_scheme *vm, vs_advice_kind kind, const char *text, size_t length, size_t at,
+                            const char *message) {
+  vs_session *s = vs_session_of(vm);
+  vs_source source = { .name = "", .text = (char *)(uintptr_t)text, .length = length, .first_line = 1 };
+  place p = { &source, text + at, text + length };
+  vs_span span = { .line = 1 };
+  for (size_t i = 0; i < at; i++) span.line += text[i] == '\n';
+  vs_text t;
+  vs_text_open(vm, &t, 800);
+  bool ok = at < length && vs_text_puts(&t, message);
+  if (ok && kind == VS_ADVICE_NAME) ok = advise_unbound(p, span, &t);
+  else if (ok && kind == VS_ADVICE_CALL) ok = advise_callee(p, span, VS_NIL, &t, vm);
+  else if (ok && kind == VS_ADVICE_CHAIN) ok = vs_text_advise_chain(view_of(p), &t);
+  else if (ok) ok = vs_text_advise_statement(vm, view_of(p), &t);
+  const char *kept = ok && vs_text_end(&t) ? vs_store_text(s->bind.store, t.at, t.count) : NULL;
+  vs_text_close(&t);
+  return kept ? kept : message;
 }
 
 /* ---- calls without parentheses ---- */
@@ -352,6 +417,9 @@ void vs_session_advise_named(vs_session *s, vs_value v, vs_pos pos) {
   const char *more = p.at + n;
   while (more < p.end && (*more == ' ' || *more == '\t')) more++;
   if (!n || n > 80 || more == p.end || strchr("\r\n;)]", *more)) return;
+  size_t assigned = vs_outline_word(more, p.end); /* const r = 3: the error of r follows */
+  const char *sign = more + assigned + (more + assigned < p.end && more[assigned] == ' ');
+  if (assigned && sign < p.end && *sign == '=') return;
   uint32_t line = 0;
   const char *end = more; /* the text after the name ends with its line */
   for (const char *next = more; !line && next < p.end && *next != ')' && *next != ']';) {

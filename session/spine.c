@@ -265,7 +265,7 @@ static bool stage_optimise(writing *j) {
       j->format->backend == &vs_backend_given ? vs_bind_back_end_find(&j->session->bind, j->format->name) : NULL;
   unsigned passes = own && !own->optimised ? 0 : j->options->passes;
   return (!j->options->count || vs_session_output_nodes(j->session, &j->scene, passes, &j->error)) &&
-         vs_scene_optimise(&j->scene, passes, &j->record->passes, &j->error);
+         vs_scene_optimise(&j->scene, passes, &j->record->passes, &(vs_pass_notes){ job_warn, j }, &j->error);
 }
 
 static bool stage_looks(writing *j) { return vs_scene_looks(&j->scene, &j->error); }

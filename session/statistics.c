@@ -141,7 +141,7 @@ static bool count_commands(const vs_scene *scene, unsigned passes, double *comma
   bool ok = true;
   for (size_t i = 0; ok && i < scene->drawn_count; i++)
     ok = vs_scene_draw(&copy, scene->drawn[i]) || vs_error_memory(e, NULL);
-  ok = ok && vs_scene_optimise(&copy, passes, &stats, e);
+  ok = ok && vs_scene_optimise(&copy, passes, &stats, NULL, e);
   if (ok) *commands = stats.commands_after;
   for (size_t i = 0; i < copy.drawn_count; i++) vs_node_release(copy.drawn[i].node);
   vs_store_realloc(copy.store, copy.drawn, copy.drawn_room * sizeof *copy.drawn, 0);

@@ -17,7 +17,7 @@ set -u
 cd "$(dirname "$0")/.." || exit 1
 [ "${1:-}" = --suite ] || BUILD=${1:-build}
 case $BUILD in /*) ;; *) BUILD=$PWD/$BUILD ;; esac
-SUITES=${SUITES:-unit lang javascript cli shell editors prompt signals manual bad workers cross texts solids embed limits layers compilers${LONG:+ page live determinism}}
+SUITES=${SUITES:-unit lang javascript cli shell editors prompt signals manual bad workers cross texts slips solids embed limits layers compilers${LONG:+ page live determinism}}
 export BUILD ONLY="${ONLY:-}" BLESS="${BLESS:-}" LONG="${LONG:-}" LC_ALL=C.UTF-8
 . tests/limited.sh
 work=$(mktemp -d) || exit 1
@@ -59,6 +59,7 @@ suite_page()      { sh tests/page.sh; }
 suite_live()      { sh tests/live.sh; }
 suite_cross()     { sh tests/cross.sh; }
 suite_texts()     { sh tests/texts.sh; }
+suite_slips()     { sh tests/slips.sh; }
 suite_solids()    { sh tests/solids.sh; }
 suite_bad()       { case $ONLY in ""|bad*) limited 300 "$BUILD/tools/badcalls" tests/bad/calls.txt || echo "not ok bad: ended with $?" ;; esac; }
 suite_limits()    { sh tests/limits.sh; }

@@ -47,6 +47,7 @@ struct vs_args {
   vs_procedure_fn *function;    /* the C function of the procedure */
   const char *names;            /* names of the procedure, separated by spaces; the name of an internal procedure begins
                                  * with '%' */
+  int given;                    /* number of positional arguments of the call, those of a rest included */
   int form, count;              /* form: index of the chosen form; count: number of positional arguments, where a rest
                                  * counts as one */
   vs_arg arg[VS_CALL_ARGUMENTS], key[VS_CALL_KEYS];

@@ -14,6 +14,7 @@
 #include "bind/call/convert.h"
 #include "bind/call/procedure.h"
 #include "bind/call/refuse.h"
+#include "bind/call/reorder.h"
 #include "bind/call/scratch.h"
 #include "bind/call/take.h"
 #include "bind/constructors/regroup.h"
@@ -32,7 +33,7 @@ _Static_assert((int)VS_MAX_ARGUMENTS <= (int)VS_CALL_ARGUMENTS && (int)VS_MAX_KE
 static vs_vec3 vec_of(const double *d) { return vs_v3(d[0], d[1], d[2]); }
 static bool finite3(const double *d) { return isfinite(d[0]) && isfinite(d[1]) && isfinite(d[2]); }
 
-static vs_status convert(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
+vs_status vs_convert(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
   static vs_convert_fn *const converters[] = {
 #define VS_CONTRACT(name, noun, condition, convert) convert,
 #include "bind/call/contracts.def"
@@ -186,7 +187,7 @@ static bool enter_slowly(vs_args *f, const vs_value *a, int given) {
       continue;
     }
     if (i >= given) set_absent(to);
-    else if (!convert(f, p, a[i], to)) return false;
+    else if (!vs_convert(f, p, a[i], to)) return false;
   }
   return true;
 }
@@ -200,6 +201,7 @@ static vs_status run(vs_args *f, const vs_bind_columns *table, vs_value *a, int 
     places = (int)f->vm->native->max;
     for (given = 0; given < places && a[given] != VS_ABSENT; given++) {}
   }
+  f->given = given;
   if (!enter_quickly(f, a, given)) {
     vs_status status;
     bool duals = vs_is_fixnum(vs_lib_get(f->vm, VS_LIB_DUALS)); /* whether a differentiation has begun, so that
@@ -207,12 +209,12 @@ static vs_status run(vs_args *f, const vs_bind_columns *table, vs_value *a, int 
     if (duals && vs_dual_level(a, (size_t)given) >= 0 &&
         table->differentiate(f->vm, f->function, a, given, out, &status))
       return status;
-    if (!enter_slowly(f, a, given)) return VS_ERROR;
+    if (!enter_slowly(f, a, given)) return vs_bind_reorder(f, a, given), VS_ERROR;
   }
   for (int i = 0; f->procedure->key[i].mode != VS_ARG_END; i++) {
     vs_value v = a[places + i];
     if (v == VS_ABSENT) set_absent(&f->key[i]);
-    else if (!convert(f, &f->procedure->key[i], v, &f->key[i])) return VS_ERROR;
+    else if (!vs_convert(f, &f->procedure->key[i], v, &f->key[i])) return VS_ERROR;
   }
   const vs_arg *stand = NULL;
   for (int i = 0; i < VS_MAX_KEYS && f->procedure->key[i].mode != VS_ARG_END; i++)

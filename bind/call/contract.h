@@ -4,6 +4,8 @@
 
 #include "vm/machine/native.h"
 
+typedef struct vs_arg vs_arg;
+typedef struct vs_bind_param vs_bind_param;
 typedef struct vs_args vs_args;
 typedef struct vs_procedure vs_procedure;
 typedef vs_status vs_procedure_fn(vs_args *f, vs_value *out);
@@ -22,6 +24,8 @@ typedef struct {
 /* Checks and converts n arguments, and calls the function of the running native's row. If it fails, sets the error and
  * returns VS_ERROR. */
 vs_status vs_bind_call(vs_scheme *vm, const vs_bind_columns *table, vs_value *a, int n, vs_value *out);
+/* Converts v by the contract of p. If it fails, sets the error and returns VS_ERROR. */
+vs_status vs_convert(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg *out);
 /* Writes all forms of the call: "takes (make-plane point normal) or (make-plane p q r)". */
 void vs_bind_forms(const vs_procedure *procedure, const char *name, char *text, size_t room);
 

@@ -164,6 +164,13 @@ void know_use_add(knowledge *k, know_index symbol, know_index node, know_role ro
   s->calls += called;
 }
 
+void know_hear(knowledge *k, const vs_diagnostic *d) {
+  bool warning = d->severity == VS_SEVERITY_WARNING;
+  if ((*k->heard && (warning || !k->heard_warning)) || d->severity == VS_SEVERITY_NOTE) return;
+  snprintf(k->heard, sizeof k->heard, "%s", d->message);
+  k->heard_line = d->at.line, k->heard_column = d->at.column, k->heard_warning = warning;
+}
+
 /* ---- queries ---- */
 
 know_index know_nth(const knowledge *k, know_index list, uint32_t nth) {

@@ -132,8 +132,11 @@ typedef struct {
   const char *given; size_t given_length; /* text that replaces the file's; NULL: the file's own text */
   char trouble[400];      /* reason of the first failure; "": there is none */
   vs_outcome outcome;     /* outcome of the first failure */
-  bool muted;             /* whether the host must store messages in `heard`, and show none */
-  char heard[400];
+  bool muted;             /* whether the host must store messages by know_hear, and show none */
+  char heard[700];        /* the first error; without one, the first warning */
+  uint32_t heard_line, heard_column; /* its place */
+  bool heard_warning;     /* whether it is a warning */
+  uint32_t trial;         /* number of the value that a check tries */
   bool reading;           /* whether the host must ignore errors of line 0, and set `unreadable` for any other error */
   bool unreadable;
   bool open;              /* whether some names cannot be known, because the program uses eval or opaque macros */
@@ -177,6 +180,9 @@ void know_use_add(knowledge *k, know_index symbol, know_index node, know_role ro
 know_index know_name_of(knowledge *k, const char *text, size_t length, know_index base, know_index scope);
 /* Returns the binding of the name in this scope only, or 0 if there is none. */
 know_index know_bound_in(const knowledge *k, know_index scope, know_index name);
+
+/* Stores a message of the interpreter in `heard`, while the analysis is muted. */
+void know_hear(knowledge *k, const vs_diagnostic *d);
 
 /* ---- queries ---- */
 

@@ -7,8 +7,10 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 
 #include "languages/checks/argument_checks.h"
+#include "languages/checks/syntax_checks.h"
 #include "languages/analysis/source_tree.h"
 #include "languages/analysis/tree_report.h"
 #include "model/store/array.h"
@@ -22,7 +24,7 @@ static const char *const names[] = {
 
 void know_found(know_findings *f, know_check check, know_index node, const char *format, ...) {
   knowledge *k = f->k;
-  char text[400];
+  char text[800];
   va_list list;
   va_start(list, format);
   vsnprintf(text, sizeof text, format, list);
@@ -121,6 +123,48 @@ static know_index hiding(const knowledge *k, know_index hidden) {
   return 0;
 }
 
+/* Returns true for a name in a value of a let that binds the name itself. */
+static bool bound_by_let(const knowledge *k, know_index node) {
+  for (know_index i = node; i; i = k->nodes[i].parent) {
+    know_index clauses = k->nodes[k->nodes[i].parent].parent, form = k->nodes[clauses].parent;
+    if (!form || !know_is(k, k->nodes[form].first, "let") || know_nth(k, form, 1) != clauses) continue;
+    for (know_index c = k->nodes[clauses].first; c; c = k->nodes[c].next)
+      if (know_is(k, k->nodes[c].first, k->names[k->nodes[node].name].text)) return true;
+  }
+  return false;
+}
+
+const char *know_advised(const knowledge *k, vs_advice_kind kind, know_index node, const char *message) {
+  know_index at = node, parent = k->nodes[node].parent; /* set! names itself in its advice */
+  if (kind == VS_ADVICE_NAME && parent && know_is(k, k->nodes[parent].first, "set!") && know_nth(k, parent, 1) == node)
+    at = parent;
+  const know_file *file = &k->files[k->nodes[at].at.file];
+  return vs_place_advice(k->scheme, kind, file->text, file->size, k->nodes[at].at.from, message);
+}
+
+/* Returns true if the names are equal but for their case, hyphens and underscores, or one letter. */
+static bool similar(const char *a, const char *b) {
+  size_t n = strlen(a), m = strlen(b), front = 0, back = 0;
+  while (a[front] && (a[front] == b[front] || (a[front] == '_' && b[front] == '-'))) front++;
+  while (back < n - front && back < m - front && a[n - 1 - back] == b[m - 1 - back]) back++;
+  if (n > 3 && m > 3 && n - front - back <= 1 && m - front - back <= 1) return true;
+  while (*a && *b) {
+    if (*a == '_' || *a == '-') a++;
+    else if (*b == '_' || *b == '-') b++;
+    else if ((*a | 32) != (*b | 32)) return false;
+    else a++, b++;
+  }
+  return !*a && !*b;
+}
+
+/* Returns the program's own name that is similar; NULL: there is none. */
+static const char *similar_name(const knowledge *k, const char *name) {
+  for (know_index i = 1; i < k->symbol_count; i++)
+    if (k->symbols[i].definition && !k->symbols[i].made && k->symbols[i].scope == PROGRAM &&
+        similar(name, k->symbols[i].text)) return k->symbols[i].text;
+  return NULL;
+}
+
 static void check_names(know_findings *f) {
   knowledge *k = f->k;
   bool program = runs_something(k);
@@ -155,9 +199,17 @@ static void check_names(know_findings *f) {
   if (k->open) return;
   for (know_index i = 1; i < k->node_count; i++) {
     const know_node *n = &k->nodes[i];
-    if (n->kind == KNOW_SYMBOL && n->role == KNOW_UNBOUND && !n->made && !n->origin && *k->names[n->name].text != '%') {
+    if (n->kind == KNOW_SYMBOL && n->role == KNOW_UNBOUND && !n->made && !n->origin) {
       const char *text = k->names[n->name].text, *advice = k->script ? "" : vs_name_advice(k->scheme, text);
-      know_found(f, KNOW_CHECK_UNBOUND, i, "%s is not defined%s%s", text, *advice ? "; " : "", advice);
+      const know_file *file = &k->files[n->at.file]; /* %cube(3), and no name of the library's own */
+      if (*text == '%' && (n->at.to >= file->size || file->text[n->at.to] != '(')) continue;
+      char said[800];
+      char near[120] = "";
+      const char *own = *advice || k->script ? NULL : similar_name(k, text);
+      if (own) snprintf(near, sizeof near, "did you mean %.80s?", own), advice = near;
+      if (bound_by_let(k, i)) advice = "let names it for its body alone; write let* where a value that follows uses it";
+      snprintf(said, sizeof said, "%s is not defined%s%s", text, *advice ? "; " : "", advice);
+      know_found(f, KNOW_CHECK_UNBOUND, i, "%s", k->script ? said : know_advised(k, VS_ADVICE_NAME, i, said));
     }
   }
 }
@@ -249,8 +301,7 @@ static void check_clauses(know_findings *f, know_index node, uint32_t from) {
       know_found(f, KNOW_CHECK_UNREACHABLE, i, "the clause of line %u is always taken before this one", line);
       return;
     }
-    if (test && (know_is(k, test, "else") || (from == 1 && truth(k, test, &value) && value))) done = true,
-        line = k->nodes[i].at.line;
+    if (test && from == 1 && truth(k, test, &value) && value) done = true, line = k->nodes[i].at.line;
   }
 }
 
@@ -273,8 +324,21 @@ static void check_case(know_findings *f, know_index node) {
           }
 }
 
+/* Reports (for ([i 3]) (make-sphere ...)), whose objects nothing keeps. */
+static void check_loop(know_findings *f, know_index node) {
+  const knowledge *k = f->k;
+  know_index last = know_nth(k, node, 2);
+  while (last && k->nodes[last].next) last = k->nodes[last].next;
+  if (last && !k->script && know_is_call(k, last) && !k->nodes[last].form &&
+      know_type_of(k, last) == KNOW_TYPE_OBJECT &&
+      k->symbols[k->nodes[k->nodes[last].first].symbol].kind == KNOW_BUILTIN)
+    know_found(f, KNOW_CHECK_NO_EFFECT, last,
+               "the object made here is not used: a loop keeps none; (draw ...) each, or for/list gives their list");
+}
+
 static void check_form(know_findings *f, know_index node) {
   const knowledge *k = f->k;
+  if (know_is(k, k->nodes[node].first, "for") || know_is(k, k->nodes[node].first, "for*")) check_loop(f, node);
   know_index head = k->nodes[node].first, second = know_nth(k, node, 1);
   bool value;
   if (know_is(k, head, "cond")) check_clauses(f, node, 1);
@@ -314,12 +378,46 @@ static void check_body(know_findings *f, know_index node) {
   else if (n->kind == KNOW_SYMBOL && n->role == KNOW_REFERENCE)
     know_found(f, KNOW_CHECK_NO_EFFECT, node, "the value of %s is not used", k->names[n->name].text);
   else if (know_is_call(k, node) && !n->form) {
-    know_type type = know_type_of(k, node);
+    know_index callee = k->nodes[n->first].symbol; /* a procedure of the program may draw its object, too */
+    bool language = callee && k->symbols[callee].kind == KNOW_BUILTIN;
+    know_type type = language ? know_type_of(k, node) : KNOW_TYPE_UNKNOWN;
+    if (type == KNOW_TYPE_NOTHING) return;
     if (type == KNOW_TYPE_OBJECT) know_found(f, KNOW_CHECK_NO_EFFECT, node,
         "the object made here is not used; unite joins objects");
     else if (type) know_found(f, KNOW_CHECK_NO_EFFECT, node, "%s is computed here and not used",
         know_type_word(type));
   }
+}
+
+static bool is_mesh(const char *path) {
+  static const char *const endings[] = {".stl", ".obj", ".off", ".ply"};
+  const char *dot = strrchr(path, '.');
+  for (size_t i = 0; dot && i < sizeof endings / sizeof *endings; i++)
+    if (!strcasecmp(dot, endings[i])) return true;
+  return false;
+}
+
+/* Reports a file that a load or load-mesh cannot read, as a run does. */
+static void missing_file(know_findings *f, know_index node, const char *path) {
+  knowledge *k = f->k;
+  size_t n;
+  know_index call = k->nodes[node].parent;
+  const char *name = know_spelling(k, node, &n);
+  char program[600];
+  const char *word = k->names[k->nodes[k->nodes[call].first].name].text;
+  int length = snprintf(program, sizeof program, "(%s %.*s)", strcmp(word, "load-mesh") ? "load" : word, (int)n, name);
+  *k->heard = 0;
+  k->muted = true;
+  bool whole = !k->script && length < (int)sizeof program;
+  vs_outcome outcome =
+      whole ? vs_eval_text(k->scheme, k->files[k->nodes[node].at.file].path, 1, program, (size_t)length, 0)
+            : VS_OUTCOME_DONE;
+  k->muted = false;
+  const char *said = outcome == VS_OUTCOME_MODEL || outcome == VS_OUTCOME_USAGE ? k->heard : "";
+  const char *file = strstr(said, "cannot open "), *reason = file ? strstr(file, ": no such file") : NULL;
+  if (reason) know_found(f, KNOW_CHECK_MISSING_FILE, node, "%s%s", path, reason);
+  else if (*said) know_found(f, KNOW_CHECK_MISSING_FILE, node, "%s", said);
+  else know_found(f, KNOW_CHECK_MISSING_FILE, node, "%s: no such file", path);
 }
 
 static void check_nodes(know_findings *f) {
@@ -335,8 +433,10 @@ static void check_nodes(know_findings *f) {
           know_nth(k, n->parent, 1) == i &&
                    k->nodes[n->parent].walked;
       char path[KNOW_PATH];
-      if (loads && !know_find_file(k, i, path) && *path)
-        know_found(f, KNOW_CHECK_MISSING_FILE, i, "%s: no such file", path);
+      if (loads && !know_find_file(k, i, path) && *path) missing_file(f, i, path);
+      loads = know_is(k, head, "load-mesh") && know_nth(k, n->parent, 1) == i && !k->script;
+      if (loads && k->nodes[n->parent].walked && (!know_find_file(k, i, path) || !is_mesh(path)))
+        missing_file(f, i, path);
     }
   }
 }
@@ -403,6 +503,7 @@ bool know_check_program(knowledge *k, know_findings *out) {
   check_changes(out);
   check_nodes(out);
   know_check_calls(out);
+  know_check_syntax(out);
   if (*k->trouble) return false;
   if (out->count) qsort(out->at, out->count, sizeof *out->at, by_place);
   size_t kept = 0;

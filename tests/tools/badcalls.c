@@ -259,8 +259,10 @@ static bool names_value(const char *value, const char *error) {
   }
   while (got[same] && got[same] == value[same]) same++;
   if (!value[same] || (same >= 12 && strncmp(got + same, "...", 3) == 0)) return true;
-  const char *element = value[0] == '(' ? strstr(value, got) : NULL;
-  return element && (element[-1] == ' ' || element[-1] == '(') && strchr(" )", element[strlen(got)]);
+  char one[300]; /* an element, without the advice behind it */
+  snprintf(one, sizeof one, "%.*s", (int)strcspn(got, ";"), got);
+  const char *element = value[0] == '(' ? strstr(value, one) : NULL;
+  return element && (element[-1] == ' ' || element[-1] == '(') && strchr(" )", element[strlen(one)]);
 }
 
 static void try_parameter(const char *name, const vs_procedure *p, const vs_form *form, int at, int key) {

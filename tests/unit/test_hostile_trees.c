@@ -118,7 +118,7 @@ static vs_error_kind run(size_t tree, size_t n, unsigned passes, listener *l, do
   *l = (listener){ .last = began, .until = began + stop_after };
   vs_job job = { .going = going, .context = l };
   vs_store_set_job(s, &job);
-  bool ok = vs_scene_optimise(&scene, passes, NULL, &e);
+  bool ok = vs_scene_optimise(&scene, passes, NULL, NULL, &e);
   *seconds = now() - began;
   if (now() - l->last > l->gap) l->gap = now() - l->last;
   vs_store_set_job(s, NULL);

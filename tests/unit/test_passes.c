@@ -24,7 +24,7 @@ static bool bounds(void *context, const vs_node *n, vs_bounds *out, vs_error *e)
 
 static vs_pass_stats run(vs_store *s, vs_ref *ref, unsigned passes) {
   vs_bounds_memo memo = { .places = { .store = s } };
-  vs_pass_options o = { passes, bounds, &memo };
+  vs_pass_options o = { passes, bounds, &memo, NULL };
   vs_pass_stats stats;
   vs_error e = { 0 };
   if (!vs_passes_run(s, ref, 1, &o, &stats, &e)) fail_msg("%s", e.message);
@@ -429,7 +429,7 @@ static void turned_copies_become_a_template(void **state) {
   r.node = over(s, VS_UNION, NULL, pair, 3);
   vs_node *old = r.node;
   for (size_t n = 1, done = 0; !done; n++) {
-    vs_pass_options o = { 1 << VS_PASS_SHARE, NULL, NULL };
+    vs_pass_options o = { 1 << VS_PASS_SHARE, NULL, NULL, NULL };
     vs_error e = { 0 };
     size_t held = vs_store_bytes(s);
     vs_store_fail_at(s, n);
@@ -455,7 +455,7 @@ static void large_sets_become_trees_of_boxes(void **state) {
   vs_ref r = { two(s, VS_UNION, over(s, VS_DIFFERENCE, NULL, kids, 402), NODE(sphere, SPHERE, { 0, 0, 9 }, 1, 0)), NULL };
   vs_inside *before = vs_inside_new(r.node, NULL);
   vs_bounds_memo memo = { .places = { .store = s } };
-  vs_pass_options o = { 0, bounds, &memo };
+  vs_pass_options o = { 0, bounds, &memo, NULL };
   vs_node *was = vs_node_retain(r.node);
   assert_true(vs_sets_group(s, &r, 1, &o, NULL));
   const vs_node *cut = r.node->children[0].node;
@@ -590,7 +590,7 @@ static void deep_trees_and_short_memory(void **state) {
   bool done = false;
   for (size_t n = 1; !done; n++) { /* every allocation fails in turn; the drawing is then unchanged, and no memory is
                                     * lost */
-    vs_pass_options o = { ALL, NULL, NULL };
+    vs_pass_options o = { ALL, NULL, NULL, NULL };
     vs_error e = { 0 };
     size_t held = vs_store_bytes(s);
     vs_store_fail_at(s, n);

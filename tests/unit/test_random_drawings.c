@@ -25,7 +25,7 @@ static drawing optimised(const drawing *d, unsigned passes, vs_pass_stats *stats
   drawing after = { .count = d->count };
   vs_scene_init(&scene, d->at[0].node->store);
   for (size_t i = 0; i < d->count; i++) assert_true(vs_scene_draw(&scene, d->at[i]));
-  if (!vs_scene_optimise(&scene, passes, stats, &e)) fail_msg("%s", e.message);
+  if (!vs_scene_optimise(&scene, passes, stats, NULL, &e)) fail_msg("%s", e.message);
   for (size_t i = 0; i < d->count; i++) after.at[i] = (vs_ref){ vs_node_retain(scene.drawn[i].node), scene.drawn[i].origin };
   vs_scene_free(&scene);
   return after;

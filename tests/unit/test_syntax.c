@@ -71,22 +71,22 @@ static void test_messages(void **state) {
     { "(list [1 2))", "1:11 the [ of line 1, column 7 is closed by ); ] belongs here" },
     { "(define x 1,5)", "1:11 a decimal point is a point: 1.5 instead of 1,5" },
     { "(display \xE2\x80\x9Chi\xE2\x80\x9D)",
-      "1:10 \xE2\x80\x9C is a typographic quotation mark; write \" (or ' before a symbol)" },
+      "1:10 \xE2\x80\x9C is a typographic quotation mark; write \"hi\"" },
     { "{1}",
       "1:1 { is not used here; parentheses are ( ) and [ ]; 1:3 } is not used here; parentheses are ( ) and [ ]" },
     { "#\\foo\n\"\\q\"\n(", "1:1 no character has the name #\\foo; 2:2 \\q means nothing in a string; a backslash is "
                             "written \\\\; 3:1 this parenthesis is never closed: a ) is missing" },
     { "(a\x01"
       "b\xFF)",
-      "1:5 this is not a text in UTF-8 (byte FF at offset 4)" },
-    { "(define helper (phi) (+ phi 1))", "1:1 define: a procedure is written (define (helper parameter ...) body ...), "
+      "1:5 this is not a text in UTF-8 (byte FF at offset 4); the editor has saved it in an older encoding, as Latin-1: save "
+      "it as UTF-8" },
+    { "(define helper (phi) (+ phi 1))", "1:1 define: a procedure is written (define (helper phi) body ...), "
                                          "its name inside the parentheses of its parameters" },
     { "(define x 1 2)", "1:1 define: x gets 2 values; it is written (define x value)" },
-    { "(let (x 1) x)", "1:6 put the bindings into parentheses of their own, even a single binding: (let ((name value) "
-                       "...) body ...); not (x 1)" },
+    { "(let (x 1) x)", "1:6 put the bindings into parentheses of their own, even a single binding: (let ([x 1]) ...)" },
     { "(let ((x 1)))", "1:1 a body is missing: (let ((name value) ...) body ...)" },
     { "(let ((x 1) (x 2)) x)", "1:13 x is bound twice here" },
-    { "(lambda (x x) 1)", "1:12 two parameters are called x" },
+    { "(lambda (x x) 1)", "1:12 two parameters are called x; give one of them another name" },
     { "(define (f [n 10]) n)\n(f 5)",
       "1:12 a default follows a predicate, [name any? value] or [name positive? value], not (n 10)" },
     { "(define (f) (define x 1))",
@@ -106,7 +106,7 @@ static void test_messages(void **state) {
       "2:1 m: this does not have the right form; the pattern and the use: (m a) (m)" },
     { "(define-syntax m (syntax-rules () ((_ a) (car a))))\n(list (m 5))", "2:7 car: expected a pair, got 5" },
     { "(define-syntax m 5)", "1:1 a transformer is (syntax-rules ...) or (er-macro-transformer ...), not 5" },
-    { "(import (no such))", "1:9 import: there is no library (no such)" },
+    { "(import (no such))", "1:9 import: there is no library (no such); sqrt, sin, pi, xyz and the rest need no import" },
     { "(f #:a)", "1:4 a value is missing after #:a" },
     { "(define (f [n string?]) n)\n(f 5)", "2:1 f: n must be string?, got 5" },
   };

@@ -6,19 +6,48 @@
 #include "vm/front/environment.h"
 #include "vm/machine/fail.h"
 #include "vm/values/heap.h"
+#include "vm/values/printer.h"
+#include "vm/values/text.h"
+
+/* Reports (let (x 5) ...) and (do (i 0 (+ i 1)) ...), which lack the parentheses around all bindings. Returns false,
+ * without an error, for other bindings. */
+static bool fail_bare(vs_expansion *x, vs_value list, vs_pos outer, int form, bool step) {
+  int64_t n = vs_list_length(list);
+  if ((n != 2 && !(step && n == 3)) || !vs_is_identifier(vs_car(list))) return false;
+  const char *name = vs_as_symbol(vs_identifier_symbol(vs_car(list)))->name;
+  vs_value form_head = vs_car(x->now.form), second = vs_car(vs_cdr(x->now.form));
+  const char *loop =
+      form == VS_FORM_let && vs_is_identifier(second) ? vs_as_symbol(vs_identifier_symbol(second))->name : "";
+  const char *word = vs_is_identifier(form_head) ? vs_as_symbol(vs_identifier_symbol(form_head))->name : "let";
+  vs_text value;
+  vs_text_open(x->vm, &value, 60);
+  VS_ROOTS(x->vm, r, 2);
+  r[0] = vs_car(vs_cdr(list)), r[1] = n == 3 ? vs_car(vs_cdr(vs_cdr(list))) : VS_UNSPECIFIC;
+  bool ok = vs_strip(x->vm, r[0], &r[0]) && vs_strip(x->vm, r[1], &r[1]) &&
+            vs_print(x->vm, r[0], VS_PRINT_WRITE, &value) &&
+            (n < 3 || (vs_text_puts(&value, " ") && vs_print(x->vm, r[1], VS_PRINT_WRITE, &value))) &&
+            vs_text_end(&value);
+  if (ok)
+    vs_expand_fail(x, outer, VS_ABSENT,
+                   "put the bindings into parentheses of their own, even a single binding: (%s %s%s%s%s %s%s%s ...)",
+                   word, loop, *loop ? " " : "", step ? "((" : "([", name, value.at, value.cut ? " ..." : "",
+                   step ? "))" : "])");
+  vs_text_close(&value);
+  return true;
+}
 
 /* Checks bindings of the form ((name value) ...). For usual mistakes, the message shows the right form. */
 static bool check_bindings(vs_expansion *x, vs_value list, vs_pos outer, int form, bool step) {
   const char *name = vs_form_shape(form);
-  if (vs_list_length(list) < 0) return vs_expand_fail(x, outer, list, "the bindings are a list: %s; not", name);
+  if (fail_bare(x, list, outer, form, step)) return false;
+  if (vs_list_length(list) < 0)
+    return vs_expand_fail(x, outer, list, "the bindings are a list: %s%s; not", name,
+                          vs_list_length(x->now.form) == 3 ? ", and (set! x 2) changes a value that is there" : "");
   for (vs_value l = list; vs_is_pair(l); l = vs_cdr(l)) {
     vs_value b = vs_car(l);
     vs_pos pos = vs_element_pos(l, false, outer);
     int64_t n = vs_list_length(b);
     if ((n == 2 || (step && n == 3)) && vs_is_identifier(vs_car(b))) continue;
-    if (vs_is_identifier(b) && l == list && vs_list_length(list) == 2)
-      return vs_expand_fail(x, outer, list,
-                            "put the bindings into parentheses of their own, even a single binding: %s; not", name);
     if (n == 1) return vs_expand_fail(x, pos, b, "this binding has no value: %s; not", name);
     if (n > 2 && vs_is_identifier(vs_car(b)))
       return vs_expand_fail(x, pos, b, "this binding has more than one value: %s; not", name);
@@ -259,7 +288,7 @@ bool vs_form_do(vs_expansion *x) {
   ok = ok && vs_expand_list(x, vs_cdr(vs_cdr(l)), r[0], seq->as.seq.at, 4) &&
        vs_expand_push(x, VS_TASK_EXPR, vs_car(end), r[0], vs_element_pos(end, true, pos), &test->as.branch.test, 3);
   if (!ok) return false;
-  vs_expand_top(x)->test = true;
+  vs_expand_top(x)->test = vs_expand_top(x)->decides = true;
   return push_values(x, vs_car(vs_cdr(x->now.form)), x->now.env, call->as.call.at, NULL, x->now.depth + 2);
 }
 

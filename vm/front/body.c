@@ -16,8 +16,34 @@
 #include "vm/machine/fail.h"
 #include "vm/values/heap.h"
 
+#include <stdio.h>
+
 
 /* ---- the parts of a define ---- */
+/* Returns true for a list of names alone, none of which is an operator. */
+static bool is_parameter_list(vs_value list) {
+  for (; vs_is_pair(list); list = vs_cdr(list))
+    if (!vs_is_symbol(vs_car(list)) || strchr("+-*/<>=", *vs_as_symbol(vs_car(list))->name)) return false;
+  return list == VS_NIL;
+}
+
+/* Reports (define f (x) body): the name is before the parentheses of its parameters. */
+static bool fail_split(vs_expansion *x, vs_pos pos, const char *name, vs_value parameters) {
+  char shown[200];
+  size_t used = 0;
+  for (vs_value l = parameters; vs_is_pair(l) && used < sizeof shown; l = vs_cdr(l)) {
+    bool named = vs_is_identifier(vs_car(l));
+    const char *one = named ? vs_as_symbol(vs_identifier_symbol(vs_car(l)))->name : "parameter";
+    int n = snprintf(shown + used, sizeof shown - used, " %s", one);
+    used += n < 0 ? sizeof shown : (size_t)n;
+  }
+  shown[used < sizeof shown ? used : 0] = 0;
+  return vs_expand_fail(
+      x, pos, VS_ABSENT,
+      "define: a procedure is written (define (%s%s) body ...), its name inside the parentheses of its parameters",
+      name, shown);
+}
+
 /* Divides a define form. A curried definition (define ((f a) b) ...) becomes a procedure with a lambda as its body. */
 bool vs_define_parts(vs_expansion *x, vs_value form, vs_value parts[3], bool *procedure) {
   vs_scheme *vm = x->vm;
@@ -41,12 +67,16 @@ bool vs_define_parts(vs_expansion *x, vs_value form, vs_value parts[3], bool *pr
     *rest = r[1];
     if (!vs_is_identifier(*name)) return vs_expand_fail(x, pos, *name, "define needs a name, got");
     if (r[1] == VS_NIL)
-      return vs_expand_fail(x, pos, VS_ABSENT, "define: the procedure %s has no body",
-                            vs_as_symbol(vs_identifier_symbol(*name))->name);
+      return vs_expand_fail(x, pos, VS_ABSENT,
+                            "define: the procedure %s has no body; its value is an expression: (define (%s%s) value)",
+                            vs_as_symbol(vs_identifier_symbol(*name))->name,
+                            vs_as_symbol(vs_identifier_symbol(*name))->name, *params == VS_NIL ? "" : " parameter ...");
     return true;
   }
   *name = r[0];
-  if (!vs_is_identifier(r[0])) return vs_expand_fail(x, pos, r[0], "define needs a name, got");
+  if (!vs_is_identifier(r[0]))
+    return vs_expand_fail(x, pos, r[0], "define needs a name%s, got",
+                          vs_is_string(r[0]) ? ", which has no quotes" : "");
   const char *text = vs_as_symbol(vs_identifier_symbol(r[0]))->name;
   if (n == 2)
     return vs_expand_fail(x, pos, VS_ABSENT, "define: %s gets no value; it is written (define %s value)", text, text);
@@ -54,13 +84,14 @@ bool vs_define_parts(vs_expansion *x, vs_value form, vs_value parts[3], bool *pr
     vs_value second = vs_car(r[1]);
     if (n == 4 && vs_is_symbol(second) && !strcmp(vs_as_symbol(second)->name, "="))
       return vs_expand_fail(x, pos, VS_ABSENT, "define: it is written (define %s value), without =", text);
-    if (second == VS_NIL || (vs_is_pair(second) && vs_is_identifier(vs_car(second))))
-      return vs_expand_fail(
-          x, pos, VS_ABSENT,
-          "define: a procedure is written (define (%s%s) body ...), its name inside the parentheses of its parameters",
-          text, second == VS_NIL ? "" : " parameter ...");
-    return vs_expand_fail(x, pos, VS_ABSENT, "define: %s gets %lld values; it is written (define %s value)", text,
-                          (long long)(n - 2), text);
+    if (second == VS_NIL || (vs_is_pair(second) && is_parameter_list(second)))
+      return fail_split(x, pos, text, second);
+    const char *more = !vs_is_symbol(second)                                  ? ""
+                       : !strcmp(vs_as_symbol(second)->name, "lambda") ? "; a procedure is (lambda (x) body ...)"
+                       : n == 4 && vs_is_pair(vs_car(vs_cdr(r[1])))
+                           ? "; a call has its name inside its parentheses: (list 1 2 3)" : "";
+    return vs_expand_fail(x, pos, VS_ABSENT, "define: %s gets %lld values; it is written (define %s value)%s", text,
+                          (long long)(n - 2), text, more);
   }
   *params = VS_ABSENT;
   *rest = vs_car(r[1]);

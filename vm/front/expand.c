@@ -135,8 +135,10 @@ bool vs_expand_fail(vs_expansion *x, vs_pos pos, vs_value what, const char *form
 
 bool vs_expand_shape(vs_expansion *x, int form) {
   VS_ASSERT(form >= 0 && form < VS_FORM_COUNT);
-  return vs_expand_fail(x, x->now.pos, x->now.form, "%s is written %s, not", form_table[form].name,
-                        form_table[form].shape);
+  return vs_expand_fail(x, x->now.pos, x->now.form, "%s is written %s%s, not", form_table[form].name,
+                        form_table[form].shape,
+                        form == VS_FORM_if && vs_list_length(x->now.form) > 4
+                            ? ", and (begin a b ...) is one part of several" : "");
 }
 
 /* ---- creating nodes ---- */
@@ -211,6 +213,13 @@ static bool check_imported(vs_expansion *x, vs_value id, vs_pos pos) {
 static bool not_an_expression(vs_expansion *x, vs_value id, const vs_meaning *m, vs_pos pos) {
   vs_value kind = vs_as_macro(m->value)->kind;
   const char *name = vs_as_symbol(vs_identifier_symbol(id))->name;
+  if (kind == vs_fix(VS_FORM_arrow))
+    return vs_expand_fail(x, pos, VS_ABSENT,
+                          "=> belongs in a clause of cond; a procedure is written (lambda (x) body ...), without =>");
+  if (kind == vs_fix(VS_FORM_and) || kind == vs_fix(VS_FORM_or))
+    return vs_expand_fail(x, pos, VS_ABSENT,
+                          "%s comes first in parentheses of its own: (%s a b), (%s (= x 1) (= x 2)); it has no value",
+                          name, name, name);
   if (vs_is_fixnum(kind) && vs_fixnum(kind) >= 0)
     return vs_expand_fail(x, pos, VS_ABSENT, "%s is syntax and has no value; it is written %s", name,
                           form_table[vs_fixnum(kind)].shape);
@@ -282,6 +291,13 @@ bool vs_expand_body(vs_expansion *x, vs_value forms, vs_value env, vs_pos pos, v
 /* ---- assignments ---- */
 bool vs_form_set(vs_expansion *x) {
   vs_value form = x->now.form;
+  if (vs_list_length(form) == 4 && vs_is_symbol(vs_car(vs_cdr(form))) && vs_is_symbol(vs_car(vs_cdr(vs_cdr(form))))) {
+    const char *name = vs_as_symbol(vs_car(vs_cdr(form)))->name,
+               *sign = vs_as_symbol(vs_car(vs_cdr(vs_cdr(form))))->name;
+    if (strlen(sign) == 2 && sign[1] == '=' && strchr("+-*/", *sign))
+      return vs_expand_fail(x, x->now.pos, VS_ABSENT, "set! gets the whole new value: (set! %s (%c %s 1))", name, *sign,
+                            name);
+  }
   if (vs_list_length(form) != 3 || !vs_is_identifier(vs_car(vs_cdr(form)))) return vs_expand_shape(x, VS_FORM_set);
   vs_value id = vs_car(vs_cdr(form));
   vs_pos pos = vs_element_pos(vs_cdr(form), false, x->now.pos);
@@ -344,6 +360,31 @@ static bool given_twice(vs_expansion *x, vs_value name) {
          (call->as.call.at[0] = vs_ast_constant(&x->ast, r[0], x->now.pos)) != NULL;
 }
 
+static void warn_of_one(vs_expansion *x, vs_value form);
+
+/* Reports (class name (define ...)) by its own word: the definition inside would be a misleading place. */
+static bool check_words(vs_expansion *x, vs_value form) {
+  vs_scheme *vm = x->vm;
+  vs_value head = vs_car(form);
+  if (!vs_is_symbol(head) || !vs_is_pair(vs_cdr(form))) return true;
+  bool defines_inside = false;
+  for (vs_value l = vs_cdr(form); vs_is_pair(l) && !defines_inside; l = vs_cdr(l)) {
+    vs_value part = vs_car(l), inner = vs_is_pair(part) && vs_is_pair(vs_car(part)) ? vs_car(part) : part;
+    vs_value word = vs_is_pair(inner) ? vs_car(inner) : VS_FALSE;
+    defines_inside = vs_is_symbol(word) && vs_is_form(x->now.env, word, VS_FORM_define);
+  }
+  if (!defines_inside || !vs_is_foreign_word(head)) return true;
+  vs_meaning m = vs_environment_find(x->now.env, head);
+  bool bound = m.kind == VS_MEANS_LOCAL || (m.kind == VS_MEANS_CELL && vs_as_cell(m.value)->value != VS_UNDEFINED);
+  if (bound || m.kind == VS_MEANS_MACRO) return true;
+  vs_text t;
+  vs_text_open(vm, &t, 600);
+  bool ok = vs_foreign_advice(vs_as_symbol(head)->name, &t) && vs_text_end(&t) &&
+            vs_fail_at(vm, vm->sym.unbound, x->now.pos, VS_NIL, "%s is not defined%s", vs_as_symbol(head)->name, t.at);
+  vs_text_close(&t);
+  return ok;
+}
+
 static bool application(vs_expansion *x) {
   vs_scheme *vm = x->vm;
   vs_value form = x->now.form;
@@ -358,6 +399,8 @@ static bool application(vs_expansion *x) {
                             vs_as_symbol(vs_car(l))->name);
     l = vs_cdr(l);
   }
+  if (!check_words(x, form)) return false;
+  if (length == 2) warn_of_one(x, form);
   size_t n = (size_t)length - 1 - keys, plain = 0, keyed = n - keys;
   if (n > MOST_ARGUMENTS && !keys) return long_application(x, n);
   vs_core_node *call = vs_expand_many(x, VS_AST_CALL, n, x->now.pos);
@@ -478,6 +521,16 @@ static bool combines_predicates(vs_value id, vs_value env) {
   return false;
 }
 
+/* Warns of (random 1), which counts from 0 to 0. */
+static void warn_of_one(vs_expansion *x, vs_value form) {
+  vs_scheme *vm = x->vm;
+  if (!vs_is_symbol(vs_car(form)) || vs_cdr(vs_cdr(form)) != VS_NIL || vs_car(vs_cdr(form)) != vs_fix(1)) return;
+  if (strcmp(vs_as_symbol(vs_car(form))->name, "random") != 0 || !names_procedure(vs_car(form), x->now.env)) return;
+  if (vm->config.warn)
+    vm->config.warn(vm, x->now.pos, "(random 1) is always 0: it is a whole number below 1; (random 1.0) is any number "
+                                    "from 0 to 1, (random 6) one of 0 to 5");
+}
+
 /* Warns of a test whose value is certainly a procedure, which counts as true: (and integer? positive?) is positive?. */
 static void warn_of_procedure(vs_expansion *x, vs_value form, const vs_meaning *head) {
   vs_scheme *vm = x->vm;
@@ -541,8 +594,8 @@ static bool expression(vs_expansion *x) {
             ? " or in the body of a procedure, let, when and the like; for a name inside an expression use let"
             : "");
   case VS_FORM_else: case VS_FORM_arrow:
-    return vs_expand_fail(x, x->now.pos, VS_ABSENT, "%s belongs in a clause of cond or case",
-                          form_table[form].name);
+    return vs_expand_fail(x, x->now.pos, VS_ABSENT, "%s belongs in a clause of cond or case%s", form_table[form].name,
+                          form == VS_FORM_else ? "; if has no word before its last part: (if test then else)" : "");
   case VS_FORM_unquote: case VS_FORM_unquote_splicing:
     return vs_expand_fail(x, x->now.pos, VS_ABSENT,
                           "a comma belongs inside a template: %s; a decimal point is a point, 1.5",

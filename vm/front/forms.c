@@ -167,7 +167,9 @@ bool vs_form_cond(vs_expansion *x) {
   vs_value clause = vs_car(clauses), more = vs_cdr(clauses), env = x->now.env;
   vs_pos pos = vs_element_pos(clauses, false, x->now.pos), outer = x->now.pos;
   int64_t n = vs_list_length(clause);
-  if (n < 1) return vs_expand_fail(x, pos, clause, "a clause of cond is (test value ...), not");
+  if (n < 1)
+    return vs_expand_fail(x, pos, clause,
+                          "a clause of cond is (test value ...), as in (cond [(> x 3) 1] [else 2]), not");
   /* A missing parenthesis: (cond (> x 3) 'big ...). */
   if (n > 1 && vs_is_identifier(vs_car(clause)) && vs_is_form(env, vs_car(clause), VS_FORM_quote))
     return vs_expand_fail(x, pos, VS_ABSENT, "a clause of cond is in parentheses with its test: ((> x 3) 'big)");

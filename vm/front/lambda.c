@@ -277,7 +277,7 @@ static bool make_parameter(making *m, size_t i) {
   again(m);
   parameter *q = &m->p->at[i];
   if (vs_idtable_get(vs_as_environment(m->roots[ROOT_SCOPE])->table, q->id) != VS_VACANT)
-    return vs_expand_fail(m->x, q->pos, VS_ABSENT, "two parameters are called %s",
+    return vs_expand_fail(m->x, q->pos, VS_ABSENT, "two parameters are called %s; give one of them another name",
                           vs_as_symbol(vs_identifier_symbol(q->id))->name);
   if (!make_contract(m, i)) return false;
   bool rest = i == m->p->count - 1 && m->p->rest;

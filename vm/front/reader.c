@@ -352,7 +352,9 @@ static bool read_escape(reader *r, vs_text *t) {
   r->at = start + vs_utf8_decode(r->text + start, r->size - start, &u);
   char shown[5] = {0};
   vs_utf8_encode(u, shown);
-  problem(r, pos, "\\%s means nothing in a string; a backslash is written \\\\", shown);
+  bool drive = start > 2 && r->text[start - 2] == ':'; /* C:\models */
+  problem(r, pos, "\\%s means nothing in a string; a backslash is written \\\\%s", shown,
+          drive ? ", and the name of a file has /: \"C:/models/a.vs\"" : "");
   return vs_text_char(t, u);
 }
 
@@ -398,6 +400,44 @@ static bool read_delimited(reader *r, char end, vs_text *t) {
   return true;
 }
 
+static bool is_hexadecimal(const char *s, size_t n) {
+  for (size_t i = 0; i < n; i++)
+    if (!strchr("0123456789abcdefABCDEF", s[i])) return false;
+  return true;
+}
+
+/* Reports a word in typographic quotation marks, as a text editor for letters makes them. */
+static void typographic_quote(reader *r, vs_pos pos, const char *s, size_t length) {
+  size_t n = 3; /* the bytes of the mark; the word ends at another one */
+  while (n < length && !(n + 2 < length && !memcmp(s + n, "\xE2\x80", 2) && (unsigned char)s[n + 2] >= 0x98 &&
+                         (unsigned char)s[n + 2] <= 0x9F))
+    n++;
+  bool apostrophe = n == length && (unsigned char)s[2] <= 0x99;
+  int word = (int)(n - 3 > 60 ? 60 : n - 3);
+  if (word)
+    problem(r, pos, "%.3s is a typographic quotation mark; write %s%.*s%s", s, apostrophe ? "'" : "\"", word, s + 3,
+            apostrophe ? "" : "\"");
+  else problem(r, pos, "%.3s is a typographic quotation mark; write \" (or ' before a symbol)", s);
+}
+
+/* Reports full-width parentheses and digits, as keyboards for Chinese and Japanese write them. */
+static void full_width(reader *r, vs_pos pos, const char *s, size_t length) {
+  char digits[20];
+  size_t count = 0, i = 0;
+  for (; i + 2 < length && !memcmp(s + i, "\xEF\xBC", 2); i += 3) {
+    unsigned char last = (unsigned char)s[i + 2];
+    if (last < 0x90 || last > 0x99 || count + 1 >= sizeof digits) break;
+    digits[count++] = (char)('0' + last - 0x90);
+  }
+  digits[count] = 0;
+  if (count && i == length) problem(r, pos, "%.*s is in full-width digits; write %s", (int)length, s, digits);
+  for (i = 0; i + 2 < length; i++)
+    if (!memcmp(s + i, "\xEF\xBC\x88", 3) || !memcmp(s + i, "\xEF\xBC\x89", 3)) {
+      problem(r, pos, "%.3s is a full-width parenthesis; write %c", s + i, (unsigned char)s[i + 2] == 0x88 ? '(' : ')');
+      return;
+    }
+}
+
 static bool read_symbol(reader *r, vs_value *out) {
   vs_text t;
   vs_text_open(r->vm, &t, 0);
@@ -416,11 +456,15 @@ static bool read_symbol(reader *r, vs_value *out) {
   *out = VS_FALSE;
   if (ok && !bars && ((c >= '0' && c <= '9') || c == '+' || c == '-' || c == '.' || c == '#')) {
     ok = vs_read_number(r->vm, s, length, pos, out);
-    if (ok && *out == VS_FALSE && c == '#') {
+    if (ok && *out == VS_FALSE && c == '#' && (length == 7 || length == 4) && is_hexadecimal(s + 1, length - 1)) {
+      problem(r, pos, "a colour is a text: \"%.*s\"", (int)length, s);
+      *out = VS_UNSPECIFIC;
+    } else if (ok && *out == VS_FALSE && c == '#') {
       problem(r, pos,
               "%.*s is not known here: # begins #t, #f, #\\a (a character), #(1 2) (a vector), #:name (a keyword) and "
-              "#;, #| (comments); ; begins a comment to the end of the line",
-              (int)(length > 60 ? 60 : length), s);
+              "#;, #| (comments); ; begins a comment to the end of the line%s",
+              (int)(length > 60 ? 60 : length), s,
+              peek(r, 0) == '(' ? "; (highlight object) marks one as # does in OpenSCAD" : "");
       *out = VS_UNSPECIFIC;
     }
     if (ok && vs_is_number(*out) && !r->quasi && peek(r, 0) == ',' && peek(r, 1) >= '0' && peek(r, 1) <= '9') {
@@ -453,7 +497,8 @@ static bool read_symbol(reader *r, vs_value *out) {
   }
   if (ok && !bars && c == 0xE2 && length >= 3 && (unsigned char)s[1] == 0x80 && (unsigned char)s[2] >= 0x98 &&
       (unsigned char)s[2] <= 0x9F)
-    problem(r, pos, "%.3s is a typographic quotation mark; write \" (or ' before a symbol)", s);
+    typographic_quote(r, pos, s, length);
+  if (ok && !bars && *out == VS_FALSE) full_width(r, pos, s, length);
   if (ok && *out == VS_FALSE) ok = vs_intern(r->vm, t.at ? t.at : "", t.count, out);
   vs_text_close(&t);
   return ok;
@@ -526,7 +571,10 @@ static bool read_close(reader *r, char c, vs_pos pos, vs_value *out, bool *got) 
     if (r->levels[r->depth - 1].quote == QUOTE_PLAIN)
       problem(r, r->levels[r->depth - 1].pos,
               "a datum is missing after this '; a text is written in double quotes, \"like this\"");
-    else problem(r, r->levels[r->depth - 1].pos, "a datum is missing here, before the %c", c);
+    else
+      problem(r, r->levels[r->depth - 1].pos, "a datum is missing here, before the %c%s", c,
+              r->levels[r->depth - 1].quote == QUASI
+                  ? "; a text is written in double quotes, \"like this\", not between ` and `" : "");
     pop(r);
   }
   if (!r->depth) {
@@ -621,7 +669,9 @@ static int next(reader *r, vs_value *out, vs_pos *where) {
       break;
     case '{':
     case '}':
-      problem(r, pos, "%c is not used here; parentheses are ( ) and [ ]", c);
+      problem(r, pos, "%c is not used here; parentheses are ( ) and [ ]%s", c,
+              c == '{' && peek(r, 1) == '"'
+                  ? "; a table is (define sizes (make-hash)), filled by (hash-set! sizes \"door\" 2)" : "");
       r->at++;
       got = false;
       break;
@@ -632,7 +682,8 @@ static int next(reader *r, vs_value *out, vs_pos *where) {
       char before = r->at ? r->text[r->at - 1] : ' ';
       /* Commas between elements, as in (list 1, 2, 3), are reported. */
       if (r->located && !r->quasi && peek(r, 1) == ' ' && before > ' ' && !strchr("([{'`,;", before)) {
-        if (r->comma_line != r->line) problem(r, pos, "separate elements by blanks, not by commas: (list 1 2 3)");
+        if (r->comma_line != r->line)
+          problem(r, pos, "separate elements by blanks, not by commas: (list 1 2 3), or (xyz 1 2 3) for a point");
         r->comma_line = r->line;
         r->at++;
         got = false;
@@ -761,7 +812,9 @@ bool vs_check_utf8(vs_scheme *vm, const char *text, size_t size, uint32_t file, 
       bool wide = i == 0 && size > 1 && (!memcmp(text, "\xFF\xFE", 2) || !memcmp(text, "\xFE\xFF", 2));
       return vs_fail_at(vm, vm->sym.read, vs_pos_make(file, line, col), VS_NIL,
                         "this is not a text in UTF-8 (byte %02X at offset %zu)%s", c, i,
-                        wide ? "; the editor has saved it as UTF-16: save it as UTF-8" : "");
+                        wide       ? "; the editor has saved it as UTF-16: save it as UTF-8"
+                        : c < 0x80 ? ""
+                                   : "; the editor has saved it in an older encoding, as Latin-1: save it as UTF-8");
     }
     i += n;
   }

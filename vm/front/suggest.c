@@ -7,6 +7,7 @@
 
 #include <ctype.h>
 #include <stdio.h>
+#include <stdlib.h>
 #include <strings.h>
 
 static const struct { const char *words, *name, *form; } foreign[] = {
@@ -198,6 +199,8 @@ bool vs_keyword_advice(const char *word, vs_text *t) {
   return true;
 }
 
+bool vs_is_foreign_name(const char *name) { return foreign_word(name) >= 0; }
+
 bool vs_is_foreign_word(vs_value symbol) {
   return vs_is_symbol(symbol) && foreign_word(vs_as_symbol(symbol)->name) >= 0;
 }
@@ -274,6 +277,89 @@ static bool advise_number(const char *name, vs_text *t) {
   return vs_text_puts(t, text);
 }
 
+/* Advises on 3+4i, a complex number; on 1_000 and on 3² (or 3³). */
+static bool advise_sign(const char *name, vs_text *t) {
+  char text[200], digits[LONGEST + 1];
+  size_t n = strlen(name), real = strspn(name, "+-.0123456789e");
+  if (n > LONGEST || !n) return true;
+  size_t sign = n - 1; /* the last sign of "3+4i" */
+  while (sign && name[sign] != '+' && name[sign] != '-') sign--;
+  if (name[n - 1] == 'i' && real == n - 1 && strpbrk(name, "0123456789")) {
+    int from = (int)sign;
+    snprintf(text, sizeof text, "; there are no complex numbers here; (xy %.*s %.*s) is a point of the plane",
+             from ? from : 1, from ? name : "0", (int)(n - 1 - sign - (name[sign] == '+')),
+             name + sign + (name[sign] == '+'));
+    return vs_text_puts(t, text);
+  }
+  bool squared = n > 2 && !strcmp(name + n - 2, "\xC2\xB2"), cubed = n > 2 && !strcmp(name + n - 2, "\xC2\xB3");
+  if (squared || cubed) {
+    snprintf(text, sizeof text, "; write (expt %.*s %d)", (int)(n - 2), name, squared ? 2 : 3);
+    return vs_text_puts(t, text);
+  }
+  size_t left = strspn(name, "0123456789"), right = name[left] == ':' ? strspn(name + left + 1, "0123456789") : 0;
+  if (left && right && left + 1 + right == n && left < 9 && right < 9) {
+    snprintf(text, sizeof text, "; (range %.*s %d) counts from %.*s to %s", (int)left, name, atoi(name + left + 1) + 1,
+             (int)left, name, name + left + 1);
+    return vs_text_puts(t, text);
+  }
+  size_t number = strspn(name, "-.0123456789e"), points = 0;
+  for (const char *c = name; *c; c++) points += *c == '.';
+  if (!strncasecmp(name, "0x", 2) && n > 2 && strspn(name + 2, "0123456789abcdefABCDEF") == n - 2)
+    return vs_text_puts(t, "; a number in hexadecimal digits is written #x") && vs_text_puts(t, name + 2);
+  if (number == n && strpbrk(name, "0123456789") && (points > 1 || name[n - 1] == 'e'))
+    return vs_text_puts(t, "; a number has one point, 1.25, and perhaps a power of ten, 1e6");
+  if (*name == '-' && isalpha((unsigned char)name[1]))
+    return vs_text_puts(t, "; write (- ") && vs_text_puts(t, name + 1) && vs_text_puts(t, ")");
+  size_t used = 0;
+  if (strspn(name, "0123456789_.") < n || !strchr(name, '_') || *name == '_') return true;
+  for (const char *c = name; *c; c++)
+    if (*c != '_') digits[used++] = *c;
+  digits[used] = 0;
+  return vs_text_puts(t, "; digits are written without signs between them: ") && vs_text_puts(t, digits);
+}
+
+/* Advises on operators that stand beside their operand in other languages: i++, !x, and the marks of OpenSCAD. */
+static bool advise_beside(const char *name, vs_text *t) {
+  char text[200];
+  size_t n = strlen(name);
+  if (n < 2 || n > LONGEST) return true;
+  bool more = !strcmp(name + n - 2, "++"), less = !strcmp(name + n - 2, "--");
+  *text = 0;
+  if (n > 2 && (more || less))
+    snprintf(text, sizeof text, "; write (set! %.*s (%c %.*s 1))", (int)n - 2, name, more ? '+' : '-', (int)n - 2,
+             name);
+  else if (*name == '!' && name[1] != '=') snprintf(text, sizeof text, "; write (not %s)", name + 1);
+  else if (*name == '%' && foreign_word(name + 1) >= 0)
+    snprintf(text, sizeof text, "; (ghost object) shows an object as %% does in OpenSCAD");
+  return vs_text_puts(t, text);
+}
+
+/* Advises on a method of a value, points.length. */
+static bool advise_method(vs_scheme *vm, const char *name, vs_text *t) {
+  static const char *const modules[] = {"math", "np", "numpy", "random", "rs", "rg", "os", "sys", "json", "console",
+                                        "cq", "gh", "string", "plt", "js", NULL};
+  char module[LONGEST + 1];
+  const char *dot = strchr(name, '.');
+  size_t n = dot ? (size_t)(dot - name) : 0;
+  if (!n || n > LONGEST || !islower((unsigned char)*name) || !isalpha((unsigned char)dot[1]) || strchr(dot + 1, '.'))
+    return true;
+  memcpy(module, name, n);
+  module[n] = 0;
+  for (size_t i = 0; modules[i]; i++)
+    if (!strcmp(modules[i], module)) return true;
+  int i = foreign_word(dot + 1);
+  vs_value symbol;
+  if (!vs_intern(vm, dot + 1, strlen(dot + 1), &symbol)) return false;
+  if (i < 0 && vs_idtable_get(vs_as_environment(vm->at.core)->table, symbol) == VS_VACANT)
+    return vs_text_puts(t,
+                        "; no value has parts behind a point: (object-arguments object), (cx p), (hash-ref table key) "
+                        "and the like give them");
+  const char *procedure = i >= 0 && foreign[i].name && foreign[i].name[0] ? foreign[i].name : dot + 1;
+  return vs_text_puts(t, "; the procedure comes first: (") && vs_text_puts(t, procedure) && vs_text_puts(t, " ") &&
+         vs_text_puts(t, module) &&
+         vs_text_puts(t, !strcmp(dot + 1, "length") || !strcmp(dot + 1, "size") ? ")" : " ...)");
+}
+
 /* Advises on keywords as other languages write them (azimuth: or :azimuth), and on file names without quotes. */
 static bool advise_spelling(const char *name, vs_text *t) {
   static const char *const endings[] = {"vs",   "js",  "gml", "stl", "obj",  "off", "ply", "png", "jpg", "jpeg",
@@ -326,6 +412,9 @@ bool vs_suggest(vs_scheme *vm, vs_value env, vs_value symbol, vs_text *t) {
   if (!advise_angle(wanted->name, t)) return false;
   if (t->count == before && !advise_number(wanted->name, t)) return false;
   if (t->count == before && !advise_spelling(wanted->name, t)) return false;
+  if (t->count == before && !advise_sign(wanted->name, t)) return false;
+  if (t->count == before && !advise_beside(wanted->name, t)) return false;
+  if (t->count == before && !advise_method(vm, wanted->name, t)) return false;
   if (t->count > before) return true;
   size_t sign = strcspn(wanted->name, "+*/<>=");          /* an expression without blanks, which is read as one name:
                                                            * i+1, n*2, a<b */

@@ -12,6 +12,7 @@ bool vs_suggest_local(vs_scheme *vm, vs_value env, vs_value symbol);
 /* Stores, for vs_suggest, that a let binds the symbol, but a value of the same let uses it. */
 bool vs_suggest_let_star(vs_scheme *vm, vs_value symbol);
 bool vs_is_foreign_word(vs_value symbol); /* Returns true if foreign.def contains the word. */
+bool vs_is_foreign_name(const char *name); /* Returns true if foreign.def contains the name. */
 /* Appends "; make-box is the name here: (make-box ...)" to t if the word belongs to another program. */
 bool vs_foreign_advice(const char *word, vs_text *t);
 /* Appends advice to t for a keyword of another program that the called procedure does not have. */

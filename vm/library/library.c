@@ -229,11 +229,13 @@ static const char *instead_of(vs_value name) {
 /* Reports that there is no library of this name. */
 static bool no_library(vs_expansion *x, vs_pos pos, vs_value name) {
   const char *instead = instead_of(name);
-  if (!instead) return vs_expand_fail(x, pos, name, "import: there is no library");
   vs_text t;
   vs_text_open(x->vm, &t, 0);
-  bool ok = vs_text_puts(&t, "import: ") && vs_print(x->vm, name, VS_PRINT_WRITE, &t) &&
-            vs_text_puts(&t, " is not part of VisualScheme: ") && vs_text_puts(&t, instead) && vs_text_end(&t);
+  bool ok = vs_text_puts(&t, instead ? "import: " : "import: there is no library ") &&
+            vs_print(x->vm, name, VS_PRINT_WRITE, &t) &&
+            vs_text_puts(&t, instead ? " is not part of VisualScheme: "
+                                     : "; sqrt, sin, pi, xyz and the rest need no import") &&
+            vs_text_puts(&t, instead ? instead : "") && vs_text_end(&t);
   if (ok) vs_expand_fail(x, pos, VS_ABSENT, "%s", t.at);
   vs_text_close(&t);
   return false;

@@ -177,7 +177,9 @@ bool vs_library_advice(vs_scheme *vm, vs_value symbol, bool syntax, vs_text *t) 
   }
   bool ours = name->name[0] != '%' && vs_idtable_get(vs_as_environment(vm->at.core)->table, symbol) != VS_VACANT;
   for (const vs_shipped *f = vm->config.shipped; !ours && f && f->name; f++)
-    if (strstr(f->name, ".sld") && exports_name(f->text, f->end, name) && (!syntax || exports_syntax(vm, f, name)))
+    /* a program in Scheme means no name of the runtime of scripts */
+    if (strstr(f->name, ".sld") && !strstr(f->name, "javascript") && exports_name(f->text, f->end, name) &&
+        (!syntax || exports_syntax(vm, f, name)))
       return vs_text_puts(t, "; (import (visualscheme) (") && put_shipped_name(f->name, t) &&
              vs_text_puts(t, ")) brings it");
   if (!ours) return true;

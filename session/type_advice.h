@@ -1,0 +1,10 @@
+/* Owns the interface of type_advice.c. */
+#ifndef VS_SESSION_TYPE_ADVICE_H
+#define VS_SESSION_TYPE_ADVICE_H
+
+#include "session/session.h"
+
+/* Appends the advice of advice.def for the condition to t, the error's text. Returns false when memory is out. */
+bool vs_session_advise_value(vs_scheme *vm, const vs_condition *c, vs_text *t);
+
+#endif
