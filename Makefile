@@ -48,7 +48,7 @@ all: $(BUILD)/libvisualscheme.a $(BUILD)/vs ## build the library and the program
 $(BUILD)/obj/geometry/text/font.o: CFLAGS += $(shell pkg-config --cflags freetype2 2>/dev/null || echo -I/usr/include/freetype2)
 
 # OpenEXR's headers have one, too; its library is loaded with the first EXR picture.
-$(BUILD)/obj/geometry/files/exr_read.o $(BUILD)/obj/geometry/files/exr.o: CFLAGS += $(shell pkg-config --cflags-only-I OpenEXR 2>/dev/null || echo -I/usr/include/OpenEXR)
+$(BUILD)/obj/geometry/files/exr.o $(BUILD)/obj/geometry/files/exr_read.o $(BUILD)/obj/geometry/files/exr_library.o: CFLAGS += $(shell pkg-config --cflags-only-I OpenEXR 2>/dev/null || echo -I/usr/include/OpenEXR)
 
 $(BUILD)/obj/%.o: %.c
 	@mkdir -p $(@D)

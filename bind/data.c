@@ -94,31 +94,21 @@ static vs_status directory_files(vs_scheme *vm, vs_value *a, int n, vs_value *ou
 }
 
 /* ---- reading JSON ---- */
-#define JANSSON_FUNCTIONS                                                              \
-  JANSSON(load, json_loadb, json_t *, (const char *, size_t, size_t, json_error_t *)) \
-  JANSSON(discard, json_delete, void, (json_t *))                                     \
-  JANSSON(first, json_object_iter, void *, (json_t *))                                \
-  JANSSON(next, json_object_iter_next, void *, (json_t *, void *))                    \
-  JANSSON(key, json_object_iter_key, const char *, (void *))                          \
-  JANSSON(member, json_object_iter_value, json_t *, (void *))                         \
-  JANSSON(size, json_array_size, size_t, (const json_t *))                            \
-  JANSSON(element, json_array_get, json_t *, (const json_t *, size_t))                \
-  JANSSON(string, json_string_value, const char *, (const json_t *))                  \
-  JANSSON(length, json_string_length, size_t, (const json_t *))                       \
-  JANSSON(integer, json_integer_value, json_int_t, (const json_t *))                  \
-  JANSSON(real, json_real_value, double, (const json_t *))
+#define JANSSON_FUNCTIONS(F)                                                           \
+  F(load, json_loadb, json_t *, (const char *, size_t, size_t, json_error_t *))       \
+  F(discard, json_delete, void, (json_t *))                                           \
+  F(first, json_object_iter, void *, (json_t *))                                      \
+  F(next, json_object_iter_next, void *, (json_t *, void *))                          \
+  F(key, json_object_iter_key, const char *, (void *))                                \
+  F(member, json_object_iter_value, json_t *, (void *))                               \
+  F(size, json_array_size, size_t, (const json_t *))                                  \
+  F(element, json_array_get, json_t *, (const json_t *, size_t))                      \
+  F(string, json_string_value, const char *, (const json_t *))                        \
+  F(length, json_string_length, size_t, (const json_t *))                             \
+  F(integer, json_integer_value, json_int_t, (const json_t *))                        \
+  F(real, json_real_value, double, (const json_t *))
 
-typedef struct {
-#define JANSSON(member, symbol, result, parameters) result (*member) parameters;
-  JANSSON_FUNCTIONS
-#undef JANSSON
-} jansson;
-
-static const vs_dynamic_name jansson_names[] = {
-#define JANSSON(member, symbol, result, parameters) { #symbol, offsetof(jansson, member) },
-  JANSSON_FUNCTIONS
-#undef JANSSON
-};
+VS_DYNAMIC_FUNCTIONS(JANSSON_FUNCTIONS);
 
 /* An array or object that is being converted, with its next element (index) or next member (iterator). Its Scheme value
  * is in the list `containers` of take_json, at the same depth. For an array, that is the vector; for an object, the
@@ -127,7 +117,7 @@ typedef struct { json_t *node; void *iterator; size_t index; } level;
 
 /* Converts one node of JSON. An array becomes a vector of the same length, without its elements yet. An object becomes
  * an association list of its keys, without values yet. */
-static bool shallow(vs_scheme *vm, const jansson *j, json_t *node, vs_value *out) {
+static bool shallow(vs_scheme *vm, const dynamic_functions *j, json_t *node, vs_value *out) {
   VS_ROOTS(vm, r, 3); /* roots: the list, its last pair, the new value */
   switch (json_typeof(node)) {
     case JSON_OBJECT:
@@ -156,7 +146,7 @@ static bool shallow(vs_scheme *vm, const jansson *j, json_t *node, vs_value *out
 }
 
 /* Converts jansson's tree to Scheme data, with an explicit stack instead of recursion. */
-static bool take_json(vs_scheme *vm, const jansson *j, json_t *root, vs_value *out) {
+static bool take_json(vs_scheme *vm, const dynamic_functions *j, json_t *root, vs_value *out) {
   VS_ROOTS(vm, r, 3); /* roots: the result, the containers (innermost first), a value */
   level *levels = NULL;
   size_t depth = 0, room = 0;
@@ -203,9 +193,9 @@ static bool take_json(vs_scheme *vm, const jansson *j, json_t *root, vs_value *o
 static vs_status json_parse(vs_scheme *vm, const char *text, size_t length, const char *name, vs_value *out) {
   static const char *const files[] = { "libjansson.so.4", "libjansson.4.dylib", NULL };
   static const vs_dynamic_library library = { files, "libjansson4", "JSON" };
-  jansson j;
+  dynamic_functions j;
   vs_error e = { 0 };
-  if (!vs_dynamic_load(&library, jansson_names, sizeof jansson_names / sizeof *jansson_names, &j, &e)) {
+  if (!vs_dynamic_load(&library, dynamic_names, sizeof dynamic_names / sizeof *dynamic_names, &j, &e)) {
     vs_fail(vm, vm->sym.file, "%s", e.message);
     return VS_ERROR;
   }

@@ -19,6 +19,14 @@ typedef struct {
 typedef struct { const char *symbol; size_t offset; /* offset: position of the function's pointer in the struct
                                                      * `functions`, in bytes */ } vs_dynamic_name;
 
+/* Defines the struct `dynamic_functions` and its table `dynamic_names`, from a macro LIST(F) that consists of rows
+ * F(member, symbol, result, parameters). */
+#define VS_DYNAMIC_FUNCTIONS(LIST)                                                                                     \
+  typedef struct { LIST(VS_DYNAMIC_MEMBER) } dynamic_functions;                                                        \
+  static const vs_dynamic_name dynamic_names[] = { LIST(VS_DYNAMIC_ROW) }
+#define VS_DYNAMIC_MEMBER(member, symbol, result, parameters) result (*member) parameters;
+#define VS_DYNAMIC_ROW(member, symbol, result, parameters) { #symbol, offsetof(dynamic_functions, member) },
+
 /* Loads the library, and sets the function pointers in the struct `functions`. The library stays loaded. Returns false
  * if the library or a function is missing; e is then VS_ERROR_WORKER with the package's name. */
 bool vs_dynamic_load(const vs_dynamic_library *library, const vs_dynamic_name *names, size_t count, void *functions,

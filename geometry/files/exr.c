@@ -1,13 +1,10 @@
 /* Implements EXR pictures in memory, and writes them with OpenEXR's C library: as scan lines, with ZIP compression in
  * blocks of 16 lines. */
-#include <openexr.h>
-#include <string.h>
-
 #include "geometry/files/exr.h"
 
-static const char *const exr_files[] = { "libOpenEXRCore-3_1.so.30", "libOpenEXRCore-3_2.so.31", "libOpenEXRCore.so",
-    NULL };
-const vs_dynamic_library vs_exr_library = { exr_files, "libopenexr-3-1-30", "EXR pictures" };
+#include <string.h>
+
+#include "geometry/files/exr_library.h"
 
 const char *const vs_exr_text_names[VS_EXR_TEXTS] = {
     [VS_EXR_SOURCES] = "visualscheme.sources", [VS_EXR_MATERIALS] = "visualscheme.materials",
@@ -82,40 +79,30 @@ bool vs_exr_crop(vs_exr *x, uint32_t left, uint32_t top, uint32_t columns, uint3
 
 /* ---- writing ---- */
 
-/* The functions of the library that this file uses, as EXR(member, symbol, result, parameters). */
+/* The functions of the library that this file uses, as F(member, symbol, result, parameters). */
 #define EXR_START (exr_context_t *, const char *, exr_default_write_mode_t, const exr_context_initializer_t *)
 #define EXR_PIPELINE (exr_const_context_t, int, exr_encode_pipeline_t *)
 #define EXR_CHUNK (exr_const_context_t, int, const exr_chunk_info_t *, exr_encode_pipeline_t *)
 #define EXR_CHANNEL (exr_context_t, int, const char *, exr_pixel_type_t, exr_perceptual_treatment_t, int32_t, int32_t)
-#define EXR_FUNCTIONS                                                                                                  \
-  EXR(start, exr_start_write, exr_result_t, EXR_START)                                                                 \
-  EXR(finish, exr_finish, exr_result_t, (exr_context_t *))                                                             \
-  EXR(part, exr_add_part, exr_result_t, (exr_context_t, const char *, exr_storage_t, int *))                           \
-  EXR(required, exr_initialize_required_attr_simple, exr_result_t,                                                     \
+#define EXR_FUNCTIONS(F)                                                                                               \
+  F(start, exr_start_write, exr_result_t, EXR_START)                                                                   \
+  F(finish, exr_finish, exr_result_t, (exr_context_t *))                                                               \
+  F(part, exr_add_part, exr_result_t, (exr_context_t, const char *, exr_storage_t, int *))                             \
+  F(required, exr_initialize_required_attr_simple, exr_result_t,                                                       \
       (exr_context_t, int, int32_t, int32_t, exr_compression_t))                                                       \
-  EXR(channel, exr_add_channel, int, EXR_CHANNEL)                                                                      \
-  EXR(text, exr_attr_set_string, exr_result_t, (exr_context_t, int, const char *, const char *))                       \
-  EXR(header, exr_write_header, exr_result_t, (exr_context_t))                                                         \
-  EXR(lines, exr_get_scanlines_per_chunk, exr_result_t, (exr_const_context_t, int, int32_t *))                         \
-  EXR(chunk, exr_write_scanline_chunk_info, exr_result_t, (exr_context_t, int, int, exr_chunk_info_t *))               \
-  EXR(begin, exr_encoding_initialize, exr_result_t, EXR_CHUNK)                                                         \
-  EXR(update, exr_encoding_update, exr_result_t, EXR_CHUNK)                                                            \
-  EXR(choose, exr_encoding_choose_default_routines, exr_result_t, EXR_PIPELINE)                                        \
-  EXR(run, exr_encoding_run, exr_result_t, EXR_PIPELINE)                                                               \
-  EXR(end, exr_encoding_destroy, exr_result_t, (exr_const_context_t, exr_encode_pipeline_t *))                         \
-  EXR(words, exr_get_error_code_as_string, const char *, (exr_result_t))
+  F(channel, exr_add_channel, int, EXR_CHANNEL)                                                                        \
+  F(text, exr_attr_set_string, exr_result_t, (exr_context_t, int, const char *, const char *))                         \
+  F(header, exr_write_header, exr_result_t, (exr_context_t))                                                           \
+  F(lines, exr_get_scanlines_per_chunk, exr_result_t, (exr_const_context_t, int, int32_t *))                           \
+  F(chunk, exr_write_scanline_chunk_info, exr_result_t, (exr_context_t, int, int, exr_chunk_info_t *))                 \
+  F(begin, exr_encoding_initialize, exr_result_t, EXR_CHUNK)                                                           \
+  F(update, exr_encoding_update, exr_result_t, EXR_CHUNK)                                                              \
+  F(choose, exr_encoding_choose_default_routines, exr_result_t, EXR_PIPELINE)                                          \
+  F(run, exr_encoding_run, exr_result_t, EXR_PIPELINE)                                                                 \
+  F(end, exr_encoding_destroy, exr_result_t, (exr_const_context_t, exr_encode_pipeline_t *))                           \
+  F(words, exr_get_error_code_as_string, const char *, (exr_result_t))
 
-typedef struct {
-#define EXR(member, symbol, result, parameters) result (*member) parameters;
-  EXR_FUNCTIONS
-#undef EXR
-} exr_functions;
-
-static const vs_dynamic_name exr_names[] = {
-#define EXR(member, symbol, result, parameters) { #symbol, offsetof(exr_functions, member) },
-  EXR_FUNCTIONS
-#undef EXR
-};
+VS_DYNAMIC_FUNCTIONS(EXR_FUNCTIONS);
 
 typedef struct { vs_store *store; vs_made_bytes made; bool full; } exr_file;
 
@@ -137,10 +124,8 @@ static int64_t exr_put(exr_const_context_t c, void *to, const void *bytes, uint6
   if (end > made->size) made->size = (size_t)end;
   return (int64_t)count;
 }
-static void exr_quiet(exr_const_context_t c, exr_result_t code, const char *message) { (void)c, (void)code,
-    (void)message; }
 
-static exr_result_t exr_put_header(const exr_functions *call, exr_context_t c, const vs_exr *x) {
+static exr_result_t exr_put_header(const dynamic_functions *call, exr_context_t c, const vs_exr *x) {
   static const exr_pixel_type_t types[] = {
       [VS_EXR_HALF] = EXR_PIXEL_HALF, [VS_EXR_FLOAT] = EXR_PIXEL_FLOAT, [VS_EXR_WHOLE] = EXR_PIXEL_UINT };
   int part = 0;
@@ -154,7 +139,7 @@ static exr_result_t exr_put_header(const exr_functions *call, exr_context_t c, c
   return result == EXR_ERR_SUCCESS ? call->header(c) : result;
 }
 
-static exr_result_t exr_put_lines(const exr_functions *call, exr_context_t c, const vs_exr *x) {
+static exr_result_t exr_put_lines(const dynamic_functions *call, exr_context_t c, const vs_exr *x) {
   exr_encode_pipeline_t encoder = EXR_ENCODE_PIPELINE_INITIALIZER;
   int32_t high = 0;
   bool begun = false;
@@ -179,11 +164,12 @@ static exr_result_t exr_put_lines(const exr_functions *call, exr_context_t c, co
 }
 
 bool vs_exr_write(const vs_exr *x, vs_made_bytes *out, vs_error *e) {
-  exr_functions call;
-  if (!vs_dynamic_load(&vs_exr_library, exr_names, sizeof exr_names / sizeof *exr_names, &call, e)) return false;
+  dynamic_functions call;
+  if (!vs_dynamic_load(&vs_exr_library, dynamic_names, sizeof dynamic_names / sizeof *dynamic_names, &call, e))
+    return false;
   exr_file f = { .store = x->store };
   exr_context_initializer_t how = EXR_DEFAULT_CONTEXT_INITIALIZER;
-  how.error_handler_fn = exr_quiet;
+  how.error_handler_fn = vs_exr_quiet;
   how.user_data = &f;
   how.write_fn = exr_put;
   exr_context_t c = NULL;

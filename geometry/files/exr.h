@@ -3,7 +3,6 @@
 #ifndef VS_GEOMETRY_FILES_EXR_H
 #define VS_GEOMETRY_FILES_EXR_H
 
-#include "geometry/dynamic.h"
 #include "geometry/files/file_bytes.h"
 #include "geometry/files/raster.h"
 
@@ -17,8 +16,6 @@ typedef enum {
   VS_EXR_TEXTS
 } vs_exr_text;
 extern const char *const vs_exr_text_names[VS_EXR_TEXTS];
-
-extern const vs_dynamic_library vs_exr_library;
 
 typedef enum {
   VS_EXR_HALF, VS_EXR_FLOAT,

@@ -8,44 +8,35 @@
 #include "geometry/files/exr_read.h"
 
 #include <math.h>
-#include <openexr.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* The functions of the library that this file uses, as EXR(member, symbol, result, parameters). */
+#include "geometry/files/exr_library.h"
+
+/* The functions of the library that this file uses, as F(member, symbol, result, parameters). */
 #define EXR_PIPELINE (exr_const_context_t, int, exr_decode_pipeline_t *)
 #define EXR_CHUNK (exr_const_context_t, int, const exr_chunk_info_t *, exr_decode_pipeline_t *)
 #define EXR_TILES (exr_const_context_t, int, uint32_t *, uint32_t *, exr_tile_level_mode_t *, exr_tile_round_mode_t *)
-#define EXR_FUNCTIONS                                                                                                  \
-  EXR(start, exr_start_read, exr_result_t, (exr_context_t *, const char *, const exr_context_initializer_t *))         \
-  EXR(finish, exr_finish, exr_result_t, (exr_context_t *))                                                             \
-  EXR(storage, exr_get_storage, exr_result_t, (exr_const_context_t, int, exr_storage_t *))                             \
-  EXR(window, exr_get_data_window, exr_result_t, (exr_const_context_t, int, exr_attr_box2i_t *))                       \
-  EXR(channels, exr_get_channels, exr_result_t, (exr_const_context_t, int, const exr_attr_chlist_t **))                \
-  EXR(lines, exr_get_scanlines_per_chunk, exr_result_t, (exr_const_context_t, int, int32_t *))                         \
-  EXR(chunk, exr_read_scanline_chunk_info, exr_result_t, (exr_const_context_t, int, int, exr_chunk_info_t *))          \
-  EXR(begin, exr_decoding_initialize, exr_result_t, EXR_CHUNK)                                                         \
-  EXR(update, exr_decoding_update, exr_result_t, EXR_CHUNK)                                                            \
-  EXR(tiles, exr_get_tile_descriptor, exr_result_t, EXR_TILES)                                                         \
-  EXR(tile, exr_read_tile_chunk_info, exr_result_t,                                                                    \
+#define EXR_FUNCTIONS(F)                                                                                               \
+  F(start, exr_start_read, exr_result_t, (exr_context_t *, const char *, const exr_context_initializer_t *))           \
+  F(finish, exr_finish, exr_result_t, (exr_context_t *))                                                               \
+  F(storage, exr_get_storage, exr_result_t, (exr_const_context_t, int, exr_storage_t *))                               \
+  F(window, exr_get_data_window, exr_result_t, (exr_const_context_t, int, exr_attr_box2i_t *))                         \
+  F(channels, exr_get_channels, exr_result_t, (exr_const_context_t, int, const exr_attr_chlist_t **))                  \
+  F(lines, exr_get_scanlines_per_chunk, exr_result_t, (exr_const_context_t, int, int32_t *))                           \
+  F(chunk, exr_read_scanline_chunk_info, exr_result_t, (exr_const_context_t, int, int, exr_chunk_info_t *))            \
+  F(begin, exr_decoding_initialize, exr_result_t, EXR_CHUNK)                                                           \
+  F(update, exr_decoding_update, exr_result_t, EXR_CHUNK)                                                              \
+  F(tiles, exr_get_tile_descriptor, exr_result_t, EXR_TILES)                                                           \
+  F(tile, exr_read_tile_chunk_info, exr_result_t,                                                                      \
       (exr_const_context_t, int, int, int, int, int, exr_chunk_info_t *))                                              \
-  EXR(choose, exr_decoding_choose_default_routines, exr_result_t, EXR_PIPELINE)                                        \
-  EXR(run, exr_decoding_run, exr_result_t, EXR_PIPELINE)                                                               \
-  EXR(end, exr_decoding_destroy, exr_result_t, (exr_const_context_t, exr_decode_pipeline_t *))                         \
-  EXR(text, exr_attr_get_string, exr_result_t, (exr_const_context_t, int, const char *, int32_t *, const char **))     \
-  EXR(words, exr_get_error_code_as_string, const char *, (exr_result_t))
+  F(choose, exr_decoding_choose_default_routines, exr_result_t, EXR_PIPELINE)                                          \
+  F(run, exr_decoding_run, exr_result_t, EXR_PIPELINE)                                                                 \
+  F(end, exr_decoding_destroy, exr_result_t, (exr_const_context_t, exr_decode_pipeline_t *))                           \
+  F(text, exr_attr_get_string, exr_result_t, (exr_const_context_t, int, const char *, int32_t *, const char **))       \
+  F(words, exr_get_error_code_as_string, const char *, (exr_result_t))
 
-typedef struct {
-#define EXR(member, symbol, result, parameters) result (*member) parameters;
-  EXR_FUNCTIONS
-#undef EXR
-} exr_functions;
-
-static const vs_dynamic_name exr_names[] = {
-#define EXR(member, symbol, result, parameters) { #symbol, offsetof(exr_functions, member) },
-  EXR_FUNCTIONS
-#undef EXR
-};
+VS_DYNAMIC_FUNCTIONS(EXR_FUNCTIONS);
 
 static int64_t exr_take(exr_const_context_t c, void *memory, void *to, uint64_t count, uint64_t from,
                         exr_stream_error_func_ptr_t error) {
@@ -60,9 +51,6 @@ static int64_t exr_size(exr_const_context_t c, void *memory) {
   (void)c;
   return (int64_t)((const vs_file_bytes *)memory)->size;
 }
-/* Discards the library's messages, because its result codes contain the same information. */
-static void exr_quiet(exr_const_context_t c, exr_result_t code, const char *message) { (void)c, (void)code,
-    (void)message; }
 
 /* ---- half-precision numbers ---- */
 
@@ -94,7 +82,7 @@ typedef struct { int64_t x, y, columns, rows; } exr_place;
 
 typedef struct {
   vs_store *store;
-  exr_functions call;
+  dynamic_functions call;
   exr_context_t c;
   exr_attr_box2i_t box;
   const exr_attr_chlist_t *all;
@@ -167,7 +155,7 @@ static exr_result_t exr_run(exr_reader *r, exr_decode_pipeline_t *d) {
 /* Reads all chunks. A chunk of scan lines is as wide as the picture and has a fixed number of lines. A tile has a fixed
  * size. Polls after each chunk. */
 static exr_result_t exr_decode(exr_reader *r, vs_error *e) {
-  const exr_functions *call = &r->call;
+  const dynamic_functions *call = &r->call;
   exr_context_t c = r->c;
   exr_decode_pipeline_t decoder = EXR_DECODE_PIPELINE_INITIALIZER;
   exr_result_t result = EXR_ERR_SUCCESS;
@@ -264,10 +252,11 @@ static void exr_cut(exr_reader *r, const vs_exr_window *w) {
 bool vs_exr_decode(vs_store *store, const vs_file_bytes *file, const vs_exr_window *window, vs_exr_choose *choose,
                    void *context, vs_error *e) {
   exr_reader r = { .store = store };
-  if (!vs_dynamic_load(&vs_exr_library, exr_names, sizeof exr_names / sizeof *exr_names, &r.call, e)) return false;
+  if (!vs_dynamic_load(&vs_exr_library, dynamic_names, sizeof dynamic_names / sizeof *dynamic_names, &r.call, e))
+    return false;
   vs_file_bytes memory = *file;
   exr_context_initializer_t how = EXR_DEFAULT_CONTEXT_INITIALIZER;
-  how.error_handler_fn = exr_quiet;
+  how.error_handler_fn = vs_exr_quiet;
   how.user_data = &memory;
   how.read_fn = exr_take;
   how.size_fn = exr_size;

@@ -14,36 +14,26 @@
 
 #include "geometry/files/raster.h"
 
-/* The functions of the library that this file uses, as PNG(member, symbol, result, parameters). */
-#define PNG_FUNCTIONS                                                                                                  \
-  PNG(open, png_create_write_struct, png_structp, (const char *, void *, png_error_ptr, png_error_ptr))                \
-  PNG(info, png_create_info_struct, png_infop, (png_structp))                                                          \
-  PNG(put, png_set_write_fn, void, (png_structp, void *, png_rw_ptr, png_flush_ptr))                                   \
-  PNG(head, png_set_IHDR, void, (png_structp, png_infop, png_uint_32, png_uint_32, int, int, int, int, int))           \
-  PNG(screen, png_set_sRGB, void, (png_structp, png_infop, int))                                                       \
-  PNG(limits, png_set_user_limits, void, (png_structp, png_uint_32, png_uint_32))                                      \
-  PNG(level, png_set_compression_level, void, (png_structp, int))                                                      \
-  PNG(strategy, png_set_compression_strategy, void, (png_structp, int))                                                \
-  PNG(filter, png_set_filter, void, (png_structp, int, int))                                                           \
-  PNG(write_info, png_write_info, void, (png_structp, png_infop))                                                      \
-  PNG(write_row, png_write_row, void, (png_structp, const unsigned char *))                                            \
-  PNG(write_end, png_write_end, void, (png_structp, png_infop))                                                        \
-  PNG(close, png_destroy_write_struct, void, (png_structpp, png_infopp))
+/* The functions of the library that this file uses, as F(member, symbol, result, parameters). */
+#define PNG_FUNCTIONS(F)                                                                                               \
+  F(open, png_create_write_struct, png_structp, (const char *, void *, png_error_ptr, png_error_ptr))                  \
+  F(info, png_create_info_struct, png_infop, (png_structp))                                                            \
+  F(put, png_set_write_fn, void, (png_structp, void *, png_rw_ptr, png_flush_ptr))                                     \
+  F(head, png_set_IHDR, void, (png_structp, png_infop, png_uint_32, png_uint_32, int, int, int, int, int))             \
+  F(screen, png_set_sRGB, void, (png_structp, png_infop, int))                                                         \
+  F(limits, png_set_user_limits, void, (png_structp, png_uint_32, png_uint_32))                                        \
+  F(level, png_set_compression_level, void, (png_structp, int))                                                        \
+  F(strategy, png_set_compression_strategy, void, (png_structp, int))                                                  \
+  F(filter, png_set_filter, void, (png_structp, int, int))                                                             \
+  F(write_info, png_write_info, void, (png_structp, png_infop))                                                        \
+  F(write_row, png_write_row, void, (png_structp, const unsigned char *))                                              \
+  F(write_end, png_write_end, void, (png_structp, png_infop))                                                          \
+  F(close, png_destroy_write_struct, void, (png_structpp, png_infopp))
+
+VS_DYNAMIC_FUNCTIONS(PNG_FUNCTIONS);
 
 typedef struct {
-#define PNG(member, symbol, result, parameters) result (*member) parameters;
-  PNG_FUNCTIONS
-#undef PNG
-} png_functions;
-
-static const vs_dynamic_name png_names[] = {
-#define PNG(member, symbol, result, parameters) { #symbol, offsetof(png_functions, member) },
-  PNG_FUNCTIONS
-#undef PNG
-};
-
-typedef struct {
-  png_functions call;
+  dynamic_functions call;
   png_structp png;
   png_infop info;
   vs_store *store;
@@ -88,7 +78,7 @@ static void png_take(png_structp png, unsigned char *bytes, size_t count) {
 /* Writes the picture as a PNG file into the sink. Returns false and sets the sink's message on failure. After a
  * longjmp, local variables may be indeterminate; only the sink is read then. */
 static bool png_rows(png_sink *s, const vs_pixels *picture) {
-  const png_functions *call = &s->call;
+  const dynamic_functions *call = &s->call;
   if (setjmp(s->failed) != 0) return false;
   s->png = call->open(PNG_LIBPNG_VER_STRING, s, png_failed, png_warned);
   s->info = s->png ? call->info(s->png) : NULL;
@@ -110,7 +100,8 @@ static bool png_rows(png_sink *s, const vs_pixels *picture) {
 
 bool vs_png_write(vs_store *store, const vs_pixels *picture, vs_made_bytes *out, vs_error *e) {
   png_sink s = { .store = store };
-  if (!vs_dynamic_load(&vs_png_library, png_names, sizeof png_names / sizeof *png_names, &s.call, e)) return false;
+  if (!vs_dynamic_load(&vs_png_library, dynamic_names, sizeof dynamic_names / sizeof *dynamic_names, &s.call, e))
+    return false;
   bool ok = png_rows(&s, picture);
   if (s.png) s.call.close(&s.png, &s.info);
   if (ok) {

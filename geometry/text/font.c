@@ -22,34 +22,24 @@
 #include "geometry/text/kerning.h"
 #include "model/store/nodemap.h"
 
-/* The functions of FreeType that this file uses, as FREETYPE(member, symbol, result, parameters). */
-#define FREETYPE_FUNCTIONS                                                                                      \
-  FREETYPE(create, FT_New_Library, FT_Error, (FT_Memory, FT_Library *))                                         \
-  FREETYPE(modules, FT_Add_Default_Modules, void, (FT_Library))                                                 \
-  FREETYPE(done, FT_Done_Library, FT_Error, (FT_Library))                                                       \
-  FREETYPE(open_file, FT_New_Face, FT_Error, (FT_Library, const char *, FT_Long, FT_Face *))                    \
-  FREETYPE(open_memory, FT_New_Memory_Face, FT_Error, (FT_Library, const FT_Byte *, FT_Long, FT_Long, FT_Face *)) \
-  FREETYPE(close, FT_Done_Face, FT_Error, (FT_Face))                                                             \
-  FREETYPE(index, FT_Get_Char_Index, FT_UInt, (FT_Face, FT_ULong))                                              \
-  FREETYPE(load, FT_Load_Glyph, FT_Error, (FT_Face, FT_UInt, FT_Int32))                                         \
-  FREETYPE(decompose, FT_Outline_Decompose, FT_Error, (FT_Outline *, const FT_Outline_Funcs *, void *))         \
-  FREETYPE(kerning, FT_Get_Kerning, FT_Error, (FT_Face, FT_UInt, FT_UInt, FT_UInt, FT_Vector *))                \
-  FREETYPE(table, FT_Load_Sfnt_Table, FT_Error, (FT_Face, FT_ULong, FT_Long, FT_Byte *, FT_ULong *))
+/* The functions of FreeType that this file uses, as F(member, symbol, result, parameters). */
+#define FREETYPE_FUNCTIONS(F)                                                                                          \
+  F(create, FT_New_Library, FT_Error, (FT_Memory, FT_Library *))                                                       \
+  F(modules, FT_Add_Default_Modules, void, (FT_Library))                                                               \
+  F(done, FT_Done_Library, FT_Error, (FT_Library))                                                                     \
+  F(open_file, FT_New_Face, FT_Error, (FT_Library, const char *, FT_Long, FT_Face *))                                  \
+  F(open_memory, FT_New_Memory_Face, FT_Error, (FT_Library, const FT_Byte *, FT_Long, FT_Long, FT_Face *))             \
+  F(close, FT_Done_Face, FT_Error, (FT_Face))                                                                          \
+  F(index, FT_Get_Char_Index, FT_UInt, (FT_Face, FT_ULong))                                                            \
+  F(load, FT_Load_Glyph, FT_Error, (FT_Face, FT_UInt, FT_Int32))                                                       \
+  F(decompose, FT_Outline_Decompose, FT_Error, (FT_Outline *, const FT_Outline_Funcs *, void *))                       \
+  F(kerning, FT_Get_Kerning, FT_Error, (FT_Face, FT_UInt, FT_UInt, FT_UInt, FT_Vector *))                              \
+  F(table, FT_Load_Sfnt_Table, FT_Error, (FT_Face, FT_ULong, FT_Long, FT_Byte *, FT_ULong *))
+
+VS_DYNAMIC_FUNCTIONS(FREETYPE_FUNCTIONS);
 
 typedef struct {
-#define FREETYPE(member, symbol, result, parameters) result (*member) parameters;
-  FREETYPE_FUNCTIONS
-#undef FREETYPE
-} freetype;
-
-static const vs_dynamic_name freetype_names[] = {
-#define FREETYPE(member, symbol, result, parameters) { #symbol, offsetof(freetype, member) },
-  FREETYPE_FUNCTIONS
-#undef FREETYPE
-};
-
-typedef struct {
-  freetype call;
+  dynamic_functions call;
   vs_store *store;
   struct FT_MemoryRec_ memory;
   FT_Library library;
@@ -125,7 +115,7 @@ static font_shelf *font_shelf_of(vs_store *s, vs_error *e) {
   void **kept = vs_store_kept(s, font_let_go);
   if (*kept) return *kept;
   font_shelf made = { .store = s };
-  if (!vs_dynamic_load(&library, freetype_names, sizeof freetype_names / sizeof *freetype_names, &made.call, e))
+  if (!vs_dynamic_load(&library, dynamic_names, sizeof dynamic_names / sizeof *dynamic_names, &made.call, e))
     return NULL;
   font_shelf *shelf = vs_store_realloc(s, NULL, 0, sizeof *shelf);
   bool ok = shelf != NULL;
@@ -179,7 +169,7 @@ static bool font_measure(vs_font *f, vs_error *e) {
 
 /* Loads the GPOS table of a font that has no kern table. Returns false when memory is out. */
 static bool font_load_pairs(vs_font *f) {
-  const freetype *ft = &f->shelf->call;
+  const dynamic_functions *ft = &f->shelf->call;
   const FT_ULong gpos = 0x47504F53; /* the tag 'GPOS' */
   FT_ULong size = 0;
   enum { MOST = 8 << 20 };
@@ -342,7 +332,7 @@ static int font_cubic(const FT_Vector *a, const FT_Vector *b, const FT_Vector *t
 
 const vs_glyph *vs_font_glyph(vs_font *f, uint32_t index, vs_error *e) {
   static const FT_Outline_Funcs functions = { font_move, font_line, font_quadratic, font_cubic, 0, 0 };
-  const freetype *ft = &f->shelf->call;
+  const dynamic_functions *ft = &f->shelf->call;
   const void *key = (const void *)((uintptr_t)index + 1);
   const uint64_t *known = vs_nodemap_get(&f->glyphs, key);
   if (known && *known) return (const vs_glyph *)(uintptr_t)*known;

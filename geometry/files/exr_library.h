@@ -1,0 +1,14 @@
+/* Declares the use of OpenEXR's C library by the reader and the writer of EXR files. */
+#ifndef VS_GEOMETRY_FILES_EXR_LIBRARY_H
+#define VS_GEOMETRY_FILES_EXR_LIBRARY_H
+
+#include <openexr.h>
+
+#include "geometry/dynamic.h"
+
+extern const vs_dynamic_library vs_exr_library;
+
+/* Discards a message of the library: its result codes contain the same information. */
+void vs_exr_quiet(exr_const_context_t c, exr_result_t code, const char *message);
+
+#endif
