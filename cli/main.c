@@ -14,7 +14,7 @@
 
 #include "cli/large_blocks.h"
 #include "cli/prompt/editor.h"
-#include "cli/prompt/manual.h"
+#include "cli/help_command.h"
 #include "cli/prompt/repl.h"
 #include "cli/limits.h"
 #include "cli/nearby.h"
@@ -533,25 +533,7 @@ static int run_test(cli_options *o) {
 
 /* Runs the command. Returns the exit code. Sets *told if a failure of standard output was reported. */
 static int run_command(int argc, char **argv, bool *told) {
-  if (argc >= 3 && strcmp(argv[1], "help") == 0) { /* vs help WORD: prints from the manual */
-    for (int i = 2; i < argc; i++)
-      if (cli_command_help(argv[i], stdout)) {
-        putchar('\n');
-        cli_manual_command(argv[i], stdout);
-      } else if (!cli_manual_print(argv[i], stdout)) {
-        vs_options plain = vs_options_default();
-        vs_scheme *scheme = vs_new(&plain); /* it advises on the words of other programs */
-        const char *advice = scheme ? vs_name_advice(scheme, argv[i]) : "";
-        bool guess = strncmp(advice, "did you mean", 12) == 0 || strncmp(advice, "perhaps", 7) == 0;
-        printf("The manual has no %s.\n", argv[i]);
-        if (((*advice && !guess) || !cli_command_suggest(argv[i], stdout)) && *advice) puts(advice);
-        vs_free(scheme);
-        cli_manual_mentions(argv[i], stdout);
-        cli_manual_topics(stdout);
-        return VS_OUTCOME_USAGE;
-      }
-    return VS_OUTCOME_DONE;
-  }
+  if (argc >= 3 && strcmp(argv[1], "help") == 0) return cli_help_command(argc - 2, argv + 2);
   cli_options options;
   cli_verdict verdict = cli_options_parse(&options, argc, argv);
   if (verdict != CLI_GO) {

@@ -6,10 +6,17 @@
 #include <string.h>
 #include <strings.h>
 
+#include "cli/nearby.h"
 #include "cli/prompt/editor.h"
 #include "cli/prompt/markdown.h"
+#include "cli/prompt/stems.h"
 
 extern const char vs_manual_text[], vs_manual_text_end[];
+
+/* The folder of the pages, the page of common tasks, and that of the trade's words with their links. */
+#define MANUAL "manual/"
+#define TASKS "i-want-to"
+#define INDEX "studio"
 
 typedef struct { const char *at, *end; } part;
 
@@ -20,18 +27,6 @@ static part line_at(const char *at) {
 static const char *after(part line) { return line.end < vs_manual_text_end ? line.end + 1 : line.end; }
 
 static int level(part line) { return cli_markdown_level(line.at, (size_t)(line.end - line.at)); }
-
-static bool is_word_of(part line, const char *word) { /* returns true if the line contains the word as a whole; upper
-                                                       * and lower case are the same */
-  size_t n = strlen(word);
-  for (const char *p = line.at; n && p + n <= line.end; p++) {
-    if (strncasecmp(p, word, n) != 0) continue;
-    bool before = p == line.at || !isalnum((unsigned char)p[-1]), behind = p + n == line.end ||
-        !isalnum((unsigned char)p[n]);
-    if (before && behind) return true;
-  }
-  return false;
-}
 
 /* Returns true if the heading describes the name, as `name` or `(name argument ...)`. */
 static bool describes(part line, const char *name) {
@@ -117,63 +112,272 @@ static const char *find_page(const char *word) {
   return called;
 }
 
-static const char *find_section(const char *word) {
+/* Returns true if the line opens a page that readers of models seldom want: on the sources, or a list of words. */
+static bool is_inside(part line) {
+  static const char *const inside[] = { "internals/", "glossary.", "walk.", "back-ends.", "embedding.", "README." };
+  for (size_t i = 0; i < sizeof inside / sizeof *inside; i++) {
+    size_t n = strlen(inside[i]), folder = strlen(MANUAL);
+    if ((size_t)(line.end - line.at) > folder + n && !memcmp(line.at + 1 + folder, inside[i], n)) return true;
+  }
+  return false;
+}
+
+/* A searched word or phrase: its words, and their stems. */
+typedef struct { cli_stems stems; cli_phrase exact, stem; } wanted;
+
+/* Begins the search for a word. The caller ends it by cli_stems_close. */
+static void want(wanted *w, const char *word) {
+  cli_stems_open(&w->stems);
+  w->exact = cli_phrase_of(NULL, word, strlen(word));
+  w->stem = cli_phrase_of(&w->stems, word, strlen(word));
+}
+
+static bool exact_is(const wanted *w, part text) {
+  return cli_phrase_is(NULL, &w->exact, text.at, (size_t)(text.end - text.at));
+}
+
+static bool stem_in(const wanted *w, part text) {
+  return cli_phrase_in(&w->stems, &w->stem, text.at, (size_t)(text.end - text.at));
+}
+static bool stem_is(const wanted *w, part text) {
+  return cli_phrase_is(&w->stems, &w->stem, text.at, (size_t)(text.end - text.at));
+}
+
+/* Pages in which headings are searched. */
+typedef enum { PAGES_TASKS, PAGES_MODELS, PAGES_INSIDE } pages;
+
+/* Returns the first heading of these pages that contains the word, or its stem; NULL if there is none. */
+static const char *find_heading(const wanted *w, pages which, bool stem) {
+  bool on = false;
   for (const char *at = vs_manual_text; at < vs_manual_text_end;) {
     part line = line_at(at);
-    if (level(line) && is_word_of(line, word)) return at;
+    if (*line.at == '\001')
+      on = which == PAGES_TASKS ? same(page_name(line), TASKS) : is_inside(line) == (which == PAGES_INSIDE);
+    else if (on && level(line) && (stem ? stem_in(w, line) : cli_phrase_in(NULL, &w->exact, line.at,
+                                                                           (size_t)(line.end - line.at)))) return at;
     at = after(line);
   }
   return NULL;
 }
 
-/* Returns true if a cell such as "point, gvector" contains the word, in singular or plural ("radians" for "radian"). */
-static bool has_word(part cell, const char *word) {
-  size_t n = strlen(word);
-  for (const char *p = cell.at; p < cell.end;) {
-    const char *comma = memchr(p, ',', (size_t)(cell.end - p)), *end = comma ? comma : cell.end;
-    size_t length = (size_t)(end - p);
-    bool several = n == length + 1 && (word[length] == 's' || word[length] == 'S');
-    if (length && !strncasecmp(p, word, length) && (n == length || several)) return true;
-    p = comma ? comma + 1 : end;
-    while (p < cell.end && *p == ' ') p++;
+static const char *find_section(const wanted *w) {
+  static const pages order[] = { PAGES_TASKS, PAGES_MODELS, PAGES_INSIDE };
+  for (size_t i = 0; i < sizeof order / sizeof *order; i++)
+    for (int stem = 0; stem < 2; stem++) {
+      const char *found = find_heading(w, order[i], stem);
+      if (found) return found;
+    }
+  return NULL;
+}
+
+/* Returns the first line of the page whose name has the stems of the word, or NULL. */
+static const char *find_page_by_stem(const wanted *w) {
+  for (const char *at = vs_manual_text; at < vs_manual_text_end;) {
+    part line = line_at(at);
+    at = after(line);
+    if (*line.at == '\001' && !is_inside(line) && stem_is(w, page_name(line))) return at;
+  }
+  return NULL;
+}
+
+/* ---- the tables of words ---- */
+
+/* Splits a row of a table, "| several, words | text |". Returns false for other lines. */
+static bool row_of(part line, part *words, part *text) {
+  if (line.end - line.at < 6 || memcmp(line.at, "| ", 2) != 0 || memcmp(line.end - 2, " |", 2) != 0) return false;
+  const char *bar = memchr(line.at + 2, '|', (size_t)(line.end - line.at - 2));
+  if (!bar || bar + 2 >= line.end - 2 || bar[-1] != ' ') return false;
+  *words = (part){ line.at + 2, bar - 1 };
+  *text = (part){ bar + 2, line.end - 2 };
+  return true;
+}
+
+/* Returns the next word of a cell such as "point, gvector", and moves cell->at behind it. */
+static part next_word(part *cell) {
+  const char *comma = memchr(cell->at, ',', (size_t)(cell->end - cell->at));
+  part word = { cell->at, comma ? comma : cell->end };
+  cell->at = comma ? comma + 1 : cell->end;
+  while (word.at < word.end && *word.at == ' ') word.at++;
+  return word;
+}
+
+static bool has_word(part cell, const wanted *w, bool stem) {
+  while (cell.at < cell.end) {
+    part word = next_word(&cell);
+    if (stem ? stem_is(w, word) : exact_is(w, word)) return true;
   }
   return false;
+}
+
+/* Returns the second cell of the row of a page's table whose first cell has the word, or its stem, and that first cell
+ * in *words. The result's `at` is NULL if there is none. */
+static part find_row_by(const char *page, const wanted *w, bool stem, part *words) {
+  bool on = false;
+  for (const char *at = vs_manual_text; at < vs_manual_text_end;) {
+    part line = line_at(at), text;
+    at = after(line);
+    if (*line.at == '\001') on = same(page_name(line), page);
+    if (on && row_of(line, words, &text) && has_word(*words, w, stem)) return text;
+  }
+  return (part){ NULL, NULL };
+}
+
+/* A word that is a name of the language must be in the table itself, not its stem: `draw` does not find "drawing". */
+static part find_row(const char *page, const wanted *w, bool name, part *words) {
+  part text = find_row_by(page, w, false, words);
+  return text.at || name ? text : find_row_by(page, w, true, words);
 }
 
 /* Prints the explanation of a word from the page of words for beginners: "radian: the angle whose ...". Returns false
  * if the page lacks the word. */
-static bool print_meaning(const char *word, FILE *to) {
+static bool print_meaning(const wanted *w, bool name, FILE *to) {
+  char text[600];
+  part words, meaning = find_row("words", w, name, &words);
+  if (!meaning.at) return false;
+  int n = snprintf(text, sizeof text, "%.*s: %.*s\n", (int)(words.end - words.at), words.at,
+                   (int)(meaning.end - meaning.at), meaning.at);
+  if (n < 0 || (size_t)n >= sizeof text) return false;
+  return cli_markdown_print(text, (size_t)n, cli_terminal_width(), to == stdout && cli_colours(1), to);
+}
+
+/* ---- the index: links of the page of the trade's words ---- */
+
+/* Returns true if the heading has this anchor: its letters, digits and hyphens in lower case, and a hyphen for each
+ * blank. */
+static bool has_anchor(part heading, part anchor) {
+  const char *p = heading.at + level(heading) + 1, *a = anchor.at;
+  for (; p < heading.end; p++) {
+    char c = *p == ' ' ? '-' : (char)tolower((unsigned char)*p);
+    if (!isalnum((unsigned char)c) && c != '-' && c != '_' && (unsigned char)c < 0x80) continue;
+    if (a == anchor.end || *a++ != c) return false;
+  }
+  return a == anchor.end;
+}
+
+/* Returns the place to which a link leads: the first line of a page, or a heading. NULL if there is none. */
+static const char *find_link(part link) {
+  const char *sharp = memchr(link.at, '#', (size_t)(link.end - link.at));
+  part path = { link.at, sharp ? sharp : link.end }, anchor = { sharp ? sharp + 1 : link.end, link.end };
+  size_t folder = strlen(MANUAL), n = (size_t)(path.end - path.at);
   bool on = false;
   for (const char *at = vs_manual_text; at < vs_manual_text_end;) {
     part line = line_at(at);
-    at = after(line);
-    if (*line.at == '\001') on = same(page_name(line), "words");
-    if (!on || line.end - line.at < 6 || memcmp(line.at, "| ", 2) != 0) continue;
-    part cell = { line.at + 2, memchr(line.at + 2, '|', (size_t)(line.end - line.at - 2)) };
-    char text[600];
-    if (!cell.end || cell.end[-1] != ' ' || !has_word((part){ cell.at, cell.end - 1 }, word)) continue;
-    const char *meaning = cell.end + 2, *end = line.end - 2; /* end: before the last " |" */
-    int n = meaning < end ? snprintf(text, sizeof text, "%.*s: %.*s\n", (int)(cell.end - 1 - cell.at), cell.at,
-                                     (int)(end - meaning), meaning) : -1;
-    if (n < 0 || (size_t)n >= sizeof text) continue;
-    return cli_markdown_print(text, (size_t)n, cli_terminal_width(), to == stdout && cli_colours(1), to);
+    const char *next = after(line);
+    if (*line.at == '\001') {
+      if (on) return NULL;
+      on = (size_t)(line.end - line.at) == 1 + folder + n && !memcmp(line.at + 1 + folder, path.at, n);
+      if (on && anchor.at == anchor.end) return next;
+    } else if (on && level(line) && has_anchor(line, anchor)) return at;
+    at = next;
   }
-  return false;
+  return NULL;
 }
 
-bool cli_manual_print(const char *word, FILE *to) {
-  if (!*word) return false;
-  const char *entry = find_entry(word), *page = find_page(word);
-  bool known = print_meaning(word, to);
-  if (known && (entry || page)) fputc('\n', to);
-  if (entry) {
-    if (print_section(entry, to, false) && page) fputc('\n', to);
+/* Returns the target of the first link in [text.at, text.end), and moves text.at behind it. */
+static part next_link(part *text) {
+  for (const char *p = text->at; p + 1 < text->end; p++) {
+    if (p[0] != ']' || p[1] != '(') continue;
+    const char *end = memchr(p, ')', (size_t)(text->end - p));
+    if (!end) break;
+    text->at = end + 1;
+    return (part){ p + 2, end };
   }
-  if (page) print_section(page, to, true);
-  if (known || entry || page) return true;
-  const char *section = find_section(word);
+  return (part){ NULL, NULL };
+}
+
+/* Returns the line before, which begins with byte 1 and the path, if the place is the first line of a page. */
+static part page_of(const char *place) {
+  const char *p = place - 1;
+  while (p > vs_manual_text && p[-1] != '\n') p--;
+  return line_at(p);
+}
+
+/* Prints the call that shows this place, on a line: `vs help "a roof"`, or at the prompt `,help a roof`. */
+static void print_call(const char *place, const char *how, FILE *to) {
+  part line = page_of(place), heading = line_at(place);
+  bool page = *line.at == '\001';
+  const char *quote = page || *how == ',' ? "" : "\"";
+  heading.at += level(heading) + 1;
+  if (page) heading = page_name(line);
+  fprintf(to, "  %s %s", how, quote);
+  cli_markdown_print_line(heading.at, (size_t)(heading.end - heading.at), to);
+  fprintf(to, "%s\n", quote);
+}
+
+/* The places that a search has printed: an entry and a page, NULL for none. */
+typedef struct { const char *entry, *page; } printed;
+
+/* Prints the pages of the index's row `text`: the section of the first link, unless something is printed already, and
+ * the calls that show the others. */
+static void print_index(part text, const printed *done, const char *how, FILE *to) {
+  bool whole = !done->entry && !done->page, first = true;
+  part link;
+  while (text.at && (link = next_link(&text)).at) {
+    const char *place = find_link(link);
+    if (!place || place == done->entry || place == done->page) continue;
+    if (whole) {
+      print_section(place, to, *page_of(place).at == '\001');
+      whole = false;
+      continue;
+    }
+    if (first) fputs("\nRead on:\n", to);
+    first = false;
+    print_call(place, how, to);
+  }
+}
+
+static bool print_wanted(const wanted *w, const char *word, const char *how, FILE *to) {
+  printed done = { find_entry(word), find_page(word) };
+  part words, listed = find_row(INDEX, w, done.entry != NULL, &words);
+  bool known = print_meaning(w, done.entry != NULL, to);
+  if (!done.entry && !done.page && !listed.at) done.page = find_page_by_stem(w);
+  if (known && (done.entry || done.page || listed.at)) fputc('\n', to);
+  if (done.entry && print_section(done.entry, to, false) && done.page) fputc('\n', to);
+  if (done.page) print_section(done.page, to, true);
+  print_index(listed, &done, how, to);
+  if (known || done.entry || done.page || listed.at) return true;
+  const char *section = find_section(w);
   if (section) print_section(section, to, false);
   return section != NULL;
+}
+
+bool cli_manual_print(const char *word, const char *how, FILE *to) {
+  if (!*word) return false;
+  wanted w;
+  want(&w, word);
+  bool found = print_wanted(&w, word, how, to);
+  cli_stems_close(&w.stems);
+  return found;
+}
+
+bool cli_manual_near(const char *word, char *room, size_t size) {
+  cli_nearby near = cli_nearby_start(word);
+  bool on = false, found = false;
+  char name[48];
+  for (const char *at = vs_manual_text; at < vs_manual_text_end;) {
+    part line = line_at(at), words, text;
+    at = after(line);
+    if (*line.at == '\001') on = same(page_name(line), INDEX);
+    if (!on || !row_of(line, &words, &text)) continue;
+    while (words.at < words.end) {
+      part one = next_word(&words);
+      if (snprintf(name, sizeof name, "%.*s", (int)(one.end - one.at), one.at) >= (int)sizeof name) continue;
+      near.best = NULL; /* `name` is overwritten by the next word; the distance remains valid */
+      cli_nearby_offer(&near, name);
+      if (near.best) found = (size_t)snprintf(room, size, "%s", name) < size;
+    }
+  }
+  return found;
+}
+
+bool cli_manual_describes(const char *word) { return find_entry(word) || find_page(word); }
+
+void cli_manual_see_also(const char *word, FILE *to) {
+  wanted w;
+  want(&w, word);
+  part words, listed = find_row(INDEX, &w, true, &words);
+  print_index(listed, &(printed){ vs_manual_text, vs_manual_text }, "vs help", to);
+  cli_stems_close(&w.stems);
 }
 
 bool cli_manual_command(const char *word, FILE *to) {
@@ -189,10 +393,12 @@ bool cli_manual_command(const char *word, FILE *to) {
   return false;
 }
 
-void cli_manual_mentions(const char *word, FILE *to) {
+size_t cli_manual_mentions(const char *word, FILE *to) {
+  wanted w;
+  want(&w, word);
   part page = {vs_manual_text, vs_manual_text}, heading = page;
   bool told = false, any = false, code = false;
-  int count = 0;
+  size_t count = 0;
   for (const char *at = vs_manual_text; at < vs_manual_text_end;) {
     part line = line_at(at);
     at = after(line);
@@ -200,8 +406,8 @@ void cli_manual_mentions(const char *word, FILE *to) {
     else {
       if (line.end - line.at >= 3 && !memcmp(line.at, "```", 3)) code = !code;
       if (!code && level(line)) heading = (part){line.at + level(line) + 1, line.end}, told = false;
-      if (!told && count < 12 && is_word_of(line, word)) {
-        if (!any) fputs("in the manual (vs help PAGE, or ,help PAGE):\n", to);
+      if (!told && count < 12 && stem_in(&w, line)) {
+        if (!any) fprintf(to, "%s is in these sections of the manual (vs help PAGE, or ,help PAGE):\n", word);
         fprintf(to, "  %.*s: ", (int)(page.end - page.at), page.at);
         part shown = heading.at < heading.end ? heading : line;
         cli_markdown_print_line(shown.at, (size_t)(shown.end - shown.at), to);
@@ -211,6 +417,8 @@ void cli_manual_mentions(const char *word, FILE *to) {
       }
     }
   }
+  cli_stems_close(&w.stems);
+  return count;
 }
 
 void cli_manual_topics(FILE *to) {

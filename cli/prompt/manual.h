@@ -5,14 +5,22 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-/* Prints the manual's text on the word and returns true, or returns false if there is none. In this order, it is: the
- * explanation for beginners, the entry of a name of the language, a page, a section whose heading contains the word. */
-bool cli_manual_print(const char *word, FILE *to);
+/* Prints the manual's text on a word or phrase and returns true, or returns false if there is none. It prints the
+ * explanation for beginners, the entry of a name of the language, the page of that name, and the index's links. If all
+ * are missing, it prints a section whose heading contains the word or its stem. `how` begins the calls that it names:
+ * "vs help", or ",help" at the prompt. */
+bool cli_manual_print(const char *word, const char *how, FILE *to);
+/* Writes the word of the index that is nearest to a word with a slip. Returns false if none is near. */
+bool cli_manual_near(const char *word, char *room, size_t size);
+/* Returns true if the manual has an entry or a page of that name. */
+bool cli_manual_describes(const char *word);
+/* Prints the calls of vs help that show the index's links for a word, each on a line. */
+void cli_manual_see_also(const char *word, FILE *to);
 /* Prints the manual's text on the command `vs WORD`: the page of that name, else the section whose heading contains the
  * command. Returns false if there is none. */
 bool cli_manual_command(const char *word, FILE *to);
-/* Prints the headings of other sections that contain the word, each on a line. */
-void cli_manual_mentions(const char *word, FILE *to);
+/* Prints the headings of up to 12 sections that contain the word or its stem, each on a line. Returns their number. */
+size_t cli_manual_mentions(const char *word, FILE *to);
 void cli_manual_topics(FILE *to); /* Prints the names of the pages. */
 
 #endif

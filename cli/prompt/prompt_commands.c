@@ -11,6 +11,7 @@
 
 #include "cli/main.h"
 #include "cli/prompt/editor.h"
+#include "cli/help_command.h"
 #include "cli/prompt/manual.h"
 #include "cli/nearby.h"
 #include "cli/prompt/line_buffer.h"
@@ -185,13 +186,13 @@ static void help(cli_session *c, const char *name) {
   }
 #include "cli/prompt/prompt_commands.def"
   if (!vs_name_get(c->scheme, name, &info)) {
-    if (cli_manual_print(name, stdout)) return;
+    if (cli_help_word(c->scheme, name, ",help")) return;
     const char *advice = vs_name_advice(c->scheme, name);
     printf("%s is no name here%s%s; ,apropos %s looks for it everywhere\n", name, *advice ? "; " : "", advice, name);
     return;
   }
   if (info.at.file) printf("%s is defined in %s, line %u\n", name, info.at.file, (unsigned)info.at.line);
-  if (!info.own && cli_manual_print(name, stdout)) return;
+  if (!info.own && cli_manual_print(name, ",help", stdout)) return;
   for (const char *at = info.call; *at;) {
     size_t n = strcspn(at, "\n");
     printf("  %.*s%s%s\n", (int)n, at, *info.keywords ? " " : "", info.keywords);
