@@ -24,6 +24,7 @@ typedef struct {
   bool midline;               /* whether the last output did not end with a line end */
   int exit_code;              /* exit code of (exit n), else 0 */
   char *line; size_t line_room; /* the current line of standard input */
+  volatile sig_atomic_t *interrupts;  /* number of Ctrl-C since the prompt last waited; too many end the process */
   const volatile sig_atomic_t *ended; /* not 0 after a signal that asks the command to end */
   char *model;                /* file given to ,run; NULL: the files of the command line */
   struct cli_editor *editor;  /* line editor of the prompt, or NULL */

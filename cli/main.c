@@ -469,7 +469,8 @@ static int run_session(cli_options *o, bool *told) {
   bool own_output = o->to_stdout || o->command == CLI_COMMAND_params || o->command == CLI_COMMAND_diff ||
                     o->command == CLI_COMMAND_fit || o->command == CLI_COMMAND_test;
   FILE *output = own_output ? stderr : stdout;
-  cli_session session = { .options = o, .told = cli_inputs_find(), .output = output, .ended = &ended };
+  cli_session session = { .options = o, .told = cli_inputs_find(), .output = output,
+                          .interrupts = &interrupts, .ended = &ended };
   cli_watch_open(&session.watch);
   if (o->untrusted && !cli_untrusted_begin(&session.untrusted, o)) return VS_OUTCOME_USAGE;
   if (o->interactive && !o->untrusted) session.stops = VS_EVAL_STOP;
@@ -504,7 +505,6 @@ static int run_session(cli_options *o, bool *told) {
     if (vs_exit_requested(session.scheme, &code)) {
       if (outcome == VS_OUTCOME_DONE) session.exit_code = code;
     } else if (!ended && !o->untrusted && (o->interactive || o->source_count == 0)) {
-      interrupts = 0;
       outcome = cli_repl(&session);
       vs_exit_requested(session.scheme, &session.exit_code);
     }

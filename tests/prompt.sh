@@ -231,6 +231,11 @@ printf '%s\n' '\e[A\e[A\n' ',quit\n' > "$work/keys"
 type_keys < "$work/keys"
 check "history of the last session" "43"
 
+# ctrl-C drops a line any number of times
+printf '%s\n' '(a\x03' '(b\x03' '(c\x03' '(d\x03' '(e\x03' '(f\x03' '"still here"\n' ',quit\n' > "$work/keys"
+type_keys < "$work/keys"
+check "many interrupts" '$1 = "still here"'
+
 # the progress of a mesh is one line; ctrl-C ends it, and leaves no file
 mkdir "$work/out"
 cat > "$work/keys" <<KEYS

@@ -321,6 +321,7 @@ vs_outcome cli_repl(cli_session *c) {
   if (vs_stop_depth(c->scheme)) cli_prompt_stopped(c, &p, (cli_entry){NULL, 0, 0, 0});
   while (p.going && !*c->ended && !vs_exit_requested(c->scheme, &code)) {
     cli_output_flush(c);
+    *c->interrupts = 0;
     size_t length = 0;
     char room[64];
     bool whole;
