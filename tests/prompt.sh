@@ -117,7 +117,7 @@ the variables where it is stopped|(* 2000 h)\n| = 4000
 |,quit\n|; the stopped program has been ended; ,quit once more ends the prompt
 ctrl-D gives up what is stopped|(leg 7)\n|stopped, in leg: h = 7
 |\x04| given up
-|,continue\n|; nothing is stopped
+|,continue\n|; no program is stopped
 ,load and ,reload|,load model.vs\n|the model is loaded
 |,reload\n|the model is loaded
 ,render|,render out.png\n\w|; wrote out.png
@@ -154,11 +154,20 @@ check "a paste of 200 lines" '("the sum" 198)'
 printf '%s\n' '(values)\n' '(+ 1 2' ')' '\n' '(draw (make-box origin 1 1 1))\n' ',show 12x4\n' ',quit\n' > "$work/keys"
 type_escapes() { "$BUILD/tools/typist" --escapes "$BUILD/vs" > "$work/screen" < "$work/keys"; }
 type_escapes
-check "the parenthesis that is closed is marked" ')\e[3G\e[10G'
+check "the parenthesis that is closed is marked" '\e[0;1;7m(\e[0;34m+\e[0m'
 check "colours" '\e[2m$1 =\e[0m 3'
 NO_COLOR=1 type_escapes
 check "NO_COLOR" '$1 = 3'
+check "NO_COLOR: the cursor shows the parenthesis that is closed" ')\e[3G\e[10G'
 if grep -q 'e\[[0-9;]*m' "$work/screen"; then echo "not ok prompt:NO_COLOR sets colours"; else echo "ok prompt:NO_COLOR sets none"; fi
+for term in dumb ''; do
+  printf '%s\n' '(make-tr\t\t' '\x03' '(list (list 1\n' '2) "a")\n' '\e[A\n' '\e[200~(+ 40 2)\n\e[201~' '(car 5)\n' '(draw (make-box origin 1 1 1))\n' ',show 12x4\n' ',help box\n' ',quit\n' > "$work/keys"
+  TERM=$term type_escapes
+  check "TERM=$term: names" "make-triangle-scope"
+  check "TERM=$term: values" '((1 2) "a")'
+  if grep -q '\\e' "$work/screen"; then echo "not ok prompt:TERM=$term gets escape sequences"; grep '\\e' "$work/screen" | sed 's/^/    /'
+  else echo "ok prompt:TERM=$term gets no escape sequences"; fi
+done
 printf '%s\n' '(+ 1 2)' '(draw (make-box origin 1 1 1))' ',show 12x4' ',help make-box' '(car 5)' ',backtrace' |
   "$BUILD/vs" > "$work/screen" 2>&1
 check "a pipe" "car: expected a pair"
@@ -185,7 +194,7 @@ if command -v tmux > /dev/null; then
   shows "closed parentheses leave nothing" <<'END'
 VisualScheme 0.1.0. ,help lists commands, ,quit ends.
 > (define (square x)
-1 open, from line 1> (* x x))
+1 open, from line 1>   (* x x))
 > (list (square 2) 3)
 $1 = (4 3)
 >
@@ -197,11 +206,11 @@ END
   shows "an entry of several lines is ended from its first" <<'END'
 VisualScheme 0.1.0. ,help lists commands, ,quit ends.
 > (define (square x)
-1 open, from line 1> (* x x))
+1 open, from line 1>   (* x x))
 > (list (square 2) 3)
 $1 = (4 3)
 > (list 5) (define (square x)
-(* x x))
+  (* x x))
 $2 = (5)
 >
 END

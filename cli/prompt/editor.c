@@ -1,14 +1,17 @@
-/* Edits lines on a terminal by libedit, and implements keys that libedit lacks.
+/* Edits lines on a terminal by libedit, and implements keys that libedit lacks. While libedit waits for a key, colours
+ * are painted over its line (paint.c), and beneath it how the procedure is called, or a menu of names.
  *
  * libedit edits one buffer. A newline in the buffer is shown as a line break, so that an expression of several lines
  * can be recalled and edited. Lines that are typed one by one are also returned one by one. The prompt then shows the
  * number of open parentheses. The up key on an empty line moves all lines of the unfinished expression back into the
  * buffer. */
 #include "cli/prompt/editor.h"
+#include "cli/prompt/completion.h"
 #include "cli/prompt/line_buffer.h"
+#include "cli/prompt/paint.h"
+#include "cli/prompt/source_text.h"
 #include "geometry/dynamic.h"
 
-#include <dirent.h>
 #include <errno.h>
 #include <histedit.h>
 #include <locale.h>
@@ -23,7 +26,9 @@
 
 enum { LOOK_MS = 40, HISTORY_ENTRIES = 2000, FLASH = 250 /* FLASH: milliseconds for which a matching parenthesis is
                                                           * shown */ };
-#define FLASHED "\033[9999~" /* code of a key that no keyboard has */
+/* Codes of keys that no keyboard has. */
+#define FLASHED "\033[9999~"
+#define ENDED "\033[9998~"
 
 /* The functions of libedit, which is loaded when the first editor opens. If it were linked, loading it and its three
  * libraries would take an eighth of the time of every run. The table is global: libedit passes only the EditLine to
@@ -58,19 +63,35 @@ struct cli_editor {
   int back;             /* number of characters from the shown parenthesis back to the cursor; 0 if none is shown */
   ptrdiff_t closed;     /* position where completion has inserted a closing quote, so that typing one there only moves
                          * past it; 0 if there is none */
-  void (*commands)(void (*each)(void *context, const char *name), void *context);
+  cli_each_command *commands;
   cli_idle idle;
   mbstate_t partial;    /* state of a character whose bytes have not all been read */
+  bool escapes, colours; /* whether the terminal has a cursor to move, and colours */
+  cli_paint paint;      /* the place of the rows beneath the line */
+  cli_names menu;       /* the names of the menu; count is 0 if there is none */
+  int chosen;           /* number of the chosen name; -1: none yet */
+  size_t menu_at, menu_length; /* cursor and length of the buffer for which the menu is shown */
 };
 
+/* Returns true if the terminal understands escape sequences. */
+static bool has_escapes(int descriptor) {
+  const char *term = getenv("TERM");
+  return isatty(descriptor) && term && *term && strcmp(term, "dumb") != 0;
+}
+
 bool cli_colours(int descriptor) {
-  const char *no = getenv("NO_COLOR"), *term = getenv("TERM");
-  return isatty(descriptor) && !(no && *no) && term && strcmp(term, "dumb") != 0;
+  const char *no = getenv("NO_COLOR");
+  return has_escapes(descriptor) && !(no && *no);
 }
 
 int cli_terminal_width(void) {
   struct winsize size;
   return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0 ? size.ws_col : 80;
+}
+
+static int terminal_height(void) {
+  struct winsize size;
+  return ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_row > 0 ? size.ws_row : 24;
 }
 
 /* ---- the history of lines ---- */
@@ -126,44 +147,6 @@ static char *text_before(cli_editor *e) {
   return all;
 }
 
-/* Scans Scheme text. Stores in `open` the positions of up to `room` parentheses that are open at its end, and returns
- * their number. Sets *in_string if the text ends within a string. */
-static size_t scan(const char *at, size_t length, size_t *open, size_t room, bool *in_string) {
-  size_t depth = 0;
-  bool string = false;
-  for (size_t i = 0; i < length; i++) {
-    char c = at[i];
-    if (string) {
-      if (c == '\\') i++;
-      else if (c == '"') string = false;
-    } else if (c == '"') string = true;
-    else if (c == ';') while (i + 1 < length && at[i + 1] != '\n') i++;
-    else if (c == '#' && i + 2 < length && at[i + 1] == '\\') i += 2;
-    else if (c == '(' || c == '[') {
-      if (depth < room) open[depth] = i;
-      depth++;
-    } else if ((c == ')' || c == ']') && depth) depth--;
-  }
-  if (in_string) *in_string = string;
-  return depth < room ? depth : room;
-}
-
-enum { DEEP = 256 };
-
-/* Writes the name of the procedure whose call contains the cursor. Returns false if there is none. */
-static bool called(const char *before, char *room, size_t size) {
-  size_t open[DEEP], depth = scan(before, strlen(before), open, DEEP, NULL);
-  while (depth-- > 0) {
-    const char *name = before + open[depth] + 1;
-    size_t n = strcspn(name, " \t\n()[]'`,;\"");
-    if (!n || n >= size) continue;
-    memcpy(room, name, n);
-    room[n] = 0;
-    return true;
-  }
-  return false;
-}
-
 /* Shows how a procedure is called, such as "  (make-sphere c r) #:segments", below the current line. */
 static bool show_call(cli_editor *e, const char *name) {
   vs_name_info info;
@@ -186,114 +169,20 @@ static cli_editor *editor_of(EditLine *line) {
 static unsigned char signature(EditLine *line, int key) {
   (void)key;
   cli_editor *e = editor_of(line);
-  char *before = e ? text_before(e) : NULL, name[100];
-  bool shown = before && called(before, name, sizeof name) && show_call(e, name);
+  cli_call call;
+  char *before = e ? text_before(e) : NULL;
+  bool shown = before && cli_text_call(before, &call) && show_call(e, call.name);
   free(before);
   return shown ? CC_REDISPLAY : CC_ERROR;
 }
 
+static int characters(const char *from, const char *to) {
+  int n = 0;
+  for (; from < to; from++) n += ((unsigned char)*from & 0xC0) != 0x80;
+  return n;
+}
+
 /* ---- completion of words ---- */
-
-typedef struct { char **at; size_t count, room; bool failed; const char *prefix; } names;
-
-static bool collect(void *context, const char *name) {
-  names *n = context;
-  if (n->count == n->room) {
-    size_t room = n->room ? n->room * 2 : 64;
-    char **grown = realloc(n->at, room * sizeof *grown);
-    if (!grown) return !(n->failed = true);
-    n->at = grown;
-    n->room = room;
-  }
-  n->at[n->count] = strdup(name);
-  n->failed = !n->at[n->count];
-  if (!n->failed) n->count++;
-  return !n->failed;
-}
-
-static void collect_matching(void *context, const char *name) {
-  names *n = context;
-  if (strncmp(name, n->prefix, strlen(n->prefix)) == 0) collect(n, name);
-}
-
-static int by_text(const void *a, const void *b) { return strcmp(*(char *const *)a, *(char *const *)b); }
-
-/* Collects the paths of files that begin with the prefix. Paths of folders end in a slash. */
-static void collect_files(names *n) {
-  const char *slash = strrchr(n->prefix, '/');
-  size_t folder = slash ? (size_t)(slash - n->prefix) + 1 : 0;
-  char path[1024], full[1400];
-  if (folder >= sizeof path) return;
-  memcpy(path, n->prefix, folder);
-  path[folder] = 0;
-  DIR *d = opendir(folder ? path : ".");
-  if (!d) return;
-  for (struct dirent *entry; (entry = readdir(d)) != NULL;) {
-    if (strncmp(entry->d_name, n->prefix + folder, strlen(n->prefix + folder)) != 0) continue;
-    if (entry->d_name[0] == '.' && n->prefix[folder] != '.') continue;
-    if (snprintf(full, sizeof full - 1, "%s%s", path, entry->d_name) >= (int)sizeof full - 1) continue;
-    struct stat st;
-    if (stat(full, &st) == 0 && S_ISDIR(st.st_mode)) strcat(full, "/");
-    collect(n, full);
-  }
-  closedir(d);
-  if (n->count) qsort(n->at, n->count, sizeof *n->at, by_text);
-}
-
-static void collect_keywords(cli_editor *e, const char *before, names *n) {
-  char name[100], word[80];
-  vs_name_info info;
-  if (!called(before, name, sizeof name) || !vs_name_get(e->scheme, name, &info)) return;
-  for (const char *at = info.keywords; *at;) {
-    size_t length = strcspn(at, " ");
-    snprintf(word, sizeof word, "%.*s", (int)length, at);
-    collect_matching(n, word);
-    at += length + (at[length] == ' ');
-  }
-}
-
-static void print_names(const names *n) {
-  enum { MOST = 200 };
-  size_t widest = 0, shown = n->count < MOST ? n->count : MOST, width = (size_t)cli_terminal_width();
-  for (size_t i = 0; i < shown; i++)
-    if (strlen(n->at[i]) > widest) widest = strlen(n->at[i]);
-  size_t across = width / (widest + 2) ? width / (widest + 2) : 1, down = (shown + across - 1) / across;
-  putchar('\n');
-  for (size_t row = 0; row < down; row++)
-    for (size_t i = row; i < shown; i += down) printf("%-*s%s", i + down < shown ? (int)widest + 2 : 0, n->at[i],
-        i + down < shown ? "" : "\n");
-  if (shown < n->count) printf("... and %zu more\n", n->count - shown);
-  fflush(stdout);
-}
-
-/* The kind of the word before the cursor. */
-typedef enum { WORD_NAME, WORD_KEYWORD, WORD_FILE, WORD_COMMAND } word_kind;
-
-static word_kind word_at(const char *before, const char **start) {
-  bool in_string;
-  size_t open[DEEP], n = strlen(before);
-  const char *end = before + n, *line = before + n;
-  while (line > before && line[-1] != '\n') line--;
-  const char *first = line + strspn(line, " \t");
-  if (*first == ',') { /* a command of the prompt, or its argument: a file or a name */
-    const char *space = strpbrk(first, " \t");
-    if (!space) return *start = first + 1, WORD_COMMAND;
-    const char *argument = space + strspn(space, " \t");
-    static const char *const files[] = {"write", "run", "load", "save", "render", "reload"};
-    for (size_t i = 0; i < sizeof files / sizeof *files; i++)
-      if (!strncmp(first + 1, files[i], (size_t)(space - first - 1)) && space - first > 1) return *start = argument,
-          WORD_FILE;
-  }
-  scan(before, n, open, DEEP, &in_string);
-  if (in_string) {
-    *start = end;
-    while (*start > before && (*start)[-1] != '"') --*start;
-    return WORD_FILE;
-  }
-  *start = end;
-  while (*start > before && !strchr(" \t\n()[]'`,;\"", (*start)[-1])) --*start;
-  return (*start)[0] == '#' && (*start)[1] == ':' ? WORD_KEYWORD : WORD_NAME;
-}
 
 /* Inserts the closing quote after the complete name of a file. */
 static bool close_string(cli_editor *e) {
@@ -316,69 +205,117 @@ static unsigned char quote(EditLine *line, int key) {
   return libedit.el_insertstr(line, "\"") == 0 ? CC_REFRESH : CC_ERROR;
 }
 
+static void close_menu(cli_editor *e) {
+  cli_names_free(&e->menu);
+  e->chosen = -1;
+}
+
+static void hold_menu(cli_editor *e) { /* the menu is for the buffer as it is now */
+  const LineInfo *info = libedit.el_line(e->line);
+  e->menu_at = (size_t)(info->cursor - info->buffer);
+  e->menu_length = (size_t)(info->lastchar - info->buffer);
+}
+
+/* Returns true if a menu is shown for the buffer as it is. */
+static bool in_menu(const cli_editor *e) {
+  const LineInfo *info = libedit.el_line(e->line);
+  return e->menu.count && e->menu_at == (size_t)(info->cursor - info->buffer) &&
+         e->menu_length == (size_t)(info->lastchar - info->buffer);
+}
+
+/* Puts the name `by` places further in the menu into the buffer, in place of the word before the cursor. */
+static unsigned char choose(cli_editor *e, int by) {
+  int count = (int)e->menu.count;
+  const char *old = e->chosen < 0 ? NULL : e->menu.at[e->chosen];
+  size_t length = old ? strlen(old) : e->menu.prefix;
+  e->chosen = e->chosen < 0 ? by < 0 ? count - 1 : 0 : (e->chosen + by + count) % count;
+  const LineInfo *info = libedit.el_line(e->line);
+  if ((size_t)(info->cursor - info->buffer) < length) return CC_ERROR;
+  int columns = characters(info->cursor - length, info->cursor);
+  if (columns) libedit.el_deletestr(e->line, columns);
+  bool ok = libedit.el_insertstr(e->line, e->menu.at[e->chosen]) == 0;
+  hold_menu(e);
+  return ok ? CC_REFRESH : CC_ERROR;
+}
+
+/* Inserts the common beginning of the names, and shows them in a menu. On a terminal without a cursor, shows a list
+ * instead, if nothing could be inserted. Takes over the names. */
+static unsigned char show_names(cli_editor *e, cli_names *n) {
+  bool more = n->common > n->prefix;
+  if (more) {
+    char *end = n->at[0] + n->common, rest = *end;
+    *end = 0;
+    bool ok = libedit.el_insertstr(e->line, n->at[0] + n->prefix) == 0;
+    *end = rest;
+    n->prefix = n->common;
+    if (!ok) return CC_ERROR;
+  }
+  if (more && !e->escapes) return CC_REFRESH;
+  if (e->escapes) {
+    e->menu = *n;
+    e->chosen = -1;
+    hold_menu(e);
+    return CC_REFRESH;
+  }
+  enum { MOST = 50 };
+  line_buffer rows = { 0 };
+  if (cli_names_rows(n, -1, cli_terminal_width(), MOST, false, &rows)) printf("\r\n%s", rows.at);
+  fflush(stdout);
+  free(rows.at);
+  cli_names_free(n);
+  return CC_REDISPLAY;
+}
+
+/* Inserts the rest of the only name. */
+static unsigned char insert_only(cli_editor *e, const cli_names *n) {
+  const char *name = n->at[0];
+  bool folder = *name && name[strlen(name) - 1] == '/', shown = false;
+  if (n->kind == CLI_WORD_NAME && !e->escapes) shown = show_call(e, name);
+  bool ok = !name[n->prefix] || libedit.el_insertstr(e->line, name + n->prefix) == 0;
+  if (ok && n->kind != CLI_WORD_FILE && !folder) ok = libedit.el_insertstr(e->line, " ") == 0;
+  const LineInfo *info = libedit.el_line(e->line);
+  const char *start = info->cursor;
+  while (start > info->buffer && start[-1] != '"') start--;
+  if (ok && n->kind == CLI_WORD_FILE && !folder && start > info->buffer) ok = close_string(e);
+  return !ok ? CC_ERROR : shown ? CC_REDISPLAY : CC_REFRESH;
+}
+
+/* Completes the word before the cursor as far as all names agree. Then shows the names, and goes through them. */
 static unsigned char complete(EditLine *line, int key) {
   (void)key;
   cli_editor *e = editor_of(line);
+  if (e && in_menu(e)) return choose(e, 1);
   char *before = e ? text_before(e) : NULL;
   if (!before) return CC_ERROR;
-  const char *start;
-  word_kind kind = word_at(before, &start);
-  names n = {.prefix = start};
-  size_t length = strlen(start);
-  if (kind == WORD_FILE) collect_files(&n);
-  else if (kind == WORD_COMMAND) e->commands(collect_matching, &n);
-  else if (kind == WORD_KEYWORD) collect_keywords(e, before, &n);
-  else if (length) vs_complete(e->scheme, start, collect, &n);
-  size_t common = n.count ? strlen(n.at[0]) : 0;
-  for (size_t i = 1; i < n.count; i++) {
-    size_t same = 0;
-    while (same < common && n.at[i][same] == n.at[0][same]) same++;
-    common = same;
-  }
-  while (common > length && ((unsigned char)n.at[0][common] & 0xC0) == 0x80) common--; /* the common start of the names
-                                                                                        * is shortened to whole
-                                                                                        * characters */
+  cli_names n;
+  cli_call call;
+  close_menu(e);
+  cli_names_find(e->scheme, e->commands, before, &n);
   unsigned char result = CC_ERROR;
-  if (common > length || n.count == 1) {
-    bool shown = false;
-    if (n.count == 1 && kind == WORD_NAME) shown = show_call(e, n.at[0]);
-    n.at[0][common] = 0;
-    bool ok = common == length || libedit.el_insertstr(line, n.at[0] + length) == 0;
-    bool folder = common && n.at[0][common - 1] == '/';
-    if (ok && n.count == 1 && kind != WORD_FILE && !folder) ok = libedit.el_insertstr(line, " ") == 0;
-    if (ok && n.count == 1 && kind == WORD_FILE && !folder && start > before && start[-1] == '"') ok = close_string(e);
-    result = !ok ? CC_ERROR : shown ? CC_REDISPLAY : CC_REFRESH;
-  } else if (n.count) {
-    print_names(&n);
-    result = CC_REDISPLAY;
-  } else if (kind == WORD_NAME) {
-    char name[100];
-    if (called(before, name, sizeof name) && show_call(e, name)) result = CC_REDISPLAY;
-  }
-  for (size_t i = 0; i < n.count; i++) free(n.at[i]);
-  free(n.at);
+  if (n.count == 1) result = insert_only(e, &n);
+  else if (n.count) result = show_names(e, &n);
+  else if (!n.prefix && cli_text_call(before, &call) && show_call(e, call.name)) result = CC_REDISPLAY;
+  if (result != CC_REFRESH || !e->menu.count) cli_names_free(&n);
   free(before);
   return result;
 }
 
-/* ---- functions of keys ---- */
-
-static int characters(const char *from, const char *to) {
-  int n = 0;
-  for (; from < to; from++) n += ((unsigned char)*from & 0xC0) != 0x80;
-  return n;
+static unsigned char complete_back(EditLine *line, int key) {
+  (void)key;
+  cli_editor *e = editor_of(line);
+  return e && in_menu(e) ? choose(e, -1) : CC_ERROR;
 }
 
-/* Inserts a closing parenthesis, and briefly moves the cursor to the matching one. */
+/* Inserts a closing parenthesis. Without colours, which mark the matching one, briefly moves the cursor there. */
 static unsigned char close_parenthesis(EditLine *line, int key) {
   char c[2] = {(char)key, 0};
-  size_t open[DEEP];
+  size_t open[CLI_DEEP];
   bool in_string;
   if (libedit.el_insertstr(line, c) != 0) return CC_ERROR;
   const LineInfo *info = libedit.el_line(line);
-  size_t n = (size_t)(info->cursor - info->buffer) - 1, depth = scan(info->buffer, n, open, DEEP, &in_string);
+  size_t n = (size_t)(info->cursor - info->buffer) - 1, depth = cli_text_open(info->buffer, n, open, &in_string);
   cli_editor *e = editor_of(line);
-  if (!e || !depth || in_string) return CC_REFRESH;
+  if (!e || !depth || in_string || e->colours) return CC_REFRESH;
   struct pollfd more = {.fd = STDIN_FILENO, .events = POLLIN};
   if (poll(&more, 1, 0) > 0) return CC_REFRESH; /* more characters are waiting, as in a paste: do not move the cursor */
   e->back = characters(info->buffer + open[depth - 1], info->cursor);
@@ -414,6 +351,7 @@ static size_t column_of(const LineInfo *info, bool *above, bool *below) {
 static unsigned char line_up(EditLine *line, int key) {
   (void)key;
   cli_editor *e = editor_of(line);
+  if (e && in_menu(e)) return choose(e, -1);
   const LineInfo *info = libedit.el_line(line);
   bool above, below;
   size_t column = column_of(info, &above, &below);
@@ -426,8 +364,10 @@ static unsigned char line_up(EditLine *line, int key) {
     libedit.el_cursor(line, -(characters(start, info->cursor) - (int)(column < width ? column : width)));
     return CC_CURSOR;
   }
-  if (e && *e->open && !e->taken_back && info->lastchar == info->buffer) { /* moves the lines of the unfinished
-                                                                            * expression into the buffer */
+  size_t blanks = strspn(info->buffer, " ");
+  if (e && *e->open && !e->taken_back && info->buffer + blanks >= info->lastchar && info->cursor == info->lastchar) {
+    /* Moves the lines of the unfinished expression into the buffer. */
+    if (blanks) libedit.el_deletestr(line, (int)(info->lastchar - info->buffer));
     size_t n = strlen(e->open);
     char *copy = strdup(e->open);
     if (!copy) return CC_ERROR;
@@ -443,6 +383,8 @@ static unsigned char line_up(EditLine *line, int key) {
 
 static unsigned char line_down(EditLine *line, int key) {
   (void)key;
+  cli_editor *e = editor_of(line);
+  if (e && in_menu(e)) return choose(e, 1);
   const LineInfo *info = libedit.el_line(line);
   bool above, below;
   size_t column = column_of(info, &above, &below);
@@ -458,25 +400,22 @@ static unsigned char line_down(EditLine *line, int key) {
   return CC_CURSOR;
 }
 
-/* Returns the number of blanks for the start of the line after this text: two more than the column of the innermost
- * open parenthesis, at most 60. */
-static size_t indentation(const char *all) {
-  size_t open[DEEP], depth = scan(all, strlen(all), open, DEEP, NULL), column = 0;
-  if (!depth) return 0;
-  for (const char *at = all + open[depth - 1]; at > all && at[-1] != '\n'; at--) column++;
-  return column + 2 < 60 ? column + 2 : 60;
-}
+static void paint(cli_editor *e, bool ended);
 
 /* Ends the buffer. If it contains an unfinished expression of several lines, begins another line instead. */
 static unsigned char enter(EditLine *line, int key) {
   (void)key;
   cli_editor *e = editor_of(line);
+  if (e && in_menu(e) && e->chosen >= 0) { /* takes the chosen name */
+    close_menu(e);
+    return CC_REFRESH;
+  }
   const LineInfo *info = libedit.el_line(line);
   bool several = memchr(info->buffer, '\n', (size_t)(info->lastchar - info->buffer)) != NULL;
   if (e && several && vs_read_check(e->scheme, info->buffer,
       (size_t)(info->lastchar - info->buffer)).state == VS_READ_INCOMPLETE) {
     char blanks[64] = "\n", *before = text_before(e);
-    size_t n = before ? indentation(before) : 0;
+    size_t n = before ? cli_text_indentation(e->scheme, before) : 0;
     free(before);
     memset(blanks + 1, ' ', n);
     blanks[n + 1] = 0;
@@ -485,10 +424,11 @@ static unsigned char enter(EditLine *line, int key) {
   if (several && info->cursor < info->lastchar) { /* moves the cursor to the end, so that output appears below all
                                                    * lines */
     libedit.el_cursor(line, characters(info->cursor, info->lastchar));
-    libedit.el_push(line, "\015");
+    libedit.el_push(line, "\012");
     return CC_CURSOR;
   }
-  libedit.el_push(line, "\012");
+  if (e && e->escapes) paint(e, true);
+  libedit.el_push(line, ENDED);
   return CC_NORM;
 }
 
@@ -535,6 +475,87 @@ static unsigned char paste(EditLine *line, int key) {
   return result;
 }
 
+/* ---- waiting for a key ---- */
+
+/* Appends how a procedure is called to a row of `width` columns, with the argument at the cursor in bold type. */
+static bool put_hint(cli_editor *e, const cli_call *call, int width, line_buffer *to) {
+  vs_name_info info;
+  char text[600];
+  if (!vs_name_get(e->scheme, call->name, &info) || !*info.call) return false;
+  int n = snprintf(text, sizeof text, "  %s%s%s%s%s", info.call, *info.keywords ? " " : "", info.keywords,
+                   *info.doc ? "  " : "", info.doc);
+  if (n < 0) return false;
+  return cli_hint_row(text, strlen(info.call) + 2, call->argument, width, e->colours, to);
+}
+
+/* Paints colours over the line, and beneath it the menu, or how the procedure at the cursor is called. A line that has
+ * ended keeps its colours, but neither a marked bracket nor anything beneath. */
+static void paint(cli_editor *e, bool ended) {
+  enum { MENU = 8 };
+  char *before = text_before(e);
+  const LineInfo *info = libedit.el_line(e->line);
+  size_t open = e->taken_back ? 0 : strlen(e->open), length = (size_t)(info->lastchar - info->buffer);
+  cli_painted line = { .text = info->buffer, .length = length, .cursor = (size_t)(info->cursor - info->buffer),
+                       .prompt = (int)strlen(e->prompt), .width = cli_terminal_width(), .height = terminal_height() };
+  line_buffer all = { 0 }, classes = { 0 }, below = { 0 };
+  cli_call call = { .argument = -1 };
+  if (!in_menu(e)) close_menu(e);
+  bool ok = before && cli_line_buffer_add(&all, e->open, open) && cli_line_buffer_add(&all, info->buffer, length);
+  if (ok && e->colours && all.length && cli_line_buffer_add(&classes, all.at, all.length)) {
+    cli_text_classes(e->scheme, all.at, all.length, ended ? SIZE_MAX : open + line.cursor, (unsigned char *)classes.at);
+    line.classes = (unsigned char *)classes.at + open;
+  }
+  bool calls = ok && !ended && cli_text_call(before, &call);
+  int room = cli_paint_room(&line);
+  if (e->menu.count && !ended) {
+    line.rows = cli_names_rows(&e->menu, e->chosen, line.width, room - 1 < MENU ? room - 1 : MENU, e->colours, &below);
+    if (e->chosen >= 0) snprintf(call.name, sizeof call.name, "%s", e->menu.at[e->chosen]);
+    calls = e->chosen >= 0 && e->menu.kind == CLI_WORD_NAME;
+  }
+  if (calls && room > 1 && put_hint(e, &call, line.width, &below)) line.rows++;
+  line.below = below.at;
+  cli_paint_show(&e->paint, &line);
+  free(before);
+  free(all.at);
+  free(classes.at);
+  free(below.at);
+}
+
+static bool key_waits(int milliseconds) {
+  return poll(&(struct pollfd){ .fd = STDIN_FILENO, .events = POLLIN }, 1, milliseconds) != 0;
+}
+
+/* Reads a character as libedit does. While no key is pressed, paints the line and calls the idle functions. */
+static int read_key(EditLine *line, wchar_t *key) {
+  cli_editor *e = editor_of(line);
+  bool painted = !e->escapes || !mbsinit(&e->partial);
+  for (;;) {
+    if (!painted && !key_waits(0)) paint(e, false);
+    painted = true;
+    struct pollfd in = {.fd = STDIN_FILENO, .events = POLLIN};
+    int ready = poll(&in, 1, e->idle.look ? LOOK_MS : -1);
+    if (ready != 0) cli_paint_erase(&e->paint);
+    if (ready < 0) return -1;
+    if (ready == 0) {
+      if (!e->idle.look || !e->idle.look(e->idle.context)) continue;
+      cli_paint_erase(&e->paint);
+      fputs(e->escapes ? "\r\033[K" : "\r", stdout);
+      e->idle.act(e->idle.context);
+      fflush(stdout);
+      libedit.el_set(line, EL_REFRESH);
+      painted = !e->escapes;
+      continue;
+    }
+    char byte;
+    ssize_t got = read(STDIN_FILENO, &byte, 1);
+    if (got <= 0) return (int)got;
+    size_t used = mbrtowc(key, &byte, 1, &e->partial);
+    if (used == (size_t)-2) continue;
+    if (used != (size_t)-1) return 1;
+    memset(&e->partial, 0, sizeof e->partial); /* invalid bytes are dropped */
+  }
+}
+
 /* ---- opening and closing the editor ---- */
 
 static char *prompt_text(EditLine *line) {
@@ -545,7 +566,8 @@ static char *prompt_text(EditLine *line) {
 void cli_editor_close(cli_editor *e) {
   HistEvent event;
   if (!e) return;
-  if (e->line) fputs("\033[?2004l", stdout), fflush(stdout);
+  if (e->line && e->escapes) fputs("\033[?2004l", stdout), fflush(stdout);
+  close_menu(e);
   if (e->history && e->history_path && libedit.history(e->history, &event, H_SAVE,
       e->history_path) >= 0) chmod(e->history_path, 0600);
   if (e->line) libedit.el_end(e->line);
@@ -556,11 +578,11 @@ void cli_editor_close(cli_editor *e) {
   free(e);
 }
 
-cli_editor *cli_editor_open(vs_scheme *scheme, void (*commands)(void (*each)(void *context, const char *name),
-    void *context)) {
+cli_editor *cli_editor_open(vs_scheme *scheme, cli_each_command *commands) {
   static const struct { const char *keys, *does; } bound[] = {
-      {"^I", "vs-complete"}, {"^R", "em-inc-search-prev"}, {")", "vs-close"}, {"]", "vs-close"},
-          {"\"", "vs-quote"}, {"^M", "vs-enter"},
+      {"^I", "vs-complete"}, {"\\e[Z", "vs-complete-back"}, {"^R", "em-inc-search-prev"},
+          {")", "vs-close"}, {"]", "vs-close"},
+          {"\"", "vs-quote"}, {"^M", "vs-enter"}, {"^J", "vs-enter"}, {ENDED, "ed-newline"},
           {"\\e[200~", "vs-paste"}, {FLASHED, "vs-flashed"},
       {"\\e[A", "vs-up"}, {"\\eOA", "vs-up"}, {"\\e[B", "vs-down"}, {"\\eOB", "vs-down"}, {"\\e^M", "vs-newline"},
           {"\\e?", "vs-signature"},
@@ -585,7 +607,8 @@ cli_editor *cli_editor_open(vs_scheme *scheme, void (*commands)(void (*each)(voi
   if (!isatty(STDIN_FILENO) || !isatty(STDOUT_FILENO) || !load_libedit()) return NULL;
   cli_editor *e = calloc(1, sizeof *e);
   if (!e) return NULL;
-  e->scheme = scheme, e->prompt = "> ", e->open = "", e->commands = commands;
+  e->scheme = scheme, e->prompt = "> ", e->open = "", e->commands = commands, e->chosen = -1;
+  e->escapes = has_escapes(STDOUT_FILENO), e->colours = cli_colours(STDOUT_FILENO);
   setlocale(LC_CTYPE, "");
   e->line = libedit.el_init("vs", stdin, stdout, stderr);
   e->history = libedit.history_init();
@@ -602,6 +625,7 @@ cli_editor *cli_editor_open(vs_scheme *scheme, void (*commands)(void (*each)(voi
   libedit.el_set(e->line, EL_EDITOR, "emacs");
   libedit.el_set(e->line, EL_HIST, libedit.history, e->history);
   libedit.el_set(e->line, EL_ADDFN, "vs-complete", "complete the word before the cursor", complete);
+  libedit.el_set(e->line, EL_ADDFN, "vs-complete-back", "go back in the menu", complete_back);
   libedit.el_set(e->line, EL_ADDFN, "vs-close", "close a parenthesis and show the one it closes", close_parenthesis);
   libedit.el_set(e->line, EL_ADDFN, "vs-flashed", "move the cursor back behind the closed parenthesis", flashed);
   libedit.el_set(e->line, EL_ADDFN, "vs-quote", "insert a quote, unless completion has inserted it", quote);
@@ -614,38 +638,11 @@ cli_editor *cli_editor_open(vs_scheme *scheme, void (*commands)(void (*each)(voi
   for (size_t i = 0; i < sizeof bound / sizeof *bound; i++)
     libedit.el_set(e->line, EL_BIND, bound[i].keys, bound[i].does, NULL);
   libedit.el_set(e->line, EL_SIGNAL, 0);
+  libedit.el_set(e->line, EL_GETCFN, read_key);
   return e;
 }
 
-/* Reads a character as libedit does. While no key is pressed, calls the idle functions. */
-static int read_key(EditLine *line, wchar_t *key) {
-  cli_editor *e = editor_of(line);
-  for (;;) {
-    struct pollfd in = {.fd = STDIN_FILENO, .events = POLLIN};
-    int ready = poll(&in, 1, e->idle.look ? LOOK_MS : -1);
-    if (ready < 0) return -1;
-    if (ready == 0) {
-      if (!e->idle.look || !e->idle.look(e->idle.context)) continue;
-      fputs("\r\033[K", stdout);
-      e->idle.act(e->idle.context);
-      fflush(stdout);
-      libedit.el_set(line, EL_REFRESH);
-      continue;
-    }
-    char byte;
-    ssize_t got = read(STDIN_FILENO, &byte, 1);
-    if (got <= 0) return (int)got;
-    size_t used = mbrtowc(key, &byte, 1, &e->partial);
-    if (used == (size_t)-2) continue;
-    if (used != (size_t)-1) return 1;
-    memset(&e->partial, 0, sizeof e->partial); /* invalid bytes are dropped */
-  }
-}
-
-void cli_editor_idle(cli_editor *e, cli_idle idle) {
-  e->idle = idle;
-  libedit.el_set(e->line, EL_GETCFN, read_key);
-}
+void cli_editor_idle(cli_editor *e, cli_idle idle) { e->idle = idle; }
 
 bool cli_editor_has_more(const cli_editor *e) {
   struct pollfd more = {.fd = STDIN_FILENO, .events = POLLIN};
@@ -655,18 +652,25 @@ bool cli_editor_has_more(const cli_editor *e) {
 const char *cli_editor_line(cli_editor *e, const char *prompt, const char *open, size_t *length, bool *whole) {
   e->prompt = prompt, e->open = open, e->taken_back = false, e->closed = 0, e->back = 0;
   e->pasted.length = 0;
-  fputs("\033[?2004h", stdout); /* asks the terminal to mark pasted text */
+  if (e->escapes) fputs("\033[?2004h", stdout); /* asks the terminal to mark pasted text */
   fflush(stdout);
   if (e->rest.length) {
     libedit.el_push(e->line, e->rest.at);
     e->rest.length = 0;
+  } else if (*open && !key_waits(0)) {
+    char blanks[64];
+    size_t n = cli_text_indentation(e->scheme, open);
+    memset(blanks, ' ', n);
+    blanks[n] = 0;
+    if (n) libedit.el_push(e->line, blanks);
   }
   int count = 0;
   errno = 0;
   const char *line = libedit.el_gets(e->line, &count);
   int error = errno;
-  fputs("\033[?2004l", stdout);
+  if (e->escapes) fputs("\033[?2004l", stdout);
   fflush(stdout);
+  close_menu(e);
   errno = error;
   *whole = e->taken_back;
   if (e->pasted.length) {

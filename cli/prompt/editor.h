@@ -2,14 +2,13 @@
 #ifndef VS_CLI_PROMPT_EDITOR_H
 #define VS_CLI_PROMPT_EDITOR_H
 
+#include "cli/prompt/completion.h"
 #include "visualscheme.h"
 
 typedef struct cli_editor cli_editor;
 
-/* Returns a new editor, or NULL without a terminal or memory. commands must call `each` with the name of every command
- * of the prompt. */
-cli_editor *cli_editor_open(vs_scheme *scheme,
-                            void (*commands)(void (*each)(void *context, const char *name), void *context));
+/* Returns a new editor, or NULL without a terminal or memory. */
+cli_editor *cli_editor_open(vs_scheme *scheme, cli_each_command *commands);
 void cli_editor_close(cli_editor *e); /* Saves the history and frees the editor. NULL is permitted. */
 
 /* Returns a line with its newline, or several lines that were pasted or recalled. open is the text of the unfinished

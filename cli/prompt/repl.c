@@ -12,6 +12,7 @@
 #include "cli/prompt/line_buffer.h"
 #include "cli/prompt/repl.h"
 #include "cli/prompt/prompt_commands.h"
+#include "cli/prompt/source_text.h"
 #include "cli/prompt/standard_output.h"
 #include "live/live.h"
 
@@ -284,17 +285,10 @@ static const char *continuation(const vs_read_status *status, char *room, size_t
   return room;
 }
 
-/* Prints where the abandoned expression probably lacks a parenthesis: at the end of the line before the first later
- * line that begins with a parenthesis at the left margin. */
-static void tell_given_up(const char *text, const vs_read_status *status) {
-  unsigned line = 1, lacks = 0;
-  for (const char *at = text; *at; line++) {
-    const char *end = strchr(at, '\n');
-    if (line > 1 && !lacks && (*at == '(' || *at == '[')) lacks = line - 1;
-    if (!end) break;
-    at = end + 1;
-  }
-  if (lacks) printf("; given up: a ) is missing, probably at the end of line %u\n", lacks);
+/* Prints where the abandoned expression probably lacks a bracket. */
+static void tell_given_up(vs_scheme *scheme, const char *text, const vs_read_status *status) {
+  unsigned line = cli_text_lacks_bracket(scheme, text);
+  if (line) printf("; given up: a ) is missing, probably at the end of line %u\n", line);
   else printf("; given up: the parenthesis of line %u, column %u is not closed\n", status->line, status->column);
 }
 
@@ -371,7 +365,7 @@ vs_outcome cli_repl(cli_session *c) {
     }
     /* An empty line abandons the unfinished expression. */
     if (line && c->editor && pending.length && blanks + 1 >= length && !cli_editor_has_more(c->editor)) {
-      tell_given_up(pending.at, &status);
+      tell_given_up(c->scheme, pending.at, &status);
       p.line++;
       pending.length = 0;
       continue;
