@@ -27,7 +27,7 @@ static bool bad_part(trial *t, const char *suffix, size_t which, written *w, boo
   }
   if (!crossings_find((const crossings_point *)w->s.points, w->s.point_count, (const crossings_triangle *)w->s.triangles, w->s.count, &found)) abort();
   size_t open = written_open_edges(&w->s), faults = crossings_sum(&found) - found.count[CROSSINGS_TOUCHING];
-  bool says = strstr(t->heard.warning, "meet");
+  bool says = strstr(t->heard.warning, "touch or cross");
   warned += faults && says;
   if (!open && (!faults || says)) return false;
   int n = snprintf(t->why, sizeof t->why, "%s has %zu open edges", suffix, open);
@@ -349,7 +349,7 @@ static bool is_silent(void *context, const char *text) {
       silent[i]++;
       snprintf(why + strlen(why), sizeof why - strlen(why), "%.200s; ", t->why);
     }
-    told[i] += strstr(t->heard.warning, "meet") != NULL;
+    told[i] += strstr(t->heard.warning, "touch or cross") != NULL;
     release(&w);
   }
   memcpy(t->why, why, sizeof why);
