@@ -41,11 +41,15 @@ vs_affine vs_frame_turn(vs_vec3 a, vs_vec3 b) {
 }
 
 /* Returns the vector x moved from point p with tangent t to point q with tangent u. It is reflected in the bisecting
- * plane of p and q. Then it is reflected in the plane that maps the reflected t to u. */
+ * plane of p and q. Then it is reflected in the plane that maps the reflected t to u. Where p and q differ only by
+ * rounding, x turns with t. */
 static vs_vec3 frame_reflect_twice(vs_vec3 p, vs_vec3 t, vs_vec3 q, vs_vec3 u, vs_vec3 x) {
   vs_vec3 v = vs_v3_sub(q, p);
-  double c = vs_v3_dot(v, v);
-  if (!(c > 0)) return x;
+  double c = vs_v3_dot(v, v), large = fmax(vs_v3_dot(p, p), vs_v3_dot(q, q));
+  if (!(c > 1e-24 * large)) {
+    vs_affine turn = vs_frame_turn(t, u);
+    return vs_affine_vector(&turn, x);
+  }
   vs_vec3 xl = vs_v3_sub(x, vs_v3_scale(v, 2 / c * vs_v3_dot(v, x))),
           tl = vs_v3_sub(t, vs_v3_scale(v, 2 / c * vs_v3_dot(v, t)));
   vs_vec3 w = vs_v3_sub(u, tl);

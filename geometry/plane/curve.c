@@ -12,6 +12,7 @@
 
 enum { HALVINGS = 40 };
 static const double full_turn = 6.28318530717958647693, STANDS = 1e-9, TURNS_BACK = -.75;
+static const double SIXTEENTH = .92387953251128675613; /* the cosine of a sixteenth of a turn */
 
 void vs_path_free(vs_path *p) {
   free(p->at);
@@ -170,22 +171,28 @@ static vs_path_point spline_at(const vs_spline_work *w, size_t i, double t) {
   return (vs_path_point){ at, behind, ahead, 0 };
 }
 
-/* Adds samples between the parameters `from` and `to`, from < to, if the direction reverses in a small part of the
- * span. It halves this part repeatedly, down to the cusp. */
-static bool spline_turn(const vs_spline_work *w, size_t i, double from, double to, vs_path *out) {
-  vs_path_point p = spline_at(w, i, from), q = spline_at(w, i, to), tail[HALVINGS];
-  size_t behind = 0;
+/* Adds samples between the parameters `from` and `to`, from < to, where the direction turns by more than an angle. It
+ * halves these parts repeatedly, down to a cusp. most: the cosine of the angle. */
+static bool spline_turn(const vs_spline_work *w, size_t i, double from, double to, double most, vs_path *out) {
+  struct { double to; int halvings; } parts[HALVINGS + 1] = { { to, 0 } }; /* the remaining ones, from last to first */
+  vs_path_point p = spline_at(w, i, from);
   bool ok = true;
   VS_ASSERT(from < to);
-  for (int n = 0; ok && n < HALVINGS && vs_v3_dot(p.leaving, q.arriving) < TURNS_BACK; n++) {
-    double middle = (from + to) / 2;
-    vs_path_point r = spline_at(w, i, middle);
-    if (vs_v3_dot(p.leaving, r.arriving) < TURNS_BACK) to = middle, q = tail[behind++] = r;
-    else if (ok = vs_path_add(out, r.at, r.arriving, r.leaving), ok) from = middle, p = r;
+  for (size_t n = 1; ok && n > 0;) {
+    double end = parts[n - 1].to, goes;
+    vs_path_point q = spline_at(w, i, end);
+    goes = vs_v3_dot(p.leaving, q.arriving);
+    if (goes < most && parts[n - 1].halvings < HALVINGS) {
+      int halvings = ++parts[n - 1].halvings;
+      parts[n].to = (from + end) / 2;
+      parts[n++].halvings = halvings;
+      continue;
+    }
+    if (goes < TURNS_BACK) ok = vs_path_add(out, spline_at(w, i, (from + end) / 2).at, p.leaving, q.arriving);
+    if (--n > 0) ok = ok && vs_path_add(out, q.at, q.arriving, q.leaving);
+    from = end;
+    p = q;
   }
-  if (ok && vs_v3_dot(p.leaving, q.arriving) < TURNS_BACK)
-    ok = vs_path_add(out, spline_at(w, i, (from + to) / 2).at, p.leaving, q.arriving);
-  while (ok && behind-- > 0) ok = vs_path_add(out, tail[behind].at, tail[behind].arriving, tail[behind].leaving);
   return ok;
 }
 
@@ -226,7 +233,7 @@ static bool curve_spline(vs_path *out, const struct vs_spline *s, const vs_finen
     for (int j = 0; ok && j < k; j++) {
       here = spline_at(&w, i, (double)j / k);
       ok = vs_path_add(out, j ? here.at : w.p[i], here.arriving, here.leaving) &&
-           spline_turn(&w, i, (double)j / k, (j + 1.0) / k, out);
+           spline_turn(&w, i, (double)j / k, (j + 1.0) / k, segments > 0 ? TURNS_BACK : SIXTEENTH, out);
     }
   }
   if (ok && !w.closed) {

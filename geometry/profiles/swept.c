@@ -16,6 +16,7 @@
 #include "geometry/plane/curve.h"
 #include "geometry/profiles/overturn.h"
 #include "geometry/profiles/revolve.h"
+#include "geometry/profiles/swept_path.h"
 #include "model/store/array.h"
 
 static const double full_turn = 6.28318530717958647693;
@@ -381,6 +382,16 @@ typedef struct {
   double reach;              /* greatest distance of the profile's points from the base */
 } swept_way;
 
+/* Sets *closing: the angle by which a profile turns, evenly, on its way round a closed path so that it meets itself.
+ * Returns false when memory is out. */
+static bool swept_closing(const vs_path *path, vs_vec3 x, double *closing) {
+  vs_vec3 *carried = vs_fresh(path->count, sizeof *carried);
+  if (carried) *closing = -vs_frame_transport(path->at, path->count, true, path->length, x, carried);
+  free(carried);
+  if (fabs(*closing) < 1e-9) *closing = 0; /* rounding makes less */
+  return carried != NULL;
+}
+
 /* Makes the sections along a path; this function may change the path's points, and divides the path for a twist.
  * Returns false and sets e on failure. */
 static bool swept_along(vs_swept *s, vs_path *path, const swept_way *way, const vs_fineness *f, vs_error *e) {
@@ -392,9 +403,11 @@ static bool swept_along(vs_swept *s, vs_path *path, const swept_way *way, const 
   swept_stance *stance = NULL; /* position of the profile at each point of `fine` */
   size_t stances = 0;
   bool ok = true;
-  double widest = fmax(1, fabs(scale)), rest = twist - full_turn * nearbyint(twist / full_turn);
+  double widest = fmax(1, fabs(scale)), rest = twist - full_turn * nearbyint(twist / full_turn), closing = 0;
   bool meets = path->closed && scale == 1, joins = meets && fabs(rest) < 1e-9;
-  size_t stretches = path->closed ? path->count : path->count - 1, all_steps = swept_refine(s, twist, scale, reach, f);
+  if (meets && !upright) ok = swept_closing(path, way->x, &closing);
+  size_t stretches = path->closed ? path->count : path->count - 1,
+         all_steps = ok ? swept_refine(s, twist + closing, scale, reach, f) : 0;
   ok = all_steps > 0;
   for (size_t i = 0; i < path->count; i++) meets = meets && !swept_turns_back(&path->at[i]);
   if (ok && meets && !joins && s->filled) ok = swept_seam(s, base, rest, reach);
@@ -408,7 +421,7 @@ static bool swept_along(vs_swept *s, vs_path *path, const swept_way *way, const 
     const vs_path_point *p = &path->at[i], *q = &path->at[i + 1 < path->count ? i + 1 : 0];
     vs_vec3 step = vs_v3_sub(q->at, p->at);
     double share = vs_v3_length(step) / path->length, spin = upright ? swept_spin(upright, q) : 0,
-           turned = (fabs(twist) * share + fabs(spin)) / full_turn * vs_fineness_turn(f, reach * widest, 0);
+           turned = (fabs(twist + closing) * share + fabs(spin)) / full_turn * vs_fineness_turn(f, reach * widest, 0);
     size_t steps = swept_share(all_steps, share);
     if (spin != 0 && (double)steps < turned) steps = swept_count(turned, MOST_STEPS);
     ok = vs_path_add(&fine, p->at, p->arriving, p->leaving) && VS_GROW(stance, stances, fine.count + steps);
@@ -460,26 +473,6 @@ static bool swept_along(vs_swept *s, vs_path *path, const swept_way *way, const 
   free(carried);
   free(stance);
   return stands && (ok || vs_error_memory(e, NULL));
-}
-
-/* Samples the path so that the outer side of the swept profile is within the tolerance, too. A stretch that turns by
- * the angle d deviates from its chord by (1 - cos(d/2)) times the radius. Here the radius is that of the path plus the
- * profile's reach. */
-static bool swept_path(const vs_node *curve, const vs_fineness *f, double reach, vs_path *path, vs_error *e) {
-  vs_affine identity = vs_affine_identity();
-  double most = 0;
-  if (!vs_curve_path(curve, &identity, f, path, e)) return false;
-  if (f->segments > 0) return true;
-  for (size_t i = 0; i + !path->closed < path->count; i++) {
-    const vs_path_point *p = &path->at[i], *q = &path->at[i + 1 < path->count ? i + 1 : 0];
-    double turn = vs_v3_length(vs_v3_sub(q->arriving, p->leaving)); /* length of this difference is 2 sin(d/2) */
-    most = fmax(most, turn * turn / 8 * (reach + vs_v3_length(vs_v3_sub(q->at, p->at)) / fmax(turn, 1e-9)));
-  }
-  if (most <= f->tolerance * 1.01) return true;
-  vs_fineness fine = { f->tolerance * fmax(f->tolerance / most, 1.0 / 4096), 0 };
-  vs_path_free(path);
-  *path = (vs_path){ 0 };
-  return vs_curve_path(curve, &identity, &fine, path, e);
 }
 
 /* ---- the three kinds: extrude, sweep and thicken ---- */
@@ -573,7 +566,7 @@ static bool swept_sweep(vs_swept *s, const vs_node *n, const vs_fineness *f, vs_
   vs_profile_plane plane = { 0 };
   vs_path path = { 0 };
   bool ok = swept_profile(s, n->children[0].node, f, w->has_base ? &w->base : NULL, &plane, e) &&
-            swept_path(n->children[1].node, f, plane.reach * fmax(1, w->scale), &path, e);
+            vs_swept_path(n->children[1].node, f, plane.reach * fmax(1, w->scale), &path, e);
   if (ok && path.count < 2) ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "do-sweep: the path is a point");
   if (ok) {
     vs_affine turn = vs_frame_turn(plane.normal, path.at[0].leaving);
@@ -605,7 +598,7 @@ static bool swept_thicken(vs_swept *s, const vs_node *n, const vs_fineness *f, v
            vs_error_memory(e, NULL);
   }
   vs_path path = { 0 };
-  bool ok = swept_path(what, f, t->width / 2, &path, e);
+  bool ok = vs_swept_path(what, f, t->width / 2, &path, e);
   if (ok && path.count < 2) ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "do-thicken: the curve is a point");
   ok = ok && (swept_disc(s, t->width / 2, vs_fineness_turn(f, t->width / 2, t->segments)) || vs_error_memory(e, NULL));
   if (ok) {

@@ -1,0 +1,12 @@
+/* Owns, for geometry/ alone, the stations of a sweep: the points of its path at which it has sections. */
+#ifndef VS_GEOMETRY_PROFILES_SWEPT_PATH_H
+#define VS_GEOMETRY_PROFILES_SWEPT_PATH_H
+
+#include "geometry/plane/curve.h"
+#include "geometry/tolerance.h"
+
+/* Samples the path of a profile that reaches so far from it. Profiles that reach no further than the radius of a bend
+ * have the same stations there. Fails if curve is not one curve. The caller frees path (vs_path_free). */
+bool vs_swept_path(const vs_node *curve, const vs_fineness *f, double reach, vs_path *path, vs_error *e);
+
+#endif
