@@ -58,6 +58,7 @@ struct vs_emitter {
   vs_job *job;         /* that of the options, or one without limits */
   const vs_backend *backend;
   vs_error *error;
+  vs_error flaw;       /* a flaw of a file that is complete, reported after the file is in its place */
   const char *path;    /* path of the output file, from which the names of files beside it are formed; NULL: there is no
                         * output file */
   const char *folder;  /* folder of the worker program, for files that the text refers to; NULL: there is no such

@@ -285,6 +285,13 @@ static vs_emitter *export_begin(export_run *run, const vs_scene *scene, const vs
   return &run->emitter;
 }
 
+/* Returns ok. Returns false with the error set if the file that was made has a flaw. */
+static bool export_tell_flaw(vs_emitter *e, bool ok) {
+  if (!ok || e->flaw.kind == VS_ERROR_NONE) return ok;
+  *e->error = e->flaw;
+  return false;
+}
+
 bool vs_export_to(const vs_scene *scene, const vs_format *format, vs_sink_fn *sink, void *context,
                   const vs_export_options *options, vs_error *e) {
   export_run run;
@@ -299,6 +306,7 @@ bool vs_export_to(const vs_scene *scene, const vs_format *format, vs_sink_fn *si
       vs_error_set(emitter->error, VS_ERROR_FILE, NULL, "the output could not be written");
     free(w);
   }
+  ok = export_tell_flaw(emitter, ok);
   export_close(emitter);
   return ok;
 }
@@ -319,7 +327,7 @@ bool vs_export(const vs_scene *scene, const vs_format *format, const char *path,
   export_run run;
   vs_emitter *emitter = export_begin(&run, scene, format, options, e);
   emitter->path = path;
-  bool ok = export_named(emitter, path);
+  bool ok = export_tell_flaw(emitter, export_named(emitter, path));
   export_close(emitter);
   return ok;
 }

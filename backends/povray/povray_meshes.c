@@ -261,10 +261,27 @@ static bool pov_paint_met(const vs_solid *s, size_t part) {
   return false;
 }
 
-static vs_emit_status pov_pieces(vs_emitter *e, const vs_solid *s) {
+/* Returns true if a triangle of this paint, which the solid's part is the first to have, is visible. All triangles of a
+ * paint may be inside other parts. */
+static bool pov_paint_shows(const vs_solid *s, size_t part) {
+  if (pov_paint_met(s, part)) return false;
+  for (size_t i = 0; i < s->mesh.triangle_count; i++)
+    if (pov_part(s, i)->material == s->parts[part].material && !pov_needle(s->mesh.vertices, s->mesh.triangles[i]))
+      return true;
+  return false;
+}
+
+/* Returns the number of meshes that show the solid, one for each visible paint. */
+static size_t pov_paints(const vs_solid *s) {
+  size_t paints = 0;
+  for (size_t i = 0; i < s->part_count; i++) paints += pov_paint_shows(s, i);
+  return paints;
+}
+
+/* Writes the meshes of a solid. More than one mesh form a union; POV-Ray warns about a union of a single object. */
+static vs_emit_status pov_pieces(vs_emitter *e, const vs_solid *s, size_t paints) {
   pov_piece p = { .vertex_room = 2 * s->mesh.vertex_count, .triangle_room = 2 * s->mesh.triangle_count };
-  size_t room[4] = { 0 }, paints = 0;
-  for (size_t i = 0; i < s->part_count; i++) paints += !pov_paint_met(s, i);
+  size_t room[4] = { 0 };
   vs_emit_status status = VS_EMITTED;
   if (!vs_emit_grow(e, &p.v, &room[0], p.vertex_room, sizeof *p.v) ||
       !vs_emit_grow(e, &p.t, &room[1], p.triangle_room, sizeof *p.t) ||
@@ -276,7 +293,7 @@ static vs_emit_status pov_pieces(vs_emitter *e, const vs_solid *s) {
     e->depth++;
   }
   for (size_t i = 0; status == VS_EMITTED && i < s->part_count; i++)
-    if (!pov_paint_met(s, i)) status = pov_piece_of(e, &p, s, s->parts[i].material);
+    if (pov_paint_shows(s, i)) status = pov_piece_of(e, &p, s, s->parts[i].material);
   if (paints > 1) {
     e->depth--;
     pov_open(e, "}\n");
@@ -293,7 +310,8 @@ vs_emit_status vs_povray_solid(vs_emitter *e, const vs_ref *ref) {
   bool fits = false;
   if (e->backend->render == NULL || !pov_is_dear(e, ref->node)) return VS_LOWER;
   vs_emit_status status = pov_combine(e, ref, &s, &fits) ? VS_LOWER : VS_FAILED;
-  if (fits) status = pov_pieces(e, &s) == VS_EMITTED ? VS_WHOLE : VS_FAILED;
+  size_t paints = fits ? pov_paints(&s) : 0;
+  if (paints > 0) status = pov_pieces(e, &s, paints) == VS_EMITTED ? VS_WHOLE : VS_FAILED;
   vs_solid_free(&s);
   return status;
 }

@@ -94,12 +94,23 @@ vs_povray_plan vs_povray_plan_of(const vs_export_options *o, uint64_t triangles,
   return p;
 }
 
-/* Returns the number of runs at a time. POV-Ray needs about twenty times the size of the text as memory, and twenty
- * bytes for each pixel. */
-size_t vs_povray_at_once(const vs_export_options *o, const vs_povray_job *job, uint64_t scene) {
+/* Returns the machine's memory in bytes, or 0 if it is unknown. */
+static double machine_memory(void) {
   long pages = sysconf(_SC_PHYS_PAGES), page = sysconf(_SC_PAGESIZE);
-  double each = 0x1p26 + 20. * (double)scene + 20. * job->columns * job->rows;
-  double room = pages > 0 && page > 0 ? (double)pages * (double)page / 2 / each : 1;
+  return pages > 0 && page > 0 ? (double)pages * (double)page : 0;
+}
+
+/* POV-Ray keeps five single-precision numbers for each pixel of the whole picture, even if it draws a part. */
+static double picture_bytes(const vs_povray_job *job) { return 20. * job->columns * job->rows; }
+
+double vs_povray_megabytes(const vs_povray_job *job) { return ceil(picture_bytes(job) / 1e6); }
+bool vs_povray_fits(const vs_povray_job *job) { return picture_bytes(job) <= machine_memory() / 4; }
+
+/* Returns the number of runs at a time. POV-Ray needs about twenty times the size of the text as memory, and room for
+ * the picture. */
+size_t vs_povray_at_once(const vs_export_options *o, const vs_povray_job *job, uint64_t scene) {
+  double each = 0x1p26 + 20. * (double)scene + (vs_povray_fits(job) ? picture_bytes(job) : 0);
+  double room = machine_memory() / 2 / each;
   size_t threads = vs_kernel_threads(&(vs_kernel_options){ .threads = o->threads });
   return room < 1 ? 1 : room < (double)threads ? (size_t)room : threads;
 }

@@ -36,5 +36,10 @@ vs_povray_plan vs_povray_plan_of(const vs_export_options *o, uint64_t triangles,
 /* Returns how many of the jobs may run at a time: as many as there are processors, or fewer if that many would need
  * more than half of the machine's memory. scene: size of the scene's text in bytes. */
 size_t vs_povray_at_once(const vs_export_options *o, const vs_povray_job *job, uint64_t scene);
+/* Returns the size of a run's picture in megabytes. */
+double vs_povray_megabytes(const vs_povray_job *job);
+/* Returns whether a run's picture fits into memory: it needs at most a quarter of the machine's memory. Otherwise
+ * POV-Ray keeps it in a file. */
+bool vs_povray_fits(const vs_povray_job *job);
 
 #endif

@@ -3,7 +3,8 @@
  * POV-Ray writes everything to standard error: progress in pieces that begin with a carriage return, messages as
  *   File '/tmp/.../scene.pov' line 12: Parse Error: ...
  * wrapped at 80 columns, with one space before each continuation. It exits with 0 after warnings that mean a wrong
- * picture, so any warning is a failure here. The table of the driver maps the line of a message to the place in the
+ * picture. Any warning that povray_warnings.def does not list is therefore a flaw of the picture: vs keeps the picture,
+ * reports the warning and fails. The table of the driver maps the line of a message to the place in the
  * user's model. POV-Ray and the processes that it starts form a process group. On Linux the group ends when vs is
  * killed. */
 #define _GNU_SOURCE /* for prlimit, execvpe, pipe2 */
@@ -65,25 +66,46 @@ static void run_unwrap(char *text) {
   *to = '\0';
 }
 
-/* Finds the first message about the scene. Sets *line to its line in the scene, and returns the message, which is cut
- * out of the text. */
-static const char *run_complaint(char *text, unsigned long *line) {
-  for (char *at = text; (at = strstr(at, "File '")) != NULL; at++) {
-    char *end = strchr(at, '\n'), *number = strstr(at, "' line ");
-    if (end != NULL) *end = '\0';
-    /* an upright view has such a camera intentionally (povray_scene.c) */
-    bool meant = strstr(at, "Warning: Camera vectors are not perpendicular") != NULL;
-    if (number != NULL && (end == NULL || number < end) && !meant) {
-      char *after;
-      *line = strtoul(number + 7, &after, 10);
-      if (strncmp(after, ": ", 2) == 0) { /* removes "Possible Parse Error: ", which means nothing to a user */
-        const char *kind = strstr(after + 2, "Error: ");
-        return kind != NULL && kind - after < 24 ? kind + 7 : after + 2;
-      }
-    }
-    if (end != NULL) *end = '\n';
+/* A message of POV-Ray about a line of the scene. */
+typedef struct { const char *text; int length; unsigned long line; bool warning; } run_message;
+
+/* Reads the next message of the text after *at, and moves *at behind it. Returns false if there is none. */
+static bool run_next(const char **at, run_message *m) {
+  for (const char *from = *at; (from = strstr(from, "File '")) != NULL; from++) {
+    const char *end = from + strcspn(from, "\n"), *number = strstr(from, "' line ");
+    if (number == NULL || number > end) continue;
+    char *after;
+    m->line = strtoul(number + 7, &after, 10);
+    if (strncmp(after, ": ", 2) != 0) continue;
+    const char *kind = strstr(after, "Error: ");
+    m->text = kind != NULL && kind < end && kind - after < 26 ? kind + 7 : after + 2;
+    if (m->text == after + 2 && strncmp(m->text, "Parse Warning: ", 15) == 0) m->text += 15;
+    m->warning = m->text == after + 17;
+    m->length = (int)(end - m->text);
+    *at = end;
+    return true;
   }
-  return NULL;
+  return false;
+}
+
+static bool run_is_harmless(const run_message *m) {
+  static const char *const known[] = {
+#define HARMLESS(text) text,
+#include "backends/povray/povray_warnings.def"
+#undef HARMLESS
+  };
+  for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
+    const char *found = strstr(m->text, known[i]);
+    if (m->warning && found != NULL && found < m->text + m->length) return true;
+  }
+  return false;
+}
+
+/* Finds the first error, or the first warning that is not harmless. Returns false if there is none. */
+static bool run_complaint(const char *text, bool warning, run_message *m) {
+  while (run_next(&text, m))
+    if (m->warning == warning && !run_is_harmless(m)) return true;
+  return false;
 }
 
 static const char *run_last_line(char *text) {
@@ -150,7 +172,7 @@ static int run_start(vs_povray_process *r, const char *folder, const int errors[
 
 bool vs_povray_start(vs_emitter *e, vs_povray_process *r, const char *folder, char *const *arguments) {
   int ends[2];
-  char home[VS_POVRAY_PATH_ROOM], ini[VS_POVRAY_PATH_ROOM], path[VS_POVRAY_PATH_ROOM];
+  char home[VS_POVRAY_PATH_ROOM], ini[VS_POVRAY_PATH_ROOM], path[VS_POVRAY_PATH_ROOM], large[VS_POVRAY_PATH_ROOM];
   const char *where = getenv("PATH");
   r->used = r->piece_used = 0;
   r->text[0] = 0;
@@ -161,7 +183,9 @@ bool vs_povray_start(vs_emitter *e, vs_povray_process *r, const char *folder, ch
   snprintf(home, sizeof home, "HOME=%s", folder);
   snprintf(ini, sizeof ini, "POVINI=%s/povray.ini", folder);
   snprintf(path, sizeof path, "PATH=%s", where != NULL ? where : "/usr/local/bin:/usr/bin:/bin");
-  char *environment[] = { home, ini, path, "LC_ALL=C", NULL };
+  /* the folder of the file with a picture too large for memory; the confinement forbids POV-Ray's own choice */
+  snprintf(large, sizeof large, "POV_TEMP_DIR=%s", folder);
+  char *environment[] = { home, ini, path, large, "LC_ALL=C", NULL };
   int problem = run_start(r, folder, ends, arguments, environment);
   close(ends[1]);
   r->errors = ends[0];
@@ -214,15 +238,32 @@ void vs_povray_stop(vs_povray_process *at, size_t count) {
 
 /* ---- the result of POV-Ray ---- */
 
+/* Sets the error of a run that ended because it had no room for its picture. POV-Ray calls this an unknown error. */
+static bool run_has_no_room(vs_emitter *e, const vs_povray_process *r) {
+  return vs_error_set(e->error, VS_ERROR_WORKER, NULL, "POV-Ray has no room for the picture: it needs %.0f MB %s%s",
+                      r->room.megabytes, r->room.folder ? "on the disk in " : "of memory",
+                      r->room.folder ? r->room.folder : "");
+}
+
+/* Notes a warning of a run that made its picture. The first warning of all runs remains. */
+static void run_note_flaw(vs_emitter *e, const run_message *m) {
+  if (e->flaw.kind != VS_ERROR_NONE) return;
+  vs_error_set(&e->flaw, VS_ERROR_WORKER, vs_emit_line_origin(e, (uint32_t)m->line),
+               "the picture may differ from the model: POV-Ray: %.*s", m->length, m->text);
+}
+
 bool vs_povray_judge(vs_emitter *e, vs_povray_process *r, int status) {
-  unsigned long line = 0;
+  run_message m;
+  bool done = WIFEXITED(status) && WEXITSTATUS(status) == 0;
   run_unwrap(r->text);
-  const char *complaint = run_complaint(r->text, &line);
-  if (complaint != NULL)
-    return vs_error_set(e->error, VS_ERROR_WORKER, vs_emit_line_origin(e, (uint32_t)line), "POV-Ray: %s", complaint);
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return true;
+  if (run_complaint(r->text, false, &m) || (!done && run_complaint(r->text, true, &m)))
+    return vs_error_set(e->error, VS_ERROR_WORKER, vs_emit_line_origin(e, (uint32_t)m.line), "POV-Ray: %.*s", m.length,
+                        m.text);
+  if (done && run_complaint(r->text, true, &m)) run_note_flaw(e, &m);
+  if (done) return true;
   if (WIFSIGNALED(status))
     return vs_error_set(e->error, VS_ERROR_WORKER, NULL, "POV-Ray was ended by signal %d", WTERMSIG(status));
+  if (strstr(r->text, "Unknown error code") != NULL) return run_has_no_room(e, r);
   const char *last = run_last_line(r->text);
   return vs_error_set(e->error, VS_ERROR_WORKER, NULL, "POV-Ray failed%s%s", *last ? ": " : " and said nothing", last);
 }

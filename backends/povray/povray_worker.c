@@ -21,7 +21,7 @@
 #include "backends/povray/povray_process.h"
 #include "geometry/measure/bounds.h"
 
-enum { AT_ONCE = 64, STARTS = 5, NAME_ROOM = VS_POVRAY_PATH_ROOM + 40, WORDS = 24 };
+enum { AT_ONCE = 64, STARTS = 5, NAME_ROOM = VS_POVRAY_PATH_ROOM + 40, WORDS = 25 };
 /* The first pass, as a fraction of the time of first pass and strips. It takes about half as long as the strips. */
 static const double pass_share = 0.35;
 /* A limit in stops. If white is further below 1, the samples in the file have too few digits: the file has four digits
@@ -85,6 +85,8 @@ static void words_of(const pov_work *work, const vs_povray_job *job, words *w) {
   word(w, "+W%u", job->columns);
   word(w, "+H%u", job->rows);
   word(w, "+WT%u", job->threads);
+  /* Sets the size, in megabytes, up to which POV-Ray keeps the picture in memory. Its own limit is 128. */
+  if (vs_povray_fits(job)) word(w, "+MI%.0f", vs_povray_megabytes(job) + 1);
   static const char *const usual[] = { "+FE", "-D", "-GD", "-GR", "-GS" };
   for (size_t i = 0; i < sizeof usual / sizeof *usual; i++) word(w, "%s", usual[i]);
   /* The first and the last column and row of the part, counted from 1. If the last number is 1, POV-Ray reads it as the
@@ -118,9 +120,12 @@ static void words_of(const pov_work *work, const vs_povray_job *job, words *w) {
 
 static bool crew_start(pov_work *work, pov_crew *c, size_t slot) {
   words w = { .count = 0 };
-  words_of(work, &c->jobs[c->of[slot].job], &w);
+  const vs_povray_job *job = &c->jobs[c->of[slot].job];
+  words_of(work, job, &w);
   c->of[slot].starts++;
   c->at[slot].fraction = 0;
+  c->at[slot].room.megabytes = vs_povray_megabytes(job);
+  c->at[slot].room.folder = vs_povray_fits(job) ? NULL : work->folder;
   return vs_povray_start(work->e, &c->at[slot], work->folder, w.at);
 }
 
