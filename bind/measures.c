@@ -167,26 +167,27 @@ vs_status vs_p_volume(vs_args *f, vs_value *out) {
   return measure(f, &m, VS_ASK_VOLUME) && vs_bind_give_real(f, m.volume, out);
 }
 
-/* Measures the regions of a union of regions and curves, as the flat parts of a workshop are: a curve has no area. */
-static vs_status measure_regions(vs_args *f, vs_value *out) {
-  vs_ref whole = f->arg[0].ref, *parts;
-  size_t count;
-  double sum = 0;
-  vs_measure m;
-  bool ok = true;
-  if (!vs_several_parts(whole, &parts, &count)) return vs_fail_memory(f->vm);
-  for (size_t i = 0; ok && i < count; i++) {
+/* Replaces argument 0, a union of regions and curves, by the union of its regions: curves have no area. Leaves the
+ * argument unchanged if it has no regions, or parts of other classes. */
+static vs_status regions_alone(vs_args *f) {
+  vs_ref *parts;
+  size_t count, kept = 0;
+  bool flat = true;
+  if (!vs_several_parts(f->arg[0].ref, &parts, &count)) return vs_fail_memory(f->vm);
+  vs_ref *regions = vs_bind_scratch(f, (count + 1) * sizeof *regions);
+  for (size_t i = 0; regions && i < count; i++) {
     vs_class c = (vs_class)parts[i].node->class_;
-    if (c != VS_REGION_CLASS && c != VS_CURVE)
-      ok = vs_bind_refuse(f, "o", "a solid, a region, a surface or a closed curve", f->arg[0].value);
-    if (!ok || c == VS_CURVE) continue;
-    f->arg[0].ref = parts[i];
-    ok = measure(f, &m, VS_ASK_AREA);
-    if (ok) sum += m.area;
+    if (c == VS_REGION_CLASS) regions[kept++] = parts[i];
+    else if (c != VS_CURVE && c != VS_NOTHING) flat = false;
   }
-  f->arg[0].ref = whole;
+  vs_status status = regions ? VS_OK : VS_ERROR;
+  if (regions && flat && kept) {
+    vs_node *all = kept == 1 ? vs_node_retain(regions[0].node) : vs_node_new(f->store, VS_UNION, NULL, regions, kept);
+    if (vs_bind_keep(f, all)) f->arg[0].ref.node = all;
+    else status = VS_ERROR;
+  }
   vs_several_free(parts, count);
-  return ok ? vs_bind_give_real(f, sum, out) : VS_ERROR;
+  return status;
 }
 
 vs_status vs_p_area(vs_args *f, vs_value *out) {
@@ -201,7 +202,10 @@ vs_status vs_p_area(vs_args *f, vs_value *out) {
     f->arg[0].ref.node = region;
     c = VS_REGION_CLASS;
   }
-  if (c == VS_MIXED) return measure_regions(f, out);
+  if (c != VS_SOLID && c != VS_REGION_CLASS && c != VS_SURFACE) {
+    if (!regions_alone(f)) return VS_ERROR;
+    c = (vs_class)f->arg[0].ref.node->class_;
+  }
   if (c != VS_SOLID && c != VS_REGION_CLASS && c != VS_SURFACE)
     return vs_bind_refuse(f, "o", "a solid, a region, a surface or a closed curve", f->arg[0].value);
   return measure(f, &m, VS_ASK_AREA) && vs_bind_give_real(f, m.area, out);
