@@ -1,5 +1,5 @@
-/* Declares a back-end: the functions that a format's folder gives the driver, and the functions that the driver gives
- * the format.
+/* Declares a back-end: the functions that a format's folder gives the driver. emitter.h declares the functions that
+ * the driver gives the format.
  *
  * The driver (driver.c) walks the drawing without recursion. It calls the emit function of a node's kind for every node
  * that the format draws. If the driver does not visit a node's children (a primitive, or a profile with its sweep), it
@@ -19,8 +19,9 @@
 #ifndef VS_BACKENDS_BACKEND_H
 #define VS_BACKENDS_BACKEND_H
 
-#include "backends/writer.h"
+#include "backends/emitter.h"
 #include "backends/export.h"
+#include "backends/writer.h"
 #include "geometry/tolerance.h"
 #include "kernel/round/rounding.h"
 #include "solids/solid_meshes.h"
@@ -42,57 +43,7 @@ typedef enum {
 } vs_emit_status;
 typedef enum { VS_PHASE_LEAF, VS_PHASE_ENTER, VS_PHASE_LEAVE } vs_phase;
 
-typedef struct vs_emitter vs_emitter;
-typedef struct vs_drive vs_drive; /* private to driver.c */
 typedef vs_emit_status vs_emit_fn(vs_emitter *e, const vs_ref *ref, vs_phase phase);
-
-/* The numbers with which a curve has a constant thickness in the picture, both near and far, in model units. The radius
- * at a point is `share` times the depth of the point from `eye` along `forward`, but at least `least`. In a parallel
- * view `forward` is 0 0 0, and the radius is `least`. */
-typedef struct { vs_vec3 eye, forward; double share, least; } vs_pen;
-
-struct vs_emitter {
-  vs_writer *out;
-  const vs_scene *scene;
-  const vs_export_options *options;
-  vs_job *job;         /* that of the options, or one without limits */
-  const vs_backend *backend;
-  vs_error *error;
-  vs_error flaw;       /* a flaw of a file that is complete, reported after the file is in its place */
-  const char *path;    /* path of the output file, from which the names of files beside it are formed; NULL: there is no
-                        * output file */
-  const char *folder;  /* folder of the worker program, for files that the text refers to; NULL: there is no such
-                        * folder */
-  void *state;         /* data of the back-end, made by its `begin` and freed by its `close` */
-  vs_fineness drawing_facets; /* number of facets of objects outside all placements */
-  vs_fineness facets;    /* number of facets in the coordinates of the current output: higher inside a placement that
-                          * enlarges */
-  vs_bounds bounds;    /* bounds of the whole drawing; never empty */
-  vs_pen pen;          /* thickness of curves in POV-Ray */
-  double chord;        /* greatest height of a chord, as a fraction of the drawing's tolerance: 1, or less in a
-                        * picture */
-  double unit;         /* length of a model unit in POV-Ray's scene; see povray_scene.c */
-  vs_bounds framed;    /* bounds that a camera frames: bounds of the drawing without the material that is cut away */
-  vs_bounds *boxes;    /* bounds of the drawing's parts, which the camera frames; together they are tighter than
-                        * `framed` */
-  size_t box_count, box_room;
-  size_t depth;        /* current depth of nesting, for indentation */
-  size_t child_count;  /* number of operands of the operation, at VS_PHASE_ENTER: at least 1, and exactly 1 only for a
-                        * placement or paint */
-  size_t child_index;  /* index of this node among the operands of its parent */
-  const vs_node *body;   /* template whose body is being written, or NULL */
-  const vs_node *parent; /* operation that contains this node, or NULL */
-  bool smooth;         /* whether this mesh represents a curved object and needs smooth shading */
-  bool in_boolean;     /* whether this node is inside an intersection or a difference */
-  bool carved;         /* at VS_PHASE_ENTER: whether the node occurs in an intersection or difference anywhere in the
-                        * drawing */
-  /* Material and placement of this node, computed from all operations above it. */
-  const vs_material *material; /* material of the node, or NULL */
-  vs_affine placement;
-  vs_bounds reach;     /* space in which a half-space must be exact, in the coordinates of the current output */
-  vs_drive *drive;
-  uint64_t triangles;  /* number of triangles written up to now, counted by vs_emit_triangles */
-};
 
 /* Traits of a format: needs and abilities of its program. */
 typedef enum {
@@ -186,60 +137,7 @@ static inline vs_emit_fn *vs_backend_writes(const vs_backend *b, const vs_node *
             [VS_INTERSECTION] = { boolean, NULL },                                                                     \
             [VS_DIFFERENCE] = { boolean, NULL } }
 
-/* ---- functions of the driver for emit functions ---- */
-bool vs_emit_fail(vs_emitter *e, const vs_ref *ref,
-                  const char *message); /* Reports a fault of the model at the reference; returns false. */
-bool vs_emit_warn_once(vs_emitter *e, const vs_ref *ref,
-                       const char *message); /* Gives a warning once for each message; messages are compared by
-                                              * address. */
-bool vs_emit_no_memory(vs_emitter *e);
-bool vs_emit_progress(vs_emitter *e, const char *stage,
-                      double fraction); /* Returns false if the user interrupts; e's error is then set. */
-/* Adds `count` triangles that are written now or later to e->triangles. Counts the triangles of a template once.
- * Returns false, and sets the error, if the sum exceeds the limit. */
-bool vs_emit_triangles(vs_emitter *e, size_t count);
-void vs_emit_watch(vs_emitter *e, vs_writer *w); /* Makes w check for an interrupt each time its buffer is full. */
-/* Returns false if the user interrupts. For loops that write nothing: it checks at one turn in 16384. */
-static inline bool vs_emit_going(vs_emitter *e, size_t turn) {
-  return (turn & 0x3fff) != 0 || vs_emit_progress(e, "writing", -1);
-}
-/* Returns the triangles of any node of solids and surfaces, in the node's own coordinates. The kernel computes
- * booleans, geometry/ all other nodes. The driver keeps the triangles of nodes that occur at several places; the
- * triangles of other nodes are valid until the next call. Returns NULL on failure. */
-const vs_solid *vs_emit_mesh(vs_emitter *e, const vs_ref *ref);
-/* Flags for the materials and layers inside a node. BARE: some part has no material of its own. PAINTED: some part has
- * a material of its own. LAYERED: some part has a layer of its own. Writers use the flags to decide whether the text
- * must paint the node. */
-enum { VS_LOOKS_BARE = 1, VS_LOOKS_PAINTED = 2, VS_LOOKS_LAYERED = 4 };
-unsigned vs_emit_looks(const vs_emitter *e, const vs_node *n);
-static inline bool vs_emit_is_bare(const vs_emitter *e, const vs_node *n) {
-  return (vs_emit_looks(e, n) & VS_LOOKS_BARE) != 0;
-}
-static inline bool vs_emit_is_painted(const vs_emitter *e, const vs_node *n) {
-  return (vs_emit_looks(e, n) & VS_LOOKS_PAINTED) != 0;
-}
-/* The drawing's materials, numbered from 1 in the order of the walk; the number 0 means no material. The numbers are
- * known before `begin` is called. */
-size_t vs_emit_material_count(const vs_emitter *e);
-const vs_material *vs_emit_material_at(const vs_emitter *e, size_t number);
-size_t vs_emit_material_number(const vs_emitter *e, const vs_material *m);
-/* Writes the number of a template or of a material. The driver changes these numbers in text that it keeps and writes
- * again. Every such number inside the walk must therefore be written by these two functions. */
-bool vs_emit_put_template_number(vs_emitter *e, uint32_t id);
-bool vs_emit_put_material_number(vs_emitter *e, const vs_material *m);
-/* Returns the origin of the objects on a line of the text, or NULL. For formats with VS_KEEPS_ORIGINS. */
-const vs_origin *vs_emit_line_origin(const vs_emitter *e, uint32_t line);
-/* Grows an array of the emitter's state by half, in memory from the store's allocator. `size` is the size of an item in
- * bytes. Returns false, and sets the error, if memory is out. */
-bool vs_emit_grow(vs_emitter *e, void *array, size_t *room, size_t need, size_t size);
-void vs_emit_release(vs_emitter *e, void *array, size_t room, size_t size);
-
 /* Writes another file, completely or not at all. While `fill` runs, e->out writes to that file. */
 bool vs_emit_file(vs_emitter *e, const char *path, bool (*fill)(vs_emitter *e));
-
-/* ---- driver.c ---- */
-bool vs_drive_scene(vs_emitter *e); /* Writes the format's beginning, the templates, the drawing and the format's
-                                     * end. */
-void vs_drive_free(vs_emitter *e);
 
 #endif

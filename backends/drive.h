@@ -1,5 +1,5 @@
-/* Contains the declarations that the driver's two files share: driver.c plans and walks, text_runs.c keeps the text of
- * runs. No other file includes this header. */
+/* Declares the state that the files of the driver share: driver.c, emitter.c, drawing_plan.c, tree_walk.c,
+ * camera_boxes.c and text_runs.c. No other file includes this header. */
 #ifndef VS_BACKENDS_DRIVE_H
 #define VS_BACKENDS_DRIVE_H
 
@@ -124,9 +124,17 @@ static inline drive_view drive_look(const vs_emitter *e, const vs_node *n) {
   return v;
 }
 
-/* ---- text_runs.c ---- */
+static inline bool drive_vain(const vs_emitter *e, const vs_ref *ref) { return drive_look(e, ref->node).vain; }
 
-/* Records that the text from this line on comes from this origin. */
+/* Returns the node's entry, or NULL if it has none. */
+static inline drive_entry *drive_find(const vs_emitter *e, const vs_node *n) {
+  const uint64_t *at = n->refs > 1 || drive_is_operation(e, n) ? vs_nodemap_get(&e->drive->index, n) : NULL;
+  return at != NULL ? &e->drive->entries[*at - 1] : NULL;
+}
+
+/* ---- emitter.c ---- */
+
+/* Records that the text from this line on comes from this origin. Returns false if memory is out. */
 bool vs_drive_mark(vs_emitter *e, uint32_t line, const vs_origin *origin);
 
 #endif

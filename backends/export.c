@@ -17,6 +17,7 @@
 #include <unistd.h>
 
 #include "backends/backend.h"
+#include "backends/driver.h"
 #include "backends/publish.h"
 #include "model/store/array.h"
 #include "model/job.h"
