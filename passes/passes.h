@@ -32,8 +32,13 @@ typedef struct {
 
 typedef struct {
   double commands_before, commands_after;            /* numbers of commands for a target program: order_commands in
-                                                      * rewrite.c */
+                                                      * passes.c */
   size_t changed[VS_PASS_COUNT];                     /* changed[k]: number of nodes that pass k rewrote */
 } vs_pass_stats;
+
+/* Rewrites the references in place (retains new nodes, releases old ones). On failure they are unchanged. stats may be
+ * NULL. */
+bool vs_passes_run(vs_store *s, vs_ref *refs, size_t count, const vs_pass_options *options, vs_pass_stats *stats,
+                   vs_error *e);
 
 #endif

@@ -1,4 +1,4 @@
-/* Declares the run of all passes; passes/flush.c also uses it. */
+/* Declares the run of one pass over a drawing; passes/flush.c also uses it. */
 #ifndef VS_PASSES_REWRITE_H
 #define VS_PASSES_REWRITE_H
 
@@ -38,10 +38,5 @@ bool vs_rewrite_lone(const vs_rewrite *w, const vs_node *old); /* returns true i
 
 #define VS_PASS(upper, lower, begin, end, doc) vs_rewrite_fn vs_pass_##lower;
 #include "passes/passes.def"
-
-/* Rewrites the references in place (retains new nodes, releases old ones). On failure they are unchanged. stats may be
- * NULL. */
-bool vs_passes_run(vs_store *s, vs_ref *refs, size_t count, const vs_pass_options *options, vs_pass_stats *stats,
-                   vs_error *e);
 
 #endif

@@ -1,0 +1,95 @@
+/* Runs the passes in the order of passes.def, and counts commands. */
+#include "passes/passes.h"
+
+#include "model/kinds.h"
+#include "passes/flatten.h"
+#include "passes/fold.h"
+#include "passes/rewrite.h"
+#include "passes/share.h"
+
+const vs_pass_info *vs_pass_get(vs_pass_kind pass) {
+  static const vs_pass_info passes[] = {
+#define VS_PASS(upper, lower, begin, end, doc) { #lower, doc },
+#include "passes/passes.def"
+  };
+  return &passes[pass];
+}
+
+/* ---- counting ---- */
+
+static double order_commands(const vs_order *o, size_t drawn) {
+  /* the drawing is the union of the drawn objects */
+  double commands = (drawn > 1 ? (double)(drawn - 1) : 0) + (double)o->lone;
+  for (size_t i = 0; i < o->count; i++) {
+    const vs_node *n = o->at[i].node;
+    switch (vs_kind_get((vs_kind)n->kind)->level) {
+    case VS_LEVEL_MESH:
+    case VS_LEVEL_FLAT:
+    case VS_LEVEL_CURVED:
+    case VS_LEVEL_SWEPT:
+    case VS_LEVEL_SUGAR: commands += n->kind == VS_EMPTY ? 0 : 1; break;
+    case VS_LEVEL_OPERATION:
+      if (n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER)
+        commands += 1;
+      else if (n->child_count > 1)
+        commands += n->child_count - 1;
+      break;
+    }
+    if (o->note[i].uses > 1) commands += 1 + (double)o->note[i].uses;
+  }
+  return commands;
+}
+
+/* ---- all passes ---- */
+
+/* Runs a single pass over the drawing: its begin; then every node, unless its begin found that nothing would change;
+ * then its end. */
+static bool pass_once(vs_pass_kind k, vs_rewrite *w, vs_ref *refs, size_t count) {
+  static const struct { vs_rewrite_fn *node; bool (*begin)(vs_rewrite *w); void (*end)(vs_rewrite *w); } passes[] = {
+#define VS_PASS(upper, lower, begin, end, doc) { vs_pass_##lower, begin, end },
+#include "passes/passes.def"
+  };
+  bool ok = !passes[k].begin || passes[k].begin(w);
+  ok = ok && (w->idle || vs_rewrite_run(w, passes[k].node, refs, count));
+  if (passes[k].end) passes[k].end(w);
+  return ok;
+}
+
+bool vs_passes_run(vs_store *s, vs_ref *refs, size_t count, const vs_pass_options *options, vs_pass_stats *stats,
+                   vs_error *e) {
+  vs_error local;
+  if (!e) e = &local;
+  e->kind = VS_ERROR_NONE;
+  if (stats) *stats = (vs_pass_stats){ 0 };
+  vs_ref *work = vs_store_realloc(s, NULL, 0, (count ? count : 1) * sizeof *work);
+  if (!work) return vs_error_memory(e, NULL);
+  for (size_t i = 0; i < count; i++) {
+    work[i] = refs[i];
+    vs_node_retain(work[i].node);
+  }
+  vs_order order = { .store = s };
+  bool ok = vs_order_make(&order, work, count, e);
+  if (ok && stats) stats->commands_before = order_commands(&order, count);
+  bool nests = false;
+  for (int k = 0; ok && k < VS_PASS_COUNT; k++) {
+    if (!(options->passes >> k & 1)) continue;
+    vs_rewrite w = { .store = s, .options = options, .error = e, .order = order };
+    ok = pass_once((vs_pass_kind)k, &w, work, count);
+    if (stats) stats->changed[k] += w.changed;
+    /* if no pass changed the drawing, the order of its nodes is still valid */
+    if (ok && w.changed) ok = vs_order_make(&order, work, count, e);
+    if (k == VS_PASS_FOLD && w.nests && !nests && options->passes >> VS_PASS_FLATTEN & 1) {
+      nests = true;
+      k = VS_PASS_FLATTEN - 1; /* runs again from there, because a wrapper between two sets was removed */
+    }
+  }
+  if (ok && stats) stats->commands_after = order_commands(&order, count);
+  vs_order_free(&order);
+  for (size_t i = 0; i < count; i++) {
+    vs_ref drop = ok ? refs[i] : work[i];
+    if (ok) refs[i] = work[i];
+    vs_node_release(drop.node);
+  }
+  vs_store_realloc(s, work, (count ? count : 1) * sizeof *work, 0);
+  return ok;
+}
