@@ -17,10 +17,10 @@ typedef struct {
   size_t peak;       /* greatest number of bytes that were allocated at one time */
   size_t coarse;     /* number of leaves whose volume the grid has changed by more than a hundredth, because they are
                       * too small for its steps. The next three members describe the first such leaf */
-  uint32_t coarse_leaf;
-  size_t straightened; /* number of bends that were removed from the result; see `straight` */
+  uint32_t coarse_leaf; /* number of the leaf */
   double coarse_step, coarse_by; /* coarse_step: width of a grid step; coarse_by: change of the volume, relative to the
                                   * exact volume */
+  size_t straightened; /* number of bends that were removed from the result; see `straight` */
   double seconds[VS_STEP_COUNT]; /* seconds that each step of the kernel took */
 } vs_kernel_counts;
 
@@ -32,7 +32,7 @@ typedef struct {
   size_t max_bytes;     /* limit on the kernel's memory in bytes; 0: no limit */
   size_t max_triangles; /* limit on the triangles of the result; 0: no limit. Intermediate steps may have VS_ON_THE_WAY
                          * times as many triangles and pieces of triangles */
-  vs_cache *cache;   /* cache of evaluated clusters (model/store/cache.h); NULL: nothing is cached */
+  vs_cache *cache;      /* cache of evaluated clusters (model/store/cache.h); NULL: nothing is cached */
   bool warns;           /* vs_solid_evaluate warns of a fault that does not stop it */
   vs_kernel_counts *counts; /* the kernel adds its counts to these, except that the peak becomes the greater one; NULL:
                              * no counts */

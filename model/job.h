@@ -8,13 +8,13 @@
 
 #include "model/tally.h"
 
-/* 0: no limit. */
+/* Each member is the greatest value that is allowed; 0: no limit. */
 typedef struct {
-  double seconds;        /* of the job, from vs_job_start, without the time of worker programs */
-  double worker_seconds; /* of one worker program */
-  uint64_t output_bytes; /* the size of one output */
-  size_t mesh_bytes;     /* the memory for combining solids */
-  size_t mesh_triangles; /* the triangles of a mesh */
+  double seconds;        /* time of the job from vs_job_start, without the time of worker programs */
+  double worker_seconds; /* time of one worker program */
+  uint64_t output_bytes; /* size of one output in bytes */
+  size_t mesh_bytes;     /* memory for combining solids, in bytes */
+  size_t mesh_triangles; /* number of triangles of a mesh */
 } vs_job_limits;
 
 typedef struct vs_job {
@@ -29,11 +29,11 @@ typedef struct vs_job {
   void *context;      /* argument of all three */
   vs_tally *tally;    /* account of times and memory, which outlives the job; NULL: nothing is counted */
   vs_job_limits limits;
-  bool late;          /* the limit of time has stopped it */
+  bool late;          /* whether the limit of time has stopped the job */
   double began, worked; /* clock at vs_job_start; seconds that external programs had used until then */
   const char *stage;  /* stage whose parts vs_job_done counts, or NULL */
-  double from, share, told; /* progress as fractions of the stage. from: where the current part begins. share: of the
-                             * part. told: the greatest reported fraction */
+  double from, share, told; /* progress as fractions of the stage. from: beginning of the current part. share: size of
+                             * the part. told: the greatest reported fraction */
 } vs_job;
 
 /* Begins the time that limits.seconds bounds. */
@@ -44,7 +44,8 @@ bool vs_job_late(vs_job *job);
 /* Asks the caller, with the stage and the fraction to show (see `going`). Returns false if the job must end: the caller
  * stops it, or it is late. job NULL: returns true. */
 bool vs_job_going(vs_job *job, const char *stage, double fraction);
-/* Begins to count the parts of a stage; the first part is the whole. stage NULL: ends it. job may be NULL. */
+/* Begins to count the parts of a stage; the first part is the whole stage. stage NULL: ends the count. job may be
+ * NULL. */
 void vs_job_stage(vs_job *job, const char *stage);
 /* Begins a part of the stage: it takes `share` of the whole, after `from`. job may be NULL. */
 void vs_job_part(vs_job *job, double from, double share);

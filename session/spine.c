@@ -6,7 +6,7 @@
  *   bytecode → tree       the run loop          vm/machine/run.c, bind/
  *   tree → tree           the stages below      passes/, solids/resolve.c
  *   tree → meshes         where a format needs  solids/solid_meshes.c, kernel/evaluate.c
- *   tree → file           the last stage        backends/driver.c, backends/export.c
+ *   tree → file           the last stage        backends/export.c, backends/driver.c
  *
  * vs_eval_text and vs_eval_file (visualscheme.c) perform the first four steps for each form. This file performs all
  * others, in this order. */
@@ -44,7 +44,7 @@
 /* An output that is made, or the drawing that is measured. */
 typedef struct {
   vs_session *session;
-  vs_job job;                    /* all layers below get it; the store has it meanwhile */
+  vs_job job;                    /* passed to all layers below; the store has its address until the output ends */
   const vs_format *format;       /* format of the output; NULL if the drawing is only measured */
   const vs_output_options *options;
   const char *path;              /* path of the output; NULL if it goes to `to` */
@@ -356,7 +356,7 @@ static bool report_nothing(vs_session *s, const char *message) {
   return told;
 }
 
-/* Ends the job, and releases the references, reports the error of a failed stage, and returns the outcome. */
+/* Ends the job, releases the references, reports the error of a failed stage, and returns the outcome. */
 static vs_outcome end_writing(writing *j, bool ok) {
   vs_session *s = j->session;
   bool stopped = s->writing && s->writing->late && j->error.kind == VS_ERROR_INTERRUPT;

@@ -43,8 +43,8 @@ bool vs_drawn_parts_match(const vs_drawn_parts *a, const vs_drawn_parts *b, vs_p
  * regions and surfaces are kept as whole parts. The objects have no materials and layers. */
 typedef enum { VS_CHANGE_KEPT, VS_CHANGE_ADDED, VS_CHANGE_REMOVED, VS_CHANGES } vs_change;
 bool vs_drawn_parts_change(const vs_drawn_parts *a, const vs_drawn_parts *b, const vs_part_match *before,
-                          const vs_part_match *after,
-                     vs_node *out[VS_CHANGES], vs_error *e);
+                           const vs_part_match *after,
+                           vs_node *out[VS_CHANGES], vs_error *e);
 
 /* Makes a copy of the node that is visible over the original: its solids become a mesh slightly outside them
  * everywhere. A ray therefore reaches it before a translucent solid with the same wall. The caller owns *out. */
@@ -52,6 +52,6 @@ bool vs_drawn_parts_swell(vs_node *n, double tolerance, const vs_kernel_options 
 
 /* Computes the sum of the volumes of all solids among the node's parts. The volume of NULL is 0. */
 bool vs_drawn_parts_volume(vs_node *n, double tolerance, const vs_kernel_options *options, double *volume,
-                          vs_error *e);
+                           vs_error *e);
 
 #endif

@@ -5,8 +5,8 @@
 #include "solids/resolve.h"
 
 /* Resolves all objects that the scene draws, at its tolerance. Lines without end become lines as long as the other
- * drawn objects, and are drawn last. With options->warns, the job receives a warning for each line outside
- * the drawing. */
+ * drawn objects, and are drawn last. With options->warns, the job receives a warning for each line outside the
+ * drawing. */
 bool vs_scene_resolve(vs_scene *scene, const vs_kernel_options *options, vs_error *e);
 
 #endif

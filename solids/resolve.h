@@ -8,9 +8,9 @@
 
 /* Replaces each of refs, whose nodes the caller owns, by a node without sections, shadows, feature edges and lines
  * without end. Lines without end become nothing. facets with tolerance 0: each solid has its default tolerance. Each
- * distinct node is resolved once. Only nodes with the flag VS_NODE_UNRESOLVED change. With
- * options->warns, the job receives a warning for each object that becomes nothing: the edges of an object that has no
- * edges, a solid in a flat hexahedron. */
+ * distinct node is resolved once. Only nodes with the flag VS_NODE_UNRESOLVED change. With options->warns, the job
+ * receives a warning for each object that becomes nothing: the edges of an object that has no edges, a solid in a flat
+ * hexahedron. */
 bool vs_resolve(vs_ref *refs, size_t count, const vs_fineness *facets, const vs_kernel_options *options, vs_error *e);
 
 #endif
