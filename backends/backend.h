@@ -1,10 +1,10 @@
 /* Declares a back-end: the functions that a format's folder gives the driver. emitter.h declares the functions that
  * the driver gives the format.
  *
- * The driver (driver.c) walks the drawing without recursion. It calls the emit function of a node's kind for every node
- * that the format draws. If the driver does not visit a node's children (a primitive, or a profile with its sweep), it
- * calls that function once, with phase VS_PHASE_LEAF. For an operation it calls the function twice: VS_PHASE_ENTER
- * before the children and VS_PHASE_LEAVE after them.
+ * The driver (tree_walk.c) walks the drawing without recursion. It calls the emit function of a node's kind for every
+ * node that the format draws. If the driver does not visit a node's children (a primitive, or a profile with its
+ * sweep), it calls that function once, with phase VS_PHASE_LEAF. For an operation it calls the function twice:
+ * VS_PHASE_ENTER before the children and VS_PHASE_LEAVE after them.
  *
  * If a kind has no emit function, or the function returns VS_LOWER before it has written anything, the driver replaces
  * the node by simpler kinds and tries again. It lowers a shared node once. The simpler kinds may form a tree, which the
