@@ -1,5 +1,5 @@
 ; Land from surveyed points, with a road as breaklines: its contours with their heights, a level place for a house, and
-; the earth to move. As a plan: vs examples/workshop/land.vs -o land.svg
+; the earth to move. As a plan: vs examples/workshop/land.vs -o land-site.svg
 
 (define-parameter step 1 #:min 1/2 #:max 5 #:label "height between contours")
 (define-parameter level 7 #:min 0 #:max 20 #:label "height of the house")
@@ -34,10 +34,10 @@
   (define z (+ first-height (* i step)))
   (define main? (zero? (modulo (round (/ z step)) 5)))
   (for ([c curves] #:when (> (curve-length c) 12))
-    (draw (layer (if main? "main contours" "contours") c))
+    (draw (if main? (layer "main contours" c #:line 0.35) (layer "contours" c #:line 0.13)))
     (when main?
       (label (curve-point c (/ (curve-length c) 2)) (number->string (if (integer? z) (exact z) z)) #:view "site"))))
 
 (draw (layer "road" (make-line (edge -2.5)) (make-line (edge 2.5))))
-(draw (layer "house" (do-edges place)))
+(draw (layer "house" (do-edges place) #:line 0.5))
 (view "site" 'top)
