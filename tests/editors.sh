@@ -40,7 +40,7 @@ same() {
 if command -v vim > /dev/null && vim --version | grep -q '+quickfix' && vim --version | grep -q '+eval'; then
   list="call writefile(map(getqflist(), {_, q -> q.lnum . ':' . q.col . ' ' . q.text}), 'found')"
   (cd "$work" && vim -es -u NONE -i NONE --cmd 'set nocompatible' --cmd "set rtp^=$here/editors/vim" --cmd 'filetype plugin on' house.vs -c 'VsCheck' -c "$list" -c 'qa!') > "$work/said" 2>&1
-  same "vim:VsCheck" "1:22 unused-parameter: wall does not use its parameter unused|3:7 arguments: wall takes 2 arguments and is given 3|" "$(tr '\n' '|' < "$work/found")"
+  same "vim:VsCheck" "1:22 unused-parameter: wall does not use its parameter unused|3:7 arguments: wall takes 2 arguments and is given 3: (wall length unused)|" "$(tr '\n' '|' < "$work/found")"
   (cd "$work" && vim -es -u NONE -i NONE --cmd 'set nocompatible' --cmd "set rtp^=$here/editors/vim" --cmd 'filetype plugin on' house.vs -c 'silent make!' -c "$list" -c 'qa!') > "$work/said" 2>&1
   same "vim:make" "3:7 wall needs 2 arguments (length unused), got 3|" "$(head -n 1 "$work/found" | tr '\n' '|')"
   tower() { cp "$work/tower.vs" "$work/try.vs"; (cd "$work" && BROWSER="$work/browser" timeout 60 vim -es -u NONE -i NONE --cmd 'set nocompatible' --cmd "set rtp^=$here/editors/vim" --cmd 'filetype plugin indent on' --cmd 'syntax on' try.vs "$@" -c 'qa!') > "$work/said" 2>&1; }
@@ -65,7 +65,7 @@ if command -v emacs > /dev/null; then
   emacs --batch -Q -L editors/emacs -l visualscheme --eval "(progn (find-file \"$work/house.vs\") (princ major-mode) (princ \" \")
     (let (done) (visualscheme-flymake (lambda (found) (dolist (d found) (princ (format \"%d %s|\" (line-number-at-pos (flymake-diagnostic-beg d)) (flymake-diagnostic-text d)))) (setq done t)))
       (while (not done) (accept-process-output nil 0.05))))" > "$work/said" 2> "$work/errors"
-  same "emacs:flymake" "visualscheme-mode 1 unused-parameter: wall does not use its parameter unused|3 arguments: wall takes 2 arguments and is given 3|" "$(cat "$work/said")"
+  same "emacs:flymake" "visualscheme-mode 1 unused-parameter: wall does not use its parameter unused|3 arguments: wall takes 2 arguments and is given 3: (wall length unused)|" "$(cat "$work/said")"
   tower() { cp "$work/tower.vs" "$work/try.vs"; (cd "$work" && BROWSER="$work/browser" timeout 60 emacs --batch -Q -L "$here/editors/emacs" -l visualscheme --eval "(progn (find-file \"try.vs\") $1)") > "$work/said" 2> "$work/errors"; }
   tower '(indent-region (point-min) (point-max)) (save-buffer)'
   same "emacs:indentation" "" "$(diff "$work/indented.vs" "$work/try.vs")"
@@ -99,6 +99,6 @@ for (const found of [findings(readFileSync("looks.json", "utf8"), "/models"), pr
 END
   (cd "$work" && vs check --json house.vs > looks.json; vs -q --check house.vs > said 2>&1; node try.js > tried 2>&1)
   same "vscode:problems" "/models/house.vs 0 21 27 1 unused-parameter wall does not use its parameter unused
-/models/house.vs 2 6 18 1 arguments wall takes 2 arguments and is given 3
+/models/house.vs 2 6 18 1 arguments wall takes 2 arguments and is given 3: (wall length unused)
 /models/house.vs 2 6 7 0 - wall needs 2 arguments (length unused), got 3" "$(head -n 3 "$work/tried")"
 else echo "skip editors/vscode: no node"; fi
