@@ -13,6 +13,8 @@ for kind in cell turned spelt; do
     "$BUILD/tools/fuzz" -p $kind "$seed" > "$work/tree.vs"
     rm -f "$work/tree.off"
     limited 60 "$vs" --quiet $here/suite.vs "$work/tree.vs" -o "$work/tree.off" > "$work/said" 2>&1 || echo "ended with $?" >> "$work/said"
+    # a subtraction that misses is no fault of a random tree
+    awk '/subtract takes nothing away here/ { skip = 2; next } skip > 0 && /^ / { skip--; next } { skip = 0; print }' "$work/said" > "$work/rest" && mv "$work/rest" "$work/said"
     # contacts of the exact solid with itself are no fault, all others are
     limited 60 "$BUILD/tools/crossings" "$work/tree.off" | sed 's/, [0-9]* touching ([^)]*)$//' |
       awk -v first="$(head -n 1 "$work/tree.vs")" '{ split(first, want); d = $NF - want[3] } !/ triangles, volume [^ ]*$/ || d > want[5] * want[3] || -d > want[5] * want[3]

@@ -241,12 +241,12 @@ vs_status vs_p_levels(vs_args *f, vs_value *out) {
   if (class_ != VS_SOLID && class_ != VS_SURFACE)
     return vs_bind_refuse(f, "o", "a solid or a surface", f->arg[0].value);
   if (f->arg[2].value == VS_FALSE) return give_span(f, out);
-  VS_ROOTS(f->vm, r, 2);
-  r[0] = VS_NIL;
+  VS_ROOTS(f->vm, r, 3); /* the result, a level, the heights that are left */
+  r[0] = VS_NIL, r[2] = f->arg[2].value;
   bool ok = vs_bend_triangles(f->vm, f->arg[0].ref, &m);
-  for (vs_value l = f->arg[2].value; ok && vs_is_pair(l); l = vs_cdr(l)) {
+  for (; ok && vs_is_pair(r[2]); r[2] = vs_cdr(r[2])) {
     double d = 0;
-    vs_bind_take_number(f->vm, vs_car(l), &d);
+    vs_bind_take_number(f->vm, vs_car(r[2]), &d);
     vs_vec3 at = vs_v3_add(point, vs_v3_scale(up, d));
     ok = (class_ == VS_SOLID ? solid_level : surface_level)(f, &m, at, normal, &r[1]) &&
          vs_cons(f->vm, r[1], r[0], &r[0]) && vs_poll(f->vm, (uint64_t)m.triangle_count);
@@ -324,15 +324,15 @@ vs_status vs_p_slices(vs_args *f, vs_value *out) {
   if (f->arg[0].ref.node->class_ == VS_NOTHING) return VS_OK;
   if (f->arg[0].ref.node->class_ != VS_SOLID) return vs_bind_refuse(f, "o", "a solid", f->arg[0].value);
   if (f->arg[2].value == VS_FALSE) return give_span(f, out);
-  VS_ROOTS(f->vm, r, 3);
-  r[0] = VS_NIL;
+  VS_ROOTS(f->vm, r, 4); /* the result, a slice, its region, the heights that are left */
+  r[0] = VS_NIL, r[3] = f->arg[2].value;
   bool ok = vs_bend_triangles(f->vm, f->arg[0].ref, &m);
   vs_bounds b = vs_mesh_bounds(&m);
-  for (vs_value l = f->arg[2].value; ok && vs_is_pair(l); l = vs_cdr(l)) {
+  for (; ok && vs_is_pair(r[3]); r[3] = vs_cdr(r[3])) {
     vs_outline here = { 0 };
     vs_ref region;
     double d = 0;
-    vs_bind_take_number(f->vm, vs_car(l), &d);
+    vs_bind_take_number(f->vm, vs_car(r[3]), &d);
     ok = vs_mesh_section(&m, vs_v3_add(point, vs_v3_scale(up, d)), normal, &here, &e) || vs_bind_error(f->vm, &e);
     ok = ok && region_of(f, &here, &region);
     r[1] = VS_NIL, r[2] = VS_FALSE;

@@ -467,12 +467,13 @@ static vs_status string_join(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (vs_list_length(a[0]) < 0) return vs_fail_type(vm, 0, "a list of strings", a[0]);
   if (n > 1 && !arg_string(vm, a, 1)) return VS_ERROR;
   vs_text t;
+  VS_ROOTS(vm, r, 1); /* the strings that are left: vs_poll may move them */
   vs_text_open(vm, &t, 0);
   bool ok = true, first = true;
-  for (vs_value l = a[0]; ok && vs_is_pair(l); l = vs_cdr(l), first = false) {
-    ok = vs_is_string(vs_car(l)) || vs_fail_type(vm, 0, "a list of strings", a[0]);
+  for (r[0] = a[0]; ok && vs_is_pair(r[0]); r[0] = vs_cdr(r[0]), first = false) {
+    ok = vs_is_string(vs_car(r[0])) || vs_fail_type(vm, 0, "a list of strings", a[0]);
     if (ok && !first) ok = n > 1 ? vs_text_string(&t, a[1]) : vs_text_puts(&t, " ");
-    ok = ok && vs_text_string(&t, vs_car(l)) && vs_poll(vm, 16);
+    ok = ok && vs_text_string(&t, vs_car(r[0])) && vs_poll(vm, 16);
   }
   ok = ok && vs_text_to_string(&t, out);
   vs_text_close(&t);
