@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns the measure of growth, from program to file: 2,500 to 1,000,000 cylinders, made one by one and as rows of rows,
+# Runs the measure of growth, from program to file: 2,500 to 1,000,000 cylinders, made one by one and as rows of rows,
 # written to four formats. For comparison: OpenSCAD's .csg of the same grid, and a Guile and a Lua program that only
 # print the text of the scene. Processor seconds and MB, ratios to the printers, and the exponent of time against number
 # from 10,000 on, where the start of the process no longer affects it. `bench/growth.sh build/vs build/measure

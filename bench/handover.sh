@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns the comparison of handing meshes to a host with Manifold's getMesh (manifold-3d in node, fetched as for
+# Runs the comparison of handing meshes to a host with Manifold's getMesh (manifold-3d in node, fetched as for
 # bench/kernel/run.sh): `bench/handover.sh`, after `make`. Medians of three runs; processor seconds.
 set -u
 cd "$(dirname "$0")/.." || exit 1

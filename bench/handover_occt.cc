@@ -1,4 +1,4 @@
-/* Owns the measure of OpenCASCADE handing the same meshes to a host: handover_occt FILE, of handover.c.
+/* Runs the measure of OpenCASCADE handing the same meshes to a host: handover_occt FILE, of handover.c.
  * A triangulation for each distinct mesh stands in a compound once for each place. Its places do not scale: a mesh that
  * is placed in several sizes has a triangulation for each. One line: meshes, places, MB of arrays, processor seconds to
  * fill the compound, MB that it takes, processor seconds to hand over: arrays of doubles with normals, as ours. */

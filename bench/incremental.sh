@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns the measure of writing again: a drawing written first, written again, written after a change of one parameter
+# Runs the measure of writing again: a drawing written first, written again, written after a change of one parameter
 # (the program runs again), and written by a fresh process with that parameter. Milliseconds of elapsed time, of the
 # output alone: passes, meshes, the file; in brackets the time of the text. Then the numbers of clusters and of pieces
 # of text in the changed drawing, and how many of them were made again. The last column compares the changed file with

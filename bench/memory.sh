@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns the measure of memory: the interpreter's memory beyond the live data of four shapes, while it makes garbage, and
+# Runs the measure of memory: the interpreter's memory beyond the live data of four shapes, while it makes garbage, and
 # the memory of a primitive. `bench/memory.sh build/vs`; two tables on standard output.
 set -u
 vs=$(realpath "$1")

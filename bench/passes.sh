@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns the experiment of the thesis' table 4.1: a grid of 51 x 51 cylinders without passes, with folding, with sharing,
+# Runs the experiment of the thesis' table 4.1: a grid of 51 x 51 cylinders without passes, with folding, with sharing,
 # with both, for every format: commands by the rule of manual/internals/model.md, bytes, processor time; the number of
 # sets within an n-ary set; and POV-Ray's time and memory for parsing the four scenes. `bench/passes.sh build/vs
 # build/measure`.

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns the comparison: every program of bench/programs in vs, Guile without and with its JIT, Lua and Chez Scheme, one after the other
+# Runs the comparison: every program of bench/programs in vs, Guile without and with its JIT, Lua and Chez Scheme, one after the other
 # in one run; a table on standard output. `bench/run.sh build/vs build/measure [PROGRAM...]`; RUNS=n sets the runs of each (5).
 # WRITE=bench/README.md puts the table in that file, too, in place of the lines between its marks.
 #

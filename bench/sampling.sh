@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns the measure of sampling a function: `bench/sampling.sh build/vs build/measure`. A million values of x² + y² + z²
+# Runs the measure of sampling a function: `bench/sampling.sh build/vs build/measure`. A million values of x² + y² + z²
 # - 1, by a kept expression and by calls of a lambda: milliseconds of processor time (user and system) of each, medians
 # of RUNS (5) runs, in turn, minus the time of an empty program.
 set -u

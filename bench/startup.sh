@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns the measure of start-up: an empty program in vs, Lua, Guile and Chez Scheme, 50 runs each, milliseconds per run.
+# Runs the measure of start-up: an empty program in vs, Lua, Guile and Chez Scheme, 50 runs each, milliseconds per run.
 # `bench/startup.sh build/vs`.
 set -u
 vs=$1

@@ -1,4 +1,4 @@
-# Owns the table. The input has lines "program system cpu-ms wall-ms kilobytes" and the same three figures of an empty
+# Prints the table. The input has lines "program system cpu-ms wall-ms kilobytes" and the same three figures of an empty
 # program (for the program "start" those alone). The output, in Markdown, has times minus start-up, ratios to Guile
 # without its JIT, geometric means and peak memory.
 BEGIN { float = " fft mandelbrot nbody subdivide tower transforms " }

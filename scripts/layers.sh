@@ -8,7 +8,7 @@
 #   rooms      a folder of a layer holds at most 21 names (a .c and its .h are one), and each has a README.md
 #   Makefile   the objects that it names have sources
 #   names      no two source files of different folders share a base name, and no two headers have a type of one name
-#   files      a file that a comment names exists, and each source begins with a comment: what it owns
+#   files      a file that a comment names exists, and each source begins with a comment that says what it contains
 #   ours       no file has a copyright line of others
 #   speech     scripts/speech.sh: the texts of manual, comments, messages and CHANGELOG
 #   ratchets   the counts of scripts/layers.limits, which may only fall; and asserts, whose number has a lower limit
@@ -78,7 +78,7 @@ grep -oE '\$\(BUILD\)/obj/[a-z_/]+\.o' Makefile | sort -u | sed 's/^\$(BUILD)\/o
   [ -f "$object.c" ] || echo "Makefile: $object.o has no source $object.c"
 done >> "$work/wrong"
 
-# ---- openings: the comment that says what the file owns, the folders that it names, and the guard, which is the header's path ----
+# ---- openings: the comment that says what the file contains, the folders that it names, and the guard, which is the header's path ----
 grep '\.h$' "$work/sources" | while read -r header; do
   guard=VS_$(echo "${header%.h}" | tr a-z/ A-Z_)_H
   grep -qx "#ifndef $guard" "$header" && grep -qx "#define $guard" "$header" || echo "$header: its guard is not $guard"
@@ -88,7 +88,7 @@ xargs grep -m 1 -HoE '^/\* .*' < "$work/sources" | sed 's/:/ /' | while read -r 
     [ -d "$folder" ] || [ -d "${source%%/*}/$folder" ] || [ -d "${source%/*}/$folder" ] || echo "$source: its first line names $folder, and there is no such folder"
   done
 done >> "$work/wrong"
-xargs awk 'FNR == 1 && !/^\/\*/ { print FILENAME ": begins without a comment that says what the file owns" }' < "$work/sources" >> "$work/wrong"
+xargs awk 'FNR == 1 && !/^\/\*/ { print FILENAME ": begins without a comment that says what the file contains" }' < "$work/sources" >> "$work/wrong"
 
 # ---- ours: LICENSE holds for every file, so none has another's copyright line; NOTICE names what comes from elsewhere ----
 find . \( -name node_modules -o -name .git -o -path "./${build#./}" -o -path ./build -o -path ./scripts -o -path ./manual -o -path ./debian \) -prune -o -type f -print |

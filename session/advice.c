@@ -4,7 +4,6 @@
 #include "session/advice.h"
 
 #include <ctype.h>
-#include <stdarg.h>
 #include <stdio.h>
 
 #include "bind/call/contract.h"
@@ -59,16 +58,6 @@ static uint32_t defined_on(const vs_source *source, const char *name, size_t len
   wanted_definition w = { .name = name, .length = length, .first_line = source->first_line };
   vs_outline_each(source->text, source->length, match, &w);
   return w.found ? w.line : 0;
-}
-
-static bool put(vs_text *t, const char *format, ...) __attribute__((format(printf, 2, 3)));
-static bool put(vs_text *t, const char *format, ...) {
-  char text[400];
-  va_list list;
-  va_start(list, format);
-  vsnprintf(text, sizeof text, format, list);
-  va_end(list);
-  return vs_text_puts(t, text);
 }
 
 static vs_text_place view_of(place p) {
@@ -150,7 +139,8 @@ static bool advise_word(place p, size_t n, size_t bare, vs_text *t) {
       continue;
     if (meant[i].words ? !is_word_of(meant[i].words, p.at, n) : t->count > bare) continue;
     t->count = bare;
-    return put(t, "; %s: %s%.*s%s", meant[i].what, meant[i].mark, (int)n, p.at, *meant[i].mark == '"' ? "\"" : "");
+    return vs_text_printf(t, "; %s: %s%.*s%s", meant[i].what, meant[i].mark, (int)n, p.at,
+                          *meant[i].mark == '"' ? "\"" : "");
   }
   return true;
 }
@@ -177,8 +167,9 @@ static bool advise_set(place p, vs_text *t) {
   size_t n = vs_outline_word(name, p.end);
   const char *value = vs_outline_blanks(name + n, p.end, &unused), *end = vs_outline_datum(value, p.end, &unused);
   if (t->count < n || !n || memcmp(t->at, name, n)) return true;
-  return put(t, "; set! changes a value that is there: (define %.*s %.*s) makes it first", (int)(n < 60 ? n : 60), name,
-             end - value < 60 ? (int)(end - value) : 5, end - value < 60 ? value : "value");
+  return vs_text_printf(t, "; set! changes a value that is there: (define %.*s %.*s) makes it first",
+                        (int)(n < 60 ? n : 60), name, end - value < 60 ? (int)(end - value) : 5,
+                        end - value < 60 ? value : "value");
 }
 
 static bool advise_unbound(place p, vs_span at, vs_text *t) {
@@ -197,28 +188,28 @@ static bool advise_unbound(place p, vs_span at, vs_text *t) {
   bare = n + sizeof is_not - 1;
   if (!call && p.at > p.source->text && p.at[-1] == '"') {
     t->count = bare;
-    return put(t, "; a quotation mark within a text is written \\\"");
+    return vs_text_printf(t, "; a quotation mark within a text is written \\\"");
   }
   if (!call && n == 1 && p.at + n < p.end && p.at[n] == '"') {
     t->count = bare;
-    return put(t, "; (format \"x = ~a\" x) sets values into a text");
+    return vs_text_printf(t, "; (format \"x = ~a\" x) sets values into a text");
   }
   size_t before = t->count;
   if (!call && !vs_text_advise_operator(view_of(p), t)) return false;
   if (t->count != before) return true;
   if (line >= at.line && line) {
     t->count = bare; /* removes the advice about a similar name, which is probably not meant */
-    return put(t, " yet: line %u defines it, after this use; move the definition up", (unsigned)line);
+    return vs_text_printf(t, " yet: line %u defines it, after this use; move the definition up", (unsigned)line);
   }
   if (is_assignment(p, n, &value, &m)) {
     while (call && m && (value[m - 1] == ')' || value[m - 1] == ' ')) m--; /* (x = 5) */
-    return !m || put(t, "; (define %.*s %.*s) names a value", (int)n, p.at, (int)m, value);
+    return !m || vs_text_printf(t, "; (define %.*s %.*s) names a value", (int)n, p.at, (int)m, value);
   }
   const char *operator, *operand;
   size_t length, sign = p.at > p.source->text && strchr("([", p.at[-1])
                             ? operator_behind(p.at, n, p.end, &operator, &operand, &length) : 0;
   if (sign)
-    return put(t, "; the operator comes first: (%.*s %.*s %.*s)", (int)sign, operator, (int)n, p.at,
+    return vs_text_printf(t, "; the operator comes first: (%.*s %.*s %.*s)", (int)sign, operator, (int)n, p.at,
                length ? (int)length : 3, length ? operand : "...");
   return call || advise_word(p, n, bare, t);
 }
@@ -238,14 +229,15 @@ static bool advise_callee(place p, vs_span at, vs_value irritants, vs_text *t, v
       return false;
     if (t->count != before) return true;
     t->count = 0;
-    return put(t, "the operator comes first: (%.*s %.*s %.*s)", (int)sign, operator,(int) n, name,
+    return vs_text_printf(t, "the operator comes first: (%.*s %.*s %.*s)", (int)sign, operator,(int) n, name,
                length ? (int)length : 3, length ? operand : "...");
   }
   if (*p.at == '[' && p.at > p.source->text && (isalnum((unsigned char)p.at[-1]) || p.at[-1] == ')')) {
-    if (p.at[-1] == ')') return put(t, "; an element is (list-ref list %.*s), counted from 0", (int)n, name);
+    if (p.at[-1] == ')') return vs_text_printf(t, "; an element is (list-ref list %.*s), counted from 0", (int)n, name);
     const char *list = p.at;
     while (list > p.source->text && !strchr(" \t\r\n()[]\"';", list[-1])) list--;
-    return put(t, "; an element is (list-ref %.*s %.*s), counted from 0", (int)(p.at - list), list, (int)n, name);
+    return vs_text_printf(t, "; an element is (list-ref %.*s %.*s), counted from 0", (int)(p.at - list), list, (int)n,
+                          name);
   }
   if (*p.at == '(' && p.at > p.source->text && (isalnum((unsigned char)p.at[-1]) || p.at[-1] == '_'))
     return vs_text_advise_statement(vm, view_of(p), t);
@@ -256,11 +248,12 @@ static bool advise_callee(place p, vs_span at, vs_value irritants, vs_text *t, v
   if (!line && ours) return vs_text_advise_hidden(view_of(p), t);
   if (!line || line > at.line || !vs_is_pair(irritants)) return true;
   t->count = 0;
-  return put(t, "%.*s is %s here, no procedure: line %u made it ", (int)n, name, vs_noun(vm, vs_car(irritants)),
-      (unsigned)line) &&
+  return vs_text_printf(t, "%.*s is %s here, no procedure: line %u made it ", (int)n, name,
+                        vs_noun(vm, vs_car(irritants)), (unsigned)line) &&
          vs_print(vm, vs_car(irritants), VS_PRINT_WRITE, t) &&
-         (ours || name[n] != ')' || put(t, "; its value is %.*s, without parentheses", (int)n, name)) &&
-         (!ours || put(t, "; under another name for that, (%.*s ...) has its old meaning again", (int)n, name));
+         (ours || name[n] != ')' || vs_text_printf(t, "; its value is %.*s, without parentheses", (int)n, name)) &&
+         (!ours ||
+          vs_text_printf(t, "; under another name for that, (%.*s ...) has its old meaning again", (int)n, name));
 }
 
 /* ---- wrong numbers of arguments ---- */
@@ -281,15 +274,15 @@ static bool advise_mapped(const place *p, vs_value callee, vs_text *t) {
   if (!is_word_of("map for-each append-map filter map-division", head, n) || call[1 + name] != ' ') return true;
   const char *first = call + 1 + name + 1;
   size_t length = strcspn(first, " )");
-  return put(t, "; (lambda (%.*s) %s) gives the others", (int)length, first, call);
+  return vs_text_printf(t, "; (lambda (%.*s) %s) gives the others", (int)length, first, call);
 }
 
 static bool advise_arity(vs_scheme *vm, vs_value payload, vs_text *t) {
   vs_value callee = vs_is_pair(payload) ? vs_car(payload) : VS_FALSE;
   if (vs_text_end(t) && !strncmp(t->at, "the procedure needs ", 20))
-    return put(t, "; a lambda has its parameters in one list: (lambda (u v) ...)");
+    return vs_text_printf(t, "; a lambda has its parameters in one list: (lambda (u v) ...)");
   if (vs_text_end(t) && strstr(t->at, " / "))
-    return put(t, "; names behind / are not local here: (let ([y 0]) ...) in the body makes one");
+    return vs_text_printf(t, "; names behind / are not local here: (let ([y 0]) ...) in the body makes one");
   if (!vs_is(callee, VS_T_NATIVE)) return true;
   const vs_native *native = vs_as_native(callee);
   if (!vs_is_symbol(native->name)) return true;
@@ -301,17 +294,17 @@ static bool advise_arity(vs_scheme *vm, vs_value payload, vs_text *t) {
   char text[300];
   if (p && p->key[0].mode != VS_ARG_END && p->form[0].at[0].mode == VS_ARG_END && n) { /* the procedure has only keyword
                                                                                         * arguments: (sun 210 35) */
-    if (!put(t, "; its arguments have names: (%s", name)) return false;
+    if (!vs_text_printf(t, "; its arguments have names: (%s", name)) return false;
     for (int i = 0; i < n && p->key[i].mode != VS_ARG_END; i++)
-      if (!put(t, " #:%s ", p->key[i].name) || !vs_print(vm, a[i], VS_PRINT_WRITE, t)) return false;
+      if (!vs_text_printf(t, " #:%s ", p->key[i].name) || !vs_print(vm, a[i], VS_PRINT_WRITE, t)) return false;
     return vs_text_puts(t, ")");
   }
   if (p && vs_bind_grouped(vm, p, &(vs_plain_call){ name, a, n }, text, sizeof text))
-    return put(t, "; perhaps %s", text);
+    return vs_text_printf(t, "; perhaps %s", text);
   if (p && p->form[1].used) { /* the message states the number of arguments of one form, but the procedure has
                                * several */
     vs_bind_forms(p, name, text, sizeof text);
-    return put(t, "; it %s", text);
+    return vs_text_printf(t, "; it %s", text);
   }
   return vs_foreign_advice(name, t);
 }
@@ -368,9 +361,9 @@ bool vs_session_advise(vs_session *s, vs_value condition, vs_span at, vs_text *t
   if (c->payload == VS_TRUE) return advise_callee(p, at, c->irritants, t, vm);
   const char *word;
   if (t->at && strstr(t->at, "must be an object") && is_quoted_call(p))
-    return put(t, "; the ' before a parenthesis passes the list itself, and does not call: remove the '");
+    return vs_text_printf(t, "; the ' before a parenthesis passes the list itself, and does not call: remove the '");
   size_t n = quoted_word(p, &word);
-  if (n) return put(t, "; a text is written in double quotes: \"%.*s\"", (int)(n < 60 ? n : 60), word);
+  if (n) return vs_text_printf(t, "; a text is written in double quotes: \"%.*s\"", (int)(n < 60 ? n : 60), word);
   if (vs_text_end(t) && !strncmp(t->at, "display", 7) && strstr(t->at, "port must be an output port"))
     return vs_foreign_advice("display", t);
   size_t before = t->count;
@@ -446,8 +439,9 @@ typedef struct { vs_text *t; size_t count; const char *last; size_t last_length;
 static bool name_procedure(void *context, const vs_outline_item *item) {
   naming *n = context;
   if (!item->procedure) return true;
-  if (n->count < 4) n->ok = n->ok && put(n->t, "%s%.*s", n->count ? ", " : "", (int)(item->length < 60 ? item->length
-      : 60), item->name);
+  if (n->count < 4)
+    n->ok = n->ok && vs_text_printf(n->t, "%s%.*s", n->count ? ", " : "", (int)(item->length < 60 ? item->length : 60),
+                                    item->name);
   n->count++, n->last = item->name, n->last_length = item->length < 60 ? item->length : 60;
   return n->ok;
 }
@@ -455,7 +449,7 @@ static bool name_procedure(void *context, const vs_outline_item *item) {
 bool vs_session_advise_empty(vs_session *s, vs_text *t) {
   if (!s->source_count) return true;
   size_t before = t->count;
-  if (!put(t, ": the program defines ")) return false;
+  if (!vs_text_printf(t, ": the program defines ")) return false;
   naming n = { .t = t, .ok = true };
   /* Searches the source of the program that ran last. The sources of imported libraries come later in the list, but
    * define procedures only within define-library. */
@@ -464,8 +458,8 @@ bool vs_session_advise_empty(vs_session *s, vs_text *t) {
   if (!n.ok) return false;
   if (!n.count) {
     t->count = before;
-    return put(t, "; (draw object) draws one");
+    return vs_text_printf(t, "; (draw object) draws one");
   }
-  return put(t, "%s and draws nothing; (draw (%.*s ...)) draws its result", n.count > 4 ? " and others" : "",
+  return vs_text_printf(t, "%s and draws nothing; (draw (%.*s ...)) draws its result", n.count > 4 ? " and others" : "",
       (int)n.last_length, n.last);
 }

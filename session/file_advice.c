@@ -1,4 +1,4 @@
-/* Owns the advice on files that are not there: the same name in another case, with an ending, or with a slip. */
+/* Implements the advice on files that are not there: the same name in another case, with an ending, or with a slip. */
 #include "session/file_advice.h"
 
 #include <ctype.h>

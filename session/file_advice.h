@@ -1,4 +1,4 @@
-/* Owns the interface of file_advice.c. */
+/* Declares the functions of file_advice.c. */
 #ifndef VS_SESSION_FILE_ADVICE_H
 #define VS_SESSION_FILE_ADVICE_H
 

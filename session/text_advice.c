@@ -1,9 +1,8 @@
-/* Owns advice that the program's own text gives: the words around the place of an error. It reads the text as an
+/* Implements advice that the program's own text gives: the words around the place of an error. It reads the text as an
  * outline; a wrong guess costs only a hint. */
 #include "session/text_advice.h"
 
 #include <ctype.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -16,16 +15,6 @@
 enum { LONGEST_WORD = 60, LONGEST_FORM = 90 };
 
 typedef struct { const char *at; size_t n; } word;
-
-static bool put(vs_text *t, const char *format, ...) __attribute__((format(printf, 2, 3)));
-static bool put(vs_text *t, const char *format, ...) {
-  char text[500];
-  va_list list;
-  va_start(list, format);
-  vsnprintf(text, sizeof text, format, list);
-  va_end(list);
-  return vs_text_puts(t, text);
-}
 
 static bool is(word w, const char *text) { return w.n == strlen(text) && !memcmp(w.at, text, w.n); }
 static bool same(word a, word b) { return a.n == b.n && !memcmp(a.at, b.at, a.n); }
@@ -100,8 +89,8 @@ bool vs_text_advise_hidden(vs_text_place p, vs_text *t) {
     for (const char *at = parameters; !closes(at, p.end); at = next_of(at, p.end))
       if (same(opens(at, p.end) ? head_of(at, p.end) : word_at(at, p.end), name)) {
         t->count = 0;
-        return put(t, "%.*s is the parameter of %.*s here, %s", (int)name.n, name.at, (int)procedure.n, procedure.at,
-                   rest);
+        return vs_text_printf(t, "%.*s is the parameter of %.*s here, %s", (int)name.n, name.at, (int)procedure.n,
+                              procedure.at, rest);
       }
   }
   for (const char *at = form; at < p.at; at++) {
@@ -114,7 +103,7 @@ bool vs_text_advise_hidden(vs_text_place p, vs_text *t) {
     bool clause = same(head, name) && before > form && strchr("([)]", before[-1]) && skip_datum(at, p.end) <= p.at;
     if (!parameter && !clause) continue;
     t->count = 0;
-    return put(t, "%.*s is a %s here, %s", (int)name.n, name.at, parameter ? "parameter" : "variable", rest);
+    return vs_text_printf(t, "%.*s is a %s here, %s", (int)name.n, name.at, parameter ? "parameter" : "variable", rest);
   }
   return true;
 }
@@ -131,8 +120,8 @@ bool vs_text_advise_rest(vs_text_place p, vs_text *t) {
     if (!is(head, "lambda") && !is(head, "\316\273")) continue;
     word name = word_at(skip_blanks(head.at + head.n, p.end), p.end);
     if (name.n && name.n < LONGEST_WORD && has_operand(p, name))
-      return put(t, "; %.*s is the list of all arguments here: (lambda (%.*s) ...) names one", (int)name.n, name.at,
-                 (int)name.n, name.at);
+      return vs_text_printf(t, "; %.*s is the list of all arguments here: (lambda (%.*s) ...) names one", (int)name.n,
+                            name.at, (int)name.n, name.at);
   }
   return true;
 }
@@ -159,7 +148,7 @@ bool vs_text_advise_operator(vs_text_place p, vs_text *t) {
       end - first > LONGEST_WORD || after - second > LONGEST_WORD) return true;
   if (is((word){ first, (size_t)(end - first) }, "not") && is(sign, "in")) {
     t->count = 0;
-    return put(t, "there is no `not in`: (not (member x list))");
+    return vs_text_printf(t, "there is no `not in`: (not (member x list))");
   }
   for (size_t i = 0; i < sizeof operators / sizeof *operators; i++) {
     if (!is(sign, operators[i].sign)) continue;
@@ -174,7 +163,7 @@ bool vs_text_advise_operator(vs_text_place p, vs_text *t) {
     snprintf(text, sizeof text, "%.*s%.*s%.*s%.*s%s", (int)(before - form), form, (int)(end - first), first,
              (int)(last - between), between, (int)(after - second), second, last + 4);
     t->count = 0;
-    return put(t, "the operator comes first: %s", text);
+    return vs_text_printf(t, "the operator comes first: %s", text);
   }
   return true;
 }
@@ -193,7 +182,8 @@ bool vs_text_advise_quoted(vs_text_place p, const char *wanted, vs_text *t) {
       found = same(word_at(e, stop), name);
     int shown = (int)(end - list - 2);
     if (!found || shown > LONGEST_FORM) continue;
-    return put(t, "; a ' before a list makes its names mere words: (list %.*s) holds their values", shown, list + 1);
+    return vs_text_printf(t, "; a ' before a list makes its names mere words: (list %.*s) holds their values", shown,
+                          list + 1);
   }
   return true;
 }
@@ -206,10 +196,10 @@ bool vs_text_advise_chain(vs_text_place p, vs_text *t) {
   for (const char *at = next_of(head.at, p.end); !closes(at, p.end); at = next_of(at, p.end))
     if (is_among(word_at(at, p.end), signs)) chain = true, equal = equal && same(word_at(at, p.end), head);
   if (!chain || skip_datum(p.at, p.end) - p.at > LONGEST_FORM) return true;
-  if (!equal) return put(t, "; each sign is a call of its own: (and (< a b) (<= b c))");
-  bool ok = put(t, "; one sign compares all: (%.*s", (int)head.n, head.at);
+  if (!equal) return vs_text_printf(t, "; each sign is a call of its own: (and (< a b) (<= b c))");
+  bool ok = vs_text_printf(t, "; one sign compares all: (%.*s", (int)head.n, head.at);
   for (const char *at = next_of(head.at, p.end); ok && !closes(at, p.end); at = next_of(at, p.end))
-    if (!is_among(word_at(at, p.end), signs)) ok = put(t, " %.*s", (int)(skip_datum(at, p.end) - at), at);
+    if (!is_among(word_at(at, p.end), signs)) ok = vs_text_printf(t, " %.*s", (int)(skip_datum(at, p.end) - at), at);
   return ok && vs_text_puts(t, ")");
 }
 
@@ -224,7 +214,7 @@ static int put_keys(const char *table, const char *end, vs_text *t) {
     if (key && is_among(word_at(key, end), "cons list")) key = next_of(key, end);
     if (!key || opens(key, end)) continue;
     if (*key == '\'') key++;
-    if (!put(t, "%s%.*s", count ? ", " : "", (int)(skip_datum(key, end) - key), key)) return 0;
+    if (!vs_text_printf(t, "%s%.*s", count ? ", " : "", (int)(skip_datum(key, end) - key), key)) return 0;
     count++;
   }
   return count;
@@ -248,7 +238,8 @@ bool vs_text_advise_missing_key(vs_scheme *vm, vs_text_place p, vs_text *t) {
   const char *key = next_of(first_of(inner, p.end), p.end), *table = next_of(key, p.end);
   size_t before = t->count;
   if (closes(key, p.end) || closes(table, p.end)) return true;
-  if (!put(t, "; there is no %.*s in the table; its keys: ", (int)(skip_datum(key, p.end) - key), key)) return false;
+  if (!vs_text_printf(t, "; there is no %.*s in the table; its keys: ", (int)(skip_datum(key, p.end) - key), key))
+    return false;
   word name = word_at(table, p.end);
   VS_ROOTS(vm, r, 1);
   vs_meaning m = { 0 };
@@ -258,7 +249,7 @@ bool vs_text_advise_missing_key(vs_scheme *vm, vs_text_place p, vs_text *t) {
   if (bound) r[0] = vs_as_cell(m.value)->value;
   if (bound ? !put_value_keys(vm, r[0], t) : !put_keys(table, p.end, t)) {
     t->count = before;
-    return put(
+    return vs_text_printf(
         t, "; (assq key table) is #f where the table has no such key: (let ([e (assq key table)]) (if e (cdr e) 0))");
   }
   return true;
@@ -292,7 +283,8 @@ bool vs_text_advise_statement(vs_scheme *vm, vs_text_place p, vs_text *t) {
   if (vs_is_foreign_name(name)) {
     vs_text advice; /* it begins with a semicolon */
     vs_text_open(vm, &advice, 600);
-    bool ok = vs_foreign_advice(name, &advice) && vs_text_end(&advice) && put(t, "; %s: %s", name, advice.at + 2);
+    bool ok =
+        vs_foreign_advice(name, &advice) && vs_text_end(&advice) && vs_text_printf(t, "; %s: %s", name, advice.at + 2);
     vs_text_close(&advice);
     return ok;
   }
@@ -306,16 +298,16 @@ bool vs_text_advise_statement(vs_scheme *vm, vs_text_place p, vs_text *t) {
     if (value + n > p.end) n = (size_t)(p.end - value);
     const char *target = declares ? variable.at : w.at;
     int length = (int)(declares ? variable.n : w.n);
-    if (*value == '[') return put(t, "; (define %.*s (list 1 2 3)) names a list", length, target);
+    if (*value == '[') return vs_text_printf(t, "; (define %.*s (list 1 2 3)) names a list", length, target);
     return n && n < 60 && !memchr(value, '{', n) &&
-           put(t, "; (define %.*s %.*s) names a value", length, target, (int)n, value);
+           vs_text_printf(t, "; (define %.*s %.*s) names a value", length, target, (int)n, value);
   }
   vs_name_info info;
   bool control = *behind == '(' && is_among(w, "if for while when unless cond case");
   if ((!called && !alone && !control) || !vs_name_get(vm, name, &info) || !*info.call) return true;
   if (alone && strstr(t->at, "it is written")) return true;
-  if (alone) return put(t, ": %.*s", (int)strcspn(info.call, "\n"), info.call);
-  return put(t, "; the parenthesis comes before the name: %.*s", (int)strcspn(info.call, "\n"), info.call);
+  if (alone) return vs_text_printf(t, ": %.*s", (int)strcspn(info.call, "\n"), info.call);
+  return vs_text_printf(t, "; the parenthesis comes before the name: %.*s", (int)strcspn(info.call, "\n"), info.call);
 }
 
 /* ---- parts without a value ---- */
@@ -389,7 +381,7 @@ bool vs_text_advise_valueless(vs_text_place p, vs_text *t) {
     open[count++] = at;
   for (int i = 0; i < count; i++) {
     const char *at = open[i], *why = why_valueless(at, p.end);
-    if (why) return put(t, "; line %u: %s", line_of(p, at), why);
+    if (why) return vs_text_printf(t, "; line %u: %s", line_of(p, at), why);
     word head = head_of(at, p.end);
     if (!head.n || count + 2 > MOST) continue;
     const char *second = next_of(head.at, p.end), *more = NULL;

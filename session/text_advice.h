@@ -1,4 +1,4 @@
-/* Owns the interface of text_advice.c: advice that the program's own text gives. */
+/* Declares the functions of text_advice.c: advice that the program's own text gives. */
 #ifndef VS_SESSION_TEXT_ADVICE_H
 #define VS_SESSION_TEXT_ADVICE_H
 

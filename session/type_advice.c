@@ -1,4 +1,4 @@
-/* Owns the advice for a value that a procedure cannot take: the rows of advice.def. */
+/* Implements the advice for a value that a procedure cannot take: the rows of advice.def. */
 #include "session/type_advice.h"
 
 #include <math.h>

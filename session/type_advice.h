@@ -1,4 +1,4 @@
-/* Owns the interface of type_advice.c. */
+/* Declares the functions of type_advice.c. */
 #ifndef VS_SESSION_TYPE_ADVICE_H
 #define VS_SESSION_TYPE_ADVICE_H
 

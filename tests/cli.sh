@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns the command tests. Each folder tests/cli/NAME contains `cmd` (a shell script; `vs` is on its PATH, and it runs in
+# Runs the command tests. Each folder tests/cli/NAME contains `cmd` (a shell script; `vs` is on its PATH, and it runs in
 # a copy of the folder) and the expected results: `stdout`, `stderr`, `code` (0 if absent), and the files below `want/`.
 # If this machine cannot run it, cmd prints the reason to standard error and ends with 77. BLESS=1 rewrites the expected
 # results.

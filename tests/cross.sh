@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns the test of every kind of object in every format, against closed forms and against other programs that read our
+# Tests every kind of object in every format, against closed forms and against other programs that read our
 # files (tests/cross/README.md):
 #
 #   closed        volume, area, length, bounding box and contains? against the table's closed forms

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns the test that a file depends on neither compiler, optimisation, number of threads nor chance: every example in
+# Tests that a file depends on neither compiler, optimisation, number of threads nor chance: every example in
 # every format that needs no worker, RUNS (5) times on each of THREADS (1 2 8) by each of BUILDS (gcc and clang at -O0,
 # -O2, -O3), which are built beside $BUILD. An example that takes the reference more than HEAVY (0.5) seconds of
 # processor time runs once on each; parameters make large ones smaller. EXAMPLES: only these. Part of `make check`; it

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns the test of messages in editors: vim's quickfix list, Emacs' flymake, the problems of VS Code's extension.
+# Tests messages in editors: vim's quickfix list, Emacs' flymake, the problems of VS Code's extension.
 . tests/report.sh
 wanted editors || exit 0
 cat > "$work/house.vs" <<'END'

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns the embedding test: installs into a private folder, and builds and runs host programs against it; the shared
+# Tests embedding: installs into a private folder, and builds and runs host programs against it; the shared
 # library exports the names that the header declares and nothing else.
 . tests/report.sh
 wanted embed || exit 0

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns the test that a fault loses nothing: failing system calls (strace injects them), signals at random moments, two
+# Tests that a fault loses nothing: failing system calls (strace injects them), signals at random moments, two
 # writers of one file, closed streams. Each time the file is the complete old or new one, no other file is left beside
 # it, and the exit code is a defined one. LONG=1: 10,000 signals.
 case limits/faults in *"$ONLY"*) ;; *) exit 0 ;; esac

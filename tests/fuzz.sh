@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns a run of the fuzzers: `tests/fuzz.sh BUILD SECONDS [PLAIN]`. Each fuzzer of tests/fuzz runs for SECONDS under
+# Runs the fuzzers: `tests/fuzz.sh BUILD SECONDS [PLAIN]`. Each fuzzer of tests/fuzz runs for SECONDS under
 # libFuzzer and the sanitizers of BUILD. If PLAIN names a build without sanitizers, each then runs for SECONDS there on
 # random changes of the inputs that libFuzzer has kept: thirty times as many inputs. Prints the number of inputs and of
 # reached edges for each, and the sums of all runs, which BUILD/executions keeps. An input that crashes stays in

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns the test that no output overwrites an input: a model that reads every kind of file writes every format and
+# Tests that no output overwrites an input: a model that reads every kind of file writes every format and
 # notation, and each command of the tables that writes a file runs, onto each of the input files and by every kind of
 # name. The exit code is 2, and every file is unchanged.
 case limits/inputs in *"$ONLY"*) ;; *) exit 0 ;; esac

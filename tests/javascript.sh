@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns the tests of scripts in JavaScript: each tests/javascript/NAME.js must print the text of NAME.out. If node is
+# Tests scripts in JavaScript: each tests/javascript/NAME.js must print the text of NAME.out. If node is
 # installed, it must print the same; files whose first line is `// no node` use features that node lacks. small.txt
 # contains small programs, each after a line `=== NAME`. BLESS=1 rewrites the expected texts, from node if possible.
 set -u

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns the language scripts: runs every tests/lang/*.vs and compares the result with the expectations in its comments.
+# Tests the language: runs every tests/lang/*.vs and compares the result with the expectations in its comments.
 #
 #   ; expect: TEXT            the program prints exactly these lines, in this order
 #   ; expect error: TEXT      an error at this line of the file whose message contains TEXT; exit code 1

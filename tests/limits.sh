@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns the runs of the programs that attack the limits (a sample; LONG=1: all), the test of the rights of an untrusted
+# Runs the programs that attack the limits (a sample; LONG=1: all), the test of the rights of an untrusted
 # model, and the inputs that fuzzers have found.
 folder=$(mktemp -d) || exit 1
 trap 'rm -rf "$folder"' EXIT

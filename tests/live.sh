@@ -1,4 +1,4 @@
-# Owns the test of the live view: its server by HTTP (tests/page/live.mjs), in a browser (live_browser.mjs,
+# Tests the live view: its server by HTTP (tests/page/live.mjs), in a browser (live_browser.mjs,
 # live_words.mjs, live_making.mjs, live_scene.mjs, live_examples.mjs, live_output.mjs, live_runs.mjs), and `vs params`.
 case live in *"${ONLY%%/*}"*) ;; *) exit 0 ;; esac
 command -v node > /dev/null || { echo "skip live: no node (package nodejs)"; exit 0; }

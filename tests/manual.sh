@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns the test of the manual: every ```scheme block of the tutorial runs without an error or warning; blocks may use
+# Tests the manual: every ```scheme block of the tutorial runs without an error or warning; blocks may use
 # definitions of earlier blocks in the same step. The prompt prints the answers of each prompt block, on a terminal with
 # the results' names.
 . tests/report.sh

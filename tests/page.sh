@@ -1,4 +1,4 @@
-# Owns the test of web pages: every example as a page in Chromium, by playwright-core (tests/page/page.mjs). Parameters
+# Tests web pages: every example as a page in Chromium, by playwright-core (tests/page/page.mjs). Parameters
 # make large models small.
 case page in *"${ONLY%%/*}"*) ;; *) exit 0 ;; esac
 command -v chromium > /dev/null || { echo "skip page: no chromium (package chromium)"; exit 0; }

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns the prompt's test on a terminal: editing, history, completion, ctrl-C, errors that do not end it, the progress of
+# Tests the prompt on a terminal: editing, history, completion, ctrl-C, errors that do not end it, the progress of
 # a mesh.
 . tests/report.sh
 export HOME="$work" XDG_STATE_HOME="$work/state" TERM=xterm LSAN_OPTIONS=detect_leaks=0 # libedit keeps its prompt and its tables

@@ -1,4 +1,4 @@
-# Owns the common part of the scripts of tests/: a private folder that ends with the script, the program, and the report
+# Defines the common part of the scripts of tests/: a private folder that ends with the script, the program, and the report
 # of a result. A script begins with `. tests/report.sh`, at the root of the repository, with BUILD and ONLY set by
 # tests/run.sh.
 . tests/limited.sh

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns the test run: JOBS suites at a time, a line for each test, and the counts as the last line. `tests/run.sh BUILD
+# Runs the tests: JOBS suites at a time, a line for each test, and the counts as the last line. `tests/run.sh BUILD
 # [VERBOSE]`.
 #
 #   JOBS=n                      the number of suites that run at a time; default: the number of cores

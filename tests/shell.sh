@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns the tests of the command in the shell: its completion in bash, zsh and fish, and its page for man.
+# Tests the command in the shell: its completion in bash, zsh and fish, and its page for man.
 . tests/report.sh
 wanted shell || exit 0
 for shell in bash zsh fish; do sh scripts/completions.sh $shell > "$work/vs.$shell" || echo "not ok shell/$shell: is not made"; done

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns the test of ending the command by signals: SIGTERM and SIGHUP end it in order, with 130, and leave no incomplete
+# Tests the ending the command by signals: SIGTERM and SIGHUP end it in order, with 130, and leave no incomplete
 # file and no POV-Ray. (The prompt's test covers SIGINT: a script's background jobs ignore it.)
 . tests/report.sh
 wanted signals || exit 0

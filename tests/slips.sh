@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns the tests of slips: each is answered with its place, its cause and what to write, and vs check finds it without
+# Tests slips: each is answered with its place, its cause and what to write, and vs check finds it without
 # running where the contracts know (tests/slips/). SCORE=1 prints the counts.
 . tests/report.sh
 case $ONLY in ""|slips*) ;; *) exit ;; esac

@@ -1,4 +1,4 @@
-# Owns the parameters that make an example small which would take minutes in all formats, for tests that write every
+# Lists the parameters that make an example small which would take minutes in all formats, for tests that write every
 # example several times. Copies, twists and holes stay; the test of passes omits them.
 smaller() { # EXAMPLE
   case $1 in

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns the check of written meshes for self-intersections (tests/tools/crossings.c), in .off and in .stl with its 32-bit
+# Checks written meshes for self-intersections (tests/tools/crossings.c), in .off and in .stl with its 32-bit
 # numbers: the kernel's workloads (bench/kernel). LONG=1: all but the largest of them. It also runs random trees of
 # boxes through the language (tests/oracle/fuzz.c): (volume o) and the volume of the .off file, which must be closed,
 # equal the count of cells.

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns the tests of texts: a character of every class of Unicode in every text that a user gives, in every format of
+# Tests texts: a character of every class of Unicode in every text that a user gives, in every format of
 # backends.def, every language of vs translate and the reports, and names of files that are not UTF-8 (tests/texts/).
 # Installed programs that read such files judge them.
 . tests/report.sh

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns the test of `vs --untrusted`: a model that tries every way to a file by every kind of path, to the environment,
+# Tests `vs --untrusted`: a model that tries every way to a file by every kind of path, to the environment,
 # to programs and to directives of the formats. It must see nothing outside its folder; if strace is installed, no open,
 # exec or connect may lead outside.
 case limits/untrusted in *"$ONLY"*) ;; *) exit 0 ;; esac

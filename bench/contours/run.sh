@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns the comparison of isosurfaces: `bench/contours/run.sh build/vs build/measure [CELLS...]`. A gyroid in a box,
+# Runs the comparison of isosurfaces: `bench/contours/run.sh build/vs build/measure [CELLS...]`. A gyroid in a box,
 # closed at its sides, by make-isosurface, by scikit-image's marching cubes and by Manifold's marching tetrahedra, in
 # turn in one run: seconds of processor time, medians of RUNS (5) runs minus those of a run that only loads; largest
 # memory; triangles; and the deviation of the volume from half of the box.

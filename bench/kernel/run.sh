@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns the comparison of the mesh kernel with Manifold and OpenSCAD, and the growth of its time. Some 20 minutes on a
+# Runs the comparison of the mesh kernel with Manifold and OpenSCAD, and the growth of its time. Some 20 minutes on a
 # quiet machine.
 # `bench/kernel/run.sh build/vs build/measure [WORKLOAD ...]`; RUNS=3: runs of vs; SCAD=20: the limit in seconds for
 # OpenSCAD (0: omit it); WASM=120: the limit for manifold-3d.

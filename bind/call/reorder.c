@@ -1,4 +1,4 @@
-/* Owns the advice on arguments in a wrong order: (make-sphere 3 p) for (make-sphere p 3). */
+/* Implements the advice on arguments in a wrong order: (make-sphere 3 p) for (make-sphere p 3). */
 #include "bind/call/reorder.h"
 
 #include <stdio.h>

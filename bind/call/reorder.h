@@ -1,4 +1,4 @@
-/* Owns the interface of reorder.c. */
+/* Declares the functions of reorder.c. */
 #ifndef VS_BIND_CALL_REORDER_H
 #define VS_BIND_CALL_REORDER_H
 

@@ -1,4 +1,4 @@
-/* Owns land: a surface over surveyed points with breaklines, and the solid under a surface. */
+/* Implements land: a surface over surveyed points with breaklines, and the solid under a surface. */
 
 #include <math.h>
 #include <stdlib.h>

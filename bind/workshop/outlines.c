@@ -1,4 +1,4 @@
-/* Owns the natives of outlines and level lines of regions, surfaces and solids. */
+/* Implements the natives of outlines and level lines of regions, surfaces and solids. */
 #include "bind/workshop/outlines.h"
 
 #include <stdlib.h>

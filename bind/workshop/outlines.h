@@ -1,4 +1,4 @@
-/* Owns the interface of outlines.c: the closed curves around regions and flat surfaces. */
+/* Declares the functions of outlines.c: the closed curves around regions and flat surfaces. */
 #ifndef VS_BIND_WORKSHOP_OUTLINES_H
 #define VS_BIND_WORKSHOP_OUTLINES_H
 

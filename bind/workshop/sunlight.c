@@ -1,4 +1,4 @@
-/* Owns the sun in the language: its direction at a moment, and the hours of sun at places among objects. */
+/* Implements the sun in the language: its direction at a moment, and the hours of sun at places among objects. */
 #include "bind/workshop/sunlight.h"
 
 #include <math.h>

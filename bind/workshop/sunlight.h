@@ -1,4 +1,4 @@
-/* Owns the interface of sunlight.c: a moment by place, date and time. */
+/* Declares the functions of sunlight.c: a moment by place, date and time. */
 #ifndef VS_BIND_WORKSHOP_SUNLIGHT_H
 #define VS_BIND_WORKSHOP_SUNLIGHT_H
 

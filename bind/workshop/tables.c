@@ -1,4 +1,4 @@
-/* Owns the natives of tables of quantities: the looks of an object, and the length of the unit. */
+/* Implements the natives of tables of quantities: the looks of an object, and the length of the unit. */
 
 #include <string.h>
 

@@ -1,4 +1,4 @@
-/* Owns contour lines: where a plane cuts an open mesh. */
+/* Computes contour lines: the lines in which a plane cuts an open mesh. */
 #include "geometry/nets/contour_lines.h"
 
 #include <math.h>

@@ -1,4 +1,4 @@
-/* Owns the interface of contour_lines.c: where a plane cuts an open mesh. */
+/* Declares the functions of contour_lines.c: the lines in which a plane cuts an open mesh. */
 #ifndef VS_GEOMETRY_NETS_CONTOUR_LINES_H
 #define VS_GEOMETRY_NETS_CONTOUR_LINES_H
 

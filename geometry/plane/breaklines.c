@@ -1,4 +1,4 @@
-/* Owns edges that a triangulation must have, by flips of the edges that they cross. */
+/* Inserts given edges into a triangulation, by flips of the edges that they cross. */
 #include "geometry/plane/breaklines.h"
 
 #include <math.h>

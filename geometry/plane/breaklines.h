@@ -1,4 +1,4 @@
-/* Owns the interface of breaklines.c: edges that a triangulation must have. */
+/* Declares the functions of breaklines.c: edges that a triangulation must have. */
 #ifndef VS_GEOMETRY_PLANE_BREAKLINES_H
 #define VS_GEOMETRY_PLANE_BREAKLINES_H
 

@@ -1,4 +1,4 @@
-/* Owns the part of an area's border that lies within another area: on a slice, the outline of the one above. */
+/* Computes the part of an area's border that lies within another area: on a slice, the outline of the one above. */
 #include "geometry/plane/inner_lines.h"
 
 #include <math.h>

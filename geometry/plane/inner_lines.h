@@ -1,4 +1,4 @@
-/* Owns the interface of inner_lines.c: the part of an area's border that lies within another area. */
+/* Declares the functions of inner_lines.c: the part of an area's border that lies within another area. */
 #ifndef VS_GEOMETRY_PLANE_INNER_LINES_H
 #define VS_GEOMETRY_PLANE_INNER_LINES_H
 

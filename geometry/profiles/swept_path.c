@@ -1,4 +1,4 @@
-/* Owns the stations of a sweep.
+/* Computes the stations of a sweep.
  *
  * A stretch that turns by d deviates from its chord by 1 - cos(d/2) times the radius. On the outer side of a bend the
  * radius is that of the path plus the profile's reach. The path is sampled at half the tolerance. This is fine enough

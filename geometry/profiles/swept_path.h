@@ -1,4 +1,4 @@
-/* Owns, for geometry/ alone, the stations of a sweep: the points of its path at which it has sections. */
+/* Declares, for geometry/ alone, the stations of a sweep: the points of its path at which it has sections. */
 #ifndef VS_GEOMETRY_PROFILES_SWEPT_PATH_H
 #define VS_GEOMETRY_PROFILES_SWEPT_PATH_H
 

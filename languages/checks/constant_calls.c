@@ -1,4 +1,4 @@
-/* Owns the checks of calls whose arguments are constants, all of them or all but one: the interpreter makes the calls,
+/* Checks calls whose arguments are constants, all of them or all but one: the interpreter makes the calls,
  * and its errors and warnings are findings. */
 #include "languages/checks/constant_calls.h"
 

@@ -1,4 +1,4 @@
-/* Owns the interface of constant_calls.c. */
+/* Declares the functions of constant_calls.c. */
 #ifndef VS_LANGUAGES_CHECKS_CONSTANT_CALLS_H
 #define VS_LANGUAGES_CHECKS_CONSTANT_CALLS_H
 

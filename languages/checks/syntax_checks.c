@@ -1,4 +1,4 @@
-/* Owns the check of forms that the language cannot expand: the interpreter expands them, and runs nothing. */
+/* Checks forms that the language cannot expand: the interpreter expands them, and runs nothing. */
 #include "languages/checks/syntax_checks.h"
 
 #include <stdio.h>

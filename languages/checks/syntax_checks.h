@@ -1,4 +1,4 @@
-/* Owns the check of forms that the language cannot expand. */
+/* Declares the check of forms that the language cannot expand. */
 #ifndef VS_LANGUAGES_CHECKS_SYNTAX_CHECKS_H
 #define VS_LANGUAGES_CHECKS_SYNTAX_CHECKS_H
 

@@ -1,4 +1,4 @@
-; Owns Appendix A of the VisualScheme thesis as printed: its 42 entries in all of their 60 calling forms (and three that stand for two of a kind),
+; Contains Appendix A of the VisualScheme thesis as printed: its 42 entries in all of their 60 calling forms (and three that stand for two of a kind),
 ; each with what a closed form says of it. They stand on the sheet beside shapes.vs, and are held to that on every back-end as those are.
 ;
 ;   (entry "name" form measure value)   the measure of the form is the value

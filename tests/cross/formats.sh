@@ -1,4 +1,4 @@
-# Owns manual/formats.md: every kind of object in every format, from writing each shape of the table to each format. `sh
+# Writes manual/formats.md: every kind of object in every format, from writing each shape of the table to each format. `sh
 # tests/cross/formats.sh` prints the page.
 #
 # native: in the format's own words. triangles: lowered to them. lines: to polylines. With "or": some forms of the kind

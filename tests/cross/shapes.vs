@@ -1,4 +1,4 @@
-; Owns the table of shapes that every back-end is held to. One row is one form of one kind, or of what is lowered to others:
+; Contains the table of shapes that every back-end is held to. One row is one form of one kind, or of what is lowered to others:
 ;
 ;   (shape "name" object #:volume V #:area A #:length L #:box (list p q) #:within E #:facets F #:shown shown #:alone #t)
 ;

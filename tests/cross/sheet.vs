@@ -1,4 +1,4 @@
-; Owns what is done with the table of shapes (shapes.vs) and the thesis' calling forms (appendix-a.vs): `vs sheet.vs -D task=... -D variant=... [-D one=N]`, all for tests/cross.sh.
+; Runs the tasks of the table of shapes (shapes.vs) and the thesis' calling forms (appendix-a.vs): `vs sheet.vs -D task=... -D variant=... [-D one=N]`, all for tests/cross.sh.
 ;
 ;   task=measure   holds the program's own measures to the closed forms, in the words of tests/run.sh
 ;   task=table     prints a line a shape for tests/tools: what its cell of the sheet must hold

@@ -1,4 +1,4 @@
-; Owns predicates made of predicates: and, or, not and list-of in contracts at any depth, their procedures, and what is said of a procedure as a test.
+; Tests predicates made of predicates: and, or, not and list-of in contracts at any depth, their procedures, and what is said of a procedure as a test.
 (define-syntax refused
   (syntax-rules () ((_ e) (displayln (guard (c (#t (error-object-message c))) e 'taken)))))
 

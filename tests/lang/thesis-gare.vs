@@ -1,4 +1,4 @@
-; Owns what listings 5.1 to 5.5 of the thesis build: zenith angles, vertical props, beams that meet where the text says, feet below the point of contact.
+; Tests the objects of listings 5.1 to 5.5 of the thesis: zenith angles, vertical props, beams that meet where the text says, feet below the point of contact.
 (require "../../examples/thesis/gare.vs")
 (define (ok? name x want [tolerance any? 1e-9]) (if (not (near? x want tolerance)) (printf "~a: ~a, not ~a\n" name x want)))
 (define rho 20)

@@ -1,4 +1,4 @@
-# Owns the form of the manual's examples: turns a page into calls of (doctest place text kind expected), tests/manual/doctest.vs.
+# Converts the form of the manual's examples: turns a page into calls of (doctest place text kind expected), tests/manual/doctest.vs.
 # In a ```scheme block the lines up to one that ends in `; => value`, `; prints: text` or `; error: text` are one example; a block in
 # which no line does is one that has to run. `page` is the page's name in the results. With `tables` each `(...)` in a row's last column has to run.
 function quoted(s) { gsub(/\\/, "&&", s); gsub(/"/, "\\\\&", s); gsub(/\n/, "\\n", s); return "\"" s "\"" }

@@ -1,4 +1,4 @@
-; Owns running the manual's examples: (doctest place text kind expected) reads the forms of `text`, evaluates them one after another in
+; Runs the manual's examples: (doctest place text kind expected) reads the forms of `text`, evaluates them one after another in
 ; the page's environment, and holds the last one to what the page says of it. One line a test, in the words of tests/run.sh.
 ;
 ;   value   `; => v`       its values, written, with a blank between them

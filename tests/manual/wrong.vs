@@ -1,4 +1,4 @@
-; Owns the sweep of wrong calls: reads the names that a program sees, one a line, and calls each procedure with arguments that hardly any
+; Makes wrong calls: reads the names that a program sees, one a line, and calls each procedure with arguments that hardly any
 ; takes: one to four of a kind, and none, and many. (The text names a file that no call can make.) The message of an error must begin with
 ; the name that was called. One line a test.
 

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Owns the test of what a terminal shows while a line is typed, by tmux: colours, the call below the line, indentation,
+# Tests what a terminal shows while a line is typed, by tmux: colours, the call below the line, indentation,
 # and the menu. The columns of the tables, with tabs between them: `colours` class of cli/prompt/syntax.def, text,
 # characters of that class; `hints` text, parameter in bold type or -; `screens` name, keys, beginning or part of a line.
 . tests/report.sh

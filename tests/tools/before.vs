@@ -1,4 +1,4 @@
-; Owns catching what a model draws, for tests/tools/volume.vs: a program may redefine any name.
+; Catches the objects that a model draws, for tests/tools/volume.vs: a program may redefine any name.
 (define-parameter samples 20000)
 (define drawn-objects '())
 (define (draw . objects)

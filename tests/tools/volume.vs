@@ -1,4 +1,4 @@
-; Owns the volume of a drawing by chance, for comparison with its mesh's: run `vs tests/tools/before.vs MODEL tests/tools/volume.vs`.
+; Computes the volume of a drawing from random points, for comparison with its mesh's: run `vs tests/tools/before.vs MODEL tests/tools/volume.vs`.
 ;
 ; Points are sampled in the parts' bounding boxes; a point that lies in k of them counts one k-th, so that every place of the union counts once.
 ; Whether a point is inside is `contains?`, which answers from formulas. The printed pair: estimate, standard error.

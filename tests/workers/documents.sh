@@ -1,4 +1,4 @@
-# Owns the test of the pictures in the pages of `vs doc`: the procedures with a picture, and that it shows the first
+# Tests the pictures in the pages of `vs doc`: the procedures with a picture, and that it shows the first
 # object that the program made with them.
 . tests/report.sh
 

@@ -1,4 +1,4 @@
-# Owns the test of drawings as other programs read them: ezdxf reads the .dxf, poppler the .pdf, librsvg the .svg;
+# Tests drawings as other programs read them: ezdxf reads the .dxf, poppler the .pdf, librsvg the .svg;
 # lengths and areas against closed forms.
 . tests/report.sh
 

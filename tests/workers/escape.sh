@@ -1,4 +1,4 @@
-# Owns the tests that a scene cannot break out: POV-Ray, which gets text of the program (native), writes files only in
+# Tests that a scene cannot break out: POV-Ray, which gets text of the program (native), writes files only in
 # its private folder and opens no socket; and 10,000 random strings, as names of materials and layers, as texts and as
 # text of a file, never become directives of a scene.
 . tests/report.sh

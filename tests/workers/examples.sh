@@ -1,4 +1,4 @@
-# Owns the examples' test: each runs without a warning, its mesh is closed and has the volume of its formulas within 1
+# Tests the examples: each runs without a warning, its mesh is closed and has the volume of its formulas within 1
 # %, POV-Ray draws it with at most a hundredth of the pixels clipped, and OpenSCAD reads it. Parameters make large
 # models small.
 . tests/report.sh

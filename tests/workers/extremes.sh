@@ -1,4 +1,4 @@
-# Owns the test that POV-Ray's absolute tolerances and 32-bit numbers do not show: a model with lengths of millionths,
+# Tests that POV-Ray's absolute tolerances and 32-bit numbers do not show: a model with lengths of millionths,
 # of millions, and far from the origin looks as it does with ordinary numbers.
 . tests/report.sh
 wanted extremes || exit 0

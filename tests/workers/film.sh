@@ -1,4 +1,4 @@
-# Owns the test of films: ffmpeg joins the frames that POV-Ray makes into a film of their size, number and rate; a
+# Tests films: ffmpeg joins the frames that POV-Ray makes into a film of their size, number and rate; a
 # changed frame makes the film again; without ffmpeg the frames stay, and a message reports that it is missing.
 . tests/report.sh
 

@@ -1,4 +1,4 @@
-# Owns the test of depth of field: the blur of an edge is as wide as geometrical optics predicts, and objects in focus
+# Tests depth of field: the blur of an edge is as wide as geometrical optics predicts, and objects in focus
 # are sharp.
 . tests/report.sh
 

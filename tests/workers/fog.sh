@@ -1,4 +1,4 @@
-# Owns the test of fog: the share of fog in front of a black wall, by the wall's distance, against the formula; fog with
+# Tests fog: the share of fog in front of a black wall, by the wall's distance, against the formula; fog with
 # a height does not change the sky overhead.
 . tests/report.sh
 

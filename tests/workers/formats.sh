@@ -1,4 +1,4 @@
-# Owns the test of the formats that other programs read back: each contains the same solids, closed if the format
+# Tests the formats that other programs read back: each contains the same solids, closed if the format
 # promises it, and its reader accepts it without a message: the glTF validator, Assimp for 3MF.
 . tests/report.sh
 model=tests/workers/formats.vs

@@ -1,4 +1,4 @@
-# Owns the gallery's test: a page with a picture and a caption for each requested example, and a report of failures.
+# Tests the gallery: a page with a picture and a caption for each requested example, and a report of failures.
 . tests/report.sh
 
 wanted gallery || exit 0

@@ -1,4 +1,4 @@
-# Owns the test that the ground fades into the sky: no line separates them, for any model and any height of the eye, and
+# Tests that the ground fades into the sky: no line separates them, for any model and any height of the eye, and
 # the sky has more than one colour. Pictures of 200 x 150: the test limits the largest step from a row to the next (a
 # line from side to side would be a step of 43 with the plain ground, of 140 and 200 with the others).
 . tests/report.sh

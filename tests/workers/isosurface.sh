@@ -1,4 +1,4 @@
-# Owns the test that POV-Ray's isosurface is the same solid as the mesh: pictures of the same function drawn both ways.
+# Tests that POV-Ray's isosurface is the same solid as the mesh: pictures of the same function drawn both ways.
 . tests/report.sh
 
 wanted isosurface || exit 0

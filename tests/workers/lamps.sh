@@ -1,4 +1,4 @@
-# Owns the test that a lamp lights a floor by its IES file: luminance and illuminance at some angles, in a room whose
+# Tests that a lamp lights a floor by its IES file: luminance and illuminance at some angles, in a room whose
 # walls reflect nothing, against candelas times the cube of the cosine divided by the square of the height; in pictures,
 # and in a .pov that POV-Ray alone renders.
 . tests/report.sh

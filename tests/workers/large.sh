@@ -1,4 +1,4 @@
-# Owns the test of large pictures: above 128 MB POV-Ray would by itself keep its picture in a file outside its private
+# Tests large pictures: above 128 MB POV-Ray would by itself keep its picture in a file outside its private
 # folder, where it may not write. 4K; with LONG=1 also A1 at 300 dots per inch.
 . tests/report.sh
 command -v povray > /dev/null || { echo "skip large: no povray (package povray)"; exit 0; }

@@ -1,4 +1,4 @@
-# Owns the test that solids which pictures draw as meshes look like POV-Ray's operations: a wall of brick with many
+# Tests that solids which pictures draw as meshes look like POV-Ray's operations: a wall of brick with many
 # openings and a round one, and a ball with many bores. A part of glass where nothing remains, which is not visible,
 # makes them stay operations. A draft has no antialiasing, so a pixel at an edge may have either colour.
 . tests/report.sh

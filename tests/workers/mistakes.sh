@@ -1,4 +1,4 @@
-# Owns the test of mistakes in pictures: each gives one clear message, and no file stays behind; a camera within a wall
+# Tests mistakes in pictures: each gives one clear message, and no file stays behind; a camera within a wall
 # gives a warning.
 . tests/report.sh
 

@@ -1,4 +1,4 @@
-# Owns the test that passes change no picture and no volume: every example without passes and with all of them, meshed,
+# Tests that passes change no picture and no volume: every example without passes and with all of them, meshed,
 # and drawn by POV-Ray as numbers in the draft quality (the other qualities sample at random, and differ from run to
 # run). A sample, or with LONG=1 every example, and each pass alone.
 . tests/report.sh

@@ -1,4 +1,4 @@
-# Owns the test that POV-Ray accepts every pattern and shows it: a wall with it, seen from 2 m, clearly differs from the
+# Tests that POV-Ray accepts every pattern and shows it: a wall with it, seen from 2 m, clearly differs from the
 # same wall in the plain colour.
 . tests/report.sh
 

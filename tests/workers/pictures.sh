@@ -1,4 +1,4 @@
-# Owns the test that a picture on a wall has its size and its orientation: a wall with a picture of a dark and a light
+# Tests that a picture on a wall has its size and its orientation: a wall with a picture of a dark and a light
 # half looks like a wall of dark and light blocks, from its front and its back, rotated by right angles and by others,
 # and horizontal.
 . tests/report.sh

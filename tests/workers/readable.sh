@@ -1,4 +1,4 @@
-# Owns the test that thin objects are legible in a picture: curves, edges, flat text and open surfaces without a
+# Tests that thin objects are legible in a picture: curves, edges, flat text and open surfaces without a
 # material are dark, curves at least 1.35 pixels wide and not much wider, at 400 x 300, in drafts and final pictures.
 # The test compares the number of dark pixels with lengths and areas.
 . tests/report.sh

@@ -1,4 +1,4 @@
-# Owns the test of light in rooms: the plain walls of a room of 6 x 4 x 3 m with one window are even, a room without a
+# Tests light in rooms: the plain walls of a room of 6 x 4 x 3 m with one window are even, a room without a
 # window is black, and in a draft no surface is. The test compares parts of pictures with the nearest smooth shading.
 . tests/report.sh
 

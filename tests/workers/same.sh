@@ -1,4 +1,4 @@
-# Owns the test that a picture has the same bytes on any number of processors and under load, and that a part of it
+# Tests that a picture has the same bytes on any number of processors and under load, and that a part of it
 # equals that part of the whole: each quality of --quality, each format that POV-Ray makes. LONG=1: all of them on 1, 2
 # and 3 processors beside busy ones, and three runs of six examples.
 . tests/report.sh

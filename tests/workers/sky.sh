@@ -1,4 +1,4 @@
-# Owns the test of the physical sky in POV-Ray's pictures: its luminances are the model's (the formulas of Preetham,
+# Tests the physical sky in POV-Ray's pictures: its luminances are the model's (the formulas of Preetham,
 # Shirley and Smits, evaluated with numpy), with 1 for 10,000 cd/m2, and its sun is that of a clear day.
 . tests/report.sh
 

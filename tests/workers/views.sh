@@ -1,4 +1,4 @@
-# Owns the test that every kind of view of every example becomes a picture, whole and cut. LONG=1 takes all examples and
+# Tests that every kind of view of every example becomes a picture, whole and cut. LONG=1 takes all examples and
 # kinds; otherwise four examples of many parts and paints, and a cut view of each.
 . tests/report.sh
 command -v povray > /dev/null || { echo "skip views: no povray (package povray)"; exit 0; }

@@ -1,4 +1,4 @@
-# Owns the test of the time while POV-Ray works: a terminal shows the finished share and the remaining time. Ctrl-C ends
+# Tests the time while POV-Ray works: a terminal shows the finished share and the remaining time. Ctrl-C ends
 # a run of pictures with 130, without POV-Ray and without an incomplete picture, and the next run makes the missing
 # ones.
 . tests/report.sh

@@ -1,6 +1,9 @@
 /* Implements vs_text (text.h), a growing UTF-8 buffer, and the coding of single characters. */
 #include "vm/values/text.h"
 
+#include <stdarg.h>
+#include <stdio.h>
+
 #include "vm/machine/native.h"
 #include "vm/values/heap.h"
 
@@ -42,6 +45,15 @@ bool vs_text_put(vs_text *t, const char *bytes, size_t n) {
 }
 
 bool vs_text_puts(vs_text *t, const char *s) { return vs_text_put(t, s, strlen(s)); }
+
+bool vs_text_printf(vs_text *t, const char *format, ...) {
+  char text[500];
+  va_list list;
+  va_start(list, format);
+  vsnprintf(text, sizeof text, format, list);
+  va_end(list);
+  return vs_text_puts(t, text);
+}
 
 bool vs_text_char(vs_text *t, uint32_t c) {
   char s[4];

@@ -25,6 +25,8 @@ void vs_text_close(vs_text *t);                                    /* Frees the 
 bool vs_text_put(vs_text *t, const char *bytes, size_t n);         /* Appends bytes. When memory is out, sets
                                                                     * vm->condition and returns false. */
 bool vs_text_puts(vs_text *t, const char *s);
+/* Adds formatted text, cut to 500 bytes: for sentences of messages. */
+bool vs_text_printf(vs_text *t, const char *format, ...) __attribute__((format(printf, 2, 3)));
 bool vs_text_char(vs_text *t, uint32_t c);                         /* Appends the code point c. */
 bool vs_text_string(vs_text *t, vs_value string);                  /* Appends the characters of a Scheme string. */
 bool vs_text_end(vs_text *t);                                      /* Appends a NUL, which `count` does not include. */
