@@ -136,12 +136,10 @@ enum { HOST_WRITE = 3 }; /* index in at.host where back_ends.scm stores its proc
 bool vs_bind_back_end_write(vs_bind *b, const char *name, const vs_ref *refs, size_t count, char **text,
                             size_t *bytes) {
   vs_scheme *vm = b->vm;
-  VS_ROOTS(vm, r, 4); /* roots: the procedure, the name, the list of objects, and an object, later the result */
+  VS_ROOTS(vm, r, 4); /* roots: the procedure, the name, the list of objects, the result */
   *text = NULL;
   r[0] = vs_as_vector(vm->at.host)->at[HOST_WRITE];
-  r[2] = VS_NIL;
-  for (size_t i = count; i-- > 0;)
-    if (!vs_bind_give_ref(b, refs[i], &r[3]) || !vs_cons(vm, r[3], r[2], &r[2])) return false;
+  if (!vs_bind_give_refs(b, refs, count, &r[2])) return false;
   if (!vs_intern_c(vm, name, &r[1])) return false;
   vs_value arguments[2] = { r[1], r[2] };
   if (!vs_run(vm, r[0], 2, arguments, &r[3])) return false;

@@ -148,11 +148,10 @@ bool vs_bind_hands_on(const vs_bind *b) {
 
 bool vs_bind_hand_on(vs_bind *b, vs_ref *refs, size_t count, const char *const *names) {
   vs_scheme *vm = b->vm;
-  VS_ROOTS(vm, r, 4); /* roots: the procedure, the objects, the names, and an object or name */
+  VS_ROOTS(vm, r, 4); /* roots: the procedure, the objects, the names, and a name */
   r[0] = vs_as_vector(vm->at.host)->at[HOST_HAND_ON];
-  r[1] = r[2] = VS_NIL;
-  for (size_t i = count; i-- > 0;)
-    if (!vs_bind_give_ref(b, refs[i], &r[3]) || !vs_cons(vm, r[3], r[1], &r[1])) return false;
+  r[2] = VS_NIL;
+  if (!vs_bind_give_refs(b, refs, count, &r[1])) return false;
   for (; names && *names; names++)
     if (!vs_intern_c(vm, *names, &r[3]) || !vs_cons(vm, r[3], r[2], &r[2])) return false;
   b->handed.kind = VS_ERROR_NONE;

@@ -33,6 +33,16 @@ vs_status vs_bind_give_ref(vs_bind *b, vs_ref ref, vs_value *out) {
   return wrap(b, (vs_ref){ vs_node_retain(ref.node), ref.origin ? ref.origin : vs_bind_origin(b) }, 0, out);
 }
 
+vs_status vs_bind_give_refs(vs_bind *b, const vs_ref *refs, size_t count, vs_value *out) {
+  VS_ROOTS(b->vm, r, 2);
+  r[0] = VS_NIL;
+  for (size_t i = count; i-- > 0;)
+    if (!vs_poll(b->vm, 1) || !vs_bind_give_ref(b, refs[i], &r[1]) || !vs_cons(b->vm, r[1], r[0], &r[0]))
+      return VS_ERROR;
+  *out = r[0];
+  return VS_OK;
+}
+
 /* ---- paints: interned materials, which exist as long as the store ---- */
 
 static void paint_release(void *object) { (void)object; }

@@ -22,6 +22,8 @@ static inline bool vs_bind_is_empty(const vs_node *n) { return n->kind == VS_EMP
 
 /* Sets *out to an object of this node and origin. Retains the node. */
 vs_status vs_bind_give_ref(vs_bind *b, vs_ref ref, vs_value *out);
+/* Sets *out to the list of objects of these nodes and origins, in their order. Retains the nodes. */
+vs_status vs_bind_give_refs(vs_bind *b, const vs_ref *refs, size_t count, vs_value *out);
 /* Sets *out to an object of the node, whose reference it takes over. node NULL: memory is out. */
 vs_status vs_bind_give_object(vs_bind *b, vs_node *node, vs_value *out);
 

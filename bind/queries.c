@@ -108,15 +108,8 @@ vs_status vs_p_object_arguments(vs_args *f, vs_value *out) {
 }
 
 vs_status vs_p_object_children(vs_args *f, vs_value *out) {
-  vs_ref ref = f->arg[0].ref;
-  VS_ROOTS(f->vm, r, 2);
-  r[0] = VS_NIL;
-  for (uint32_t i = ref.node->child_count; i-- > 0;)
-    if (!vs_poll(f->vm, 1) || !vs_bind_give_ref(f->bind, ref.node->children[i], &r[1]) ||
-        !vs_cons(f->vm, r[1], r[0], &r[0]))
-      return VS_ERROR;
-  *out = r[0];
-  return VS_OK;
+  const vs_node *n = f->arg[0].ref.node;
+  return vs_bind_give_refs(f->bind, n->children, n->child_count, out);
 }
 
 vs_status vs_p_object_count(vs_args *f, vs_value *out) {

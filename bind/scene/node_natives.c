@@ -134,13 +134,7 @@ static vs_status ray_meets(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 static vs_status drawing_list(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)a, (void)n;
   vs_bind *b = vs_bind_of(vm);
-  VS_ROOTS(vm, r, 2);
-  r[0] = VS_NIL;
-  for (size_t i = b->scene.drawn_count; i-- > 0;) {
-    if (!vs_bind_give_ref(b, b->scene.drawn[i], &r[1]) || !vs_cons(vm, r[1], r[0], &r[0])) return VS_ERROR;
-  }
-  *out = r[0];
-  return VS_OK;
+  return vs_bind_give_refs(b, b->scene.drawn, b->scene.drawn_count, out);
 }
 
 /* Called before the drawing of the root is replaced. A program does not throw away an object that it has drawn, itself

@@ -143,15 +143,6 @@ vs_ref *vs_bind_outlines(vs_args *f, vs_ref ref, size_t *count) {
          NULL;
 }
 
-static vs_status list_of(vs_args *f, const vs_ref *refs, size_t count, vs_value *out) {
-  VS_ROOTS(f->vm, r, 2);
-  r[0] = VS_NIL;
-  for (size_t i = count; i-- > 0;)
-    if (!vs_bind_give_ref(f->bind, refs[i], &r[1]) || !vs_cons(f->vm, r[1], r[0], &r[0])) return VS_ERROR;
-  *out = r[0];
-  return VS_OK;
-}
-
 /* (outline o) */
 vs_status vs_p_outline(vs_args *f, vs_value *out) {
   size_t count;
@@ -160,7 +151,7 @@ vs_status vs_p_outline(vs_args *f, vs_value *out) {
     return vs_bind_refuse(f, "o", "a region, a flat surface or closed curves", f->arg[0].value);
   if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return VS_ERROR;
   vs_ref *curves = vs_bind_outlines(f, f->arg[0].ref, &count);
-  return curves ? list_of(f, curves, count, out) : VS_ERROR;
+  return curves ? vs_bind_give_refs(f->bind, curves, count, out) : VS_ERROR;
 }
 
 /* ---- level lines ---- */
@@ -183,7 +174,7 @@ static vs_status surface_level(vs_args *f, const vs_mesh *m, vs_vec3 at, vs_vec3
   level_lines lines = { .f = f };
   bool ok = vs_mesh_contour(m, at, normal, &(vs_line_put){ keep_line, &lines });
   if (!ok) vs_fail_memory(f->vm); /* nothing else fails */
-  ok = ok && list_of(f, lines.at, lines.count, out);
+  ok = ok && vs_bind_give_refs(f->bind, lines.at, lines.count, out);
   free(lines.at);
   return ok ? VS_OK : VS_ERROR;
 }
@@ -208,7 +199,7 @@ static vs_status solid_level(vs_args *f, const vs_mesh *m, vs_vec3 at, vs_vec3 n
   vs_error e = { 0 };
   vs_ref region;
   if (!vs_mesh_section(m, at, normal, &o, &e)) return vs_bind_error(f->vm, &e);
-  bool ok = region_of(f, &o, &region) && list_of(f, &region, region.node != NULL, out);
+  bool ok = region_of(f, &o, &region) && vs_bind_give_refs(f->bind, &region, region.node != NULL, out);
   vs_outline_free(&o);
   return ok ? VS_OK : VS_ERROR;
 }
@@ -282,7 +273,7 @@ static bool add_engraved(vs_args *f, const vs_outline *o, const vs_outline *abov
     refs[l] = (vs_ref){ p.at ? line_of(f, &p) : NULL, NULL };
     ok = refs[l].node != NULL;
   }
-  ok = ok && list_of(f, refs, lines.line_count, out);
+  ok = ok && vs_bind_give_refs(f->bind, refs, lines.line_count, out);
   vs_inner_lines_free(&lines);
   vs_area_free(&a), vs_area_free(&b);
   return ok;
