@@ -224,10 +224,11 @@ vs_status vs_p_zoom_extents(vs_args *f, vs_value *out) {
 
 /* ---- the sun ---- */
 
+static const double half_turn = 3.141592653589793;
+
 /* Returns true for a multiple of pi/12 up to two turns, which was surely meant in radians. */
-#define HALF_TURN 3.141592653589793
 static bool is_radians(double angle) {
-  double parts = angle * 12 / HALF_TURN;
+  double parts = angle * 12 / half_turn;
   return parts > 0.5 && parts < 24.5 && fabs(parts - round(parts)) < 1e-9;
 }
 
@@ -253,7 +254,7 @@ vs_status vs_p_sun(vs_args *f, vs_value *out) {
     if (radians > 0)
       vs_bind_warn(f->bind, "radians",
                    "sun: its angles are degrees, and %.4g is a part of pi; (radians->degrees x), or %.4g", radians,
-                   radians * 180 / HALF_TURN);
+                   radians * 180 / half_turn);
   }
   if (f->bind->handing) return VS_OK;
   s->has_sun = true, s->sun_azimuth = azimuth, s->sun_altitude = altitude;

@@ -58,8 +58,8 @@ const vs_scene_pen *vs_scene_find_pen(const vs_scene *scene, const char *layer) 
 }
 
 bool vs_scene_add_pen(vs_scene *scene, const vs_scene_pen *pen) {
-  for (size_t i = 0; i < scene->pen_count; i++)
-    if (strcmp(scene->pens[i].layer, pen->layer) == 0) return scene->pens[i] = *pen, true;
+  const vs_scene_pen *same = vs_scene_find_pen(scene, pen->layer);
+  if (same) return scene->pens[same - scene->pens] = *pen, true;
   if (!vs_store_grow(scene->store, &scene->pens, &scene->pen_room, scene->pen_count + 1, sizeof *pen)) return false;
   scene->pens[scene->pen_count++] = *pen;
   return true;
