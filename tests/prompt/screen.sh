@@ -8,14 +8,16 @@ export HOME="$work" LSAN_OPTIONS=detect_leaks=0
 tables=$PWD/tests/prompt tab=$(printf '\t')
 mkdir "$work/models"
 touch "$work/model.vs"
-pane() { tmux -S "$work/tmux" "$@"; }
+terminals=0 # a socket for each: a server that is ending may still answer on its own
+pane() { tmux -S "$work/tmux.$terminals" "$@"; }
 trap 'pane kill-server 2> /dev/null; rm -rf "$work"' EXIT
 
 start() { # VARIABLE=VALUE ...: starts a prompt in a terminal of 60 x 20, with an empty history
-  pane kill-server 2> /dev/null
+  [ "$terminals" = 0 ] || pane kill-server
+  terminals=$((terminals + 1))
   rm -rf "$work/state"
   (cd "$work" && TMUX='' pane -f /dev/null new-session -d -s vs -x 60 -y 20 "env XDG_STATE_HOME=$work/state $* $BUILD/vs -q; sleep 60")
-  soon is_empty
+  soon is_empty || echo "not ok prompt:keys: the prompt does not start with $*"
 }
 typed() { pane send-keys -t vs -l -- "$1"; }
 typed_slowly() { # in the escapes of printf; waits after each line
@@ -56,8 +58,8 @@ pieces() {
 has_piece() { pieces > "$work/shown"; grep -qxF -- "$1" "$work/shown"; }
 has_line() { pane capture-pane -p -t vs | sed 's/ *$//' > "$work/shown"; grep -qF -- "$1" "$work/shown"; }
 is_plain() { pieces > "$work/shown"; grep -q "^|.*$1" "$work/shown"; }
-no_bold() { ! pieces | grep '^1|'; }
-no_escapes() { pane capture-pane -e -p -t vs > "$work/shown"; ! grep -q "$(printf '\033')" "$work/shown"; }
+no_bold() { pieces > "$work/shown"; [ -s "$work/shown" ] && ! grep '^1|' "$work/shown"; }
+no_escapes() { pane capture-pane -e -p -t vs > "$work/shown"; grep -q . "$work/shown" && ! grep -q "$(printf '\033')" "$work/shown"; }
 row() { # NAME COMMAND ...: the command succeeds within 3 seconds
   name=$1
   shift
