@@ -33,7 +33,7 @@ void vs_marks_set(vs_marks *m, size_t i, bool in) {
   for (int k = 0; k < m->levels; k++, i /= 64) {
     uint64_t *word = &m->level[k][i / 64], bit = UINT64_C(1) << i % 64;
     if (in) *word |= bit;
-    else if ((*word &= ~bit) != 0) return; /* the word has other bits, so the higher levels do not change */
+    else if ((*word &= ~bit) != 0) return; /* the word still has other bits, so the higher levels do not change */
   }
 }
 

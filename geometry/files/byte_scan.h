@@ -11,8 +11,8 @@ typedef struct {
   const unsigned char *bytes;
   size_t size, at;
   uint32_t line, ticks;
-  bool nowhere;               /* true: numbers that are not finite are accepted; they mean that the position of a point
-                               * is unknown */
+  bool nowhere;               /* true if infinite and NaN coordinates are accepted; a point with such a coordinate has
+                               * an unknown position */
   vs_poller poll;
   vs_error *error;
 } vs_byte_scan;
@@ -27,8 +27,9 @@ bool vs_scan_poll(vs_byte_scan *s);
 bool vs_scan_line_end(vs_byte_scan *s);
 /* Moves to the beginning of the next line, or to the end of the text. */
 void vs_scan_next_line(vs_byte_scan *s);
-/* Reads the next word of the line; with lines, also from the lines after it. The word is "" at the end of the line or
- * text. Skips comments, which go from the character `comment` to the end of the line; 0: there are none. */
+/* Reads the next word of the current line. If `lines` is true and this line has no more words, continues with the lines
+ * after it. At the end of the line or text, the word is "". Skips comments, which extend from the character `comment`
+ * to the end of the line. If `comment` is 0, the format has no comments. */
 void vs_scan_word(vs_byte_scan *s, bool lines, char comment, char word[VS_SCAN_WORD]);
 bool vs_scan_real(vs_byte_scan *s, bool lines, char comment, double *out);       /* returns false if there is no number,
                                                                                   * or it is not finite */

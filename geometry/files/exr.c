@@ -79,7 +79,7 @@ bool vs_exr_crop(vs_exr *x, uint32_t left, uint32_t top, uint32_t columns, uint3
 
 /* ---- writing ---- */
 
-/* The functions of the library that this file uses, as F(member, symbol, result, parameters). */
+/* X macro that lists the OpenEXR functions that this file calls, as rows F(member, symbol, result, parameters). */
 #define EXR_START (exr_context_t *, const char *, exr_default_write_mode_t, const exr_context_initializer_t *)
 #define EXR_PIPELINE (exr_const_context_t, int, exr_encode_pipeline_t *)
 #define EXR_CHUNK (exr_const_context_t, int, const exr_chunk_info_t *, exr_encode_pipeline_t *)
@@ -176,7 +176,7 @@ bool vs_exr_write(const vs_exr *x, vs_made_bytes *out, vs_error *e) {
   exr_result_t result = call.start(&c, "picture", EXR_WRITE_FILE_DIRECTLY, &how);
   if (result == EXR_ERR_SUCCESS) result = exr_put_header(&call, c, x);
   if (result == EXR_ERR_SUCCESS) result = exr_put_lines(&call, c, x);
-  if (c) { /* closes the file: the library writes the table of chunks only then */
+  if (c) { /* Closes the file. The library writes the file's table of chunks only when the file is closed. */
     exr_result_t last = call.finish(&c);
     if (result == EXR_ERR_SUCCESS) result = last;
   }

@@ -29,7 +29,8 @@ typedef struct {
   uint32_t columns, rows;
   vs_exr_channel channels[VS_EXR_CHANNELS];
   size_t count;
-  struct { char *at; size_t room; } texts[VS_EXR_TEXTS]; /* at: contents of a text; NULL: the picture lacks it */
+  struct { char *at; size_t room; } texts[VS_EXR_TEXTS]; /* at: contents of the text, or NULL if the picture lacks this
+                                                          * text */
 } vs_exr;
 
 void vs_exr_free(vs_exr *x);

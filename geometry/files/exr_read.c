@@ -13,7 +13,7 @@
 
 #include "geometry/files/exr_library.h"
 
-/* The functions of the library that this file uses, as F(member, symbol, result, parameters). */
+/* X macro that lists the OpenEXR functions that this file calls, as rows F(member, symbol, result, parameters). */
 #define EXR_PIPELINE (exr_const_context_t, int, exr_decode_pipeline_t *)
 #define EXR_CHUNK (exr_const_context_t, int, const exr_chunk_info_t *, exr_decode_pipeline_t *)
 #define EXR_TILES (exr_const_context_t, int, uint32_t *, uint32_t *, exr_tile_level_mode_t *, exr_tile_round_mode_t *)
@@ -57,8 +57,8 @@ static int64_t exr_size(exr_const_context_t c, void *memory) {
 static double exr_half(unsigned bits) {
   uint32_t exponent = bits >> 10 & 31, fraction = bits & 1023, sign = (uint32_t)(bits & 0x8000) << 16;
   if (exponent == 0) return (bits & 0x8000 ? -0x1p-24 : 0x1p-24) * fraction;
-  /* Compared with a half, a float has an exponent bias that is larger by 112, and 13 more bits in its fraction. Both
-   * encode infinity and NaN by the greatest exponent. */
+  /* Converts a half-precision number to single precision. The exponent's bias grows by 112, and the fraction by 13
+   * bits. Both formats encode infinity and NaN by the greatest exponent. */
   uint32_t wide = sign | (exponent == 31 ? 255 : exponent + 112) << 23 | fraction << 13;
   float value;
   memcpy(&value, &wide, sizeof value);
@@ -143,7 +143,7 @@ static exr_result_t exr_unpack(exr_reader *r, const exr_decode_pipeline_t *d, ex
  * function tries to allocate more memory than zlib needs. If that fails, memory is out; otherwise it decompresses once
  * more. */
 static exr_result_t exr_run(exr_reader *r, exr_decode_pipeline_t *d) {
-  enum { WORK = 1 << 16 }; /* bytes; zlib needs less */
+  enum { WORK = 1 << 16 }; /* size of a trial allocation in bytes; zlib needs less */
   exr_result_t result = r->call.run(r->c, 0, d);
   if (result != EXR_ERR_CORRUPT_CHUNK) return result;
   void *volatile probe = malloc(WORK);

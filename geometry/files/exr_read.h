@@ -14,9 +14,10 @@ typedef struct { uint32_t left, top, columns, rows; } vs_exr_part;
 typedef struct {
   uint32_t columns, rows; /* expected size of the file's picture */
   vs_exr_part part;       /* the rectangle of the file's picture to read */
-  uint32_t left, top;     /* upper left corner of the rectangle in the other picture */
+  uint32_t left, top;     /* position of the rectangle's upper left corner in the picture that receives the numbers, in
+                           * pixels */
 } vs_exr_cut;
-/* Reads a rectangle of a file's picture into another picture. Reads all channels of the other picture. Returns false if
+/* Reads a rectangle of a file's picture into the picture `into`, with all channels that `into` has. Returns false if
  * the file is damaged, its picture has another size or lacks a channel, or the rectangle does not fit. */
 bool vs_exr_read_cut(const vs_file_bytes *file, const vs_exr_cut *cut, vs_exr *into, vs_error *e);
 
@@ -31,7 +32,8 @@ typedef struct {
   vs_exr_seen channels[VS_EXR_CHANNELS];
   size_t count;
   bool more;              /* true if the file has more channels than VS_EXR_CHANNELS */
-  struct { const char *at; size_t length; } texts[VS_EXR_TEXTS]; /* at: contents of a text; NULL: the file lacks it */
+  struct { const char *at; size_t length; } texts[VS_EXR_TEXTS]; /* at: contents of the text, or NULL if the file lacks
+                                                                  * this text */
 } vs_exr_view;
 /* Receives the header of a file, allocates memory, and sets the destination of each requested channel. *used: number of
  * destinations. Returns false and sets e on failure. */

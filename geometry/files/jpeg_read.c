@@ -14,7 +14,8 @@
 #include "geometry/dynamic.h"
 #include "geometry/files/raster.h"
 
-enum { SCANS_MOST = 200, CODE_MOST = 1024 /* greatest number of pixels for each byte of the file */ };
+enum { SCANS_MOST = 200, CODE_MOST = 1024 /* SCANS_MOST: greatest number of scans; CODE_MOST: greatest number of pixels
+                                           * for each byte of the file */ };
 
 typedef struct {
   struct jpeg_error_mgr *(*errors)(struct jpeg_error_mgr *);
@@ -71,8 +72,8 @@ static void jpeg_progress(j_common_ptr j) {
 /* Memory for a line of the reduced picture. If at is NULL, only the header is read. */
 typedef struct { unsigned char *at; size_t room; } jpeg_line;
 
-/* Calls setjmp. This is a separate function because longjmp makes the changed local variables of such a function
- * indeterminate. */
+/* Calls setjmp. This is a separate function, because longjmp makes changed local variables of the function that calls
+ * setjmp indeterminate. */
 static bool jpeg_decode(const jpeg_functions *call, struct jpeg_decompress_struct *j, const vs_file_bytes *file,
                         jpeg_line line, vs_jpeg_bytes *out) {
   if (setjmp(((jpeg_run *)j->err)->out)) return false;

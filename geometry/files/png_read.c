@@ -87,7 +87,7 @@ bool vs_png_read(vs_store *store, const vs_file_bytes *file, vs_png_pixels *out,
                  (out->deep ? PNG_FORMAT_FLAG_LINEAR : 0u);
   read = read && image.width == out->columns && image.height == out->high && call.finish(&image, NULL, out->rows, 0,
                                                                                          NULL);
-  /* The messages of libpng for this fault are "out of memory" and "insufficient memory". */
+  /* When memory is out, the messages of libpng are "out of memory" and "insufficient memory". */
   if (ok && !read && strstr(image.message, "memory")) ok = vs_error_memory(e, NULL);
   else if (ok && !read)
     ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: %s", file->name,

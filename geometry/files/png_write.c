@@ -14,7 +14,7 @@
 
 #include "geometry/files/raster.h"
 
-/* The functions of the library that this file uses, as F(member, symbol, result, parameters). */
+/* X macro that lists the libpng functions that this file calls, as rows F(member, symbol, result, parameters). */
 #define PNG_FUNCTIONS(F)                                                                                               \
   F(open, png_create_write_struct, png_structp, (const char *, void *, png_error_ptr, png_error_ptr))                  \
   F(info, png_create_info_struct, png_infop, (png_structp))                                                            \

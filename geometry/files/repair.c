@@ -398,7 +398,8 @@ static bool turn_shells(vs_store *store, vs_face_list *l, size_t *turned, vs_err
       if (!ok) break;
       if (other == s) continue;
       face_volume(l, f, o, &part);
-      angle += volume[other] < 0 ? -part : part; /* counted as if the other shell faced outwards */
+      angle += volume[other] < 0 ? -part : part; /* adds the solid angle of the other shell as if that shell faced
+                                                  * outwards */
     }
     turn[s] = !(angle > 3.14159265358979323846);
   }

@@ -10,10 +10,11 @@ bool vs_face_list_compact(vs_face_list *l);
 typedef struct {
   size_t count;      /* number of edges that are used more often in one direction than in the other, after equal points
                       * have become one */
-  size_t face;       /* index of a face at the first such edge, from 0 */
+  size_t face;       /* index, from 0, of a face at the first edge that is used more often in one direction */
   vs_vec3 from, to;
 } vs_open_edges;
-/* Finds these edges. s may be NULL. Returns false when memory is out or the run is interrupted. */
+/* Finds the edges that faces use more often in one direction than in the other. s may be NULL. Returns false when
+ * memory is out or the run is interrupted. */
 bool vs_face_list_open(vs_store *s, const vs_face_list *l, vs_open_edges *out, vs_error *e);
 
 typedef struct {

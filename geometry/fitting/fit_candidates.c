@@ -61,7 +61,7 @@ static bool unlike(const vs_fit_search *f, const vs_fit_candidate *a, const vs_f
 }
 
 /* Sets *best to the candidate with the least cost. If other candidates with different numbers have about the same cost,
- * *best is the one with numbers nearest to the start, and *second another. */
+ * *best is the candidate with numbers nearest to the start numbers, and *second is another of these candidates. */
 static void choose(vs_fit_search *f, vs_fit_candidate *all, size_t count, vs_fit_candidate *best,
                    vs_fit_candidate *second) {
   rate(f, all, count);

@@ -6,17 +6,18 @@
 #include <string.h>
 
 enum {
-  STARTS = VS_FIT_STARTS_MOST / 2, /* number of starts from all points, and also from the core */
-  PLACES = 24,                     /* number of places that are improved */
+  STARTS = VS_FIT_STARTS_MOST / 2, /* number of starts that are found with all points, and number of starts that are
+                                    * found with the core points */
+  PLACES = 24,                     /* number of placements of the scan that a fit of the motion improves */
   AXES_TURNS = 48,
   PLAN_TURNS = 12,
   SHIFTS = 4
 };
 _Static_assert(1 + SHIFTS * (1 + AXES_TURNS + PLAN_TURNS) == VS_FIT_PLACES_TRIED, "all that are tried have room");
-#define COARSE (1. / 2000) /* facet tolerance in steps 1 and 2, as a fraction of the model's diagonal */
+#define COARSE (1. / 2000) /* facet tolerance in steps 1 and 2 of the fit, as a fraction of the model's diagonal */
 #define NEAR .1 /* distance beyond which the cost of a point no longer grows, in sizes of the scan */
-#define CORE 2.5 /* square radius of the core, in units of the square radius that contains three quarters of the
-                  * points */
+#define CORE 2.5 /* square radius of the core (the scan without stray points), in units of the square radius that
+                  * contains three quarters of the points */
 
 /* ---- the core of a scan ----
  *
@@ -102,7 +103,8 @@ static void distinct_places(const vs_fit_search *f, vs_fit_place *places, size_t
   *count = kept;
 }
 
-/* Computes the distances and the cost at a place. Returns false when interrupted. */
+/* Computes the points' distances from the model, and the cost, for a placement of the scan. Returns false when
+ * interrupted. */
 static bool cost_of(vs_fit_search *f, vs_fit_place *at) {
   for (size_t i = 0; i < f->count; i++) f->places[i] = vs_rigid_point(&at->motion, f->points[i]);
   if (!vs_fit_measure(f, f->field, f->distances, NULL)) return false;
@@ -166,7 +168,7 @@ typedef struct {
   vs_point_moments moments;
   vs_vec3 centre;
   double axes[3][3], size, span[3][2];
-  const vs_vec3 *points; /* the first of these points span the scan's box */
+  const vs_vec3 *points; /* points of the scan; the first of them span the scan's bounding box */
   size_t count;
 } shape;
 
@@ -361,7 +363,7 @@ bool vs_fit_find_starts(vs_fit_search *f, vs_fit_place *places, size_t *count) {
   if (!step_one(f, false, places, count)) return false;
   if (!f->out->stopped && scale_numbers(f) && !step_one(f, true, places + *count, count)) {
     if (f->e->kind != VS_ERROR_MODEL && f->e->kind != VS_ERROR_FILE) return false;
-    f->failed = false; /* the model with scaled numbers cannot be made, so only the other one is used */
+    f->failed = false; /* the model with scaled numbers cannot be made, so the search uses only the start numbers */
     *f->e = (vs_error){ 0 };
   }
   qsort(places, *count, sizeof *places, compare_places);

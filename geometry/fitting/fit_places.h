@@ -6,7 +6,7 @@
 #include "geometry/fitting/fit_unknowns.h"
 
 enum {
-  VS_FIT_TRIED = 300,        /* number of points in step 1 */
+  VS_FIT_TRIED = 300,        /* number of scan points in step 1 of the fit */
   VS_FIT_STARTS_MOST = 10,   /* greatest number of places from which step 2 starts */
   VS_FIT_PLACES_TRIED = 245  /* greatest number of places that are evaluated in one run */
 };
@@ -15,7 +15,7 @@ typedef struct {
   vs_rigid_motion motion;
   double cost; /* mean of the distances' absolute values, each limited to a tenth of the scan's size */
   bool scaled; /* true if the place belongs to the model with scaled numbers, vs_fit_search.begin[1] */
-  bool core;   /* true if the place was found with the core */
+  bool core;   /* true if the placement was found with the core points, without stray points */
   float distances[VS_FIT_TRIED];
 } vs_fit_place;
 

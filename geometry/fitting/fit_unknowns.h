@@ -8,7 +8,7 @@
 
 enum {
   VS_FIT_UNKNOWNS_MOST = 200,
-  VS_FIT_FIRST = 1000 /* number of points in step 2 */
+  VS_FIT_FIRST = 1000 /* number of scan points in step 2 of the fit */
 };
 #define VS_FIT_UPRIGHT .7 /* cosine of the largest angle between the upward directions of scan and model */
 
@@ -28,9 +28,9 @@ typedef struct {
   size_t numbers, unknowns; /* numbers: count of the model's numbers; unknowns: count of all unknowns, including those
                              * of the motion */
   double diagonal;          /* diagonal of the model at the start */
-  double tolerance;         /* facet tolerance in the current step */
-  vs_rigid_motion motion;   /* the motion if its unknowns are 0 */
-  size_t count;             /* number of points in the current step */
+  double tolerance;         /* facet tolerance of the model's mesh in the current step of the fit */
+  vs_rigid_motion motion;   /* rigid motion of the scan when the six unknowns of the motion are 0 */
+  size_t count;             /* number of scan points in the current step of the fit */
   bool failed;              /* true after an error that does not come from the model */
   vs_vec3 *core;            /* points of the scan without stray points, in the order of the scan */
   size_t core_count;
@@ -39,8 +39,8 @@ typedef struct {
   bool level;               /* true if the scan is rotated only about the vertical axis */
   /* The distances that were computed last, and the unknowns to which they belong. */
   vs_mesh_distance *field;
-  double *at, *made_at, *trial; /* at: unknowns of the distances; made_at: numbers of the field; trial: numbers to
-                                 * test */
+  double *at, *made_at, *trial; /* at: unknowns for which the distances were computed; made_at: the model's numbers from
+                                 * which the field was made; trial: numbers to test */
   bool known;
   double *begin[2]; /* start numbers: [0] the caller's, [1] scaled by the ratio of the scan's size to the model's */
   vs_vec3 *places, *slopes;

@@ -47,10 +47,10 @@ typedef struct {
   size_t number_count;
   const vs_vec3 *points; /* points of the scan, in random order */
   size_t count;
-  bool placed;       /* true if the scan has the model's coordinates */
+  bool placed;       /* true if the scan already has the model's coordinates, so that the fit does not move the scan */
   bool near;         /* true if the scan is already near its place, so that no other place is evaluated */
   bool any_pose;     /* true if the scan's upward direction may differ from the model's */
-  size_t most;       /* greatest number of points in the last steps */
+  size_t most;       /* greatest number of scan points in the last steps of the fit */
   double confidence; /* confidence of the intervals, between 0 and 1 */
 } vs_fit_problem;
 
@@ -82,7 +82,7 @@ typedef struct {
   vs_rigid_motion motion;  /* motion from the scan to the model */
   vs_mesh_distance *field; /* field of distances from the fitted model */
   double *distances;       /* signed distances of all points */
-  size_t used;             /* number of points in the last step */
+  size_t used;             /* number of scan points in the last step of the fit */
   double spread; /* spread of the distances: 1.4826 times the median of their absolute values, which is the standard
                   * deviation for a normal distribution */
   double root_mean_square, median;
@@ -90,10 +90,10 @@ typedef struct {
                             * noise */
   size_t outliers;         /* number of points beyond Tukey's limit */
   double size;             /* size of the scan: root of the mean square distance from its centre */
-  double model_size;       /* size of the model at the start, measured in this way */
+  double model_size;       /* size of the model at the start: root of the mean square distance from its centre */
   bool converged, stopped; /* converged: the last step converged; stopped: the caller's `going` ended the fit */
   bool rival;              /* true if another start led to an equally good fit with other numbers */
-  bool rival_unlike;       /* true if that other fit also has another shape */
+  bool rival_unlike;       /* true if the equally good fit from another start also has another shape */
   vs_fit_doubt doubt;
   unsigned iterations, models; /* iterations: number of evaluations of the distances; models: number of models that were
                                 * made */

@@ -69,7 +69,7 @@ bool vs_scan_points_take(vs_face_list *file, size_t least, vs_scan_points *out, 
   for (size_t i = 0; i < out->file.point_count; i++) out->nowhere += !somewhere(out->file.points[i]);
   bool ok = true;
   if (out->file.face_count) ok = spread_samples(&out->file, least, out, &state);
-  if (ok && !out->sample_count) { /* there are no faces, or none with an area */
+  if (ok && !out->sample_count) { /* the file has no faces, or no face with an area */
     free(out->samples);
     out->samples = NULL;
     ok = VS_GROW(out->samples, room, out->file.point_count + 1);

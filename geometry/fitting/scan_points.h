@@ -6,8 +6,8 @@
 
 typedef struct {
   vs_face_list file; /* points and faces as read; coordinates of points without a position are NaN */
-  vs_vec3 *samples;  /* points in random order, which is always the same for the same file: the file's points, or for a
-                      * mesh positions that are evenly distributed over its faces */
+  vs_vec3 *samples;  /* points in a random order that is reproducible for the same file; they are the file's points, or
+                      * for a mesh positions that are evenly distributed over its faces */
   size_t sample_count;
   size_t nowhere; /* number of points in the file without a finite position */
 } vs_scan_points;

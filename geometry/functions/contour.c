@@ -658,7 +658,8 @@ static bool goes_on(const contour *c, const cell *here, const crossings *own, ri
 
 static bool points(contour *c) {
   vs_contour *out = c->out;
-  ring_point *some[2] = { NULL, NULL }; /* some hundred smooth rings, and some hundred sharp ones */
+  ring_point *some[2] = { NULL, NULL }; /* batches of rings that are refined together: [0] smooth rings, [1] sharp
+                                         * rings */
   size_t room[2] = { 0, 0 }, count_of[2] = { 0, 0 };
   bool ok = VS_GROW(some[0], room[0], AT_ONCE) && VS_GROW(some[1], room[1], AT_ONCE);
   crossings own;
@@ -886,7 +887,7 @@ static vs_contour_outcome merge_cells(contour *c, double tolerance) {
     outcome = judge(c);
     if (out->deviation <= tolerance) break;
     if (turn == TURNS_OF_MERGING - 1) ok = faces(c, NULL), out->deviation = before; /* no merging was good enough, so
-                                                                                     * the first mesh is restored */
+                                                                                     * the unmerged mesh is restored */
   }
   ok = ok && drop_points(c);
   free(place), free(barred), free(axis), free(stands_for);

@@ -45,7 +45,7 @@ static vs_enclosure squared(vs_enclosure a) {
   return r;
 }
 
-/* Returns the bounds of f over a, for a function f that rises or falls throughout a. */
+/* Returns the bounds of f over the interval a, for a monotonic function f. */
 static vs_enclosure rising(double (*f)(double), vs_enclosure a, bool partial) {
   return bounds(f(a.low), f(a.high), 4, partial);
 }
@@ -67,8 +67,8 @@ static vs_enclosure wave(double (*f)(double), vs_enclosure a, double top) {
   return r;
 }
 
-static vs_enclosure clipped(vs_enclosure a, double low, double high) { /* returns the part of a within the domain of a
-                                                                        * function, low to high */
+static vs_enclosure clipped(vs_enclosure a, double low, double high) { /* returns the part of the interval a within the
+                                                                        * domain of a function, which is low to high */
   if (a.high < low || a.low > high) return none;
   return (vs_enclosure){ most(a.low, low), least(a.high, high), a.partial || a.low < low || a.high > high };
 }

@@ -14,7 +14,7 @@ typedef struct {
 
 /* Returns the bounds of the operator op of operators.def for operands within a, b and c. */
 vs_enclosure vs_enclose(vs_tape_operator op, vs_enclosure a, vs_enclosure b,
-                        vs_enclosure c); /* a test returns [0 0], [1 1] or [0 1] */
+                        vs_enclosure c); /* a comparison returns [0 0] (false), [1 1] (true) or [0 1] (either) */
 /* Returns the bounds of the tape's first output for inputs in the box in[0] x in[1] x ... work has room for t->count
  * enclosures. */
 vs_enclosure vs_enclose_tape(const vs_tape *t, const vs_enclosure *in, vs_enclosure *work);

@@ -38,12 +38,13 @@ typedef struct {
 typedef struct {
   uint32_t ring, node;
   uint32_t up;            /* union-find parent: a part with which this part is joined, or the part itself */
-  uint32_t link;          /* the next of the joined parts, in a circular list */
-  uint32_t count;         /* in the first of the joined parts: their number */
-  uint32_t best;          /* in the first of the joined parts: the ring whose point they may share */
-  int32_t sides, inside;  /* in the first of the joined parts: twice the number of sides between their rings, and the
-                           * number of quads within them */
-  uint8_t rim[EDGES];     /* in the first of the joined parts: number of crossings with each edge of the node */
+  uint32_t link;          /* index of the next part that is joined with this part, in a circular list */
+  uint32_t count;         /* number of parts that are joined; valid in the first of them */
+  uint32_t best;          /* the ring whose point all joined parts may share; valid in the first of the parts */
+  int32_t sides, inside;  /* sides: twice the number of cell sides between the rings of the joined parts; inside: number
+                           * of quads within the parts; valid in the first of the parts */
+  uint8_t rim[EDGES];     /* number of crossings of the surface with each edge of the node; valid in the first of the
+                           * joined parts */
 } part;
 
 typedef struct {
@@ -52,12 +53,13 @@ typedef struct {
   int level;
   uint32_t *of;     /* union-find parent of each ring; the root is the first ring of the merged part */
   uint32_t *next;   /* for each ring: the next ring of its part, in a circular list */
-  uint32_t *rep;    /* for the first ring of each part: the ring whose point the part has */
-  uint32_t *number; /* for the first ring of each part: its index in `parts`; NONE: its node is not merged */
+  uint32_t *rep;    /* for the first ring of each part: the ring whose point represents the part */
+  uint32_t *number; /* for the first ring of each part: the part's index in `parts`, or NONE if the part's node is not
+                     * merged */
   uint32_t *start, *list; /* the quads of ring r are list[start[r]] to list[start[r + 1] - 1] */
   part *parts;
   size_t part_count, part_room;
-  uint32_t *quads; /* quads that may still join parts */
+  uint32_t *quads; /* quads whose rings may still belong to different parts */
   size_t quad_count;
   node *nodes;
   size_t node_count, node_room;
@@ -189,7 +191,7 @@ static bool is_disc(const part *p) {
   }
   for (int face = 0; face < 6; face++) {
     int b = (face / 2 + 1) % 3, d = (face / 2 + 2) % 3, side = face & 1;
-    /* In this face, an edge along b lies at bit 1 and an edge along d at bit 0 of its position. */
+    /* The position of an edge along b on this face is bit 1 of its number, and that of an edge along d is bit 0. */
     int lines =
         p->rim[4 * b + 2 * side] + p->rim[4 * b + 2 * side + 1] + p->rim[4 * d + side] + p->rim[4 * d + side + 2];
     if (lines != 0 && lines != 2) return false;

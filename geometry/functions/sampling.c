@@ -28,7 +28,7 @@ struct vs_sampler {
   const vs_tape *t;
   int slopes;
   uint32_t *lane;      /* lane of each step */
-  const double **from; /* address of each step's values in the current batch */
+  const double **from; /* address of each step's values for the current batch of points */
   double *at;          /* memory of all lanes */
   size_t width;        /* number of doubles in a lane */
 };
@@ -58,7 +58,8 @@ static size_t assign_lanes(vs_sampler *s) {
   for (size_t i = 0; i < t->count; i++) {
     const vs_tape_step *step = &t->step[i];
     bool used_before = idle_count && step->op != VS_TAPE_CONSTANT;
-    /* This is before the lanes of the operands become free. Therefore no step writes to a lane that it reads. */
+    /* The lane is assigned before the lanes of the operands become free. Therefore no step writes to a lane that it
+     * reads. */
     s->lane[i] = used_before ? idle[--idle_count] : lanes++;
     int n = vs_tape_operands((vs_tape_operator)step->op);
     for (int k = 0; k < n; k++)
@@ -215,8 +216,8 @@ static void field(const vs_tape_field *f, int count, size_t n, double *r, const 
 static void batch(vs_sampler *s, const double *const *in, size_t from, size_t n, double *const *out,
                   double *const *slope) {
   const vs_tape *t = s->t;
-  bool in_place = !slope && n == BATCH; /* true: inputs are read from the caller's arrays, and a single output is
-                                         * written to the caller's array */
+  bool in_place = !slope && n == BATCH; /* true: inputs are read directly from the caller's arrays, and the value of a
+                                         * single output is written directly to the caller's array */
   VS_ASSERT(n <= BATCH);
   for (size_t k = 0; k < t->count; k++) {
     const vs_tape_step *step = &t->step[k];
@@ -257,7 +258,7 @@ void vs_sample_slopes(vs_sampler *s, const double *const *in, size_t n, double *
 
 /* ---- grids ---- */
 
-/* Returns value number `at` of a range. Both ends are exact. at is below r->n. */
+/* Returns value number `at` of a range of equally spaced numbers. Both ends are exact. at is below r->n. */
 static double computed(const vs_sample_range *r, int64_t at) {
   VS_ASSERT(at >= 0 && at < r->n);
   return at == 0 ? r->a : at == r->n - 1 ? r->b : r->a + (r->b - r->a) * (double)at / (double)(r->n - 1);

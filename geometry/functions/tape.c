@@ -82,13 +82,13 @@ double vs_tape_apply(vs_tape_operator op, double a, double b, double c) {
   case VS_TAPE_CHOOSE: return a != 0 ? b : c;
   case VS_TAPE_CONSTANT:
   case VS_TAPE_INPUT:
-  case VS_TAPE_FIELD: /* not possible: the value of a field needs the tape */
+  case VS_TAPE_FIELD: /* cannot happen, because the value of a field depends on the tape */
   case VS_TAPE_OPERATORS: break;
   }
   return NAN;
 }
 
-/* ---- steps, of which equal ones are stored once ---- */
+/* ---- steps; equal steps are stored once ---- */
 
 static uint64_t step_hash(const vs_tape_step *s) {
   uint64_t h = s->op * UINT64_C(0x9E3779B97F4A7C15), v;
@@ -156,7 +156,7 @@ uint32_t vs_tape_add(vs_tape *t, vs_tape_operator op, uint32_t a, uint32_t b, ui
   VS_ASSERT(op > VS_TAPE_INPUT && op < VS_TAPE_OPERATORS);
   for (int i = 0; i < n; i++)
     if (s.of[i] >= t->count)
-      return UINT32_MAX; /* there was no memory for an operand */
+      return UINT32_MAX; /* an operand is UINT32_MAX, because there was no memory for it */
     else if (t->step[s.of[i]].op != VS_TAPE_CONSTANT)
       constant = false;
     else

@@ -36,16 +36,18 @@ void vs_tape_field_release(vs_tape_field *f); /* releases one reference to f */
 
 typedef struct {
   uint32_t op;
-  uint32_t of[3]; /* operands: indices of earlier steps; of an input, its number in of[0]; unused elements are 0 */
+  uint32_t of[3]; /* indices of the operands, which are earlier steps; for an input, of[0] is its number; unused
+                   * elements are 0 */
   double value;   /* value of a constant; for a field, its index in the tape's list */
 } vs_tape_step;
 
 typedef struct vs_tape {
   vs_tape_step *step;
   size_t count, room;
-  uint32_t *index; /* hash table: index of a step + 1; 0: free; its size is a power of two */
+  uint32_t *index; /* hash table with the index of a step + 1 in each slot; 0 marks a free slot; the number of slots is
+                    * a power of two */
   size_t slots;
-  vs_tape_field **field; /* the fields; the tape has a reference to each */
+  vs_tape_field **field; /* the fields that the steps use; the tape has a reference to each field */
   size_t field_count, field_room;
   uint32_t inputs, outputs, output[VS_TAPE_OUTPUTS];
 } vs_tape;
@@ -60,7 +62,7 @@ uint32_t vs_tape_constant(vs_tape *t, double value);
 uint32_t vs_tape_input(vs_tape *t, uint32_t number); /* number is below the number of inputs */
 /* Adds the operator op of operators.def with the operands a, b and c. */
 uint32_t vs_tape_add(vs_tape *t, vs_tape_operator op, uint32_t a, uint32_t b,
-                     uint32_t c); /* operands that op does not have must be 0 */
+                     uint32_t c); /* operands that the operator op does not have must be 0 */
 
 uint32_t vs_tape_add_field(vs_tape *t, vs_tape_field *f, uint32_t x, uint32_t y, uint32_t z);
 

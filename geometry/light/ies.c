@@ -84,7 +84,8 @@ static const double *row_of(const vs_ies *x, uint32_t i) {
   return x->at + x->verticals + x->horizontals + (size_t)i * x->verticals;
 }
 
-/* Returns true if the range of horizontal angles belongs to a symmetry of the format or to a full turn. */
+/* Returns true if the range of horizontal angles is allowed by the format: a full turn, or a part that symmetry extends
+ * to a full turn. */
 static bool ies_is_round(const ies_text *t, const vs_ies *x) {
   const double *h = horizontals_of(x), last = h[x->horizontals - 1];
   if (h[0] == 0 && (last == 0 || last == 90 || last == 180 || last == 360)) return true;
@@ -171,13 +172,13 @@ double vs_ies_candelas(const vs_ies *x, double vertical, double horizontal) {
   if (!between(x->at, x->verticals, vertical, &i, &down)) return 0;
   horizontal = fmod(fmod(horizontal, 360) + 360, 360);
   if (last == 0) return along(x, 0, i, down);
-  if (first == 90) { /* the lamp is symmetric, with angles from 90 to 270 */
+  if (first == 90) { /* the file has angles from 90 to 270 degrees, which symmetry extends to a full turn */
     if (horizontal < 90) horizontal = 180 - horizontal;
     else if (horizontal > 270) horizontal = 540 - horizontal;
   } else if (last <= 180) {
     if (horizontal > 180) horizontal = 360 - horizontal;
     if (last == 90 && horizontal > 90) horizontal = 180 - horizontal;
-  } else if (horizontal > last) { /* interpolates between the last angle and the first */
+  } else if (horizontal > last) { /* interpolates between the last horizontal angle and the first, across 360 degrees */
     double share = (horizontal - last) / (360 - last);
     return (1 - share) * along(x, x->horizontals - 1, i, down) + share * along(x, 0, i, down);
   }

@@ -15,9 +15,9 @@ typedef struct {
   vs_store *store;               /* the store that owns the memory */
 } vs_ies;
 
-/* Reads an IES file that is in memory: of 1986, 1991, 1995 or 2002, with TILT=NONE and photometry of type C. name: file
- * name without folders, for messages. Returns false if the file has another format or invalid values; e then contains
- * the line number. out needs no initialisation, and is empty after a failure. */
+/* Reads an IES file that is in memory. Accepts the editions of 1986, 1991, 1995 and 2002, with TILT=NONE and photometry
+ * of type C. name: file name without folders, for messages. Returns false if the file has another format or invalid
+ * values; e then contains the line number. out needs no initialisation, and is empty after a failure. */
 bool vs_ies_read(vs_store *store, const char *name, const char *text, size_t size, vs_ies *out, vs_error *e);
 void vs_ies_free(vs_ies *ies);
 /* Returns the intensity in a direction in candelas, interpolated linearly between the file's angles, or 0 outside their

@@ -96,8 +96,8 @@ bool vs_panorama_take_sun(vs_exr *x, vs_panorama_sun *sun) {
   if (!p.plane[0] || !p.plane[1] || !p.plane[2] || x->columns < 64 || !brightest(&p, &row, &column)) return false;
   double peak = luminance_at(&p, (size_t)row * x->columns + column);
   vs_vec3 middle = direction_of(&p, row, column);
-  for (int turn = 0; turn < 2; turn++) { /* the first pass is around the brightest pixel, the second around the centroid
-                                          * of the light */
+  for (int turn = 0; turn < 2; turn++) { /* the first pass collects light around the brightest pixel, the second around
+                                          * the centroid of the light */
     g.angle = 0, g.weight = 0, g.middle = vs_v3(0, 0, 0);
     for (int k = 0; k < 3; k++) g.light[k] = 0;
     within(&p, middle, reach, ring, add_light, &g);

@@ -33,7 +33,8 @@ static void bounds_add_arc(vs_bounds *b, const vs_affine *a, const struct vs_arc
   }
 }
 
-/* returns the tolerance for shapes that are sampled; it is finer than that of any default drawing of them */
+/* returns the tolerance for shapes that are sampled; it is finer than the default tolerance of drawings of these
+ * shapes */
 static double bounds_fineness(const vs_bounds *b) {
   double d = vs_bounds_diagonal(b);
   return d > 0 && isfinite(d) ? d / 65536 : 1e-6;
@@ -239,7 +240,7 @@ static void bounds_on_plane(vs_bounds *b, const vs_node *n) {
 static bool bounds_is_lone_leaf(const vs_node *n) { return n->child_count == 0 && n->refs == 1; }
 
 /* Sets *b to the bounds of a node of the commonest primitive kinds, in its own coordinates. Returns false for other
- * kinds. It is a fast version of the formulas above: a drawing may contain a million such nodes. */
+ * kinds. It is a fast version of the formulas in bounds_leaf: a drawing may contain a million such nodes. */
 static bool bounds_plain(const vs_node *n, vs_bounds *b) {
   vs_vec3 at[2], reach[2];
   switch ((int)n->kind) {
@@ -267,7 +268,7 @@ static bool bounds_plain(const vs_node *n, vs_bounds *b) {
       reach[0] = vs_v3_scale(across, r), reach[1] = vs_v3_scale(across, far);
       break;
     }
-    default: return false; /* bounds_leaf handles other kinds */
+    default: return false; /* the function bounds_leaf handles all other kinds */
   }
   *b = vs_bounds_empty();
   for (int i = 0; i < 2; i++) {
@@ -305,9 +306,9 @@ static bool bounds_is_swept(const vs_node *n) { /* returns true for kinds whose 
   return vs_node_has(n, VS_IS_SAMPLED);
 }
 
-/* Enlarges *out by the bounds of a set under a rotating map, computed part by part. The result must not depend on
- * whether the rotation is applied to the whole set or to each part. All nodes of the set are in the memo. *done: false
- * if the set is too deep or takes too many steps; a memo performs at most TURNED_MOST such steps. */
+/* Enlarges *out by the bounds of a set under a map with a rotation, computed part by part. Thus the result does not
+ * depend on whether the rotation is applied to the whole set or to each part. All nodes of the set are in the memo.
+ * *done: false if the set is too deep or takes too many steps; a memo performs at most TURNED_MOST such steps. */
 enum { TURNED_DEEP = 32, TURNED_EACH = 2048, TURNED_MOST = 1 << 20 };
 static bool bounds_turned(vs_bounds_memo *m, const vs_node *n, const vs_affine *map, vs_bounds *out, bool *done,
                           vs_error *e) {
@@ -353,8 +354,8 @@ static bool bounds_turned(vs_bounds_memo *m, const vs_node *n, const vs_affine *
   return true;
 }
 
-/* Sets *b to the bounds of a node whose children are all known or lone leaves. children: bounds of all of them
- * together. */
+/* Sets *b to the bounds of a node. Each child is in the memo, or is a leaf with a single parent. children: bounds of
+ * all children together. */
 static bool bounds_of(vs_bounds_memo *m, const vs_node *n, vs_bounds children, vs_bounds *b, vs_error *e) {
   vs_affine placed = vs_affine_identity();
   vs_bounds child;
@@ -387,7 +388,8 @@ static bool bounds_of(vs_bounds_memo *m, const vs_node *n, vs_bounds children, v
     vs_bounds_meet(b, &kept);
   }
   if (n->kind == VS_SECTION || n->kind == VS_PROJECT) bounds_on_plane(b, n);
-  if (n->kind == VS_DEFORM && !vs_bounds_is_empty(b)) { /* a deformed point is a weighted mean of the control points */
+  if (n->kind == VS_DEFORM && !vs_bounds_is_empty(b)) { /* a point of a deformed solid is a weighted mean of the control
+                                                         * points */
     const struct vs_deform *d = VS_AS(deform, n);
     const vs_vec3 corner[8] = { d->c000, d->c100, d->c010, d->c110, d->c001, d->c101, d->c011, d->c111 };
     *b = vs_bounds_empty();
@@ -401,7 +403,8 @@ static bool bounds_of(vs_bounds_memo *m, const vs_node *n, vs_bounds children, v
   return true;
 }
 
-typedef struct { vs_ref ref; uint32_t next; vs_bounds children; /* bounds of children before next */ } vs_bounds_step;
+typedef struct { vs_ref ref; uint32_t next; vs_bounds children; /* children: bounds of the children before number
+                                                                 * `next` */ } vs_bounds_step;
 
 bool vs_bounds_memo_get(vs_bounds_memo *m, const vs_node *n, vs_bounds *out, vs_error *e) {
   vs_store *s = m->places.store;

@@ -29,7 +29,7 @@
 typedef struct {
   const vs_node *node;
   vs_bounds bounds;
-  vs_affine inverse;  /* map for points: of a transform into the child's coordinates, of a solid with an axis into the
+  vs_affine inverse;  /* map of points: for a transform into the child's coordinates, for a solid with an axis into the
                        * axis's frame */
   double height;      /* height of a solid with an axis, along the axis */
   size_t *children;   /* indices of the parts that belong to the children */
@@ -220,7 +220,7 @@ static bool inside_prepare(vs_inside_part *part, const vs_nodemap *places, vs_er
 #include "model/cases/shape_cases.def"
       return inside_prepare_axis(part);
     case VS_EXTRUDE: case VS_SWEEP:
-      /* tested by its mesh: the walls of a tapered extrusion are planar */
+      /* a tapered extrusion is tested by its mesh, because its walls are planar */
       if (n->kind == VS_EXTRUDE && VS_AS(extrude, n)->taper != 0) return inside_prepare_facets(part, e);
       return n->class_ != VS_SOLID || inside_prepare_swept(part, e);
     case VS_THICKEN:
@@ -331,7 +331,7 @@ bool vs_inside_test(vs_inside *v, vs_vec3 p) {
       part = x->children[0];
       continue;
     }
-    for (;;) { /* passes the answer up to the first ancestor that needs another test */
+    for (;;) { /* passes the answer up to the first ancestor whose answer is still open */
       if (!depth) return answer;
       vs_inside_level *top = &v->stack[depth - 1];
       const vs_inside_part *above = &v->parts[top->part];
@@ -342,7 +342,7 @@ bool vs_inside_test(vs_inside *v, vs_vec3 p) {
       else if (kind == VS_DIFFERENCE) {
         decided = first ? !answer : answer;
         if (!first) answer = !answer; /* in a difference, a point inside a subtracted operand is outside the result */
-      } else decided = true; /* a node with one child has the child's answer */
+      } else decided = true; /* the answer for a node with one child is that of the child */
       if (decided || top->next == above->node->child_count) {
         depth--;
         continue;
@@ -383,7 +383,7 @@ void vs_inside_cache_free(vs_inside_cache *c) {
 bool vs_inside_cached(vs_inside_cache **cache, const vs_node *n, vs_vec3 p, bool *inside, vs_error *e) {
   if (!*cache && !(*cache = vs_zeros(1, sizeof **cache))) return vs_error_memory(e, NULL);
   vs_inside_cache *c = *cache;
-  /* Equal nodes have the same shape, so the prepared data of one serve for the other. */
+  /* Equal nodes have the same shape. Therefore the prepared data of a node can be used for any equal node. */
   vs_inside **slot = &c->at[(n->hash ^ n->hash >> 32) % CACHE_SLOTS];
   if (!*slot || ((*slot)->root != n && !((*slot)->root->hash == n->hash && vs_node_equal((*slot)->root, n, NULL)))) {
     vs_inside *new = vs_inside_new(n, e);

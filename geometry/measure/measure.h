@@ -8,7 +8,8 @@ typedef struct {
   bool known;      /* false if there is no formula; the caller must then measure the kernel's mesh */
   double volume;   /* volume of a solid */
   double area;     /* area of a solid's surface, or of a region */
-  bool area_known; /* false if only the area is unknown, as for a sphere with different scales along its axes */
+  bool area_known; /* false if there is a formula for the volume but none for the area, as for a sphere with different
+                    * scales along its axes */
   double length;   /* length of a curve */
   vs_vec3 centroid;
 } vs_measure;

@@ -15,7 +15,8 @@ typedef struct {
 } facet;
 typedef struct {
   vs_bounds bounds;
-  uint32_t first, count; /* range of facets in a leaf; count 0: the node has the children first and first + 1 */
+  uint32_t first, count; /* range of facets in a leaf; count 0: the node is no leaf, and its children are the nodes
+                          * first and first + 1 */
 } box;
 
 struct vs_mesh_distance {
@@ -159,8 +160,8 @@ double vs_mesh_distance_at(const vs_mesh_distance *d, vs_vec3 p, vs_vec3 *slope)
   struct {
     uint32_t box;
     double away;
-  } stack[DEPTH]; /* the depth suffices: there are at most as many levels as the count of facets has bits, and each
-                   * level needs one entry */
+  } stack[DEPTH]; /* The depth suffices. The tree has at most as many levels as the number of facets has bits, and each
+                   * level needs one entry. */
   int todo = 0;
   double best = INFINITY;
   vs_vec3 at = p, normal = { 0, 0, 1 };

@@ -226,10 +226,10 @@ bool vs_sweep_measure(const vs_node *n, vs_measure *m, vs_error *e) {
 /* A node n without its placements and wrappers; whole: the node with them. */
 typedef struct {
   const vs_node *whole, *n;
-  vs_affine placed; /* the map of n by its placements */
+  vs_affine placed; /* the affine map that all placements around n make together */
 } measured;
 
-/* Sets the members of m, whose `known` is true. Returns false on failure. */
+/* A function that sets the members of m, whose `known` is true at the call. Returns false on failure. */
 typedef bool measure_rule(const measured *of, vs_measure *m, vs_error *e);
 
 static bool measure_zero(const measured *of, vs_measure *m, vs_error *e) {
@@ -326,7 +326,8 @@ static bool measure_set(const measured *of, vs_measure *m, vs_error *e) {
   return measure_hull(of, m, e);
 }
 
-static measure_rule *const measure_rules[VS_KIND_COUNT] = { /* NULL: the kind is a primitive solid, or has no formula */
+static measure_rule *const measure_rules[VS_KIND_COUNT] = { /* NULL: the kind is a primitive solid, or there is no
+                                                             * formula for its measures */
 #define VS_RULE(kind, plane, measure) [VS_##kind] = measure_##measure,
 #include "geometry/kind_rules.def"
 };

@@ -57,8 +57,9 @@ bool vs_facet_index_make(vs_facet_index *x) {
   x->starts = vs_zeros(cells + 2, sizeof *x->starts);
   x->triangles = vs_fresh(total + 1, sizeof *x->triangles);
   if (!x->starts || !x->triangles || total >= UINT32_MAX) return false;
-  for (int pass = 0; pass < 2; pass++) { /* the first pass counts, the second fills: starts[c + 1] is first the
-                                          * beginning of cell c's entries, and moves to their end */
+  for (int pass = 0; pass < 2; pass++) { /* the first pass counts the entries of each cell, the second fills them in;
+                                          * starts[c + 1] is first the beginning of cell c's entries, and moves to their
+                                          * end */
     for (size_t i = 0; i < n; i++) {
       facet_cells c = facet_span(x, i);
       for (size_t v = c.y0; v <= c.y1; v++)

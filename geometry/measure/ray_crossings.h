@@ -13,7 +13,8 @@ typedef struct {
   uint32_t *triangles;
 } vs_facet_index;
 
-bool vs_facet_index_make(vs_facet_index *x); /* makes the index of x->mesh; returns false when memory is out */
+bool vs_facet_index_make(vs_facet_index *x); /* makes the index of the triangles of x->mesh; returns false when memory
+                                              * is out */
 void vs_facet_index_free(vs_facet_index *x);
 size_t vs_facet_index_bytes(const vs_facet_index *x);
 /* Returns true if the winding number of the mesh at p is above 0, or p lies on the mesh. */

@@ -20,7 +20,7 @@ bool vs_ray_meets_box(const vs_bounds *b, vs_vec3 from, vs_vec3 direction, doubl
   const double at[3] = { from.x, from.y, from.z }, d[3] = { direction.x, direction.y, direction.z };
   double near = 0;
   for (int i = 0; i < 3; i++) {
-    if (d[i] == 0) { /* the ray is parallel to these sides; in the plane of a side it counts as inside */
+    if (d[i] == 0) { /* the ray is parallel to two sides of the box; in the plane of a side, the ray counts as inside */
       if (at[i] < low[i] || at[i] > high[i]) return false;
       continue;
     }
@@ -82,8 +82,8 @@ static vs_bounds bounds_of(const vs_mesh *m, const uint32_t *order, uint32_t cou
   return b;
 }
 
-/* A range of triangles in the order that is to become a node. second: true if it is the second half of the node
- * `parent`. */
+/* A range of the ordered triangles that is to become a node of the tree. second: true if it is the second half of the
+ * node `parent`. */
 typedef struct { uint32_t first, count, parent; bool second; } range;
 
 bool vs_ray_tree_make(vs_ray_tree *t, vs_store *store, const vs_mesh *mesh, vs_error *e) {

@@ -10,8 +10,8 @@
 typedef struct {
   const vs_mesh *m;
   vs_mesh_edges edges;
-  double *height; /* above the plane, of each vertex */
-  bool *used;     /* triangles that a line has crossed */
+  double *height; /* height[i]: height of vertex i above the plane */
+  bool *used;     /* used[t]: whether a line has already crossed triangle t */
 } contours;
 
 static bool is_up(const contours *c, uint32_t vertex) { return c->height[c->edges.corner[vertex]] > 0; }
@@ -20,7 +20,7 @@ static bool is_crossed(const contours *c, uint32_t edge) {
   return is_up(c, c->edges.edges[edge].a) != is_up(c, c->edges.edges[edge].b);
 }
 
-/* Returns where the plane cuts a crossed edge; a corner in the plane is itself the place. */
+/* Returns the point where the plane cuts an edge. If a corner of the edge lies in the plane, it is this corner. */
 static vs_vec3 place(const contours *c, uint32_t edge) {
   uint32_t a = c->edges.edges[edge].a, b = c->edges.edges[edge].b;
   double p = c->height[a], q = c->height[b];
@@ -37,7 +37,7 @@ static bool add_place(vs_polyline *p, vs_vec3 at) {
   return true;
 }
 
-/* Follows the line that crosses `edge` into triangle t, to a border or back to its beginning. */
+/* Follows the contour line that crosses `edge` into triangle t, to a border of the mesh or back to its beginning. */
 static bool follow(contours *c, uint32_t edge, uint32_t t, const vs_line_put *put) {
   vs_polyline line = { 0 };
   bool ok = add_place(&line, place(c, edge));
@@ -48,7 +48,7 @@ static bool follow(contours *c, uint32_t edge, uint32_t t, const vs_line_put *pu
       uint32_t other = c->edges.of[t][k];
       if (other != edge && other != VS_MESH_NONE && is_crossed(c, other)) next = other;
     }
-    if (next == edge) break; /* a triangle without area: two of its corners are one */
+    if (next == edge) break; /* the triangle has no area, because two of its corners are equal */
     ok = add_place(&line, place(c, next));
     edge = next;
     t = c->edges.edges[edge].side[c->edges.edges[edge].side[0] == t];
@@ -71,7 +71,8 @@ bool vs_mesh_contour(const vs_mesh *m, vs_vec3 point, vs_vec3 normal, const vs_l
     c.height[i] = vs_v3_dot(up, vs_v3_sub(m->vertices[i], point));
     if (fabs(c.height[i]) <= slack) c.height[i] = 0;
   }
-  for (int border = 1; border >= 0; border--) /* lines from border to border first; all others close */
+  for (int border = 1; border >= 0; border--) /* the first pass follows lines that begin at a border, the second lines
+                                               * that are closed */
     for (size_t i = 0; ok && i < c.edges.edge_count; i++) {
       const vs_mesh_edge *edge = &c.edges.edges[i];
       if (border && edge->side[1] != VS_MESH_NONE) continue;

@@ -5,14 +5,15 @@
 #include "geometry/plane/outline.h"
 #include "model/mesh.h"
 
-/* Takes one line, which is borrowed; returns false when it fails. */
+/* A function that receives one contour line. The caller keeps the line's points. Returns false on failure. */
 typedef struct {
   bool (*put)(void *context, const vs_polyline *line);
   void *context;
 } vs_line_put;
 
-/* Puts the lines in which the plane through point cuts an open mesh: the border of the part above the plane, without
- * the mesh's own border. Equal points count as one vertex. Returns false if put did, or memory is out. */
+/* Computes the contour lines in which the plane through `point` cuts an open mesh, and calls `put` for each. The lines
+ * are the border of the part above the plane, without the mesh's own border. Equal points count as one vertex. Returns
+ * false if `put` returned false, or memory is out. */
 bool vs_mesh_contour(const vs_mesh *m, vs_vec3 point, vs_vec3 normal, const vs_line_put *put);
 
 #endif

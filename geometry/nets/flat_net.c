@@ -1,4 +1,5 @@
-/* Implements flat_net.h: lays triangles of a mesh into a plane and walks along the borders of the joined ones. */
+/* Implements flat nets (flat_net.h): lays the triangles of a mesh into a plane, and follows the borders of joined
+ * triangles. */
 #include "geometry/nets/flat_net.h"
 
 #include <math.h>
@@ -27,7 +28,7 @@ static uint32_t apex_vertex(const vs_flat_net *s, uint32_t t, uint32_t e) {
   return vs_mesh_edges_corner(&s->edges, t, vs_flat_net_corner(s, t, e));
 }
 
-/* Returns true if the triangles beside edge e lie in one plane, on both sides of the edge. */
+/* Returns true if the two triangles at edge e lie in one plane, on opposite sides of the edge. */
 static bool is_flat(const vs_flat_net *s, uint32_t e) {
   const vs_mesh_edge *g = &s->edges.edges[e];
   if (g->side[1] == VS_MESH_NONE) return false;
@@ -36,12 +37,15 @@ static bool is_flat(const vs_flat_net *s, uint32_t e) {
   vs_vec3 q = vs_v3_sub(place(s, apex_vertex(s, g->side[1], e)), a);
   vs_vec3 n = vs_v3_cross(along, p), m = vs_v3_cross(q, along);
   double ln = vs_v3_length(n), lm = vs_v3_length(m);
-  if (ln <= s->slack * vs_v3_length(along) || lm <= s->slack * vs_v3_length(along)) return true; /* without area */
+  if (ln <= s->slack * vs_v3_length(along) || lm <= s->slack * vs_v3_length(along)) return true; /* a triangle without
+                                                                                                  * area counts as
+                                                                                                  * coplanar with its
+                                                                                                  * neighbour */
   return vs_v3_dot(n, m) > 0 && fabs(vs_v3_dot(q, n)) <= s->slack * ln && fabs(vs_v3_dot(p, m)) <= s->slack * lm;
 }
 
-/* Fills of[t] with the index of t's part: triangles connected by edges that `through` accepts. Returns the number of
- * parts, or SIZE_MAX when memory is out. */
+/* Sets of[t] to the index of the part of triangle t. A part consists of triangles that are connected by edges for which
+ * `through` returns true. Returns the number of parts, or SIZE_MAX when memory is out. */
 static size_t parts(const vs_flat_net *s, bool (*through)(const vs_flat_net *, uint32_t), uint32_t *of) {
   size_t n = s->edges.m->triangle_count, count = 0, open = 0;
   uint32_t *stack = vs_fresh(n + 1, sizeof *stack);
@@ -118,7 +122,7 @@ void vs_flat_net_lay(vs_flat_net *s, uint32_t from, uint32_t to, uint32_t e) {
   lay_at(s, to, e, ends, d.x * w.y - d.y * w.x >= 0 ? -1 : 1);
 }
 
-/* Lays the first triangle of a part: its corner 0 at the origin, corner 1 on +X. */
+/* Lays the first triangle of a part into the plane, with its corner 0 at the origin and corner 1 on +X. */
 static void lay_first(vs_flat_net *s, uint32_t t) {
   uint32_t e = s->edges.of[t][2];
   bool forward = vs_mesh_edges_corner(&s->edges, t, 0) == s->edges.edges[e].a;
@@ -138,8 +142,8 @@ void vs_flat_net_join(vs_flat_net *s, double slack) {
   }
 }
 
-/* Lays all triangles: those of the face at hand before others. A face is entered across one edge alone, so that its
- * triangles stay beside each other. */
+/* Lays all triangles into the plane. It completes a flat face before it continues with the next face. A face is entered
+ * across a single edge, so that its triangles stay beside each other. */
 static bool lay_all(vs_flat_net *s) {
   size_t n = s->edges.m->triangle_count;
   uint32_t *queue = vs_fresh(n + 1, sizeof *queue), *near = vs_fresh(n + 1, sizeof *near);
@@ -170,7 +174,7 @@ static bool lay_all(vs_flat_net *s) {
   return ok;
 }
 
-/* Adds the angle of each corner to its vertex. A vertex at a border gets NAN. */
+/* Sums the angles of the triangles at each vertex. The sum for a vertex at a border is NAN. */
 static void add_angles(const vs_flat_net *s, double *angle) {
   const vs_mesh *m = s->edges.m;
   for (size_t i = 0; i < m->vertex_count; i++) angle[i] = 0;
@@ -186,7 +190,7 @@ static void add_angles(const vs_flat_net *s, double *angle) {
       angle[s->edges.edges[e].a] = angle[s->edges.edges[e].b] = NAN;
 }
 
-/* Returns by which share the triangles 2i and 2i+1 are wider halfway in the plane than in space. */
+/* Returns the fraction by which the triangles 2i and 2i+1, laid flat, are wider halfway along them than in space. */
 static double twist_of(const vs_flat_net *s, uint32_t t) {
   for (int k = 0; k < 3; k++) {
     uint32_t e = s->edges.of[t][k];
@@ -194,7 +198,7 @@ static double twist_of(const vs_flat_net *s, uint32_t t) {
     if (g->side[1] == VS_MESH_NONE || (g->side[0] ^ 1U) != g->side[1] || is_flat(s, e)) continue;
     vs_vec3 a = place(s, g->a), b = place(s, g->b), p = place(s, apex_vertex(s, g->side[0], e)),
             q = place(s, apex_vertex(s, g->side[1], e));
-    double most = 0; /* of the two pairs of opposite sides, one runs across the rulings */
+    double most = 0; /* tests both pairs of opposite sides, because either pair may run across the rulings */
     const vs_vec3 side[2][4] = { { a, p, q, b }, { p, b, a, q } };
     for (int i = 0; i < 2; i++) {
       const vs_vec3 *c = side[i];
@@ -214,7 +218,8 @@ bool vs_flat_net_unroll(vs_flat_net *s, vs_flatness *out) {
   if (!angle || s->pieces == SIZE_MAX || !lay_all(s)) return free(angle), false;
   add_angles(s, angle);
   for (size_t i = 0; i < s->edges.m->vertex_count; i++) {
-    double off = angle[i] > 0 ? fabs(angle[i] - 2 * acos(-1)) : 0; /* false for NAN */
+    double off = angle[i] > 0 ? fabs(angle[i] - 2 * acos(-1)) : 0; /* this comparison is false for NAN, the sum at a
+                                                                    * border */
     out->worst = fmax(out->worst, off), out->curvature += off;
   }
   for (uint32_t e = 0; e < s->edges.edge_count; e++) {
@@ -251,7 +256,7 @@ bool vs_flat_net_borders(const vs_flat_net *s, uint32_t piece, vs_flat_border *e
         const vs_vec2 ends[2] = { s->at[t][from], s->at[t][to] };
         done[t][c] = true;
         ok = edge(context, t, s->edges.of[t][c], ends);
-        /* the next border edge begins at `to`: turn about it through joined edges */
+        /* the next border edge begins at the end `to`: turns about this end through joined edges */
         uint32_t v = vs_mesh_edges_corner(&s->edges, t, to), next = s->edges.of[t][from];
         for (size_t turn = 0; s->joined[next] && turn < 3 * n; turn++) {
           const vs_mesh_edge *g = &s->edges.edges[next];
@@ -259,7 +264,8 @@ bool vs_flat_net_borders(const vs_flat_net *s, uint32_t piece, vs_flat_border *e
           int apex = vs_flat_net_corner(s, t, next), at = 0;
           while (at < 2 && vs_mesh_edges_corner(&s->edges, t, at) != v) at++;
           VS_ASSERT(at != apex);
-          next = s->edges.of[t][3 - apex - at]; /* the edge opposite to the corner that is neither */
+          next = s->edges.of[t][3 - apex - at]; /* the edge opposite to the third corner, which is neither `apex` nor
+                                                 * `at` */
         }
         c = vs_flat_net_corner(s, t, next);
       }

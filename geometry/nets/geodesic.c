@@ -341,9 +341,9 @@ static bool row_of_way(const surface *s, const uint32_t *way, size_t count, row 
     uint32_t next = r->q.triangle;
     if (i + 2 < count) {
       uint32_t f = way[i + 1] / EACH;
-      if (f == e) continue; /* the path goes along the edge; the next stop crosses it */
+      if (f == e) continue; /* the path goes along this edge, and crosses the mesh only from the next stop on */
       next = between(s, e, f);
-      if (next == NONE) { /* the stop is a corner, and its number belongs to another edge there */
+      if (next == NONE) { /* the stop is a corner of the mesh, and has another number as a point of another edge */
         if (!corner) return *whole = false, true;
         continue;
       }
@@ -407,8 +407,9 @@ bool vs_mesh_geodesic(const vs_mesh *m, vs_vec3 p, vs_vec3 q, vs_vec3 **out, siz
       (*out)[(*count)++] = i == 0            ? r.p.at
                            : i == points - 1 ? r.q.at
                            : whole           ? crossing_at(&s, &r, i - 1)
-                                             : stop_at(&s, way[i]); /* without a row, the path goes over the stops
-                                                                     * themselves, such as corners at borders */
+                                             : stop_at(&s, way[i]); /* if no row of edges was found, the path consists
+                                                                     * of the stops themselves, such as corners at
+                                                                     * borders */
   }
   vs_mesh_edges_free(&s);
   row_free(&r);

@@ -1,4 +1,4 @@
-/* Implements mesh_edges.h: finds the edges of a mesh. */
+/* Implements the edges of a mesh (mesh_edges.h). */
 #include "geometry/nets/mesh_edges.h"
 
 #include <math.h>

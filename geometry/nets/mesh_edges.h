@@ -15,7 +15,7 @@ typedef struct {
  * each. */
 typedef struct {
   const vs_mesh *m; /* the mesh, which belongs to the caller */
-  uint32_t *corner; /* corner[i]: the first vertex with the position of vertex i */
+  uint32_t *corner; /* corner[i]: index of the first vertex that has the position of vertex i */
   vs_mesh_edge *edges;
   size_t edge_count;
   uint32_t (*of)[3]; /* of[t][k]: the edge of triangle t that is opposite its corner k */

@@ -185,8 +185,8 @@ static bool put_run(run *r, vs_offset_points *out, vs_poller poll) {
   if (!cut_loops(r, poll)) return false;
   size_t back = 0, segments = r->closed ? r->count : r->count - 1;
   for (size_t i = 0; i < segments; i++) back += goes_back(r, i);
-  if (2 * back > segments) return true; /* if most segments go backwards, the distance exceeds the radius of the entire
-                                         * curve, and no offset remains */
+  if (2 * back > segments) return true; /* If most segments go backwards, the distance exceeds the curve's radius
+                                         * everywhere, and no offset remains. */
   if (!VS_GROW(out->at, out->room, out->count + r->count + 1)) return false;
   for (size_t i = 0; i < r->count; i++) out->at[out->count++] = (vs_offset_point){ r->at[i].at, i == 0 };
   if (r->closed) out->at[out->count++] = (vs_offset_point){ r->at[0].at, false };

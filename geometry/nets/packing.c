@@ -15,7 +15,7 @@
 typedef struct {
   vs_vec2 at;
   double half, promise;
-  size_t seen; /* number of circles that the square's bound takes into account */
+  size_t seen; /* number of placed circles that the square's upper bound takes into account */
 } square;
 
 typedef struct {
@@ -106,7 +106,7 @@ bool vs_area_pack(const vs_area *area, const vs_packing_rule *rule, vs_long_work
     size_t kept_count = 0, kept_room = 0;
     while (ok && w.squares && w.heap[0].promise > fmax(least, best.radius * 1.001)) {
       square s = pop(&w);
-      if (s.seen < w.count) { /* circles placed since then may have lowered its bound */
+      if (s.seen < w.count) { /* circles that were placed after this bound was computed may have lowered it */
         double r = room_for(&w, s.at, s.promise - s.half * sqrt(2), s.seen);
         s.promise = r + s.half * sqrt(2), s.seen = w.count;
         ok = push(&w, s);

@@ -60,7 +60,7 @@ static vs_relax_outcome held(const vs_net *n, size_t *where) {
 
 /* ---- forces ---- */
 
-/* Computes the force on each point, its mass, and the force in each member from the positions. */
+/* Computes, from the positions of the points, the force on each point, its mass, and the force in each member. */
 static void look(relaxation *r) {
   vs_net *n = r->net;
   r->greatest = 0;
@@ -131,8 +131,8 @@ static vs_relax_outcome settle(relaxation *r, double tolerance, vs_long_work wor
   }
 }
 
-/* Returns true if all taut cables have the required lengths within `share`. Sets the unstrained lengths for the next
- * round. */
+/* Returns true if all taut cables have the required lengths, with a relative error of at most `share`. Sets the
+ * unstrained lengths for the next round. */
 static bool lengths_hold(relaxation *r, double share) {
   bool hold = true;
   for (size_t k = 0; k < r->net->member_count; k++) {

@@ -1,6 +1,9 @@
-/* Implements unfolding.h. A run takes the edges in some order, and joins the two pieces beside an edge if they do not
- * overlap in the plane. The orders are: the longest edges first, and, in several random directions, all edges but the
- * steepest at each vertex (W. Schlickenrieder's steepest-edge cuts, which suit convex solids). */
+/* Implements the unfolding of closed meshes (unfolding.h).
+ *
+ * A run processes the edges in some order, and joins the two pieces at an edge if they then do not overlap in the
+ * plane. A fourth of the orders put long edges first, and a fourth are random. The others put the steepest edge at
+ * each vertex last, each for a random upward direction (W. Schlickenrieder's steepest-edge cuts, which suit convex
+ * solids). */
 #include "geometry/nets/unfolding.h"
 
 #include <math.h>
@@ -11,12 +14,12 @@
 #include "model/store/array.h"
 
 enum {
-  RUNS = 80,             /* largest number of orders that are tried */
-  PATIENCE = 300000000   /* comparisons of triangles after which no further order is tried */
+  RUNS = 80,             /* greatest number of orders of the edges that are tried */
+  PATIENCE = 300000000   /* number of comparisons of triangles after which no further order of the edges is tried */
 };
 
-/* Returns true if the counter-clockwise or clockwise triangles overlap by more than the slack: no side of one
- * separates them. */
+/* Returns true if the triangles overlap by more than the slack, so that no side of either separates them. Either
+ * triangle may be clockwise. */
 static bool overlap(const vs_vec2 a[3], const vs_vec2 b[3], double slack) {
   for (int pass = 0; pass < 2; pass++) {
     const vs_vec2 *p = pass ? b : a, *q = pass ? a : b;
@@ -49,19 +52,19 @@ static bool boxes_meet(const box *a, const box *b, double slack) {
   return a->x0 < b->x1 - slack && b->x0 < a->x1 - slack && a->y0 < b->y1 - slack && b->y0 < a->y1 - slack;
 }
 
-/* The state of a run. The triangles of a piece are a ring: next[t] is the one after t. */
+/* The state of a run. The triangles of a piece form a circular list, in which next[t] follows triangle t. */
 typedef struct {
   vs_flat_net *s;
-  uint32_t *next, *count;  /* count[p]: triangles of piece p */
+  uint32_t *next, *count;  /* count[p]: number of triangles of piece p */
   uint32_t *order;         /* the edges in the order of the run */
-  double *weight;          /* the edges' weights; the least comes first */
-  uint32_t *steepest;      /* for each vertex the edge that is cut */
-  vs_vec2 (*best)[3];      /* the places of the best run */
+  double *weight;          /* weights of the edges; an edge with a smaller weight is processed earlier */
+  uint32_t *steepest;      /* steepest[v]: the steepest edge at vertex v, which is processed last */
+  vs_vec2 (*best)[3];      /* best[t]: positions of the corners of triangle t in the plane, in the best run so far */
   uint32_t *best_piece;
-  uint32_t *near;          /* triangles of the larger piece within the smaller one's box */
-  vs_vec2 (*moved)[3];     /* places of the smaller piece's triangles beside the larger piece */
-  uint32_t *who;           /* the triangles of `moved` */
-  double tried;            /* comparisons of triangles so far */
+  uint32_t *near;          /* triangles of the larger piece that lie in the bounding box of the smaller piece */
+  vs_vec2 (*moved)[3];     /* positions of the smaller piece's triangles after it was moved beside the larger piece */
+  uint32_t *who;           /* who[i]: the triangle whose positions are moved[i] */
+  double tried;            /* number of comparisons of triangles so far */
 } run;
 
 static void run_free(run *r) {
@@ -83,7 +86,7 @@ static vs_vec2 go(const motion *m, vs_vec2 p) {
   return (vs_vec2){ m->c * p.x - m->s * p.y + m->x, m->s * p.x + m->c * p.y + m->y };
 }
 
-/* Returns the motion that lays the ends `from` upon the ends `to`. */
+/* Returns the motion of the plane that moves the points from[0] and from[1] to to[0] and to[1]. */
 static motion between(const vs_vec2 from[2], const vs_vec2 to[2]) {
   double ax = from[1].x - from[0].x, ay = from[1].y - from[0].y, bx = to[1].x - to[0].x, by = to[1].y - to[0].y;
   double l = hypot(ax, ay) * hypot(bx, by);
@@ -95,7 +98,7 @@ static motion between(const vs_vec2 from[2], const vs_vec2 to[2]) {
   return m;
 }
 
-/* Joins the pieces beside the edge if they do not overlap then. Returns true if it did. */
+/* Joins the two pieces at edge e if they then do not overlap. Returns true if it joined them. */
 static bool merge(run *r, uint32_t e) {
   vs_flat_net *s = r->s;
   const vs_mesh_edge *g = &s->edges.edges[e];
@@ -146,12 +149,13 @@ static int by_weight(const void *p, const void *q) {
   return a->edge < b->edge ? -1 : a->edge > b->edge;
 }
 
-static double next_random(uint64_t *state) { /* from -1 to 1 */
+static double next_random(uint64_t *state) { /* returns a pseudo-random number from -1 to 1 */
   *state = *state * UINT64_C(6364136223846793005) + UINT64_C(1442695040888963407);
   return (double)(*state >> 11) / 4503599627370496.0 - 1;
 }
 
-/* Weighs the edges for a run: by length, by the steepest edge of each vertex, or by chance. */
+/* Sets the weights of the edges for run `number`: by length, by the steepest edge at each vertex, or by random
+ * numbers. */
 static void weigh(run *r, int number) {
   vs_flat_net *s = r->s;
   const vs_mesh *m = s->edges.m;
@@ -195,7 +199,8 @@ static bool sort_edges(run *r) {
   return true;
 }
 
-/* Makes each face a piece: its triangles were laid beside each other by vs_flat_net_unroll, which begins here anew. */
+/* Makes each face a piece of its own, at the beginning of a run. vs_flat_net_unroll has laid the triangles of a face
+ * beside each other. */
 static void separate(run *r) {
   vs_flat_net *s = r->s;
   size_t n = s->edges.m->triangle_count;
@@ -229,7 +234,7 @@ bool vs_flat_net_unfold(vs_flat_net *s, vs_long_work work) {
     memcpy(r.best, s->at, n * sizeof *r.best);
     memcpy(r.best_piece, s->piece, n * sizeof *r.best_piece);
   }
-  if (ok && fewest != SIZE_MAX) { /* number the pieces from 0 in the order of their first triangles */
+  if (ok && fewest != SIZE_MAX) { /* numbers the pieces from 0, in the order of their first triangles */
     uint32_t *name = r.near, count = 0;
     for (size_t f = 0; f < s->faces; f++) name[f] = VS_MESH_NONE;
     memcpy(s->at, r.best, n * sizeof *r.best);
@@ -249,8 +254,8 @@ bool vs_flat_net_unfold(vs_flat_net *s, vs_long_work work) {
 
 typedef struct {
   const vs_flat_net *s;
-  vs_vec2 (*taken)[3]; /* the triangles of tabs so far, two for each */
-  uint32_t *piece;     /* their pieces */
+  vs_vec2 (*taken)[3]; /* the triangles of the tabs that are already placed, two for each tab */
+  uint32_t *piece;     /* piece[i]: the piece to which the triangle taken[i] belongs */
   size_t count;
 } tab_field;
 
@@ -270,7 +275,8 @@ static bool is_free(const tab_field *f, const vs_vec2 at[3], uint32_t piece) {
   return true;
 }
 
-/* Sets ends to the border edge e of t in the order in which the border runs, with the inside to the left. */
+/* Sets ends to the ends of the border edge e of triangle t, in the direction in which the inside of the triangle lies
+ * to the left. */
 static void border_ends(const vs_flat_net *s, uint32_t t, uint32_t e, vs_vec2 ends[2]) {
   vs_flat_net_ends(s, t, e, ends);
   vs_vec2 w = s->at[t][vs_flat_net_corner(s, t, e)];
@@ -280,7 +286,8 @@ static void border_ends(const vs_flat_net *s, uint32_t t, uint32_t e, vs_vec2 en
   }
 }
 
-/* Finds the widest tab of the steps 1, 0.75, 0.56 ... of `width`, down to a fifth. Returns its width, or 0. */
+/* Finds the widest tab that fits at the edge. Tries `width`, then 0.75 times the last width each time, down to a fifth
+ * of `width`. Returns the tab's width, or 0 if none fits. */
 static double widest(const tab_field *f, uint32_t t, uint32_t e, double width, vs_vec2 out[2]) {
   vs_vec2 p[2];
   border_ends(f->s, t, e, p);

@@ -5,16 +5,18 @@
 #include "geometry/nets/flat_net.h"
 #include "model/long_work.h"
 
-/* Joins the faces of the net into as few pieces as it finds. No two triangles of a piece overlap in the plane. Tries
- * several orders of edges, and keeps the best. Returns false when memory is out, or the caller interrupts. */
+/* Joins the faces of the net into as few pieces as it can. No two triangles of a piece overlap in the plane. Tries
+ * several orders of the edges, and keeps the best result. Returns false when memory is out, or the caller
+ * interrupts. */
 bool vs_flat_net_unfold(vs_flat_net *s, vs_long_work work);
 
-/* A glue tab at a cut edge. */
+/* A glue tab at a cut edge: a flap that is glued to another part of the paper model. */
 typedef struct {
   uint32_t triangle, edge; /* the triangle that has the tab, and the index of the cut edge */
-  vs_vec2 at[2];           /* the tab's outer corners, from the start of the edge to its end as the border runs */
+  vs_vec2 at[2];           /* outer corners of the tab, in the direction of the border, from the start of the edge to
+                            * its end */
 } vs_glue_tab;
-/* Finds a tab of at most this width for each cut edge, beside one of its two triangles, where it overlaps neither
+/* Finds a tab of at most `width` for each cut edge, beside one of the edge's two triangles. The tab overlaps neither
  * triangles nor other tabs. *tabs: array that the caller frees. *missing: number of cut edges without room for a tab.
  * Returns false when memory is out. */
 bool vs_flat_net_tabs(const vs_flat_net *s, double width, vs_glue_tab **tabs, size_t *count, size_t *missing);

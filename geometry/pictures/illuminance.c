@@ -21,8 +21,8 @@ bool vs_lit_surfaces_are_known(const vs_lit_surfaces *s) {
 double vs_illuminance_at(const vs_lit_surfaces *s, size_t pixel) {
   const double pi = 3.14159265358979323846, least = 0.005;
   double sum = 0, weight = 0;
-  for (int k = 0; k < 3; k++) { /* skips colours that the surface does not reflect: a red surface gives no information
-                                 * about blue light */
+  for (int k = 0; k < 3; k++) { /* skips colours that the surface does not reflect, such as blue of a red surface,
+                                 * because they give no information about the light */
     double r = (double)s->albedo[k][pixel];
     if (!(r >= least)) continue;
     sum += vs_raster_share[k] * (double)s->light[k][pixel] / r, weight += vs_raster_share[k];

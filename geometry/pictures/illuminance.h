@@ -5,8 +5,8 @@
 
 #include "geometry/files/exr.h"
 
-/* The channels of a picture that illuminance needs. If the picture lacks a channel, at least one of the pointers is
- * NULL. */
+/* Pointers to the channels of a picture from which illuminance is computed. If the picture lacks a channel, at least
+ * one of the pointers is NULL. */
 typedef struct { const float *light[3], *albedo[3], *upward; /* upward: the channel N.Z, the vertical component of the
                                                               * surface's normal */ } vs_lit_surfaces;
 

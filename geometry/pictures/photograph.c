@@ -1,4 +1,5 @@
-/* Reads pictures that cover surfaces: checks that they are complete, and determines their size and mean colour. */
+/* Reads pictures that cover surfaces (textures): checks that they are complete, and determines their size and mean
+ * colour. */
 #include "geometry/pictures/photograph.h"
 
 #include <math.h>

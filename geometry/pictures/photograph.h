@@ -1,4 +1,4 @@
-/* Declares the reading of a picture that is to cover a surface. */
+/* Declares the reading of a picture that is to cover a surface (a texture). */
 #ifndef VS_GEOMETRY_PICTURES_PHOTOGRAPH_H
 #define VS_GEOMETRY_PICTURES_PHOTOGRAPH_H
 
@@ -8,7 +8,7 @@
 typedef struct {
   const char *format; /* "png" or "jpeg" */
   uint32_t columns, rows;
-  double mean[3];     /* mean of the picture's light, as sRGB: its colour as seen from far away */
+  double mean[3];     /* mean of the picture's linear light, converted to sRGB: its colour as seen from far away */
 } vs_photograph;
 
 /* Reads a PNG or JPEG file that is in memory; its first bytes determine the format. Returns false if the file has

@@ -6,7 +6,7 @@
 #include "model/node.h"
 
 typedef struct {
-  double most, mean, root; /* largest difference, mean difference and root of the mean square difference of all colour
+  double most, mean, root; /* largest difference, mean difference and root mean square of the differences of all colour
                             * components in linear light */
   size_t worst;            /* index of the pixel with the largest difference */
   double peak_ratio;       /* peak signal-to-noise ratio in dB, for a peak of 1; INFINITY if the pictures are equal */

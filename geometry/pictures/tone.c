@@ -7,7 +7,7 @@
 
 /* ---- exposure ---- */
 
-/* Bins of a histogram of luminance, as logarithm to base 2. A bin is a sixteenth of a stop wide. */
+/* Constants of a histogram of the logarithm to base 2 of luminance. A stop, a factor of two, has sixteen bins. */
 enum { BINS_A_STOP = 16, LEAST_STOP = -24, STOPS = 48, BINS = STOPS * BINS_A_STOP };
 
 static double luminance(const vs_light *l, size_t i) {
@@ -15,7 +15,7 @@ static double luminance(const vs_light *l, size_t i) {
          vs_raster_share[2] * (double)l->blue[i];
 }
 
-/* Returns the logarithm of luminance below which `count` pixels of the histogram are. */
+/* Returns the logarithm to base 2 of the luminance below which `count` pixels of the histogram lie. */
 static double quantile(const size_t bins[BINS], double count) {
   size_t sum = 0;
   int i = 0;
@@ -23,8 +23,8 @@ static double quantile(const size_t bins[BINS], double count) {
   return LEAST_STOP + (i + 0.5) / BINS_A_STOP;
 }
 
-/* For each tone curve, the value that the 99th percentile of the picture gets by the exposure. The curve is a little
- * below white there. */
+/* For each tone curve, the input value to which the exposure scales the 99th percentile of the picture. The curve is a
+ * little below white there. */
 static const double bright_end[] = {
     [VS_TONE_NEUTRAL] = 1.1, [VS_TONE_AGX] = 3.8, [VS_TONE_FILMIC] = 4, [VS_TONE_LINEAR] = 0.9 };
 
@@ -40,10 +40,10 @@ double vs_tone_exposure(const vs_light *light, vs_tone_curve curve) {
     count++;
   }
   if (!count) return 0;
-  /* Reinhard's method ignores a hundredth of the pixels at either end of the range. The key is .18 if the average is in
-   * the middle of the range. It is four times as large if the average is at the bright end, and a quarter of it at the
-   * dark end. Low keys are for pictures that should stay dark, but not for a room with a bright window. Therefore the
-   * key here is at most half a stop below the middle one. */
+  /* Reinhard's method ignores a hundredth of the pixels at either end of the range. His key (the grey that the average
+   * becomes) is .18 if the average is in the middle of the range. It is four times as large if the average is at the
+   * bright end, and a quarter of it at the dark end. Low keys are for pictures that should stay dark, but not for a
+   * room with a bright window. Therefore the key here is never more than half a stop below .18. */
   double least = quantile(bins, 0.01 * (double)count), most = quantile(bins, 0.99 * (double)count);
   double average = fmin(fmax(sum / (double)count, least), most), range = most - least;
   double place = range > 0 ? (2 * average - least - most) / range : 0; /* position of the average in the range, -1 to
@@ -130,8 +130,8 @@ static void agx(const double in[3], double out[3]) {
 /* ---- conversion of a picture ---- */
 
 /* A table for sRGB bytes by IEC 61966-2-1, which avoids a power function for each pixel. at[i] is the least light for
- * which byte i is the nearest. The range has COARSE equal parts. The search for the byte in part k begins with
- * first[k]. */
+ * which byte i is the nearest. The range from 0 to 1 has COARSE equal parts. The search for the byte in part k begins
+ * with first[k]. */
 enum { COARSE = 4096 };
 typedef struct { double at[256]; unsigned char first[COARSE + 1]; } screen_steps;
 
@@ -148,7 +148,7 @@ static void screen_prepare(screen_steps *s) {
   }
 }
 
-static unsigned char screen(const screen_steps *s, double x) { /* x is linear light, 0 to 1 */
+static unsigned char screen(const screen_steps *s, double x) { /* returns the sRGB byte of the linear light x, 0 to 1 */
   unsigned b = s->first[(size_t)(x * COARSE)];
   while (b < 255 && s->at[b + 1] <= x) b++;
   return (unsigned char)b;

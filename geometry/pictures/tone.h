@@ -16,8 +16,8 @@ typedef enum {
 
 typedef struct {
   vs_tone_curve curve;
-  bool fixed;      /* true: the stops are relative to the picture's own light; false: relative to the exposure of
-                    * vs_tone_exposure */
+  bool fixed;      /* true: the exposure `stops` is relative to the picture's own light; false: relative to the exposure
+                    * of vs_tone_exposure */
   double stops;
 } vs_tone;
 

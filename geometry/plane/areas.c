@@ -25,7 +25,7 @@ bool vs_area_point(vs_area *a, double x, double y) {
   return true;
 }
 
-static size_t area_ended(const vs_area *a) { /* returns the number of points in completed loops */
+static size_t area_ended(const vs_area *a) { /* returns the number of points in the completed loops of the area */
   size_t n = 0;
   for (size_t l = 0; l < a->loop_count; l++) n += a->size[l];
   return n;
@@ -178,7 +178,7 @@ static void area_tidy(vs_area *a, size_t first) {
   vs_vec2 *p = a->at + first;
   VS_ASSERT(first <= a->count);
   for (size_t i = 0; i < n; i++) size = fmax(size, fmax(fabs(p[i].x), fabs(p[i].y)));
-  for (size_t i = 0; i < n; i++) { /* only if the corner before is kept */
+  for (size_t i = 0; i < n; i++) { /* removes this corner only if the corner before it is kept */
     vs_vec2 b = p[i], c = p[(i + 1) % n], o = kept ? p[kept - 1] : p[n - 1];
     double ux = b.x - o.x, uy = b.y - o.y, vx = c.x - b.x, vy = c.y - b.y, wx = c.x - o.x, wy = c.y - o.y;
     double u = hypot(ux, uy), v = hypot(vx, vy), w = hypot(wx, wy), slack = 1e-12 * size;
@@ -223,7 +223,7 @@ static bool geos_ring(vs_geos *g, const GEOSGeometry *ring, bool hole, vs_area *
 static bool geos_polygon(vs_geos *g, const GEOSGeometry *polygon, vs_area *out) {
   size_t loops = out->loop_count;
   if (!geos_ring(g, g->GEOSGetExteriorRing_r(g->h, polygon), false, out)) return false;
-  if (out->loop_count == loops) return true; /* the outer loop was dropped, so its holes are, too */
+  if (out->loop_count == loops) return true; /* the polygon's outer loop was dropped, so its holes are dropped, too */
   int holes = g->GEOSGetNumInteriorRings_r(g->h, polygon);
   for (int i = 0; i < holes; i++)
     if (!geos_ring(g, g->GEOSGetInteriorRingN_r(g->h, polygon, i), true, out)) return false;
@@ -255,8 +255,8 @@ static bool geos_result(vs_geos *g, const GEOSGeometry *from, vs_area *out) {
   return n >= 0;
 }
 
-/* Returns a collection of the parts of a, each of which is made valid separately. If the whole were made valid at once,
- * areas that are covered twice would be lost. Returns NULL on failure. */
+/* Returns a collection of the parts of a, each of which is made valid separately. If all parts were made valid
+ * together, areas that are covered twice would be lost. Returns NULL on failure. */
 static GEOSGeometry *geos_mend(vs_geos *g, const GEOSGeometry *a) {
   int n = g->GEOSGetNumGeometries_r(g->h, a);
   GEOSGeometry **parts = n < 0 ? NULL : vs_zeros((size_t)n + 1, sizeof *parts), *all = NULL;

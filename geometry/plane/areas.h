@@ -36,8 +36,8 @@ bool vs_area_combine(vs_area_operation operation, const vs_area *operands, size_
 /* Makes the area where the winding number of directed edges is not 0. In each point as many edges must begin as end.
  * Edges may intersect or overlap. Returns false and sets e on failure. */
 bool vs_area_of_chain(const vs_vec2 (*edges)[2], size_t count, const char *purpose, vs_area *out, vs_error *e);
-/* Finds the middle of the largest circle within the area, to a thousandth of its size, and its radius; 0: the area is
- * empty. */
+/* Finds the centre of the largest circle within the area, to a thousandth of the area's size, and the circle's radius.
+ * The radius is 0 if the area is empty. */
 bool vs_area_middle(const vs_area *a, const char *purpose, vs_vec2 *at, double *radius, vs_error *e);
 /* Returns true if the point is inside the area, or within 1e-9 of the area's size from its border. */
 bool vs_area_holds(const vs_area *a, double x, double y);
@@ -51,7 +51,7 @@ bool vs_points_delaunay(const vs_vec2 *at, size_t n, uint32_t (**out)[3], size_t
 typedef enum { VS_OFFSET_MITRE, VS_OFFSET_ROUND, VS_OFFSET_SQUARE } vs_offset_corners;
 
 /* The exact offset of a circle or arc, through any number of offsets and of placements that preserve circles. It is
- * stored as an arc, a circle from 0 to 2 pi, with its placement. vs_offset_round returns false if there is no such
+ * stored as an arc (for a circle, from 0 to 2 pi) with its placement. vs_offset_round returns false if there is no such
  * curve, or the result is empty. */
 typedef struct { bool circle; struct vs_arc arc; } vs_offset_exact;
 

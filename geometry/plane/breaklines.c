@@ -18,12 +18,12 @@ typedef struct {
 
 typedef struct {
   const vs_vec2 *at;
-  triple *corner;   /* counter-clockwise */
-  triple *next;     /* next[t][k]: the triangle beyond the side opposite corner k; NONE at the border */
-  bool (*fixed)[3]; /* fixed[t][k]: that side is one of the given edges */
-  uint32_t *of;     /* of[v]: a triangle at point v; NONE if there is none */
+  triple *corner;   /* indices of the three points of each triangle, counter-clockwise */
+  triple *next;     /* next[t][k]: the neighbour of triangle t at the side opposite corner k, or NONE at the border */
+  bool (*fixed)[3]; /* fixed[t][k]: true if the side of triangle t opposite corner k is one of the given edges */
+  uint32_t *of;     /* of[v]: a triangle that has point v as a corner, or NONE if there is none */
   size_t count;
-  double slack;     /* twice the area of a triangle below which its corners lie on one line */
+  double slack;     /* three points count as collinear if twice the area of their triangle is below this value */
   queue crossed, made, todo;
 } flipper;
 
@@ -33,22 +33,23 @@ static bool push(queue *q, uint32_t a, uint32_t b) {
   return true;
 }
 
-/* Returns twice the area of the triangle a b c, positive if c is to the left of a b; 0 if they lie on one line. */
+/* Returns twice the area of the triangle a b c. It is positive if c is to the left of the line from a to b, and 0 if
+ * the three points are collinear. */
 static double side(const flipper *f, uint32_t a, uint32_t b, uint32_t c) {
   vs_vec2 p = f->at[a], q = f->at[b], r = f->at[c];
   double d = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
   return fabs(d) <= f->slack ? 0 : d;
 }
 
-/* Returns the corner of t that is point v. */
+/* Returns the index, 0 to 2, of the corner of triangle t at point v. */
 static int corner_at(const flipper *f, uint32_t t, uint32_t v) {
   int k = 0;
   while (k < 2 && f->corner[t][k] != v) k++;
   return k;
 }
 
-/* Returns the triangle after t around v, or NONE after the last. turned: the walk has met the border, and continues
- * clockwise from the first triangle. */
+/* Returns the next triangle after t around point v, or NONE after the last. *turned: true if the walk has reached the
+ * border and continues clockwise from the first triangle. */
 static uint32_t around(const flipper *f, uint32_t v, uint32_t t, bool *turned) {
   if (!*turned) {
     uint32_t n = f->next[t][(corner_at(f, t, v) + 1) % 3];
@@ -59,7 +60,7 @@ static uint32_t around(const flipper *f, uint32_t v, uint32_t t, bool *turned) {
   return f->next[t][(corner_at(f, t, v) + 2) % 3];
 }
 
-/* Finds the side a b: opposite corner *k of triangle *t. */
+/* Finds a triangle that has a side between the points a and b. The side is opposite corner *k of triangle *t. */
 static bool find(const flipper *f, uint32_t a, uint32_t b, uint32_t *t, int *k) {
   bool turned = false;
   for (*t = f->of[a]; *t != NONE; *t = around(f, a, *t, &turned)) {
@@ -70,7 +71,8 @@ static bool find(const flipper *f, uint32_t a, uint32_t b, uint32_t *t, int *k) 
   return false;
 }
 
-static int back_of(const flipper *f, uint32_t t, uint32_t from) { /* the side of t that leads to `from` */
+static int back_of(const flipper *f, uint32_t t, uint32_t from) { /* returns the index of the side of triangle t whose
+                                                                   * neighbour is the triangle `from` */
   int k = 0;
   while (k < 2 && f->next[t][k] != from) k++;
   return k;
@@ -82,7 +84,8 @@ static void fix(flipper *f, uint32_t t, int k) {
   if (o != NONE) f->fixed[o][back_of(f, o, t)] = true;
 }
 
-/* Returns the point opposite corner k of t, beyond the side; NONE at the border. */
+/* Returns the point opposite the side k of triangle t, in the triangle on the other side of it, or NONE at the
+ * border. */
 static uint32_t beyond(const flipper *f, uint32_t t, int k) {
   uint32_t o = f->next[t][k];
   return o == NONE ? NONE : f->corner[o][back_of(f, o, t)];
@@ -92,7 +95,8 @@ static void join(flipper *f, uint32_t t, int k, uint32_t to, bool fixed) {
   f->next[t][k] = to, f->fixed[t][k] = fixed;
 }
 
-/* Replaces the side opposite corner k of t by the other diagonal of the quadrilateral. */
+/* Replaces the side opposite corner k of triangle t by the other diagonal of the quadrilateral that t and its neighbour
+ * form. */
 static void flip(flipper *f, uint32_t t, int k) {
   uint32_t o = f->next[t][k];
   int j = back_of(f, o, t), k1 = (k + 1) % 3, k2 = (k + 2) % 3, j1 = (j + 1) % 3, j2 = (j + 2) % 3;
@@ -108,13 +112,13 @@ static void flip(flipper *f, uint32_t t, int k) {
   f->of[x] = f->of[u] = f->of[y] = t, f->of[v] = o;
 }
 
-/* Returns true if the quadrilateral about the side opposite corner k of t is strictly convex. */
+/* Returns true if triangle t and its neighbour opposite corner k form a strictly convex quadrilateral. */
 static bool is_convex(const flipper *f, uint32_t t, int k) {
   uint32_t x = f->corner[t][k], u = f->corner[t][(k + 1) % 3], v = f->corner[t][(k + 2) % 3], y = beyond(f, t, k);
   return y != NONE && side(f, x, y, u) * side(f, x, y, v) < 0;
 }
 
-/* Returns true if the point beyond the side lies within the circle of t. */
+/* Returns true if the third corner of the neighbour opposite corner k lies within the circumcircle of triangle t. */
 static bool is_within(const flipper *f, uint32_t t, int k) {
   uint32_t y = beyond(f, t, k);
   if (y == NONE) return false;
@@ -135,7 +139,8 @@ static vs_vec2 crossing(const flipper *f, uint32_t a, uint32_t b, uint32_t p, ui
   return (vs_vec2){ f->at[p].x + share * (f->at[q].x - f->at[p].x), f->at[p].y + share * (f->at[q].y - f->at[p].y) };
 }
 
-/* Collects the sides that a b crosses. *end: the first point that lies on a b, at most b. */
+/* Collects the sides of triangles that the segment from a to b crosses. *end: the first point after a that lies on the
+ * segment, at the latest b. */
 static vs_breaklines_outcome collect(flipper *f, uint32_t a, uint32_t b, uint32_t *end, vs_vec2 *where) {
   bool turned = false;
   uint32_t t, p = NONE, q = NONE;
@@ -167,7 +172,8 @@ static vs_breaklines_outcome collect(flipper *f, uint32_t a, uint32_t b, uint32_
   return VS_BREAKLINES_LOST;
 }
 
-/* Flips the collected sides until a to b is a side; false: memory is out, or rounding keeps it from ending. */
+/* Flips the collected sides until the segment from a to b is a side of triangles. Returns false when memory is out, or
+ * rounding errors prevent an end. */
 static bool flip_crossed(flipper *f, uint32_t a, uint32_t b) {
   size_t most = 64 + 16 * f->crossed.count * f->crossed.count;
   for (; f->crossed.first < f->crossed.count && most > 0; most--) {
@@ -188,7 +194,8 @@ static bool flip_crossed(flipper *f, uint32_t a, uint32_t b) {
   return f->crossed.first == f->crossed.count;
 }
 
-/* Flips the new sides that are not fixed until each is Delaunay; the number of passes is limited, for rounding. */
+/* Flips the new sides that are not given edges until all are Delaunay. The number of passes is limited, because
+ * rounding errors may prevent an end. */
 static bool restore(flipper *f) {
   bool changed = true;
   for (int pass = 0; changed && pass < 100; pass++) {
@@ -237,7 +244,7 @@ static int by_ends(const void *p, const void *q) {
   return x->b < y->b ? -1 : x->b > y->b;
 }
 
-/* Finds the neighbours of the triangles, and a triangle at each point. */
+/* Finds the neighbours of all triangles, and a triangle at each point. Returns false when memory is out. */
 static bool link(flipper *f, size_t points) {
   half *h = vs_fresh(3 * f->count + 1, sizeof *h);
   if (!h) return false;
@@ -259,7 +266,8 @@ static bool link(flipper *f, size_t points) {
   return true;
 }
 
-/* Sets after[a] to b for each side a b of the border, and NONE elsewhere. Returns the lowest point of the border. */
+/* Sets after[a] to b for each border side from a to b, and after[a] to NONE for all other points. Returns the lowest
+ * point of the border. */
 static uint32_t find_border(const flipper *f, size_t points, uint32_t *after) {
   uint32_t lowest = NONE;
   for (size_t i = 0; i < points; i++) after[i] = NONE;
@@ -275,7 +283,7 @@ static uint32_t find_border(const flipper *f, size_t points, uint32_t *after) {
   return lowest;
 }
 
-/* Adds triangles to t where the border turns inwards. Records their sides, which may not be Delaunay. */
+/* Adds triangles to t where the border is concave. Records the sides of these triangles, which may not be Delaunay. */
 static bool complete(flipper *f, vs_breakline_mesh *t) {
   uint32_t *after = vs_fresh(t->count + 1, sizeof *after), *line = vs_fresh(t->count + 2, sizeof *line);
   bool ok = after && line;
@@ -298,7 +306,7 @@ static bool complete(flipper *f, vs_breakline_mesh *t) {
   return ok;
 }
 
-/* Makes the neighbours, completes the triangles, and makes the neighbours of these. */
+/* Finds the neighbours of the triangles, adds the missing triangles at the border, and finds the neighbours again. */
 static bool prepare(flipper *f, vs_breakline_mesh *t) {
   for (int pass = 0; pass < 2; pass++) {
     free(f->next), free(f->fixed);

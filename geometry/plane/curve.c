@@ -171,10 +171,11 @@ static vs_path_point spline_at(const vs_spline_work *w, size_t i, double t) {
   return (vs_path_point){ at, behind, ahead, 0 };
 }
 
-/* Adds samples between the parameters `from` and `to`, from < to, where the direction turns by more than an angle. It
- * halves these parts repeatedly, down to a cusp. most: the cosine of the angle. */
+/* Adds samples between the parameters `from` and `to`, from < to, where the direction of the spline turns by more than
+ * an angle. It halves these parts repeatedly, down to a cusp. most: the cosine of the angle. */
 static bool spline_turn(const vs_spline_work *w, size_t i, double from, double to, double most, vs_path *out) {
-  struct { double to; int halvings; } parts[HALVINGS + 1] = { { to, 0 } }; /* the remaining ones, from last to first */
+  struct { double to; int halvings; } parts[HALVINGS + 1] = { { to, 0 } }; /* stack of the parameter ranges that remain,
+                                                                            * from last to first */
   vs_path_point p = spline_at(w, i, from);
   bool ok = true;
   VS_ASSERT(from < to);

@@ -8,7 +8,7 @@
 #include "geometry/tolerance.h"
 
 typedef struct {
-  vs_path_point *at; /* samples; if closed, the first is not repeated at the end */
+  vs_path_point *at; /* samples of the curve; on a closed curve the first sample is not repeated at the end */
   size_t count, room;
   bool closed;
   double length; /* length of the polyline through the samples, including the closing segment */
@@ -22,7 +22,8 @@ void vs_path_measure(vs_path *p); /* sets `along` of each sample and the length 
 bool vs_curve_leaf(const vs_node *curve, const vs_affine *map, const vs_fineness *f, vs_path *out);
 /* Samples an arc, or if `circle` its whole circle, mapped by `map`. Returns false when memory is out. */
 bool vs_curve_round(const struct vs_arc *a, bool circle, const vs_affine *map, const vs_fineness *f, vs_path *out);
-bool vs_path_of_polyline(const vs_polyline *p, vs_path *out); /* out must be empty; returns false when memory is out */
+bool vs_path_of_polyline(const vs_polyline *p, vs_path *out); /* makes a path of a polyline; out must be empty; returns
+                                                               * false when memory is out */
 /* Samples a curve of any kind, mapped by `placed`. Follows placements, appearances and regions of one loop
  * (planar_evaluation.c). Returns false and sets e on failure. */
 bool vs_curve_path(const vs_node *curve, const vs_affine *placed, const vs_fineness *f, vs_path *out, vs_error *e);

@@ -1,9 +1,10 @@
 /* Finds points where curves cross (curve_crossings.h).
  *
  * The curves are sampled and become edges in their plane, sorted by their smallest x. Each edge is compared with the
- * edges before it that reach its x. Two edges cross if the ends of each lie clearly on opposite sides of the other.
- * Where an end lies on an edge, the curves cross if one passes to the other side of the other there. Pairs of curves
- * that only touch are compared as a whole. */
+ * earlier edges that extend to its x. Two edges cross if the ends of each lie clearly on opposite sides of the other
+ * edge. Where an end of an edge lies on another edge, the two curves cross if one of them changes sides there. If two
+ * curves only touch, all their points are tested: a curve crosses another if it has points clearly inside and clearly
+ * outside it. */
 #include "geometry/plane/curve_crossings.h"
 
 #include <stdlib.h>
@@ -18,7 +19,7 @@
 typedef struct { vs_vec2 a, b; size_t curve, place, last; double low, high, slack; } vs_cross_edge;
 
 
-enum { TOUCHES_MOST = 64 }; /* greatest number of touching pairs that are stored; regions have fewer */
+enum { TOUCHES_MOST = 64 }; /* greatest number of touching pairs of curves that are stored; regions have fewer */
 
 typedef struct {
   vs_polyline *loops; /* sampled curves */
@@ -27,7 +28,8 @@ typedef struct {
   vs_affine frame;    /* frame of the curves' plane */
   vs_cross_edge *edges;
   size_t edge_count;
-  size_t *starts, *after; /* after[starts[curve] + place]: index of the edge that follows this edge of the curve */
+  size_t *starts, *after; /* after[starts[curve] + place]: index of the edge that follows edge number `place` of the
+                           * curve */
   struct { size_t a, b; } touches[TOUCHES_MOST]; /* pairs of curves that touch, a <= b */
   size_t touch_count;
 } vs_cross_search;
@@ -77,7 +79,7 @@ static bool cross_at_end(const vs_cross_edge *p, const vs_cross_edge *next_p, co
                          const vs_cross_edge *next_q) {
   double slack = fmax(p->slack, q->slack), dx = q->b.x - q->a.x, dy = q->b.y - q->a.y, length = hypot(dx, dy);
   double along = ((p->b.x - q->a.x) * dx + (p->b.y - q->a.y) * dy) / length;
-  /* The start of q is not tested here, but as the end of the edge before q. */
+  /* The start of q is not tested here. It is tested as the end of the edge before q. */
   if (fabs(cross_side(q, p->b)) > slack || along <= slack || along > length + slack) return false;
   vs_vec2 v = p->b, in = { p->a.x - v.x, p->a.y - v.y }, out = { next_p->b.x - v.x, next_p->b.y - v.y };
   vs_vec2 end = along >= length - slack ? next_q->b : q->b, come = { q->a.x - v.x, q->a.y - v.y },
@@ -189,7 +191,7 @@ static bool cross_found(const vs_cross_search *s, size_t a, size_t b, vs_vec2 at
   return true;
 }
 
-/* Returns true if two edges that overlap along x cross, or their curves cross at an end of one. */
+/* Returns true if two edges that overlap along x cross, or if their curves cross at an end of one of the edges. */
 static bool cross_pair(vs_cross_search *s, const vs_cross_edge *p, const vs_cross_edge *q, vs_crossing *out) {
   if (q->high < p->low || fmax(q->a.y, q->b.y) < fmin(p->a.y, p->b.y) ||
       fmin(q->a.y, q->b.y) > fmax(p->a.y, p->b.y) || cross_neighbours(p, q))

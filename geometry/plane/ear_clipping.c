@@ -29,12 +29,13 @@ static const size_t none = SIZE_MAX;
 typedef struct { uint32_t point, next, prev; } vs_corner;
 typedef struct {
   size_t place;             /* index of the corner along the original ring */
-  size_t awaited;           /* the reflex corner within this corner's triangle for which it waits, or none */
+  size_t awaited;           /* the reflex corner within this corner's triangle that must be cut or become convex first,
+                             * or none */
   size_t waiting;           /* the first of the corners that wait for this corner; they are linked by `later` and
                              * `earlier` */
   size_t later, earlier;
-  bool gone, idle;          /* gone: true if the corner is cut; idle: true if it is in the list of corners that are cut
-                             * at once */
+  bool gone, idle;          /* gone: true if the corner is cut off; idle: true if the corner is in the list of corners
+                             * that are cut off at once */
 } vs_ear;
 typedef struct {
   const vs_vec2 *at;
@@ -43,12 +44,13 @@ typedef struct {
   size_t count;
   size_t *by_place;  /* corner at each index of the original ring */
   size_t *points;    /* points[i]: the point of corner i */
-  vs_point_tree tree; /* tree of the corners; reflex corners in the ring are switched on */
+  vs_point_tree tree; /* tree of the corners; reflex corners of the ring are switched on, so that searches find only
+                       * these */
   vs_marks open;     /* positions along the ring of corners that may be ears */
   size_t *idle;      /* corners that are to be cut at once */
   size_t idle_count;
   double flat; /* a triangle counts as empty if twice its area is below this */
-  double blur; /* a line passes through a corner if it is closer than this */
+  double blur; /* a line counts as passing through a corner if their distance is less than this value */
 } vs_ring;
 
 static vs_vec2 ring_at(const vs_ring *r, size_t c) { return r->at[r->corners[c].point]; }
@@ -111,7 +113,8 @@ static size_t ring_next_idle(vs_ring *r) {
   return none;
 }
 
-static void ring_look(vs_ring *r, size_t c) { /* updates the data of c after it or a neighbour has changed */
+static void ring_look(vs_ring *r, size_t c) { /* updates the stored data of corner c after the corner or one of its
+                                               * neighbours has changed */
   bool reflex = ring_turn(r, r->corners[c].prev, c, r->corners[c].next) <= r->flat;
   ring_wait_no_more(r, c);
   if (!reflex) ring_release(r, c);
@@ -128,7 +131,8 @@ static bool ring_is_ear(vs_ring *r, size_t b) {
   return inside == SIZE_MAX;
 }
 
-/* Returns the first ear along the ring after the corner `at`, all around, or none. */
+/* Returns the first ear along the ring after the corner `at`. Searches the entire ring, and returns none if it has no
+ * ear. */
 static size_t ring_next_ear(vs_ring *r, size_t at) {
   size_t place = r->ears[at].place, end = none;
   for (int turn = 0; turn < 2; turn++, end = place) {
@@ -157,16 +161,17 @@ static void ring_cut(vs_ring *r, size_t ear) {
 /* An index of the corners to which a hole can be joined. A binary tree divides the range of y into bands. A downward
  * edge of the ring is in the lists of those few nodes that together cover its height. Corners are also indexed by
  * position. An edge is represented by the corner where it begins, even after holes are inserted. */
-typedef struct { uint32_t edge, next; } vs_band_link; /* next: the next link of the list, from 1 on; 0: the end */
+typedef struct { uint32_t edge, next; } vs_band_link; /* index of the next link of the list, from 1 on; 0 marks the
+                                                       * end */
 typedef struct {
-  double low, scale;    /* the band of y is (y - low) * scale */
+  double low, scale;    /* y lies in band number (y - low) * scale */
   size_t leaves;        /* number of bands, a power of two; node 1 is the root, and node i has the children 2 i and 2 i
                          * + 1 */
   uint32_t *first;      /* first link in the list of each node */
   vs_band_link *links;
   size_t count, room;   /* number of links, including link 0, which is unused */
-  vs_point_tree points; /* tree of the corners; those in the ring are switched on */
-  uint32_t *copies;     /* copies[i] - 1: the next corner at the position of corner i; 0: there is none */
+  vs_point_tree points; /* tree of the corners; corners of the ring are switched on, so that searches find only these */
+  uint32_t *copies;     /* copies[i] - 1: index of the next corner at the position of corner i; 0: there is none */
 } vs_bands;
 
 static bool bands_make(vs_bands *b, const vs_ring *r, size_t total, size_t most) {
@@ -278,8 +283,8 @@ static void sight_look(void *context, size_t point) {
   }
 }
 
-/* Chooses a corner of the ring at the position of a hole's corner: one whose edges enclose the hole. s->h is the hole's
- * next corner. */
+/* Chooses among the corners of the ring at the position of a hole's corner the one whose edges enclose the hole. s->h
+ * is the hole's next corner. */
 static void touch_look(void *context, size_t point) {
   vs_sight *s = context;
   for (size_t i = point;; i = s->copies[i] - 1) {
@@ -331,7 +336,7 @@ static size_t ring_bridge(const vs_ring *r, const vs_bands *b, size_t start, siz
     last = band;
   }
   size_t edge = ray.edge;
-  if (edge == none) return start; /* the hole is outside its outer loop; with any bridge the boundary is correct */
+  if (edge == none) return start; /* The hole is outside its outer loop. The boundary is correct with any bridge. */
   size_t next = r->corners[edge].next;
   vs_vec2 p = ring_at(r, edge), q = ring_at(r, next);
   bool at_p = fabs(p.y - h.y) <= blur && p.x <= h.x, at_q = fabs(q.y - h.y) <= blur && q.x <= h.x;
@@ -384,20 +389,21 @@ typedef struct {
   vs_ring *ring;
   vs_bands bands;
   vs_hole *holes;
-  vs_point_tree outside; /* tree of the holes' corners; those not yet in the ring are switched on */
+  vs_point_tree outside; /* tree of the holes' corners; corners that are not yet in the ring are switched on */
   uint32_t *hole_of;     /* hole_of[i]: hole that contains point i */
   size_t *queue, queued; /* holes in the ring that must still be tested for other holes that touch them */
   size_t start;          /* corner with which the ring begins */
 } vs_joining;
 
-static bool join_at(vs_joining *j, size_t a, size_t b) { /* a is a corner of the ring, b a corner of the hole */
+static bool join_at(vs_joining *j, size_t a, size_t b) { /* joins corner a of the ring to corner b of the hole */
   vs_ring *r = j->ring;
   vs_hole *hole = &j->holes[j->hole_of[b]];
   hole->joined = true;
   j->queue[j->queued++] = j->hole_of[b];
   for (size_t c = hole->first; c < hole->first + hole->size; c++) vs_point_tree_switch(&j->outside, c, false);
   if (!ring_splice(r, &j->bands, a, b) || !bands_add_loop(&j->bands, r, hole->first, hole->size)) return false;
-  if (a == j->start) j->start = r->corners[b].prev; /* the copy of a, which now precedes the hole */
+  if (a == j->start) j->start = r->corners[b].prev; /* the ring begins with the copy of a, which now precedes the
+                                                     * hole */
   return true;
 }
 
@@ -421,8 +427,8 @@ static bool join_touching(vs_joining *j, size_t first, size_t size) {
   return true;
 }
 
-/* Joins all holes. First come those that touch the ring, and those that touch these. The others follow from left to
- * right, each with the holes that touch it. */
+/* Joins all holes to the ring. First come holes that touch the ring, and holes that touch such holes. The others follow
+ * from left to right, each together with the holes that touch it. */
 static bool join_all(vs_joining *j, size_t count, size_t outer) {
   bool ok = bands_add_loop(&j->bands, j->ring, 0, outer);
   for (size_t i = 0; i < count; i++)
@@ -475,7 +481,7 @@ static bool ring_clip(vs_ring *r, size_t start, size_t left, vs_mesh *m, const u
         }
         i = r->corners[i].next;
       } while (i != at);
-      if (ear == none) ear = at; /* areas are NaN */
+      if (ear == none) ear = at; /* all areas are NaN */
     }
     size_t prev = r->corners[ear].prev, next = r->corners[ear].next;
     uint32_t a = index[r->corners[prev].point], b = index[r->corners[ear].point], c = index[r->corners[next].point];

@@ -1,4 +1,5 @@
-/* Computes the part of an area's border that lies within another area: on a slice, the outline of the one above. */
+/* Computes the part of an area's border that lies within another area. On a slice of a solid, this is the outline of
+ * the next higher slice. */
 #include "geometry/plane/inner_lines.h"
 
 #include <math.h>
@@ -12,7 +13,8 @@ void vs_inner_lines_free(vs_inner_lines *l) {
   *l = (vs_inner_lines){ 0 };
 }
 
-/* Returns the share of the way from p to q at which it is nearest to r, and the distance there. */
+/* Returns the position of the point nearest to r on the segment from p to q, as a fraction of its length. *distance:
+ * distance of that point from r. */
 static double nearest(vs_vec2 p, vs_vec2 q, vs_vec2 r, double *distance) {
   double x = q.x - p.x, y = q.y - p.y, square = x * x + y * y;
   double t = square > 0 ? fmin(1, fmax(0, ((r.x - p.x) * x + (r.y - p.y) * y) / square)) : 0;
@@ -31,7 +33,8 @@ static bool on_border(const vs_area *a, vs_vec2 p, double slack) {
 }
 
 typedef struct {
-  double *at; /* shares of the edge at which corners of the other area lie on it */
+  double *at; /* positions on the edge, as fractions of its length, of its ends and of the other area's corners that lie
+               * on it */
   size_t count, room;
 } cuts;
 
@@ -52,7 +55,7 @@ static bool find_cuts(const vs_area *a, vs_vec2 p, vs_vec2 q, double slack, cuts
   return true;
 }
 
-/* The line under construction begins at point `first`. */
+/* The state of a line under construction, which begins at point number `first`. */
 typedef struct {
   vs_inner_lines *out;
   size_t first;
@@ -77,7 +80,7 @@ static bool end(tracer *t, bool closed) {
   return true;
 }
 
-/* Traces a loop, which begins at an edge on the border if there is one. */
+/* Traces the lines along a loop. It starts at an edge that lies on the other area's border, if there is one. */
 static bool trace(const vs_area *a, const vs_vec2 *loop, size_t n, double slack, tracer *t) {
   size_t start = 0;
   cuts c = { 0 };
@@ -103,7 +106,8 @@ static bool trace(const vs_area *a, const vs_vec2 *loop, size_t n, double slack,
       ok = ok && add(t, to);
     }
   }
-  if (ok && !broken && t->out->count > t->first) t->out->count--; /* the last point is the first one */
+  if (ok && !broken && t->out->count > t->first) t->out->count--; /* removes the last point of a closed line, which
+                                                                   * repeats the first point */
   ok = ok && end(t, !broken);
   free(c.at);
   return ok;

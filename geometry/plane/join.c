@@ -1,7 +1,7 @@
 /* Joins open curves.
  *
- * A chain begins with the first unused curve. The first unused curve with an end at the chain's end is added
- * repeatedly, and then likewise at the chain's start. The time is quadratic in the number of curves. */
+ * A chain begins with the first unused curve. Then the first unused curve that has an end at the chain's end is added,
+ * repeatedly. The chain's start is extended in the same way. The time is quadratic in the number of curves. */
 #include "geometry/plane/join.h"
 
 #include <stdlib.h>

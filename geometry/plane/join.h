@@ -9,7 +9,9 @@
  * *count becomes their number. The caller releases them. Returns false and sets e on failure; the caller then releases
  * nothing. */
 bool vs_curves_join(vs_store *s, vs_ref *refs, size_t *count, vs_error *e);
-bool vs_curve_ends(const vs_node *curve, vs_vec3 *start, vs_vec3 *end, double *size, vs_error *e); /* only for open
-                                                                                                    * curves */
+bool vs_curve_ends(const vs_node *curve, vs_vec3 *start, vs_vec3 *end, double *size, vs_error *e); /* finds the ends and
+                                                                                                    * the size of a
+                                                                                                    * curve, which must
+                                                                                                    * be open */
 
 #endif

@@ -37,7 +37,8 @@ static bool boxes_near(const vs_bounds *a, const vs_bounds *b, double near) {
 
 static double held(double x, double high) { return x < 0 ? 0 : x > high ? high : x; }
 
-/* Returns the distance s within the range of the curve: modulo its length if it is closed, else limited to it. */
+/* Returns the distance s brought into the range of the curve: modulo its length if the curve is closed, else limited to
+ * it. */
 static double along(const vs_stations *c, double s) {
   return c->path.closed ? s - c->length * floor(s / c->length) : held(s, c->length);
 }
@@ -101,7 +102,7 @@ static vs_meetings_outcome pair(search *w, size_t i, size_t j) {
   double t = w->b->along[j] + y * (w->b->along[j + 1] - w->b->along[j]);
   double s0 = s, t0 = t;
   if (nearest(w->a, w->b, &s, &t, 2 * span) > w->near) return VS_MEETINGS_DONE;
-  /* If the result has moved away from these spans, another pair of spans finds it. */
+  /* If the result has moved away from these two spans, the search from another pair of spans finds it. */
   if (!same_place(w->a, s, s0, 3 * span) || !same_place(w->b, t, t0, 3 * span)) return VS_MEETINGS_DONE;
   double blur = fmax(w->near, 1e-7 * fmax(w->a->length, w->b->length));
   for (size_t k = 0; k < w->count; k++)

@@ -6,7 +6,7 @@
 
 typedef struct {
   vs_vec3 at;
-  double s, t; /* distances along the curves from their starts */
+  double s, t; /* positions of the meeting point on the two curves, as arc lengths from their starts */
 } vs_meeting;
 
 typedef enum {

@@ -80,7 +80,7 @@ static bool offset_join(vs_offsetter *o, vs_vec2 p, const vs_offset_edge *a, con
   } else if (o->corners == VS_OFFSET_MITRE && least > 0 && least <= MITRE_MOST) {
     double k = 1 / (1 + cosine);
     ok = ok && offset_far(o, p, (a->nx + b->nx) * k, (a->ny + b->ny) * k);
-  } else { /* cuts the corner square at the distance d */
+  } else { /* cuts the corner square at the distance d from it */
     double k = tan(half / 2);
     ok = ok && offset_far(o, p, a->nx + k * a->tx, a->ny + k * a->ty) &&
          offset_far(o, p, b->nx - k * b->tx, b->ny - k * b->ty);
@@ -201,7 +201,7 @@ static bool offset_border(const vs_offsetter *o, const vs_area *border, const vs
       for (size_t k = 0; other && k + 1 < n; k++) other = offset_distance(middle, at[k], at[k + 1]) >= least;
       run = other ? run + 1 : 0;
       length = other ? length + hypot(b.x - a.x, b.y - a.y) : 0;
-      if (run > size) break; /* the sequence is the whole loop */
+      if (run > size) break; /* all edges of the loop belong to the sequence */
       if (length > longest * (1 + 1e-12)) {
         longest = length;
         best_first = first, best_size = size, best_count = run, best_start = (i + 1 - run) % size;

@@ -23,8 +23,8 @@ typedef struct {
 /* Enlarges the area by the rule's distance, or reduces it if the distance is negative. Returns false and sets e on
  * failure. */
 bool vs_area_offset(const vs_area *in, const vs_offset_rule *rule, vs_area *out, vs_error *e);
-/* Moves the line to the left by the rule's distance, or to the right if the distance is negative. It is not 0. out is
- * empty if nothing remains. Returns false and sets e on failure. */
+/* Moves the line to the left by the rule's distance, or to the right if the distance is negative. The distance is not
+ * 0. out is empty if nothing remains. Returns false and sets e on failure. */
 bool vs_line_offset(const vs_open_line *line, const vs_offset_rule *rule, vs_polyline *out, vs_error *e);
 bool vs_offset_round(const vs_node *offset, vs_affine *place, vs_offset_exact *out);
 /* Finds the plane in which the left side of an open line is defined. Columns 0 and 1 of *frame span it; column 2 is its

@@ -75,8 +75,8 @@ static bool outline_loop_in(const vs_affine *frame, const vs_polyline *p, const 
   return 2 * votes > asked;
 }
 
-/* Returns the normal of the plane of an open profile. A straight profile lies in many planes: it gets the vertical one,
- * and a vertical line gets the plane XZ. */
+/* Returns the normal of the plane of an open profile. A straight profile lies in many planes: the result then belongs
+ * to its vertical plane, or to the plane XZ if the profile itself is vertical. */
 static vs_vec3 outline_normal_of_open(const vs_polyline *p) {
   vs_vec3 sum = { 0, 0, 0 }, along = { 0, 0, 0 };
   double length = 0;
@@ -91,8 +91,8 @@ static vs_vec3 outline_normal_of_open(const vs_polyline *p) {
   return vs_v3_length(across) > 1e-12 * length ? across : vs_v3(0, 1, 0);
 }
 
-/* Orders holes after their outer loops. depth[i]: number of loops that contain loop i. If it is odd, i is a hole of the
- * smallest outer loop that contains it. */
+/* Orders holes after their outer loops. depth[i]: number of loops that contain loop i. If depth[i] is odd, loop i is a
+ * hole of the smallest outer loop that contains it. */
 static bool outline_nest(vs_outline *o) {
   size_t n = o->count, done = 0;
   size_t *depth = vs_zeros(n, sizeof *depth), *parent = vs_fresh(n, sizeof *parent);

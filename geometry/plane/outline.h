@@ -17,7 +17,8 @@ void vs_outline_free(vs_outline *o);
 /* Makes an outline of loops in one plane. The outline then owns the points, and each loop is left empty, even on
  * failure. Returns false and sets e on failure. */
 bool vs_outline_of_loops(vs_polyline *loops, size_t count, vs_outline *out, vs_error *e);
-/* Finds the plane of the loops and its frame. Returns false if they enclose no area, or lie in no plane. */
+/* Finds the plane of the loops and its frame. Returns false if the loops enclose no area, or do not lie in one
+ * plane. */
 bool vs_outline_plane(vs_outline *o, vs_error *e);
 /* Orients the loops: outer loops counter-clockwise about the normal, holes clockwise. */
 void vs_outline_orient(vs_outline *o);

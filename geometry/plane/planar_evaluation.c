@@ -22,8 +22,8 @@ typedef struct {
 typedef struct {
   const vs_ref *ref;
   uint32_t next;       /* index of the next child to evaluate */
-  size_t first;        /* index of the value of its first child */
-  vs_affine map;       /* map for its children */
+  size_t first;        /* index in the value stack of the result of the node's first child */
+  vs_affine map;       /* affine map to apply to the node's children */
   vs_affine after;     /* for an offset: map that is applied to its result */
   vs_fineness facets;
 } vs_flat_frame;
@@ -116,11 +116,11 @@ static bool flat_enter(vs_flat *f, const vs_ref *ref, vs_affine map, const vs_fi
             return false;
           return n->class_ == VS_CURVE || flat_fill(f, ref, v);
         }
-        /* The offset is computed in its own coordinates, because its distance refers to them. */
+        /* The offset is computed in the node's own coordinates, because its distance refers to them. */
         vs_fineness inner = vs_fineness_placed(facets, &map);
         return flat_open(f, ref, &identity, &inner) && (f->frames[f->frame_count - 1].after = map, true);
       }
-      case VS_HULL: if (n->class_ != VS_REGION_CLASS) break; /* fall through */
+      case VS_HULL: if (n->class_ != VS_REGION_CLASS) break; /* falls through for a hull that is a region */
       case VS_TEXT: {
         vs_flat_value *v = flat_push(f);
         if (v) v->filled = true;
@@ -152,7 +152,8 @@ static bool flat_enter(vs_flat *f, const vs_ref *ref, vs_affine map, const vs_fi
   }
 }
 
-/* Joins the curves one after another. Reverses a curve if its end, not its start, is at the end of the previous one. */
+/* Joins the curves one after another. Reverses a curve if its end, instead of its start, lies at the end of the
+ * previous curve. */
 static bool flat_join(vs_flat *f, const vs_ref *ref, vs_flat_value *values, size_t count, vs_flat_value *out) {
   vs_path *to = &out->path;
   bool ok = true;
@@ -308,7 +309,7 @@ static bool flat_offset(vs_flat *f, const vs_flat_frame *at, vs_flat_value *in, 
     ok = ok && vs_area_offset(&area, &rule, &made, f->error);
     ok = ok && (vs_area_outline(&made, &frame, &out->outline) || vs_error_memory(f->error, at->ref->origin));
     out->filled = true;
-    /* The result of a curve is a curve again, if it has a single loop. */
+    /* The result of an offset of a curve is a curve again, if it has a single loop. */
     if (ok && at->ref->node->class_ == VS_CURVE && out->outline.count == 1) {
       ok = vs_path_of_polyline(&out->outline.loops[0], &out->path) || vs_error_memory(f->error, at->ref->origin);
       vs_outline_free(&out->outline);

@@ -11,7 +11,7 @@ bool vs_plane_same(const vs_shape_plane *a, const vs_shape_plane *b) {
   return vs_v3_length(vs_v3_cross(a->normal, b->normal)) <= 1e-6 && fabs(vs_v3_dot(a->normal, between)) <= 1e-6 * reach;
 }
 
-/* Points that determine a plane. The point farthest from the first one determines a direction. The point farthest from
+/* Points that determine a plane. The point farthest from the first point determines a line. The point farthest from
  * that line determines the plane. All points at[i] are mapped by `map`. */
 typedef struct { const vs_vec3 *at; size_t count; vs_vec3 more[4]; size_t more_count; vs_affine map; } vs_plane_points;
 
@@ -43,8 +43,8 @@ static vs_plane_count plane_through_points(const vs_plane_points *p, vs_shape_pl
 
 /* ---- the function of each kind ----
  *
- * It sets *found and returns true. Or it multiplies p->map and returns false; the function of the first child's kind is
- * then called. */
+ * A plane_rule sets *found and returns true. If the node's plane is that of its first child, it multiplies p->map by
+ * the placement and returns false; the rule of the child's kind is then called. */
 
 typedef bool plane_rule(const vs_node *n, vs_plane_points *p, vs_shape_plane *out, vs_plane_count *found);
 
@@ -153,7 +153,7 @@ static bool plane_join(const vs_node *n, vs_plane_points *p, vs_shape_plane *out
   return true;
 }
 
-static plane_rule *const plane_rules[VS_KIND_COUNT] = { /* NULL: the kind is a primitive solid */
+static plane_rule *const plane_rules[VS_KIND_COUNT] = { /* NULL: the kind is a primitive solid, which has no plane */
 #define VS_RULE(kind, plane, measure) [VS_##kind] = plane_##plane,
 #include "geometry/kind_rules.def"
 };

@@ -18,7 +18,7 @@ typedef struct {
 /* Finds the plane of a node. The plane of a set is that of its first part that is not empty. The constructor of the set
  * has checked that all parts lie in one plane. */
 vs_plane_count vs_node_plane(const vs_node *n, vs_shape_plane *out);
-bool vs_plane_same(const vs_shape_plane *a, const vs_shape_plane *b); /* returns true if the planes agree within 1e-6 of
-                                                                       * their sizes */
+bool vs_plane_same(const vs_shape_plane *a, const vs_shape_plane *b); /* returns true if the two planes agree within
+                                                                       * 1e-6 of the shapes' sizes */
 
 #endif

@@ -87,21 +87,27 @@ void vs_point_tree_switch(vs_point_tree *t, size_t item, bool on) {
   VS_ASSERT(item < t->count);
   if (t->is_on[rank] == on) return;
   t->is_on[rank] = on;
-  for (size_t i = t->leaves + rank / POINT_TREE_LEAF; i > 0; i /= 2) t->boxes[i].on += on ? 1 : SIZE_MAX; /* subtracts 1
+  for (size_t i = t->leaves + rank / POINT_TREE_LEAF; i > 0; i /= 2) t->boxes[i].on += on ? 1 : SIZE_MAX; /* adds 1 to
+                                                                                                           * the number
+                                                                                                           * of points
+                                                                                                           * that are
+                                                                                                           * on, or
+                                                                                                           * subtracts 1
                                                                                                            * if `on` is
                                                                                                            * false */
 }
 
-/* Returns true if the whole box is clearly to the right of the line from p to q. The margin is twice that of points,
- * which exceeds rounding errors. */
+/* Returns true if all of the box is clearly to the right of the line from p to q. The margin is twice that for points,
+ * and exceeds rounding errors. */
 static bool tree_beyond(const vs_point_box *b, vs_vec2 p, vs_vec2 q, double flat) {
   /* The corner of the box that is farthest to the left of the line. */
   vs_vec2 most = { q.y > p.y ? b->min_x : b->max_x, q.x > p.x ? b->max_y : b->min_y };
   return vs_vec2_turn(p, q, most) < -2 * flat;
 }
 
-/* Returns a box that contains every point p that counts as inside the triangle a, b, c. The areas of p with two of the
- * corners are then at least -flat, so none exceeds the triangle's area by more than 2 * flat. */
+/* Returns a box that contains every point p that counts as inside the triangle a, b, c. The triangles of p with two of
+ * the corners have areas of at least -flat. Therefore none of these areas exceeds the triangle's area by more than 2 *
+ * flat. */
 static vs_point_box tree_around(vs_vec2 a, vs_vec2 b, vs_vec2 c, double flat) {
   vs_point_box box = { fmin(a.x, fmin(b.x, c.x)), fmin(a.y, fmin(b.y, c.y)), fmax(a.x, fmax(b.x, c.x)),
                        fmax(a.y, fmax(b.y, c.y)), 0 };

@@ -6,16 +6,16 @@
 #include "geometry/plane/ear_clipping.h"
 
 /* Points in the order of a space-filling curve, in leaves of POINT_TREE_LEAF points, below a binary tree of boxes. The
- * member `on` of a box is its number of points that are not off. The construction takes n log n steps, and switching a
- * point takes as many steps as the tree is high. A search visits only boxes that intersect the triangle and have such
- * points. */
+ * member `on` of a box is the number of its points that are switched on. The construction takes n log n steps, and
+ * switching a point takes as many steps as the tree is high. A search visits only boxes that intersect the triangle and
+ * have such points. */
 typedef struct { double min_x, min_y, max_x, max_y; size_t on; } vs_point_box;
 typedef struct {
   const vs_vec2 *at;   /* positions, which belong to the caller; item i has the position at[point[i]] */
   size_t count, leaves;
   size_t *order, *rank; /* order: items along the curve; rank: index of each item in `order` */
   const size_t *point;
-  bool *is_on;          /* for each rank: true if its item is on */
+  bool *is_on;          /* is_on[r]: true if the item of rank r is switched on */
   vs_point_box *boxes;  /* node 1 is the root, and node i has the children 2 i and 2 i + 1; the leaves begin at index
                          * `leaves`, a power of two */
 } vs_point_tree;
@@ -26,12 +26,12 @@ bool vs_point_tree_make(vs_point_tree *t, const vs_vec2 *at, const size_t *point
 void vs_point_tree_free(vs_point_tree *t);
 /* Switches an item of the tree on or off. */
 void vs_point_tree_switch(vs_point_tree *t, size_t item, bool on);
-/* Returns an item that is on, in the triangle, and not at the position of a, b or c; SIZE_MAX if there is none. A point
- * p is in the triangle if twice the area of each of (a, b, p), (b, c, p) and (c, a, p) is at least -flat. flat is at
- * least 0. */
+/* Returns an item that is switched on, lies in the triangle, and is not at the position of a, b or c. Returns SIZE_MAX
+ * if there is none. A point p is in the triangle if twice the area of each of (a, b, p), (b, c, p) and (c, a, p) is at
+ * least -flat. flat is at least 0. */
 size_t vs_point_tree_in(const vs_point_tree *t, vs_vec2 a, vs_vec2 b, vs_vec2 c, double flat);
 
-/* Calls `found` for each item that is on and lies in the box or on its border. */
+/* Calls `found` for each item that is switched on and lies in the box or on its border. */
 void vs_point_tree_each(const vs_point_tree *t, const vs_point_box *box, void (*found)(void *context, size_t item),
                         void *context);
 

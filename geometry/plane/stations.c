@@ -67,7 +67,7 @@ vs_station vs_station_at(const vs_stations *s, double distance) {
   if (turn <= 1e-9) {
     r.at = vs_v3_add(p->at, vs_v3_scale(chord, t));
     r.tangent = p->leaving;
-  } else { /* the cubic curve that best approximates the arc */
+  } else { /* between two samples with different directions: the cubic curve that best approximates the arc */
     double speed = vs_v3_length(chord) / (quarter * quarter), u = 1 - t;
     vs_vec3 a = vs_v3_scale(p->leaving, speed), b = vs_v3_scale(q->arriving, speed);
     r.at = vs_v3_add(vs_v3_add(vs_v3_scale(p->at, u * u * (1 + 2 * t)), vs_v3_scale(q->at, t * t * (3 - 2 * t))),

@@ -72,7 +72,8 @@ bool vs_voronoi_make(const vs_vec2 *points, size_t n, const vs_vec2 box[2], vs_v
   size_t triangle_count = 0, link_count = 0;
   link *links = NULL;
   vs_vec2 *cell = NULL, *next = NULL;
-  uint8_t *known = NULL; /* 1 for points that have a link; a point without one has the position of an earlier point */
+  uint8_t *known = NULL; /* known[i]: 1 if point i has a link; a point without a link has the position of an earlier
+                          * point */
   *out = (vs_voronoi){ 0 };
   if (n > 1 && !vs_points_delaunay(points, n, &triangles, &triangle_count, e)) return false;
   size_t most = 6 * triangle_count + 2 * n;
@@ -87,7 +88,7 @@ bool vs_voronoi_make(const vs_vec2 *points, size_t n, const vs_vec2 box[2], vs_v
   if (ok && !triangle_count) ok = links_along(points, n, links, &link_count);
   if (ok) qsort(links, link_count, sizeof *links, compare_links);
   for (size_t i = 0; i < link_count; i++) known[links[i].from] = 1;
-  if (ok && !link_count) known[0] = 1; /* all points have the same position */
+  if (ok && !link_count) known[0] = 1; /* there are no links, because all points have the same position */
   ok = ok && VS_FRESH(cell, link_count + 8) && VS_FRESH(next, link_count + 8);
   size_t at = 0;
   for (uint32_t i = 0; ok && i < n; i++) {

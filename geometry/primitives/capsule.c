@@ -14,8 +14,8 @@ static bool capsule_bounds(const vs_node *n, const vs_affine *a, vs_bounds *b, v
   return true;
 }
 
-/* Appends the rings of both caps, each with `rows` > 0 rings. The rings are in order from the base's pole to the top's
- * pole. */
+/* Appends the rings of both hemispherical caps, `rows` > 0 rings for each cap. The rings are in order from the pole at
+ * the base to the pole at the top. */
 static bool capsule_rings(const struct vs_capsule *x, const vs_affine *frame, int turn, int rows, vs_mesh *out) {
   vs_vec3 up = vs_affine_vector(frame, vs_v3(0, 0, x->radius));
   bool ok = true;
@@ -83,7 +83,8 @@ static vs_node *capsule_grown(vs_store *s, const vs_node *n, double by) {
 
 static vs_node *capsule_parts(vs_store *s, const vs_node *n, const vs_origin *origin, bool *fits) {
   const struct vs_capsule *x = VS_AS(capsule, n);
-  *fits = !x->segments; /* a capsule with its own number of facets stays one mesh */
+  *fits = !x->segments; /* a capsule with a given number of facets is not divided into other shapes, but stays one
+                         * mesh */
   if (!*fits) return NULL;
   struct vs_cylinder wall = { .base = x->base, .top = x->top, .radius = x->radius };
   struct vs_sphere low = { .center = x->base, .radius = x->radius }, high = { .center = x->top, .radius = x->radius };

@@ -11,8 +11,8 @@
 #include "geometry/measure/measure.h"
 #include "model/store/array.h"
 
-/* Returns true if a triangle uses sample i: the sample, or a neighbour along a side of a triangle, is above the floor.
- * i is an index of the samples. */
+/* Returns true if a triangle uses sample i. This is so if the sample, or a neighbour along a side of a triangle, is
+ * above the floor. i is an index of the samples. */
 static bool heights_used(const struct vs_height_field *h, uint32_t i) {
   static const int to[][2] = {
     { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { -1, 0 }, { -1, -1 }, { 0, -1 }
@@ -30,8 +30,8 @@ typedef struct {
   const struct vs_height_field *h;
   vs_mesh *out;
   uint32_t columns, rows;
-  uint32_t *top, *foot; /* top[i]: vertex of sample i; foot[i]: the vertex below it on the floor; UINT32_MAX: there is
-                         * none yet */
+  uint32_t *top, *foot; /* top[i]: vertex of sample i; foot[i]: the vertex below sample i on the floor; UINT32_MAX: the
+                         * vertex is not made yet */
 } vs_heights;
 
 static bool heights_on_floor(const vs_heights *g, uint32_t i) { return !(g->h->points->at[i].z > g->h->low); }
@@ -44,7 +44,7 @@ static bool heights_foot(vs_heights *g, uint32_t i) {
   return true;
 }
 
-/* Adds the wall below the border from sample a to its neighbour b. The outside is on the right. */
+/* Adds the wall below the border from sample a to its neighbour b. The outside is on the right, seen from a to b. */
 static bool heights_wall(vs_heights *g, uint32_t a, uint32_t b) {
   bool ok = heights_foot(g, a) && heights_foot(g, b);
   if (ok && !heights_on_floor(g, b)) ok = vs_mesh_add_triangle(g->out, g->foot[a], g->foot[b], g->top[b]);

@@ -88,8 +88,8 @@ bool vs_solid_fan(vs_mesh *out, uint32_t ring, uint32_t n, uint32_t tip, bool ba
   return ok;
 }
 
-/* Closes a ring with a disc. With hub, the disc is a fan about the centre; otherwise its triangles use only the ring's
- * corners, with every second corner cut off repeatedly. */
+/* Closes a ring with a disc. If `hub`, the disc is a fan of triangles about the centre. Otherwise its triangles use
+ * only the ring's corners, and cut off every second corner repeatedly. */
 static bool solid_disc(vs_mesh *out, vs_vec3 center, uint32_t ring, uint32_t n, bool back, bool hub) {
   uint32_t tip;
   if (hub) return vs_mesh_add_vertex(out, center, &tip) && vs_solid_fan(out, ring, n, tip, back);
@@ -202,7 +202,8 @@ bool vs_solid_polyface_merged(vs_mesh *out, const vs_points *points, const vs_fa
   bool ok = flat && ring && vs_mesh_reserve(out, out->vertex_count + points->count, out->triangle_count + triangles);
   uint32_t next = base;
   for (uint32_t i = 0; ok && i < points->count;
-       i++) { /* place[i] is at first the earliest equal point, and then this point's vertex */
+       i++) { /* place[i] is at first the index of the earliest point equal to point i, and then the vertex of point
+               * i */
     if (place[i] == i) {
       ok = vs_mesh_add_vertex(out, points->at[i], NULL);
       place[i] = next++;

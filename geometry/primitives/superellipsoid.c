@@ -108,8 +108,8 @@ static bool solid_holds(const struct vs_superellipsoid *s, vs_vec3 p) {
   return oval_norm(2 / s->n, oval_norm(2 / s->e, fabs(p.x), fabs(p.y)), fabs(p.z)) <= s->size;
 }
 
-/* The exponents of the dual norms. A concave curve (p < 1) extends as far as its points on the axes. */
-/* Returns the greatest scalar product of d with a point of the solid. */
+/* Returns the greatest scalar product of d with a point of the solid. dual_p and dual_q are the exponents of the dual
+ * norms. A concave curve (p < 1) extends as far as its points on the axes. */
 static double solid_reach(const struct vs_superellipsoid *s, vs_vec3 d) {
   double p = 2 / s->e, q = 2 / s->n, dual_p = p > 1 ? p / (p - 1) : INFINITY, dual_q = q > 1 ? q / (q - 1) : INFINITY;
   return s->size * oval_norm(dual_q, oval_norm(dual_p, fabs(d.x), fabs(d.y)), fabs(d.z));

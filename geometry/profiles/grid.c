@@ -85,7 +85,7 @@ bool vs_grid_mesh(const vs_quad_grid *g, vs_mesh *out) {
   bool ok = index != NULL;
   VS_ASSERT(!g->joined || !g->seam);
   for (size_t r = 0; ok && r < rows; r++) {
-    bool back = r == g->rows; /* true when the first row is needed again, because the grid is joined */
+    bool back = r == g->rows; /* true when the first row is needed again as the last, because the grid is closed */
     const vs_vec3 *at = g->at + (back ? 0 : r) * n;
     if (back) for (size_t i = 0; i < n; i++) high[i] = start[i];
     else if (g->seam && r && r + 1 == rows) for (size_t i = 0; i < n; i++) high[i] = start[g->seam[i]];
