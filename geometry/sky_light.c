@@ -121,8 +121,9 @@ vs_vec3 vs_sky_light_sun(double turbidity, double altitude) {
     double um = 0.38 + 0.01 * (double)i, wet = wave[i].water * water_cm * air;
     double through = exp(-0.008735 * pow(um, -4.08) * air - aerosol * pow(um, -1.3) * air -
                          wave[i].ozone * ozone_cm * air - 0.2385 * wet / pow(1 + 20.07 * wet, 0.45));
-    double w = 1e4 * wave[i].radiance * through * disc * lumens * 0.01; /* luminous flux in the step of 0.01 um, from
-                                                                         * W/m2 */
+    double w = 1e4 * wave[i].radiance * through * disc * lumens * 0.01; /* illuminance in lx of this wavelength step of
+                                                                         * 0.01 um, before the weights of the CIE
+                                                                         * observer */
     sum[0] += w * wave[i].x, sum[1] += w * wave[i].y, sum[2] += w * wave[i].z;
   }
   return linear_srgb(sum[0], sum[1], sum[2]);

@@ -18,8 +18,8 @@ typedef struct {
   struct { double scale, a, b, c, d, e; } of[3]; /* coefficients of Y, x and y, in this order */
 } vs_sky_light;
 
-/* Returns the sky for a turbidity within VS_TURBIDITY_LEAST and VS_TURBIDITY_MOST and a unit vector towards the sun. If
- * the sun is below the horizon, it is the sky of sunrise. */
+/* Returns the sky for a turbidity from VS_TURBIDITY_LEAST to VS_TURBIDITY_MOST and a unit vector towards the sun. For a
+ * sun below the horizon, returns the sky at sunrise. */
 vs_sky_light vs_sky_light_of(double turbidity, vs_vec3 sun);
 /* Returns luminance Y and chromaticities x and y of the sky in a direction of length 1. Below the horizon, they are
  * those at the horizon. */
@@ -30,7 +30,7 @@ vs_vec3 vs_sky_light_at(const vs_sky_light *sky, vs_vec3 direction);
 /* Returns the illuminance of a horizontal surface by the whole sky, as linear sRGB in lx. */
 vs_vec3 vs_sky_light_level(const vs_sky_light *sky);
 /* Returns the illuminance by the sun, through the atmosphere, of a surface perpendicular to its rays, as linear sRGB in
- * lx. altitude: of the sun, in degrees; below the horizon, the result is 0. */
+ * lx. altitude: the sun's angle above the horizon in degrees. If the sun is below the horizon, the result is 0. */
 vs_vec3 vs_sky_light_sun(double turbidity, double altitude);
 
 #endif

@@ -21,7 +21,7 @@ bool vs_sweep_turns(const vs_node *n, const vs_fineness *f, bool *turns, vs_erro
 /* Makes closed meshes, each of the given number of steps of a sweep. Their union is the solid (swept_mesh.h). For any
  * node that is no sweep or pipe, *count is 0. The caller frees the meshes and their array. */
 bool vs_sweep_runs(const vs_node *n, const vs_fineness *f, size_t steps, vs_mesh **runs, size_t *count, vs_error *e);
-/* The place of a bend on the path. fits: factor by which the profile must be scaled to fit there. */
+/* The tightest bend of a path. fits: factor by which the profile must be scaled to fit into the bend. */
 typedef struct {
   vs_vec3 at;
   double fits;

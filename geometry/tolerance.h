@@ -1,4 +1,4 @@
-/* Declares the fineness of curves: the one rule for the number of facets, which all back-ends and the kernel use. */
+/* Declares the fineness of curves: a single rule for the number of facets, which all back-ends and the kernel use. */
 #ifndef VS_GEOMETRY_TOLERANCE_H
 #define VS_GEOMETRY_TOLERANCE_H
 
@@ -6,16 +6,18 @@
 
 typedef struct {
   double tolerance; /* largest distance of a chord from its arc, in model units; above 0 */
-  int segments;     /* above 0: facets of a full turn, for every node whose own field `segments` is 0; below 0: the
-                     * tolerance decides, and -segments is the least number; 0: the least is 32 */
+  int segments;     /* above 0: number of facets of a full turn, for every node whose own field `segments` is 0. Below
+                     * 0: the tolerance determines this number, and -segments is its minimum. 0: as below 0, with the
+                     * minimum 32 */
 } vs_fineness;
 
 /* Returns the default tolerance of a drawing: the power of two nearest to 1/4000 of the diagonal of its bounds. */
 double vs_fineness_tolerance(const vs_bounds *drawing);
-/* Returns the number of facets of a full turn with radius r. It is `segments` if above 0, else f->segments if above 0,
- * else it follows from f->tolerance. By tolerance it is a multiple of 4, because quarter turns must be vertices. */
+/* Returns the number of facets of a full turn with radius r. It is `segments` if `segments` is above 0. Otherwise it is
+ * f->segments if that is above 0. Otherwise it follows from f->tolerance, and is a multiple of 4, because quarter turns
+ * must be vertices. */
 int vs_fineness_turn(const vs_fineness *f, double r, int segments);
-/* Returns the least number of facets of a full turn by tolerance. */
+/* Returns the minimum number of facets of a full turn if the tolerance determines their number. */
 int vs_fineness_least(const vs_fineness *f);
 /* Returns the number of facets of a full turn by the tolerance alone, but no less than `least`. The tolerance and
  * `least` must be above 0. */

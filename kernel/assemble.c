@@ -1,11 +1,11 @@
-/* Implements kernel/assemble.h: copies meshes into the kernel's results. */
+/* Implements the copying of meshes into the kernel's results (assemble.h). */
 #include "kernel/assemble.h"
 
 #include <string.h>
 
 #include "kernel/threads.h"
 
-enum { SERIAL = 10000 /* fewer triangles are copied in one thread */, CHUNK = 16 /* number of placements that one task
+enum { SERIAL = 10000 /* with fewer triangles, one thread copies */, CHUNK = 16 /* number of placements that one task
                                                                                  * copies */ };
 
 bool vs_placing_room(vs_kernel *k, vs_mesh *out, size_t vertices, size_t triangles) {
@@ -14,7 +14,7 @@ bool vs_placing_room(vs_kernel *k, vs_mesh *out, size_t vertices, size_t triangl
   if (limit && more > limit)
     return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the result has more than %zu triangles, the limit", limit);
   if (more_vertices > UINT32_MAX) return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the result has too many corners");
-  if ((more_vertices > out->vertex_room || more > out->triangle_room) && /* reserves half as much again, because
+  if ((more_vertices > out->vertex_room || more > out->triangle_room) && /* reserves room for half as many more, because
                                                                           * thousands of placements may follow */
       !vs_mesh_reserve(out, more_vertices + more_vertices / 2, more + more / 2) &&
       !vs_mesh_reserve(out, more_vertices, more))

@@ -7,18 +7,18 @@
 #include "kernel/problem.h"
 #include "kernel/memory.h"
 
-typedef struct { size_t vertex, triangle, vertices, triangles; } vs_range; /* indices of the first vertex and
-                                                                            * triangle, and the numbers of vertices
-                                                                            * and triangles */
+typedef struct { size_t vertex, triangle, vertices, triangles; } vs_range; /* a part of a mesh: indices of its first
+                                                                            * vertex and triangle, and the numbers of
+                                                                            * its vertices and triangles */
 
 typedef struct {
-  const vs_mesh *mesh;       /* mesh to copy completely; NULL: copy the range `from` of the result */
+  const vs_mesh *mesh;       /* mesh to copy completely; NULL: copy the part `from` of the result instead */
   vs_range from;
   uint32_t into;             /* index of the result that receives the copy */
   size_t vertex, triangle;   /* indices of the copy's first vertex and triangle in the result */
   vs_affine map;
-  const uint32_t *were, *leaves; /* A triangle with the tag of leaf were[i] gets the tag of leaf leaves[i]. If were is
-                                  * NULL, all triangles get the tag of leaf leaves[0]. */
+  const uint32_t *were, *leaves; /* A triangle with the tag of leaf were[i] gets the tag of leaf leaves[i] in the copy.
+                                  * If were is NULL, all triangles get the tag of leaf leaves[0]. */
   uint32_t leaf_count;
 } vs_placement;
 
@@ -26,8 +26,8 @@ typedef struct {
   VS_LIST(vs_placement) meshes, again;
 } vs_placing;
 
-/* Reserves space for vertices, triangles and tags in the mesh out, and adds both counts to those of out. Returns false
- * and sets the error if the result becomes too large or memory is out. */
+/* Reserves space for `vertices` vertices and `triangles` triangles, with their tags, in the mesh out. Adds these
+ * numbers to the counts of out. Returns false and sets the error if the result becomes too large or memory is out. */
 bool vs_placing_room(vs_kernel *k, vs_mesh *out, size_t vertices, size_t triangles);
 /* Copies the meshes of all placements in p into the results. Returns false and sets the error on failure. */
 bool vs_placing_finish(vs_kernel *k, vs_placing *p, const vs_kernel_leaf *leaves, vs_mesh *results);

@@ -1,10 +1,10 @@
 /* Checks the result of a cluster by its volume. The check takes very little time.
  *
  * The volume of an expression lies between bounds that follow from its leaves' volumes. A union has at least the volume
- * of its largest operand, and at most the sum of all. An intersection has at most the volume of its smallest operand. A
- * difference has at most the volume of its first operand. It has at least this volume less the volume of the other
- * operands within the first operand's box. A fault that loses or adds a part of the result would give a closed but
- * wrong mesh. Most such meshes exceed these bounds.
+ * of its largest operand, and at most the sum of all volumes. An intersection has at most the volume of its smallest
+ * operand. A difference has at most the volume of its first operand. It has at least this volume less the volume of the
+ * other operands within the first operand's box. A fault that loses or adds a part of the result would give a closed
+ * but wrong mesh. Most such meshes exceed these bounds.
  *
  * A star that remains a star on the grid has the volume of its rounded triangles. If rounding to the grid has folded a
  * star, its winding numbers have changed only in space that triangles swept. Each corner moves by less than one step.
@@ -93,7 +93,7 @@ static void unite_box(vs_bvh_box *x, const vs_bvh_box *y) {
  * 0. */
 typedef struct { double least, most; vs_bvh_box box; } bounds;
 
-/* Returns the bounds on the volume of a term with the operands a and b. */
+/* Returns the bounds on the volume of the term `kind` with the operands a and b. */
 static bounds combine(vs_term_kind kind, bounds a, const bounds *b) {
   vs_bvh_box both = common_box(&a.box, &b->box);
   switch (kind) {
@@ -118,7 +118,8 @@ static bounds combine(vs_term_kind kind, bounds a, const bounds *b) {
 static bool find_bounds(vs_kernel *k, const vs_cluster *c, const vs_check *check, double *least, double *most) {
   const vs_kernel_problem *p = c->problem;
   const vs_expression *e = c->expression;
-  VS_LIST(bounds) all = { 0 }; /* bounds of the leaves, followed by those of the terms */
+  VS_LIST(bounds) all = { 0 }; /* bounds on the volumes of the leaves, followed by the bounds on the volumes of the
+                                * terms */
   size_t terms = p->term_count, n = terms + p->leaf_count;
   *least = *most = 0;
   for (uint32_t i = 0; i < c->leaf_count; i++) {

@@ -6,7 +6,7 @@
 #include "kernel/problem.h"
 #include "kernel/cluster.h"
 
-/* bounds on the volume of a leaf on the grid, in cubic steps; index: the leaf's place in the cluster */
+/* bounds on the volume of a leaf on the grid, in cubic steps; the array index is the leaf's index in the cluster */
 typedef struct { double least, most; } vs_leaf_volume;
 typedef struct { VS_LIST(vs_leaf_volume) leaves; } vs_check;
 

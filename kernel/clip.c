@@ -4,11 +4,11 @@
  * All coordinates of a cluster share one grid, so a leaf that is far larger than the others would make the grid coarse.
  * The expression determines the region where a leaf matters. An operand of an intersection matters within the bounds of
  * the other operands. A subtracted operand matters within the bounds of the first operand. These rules apply to nested
- * terms, too. The kernel keeps the part of the leaf in that region and in a margin around it that is as wide as the
- * region. Outside, the result does not depend on the leaf. Each of the six planes of that box cuts the triangles that
- * cross it, and removes the triangles beyond it. The remaining mesh has a border in the plane. A cone from this border
- * to any point of the plane closes the mesh again. Two chains of triangles in one plane that have the same border
- * enclose no volume. Therefore winding numbers are right even if the cone overlaps itself. */
+ * terms, too. The kernel keeps the part of the leaf in a box: the region, and a margin around it that is as wide as the
+ * region. Outside of the region, the result does not depend on the leaf. Each of the six planes of the box cuts the
+ * triangles that cross it, and removes the triangles beyond it. The remaining mesh has a border in the plane. A cone
+ * from this border to any point of the plane closes the mesh again. Two chains of triangles in one plane that have the
+ * same border enclose no volume. Therefore winding numbers are right even if the cone overlaps itself. */
 #include "kernel/clip.h"
 
 #include <math.h>
@@ -19,8 +19,8 @@
  * costs the grid at most 6 of its 32 bits. */
 static const double FAR = 64;
 
-/* An edge with its two vertices. number: the vertex where the plane cuts the edge; in close_border instead the
- * direction, 1 from low to high, -1 from high to low. */
+/* An edge with its two vertices. number: the vertex where the plane cuts the edge. In close_border, number is the
+ * edge's direction instead: 1 from low to high, -1 from high to low. */
 typedef struct { uint32_t low, high; int32_t number; } edge;
 typedef struct {
   vs_kernel *k;
@@ -247,9 +247,10 @@ bool vs_clip_leaves(vs_kernel *k, const vs_kernel_problem *p, vs_bounds *bounds,
     if (!out->leaves.count) { /* when the first leaf is cut, copies the list of all leaves */
       ok = VS_ROOM(k, out->leaves.at, out->leaves.room, (size_t)p->leaf_count + 1) &&
            VS_ROOM(k, out->identities.at, out->identities.room, (size_t)p->leaf_count + 1) &&
-           VS_ROOM(k, out->clips.at, out->clips.room, (size_t)p->leaf_count + 1); /* reserves all at once: the leaves
+           VS_ROOM(k, out->clips.at, out->clips.room, (size_t)p->leaf_count + 1); /* Reserves memory for all elements
+                                                                                   * at once, because the leaves
                                                                                    * contain pointers to elements of
-                                                                                   * this array */
+                                                                                   * this array. */
       if (!ok) break;
       memcpy(out->leaves.at, p->leaves, p->leaf_count * sizeof *p->leaves);
       for (uint32_t j = 0; j < p->leaf_count; j++) out->identities.at[j] = p->identities ? p->identities[j] : 0;

@@ -8,12 +8,12 @@
 typedef struct {
   VS_LIST(vs_vec3) vertices;
   VS_LIST(uint32_t) corners; /* three vertex numbers for each triangle */
-  vs_mesh mesh;              /* the cut mesh; its arrays are the two lists above */
+  vs_mesh mesh;              /* the cut mesh, whose arrays are the members vertices and corners */
 } vs_clip;
 
 typedef struct {
-  vs_kernel_problem problem; /* the problem to evaluate: the caller's, in which the cut leaves replace the original
-                              * ones */
+  vs_kernel_problem problem; /* the problem to evaluate: a copy of the caller's problem, with the cut leaves instead of
+                              * the original leaves */
   VS_LIST(vs_kernel_leaf) leaves;
   VS_LIST(uint64_t) identities;
   VS_LIST(vs_clip) clips;

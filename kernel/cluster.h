@@ -38,9 +38,9 @@ enum { VS_BESIDE_FLAT = 8 }; /* bit of `inner`: an edge of the triangle borders 
 
 typedef struct {
   uint32_t v[3];   /* numbers of the corners in `points`, counter-clockwise as seen from outside its leaf */
-  uint32_t leaf;   /* index of its leaf in the problem */
+  uint32_t leaf;   /* number of the triangle's leaf in the problem */
   uint32_t plane, facet;
-  uint32_t source; /* index of the triangle in its leaf's mesh */
+  uint32_t source; /* index of the triangle in the mesh of its leaf */
   bool flip;       /* true if the leaf's outward normal is opposite to the plane's normal */
   uint8_t inner;   /* bit i: the edge from v[i] to the next corner lies inside the facet, between two of its triangles;
                     * and the bit VS_BESIDE_FLAT */
@@ -56,11 +56,11 @@ typedef struct {
 } vs_facet;
 
 typedef struct {
-  uint32_t facet, place, plane, first, count; /* place: index of its leaf in `placed`; first, count: range of its
-                                               * corners in patch_corners, counter-clockwise as seen from outside the
-                                               * leaf */
+  uint32_t facet, place, plane, first, count; /* place: index of the patch's leaf in `placed`; first, count: range of
+                                               * the patch's corners in patch_corners, counter-clockwise as seen from
+                                               * outside the leaf */
   bool flip;
-  uint8_t inner;   /* a patch that is a triangle: the bits of vs_grid_triangle's `inner`; else 0 */
+  uint8_t inner;   /* for a patch that is a triangle: the bits of vs_grid_triangle's `inner`; for any other patch: 0 */
 } vs_patch;
 typedef struct { int32_t at[3]; uint32_t point; } vs_patch_corner;
 
@@ -77,28 +77,28 @@ typedef struct { uint32_t facet, p, q, plane; } vs_facet_cut;
 
 typedef struct { uint32_t leaf; int32_t delta; } vs_cover;
 typedef struct {
-  uint32_t plane;  /* plane of the face; VS_NONE: the face is a region of plain triangles */
+  uint32_t plane;  /* number of the face's plane; VS_NONE: the face is a region of plain triangles */
   uint32_t cover, cover_count;
-  uint32_t facet;  /* a face that consists of the triangles of a facet: the facet; else VS_NONE. If the face is a
-                    * region: the region's index */
+  uint32_t facet;  /* index of the facet if the face consists of a facet's triangles; index of the region if the face is
+                    * a region; else VS_NONE */
   uint32_t tag;
-  uint32_t use, use_count; /* range of its boundary edges in `uses` */
+  uint32_t use, use_count; /* range of the face's boundary edges in `uses` */
 } vs_face;
 typedef struct { uint32_t from, to, face; } vs_use;
 
 typedef struct {
-  uint32_t place, face;     /* place: index of its leaf in `placed`; face: its index in `faces`, set once the planes are
-                             * arranged */
-  uint32_t count, triangle; /* count: number of triangles; triangle: one of its large triangles, as an index in the
-                             * mesh */
-  bool open;                /* true if culled triangles continue its surface */
+  uint32_t place, face;     /* place: index of the region's leaf in `placed`; face: the region's index in `faces`, set
+                             * after the planes are arranged */
+  uint32_t count, triangle; /* count: number of the region's triangles; triangle: index in the mesh of a large triangle
+                             * of the region */
+  bool open;                /* true if culled triangles continue the surface of the region */
 } vs_region;
 enum { VS_ARRANGED, VS_CULLED, VS_PLAIN }; /* how the kernel treats a leaf's triangle */
 
 /* The frame and the grid of the cluster: world = frame * ((grid + offset) * step). */
 typedef struct {
   vs_affine frame;
-  bool framed;        /* false if frame is the identity */
+  bool framed;        /* true if `frame` is not the identity */
   double scale, unit; /* step = unit / scale; unit and scale are exact if the step is a decimal number */
   double offset[3];   /* position of the grid's origin, in whole steps */
 } vs_grid;
@@ -106,23 +106,23 @@ typedef struct {
 /* A leaf of the cluster. placed[i] belongs to the leaf with the problem's number leaves[i]. */
 typedef struct {
   const vs_part *part;
-  uint32_t first;     /* index of its first vertex in `corners` */
-  size_t first_triangle; /* index of its first triangle in `fate` */
-  bool searched;      /* true if some of its triangles may be plain */
-  vs_bvh_box box;         /* bounding box in steps */
-  vs_affine to_local; /* map from steps to the coordinates of its part; set for lids only */
+  uint32_t first;     /* index of the leaf's first vertex in `corners` */
+  size_t first_triangle; /* index of the leaf's first triangle in `fate` */
+  bool searched;      /* true if some of the leaf's triangles may be plain */
+  vs_bvh_box box;         /* bounding box of the leaf, in steps */
+  vs_affine to_local; /* map from steps to the coordinates of the leaf's part; set for lids only */
   double margin;      /* length of two steps in the part's coordinates */
-  double middle[3];   /* the part's middle, in steps; the next two members are squared distances from it */
-  double well_inside, outside; /* a place closer than sqrt(well_inside) is more than two steps inside; a place further
-                                * than sqrt(outside) is outside. They are -1 and infinity if the placement is not a
-                                * similarity */
+  double middle[3];   /* middle of the leaf's part, in steps; the next two members are squared distances from it */
+  double well_inside, outside; /* A point closer to the middle than sqrt(well_inside) is more than two steps inside the
+                                * leaf. A point farther than sqrt(outside) is outside. The values are -1 and infinity if
+                                * the placement is not a similarity. */
   bool lid;           /* true if the leaf is convex and the space inside it is settled */
   bool star;          /* true if the leaf is a star, and its triangles touch each other only in shared corners and edges
                        * on the grid, too */
-  uint32_t lids_first, lids_count; /* range of the lids whose boxes intersect its box, in `lids`; it begins at a
-                                    * multiple of four */
-  uint32_t lines;     /* number of lines that were tested against this large leaf; after many lines, an index of its
-                       * triangles is built */
+  uint32_t lids_first, lids_count; /* range in `lids` of the lids whose boxes intersect the box of this leaf; it begins
+                                    * at a multiple of four */
+  uint32_t lines;     /* number of lines that were tested against this leaf if it is large; after many lines, an index
+                       * of its triangles is built */
   vs_bvh bvh;
   vs_bvh_box *bvh_boxes;
   size_t bvh_box_room;
@@ -134,7 +134,8 @@ typedef struct {
   const vs_expression *expression;
   const uint32_t *leaves;
   uint32_t leaf_count;
-  const vs_bounds *gate; /* bounds in the world outside of which a gate of the expression is false; NULL: no gate */
+  const vs_bounds *gate; /* bounds in world coordinates outside of which a gate of the expression is false; NULL: there
+                          * is no gate */
   vs_grid grid;
   VS_LIST(vs_placed) placed;
   int32_t (*corners)[3];  /* coordinates of the vertices of every leaf's mesh, in steps */
@@ -143,7 +144,8 @@ typedef struct {
   VS_LIST(vs_bvh_box) leaf_boxes;
   VS_LIST(uint32_t) lids; /* indices of the lids in `leaves` */
   VS_LIST(vs_pack) lid_boxes; /* the boxes of `lids`, in packs of four */
-  VS_LIST(_Atomic uint8_t) fate; /* the fate of every triangle of every leaf's mesh; empty: all are arranged */
+  VS_LIST(_Atomic uint8_t) fate; /* fate (VS_ARRANGED, VS_CULLED or VS_PLAIN) of every triangle of every leaf's mesh; if
+                                  * empty, all are arranged */
   size_t plain_count;
   VS_LIST(uint32_t) region_of;   /* index in `regions` for each plain triangle */
   VS_LIST(vs_region) regions;
@@ -156,19 +158,19 @@ typedef struct {
   VS_LIST(uint32_t) facet_triangles;
   /* sheets[f]: the first facet of the sheet that contains facet f; empty if bends are kept */
   VS_LIST(uint32_t) sheets;
-  uint32_t corner_points; /* number of points that are corners of the leaves; they come first in `points` */
+  uint32_t corner_points; /* number of points that are corners of the leaves; these points come first in `points` */
   size_t straightened;    /* number of bends removed from the result */
   VS_LIST(vs_patch) patches;
   VS_LIST(vs_patch_corner) patch_corners;
   VS_LIST(vs_bvh_box) boxes; /* bounding boxes of the patches, in steps */
   vs_bvh bvh;
   VS_LIST(vs_facet_cut) cuts;
-  VS_LIST(vs_edge) edge_of; /* edge_of[p]: if an intersection made point p, an input edge that contains it; else both
-                             * ends are 0. Freed once the planes are arranged */
+  VS_LIST(vs_edge) edge_of; /* edge_of[p]: if point p is an intersection, an edge of the input that contains it; else
+                             * both ends are 0. The list is freed after the planes are arranged */
   VS_LIST(vs_face) faces;
   VS_LIST(vs_cover) covers;
   VS_LIST(vs_use) uses;
-  vs_halves edges;       /* finds the uses that lie on an edge */
+  vs_halves edges;       /* index of the uses at each edge */
   VS_LIST(uint8_t) kept; /* kept[f]: 0: face f is not in the result; 1: outside is on its + side; 2: outside is on its -
                           * side */
   /* The members below serve the union of solids level by level (levels.c). Without levels they are empty. */
@@ -185,9 +187,10 @@ typedef struct {
   uint8_t *layered;           /* layered[i]: 1 if leaf i of the problem is united with other leaves in levels; NULL: no
                                * levels */
   size_t solid_room, layered_room;
-  const uint32_t *joining;    /* in a level: the solids that it unites; all other solids are ignored; NULL: no levels */
+  const uint32_t *joining;    /* in a level: the set of solids that the level unites; all other solids are ignored;
+                               * NULL: no levels */
   uint32_t joining_count;
-  bool inspect;          /* true if the cluster is one leaf that may be inside out; the next two members are then set */
+  bool inspect;          /* true if the cluster is one leaf that may be inside out; side_cell and wound are then set */
   VS_LIST(uint32_t) side_cell; /* cell on each side of a face: [2 * face] for the + side, [2 * face + 1] for the -
                                 * side */
   VS_LIST(int32_t) wound;      /* wound[cell]: winding number of the leaf in that cell */

@@ -1,9 +1,9 @@
-/* Implements kernel/cluster_cache.h: stores evaluated clusters in the world cache.
+/* Implements the storage of evaluated clusters in the world cache (cluster_cache.h).
  *
  * A cached result must have the same bytes as one that a new process computes. The grid of a cluster depends on its
- * position. Therefore the key contains the absolute placements of the leaves, not their relative ones. The key contains
- * the serial number of each leaf's mesh. Tags and paints are numbered in the order in which the leaves use them,
- * because only their equality matters.
+ * position. Therefore the key contains the absolute placements of the leaves, instead of their relative placements. The
+ * key contains the serial number of each leaf's mesh. Tags and paints are numbered in the order in which the leaves use
+ * them, because only their equality matters.
  *
  * A cached result consists of the counts of vertices, triangles and tags; the vertices; the corners of the triangles;
  * and the tag of each triangle if there are several tags. */
@@ -15,7 +15,7 @@
 
 typedef struct { uint64_t vertices, triangles; } header;
 
-/* Sets *place to the place that p stores for `number`. A number that has no place yet gets the place `next`. */
+/* Sets *place to the index that p stores for `number`. If p has no index for this number yet, stores `next`. */
 static bool place_of(vs_kernel *k, vs_places *p, uint32_t number, size_t next, uint32_t *place) {
   if (number >= p->count) {
     if (!VS_ROOM(k, p->at, p->room, (size_t)number + 1)) return false;

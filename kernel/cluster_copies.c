@@ -35,9 +35,10 @@ static bool put_leaf(vs_kernel *k, vs_copies *c, uint32_t leaf, const vs_affine 
   for (int i = 0; i < 3; i++)
     for (int j = 0; j < 4; j++) {
       double x = a.m[i][j], unit = j < 3 ? 0x1p-36 : size * 0x1p-36;
-      if (!(fabs(x / unit) < 0x1p62)) return put(k, c, UINT64_MAX) && put(k, c, leaf); /* a coordinate too large to
-                                                                                        * round: the leaf's number makes
-                                                                                        * the key unique */
+      if (!(fabs(x / unit) < 0x1p62)) return put(k, c, UINT64_MAX) && put(k, c, leaf); /* a coordinate is too large to
+                                                                                        * be rounded, so the leaf's
+                                                                                        * number is appended, which
+                                                                                        * makes the key unique */
       if (!put(k, c, rounded(x, unit))) return false;
     }
   return true;
@@ -65,7 +66,7 @@ bool vs_copies_put_terms(vs_kernel *k, vs_copies *c, vs_group leaves) {
   for (size_t i = 0; ok && i < c->terms.count; i++) { /* reach() appends to this list during the loop */
     uint32_t t = c->terms.at[i];
     ok = put(k, c, (uint64_t)e->need.at[t] << 32 | (uint64_t)e->kind.at[t] << 1 | (t == e->root));
-    /* clears the number of operands, which does not matter for a union or a leaf */
+    /* Clears the number of operands in the key for a union or a leaf, because it does not matter there. */
     if (e->kind.at[t] == VS_TERM_UNION || e->kind.at[t] == VS_TERM_LEAF) c->keys.at[c->keys.count - 1] &= UINT32_MAX;
     for (uint32_t j = e->user_first.at[t]; ok && j < e->user_first.at[t + 1]; j++)
       ok = reach(k, c, e->users.at[j] / 2) &&

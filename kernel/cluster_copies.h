@@ -10,8 +10,8 @@
 /* The leaves of a cluster, as numbers in the problem. The array belongs to the caller. */
 typedef struct { const uint32_t *at; uint32_t count; } vs_group;
 
-/* A cluster that equals no earlier one. key, length: range of its key in `keys`. next: the next original with the same
- * head in the hash table. */
+/* A cluster that equals no earlier cluster. key, length: range of its key in `keys`. next: index of the next original
+ * in the same chain of the hash table. */
 typedef struct { uint64_t hash; size_t key, length; vs_group leaves; uint32_t next; } vs_original;
 
 /* The relation of a cluster to the original that it copies. */
@@ -27,7 +27,7 @@ typedef struct {
   const vs_expression *expression;
   VS_LIST(vs_original) originals;
   VS_LIST(uint64_t) keys;    /* the keys of all originals, one after another, and then the key of the current cluster */
-  VS_LIST(uint32_t) heads;   /* hash table: the first original of each chain */
+  VS_LIST(uint32_t) heads;   /* hash table: index of the first original of each chain */
   VS_LIST(uint32_t) terms;   /* terms of the problem that depend on the cluster's leaves, in the order of first use */
   VS_LIST(uint32_t) number;  /* for each term of the problem: its index in `terms`, or VS_NONE */
 } vs_copies;

@@ -1,4 +1,4 @@
-/* Implements kernel/distinct_meshes.h.
+/* Prepares data for each distinct mesh (distinct_meshes.h).
  *
  * A mesh is a star about its middle m under two conditions. m lies strictly on the inner side of every triangle's
  * plane. The solid angles of the triangles, seen from m, sum to one full sphere. The surface then covers that sphere
@@ -18,8 +18,9 @@
 typedef struct { uint32_t high, corner; } half; /* corner: twice the corner's number, plus 1 if its edge runs from the
                                                  * higher to the lower vertex */
 
-/* Puts a half for each edge into the bucket of its lower vertex. The bucket of vertex v is halves[first[v]] to
- * halves[first[v + 1] - 1]. `first` has two more elements than there are vertices; all are 0 at the call. */
+/* Puts a half (one direction of an edge) into the bucket of the edge's lower vertex, for each edge. The bucket of
+ * vertex v is halves[first[v]] to halves[first[v + 1] - 1]. `first` has two more elements than there are vertices; all
+ * are 0 at the call. */
 static void fill_buckets(const vs_twins_input *in, uint32_t *first, half *halves, uint32_t *twins) {
   const uint32_t *id = in->id;
   for (int pass = 0; pass < 2; pass++) {
@@ -71,7 +72,7 @@ static inline void join_bucket(const half *at, uint32_t n, bool sorted, uint32_t
 }
 
 bool vs_twins_find(vs_kernel *k, const vs_twins_input *in, uint32_t *twins, uint32_t *open) {
-  enum { MANY = 64 }; /* buckets with more halves are sorted first; most buckets have few */
+  enum { MANY = 64 }; /* Buckets with more than this many halves are sorted first. Most buckets have few halves. */
   uint32_t *first = NULL;
   half *halves = NULL;
   size_t first_room = 0, half_room = 0;
@@ -172,9 +173,9 @@ static void find_convex(vs_part *p) {
   size_t n = m->triangle_count, vertices = m->vertex_count;
   double size = p->outer;
   if (!p->star) return;
-  bool global = n * vertices <= GLOBAL; /* true: each vertex is tested against each triangle; false: only across each
-                                         * edge. The tolerance per edge is then that of a double, so that errors cannot
-                                         * accumulate */
+  bool global = n * vertices <= GLOBAL; /* true: each vertex is tested against each triangle. false: only neighbouring
+                                         * triangles are tested, across each edge. The tolerance per edge is then that
+                                         * of a double, so that errors cannot accumulate */
   for (size_t t = 0; t < n; t++) {
     vs_vec3 a = m->vertices[m->triangles[t][0]], normal = vs_v3_cross(vs_v3_sub(m->vertices[m->triangles[t][1]], a),
                                                                       vs_v3_sub(m->vertices[m->triangles[t][2]], a));
@@ -238,7 +239,7 @@ static bool find_starts(vs_kernel *k, vs_part *p) {
         x[across_of[side / 2]] = (2 * i + 1.0) / n - 1;
         x[up_of[side / 2]] = (2 * j + 1.0) / n - 1;
         if (j == 0 && i > 0) triangle = p->starts[at - n]; /* the first cell of the previous row is nearer than the last
-                                                            * one */
+                                                            * cell of that row */
         walk_to(p, vs_v3(x[0], x[1], x[2]), &triangle, corner);
         p->starts[at++] = triangle;
       }
@@ -303,7 +304,7 @@ bool vs_parts_prepare(vs_kernel *k, vs_parts *p, const vs_kernel_problem *proble
   for (uint32_t i = 0; ok && i < count; i++)
     if ((i > 0 && cluster[i - 1] == cluster[i]) || (i + 1 < count && cluster[i + 1] == cluster[i]))
       p->all.at[p->of_leaf.at[order[i]]].joined = true;
-  enum { SERIAL = 10000 }; /* fewer triangles are prepared in one thread */
+  enum { SERIAL = 10000 }; /* a problem with fewer triangles is prepared in one thread */
   size_t triangles = 0;
   uint32_t threads = k->threads;
   for (size_t i = 0; i < p->all.count; i++) triangles += p->all.at[i].mesh->triangle_count;

@@ -16,14 +16,15 @@ typedef struct {
   bool star;            /* true if every ray from the middle crosses the surface exactly once, from inside to outside;
                          * such a mesh does not intersect itself */
   bool convex;          /* true if the part is a star that is convex up to rounding errors; known only if joined */
-  uint32_t *starts;     /* convex parts: for some directions from the middle, a triangle near the one that the ray
-                         * crosses; the index is a cell of a cube's sides (distinct_meshes.c) */
+  uint32_t *starts;     /* For convex parts: for some directions from the middle, a triangle near the triangle that the
+                         * ray in this direction crosses. The array index is a cell of a cube's sides
+                         * (distinct_meshes.c). */
   size_t start_room;
-  uint32_t start_cells; /* number of cells along an edge of that cube; 0: the part has so few triangles that a walk may
-                         * begin at any of them */
+  uint32_t start_cells; /* number of cells along an edge of the cube of `starts`; 0: the part has so few triangles that
+                         * a walk may begin at any of them */
   double inner, outer;  /* convex parts: radii about the middle of a ball inside the part and of a ball that contains
                          * it */
-  /* for a part that is no star: whether the kernel may copy it unchanged if nothing touches it */
+  /* for a part that is not a star: whether the kernel may copy it unchanged if no other leaf touches it */
   enum { VS_UNASKED, VS_GOOD, VS_DOUBTFUL } alone;
   bool joined;          /* true if a leaf with this mesh touches another leaf. A star that is not joined has no twins,
                          * and its convexity is unknown: the kernel copies it unchanged */
@@ -47,7 +48,7 @@ typedef struct {
   size_t count;
   const uint32_t *id;   /* id[v]: identifies the corner at vertex v; vertices with equal values are one corner. NULL:
                          * each vertex is a corner of its own */
-  size_t id_count;      /* upper bound: all values of id are less */
+  size_t id_count;      /* upper bound on the values of id: all are less than id_count */
 } vs_twins_input;
 
 /* Fills twins, which has three elements per triangle. An edge has the value VS_NONE if no edge runs in the opposite

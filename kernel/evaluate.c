@@ -1,5 +1,5 @@
-/* Implements kernel/evaluate.h: divides the leaves into clusters, evaluates each cluster separately, and puts the
- * results into one mesh or several.
+/* Implements the evaluation of problems (evaluate.h): divides the leaves into clusters, evaluates each cluster
+ * separately, and puts the results into one mesh or several.
  *
  * A cluster consists of leaves whose boxes intersect, directly or through others. Leaves of different clusters cannot
  * touch, so each cluster has its own frame and grid. All clusters use the same expression: within a cluster, every leaf
@@ -36,7 +36,7 @@ static bool join(void *parent, uint32_t a, uint32_t b) {
 static double least(const vs_bounds *b, int axis) { return axis == 0 ? b->min.x : axis == 1 ? b->min.y : b->min.z; }
 static double most(const vs_bounds *b, int axis) { return axis == 0 ? b->max.x : axis == 1 ? b->max.y : b->max.z; }
 
-enum { SERIAL = 10000 /* fewer corners are processed in one thread */, LEAVES = 16 /* number of leaves in a task */ };
+enum { SERIAL = 10000 /* with fewer corners, one thread works */, LEAVES = 16 /* number of leaves in a task */ };
 
 typedef struct { const vs_kernel_problem *problem; vs_bounds *bounds; } bounding;
 
@@ -99,7 +99,7 @@ static bool find_clusters(vs_kernel *k, const vs_kernel_problem *p, vs_bounds *b
       boxes[i].min[a] = (int32_t)floor(least(&bounds[order[i]], a) / step) - 64;
       boxes[i].max[a] = (int32_t)ceil(most(&bounds[order[i]], a) / step) + 64;
     }
-  uint32_t *set = parent; /* during this function, the union-find parents of the leaves */
+  uint32_t *set = parent; /* during this function, the array contains the union-find parents of the leaves */
   vs_disjoint(set, n);
   ok = ok && vs_bvh_build(k, &bvh, boxes, n) && vs_bvh_pairs(&bvh, 0, UINT32_MAX, join, set);
   uint32_t *start = NULL, *sorted = NULL;
@@ -168,7 +168,7 @@ typedef struct {
   const vs_kernel_problem *problem;
   vs_parts parts;
   vs_expression expression;
-  vs_bounds gate; /* bounds in the world outside of which a gate is false; empty if there is no gate */
+  vs_bounds gate; /* bounds in world coordinates outside of which a gate is false; empty if there is no gate */
   vs_bounds *bounds; /* bounds of each leaf; NULL once they are no longer needed */
   vs_remember remember;
   vs_placing placing;
@@ -298,8 +298,8 @@ static bool find_gate(vs_kernel *k, whole *w, const vs_bounds *leaves) {
 /* Returns true if the cluster extends beyond the bounds of the gates. */
 static bool gate_cuts(const whole *w, vs_group leaves) {
   if (!w->expression.gate_count) return false;
-  if (w->problem->within) return true; /* the leaves' bounds were already reduced to the gates' bounds, so a comparison
-                                        * would not show it */
+  if (w->problem->within) return true; /* The leaves' bounds were already reduced to the bounds of the gates. Therefore
+                                        * a comparison would not show that the cluster extends beyond them. */
   vs_bounds all = w->gate;
   for (uint32_t i = 0; i < leaves.count; i++) vs_bounds_unite(&all, &w->bounds[leaves.at[i]]);
   return memcmp(&all, &w->gate, sizeof all) != 0;
@@ -315,8 +315,8 @@ static bool want_tags(vs_kernel *k, vs_mesh *m) { return vs_mesh_want_tags(m) ||
  * or drops the leaf unchanged, without a grid. A mesh that is no star is inspected once for contacts with itself.
  * Returns false on failure. */
 static bool stands_alone(vs_kernel *k, whole *w, vs_group leaves, bool *alone) {
-  enum { FLAT = 1 << 20 }; /* limit on the factor by which a placement flattens the mesh; up to it, the inspection of
-                            * the mesh holds for the placed leaf */
+  enum { FLAT = 1 << 20 }; /* limit on the factor by which a placement flattens the mesh; up to this factor, the result
+                            * of the inspection is valid for the placed leaf */
   const vs_kernel_leaf *l = &w->problem->leaves[leaves.at[0]];
   vs_part *part = &w->parts.all.at[w->parts.of_leaf.at[leaves.at[0]]];
   *alone = false;
@@ -352,7 +352,8 @@ static bool place_leaf(vs_kernel *k, whole *w, const uint32_t *leaf, vs_mesh *ou
   return !inside || (vs_placing_room(k, out, p.from.vertices, p.from.triangles) && VS_PUSH(k, w->placing.meshes, p));
 }
 
-/* Appends the cluster's triangles to out: from the cache if they are there, otherwise newly evaluated. */
+/* Appends the cluster's triangles to out. Copies them from the cache if it contains the cluster, and evaluates the
+ * cluster otherwise. */
 static bool make_cluster(vs_kernel *k, whole *w, vs_copies *copies, vs_group leaves, vs_mesh *out, uint32_t into) {
   bool alone;
   if (!stands_alone(k, w, leaves, &alone)) return false;
@@ -364,13 +365,14 @@ static bool make_cluster(vs_kernel *k, whole *w, vs_copies *copies, vs_group lea
   if (asked && !(vs_kernel_report(k, 0) && vs_remember_find(k, &w->remember, out, &found) && vs_kernel_report(k, 0)))
     return false;
   ++*(found ? &w->counts.remembered : &w->counts.combined);
-  w->counts.straightened += found && k->options->straight; /* the cache does not store the number of removed bends, so 1
-                                                            * is added */
+  w->counts.straightened += found && k->options->straight; /* the cache does not store the number of removed bends, so
+                                                            * the count increases by 1 for a cached cluster */
   return found || (run_cluster(k, w, leaves, out) &&
                    (!asked || vs_remember_keep(k, &w->remember, out, vertices, triangles)));
 }
 
-/* The destination of the results: `one` mesh for all clusters, or a separate mesh for each original in `many`. */
+/* The destination of the results: the mesh `one` for all clusters, or a separate mesh for each original in the array
+ * `many`. */
 typedef struct {
   vs_mesh *one;
   vs_kernel_copies *many;
@@ -408,7 +410,7 @@ static bool give_cluster(vs_kernel *k, whole *w, vs_copies *copies, sink *to, vs
     return VS_ROOM(k, to->many->copies, to->many->copy_room, to->many->copy_count + 1) &&
            (to->many->copies[to->many->copy_count++] = (vs_kernel_copy){ copy.original, copy.map }, true);
   }
-  if (!copy.is_new) { /* a copy may have other tags with equal paints */
+  if (!copy.is_new) { /* a copy may have other tags than its original, with equal paints */
     vs_placement p = { .from = to->ranges.at[copy.original],
                        .vertex = to->one->vertex_count,
                        .triangle = to->one->triangle_count,

@@ -1,4 +1,4 @@
-/* Implements kernel/expression.h: flattens the boolean expression and evaluates it incrementally. The functions do not
+/* Implements the boolean expression (expression.h): flattens it, and evaluates it incrementally. The functions do not
  * recurse, because operands come before the terms that use them. */
 #include "kernel/expression.h"
 
@@ -7,7 +7,8 @@ typedef struct {
   VS_LIST(uint32_t) uses;   /* uses[t]: number of terms that have t as an operand */
   VS_LIST(uint32_t) pairs;  /* pairs of an operand and its user: the operand's number, then 2 * user + 1 if the user
                              * subtracts it, else 2 * user */
-  VS_LIST(uint32_t) stack;  /* operands still to be examined: 2 * term + 1 if it is subtracted, else 2 * term */
+  VS_LIST(uint32_t) stack;  /* stack of operands still to be examined: 2 * term + 1 if the term is subtracted, else 2 *
+                             * term */
   VS_LIST(uint8_t) live;    /* live[t]: 1 if term t is reachable from the root and not merged into its user */
 } building;
 
@@ -17,7 +18,7 @@ static bool absorbed(const vs_kernel_problem *p, const building *b, vs_term_kind
   vs_term_kind kind = p->terms[inner].kind;
   if (b->uses.at[inner] != 1) return false;
   if (outer == VS_TERM_UNION || (outer == VS_TERM_DIFFERENCE && off)) return kind == VS_TERM_UNION;
-  return kind == outer; /* an intersection within an intersection, or a difference as the first operand of a
+  return kind == outer; /* merges an intersection into an intersection, or a difference that is the first operand of a
                          * difference */
 }
 
@@ -45,9 +46,9 @@ static bool collect(vs_kernel *k, const vs_kernel_problem *p, building *b, vs_ex
   return true;
 }
 
-/* Finds the leaves and terms that determine the result on their own. These are operands of a union, when they are true,
- * and operands of an intersection, when they are false. Operands of such operands follow in the same way. A leaf that
- * is the only term is not included. */
+/* Finds the leaves and terms that determine the result on their own. These are operands of a union at the root, when
+ * they are true, and operands of an intersection at the root, when they are false. The same holds for operands of such
+ * operands. A leaf that is the only term is not included. */
 static bool find_forces(vs_kernel *k, vs_expression *e, const vs_kernel_problem *p, const uint8_t *live) {
   enum { IF_TRUE = 1, IF_FALSE = 2 };
   VS_LIST(uint8_t) flag = { 0 };
@@ -162,8 +163,8 @@ static bool value(const vs_expression *e, uint32_t term) {
 bool vs_expression_value(const vs_expression *e) { return e->kind.at && value(e, e->root); }
 
 bool vs_expression_upholds(vs_kernel *k, vs_expression *e, uint32_t leaf, bool *answer) {
-  /* Limit on the number of terms to visit: there may be many paths from the leaf to the root. A wrong answer only
-   * selects another material. */
+  /* Limit on the number of visited terms, because there may be very many paths from the leaf to the root. A wrong
+   * answer only selects another material. */
   enum { STEPS = 256 };
   VS_ASSERT(e->winding.at[leaf] > 0);
   *answer = false;
@@ -241,8 +242,8 @@ bool vs_expression_add(vs_kernel *k, vs_expression *e, uint32_t leaf, int32_t de
     e->positive.at[t] = now;
     if (!VS_PUSH(k, e->stack, t * 2 + now)) return false;
   }
-  while (e->stack.count) { /* the stack contains terms whose value has changed, before their users are updated; a value
-                            * may change several times */
+  while (e->stack.count) { /* The stack contains terms whose value has changed and whose users are not updated yet. A
+                            * value may change several times. */
     uint32_t t = e->stack.at[--e->stack.count] / 2;
     bool up = e->stack.at[e->stack.count] & 1;
     for (uint32_t i = e->user_first.at[t]; i < e->user_first.at[t + 1]; i++) {

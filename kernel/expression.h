@@ -15,21 +15,22 @@ typedef struct {
   VS_LIST(uint8_t) kind;      /* the vs_term_kind of each term */
   VS_LIST(uint32_t) need;     /* for each intersection: number of operands that must be true */
   VS_LIST(uint32_t) positive; /* for each term: number of true operands that are not subtracted */
-  VS_LIST(uint32_t) negative; /* for each difference: number of true operands that are subtracted */
+  VS_LIST(uint32_t) negative; /* for each difference: number of its subtracted operands that are true */
   VS_LIST(uint32_t) user_first;
-  VS_LIST(uint32_t) users;    /* the users of all terms, grouped by operand: 2 * user + 1 if the user subtracts the
-                               * operand, else 2 * user */
+  VS_LIST(uint32_t) users;    /* the users of all terms, grouped by operand. An element is 2 * user + 1 if the user
+                               * subtracts the operand, else 2 * user */
   VS_LIST(int32_t) winding;   /* winding number of each leaf at the current place */
   VS_LIST(uint32_t) leaf_first, leaf_terms; /* leaf_terms: the terms of all leaves, grouped by leaf; leaf_first[i]:
                                              * index where the terms of leaf i begin */
   VS_LIST(uint8_t) taken_off; /* for each leaf: 1 if it is subtracted, so that it makes the result smaller */
   VS_LIST(uint32_t) stack;
   VS_LIST(uint8_t) forces;    /* for each leaf: 1 if the result inside the leaf does not depend on other leaves */
-  uint32_t gates[VS_GATES];   /* terms outside of which the result is false for any value of the others */
+  uint32_t gates[VS_GATES];   /* terms that gate the result: if a gate is false, the result is false for any value of
+                               * the other terms */
   uint32_t gate_count;
-  bool forced;                /* value of the result inside a leaf with forces[leaf] == 1 */
-  VS_LIST(uint8_t) waits;     /* for each term: 0: not in the heap; 1: in the heap, and false when it was put there; 3:
-                               * in the heap, and true then */
+  bool forced;                /* value of the result inside a leaf whose element of `forces` is 1 */
+  VS_LIST(uint8_t) waits;     /* for each term: 0 if it is not in the heap; 1 if it is in the heap and was false when it
+                               * was put there; 3 if it is in the heap and was true then */
   uint32_t root;
 } vs_expression;
 
@@ -40,9 +41,9 @@ bool vs_expression_add(vs_kernel *k, vs_expression *e, uint32_t leaf, int32_t de
                                                                                        * memory is out. */
 bool vs_expression_value(const vs_expression *e);
 bool vs_expression_gated(const vs_expression *e); /* returns true if one of the gates is false */
-/* Sets *answer to true if the leaf makes the result true: a chain of true terms leads from the leaf to the root, in
- * which no term subtracts the one before. The leaf's winding number must be positive. Returns false when memory is
- * out. */
+/* Sets *answer to true if the leaf makes the result true. This is so if a chain of true terms leads from the leaf to
+ * the root, in which no term subtracts the previous term. The leaf's winding number must be positive. Returns false
+ * when memory is out. */
 bool vs_expression_upholds(vs_kernel *k, vs_expression *e, uint32_t leaf, bool *answer);
 void vs_expression_free(vs_kernel *k, vs_expression *e);
 

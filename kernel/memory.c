@@ -1,4 +1,4 @@
-/* Implements kernel/memory.h: counts the kernel's memory, records its error and polls for interrupts. */
+/* Implements the context of the kernel (memory.h): counts its memory, records its error and polls for interrupts. */
 #include "kernel/memory.h"
 
 #include <stdarg.h>
@@ -45,7 +45,7 @@ bool vs_kernel_grow(vs_kernel *k, void *slot, size_t *room, size_t need, size_t 
   if (!grown) return vs_kernel_fail(k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids");
   memcpy(slot, &grown, sizeof grown);
   size_t now = atomic_fetch_add(bytes, added) + added; /* the peak may lack bytes that two threads add at the same
-                                                        * moment */
+                                                        * time */
   _Atomic size_t *peak = k->owner ? &k->owner->peak : &k->peak;
   if (now > *peak) *peak = now;
   *room = more;

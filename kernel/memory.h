@@ -10,18 +10,18 @@
 enum { VS_THREADS_MOST = 64 };
 
 typedef struct vs_kernel {
-  const vs_kernel_options *options; /* the caller's options; NULL: defaults */
+  const vs_kernel_options *options; /* the caller's options; NULL: the default options */
   vs_kernel_error *error;
-  struct vs_kernel *owner; /* in another thread: the context of the caller's thread, which holds the common `bytes` and
-                            * `stop`; in the caller's thread: NULL */
+  struct vs_kernel *owner; /* in another thread: the context of the caller's thread, whose `bytes` and `stop` all
+                            * threads use; in the caller's thread: NULL */
   uint32_t worker;         /* number of the thread; 0 is the caller's thread */
   uint32_t threads;        /* number of threads that may work at a time, including this one */
   _Atomic size_t bytes;    /* number of bytes that are allocated for arrays */
   _Atomic size_t peak;     /* largest value of `bytes` so far */
   _Atomic bool stop;       /* true if a thread has failed or the caller has interrupted; all threads then return */
   uint32_t ticks;          /* number of polls since the last call of vs_job_done */
-  double done, share;      /* done: progress of the whole work before this cluster, 0 to 1; share: the part of the work
-                            * that the cluster is */
+  double done, share;      /* done: progress of all work before this cluster, 0 to 1; share: fraction of all work that
+                            * this cluster takes */
   double part;             /* progress within the cluster, as last reported, 0 to 1 */
   double *laps, since;     /* laps: seconds of each step, indexed by vs_step; NULL: no time is measured. since: start of
                             * the current step in seconds */
@@ -52,8 +52,8 @@ void vs_kernel_free(vs_kernel *k, void *slot, size_t *room, size_t size);
   (VS_ROOM(k, (list).at, (list).room, (list).count + 1) && ((list).at[(list).count++] = (value), true))
 #define VS_DROP(k, list) ((list).count = 0, VS_FREE(k, (list).at, (list).room))
 
-bool vs_kernel_report(vs_kernel *k, double part); /* part: completed part of the cluster, 0 to 1; returns false if the
-                                                   * caller interrupts */
+bool vs_kernel_report(vs_kernel *k, double part); /* sets the progress within the cluster to `part`, 0 to 1; returns
+                                                   * false if the caller interrupts */
 static inline bool vs_kernel_poll(vs_kernel *k, double part) {
   return (++k->ticks & 1023) != 0 || vs_kernel_report(k, part);
 }

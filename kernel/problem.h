@@ -6,8 +6,8 @@
 #include "model/node.h"
 
 typedef struct {
-  const vs_mesh *mesh;  /* closed mesh, counter-clockwise as seen from outside; several leaves may share it. It may
-                         * intersect itself; places where it overlaps itself are inside */
+  const vs_mesh *mesh;  /* closed mesh, counter-clockwise as seen from outside; several leaves may use the same mesh. It
+                         * may intersect itself; places where it overlaps itself are inside */
   vs_affine placement;
   uint32_t tag;         /* tag that the result's triangles get; the kernel merges coplanar faces whose tags or paints
                          * are equal */
@@ -19,12 +19,13 @@ typedef enum {
   VS_TERM_LEAF,
   VS_TERM_UNION,
   VS_TERM_INTERSECTION,
-  VS_TERM_DIFFERENCE /* value: the first operand less all others */
+  VS_TERM_DIFFERENCE /* value: the first operand minus all other operands */
 } vs_term_kind;
 typedef struct {
   vs_term_kind kind;
-  uint32_t first;       /* LEAF: number of the leaf; other kinds: index of the first operand in `operands` */
-  uint32_t count;       /* number of operands; each is the number of an earlier term. 0: the term is the empty solid */
+  uint32_t first;       /* for a LEAF: number of the leaf; for other kinds: index of the first operand in `operands` */
+  uint32_t count;       /* Number of operands. Each operand is the number of an earlier term. If there is no operand,
+                         * the term is the empty solid */
 } vs_kernel_term;
 
 typedef struct {
@@ -34,10 +35,10 @@ typedef struct {
   uint32_t leaf_count, term_count, operand_count;
   const uint32_t *paints; /* paint of each tag; NULL: the tags are the paints. A face that was merged from several tags
                            * has one of them */
-  const uint64_t *identities; /* identity of each leaf's mesh: meshes with equal identities are equal, in all problems;
-                               * 0: unknown. NULL: all are unknown */
+  const uint64_t *identities; /* identity of each leaf's mesh. Meshes with equal identities are equal, in all problems.
+                               * 0: the identity is unknown. NULL: all identities are unknown */
   const vs_bounds *within;  /* for each leaf, the bounds within which it matters; the kernel combines it with other
-                             * leaves only there. The mesh of an endless solid extends beyond these bounds. NULL: no
+                             * leaves only in these bounds. The mesh of an endless solid extends beyond them. NULL: no
                              * bounds */
 } vs_kernel_problem;
 

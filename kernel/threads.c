@@ -1,6 +1,6 @@
-/* Implements kernel/threads.h. As many threads as there are processors take tasks one after another. The result of a
- * task depends only on its number, not on the thread. The caller's thread works too, and only this thread reports
- * progress. The clock serves statistics only. */
+/* Implements the running of tasks in threads (threads.h). As many threads as there are processors take tasks one after
+ * another. The result of a task depends only on its number, not on the thread. The caller's thread works too, and only
+ * this thread reports progress. The clock serves statistics only. */
 #include "kernel/threads.h"
 
 #include "kernel/memory.h"
@@ -47,8 +47,8 @@ static bool do_task(crew *c, vs_kernel *k, size_t i) {
     return true;
   }
   pthread_mutex_lock(&c->lock);
-  if (k->error->status != VS_KERNEL_FINE && i < c->failed) { /* a task that ended because of `stop` has no error of its
-                                                              * own */
+  if (k->error->status != VS_KERNEL_FINE && i < c->failed) { /* a task that ended because another task set `stop` has no
+                                                              * error of its own */
     c->failed = i;
     c->error = *k->error;
   }
@@ -201,7 +201,7 @@ static bool run(vs_kernel *k, size_t count, size_t window, vs_task_fn *task, vs_
   else work(&c, k);
   k->threads = own;
   pthread_mutex_lock(&c.lock);
-  while (c.running) wait_a_while(&c); /* also reports progress */
+  while (c.running) wait_a_while(&c); /* waits for the other threads, and reports progress meanwhile */
   pthread_mutex_unlock(&c.lock);
   for (uint32_t i = 0; i < started; i++) pthread_join(threads[i], NULL);
   pthread_cond_destroy(&c.space);

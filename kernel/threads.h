@@ -11,7 +11,7 @@ void vs_kernel_time(vs_kernel *k, double laps[VS_STEP_COUNT]);
 bool vs_kernel_lap(vs_kernel *k, vs_step step);
 bool vs_kernel_run(vs_kernel *k, size_t count, vs_task_fn *task, void *context);
 bool vs_kernel_pipeline(vs_kernel *k, size_t count, vs_task_fn *task, vs_task_fn *taker, void *context);
-uint32_t vs_kernel_threads(const vs_kernel_options *options); /* returns the number of threads to use: the one in
-                                                               * options, or one for each processor */
+uint32_t vs_kernel_threads(const vs_kernel_options *options); /* returns the number of threads to use: the number in
+                                                               * options, or else the number of processors */
 
 #endif

@@ -119,7 +119,7 @@ static int by_key(const void *a, const void *b) {
   return p->key != q->key ? (p->key < q->key ? -1 : 1) : p->part < q->part ? -1 : p->part > q->part;
 }
 
-/* Writes the keys of the parts that no rule has paired, in order. Returns their number. */
+/* working memory for an assignment */
 static size_t keys_of(const vs_drawn_parts *p, const vs_part_match *match, unsigned by, keyed *out) {
   size_t n = 0;
   for (size_t i = 0; i < p->count; i++)
@@ -162,8 +162,8 @@ static double apart(const double *a, const double *b) {
 /* An assignment: each row gets its own column. The cost of a pair is the distance of its boxes. */
 typedef struct {
   size_t rows, columns;                    /* numbers of rows and columns; rows <= columns */
-  const double *row_boxes, *column_boxes;  /* six numbers for each box */
-  double *work;                            /* room for 3 rows + 4 columns + 7 numbers */
+  const double *row_boxes, *column_boxes;  /* six numbers for each part's box: its centre and its size */
+  double *work;                            /* working memory for 3 rows + 4 columns + 7 numbers */
   uint32_t *row;                           /* row[j]: row of column j, counted from 1; 0: the column has no row */
 } assignment;
 
@@ -204,8 +204,8 @@ static bool assign(vs_store *s, const assignment *a, vs_error *e) {
   return true;
 }
 
-/* Pairs part p of the first drawing with part q of the second, unless they are two different shapes with the same
- * hash. */
+/* Pairs part p of the first drawing with part q of the second drawing, unless they are two different shapes with the
+ * same hash. */
 static bool pair(matching *m, size_t rule, uint32_t p, uint32_t q, vs_error *e) {
   bool memory = true;
   if (rules[rule].by & BY_THING && !vs_node_equal(m->a->at[p].thing.node, m->b->at[q].thing.node, &memory))
@@ -221,8 +221,8 @@ static const double MOST_STEPS = 1e8;
 /* The parts of a drawing that have the same key. */
 typedef struct { const keyed *at; size_t count; } alike;
 
-/* Pairs the parts of the first and of the second drawing that have the same key. If there is a choice, it minimises the
- * sum of all distances in position and size. */
+/* Pairs the parts of the first and of the second drawing that have the same key. If several pairings are possible, it
+ * chooses the pairing with the least sum of distances in position and size. */
 static bool pair_alike(matching *m, size_t rule, alike one, alike other, vs_error *e) {
   size_t n = one.count, k = other.count;
   bool free_choice = n * k > 1 && (rules[rule].by & (BY_THING | BY_PLACE)) != (BY_THING | BY_PLACE);
@@ -320,7 +320,7 @@ static bool refs_bounds(const refs *r, vs_bounds_memo *memo, vs_bounds *out, vs_
   return true;
 }
 
-/* Appends the references of `from` whose bounds are near the box. */
+/* Appends the references of `from` whose bounds intersect the box or are close to it. */
 static bool refs_add_near(refs *r, const refs *from, const vs_bounds *box, vs_bounds_memo *memo, vs_error *e) {
   for (size_t i = 0; i < from->count; i++) {
     vs_bounds b;
@@ -365,8 +365,8 @@ static bool add_common(refs *out, refs *a, refs *b, vs_bounds_memo *memo, vs_err
 
 static bool stays(vs_part_fate fate) { return fate == VS_PART_SAME || fate == VS_PART_REPAINTED; }
 
-/* Distributes the parts. Unchanged parts go to `kept` (NULL: they are dropped), other solids to `solids`, and objects
- * that booleans cannot handle to `whole`. */
+/* Distributes the parts of a drawing. Unchanged parts go to `kept`, other solids to `solids`, and objects that booleans
+ * cannot handle to `whole`. If kept is NULL, unchanged parts are dropped. */
 static void sort_parts(const vs_drawn_parts *p, const vs_part_match *match, refs *kept, refs *solids, refs *whole) {
   for (size_t i = 0; i < p->count; i++) {
     const vs_drawn_part *part = &p->at[i];
@@ -376,7 +376,7 @@ static void sort_parts(const vs_drawn_parts *p, const vs_part_match *match, refs
   }
 }
 
-/* Copies only the solids, since nothing else can be subtracted. */
+/* Copies only the solids, because other objects cannot be subtracted. */
 static bool only_solids(refs *out, const refs *from) {
   for (size_t i = 0; i < from->count; i++)
     if (from->at[i].node->class_ == VS_SOLID) refs_add(out, vs_node_retain(from->at[i].node), from->at[i].origin);
@@ -414,7 +414,7 @@ bool vs_drawn_parts_change(const vs_drawn_parts *a, const vs_drawn_parts *b, con
   return ok;
 }
 
-/* Adds the solids of n to `solids`, and all other objects to `rest` (NULL: they are dropped). */
+/* Adds the solids of n to `solids`, and all other objects to `rest`. If rest is NULL, other objects are dropped. */
 static bool part_solids(vs_node *n, refs *solids, refs *rest, vs_error *e) {
   vs_drawn_parts parts = { .store = n->store };
   bool ok = vs_drawn_parts_take(&parts, &(vs_ref){ n, NULL }, 1, e);

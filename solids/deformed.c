@@ -101,7 +101,8 @@ bool vs_take_apart(vs_ref object, const vs_fineness *facets, const vs_kernel_opt
 /* ---- the map ---- */
 
 typedef struct {
-  vs_vec3 corner[8]; /* corner[i]: image of a corner of the bounds. Bits 1, 2, 4 of i mean the high end along x, y, z */
+  vs_vec3 corner[8]; /* corner[i]: image of corner i of the bounds. Bits 1, 2 and 4 of i select the high end along x, y
+                      * and z */
   vs_bounds from;
   double tolerance;
 } hexahedron;
@@ -154,7 +155,7 @@ bool vs_deform_is_affine(const struct vs_deform *d, const vs_bounds *bounds, vs_
 typedef struct {
   vs_bounds bounds;
   vs_bend_leaves leaves;
-  bool apart; /* whether the leaves of the subject exist */
+  bool apart; /* true if the leaves of the subject have been made */
 } subject;
 
 typedef struct {
@@ -167,11 +168,11 @@ struct vs_deformer {
   vs_store *store;
   const vs_fineness *facets;
   const vs_kernel_options *options;
-  vs_nodemap children; /* maps a child to the number of its subject + 1 */
+  vs_nodemap children; /* map from a child to the number of its subject (an object before the deformation) + 1 */
   subject *subjects;
   vs_node **held; /* nodes of the subjects, retained */
   size_t subject_count, subject_room, held_room;
-  shape *shapes; /* hash table whose size is a power of two */
+  shape *shapes; /* shapes: hash table whose number of slots is a power of two */
   size_t shape_count, shape_room;
 };
 
@@ -286,8 +287,8 @@ static vs_node *all_leaves(const vs_deformer *d, const hexahedron *h, const vs_b
   return n;
 }
 
-/* Returns the frame of the hexahedron. Moved or rotated copies of it have the same corners relative to their own
- * frames. */
+/* Returns the frame of the hexahedron. If a hexahedron is a moved or rotated copy of another, their corners have the
+ * same coordinates in their own frames. */
 static vs_affine frame_of(const vs_vec3 c[8], vs_vec3 sx, vs_vec3 sy) {
   vs_vec3 fx = vs_v3_unit(sx), fz = vs_v3_unit(vs_v3_cross(sx, sy));
   vs_affine back, frame = vs_affine_columns(fx, vs_v3_cross(fz, fx), fz, c[0]);

@@ -15,7 +15,7 @@
 
 static const double turn = 6.28318530717958647693;
 
-typedef struct { bool round; vs_vec2 c, a, b; /* start and end of a straight piece are c and a */ double from, to; } piece;
+typedef struct { bool round; vs_vec2 c, a, b; /* a straight piece goes from c to a */ double from, to; } piece;
 typedef struct { piece *at; size_t count, room; } pieces;
 typedef struct { double area, x, y; } moments;
 

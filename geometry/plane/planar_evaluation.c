@@ -120,7 +120,7 @@ static bool flat_enter(vs_flat *f, const vs_ref *ref, vs_affine map, const vs_fi
         vs_fineness inner = vs_fineness_placed(facets, &map);
         return flat_open(f, ref, &identity, &inner) && (f->frames[f->frame_count - 1].after = map, true);
       }
-      case VS_HULL: if (n->class_ != VS_REGION_CLASS) break; /* falls through for a hull that is a region */
+      case VS_HULL: if (n->class_ != VS_REGION_CLASS) break; /* fall through */
       case VS_TEXT: {
         vs_flat_value *v = flat_push(f);
         if (v) v->filled = true;

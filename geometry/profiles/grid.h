@@ -5,8 +5,8 @@
 
 #include "geometry/plane/ear_clipping.h"
 
-/* rows of `columns` points each, one after another; the array belongs to the caller. A row consists of loops, each hole
- * after the outer loop that contains it. Two triangles fill each cell between neighbouring rows */
+/* Rows of `columns` points each, one after another; the array belongs to the caller. A row consists of loops, each hole
+ * after the outer loop that contains it. Two triangles fill each cell between neighbouring rows. */
 typedef struct {
   const vs_vec3 *at;
   size_t rows, columns;
@@ -14,16 +14,16 @@ typedef struct {
   const bool *hole;
   size_t loop_count;
   bool round;          /* true if the loops are closed; false if they are open strips */
-  bool joined;         /* true if the last row is joined to the first */
-  const size_t *seam;  /* if not NULL: the last row has the same place as the first, and its point i coincides with
-                        * point seam[i] of the first row */
+  bool joined;         /* true if the last row of points is joined to the first row */
+  const size_t *seam;  /* if not NULL: the last row lies at the position of the first row, and its point i coincides
+                        * with point seam[i] of the first row */
   bool capped;         /* true if the first and the last row are filled with triangles */
-  const vs_vec2 *flat; /* points of one row in the row's plane, for the caps; NULL: the plane of each row is computed
-                        * from its points */
+  const vs_vec2 *flat; /* points of each row in the row's own plane, for the caps; NULL: this plane is computed from the
+                        * points of the row */
   const bool *by_number; /* if not NULL, for each row: true if the diagonals of the cells to the next row go from the
                           * lower column to the higher one */
-  uint32_t *numbers;   /* if not NULL: receives the vertex of each point, row by row; if joined, those of the first row
-                        * again at the end */
+  uint32_t *numbers;   /* if not NULL: receives the index of the vertex at each point, row by row; if the grid is
+                        * joined, the vertices of the first row follow again at the end */
 } vs_quad_grid;
 
 /* Appends the triangles of the grid. They face away from the side from which the loops of a row are counter-clockwise.
@@ -35,8 +35,8 @@ bool vs_grid_mesh(const vs_quad_grid *g, vs_mesh *out);
  * outer loop that contains it. */
 typedef struct { const vs_vec2 *at; const size_t *sizes; const bool *hole; size_t count; } vs_cap_loops;
 
-/* Fills loops with triangles. The vertex of the i-th point is row[i]. turned: true if the triangles face the opposite
- * way. The first loop is an outer loop. Returns false when memory is out. */
+/* Fills loops with triangles. row[i]: vertex of point i. If `turned`, the triangles face the opposite direction. The
+ * first loop is an outer loop. Returns false when memory is out. */
 bool vs_grid_cap(const vs_cap_loops *loops, const uint32_t *row, vs_mesh *out, bool turned);
 
 #endif

@@ -2,12 +2,13 @@
  *
  * 1. Each section becomes loops in its plane (or one open line, or a point). Its normal points in the loft's
  *    direction; its outer loops run counter-clockwise about the normal. Holes are matched with the nearest holes of the
- *    section before.
- * 2. If a loop has the same number of points in all sections, they are matched one by one. Otherwise they are matched
- * by
- *    arc length, and each section gets the points of all others, so that no corner is cut.
- * 3. A loop starts where it is least twisted against the one before it: where the sum of the scalar products of
- *    matching points, about the centres and turned from normal to normal by the smallest rotation, is largest. */
+ *    previous section.
+ * 2. If a loop has the same number of points in all sections, point i of a section is matched with point i of the next.
+ *    Otherwise points are matched by arc length, and each section gets the points of all others, so that no corner is
+ *    cut.
+ * 3. A loop starts where it is least twisted against the loop of the previous section. For this start, the sum of the
+ *    scalar products of matching points is largest. The points are relative to the centres of their loops, and turned
+ *    from normal to normal by the smallest rotation. */
 #include "geometry/profiles/loft.h"
 #include "geometry/plane/planar_evaluation.h"
 
@@ -19,7 +20,7 @@
 #include "model/store/array.h"
 
 typedef struct {
-  vs_outline outline; /* the section's loops, in the order of the matching loops of the section before */
+  vs_outline outline; /* the section's loops, in the order of the matching loops of the previous section */
   bool point, open;
   vs_vec3 center, normal;
 } loft_section;
@@ -83,7 +84,8 @@ static size_t loft_points(const loft_section *s) {
   return n;
 }
 
-/* Reads all sections. The circles of a loft all get as many facets as the one that needs most. */
+/* Reads all sections. All circles of the sections get the same number of facets, which is the largest number that any
+ * of them needs. */
 static bool loft_read_all(const vs_node *n, size_t count, const vs_fineness *f, loft_section *s, vs_error *e) {
   size_t most = 0;
   bool ok = true;
@@ -150,8 +152,8 @@ static void loft_turn(loft_section *s) {
   for (size_t l = 0; l < s->outline.count; l++) loft_reverse(&s->outline.loops[l]);
 }
 
-/* Turns each normal into the loft's direction. If that lies in the section's plane, turns it into the direction of the
- * neighbour's normal. */
+/* Turns each section's normal into the loft's direction. If the loft's direction lies in the section's plane, turns the
+ * normal into the direction of the neighbouring section's normal. */
 static void loft_direct(loft_section *s, size_t count, bool joined) {
   bool sure = false;
   for (size_t pass = 0; pass < 2; pass++)
@@ -188,8 +190,8 @@ static vs_vec3 loft_loop_center(const vs_polyline *p) {
   return length > 0 ? vs_v3_scale(sum, 1 / length) : p->at[0];
 }
 
-/* Orders the loops of section b like the matching loops of section a, which is before it. Outer loops are matched by
- * distance, then the holes within each. Both sections have the same number of loops. Returns false and sets e on
+/* Orders the loops of section b like the matching loops of the previous section a. Outer loops are matched by distance,
+ * then the holes within each outer loop. Both sections have the same number of loops. Returns false and sets e on
  * failure. */
 static bool loft_pair(const loft_section *a, loft_section *b, size_t number, vs_error *e) {
   size_t n = b->outline.count, done = 0;
@@ -234,7 +236,7 @@ static bool loft_pair(const loft_section *a, loft_section *b, size_t number, vs_
 /* ---- starting points of loops ---- */
 
 typedef struct {
-  vs_vec3 *at;      /* points relative to the loop's centre, rotated into the plane of the loop before it */
+  vs_vec3 *at;      /* points relative to the loop's centre, rotated into the plane of the previous section's loop */
   double *along;    /* position of each point along the loop, as a fraction of its length */
   size_t count;
   bool closed;
@@ -300,8 +302,8 @@ static size_t loft_corners(const loft_line *l, double *out) { /* finds the corne
   return found;
 }
 
-/* Returns by which fraction of its length loop b starts later than loop a, which starts at `from`, if they are twisted
- * least. A start that matches corners with corners is preferred to a slightly better one. */
+/* Returns the shift of the start of loop b, as a fraction of its length, for which loops a and b are twisted least.
+ * Loop a starts at `from`. A start that matches corners with corners is preferred to a slightly better start. */
 static double loft_least_twist(const loft_line *a, double from, const loft_line *b) {
   vs_vec3 samples[LOFT_SAMPLES];
   double aa = 0, bb = 0, best = -INFINITY, shift = 0, corner_best = -INFINITY, corner_shift = 0;
@@ -331,13 +333,13 @@ static double loft_least_twist(const loft_line *a, double from, const loft_line 
     else high = q;
   }
   double fine = (low + high) / 2;
-  if (loft_score(samples, b, fine) <= best + 1e-9 * scale) fine = shift; /* prefers a round number that is equally
+  if (loft_score(samples, b, fine) <= best + 1e-9 * scale) fine = shift; /* prefers a round number if it is equally
                                                                           * good */
   return fine - floor(fine);
 }
 
-/* For loops that are matched point by point: finds the index in b of the point that matches point `from` of a. Both
- * have the same number of points. Returns false when interrupted. */
+/* For loops that are matched point by point: finds the index in b of the point that matches point `from` of a. The
+ * loops a and b have equally many points. Returns false when interrupted. */
 static bool loft_least_twist_index(const loft_line *a, size_t from, const loft_line *b, vs_store *s, size_t *best,
                                    vs_error *e) {
   size_t n = b->count, stride = n / 512 + 1;
@@ -404,7 +406,7 @@ static size_t loft_places(const loft_line *lines, const double *shift, size_t co
 
 typedef struct { loft_line *lines; double *shift; size_t *start; double *places; size_t count; } loft_match;
 
-enum { TWISTS = 1 << 18 }; /* nanoseconds for one search for the least twist, as vs_store_going expects */
+enum { TWISTS = 1 << 18 }; /* estimated time of one search for the least twist, in nanoseconds, for vs_store_going */
 
 /* The sections of a loft. first: index of the first section that is no point. */
 typedef struct { loft_section *at; size_t count, first; } loft_sections;
@@ -420,7 +422,7 @@ static bool loft_match_loop(vs_store *store, const loft_sections *all, size_t l,
   for (size_t i = first; ok && i < rows; i++) {
     if (s[i].point) continue;
     vs_polyline *p = &s[i].outline.loops[l];
-    if (s[i].open && i > first) { /* the open line gets the direction of the one before it */
+    if (s[i].open && i > first) { /* the open line gets the direction of the previous section's line */
       const vs_polyline *q = &s[last].outline.loops[l];
       vs_vec3 a = q->at[0], b = q->at[q->count - 1], c = p->at[0], d = p->at[p->count - 1];
       if (vs_v3_length(vs_v3_sub(a, d)) + vs_v3_length(vs_v3_sub(b, c)) <
@@ -437,7 +439,7 @@ static bool loft_match_loop(vs_store *store, const loft_sections *all, size_t l,
     m->shift[i] = 0;
     m->start[i] = 0;
     if (s[i].point || s[i].open || i == first) continue;
-    /* Line `last` was rotated into the plane of the line before it. Here it is needed in its own plane. */
+    /* Line `last` was rotated into the plane of the previous section's line. Here it is needed in its own plane. */
     loft_line before;
     vs_affine identity = vs_affine_identity();
     ok = (loft_line_make(&s[last].outline.loops[l], &identity, &before) || vs_error_memory(e, NULL)) &&
@@ -497,7 +499,8 @@ static bool loft_tabulate(vs_store *store, const loft_sections *all, vs_loft *ou
     out->sizes[l] = m.count;
     out->hole[l] = s[first].outline.hole[l];
     out->columns += m.count;
-    /* A section that is a point, before the first other section. */
+    /* Fills the rows of the sections before section `first`. Each of these sections is a point, which all points of its
+     * row get. */
     for (size_t i = 0; ok && i < first; i++) {
       matched[l * rows + i] = (vs_polyline){ .at = vs_fresh(m.count + 1, sizeof(vs_vec3)), .count = m.count };
       ok = matched[l * rows + i].at || vs_error_memory(e, NULL);

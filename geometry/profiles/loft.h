@@ -12,12 +12,12 @@ typedef struct {
   vs_vec3 *at;          /* points of the rows, one row after another: rows * columns points */
   vs_vec3 *center;      /* centre of each row */
   vs_vec3 *normal;      /* for each row: unit normal in the loft's direction; zero for a point or an open curve */
-  bool *point;          /* for each row: true if it is one point */
+  bool *point;          /* for each row: true if all points of the row coincide */
   size_t *sizes;        /* number of points in each loop of a row; outer loops are counter-clockwise about the normal */
   bool *hole;
   bool round;           /* true if the loops are closed */
   bool joined;          /* true if the last row is joined to the first */
-  double size;          /* size of the whole loft */
+  double size;          /* size of the entire loft, in model units */
 } vs_loft;
 
 void vs_loft_free(vs_loft *l);
@@ -25,12 +25,12 @@ void vs_loft_free(vs_loft *l);
  * are not compatible. */
 bool vs_loft_match(const vs_node *n, size_t count, const vs_fineness *f, vs_loft *out, vs_error *e);
 
-/* -- declarations that loft_guided.c and loft_mesh.c share -- */
+/* -- declarations for loft_guided.c and loft_mesh.c alone -- */
 
 typedef struct { vs_vec3 *at; size_t rows, room, columns; } vs_loft_rows;
 /* Appends the rows of a loft without guides between section i and the next. */
-/* slope_out: derivative of each point where a piece leaves a row; slope_in: where a piece arrives at a row; in units of
- * the whole piece */
+/* A piece is the part of the wall between two rows. slope_out: derivative of each point of a row where a piece begins;
+ * slope_in: derivative where a piece ends at the row. The parameter goes from 0 to 1 over the piece. */
 typedef struct { const vs_loft *loft; vs_vec3 *slope_in, *slope_out; } vs_loft_smooth;
 
 #endif

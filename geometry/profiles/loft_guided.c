@@ -1,15 +1,16 @@
 /* Makes lofts that follow a path or guides.
  *
  * Along a path, each section is described in the path's rotation-minimizing frame at its position. The description
- * consists of three parts. The shape is flat and relative to the section's centre. The second part is the position of
+ * consists of three parts. The first is the flat shape, relative to the section's centre. The second is the position of
  * the centre. The third is the tilt, the smallest rotation from the path's direction to the section's normal. Between
- * the sections, these three are interpolated smoothly in the moving frame. If only the points were interpolated, the
- * loft would become narrower where two sections tilt in opposite directions. The tilts cancel halfway, but chords
- * between the points are shorter. The sections themselves do not move; only the rows between them follow the path.
+ * the sections, these three are interpolated smoothly in the moving frame. If the points alone were interpolated, the
+ * loft would become narrower where two sections tilt in opposite directions: halfway, the tilts cancel, but the chords
+ * between the points are shorter. The sections themselves do not move. Only the rows between the sections follow the
+ * path.
  *
  * With guides, the free loft between two sections is moved so that its wall touches every guide. The common part of the
- * guides' motions moves the whole row. It is a shift for one guide, a rotation with a scale for two guides, and an
- * affine map of the section's plane for three or more. The remaining motion of each guide decreases towards the next
+ * guides' motions moves all points of a row. It is a shift for one guide, a rotation with a scale for two guides, and
+ * an affine map of the section's plane for three or more. The remaining motion of each guide decreases towards the next
  * guide. */
 #include "geometry/profiles/loft_guided.h"
 
@@ -28,7 +29,7 @@ typedef struct { vs_vec3 at, x, y, z; } guided_frame;
 typedef struct {
   vs_path path;
   vs_vec3 *x;       /* x direction of the frame at each sample of the path */
-  size_t stations;  /* number of sections; if the path is closed, the first section counts again at the end */
+  size_t stations;  /* number of sections; on a closed path, the first section counts again at the end */
   double *s;        /* arc length of the path at each section */
   vs_vec3 *local;   /* description of each section, by guided_describe */
 } guided_way;
@@ -75,7 +76,7 @@ static bool guided_stations(const vs_loft *l, vs_path *p, double *s, vs_error *e
   s[0] = 0;
   if (!p->closed && guided_nearest(p, l->center[0], 0) > guided_nearest(p, l->center[l->rows - 1], 0))
     vs_path_reverse(p);
-  if (p->closed) { /* chooses the direction in which the second section comes first */
+  if (p->closed) { /* chooses the direction of the closed path in which the second section comes before the others */
     double a = guided_nearest(p, l->center[0], 0), b = guided_nearest(p, l->center[1], a),
            c = guided_nearest(p, l->center[l->rows - 1], a);
     if (l->rows > 2 && c < b) vs_path_reverse(p);
@@ -110,8 +111,8 @@ static vs_vec3 guided_turned(vs_vec3 w, vs_vec3 v) {
   return vs_v3_add(vs_v3_add(vs_v3_scale(v, cos(angle)), vs_v3_scale(vs_v3_cross(k, v), sin(angle))), along);
 }
 
-/* Computes the description of a section in the frame: a row of n points, its middle, and its normal, which is zero if
- * it has none. */
+/* Computes the description of a section in the frame f. The section is a row of n points with its middle and its
+ * normal. A section without a normal has the normal zero. */
 static void guided_describe(const guided_frame *f, const vs_vec3 *row, size_t n, vs_vec3 middle, vs_vec3 normal,
                             vs_vec3 *local) {
   vs_vec3 z = guided_in(f, normal), axis = vs_v3(-z.y, z.x, 0); /* cross product of +Z and z */
@@ -301,7 +302,8 @@ static bool guided_line_make(const vs_node *n, size_t number, const vs_loft *l, 
       return vs_error_set(e, VS_ERROR_MODEL, NULL,
                           "guide %zu must meet every section; it passes section %zu at a distance of %.6g", number,
                           i + 1, far);
-    if (l->point[i]) g->column[i] = -1; /* the section is a point, where the guide touches all lines of the wall */
+    if (l->point[i]) g->column[i] = -1; /* the section is a point, where a guide touches all lines of the wall at
+                                         * once */
   }
   if (g->s[0] > g->s[l->rows - 1]) {
     for (size_t i = 0; i < l->rows; i++) g->s[i] = g->path.length - g->s[i];
@@ -349,8 +351,8 @@ static double guided_column(const vs_loft *l, const guided_line *g, size_t i, do
 }
 
 /* Computes the affine map x -> c + m (x - b) that maps the points b_j to g_j best, n >= 1. *b and *c are the means of
- * the points. For one pair the map is a shift. For two it is a rotation with a uniform scale. For three or more that
- * are not collinear it is any map of their plane, by least squares. */
+ * the points. For one pair of points the map is a shift. For two pairs it is a rotation with a uniform scale. For three
+ * or more that are not collinear it is any map of their plane, by least squares. */
 static void guided_fit(const vs_vec3 *from, const vs_vec3 *to, size_t n, vs_vec3 *b, vs_vec3 *c, double m[3][3]) {
   VS_ASSERT(n > 0);
   *b = *c = vs_v3(0, 0, 0);

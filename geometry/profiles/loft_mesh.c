@@ -31,8 +31,8 @@ static double loft_harmonic(double p, double q, double h, double k) {
   return p > 0 && q > 0 ? (w + v) * p * q / (w * q + v * p) : 0;
 }
 
-/* Returns the length of the slope between two directions with the sum s. It is 4 tan(angle/4), as for a circle's cubic,
- * and decreases to 0 if they are opposite. */
+/* Returns the length of the slope between two directions; s is the length of their sum. It is 4 tan(angle/4), as for a
+ * cubic that approximates a circle, and decreases to 0 for opposite directions. */
 static double loft_round(double s) { return fmin(1, s * s / 2) * 2 / (1 + s / 2); }
 
 vs_vec3 vs_loft_slope(vs_vec3 a, vs_vec3 b, double h, double k) {
@@ -49,7 +49,7 @@ vs_vec3 vs_loft_end_slope(vs_vec3 a, vs_vec3 m) {
   return aa > 0 && along < 0 ? vs_v3_sub(out, vs_v3_scale(a, along / aa)) : out;
 }
 
-/* returns the slope of the centres at a section with the normal n; n is zero if it has none */
+/* returns the slope of the centres at a section with the normal n; n is zero for a section without a normal */
 static vs_vec3 loft_center_slope(vs_vec3 a, vs_vec3 b, double h, double k, vs_vec3 n) {
   vs_vec3 whole = vs_loft_slope(a, b, h, k);
   double up = vs_v3_dot(a, n), on = vs_v3_dot(b, n);
@@ -81,11 +81,11 @@ double vs_loft_hermite_steps(vs_vec3 p, vs_vec3 q, vs_vec3 m, vs_vec3 k, const v
 
 /* ---- lines of the wall ---- */
 
-/* Computes into how many pieces the wall must be cut. Between lines that are not parallel the wall is a saddle. Two
- * triangles deviate from its middle by a quarter of its twist. The wall is cut into k pieces from row to row, with the
- * same k everywhere. Each edge of a section is cut into as many pieces as its own twist then requires, because the
- * error decreases with the product of both. edges: has an element for each column; in an open section the last element
- * of each loop is unused. Returns k, 1 to 64. */
+/* Computes the number k of pieces into which the wall between two rows must be cut. Between lines that are not parallel
+ * the wall is a saddle. Two triangles deviate from its middle by a quarter of its twist. k is the same for all rows.
+ * Each edge of a section is cut into as many pieces as its own twist then requires, because the error decreases with
+ * the product of the two numbers. edges: has an element for each column; in an open section the last element of each
+ * loop is unused. Returns k, 1 to 64. */
 static double loft_saddle(const vs_loft *l, const vs_fineness *f, uint32_t *edges) {
   enum { MOST = 64 };
   double most = 0;
@@ -216,7 +216,7 @@ bool vs_loft_smooth_make(const vs_loft *l, vs_loft_smooth *out) {
 static vs_vec3 loft_outwards(const vs_loft *l, size_t row, size_t column, vs_vec3 n) {
   size_t first = 0, loop = 0, other = row ? row - 1 : 1;
   VS_ASSERT(row < l->rows && column < l->columns);
-  if (l->point[row]) { /* at a point, uses the direction of the neighbouring section */
+  if (l->point[row]) { /* a section that is a point uses the direction of the neighbouring section */
     vs_vec3 d = vs_v3_sub(l->at[other * l->columns + column], l->center[other]);
     return vs_v3_unit(vs_v3_sub(d, vs_v3_scale(n, vs_v3_dot(d, n))));
   }
@@ -233,8 +233,9 @@ static vs_vec3 loft_outwards(const vs_loft *l, size_t row, size_t column, vs_vec
   return vs_v3_unit(vs_v3_cross(vs_v3_add(a, b), n));
 }
 
-/* Sets the direction of the wall at the first or last section. It is at `angle` radians from the normal, outwards.
- * hold: length of the handle of a Bezier curve, so the slope is 3 times that. The loft has at least two rows. */
+/* Sets the direction of the wall at the first or last section. The direction leans outwards from the normal by `angle`
+ * radians. hold: length of the handle of a Bezier curve; the slope is 3 times this length. The loft has at least two
+ * rows. */
 static void loft_hold(vs_loft_smooth *s, bool end, double angle, double hold) {
   const vs_loft *l = s->loft;
   size_t row = end ? l->rows - 1 : 0, other = end ? l->rows - 2 : 1;
@@ -273,7 +274,8 @@ double vs_loft_smooth_steps(const vs_loft_smooth *s, size_t i, const vs_fineness
   return steps;
 }
 
-static uint32_t loft_row_work(const vs_loft *l) { /* returns nanoseconds for a row, as vs_store_going expects */
+static uint32_t loft_row_work(const vs_loft *l) { /* returns the estimated time for a row in nanoseconds, for
+                                                   * vs_store_going */
   return (uint32_t)fmin(64.0 * (double)l->columns, 1e9);
 }
 

@@ -10,18 +10,19 @@ bool vs_loft_mesh(const vs_node *n, const vs_fineness *f, vs_mesh *out, vs_error
 vs_vec3 *vs_loft_rows_add(vs_loft_rows *r); /* makes room for another row and returns its points; returns NULL when
                                              * memory is out */
 /* Returns the slope at a point between two pieces with the mean slopes a and b, over the lengths h and k. If a and b
- * are equal, it equals them. If the curve turns, it is that of a circle. It is zero if a or b is zero or they are
- * opposite, so the curve never overshoots its ends. */
+ * are equal, the slope equals them. If the curve turns, the slope is that of a circle. The slope is zero if a or b is
+ * zero or they are opposite. Thus the curve never overshoots its ends. */
 vs_vec3 vs_loft_slope(vs_vec3 a, vs_vec3 b, double h, double k);
-/* Returns the slope at the free end of a piece with the mean slope a and the slope m at its other end: that of a
- * parabola. */
+/* Returns the slope at the free end of a piece: the slope of a parabola with the mean slope a and the slope m at the
+ * other end. */
 vs_vec3 vs_loft_end_slope(vs_vec3 a, vs_vec3 m);
 /* Returns the point at t, 0 to 1, of the cubic from p to q. m and k are its derivatives by t at p and q. */
 vs_vec3 vs_loft_hermite(vs_vec3 p, vs_vec3 q, vs_vec3 m, vs_vec3 k, double t);
 /* Returns the number of steps that keep the chords of the cubic of vs_loft_hermite, and the rotation of its direction,
  * within the tolerance. */
 double vs_loft_hermite_steps(vs_vec3 p, vs_vec3 q, vs_vec3 m, vs_vec3 k, const vs_fineness *f);
-bool vs_loft_smooth_make(const vs_loft *l, vs_loft_smooth *out); /* returns false when memory is out */
+bool vs_loft_smooth_make(const vs_loft *l, vs_loft_smooth *out); /* computes the slopes at all points of the loft;
+                                                                  * returns false when memory is out */
 void vs_loft_smooth_free(vs_loft_smooth *s);
 /* Computes a row of points between section i and the next. t: position between them, 0 to 1. */
 void vs_loft_smooth_row(const vs_loft_smooth *s, size_t i, double t, vs_vec3 *row);

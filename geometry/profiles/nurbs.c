@@ -25,8 +25,9 @@ vs_nurbs_fault vs_nurbs_check(const vs_nurbs_knots *k, size_t *at) {
   return vs_nurbs_low(k) < vs_nurbs_high(k) ? VS_NURBS_GOOD : VS_NURBS_NOTHING;
 }
 
-/* Returns the index of the knot span that contains t: knots[span] <= t < knots[span + 1]; at the end of the range, the
- * last span. The degree is 1 to VS_NURBS_DEGREE, and there are more control points than that. */
+/* Returns the index of the knot span that contains t: knots[span] <= t < knots[span + 1]. At the end of the
+ * parameter's range, returns the last span. The degree is 1 to VS_NURBS_DEGREE, and there are more control points
+ * than the degree. */
 static size_t span_of(const vs_nurbs_knots *k, double t) {
   size_t low = (size_t)k->degree, high = k->count;
   VS_ASSERT(k->degree >= 1 && k->degree <= VS_NURBS_DEGREE && k->count > (size_t)k->degree);
@@ -123,8 +124,8 @@ static size_t break_points(const vs_nurbs_knots *k, double *out) {
   return count;
 }
 
-/* Returns the distance from the chord of the curve's point in the middle of [a, b]. For a surface, it is the largest
- * distance over its lines in the other direction. */
+/* Returns the distance of the curve from its chord, at the middle of the parameter range [a, b]. For a surface, it is
+ * the largest distance over its lines in the other direction. */
 static double sagitta(const vs_nurbs *n, bool along_v, const double *across, size_t lines, double a, double b) {
   double most = 0;
   for (size_t i = 0; i < lines; i++) {
@@ -214,7 +215,8 @@ static bool is_coarse(sample a, sample b, sample middle, double slack) {
 /* Appends the samples of a knot span, including its start but not its end. */
 static bool sample_span(const vs_nurbs *n, size_t span, double a, double b, double slack, samples *out) {
   enum { START = 4 };
-  double to[START + SPLITS + 1]; /* ends of the parts that are still to be sampled, the nearest last */
+  double to[START + SPLITS + 1]; /* ends of the parameter ranges that are still to be sampled; the nearest end is the
+                                  * last element */
   int depth[START + SPLITS + 1], todo = 0;
   for (int i = 0; i < START; i++) to[todo] = b + (a - b) * i / START, depth[todo++] = 0;
   double from = a;

@@ -10,7 +10,7 @@
 enum { VS_NURBS_DEGREE = 15 };
 
 typedef struct {
-  int degree; /* 1 to VS_NURBS_DEGREE */
+  int degree; /* degree of the spline, 1 to VS_NURBS_DEGREE */
   size_t count;
   const double *knots;
 } vs_nurbs_knots;

@@ -21,7 +21,7 @@
 #include "model/store/array.h"
 
 static vs_vec3 way_of(const vs_swept *s, size_t step) { /* returns the direction of the step, from the normals of its
-                                                         * sections; an apex has none */
+                                                         * two sections; an apex has no normal */
   const vs_section *p = &s->sections[step], *q = &s->sections[(step + 1) % s->section_count];
   return vs_v3_unit(vs_v3_add(vs_v3_unit(vs_v3_cross(p->x, p->y)), vs_v3_unit(vs_v3_cross(q->x, q->y))));
 }
@@ -31,7 +31,7 @@ bool vs_overturns(const vs_swept *s, const vs_vec3 *at, size_t step, double size
   vs_vec3 way = way_of(s, step);
   for (size_t i = 0; i < n; i++)
     if (vs_v3_dot(vs_v3_sub(at[(step + 1) * n + i], at[step * n + i]), way) < -1e-7 * size)
-      return true; /* smaller steps backwards are rounding errors */
+      return true; /* smaller backward steps are rounding errors */
   return false;
 }
 
@@ -77,15 +77,16 @@ void vs_overturn_tightest(const vs_swept *s, const vs_vec3 *near, vs_vec3 *at, d
   }
 }
 
-/* A division of a step into finer steps: their ends except the last, as fractions of the step. At an end of the sweep
- * and at a corner, each step is half as long as the one before. A tetrahedron extends beyond its step by a quarter of
- * `differ`, and only there no other step hides this. */
+/* Constants of the division of a step into finer steps. The division is stored as the ends of the finer steps except
+ * the last, as fractions of the step. At an end of the sweep and at a corner, each step is half as long as the step
+ * before it. A tetrahedron extends beyond its step by a quarter of `differ`; only at ends and corners does no other
+ * step cover this part. */
 enum { MOST = 64, HALVES = 16 };
 typedef struct { double at[MOST + 2 * HALVES]; size_t count; } parts;
 
 static parts parts_of(double differ, double tolerance, bool begins, bool ends) {
-  enum { SHOWS = 256 }; /* most of the deviation lies inside the union; at its surface, a thirty-second of it was
-                         * measured */
+  enum { SHOWS = 256 }; /* Most of the deviation lies inside the union. At the surface of the union, a thirty-second of
+                         * the deviation was measured. */
   parts p = { .count = 0 };
   double n = fmax(1, fmin(MOST, ceil(differ / (SHOWS * tolerance)))), halves = ceil(log2(differ / n / (4 * tolerance)));
   int fine = halves > 0 ? (int)fmin(HALVES, halves) : 0;

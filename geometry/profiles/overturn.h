@@ -5,8 +5,8 @@
 #include "geometry/profiles/swept.h"
 
 /* Returns true if a part of the profile goes backwards from section `step` to the next section. `at` contains the
- * points of all sections, one section after another. If the sweep is joined, those of the first section follow again.
- * `size` is that of the whole sweep. The x and y of a section are right-handed about the path's direction. */
+ * points of all sections, one section after another. If the sweep is joined, the points of the first section follow
+ * again. `size` is the size of the sweep. The x and y of a section are right-handed about the path's direction. */
 bool vs_overturns(const vs_swept *s, const vs_vec3 *at, size_t step, double size);
 
 /* Divides steps with backwards parts into as many steps as the tolerance requires. Within such a step, tetrahedra
@@ -14,9 +14,9 @@ bool vs_overturns(const vs_swept *s, const vs_vec3 *at, size_t step, double size
  * memory is out. */
 bool vs_overturn_refine(vs_swept *s, double tolerance);
 
-/* Finds the bend that limits the size of the profile most. If near is not NULL, finds the bend nearest to it. *at: its
- * place on the path; *fits: factor by which the profile must be scaled there. If no bend is too tight, *at and *fits
- * are not changed. */
+/* Finds the bend that limits the size of the profile most. If near is not NULL, finds the bend nearest to this point
+ * instead. *at: position of the bend on the path; *fits: factor by which the profile must be scaled there. If no bend
+ * is too tight, *at and *fits are not changed. */
 void vs_overturn_tightest(const vs_swept *s, const vs_vec3 *near, vs_vec3 *at, double *fits);
 
 /* The rows of a grid mesh. numbers[r * n + i]: vertex of point i in row r. turns[r]: true if a part goes backwards in

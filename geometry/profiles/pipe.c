@@ -25,7 +25,7 @@ bool vs_pipe_open(const vs_node *curve, int segments, double tolerance, vs_pipe 
   for (size_t i = 0; i < spans; i++) {
     double from = s->along[i], length = s->along[i + 1] - from;
     int pieces = (int)ceil(length / s->length * LEAST_RINGS - 1e-9);
-    if (pieces < 1) pieces = 1; /* all pieces together are at most spans + LEAST_RINGS */
+    if (pieces < 1) pieces = 1; /* All pieces of the curve together are at most spans + LEAST_RINGS. */
     for (int k = 0; k < pieces; k++) out->at[out->count++] = from + length * k / pieces;
   }
   if (!s->path.closed) out->at[out->count++] = s->length;

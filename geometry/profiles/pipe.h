@@ -7,12 +7,13 @@
 /* The positions of the rings of a pipe along a curve. */
 typedef struct {
   vs_stations stations;
-  double *at; /* distances from the start of the curve, ascending; without the end of a closed curve */
+  double *at; /* positions of the rings as distances from the start of the curve, ascending; the end of a closed curve
+               * is not repeated */
   size_t count;
 } vs_pipe;
 
-/* Chooses the positions of the rings: at all samples of the curve, and between them so that neighbours are within a
- * 64th of the length. Returns false and sets e on failure. */
+/* Chooses the positions of the rings. There is a ring at each sample of the curve. More rings lie between the samples,
+ * so that the distance of neighbours is at most a 64th of the length. Returns false and sets e on failure. */
 bool vs_pipe_open(const vs_node *curve, int segments, double tolerance, vs_pipe *out, vs_error *e);
 void vs_pipe_close(vs_pipe *p);
 /* Fills grid with p->count rings of `around` points. radius[i]: radius of ring i. Rings at corners of the curve are

@@ -10,15 +10,16 @@
 #include "geometry/plane/ear_clipping.h"
 
 typedef struct {
-  vs_vec2 *profile;     /* points of the profile's loops, one loop after another, as in an outline; x: distance from the
-                         * axis, at least 0, exactly 0 on the axis; y: height along the axis */
+  vs_vec2 *profile;     /* points of the profile's loops, one loop after another, as in an outline. x: distance from the
+                         * axis, at least 0, and exactly 0 on the axis; y: height along the axis */
   size_t *sizes;
   bool *hole;
   size_t loop_count, count;
   bool filled;          /* true for a solid; false if the profile is open, so that it sweeps a surface */
   vs_vec3 at, axis, out, side; /* at: a point of the axis; axis, out, side: unit vectors along the axis, towards the
                                 * profile, and a quarter turn further */
-  double start, angle;  /* radians; angle has a sign and is at most a full turn */
+  double start, angle;  /* start: angle at which the profile begins; angle: angle of the rotation, with a sign, at most
+                         * a full turn; both in radians */
   bool full;
   double reach;         /* largest distance of the profile from the axis */
 } vs_revolve;

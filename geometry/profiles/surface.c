@@ -37,7 +37,7 @@ static int surface_border_compare(const void *a, const void *b) {
   return p->index < q->index ? -1 : p->index > q->index;
 }
 
-/* Moves border points that nearly coincide to the first of them. */
+/* Moves border points that nearly coincide to the position of the first of them. */
 static bool surface_snap(surface_grid *g) {
   size_t count = 0, total = g->rows * g->columns;
   surface_border *border = vs_fresh(2 * (g->rows + g->columns) + 1, sizeof *border);

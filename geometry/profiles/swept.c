@@ -2,12 +2,12 @@
  * makes the triangles between the sections.
  *
  * A section is an affine map of the profile's plane. At a corner of a path, it lies in the mitre plane with the normal
- * m = a + b, where a is the arriving direction and b the leaving one. A vector d of the profile across b becomes d - b
- * (d.m)/(b.m), so that both arms keep the true width of the profile. On smooth paths, a = b, and sections are
- * perpendicular to the path. A section with scale 0 is an apex. Corners sharper than about 174 degrees are not mitred,
- * because the mitre would be longer than twenty profiles. There, a piece ends perpendicular to the path, and another
- * piece begins. An extrusion whose curve turns back is also divided into pieces, which are separate solids that
- * overlap. */
+ * m = a + b, where a is the arriving direction and b the leaving direction. A vector d of the profile across b becomes
+ * d - b (d.m)/(b.m), so that both arms of the corner keep the true width of the profile. On smooth paths, a = b, and
+ * sections are perpendicular to the path. A section with scale 0 is an apex. Corners sharper than about 174 degrees are
+ * not mitred, because the mitre would be longer than twenty profiles. There, a piece ends perpendicular to the path,
+ * and another piece begins. An extrusion whose curve turns back is also divided into pieces, which are separate solids
+ * that overlap. */
 #include "geometry/profiles/swept.h"
 #include "geometry/plane/planar_evaluation.h"
 
@@ -175,7 +175,7 @@ static size_t swept_refine(vs_swept *s, double twist, double scale, double reach
   return ok ? (size_t)n : 0;
 }
 
-/* returns the number of steps for a stretch with this fraction of the path's length, at least 1 */
+/* Returns the number of steps for a part of the path with the fraction `share` of its length, at least 1. */
 static size_t swept_share(size_t steps, double share) {
   double n = ceil((double)steps * share - 1e-9);
   return n < 1 ? 1 : (size_t)n;
@@ -183,7 +183,7 @@ static size_t swept_share(size_t steps, double share) {
 
 static bool swept_turns_back(const vs_path_point *p) { return 1 + vs_v3_dot(p->arriving, p->leaving) <= 0.005; }
 
-/* Returns the vector by which a section leans at a corner, for one of the corner's two directions, `way`. A point of
+/* Returns the vector by which a section leans at a corner, for `way`, one of the corner's two directions. A point of
  * the profile is moved backwards along `way` by its component along this vector. */
 static vs_vec3 swept_lean(const vs_path_point *p, vs_vec3 way) {
   vs_vec3 m = vs_v3_add(p->arriving, p->leaving);
@@ -191,11 +191,11 @@ static vs_vec3 swept_lean(const vs_path_point *p, vs_vec3 way) {
   return vs_v3_sub(vs_v3_scale(m, 1 / vs_v3_dot(way, m)), way);
 }
 
-/* Returns the lean of a section between the path points p and q, at the fraction t of the stretch, 0 < t < 1. The lean
- * decreases from the mitre at each end. It is 0 at a distance from the corner that is twice the mitre's extent along
- * the path. A stretch that is too short for this leans linearly from one mitre to the other. In either case, each point
- * of the profile moves in one direction between the mitres. Without this, sections perpendicular to the path would pass
- * the mitre on the inner side of the corner. */
+/* Returns the lean of a section between the path points p and q, at the fraction t of the stretch from p to q, 0 < t <
+ * 1. The lean decreases from the mitre at each end. It is 0 at a distance from the corner that is twice the mitre's
+ * extent along the path. On a stretch that is shorter, the lean changes linearly from one mitre to the other. In either
+ * case, each point of the profile moves in one direction between the mitres. Without a lean, sections perpendicular to
+ * the path would pass the mitre on the inner side of the corner. */
 static vs_vec3 swept_lean_between(const vs_path_point *p, const vs_path_point *q, double t, double reach) {
   vs_vec3 a = swept_lean(p, p->leaving), b = swept_lean(q, q->arriving);
   double length = vs_v3_length(vs_v3_sub(q->at, p->at)), from = 2 * reach * vs_v3_length(a) / length,
@@ -265,8 +265,8 @@ static vs_upright swept_upright(const vs_profile_plane *plane, vs_vec3 up) {
   return (vs_upright){ up, { x / length, y / length } };
 }
 
-/* Returns the first direction of the upright profile where the path has the direction `way`, or the zero vector if this
- * is parallel to `up`. */
+/* Returns the first direction of the upright profile where the path has the direction `way`, or the zero vector if
+ * `way` is parallel to `up`. */
 static vs_vec3 swept_stood(const vs_upright *u, vs_vec3 way) {
   vs_vec3 up = vs_v3_sub(u->up, vs_v3_scale(way, vs_v3_dot(u->up, way)));
   if (vs_v3_length(up) < 1e-6) return vs_v3(0, 0, 0);
@@ -289,8 +289,8 @@ static bool swept_stand(const vs_upright *u, const vs_path *path, vs_vec3 *x, vs
 }
 
 /* Returns an angle in radians for a corner of the path. A profile that is upright after the corner is not upright
- * before it: mirrored in the mitre, it is turned by this angle. Along the arm before the corner, the profile turns
- * evenly by this angle. */
+ * before it: if it is mirrored in the mitre plane, it is turned by this angle. Therefore the profile turns evenly by
+ * this angle along the arm before the corner. */
 static double swept_spin(const vs_upright *u, const vs_path_point *corner) {
   if (vs_v3_equal(corner->arriving, corner->leaving) || swept_turns_back(corner)) return 0;
   vs_vec3 a = corner->arriving, m = vs_v3_add(a, corner->leaving), before = swept_stood(u, a),
@@ -375,20 +375,21 @@ typedef struct { vs_vec3 lean; double spin; } swept_stance;
 
 /* The motion of a profile along a path. */
 typedef struct {
-  vs_vec3 x;                 /* first direction of the profile at the start, unless `upright` determines it */
-  const vs_upright *upright; /* determines the direction everywhere, or NULL */
-  double twist, scale;       /* of the profile at the end of the path: its turn in radians, its scale */
+  vs_vec3 x;                 /* first direction of the profile at the start of the path; unused if `upright` is not
+                              * NULL */
+  const vs_upright *upright; /* if not NULL: determines the first direction of the profile along the entire path */
+  double twist, scale;       /* rotation in radians and scale of the profile at the end of the path */
   vs_vec2 base;              /* point of the profile that follows the path */
   double reach;              /* greatest distance of the profile's points from the base */
 } swept_way;
 
-/* Sets *closing: the angle by which a profile turns, evenly, on its way round a closed path so that it meets itself.
- * Returns false when memory is out. */
+/* Sets *closing to the angle by which a profile must turn, evenly, along a closed path so that its end coincides with
+ * its start. Returns false when memory is out. */
 static bool swept_closing(const vs_path *path, vs_vec3 x, double *closing) {
   vs_vec3 *carried = vs_fresh(path->count, sizeof *carried);
   if (carried) *closing = -vs_frame_transport(path->at, path->count, true, path->length, x, carried);
   free(carried);
-  if (fabs(*closing) < 1e-9) *closing = 0; /* rounding makes less */
+  if (fabs(*closing) < 1e-9) *closing = 0; /* a smaller angle is a rounding error */
   return carried != NULL;
 }
 
@@ -412,7 +413,7 @@ static bool swept_along(vs_swept *s, vs_path *path, const swept_way *way, const 
   for (size_t i = 0; i < path->count; i++) meets = meets && !swept_turns_back(&path->at[i]);
   if (ok && meets && !joins && s->filled) ok = swept_seam(s, base, rest, reach);
   bool seam = s->seam != NULL; /* true if the turned profile coincides with itself, such as a square after a quarter
-                                * turn, so that the ends fit */
+                                * turn, so that start and end of the sweep fit */
   if (!path->closed) { /* the ends of an open path are perpendicular to it */
     path->at[0].arriving = path->at[0].leaving;
     path->at[path->count - 1].leaving = path->at[path->count - 1].arriving;
@@ -434,7 +435,8 @@ static bool swept_along(vs_swept *s, vs_path *path, const swept_way *way, const 
     }
   }
   const vs_path_point *last = path->closed ? &path->at[0] : &path->at[path->count - 1];
-  bool ends = !joins; /* true if the ends of a closed path do not fit, so that its first point is repeated */
+  bool ends = !joins; /* true if start and end of a closed path do not fit, so that the first point of the path is
+                       * repeated */
   if (ends) {
     ok = ok && vs_path_add(&fine, last->at, last->arriving, last->leaving);
     if (ok) stance[fine.count - 1] = (swept_stance){ swept_lean(last, last->leaving), 0 };
@@ -448,7 +450,7 @@ static bool swept_along(vs_swept *s, vs_path *path, const swept_way *way, const 
   if (ok && seam) carried[fine.count - 1] = carried[0];
   bool broken = false;
   for (size_t i = 0; ok && stands && i < fine.count + broken; i++) {
-    bool round = i == fine.count; /* the last piece of a closed path ends where the first begins */
+    bool round = i == fine.count; /* the last piece of a closed path ends where the first piece begins */
     vs_path_point p = fine.at[round ? 0 : i];
     double t = round ? 1 : fine.length > 0 ? fine.at[i].along / fine.length : 0;
     if (joins && i == 0) for (size_t k = 0; k < fine.count; k++) broken = broken || swept_turns_back(&fine.at[k]);
@@ -572,7 +574,7 @@ static bool swept_sweep(vs_swept *s, const vs_node *n, const vs_fineness *f, vs_
     vs_affine turn = vs_frame_turn(plane.normal, path.at[0].leaving);
     const vs_node *c = n->children[0].node;
     while (c->child_count == 1) c = c->children[0].node;
-    /* A circle swept along a circle looks the same with any twist. */
+    /* A circle that is swept along a circle has the same shape with any twist. */
     bool round = path.closed && !w->has_base && vs_profile_circle(n->children[0].node) > 0 && c->kind == VS_CIRCLE &&
                  VS_AS(circle, c)->segments <= 0;
     vs_upright upright = { 0 };

@@ -24,10 +24,10 @@ typedef struct {
   vs_section *sections;
   size_t section_count, section_room;
   bool joined;        /* true if the last section is connected to the first */
-  size_t *seam;       /* if not NULL: the last section coincides with the first, but turned; its point i coincides with
-                       * point seam[i] of the first */
-  bool across;        /* true if the sections are across a path, with x and y right-handed about the path's direction */
-  vs_vec2 base;       /* if across: the point of the profile that moves along the path */
+  size_t *seam;       /* if not NULL: the last section coincides with the first, but is turned; its point i coincides
+                       * with point seam[i] of the first section */
+  bool across;        /* true if the sections cross a path, with x and y right-handed about the path's direction */
+  vs_vec2 base;       /* the point of the profile that moves along the path; only valid if `across` is true */
 } vs_swept;
 
 void vs_swept_free(vs_swept *s);

@@ -1,10 +1,10 @@
-/* Computes the stations of a sweep.
+/* Computes the stations of a sweep: the points of its path at which it has sections.
  *
- * A stretch that turns by d deviates from its chord by 1 - cos(d/2) times the radius. On the outer side of a bend the
- * radius is that of the path plus the profile's reach. The path is sampled at half the tolerance. This is fine enough
- * for each profile that reaches no further than the radius of the bend. Two sweeps along one path therefore share their
- * stations. For a profile that reaches further a stretch is cut into 2, 4, 8 ... parts, whose points are on the cubic
- * curve with its ends and directions. */
+ * A stretch between two stations that turns by the angle d deviates from its chord by 1 - cos(d/2) times the radius. On
+ * the outer side of a bend this radius is that of the path plus the extent of the profile. The path is sampled at half
+ * the tolerance, which is fine enough for each profile whose extent is at most the radius of the bend. Therefore two
+ * sweeps along one path share their stations. For a larger profile, a stretch is divided into 2, 4, 8 ... parts. The
+ * new points lie on the cubic curve with the stretch's ends and directions. */
 #include "geometry/profiles/swept_path.h"
 
 #include <math.h>
@@ -17,13 +17,14 @@ static vs_vec3 between(vs_vec3 a, vs_vec3 b, double t) {
 
 static double angle_of(vs_vec3 a, vs_vec3 b) { return atan2(vs_v3_length(vs_v3_cross(a, b)), vs_v3_dot(a, b)); }
 
-/* Returns the direction at t, from a to b with a constant turn. */
+/* Returns the direction at the fraction t of a rotation from a to b with constant speed; d is the angle between a and
+ * b. */
 static vs_vec3 turned(vs_vec3 a, vs_vec3 b, double d, double t) {
   if (d < 1e-6) return vs_v3_unit(between(a, b, t));
   return vs_v3_unit(vs_v3_add(vs_v3_scale(a, sin((1 - t) * d)), vs_v3_scale(b, sin(t * d))));
 }
 
-/* Returns the number of parts of the stretch from p to q, a power of two. */
+/* Returns the number of parts into which the stretch from p to q is divided, a power of two. */
 static size_t parts_of(const vs_path_point *p, const vs_path_point *q, double tolerance, double reach) {
   enum { MOST = 256 };
   double d = angle_of(p->leaving, q->arriving), chord = vs_v3_length(vs_v3_sub(q->at, p->at)),
@@ -33,8 +34,8 @@ static size_t parts_of(const vs_path_point *p, const vs_path_point *q, double to
   return n;
 }
 
-/* Adds the points between p and q that cut the stretch into n parts. The cubic differs from the arc of a circle by a
- * millionth of its radius at most. */
+/* Adds the points between p and q that divide the stretch into n parts. The cubic curve differs from the arc of a
+ * circle by at most a millionth of the arc's radius. */
 static bool cut(const vs_path_point *p, const vs_path_point *q, size_t n, vs_path *out) {
   double d = angle_of(p->leaving, q->arriving), half = cos(d / 4),
          handle = vs_v3_length(vs_v3_sub(q->at, p->at)) / (3 * half * half);
@@ -50,7 +51,7 @@ static bool cut(const vs_path_point *p, const vs_path_point *q, size_t n, vs_pat
   return ok;
 }
 
-/* Sets *chosen: whether a part of the curve has a number of segments of its own. False: out of memory. */
+/* Sets *chosen to true if a part of the curve has its own number of segments. Returns false when memory is out. */
 static bool has_segments(const vs_node *curve, bool *chosen) {
   vs_walk *w = vs_walk_new(curve->store, (vs_ref){ (vs_node *)(uintptr_t)curve, NULL });
   vs_walk_event event = w ? VS_WALK_ENTER : VS_WALK_FAILED;

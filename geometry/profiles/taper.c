@@ -1,15 +1,15 @@
 /* Makes extrusions with inclined walls. Every edge of the profile moves inwards or outwards at the same speed, and its
  * wall is the plane of this motion.
  *
- * In the profile's plane, edge i lies on the line sign (n_i . x - c_i) = d. n_i is its unit normal into the material; d
- * grows from 0 to its end. The corner of two neighbours moves with the velocity sign (n_i + n_j) / (1 + n_i . n_j). Two
- * kinds of event occur (the straight skeleton of the profile). First, an edge vanishes when its two corners come
- * together, and its neighbours become neighbours of each other. Second, a reflex corner hits the edge of another wall
- * and splits it. This also splits the loop, or joins a hole to the loop around it. A loop of two edges ends in a point,
- * or in a ridge if the edges coincide. Events wait in a heap. Each is checked again when its turn comes, because its
- * edges may have changed. Each wall is one planar polygon. It consists of its edge below, the tracks of the corners on
- * both sides of it (or of its pieces, if it was split), and the parts of the edge that reach the top. The time is the
- * number of reflex corners times the number of edges, times a logarithm. */
+ * In the profile's plane, edge i lies on the line sign (n_i . x - c_i) = d. n_i is its unit normal into the material;
+ * d, the time, grows from 0 to its end. The corner of two neighbouring edges moves with the velocity sign (n_i + n_j) /
+ * (1 + n_i . n_j). Two kinds of event occur (the straight skeleton of the profile). First, an edge vanishes when its
+ * two corners come together, and its neighbours become neighbours of each other. Second, a reflex corner hits the edge
+ * of another wall and splits it. This also splits the loop, or joins a hole to the loop around it. A loop of two edges
+ * ends in a point, or in a ridge if the edges coincide. Events wait in a heap. Each event is checked again when its
+ * turn comes, because its edges may have changed. Each wall is one planar polygon. It consists of its edge below, the
+ * tracks of the corners on both sides of it (or of its pieces, if it was split), and the parts of the edge that reach
+ * the top. The running time is the number of reflex corners times the number of edges, times a logarithm. */
 #include "geometry/profiles/taper.h"
 #include "geometry/plane/planar_evaluation.h"
 #include "geometry/plane/outline.h"
@@ -25,11 +25,12 @@ typedef struct { uint32_t *at; size_t count, room; } taper_chain;
 typedef struct { /* a piece of an edge, or the entire edge if it was never split */
   vs_vec2 normal, way;      /* unit vectors: way is the direction of the edge, with the material on its left; normal
                              * points into the material */
-  double line;              /* scalar product of the normal with the points of the edge below */
+  double line;              /* scalar product of the normal with any point of the edge at the bottom of the wall */
   size_t before, after;     /* neighbouring edges in the current loop */
-  taper_chain left, right;  /* vertices along the tracks of its corners with `before` and with `after`, upwards */
-  vs_vec2 corner;           /* position of its corner with `after` at the time `since`, when the corner's speed last
-                             * changed */
+  taper_chain left, right;  /* vertices along the tracks of the edge's two corners, with the edge `before` and with the
+                             * edge `after`, upwards */
+  vs_vec2 corner;           /* position of the edge's corner with the edge `after` at the time `since`, when the
+                             * corner's speed last changed */
   double since;
   size_t next_piece;        /* the next piece of the same wall, to the left; SIZE_MAX: none */
   uint32_t stamp, corner_stamp;
@@ -38,7 +39,8 @@ typedef struct { /* a piece of an edge, or the entire edge if it was never split
 
 typedef struct {
   double d;
-  size_t edge, wall /* wall SIZE_MAX: the edge vanishes; else: its corner with `after` hits this wall */;
+  size_t edge, wall /* if wall is SIZE_MAX, the edge vanishes; otherwise the corner between this edge and the edge
+                     * `after` hits the wall */;
   uint32_t stamp;
 } taper_event;
 
@@ -47,7 +49,8 @@ typedef struct {
   size_t count, room, walls; /* the first `walls` edges are those of the profile */
   taper_event *events;
   size_t event_count, event_room;
-  double sign, end, size;   /* sign: 1 if the edges move inwards, -1 outwards; end: greatest d; size: of the profile */
+  double sign, end, size;   /* sign: 1 if the edges move inwards, -1 outwards; end: greatest d; size: size of the
+                             * profile */
   vs_mesh *out;
   vs_vec2 *flat;            /* position in the plane and d of each vertex of out, from `first` on */
   double *level;
@@ -93,8 +96,8 @@ static bool taper_speed(const taper *t, size_t i, size_t j, vs_vec2 *speed) {
   return true;
 }
 
-static vs_vec2 taper_corner(const taper *t, size_t i, double d) { /* returns the position at d of the corner between
-                                                                   * edge i and its `after` */
+static vs_vec2 taper_corner(const taper *t, size_t i, double d) { /* returns the position at the time d of the corner
+                                                                   * between edge i and its `after` */
   const taper_edge *e = &t->edges[i];
   vs_vec2 speed;
   taper_speed(t, i, e->after, &speed);
@@ -142,14 +145,15 @@ static taper_event taper_next(taper *t) {
   return first;
 }
 
-/* Returns the d at which edge i vanishes, or INFINITY if it does not with its current neighbours. i is the index of an
- * edge. */
+/* Returns the time d at which edge i vanishes. Returns INFINITY if it does not vanish while its neighbours stay the
+ * same. i is the index of an edge. */
 static double taper_vanishes(const taper *t, size_t i, double now) {
   size_t p = t->edges[i].before, q = t->edges[i].after;
   vs_vec2 left, right, way = t->edges[i].way;
   bool stuck_p = !taper_speed(t, p, i, &left), stuck_q = !taper_speed(t, i, q, &right);
   VS_ASSERT(i < t->count);
-  if (stuck_p || stuck_q) { /* a neighbour lies on the edge, so the shorter of the two vanishes at once */
+  if (stuck_p || stuck_q) { /* a neighbour lies on the same line as the edge but in the opposite direction, so the
+                             * shorter of the two vanishes at once */
     double own = taper_length(t, i, now), other = stuck_p ? taper_length(t, p, now) : taper_length(t, q, now);
     return own <= other ? now : INFINITY;
   }
@@ -372,7 +376,7 @@ static bool taper_loop(taper *t, const vs_vec2 *p, size_t n, uint32_t *below) {
     taper_edge *e = &t->edges[first + i];
     e->before = first + (i + count - 1) % count;
     e->after = first + (i + 1) % count;
-    /* Edges of length 0 share the vertex of the edge before them. */
+    /* An edge of length 0 shares the vertex of the previous edge. */
     vs_vec2 q = e->corner, before = t->edges[e->before].corner;
     uint32_t v = 0;
     if (i && q.x == before.x && q.y == before.y) v = t->edges[e->before].right.at[0];

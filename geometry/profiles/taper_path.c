@@ -40,7 +40,7 @@ static bool cut_begin(cut_table *t, size_t edges) {
 /* The straight extrusion that is cut. Heights are distances from the origin along the normal. */
 typedef struct {
   vs_mesh *m;
-  size_t first_vertex, first; /* its first vertex and first triangle in m */
+  size_t first_vertex, first; /* index in m of the solid's first vertex and first triangle */
   vs_vec3 origin, normal;
   double near;                /* a vertex within this distance of a cut's height lies on the cut */
   cut_table table;
@@ -51,8 +51,8 @@ static double cut_height(const cut_solid *s, vs_vec3 p) { return vs_v3_dot(vs_v3
 /* A vertex and its height. */
 typedef struct { uint32_t vertex; double height; } cut_end;
 
-/* Sets *at to the vertex where an edge crosses the height. The ends are on both sides of it. Both triangles at the edge
- * share this vertex. Returns false when memory is out. */
+/* Sets *at to the vertex where an edge crosses the height. The edge's ends lie below and above this height. Both
+ * triangles at the edge share the vertex. Returns false when memory is out. */
 static bool cut_edge(cut_solid *s, cut_end from, cut_end to, double height, uint32_t *at) {
   uint32_t a = from.vertex, b = to.vertex;
   cut_point *p = a < b ? cut_slot(&s->table, a, b) : cut_slot(&s->table, b, a);

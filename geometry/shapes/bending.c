@@ -1,8 +1,8 @@
 /* Implements the bending of objects (bending.h).
  *
  * Whether an edge is cut depends only on its ends and its midpoint. Therefore both triangles at an edge agree, and a
- * closed mesh stays closed. A round requests the images of all midpoints that are not known yet, and then cuts
- * edges. */
+ * closed mesh stays closed. In each round, the images of all midpoints that are not known yet are requested, and then
+ * edges are cut. */
 #include "geometry/shapes/bending.h"
 
 #include <stdlib.h>
@@ -40,7 +40,7 @@ struct vs_bending {
   vs_mesh mesh;   /* the leaf's mesh, with positions before the bending */
   vs_vec3 *image; /* image of each vertex, its position after the bending */
   size_t image_count, image_room;
-  uint32_t *line; /* of a curve: its vertices in order */
+  uint32_t *line; /* indices of a curve's vertices in order; unused for a mesh with triangles */
   size_t line_count, line_room;
   bool curve, closed, bent;
   double tolerance, longest;
@@ -136,8 +136,9 @@ static bool cut_triangles(vs_bending *b) {
     for (int k = 0; k < 3; k++) e[k] = middle_of(b, t[k], t[(k + 1) % 3]);
     int cuts = (e[0] != STAYS) + (e[1] != STAYS) + (e[2] != STAYS);
     if (!cuts) continue;
-    while ((cuts == 1 && e[0] == STAYS) || (cuts == 2 && e[2] != STAYS)) { /* rotates the triangle: a single cut edge
-                                                                            * gets index 0; two cut edges get 0 and 1 */
+    while ((cuts == 1 && e[0] == STAYS) || (cuts == 2 && e[2] != STAYS)) { /* rotates the triangle's corners so that a
+                                                                            * single cut edge gets index 0, and two cut
+                                                                            * edges get 0 and 1 */
       uint32_t t0 = t[0], e0 = e[0];
       t[0] = t[1], t[1] = t[2], t[2] = t0;
       e[0] = e[1], e[1] = e[2], e[2] = e0;

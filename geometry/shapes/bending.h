@@ -12,7 +12,7 @@ enum { VS_BEND_LOOKS = 2 }; /* number of appearances of a leaf: the innermost ma
 typedef struct {
   vs_mesh mesh; /* the leaf's mesh; a curve has only vertices */
   bool curve, closed;
-  vs_node *looks[VS_BEND_LOOKS]; /* material and layer of the leaf, as references of its own */
+  vs_node *looks[VS_BEND_LOOKS]; /* material and layer of the leaf; the leaf owns these references */
   int look_count;
   const vs_origin *origin; /* place in the source where the leaf was made */
 } vs_bend_leaf;

@@ -276,7 +276,7 @@ bool vs_cloud_polygon(const vs_cloud *c, vs_polyline *out) {
   vs_vec3 n = { 0, 0, 0 };
   if (dimension > 1)
     n = vs_v3_cross(vs_v3_sub(c->at[corner[1]], c->at[corner[0]]), vs_v3_sub(c->at[corner[2]], c->at[corner[0]]));
-  else { /* any plane through the line will do, unless it is perpendicular to the projection */
+  else { /* any plane through the line is suitable, unless it is perpendicular to the projection */
     vs_vec3 d = vs_v3_sub(c->at[corner[1]], c->at[corner[0]]);
     n = fabs(d.x) <= fabs(d.y) && fabs(d.x) <= fabs(d.z) ? vs_v3(1, 0, 0)
         : fabs(d.y) <= fabs(d.z)                         ? vs_v3(0, 1, 0)
@@ -299,7 +299,8 @@ bool vs_cloud_polygon(const vs_cloud *c, vs_polyline *out) {
   }
   size_t count = 0;
   if (ok) qsort(at, c->count, sizeof *at, flat_compare);
-  for (int way = 0; ok && way < 2; way++) { /* first the lower chain from left to right, then the upper chain back */
+  for (int way = 0; ok && way < 2; way++) { /* the first pass makes the lower chain from left to right, the second the
+                                             * upper chain from right to left */
     size_t first = count;
     for (size_t i = 0; i < c->count; i++) {
       const vs_flat_step *p = &at[way ? c->count - 1 - i : i];

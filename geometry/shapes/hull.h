@@ -9,13 +9,13 @@
 
 typedef struct { vs_vec3 *at; size_t count, room; } vs_cloud;
 void vs_cloud_free(vs_cloud *c);
-bool vs_cloud_add(vs_cloud *c, vs_vec3 p); /* returns false when memory is out */
+bool vs_cloud_add(vs_cloud *c, vs_vec3 p); /* adds the point p to the cloud; returns false when memory is out */
 
 /* Returns the dimension of the points: 0 for one point, 1 for a line, 2 for a plane, 3 for space; -1: there are no
  * points. Deviations up to a billionth of the extent are ignored. */
 int vs_cloud_dimension(const vs_cloud *c);
-/* Appends the triangles of the convex hull to out; none if the points lie in one plane. Returns false when memory is
- * out. */
+/* Appends the triangles of the convex hull to out. Appends none if the points lie in one plane. Returns false when
+ * memory is out. */
 bool vs_cloud_hull(const vs_cloud *c, vs_mesh *out);
 /* Computes the convex hull of points in one plane, counter-clockwise about one of the plane's normals. For points on a
  * line, it consists of the two ends. out must be empty. */

@@ -20,7 +20,7 @@ typedef struct {
   edge *edges;
   size_t edge_count, room;
   uint32_t *of_corner; /* for each corner of a face: the edge to the face's next corner */
-  uint32_t *slots;     /* hash table: index of an edge plus 1; 0: free */
+  uint32_t *slots;     /* hash table with the index of an edge plus 1 in each slot; 0 marks a free slot */
   size_t size;
 } topology;
 
@@ -74,9 +74,10 @@ static bool topology_of(const vs_face_list *l, const vs_crease *creases, size_t 
 /* Sums over the edges and faces at a point. */
 typedef struct {
   uint32_t edges, faces, sharp;
-  double sharpness;                  /* sum of the sharpness of its sharp edges */
-  vs_vec3 neighbours, across, along; /* neighbours: sum of the other ends of all edges; across: sum over the faces;
-                                      * along: sum of the other ends of the sharp edges */
+  double sharpness;                  /* sum of the sharpness of the sharp edges at the point */
+  vs_vec3 neighbours, across, along; /* neighbours: sum of the positions of the other ends of all edges; across: sum
+                                      * over the faces; along: sum of the positions of the other ends of the sharp
+                                      * edges */
 } gathered;
 
 static void gather_edges(const topology *t, gathered *g) {
@@ -126,7 +127,7 @@ static bool face_of(vs_face_list *l, const uint32_t *corner, int n) {
 static bool step(const vs_face_list *l, const crease_list *creases, bool loop, vs_face_list *out, crease_list *less) {
   topology t;
   gathered *g = NULL;
-  vs_vec3 *middle = NULL; /* one value for each face */
+  vs_vec3 *middle = NULL; /* middle[f]: centroid of the corners of face f */
   if (!topology_of(l, creases->at, creases->count, &t)) return false;
   bool ok = VS_FRESH(g, l->point_count + 1) && VS_FRESH(middle, l->face_count + 1);
   if (ok) memset(g, 0, (l->point_count + 1) * sizeof *g), gather_edges(&t, g);
@@ -159,8 +160,8 @@ static bool step(const vs_face_list *l, const crease_list *creases, bool loop, v
     vs_vec3 a = l->points[e->a], b = l->points[e->b], straight = vs_v3_scale(vs_v3_add(a, b), .5), smooth = straight;
     if (e->faces == 2 && !loop) {
       smooth = vs_v3_scale(vs_v3_add(vs_v3_add(a, b), vs_v3_add(middle[e->face[0]], middle[e->face[1]])), .25);
-    } else if (e->faces == 2) { /* the corners opposite the edge are three times the centroid minus the ends of the
-                                 * edge */
+    } else if (e->faces == 2) { /* the sum of the corners opposite the edge is three times the sum of the centroids
+                                 * minus twice the ends of the edge */
       vs_vec3 c = vs_v3_scale(vs_v3_add(middle[e->face[0]], middle[e->face[1]]), 3);
       vs_vec3 both = vs_v3_sub(c, vs_v3_scale(vs_v3_add(a, b), 2));
       smooth = vs_v3_add(vs_v3_scale(vs_v3_add(a, b), 3.0 / 8), vs_v3_scale(both, 1.0 / 8));

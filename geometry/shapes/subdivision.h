@@ -10,7 +10,7 @@
 
 typedef struct {
   uint32_t a, b;    /* indices of the crease's two points */
-  double sharpness; /* number of subdivisions in which the edge stays sharp; INFINITY: all */
+  double sharpness; /* number of subdivisions in which the edge stays sharp; INFINITY: it stays sharp in all */
 } vs_crease;
 
 typedef enum { VS_SUBDIVIDE_CATMULL_CLARK, VS_SUBDIVIDE_LOOP } vs_subdivision_scheme;

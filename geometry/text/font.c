@@ -22,7 +22,7 @@
 #include "geometry/text/kerning.h"
 #include "model/store/nodemap.h"
 
-/* The functions of FreeType that this file uses, as F(member, symbol, result, parameters). */
+/* X macro that lists the FreeType functions that this file calls, as rows F(member, symbol, result, parameters). */
 #define FREETYPE_FUNCTIONS(F)                                                                                          \
   F(create, FT_New_Library, FT_Error, (FT_Memory, FT_Library *))                                                       \
   F(modules, FT_Add_Default_Modules, void, (FT_Library))                                                               \
@@ -94,14 +94,14 @@ static void font_free(vs_font *f) {
     vs_store_realloc(s, g, sizeof *g, 0);
   }
   vs_nodemap_free(&f->glyphs);
-  vs_store_realloc(s, f->bytes, f->size, 0); /* the face itself is freed with the library, or does not exist */
+  vs_store_realloc(s, f->bytes, f->size, 0); /* the face itself is freed with the library, or was never made */
   vs_store_realloc(s, f->pairs, f->pairs_size, 0);
   vs_store_realloc(s, f, sizeof *f, 0);
 }
 
 static void font_let_go(vs_store *s, void *kept) {
   font_shelf *shelf = kept;
-  if (shelf->library) shelf->call.done(shelf->library); /* also frees all faces */
+  if (shelf->library) shelf->call.done(shelf->library); /* frees the library and all its faces */
   for (vs_font *f = shelf->first, *next; f; f = next) {
     next = f->next;
     font_free(f);

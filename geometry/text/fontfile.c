@@ -140,7 +140,7 @@ static bool list_look(void *context, const char *path, const char *plain) {
     shown[n++] = *c;
   }
   shown[n] = '\0';
-  if (!strcmp(shown, "DejaVu Sans")) return false; /* this family is already at the beginning of the list */
+  if (!strcmp(shown, "DejaVu Sans")) return false; /* the default family is already at the beginning of the list */
   int wrote = snprintf(l->text + l->used, l->room - l->used, "%s%s", l->used ? ", " : "", shown);
   if (wrote < 0 || (size_t)wrote >= l->room - l->used) {
     l->text[l->used] = '\0';

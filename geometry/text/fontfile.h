@@ -4,10 +4,10 @@
 
 #include "model/node.h"
 
-/* Finds the file of a font family, or of the default font if the name is "". `path` receives its path. Returns false if
- * there is none, or memory is out; e is set only in the second case. */
+/* Finds the file of a font family, or of the default font if the name is "". `path` receives the path of the file.
+ * Returns false if there is no such file, or memory is out; e is set only in the second case. */
 bool vs_font_file(const char *family, char *path, size_t room, vs_error *e);
-/* Writes the available families as "A, B, C ..." for messages. Omits those that do not fit. */
+/* Writes the names of the available families as "A, B, C ..." for messages. Omits names that do not fit. */
 void vs_font_families(char *text, size_t room);
 
 #endif

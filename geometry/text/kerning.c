@@ -15,7 +15,7 @@ static uint32_t u16(const table *t, size_t at) {
 static uint32_t u32(const table *t, size_t at) { return u16(t, at) << 16 | u16(t, at + 2); }
 static int32_t s16(const table *t, size_t at) { return (int16_t)u16(t, at); }
 
-/* Returns the index of the glyph in a coverage table, or -1 if it is not there. */
+/* Returns the index of the glyph in a coverage table, or -1 if the table does not contain the glyph. */
 static long coverage(const table *t, size_t at, uint32_t glyph) {
   uint32_t count = u16(t, at + 2), low = 0, high = count;
   bool ranges = u16(t, at) == 2;
@@ -109,8 +109,8 @@ double vs_kerning_pair(const unsigned char *bytes, size_t size, uint32_t left, u
   size_t features = u16(&t, 6), lookups = u16(&t, 8);
   uint32_t feature_count = u16(&t, features), lookup_count = u16(&t, lookups);
   double sum = 0;
-  bool seen[256] = { false }; /* marks lookups that were read already, because each script refers to the same ones;
-                               * fonts have fewer than 256 */
+  bool seen[256] = { false }; /* marks lookups that were read already, because several scripts refer to the same
+                               * lookups; fonts have fewer than 256 lookups */
   for (uint32_t i = 0; i < feature_count; i++) {
     size_t row = features + 2 + 6 * (size_t)i;
     if (u32(&t, row) != 0x6B65726E) continue; /* the tag 'kern' */

@@ -1,7 +1,7 @@
 /* Converts the contours of a font to loops that bound the ink.
  *
- * Contours rarely cross. If none do, only their nesting matters: the winding number beside a loop is the sum of the
- * directions of the loops that contain it. A sweep over the segments in order of x finds crossings. */
+ * Contours rarely cross. If no contours cross, only their nesting matters: the winding number beside a loop is the sum
+ * of the directions of the loops that contain it. To find crossings, a sweep goes over the segments in order of x. */
 #include "geometry/text/nonzero.h"
 
 #include <stdint.h>
@@ -142,7 +142,7 @@ static void turn(vs_flat_loops *l, const vs_flat_loop *loop) {
   }
 }
 
-/* Removes and orders loops by their nesting. No two loops may cross. */
+/* Removes loops that do not bound ink, and orders the others by their nesting. No two loops may cross. */
 static bool nest(vs_flat_loops *l) {
   size_t n = l->count, done = 0;
   loop_facts *f = vs_fresh(n + 1, sizeof *f);

@@ -14,15 +14,16 @@ typedef struct {
   size_t point_count, point_room;
   vs_flat_loop *loops;
   size_t count, room;
-} vs_flat_loops; /* all bytes 0: no loops */
+} vs_flat_loops; /* a structure with all bytes 0 contains no loops */
 
-/* Begins a loop, to which vs_flat_loops_add appends points. Both return false when memory is out. */
+/* Begins a loop, to which vs_flat_loops_add appends points. vs_flat_loops_begin and vs_flat_loops_add return false when
+ * memory is out. */
 bool vs_flat_loops_begin(vs_flat_loops *l);
 bool vs_flat_loops_add(vs_flat_loops *l, vs_vec2 p);      /* ignores a point that equals the loop's last point */
 void vs_flat_loops_free(vs_flat_loops *l);
 
-/* Replaces the loops by loops that bound the ink and do not cross. Outer loops are counter-clockwise. Each is followed
- * by its holes, which are clockwise. Returns false and sets e on failure. */
+/* Replaces the loops by loops that bound the ink and do not cross. Outer loops are counter-clockwise. Each outer loop
+ * is followed by its holes, which are clockwise. Returns false and sets e on failure. */
 bool vs_nonzero(vs_flat_loops *l, vs_error *e);
 
 #endif

@@ -39,7 +39,7 @@ static bool text_is_silent(uint32_t c) {
 
 typedef struct { vs_font *font; vs_text_plan *plan; double spacing, x, y; uint32_t before; bool any; } text_pen;
 
-/* pen->x and pen->y are in font units */
+/* Adds a letter at the pen. pen->x and pen->y are in font units. */
 static bool text_letter(text_pen *pen, uint32_t c, vs_error *e) {
   uint32_t index = vs_font_index(pen->font, c == '\t' ? ' ' : c);
   if (!index && text_is_silent(c) && c != '\t') return true;
@@ -58,7 +58,7 @@ static double text_share(const char *align) { return !strcmp(align, "center") ? 
 
 /* Returns the distance of the first base line below the text's point p, in font units. */
 static double text_drop(const vs_font *f, const char *valign, double lines) {
-  double below = (lines - 1) * vs_font_line(f); /* distance from the first base line to the last */
+  double below = (lines - 1) * vs_font_line(f); /* distance from the first base line to the last, in font units */
   if (!strcmp(valign, "top")) return vs_font_capital(f);
   if (!strcmp(valign, "center")) return (vs_font_capital(f) - below) / 2;
   if (!strcmp(valign, "bottom")) return -below - vs_font_descent(f);
@@ -215,7 +215,7 @@ static vs_vec3 text_lift(const vs_text_glyph *g, double scale, vs_vec3 p, const 
 }
 
 /* Finds the parameters between 0 and 1 at which a coordinate of a Bezier curve is extreme: the zeros of its derivative.
- * c: that coordinate of the 3 or 4 control points. Returns their number. */
+ * c: this coordinate of the 3 or 4 control points. Returns the number of parameters. */
 static int text_turns(const double *c, bool cubic, double t[2]) {
   double a = cubic ? c[3] - 3 * c[2] + 3 * c[1] - c[0] : 0,
          b = cubic ? 2 * (c[2] - 2 * c[1] + c[0]) : c[2] - 2 * c[1] + c[0], d = c[1] - c[0];

@@ -1,7 +1,7 @@
 /* Declares text in space: the arrangement of its letters, and their outlines as loops.
  *
- * A letter and a following accent become one glyph if the font has it. Letters are kerned and go from left to right.
- * A line break begins a new line below; a tab is four spaces. Lengths are in model units, relative to the text's
+ * A letter and a following accent become one glyph if the font has such a glyph. Letters are kerned and go from left to
+ * right. A line break begins a new line below; a tab is four spaces. Lengths are in model units, relative to the text's
  * point p. */
 #ifndef VS_GEOMETRY_TEXT_TYPESET_H
 #define VS_GEOMETRY_TEXT_TYPESET_H
@@ -10,9 +10,9 @@
 #include "geometry/plane/outline.h"
 #include "geometry/tolerance.h"
 
-typedef struct { const vs_glyph *glyph; double x, y; /* x, y: its origin in model units */ } vs_text_glyph;
+typedef struct { const vs_glyph *glyph; double x, y; /* x, y: origin of the glyph in model units */ } vs_text_glyph;
 typedef struct {
-  vs_text_glyph *at; /* the glyphs that have ink */
+  vs_text_glyph *at; /* the glyphs of the text that have ink */
   size_t count, room;
   double scale;      /* factor from font units to model units */
   double width;      /* length of the longest line in model units, up to the position where another letter would

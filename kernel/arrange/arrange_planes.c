@@ -24,16 +24,16 @@ enum { FEW = 24 }; /* up to this number of segments, each pair is tested */
 
 typedef struct {
   uint32_t p, q;
-  uint32_t leaf;   /* boundary edge: the area to the left of p->q has one more cover of this leaf than that to the
-                    * right; cut: VS_NONE */
-  /* the second plane that contains the segment; VS_NONE for an edge between vertices of the input; VS_LINE plus a
+  uint32_t leaf;   /* leaf whose boundary edge this is: the area to the left of p->q has one more cover of the leaf than
+                    * the area to the right; VS_NONE for a cut */
+  /* the second plane that contains the segment. VS_NONE for an edge between vertices of the input; VS_LINE plus a
    * line's index for a part of such an edge */
   uint32_t side;
   uint8_t axis;    /* an axis along which p and q are far apart */
 } segment;
 typedef struct { uint32_t segment, point; } incidence;
-/* A piece of a segment from vertex l to vertex r of the sweep. delta: cover of the leaf above the piece less that
- * below. */
+/* A piece of a segment from vertex l to vertex r of the sweep. delta: cover of the leaf above the piece minus its cover
+ * below the piece. */
 typedef struct { uint32_t l, r, leaf; int32_t delta; uint32_t side; } piece;
 
 /* The results of a chunk of groups. A point number from VS_POINT_MORE on is an index in `fresh`. */
@@ -42,12 +42,12 @@ typedef struct {
   VS_LIST(vs_cover) covers;
   VS_LIST(vs_use) uses;      /* boundary edges of the faces; their member `face` is an index in this structure's
                               * `faces` */
-  VS_LIST(uint32_t) lines;   /* line of each use, if facets are given by their sides */
+  VS_LIST(uint32_t) lines;   /* line of each use, if facets are given by their sides instead of triangles */
   VS_LIST(vs_fresh_point) fresh;
-  size_t cuts, crossed;      /* cuts: number of cuts in its planes so far; crossed: number of points in which cuts
-                              * cross */
-  size_t hidden;             /* estimated number of these points that are inside a lid, so that they do not appear in
-                              * the result */
+  size_t cuts, crossed;      /* cuts: number of cuts so far in the planes of the chunk; crossed: number of points in
+                              * which cuts cross */
+  size_t hidden;             /* estimated number of points in which cuts cross inside a lid, so that they do not appear
+                              * in the result */
 } findings;
 
 /* Working memory of a thread. */
@@ -55,35 +55,38 @@ typedef struct {
   vs_kernel *k;
   const vs_cluster *c;
   findings *to;
-  uint32_t plane_id, place;      /* plane_id: the group's plane; place: index of a leaf with a facet in it */
+  uint32_t plane_id, place;      /* plane_id: number of the group's plane; place: index in the cluster of a leaf with a
+                                  * facet in the plane */
   vs_plane plane;
   VS_LIST(vs_point) points;      /* points of the group; their member `next` links them in a hash table */
   VS_LIST(uint32_t) global;      /* for each point of the group: its number in the cluster, or VS_POINT_MORE + i for
                                   * fresh point i of the chunk */
   VS_LIST(vs_homogeneous) more;  /* exact coordinates of the new points */
-  VS_LIST(uint32_t) known;       /* for each point of the cluster: its number in the group; valid only if global[number]
-                                  * is that point */
+  VS_LIST(uint32_t) known;       /* for each point of the cluster: its number in the group; valid only if the element of
+                                  * `global` at this number is the point */
   VS_LIST(uint32_t) heads;
-  VS_LIST(segment) segments;     /* first the boundary edges, then the cuts */
+  VS_LIST(segment) segments;     /* segments of the group: first the boundary edges, then the cuts */
   VS_LIST(incidence) on;
-  VS_LIST(uint32_t) families;    /* for each segment: family of the index, see bvh.h; 0: already tested against the
-                                  * others of family 0 */
+  VS_LIST(uint32_t) families;    /* for each segment: its family in the index (bvh.h); 0: the segment was already tested
+                                  * against all segments of family 0 */
   VS_LIST(uint32_t) through;     /* for each point: index in `holds` of its first entry, which names a segment that
                                   * contains the point */
-  VS_LIST(incidence) holds;      /* entries of the points; the member `point` is the index of the next entry */
+  VS_LIST(incidence) holds;      /* entries of the lists of `through`; the member `point` of an entry is the index of
+                                  * the next entry */
   VS_LIST(vs_bvh_box) boxes;
   vs_bvh bvh;
   VS_LIST(uint32_t) list, scratch;
   VS_LIST(uint32_t) local;       /* for each point: its vertex number in the sweep */
   VS_LIST(piece) pieces;
   VS_LIST(piece) sorted;
-  VS_LIST(uint32_t) on_first;    /* for each segment, its first incidence; later for each vertex, its first piece */
+  VS_LIST(uint32_t) on_first;    /* at first for each segment its first incidence, and later for each vertex its first
+                                  * piece */
   VS_LIST(vs_keyed) keyed;
   VS_LIST(uint32_t) payload;     /* for each edge of the sweep: its first piece; an extra element marks the end */
   /* for each edge of the sweep: `side` of a segment that contains it, an edge of the input if possible. */
   VS_LIST(uint32_t) line;
-  VS_LIST(uint32_t) above, below, face; /* above, below: number of the face on each side of an edge, later a union-find
-                                         * structure; face: resulting face of each face of the sweep */
+  VS_LIST(uint32_t) above, below, face; /* above, below: number of the face on each side of an edge, later elements of a
+                                         * union-find structure; face: resulting face for each face of the sweep */
   VS_LIST(uint32_t) face_first, face_edges, queue;
   VS_LIST(vs_cover) cover;       /* covers of the group's faces */
   VS_LIST(uint32_t) cover_first, cover_count;
@@ -94,8 +97,9 @@ static vs_points_view view(const plane_work *w) {
   return (vs_points_view){ w->points.at, w->c->points.big.at, w->more.at };
 }
 
-static void grid_of(const plane_work *w, uint32_t point, int32_t out[3]) { /* coordinates of a point that is a vertex of
-                                                                            * the input, in steps */
+static void grid_of(const plane_work *w, uint32_t point, int32_t out[3]) { /* returns the coordinates, in steps of the
+                                                                            * grid, of a point that is a vertex of the
+                                                                            * input */
   for (int i = 0; i < 3; i++) out[i] = vs_point_grid(&w->points.at[point], i);
 }
 
@@ -113,7 +117,7 @@ static bool own_point(plane_work *w, uint32_t global, uint32_t *point) {
 
 static size_t slot_of(const plane_work *w, const int64_t f[3]) { return vs_points_hash(f) & (w->heads.count - 1); }
 
-/* Makes the hash table of the group's points. This happens when a new point is first looked up, and when the table is
+/* Makes the hash table of the group's points: when a point is first searched in it, and again when the table is
  * full. */
 static bool chain_points(plane_work *w) {
   size_t want = 64;
@@ -216,8 +220,9 @@ static bool put(plane_work *w, uint32_t s, uint32_t point) {
   return VS_PUSH(w->k, w->on, ((incidence){ s, point }));
 }
 
-static bool within(const plane_work *w, const segment *s, uint32_t x) { /* returns true if x is between the ends of s; x
-                                                                         * lies on the line of s */
+static bool within(const plane_work *w, const segment *s, uint32_t x) { /* returns true if point x, which lies on the
+                                                                         * line of segment s, is between the ends of
+                                                                         * s */
   return vs_compare(view(w), s->p, x, s->axis) * vs_compare(view(w), x, s->q, s->axis) > 0;
 }
 
@@ -230,12 +235,13 @@ static bool side_quick(const plane_work *w, const segment *s, uint32_t x, int *s
   if (*sign != VS_UNSURE) return true;
   uint32_t p = w->global.at[s->p], q = w->global.at[s->q], point = w->global.at[x];
   if (s->side != VS_NONE || point >= w->c->edge_of.count) return false;
-  const vs_edge *e = &w->c->edge_of.at[point]; /* most cuts end on an edge that is known by its two ends */
+  const vs_edge *e = &w->c->edge_of.at[point]; /* most cuts end at a point on an edge whose two ends are known */
   *sign = 0;
   return (e->low == p && e->high == q) || (e->low == q && e->high == p);
 }
 
-/* Computes the sides of s on which t's two ends lie. Only whether the two signs are equal has a meaning. */
+/* Computes the sides of s on which t's two ends lie. The signs are only relative: the caller may compare them with each
+ * other and with 0. */
 static void sides_of(const plane_work *w, const segment *s, const segment *t, int *a, int *b) {
   bool known_a = side_quick(w, s, t->p, a), known_b = side_quick(w, s, t->q, b);
   if (known_a && known_b) return;
@@ -245,8 +251,8 @@ static void sides_of(const plane_work *w, const segment *s, const segment *t, in
   if (!known_b || *b) *b = vs_side(view(w), &side, t->q);
 }
 
-static bool lies_on(const plane_work *w, const segment *s, uint32_t x) { /* returns true if x lies on s, and not at an
-                                                                          * end */
+static bool lies_on(const plane_work *w, const segment *s, uint32_t x) { /* returns true if point x lies on segment s,
+                                                                          * but not at an end of s */
   int sign;
   if (!side_quick(w, s, x, &sign)) {
     vs_plane side;
@@ -256,7 +262,7 @@ static bool lies_on(const plane_work *w, const segment *s, uint32_t x) { /* retu
   return sign == 0 && within(w, s, x);
 }
 
-/* Computes the point where the segments s and t cross. It is inside both. */
+/* Computes the point where the segments s and t cross. The point is inside both segments. */
 static bool meet(const plane_work *w, const segment *s, const segment *t, vs_homogeneous *out) {
   vs_plane a, b;
   int32_t p[3], q[3];
@@ -267,7 +273,8 @@ static bool meet(const plane_work *w, const segment *s, const segment *t, vs_hom
   return vs_meet_planes(&w->plane, &a, &b, out);
 }
 
-/* Counts the crossing, and tests every 16th crossing for being inside a lid. Returns false once too many are hidden. */
+/* Counts the crossing at the point, and tests for every 16th crossing whether it is inside a lid. Returns false once
+ * too many crossings are hidden. */
 static bool look_whether_hidden(plane_work *w, uint32_t point) {
   enum { ONE_IN = 16 };
   findings *to = w->to;
@@ -297,7 +304,7 @@ static bool cross(void *context, uint32_t i, uint32_t j) {
     return (!within(w, s, t->p) || put(w, i, t->p)) && (!within(w, s, t->q) || put(w, i, t->q)) &&
            (!within(w, t, s->p) || put(w, j, s->p)) && (!within(w, t, s->q) || put(w, j, s->q));
   }
-  uint32_t end = a == 0 ? t->p : t->q; /* the end of t that lies on the line of s */
+  uint32_t end = a == 0 ? t->p : t->q; /* the end of t that lies on the line through s */
   if (a * b == 0 && (end == s->p || end == s->q)) return true;
   sides_of(w, t, s, &c, &d);
   if (c * d > 0) return true;
@@ -399,8 +406,8 @@ static bool order_on(plane_work *w) {
     }
     vs_sort_keyed(at, at + m, count);
     for (uint32_t j = 0; j < count; j++) list[low + j] = at[j].item;
-    for (uint32_t j = 0, end; j < count; j = end) { /* some points are repeated, or closer than fixed-point numbers can
-                                                     * distinguish */
+    for (uint32_t j = 0, end; j < count; j = end) { /* handles points that are repeated, or closer than fixed-point
+                                                     * numbers can distinguish */
       for (end = j + 1; end < count && at[end].key == at[j].key;) end++;
       if (end > j + 1) vs_kernel_sort(list + low + j, w->scratch.at, end - j, on_before, w);
     }
@@ -458,7 +465,8 @@ static bool split(plane_work *w) {
   uint32_t *list = w->list.at;
   for (size_t i = 0; i < n; i++) list[2 * i] = w->segments.at[i].p, list[2 * i + 1] = w->segments.at[i].q;
   for (size_t i = 0; i < m; i++) list[2 * n + i] = w->on.at[i].point;
-  /* Numbers the vertices: each point that is an end of a piece once, in the order of the sweep. */
+  /* Numbers the vertices of the sweep. Each point that is an end of a piece gets one number, in the order of the
+   * sweep. */
   size_t unique = 0;
   for (size_t i = 0; i < ends; i++) w->local.at[list[i]] = VS_NONE;
   for (size_t i = 0; i < ends; i++)
@@ -658,7 +666,7 @@ static bool give_facet(plane_work *w, uint32_t facet) { /* makes a face of a fac
 
 typedef struct { uint32_t from, end; } chunk; /* a range of groups, from root `from` to root `end` - 1 */
 
-/* Facets and cuts sorted by group, in the order of the groups' roots, and the chunks of groups. */
+/* Facets and cuts sorted by group, in the order of the groups' roots, and the groups divided into chunks. */
 typedef struct {
   vs_cluster *c;
   VS_LIST(uint32_t) facets, cuts;  /* indices of facets and cuts, sorted by group */
@@ -667,9 +675,9 @@ typedef struct {
   VS_LIST(chunk) chunks;
   findings found[VS_PIPELINE_WINDOW];
   plane_work *works;               /* working memory of each thread */
-  vs_points_table points;          /* new points, numbered after those of the cluster */
+  vs_points_table points;          /* new points of all chunks, numbered after the points of the cluster */
   VS_LIST(uint32_t) numbers;       /* numbers in the cluster of a chunk's fresh points */
-  size_t tried, crossed, hidden;   /* sums over the chunks so far of the members cuts, crossed and hidden */
+  size_t tried, crossed, hidden;   /* sums over the chunks so far of the chunks' members cuts, crossed and hidden */
 } arranging;
 
 static bool arrange_group(plane_work *w, const arranging *a, uint32_t root) {
@@ -806,7 +814,7 @@ static bool bucket(vs_kernel *k, arranging *a) {
   for (uint32_t i = 2; i < n + 2; i++) first[i] += first[i - 1];
   for (uint32_t i = 0; i < m; i++) a->cuts.at[first[c->facets.at[c->cuts.at[i].facet].group + 1]++] = i;
   if (!vs_kernel_report(k, k->part)) return false;
-  for (int large = 1; large >= 0; large--) /* large chunks begin first */
+  for (int large = 1; large >= 0; large--) /* the first pass lists the large chunks, the second the others */
     for (uint32_t i = 0, end; i < n; i = end) {
       uint32_t size = 0;
       for (end = i; end < n && size < CHUNK; end++) {
@@ -866,9 +874,10 @@ bool vs_arrange_planes(vs_kernel *k, vs_cluster *c) {
   vs_points_forget(k, &c->points);
   vs_points_forget(k, &a.points);
   ok = ok && vs_points_append(k, &c->points, &a.points);
-  if (!ok && k->error->status == VS_KERNEL_FINE && !c->layered) c->crowded = c->crowd > 0; /* too many hidden crossings:
-                                                                                            * the cluster is arranged
-                                                                                            * again in levels */
+  if (!ok && k->error->status == VS_KERNEL_FINE && !c->layered) c->crowded = c->crowd > 0; /* there were too many hidden
+                                                                                            * crossings, so the cluster
+                                                                                            * will be arranged again in
+                                                                                            * levels */
   for (size_t i = 0; i < VS_PIPELINE_WINDOW; i++) {
     VS_DROP(k, a.found[i].faces);
     VS_DROP(k, a.found[i].covers);

@@ -4,7 +4,9 @@
 
 #include "kernel/cluster.h"
 
-bool vs_arrange_planes(vs_kernel *k, vs_cluster *c);                   /* makes c->faces and c->uses; returns false on
-                                                                        * failure, or if the cluster is too crowded */
+bool vs_arrange_planes(vs_kernel *k, vs_cluster *c);                   /* makes the faces and uses of the cluster c;
+                                                                        * returns false on failure, or if so many
+                                                                        * crossings are hidden that the solids must be
+                                                                        * united in levels */
 
 #endif

@@ -28,19 +28,21 @@ typedef struct {
   VS_LIST(_Atomic uint32_t) sets; /* union-find structure of the sides of faces: 2 * face for the + side, 2 * face + 1
                                    * for the - side */
   VS_LIST(uint32_t) side;         /* cell of each side of a face */
-  VS_LIST(uint32_t) first, borders; /* borders: sides of faces grouped by cell; first: beginning of each cell's group */
+  VS_LIST(uint32_t) first, borders; /* borders: sides of faces grouped by cell; first: index in `borders` of each cell's
+                                     * first side */
   VS_LIST(uint64_t) sum;    /* sum of random numbers for the windings in each cell */
-  VS_LIST(uint8_t) state;   /* for each cell, a set of bits: 1: visited; 2: the walk has passed it; 4: inside the
-                             * result; 8: settled */
+  VS_LIST(uint8_t) state;   /* for each cell, a set of bits. 1: visited; 2: the walk has passed through the cell; 4:
+                             * inside the result; 8: settled */
   VS_LIST(uint32_t) queue;
   struct { uint32_t cell, next, face; } *stack;
   size_t stack_room;
-  VS_LIST(vs_cover) found;  /* winding numbers that the line has found */
+  VS_LIST(vs_cover) found;  /* winding numbers that the line through a face has found */
   VS_LIST(uint32_t) active; /* active: leaves that contain the current cell; place: index of each leaf in `active` */
   VS_LIST(uint32_t) place;
-  VS_LIST(uint32_t) owner;  /* for each cell inside the result: the earliest leaf that makes the result true there */
+  VS_LIST(uint32_t) owner;  /* for each cell inside the result: the earliest leaf that makes the expression true
+                             * there */
   uint32_t cells;
-  size_t lids;              /* number of active leaves that settle the result */
+  size_t lids;              /* number of active leaves whose inside is settled */
   bool owned;               /* true if `owner` is needed, because the faces of a bare leaf get the tag of a cell's
                              * owner */
   /* The members below describe the current line. */
@@ -50,7 +52,7 @@ typedef struct {
   vs_homogeneous at;
   int64_t u, v;
   vs_bvh_box column;
-  vs_use probe[3];          /* border of a region's triangle, as a target of the line */
+  vs_use probe[3];          /* boundary edges of a region's triangle, which is the target of the line */
 } walk;
 
 /* The target of a line: a face, or one triangle of a region. */
@@ -128,7 +130,7 @@ VS_AHEAD look_ahead(const vs_cluster *c, uint32_t i, uint32_t stop) {
   __builtin_prefetch(&c->planes.all.at[c->faces.at[c->uses.at[at[PLANE].item].face].plane]);
 }
 
-/* Unites the sides of faces that face each other, at the edges whose smaller points are in the range. */
+/* Unites sides of faces into cells, if the sides face each other at an edge whose smaller point is in the range. */
 static bool join_range(vs_kernel *k, void *context, size_t range) {
   walk *w = context;
   const vs_cluster *c = w->c;
@@ -140,7 +142,7 @@ static bool join_range(vs_kernel *k, void *context, size_t range) {
     const vs_half *at = h->at.at + i;
     for (end = i + 1; end < h->first.at[low + 1] && h->at.at[end].high == at->high;) end++;
     for (uint32_t j = i; j < end; j++) look_ahead(c, j, stop);
-    if (end - i == 1) { /* the only other face at this edge was culled */
+    if (end - i == 1) { /* the other face at this edge was culled */
       uint32_t face = c->uses.at[at->item].face;
       vs_unite_shared(w->sets.at, 2 * face, 2 * face + 1);
     } else if (end - i == 2) {
@@ -361,13 +363,13 @@ static int by_leaf(const void *a, const void *b) {
   return (x > y) - (x < y);
 }
 
-/* Leaves that have become one solid count together: the solid's winding number is 1 if the place is inside any of them,
- * else 0. */
+/* Leaves that have been united to one solid count together: the solid's winding number is 1 if the place is inside any
+ * of these leaves, else 0. */
 static void find_solids(walk *w) {
   vs_cover *at = w->found.at;
   size_t n = w->found.count, kept = 0;
   if (!w->c->solid) return;
-  for (size_t i = 0, end; i < n; i = end) { /* entries of one leaf are consecutive */
+  for (size_t i = 0, end; i < n; i = end) { /* entries of the same leaf are consecutive */
     vs_cover sum = at[i];
     for (end = i + 1; end < n && at[end].leaf == sum.leaf; end++) sum.delta += at[end].delta;
     if (w->c->layered && w->c->layered[sum.leaf]) {
@@ -400,8 +402,8 @@ static bool look_through(walk *w, uint32_t face, const outline *o, uint32_t *sid
     int au = (w->axis + 1) % 3, av = (w->axis + 2) % 3;
     probe.fixed[au] = w->u;
     probe.fixed[av] = w->v;
-    if (!VS_PUSH(w->k, c->points.all, probe)) return false; /* temporarily appended to the points, and not entered in
-                                                             * the hash table */
+    if (!VS_PUSH(w->k, c->points.all, probe)) return false; /* the probe is temporarily appended to the points, but not
+                                                             * entered in the hash table */
     bool inside = strictly_inside(vs_points_of(&c->points), o, (uint32_t)c->points.all.count - 1, au, av);
     c->points.all.count--;
     if (!inside) continue;
@@ -453,8 +455,8 @@ static bool turn_leaf(walk *w, uint32_t leaf, int32_t delta) {
   return true;
 }
 
-/* Finds the owner of a cell: the earliest leaf that makes the result true there. A leaf that another operand subtracts
- * again does not count. */
+/* Finds the owner of a cell: the earliest leaf that makes the expression true there. A leaf that another operand
+ * subtracts again does not count. */
 static bool find_owner(walk *w, uint32_t cell) {
   uint32_t owner = VS_NONE, first = VS_NONE;
   for (size_t i = 0; i < w->active.count; i++) {
@@ -493,8 +495,9 @@ static uint64_t change(const walk *w, uint32_t face) {
   return sum;
 }
 
-static bool pass(walk *w, uint32_t face, int32_t sign) { /* updates the windings; sign: 1 from the + side to the - side,
-                                                          * -1 in the opposite direction */
+static bool pass(walk *w, uint32_t face, int32_t sign) { /* updates the winding numbers for a step through the face;
+                                                          * sign: 1 from the + side to the - side, -1 in the opposite
+                                                          * direction */
   const vs_face *f = &w->c->faces.at[face];
   for (uint32_t i = 0; i < f->cover_count; i++) {
     vs_cover cover = w->c->covers.at[f->cover + i];
@@ -547,8 +550,8 @@ static bool walk_from(walk *w, uint32_t cell) {
   return true;
 }
 
-/* Returns twice the area of the face, approximately, as seen along the main axis of its plane, in squares of
- * fixed-point units. For a region it is infinite: its triangle is a large one. */
+/* Returns twice the approximate area of the face, as seen along the main axis of its plane, in squares of fixed-point
+ * units. Returns infinity for a region, whose chosen triangle is large. */
 static double about_area(const walk *w, uint32_t face) {
   const vs_cluster *c = w->c;
   if (c->faces.at[face].plane == VS_NONE) return INFINITY;
@@ -614,9 +617,10 @@ static double about_thickness(const walk *w, uint32_t face) {
 
 /* Returns true if the first cells in `queue` are too thin for a line. If they are next to settled space, they get its
  * value. The result is closed with any value, because the faces between cells of different values are closed. A cell is
- * nowhere wider than the sum of the thicknesses of its faces. Even thousands of them sum to less than 2^-10 steps. */
+ * nowhere wider than the sum of the thicknesses of its faces. Even thousands of such thicknesses sum to less than 2^-10
+ * steps. */
 static bool settle_crumbs(walk *w, size_t cells) {
-  static const double CRUMB = 64; /* greatest thickness in fixed-point units */
+  static const double CRUMB = 64; /* greatest thickness of such a cell's face, in fixed-point units */
   uint32_t known = VS_NONE;
   for (size_t i = 0; i < cells; i++)
     for (uint32_t cell = w->queue.at[i], j = w->first.at[cell]; j < w->first.at[cell + 1]; j++) {
@@ -639,9 +643,11 @@ static bool walk_component(walk *w, uint32_t start, size_t most) {
   enum { FACES = 256 };
   sighting a = { .done = false };
   if (!look_around(w, start, most, FACES, &a)) return false;
-  /* A solid that nearly touches itself at one place has thousands of tiny cells there, so this searches all cells. */
+  /* A solid that nearly touches itself at one place has thousands of tiny cells there. Therefore all cells are
+   * searched. */
   if (!a.done && most > 1 && !look_around(w, start, w->cells, SIZE_MAX, &a)) return false;
-  for (size_t i = 0; !a.done && i < a.cells; i++) /* the largest face failed, so this tests all faces */
+  for (size_t i = 0; !a.done && i < a.cells; i++) /* The line through the largest face failed. Therefore all faces are
+                                                   * tried. */
     for (uint32_t j = w->first.at[w->queue.at[i]]; !a.done && j < w->first.at[w->queue.at[i] + 1]; j++)
       if (!look(w, w->borders.at[j], &a.side, &a.done)) return false;
   if (!a.done) return settle_crumbs(w, a.cells) || VS_BROKEN(w->k, "no face to look through");
@@ -694,7 +700,8 @@ static uint32_t painter(const walk *w, uint32_t face, uint32_t cell) {
   uint32_t leaf = c->covers.at[f->cover].leaf;
   if (!c->kept.at[face] || !c->problem->leaves[leaf].bare || !w->e->taken_off.at[leaf]) return leaf;
   if (!(w->state.at[cell] & 8)) return w->owner.at[cell] == VS_NONE ? leaf : w->owner.at[cell];
-  for (uint32_t i = 0; i < f->cover_count; i++) /* the cell is settled as true by a leaf with this surface */
+  for (uint32_t i = 0; i < f->cover_count; i++) /* the cell is settled as true by a leaf that has this face in its
+                                                 * surface */
     if (!w->e->taken_off.at[c->covers.at[f->cover + i].leaf]) return c->covers.at[f->cover + i].leaf;
   return leaf;
 }
@@ -710,7 +717,7 @@ bool vs_classify_faces(vs_kernel *k, vs_cluster *c, vs_expression *e) {
   for (uint32_t i = 0; ok && i < w.cells; i++) {
     enum { AROUND = 1000 };
     if (w.state.at[i] & 2) continue;
-    /* the component may be visible only behind settled space, so another start is tried */
+    /* The connected cells may be visible only behind settled space. Therefore another start is tried. */
     ok = walk_component(&w, i, AROUND) && (w.state.at[i] & 2 || walk_component(&w, i, 1)) && vs_kernel_poll(k, 0.8);
   }
   ok = ok && VS_ROOM(k, c->kept.at, c->kept.room, c->faces.count + 1);
@@ -725,7 +732,7 @@ bool vs_classify_faces(vs_kernel *k, vs_cluster *c, vs_expression *e) {
     c->wound.count = w.cells;
     c->side_cell.count = 2 * c->faces.count;
     c->side_cell.room = w.side.room;
-    c->side_cell.at = w.side.at; /* the arrays now belong to the cluster */
+    c->side_cell.at = w.side.at; /* these arrays now belong to the cluster */
     w.side.at = NULL;
     w.side.room = 0;
   }

@@ -2,13 +2,13 @@
  *
  * The linear part of a leaf's placement is split into directions, mostly a rotation, and scales along the leaf's axes.
  * Two linear parts are equal if they agree to 1e-12 up to a signed permutation of axes. Thus a quarter turn, a mirror
- * image, and the same rotation computed in another way are equal. The frame is the most frequent one. Its leaves get
- * exact permutations and scales, and only their translation is rotated. A linear part that shears is also a possible
- * frame, for leaves that all have it.
+ * image, and the same rotation computed in another way are equal. The frame is the most frequent of these linear parts.
+ * Its leaves get exact permutations and scales, and only their translation is rotated. A linear part that shears is
+ * also a possible frame, for leaves that all have it.
  *
  * Very thin plates have precedence. Rounding by half a step on either side changes the thickness of a plate and its
- * volume. In the plate's own frame its faces lie on the grid. Therefore the frame is that of the largest area of such
- * plates, or the most frequent one if there are no plates. */
+ * volume. In the plate's own frame its faces lie on the grid. Therefore the chosen frame is the frame with the largest
+ * total area of such plates. Without plates, it is the most frequent frame. */
 #include "kernel/arrange/cluster_frame.h"
 
 #include "kernel/cluster.h"
@@ -74,8 +74,8 @@ static bool permutation(double back[3][3], double r[3][3], double p[3][3]) {
 
 /* Returns the area of the leaf in the world if it is a very thin plate with few triangles, else 0. */
 static double plate_area(const vs_cluster *c, uint32_t leaf) {
-  enum { FEW = 64 }; /* greatest number of triangles: round shapes have more, and no frame has all their faces on the
-                      * grid */
+  enum { FEW = 64 }; /* greatest number of triangles of a plate; round shapes have more triangles, and no frame has all
+                      * their faces on the grid */
   static const double THIN = 0x1p-10; /* greatest ratio of the volume to the 3/2 power of the area; a cube has .068 */
   const vs_part *part = &c->parts->all.at[c->parts->of_leaf.at[leaf]];
   const vs_affine *a = &c->problem->leaves[leaf].placement;
@@ -105,7 +105,7 @@ bool vs_frame_choose(vs_kernel *k, vs_cluster *c, vs_affine *to_frame) {
       bool rigid;
       if (!invert(r, all[j].back, &rigid)) continue;
       double least = fmin(scale[0], fmin(scale[1], scale[2])), most = fmax(scale[0], fmax(scale[1], scale[2]));
-      /* Leaves that share a shear keep their original numbers. */
+      /* Leaves with a common shear keep their original coordinates. */
       for (int x = 0; x < 3; x++) all[j].unit[x] = rigid || most > 4 * least ? 1 : scale[x];
       for (int x = 0; x < 3; x++)
         for (int y = 0; y < 3; y++) all[j].r[x][y] = r[x][y];

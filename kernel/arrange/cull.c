@@ -17,14 +17,15 @@
 typedef struct {
   vs_kernel *k;
   vs_cluster *c;
-  VS_LIST(uint32_t) pairs; /* pairs: index of a leaf, index of a lid */
+  VS_LIST(uint32_t) pairs; /* pairs of numbers: the index of a leaf, and the index of a lid near it */
 } finding;
 
 static bool note(void *context, uint32_t a, uint32_t b) {
   finding *f = context;
   const vs_placed *p = &f->c->placed.at[a], *q = &f->c->placed.at[b];
   if (!vs_kernel_poll(f->k, 0)) return false;
-  if (p->lid && q->lid) { /* both are lids: they must intersect as balls, too, not only their boxes */
+  if (p->lid && q->lid) { /* The leaf and the lid are both lids. Therefore not only their boxes but also the balls
+                           * within them must intersect. */
     double x = p->middle[0] - q->middle[0], y = p->middle[1] - q->middle[1], z = p->middle[2] - q->middle[2];
     if (sqrt(x * x + y * y + z * z) > sqrt(p->outside) + sqrt(q->outside)) return true;
   }
@@ -91,14 +92,14 @@ bool vs_cull_prepare(vs_kernel *k, vs_cluster *c, const vs_affine *to_frame) {
   for (uint32_t i = 0; ok && i < n; i++) {
     vs_placed *p = &c->placed.at[i];
     p->lids_first = (uint32_t)sum;
-    sum += p->lids_count < VS_LIDS ? (p->lids_count + 3) / 4 * 4 : VS_LIDS; /* the boxes of a leaf's lids are in packs
-                                                                             * of four */
+    sum += p->lids_count < VS_LIDS ? (p->lids_count + 3) / 4 * 4 : VS_LIDS; /* The lids of a leaf have their boxes in
+                                                                             * packs of four. */
     p->lids_count = 0;
   }
   ok = ok && VS_ROOM(k, c->lids.at, c->lids.room, sum + 1) &&
        VS_ROOM(k, c->lid_boxes.at, c->lid_boxes.room, sum / 4 + 1);
-  for (size_t i = 0; ok && i < f.pairs.count; i += 2) { /* keeps the largest lids, in descending order; equal ones are
-                                                         * in order of their indices */
+  for (size_t i = 0; ok && i < f.pairs.count; i += 2) { /* keeps the largest lids of each leaf, in descending order;
+                                                         * lids of equal size are in order of their indices */
     vs_placed *p = &c->placed.at[f.pairs.at[i]];
     uint32_t lid = f.pairs.at[i + 1], *list = c->lids.at + p->lids_first, at = p->lids_count;
     double size = box_size(&c->placed.at[lid].box);
@@ -165,7 +166,7 @@ static bool in_lid(const vs_placed *lid, const double p[3]) {
 bool vs_cull_needed(const vs_cluster *c, uint32_t place) {
   const vs_placed *p = &c->placed.at[place];
   double low[3], high[3];
-  if (c->layered && c->layered[c->leaves[place]]) return false; /* in levels, the leaf that covers this one may be in
+  if (c->layered && c->layered[c->leaves[place]]) return false; /* in levels, the leaf that contains this leaf may be in
                                                                  * another level */
   if (p->lids_count) return true;
   bool out = false;
@@ -219,7 +220,7 @@ bool vs_cull_point(const vs_cluster *c, uint32_t place, const double p[3]) {
 
 bool vs_cull_segment(const vs_cluster *c, uint32_t place, uint32_t other, const double p[3], const double q[3]) {
   const vs_placed *leaf = &c->placed.at[place];
-  vs_bvh_box box; /* a place well inside a lid is at least one step inside the lid's box */
+  vs_bvh_box box; /* a point well inside a lid is at least one step inside the lid's box */
   for (int a = 0; a < 3 && leaf->lids_count; a++)
     box.min[a] = (int32_t)floor(p[a] < q[a] ? p[a] : q[a]), box.max[a] = (int32_t)ceil(p[a] > q[a] ? p[a] : q[a]);
   for (uint32_t i = 0; i < leaf->lids_count; i += 4)
@@ -239,7 +240,7 @@ bool vs_cull_segment(const vs_cluster *c, uint32_t place, uint32_t other, const 
 static uint32_t clip_outline(const vs_placed *lid, double radius, double (*at)[3], uint32_t n, uint32_t room) {
   /* SURELY: a fraction of the squared radius that exceeds rounding errors. FAR: greatest distance for which it does. */
   static const double SURELY = 1e-6, FAR = 1e6;
-  double (*out)[3] = at + room; /* uses the second half of the caller's array */
+  double (*out)[3] = at + room; /* the result uses the second half of the caller's array */
   uint32_t count = 0;
   VS_ASSERT(n <= room);
   for (uint32_t i = 0; i < n; i++) {

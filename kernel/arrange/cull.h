@@ -4,10 +4,11 @@
 
 #include "kernel/cluster.h"
 
-bool vs_cull_prepare(vs_kernel *k, vs_cluster *c, const vs_affine *to_frame); /* finds the lids; vs_snap_to_grid calls
-                                                                               * it. Returns false on an error */
-/* Computes masks[v] for the vertices v from `begin` to `end` - 1 of a leaf. place: index of the leaf in the cluster.
- * Returns false if interrupted. */
+bool vs_cull_prepare(vs_kernel *k, vs_cluster *c, const vs_affine *to_frame); /* finds the lids of the cluster;
+                                                                               * vs_snap_to_grid calls this function.
+                                                                               * Returns false on an error */
+/* Computes for the vertices v from `begin` to `end` - 1 of a leaf the sets of lids that contain them, masks[v]. place:
+ * index of the leaf in the cluster. Returns false if interrupted. */
 bool vs_cull_vertices(vs_kernel *k, const vs_cluster *c, uint32_t place, size_t begin, size_t end, uint64_t *masks);
 bool vs_cull_needed(const vs_cluster *c, uint32_t place); /* returns false if all masks of the leaf would be 0 */
 /* Reduces the box of a patch of a leaf to the part of the patch outside of the balls within lids. place: index of the

@@ -13,20 +13,20 @@
 #include <math.h>
 #include <string.h>
 
-enum { SPAN = 1 << 12, BATCH = 1 << 17 /* numbers of triangles */ };
+enum { SPAN = 1 << 12, BATCH = 1 << 17 /* numbers of triangles in a span and in a batch */ };
 #define FLAT UINT32_MAX
-#define GONE (UINT32_MAX - 1) /* value for a culled or plain triangle */
+#define GONE (UINT32_MAX - 1) /* value in `number` for a culled or plain triangle, which gets no facet */
 
 typedef struct {
   vs_plane plane;
-  uint64_t hash;   /* hash of its plane */
+  uint64_t hash;   /* hash of the triangle's plane */
   uint32_t source; /* index of the triangle in its mesh */
   bool flip;
   uint8_t inner;
 } found_triangle;
 typedef struct {
   uint32_t place, first, end; /* place: index of the leaf; first, end: range of its triangles */
-  uint32_t base;              /* number in the batch of the first triangle found in the span */
+  uint32_t base;              /* number in the batch of the first triangle that was found in the span */
   VS_LIST(found_triangle) found;
 } span;
 typedef struct {
@@ -50,7 +50,8 @@ typedef struct {
                                      * plane, if straight */
   VS_LIST(uint32_t) facet;      /* for each found triangle that is the first of its facet: the facet */
   VS_LIST(uint32_t) ids;        /* point number of each vertex of the current leaf, or VS_NONE */
-  VS_LIST(uint32_t) twins;      /* twins of the leaves whose part has none */
+  VS_LIST(uint32_t) twins;      /* twins (corners with opposite edges, see vs_twins_find) of the leaves whose part has
+                                 * no list of twins */
   VS_LIST(uint32_t) fresh;      /* vertices of the current span that have no point yet */
   size_t given;                 /* number of the cluster's triangles before the current batch */
 } facets;
@@ -66,7 +67,7 @@ static bool find_twins(vs_kernel *k, facets *f, uint32_t place) {
   const vs_mesh *m = c->placed.at[place].part->mesh;
   uint32_t open, *twins = f->twins.at + f->twins.count;
   f->twins.count += 3 * m->triangle_count;
-  for (size_t j = 0; j < m->vertex_count; j++) /* vertices with equal coordinates on the grid are one corner */
+  for (size_t j = 0; j < m->vertex_count; j++) /* vertices with equal coordinates on the grid count as one corner */
     if (!vs_points_integer(k, &c->points, c->corners[c->placed.at[place].first + j], &f->ids.at[j])) return false;
   const vs_twins_input in = { (const uint32_t (*)[3])m->triangles, m->triangle_count, f->ids.at, c->points.all.count };
   if (!vs_twins_find(k, &in, twins, &open)) return false;
@@ -155,7 +156,7 @@ static bool join_span(vs_kernel *k, void *context, size_t index) {
           (same || nearly_one_plane(f->c->corners + p->first, a, corners[a->source], b, corners[b->source])))
         vs_unite_shared(f->sheets.at, s->base + i, other->base + number);
       if (!same) continue;
-      a->inner |= (uint8_t)(1u << j); /* the neighbour sets its own bit in the same way */
+      a->inner |= (uint8_t)(1u << j); /* the task for the neighbour sets the neighbour's bit in the same way */
       if (a->source < b->source) vs_unite_shared(f->sets.at, s->base + i, other->base + number);
     }
   }
@@ -164,12 +165,12 @@ static bool join_span(vs_kernel *k, void *context, size_t index) {
 
 /* ---- steps in a fixed order ---- */
 
-/* Sets the points of the triangles of all spans; points are numbered in the order of their first use. A span is looked
- * up at a time, for prefetching. */
+/* Sets the points of the triangles of all spans. Points are numbered in the order of their first use. The points of one
+ * span at a time are searched, so that memory can be prefetched. */
 static bool give_points(vs_kernel *k, facets *f) {
   vs_cluster *c = f->c;
-  vs_grid_triangle *to = c->triangles.at; /* may be NULL if there are no triangles, so no offset may be added to it
-                                           * then */
+  vs_grid_triangle *to = c->triangles.at; /* The array may be NULL if there are no triangles. Then no offset may be
+                                           * added to it. */
   if (f->given > 0) to += f->given;
   for (size_t index = 0; index < f->spans.count; index++) {
     const span *s = &f->spans.at[index];
@@ -230,7 +231,7 @@ static bool give_facets(vs_kernel *k, facets *f) {
   return true;
 }
 
-/* The two tasks write different members and tables. */
+/* The two tasks write different members and different tables, so they can run at the same time. */
 static bool give(vs_kernel *k, void *context, size_t index) {
   return index ? give_facets(k, context) : give_points(k, context);
 }
@@ -316,7 +317,7 @@ static bool index_facets(vs_kernel *k, vs_cluster *c) {
   for (size_t i = 0; i < f; i++) c->facets.at[i].first = c->facets.at[i + 1].first;
   c->facets.at[f].first = (uint32_t)n;
   c->facet_triangles.count = n;
-  c->facets.count = f; /* an extra facet after the last one remains readable */
+  c->facets.count = f; /* an extra facet after the last one remains readable, as the end of the last facet's ranges */
   return true;
 }
 

@@ -21,16 +21,16 @@
 
 #define FRESH (UINT32_C(1) << 31)
 
-typedef struct { uint32_t a, b, p, q, cut; } contact; /* a, b: facets that touch; p, q, cut: the shared segment, as in
-                                                       * intersect_patches.c */
+typedef struct { uint32_t a, b, p, q, cut; } contact; /* a, b: facets that touch; p, q: ends of the segment that they
+                                                       * share; cut: bits as in intersect_patches.c */
 
 enum { BREAK = 0, UP = 1, DOWN = 2 };
 typedef struct {
   int64_t fixed[3];
   uint32_t id;   /* number of a point, or FRESH plus an index in `crossings` */
-  uint8_t first, exact; /* first: 1 if the event belongs to the outline of the first facet; exact: 1 if the fixed-point
-                         * numbers are exact */
-  uint8_t turns; /* bits UP, DOWN: the line moved up or down enters or leaves the facet here */
+  uint8_t first, exact; /* first: 1 if the event belongs to the outline of the pair's first facet; exact: 1 if the
+                         * fixed-point numbers are exact */
+  uint8_t turns; /* bits UP and DOWN: the line moved up or moved down enters or leaves the facet here */
 } event;
 
 /* Working memory of a thread. */
@@ -50,7 +50,8 @@ typedef struct {
 
 static const vs_plane *plane_of(const vs_cluster *c, const vs_facet *f) { return &c->planes.all.at[f->plane]; }
 
-/* Computes the point where the side crosses the plane `through`. Its ends lie on different sides of that plane. */
+/* Computes the point where a side of the facet crosses the plane `through`. The ends of the side lie on different sides
+ * of that plane. */
 static bool crossing(const vs_cluster *c, const vs_facet *f, const vs_facet_side *s, const vs_plane *through,
     vs_homogeneous *out) {
   if (!(s->line & VS_LINE)) return vs_meet_planes(plane_of(c, f), &c->planes.all.at[s->line], through, out);
@@ -58,7 +59,7 @@ static bool crossing(const vs_cluster *c, const vs_facet *f, const vs_facet_side
   return vs_meet_edge(line->at[0], line->at[1], through, out);
 }
 
-/* Returns true if the facet has corners on both sides of the plane p, or in it. */
+/* Returns true if the facet has corners on both sides of the plane p, or corners in p. */
 static bool reaches(const vs_cluster *c, const vs_facet *f, const vs_plane *p) {
   vs_points_view view = vs_points_of(&c->points);
   bool above = false, below = false;
@@ -183,8 +184,8 @@ static bool add_contact(chunk *m, uint32_t a, uint32_t b, const event *from, con
   return !cut || VS_PUSH(m->k, m->contacts, ((contact){ a, b, p, q, cut }));
 }
 
-/* Returns the first event, from index i on, at one place; one with an existing point if possible. *end: index after the
- * last event at this place. i is the index of an event. */
+/* Returns the first event, from index i on, and passes over all events at the same point. If possible, the result is an
+ * event with an existing point. *end: index after the last event at this point. i is the index of an event. */
 static event *gather(chunk *m, size_t i, int axis, size_t *end) {
   event *at = m->w->events.at, *best = &at[i];
   VS_ASSERT(i < m->w->events.count);
@@ -204,7 +205,8 @@ static bool share(chunk *m, uint32_t a, uint32_t b) {
   for (size_t i = 0; i < m->w->crossings.count; i++) m->w->given.at[i] = VS_NONE;
   int axis = axis_of(plane_of(c, f), plane_of(c, g));
   sort_events(m, axis);
-  uint8_t in[2] = { 0, 0 }; /* for each of the two facets: bits UP, DOWN of the moved lines that are inside */
+  uint8_t in[2] = { 0, 0 }; /* for each of the two facets: bits UP and DOWN for the moved lines that are inside the
+                             * facet */
   bool covered = false;     /* true if both facets cover the line before this event */
   event before = { .id = VS_NONE };
   for (size_t i = 0, end; i < n; i = end) {

@@ -22,8 +22,8 @@
 
 /* A segment that two patches share, or a part of it between two corners that lie on it. */
 typedef struct {
-  uint32_t a, b, p, q; /* a, b: the patches; p, q: points at the ends of the segment; with FRESH: a new point of the
-                        * chunk */
+  uint32_t a, b, p, q; /* a, b: the patches; p, q: numbers of the points at the ends of the segment; a number with the
+                        * bit FRESH is a new point of the chunk */
   uint32_t cut;        /* bit 0: the segment is new in a; bit 1: it is new in b; 0: the patches are coplanar, and their
                         * facets are united */
 } contact;
@@ -51,8 +51,9 @@ typedef struct {
   VS_LIST(vs_fresh_point) fresh;
   VS_LIST(vs_edge) edges;         /* for each fresh point of the chunk: an edge that contains it */
   size_t asked;                   /* number of segments that were tested for being inside lids */
-  size_t left, looked, hidden;    /* left: number of segments that no lid contains entirely; looked: number of these of
-                                   * which a sample was tested; hidden: number of samples inside a lid */
+  size_t left, looked, hidden;    /* left: number of segments that no lid contains entirely; looked: number of these
+                                   * segments of which the middle was tested; hidden: number of tested middles inside a
+                                   * lid */
 } chunk;
 
 static const vs_patch_corner *corners(const vs_cluster *c, const vs_patch *p) { return c->patch_corners.at + p->first; }
@@ -85,9 +86,10 @@ static uint32_t edge_of(const vs_cluster *c, const vs_patch *x, uint32_t p, uint
 /* A patch, and its position relative to the plane of another patch. */
 typedef struct {
   const vs_patch *of, *other;
-  double *height;                /* height of each of its corners; the signs are exact, and 0 is exactly 0 */
+  double *height;                /* height of each of the patch's corners over the plane; the signs are exact, and 0 is
+                                  * exactly 0 */
   double error;                  /* upper bound for the error of heights that are not 0 */
-  uint32_t on, first_on, last_on; /* on: number of corners in the plane; first_on, last_on: two of these */
+  uint32_t on, first_on, last_on; /* on: number of corners in the plane; first_on, last_on: two of these corners */
   bool above, below;             /* true if there are corners above, or below, the plane */
 } facing;
 
@@ -138,7 +140,8 @@ static crossing *crossing_of(chunk *m, uint32_t p, uint32_t q, uint32_t patch) {
  * between a corner and the next. */
 typedef struct {
   const facing *f;
-  uint32_t corner, next; /* next: the following corner, or equal to `corner` if the end is at that corner */
+  uint32_t corner, next; /* next: the end lies between `corner` and the corner `next`, or at `corner` if `next` equals
+                          * it */
   double at, error;      /* at: coordinate along the current axis; error: its possible error */
 } end;
 
@@ -226,7 +229,7 @@ static bool end_at(const vs_cluster *c, const end *e, double at[3]) {
   return is_corner(e) || 4 * e->f->error * length <= 0.25 * fabs(h[e->corner] - h[e->next]);
 }
 
-/* Returns true if coplanar patches have more in common than corners and edges. */
+/* Returns true if coplanar patches have more in common than their common corners and edges. */
 static bool overlap(const vs_cluster *c, const vs_patch *a, const vs_patch *b) {
   const vs_plane *plane = &c->planes.all.at[a->plane];
   const vs_patch *t[2] = { a, b };
@@ -250,9 +253,9 @@ static bool overlap(const vs_cluster *c, const vs_patch *a, const vs_patch *b) {
 }
 
 /* Returns true if two triangles of one leaf in different planes share only a corner or edge, as neighbours do. Returns
- * false also if this takes long to decide. Triangles with a common edge share only that, because it is the line of
- * their planes. Triangles with one common corner share only that if the other corners of one lie on one side of the
- * other's plane. */
+ * false also if the test would take long. Triangles with a common edge share only this edge, because it lies on the
+ * line of their planes. Triangles with one common corner share only this corner if the other corners of one triangle
+ * lie on one side of the other's plane. */
 static bool only_neighbours(const vs_cluster *c, const vs_patch *a, const vs_patch *b) {
   if (a->count != 3 || b->count != 3) return false;
   const vs_patch_corner *x = corners(c, a), *y = corners(c, b);
@@ -282,7 +285,7 @@ static bool is_new(const vs_cluster *c, const vs_patch *x, uint32_t p, uint32_t 
   return edge == VS_NONE || (edge < 3 && (x->inner >> edge & 1));
 }
 
-/* Returns true if the patch only touches the other plane with a corner or edge that both patches have. */
+/* Returns true if the patch only touches the other patch's plane with a corner or edge that both patches have. */
 static bool only_touches(const vs_cluster *c, const facing *f) {
   if ((f->above && f->below) || f->on > 2) return false;
   const vs_patch_corner *x = corners(c, f->of);
@@ -345,8 +348,8 @@ static bool is_new_on(const vs_cluster *c, const facing *f, uint32_t p, uint32_t
   return (between != 1 && between + 1 != f->of->count) || (edge < 3 && (f->of->inner >> edge & 1));
 }
 
-/* Returns a set: bit 0 if the segment from p to q is new in the first patch, bit 1 if it is new in the second. A fresh
- * point is no corner of either, because it would have been found as that corner. */
+/* Returns a set of bits. Bit 0: the segment from p to q is new in the first patch; bit 1: it is new in the second
+ * patch. A fresh point is not a corner of either patch, because it would have been found as that corner. */
 static uint32_t new_in(const vs_cluster *c, const facing f[2], uint32_t p, uint32_t q) {
   if ((p | q) & FRESH) return 3;
   return (uint32_t)is_new_on(c, &f[0], p, q) | (uint32_t)is_new_on(c, &f[1], p, q) << 1;
@@ -361,7 +364,7 @@ static bool add_contact(chunk *m, const facing f[2], uint32_t p, uint32_t q) {
 
 static uint32_t corner_point(const vs_cluster *c, const end *e) { return corners(c, e->f->of)[e->corner].point; }
 
-/* Tests every 16th cut for having its middle inside a lid. */
+/* Tests for every 16th cut whether its middle is inside a lid. */
 static void look_whether_hidden(chunk *m, uint32_t place, const double p[3], const double q[3]) {
   enum { ONE_IN = 16 };
   if (++m->left % ONE_IN) return;
@@ -377,8 +380,8 @@ static bool share(chunk *m, const vs_patch *a, const vs_patch *b) {
   facing f[2];
   end low[2], high[2];
   for (int i = 0; i < 2; i++) {
-    int which = (t[1]->count < t[0]->count) ^ i; /* begins with the patch that has fewer corners, because it mostly
-                                                  * decides */
+    int which = (t[1]->count < t[0]->count) ^ i; /* begins with the patch that has fewer corners, because this patch
+                                                  * alone decides most cases */
     if (!VS_ROOM(m->k, m->w->heights[which].at, m->w->heights[which].room, t[which]->count)) return false;
     f[which] = (facing){ .of = t[which], .other = t[!which], .height = m->w->heights[which].at };
     face_to(c, &f[which]);
@@ -440,7 +443,7 @@ typedef struct {
   chunk chunks[VS_PIPELINE_WINDOW];
   working *works; /* working memory of each thread */
   size_t chunk_count;
-  size_t asked, left, looked, hidden; /* sums of these members over the chunks so far */
+  size_t asked, left, looked, hidden; /* sums of the chunks' members of the same names, over the chunks so far */
 } meeting;
 
 static bool leave(meeting *m, const vs_patch *t, uint32_t p, uint32_t q, uint32_t plane) {

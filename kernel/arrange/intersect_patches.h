@@ -5,7 +5,8 @@
 #include "kernel/cluster.h"
 
 bool vs_meet_patches(vs_kernel *k, vs_cluster *c);                     /* makes c->cuts, and the groups of facets;
-                                                                        * returns false on an error, or if the cluster
-                                                                        * is too crowded */
+                                                                        * returns false on an error, or if there are so
+                                                                        * many cuts that the solids must be united in
+                                                                        * levels */
 
 #endif

@@ -29,7 +29,7 @@
 /* A shell: the sides that bound the union of some leaves. */
 typedef struct {
   vs_points_table points; /* points of the shell, without a hash table */
-  vs_outlines outlines;   /* its facets and sides, with numbers of `points` */
+  vs_outlines outlines;   /* facets and sides of the shell, which refer to the members of `points` */
   vs_bvh_box box;
   uint32_t solid;         /* number of one of its leaves */
 } shell;
@@ -48,9 +48,10 @@ typedef struct {
   VS_LIST(uint32_t) facet_first; /* for each leaf's index: its first facet; an extra element marks the end */
   VS_LIST(span) spans;
   VS_LIST(shell) shells;
-  /* For each point of a cluster: its number in the shell to which it is copied. Between two copies, all are VS_NONE. */
+  /* For each point of a cluster: its number in the shell to which it is copied. Between two copies, all elements are
+   * VS_NONE. */
   VS_LIST(uint32_t) number;
-  VS_LIST(uint32_t) taken;       /* points whose `number` is set */
+  VS_LIST(uint32_t) taken;       /* points whose element of `number` is set */
   VS_LIST(uint32_t) moved;       /* for each point of a shell: its number in the cluster to which it is copied */
   size_t done;
 } levels;
@@ -95,7 +96,7 @@ static bool take_points(levels *l, shell *s, const vs_points_table *from) {
 }
 
 /* Appends the facets of a shell to those of a cluster. family: family of the facets in the index, see bvh.h. The caller
- * appends the extra facet that ends the last one; the shell has such a facet. */
+ * appends the extra facet that marks the end of the last facet. */
 static bool add_shell(levels *l, vs_cluster *to, const shell *s, uint32_t family) {
   vs_kernel *k = l->k;
   size_t points = s->points.all.count, facets = s->outlines.facets.count;
@@ -168,7 +169,8 @@ static bool make_leaf(levels *l, uint32_t place) {
   return true;
 }
 
-static void level_free(vs_kernel *k, vs_cluster *c) { /* does not free the members that belong to another cluster */
+static void level_free(vs_kernel *k, vs_cluster *c) { /* Frees the cluster of a level, except the members that belong to
+                                                       * another cluster. */
   vs_points_free(k, &c->points);
   VS_DROP(k, c->facets);
   VS_DROP(k, c->sides);
@@ -209,7 +211,7 @@ static bool append(levels *l, shell *a, const shell *b) {
 
 /* Replaces the last two shells by their union. There are at least two shells. */
 static bool unite_last(levels *l) {
-  enum { SERIAL = 10000 }; /* fewer facets are processed in one thread */
+  enum { SERIAL = 10000 }; /* in a level with fewer facets, only one thread works */
   vs_kernel *k = l->k;
   const vs_cluster *c = l->c;
   shell *a = &l->shells.at[l->shells.count - 2], *b = &l->shells.at[l->shells.count - 1], made = { .solid = a->solid };
@@ -323,7 +325,7 @@ static bool unite_all(levels *l) {
   return true;
 }
 
-/* Collects the facets of all other leaves and those of the union, with their sides. */
+/* Collects the facets of the united solid and the facets of all other leaves, with their sides. */
 static bool gather(levels *l) {
   vs_cluster *c = l->c;
   vs_kernel *k = l->k;

@@ -30,7 +30,7 @@ typedef struct {
   vs_cluster *c;
   made made[VS_PIPELINE_WINDOW];
   building *works; /* working memory of each thread */
-  VS_LIST(uint32_t) alone; /* for each plane: its facet, or SEVERAL */
+  VS_LIST(uint32_t) alone; /* for each plane: the only facet in the plane, or SEVERAL */
 } patching;
 
 /* Appends the patch whose corners begin at index `first` of the chunk's corners. */
@@ -46,8 +46,8 @@ static bool add_patch(building *b, uint32_t facet, uint32_t first, uint8_t inner
       if (x < box.min[a]) box.min[a] = x;
       if (x > box.max[a]) box.max[a] = x;
     }
-  /* The box is reduced only if the facet is alone in its plane. Facets in one plane must be cut by each other's borders
-   * even where these are hidden, because otherwise two faces could overlap there. */
+  /* The box is reduced only if the facet is alone in its plane. Facets in one plane must be cut by each other's
+   * borders, even where these borders are hidden. Otherwise two faces could overlap there. */
   if (c->placed.at[p.place].lids_count && b->alone[p.plane] == facet)
     vs_cull_box(c, p.place, b->to->corners.at + first, p.count, &box);
   return VS_PUSH(b->k, b->to->patches, p) && VS_PUSH(b->k, b->to->boxes, box);
@@ -175,12 +175,13 @@ bool vs_patches_build(vs_kernel *k, vs_cluster *c) {
     uint32_t *of = &p.alone.at[c->facets.at[i].plane];
     *of = *of == VS_NONE ? i : SEVERAL;
   }
-  size_t least = c->facets.count; /* estimate of the number of patches and of corners */
+  size_t least = c->facets.count; /* estimated minimum of the number of patches and of corners */
   ok = ok && VS_ROOM(k, c->patches.at, c->patches.room, least) && VS_ROOM(k, c->boxes.at, c->boxes.room, least) &&
        VS_ROOM(k, c->patch_corners.at, c->patch_corners.room, 3 * least);
   ok = ok && vs_kernel_pipeline(k, (c->facets.count + CHUNK - 1) / CHUNK, make_chunk, take_chunk, &p) &&
        VS_ROOM(k, families, family_room, c->patches.count + 1);
-  for (size_t i = 0; ok && i < c->patches.count; i++) { /* the triangles of a star do not touch each other */
+  for (size_t i = 0; ok && i < c->patches.count; i++) { /* the patches of a star on the grid form one family, because
+                                                         * its triangles do not touch each other */
     uint32_t place = c->patches.at[i].place;
     families[i] = c->placed.at[place].star ? place : UINT32_MAX;
   }

@@ -33,9 +33,9 @@ typedef struct {
   vs_affine *to_frame;          /* map of each leaf into the frame */
   size_t to_frame_room;
   VS_LIST(chunk) chunks;        /* chunks of SPAN vertices */
-  VS_LIST(border) borders;      /* such coordinates of the current axis */
-  double near[3];               /* for each axis: coordinates that differ by less than this, in steps, are rounded to
-                                 * the same line */
+  VS_LIST(border) borders;      /* coordinates of the current axis that are near the middle between two grid lines */
+  double near[3];               /* for each axis: coordinates that differ by less than this number of steps are rounded
+                                 * to the same grid line */
   double steps[3];              /* extent of the cluster along each axis, in steps */
 } snapping;
 
@@ -46,7 +46,8 @@ static int by_place(const void *a, const void *b) {
   return x->at < y->at ? -1 : x->at > y->at ? 1 : x->index < y->index ? -1 : x->index > y->index;
 }
 
-/* greatest number of steps in either direction; boxes that are enlarged by some steps must still be 32-bit numbers */
+/* Greatest number of steps in either direction. Boxes that are enlarged by some steps must still fit into 32-bit
+ * numbers. */
 static const double MOST = (double)(INT64_C(1) << VS_GRID_BITS) - 64;
 
 static void choose_step(vs_grid *g, double half, double far) {
@@ -178,7 +179,7 @@ static bool weld(vs_kernel *k, vs_cluster *c, snapping *s) {
     half = fmax(half, (high[a] - low[a]) / 2);
     far = fmax(far, fmax(fabs(low[a]), fabs(high[a])));
   }
-  for (bool fits = false; !fits; half *= 1.5) { /* the next step is 2 or 2.5 times as wide */
+  for (bool fits = false; !fits; half *= 1.5) { /* the next larger step is 2 or 2.5 times as wide */
     choose_step(&c->grid, half, far);
     for (int a = 0; a < 3; a++) {
       double scale = c->grid.scale, unit = c->grid.unit;

@@ -8,8 +8,8 @@ static bool point_before(const void *context, uint32_t a, uint32_t b) {
   return sign < 0;
 }
 
-/* Sorts points by the fixed-point numbers of u, whose order is right if they differ. Equal ones are sorted by v: by the
- * fixed-point numbers if all of these are exact, else by exact coordinates. */
+/* Sorts points by the fixed-point numbers of u, whose order is right if they differ. Points with equal u are sorted by
+ * v: by the fixed-point numbers if all of these are exact, else by exact coordinates. */
 bool vs_sweep_order(vs_kernel *k, vs_sweep *s, uint32_t *points, size_t count, uint32_t *scratch) {
   const vs_point *all = s->points.at;
   s->vertices.count = 0;
@@ -100,8 +100,8 @@ static void insert_between(vs_sweep *s, uint32_t e, uint32_t below, uint32_t abo
   if (below != VS_NONE) n[below].next = e;
   if (above != VS_NONE) n[above].previous = e;
   if (below != VS_NONE && n[below].right == VS_NONE) n[below].right = e, n[e].parent = below;
-  else if (above != VS_NONE) n[above].left = e, n[e].parent = above; /* one of the two neighbours has a free child
-                                                                      * there */
+  else if (above != VS_NONE) n[above].left = e, n[e].parent = above; /* Of the two neighbours of a new edge, one has a
+                                                                      * free child on the side of this edge. */
   else s->root = e;
   while (n[e].parent != VS_NONE && priority(n[e].parent) < priority(e)) rotate_up(s, e);
 }

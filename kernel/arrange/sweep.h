@@ -17,7 +17,7 @@ typedef struct { uint32_t parent, left, right, previous, next; } vs_sweep_node;
 typedef struct {
   vs_points_view points;
   int u, v;
-  VS_LIST(uint32_t) vertices; /* for each local number: the point */
+  VS_LIST(uint32_t) vertices; /* point number for each local vertex number */
   VS_LIST(vs_sweep_edge) edges;
   /* The members below are set by vs_sweep_begin. */
   VS_LIST(uint32_t) first;    /* for each vertex: index in `rights` of its first edge to the right */
@@ -30,7 +30,8 @@ typedef struct {
 } vs_sweep;
 
 typedef struct {
-  uint32_t vertex, below, above; /* the current vertex, and the edges directly below and above it, or VS_NONE */
+  uint32_t vertex, below, above; /* vertex: the current vertex; below, above: the edges directly below and above it, or
+                                  * VS_NONE */
   const uint32_t *lefts, *rights;
   uint32_t left_count, right_count;
 } vs_sweep_event;
@@ -38,9 +39,10 @@ typedef struct {
 /* Sorts the points, without duplicates, into s->vertices. scratch has as many elements as points. Returns false when
  * memory is out or the caller interrupts. */
 bool vs_sweep_order(vs_kernel *k, vs_sweep *s, uint32_t *points, size_t count, uint32_t *scratch);
-bool vs_sweep_begin(vs_kernel *k, vs_sweep *s); /* the caller has set the edges before; returns false when memory is
-                                                 * out */
-bool vs_sweep_next(vs_kernel *k, vs_sweep *s, vs_sweep_event *event); /* returns false at the end or on an error */
+bool vs_sweep_begin(vs_kernel *k, vs_sweep *s); /* begins the sweep; the caller has set the edges before; returns false
+                                                 * when memory is out */
+bool vs_sweep_next(vs_kernel *k, vs_sweep *s, vs_sweep_event *event); /* moves to the next vertex; returns false after
+                                                                       * the last vertex or on an error */
 bool vs_sweep_done(const vs_sweep *s);
 void vs_sweep_free(vs_kernel *k, vs_sweep *s);
 

@@ -35,7 +35,8 @@ typedef struct {
   uint32_t blocks;              /* number of blocks in all spans before this one */
   VS_LIST(vs_use) rim;          /* uses along the rims; their member `face` is the region */
 } span;
-/* A block of triangles. hub: a corner of all of them, around which they share only edges; UINT32_MAX: there is none. */
+/* A block of triangles. hub: a common corner of all its triangles, around which they share only edges; UINT32_MAX:
+ * there is no such corner. */
 typedef struct { uint32_t place, first, hub; vs_pack packs[PACKS]; } block;
 
 typedef struct {
@@ -45,8 +46,8 @@ typedef struct {
   VS_LIST(block) blocks;
   VS_LIST(vs_bvh_box) boxes;        /* boxes of the blocks */
   vs_bvh bvh;
-  VS_LIST(_Atomic uint8_t) fans; /* for each vertex: 1: its triangles form one simple fan; 2 or more: they do not;
-                                  * PROVEN: a fan around a hub, by proof */
+  VS_LIST(_Atomic uint8_t) fans; /* for each vertex: 1: its triangles form a single simple fan; 2 or more: they do not;
+                                  * PROVEN: the vertex is a hub, whose fan was proven simple */
   VS_LIST(vs_hubs) hubs;         /* hubs of each leaf, on the grid */
   VS_LIST(_Atomic uint32_t) sets;
 } plain;
@@ -116,7 +117,8 @@ static uint32_t hub_of(const plain *p, uint32_t place, uint32_t t) {
   return h->of.count ? h->of.at[t] : UINT32_MAX;
 }
 
-/* Finds the triangles of the next block, which all have the same hub or none. Returns false at the end of the span. */
+/* Finds the triangles of the next block, which all have the same hub, or no hub. Returns false at the end of the
+ * span. */
 static bool next_block(const plain *p, const span *s, uint32_t *first, uint32_t *end) {
   const vs_cluster *c = p->c;
   const uint32_t (*v)[3] = (const uint32_t (*)[3])mesh_at(c, s->place)->triangles;
@@ -189,7 +191,8 @@ static void look_at_pair(vs_cluster *c, uint32_t a_place, uint32_t a, uint32_t b
   if (a_place == b_place) {
     const uint32_t *v = triangle_at(c, a_place, a), *w = triangle_at(c, b_place, b);
     vs_vec3 x[3], y[3];
-    if (share_a_corner(v, w)) return; /* the triangles are neighbours, which the test of fans decides */
+    if (share_a_corner(v, w)) return; /* the triangles share a corner; the test of fans decides whether they touch
+                                       * elsewhere */
     for (int i = 0; i < 3; i++) {
       const int32_t *p = corner_at(c, a_place, v[i]), *q = corner_at(c, b_place, w[i]);
       x[i] = vs_v3(p[0], p[1], p[2]);
@@ -222,7 +225,8 @@ static bool meet_chunk(vs_kernel *k, void *context, size_t index) {
   return vs_bvh_pairs(&s.p->bvh, (uint32_t)index * CHUNK, (uint32_t)(index + 1) * CHUNK, meet_blocks, &s);
 }
 
-static bool meet_within(vs_kernel *k, void *context, size_t index) { /* tests each block of a span with itself */
+static bool meet_within(vs_kernel *k, void *context, size_t index) { /* tests the triangles of each block in a span
+                                                                      * against each other */
   plain *p = context;
   const span *s = &p->spans.at[index];
   if (!p->c->placed.at[s->place].searched || p->c->placed.at[s->place].star) return true;
@@ -240,7 +244,7 @@ static bool meet_within(vs_kernel *k, void *context, size_t index) { /* tests ea
 }
 
 static bool index_blocks(vs_kernel *k, plain *p, bool *few) {
-  enum { WORTH = 4 }; /* least average number of triangles in a block */
+  enum { WORTH = 4 }; /* least average number of triangles in a block for which the search is worthwhile */
   vs_cluster *c = p->c;
   uint32_t sum = 0, *families = NULL;
   size_t room = 0;
@@ -374,7 +378,7 @@ static void look_around(plain *p, uint32_t place, uint32_t corner) {
     falls += lower((double)q[x] - o[x], (double)q[y] - o[y]) && !lower((double)r[x] - o[x], (double)r[y] - o[y]);
   }
   uint8_t had = atomic_fetch_or_explicit(fan, good && falls == 1 ? 1 : 2, memory_order_relaxed);
-  if (had) atomic_fetch_or_explicit(fan, 2, memory_order_relaxed); /* two fans touch at this vertex */
+  if (had) atomic_fetch_or_explicit(fan, 2, memory_order_relaxed); /* two fans of triangles touch at this vertex */
 }
 
 static bool find_fans(vs_kernel *k, void *context, size_t index) {
@@ -428,7 +432,7 @@ static bool find_hubs(vs_kernel *k, plain *p) {
 static bool search_leaves(vs_kernel *k, plain *p, size_t vertices) {
   bool few;
   if (!find_hubs(k, p) || !index_blocks(k, p, &few)) return false;
-  if (!few) { /* the mesh has no useful order, so the search is not worthwhile */
+  if (!few) { /* the triangles of the mesh are in no useful order, so the search is not worthwhile */
     for (size_t i = 0; i < p->c->fate.count; i++)
       if (p->c->fate.at[i] == VS_PLAIN) p->c->fate.at[i] = VS_ARRANGED;
     return true;
@@ -486,7 +490,7 @@ bool vs_plain_find(vs_kernel *k, vs_cluster *c) {
     culled = culled || vs_cull_needed(c, i);
     searched = searched || l->searched;
   }
-  if (!culled && !searched) return true; /* all triangles are arranged */
+  if (!culled && !searched) return true; /* nothing was culled or searched, so all triangles are arranged */
   if (triangles >= UINT32_MAX / 3) return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the solids have too many faces");
   bool ok = make_spans(k, &p) && VS_ROOM(k, c->fate.at, c->fate.room, triangles + 1) &&
             (!culled || VS_ROOM(k, p.masks.at, p.masks.room, vertices + 1));
@@ -580,7 +584,8 @@ static bool find_rim(vs_kernel *k, void *context, size_t index) {
       uint8_t fate = fate_of(c, s->place, twins[3 * (size_t)t + j] / 3);
       uint32_t from = c->point_of.at[l->first + v[j]], to = c->point_of.at[l->first + v[j == 2 ? 0 : j + 1]];
       if (fate == VS_PLAIN) continue;
-      if (fate == VS_CULLED) from = to = VS_NONE; /* beyond this edge the surface continues in settled space */
+      if (fate == VS_CULLED) from = to = VS_NONE; /* beyond this edge the surface continues in settled space, where its
+                                                   * triangles were culled */
       else if (from == VS_NONE || to == VS_NONE) return VS_BROKEN(k, "a rim has no points");
       if (!VS_PUSH(k, s->rim, ((vs_use){ mirrored ? to : from, mirrored ? from : to, region }))) return false;
     }

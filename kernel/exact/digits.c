@@ -55,7 +55,7 @@ bool vs_digits(double size, uint64_t *digits, int *first) {
               20; /* floor of log10 of the power of two that is at most x; this is floor(log10 x) or one less */
   for (int tries = 0; tries < 2; tries++, power++) {
     int d = VS_DIGITS - 1 - power;
-    if (d < 0 || d > MOST_FIVES) return false; /* also excludes subnormal numbers */
+    if (d < 0 || d > MOST_FIVES) return false; /* this test also excludes subnormal numbers */
     __extension__ unsigned __int128 product = (unsigned __int128)mantissa * five[d], one = 1;
     int shift = -(exponent + d);
     uint64_t k;

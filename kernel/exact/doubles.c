@@ -1,11 +1,12 @@
 /* Computes exact signs of determinants of doubles.
  *
- * Each sign is first computed in doubles, where the error is below 8e-16 of the sum of the products' sizes (Shewchuk,
- * Adaptive Precision Floating-Point Arithmetic, 1997). If this does not decide the sign, the determinant is computed as
- * an expansion. An expansion is a sum of doubles whose bits do not overlap, the smallest first. Therefore the last term
- * has the sign of the sum. A difference of two doubles is an expansion of two terms. The product of two expansions has
- * twice the product of their lengths. Coordinates must have sizes of about one, so they are multiplied by a power of
- * two. Only parts that are smaller than 2^-300 of the others then underflow. */
+ * Each sign is first computed in doubles, where the error is below 8e-16 of the sum of the products' sizes
+ * (Shewchuk, Adaptive Precision Floating-Point Arithmetic, 1997). If this does not decide the sign, the determinant
+ * is computed as an expansion. An expansion is a sum of doubles whose bits do not overlap, the smallest first.
+ * Therefore its last term has the sign of the sum. A difference of two doubles is an expansion of two terms. The
+ * product of two expansions has at most twice as many terms as the product of their numbers of terms. Coordinates
+ * must have sizes of about one, so they are multiplied by a power of two. Only coordinates that are smaller than
+ * 2^-300 times the others then underflow. */
 #include "kernel/exact/doubles.h"
 
 #include <math.h>

@@ -69,7 +69,7 @@ static uint64_t gcd64(uint64_t a, uint64_t b) {
   if (!a || !b) return a | b;
   int shift = __builtin_ctzll(a | b);
   a >>= __builtin_ctzll(a);
-  while (b) { /* no branch depends on the comparison, which the processor could not predict */
+  while (b) { /* The comparison causes no branch, which the processor could not predict. */
     b >>= __builtin_ctzll(b);
     uint64_t less = a < b ? a : b, more = a < b ? b : a;
     a = less;
@@ -179,8 +179,8 @@ bool vs_meet_edge(const int32_t a[3], const int32_t b[3], const vs_plane *p, vs_
   for (int i = 0; i < 3; i++) oa += (vs_i128)p->n[i] * a[i], ob += (vs_i128)p->n[i] * b[i];
   vs_i128 w = oa - ob;
   if (w == 0) return false;
-  for (int i = 0; i < 3; i++) { /* the edge is parallel to an axis, and the plane perpendicular to it, which is common
-                                 * in models */
+  for (int i = 0; i < 3; i++) { /* handles an edge that is parallel to an axis, with a plane perpendicular to this axis,
+                                 * which is common in models */
     int j = (i + 1) % 3, l = (i + 2) % 3;
     if (a[j] != b[j] || a[l] != b[l] || p->n[i] != 1 || p->n[j] || p->n[l]) continue;
     wide_from(out->x[i], VS_LIMBS, p->d);
@@ -245,11 +245,12 @@ bool vs_meet_planes(const vs_plane *p, const vs_plane *q, const vs_plane *r, vs_
   return sign != 0;
 }
 
-/* Returns x as a double, approximately. x >= 0. */
+/* Returns x, which is at least 0, as an approximate double. */
 static inline double near128(vs_i128 x) { return (double)(int64_t)(x >> 64) * 0x1p64 + (double)(uint64_t)x; }
 
-/* Computes the fixed-point numbers as vs_homogeneous_fix does, if numerators fit into 128 bits and the denominator into
- * 94 bits, as most do. It computes whole steps first, and then the fraction. Returns false if they do not fit. */
+/* Computes the fixed-point numbers as vs_homogeneous_fix does, if the numerators fit into 128 bits and the denominator
+ * into 94 bits. Most points fulfil this. It computes whole steps first, and then the fraction. Returns false if they do
+ * not fit. */
 static bool fix_narrow(const vs_homogeneous *h, int64_t fixed[3], bool *exact) {
   vs_i128 w = (vs_i128)((vs_u128)h->w[1] << 64 | h->w[0]);
   for (int i = 0; i < 3; i++)
@@ -274,7 +275,7 @@ static bool fix_narrow(const vs_homogeneous *h, int64_t fixed[3], bool *exact) {
   return true;
 }
 
-/* Returns x as a double, approximately. x >= 0. */
+/* Returns x, which is at least 0, as an approximate double. */
 static inline double near256(const uint64_t x[4]) {
   VS_ASSERT(x[3] >> 63 == 0);
   return (((double)x[3] * 0x1p64 + (double)x[2]) * 0x1p64 + (double)x[1]) * 0x1p64 + (double)x[0];
@@ -288,8 +289,8 @@ static inline void take_times(uint64_t r[4], const uint64_t w[4], uint64_t q) {
   wide_sub(r, product, 4);
 }
 
-/* Returns the quotient floor(r / w), and sets r to the remainder. q: an estimate of the quotient, wrong by about
- * one. */
+/* Returns the quotient floor(r / w), and sets r to the remainder. q: an estimate that differs from the quotient by
+ * about 1. */
 static inline int64_t divide(uint64_t r[4], const uint64_t w[4], int64_t q) {
   take_times(r, w, (uint64_t)q);
   for (; wide_sign(r, 4) < 0; q--) wide_add(r, w, 4);

@@ -44,8 +44,9 @@ typedef struct {
 
 typedef struct {
   int64_t fixed[3];
-  uint32_t big; /* VS_POINT_EXACT; or the index of a vs_homogeneous, which with VS_POINT_MORE is in a view's `more` */
-  uint32_t next; /* the next point with the same hash, in the tables that arrange_planes.c makes for groups */
+  uint32_t big; /* VS_POINT_EXACT if the fixed-point numbers are exact; otherwise the index of the exact coordinates. If
+                 * the index has the bit VS_POINT_MORE, they are in the list `more` of a view */
+  uint32_t next; /* the next point with the same hash; used only in the tables that arrange_planes.c makes for groups */
 } vs_point;
 
 /* Access to all points of a table, for the predicates. */
@@ -56,8 +57,8 @@ typedef struct {
 
 static inline int vs_sign128(vs_i128 x) { return (x > 0) - (x < 0); }
 
-/* computes the plane through three integer points; *flipped: whether its normal is opposite to theirs. Returns false if
- * they lie on one line, or the normal does not fit */
+/* Computes the plane through three integer points. *flipped: true if the plane's normal is opposite to the normal of
+ * the triangle a, b, c. Returns false if the points are collinear, or the normal does not fit */
 bool vs_plane_through(const int32_t a[3], const int32_t b[3], const int32_t c[3], vs_plane *out, bool *flipped);
 void vs_plane_axes(vs_plane *p);
 /* computes the plane that contains the integer points a and b and is parallel to axis k; its normal is not primitive. a
@@ -66,8 +67,9 @@ void vs_plane_along(const int32_t a[3], const int32_t b[3], int k, vs_plane *out
 /* returns the sign of det(b-a, c-a, d-a) */
 int vs_orient3d(const int32_t a[3], const int32_t b[3], const int32_t c[3], const int32_t d[3]);
 
-/* Compute a point: vs_meet_edge the intersection of the line a b and the plane, where a and b are on different sides;
- * vs_meet_planes the intersection of three planes. Both return false if this is no single point. */
+/* Both functions compute a point. vs_meet_edge computes the intersection of the line through a and b with the plane,
+ * where a and b are on different sides. vs_meet_planes computes the intersection of three planes. Both return false if
+ * the intersection is not a single point. */
 bool vs_meet_edge(const int32_t a[3], const int32_t b[3], const vs_plane *p, vs_homogeneous *out);
 bool vs_meet_planes(const vs_plane *p, const vs_plane *q, const vs_plane *r, vs_homogeneous *out);
 /* Computes the fixed-point numbers of a point. Returns true if they are exact. h->w > 0. */
@@ -75,7 +77,7 @@ bool vs_homogeneous_fix(const vs_homogeneous *h, int64_t fixed[3]);
 void vs_homogeneous_integer(const int32_t at[3], vs_homogeneous *out);
 void vs_homogeneous_fixed(const int64_t fixed[3], vs_homogeneous *out); /* makes a point from the fixed-point numbers of
                                                                          * an exact point */
-/* axis is 0, 1 or 2, and w > 0 for both points. */
+/* Compares two points along an axis, 0, 1 or 2. w > 0 for both points. */
 int vs_homogeneous_compare(const vs_homogeneous *a, const vs_homogeneous *b, int axis); /* returns the sign of the
                                                                                          * difference a - b along the
                                                                                          * axis */
@@ -98,7 +100,7 @@ static inline bool vs_side_quick(vs_points_view v, const vs_plane *p, uint32_t x
               p->d * ((vs_i128)1 << VS_FIXED_BITS);
   *sign = vs_sign128(s);
   if (vs_point_exact(q)) return true;
-  vs_i128 low = s, high = s; /* the fixed-point number is less than the exact coordinate by less than 1 */
+  vs_i128 low = s, high = s; /* the fixed-point number is smaller than the exact coordinate, but by less than 1 */
   for (int i = 0; i < 3; i++) {
     if (p->n[i] < 0) low += p->n[i];
     else high += p->n[i];
@@ -120,7 +122,7 @@ static inline int vs_compare(vs_points_view v, uint32_t a, uint32_t b, int axis)
 }
 
 int vs_orient2d_slow(vs_points_view v, uint32_t a, uint32_t b, uint32_t c, int axis_u, int axis_v);
-enum { VS_UNSURE = 2 }; /* result if the sign is not decided */
+enum { VS_UNSURE = 2 }; /* result of a quick test that does not decide the sign */
 /* Returns the result of vs_orient2d if the fixed-point numbers of the points decide it, else VS_UNSURE. */
 static inline int vs_orient2d_quick(vs_points_view v, uint32_t a, uint32_t b, uint32_t c, int axis_u, int axis_v) {
   const vs_point *p = &v.at[a], *q = &v.at[b], *r = &v.at[c];

@@ -39,8 +39,8 @@ static void slots_free(vs_kernel *k, vs_slots *s) {
   s->count = 0;
 }
 
-/* Returns the next item with this hash, where the search begins at slot *at. If there is none, returns VS_NONE, and *at
- * is a free slot. The number of slots is a power of two. */
+/* Returns the next item with this hash; the search begins at slot *at. Sets *at to the slot of the item. If there is no
+ * such item, returns VS_NONE, and *at is a free slot. The number of slots is a power of two. */
 static inline uint32_t slots_next(const vs_slots *s, uint32_t tag, size_t *at) {
   VS_ASSERT(s->count > 0 && (s->count & (s->count - 1)) == 0 && *at < s->count);
   for (;; *at = (*at + 1) & (s->count - 1))

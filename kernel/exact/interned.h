@@ -16,13 +16,13 @@ typedef struct { uint32_t tag, item; } vs_slot; /* tag: upper half of the hash; 
 typedef struct {
   vs_slot *at;
   size_t room, count; /* count: number of slots, a power of two or 0 */
-  int shift;          /* number of bits by which a tag is shifted to get its slot */
+  int shift;          /* number of bits by which a tag is shifted to the right to get its slot */
 } vs_slots;
 
 typedef struct {
   VS_LIST(vs_point) all;
   VS_LIST(vs_homogeneous) big;
-  vs_slots slots; /* hash table of the fixed-point numbers */
+  vs_slots slots; /* hash table of the points, by their fixed-point numbers */
 } vs_points_table;
 
 /* A point that has no number in a table yet. */
@@ -47,8 +47,8 @@ bool vs_points_integer(vs_kernel *k, vs_points_table *t, const int32_t at[3], ui
  * false when memory is out. */
 bool vs_points_add_corners(vs_kernel *k, vs_points_table *t, int32_t (*corners)[3], const uint32_t *vertices,
                            size_t count, uint32_t *ids);
-/* Sets *id to the number of the point, which is added if the table lacks its position. h NULL: the fixed-point numbers
- * are exact. Returns false when memory is out. */
+/* Sets *id to the number of the point, and adds the point if the table lacks its position. h: exact coordinates, or
+ * NULL if the fixed-point numbers are exact. Returns false when memory is out. */
 bool vs_points_add_fixed(vs_kernel *k, vs_points_table *t, const int64_t fixed[3], const vs_homogeneous *h,
                          uint32_t *id);
 uint64_t vs_points_hash(const int64_t fixed[3]);
@@ -58,18 +58,19 @@ void vs_fresh_fill(vs_fresh_point *f); /* sets the members fixed and hash from t
  * when memory is out. */
 bool vs_points_add_all(vs_kernel *k, vs_points_table *t, const vs_points_table *base, const vs_fresh_point *fresh,
                        size_t count, uint32_t *ids);
-/* Appends the points of `more`, a table that was built with base t, to t. `more` is empty afterwards. If the slots of
- * `more` were freed, t does not find these points. Returns false when memory is out. */
+/* Appends the points of `more` to t; `more` is a table that was built with base t. `more` is empty afterwards. If the
+ * slots of `more` were freed, later searches in t do not find these points. Returns false when memory is out. */
 bool vs_points_append(vs_kernel *k, vs_points_table *t, vs_points_table *more);
 void vs_points_forget(vs_kernel *k, vs_points_table *t); /* frees the hash table, after which points can no longer be
                                                           * looked up */
 /* Computes the position of an exact point, in steps. id is a number in the table. */
-void vs_points_grid(const vs_points_table *t, uint32_t id, int32_t out[3]); /* only for a vertex of the input */
+void vs_points_grid(const vs_points_table *t, uint32_t id, int32_t out[3]); /* the point must be a vertex of the
+                                                                             * input */
 void vs_points_free(vs_kernel *k, vs_points_table *t);
 
 uint64_t vs_planes_hash(const vs_plane *p);
-/* Sets *id to the number of the plane, which is added if the table lacks it. hash is the hash of p. Returns false when
- * memory is out. */
+/* Sets *id to the number of the plane, and adds the plane if the table lacks it. hash is the hash of p. Returns false
+ * when memory is out. */
 bool vs_planes_add(vs_kernel *k, vs_planes_table *t, const vs_plane *p, uint64_t hash, uint32_t *id);
 /* Makes room for `more` additional items, so that the table need not be enlarged when they are added. Returns false
  * when memory is out. */

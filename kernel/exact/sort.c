@@ -1,4 +1,4 @@
-/* Sorts by keys: short runs by insertion, which are then merged unless they are already in order. */
+/* Sorts by keys. It sorts short runs by insertion, and then merges the runs unless they are already in order. */
 #include "kernel/exact/sort.h"
 
 #include "model/assert.h"
@@ -24,8 +24,8 @@ void vs_sort_keyed(vs_keyed *at, vs_keyed *scratch, size_t count) {
       memcpy(scratch, at + low, width * sizeof *at);
       size_t i = 0, j = middle, out = low;
       while (i < width && j < high) {
-        int second = at[j].key < scratch[i].key; /* no branch depends on the comparison, which the processor could not
-                                                  * predict */
+        int second = at[j].key < scratch[i].key; /* The comparison causes no branch, which the processor could not
+                                                  * predict. */
         const vs_keyed *from = second ? &at[j] : &scratch[i];
         at[out++] = *from;
         j += (size_t)second;

@@ -47,7 +47,7 @@ enum { CHUNK = 1 << 14, MANY = 1 << 16 /* CHUNK: number of boxes that one task p
 
 typedef struct {
   vs_bvh *t;
-  uint64_t *code;       /* the Morton code in the high 32 bits, the item's number in the low ones */
+  uint64_t *code;       /* the Morton code in the high 32 bits, the item's number in the low 32 bits */
   int64_t low[3];
   int shift;
 } coding;
@@ -154,8 +154,8 @@ static vs_bvh_box around(const vs_pack *p) {
   return b;
 }
 
-/* Returns the family of all items in the block of that level. Returns -1 if the items have several families, or one has
- * none. The level must exist. */
+/* Returns the family of all items in the block of that level. Returns -1 if the items have several families, or an item
+ * has none. The level must exist. */
 static int32_t family_below(const vs_bvh *t, uint32_t level, uint32_t block) {
   uint32_t all = level ? t->size[level - 1] : t->count,
            held = all - block * BLOCK < BLOCK ? all - block * BLOCK : BLOCK;

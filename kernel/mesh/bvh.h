@@ -9,7 +9,7 @@
 
 typedef struct { int32_t min[3], max[3]; } vs_bvh_box;
 
-/* & instead of && avoids branches, which the processor could not predict */
+/* The operator & instead of && avoids branches, which the processor could not predict. */
 static inline bool vs_box_meet(const vs_bvh_box *a, const vs_bvh_box *b) {
   return (a->min[0] <= b->max[0]) & (b->min[0] <= a->max[0]) & (a->min[1] <= b->max[1]) & (b->min[1] <= a->max[1]) &
          (a->min[2] <= b->max[2]) & (b->min[2] <= a->max[2]);
@@ -28,12 +28,12 @@ static inline void vs_pack_put(vs_pack *p, uint32_t lane, const vs_bvh_box *b) {
 }
 /* The next two functions test the four boxes of p against the box b. In the result, a lane has all bits set if its test
  * is true, else none. */
-/* True for boxes that intersect b or touch it. The negated form has the comparisons that processors offer. */
+/* Tests for boxes that intersect b or touch it. The negated form uses the comparisons that processors offer. */
 static inline vs_lanes vs_pack_meeting(const vs_pack *p, const vs_bvh_box *b) {
   return ~((p->min[0] > b->max[0]) | (p->max[0] < b->min[0]) | (p->min[1] > b->max[1]) | (p->max[1] < b->min[1]) |
            (p->min[2] > b->max[2]) | (p->max[2] < b->min[2]));
 }
-/* True for boxes that contain b strictly inside. */
+/* Tests for boxes that contain b strictly inside. */
 static inline vs_lanes vs_pack_holding(const vs_pack *p, const vs_bvh_box *b) {
   return (p->min[0] < b->min[0]) & (p->max[0] > b->max[0]) & (p->min[1] < b->min[1]) & (p->max[1] > b->max[1]) &
          (p->min[2] < b->min[2]) & (p->max[2] > b->max[2]);
@@ -50,13 +50,13 @@ static inline uint32_t vs_pack_bits(vs_lanes all) { /* returns a set with bit i 
  * the bounding boxes of four packs of level l. */
 typedef struct {
   const vs_bvh_box *boxes;      /* the caller's boxes, in the caller's order; used only during the build */
-  const uint32_t *families; /* family of each item; two items of one family are never reported as a pair; UINT32_MAX:
-                             * the item has no family. NULL: no families. The caller sets it before the build, which
-                             * then resets it */
+  const uint32_t *families; /* family of each item. The index never reports two items of one family as a pair.
+                             * UINT32_MAX: the item has no family. NULL: there are no families. The caller sets this
+                             * member before the build, which then resets it */
   uint32_t *order;          /* the items' numbers in Morton order */
   vs_pack *packs;
-  vs_lanes *family;         /* family of each item and, for the lanes of higher packs, of all items below; -1: none or
-                             * several. Empty if there are no families */
+  vs_lanes *family;         /* family of each item and, for the lanes of higher packs, the family of all items below.
+                             * -1: none or several families. Empty if there are no families */
   size_t order_room, pack_room, family_room;
   uint32_t count, level_count, first[18]; /* first[l]: first pack of level l */
   uint32_t size[18];
@@ -67,12 +67,12 @@ typedef bool vs_bvh_pair_fn(void *context, uint32_t a, uint32_t b); /* receives 
                                                                      * the query */
 typedef bool vs_bvh_hit_fn(void *context, uint32_t a);
 
-/* tree: all bytes 0, or an earlier tree, whose memory is reused. Returns false when memory is out or the caller
- * interrupts. */
+/* Builds the tree over the boxes. *tree has all bytes 0, or is an earlier tree, whose memory is reused. Returns false
+ * when memory is out or the caller interrupts. */
 bool vs_bvh_build(vs_kernel *k, vs_bvh *tree, const vs_bvh_box *boxes, uint32_t count);
 uint32_t vs_bvh_blocks(const vs_bvh *tree);
-/* Calls fn once for each unordered pair of intersecting boxes whose earlier block is in [first, end). Ranges that cover
- * all blocks find every pair. end may exceed the number of blocks. */
+/* Calls fn once for each unordered pair of intersecting boxes, if the block of the pair that comes first is in [first,
+ * end). Ranges that cover all blocks find every pair. end may exceed the number of blocks. */
 bool vs_bvh_pairs(const vs_bvh *tree, uint32_t first, uint32_t end, vs_bvh_pair_fn *fn, void *context);
 bool vs_bvh_query(const vs_bvh *tree, const vs_bvh_box *box, vs_bvh_hit_fn *fn, void *context);
 void vs_bvh_free(vs_kernel *k, vs_bvh *tree);

@@ -1,13 +1,14 @@
-/* Sorts edges. Each task counts the edges of a chunk of items and distributes them into ranges of points. Then each
- * task sorts the edges of a range. Chunks and ranges do not depend on the number of threads, so neither does the
- * order. */
+/* Sorts edges by their ends. Each task counts the edges of a chunk of items and distributes them into ranges of points.
+ * Then each task sorts the edges of a range. Chunks and ranges do not depend on the number of threads. Therefore the
+ * order does not depend on it either. */
 #include "kernel/mesh/edge_uses.h"
 
 #include <string.h>
 
 #include "kernel/threads.h"
 
-enum { CHUNK = 1 << 15, BLOCK = 256, LEAST = 10 /* a range has at least 1 << LEAST points */, RANGES = 256 };
+enum { CHUNK = 1 << 15, BLOCK = 256, LEAST = 10 /* CHUNK: number of items that a task distributes; LEAST: a range has at
+                                                 * least 1 << LEAST points */, RANGES = 256 };
 
 typedef struct { uint32_t low, high, item; } loose;
 
@@ -61,7 +62,7 @@ static bool sort_range(vs_kernel *k, void *context, size_t range) {
   uint32_t from = vs_halves_begin(h, range), end = vs_halves_begin(h, range + 1), low = s->begin.at[range],
            high = s->begin.at[range + 1];
   uint32_t *first = h->first.at + from, n = end - from;
-  memset(first, 0, n * sizeof *first); /* the element at n belongs to the next range */
+  memset(first, 0, n * sizeof *first); /* clears n elements only, because element n belongs to the next range */
   for (uint32_t i = low; i < high; i++) first[s->loose.at[i].low - from]++;
   /* first[p] becomes the end of point p's edges. The loop below fills the edges from the end and decreases first[p] to
    * their beginning. */

@@ -5,8 +5,8 @@
 #include "kernel/exact/interned.h"
 #include "model/store/disjoint.h"
 
-typedef struct { uint32_t high, item; } vs_half; /* an edge of an item, stored at its lower point; high: its other
-                                                  * point */
+typedef struct { uint32_t high, item; } vs_half; /* an edge of an item, stored with its lower point; high: the edge's
+                                                  * higher point */
 
 typedef struct {
   VS_LIST(vs_half) at;      /* the edges in the order of lower point, higher point and item */

@@ -5,15 +5,15 @@
  * tip of a cone. But triangles with a common corner intersect elsewhere only if the angles that they fill at this
  * corner overlap. Let p and q be the other two corners of a triangle, relative to the hub, and d a direction. If det(p,
  * q, d) > 0, then the triangle as seen along d fills an angle between 0 and half a turn, counter-clockwise from p to q.
- * The proof succeeds if this holds for all triangles, each follows another along an edge, and the angles sum to one
- * turn. Then no two of them overlap. d is the mean normal. A determinant must exceed its possible error. The sum of the
- * angles is a multiple of a turn, so it is rounded to one. The proof takes one pass around the hub, and n log n steps
- * to sort the triangles. Pairs without a proof are tested individually.
+ * The proof succeeds if this holds for all triangles, each triangle follows another along an edge, and the angles sum
+ * to one turn. Then no two of the triangles overlap. d is the mean normal. A determinant must exceed its possible
+ * error. The sum of the angles is a multiple of a turn, so it is rounded to a whole number of turns. The proof takes
+ * one pass around the hub, and n log n steps to sort the triangles. Pairs without a proof are tested individually.
  *
  * The boxes of a cone within another cone intersect, too. If the triangles around a hub bend the same way everywhere,
  * they bound a convex cone. Any triangle whose corners lie inside this cone is apart from all its triangles. A corner
- * is inside if it is on the inner side of the triangle in front of it, as seen along d. Its angle determines this
- * triangle. Hubs that lie within each other become one family, again in n log n steps. */
+ * is inside if it is on the inner side of the triangle in front of it, as seen along d. The angle of the corner about d
+ * determines this triangle. Hubs that lie within each other become one family, again in n log n steps. */
 #include "kernel/mesh/hubs.h"
 
 #include <math.h>
@@ -192,7 +192,7 @@ static bool within(const cones *c, const cone *w, vs_vec3 place) {
     if (c->angles.at[w->first + middle] <= angle) low = middle;
     else high = middle;
   }
-  size_t from = low + w->count - 1; /* index of the edge before that one */
+  size_t from = low + w->count - 1; /* index of the edge before the found edge */
   vs_vec3 p = c->edges.at[w->first + from % w->count], q = c->edges.at[w->first + (from + 3) % w->count];
   return turns(p, q, w->d) && turns(p, x, w->d) && turns(x, q, w->d) && under(c, w, from, x) &&
          under(c, w, from + 1, x) && under(c, w, from + 2, x);

@@ -10,13 +10,13 @@
 typedef struct {
   const uint32_t (*triangles)[3];
   size_t triangle_count, vertex_count;
-  const uint8_t *gone; /* gone[t]: 1 if triangle t does not exist; NULL: all triangles exist */
+  const uint8_t *gone; /* gone[t]: 1 if triangle t is to be ignored; NULL: no triangle is ignored */
   vs_vec3 (*corner)(const void *context, uint32_t vertex);
   const void *context;
 } vs_fans;
 
-/* The hubs whose triangles have only their common edges in common, by proof. A hub within another hub's convex cone may
- * belong to the same family: its triangles then have the other hub in `of`. */
+/* The hubs whose triangles were proven to have only their common edges in common. A hub within another hub's convex
+ * cone may belong to the same family: its triangles then have the other hub in `of`. */
 typedef struct {
   VS_LIST(uint32_t) of;      /* for each triangle: its hub, or UINT32_MAX if it has none. Empty: there are no hubs */
   VS_LIST(uint32_t) corners; /* vertex numbers of the hubs */

@@ -134,8 +134,8 @@ static bool holds(void *context, uint32_t patch) {
   return true;
 }
 
-/* Computes a place inside the face, in fixed-point numbers and approximately. A line at half the face's height
- * intersects it in segments. The place is the middle of the longest segment. */
+/* Computes an approximate place inside the face, in fixed-point numbers. A line at half the face's height intersects it
+ * in segments. The place is the middle of the longest segment. */
 static void inside_of(const vs_cluster *c, uint32_t face, int64_t at[3]) {
   const vs_plane *p = &c->planes.all.at[c->faces.at[face].plane];
   const vs_use *uses = c->uses.at + c->faces.at[face].use;
@@ -160,8 +160,8 @@ static void inside_of(const vs_cluster *c, uint32_t face, int64_t at[3]) {
           continue;
         }
         double cross = (double)a->fixed[p->u] + (v - ay) / (by - ay) * (double)(b->fixed[p->u] - a->fixed[p->u]);
-        if (!pass) x[0] = ay > by ? cross : NAN; /* the face is on the left of the use, so it is to the right in u if
-                                                  * the use goes down */
+        if (!pass) x[0] = ay > by ? cross : NAN; /* The face is on the left of the use. Therefore it is to the right
+                                                  * along u if the use goes down. */
         else if (cross > x[0] && cross < x[1]) x[1] = cross;
       }
     if (isfinite(x[0]) && isfinite(x[1]) && x[1] - x[0] > best) best = x[1] - x[0], u = (x[0] + x[1]) / 2;
@@ -295,8 +295,8 @@ static bool shells_apart(vs_kernel *k, const vs_part *p, bool *apart) {
   return ok;
 }
 
-/* Sets *whole to true if the triangles at each vertex form a single fan. It unites the triangle corners that follow
- * each other along an edge. The fans are single if there are as many sets as vertices. */
+/* Sets *whole to true if the triangles at each vertex form a single fan. It unites triangle corners that follow each
+ * other along an edge. The fans are single if there are as many sets of corners as vertices. */
 static bool fans_whole(vs_kernel *k, const vs_part *p, bool *whole) {
   const vs_mesh *m = p->mesh;
   size_t n = 3 * m->triangle_count, sets = 0, corners = 0;

@@ -148,7 +148,7 @@ static bool drop_some_corners(vs_kernel *k, void *context, size_t chunk) {
       if (flat || w->stays.at[p] || !are_two(w, w->edges.at[2 * p])) continue;
       w->bent.at[p] = 1;
     }
-    if (flat) { /* in a single plane, the two edges may lie on different lines */
+    if (flat) { /* even in a single plane, the two edges may lie on different lines */
       const vs_plane *plane = &c->planes.all.at[c->faces.at[a->face].plane];
       if (vs_orient2d(vs_points_of(&c->points), vs_result_other_end(a, (uint32_t)p), (uint32_t)p,
                       vs_result_other_end(b, (uint32_t)p), plane->u, plane->v) != 0)
@@ -164,8 +164,8 @@ VS_AHEAD corners_ahead(const vs_result_state *w, uint32_t e, size_t edges) {
   if (e + USE >= edges) return;
   __builtin_prefetch(vs_result_use(w, w->edge_first.at[e + USE]));
   const vs_use *u = vs_result_use(w, w->edge_first.at[e + POINT]);
-  uint32_t p = u->from < u->to ? u->to : u->from; /* the loop visits edges in the order of their lower points, so only
-                                                   * the higher point is scattered in memory */
+  uint32_t p = u->from < u->to ? u->to : u->from; /* The loop visits edges in the order of their lower points. Therefore
+                                                   * only the data of the higher points are scattered in memory. */
   __builtin_prefetch(&w->degree.at[p], 1);
   __builtin_prefetch(&w->edges.at[2 * p], 1);
 }
@@ -317,7 +317,8 @@ static bool triangulate_chunk(vs_kernel *k, void *context, size_t index) {
     } else {
       bool simple = true;
       if (!gather_sides(k, w, f, t) || (w->sheets && !vs_sheets_simple(w, f, k, t, &simple))) return false;
-      if (!simple) continue; /* a face that is not simple spoils the result, which is then made again */
+      if (!simple) continue; /* A merged face that is not simple makes the result invalid. The result is then made
+                              * again. */
       if (!vs_plane_triangulate(k, t, &c->points, &c->planes.all.at[face->plane])) return false;
       if (w->sheets) vs_sheets_mend(w, f, t);
       n = t->triangles.count;
@@ -477,7 +478,7 @@ bool vs_output_faces(vs_kernel *k, vs_cluster *c, vs_mesh *out) {
     bool failed = !ok && w.sheets && k->error->status == VS_KERNEL_INTERNAL;
     if (ok && !vs_sheets_spoiled(&w)) break;
     if (!ok && !failed) break;
-    if (failed) { /* returns to the result with all bends, which is proven to be right */
+    if (failed) { /* returns to the result with all bends, which needs no check */
       k->error->status = VS_KERNEL_FINE;
       atomic_store(&k->stop, false);
     }

@@ -1,4 +1,4 @@
-/* Declares the function of make_result.c that makes the mesh of the result. */
+/* Declares the function that makes the mesh of the kernel's result (make_result.c). */
 #ifndef VS_KERNEL_MESH_MAKE_RESULT_H
 #define VS_KERNEL_MESH_MAKE_RESULT_H
 

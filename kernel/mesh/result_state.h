@@ -1,4 +1,5 @@
-/* Defines the state of make_result.c. straighten.c shares it, and decides which bends the result may lose. */
+/* Defines the state in which make_result.c makes the mesh of a result. straighten.c also uses it, to decide which bends
+ * the result may lose. */
 #ifndef VS_KERNEL_MESH_RESULT_STATE_H
 #define VS_KERNEL_MESH_RESULT_STATE_H
 
@@ -42,8 +43,8 @@ typedef struct {
   VS_LIST(vs_triangulation) cutters; /* working memory of the triangulation, for each thread */
   vs_mesh *mesh;
   size_t first_vertex;               /* index of this cluster's first vertex in the mesh */
-  /* The members below are used if bends may be removed (straighten.c). Otherwise they are empty. */
-  VS_LIST(uint32_t) lone;            /* for each plane: its facet if it has exactly one, else VS_NONE */
+  /* The members below are used only if bends may be removed (straighten.c). Otherwise they are empty. */
+  VS_LIST(uint32_t) lone;            /* for each plane: its only facet, or VS_NONE if it does not have exactly one */
   VS_LIST(uint32_t) seams;           /* edges of edge_first between two facets of a sheet */
   VS_LIST(uint8_t) gone;             /* for each edge: 1 if it is a seam over which faces are merged */
   VS_LIST(uint8_t) bent;             /* for each point: 1 if it is a bend that is dropped, which lies off the line of

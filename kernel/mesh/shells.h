@@ -1,4 +1,4 @@
-/* Declares the shells of a mesh: sets of triangles that corners connect. */
+/* Declares the shells of a mesh: sets of triangles that are connected by common corners. */
 #ifndef VS_KERNEL_MESH_SHELLS_H
 #define VS_KERNEL_MESH_SHELLS_H
 
@@ -7,8 +7,8 @@
 typedef struct {
   double volume;   /* volume of the shell; negative if it is the wall of a cavity */
   double area;
-  double reach;    /* the largest absolute coordinate of its corners */
-  vs_vec3 from;    /* position of its first corner */
+  double reach;    /* the largest absolute coordinate of the shell's corners */
+  vs_vec3 from;    /* position of the shell's first corner */
 } vs_shell;
 
 typedef struct {

@@ -14,19 +14,20 @@
 
 #include <string.h>
 
-/* For each range: the first halves of the edges that do not have exactly two triangles. */
+/* For each range of edges: the first halves of the edges that do not have exactly two triangles. */
 typedef struct { VS_LIST(uint32_t) at; } crowded;
 
 typedef struct {
   vs_kernel *k;
-  vs_fresh_result of;          /* result to split; vertices on its rim are not split, because nothing touches there */
+  vs_fresh_result of;          /* result to split; vertices on the rim of plain triangles are not split, because nothing
+                                * touches there */
   size_t vertices, triangles;
-  _Atomic size_t open;         /* number of edges on the rim */
+  _Atomic size_t open;         /* number of edges on the rim of plain triangles */
   vs_halves halves;            /* edges of the triangles; item 3 * triangle + j is the edge from corner j to the next
                                 * corner */
   VS_LIST(crowded) crowded;
   VS_LIST(uint32_t) twins;
-  VS_LIST(_Atomic uint32_t) lead; /* for each vertex: one of the triangle corners there */
+  VS_LIST(_Atomic uint32_t) lead; /* for each vertex: one of the triangle corners at the vertex */
   _Atomic size_t seen;         /* number of triangle corners in the fans that contain a lead */
   VS_LIST(uint32_t) to;        /* for each triangle corner: its vertex after the split, counted from first_vertex */
   VS_LIST(uint32_t) copied;    /* for each new vertex: the vertex that it copies */
@@ -35,7 +36,7 @@ typedef struct {
   VS_LIST(vs_around) many;     /* faces around the edges of more than two triangles, in cyclic order; the wedge before
                                 * the first face is empty */
   VS_LIST(uint32_t) many_first;
-  VS_LIST(uint8_t) way;        /* for each edge of more than two triangles: how these are paired */
+  VS_LIST(uint8_t) way;        /* for each edge of more than two triangles: how these triangles are paired */
   VS_LIST(uint32_t) middle;    /* for each triangle corner: the vertex in the middle of its edge, or VS_NONE */
 } splitter;
 typedef enum { SOLID, AIR, MIDDLE } joined;
@@ -128,8 +129,9 @@ static bool join_range(vs_kernel *k, void *context, size_t range) {
     bool first = starts_at(s, at[0].item, low);
     if (end - i == 2 && first != starts_at(s, at[1].item, low)) {
       join(s, at[0].item, at[1].item);
-      atomic_store_explicit(&s->lead.at[low], at[!first].item, memory_order_relaxed); /* several threads may write this;
-                                                                                       * any value is right */
+      atomic_store_explicit(&s->lead.at[low], at[!first].item, memory_order_relaxed); /* Several threads may write this
+                                                                                       * element. Any of their values is
+                                                                                       * right. */
       atomic_store_explicit(&s->lead.at[at->high], at[first].item, memory_order_relaxed);
     } else if (end - i == 1 && on_rim(s, low) && on_rim(s, at->high)) {
       s->twins.at[at[0].item] = VS_NONE;

@@ -15,8 +15,8 @@ typedef struct {
   const uint32_t *points;  /* for each vertex of the result: its point in the cluster */
   const uint8_t *rim;      /* for each point: 1 if plain triangles, which are written later, end there; NULL: there are
                             * no plain triangles */
-  size_t rim_edges;        /* number of edges between written triangles and plain triangles; they have one triangle at
-                            * present */
+  size_t rim_edges;        /* number of edges between written triangles and plain triangles; at the call, such an edge
+                            * has one triangle */
 } vs_fresh_result;
 
 /* Splits the vertices where the result touches itself. Cuts edges in the middle if that does not suffice. Returns false

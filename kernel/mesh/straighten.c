@@ -6,21 +6,21 @@
  * coplanar faces, and the cuts between merged faces lose their bends, under three conditions.
  *
  * (1) No other facet lies in a plane of the sheet. Every edge at the border of its faces has two triangles, at an angle
- * of at least 11 degrees. Otherwise the sheet is given up.
+ * of at least 11 degrees. Otherwise the sheet keeps its bends.
  *
- * (2) All bends of the cut lie within 8 steps of the line between the cut's ends. The two faces at the cut include at
- * least 14 degrees. A band around the line is half a step wider than the largest distance of a bend from the line. No
- * other corner of a face in either plane or sheet lies in this band. Otherwise the bends of this cut stay.
+ * (2) All bends of the cut lie within 8 steps of the line between the cut's ends. The angle between the two faces at
+ * the cut is at least 14 degrees. A band around the line is half a step wider than the largest distance of a bend from
+ * the line. No other corner of a face in either plane or sheet lies in this band. Otherwise the bends of this cut stay.
  *
  * (3) As seen along the sheet's normal, the borders of the merged faces intersect and touch only at their ends. No new
- * triangle turns away from the sheet's normal. Otherwise the sheet is given up, and the result is made again.
+ * triangle turns away from the sheet's normal. Otherwise the sheet keeps its bends, and the result is made again.
  *
  * In the plane of the face on the other side of the cut, only the band changes, and it contains nothing else. An edge
- * that enters the space between the line and the bends must end there, or leave through the straight line a second
- * time. By (3) a merged face is a single layer over its plane, within a step of it, and its direction differs by less
- * than 2.6 degrees. By (1) and (2) any face that shares an edge with it is steeper. Faces without a common edge that
- * were within two steps of each other may intersect afterwards. The caller checks for this (round/self_contacts.c), and
- * makes the result again with all bends if necessary. */
+ * that enters the space between the line and the bends must end there, or leave through the straight line. By (3) a
+ * merged face is a single layer over its plane, within a step of it, and its direction differs by less than 2.6
+ * degrees. By (1) and (2) any face that shares an edge with it is steeper. Faces without a common edge that were within
+ * two steps of each other may intersect afterwards. The caller checks for this (round/self_contacts.c), and makes the
+ * result again with all bends if necessary. */
 #include "kernel/mesh/straighten.h"
 
 #include <math.h>
@@ -34,13 +34,14 @@ static const double OFF = 1, ALIKE = 0.999, WEDGE = -0.98, SHALLOW = 0.97, FAR =
 typedef struct {
   double n[3], at[3]; /* middle plane of the sheet; n: unit normal, outwards; at: a point of the plane */
   uint32_t corners, bends;
-  bool merged, fresh;       /* merged: its faces are merged; fresh: it was given up after the last check of bands */
+  bool merged, fresh;       /* merged: the faces of the sheet are merged; fresh: the merging was given up after the last
+                             * check of bands */
   _Atomic bool given_up;
 } sheet;
 
 typedef struct {
-  uint32_t p, q, edge, keys[2], sheets[2]; /* A cut with bends that are dropped, from point p to point q. edge: its
-                                            * first edge, at p; keys: the planes on its two sides, as in `near`. */
+  uint32_t p, q, edge, keys[2], sheets[2]; /* A cut from point p to point q whose bends are dropped. edge: its first
+                                            * edge, at p; keys: the planes on its two sides, as in `near`. */
   double wide;
 } cut;
 typedef struct { double at; uint32_t point; } placed;
@@ -53,12 +54,12 @@ struct vs_sheets {
   VS_LIST(uint32_t) face_key; /* for each face: the key plane of its plane, or VS_NONE */
   VS_LIST(cut) cuts;
   VS_LIST(uint32_t) cut_of;   /* for each bend: the cut that contains it */
-  VS_LIST(uint32_t) key;      /* for each plane: its key plane, which represents all planes of its sheet */
+  VS_LIST(uint32_t) key;      /* for each plane: its key plane, the plane that represents all planes of a sheet */
   VS_LIST(uint32_t) near;     /* for each key plane with cuts: its index in `first`; for other planes: VS_NONE */
   VS_LIST(uint32_t) first;    /* for each key plane in `near`: the first of its corners in `corners`, which are sorted
                                * by x; an extra element marks the end */
   VS_LIST(placed) corners;
-  VS_LIST(corner) hits;       /* corners before they are sorted into `corners` */
+  VS_LIST(corner) hits;       /* corners of faces before they are sorted into `corners` */
   VS_LIST(uint8_t) free;      /* for each cut: 1 if its band contains no other corner */
   size_t near_count, room;  /* near_count: number of key planes with cuts; room: size of this structure in bytes */
   bool kept;                /* true if the current round found bends that must stay */
@@ -93,7 +94,7 @@ bool vs_sheets_begin(vs_result_state *w) {
   for (int twice = 0; twice < 2; twice++)
     for (uint32_t f = 0; f < c->facets.count; f++) {
       uint32_t *lone = &w->lone.at[c->facets.at[f].plane];
-      if (!twice) *lone = *lone == VS_NONE ? f : VS_NONE - 1; /* marks a plane with more than one facet */
+      if (!twice) *lone = *lone == VS_NONE ? f : VS_NONE - 1; /* marks a plane that has more than one facet */
       else if (*lone == VS_NONE - 1) *lone = VS_NONE;
     }
   return vs_kernel_report(w->k, 0.9);
@@ -172,8 +173,8 @@ static bool measure(vs_result_state *w) {
   return true;
 }
 
-/* Returns true if an end of the seam is not a corner of the leaf. If both ends are, nothing cuts the seam, so it has no
- * bends. */
+/* Returns true if an end of the seam is not a corner of the leaf. If both ends are corners of the leaf, nothing cuts
+ * the seam, so it has no bends. */
 static bool is_cut(const vs_result_state *w, uint32_t seam) {
   const vs_use *u = vs_result_use(w, w->edge_first.at[seam]);
   return u->from >= w->c->corner_points || u->to >= w->c->corner_points;
@@ -277,7 +278,8 @@ static bool is_fresh(const vs_result_state *w, uint32_t face) {
   return s != VS_NONE && w->sheets->all.at[s].fresh;
 }
 
-/* Computes the outward unit normal n of the face's sheet if that is merged, else of the face's plane. */
+/* Computes a unit normal n. It is the outward normal of the face's sheet if the sheet is merged, else that of the
+ * face's plane. */
 static void look(const vs_result_state *w, uint32_t face, double n[3]) {
   uint32_t s = merged_sheet_of(w, face);
   const vs_plane *p = &w->c->planes.all.at[w->c->faces.at[face].plane];
@@ -327,7 +329,7 @@ static bool check_line(vs_result_state *w, uint32_t edge, uint32_t p, size_t *be
     bent += w->bent.at[q];
     e = next_edge(w, e, q);
   }
-  if (p > q) return true; /* the loop also finds this line from its other end */
+  if (p > q) return true; /* the loop also finds this line from its other end, so it is ignored here */
   made.q = q;
   *bends += bent;
   double from[3], to[3], along[3], n[2][3], x[3], t, last = 0;
@@ -497,9 +499,10 @@ bool vs_sheets_check(vs_result_state *w, bool *again) {
   if (!vs_kernel_report(w->k, 0.9)) return false;
   w->c->straightened = dropped;
   if (!check_lines(w, &bends)) return false;
-  if (bends != dropped) vs_sheets_give_up(w); /* a closed border with bends only: none of its bends belongs to a cut */
+  if (bends != dropped) vs_sheets_give_up(w); /* On a closed border that consists of bends alone, none of the bends
+                                               * belongs to a cut. */
   *again = give_up_idle(w) || s->kept;
-  if (*again) return true; /* the cuts change in the next round */
+  if (*again) return true; /* the cuts change in the next round, so their bands are not checked now */
   if (!find_near(w)) return false;
   if (!VS_ROOM(w->k, s->free.at, s->free.room, s->cuts.count + 1) ||
       !vs_kernel_run(w->k, (s->cuts.count + CUTS - 1) / CUTS, find_free, w))

@@ -13,18 +13,18 @@ bool vs_sheets_plan(vs_result_state *w);
 /* Merges faces over their seams, and sets gone, parent and whole. *any: true if there is a seam to merge over. Returns
  * false on failure. */
 bool vs_sheets_merge(vs_result_state *w, bool *any);
-/* Called after corners have been dropped. Gives up the sheets where this is unsafe or has dropped nothing. *again: true
- * if the caller must merge and drop again. Returns false on failure. */
+/* Checks the result after corners have been dropped. Gives up the merging of sheets where it is unsafe or has dropped
+ * no corner. *again: true if the caller must merge and drop again. Returns false on failure. */
 bool vs_sheets_check(vs_result_state *w, bool *again);
-/* *simple: true if the sides of the merged face, in t, intersect or touch only at their ends. Only faces of sheets are
- * tested. If *simple is false, the sheet is given up and the result is spoiled: the caller makes it again. Several
- * threads may call this at the same time. */
+/* Tests a merged face, whose sides are in t. *simple: true if the sides intersect or touch only at their ends. Only
+ * faces of sheets are tested. If *simple is false, the sheet is given up and the result is invalid: the caller makes it
+ * again. Several threads may call this function at the same time. */
 bool vs_sheets_simple(const vs_result_state *w, uint32_t face, vs_kernel *k, vs_triangulation *t, bool *simple);
-/* Exchanges diagonals of the face's triangles until each triangle faces the same way as the sheet. If this fails,
- * spoils the result. */
+/* Exchanges diagonals of the face's triangles until each triangle faces the same way as the sheet. If this is
+ * impossible, marks the result as invalid. */
 void vs_sheets_mend(const vs_result_state *w, uint32_t face, vs_triangulation *t);
 bool vs_sheets_spoiled(const vs_result_state *w);
-void vs_sheets_give_up(vs_result_state *w); /* gives up every sheet */
+void vs_sheets_give_up(vs_result_state *w); /* gives up the merging of all sheets */
 void vs_sheets_free(vs_kernel *k, vs_result_state *w);
 
 #endif

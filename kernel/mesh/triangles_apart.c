@@ -1,9 +1,10 @@
 /* Proves that triangles are apart.
  *
- * Two convex sets with at most a common corner have a separating plane. The candidates are the planes of the two faces,
- * and planes through an edge of each. The sign of a determinant is used only if it exceeds the largest possible error.
- * This error is below 8e-16 of the sum of the products' sizes (Shewchuk); the code requires 1e-14. If two neighbours
- * lie in one plane, their determinants are only rounding errors. The test then uses their projections along an axis. */
+ * Two convex sets with at most a common corner have a separating plane. The candidates are the planes of the two
+ * triangles, and planes through an edge of each. The sign of a determinant is used only if it exceeds the largest
+ * possible error. This error is below 8e-16 of the sum of the products' sizes (Shewchuk); the code requires 1e-14. If
+ * two neighbouring triangles lie in one plane, their determinants are only rounding errors. The test then uses their
+ * projections along an axis. */
 #include "kernel/mesh/triangles_apart.h"
 
 #include <math.h>
@@ -64,7 +65,7 @@ static bool cones_apart(const vs_vec3 a[2], const vs_vec3 b[2]) { /* each cone c
       s = sign3(a[i], b[j], a[1 - i]);
       if (s && s == -sign3(a[i], b[j], b[1 - j])) return true;
     }
-  /* Projects both along an axis. The cones are apart if their projections are apart and neither cone contains the
+  /* Projects both cones along an axis. The cones are apart if their projections are apart and neither cone contains the
    * axis. */
   vs_vec3 n = vs_v3_cross(a[0], a[1]);
   double size[3] = { fabs(n.x), fabs(n.y), fabs(n.z) };
@@ -76,8 +77,8 @@ static bool cones_apart(const vs_vec3 a[2], const vs_vec3 b[2]) { /* each cone c
     c[i][1] = axis == 0 ? v.z : axis == 1 ? v.x : v.y;
   }
   int own[2] = { sign2(c[0], c[1]), sign2(c[2], c[3]) };
-  /* Tests lines along each of the four directions. A line separates the cones if its own cone lies on one side and the
-   * other cone on the opposite side. */
+  /* Tests lines along each of the four edge directions. A line separates the cones if the cone of its edge lies on one
+   * side and the other cone on the opposite side. */
   for (int i = 0; own[0] && own[1] && i < 4; i++) {
     int mine = i % 2 ? -own[i / 2] : own[i / 2], other = i < 2 ? 2 : 0;
     if (sign2(c[i], c[other]) == -mine && sign2(c[i], c[other + 1]) == -mine) return true;
@@ -136,7 +137,7 @@ bool vs_triangles_apart(const vs_vec3 a[3], const vs_vec3 b[3], int *count) {
 
 /* ---- all pairs of a mesh ---- */
 
-enum { SERIAL = 10000 /* fewer triangles need no thread */, TRIANGLES = 1 << 13, BLOCKS = 512 /* blocks in a task */ };
+enum { SERIAL = 10000 /* fewest triangles for threads */, TRIANGLES = 1 << 13, BLOCKS = 512 /* blocks in a task */ };
 
 typedef struct {
   const vs_mesh *m;

@@ -7,7 +7,8 @@
 #include "kernel/memory.h"
 
 /* Returns true if the two triangles have nothing in common but corners, or an edge, with equal positions. Returns false
- * if doubles cannot decide this: the triangles touch, are folded onto each other, or one has no area. */
+ * if doubles cannot decide this, or if the triangles touch, are folded onto each other, or include a triangle without
+ * area. */
 bool vs_triangles_apart(const vs_vec3 a[3], const vs_vec3 b[3], int *shared); /* *shared: number of corners with equal
                                                                                * positions */
 

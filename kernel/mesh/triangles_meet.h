@@ -6,8 +6,8 @@
 
 typedef enum {
   VS_MEET_NOT,   /* the triangles have at most corners or an edge with equal positions in common */
-  VS_MEET_TOUCH, /* the triangles touch: one reaches the border of the other, or touches its face with a corner, and no
-                  * more */
+  VS_MEET_TOUCH, /* the triangles touch: one triangle has a corner or edge on the border of the other, or a corner in
+                  * its face, and no more in common */
   VS_MEET_CROSS  /* the triangles cross, or overlap along an edge or in an area */
 } vs_triangle_meeting;
 

@@ -4,12 +4,12 @@
  * interval inside the polygon between two neighbouring edges has a chain. The chain is the left border of the space, up
  * to the sweep line, that has no triangles yet. It goes from the left end of the interval's lower edge to the left end
  * of its upper edge. The coordinate x decreases from the chain's rightmost corner to both ends, and every other corner
- * between is reflex. Therefore a new vertex at an end of the chain sees its corners one after another. A new vertex in
- * the middle sees the rightmost corner. The sweep takes n log n steps, and all decisions are exact. Every corner of the
- * polygon is used, so neighbouring polygons have no T-junctions.
+ * between is reflex. Therefore a new vertex at an end of the chain sees the chain's corners one after another. A new
+ * vertex in the middle sees the rightmost corner. The sweep takes n log n steps, and all decisions are exact. Every
+ * corner of the polygon is used, so neighbouring polygons have no T-junctions.
  *
- * Most faces have few corners, and a border of one lower and one upper side. These need a single chain and no
- * status. */
+ * Most faces have few corners, and a border that consists of one lower and one upper side. For these faces, a single
+ * chain without a status suffices. */
 #include "kernel/mesh/triangulate.h"
 
 #include <stdlib.h>
@@ -102,8 +102,8 @@ static bool split(cutter *c, uint32_t below, uint32_t above, uint32_t v) {
   return extend_tail(c, x, v) && extend_head(c, y, v);
 }
 
-/* Returns true if the edges are consistent. A path upwards across all of them starts inside the polygon if `under`, and
- * ends inside it if `over`. */
+/* Returns true if the edges are consistent. A path that goes upwards across all of them starts inside the polygon if
+ * `under` is true, and ends inside it if `over` is true. */
 static bool agree(const vs_boundary *edges, const uint32_t *at, uint32_t count, bool under, bool over) {
   for (uint32_t i = 0; i < count; i++) {
     if ((bool)(edges[at[i]].inside & 2) != under) return false;
@@ -186,7 +186,7 @@ static bool find_loop(const vs_triangulation *t, uint32_t loop[SMALL], uint32_t 
   return i == n;
 }
 
-/* Triangulates a small face with an array as its only chain. The result is the same as that of the sweep. The loop has
+/* Triangulates a small face, with a single chain in an array. The result is the same as that of the sweep. The loop has
  * 3 to SMALL sides. */
 static bool cut_loop(cutter *c, const uint32_t *loop, uint32_t last) {
   vs_triangulation *t = c->t;

@@ -1,4 +1,5 @@
-/* Declares the exact triangulation of a polygon in one plane. It may have holes, corners that touch, and slits. */
+/* Declares the exact triangulation of a polygon in one plane. The polygon may have holes, corners that touch, and
+ * slits. */
 #ifndef VS_KERNEL_MESH_TRIANGULATE_H
 #define VS_KERNEL_MESH_TRIANGULATE_H
 

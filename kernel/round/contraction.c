@@ -4,8 +4,8 @@
  * edge is used as often in one direction as in the other. Two steps preserve this in all cases:
  *   unite   corners a few units apart become one. Triangles with two equal corners are edges, and are removed
  *   reroute the longest edge of a triangle that is lower than a few units goes through the triangle's third corner,
- *           in all triangles that have the edge. The low triangle vanishes, and its neighbour is cut in two there.
- *           Low triangles without a short edge, which mesh repair calls caps, vanish only by this
+ *           in all triangles that have the edge. The low triangle vanishes, and its neighbour is cut in two at this
+ *           corner. Low triangles without a short edge, which mesh repair calls caps, vanish only by this step
  * If several triangles have the same three corners, equal numbers of the two orientations are removed: they are sheets
  * that lie on each other. */
 #include "kernel/round/contraction.h"
@@ -17,7 +17,7 @@
 #include "model/store/disjoint.h"
 
 static bool is_met(const vs_rounding *s, uint32_t t) { /* returns true if triangle t is near a triangle that intersects
-                                                        * another one */
+                                                        * another triangle */
   const uint32_t *v = s->m->triangles[t];
   return s->near_met.at[v[0]] || s->near_met.at[v[1]] || s->near_met.at[v[2]];
 }
@@ -39,7 +39,7 @@ static int sheet_order(const void *a, const void *b) {
 
 static sheet sheet_of(const uint32_t v[3], uint32_t t) {
   sheet s = { { v[0], v[1], v[2] }, t, false };
-  for (int i = 0; i < 3; i++) { /* compares corners 0 and 1, then 1 and 2, then 0 and 1 */
+  for (int i = 0; i < 3; i++) { /* sorts the three corners: compares corners 0 and 1, then 1 and 2, then 0 and 1 */
     int j = i % 2;
     if (s.corner[j] < s.corner[j + 1]) continue;
     uint32_t swap = s.corner[j];
@@ -77,11 +77,11 @@ static bool cancel_sheets(vs_rounding *s) {
 
 /* ---- details that must not be lost ---- */
 
-enum { DETAIL = 16 /* a contraction that moves the surface by more units loses a detail; in 32-bit numbers this is a
-                    * millionth of the coordinate */ };
+enum { DETAIL = 16 /* a contraction that moves the surface by more units loses a detail; with 32-bit numbers, this limit
+                    * is a millionth of the coordinate */ };
 
 /* Returns true if the corner `to` is more than DETAIL units off the plane of triangle t. If the triangle's corner moves
- * there, a detail of the surface is lost. Along a finely divided surface, corners may move further without loss. */
+ * to `to`, a detail of the surface is lost. Along a finely divided surface, corners may move farther without loss. */
 static bool leaves(const vs_rounding *s, const uint32_t t[3], uint32_t corner, uint32_t to) {
   vs_vec3 n = vs_rounding_normal(place(s, t[0]), place(s, t[1]), place(s, t[2]));
   double off = fabs(vs_v3_dot(n, vs_v3_sub(place(s, to), place(s, corner))));
@@ -95,8 +95,8 @@ static void lose(vs_rounded *out, vs_vec3 at) {
 /* ---- uniting of corners ---- */
 
 /* Unites the ends of edges that are shorter than `units` units, in triangles near a contact. all: true for all such
- * triangles, false for those that rounding bends. *count: number of united corners. Returns false when memory is
- * out. */
+ * triangles, false only for triangles that rounding bends. *count: number of united corners. Returns false when memory
+ * is out. */
 static bool unite(vs_rounding *s, double units, bool all, vs_rounded *out, size_t *count) {
   vs_mesh *m = s->m;
   VS_LIST(uint32_t) parent = { 0 };
@@ -144,7 +144,7 @@ static bool unite(vs_rounding *s, double units, bool all, vs_rounded *out, size_
 /* ---- rerouting of edges ---- */
 
 /* A low triangle. low, high: ends of its longest edge, with low < high; top: its third corner; along: position of the
- * third corner along that edge. */
+ * third corner along the longest edge. */
 typedef struct { uint32_t low, high, top; double along; } cap;
 typedef VS_LIST(cap) caps;
 typedef VS_LIST(uint32_t) corners;
@@ -264,9 +264,9 @@ static bool replace(vs_rounding *s, uint32_t t, const corners *by) {
   return true;
 }
 
-/* Reroutes the longest edges of triangles near a contact that are lower than `units` units, through their third
- * corners. all: true for all such triangles, false for those that rounding bends. *count: number of removed triangles.
- * Returns false when memory is out. */
+/* Reroutes, through their third corners, the longest edges of triangles near a contact that are lower than `units`
+ * units. all: true for all such triangles, false only for triangles that rounding bends. *count: number of removed
+ * triangles. Returns false when memory is out. */
 static bool reroute(vs_rounding *s, double units, bool all, vs_rounded *out, size_t *count) {
   vs_mesh *m = s->m;
   caps found = { 0 };

@@ -1,20 +1,20 @@
 /* Repairs a mesh whose corners are going to be rounded.
  *
  * The exact result may have corners that are closer together than the format's numbers. Where four planes nearly
- * intersect in one point, there are two corners. Where a corner nearly lies on another face's edge, there is a triangle
- * with almost no height. After rounding, such an edge vanishes or has an arbitrary direction. Such a triangle may turn
- * over and intersect its neighbours.
+ * intersect in one point, there are two corners with a very short edge. Where a corner nearly lies on another face's
+ * edge, there is a triangle with almost no height. After rounding, the short edge vanishes or has an arbitrary
+ * direction. The low triangle may turn over and intersect its neighbours.
  *   collapse  an edge of less than two units moves onto its lower corner if no triangle around it turns over and the
  *             link condition holds: the two corners have only the two neighbours opposite the edge in common, so the
  *             surface stays a manifold of the same kind
  *   flip      the longest edge of a triangle lower than two units is replaced by an edge to its top: the neighbour
  *             behind that edge is cut in two there
  *   drop      a shell that is thinner than two units everywhere is removed
- * Then self_contacts.c searches the whole mesh for triangles that intersect after rounding, but not before. In formats
+ * Then self_contacts.c searches the entire mesh for triangles that intersect after rounding, but not before. In formats
  * without vertex numbers, the surface near them is contracted (contraction.c).
  *
- * Threads test all triangles once and find the few that need a change. Afterwards only these are tested, and those that
- * have changed since. */
+ * Threads test all triangles once and find the few triangles that need a change. Afterwards only these triangles are
+ * tested, and those that have changed since. */
 #include "kernel/round/rounding.h"
 
 #include <math.h>
@@ -37,7 +37,7 @@ static vs_vec3 corner(const rounding *s, uint32_t v) { return vs_rounding_corner
 
 static bool near(double a, double b, vs_numbers numbers) {
   double d = fabs(a - b), most = fabs(a) > fabs(b) ? fabs(a) : fabs(b);
-  if (d > most * 1e-6) return false; /* decides nearly all cases: no format has units that large */
+  if (d > most * 1e-6) return false; /* This test decides nearly all cases: no format has units that large. */
   return d == 0 || d < 2 * vs_rounding_unit(most, numbers);
 }
 
@@ -47,7 +47,7 @@ static bool too_short(const rounding *s, uint32_t a, uint32_t b) {
 }
 
 /* Returns true if the edge from a to b is shorter than the distance by which rounding may move its ends. Such an edge
- * may still be harmless: on faces along the axes, rounding moves all triangles alike. */
+ * may still be harmless: on faces perpendicular to an axis, rounding moves all triangles alike. */
 static bool unsure(const rounding *s, uint32_t a, uint32_t b) {
   double length = vs_v3_length(vs_v3_sub(s->m->vertices[a], s->m->vertices[b]));
   return length < 2 * fmax(vs_rounding_unit_at(s, a), vs_rounding_unit_at(s, b));
@@ -63,8 +63,8 @@ static bool is_neighbour(const rounding *s, uint32_t v, uint32_t other) {
   return false;
 }
 
-/* Marks the triangles beside a noise triangle. If that has turned over, its neighbours may intersect each other, even
- * with equal orientation. */
+/* Marks the triangles beside a noise triangle (vs_rounding_is_noise). If the noise triangle has turned over, its
+ * neighbours may intersect each other, even with equal orientation. */
 static void suspect_neighbours(vs_rounding *s) {
   for (size_t i = 0; i < s->look.count; i++) {
     uint32_t t = s->look.at[i];
@@ -98,8 +98,8 @@ typedef struct {
   found_some found[VS_PIPELINE_WINDOW];
 } scan;
 
-/* If the triangle lies in a plane perpendicular to an axis, appends that plane, unless it is the last one appended for
- * this axis. *level: true if there is such a plane. Returns false when memory is out. */
+/* If the triangle lies in a plane perpendicular to an axis, appends this plane, unless it is the plane that was last
+ * appended for this axis. *level: true if there is such a plane. Returns false when memory is out. */
 static bool find_storey(vs_kernel *k, const rounding *s, uint32_t t, vs_storey last[3], found_some *to, bool *level) {
   const uint32_t *v = s->m->triangles[t];
   vs_vec3 a = s->m->vertices[v[0]], b = s->m->vertices[v[1]], c = s->m->vertices[v[2]];
@@ -148,8 +148,8 @@ static int storey_order(const void *a, const void *b) {
   return x->value < y->value ? -1 : x->value > y->value;
 }
 
-/* Merges two adjacent sorted runs: from index `low`, and from `middle` to `high`. scratch has room for the first run.
- * Neither run is empty. */
+/* Merges two adjacent sorted runs: the run from `low` to `middle`, and the run from `middle` to `high`. scratch has
+ * room for the first run. Neither run is empty. */
 static void merge_storeys(vs_storey *at, vs_storey *scratch, size_t low, size_t middle, size_t high) {
   size_t i = 0, n = middle - low, j = middle, to = low;
   VS_ASSERT(low < middle && middle < high);
@@ -309,8 +309,8 @@ static bool allowed(const rounding *s, uint32_t a, uint32_t b) {
       both++;
       continue;
     }
-    if (is_neighbour(s, a, p)) common++; /* p follows b in one triangle only, so each neighbour is counted once, except
-                                          * those in the triangles at the edge */
+    if (is_neighbour(s, a, p)) common++; /* In only one triangle does p follow b. Thus each neighbour is counted once,
+                                          * except those in the triangles at the edge. */
     vs_vec3 before = vs_rounding_normal(s->m->vertices[b], s->m->vertices[p], s->m->vertices[q]),
             after = vs_rounding_normal(to, s->m->vertices[p], s->m->vertices[q]);
     if (vs_v3_dot(before, after) < 0 && !vs_rounding_is_noise(s, other)) return false; /* a noise triangle may turn
@@ -432,8 +432,8 @@ static bool collapse_round(rounding *s, size_t *done) {
 /* ---- blades: shells that are too thin ---- */
 
 static bool is_blade(const rounding *s, const vs_shell *of) {
-  return fabs(of->volume) <= of->area * vs_rounding_unit(of->reach, s->numbers); /* equality means that both are 0, so
-                                                                                  * the shell is a single point */
+  return fabs(of->volume) <= of->area * vs_rounding_unit(of->reach, s->numbers); /* if both sides are equal, both are 0,
+                                                                                  * and the shell is a single point */
 }
 
 /* Removes shells that are thinner than two units everywhere and that rounding bends, because their sides would lie on
@@ -533,9 +533,10 @@ static bool round_mesh(vs_rounding *s, vs_rounded *out) {
   ok = ok && vs_rounding_count_met(s, out);
   if (ok && out->met_before > before) before = out->met_before;
   if (ok) squeeze(s);
-  /* Each round contracts more coarsely, and from the third round on everything nearby. If this makes other triangles
-   * intersect, the rounds continue as long as the number of such triangles decreases. If a large part of a large mesh
-   * intersects, its facets are finer than the format's numbers, and no contraction repairs this. */
+  /* Each round contracts more coarsely, and from the third round on it contracts all triangles near contacts. If
+   * this makes other triangles intersect, the rounds continue as long as the number of such triangles decreases. If
+   * a large part of a large mesh intersects, its facets are finer than the format's numbers, and no contraction
+   * repairs this. */
   for (int round = 0; ok && s->places && out->met && round < CONTRACTIONS; round++) {
     enum { ALL = 2, MANY = 10000, PART = 16 };
     if (out->met > MANY && out->met > m->triangle_count / PART) break;
@@ -550,14 +551,14 @@ static bool round_mesh(vs_rounding *s, vs_rounded *out) {
     out->flipped += flipped;
     if (round > ALL && out->met >= met) break;
   }
-  out->met_before = before; /* contraction itself may make triangles cross, which must not count as intersections before
-                             * rounding */
+  out->met_before = before; /* Contraction itself may make triangles cross. Such triangles must not count as
+                             * intersections before rounding. */
   return ok && (out->collapsed || out->dropped ? drop_vertices(s) : true);
 }
 
 bool vs_mesh_round(vs_mesh *m, vs_numbers numbers, const vs_kernel_options *options, vs_rounded *out,
                     vs_kernel_error *error) {
-  enum { SERIAL = 10000 }; /* fewer triangles are processed in one thread */
+  enum { SERIAL = 10000 }; /* with fewer triangles, one thread works */
   vs_kernel_error ignored;
   vs_kernel k = { .options = options,
                   .error = error ? error : &ignored,

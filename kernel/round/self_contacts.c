@@ -54,7 +54,8 @@ typedef struct {
 
 typedef float floats __attribute__((vector_size(16)));
 typedef int32_t truths __attribute__((vector_size(16)));
-/* Four corners of a run, relative to the middle of the mesh. If there are fewer, the last is repeated. */
+/* Four corners of a run, relative to the middle of the mesh. If the run has fewer corners, the last corner is
+ * repeated. */
 typedef struct { floats x, y, z; uint32_t corner[4]; } corners;
 enum { FOURS = (3 * RUN + 3) / 4 };
 
@@ -63,16 +64,18 @@ typedef struct {
   uint8_t count, fours;          /* count: number of triangles; fours: number of groups of four corners. `places` has
                                   * three indices of corners for each triangle */
   bool is_low;                   /* true if the run is a single low triangle */
-  uint8_t is_changed;            /* marks (VS_CHANGED ...) of its single triangle, or 0 */
+  uint8_t is_changed;            /* marks (VS_CHANGED ...) of the run's triangle if it has only one, else 0 */
   bool busy;                     /* true for an open run that crosses a storey or is close to one */
-  bool anew;                     /* true if the run is tested against all others, see is_anew */
+  bool anew;                     /* true if the run is tested against all other runs, see is_anew */
   uint8_t level;                 /* axis along which all corners of the run have the coordinate `value`: 0 for x, 1 for
                                   * y, 2 for z */
   /* hub: a corner of all its triangles around which no test is needed (hubs.h), or UINT32_MAX. */
   uint32_t hub;
   double value;
-  float normal[3], low, high;    /* the run's slab, enlarged by the margin on both sides */
-  float height, longest;         /* height: least height of its triangles; longest: length of the longest edge */
+  float normal[3], low, high;    /* the run's slab, enlarged by the margin on both sides: its unit normal, and the lower
+                                  * and upper limit along the normal */
+  float height, longest;         /* height: least height of the run's triangles; longest: length of their longest
+                                  * edge */
 } run;
 
 /* The range of a busy run's coordinates along each axis. near_low, near_high: whether another corner is within the
@@ -82,15 +85,17 @@ typedef struct { double low[3], high[3]; bool near_low[3], near_high[3], any; /*
 
 typedef struct { VS_LIST(run) at; VS_LIST(vs_bvh_box) boxes; } runs;
 typedef struct { runs kinds[2]; VS_LIST(corners) fours; VS_LIST(uint8_t) places; } made; /* kinds: the open runs and the
-                                                                                          * level runs */
-typedef struct { uint32_t a, b; bool before; } pair; /* before: true if the triangles also intersect before rounding */
+                                                                                          * level runs that a task has
+                                                                                          * made */
+typedef struct { uint32_t a, b; bool before; } pair; /* a, b: triangles that intersect; before: true if they also
+                                                      * intersect before rounding */
 
 typedef struct {
   vs_rounding *s;
   vs_rounded *out;
   vs_vec3 middle;
-  double step;                   /* width of a step of the boxes' coordinates */
-  double low;                    /* triangles with a smaller height are low */
+  double step;                   /* length of a step of the boxes' integer coordinates */
+  double low;                    /* a triangle is low if its least height is below this length */
   float margin;                  /* length that is added to a slab on both sides; it exceeds the errors of floats */
   made all;
   VS_LIST(uint32_t) busy;        /* indices of the busy open runs */
@@ -98,7 +103,7 @@ typedef struct {
   VS_LIST(reach) reaches;        /* ranges of the busy runs' coordinates */
   vs_hubs around;                /* hubs of the mesh with rounded corners */
   VS_LIST(uint32_t) hubs;        /* hub of each open run */
-  vs_bvh bvh, busy_bvh;          /* bvh: index of the open runs; busy_bvh: index of the busy ones */
+  vs_bvh bvh, busy_bvh;          /* bvh: index of all open runs; busy_bvh: index of the busy open runs */
   made found[VS_PIPELINE_WINDOW];
   struct { VS_LIST(pair) at, folds; } met[VS_PIPELINE_WINDOW]; /* at: pairs that intersect; folds: pairs that are
                                                                 * folded, see is_fold */
@@ -385,7 +390,7 @@ static uint32_t bits(truths all) { /* sets bit i for lane i */
   return (uint32_t)(half[0] | half[0] >> 32);
 }
 
-/* Returns the index of the corner in the run, or NOT_ITS if the run does not have it. */
+/* Returns the index of the corner in the run, or NOT_ITS if the run does not contain the corner. */
 static uint32_t place_of(const search *c, const run *r, uint32_t corner) {
   const corners *four = c->all.fours.at + r->first_four;
   for (uint32_t i = 0; i < 4u * r->fours; i++)
@@ -393,7 +398,9 @@ static uint32_t place_of(const search *c, const run *r, uint32_t corner) {
   return NOT_ITS;
 }
 
-static bool has_edge(const search *c, const run *r, uint32_t p, uint32_t q) { /* p, q: indices of corners in the run */
+static bool has_edge(const search *c, const run *r, uint32_t p, uint32_t q) { /* returns true if the run has an edge
+                                                                               * between its corners with the indices p
+                                                                               * and q */
   const uint8_t *place = c->all.places.at + r->first_place;
   for (uint32_t t = 0; t < r->count; t++, place += 3)
     if ((place[0] == p || place[1] == p || place[2] == p) && (place[0] == q || place[1] == q || place[2] == q))
@@ -401,12 +408,12 @@ static bool has_edge(const search *c, const run *r, uint32_t p, uint32_t q) { /*
   return false;
 }
 
-/* Returns true if run b moves away from the plane of a at each common edge or corner. At the end of a's next triangle,
- * its distance must exceed the distance by which rounding may lift a corner. Across a low triangle of a, b moves away
- * only a little, and even less if it is not steep. */
+/* Returns true if run b moves away from the plane of run a at each common edge or corner. At the end of a's next
+ * triangle, its distance must exceed the distance by which rounding may lift a corner. Across a low triangle of a, b
+ * moves away only a little, and even less if it is not steep. */
 static bool falls_away(const search *c, const run *a, const run *b) {
   float enough = STEEP * (float)c->s->coarsest * b->longest, least = INFINITY;
-  if (a->height * c->margin >= enough) return true; /* decides nearly all cases */
+  if (a->height * c->margin >= enough) return true; /* this test decides nearly all cases */
   const corners *four = c->all.fours.at + b->first_four;
   for (uint32_t i = 0; i < b->fours; i++) {
     floats h = heights(a, &four[i]);
@@ -418,10 +425,10 @@ static bool falls_away(const search *c, const run *a, const run *b) {
   return a->height * (least + c->margin) >= enough;
 }
 
-/* Returns true if b's corners are beyond a's slab on one side, except for shared corners and edges between these.
- * Corners in the plane of a level run are allowed, because they stay in it. */
+/* Returns true if all corners of run b are beyond run a's slab on one side, except shared corners and edges between
+ * shared corners. Corners in the plane of a level run are allowed, because they stay in it. */
 static bool beyond(const search *c, const run *a, const run *b) {
-  uint32_t above = 0, below = 0, in[4 * FOURS]; /* in: for each corner of b, its index in a */
+  uint32_t above = 0, below = 0, in[4 * FOURS]; /* in: for each corner of run b, its index in run a */
   uint64_t shared = 0;
   bool touches = false, slopes = false;
   const corners *four = c->all.fours.at + b->first_four;
@@ -455,7 +462,7 @@ static bool beyond(const search *c, const run *a, const run *b) {
   return true;
 }
 
-/* The part of a triangle that lies in a slab. Its sheet is computed when needed. */
+/* The part of a triangle that lies in a slab. The rounded triangle is computed when it is needed. */
 typedef struct { float min[3], max[3]; sheet rounded; uint32_t triangle; bool made; } piece;
 
 static void add_place(piece *p, float x, float y, float z) {
@@ -536,8 +543,9 @@ static bool is_fold(const search *c, const sheet *x, const sheet *y) {
   return shared == 2 && height * height < UNITS * c->s->coarsest * (UNITS * c->s->coarsest) * n;
 }
 
-/* Tests whether two triangles intersect after rounding, and records the pair. Also tests whether they touched before
- * rounding, in the repaired mesh. If triangles with changed corners do not, rounding is the cause. */
+/* Tests whether two triangles intersect after rounding, and records the pair. Also tests whether the pair touched
+ * before rounding, in the repaired mesh. If triangles with changed corners did not touch before, rounding is the
+ * cause. */
 static bool try_triangles(looking *l, const sheet *x, const sheet *y) {
   const vs_rounding *s = l->c->s;
   if (is_fold(l->c, x, y) && !VS_PUSH(l->k, l->c->met[l->at].folds, ((pair){ x->triangle, y->triangle, false })))
@@ -601,8 +609,8 @@ static bool reach_of(vs_kernel *k, search *c, const run *r) {
   return VS_PUSH(k, c->reaches, to);
 }
 
-/* Returns true if the storey at `value` makes the run busy. If only other storeys do, the run is apart from the runs in
- * this storey (see is_busy). */
+/* Returns true if the storey at `value` makes the run busy. A run that is busy only because of other storeys is apart
+ * from the level runs in this storey (see is_busy). */
 static bool is_busy_at(const search *c, const reach *r, int axis, double value) {
   double low = r->low[axis], high = r->high[axis];
   if (r->any) return true;
@@ -635,7 +643,7 @@ static bool mark_around(vs_rounding *s) {
 
 enum { BLOCKS = 256, QUERIES = 1024 };
 
-/* Tasks with low numbers test pairs of open runs, the others level runs against busy ones. */
+/* Tasks with low numbers test pairs of open runs. The others test level runs against busy open runs. */
 static size_t open_tasks(const search *c) { return ((size_t)vs_bvh_blocks(&c->bvh) + BLOCKS - 1) / BLOCKS; }
 
 static bool look(vs_kernel *k, void *context, size_t index) {
@@ -679,8 +687,8 @@ static bool take(vs_kernel *k, void *context, size_t index) {
   return true;
 }
 
-/* Counts triangles that have no area after rounding, because they lie on edges of others. Low triangles are runs of
- * their own. */
+/* Counts triangles that have no area after rounding, because they lie on edges of other triangles. Low triangles are
+ * runs of their own. */
 static bool count_flat(vs_kernel *k, const search *c) {
   const runs *open = &c->all.kinds[OPEN];
   for (size_t i = 0; i < open->at.count; i++) {
@@ -745,8 +753,8 @@ static bool count_met(vs_rounding *s, vs_rounded *out, bool *folds) {
   return ok;
 }
 
-/* Marks the triangles around folds as suspect. *any: true if one of them had not been marked before. Returns false if
- * interrupted. */
+/* Marks the triangles around folds as suspect. *any: true if a triangle was marked that had no such mark before.
+ * Returns false if interrupted. */
 static bool suspect_folds(vs_rounding *s, bool *any) {
   *any = false;
   for (size_t t = 0; t < s->m->triangle_count; t++) {

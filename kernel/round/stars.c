@@ -19,9 +19,9 @@
 typedef struct {
   vs_vec3 middle, way; /* middle: middle of the shell's box; way: direction from the middle to one of its triangles */
   vs_bounds box;
-  uint32_t seen;       /* number of triangles in that direction */
-  uint64_t edges;      /* signed sum of the numbers of all edges */
-  double least;        /* volumes above this exceed rounding errors */
+  uint32_t seen;       /* number of triangles that the ray from the middle in this direction crosses */
+  uint64_t edges;      /* signed sum of the pseudorandom numbers of all edges */
+  double least;        /* volumes of tetrahedra above this value exceed rounding errors */
   bool is_star, has_way;
 } star;
 
@@ -43,8 +43,8 @@ static uint64_t number_of(uint32_t from, uint32_t to) { /* returns the pseudoran
 
 typedef struct { star *all; uint32_t one; } asking;
 
-static bool stands_alone(void *context, uint32_t other) { /* returns false, which ends the search, at the first other
-                                                           * shell */
+static bool stands_alone(void *context, uint32_t other) { /* returns false, which ends the search, at the first box of
+                                                           * another shell */
   asking *a = context;
   if (other == a->one) return true;
   a->all[a->one].is_star = a->all[other].is_star = false;

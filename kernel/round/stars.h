@@ -4,8 +4,8 @@
 
 #include "kernel/round/rounding_state.h"
 
-/* Sets s->alone[v] to 1 if the shell of vertex v, as rounded, does not intersect itself, and no other shell is within
- * the margin. The margin is at least 0. Returns false if memory is out or the caller interrupts. */
+/* Sets s->alone[v] to 1 if the shell of vertex v, with rounded corners, does not intersect itself, and no other shell
+ * is within the margin. The margin is at least 0. Returns false if memory is out or the caller interrupts. */
 bool vs_rounding_find_alone(vs_rounding *s, double margin);
 
 #endif

@@ -2,8 +2,8 @@
  *
  * Sheets that face the same way are not tested against each other (self_contacts.c), because another sheet is between
  * them. This is not so where the surface touches itself, at a position that two corners share. The sheet between two
- * others may end there. Rounding of the corners around this place may then tilt thin triangles of these two into each
- * other.
+ * others may end there. Rounding of the corners around this place may then tilt thin triangles of these two sheets into
+ * each other.
  *
  * Triangles of a storey stay in it when their corners are rounded. But the corners are doubles, and two planes may have
  * become one if they differed by less than doubles can represent. If a thin wedge was between such planes, a triangle
@@ -17,7 +17,8 @@
 
 static uint64_t place_hash(vs_vec3 p) {
   uint64_t bits[3], h = 0;
-  vs_vec3 q = vs_v3(p.x + 0.0, p.y + 0.0, p.z + 0.0); /* adding 0 converts -0 to 0 */
+  vs_vec3 q = vs_v3(p.x + 0.0, p.y + 0.0, p.z + 0.0); /* adding 0 converts -0 to 0, so that equal positions have equal
+                                                       * bytes */
   memcpy(bits, &q, sizeof bits);
   for (int i = 0; i < 3; i++) h = (h ^ bits[i]) * 0x9e3779b97f4a7c15u, h ^= h >> 32;
   return h;
@@ -56,9 +57,9 @@ static bool is_level(const vs_rounding *s, uint32_t t) {
   return axis != NOT_LEVEL && in_storey(s, t, axis);
 }
 
-/* A corner of a triangle in a storey, at a place where such triangles face both ways. */
+/* A corner of a triangle in a storey, at a place where triangles of storeys face both ways along an axis. */
 typedef struct {
-  uint32_t place, triangle; /* place: the first vertex at that position */
+  uint32_t place, triangle; /* place: the first vertex at the position of the corner */
   uint8_t axis;
   bool up;                  /* true if the triangle's normal points along the axis */
 } level_corner;
@@ -78,8 +79,8 @@ static bool overlap(const vs_rounding *s, uint32_t t, uint32_t u) {
   return !vs_triangle_is_flat(a) && !vs_triangle_is_flat(b) && vs_triangles_meet(a, b) == VS_MEET_CROSS;
 }
 
-/* Tests the triangles of one storey around one place, first those that face down. If there are very many, marks them
- * without a test. Returns false if interrupted. */
+/* Tests the triangles of one storey around one place, beginning with triangles that face down. If there are very many
+ * triangles, marks them without a test. Returns false if interrupted. */
 static bool look_around(vs_rounding *s, const level_corner *at, size_t count) {
   enum { MANY = 1 << 12 };
   size_t down = 0;
@@ -97,7 +98,8 @@ static bool look_around(vs_rounding *s, const level_corner *at, size_t count) {
 static uint32_t place_of(const uint32_t *place, uint32_t v) { return place[v] == UINT32_MAX ? v : place[v]; }
 
 /* For each place, records the directions of the triangles that are perpendicular to an axis, two bits for each axis.
- * *mixed: true if at some place they face both ways along an axis, which is rare. Returns false if interrupted. */
+ * *mixed: true if at some place such triangles face both ways along an axis, which is rare. Returns false if
+ * interrupted. */
 static bool look_ways(vs_rounding *s, const uint32_t *place, uint8_t *ways, bool *mixed) {
   for (uint32_t t = 0; t < s->m->triangle_count; t++) {
     bool up;
@@ -112,8 +114,8 @@ static bool look_ways(vs_rounding *s, const uint32_t *place, uint8_t *ways, bool
   return true;
 }
 
-/* Marks pairs of triangles of one storey that overlap, face each other and share a position. They were in two planes
- * that became one when their corners were rounded to doubles. Returns false on failure. */
+/* Marks pairs of triangles of one storey that overlap, face each other and share a position. These triangles were in
+ * two planes that became one when their corners were rounded to doubles. Returns false on failure. */
 static bool suspect_folds(vs_rounding *s, const uint32_t *place) {
   VS_LIST(level_corner) all = { 0 };
   VS_LIST(uint8_t) ways = { 0 };
@@ -143,8 +145,10 @@ static bool suspect_folds(vs_rounding *s, const uint32_t *place) {
 
 bool vs_rounding_suspect_touching(vs_rounding *s) {
   const vs_mesh *m = s->m;
-  VS_LIST(uint32_t) slots = { 0 }; /* hash table of positions: number of a vertex plus 1; 0: free */
-  VS_LIST(uint32_t) places = { 0 }; /* for each vertex: the first vertex at its position, if there are several */
+  VS_LIST(uint32_t) slots = { 0 }; /* hash table of positions, with the number of a vertex plus 1 in each slot; 0 marks
+                                    * a free slot */
+  VS_LIST(uint32_t) places = { 0 }; /* for each vertex: the first vertex at the same position if there are several, else
+                                     * UINT32_MAX */
   size_t size = 16, any = 0;
   while (size < 2 * m->vertex_count) size *= 2;
   bool ok = VS_ROOM(s->k, slots.at, slots.room, size) && VS_ROOM(s->k, places.at, places.room, m->vertex_count + 1);
