@@ -32,12 +32,13 @@
 
 enum {
   VS_DEPTH_MAX = 150
-}; /* the greatest depth of nesting in one subtree of the output. POV-Ray and OpenSCAD crash at some thousand levels */
+}; /* greatest depth of nesting in one subtree of the output, because POV-Ray and OpenSCAD crash at some thousand
+    * levels */
 
 typedef enum {
   VS_EMITTED,
-  VS_WHOLE,  /* returned at VS_PHASE_ENTER: the function has written the node with its children, and the driver does not
-              * visit them */
+  VS_WHOLE,  /* result of an emit function at VS_PHASE_ENTER: it has written the node with its children, and the driver
+              * does not visit them */
   VS_LOWER,
   VS_FAILED
 } vs_emit_status;
@@ -47,20 +48,21 @@ typedef vs_emit_status vs_emit_fn(vs_emitter *e, const vs_ref *ref, vs_phase pha
 
 /* Traits of a format: needs and abilities of its program. */
 typedef enum {
-  VS_SHOWS_GHOSTS_IN_DRAFTS = 1 << 0, /* shows ghosts in pictures of draft quality only */
+  VS_SHOWS_GHOSTS_IN_DRAFTS = 1 << 0, /* the format shows ghosts in pictures of draft quality only */
   VS_KEEPS_ORIGINS = 1 << 1, /* the emitter records the origin of each line of the text */
   VS_PARTS_FLUSH = 1 << 2,   /* a pass first separates faces that lie in one plane (flush.h): the format's program
                               * leaves thin skins when it cuts such solids */
-  VS_SHOWS_HULLS = 1 << 3,   /* shows hulls of solids as operations. It shows every other hull as one shape */
-  VS_DRAWS = 1 << 4,         /* makes drawings. Such a format selects the scene's views and cuts the solids itself
-                              * (vs_lower_drawing); its `solid` receives none */
-  VS_FRAMES = 1 << 5,        /* shows the drawing through a camera that frames it */
+  VS_SHOWS_HULLS = 1 << 3,   /* the format shows hulls of solids as operations, and every other hull as one shape */
+  VS_DRAWS = 1 << 4,         /* the format makes drawings. It selects the scene's views and cuts the solids itself
+                              * (vs_lower_drawing); its function `solid` receives no solids */
+  VS_FRAMES = 1 << 5,        /* the format shows the drawing through a camera that frames it */
   VS_LOOSE = 1 << 6,         /* for a format with `solid` or `copies`: the driver first walks the objects that are not
                               * solid, and calls their rows of `emit` */
   VS_INKS = 1 << 7,          /* a pass makes thin objects without a material dark (ink.h) */
-  VS_LAYS = 1 << 8,          /* its patterns are correct only on faces that no placement rotates (lay.h) */
-  VS_GROUPS = 1 << 9,        /* receives large sets as trees of boxes (vs_sets_group) */
-  VS_AREA_SETS = 1 << 10,    /* its emit function receives sets of regions before they are lowered to one region */
+  VS_LAYS = 1 << 8,          /* the format's patterns are correct only on faces that no placement rotates (lay.h) */
+  VS_GROUPS = 1 << 9,        /* the format receives large sets as trees of boxes (vs_sets_group) */
+  VS_AREA_SETS = 1 << 10,    /* the format's emit function receives sets of regions before they are lowered to one
+                              * region */
   VS_KEEPS_TEXT = 1 << 11,   /* the text of a node depends only on the values that drive_key puts into a key, not on
                               * earlier output */
   VS_VERBATIM = 1 << 12      /* the driver emits every node, including empty nodes, and visits the children of all
@@ -76,8 +78,8 @@ struct vs_backend {
    * and `use`, or neither. */
   bool (*define)(vs_emitter *e, uint32_t id, const vs_ref *ref, bool open);
   bool (*use)(vs_emitter *e, uint32_t id, const vs_ref *ref);
-  /* Writes the union of the drawing's solids, for formats that contain only triangles. The driver does not walk the
-   * drawing then. The mesh is rounded to the format's numbers (kernel/round/rounding.h). */
+  /* Writes the union of the drawing's solids, for formats that contain only triangles. For such a format, the driver
+   * does not walk the drawing. The mesh is rounded to the format's numbers (kernel/round/rounding.h). */
   bool (*solid)(vs_emitter *e, const vs_solid *solid);
   bool (*copies)(vs_emitter *e, const vs_solid_copies *copies); /* Writes the union of the drawing's solids, each group
                                                                  * of equal parts once. A back-end has `copies` or
@@ -88,16 +90,17 @@ struct vs_backend {
   /* Writes the files beside e->path (such as an .mtl) after the text. NULL: the format has no such files. */
   bool (*beside)(vs_emitter *e);
   vs_mark_style highlights, ghosts; /* how the format shows the marks `highlight` and `ghost` (passes/sugar.h) */
-  const char *family;      /* additional name that several formats share; NULL: the format has only its own names */
+  const char *family;      /* additional name that several formats have in common; NULL: the format has only its own
+                            * names */
   const char *native;      /* target of targets.def whose `native` text this format accepts; NULL: the format accepts no
                             * such text */
-  unsigned traits;      /* of vs_backend_trait, joined by | */
+  unsigned traits;      /* traits of the format: values of vs_backend_trait, joined by | */
   const char *omit[VS_MIXED]; /* omit[c]: warning, given once, that the format omits objects of class c; NULL: the
                                * format shows them */
   vs_emit_fn *shape;    /* emits the primitive solids that have no row in `emit`; NULL: the driver lowers them */
   struct { vs_emit_fn *fn; const char *lossy; } emit[VS_KIND_COUNT]; /* lossy: warning, given once, that the format
-                                                                      * shows this kind with a loss; NULL: there is no
-                                                                      * loss */
+                                                                      * shows this kind incompletely or inexactly; NULL:
+                                                                      * there is no loss */
 };
 
 static inline bool vs_backend_has(const vs_backend *b, vs_backend_trait trait) { return (b->traits & trait) != 0; }
@@ -112,8 +115,8 @@ static inline vs_emit_fn *vs_backend_writes(const vs_backend *b, const vs_node *
 #include "backends/backends.def"
 
 /* The rows of formats that show triangles and lines at their places. `leaf` writes triangles of solids and thin
- * objects, `line` writes polylines, `through` writes placements and paint, `boolean` calls the kernel. The driver
- * lowers a kind without a row: curves become polylines. */
+ * objects, `line` writes polylines, `through` writes placements and paint, `boolean` calls the kernel. A kind without a
+ * row is lowered by the driver: curves become polylines. */
 #define VS_EMIT_SHAPES(leaf, line, through, boolean)                                                                   \
   .shape = (leaf),                                                                                                     \
   .emit = { [VS_LINE] = { line, NULL },                                                                                \
@@ -137,7 +140,7 @@ static inline vs_emit_fn *vs_backend_writes(const vs_backend *b, const vs_node *
             [VS_INTERSECTION] = { boolean, NULL },                                                                     \
             [VS_DIFFERENCE] = { boolean, NULL } }
 
-/* Writes another file, completely or not at all. While `fill` runs, e->out writes to that file. */
+/* Writes another file, completely or not at all. While the function `fill` runs, e->out writes to that file. */
 bool vs_emit_file(vs_emitter *e, const char *path, bool (*fill)(vs_emitter *e));
 
 #endif

@@ -21,8 +21,8 @@ static bool drive_has_native(const vs_emitter *e) {
   return false;
 }
 
-/* Adds the bounds of a drawn object to e->boxes and to *all. For a union it adds the bounds of each part, up to
- * `most` boxes in total. Boxes of parts are tighter: two boxes frame a cross of two beams better than one box. If
+/* Adds the bounds of a drawn object to e->boxes and to *all. For a union it adds the bounds of each part, up to `most`
+ * boxes in total. Separate boxes of parts are tighter: two boxes frame a cross of two beams better than one box. If
  * budget is not NULL, the bounds are those of the material that remains after cuts, as far as the budget allows
  * (drawn_bounds.h). */
 static bool drive_boxes(vs_emitter *e, const vs_ref *ref, vs_bounds_memo *memo, size_t *budget, vs_bounds *all) {
@@ -48,7 +48,8 @@ static bool drive_boxes(vs_emitter *e, const vs_ref *ref, vs_bounds_memo *memo, 
     if (b.min.x > b.max.x) continue;
     if (e->box_count == 0) *all = b;
     else drive_include(all, &b);
-    if (e->box_count >= most) drive_include(&e->boxes[most - 1], &b); /* all further parts share the last box */
+    if (e->box_count >= most) drive_include(&e->boxes[most - 1], &b); /* all further parts are included in the last
+                                                                       * box */
     else e->boxes[e->box_count++] = b;
   }
   return true;

@@ -40,8 +40,8 @@ static bool drive_op_vain(const vs_emitter *e, const drive_entry *entry) {
   return one && (n->child_count == 0 || entry->first_vain);
 }
 
-/* Adds the facts about a child to its parent's entry. The child's own children must already be added. child NULL: the
- * child has no entry. */
+/* Adds the data of a child to its parent's entry. The data of the child's own children must already be added. child
+ * NULL: the child has no entry. */
 static void drive_plan_add(drive_entry *parent, const drive_entry *child, bool vain, bool first) {
   uint32_t height = child == NULL || child->cut ? 1 : child->height;
   if (height > parent->height) parent->height = height;
@@ -118,7 +118,7 @@ static bool drive_plan_children(vs_emitter *e, drive_step *step, bool *pushed) {
   while (step->next < n->child_count) {
     const vs_ref *child = vs_node_next(n, step->next++);
     bool operation = drive_is_operation(e, child->node), first = step->next == 1;
-    if (child->node->refs < 2 && !operation) { /* planned at once, without an entry */
+    if (child->node->refs < 2 && !operation) { /* the child is planned at once, without an entry */
       if (!drive_plan_omitted(e, child)) return false;
       drive_plan_add(&d->entries[index], NULL, drive_leaf_vain(e, child->node), first);
       if ((++d->ticks & 0xfff) == 0 && !vs_emit_progress(e, "writing", -1)) return false;
@@ -154,8 +154,8 @@ static void drive_plan_carved(vs_emitter *e) {
   for (size_t i = d->order_count; i-- > 0;) {
     const drive_entry *entry = &d->entries[d->order[i]];
     const vs_node *n = entry->ref.node;
-    if (!drive_is_operation(e, n) || !(n->flags & VS_NODE_CARVED)) continue; /* no emit function reads the mark of the
-                                                                              * nodes below */
+    if (!drive_is_operation(e, n) || !(n->flags & VS_NODE_CARVED)) continue; /* no emit function reads the mark `carved`
+                                                                              * of nodes below such a node */
     if (!entry->carved && n->kind != VS_INTERSECTION && n->kind != VS_DIFFERENCE) continue;
     for (uint32_t k = 0; k < n->child_count; k++) {
       drive_entry *child = drive_find(e, n->children[k].node);

@@ -4,8 +4,8 @@
 
 #include "backends/backend.h"
 
-void vs_plan_operations(vs_drive *d); /* sets operation, brief and facets_at */
-/* Gives the material the next number, unless it has one. Returns false, and sets e's error, if memory is out. */
+void vs_plan_operations(vs_drive *d); /* sets the members operation, brief and facets_at of d */
+/* Gives the material the next number if it has no number yet. Returns false, and sets e's error, if memory is out. */
 bool vs_plan_material(vs_emitter *e, const vs_material *m);
 /* Plans all drawn objects. Returns false, and sets e's error, if memory is out, the user interrupts, or a warning about
  * an omitted object is an error. */

@@ -12,17 +12,18 @@
 
 typedef struct {
   vs_ref ref;           /* first reference to the node */
-  uint32_t uses, height; /* uses: number of references to the node. height: levels of nesting in its text; for an
-                          * operation whose children are being visited, the greatest height of a child */
+  uint32_t uses, height; /* uses: number of references to the node. height: number of nested levels in its text; for an
+                          * operation whose children are being visited, the greatest height of a child so far */
   uint32_t shown;       /* number of children of an operation that draw something */
   uint32_t definition;  /* number of the node's template, from 1; 0: the node has no template */
   uint32_t weight;      /* approximate length of the node's text, counted in shapes. The use of a template counts as 1.
-                         * At most HEAVY of text_runs.c. Set only if runs are used. */
+                         * The value is at most HEAVY of text_runs.c. It is set only if runs are used. */
   bool vain, cut;
   bool first_vain, some_vain; /* first_vain: the first child draws nothing. some_vain: some child draws nothing */
-  bool bare, painted;   /* bare: some part has no material of its own. painted: some part has a material of its own */
-  bool layered;         /* whether some part has a layer of its own */
-  bool carved;          /* whether the node occurs in an intersection or a difference */
+  bool bare, painted;   /* bare: true if some part has no material of its own. painted: true if some part has a material
+                         * of its own */
+  bool layered;         /* true if some part of the node has a layer of its own */
+  bool carved;          /* true if the node occurs in an intersection or a difference */
   vs_node *lowered;     /* simpler kinds that replace the node, retained, or NULL */
   vs_solid *mesh;
 } drive_entry;
@@ -38,7 +39,7 @@ typedef struct {
   vs_affine placement;
   vs_bounds reach;
   bool in_boolean;
-  bool silent;          /* whether this is an operation with one remaining operand, so that only the operand is
+  bool silent;          /* true if this is an operation with a single remaining operand, so that only the operand is
                          * written */
 } drive_frame;
 
@@ -52,28 +53,28 @@ struct vs_drive {
   size_t step_count, step_room;
   drive_frame *frames;
   size_t frame_count, frame_room;
-  bool operation[VS_KIND_COUNT]; /* operation[k]: whether nodes of kind k are always operations */
-  bool brief[VS_KIND_COUNT]; /* brief[k]: whether the text of kind k is as short as the use of a template, unless the
+  bool operation[VS_KIND_COUNT]; /* operation[k]: true if nodes of kind k are always operations */
+  bool brief[VS_KIND_COUNT]; /* brief[k]: true if the text of kind k is as short as the use of a template, unless the
                               * number of facets is set */
-  size_t facets_at[VS_KIND_COUNT]; /* facets_at[k]: position of the number of facets in the data of kind k; SIZE_MAX:
-                                    * the kind has no such number */
+  size_t facets_at[VS_KIND_COUNT]; /* facets_at[k]: offset of the number of facets in the data of kind k, in bytes;
+                                    * SIZE_MAX: the kind has no such number */
   vs_reuse_line *lines;
   size_t line_count, line_room;
   vs_nodemap paints;    /* maps a material to its number */
   const vs_material **materials;
   size_t material_count, material_room;
-  vs_node **kept;       /* trees that nodes were lowered to; they live until the walk ends */
+  vs_node **kept;       /* trees of simpler nodes to which nodes were lowered; they exist until the walk ends */
   size_t kept_count, kept_room;
-  const char **said;    /* addresses of the warnings already given */
+  const char **said;    /* addresses of the warnings that were already given */
   size_t said_count, said_room;
   vs_bounds_memo bounds;
   vs_solid scratch; /* mesh of a node without an entry, valid until the next call */
   uint32_t ticks;
   vs_reuse reuse;       /* kept text of runs (text_runs.c) */
-  size_t run_frames, run_until; /* of the run that is being written. run_frames: number of open frames at its beginning.
-                                 * run_until: index of the child before which it ends */
-  size_t run_line, run_first;   /* of the run that is being written. run_line: its first line. run_first: number of line
-                                 * origins before it */
+  size_t run_frames, run_until; /* data of the run that is being written. run_frames: number of open frames at its
+                                 * beginning. run_until: index of the child before which it ends */
+  size_t run_line, run_first;   /* more data of the run that is being written. run_line: its first line. run_first:
+                                 * number of line origins before it */
 };
 
 /* ---- entries ---- */
@@ -93,7 +94,7 @@ static inline bool drive_is_operation(const vs_emitter *e, const vs_node *n) {
   return e->drive->operation[n->kind];
 }
 
-/* Facts about a node that are equal at all its places. A leaf with a single reference has no entry. */
+/* Data of a node that are equal at all its places. A leaf with a single reference has no entry. */
 typedef struct { drive_entry *entry; bool operation, vain; } drive_view;
 
 static inline bool drive_leaf_vain(const vs_emitter *e, const vs_node *n) {
@@ -103,7 +104,7 @@ static inline bool drive_leaf_vain(const vs_emitter *e, const vs_node *n) {
 }
 
 /* Returns true if the node's own text is as short as the use of a template, so that sharing it saves nothing. A node
- * with a fixed number of facets is not brief, since it may become a mesh. */
+ * with a fixed number of facets is not brief, because it may become a mesh. */
 static inline bool drive_is_brief(const vs_drive *d, const vs_node *n) {
   vs_field_integer facets = 0;
   if (!d->brief[n->kind]) return false;
@@ -112,7 +113,7 @@ static inline bool drive_is_brief(const vs_drive *d, const vs_node *n) {
   return facets == 0;
 }
 
-/* Returns the facts about n. For a brief leaf it does not look for an entry, which would add nothing. */
+/* Returns the data of node n. For a brief leaf it does not search for an entry, because the entry would add nothing. */
 static inline drive_view drive_look(const vs_emitter *e, const vs_node *n) {
   const vs_drive *d = e->drive;
   drive_view v = { NULL, drive_is_operation(e, n), false };

@@ -13,8 +13,8 @@
 #include "model/job.h"
 #include "model/store/cache.h"
 
-/* Searches for a run that begins at index `from` of the row. If the run's text was kept, writes the text and sets *next
- * to the index after the run. Sets *asked to the index before which no further search is needed. */
+/* Searches for a run of text that begins at index `from` of the row. If the run's text was kept, writes the text and
+ * sets *next to the index after the run. Sets *asked to the index before which no further search is needed. */
 static bool drive_root(vs_emitter *e, const vs_run_row *row, size_t from, size_t *asked, size_t *next) {
   vs_run run;
   if (e->drive->reuse.cache == NULL || e->drive->reuse.open || from < *asked) return true;
@@ -49,8 +49,8 @@ static bool drive_all_vain(vs_emitter *e) {
   return true;
 }
 
-/* Walks the objects that are not solid, for a format that also receives the union of all solids. Sets *any if there are
- * such objects. */
+/* Walks the objects that are not solid, for a format that also receives the union of all solids. Sets *any to true if
+ * there are such objects. */
 static bool drive_loose(vs_emitter *e, bool *any) {
   for (size_t i = 0; i < e->scene->drawn_count; i++) {
     const vs_ref *ref = &e->scene->drawn[i];
@@ -101,7 +101,8 @@ bool vs_drive_scene(vs_emitter *e) {
     vs_solid_copies_free(&parts);
     return ok && e->backend->end(e);
   }
-  double share = 1 / ((double)e->scene->drawn_count + 1); /* of each object; the definitions have the first */
+  double share = 1 / ((double)e->scene->drawn_count + 1); /* fraction of the progress for each object; the templates are
+                                                           * the first of these parts */
   vs_job_part(e->job, 0, share);
   if (!drive_definitions(e)) return false;
   const vs_run_row drawn = { NULL, e->scene->drawn, e->scene->drawn_count, false };
@@ -142,7 +143,7 @@ const vs_solid *vs_emit_mesh(vs_emitter *e, const vs_ref *ref) {
       return entry->mesh;
     }
   }
-  vs_solid_free(&e->drive->scratch); /* also after a failure to keep the mesh, which costs only time */
+  vs_solid_free(&e->drive->scratch); /* This also happens if the mesh could not be kept, which costs only time. */
   e->drive->scratch = made;
   return &e->drive->scratch;
 }

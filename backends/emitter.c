@@ -1,5 +1,5 @@
-/* Implements the functions that the driver gives to emit functions: memory, messages, progress, and the facts about
- * nodes, materials and lines that the plan has found. */
+/* Implements the functions that emit functions may call: for memory, messages, progress, and the data of nodes,
+ * materials and lines that the plan has computed. */
 #include "backends/emitter.h"
 
 #include "backends/backend.h"

@@ -21,7 +21,7 @@ struct vs_emitter {
   vs_writer *out;
   const vs_scene *scene;
   const vs_export_options *options;
-  vs_job *job;         /* that of the options, or one without limits */
+  vs_job *job;         /* job of the options, or a job without limits */
   const vs_backend *backend;
   vs_error *error;
   vs_error flaw;       /* a flaw of a file that is complete, reported after the file is in its place */
@@ -30,27 +30,26 @@ struct vs_emitter {
   const char *folder;  /* folder of the worker program, for files that the text refers to; NULL: there is no such
                         * folder */
   void *state;         /* data of the back-end, made by its `begin` and freed by its `close` */
-  vs_fineness drawing_facets; /* number of facets of objects outside all placements */
-  vs_fineness facets;    /* number of facets in the coordinates of the current output: higher inside a placement that
-                          * enlarges */
-  vs_bounds bounds;    /* bounds of the whole drawing; never empty */
+  vs_fineness drawing_facets; /* fineness of objects outside all placements */
+  vs_fineness facets;    /* fineness in the coordinates of the current output: finer inside a placement that enlarges */
+  vs_bounds bounds;    /* bounds of the entire drawing; never empty */
   vs_pen pen;          /* thickness of curves in POV-Ray */
-  double chord;        /* greatest height of a chord, as a fraction of the drawing's tolerance: 1, or less in a
-                        * picture */
+  double chord;        /* greatest distance of a chord from its arc, as a fraction of the drawing's tolerance: 1, or
+                        * less in a picture */
   double unit;         /* length of a model unit in POV-Ray's scene; see povray_scene.c */
   vs_bounds framed;    /* bounds that a camera frames: bounds of the drawing without the material that is cut away */
   vs_bounds *boxes;    /* bounds of the drawing's parts, which the camera frames; together they are tighter than
                         * `framed` */
   size_t box_count, box_room;
   size_t depth;        /* current depth of nesting, for indentation */
-  size_t child_count;  /* number of operands of the operation, at VS_PHASE_ENTER: at least 1, and exactly 1 only for a
-                        * placement or paint */
+  size_t child_count;  /* at VS_PHASE_ENTER: number of operands of the operation, at least 1. For a placement or paint
+                        * it is 1; for other operations it is above 1 */
   size_t child_index;  /* index of this node among the operands of its parent */
   const vs_node *body;   /* template whose body is being written, or NULL */
   const vs_node *parent; /* operation that contains this node, or NULL */
-  bool smooth;         /* whether this mesh represents a curved object and needs smooth shading */
-  bool in_boolean;     /* whether this node is inside an intersection or a difference */
-  bool carved;         /* at VS_PHASE_ENTER: whether the node occurs in an intersection or difference anywhere in the
+  bool smooth;         /* true if this mesh represents a curved object and needs smooth shading */
+  bool in_boolean;     /* true if this node is inside an intersection or a difference */
+  bool carved;         /* at VS_PHASE_ENTER: true if the node occurs in an intersection or difference anywhere in the
                         * drawing */
   /* Material and placement of this node, computed from all operations above it. */
   const vs_material *material; /* material of the node, or NULL */
@@ -74,7 +73,7 @@ bool vs_emit_progress(vs_emitter *e, const char *stage,
  * Returns false, and sets the error, if the sum exceeds the limit. */
 bool vs_emit_triangles(vs_emitter *e, size_t count);
 void vs_emit_watch(vs_emitter *e, vs_writer *w); /* Makes w check for an interrupt each time its buffer is full. */
-/* Returns false if the user interrupts. For loops that write nothing: it checks at one turn in 16384. */
+/* Returns false if the user interrupts. For loops that write nothing. It checks only every 16384th turn. */
 static inline bool vs_emit_going(vs_emitter *e, size_t turn) {
   return (turn & 0x3fff) != 0 || vs_emit_progress(e, "writing", -1);
 }

@@ -263,7 +263,7 @@ bool vs_export_sugar(vs_scene *scene, const vs_format *format, const vs_export_o
   return vs_scene_sugar(scene, &o, e);
 }
 
-/* The emitter of an export; options, job and error that take the place of those that a caller does not give. */
+/* The emitter of an export. Its options, job and error are used if the caller does not pass any. */
 typedef struct {
   vs_emitter emitter;
   vs_export_options defaults;
@@ -286,7 +286,7 @@ static vs_emitter *export_begin(export_run *run, const vs_scene *scene, const vs
   return &run->emitter;
 }
 
-/* Returns ok. Returns false with the error set if the file that was made has a flaw. */
+/* Returns ok. If the file that was made has a flaw, sets the error and returns false. */
 static bool export_tell_flaw(vs_emitter *e, bool ok) {
   if (!ok || e->flaw.kind == VS_ERROR_NONE) return ok;
   *e->error = e->flaw;

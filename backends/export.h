@@ -16,20 +16,21 @@
 typedef enum { VS_RENDER_GOOD, VS_RENDER_DRAFT, VS_RENDER_FINAL } vs_render_quality; /* quality of rendered pictures */
 
 typedef struct {
-  int width, height;  /* size of pictures and pages in pixels; 0: 1024 x 768 */
-  int crop[4];        /* part of a picture to render: left, top, columns, rows, in pixels; 0 columns: the whole
+  int width, height;  /* size of pictures and pages in pixels; 0: the default size, 1024 x 768 */
+  int crop[4];        /* part of a picture to render: left, top, columns and rows in pixels. 0 columns: the entire
                        * picture */
   vs_render_quality quality;
   vs_tone tone;       /* conversion of light to the numbers of a .png */
-  bool layers;        /* whether an .exr also contains depth, normal, albedo, id, material and ambient occlusion */
-  const char *view;   /* name of the view of a drawing; "*": all views; NULL: the view that the file's name gives */
+  bool layers;        /* true if an .exr also contains depth, normal, albedo, id, material and ambient occlusion */
+  const char *view;   /* name of the view of a drawing; "*": all views; NULL: the view that the file's name ends with */
   unsigned threads;   /* number of processors that a worker program may use; 0: all processors */
   const void *given;  /* text that vs_backend_given writes in place of a drawing */
   size_t given_size;
-  bool strict;        /* whether a warning that a format omits or changes an object becomes an error */
-  bool safe;          /* whether limits are set, so that no text of the user reaches a target program as directives */
+  bool strict;        /* true if a warning that a format omits or changes an object becomes an error */
+  bool safe;          /* true if limits are set, so that no text of the user reaches a target program as directives */
   const vs_known_files *inputs; /* input files of the drawing, which are never replaced; NULL: none */
-  vs_job *job;        /* limits, messages and progress of this output; NULL: no limits, and nobody listens */
+  vs_job *job;        /* limits, messages and progress of this output; NULL: there are no limits, and messages are
+                       * dropped */
 } vs_export_options;
 
 void vs_export_options_init(vs_export_options *o);
@@ -41,18 +42,18 @@ typedef struct {
   const char *name;   /* name for --format, such as "povray" */
   const char *doc;    /* description in one line */
   const char *worker; /* name of the program that must be installed, or NULL */
-  bool binary;        /* whether the output is binary, and is not written to a terminal */
+  bool binary;        /* true if the output is binary; it is then not written to a terminal */
   const vs_backend *backend;
 } vs_format;
-extern const vs_backend vs_backend_given; /* A back-end that writes the text options->given, made elsewhere, into a file
-                                           * that appears completely or not at all. */
+extern const vs_backend vs_backend_given; /* A back-end that writes a finished text, options->given, into a file. The
+                                           * file appears completely or not at all. */
 size_t vs_export_format_count(void);
 const vs_format *vs_export_format_at(size_t index);
 const vs_format *vs_export_format_find(const char *text); /* Returns the format for "pov", ".pov", "a/b.pov" or
                                                            * "povray", or NULL if there is no such format. */
 
-const char *vs_export_family(const vs_format *format); /* Returns the name that the format shares with others ("povray"
-                                                        * for .png), or NULL if it has only its own names. */
+const char *vs_export_family(const vs_format *format); /* Returns the name that the format has in common with others
+                                                        * ("povray" for .png), or NULL if it has only its own names. */
 
 /* Replaces the kinds only, ghost, highlight, native and the user-defined kinds by their meaning for this format
  * (passes/sugar.h). Call it before the passes. */

@@ -1,8 +1,8 @@
-/* Keeps the list of files that a run has read, since no output may overwrite them.
+/* Keeps the list of files that a run has read, because no output may overwrite them.
  *
  * A file is identified by device and inode, so that links and other spellings of its name count as the same file. It is
- * also identified by its name, because an editor that saves a file creates a new one of that name. A file that the
- * program has created is no input: the program may read it and overwrite it. */
+ * also identified by its name, because an editor that saves a file creates a new file of that name. A file that the
+ * program has created is not an input: the program may read it and overwrite it. */
 #define _POSIX_C_SOURCE 200809L
 #include "backends/known_files.h"
 

@@ -8,7 +8,7 @@
 
 #include "model/store/store.h"
 
-/* made: the program itself has created the file. */
+/* A file of the list. made: true if the program itself has created the file. */
 typedef struct { uint64_t device, node; char *path; bool made; } vs_known_file;
 typedef struct {
   vs_known_file *at;
@@ -22,9 +22,9 @@ typedef struct {
 bool vs_known_files_add(vs_known_files *l, const char *path, int file, bool made);
 /* Adds the file at path as read. Returns false when memory is out, and true even if there is no such file. */
 bool vs_known_files_add_path(vs_known_files *l, const char *path);
-/* Returns true if the file at path was read, even under another name. l or path NULL: returns false. */
+/* Returns true if the file at path was read, even under another name. Returns false if l or path is NULL. */
 bool vs_known_files_read(const vs_known_files *l, const char *path);
-/* Returns the name of the file read with this index, or NULL if there is none. */
+/* Returns the name of the read file with this index, or NULL if there is none. */
 const char *vs_known_files_name(const vs_known_files *l, size_t index);
 void vs_known_files_free(vs_known_files *l);
 

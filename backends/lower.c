@@ -32,8 +32,8 @@ static vs_node *lower_polyface(vs_emitter *e, const vs_mesh *m, bool closed) {
   return made;
 }
 
-/* Makes a region with polyline boundaries from a set of regions. The set has a single look, which a node around it sets
- * (passes/looks.h). */
+/* Makes a region with polyline boundaries from a set of regions. The set has a single material and layer, which a node
+ * around it sets (passes/looks.h). */
 static vs_node *lower_region(vs_emitter *e, const vs_ref *ref) {
   vs_store *store = e->scene->store;
   vs_outline o = { .count = 0 };
@@ -66,7 +66,7 @@ bool vs_lower_as_area(const vs_emitter *e, const vs_node *n) {
   return true;
 }
 
-/* Makes the part of a half-space that lies in the space that the drawing uses. */
+/* Makes the part of a half-space that lies in the bounds of the drawing. */
 static vs_node *lower_half_space(vs_emitter *e, const vs_ref *ref) {
   const struct vs_half_space *h = VS_AS(half_space, ref->node);
   vs_mesh m = { 0 };
@@ -77,8 +77,8 @@ static vs_node *lower_half_space(vs_emitter *e, const vs_ref *ref) {
   return made;
 }
 
-/* Makes the parts of a shape, for a format that writes sets. Returns NULL and *fits false if triangles are better, NULL
- * and *fits true if memory is out. */
+/* Makes the parts of a shape, for a format that writes sets. Returns NULL and sets *fits to false if triangles are
+ * better. Returns NULL with *fits true if memory is out. */
 static vs_node *lower_parts(vs_emitter *e, const vs_ref *ref, bool *fits) {
   const vs_shape *shape = vs_shape_of(ref->node);
   *fits = shape != NULL && shape->parts != NULL && e->backend->emit[VS_DIFFERENCE].fn != NULL;
@@ -159,10 +159,10 @@ bool vs_lower_solids(vs_emitter *e, const vs_ref *refs, size_t count, vs_bends b
   return vs_solid_evaluate(refs, count, &e->facets, &options, out, e->error);
 }
 
-/* Where the solids of a drawing are put: either `one` or `many` is NULL. */
+/* The destination of the solids of a drawing. Either `one` or `many` is NULL. */
 typedef struct { vs_solid *one; vs_solid_copies *many; } lowered;
 
-/* Makes the solids of the drawing and rounds them to the format's numbers. */
+/* Makes the solids of the drawing and rounds them to the format's numbers. *what: the changes that rounding made. */
 static bool lower_once(vs_emitter *e, vs_bends bends, lowered to, vs_rounded *what) {
   const vs_scene *s = e->scene;
   if (to.one)
@@ -185,8 +185,8 @@ static void lower_swap(lowered a, lowered b) {
   }
 }
 
-/* Lowers without bends. If triangles of the result intersect, lowers again with bends, and keeps the result with fewer
- * intersections. */
+/* Makes the solids of the drawing without bends. If triangles of the result intersect, makes them again with bends, and
+ * keeps the result with fewer intersections. */
 static bool lower_drawing(vs_emitter *e, lowered to) {
   vs_rounded what = { 0 }, bent_what = { 0 };
   vs_solid bent = { .part_count = 0 };

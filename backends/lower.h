@@ -4,24 +4,24 @@
 
 #include "backends/backend.h"
 
-/* Returns the simpler kinds that replace ref's node, as a new reference. Returns NULL if the node cannot be lowered or
- * on failure; e's error has the reason. Results are not kept here: the driver keeps them. */
+/* Returns a node of simpler kinds that replaces ref's node, as a new reference. Returns NULL if the node cannot be
+ * lowered or on failure; e's error has the reason. Results are not kept here: the driver keeps them. */
 vs_node *vs_lower(vs_emitter *e, const vs_ref *ref);
-/* Returns true if n is a set of regions that is written as a single region. Unions of several planes, and unions of
- * parts with different paint, are not. */
+/* Returns true if n is a set of regions that is written as a single region. Returns false for unions of several planes,
+ * and for unions of parts with different paint. */
 bool vs_lower_as_area(const vs_emitter *e, const vs_node *n);
 /* Makes the triangles of a node. `out` must be empty; the caller frees it, also after a failure. */
 bool vs_lower_mesh(vs_emitter *e, const vs_ref *ref, vs_solid *out);
 /* Whether cuts through planar facets keep the bends that the kernel's grid causes (kernel_options.h). VS_BENT_AGAIN:
  * keeps the bends, but gives no warnings, since the first attempt gave them. */
 typedef enum { VS_BENT, VS_STRAIGHT, VS_BENT_AGAIN } vs_bends;
-/* Makes the union of the solids among the references. */
+/* Makes the union of the solids among the references. Returns false, with e's error set, on failure. */
 bool vs_lower_solids(vs_emitter *e, const vs_ref *refs, size_t count, vs_bends bends, vs_solid *out);
 /* Makes a single mesh of all solids of the drawing, rounded: corners that the format's numbers cannot distinguish are
  * merged. Warns, with the place, if this folds the mesh. The mesh has no bends, unless fewer triangles intersect with
  * them. */
 bool vs_lower_drawing(vs_emitter *e, vs_solid *out);
-/* Makes the meshes of all solids of the drawing as vs_lower_drawing does, each group of equal parts once. */
+/* Makes the meshes of all solids of the drawing as vs_lower_drawing does, but each group of equal parts only once. */
 bool vs_lower_drawing_copies(vs_emitter *e, vs_solid_copies *out);
 /* Returns true if some face of the node's shape is curved, so that its triangles need smooth shading. */
 bool vs_lower_is_round(const vs_node *n);

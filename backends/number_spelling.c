@@ -35,7 +35,7 @@ static char *number_whole(char *to, uint64_t k) {
     memcpy(to + count - 2, pairs + 2 * low, 2);
     return to + count;
   }
-  for (uint64_t power = 100000; k >= power; power *= 10) count++; /* k < 10^12 */
+  for (uint64_t power = 100000; k >= power; power *= 10) count++; /* k is below 10^12, so the loop ends */
   number_digits(to + count, k, count);
   return to + count;
 }
@@ -45,7 +45,7 @@ static char *number_scaled(char *to, uint64_t k, int first) {
   int count = DIGITS;
   number_digits(digits + DIGITS, k, DIGITS);
   while (count > 1 && digits[count - 1] == '0') count--;
-  if (first >= 0) { /* the remaining digits, fewer than 12 */
+  if (first >= 0) { /* writes the remaining digits, of which there are fewer than 12 */
     memcpy(to, digits, DIGITS);
     if (count <= first + 1) return to + first + 1;
     to += first + 1;

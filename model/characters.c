@@ -1,4 +1,4 @@
-/* Implements characters.h: reads UTF-8 characters, and writes them in the notation of each format. */
+/* Implements the reading of UTF-8 characters, and their writing in the notation of each format (characters.h). */
 #include "model/characters.h"
 
 #include "model/assert.h"

@@ -1,4 +1,4 @@
-/* Implements the job of a long computation: see job.h. */
+/* Implements the job of a long computation (job.h): its limits, progress and messages. */
 #include "model/job.h"
 
 #include <math.h>

@@ -19,17 +19,18 @@ typedef struct {
 
 typedef struct vs_job {
   /* Receives the stage ("writing", "meshing" or "rendering"; NULL: nothing new to show) and the completed fraction from
-   * 0 to 1, negative if unknown. Returns false to stop the job, which then ends with VS_ERROR_INTERRUPT. NULL: the job
-   * never stops. */
+   * 0 to 1, negative if unknown. Returns false to stop the job, which then ends with VS_ERROR_INTERRUPT. If the pointer
+   * is NULL, the job never stops. */
   bool (*going)(void *context, const char *stage, double fraction);
-  /* Receives a warning, once for each reason. origin may be NULL. NULL: no warnings. */
+  /* Receives a warning, once for each reason. origin may be NULL. If the pointer is NULL, warnings are dropped. */
   void (*warn)(void *context, const vs_origin *origin, const char *message);
-  /* Receives a line for the summary, such as the view, the scale and the sheet of a drawing. NULL: no lines. */
+  /* Receives a line for the summary, such as the view, the scale and the sheet of a drawing. If the pointer is NULL,
+   * lines are dropped. */
   void (*note)(void *context, const char *message);
-  void *context;      /* argument of all three */
+  void *context;      /* first argument of the functions going, warn and note */
   vs_tally *tally;    /* account of times and memory, which outlives the job; NULL: nothing is counted */
   vs_job_limits limits;
-  bool late;          /* whether the limit of time has stopped the job */
+  bool late;          /* true if the time limit has stopped the job */
   double began, worked; /* clock at vs_job_start; seconds that external programs had used until then */
   const char *stage;  /* stage whose parts vs_job_done counts, or NULL */
   double from, share, told; /* progress as fractions of the stage. from: beginning of the current part. share: size of
@@ -41,13 +42,14 @@ void vs_job_start(vs_job *job);
 /* Returns true if the job has used its limit of time. The time of an external program does not count: rendering a
  * picture takes longer than computing the model. */
 bool vs_job_late(vs_job *job);
-/* Asks the caller, with the stage and the fraction to show (see `going`). Returns false if the job must end: the caller
- * stops it, or it is late. job NULL: returns true. */
+/* Reports the stage and the fraction to the caller (see `going`). Returns false if the job must end: the caller stops
+ * it, or it is late. If job is NULL, returns true. */
 bool vs_job_going(vs_job *job, const char *stage, double fraction);
-/* Begins to count the parts of a stage; the first part is the whole stage. stage NULL: ends the count. job may be
- * NULL. */
+/* Begins to count the parts of a stage. The first part is the entire stage. If stage is NULL, ends the count. job may
+ * be NULL. */
 void vs_job_stage(vs_job *job, const char *stage);
-/* Begins a part of the stage: it takes `share` of the whole, after `from`. job may be NULL. */
+/* Begins a part of the stage. The part is the fraction `share` of the stage, and begins at the fraction `from`. job may
+ * be NULL. */
 void vs_job_part(vs_job *job, double from, double share);
 /* Calls vs_job_going with the completed fraction of the stage; done: the completed fraction of the current part.
  * Reported fractions never decrease, although each part begins at 0. */
@@ -57,8 +59,8 @@ void vs_job_note(const vs_job *job, const char *message);
 /* Passes a warning to the caller. job may be NULL. */
 void vs_job_warn(const vs_job *job, const vs_origin *origin, const char *message);
 
-/* Sets the job of all code that works on the store's nodes, and returns the previous one; NULL: none. The caller owns
- * the job, and sets another one before freeing it. */
+/* Sets the job of all code that works on the store's nodes. Returns the previous job, or NULL if there was none. The
+ * caller owns the job, and sets another job before freeing it. */
 vs_job *vs_store_set_job(vs_store *s, vs_job *job);
 vs_tally *vs_store_tally(const vs_store *s); /* Returns the account of the store's job, or NULL. */
 

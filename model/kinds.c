@@ -14,8 +14,8 @@
 #define VS_CLASS_SOLID VS_SOLID
 #define VS_CLASS_INHERIT VS_INHERIT
 
-/* Each kind has a block in which here_ is the struct of its payload, for the offsets of its fields. A row of zeros ends
- * each table of fields and is not counted. */
+/* Each kind has a block in which here_ is the struct of the kind's payload, for the offsets of its fields. A row of
+ * zeros ends each table of fields and is not counted. */
 const vs_kind_info *vs_kind_get(vs_kind kind) {
   switch (kind) {
 #define VS_KIND(upper, lower, name, class_, level, role, traits)                                                     \
@@ -231,7 +231,7 @@ bool vs_payload_equal(const vs_kind_info *info, const void *a, const void *b) {
                           !memcmp(f->data, g->data, (f->count + 1 + (size_t)f->corner_count) * sizeof *f->data));
         break;
       }
-      case VS_FIELD_text: { /* texts of different stores have different addresses: compare the letters */
+      case VS_FIELD_text: { /* texts of different stores have different addresses, so the letters are compared */
         const char *s = *(const char *const *)x, *t = *(const char *const *)y;
         same = s == t || !strcmp(s, t);
         break;

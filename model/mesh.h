@@ -15,17 +15,19 @@ typedef struct {
   size_t vertex_count, vertex_room, triangle_count, triangle_room;
   size_t most;              /* largest permitted number of triangles; there may be three times as many vertices; 0: no
                              * limit */
-  bool over;                /* whether a triangle was refused because of `most` */
+  bool over;                /* true if a triangle was refused because of the limit `most` */
 } vs_mesh;
 
 void vs_mesh_free(vs_mesh *m); /* Frees the mesh's arrays, not m itself. m is then an empty mesh. */
 bool vs_mesh_add_vertex(vs_mesh *m, vs_vec3 v, uint32_t *index); /* Adds a vertex and sets *index (may be NULL). Returns
                                                                   * false when memory is out. */
-/* Adds a triangle with the vertices of index a, b and c, which may be added later. */
+/* Adds a triangle with the vertices of index a, b and c, which may be added later. Returns false when memory is out, or
+ * the triangle would exceed m->most. */
 bool vs_mesh_add_triangle(vs_mesh *m, uint32_t a, uint32_t b, uint32_t c);
-bool vs_mesh_reserve(vs_mesh *m, size_t vertices, size_t triangles); /* Makes room for that many vertices and triangles
-                                                                      * in total. Returns false when memory is out, or
-                                                                      * sets m->over. */
+bool vs_mesh_reserve(vs_mesh *m, size_t vertices, size_t triangles); /* Makes room for `vertices` vertices and
+                                                                      * `triangles` triangles in total. Returns false
+                                                                      * when memory is out, or sets m->over and returns
+                                                                      * false. */
 bool vs_mesh_want_tags(vs_mesh *m); /* Allocates m->tags, all 0, if it is NULL. Returns false when memory is out. */
 bool vs_mesh_copy(const vs_mesh *from, vs_mesh *to); /* Copies a mesh to `to`, which must be empty. If memory is out,
                                                       * returns false and leaves `to` empty. */
@@ -43,8 +45,8 @@ void vs_mesh_transform(vs_mesh *m, const vs_affine *a); /* Applies the map a to 
 /* Applies the map to the vertices from first_vertex on, and reverses the triangles from first_triangle on if the map
  * mirrors. Neither number exceeds the mesh's counts. */
 void vs_mesh_transform_from(vs_mesh *m, const vs_affine *a, size_t first_vertex, size_t first_triangle);
-void vs_mesh_squeeze(vs_mesh *m, const uint8_t *gone); /* Removes each triangle i for which gone[i] is not 0; keeps all
-                                                        * vertices. */
+void vs_mesh_squeeze(vs_mesh *m, const uint8_t *gone); /* Removes each triangle i for which gone[i] is not 0, and keeps
+                                                        * all vertices. */
 /* Reverses the triangles from first_triangle on. first_triangle is at most m->triangle_count. */
 void vs_mesh_turn(vs_mesh *m, size_t first_triangle);
 

@@ -14,7 +14,7 @@ struct vs_origin {
   const vs_origin *caller; /* the call that led to this call, or NULL */
 };
 
-/* An error has one message and its place in the user's text, or NULL. */
+/* The kind of an error. An error has a kind, one message, and its place in the user's text or NULL. */
 typedef enum {
   VS_ERROR_NONE,
   VS_ERROR_MODEL /* an error in the model; exit status 1 */,
@@ -26,7 +26,7 @@ typedef enum {
 typedef struct {
   vs_error_kind kind;
   const vs_origin *origin;
-  char message[512]; /* UTF-8; a long message is cut between two characters */
+  char message[512]; /* text of the message in UTF-8; a long message is cut between two characters */
 } vs_error;
 /* Sets the members of e (may be NULL). Returns false, so that callers may write `return vs_error_set(...)`. */
 bool vs_error_set(vs_error *e, vs_error_kind kind, const vs_origin *origin, const char *format, ...)

@@ -1,12 +1,13 @@
-/* Implements vs_mesh_net: removes pairs of triangles that coincide and have opposite orientations. */
+/* Implements vs_mesh_net (net.h): removes pairs of triangles that coincide and have opposite orientations. */
 #include "model/net.h"
 
 #include <stdlib.h>
 
 #include "model/store/array.h"
 
-typedef struct { uint32_t v[3]; int32_t times; } face; /* v: corners, ascending; times: occurrences in this orientation
-                                                        * minus those reversed */
+typedef struct { uint32_t v[3]; int32_t times; } face; /* v: corners in ascending order; times: number of occurrences
+                                                        * in this orientation minus the number in the opposite
+                                                        * orientation */
 
 static face face_of(const uint32_t t[3]) {
   face f = { { t[0], t[1], t[2] }, 1 };
@@ -39,7 +40,8 @@ bool vs_mesh_net(vs_mesh *m, size_t first) {
   }
   qsort(at, count, sizeof *at, by_corners);
   m->triangle_count = first;
-  for (size_t i = 0, end; i < count; i = end) { /* the remaining triangles are no more than before, and fit */
+  for (size_t i = 0, end; i < count; i = end) { /* there are no more remaining triangles than before, so they fit into
+                                                 * the array */
     const uint32_t *v = at[i].v;
     int32_t times = 0;
     for (end = i; end < count && by_corners(&at[i], &at[end]) == 0; end++) times += at[end].times;

@@ -1,8 +1,8 @@
 /* Implements nodes and the arrays they share: creating, retaining, releasing, comparing.
  *
  * A node is one allocation: header, children, payload. Releasing a node needs neither memory nor recursion: the hash
- * member of each dead node links it to the next one to be freed. Comparing stores the pairs of nodes already found
- * equal. Two separately built DAGs of n nodes therefore cost n comparisons, not one for every path. */
+ * member of each dead node links it to the next node to be freed. Comparing stores the pairs of nodes that were already
+ * found equal. Two separately built DAGs of n nodes therefore cost n comparisons, not one for every path. */
 #include "model/node.h"
 
 #include <string.h>
@@ -115,7 +115,7 @@ static bool node_is_planar_area(const vs_node *n) {
  * children are visited only once. */
 typedef struct {
   vs_class together; /* common class of the children, or MIXED; children that draw nothing do not count */
-  bool nothing;      /* whether at least one child draws nothing */
+  bool nothing;      /* true if at least one child draws nothing */
   uint8_t any, all;  /* any: flags of at least one child; all: flags common to all children */
 } vs_node_family;
 
@@ -143,7 +143,7 @@ static void node_find_end(vs_node *n, const vs_node_family *f) {
   bool cut = n->kind == VS_HALF_SPACE || f->any & VS_NODE_CUT;
   bool carved =
       (n->class_ == VS_SOLID && (n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE)) || f->any & VS_NODE_CARVED;
-  bool meshed = carved || (n->class_ == VS_REGION_CLASS && !node_holds_planar(n)); /* whether a part of the hull needs
+  bool meshed = carved || (n->class_ == VS_REGION_CLASS && !node_holds_planar(n)); /* true if a part of the hull needs
                                                                                     * the mesh of a solid */
   bool unresolved =
       vs_node_has(n, VS_IS_UNRESOLVED) || f->any & VS_NODE_UNRESOLVED || (n->kind == VS_HULL && meshed);
@@ -280,7 +280,7 @@ vs_node *vs_node_retain(vs_node *n) {
 void vs_node_release(vs_node *n) {
   if (!n || --n->refs) return;
   vs_node *dead = n;
-  n->hash = 0; /* from here on, hash links the nodes to be freed */
+  n->hash = 0; /* From here on, the member hash links the nodes to be freed. */
   while (dead) {
     n = dead;
     dead = (vs_node *)(uintptr_t)n->hash;
@@ -324,8 +324,8 @@ static bool pairs_note(vs_node_pairs *set, vs_node_pair pair, bool *new) {
     if (!pairs_resize(&grown, set->room ? set->room * 2 : 64)) return false;
     memset(grown.at, 0, grown.room * sizeof *grown.at);
     for (size_t i = 0; i < set->room; i++)
-      if (set->at[i].a && !pairs_note(&grown, set->at[i], new)) return false; /* this call has room and never recurses
-                                                                               * further */
+      if (set->at[i].a && !pairs_note(&grown, set->at[i], new)) return false; /* the larger set has room for this pair,
+                                                                               * so this call recurses no further */
     pairs_resize(set, 0);
     *set = grown;
   }

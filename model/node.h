@@ -24,8 +24,8 @@ typedef struct { uint32_t refs, count, corner_count; uint64_t hash; uint32_t dat
 static inline const uint32_t *vs_faces_starts(const vs_faces *f) { return f->data; }
 static inline const uint32_t *vs_faces_corners(const vs_faces *f) { return f->data + f->count + 1; }
 
-/* ---- tickets: a ticket holds the number of an object outside the model; a callback reports when its last reference is
- * released ---- */
+/* ---- tickets: a ticket contains the number of an object outside the model; a callback reports the release of the last
+ * reference to a ticket ---- */
 typedef struct { uint32_t refs, id; } vs_ticket;
 
 /* ---- C types of the payload's fields ---- */
@@ -92,7 +92,7 @@ typedef struct {
   const char *name;  /* name of the kind, as object-kind returns it: "sphere" */
   vs_class class_;
   vs_level level;
-  size_t size;       /* size of the payload in bytes */
+  size_t size;       /* size of the kind's payload in bytes */
   size_t field_count;
   const vs_field_info *fields;
 } vs_kind_info;
@@ -101,19 +101,19 @@ const vs_kind_info *vs_kind_get(vs_kind kind);
 /* The columns ROLE and TRAITS of prims.def, for walks through the tree (vs_node_role, vs_node_has). */
 typedef enum { VS_ROLE_SHAPE, VS_ROLE_LEAF, VS_ROLE_MADE, VS_ROLE_PLACED, VS_ROLE_WRAPPER, VS_ROLE_SET } vs_role;
 enum {
-  VS_IS_ROUND = 1,        /* its triangles approximate a curved surface */
+  VS_IS_ROUND = 1,        /* the triangles of the node approximate a curved surface */
   VS_IS_SHORT = 2,        /* every format writes the node in a few words */
   VS_IS_PLAIN = 4,        /* geometry/tessellate.c computes the triangles from the payload alone, so that any thread may
                            * do it */
   VS_IS_CONVEX = 8,
   VS_IS_COSTLY = 16,      /* a mesh of the node takes about as long to compute as those of eight spheres */
   VS_IS_DEAR = 32,        /* a mesh of the node takes about as long to compute as those of forty spheres */
-  VS_IS_SAMPLED = 64,     /* its bounds are computed from many sample points; a rotated node uses the bounds of its
-                           * rotated box instead */
+  VS_IS_SAMPLED = 64,     /* the bounds of the node are computed from many sample points; a rotated node uses the bounds
+                           * of its rotated box instead */
   VS_IS_OVERLAPPING = 128, /* the node's mesh may intersect itself */
-  VS_IS_OF_FIRST = 256,   /* the node is empty if its first child is */
-  VS_IS_UNRESOLVED = 512  /* solids/resolve.c replaces the node before meshing, since it depends on a solid's mesh or
-                           * the drawing's size */
+  VS_IS_OF_FIRST = 256,   /* the node is empty if its first child is empty */
+  VS_IS_UNRESOLVED = 512  /* solids/resolve.c replaces the node before meshing, because the result depends on a solid's
+                           * mesh or the drawing's size */
 };
 extern const unsigned char vs_kind_roles[];   /* vs_kind_roles[kind]: the vs_role of the kind */
 extern const unsigned short vs_kind_traits[]; /* vs_kind_traits[kind]: the VS_IS_... flags of the kind */
@@ -121,11 +121,11 @@ extern const unsigned short vs_kind_traits[]; /* vs_kind_traits[kind]: the VS_IS
 typedef struct { vs_node *node; const vs_origin *origin; } vs_ref;
 
 enum {
-  VS_NODE_CLOSED = 1,  /* a closed curve (perhaps placed or coloured) or a region */
-  VS_NODE_ENDLESS = 2, /* an unbounded node: a half-space, or a set with an unbounded result */
+  VS_NODE_CLOSED = 1,  /* the node is a closed curve (perhaps placed or coloured) or a region */
+  VS_NODE_ENDLESS = 2, /* the node is unbounded: a half-space, or a set with an unbounded result */
   VS_NODE_CUT = 4,     /* the node or a descendant is a half-space */
   VS_NODE_SUGAR = 8,   /* the node or a descendant has level SUGAR */
-  VS_NODE_OPEN = 16,   /* the node or a descendant is a CUSTOM without a child */
+  VS_NODE_OPEN = 16,   /* the node or a descendant is a CUSTOM node that has no child yet */
   VS_NODE_UNRESOLVED = 32, /* solids/resolve.c must replace this node or a descendant. It is an endless line, or needs a
                             * solid's mesh: a section, a shadow, edges, a slice of a thin object, a hull of a carved
                             * solid. */
@@ -138,18 +138,21 @@ struct vs_node {
   uint8_t class_;  /* class: a value of vs_class other than VS_INHERIT, set when the node is created */
   uint8_t flags;   /* VS_NODE_... flags */
   uint32_t child_count;
-  uint32_t depth;  /* nodes on the longest path to a leaf, 1 for a leaf; stays at its maximum instead of overflowing */
-  uint32_t slot;   /* number of the node in the latest order (order.h); no other member ever changes */
+  uint32_t depth;  /* number of nodes on the longest path to a leaf; 1 for a leaf. The count stays at its maximum
+                    * instead of overflowing */
+  uint32_t slot;   /* number of the node in the latest order (order.h); this is the only member that changes after
+                    * creation, except refs */
   uint32_t form;   /* structural hash without numbers and placements: nodes of different form cannot be copies of each
                     * other */
   uint64_t hash;   /* structural hash of kind, payload and children */
   vs_store *store;
-  const vs_ref children[]; /* child_count references, followed by the payload */
+  const vs_ref children[]; /* child_count references to the children; the payload follows them */
 };
 /* Returns the payload of n: a struct vs_<kind>. */
 static inline const void *vs_node_data(const vs_node *n) { return n->children + n->child_count; }
 #define VS_ENDLESS_MESSAGE "the object is endless: intersect it with something finite, or subtract it from that"
-/* VS_AS(sphere, n) is the payload of n as a struct vs_sphere. The caller has checked that n is a sphere. */
+/* Returns the payload of n as a struct of its kind. VS_AS(sphere, n) is the payload as a struct vs_sphere. The caller
+ * has checked the kind of n. */
 static inline const void *vs_node_data_of(const vs_node *n, vs_kind kind) {
   VS_ASSERT(n->kind == kind);
   (void)kind;
@@ -164,8 +167,9 @@ enum {
 };
 #define VS_AS(lower, n) ((const struct vs_##lower *)vs_node_data_of(n, (vs_kind)VS_KIND_OF_##lower))
 
-/* Returns child i for callers that visit the children in sequence. Prefetches a later child, because there may be a
- * million: vs_node_next_whole with its payload, vs_node_next only its header. */
+/* vs_node_next and vs_node_next_whole return child i, for callers that visit the children in sequence. They prefetch a
+ * later child, because there may be a million children. vs_node_next_whole prefetches the child with its payload,
+ * vs_node_next only the child's header. */
 enum { VS_NODES_AHEAD = 24 };
 static inline const vs_ref *vs_node_next_whole(const vs_node *n, uint32_t i) {
   if (n->child_count - i > VS_NODES_AHEAD) {
@@ -190,7 +194,7 @@ static inline bool vs_node_is_wrapper(const vs_node *n) {
   return n->child_count == 1 && vs_node_role(n) == VS_ROLE_WRAPPER;
 }
 
-/* ---- creating. All return a new reference that the caller releases, or NULL when memory is out. ---- */
+/* ---- creating: all functions return a new reference that the caller releases, or NULL when memory is out ---- */
 vs_points *vs_points_new(vs_store *s, const vs_vec3 *at, size_t count);
 vs_faces *vs_faces_new(vs_store *s, const uint32_t *starts, size_t count, const uint32_t *corners, size_t corner_count);
 /* Returns the faces with the order of their corners reversed; each face keeps its first corner. */
@@ -208,12 +212,13 @@ void vs_faces_release(vs_store *s, const vs_faces *f);
 vs_node *vs_node_new(vs_store *s, vs_kind kind, const void *data, const vs_ref *children, size_t child_count);
 /* Adds a reference to the node and returns it. */
 vs_node *vs_node_retain(vs_node *n);
-void vs_node_release(vs_node *n); /* Releases a reference without recursion, so that a deep tree needs no more stack.
-                                   * NULL is permitted. */
+void vs_node_release(vs_node *n); /* Releases a reference. It does not recurse, so a deep tree needs no additional
+                                   * stack. NULL is permitted. */
 /* Returns true if a and b are equal by value. Compares without recursion, and each pair of shared subtrees once. If
  * memory is out, returns false and sets *ok (may be NULL) to false. */
 bool vs_node_equal(const vs_node *a, const vs_node *b, bool *ok);
-size_t vs_node_bytes(const vs_node *n); /* Returns the bytes of this node and its arrays, without its children. */
+size_t vs_node_bytes(const vs_node *n); /* Returns the number of bytes of this node and its arrays, without its
+                                         * children. */
 size_t vs_points_bytes(const vs_points *p);
 size_t vs_faces_bytes(const vs_faces *f);
 

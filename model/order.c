@@ -1,4 +1,5 @@
-/* Implements order.h: numbers the distinct nodes of a drawing, with an explicit stack instead of recursion. */
+/* Implements the order of nodes (order.h): numbers the distinct nodes of a drawing, with an explicit stack instead of
+ * recursion. */
 #include "model/order.h"
 
 #include "model/store/store_inside.h"
@@ -12,7 +13,7 @@ static bool order_grow(vs_order *o) {
   if (!at) return false;
   o->at = at;
   vs_order_note *note = vs_store_realloc(o->store, o->note, o->room * sizeof *note, room * sizeof *note);
-  if (!note) { /* `at` and `note` always have the same room */
+  if (!note) { /* the arrays `at` and `note` always have equal numbers of elements */
     at = vs_store_realloc(o->store, o->at, room * sizeof *at, o->room * sizeof *at);
     if (at || !o->room) o->at = at;
     return false;

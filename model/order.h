@@ -13,7 +13,7 @@
 
 typedef struct {
   uint32_t uses; /* number of references to the node in the drawing */
-  bool inner;    /* whether a child has a number; if none has, all children are lone leaves */
+  bool inner;    /* true if a child has a number; otherwise all children are lone leaves */
 } vs_order_note;
 
 typedef struct {
@@ -22,12 +22,13 @@ typedef struct {
   vs_order_note *note;
   size_t count, room;
   size_t lone;     /* number of leaves that have no number and are not EMPTY */
-  bool empty;      /* whether the drawing contains an EMPTY */
-} vs_order; /* { .store = s } is an empty order */
+  bool empty;      /* true if the drawing contains an EMPTY node */
+} vs_order; /* initial value of an empty order: { .store = s } */
 
-enum { VS_ORDER_WORK = 1 << 8 }; /* work of visiting one node, in the unit of vs_store_going; a pass needs much more for
-                                  * a node */
-/* Computes the order anew. On an interrupt, or when memory is out, returns false and makes *o empty. */
+enum { VS_ORDER_WORK = 1 << 8 }; /* work of visiting one node, in the unit of vs_store_going; the visit of a node by a
+                                  * pass needs much more work */
+/* Computes the order of the nodes below refs. On an interrupt, or when memory is out, returns false and makes *o
+ * empty. */
 bool vs_order_make(vs_order *o, const vs_ref *refs, size_t count, vs_error *e);
 void vs_order_free(vs_order *o);
 static inline bool vs_order_is_lone(const vs_node *n) {

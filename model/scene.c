@@ -1,4 +1,4 @@
-/* Implements scene.h: sets the defaults of a drawing, and adds references, views, lamps and notes. */
+/* Implements drawings (scene.h): sets their defaults, and adds references, views, lamps and notes. */
 #include "model/scene.h"
 
 #include <string.h>

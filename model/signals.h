@@ -6,9 +6,9 @@
 #include <pthread.h>
 #include <signal.h>
 
-/* Blocks the signals from other processes for this thread and the threads it starts. *was receives the previous mask,
- * for vs_signals_release. Signals of a fault of the program remain unblocked, so that a sanitizer or debugger reports
- * the fault. */
+/* Blocks, for this thread and the threads that it starts, the signals that come from other processes. *was receives the
+ * previous mask, for vs_signals_release. Signals for faults of the program itself remain unblocked, so that a sanitizer
+ * or debugger reports the fault. */
 static inline void vs_signals_hold(sigset_t *was) {
   static const int faults[] = { SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGPROF };
   sigset_t outside;

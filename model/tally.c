@@ -1,4 +1,4 @@
-/* Implements tally.h: counts the time and memory of each phase of a run. */
+/* Implements the account of a run (tally.h): counts the time and memory of each phase. */
 #define _POSIX_C_SOURCE 200809L
 #include "model/tally.h"
 

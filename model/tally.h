@@ -1,5 +1,5 @@
-/* Declares the account of a run: the time and memory of each phase, and other counts. A job holds its address, for
- * all code that works on nodes (vs_store_tally in job.h). No result depends on it. */
+/* Declares the account of a run: the time and memory of each phase, and other counts. A job contains the address of the
+ * account, for all code that works on nodes (vs_store_tally in job.h). No result of the run depends on the account. */
 #ifndef VS_MODEL_TALLY_H
 #define VS_MODEL_TALLY_H
 
@@ -23,17 +23,18 @@ typedef enum {
 
 typedef struct {
   double seconds;
-  double growth; /* change of the bytes held, from the begin of each run of the phase to its end, summed */
-  size_t peak;   /* greatest number of bytes held by all phases while this phase was active */
+  double growth; /* sum over all runs of the phase: bytes in use at the end of the run minus bytes in use at its
+                  * beginning */
+  size_t peak;   /* greatest number of bytes in use by all phases while this phase was active */
 } vs_phase_use;
 
 typedef struct vs_tally {
-  const size_t *held;             /* address of the number of bytes held now */
+  const size_t *held;             /* address of the number of bytes that are currently in use */
   vs_work_phase now;
   double since;
-  size_t peak;                    /* greatest number of bytes held during the finished phases */
-  size_t from, high;              /* from: bytes held at the begin of this phase; high: the most since, updated by each
-                                   * allocator */
+  size_t peak;                    /* greatest number of bytes in use during the finished phases */
+  size_t from, high;              /* from: number of bytes in use when this phase began; high: greatest number since
+                                   * then, updated by each allocator */
   vs_phase_use of[VS_WORK_COUNT];
   uint64_t written;               /* number of bytes written to output files */
   uint64_t clusters, combined, copied, remembered; /* numbers of groups of solids that touch (kernel/cluster.h) */
@@ -43,12 +44,13 @@ typedef struct vs_tally {
   uint64_t texts, texts_found, bytes_found;
 } vs_tally;
 
-double vs_clock(void); /* seconds, monotonic */
-/* Begins phase p and returns the previous phase, to which the caller later returns. t NULL: nothing is counted. */
+double vs_clock(void); /* returns the time in seconds of a clock that never goes back */
+/* Begins phase p and returns the previous phase, to which the caller later returns. If t is NULL, nothing is
+ * counted. */
 vs_work_phase vs_tally_enter(vs_tally *t, vs_work_phase p);
-void vs_tally_also(vs_tally *t, size_t bytes); /* Counts bytes that this phase held temporarily and that `held` does not
-                                                * contain. */
-size_t vs_tally_peak(const vs_tally *t);       /* Returns the greatest number of bytes held in any phase, without those
-                                                * of vs_tally_also. */
+void vs_tally_also(vs_tally *t, size_t bytes); /* Counts bytes that this phase used temporarily and that t->held does
+                                                * not contain. */
+size_t vs_tally_peak(const vs_tally *t);       /* Returns the greatest number of bytes in use in any phase, without the
+                                                * bytes of vs_tally_also. */
 
 #endif

@@ -28,7 +28,7 @@ void vs_turn_sincos(int index, int count, double *sine, double *cosine) {
   long long eighths, rest, n = count, i = index % n;
   if (i < 0) i += n;
   eighths = 8 * i / n;
-  rest = 8 * i - eighths * n; /* in units of 1/(8 count) turn: 0 <= rest < n */
+  rest = 8 * i - eighths * n; /* rest of the angle, in units of 1/(8 count) of a turn: 0 <= rest < n */
   bool odd = eighths & 1;
   double along = half_pi / 2 * ((double)(odd ? n - rest : rest) / (double)n); /* angle from the nearest axis, 0 to
                                                                                * pi/4 */
@@ -50,8 +50,8 @@ vs_vec3 vs_v3_unit(vs_vec3 v) {
   double x = fabs(v.x), y = fabs(v.y), z = fabs(v.z), most = x > y ? x : y;
   if (z > most) most = z;
   if (!(most > 0)) return vs_v3(0, 0, 0);
-  v = vs_v3(v.x / most, v.y / most, v.z / most); /* scaled first, so that nothing overflows or underflows, and axes
-                                                  * remain exact */
+  v = vs_v3(v.x / most, v.y / most, v.z / most); /* the vector is scaled first, so that no square overflows or
+                                                  * underflows, and vectors along an axis remain exact */
   return vs_v3_scale(v, 1 / vs_v3_length(v));
 }
 
@@ -81,8 +81,8 @@ bool vs_affine_invert(const vs_affine *a, vs_affine *out) {
   vs_affine r;
   for (int i = 0; i < 3; i++)
     for (int j = 0; j < 3; j++) {
-      int p = (j + 1) % 3, q = (j + 2) % 3, s = (i + 1) % 3, t = (i + 2) % 3; /* with cyclic indices, minors have their
-                                                                               * sign */
+      int p = (j + 1) % 3, q = (j + 2) % 3, s = (i + 1) % 3, t = (i + 2) % 3; /* Because the indices are cyclic, the
+                                                                               * minors already have their sign. */
       r.m[i][j] = (m[p][s] * m[q][t] - m[p][t] * m[q][s]) / d;
     }
   for (int i = 0; i < 3; i++) r.m[i][3] = -(r.m[i][0] * m[0][3] + r.m[i][1] * m[1][3] + r.m[i][2] * m[2][3]);
@@ -139,7 +139,8 @@ vs_affine vs_affine_rotation(vs_vec3 point, vs_vec3 direction, double angle) {
   vs_affine r = { { { c + u.x * u.x * k, u.x * u.y * k - u.z * s, u.x * u.z * k + u.y * s, 0 },
                     { u.y * u.x * k + u.z * s, c + u.y * u.y * k, u.y * u.z * k - u.x * s, 0 },
                     { u.z * u.x * k - u.y * s, u.z * u.y * k + u.x * s, c + u.z * u.z * k, 0 } } };
-  /* c + (1 - c) may differ from 1 by an ulp. For rotations about a world axis the entry is exactly 1. */
+  /* c + (1 - c) may differ from 1 by one unit in the last place. For rotations about a world axis the element is
+   * exactly 1. */
   if (fabs(u.x) == 1) r.m[0][0] = 1;
   if (fabs(u.y) == 1) r.m[1][1] = 1;
   if (fabs(u.z) == 1) r.m[2][2] = 1;
@@ -186,7 +187,7 @@ vs_bounds vs_bounds_transform(const vs_bounds *b, const vs_affine *a) {
   for (int i = 0; i < 3; i++) {
     low[i] = high[i] = a->m[i][3];
     for (int j = 0; j < 3; j++) {
-      if (a->m[i][j] == 0) continue; /* a zero entry contributes nothing, even if the side is infinite */
+      if (a->m[i][j] == 0) continue; /* a zero element contributes nothing, even if the side of the box is infinite */
       double p = a->m[i][j] * lo[j], q = a->m[i][j] * hi[j];
       low[i] += fmin(p, q);
       high[i] += fmax(p, q);

@@ -55,8 +55,8 @@ vs_affine vs_affine_multiply(const vs_affine *a, const vs_affine *b); /* Returns
 double vs_affine_determinant(const vs_affine *a);
 bool vs_affine_invert(const vs_affine *a, vs_affine *out);            /* Sets *out to the inverse map; returns false if
                                                                        * a is singular. */
-/* Maps a plane, given by a point and a normal. The new normal points to the image of the same side. Returns false if
- * the map is singular, and then changes nothing. */
+/* Maps a plane, which is given by a point and a normal. The new normal points to the image of the same side of the
+ * plane. Returns false if the map is singular; the plane is then unchanged. */
 bool vs_affine_plane(const vs_affine *a, vs_vec3 *point, vs_vec3 *normal);
 bool vs_affine_is_translation(const vs_affine *a);                    /* Returns true if the linear part is exactly the
                                                                        * identity. */
@@ -86,7 +86,7 @@ void vs_sincos(double angle, double *sine, double *cosine);
 /* Sets sine and cosine of the angle index/count of a full turn; count is above 0. Quarter turns are exact, and mirrored
  * angles have exactly mirrored values. */
 void vs_turn_sincos(int index, int count, double *sine, double *cosine);
-double vs_single(double x); /* Returns x rounded to 32 bits. It is neither inline nor a cast, since GCC 12 omits the
+double vs_single(double x); /* Returns x rounded to 32 bits. It is neither inline nor a cast, because GCC 12 omits the
                              * rounding of two adjacent values. */
 vs_vec3 vs_v3_unit(vs_vec3 v); /* Returns v with length 1. Vectors along an axis stay exact; the zero vector stays
                                 * zero. */

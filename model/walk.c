@@ -1,4 +1,5 @@
-/* Walks through a DAG along every path, with an explicit stack, so that 200,000 nested unions cause no overflow. */
+/* Implements a walk through a DAG along every path (walk.h). It uses an explicit stack, so that 200,000 nested unions
+ * cause no overflow. */
 #include "model/walk.h"
 
 typedef struct { vs_ref ref; uint32_t next; } vs_walk_level;

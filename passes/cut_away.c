@@ -1,8 +1,8 @@
 /* Cuts a drawing by a view's plane, by changing its nodes.
  *
  * A solid becomes a difference with a half-space that has no material. The faces of the cut therefore have the material
- * of the solid behind them; where solids overlap, that of the earlier solid. A thin or mixed drawing becomes a slice,
- * which solids/resolve.c computes. */
+ * of the solid behind them. Where solids overlap, they have the material of the earlier solid. A drawing that contains
+ * thin objects becomes a slice, which solids/resolve.c computes. */
 #include "passes/cut_away.h"
 
 vs_node *vs_node_cut(vs_ref ref, vs_vec3 point, vs_vec3 normal) {

@@ -2,10 +2,10 @@
  * replaces a set of a single member by the member.
  *
  * Only sets with a single reference are dissolved: a shared union is a template and stays. The order of members stays,
- * since the material of an earlier solid has priority where solids overlap.
+ * because the material of an earlier solid has priority where solids overlap.
  *
- * A set that will be dissolved into its parent is passed on unchanged and noted. The topmost set gathers all members
- * below it at once. Therefore a chain of n binary unions costs n, not n^2. */
+ * A set that will be dissolved into its parent is passed on unchanged and recorded. The topmost set gathers all members
+ * below it at once. Therefore a chain of n binary unions takes n steps, not n^2. */
 #include "passes/flatten.h"
 
 #include <string.h>
@@ -15,7 +15,7 @@
 
 typedef struct {
   vs_store *store;
-  uint64_t *above;      /* above[i]: the kinds of set that are dissolved in the place of old node i, as bits 1 <<
+  uint64_t *above;      /* above[i]: the kinds of set that are dissolved if they replace old node i, as bits 1 <<
                          * kind */
   size_t count;
   vs_nodemap dissolves; /* new nodes that their parent must dissolve */
@@ -49,13 +49,14 @@ void vs_flatten_end(vs_rewrite *w) {
   vs_store_realloc(w->store, f, sizeof *f, 0);
 }
 
-/* Returns true if a set of new's kind, in old's place, will be dissolved into the set that refers to it. */
+/* Returns true if a set of the kind of `new`, in place of the node `old`, will be dissolved into the set that refers to
+ * it. */
 static bool flatten_fits(const vs_rewrite *w, const vs_flatten *f, const vs_node *old, const vs_node *new) {
   return new->child_count && vs_rewrite_lone(w, old) && f->above[vs_order_of(old)] >> new->kind & 1;
 }
 
-typedef struct { const vs_ref *at; size_t left; } vs_flatten_run; /* members that are not yet gathered: an array and the
-                                                                   * number left */
+typedef struct { const vs_ref *at; size_t left; } vs_flatten_run; /* members that are not gathered yet: an array and the
+                                                                   * number of remaining elements */
 
 /* Gathers the members of a set whose children are kids, in order, with all nested sets dissolved. out NULL: only counts
  * the members. Returns false if memory is out. */
@@ -114,14 +115,15 @@ static vs_node *flatten_set(vs_rewrite *w, const vs_node *n, const vs_ref *kids)
 vs_node *vs_pass_flatten(vs_rewrite *w, const vs_node *n, const vs_ref *kids, const vs_origin **origin) {
   vs_flatten *f = w->state;
   if (!vs_node_is_set(n)) return vs_rewrite_keep(w, n, kids);
-  /* A set of a single member equals the member. Exception: the union of a single closed curve is a region. */
+  /* A set of a single member equals the member. The union of a single closed curve is an exception, because it is a
+   * region. */
   bool one = n->child_count == 1 && kids[0].node->class_ == n->class_ && !vs_nodemap_get(&f->dissolves, kids[0].node);
   vs_node *new;
   if (one) {
     *origin = kids[0].origin;
     w->changed++;
     new = vs_node_retain(kids[0].node);
-    /* The member replaces the set. If it has no other reference, it may be dissolved there. */
+    /* The member replaces the set. If the member has no other reference, it may be dissolved into the parent set. */
     if (!vs_rewrite_lone(w, n->children[0].node) || !flatten_fits(w, f, n, new)) return new;
   } else if (flatten_fits(w, f, n, n)) {
     new = vs_rewrite_keep(w, n, kids);

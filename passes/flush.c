@@ -2,13 +2,13 @@
  *
  * Two parts are flush if a facet of each lies in the same plane. The pass meshes every part at a coarse fixed tolerance
  * and stores each plane once, as four whole numbers. Equal numbers mean the same plane. This also finds round walls
- * that coincide, since equal round parts have equal facets. Parts whose boxes do not intersect are skipped.
+ * that coincide, because equal round parts have equal facets. Parts whose boxes do not intersect are skipped.
  *
- * Flush parts grow: each part of an operand separately, in its own coordinates, so that all faces move outwards. In a
- * difference only cutters grow, so the faces of the result do not move. These are cutters that are flush with the solid
- * that they cut, and cutters that touch an earlier cutter face to face. In an intersection of two flush operands, one
- * of them grows. Solids with an axis grow as their own kind, others about their centre. In the second case, walls of a
- * notched shape that face the centre move by slightly less.
+ * Flush parts are enlarged, each part of an operand separately, in its own coordinates, so that all faces move
+ * outwards. In a difference only cutters are enlarged, so the faces of the result do not move. These are cutters that
+ * are flush with the solid that they cut, and cutters that touch an earlier cutter face to face. In an intersection of
+ * two flush operands, one of them is enlarged. Solids with an axis are enlarged as their own kind, others about their
+ * centre. In the second case, walls of a notched shape that face the centre move by slightly less.
  *
  * Cost: the facets of each distinct difference, once, and a sort. */
 #include "passes/flush.h"
@@ -24,10 +24,10 @@
 #include "passes/rewrite.h"
 #include "model/store/array.h"
 
-enum { PARTS_MOST = 4000, PAIRS_MOST = 1000000 }; /* limits for a single set; beyond these, every part of the set counts
-                                                   * as flush */
+enum { PARTS_MOST = 4000, PAIRS_MOST = 1000000 }; /* limits for a single set; if a set exceeds a limit, every part of it
+                                                   * counts as flush */
 
-/* turned: whether the face's normal is opposite to the key's */
+/* turned: 1 if the face's normal is opposite to the normal of the key */
 typedef struct { int64_t key[4]; uint32_t turned, operand, part; } face_plane;
 typedef struct { const vs_node *node; vs_affine placed; } place; /* a node inside a set, and its placement in the set */
 
@@ -82,7 +82,7 @@ static bool add_plane(flush *f, vs_vec3 normal, vs_vec3 at, uint32_t operand) {
  * cannot be meshed. The pass skips the part, and the mesher reports the error later. */
 static bool starved(const vs_error *e) { return e->kind != VS_ERROR_NONE && e->kind != VS_ERROR_MODEL; }
 
-/* Adds the planes of a part, each once. Adds none if the part cannot be meshed here. */
+/* Adds each plane of a part once. Adds no plane if the part cannot be meshed here. */
 static bool add_part(flush *f, const vs_node *n, const vs_affine *placed, uint32_t operand) {
   static const vs_fineness coarse = { 1e300, 32 };
   vs_mesh mesh = { 0 };
@@ -91,8 +91,8 @@ static bool add_part(flush *f, const vs_node *n, const vs_affine *placed, uint32
   if (!VS_GROW(f->boxes, f->part_room, f->part_count + 1)) return false;
   vs_bounds *box = &f->boxes[f->part_count++];
   *box = vs_bounds_empty();
-  if (n->kind == VS_HALF_SPACE) { /* A normal would have to be transformed by the inverse transpose; two directions in
-                                   * the plane are simpler */
+  if (n->kind == VS_HALF_SPACE) { /* A normal would have to be transformed by the inverse transpose. It is simpler to
+                                   * transform two directions in the plane. */
     vs_vec3 normal = vs_v3_unit(VS_AS(half_space, n)->normal),
             u = vs_v3_unit(vs_v3_cross(normal, fabs(normal.z) < 0.5 ? vs_v3(0, 0, 1) : vs_v3(1, 0, 0))),
             v = vs_v3_cross(normal, u);
@@ -175,8 +175,9 @@ static void mark(flush *f, bool difference, unsigned char *marked, size_t operan
 
 /* ---- enlarging parts ---- */
 
-/* Computes the box of a part and its centre: that of its mesh if it has one, otherwise that of its box. Returns false
- * if there is nothing to enlarge, or, with *failed set, if memory is out. */
+/* Computes the bounding box of a part and the part's centre. The centre is that of the part's mesh if it has a mesh,
+ * otherwise that of its box. Returns false if there is nothing to enlarge. Returns false with *failed set if memory is
+ * out. */
 static bool middle_of(const vs_node *n, vs_bounds *b, vs_vec3 *middle, bool *failed) {
   static const vs_fineness coarse = { 1e300, 32 };
   vs_mesh mesh = { 0 };
@@ -276,7 +277,7 @@ static vs_node *part_flush(vs_rewrite *w, const vs_node *n, const vs_ref *kids, 
   for (; ok && made < n->child_count; made++) {
     now[made] = kids[made];
     any = any || marked[made];
-    /* in an intersection each operand grows by another amount, since operands may be flush with each other */
+    /* in an intersection each operand is enlarged by another amount, because operands may be flush with each other */
     if (!marked[made]) vs_node_retain(kids[made].node);
     else if (!(now[made].node = grown(kids[made], diagonal * 0x1p-16 * (n->kind == VS_DIFFERENCE ? 1 : made))))
       ok = false;

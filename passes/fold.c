@@ -14,7 +14,7 @@
 
 enum { CARRY_MOST = 8, DRESS_MOST = 4 };
 
-typedef struct { vs_nodemap shared; /* set of new nodes with several references */ } fold_state;
+typedef struct { vs_nodemap shared; /* shared: set of new nodes with several references */ } fold_state;
 
 bool vs_fold_begin(vs_rewrite *w) {
   fold_state *f = vs_store_realloc(w->store, NULL, 0, sizeof *f);
@@ -77,9 +77,9 @@ static vs_node *fold_carry_placement(vs_rewrite *w, const vs_affine *a, const vs
   return made || fits ? made : vs_node_new(w->store, VS_TRANSFORM, &both, n->children, 1);
 }
 
-/* Returns a new reference to n under the placement a, without an additional command. Returns NULL and *fits false if n
- * cannot absorb the placement, NULL and *fits true if memory is out. Sets *origin if n's child replaces n. The
- * recursion is as deep as profiles, wrappers and a single set. */
+/* Returns a new reference to n under the placement a, without an additional command. Returns NULL and sets *fits to
+ * false if n cannot absorb the placement. Returns NULL with *fits true if memory is out. Sets *origin if n's child
+ * replaces n. The recursion is as deep as profiles, wrappers and a single set. */
 static vs_node *fold_carry(vs_rewrite *w, const vs_affine *a, const vs_node *n, fold_way way, bool *fits,
                            const vs_origin **origin) {
   if (n->kind == VS_TRANSFORM) {
@@ -165,15 +165,15 @@ static vs_node *fold_raise(vs_rewrite *w, const vs_node *set, vs_kind kind, cons
 }
 
 /* Returns the set of kids, with common wrappers around runs of neighbours. New nodes in it have the origin of `set`.
- * Calls itself twice for each nested wrapper, at most depth levels deep. */
+ * Calls itself twice for each nested wrapper, to a depth of at most `depth`. */
 static vs_node *fold_members(vs_rewrite *w, const vs_node *set, vs_kind kind, const vs_ref *kids, uint32_t count,
                              int depth) {
   if (depth > 0 && fold_run(w, kids, 0, count) == count) return fold_raise(w, set, kind, kids, count, depth - 1);
   if (depth == 0 || kind != VS_UNION) return vs_node_new(w->store, kind, vs_node_data(set), kids, count);
   const vs_origin *origin = w->order.at[vs_order_of(set)].origin;
   vs_ref *all = vs_store_realloc(w->store, NULL, 0, count * sizeof *all);
-  uint32_t *made = vs_store_realloc(w->store, NULL, 0, count * sizeof *made); /* the new members that this function
-                                                                               * owns */
+  uint32_t *made = vs_store_realloc(w->store, NULL, 0, count * sizeof *made); /* indices of the new members that this
+                                                                               * function owns */
   uint32_t kept = 0, ours = 0;
   bool ok = all && made;
   for (uint32_t i = 0, run; ok && i < count; i += run > 1 ? run : 1) {
@@ -195,7 +195,7 @@ static vs_node *fold_members(vs_rewrite *w, const vs_node *set, vs_kind kind, co
 
 static vs_node *fold_set(vs_rewrite *w, const vs_node *n, const vs_ref *kids) {
   bool any = false;
-  /* lone leaves have no wrapper */
+  /* If kids is the node's own array, all children are lone leaves, which have no wrapper. */
   if (n->child_count < 2 || kids == n->children) return vs_rewrite_keep(w, n, kids);
   for (uint32_t i = 1; !any && n->kind == VS_UNION && i < n->child_count; i++)
     any = fold_is_wrapper(kids[i].node) && fold_same_wrapper(kids[i - 1].node, kids[i].node) &&

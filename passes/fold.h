@@ -4,7 +4,7 @@
 
 #include "passes/rewrite.h"
 
-bool vs_fold_begin(vs_rewrite *w); /* makes w->state */
+bool vs_fold_begin(vs_rewrite *w); /* makes the state of the pass, w->state; returns false when memory is out */
 void vs_fold_end(vs_rewrite *w);
 
 #endif

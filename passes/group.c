@@ -16,8 +16,8 @@ enum { MANY = 12, FEW = 5 };
 
 typedef struct { vs_ref ref; vs_bounds bounds; vs_vec3 middle; size_t index; } group_part;
 typedef struct {
-  unsigned char *carved, *painted; /* carved[i]: whether old node i is in an intersection or difference. painted[i]:
-                                    * whether it has a paint */
+  unsigned char *carved, *painted; /* carved[i]: whether old node i is in an intersection or difference; painted[i]:
+                                    * whether it has a material */
   size_t count;
 } group_state;
 

@@ -1,4 +1,4 @@
-/* Declares grouping. */
+/* Declares grouping: the conversion of sets of very many parts to trees of boxes. */
 #ifndef VS_PASSES_GROUP_H
 #define VS_PASSES_GROUP_H
 

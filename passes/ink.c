@@ -22,7 +22,7 @@ static bool ink_is_painted(const vs_rewrite *w, const vs_node *n) {
   return vs_order_has(&w->order, n) && ((const ink_state *)w->state)->painted[vs_order_of(n)];
 }
 
-/* Returns true if the pass gives this thin node a material as a whole, because it contains none. */
+/* Returns true if the pass gives one material to all of this thin node, because the node contains no material. */
 static bool ink_is_whole(const vs_rewrite *w, const vs_node *n) { return ink_is_thin(n) && !ink_is_painted(w, n); }
 
 static vs_node *ink_around(vs_rewrite *w, vs_ref thin) {
@@ -88,7 +88,8 @@ bool vs_scene_ink(vs_scene *scene, vs_error *e) {
   size_t room = w.order.count + 1;
   if (ok) ok = (s.painted = vs_store_realloc(store, NULL, 0, room)) != NULL || vs_error_memory(e, NULL);
   if (ok) ink_look(&w, &s);
-  for (size_t i = 0; ok && i < scene->drawn_count; i++) { /* nothing below these nodes changes */
+  for (size_t i = 0; ok && i < scene->drawn_count; i++) { /* handles drawn objects that contain no material; nothing
+                                                           * below them changes */
     vs_ref *drawn = &scene->drawn[i];
     if (!ink_is_whole(&w, drawn->node)) continue;
     vs_node *inked = ink_around(&w, *drawn);

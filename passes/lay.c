@@ -19,7 +19,8 @@ static bool lies_on_faces(const vs_material *m) {
   return false;
 }
 
-/* state[i]: whether node i contains a material that lies on faces */
+/* Returns true if node n contains a material that is laid on faces, such as bricks. state[i]: whether node i contains
+ * such a material. */
 static bool lay_is_laid(const vs_rewrite *w, const vs_node *n) {
   return vs_order_has(&w->order, n) && ((const unsigned char *)w->state)[vs_order_of(n)];
 }

@@ -5,8 +5,8 @@
 
 #include "model/scene.h"
 
-/* Rewrites the scene's drawn array, which belongs to the store. For a drawing without such materials it only examines
- * each node. Returns false, with e set, if memory is out or the run is interrupted. */
+/* Rewrites the scene's drawn array, which belongs to the store. If the drawing has no material that is laid on faces,
+ * the function only examines each node. Returns false, with e set, if memory is out or the run is interrupted. */
 bool vs_scene_lay(vs_scene *scene, vs_error *e);
 
 #endif

@@ -1,11 +1,11 @@
-/* Moves looks out of flat sets, so that each part of a region keeps its material and its layer.
+/* Moves looks (materials and layers) out of flat sets, so that each part of a region keeps its material and its layer.
  *
  * A format makes a single region of a difference of regions, and a region has a single look. The pass therefore moves
  * looks out of the set: (a + b in red) - c becomes (a - c) + (b - c) in red. It divides the operand with looks into
  * parts, each with its placements and its looks. Parts of equal look stay together, so a set becomes as many sets as it
- * has looks. In a difference, the divided operand is the first. In an intersection, it is the first operand with a
- * look, so the earlier look applies to the common part. An offset, a hull and a filled curve are new outlines, and have
- * the look of their first part.
+ * has looks. In a difference, the divided operand is the first operand. In an intersection, it is the first operand
+ * with a look, so the earlier look applies to the common part. An offset, a hull and a filled curve are new outlines,
+ * and have the look of their first part.
  *
  * A union does not change: the driver shows its members one by one if they contain a look.
  *
@@ -29,7 +29,7 @@ typedef struct {
   vs_store *store;
   vs_error *error;
   unsigned char *looked; /* looked[i]: whether old node i contains a look */
-  vs_nodemap made;        /* new nodes that contain a look, except the looks themselves */
+  vs_nodemap made;        /* new nodes that contain a look, except materials and layers themselves */
   looks_look *looks;
   size_t look_count, look_room;
   looks_part *parts;
@@ -155,7 +155,8 @@ static vs_node *within_look(looks_state *s, uint32_t look, vs_node *n, const vs_
   return n;
 }
 
-/* Returns the parts of a look; several parts form a union. Sets *origin to the origin of the first part. */
+/* Returns the parts of a look. If there are several parts, returns their union. Sets *origin to the origin of the first
+ * part. */
 static vs_node *parts_of(looks_state *s, const looks_look *look, const vs_origin **origin) {
   size_t count = 0;
   for (uint32_t i = look->first; i != NO_PART; i = s->parts[i].next) count++;
@@ -171,8 +172,7 @@ static vs_node *parts_of(looks_state *s, const looks_look *look, const vs_origin
   return made;
 }
 
-/* Returns set n of these kids, but kid `which` is replaced by its parts of a single look. The set is inside that
- * look. */
+/* Returns the set n of these kids, inside a look. Kid `which` is replaced by those of its parts that have this look. */
 static vs_node *set_of_look(looks_state *s, const vs_node *n, vs_ref *kids, uint32_t which, uint32_t look,
                             const vs_origin **origin) {
   vs_node *operand = parts_of(s, &s->looks[look], origin);
@@ -183,7 +183,8 @@ static vs_node *set_of_look(looks_state *s, const vs_node *n, vs_ref *kids, uint
   return within_look(s, look, made, *origin);
 }
 
-/* Returns set n of these kids as a set for each look. The parts come from kid `which`. */
+/* Returns the set n of these kids, divided into a set for each look. The looks are those of the parts of kid
+ * `which`. */
 static vs_node *spread(looks_state *s, const vs_node *n, const vs_ref *kids, uint32_t which) {
   size_t room = n->child_count, used = 0;
   vs_ref *own = vs_store_realloc(s->store, NULL, 0, room * sizeof *own);
@@ -226,7 +227,7 @@ static vs_node *set_with_looks(vs_rewrite *w, const vs_node *n, const vs_ref *ki
   return made;
 }
 
-/* Returns an outline that is computed from other outlines, inside the look of the first. */
+/* Returns an outline that is computed from other outlines, inside the look of the first of these outlines. */
 static vs_node *outline_with_look(vs_rewrite *w, const vs_node *n, const vs_ref *kids) {
   looks_state *s = w->state;
   vs_node *made = vs_rewrite_keep(w, n, kids);

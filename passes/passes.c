@@ -42,8 +42,8 @@ static double order_commands(const vs_order *o, size_t drawn) {
 
 /* ---- all passes ---- */
 
-/* Runs a single pass over the drawing: its begin; then every node, unless its begin found that nothing would change;
- * then its end. */
+/* Runs a single pass over the drawing. First calls its begin function, then rewrites every node, unless begin found
+ * that nothing would change. At last calls its end function. */
 static bool pass_once(vs_pass_kind k, vs_rewrite *w, vs_ref *refs, size_t count) {
   static const struct { vs_rewrite_fn *node; bool (*begin)(vs_rewrite *w); void (*end)(vs_rewrite *w); } passes[] = {
 #define VS_PASS(upper, lower, begin, end, doc) { vs_pass_##lower, begin, end },
@@ -80,7 +80,8 @@ bool vs_passes_run(vs_store *s, vs_ref *refs, size_t count, const vs_pass_option
     if (ok && w.changed) ok = vs_order_make(&order, work, count, e);
     if (k == VS_PASS_FOLD && w.nests && !nests && options->passes >> VS_PASS_FLATTEN & 1) {
       nests = true;
-      k = VS_PASS_FLATTEN - 1; /* runs again from there, because a wrapper between two sets was removed */
+      k = VS_PASS_FLATTEN - 1; /* runs the passes again from flatten on, because a wrapper between two sets was
+                                * removed */
     }
   }
   if (ok && stats) stats->commands_after = order_commands(&order, count);

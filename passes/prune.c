@@ -29,7 +29,7 @@ vs_node *vs_pass_prune(vs_rewrite *w, const vs_node *n, const vs_ref *kids, cons
   if (vs_node_has(n, VS_IS_OF_FIRST) && n->child_count && prune_empty(kids[0].node)) return prune_to_nothing(w);
   if (!vs_node_is_set(n)) return vs_rewrite_keep(w, n, kids);
   bool untouched = kids == n->children || !w->changed;
-  /* no child was or became empty */
+  /* keeps a union if no child was empty or became empty */
   if (n->kind == VS_UNION && !w->order.empty && n->child_count && untouched) return vs_rewrite_keep(w, n, kids);
   size_t kept = 0;
   vs_ref *all = vs_store_realloc(w->store, NULL, 0, (n->child_count + (size_t)1) * sizeof *all);

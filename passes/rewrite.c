@@ -1,7 +1,7 @@
 /* Rewrites a drawing: visits every distinct node once, children first, and remembers results. */
 #include "passes/rewrite.h"
 
-/* The new node that replaces an old one, and its origin. origin NULL: each reference keeps its own origin. */
+/* The new node that replaces an old node, and its origin. If origin is NULL, each reference keeps its own origin. */
 typedef struct { vs_node *node; const vs_origin *origin; } vs_rewritten;
 
 bool vs_rewrite_lone(const vs_rewrite *w, const vs_node *old) { return vs_order_uses(&w->order, old) == 1; }
@@ -17,7 +17,7 @@ vs_node *vs_rewrite_keep(vs_rewrite *w, const vs_node *n, const vs_ref *kids) {
 }
 
 static vs_ref rewritten_ref(const vs_rewrite *w, const vs_rewritten *results, vs_ref old) {
-  if (!vs_order_has(&w->order, old.node)) return old; /* a lone leaf */
+  if (!vs_order_has(&w->order, old.node)) return old; /* a lone leaf has no number, and passes do not change it */
   const vs_rewritten *new = &results[vs_order_of(old.node)];
   return (vs_ref){ new->node, new->origin ? new->origin : old.origin };
 }

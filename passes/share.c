@@ -1,25 +1,26 @@
-/* Implements the pass share: equal subtrees at different places become one template with placements; so do subtrees
- * that are turned or mirrored (turn.c).
+/* Implements the pass share. Equal subtrees at different places become one template with placements. The same holds for
+ * subtrees that are rotated or mirrored (turn.c).
  *
  * Each distinct node gets an anchor and a key. The anchor is a point of the node that moves with it. The key is a hash
- * of 128 bits over the kind, the fields and the children's keys, with all positions relative to the anchor. Equal keys
- * are equal shapes: two different shapes get one key once in 2^64 models, and nothing else is compared. Rounding makes
- * the numbers of the same part at two places differ. Therefore positions within 2^-40 of the largest number hash as the
- * first of them that the pass met. A plain grid would separate neighbours on the two sides of a step, and a tree of a
- * thousand numbers soon has such a pair. Other numbers are rounded to 40 bits in the same way.
+ * of 128 bits over the kind, the fields and the children's keys, with all positions relative to the anchor. Shapes with
+ * equal keys count as equal: two different shapes get one key once in 2^64 models, and nothing else is compared.
+ * Rounding makes the numbers of the same part at two places differ. Therefore positions within 2^-40 of the largest
+ * number hash as the first of them that the pass visited. A plain grid would separate neighbours on the two sides of a
+ * step, and a tree of a thousand numbers soon has such a pair. Other numbers are rounded to 40 bits in the same way.
  *
- * A moved shape, and a set of one, count as the shape within: they have its key, and no copy of their own.
+ * A moved shape, and a set with a single member, count as the shape within: they have its key, and no copy of their
+ * own.
  *
- * Only repeated parts need a key. Nodes know their form, a hash without numbers and places. If no other node has a
- * set's form, and the set lies in no such node, the pass skips it. Therefore a million primitives in one set cost
- * nothing here.
+ * Only repeated parts need a key. Each node stores its form, a hash without numbers and places. If no other node has a
+ * set's form, and the set lies in no node whose form is repeated, the pass skips it. Therefore a million primitives in
+ * one set cost nothing here.
  *
  * The pass computes keys twice. The first keys cover only some points of each array, which distinguish nearly all
- * shapes of a thousand points. Where two are equal, the pass computes whole ones.
+ * shapes of a thousand points. Where two first keys are equal, the pass computes complete keys.
  *
- * d copies of c commands cost d*c without a template, and c + 2*d with a template, d uses and d - 1 placements: the
- * pass shares them if that is less. Of parts that are templates in any case, a copy counts only the uses. The first
- * copy is the template, so parts of shared parts are settled at the same time. */
+ * Without a template, d copies of c commands cost d*c. With a template, d uses and d - 1 placements, they cost c + 2*d.
+ * The pass makes a template if that costs less. If a part of a copy is a template in any case, only the uses of that
+ * part count. The first copy is the template, so parts of shared parts are decided at the same time. */
 #include "passes/share.h"
 
 #include <math.h>
@@ -35,42 +36,44 @@ typedef struct { uint64_t a, b; } vs_share_key;
 typedef struct {
   vs_share_key key;
   vs_vec3 anchor;
-  double cost;        /* number of commands of a copy; a part that is a template in any case counts as its use */
-  bool alias;         /* whether the node is only its child's shape at another place */
-  bool wanted;        /* whether the node's key is needed */
-  bool again;         /* whether another node has the same sketch */
+  double cost;        /* number of commands of a copy; if a part of it is a template in any case, only the use of that
+                       * part counts */
+  bool alias;         /* true if the node is only its child's shape at another place */
+  bool wanted;        /* true if the node's key is needed */
+  bool again;         /* true if another node has the same first key (sketch) */
   size_t group;       /* index of the first entry with this key */
-  size_t copies;      /* number of copies in the group, at its first entry */
-  double named;       /* number of references to any node of the group, at its first entry */
-  size_t turn;        /* at a first entry: number (from 1) of the map from the other group to which this group then
+  size_t copies;      /* number of copies in the group; valid in the group's first entry */
+  double named;       /* number of references to any node of the group; valid in the group's first entry */
+  size_t turn;        /* Valid in a first entry. Number, from 1, of the map from another group, to which this group then
                        * belongs; 0: none */
   vs_node *result;    /* rewritten node of the first entry; not retained, since the rewriting holds it */
 } vs_share_entry;
-typedef struct { size_t head; vs_affine map; } vs_share_turn; /* head: index of the first entry. map: map from the first
-                                                               * entry's shape */
-typedef struct { double step, first; } vs_share_step; /* an entry is free if `first` is NaN */
-/* The facts about a child that its parent needs. They are kept, but for a lone leaf they are computed on request. The
- * facts about a long leaf are cached. */
+typedef struct { size_t head; vs_affine map; } vs_share_turn; /* head: index of the first entry of the other group; map:
+                                                               * map from that entry's shape to this shape */
+typedef struct { double step, first; } vs_share_step; /* first: first number in the step; NaN: the slot is free */
+/* The data of a child that its parent needs. They are stored, except for a lone leaf (a leaf with a single reference):
+ * there they are computed on request. The data of a leaf with many points are cached. */
 typedef struct { vs_share_key key; vs_vec3 anchor; } vs_share_child;
 typedef struct { const vs_node *node; vs_share_child of; } vs_share_leaf;
 
-enum { SKETCHED = 16 /* number of points of an array in a first key */, LONG = 1024 /* bytes */, LEAVES = 64 };
+enum { SKETCHED = 16 /* number of points of an array in a first key */, LONG = 1024 /* leaves of more bytes have cached
+                                                                                     * keys */, LEAVES = 64 };
 
 typedef struct {
   vs_store *store;
   const vs_order *order;
-  vs_share_leaf leaves[LEAVES]; /* cache of long leaves by hash: the last leaf of each slot */
-  bool sketches, sketched; /* sketches: whether keys cover only the first points of arrays. sketched: whether some array
+  vs_share_leaf leaves[LEAVES]; /* cache of the keys of long leaves, by hash; each slot contains the last such leaf */
+  bool sketches, sketched; /* sketches: true if keys cover only the first points of arrays; sketched: true if some array
                             * had more points */
-  vs_share_entry *at; /* entries by the node's number */
+  vs_share_entry *at; /* entries of the nodes, by the node's number */
   size_t count, room;
   double quantum;
-  vs_share_step *steps; /* hash table: steps as multiples of the quantum, and the first number in each step, in
+  vs_share_step *steps; /* hash table of steps. A step is a multiple of the quantum, and has the first number in it, in
                          * quanta */
   size_t step_count, step_room;
   vs_share_turn *turns;
   size_t turn_count, turn_room;
-  bool starved;         /* whether the table could not grow */
+  bool starved;         /* true if the table could not be enlarged, because memory is out */
 } vs_share;
 
 /* ---- rounding and hashing ---- */
@@ -106,8 +109,8 @@ static bool share_grow(vs_share *s) {
 static double share_snap(vs_share *s, double x) {
   if (!isfinite(x) || s->starved) return 0;
   double step = floor(x), best = (double)NAN, reach = 1;
-  if (s->step_room && share_find(s, step)->first == x) return x; /* true for nearly all numbers, since models repeat
-                                                                  * their numbers */
+  if (s->step_room && share_find(s, step)->first == x) return x; /* this is true for nearly all numbers, because models
+                                                                  * repeat their numbers */
   for (int side = -1; side <= 1 && s->step_room; side++) {
     double first = share_find(s, step + side)->first; /* comparisons with NaN are false */
     if (fabs(first - x) < (side ? fmin(reach, 0.5) : reach)) reach = fabs(first - x), best = first;
@@ -180,7 +183,7 @@ static void share_mix_fields(vs_share *s, vs_share_key *k, const vs_node *n, con
       case VS_FIELD_boolean: share_mix(k, *(const bool *)at); break;
       case VS_FIELD_point: share_mix_vector(s, k, vs_v3_sub(*(const vs_vec3 *)at, from)); break;
       case VS_FIELD_vector: share_mix_vector(s, k, *(const vs_vec3 *)at); break;
-      case VS_FIELD_affine: /* only the linear part: the translation is in the anchor */
+      case VS_FIELD_affine: /* hashes only the linear part, because the translation is in the anchor */
         for (int r = 0; r < 3; r++)
           for (int c = 0; c < 3; c++) share_mix_place(s, k, ((const vs_affine *)at)->m[r][c], ldexp(1, -40));
         break;
@@ -206,7 +209,7 @@ static void share_mix_fields(vs_share *s, vs_share_key *k, const vs_node *n, con
 static bool share_is_alias(const vs_node *n) {
   if (n->kind == VS_TRANSFORM) return vs_affine_is_translation(&VS_AS(transform, n)->matrix);
   bool set = vs_node_is_set(n);
-  /* Exception: the union of a single closed curve is a region. */
+  /* The union of a single closed curve is an exception, because it is a region. */
   return set && n->child_count == 1 && n->children[0].node->class_ == n->class_;
 }
 
@@ -246,8 +249,8 @@ static vs_share_child share_of(vs_share *s, const vs_node *n) {
   return held->of;
 }
 
-/* Fills in all facts about a node except its key. The cost is that of a copy without templates, the highest. Children
- * must be entered first. */
+/* Fills in all data of a node except its key. The cost is that of a copy without templates, which is the highest. The
+ * data of the children must be filled in before. */
 static void share_enter(vs_share *s, const vs_node *n, bool inner) {
   bool set = vs_kind_get((vs_kind)n->kind)->level == VS_LEVEL_OPERATION;
   vs_share_entry x = { .cost = 1, .group = s->count, .alias = share_is_alias(n) };
@@ -269,7 +272,7 @@ static int share_by_form(const void *p, const void *q) {
   return x < y ? -1 : x > y;
 }
 
-/* Marks the nodes that may have a copy, by their form, and all nodes below them. Sets *any to whether there are any.
+/* Marks the nodes whose form occurs several times, and all nodes below them. Sets *any to true if there are any.
  * Returns false if memory is out or the run is interrupted. */
 static bool share_want(vs_share *s, bool *any, vs_error *e) {
   const vs_order *o = s->order;
@@ -374,7 +377,8 @@ static bool share_group(vs_share *s, vs_error *e) {
   return ok;
 }
 
-/* Computes the keys of all wanted nodes. again: only of the nodes that share their sketch. */
+/* Computes the keys of all wanted nodes. If `again`, computes complete keys, only of the nodes that share their first
+ * key (sketch) with another node. */
 static bool share_keys(vs_share *s, bool again, vs_error *e) {
   const vs_order *o = s->order;
   for (size_t i = 0; i < LEAVES; i++) s->leaves[i].node = NULL;
@@ -386,7 +390,7 @@ static bool share_keys(vs_share *s, bool again, vs_error *e) {
   return share_group(s, e);
 }
 
-/* Marks the nodes that share their sketch with another node, and all nodes below them. */
+/* Marks the nodes that share their first key (sketch) with another node, and all nodes below them. */
 static void share_doubt(vs_share *s) {
   const vs_order *o = s->order;
   for (size_t i = 0; i < s->count; i++)

@@ -1,8 +1,8 @@
-/* Removes nodes of level SUGAR. A walk collects the nodes to show in addition to the drawing. Then a pass removes the
- * wrappers.
+/* Removes nodes of level SUGAR, such as ghosts and highlights. A walk collects the nodes to show in addition to the
+ * drawing. Then a pass removes the wrappers.
  *
- * The walk follows every path to such a node, since each placement counts, and visits nothing else. If a drawing shares
- * a ghost so often that there would be more than MARKS_MOST ghosts, it keeps the first. */
+ * The walk follows every path to such a node, because each placement counts, and visits nothing else. If a drawing
+ * shares a ghost so often that there would be more than MARKS_MOST ghosts, it keeps the first MARKS_MOST. */
 #include "passes/sugar.h"
 
 #include <stdio.h>
@@ -17,7 +17,7 @@ typedef struct {
   uint32_t next;
   vs_affine placed;
   const vs_material *material; /* innermost material up to this point, or NULL */
-  bool cut; /* whether this part is subtracted, or cut by others */
+  bool cut; /* true if this part is subtracted, or cut by other parts */
 } sugar_level;
 
 typedef struct {
@@ -154,7 +154,7 @@ static bool sugar_below(sugar_walk *w, vs_ref root, bool only) {
         vs_node_retain(inner.node);
         if (!sugar_found(w, sugar_around(w->store, inner.node, inner.origin, at.material, &at.placed), at.ref.origin))
           return false;
-        continue; /* an `only` inside it has no effect */
+        continue; /* a node `only` inside another node `only` has no effect */
       }
       bool ghost = n->kind == VS_GHOST,
            marked = (ghost && w->options->ghosts != VS_MARKS_DROP) ||
@@ -205,11 +205,11 @@ static vs_node *sugar_node(vs_rewrite *w, const vs_node *n, const vs_ref *kids, 
   return vs_node_retain(kids[0].node);
 }
 
-/* native: first native text for this program */
+/* native: first native text for this program that was found */
 typedef struct { const vs_sugar_options *options; bool only; vs_ref native; } sugar_kinds;
 
-/* Handles native text for another program that has no alternative for this one. Warns that the output lacks it, or
- * fails if the options are strict. */
+/* Handles native text for another program if the text has no alternative for this program. Warns that the output lacks
+ * it, or fails if the options are strict. */
 static bool sugar_lacks(const sugar_kinds *k, vs_ref ref, vs_error *e) {
   const vs_sugar_options *o = k->options;
   const vs_node *n = ref.node;
@@ -260,7 +260,7 @@ bool vs_scene_sugar(vs_scene *scene, const vs_sugar_options *options, vs_error *
     vs_job_warn(options->job, kinds.native.origin,
                 "native: text for other programs is switched off here; the object of #:otherwise is drawn");
   for (size_t i = 0; ok && kinds.only && i < scene->drawn_count; i++) ok = sugar_below(&w, scene->drawn[i], true);
-  if (ok && w.count) { /* an `only` inside a ghost has no effect */
+  if (ok && w.count) { /* a node `only` inside a ghost has no effect */
     vs_job_warn(options->job, w.found[0].origin, "only: nothing else of the drawing is shown");
     sugar_take(scene, &w);
   }

@@ -14,10 +14,9 @@
 #include "model/scene.h"
 
 typedef enum {
-  VS_MARKS_DROP,  /* for solids: shows no part that does not exist */
+  VS_MARKS_DROP,  /* shows neither ghosts nor the cut-away parts of highlights, for formats of solids */
   VS_MARKS_PAINT, /* adds highlights in translucent red and ghosts in grey to the drawing */
-  VS_MARKS_KEEP   /* for targets that can express the marks: highlights stay in place, ghosts are added to the
-                   * drawing */
+  VS_MARKS_KEEP   /* keeps highlights in place, and adds ghosts to the drawing, for targets that can express both */
 } vs_mark_style;
 
 typedef struct {
@@ -25,14 +24,16 @@ typedef struct {
   const char *target; /* target of targets.def; NULL: no native text is written */
   const char *output; /* name of the format in messages, such as ".stl"; NULL: no warning about native text without an
                        * alternative */
-  bool keeps_text;    /* whether to keep native text that has no alternative for other formats, for counts */
-  bool strict;        /* whether native text without an alternative for this format is an error, not a warning */
-  bool muted;         /* whether native text is not written in any case, with a warning */
+  bool keeps_text;    /* true: native text that has no alternative for other formats is kept, so that it can be
+                       * counted */
+  bool strict;        /* true: native text without an alternative for this format causes an error instead of a
+                       * warning */
+  bool muted;         /* true: native text is never written, and a warning is given */
   const vs_job *job;  /* receives a warning once for each kind, with the first place; may be NULL */
 } vs_sugar_options;
 
-/* Rewrites the scene's drawn array, which belongs to the store. For a scene without such nodes it only examines each
- * drawn object. */
+/* Rewrites the scene's drawn array, which belongs to the store. For a scene without nodes of level SUGAR it only
+ * examines each drawn object. */
 bool vs_scene_sugar(vs_scene *scene, const vs_sugar_options *options, vs_error *e);
 
 #endif

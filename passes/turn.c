@@ -1,11 +1,11 @@
 /* Tests, for the pass share, whether a subtree is another subtree rotated, mirrored and moved.
  *
- * The test walks both subtrees side by side, and keeps the map down to the current node of each. Each pair of
+ * The test walks both subtrees side by side, and keeps the map from the root to the current node of each. Each pair of
  * primitives gives pairs of points that move with them. These are a primitive's own points if they determine it (a
  * sphere's centre, a cylinder's ends, corners). Otherwise they are the origin and the axes of its frame, and its fields
  * must then be equal. Three points far from each other, and the side on which a fourth point lies, determine the only
- * possible rigid map. Every pair must then agree with this map. A template is therefore never wrong by more than
- * rounding. */
+ * possible rigid map. Every pair must then agree with this map. Therefore a template deviates from its copies by no
+ * more than rounding errors. */
 #include "passes/turn.h"
 
 #include <math.h>
@@ -25,7 +25,7 @@ typedef struct {
   size_t step_count, step_room;
   turn_pair *pairs;
   size_t pair_count, pair_room;
-  size_t steps_taken; /* number of visited nodes */
+  size_t steps_taken; /* number of visited nodes so far */
   vs_error *error;    /* set if memory is out or the run is interrupted */
 } turner;
 
@@ -75,12 +75,13 @@ static bool turn_is_rigid(const vs_affine *a) {
   return vs_affine_even(a, &k) && fabs(k - 1) < 1e-12;
 }
 
-/* Compares the fields of both nodes, with positions relative to each node's first point. Adds both frames. */
+/* Compares the fields of two nodes, with positions relative to each node's first point. Adds the frames of both nodes
+ * to the pairs of points. */
 static bool turn_frame(turner *t, const turn_step *x) {
   const vs_kind_info *info = vs_kind_get((vs_kind)x->a->kind);
   vs_vec3 at[2] = { { 0, 0, 0 }, { 0, 0, 0 } };
-  bool found = false, ok = x->a->kind != VS_HEIGHT_FIELD; /* the foot of a height field is a height, which no field type
-                                                           * marks */
+  bool found = false, ok = x->a->kind != VS_HEIGHT_FIELD; /* the foot of a height field is a height, although its field
+                                                           * type is a plain number */
   for (size_t i = 0; ok && i < info->field_count; i++) {
     const char *p = (const char *)vs_node_data(x->a) + info->fields[i].offset,
                *q = (const char *)vs_node_data(x->b) + info->fields[i].offset;
@@ -127,7 +128,7 @@ static bool turn_frame(turner *t, const turn_step *x) {
 
 #define TURN_BOTH(lower) const struct vs_##lower *a = VS_AS(lower, x->a), *b = VS_AS(lower, x->b)
 
-/* Compares two primitives of the same kind. Of these, only extruded polygons have children. */
+/* Compares two primitives of the same kind. Only extruded polygons have children here. */
 static bool turn_leaf(turner *t, const turn_step *x) {
   bool rigid = turn_is_rigid(&x->to_a) && turn_is_rigid(&x->to_b);
   if (x->a->kind == VS_SPHERE && rigid) {
@@ -179,9 +180,9 @@ static bool turn_leaf(turner *t, const turn_step *x) {
   return x->a->child_count == 0 && turn_frame(t, x);
 }
 
-enum { TURN_WORK = 64 /* cost of a node for vs_store_going */ };
+enum { TURN_WORK = 64 /* estimated work for a node, in the unit of vs_store_going */ };
 
-/* Descends through placements and sets of a single member. Returns false if interrupted. */
+/* Descends from *at through placements and sets of a single member to the shape below. Returns false if interrupted. */
 static bool turn_strip(turner *t, const vs_node **at, vs_affine *to) {
   const vs_node *n = *at;
   for (;; t->steps_taken++) {
@@ -216,8 +217,8 @@ static size_t turn_farthest(const turner *t, vs_vec3 o, vs_vec3 u, double *dista
   *distance = -1;
   for (size_t i = 0; i < t->pair_count; i++) {
     double d = vs_v3_length(vs_v3_cross(u, vs_v3_sub(t->pairs[i].a, o)));
-    if (d > *distance * (1 + 1e-9)) *distance = d, best = i; /* the first of equal distances, independent of the last
-                                                              * digits */
+    if (d > *distance * (1 + 1e-9)) *distance = d, best = i; /* of almost equal distances the first is chosen, so that
+                                                              * the result does not depend on rounding errors */
   }
   return best;
 }
@@ -255,7 +256,7 @@ static bool turn_solve(const turner *t, vs_affine *turn) {
   }
   if (off > ldexp(most, -20) &&
       vs_v3_dot(frame[0][2], vs_v3_sub(p[four].a, p[0].a)) * vs_v3_dot(frame[1][2], vs_v3_sub(p[four].b, p[0].b)) < 0)
-    frame[1][2] = vs_v3_scale(frame[1][2], -1); /* the map mirrors */
+    frame[1][2] = vs_v3_scale(frame[1][2], -1); /* the map mirrors, so one axis is reversed */
   for (int i = 0; i < 3; i++) {
     const double *x = &frame[1][0].x + i, *y = &frame[1][1].x + i, *z = &frame[1][2].x + i;
     vs_vec3 row =

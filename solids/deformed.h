@@ -3,8 +3,8 @@
  *
  * If the corners are those of a parallelepiped, the map is affine, and the child becomes a placement. Otherwise each
  * leaf is meshed, once for each child, and divided where the map bends it (geometry/shapes/bending.h). It is then
- * mapped, once for each set of corners up to a rigid motion. A hexahedron that is a moved or rotated copy of an earlier
- * one gets a placement of the earlier mesh. */
+ * mapped, once for each set of corners up to a rigid motion. If a hexahedron is a moved or rotated copy of an earlier
+ * hexahedron, it becomes a placement of the earlier mesh. */
 #ifndef VS_SOLIDS_DEFORMED_H
 #define VS_SOLIDS_DEFORMED_H
 
@@ -23,9 +23,9 @@ bool vs_deform_is_affine(const struct vs_deform *d, const vs_bounds *bounds, vs_
 typedef struct vs_deformer vs_deformer;
 
 /* Returns a new deformer, or NULL if memory is out. If facets has no tolerance, the tolerance is a two-hundredth of
- * each hexahedron's diagonal. All three arguments must outlive the deformer. */
+ * each hexahedron's diagonal. The three arguments must exist longer than the deformer. */
 vs_deformer *vs_deformer_new(vs_store *s, const vs_fineness *facets, const vs_kernel_options *options);
-void vs_deformer_free(vs_deformer *d); /* NULL is allowed */
+void vs_deformer_free(vs_deformer *d); /* d may be NULL */
 /* Returns the deformed child, which consists of placements and meshes. The child must be resolved. Returns NULL and
  * sets e on failure. */
 vs_node *vs_deformer_apply(vs_deformer *d, const struct vs_deform *corners, vs_ref child, vs_error *e);

@@ -38,8 +38,8 @@ static bool keeps_boxes(const vs_affine *a) {
   return true;
 }
 
-/* Sets *exact to false if the formula's bounds may be larger than the object. Checks at most BOX_LOOK nodes; all
- * further nodes count as exact. */
+/* Sets *exact to false if bounds by formula may be larger than the object. Checks at most BOX_LOOK nodes; all further
+ * nodes count as exact. */
 static bool box_is_exact(const vs_node *n, bool *exact) {
   node_stack s = { 0 };
   size_t seen = 0;
@@ -71,8 +71,8 @@ static bool box_is_exact(const vs_node *n, bool *exact) {
 
 /* ---- the cost of combining ---- */
 
-/* Returns the extra cost of facets beyond the usual 64 in a full turn. The facets of a sphere increase with the
- * square. */
+/* Returns the extra cost of facets beyond the usual 64 in a full turn. For a sphere, the number of facets increases
+ * with the square of this number. */
 static size_t segments_cost(const vs_node *n) {
   const vs_kind_info *k = vs_kind_get((vs_kind)n->kind);
   for (size_t i = 0; i < k->field_count; i++) {
@@ -91,7 +91,7 @@ static size_t shape_cost(const vs_node *n) {
   return n->child_count > 0 ? 0 : 1;
 }
 
-/* Counts shapes, and each placement as one more, up to `most`. Returns false if memory is out. */
+/* Counts the shapes below n, and each placement as one more, up to `most`. Returns false if memory is out. */
 static bool combine_cost(const vs_node *n, size_t most, size_t *cost) {
   node_stack s = { 0 };
   bool ok = true;

@@ -6,14 +6,17 @@
 #include "kernel/evaluate.h"
 #include "model/node.h"
 
-enum { VS_DRAWN_BOUNDS_MOST = 400 }; /* a budget (see `budget` below) for some hundredths of a second */
+enum { VS_DRAWN_BOUNDS_MOST = 400 }; /* greatest value of `budget` for a search that takes some hundredths of a
+                                      * second */
 
 /* The settings of a search for bounds. */
 typedef struct {
-  const vs_fineness *facets; /* fineness of meshes; tolerance 0: by the rule of drawings */
+  const vs_fineness *facets; /* fineness of the meshes; if its tolerance is 0, the default tolerance of drawings
+                              * applies */
   const vs_kernel_options *options;
   size_t *budget;            /* number of shapes that may still be combined, which the search reduces; NULL: no limit */
-  bool at_most;              /* set if the budget was too small, so that the bounds are those of the operands */
+  bool at_most;              /* result: true if the budget was too small, so that the bounds are those of the
+                              * operands */
 } vs_drawn_search;
 
 /* Computes the bounds of a node without unbounded parts. They are exact for primitives, placed primitives and unions of

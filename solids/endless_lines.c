@@ -1,5 +1,5 @@
-/* Replaces lines without end: each is drawn to the sides of the drawing's box. If the drawing contains nothing else,
- * each is drawn ten units to both sides. */
+/* Replaces lines without end by finite lines. Each is drawn to the sides of the drawing's bounding box. If the drawing
+ * contains only such lines, each is drawn ten units to both sides. */
 #include "solids/endless_lines.h"
 
 #include <stdlib.h>
@@ -19,7 +19,7 @@ typedef struct {
 typedef struct { endless *at; size_t count, room; } endless_list;
 typedef struct { vs_affine placed; const vs_material *material; const char *layer; } endless_level;
 
-/* Collects the lines of a tree, at their places in space. */
+/* Collects the lines without end in a tree of nodes, with their positions in space. */
 static bool collect(vs_ref root, endless_list *out, vs_error *e) {
   vs_walk *w = vs_walk_new(root.node->store, root);
   endless_level *levels = NULL;
@@ -59,8 +59,8 @@ static bool collect(vs_ref root, endless_list *out, vs_error *e) {
   return ok;
 }
 
-/* Returns the part of the line inside b, with its material and layer. Returns the empty node if the line does not
- * intersect b, and NULL if memory is out. */
+/* Returns the part of the line inside the box b, with its material and layer. Returns the empty node if the line does
+ * not intersect b, and NULL if memory is out. */
 static vs_node *clipped(vs_store *s, const endless *l, const vs_bounds *b) {
   vs_vec3 ends[2];
   if (!vs_line_clip(l->p, vs_v3_unit(l->way), l->ray, b, &ends[0], &ends[1]))

@@ -17,8 +17,8 @@ void vs_polylines_free(vs_polylines *p) {
 }
 
 typedef struct { uint64_t key; uint32_t face; bool forward; } side;
-typedef struct { uint32_t from, to, edge; } arm; /* an end of a feature edge: the edge leads from this vertex to
-                                                  * another */
+typedef struct { uint32_t from, to, edge; } arm; /* one end of a feature edge, from which the edge leads from the vertex
+                                                  * `from` to the vertex `to` */
 
 static int side_compare(const void *p, const void *q) {
   const side *a = p, *b = q;
@@ -29,8 +29,8 @@ static int arm_compare(const void *p, const void *q) {
   return a->from != b->from ? (a->from < b->from ? -1 : 1) : a->to < b->to ? -1 : a->to > b->to;
 }
 
-/* Returns the feature edges of m over the vertices `place`, as arms sorted by their start. *count is the number of
- * arms, twice that of edges. Returns NULL if memory is out. */
+/* Returns the feature edges of m as arms, sorted by their start. place[v]: first vertex at the position of vertex v.
+ * *count is the number of arms, which is twice the number of edges. Returns NULL if memory is out. */
 static arm *feature_arms(const vs_mesh *m, const uint32_t *place, size_t *count) {
   size_t n = m->triangle_count, sides = 0;
   side *all = vs_fresh(3 * n + 1, sizeof *all);

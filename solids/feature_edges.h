@@ -1,4 +1,4 @@
-/* Declares feature edges. */
+/* Declares feature edges: the edges of a mesh that a draughtsman would draw. */
 #ifndef VS_SOLIDS_FEATURE_EDGES_H
 #define VS_SOLIDS_FEATURE_EDGES_H
 

@@ -7,16 +7,16 @@
  * The union of the intervals is hidden.
  *
  * Contact. Distances up to the slack count as zero. A triangle includes its sides: an edge that runs along a side,
- * further back, is hidden. The side is then an edge itself, or the surface continues beyond it. An edge in the
+ * farther back, is hidden. The side is then an edge itself, or the surface continues beyond it. An edge in the
  * triangle's plane is never hidden by the triangle. Distances from the plane are measured perpendicular to it, so faces
  * seen nearly edge-on are as accurate as others. Faces seen exactly edge-on hide nothing. The conditions are evaluated
  * where the edge enters and leaves the triangle's box in the picture. Far outside the box, the direction of a short
- * side would be useless.
+ * side would be inaccurate.
  *
  * Cost. The triangles that may hide something are in a binary tree of boxes in the picture, each with the least depth
  * below it. The tree is built by halving at the median of the longest of width, height and depth: n log n. An edge is
- * first tested against the triangles that hid the edges before it. The search then visits the nearer half first, skips
- * boxes that are further away than the edge, and ends when the whole edge is hidden. */
+ * first tested against the triangles that hid the previous edges. The search then visits the nearer half first, skips
+ * boxes that are farther away than the edge, and ends when the entire edge is hidden. */
 #include "solids/hidden_lines.h"
 
 #include <math.h>
@@ -26,7 +26,7 @@ enum { LEAF = 4, STACK = 128, KEPT = 8 };
 typedef struct { double low[2], high[2], depth; } box; /* bounds in the picture; depth: the least depth of the triangles
                                                         * below */
 typedef struct { box b; uint32_t first, count, right; } node;
-    /* a range of `order`; if its count is 0, the children are the next node and `right` */
+    /* node: first and count are a range of `order`; if count is 0, the node's children are the next node and `right` */
 typedef struct { double from, to; } span;
 
 typedef struct {
@@ -40,7 +40,7 @@ typedef struct {
   span *spans;       /* hidden parts of the current edge, sorted and disjoint */
   size_t span_count, span_room;
   size_t turns;
-  uint32_t kept[KEPT]; /* indices of boxes of triangles that hid whole edges, the latest first */
+  uint32_t kept[KEPT]; /* indices of boxes of triangles that hid entire edges, the latest first */
 } sight;
 
 static bool going(sight *v) { return (++v->turns & 0xfff) != 0 || vs_job_going(v->host->job, "drawing", -1); }
@@ -73,7 +73,7 @@ static void corners_of(const vs_sight *s, uint32_t triangle, vs_vec3 out[3]) {
   for (int k = 0; k < 3; k++) out[k] = s->points[s->triangles[triangle][k]];
 }
 
-/* Returns true if the triangle faces the viewer enough to hide anything. */
+/* Returns true if the triangle can hide something: the viewer sees its front, or either side if it bounds no solid. */
 static bool may_hide(const vs_sight *s, uint32_t i) {
   vs_vec3 c[3];
   corners_of(s, i, c);
@@ -166,12 +166,13 @@ static bool gather(sight *v) {
 /* ---- an edge and a triangle ---- */
 
 typedef struct { vs_vec3 p, d; double low[2], high[2], far, length, slack; double from, to; } line;
-    /* from, to: interval of s that remains after the clips */
+    /* line: from and to are the interval of the parameter s that remains after clipping */
 
 static vs_vec3 place(const line *l, double s) { return vs_v3_add(l->p, vs_v3_scale(l->d, s)); }
 
-/* Keeps the part of from..to where a linear function is not negative. The function is given by its values at both ends.
- * Values with an absolute value up to slack count as 0. Returns false if at most a point remains. */
+/* Keeps the part of the interval from..to where a linear function is not negative. The function is given by its values
+ * at both ends of the edge. Values with an absolute value up to slack count as 0. Returns false if at most a point
+ * remains. */
 static bool keep(line *l, double at_from, double at_to, double slack) {
   if (fabs(at_from) <= slack) at_from = 0;
   if (fabs(at_to) <= slack) at_to = 0;
@@ -207,7 +208,7 @@ static vs_vec3 side_normal(const vs_sight *s, vs_vec3 a, vs_vec3 b) {
 }
 
 /* Returns true if the triangle lies entirely on one side of the line from a to b in the picture. This holds for most
- * triangles whose boxes the line intersects. */
+ * triangles whose boxes this line intersects. */
 static bool passes(const vs_sight *s, const vs_vec3 c[3], const double a[2], const double b[2], double slack) {
   double across = b[0] - a[0], up = b[1] - a[1], least = INFINITY, most = -INFINITY;
   for (int k = 0; k < 3; k++) {
@@ -220,7 +221,8 @@ static bool passes(const vs_sight *s, const vs_vec3 c[3], const double a[2], con
   return least > slack || most < -slack;
 }
 
-/* Computes the part of l that the triangle hides, as l->from and l->to. Returns false if it hides nothing. */
+/* Computes the part of the edge l that the triangle hides, as l->from and l->to. Returns false if the triangle hides no
+ * part of it. */
 static bool hides(const vs_sight *s, const vs_vec3 c[3], const box *b, line *l) {
   vs_vec3 n = vs_v3_unit(vs_v3_cross(vs_v3_sub(c[1], c[0]), vs_v3_sub(c[2], c[0])));
   if (vs_v3_dot(n, s->perspective ? c[0] : vs_v3(0, 0, 1)) < 0) n = vs_v3_scale(n, -1);
@@ -279,7 +281,7 @@ static void keep_hider(sight *v, uint32_t which) {
   v->kept[0] = which;
 }
 
-/* Computes v->spans for the edge. Sets *on to false if interrupted. */
+/* Computes the hidden intervals v->spans of the edge. Sets *on to false if interrupted. */
 static bool look(sight *v, const vs_sight_edge *edge, double gap, bool *on) {
   const vs_sight *s = v->s;
   line l = { .p = edge->p, .d = vs_v3_sub(edge->q, edge->p), .slack = fmax(edge->slack, s->slack) };
@@ -334,8 +336,8 @@ static bool add_piece(sight *v, vs_sight_pieces *out, vs_sight_piece piece, doub
   return true;
 }
 
-/* Appends the edge's parts between the spans. with_hidden: also appends the parts in the spans. Parts shorter than
- * `least` are omitted. */
+/* Appends the parts of the edge between the spans, which are visible. with_hidden: also appends the parts in the spans.
+ * Parts shorter than `least` are omitted. */
 static bool cut_up(sight *v, uint32_t edge, bool with_hidden, double least, vs_sight_pieces *out) {
   double at = 0;
   for (size_t i = 0; i < v->span_count; i++) {
@@ -357,7 +359,7 @@ bool vs_sight_find_visible(const vs_sight_host *host, const vs_sight *s, const v
     on_picture(s, edge->p, a);
     on_picture(s, edge->q, b);
     double length = hypot(b[0] - a[0], b[1] - a[1]) * (s->perspective ? fmin(edge->p.z, edge->q.z) : 1);
-    if (length <= 8 * s->slack) continue; /* the viewer sees the edge as a point */
+    if (length <= 8 * s->slack) continue; /* skips an edge that the viewer sees as a point */
     ok = look(&v, edge, 2 * s->slack / length, &on);
     ok = ok && (!on || cut_up(&v, (uint32_t)i, with_hidden, 8 * s->slack / length, out));
   }

@@ -66,16 +66,16 @@ static bool drop_flakes(vs_mesh *m, double thickness, vs_error *e) {
   return ok;
 }
 
-/* The remaining work: the number of pairs of triangles that arrangements may still test, and whether it was too
- * small. */
+/* The work that is still allowed: the number of pairs of triangles that arrangements may still test, and whether this
+ * number was too small. */
 typedef struct {
   const vs_kernel_options *options;
   size_t pairs;
   bool too_much;
 } work;
 
-/* Replaces m by the solid that it winds around more than 0 times. left NULL: any amount of work is allowed. If it
- * returns true with left->too_much, m is unchanged. */
+/* Replaces m by the solid of all space that it winds around more than 0 times. left: the work that is still allowed;
+ * NULL: any amount. If the result is true and left->too_much is set, m is unchanged. */
 static bool resolve(vs_mesh *m, const vs_kernel_options *options, work *left, vs_error *e) {
   vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
   vs_mesh whole = { 0 };
@@ -92,7 +92,8 @@ static bool resolve(vs_mesh *m, const vs_kernel_options *options, work *left, vs
   return true;
 }
 
-/* Replaces m by the solid without overlaps. Sets *changed to whether m overlapped or touched itself. */
+/* Replaces m by the solid without overlaps. Sets *changed to true if m overlapped or touched itself. Returns false on
+ * failure. */
 static bool free_of_overlaps(vs_mesh *m, const vs_kernel_options *options, bool *changed, vs_error *e) {
   vs_mesh_flaws flaws;
   vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
@@ -113,12 +114,12 @@ bool vs_mesh_without_overlaps(vs_mesh *m, const vs_kernel_options *options, vs_e
 
 /* ---- crowds ---- */
 
-/* CROWD: limit of the number of pairs of triangles that may intersect, per triangle. More pairs take too long to
- * arrange at once. MOST_PAIRS: limit of the number of all pairs. */
+/* CROWD: greatest number of intersecting pairs of triangles, per triangle, that are arranged at once. MOST_PAIRS: limit
+ * of the number of all pairs. STEPS: number of steps of a sweep in a run. */
 enum { CROWD = 16, MOST_PAIRS = 60000000, STEPS = 8 };
 
-/* Sets *crowd to whether m, the mesh of a sweep, overlaps so much at its bends that runs of steps must be united
- * separately. */
+/* Sets *crowd to true if m, the mesh of a sweep, overlaps so much at its bends that runs of steps must be united
+ * separately. Returns false on failure. */
 static bool is_crowd(const vs_node *n, const vs_fineness *f, const vs_mesh *m, const vs_kernel_options *options,
                      bool *crowd, vs_error *e) {
   vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
@@ -141,7 +142,7 @@ static bool add_mesh(vs_mesh *a, vs_mesh *b) {
   return ok;
 }
 
-/* Resolves m, and welds the needles and crumbs that remain. */
+/* Resolves the overlaps of m, and welds the needles and crumbs that remain. */
 static bool unite(vs_mesh *m, double step, work *left, vs_error *e) {
   return resolve(m, left->options, left, e) && (left->too_much || vs_mesh_weld(m, step) || vs_error_memory(e, NULL));
 }
@@ -179,7 +180,8 @@ bool vs_primitive_overlaps(const vs_node *n, const vs_fineness *f, const vs_kern
 
 /* ---- rounding ---- */
 
-/* Sets *met to whether triangles intersect when m is rounded to the numbers of .off or .stl. *at is the first place. */
+/* Sets *met to true if triangles intersect after m is rounded to the numbers of .off or .stl. *at: the first place
+ * where they intersect. Returns false on failure. */
 static bool find_met(const vs_mesh *m, const vs_kernel_options *options, bool *met, vs_vec3 *at, vs_error *e) {
   static const vs_numbers numbers[] = { VS_NUMBERS_DIGITS, VS_NUMBERS_LOOSE };
   bool ok = true;
@@ -197,8 +199,8 @@ static bool find_met(const vs_mesh *m, const vs_kernel_options *options, bool *m
   return ok;
 }
 
-/* Repairs m on a grid with `per` steps per unit, as for a format without indices whose numbers have single precision.
- * The singles between 2^23 and 2^24 are the whole numbers. m stays a closed chain. */
+/* Repairs m on a grid with `per` steps per unit. It treats m as for a format without indices whose numbers have single
+ * precision: between 2^23 and 2^24, such numbers are the whole numbers. m stays a closed chain. */
 static bool mend(vs_mesh *m, double per, const vs_kernel_options *options, vs_error *e) {
   const double middle = 0x1.8p23;
   vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
@@ -215,13 +217,14 @@ static bool mend(vs_mesh *m, double per, const vs_kernel_options *options, vs_er
   return true;
 }
 
-/* Resolves m, and checks whether triangles of the result intersect. */
+/* Resolves the overlaps of m. Sets *met to true if triangles of the result intersect. */
 static bool try_out(vs_mesh *m, work *left, bool *met, vs_vec3 *at, vs_error *e) {
   return resolve(m, left->options, left, e) && (left->too_much || find_met(m, left->options, met, at, e));
 }
 
-/* Repairs m on a grid (mend) and resolves the intersections there, several times. Gives up if m grows, since that does
- * not end. The last check is of the final mesh: the solid that m winds around more than 0 times, resolved again. */
+/* Repairs m on a grid (mend) and resolves the intersections there, several times. Gives up if m grows, because the
+ * repetitions would not end. The last check is of the final mesh: the solid that m winds around more than 0 times,
+ * resolved again. */
 static bool settle_on(vs_mesh *m, double per, work *left, bool *met, vs_vec3 *at, vs_error *e) {
   enum { ROUNDS = 4 };
   vs_bounds b = vs_mesh_bounds(m);
@@ -235,8 +238,8 @@ static bool settle_on(vs_mesh *m, double per, work *left, bool *met, vs_vec3 *at
   return ok;
 }
 
-/* Repairs m on decimal grids, each coarser than the last, until no triangles intersect in any format's numbers.
- * coarsest: largest step of a grid. *met: whether all grids have failed. *at: place of an intersection. */
+/* Repairs m on decimal grids, each coarser than the previous grid, until no triangles intersect in any format's
+ * numbers. coarsest: largest step of a grid. *met: true if all grids have failed. *at: place of an intersection. */
 static bool settle(vs_mesh *m, double coarsest, work *left, bool *met, vs_vec3 *at, vs_error *e) {
   vs_bounds b = vs_mesh_bounds(m);
   double size = vs_bounds_diagonal(&b);
@@ -257,8 +260,8 @@ static bool settle(vs_mesh *m, double coarsest, work *left, bool *met, vs_vec3 *
   return ok;
 }
 
-/* Sets the error: the bend of a sweep that is too tight, and the size of profile that fits. at: a place near the bend;
- * NULL: the tightest bend. */
+/* Sets the error to the bend of a sweep that is too tight, and the size of the profile that fits. at: a place near the
+ * bend; NULL: the tightest bend. */
 static bool refuse(const vs_node *n, const vs_fineness *f, const vs_vec3 *at, vs_error *e) {
   vs_sweep_bend bend;
   char fits[60] = "no profile fits";

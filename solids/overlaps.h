@@ -7,11 +7,11 @@
 #include "model/mesh.h"
 #include "model/node.h"
 
-/* Replaces a closed mesh that overlaps or touches itself by the solid that it winds around more than 0 times. Any other
- * mesh stays unchanged. options may be NULL. */
+/* Replaces a closed mesh that overlaps or touches itself by the solid of all space that it winds around more than 0
+ * times. Any other mesh stays unchanged. options may be NULL. Returns false and sets e on failure. */
 bool vs_mesh_without_overlaps(vs_mesh *m, const vs_kernel_options *options, vs_error *e);
 
-/* Sets *overlaps to whether the mesh of n from geometry/ overlaps itself. Returns false, with e set, on failure. */
+/* Sets *overlaps to true if the mesh of n from geometry/ overlaps itself. Returns false and sets e on failure. */
 bool vs_primitive_overlaps(const vs_node *n, const vs_fineness *f, const vs_kernel_options *options, bool *overlaps,
                            vs_error *e);
 

@@ -32,7 +32,8 @@ bool vs_primitive_mesh(const vs_node *n, const vs_fineness *f, const vs_kernel_o
 
 /* ---- meshes in the cache ---- */
 
-/* the vertices follow, then the corners, each at a multiple of 16 bytes (cache.c) */
+/* Header of a cached mesh. The vertices follow, and then the corners of the triangles, each beginning at a multiple of
+ * 16 bytes (cache.c). */
 typedef struct { uint64_t vertices, triangles; } header;
 
 static void view(const vs_cached *held, vs_mesh *out) {

@@ -8,13 +8,13 @@
 #include "kernel/evaluate.h"
 #include "model/store/cache.h"
 
-/* Makes the mesh of a primitive, as vs_tessellate does, into an empty mesh. If a sweep, loft or surface overlaps
- * itself, the result is the solid that it winds around more than 0 times. The error has no origin if that of geometry/
- * has none. options may be NULL. */
+/* Makes the mesh of a primitive, as vs_tessellate does, in an empty mesh. If a sweep, loft or surface overlaps itself,
+ * the result is the solid of all space that it winds around more than 0 times. The error has no origin if geometry/
+ * reports none. options may be NULL. */
 bool vs_primitive_mesh(const vs_node *n, const vs_fineness *f, const vs_kernel_options *options, vs_mesh *out,
                        vs_error *e);
 
-/* Where a mesh is put, and the cache in which it is searched for and stored. */
+/* The destination of a mesh, and the cache in which it is searched and stored. */
 typedef struct {
   vs_cache *cache;         /* cache of meshes; NULL: there is no cache */
   vs_mesh *mesh;           /* mesh that receives the result, empty at first */
@@ -25,8 +25,8 @@ typedef struct {
 /* Makes the mesh of a primitive as vs_primitive_mesh does, or finds it in the cache. */
 bool vs_primitive_shared(const vs_kept_mesh *to, vs_node *n, const vs_fineness *f, const vs_kernel_options *options,
                          vs_error *e);
-/* Do the work of vs_primitive_shared in two steps. vs_primitive_find leaves *held NULL if the cache has no entry.
- * vs_primitive_keep stores a new mesh. */
+/* The two steps of vs_primitive_shared as separate functions. vs_primitive_find searches the cache, and leaves *held
+ * NULL if it has no entry. vs_primitive_keep stores a new mesh. */
 bool vs_primitive_find(const vs_kept_mesh *to, vs_node *n, const vs_fineness *f);
 void vs_primitive_keep(const vs_kept_mesh *to, vs_node *n, const vs_fineness *f);
 /* Makes, or finds in the cache, the mesh of the part of a half-space inside reach. Returns false if memory is out. */

@@ -21,7 +21,7 @@ typedef struct {
   const vs_fineness *facets;
   const vs_kernel_options *options;
   vs_error *error;
-  vs_deformer *deformer; /* NULL: nothing has been deformed up to now */
+  vs_deformer *deformer; /* deforms hexahedra; NULL: nothing has been deformed yet */
   vs_nodemap known;    /* maps an old node to its new node, which `made` retains */
   vs_node **made;
   size_t made_count, made_room;
@@ -29,7 +29,7 @@ typedef struct {
 
 static bool is_unresolved(const vs_node *n) { return n->flags & VS_NODE_UNRESOLVED; }
 
-/* Returns the node that replaces n, without a new reference; n itself if nothing replaces it. */
+/* Returns the node that replaces n, without a new reference. Returns n itself if no node replaces it. */
 static vs_node *now(const resolver *r, vs_node *n) {
   const uint64_t *place = is_unresolved(n) ? vs_nodemap_get(&r->known, n) : NULL;
   return place ? r->made[*place] : n;
@@ -58,8 +58,8 @@ static vs_node *line(vs_store *s, const vs_polyline *p) {
   return n;
 }
 
-/* Makes a node of these children, and takes over their references. alone: a single child is returned without a node
- * around it. */
+/* Makes a node of these children, and takes over their references. If `alone` is true, a single child is returned
+ * without a node around it. */
 static vs_node *of_children(vs_store *s, vs_kind kind, vs_ref *refs, size_t count, bool alone) {
   bool ok = true;
   static const unsigned char none[8];
@@ -152,8 +152,8 @@ static vs_node *flat_of(const resolver *r, const vs_ref *ref) {
   return made;
 }
 
-/* If the shape has a formula for its edges, makes them as exact circles. Otherwise sets *known to false: the caller
- * must use the mesh. */
+/* If the shape has a formula for its edges, makes the edges as exact circles. Otherwise sets *known to false: the
+ * caller must use the mesh. */
 static vs_node *round_edges(const resolver *r, const vs_node *n, const vs_origin *origin, bool *known) {
   vs_affine placed = vs_affine_identity();
   vs_vec3 at[2];
@@ -283,13 +283,14 @@ typedef struct {
   const resolver *r;
   const struct vs_slice *plane;
   const vs_origin *origin;
-  const vs_node *const *looks; /* materials and layers around the part that is being cut, the innermost last */
+  const vs_node *const *looks; /* materials and layers around the part that is being cut; the innermost is the last */
   size_t look_count;
   vs_ref *at;                  /* pieces that remain after the cut */
   size_t count, room;
 } pieces;
 
-static bool keep_piece(pieces *p, vs_node *n) { /* takes over the reference to n */
+static bool keep_piece(pieces *p, vs_node *n) { /* adds a piece that remains after the cut, and takes over the reference
+                                                 * to n */
   vs_store *s = p->r->store;
   for (size_t i = p->look_count; n && i-- > 0;) {
     vs_node *bare = n;
@@ -307,7 +308,8 @@ static bool keep_line(void *context, const vs_polyline *piece) {
   return keep_piece(p, line(p->r->store, piece));
 }
 
-/* Slices a part that has a single class. placed: map from the part's coordinates to the slice's. */
+/* Slices a part that is entirely a curve, region, surface or solid. placed: map from the part's coordinates to those of
+ * the slice. */
 static bool slice_part(pieces *p, vs_ref part, const vs_affine *placed) {
   const vs_node *n = part.node;
   vs_store *s = p->r->store;
@@ -452,8 +454,8 @@ static bool resolve_one(resolver *r, const vs_ref *ref) {
       vs_job_warn(r->options->job, ref->origin,
                   "the hexahedron is flat or inside out: nothing is left of the solid in the hexahedron");
   } else {
-    made = vs_node_has(n, VS_IS_UNRESOLVED) ? nothing(r->store) : rebuilt(r, n); /* a line without end becomes
-                                                                                  * nothing */
+    made = vs_node_has(n, VS_IS_UNRESOLVED) ? nothing(r->store) : rebuilt(r, n); /* a line without end becomes the empty
+                                                                                  * node here */
   }
   return remember(r, n, made);
 }

@@ -1,5 +1,6 @@
 /* Declares the replacement of sections, shadows and feature edges by regions and curves. These need a solid's mesh,
- * which geometry/ cannot make. All code that converts nodes to points in space receives resolved nodes. */
+ * which geometry/ cannot make. Resolved nodes contain none of these kinds. All code that converts nodes to points in
+ * space receives resolved nodes. */
 #ifndef VS_SOLIDS_RESOLVE_H
 #define VS_SOLIDS_RESOLVE_H
 

@@ -51,7 +51,7 @@ static vs_vec3 *in_frame(const vs_mesh *m, const vs_affine *frame) {
 }
 
 static vs_vec2 crossing(const vs_vec3 *at, uint32_t a, uint32_t b) {
-  if (b < a) { /* orders the ends, so that both triangles of an edge compute the same crossing */
+  if (b < a) { /* orders the ends of the edge, so that both its triangles compute the same crossing */
     uint32_t swap = a;
     a = b;
     b = swap;
@@ -93,8 +93,8 @@ bool vs_mesh_section(const vs_mesh *m, vs_vec3 point, vs_vec3 normal, vs_outline
       at[i].z = 0;
       on = true;
     }
-  for (int k = 0; ok && k < (on ? 2 : 1); k++) { /* if no vertex lies in the plane, the two cuts are equal, and one
-                                                  * suffices */
+  for (int k = 0; ok && k < (on ? 2 : 1); k++) { /* If no vertex lies in the plane, the cuts just above and just below
+                                                  * it are equal, and one of them suffices. */
     chain c = { 0 };
     ok = cut(m, at, k == 0, &c) || vs_error_memory(e, NULL);
     ok = ok && vs_area_of_chain((const vs_vec2 (*)[2])c.at, c.count, "do-section", &parts[k], e);

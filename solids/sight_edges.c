@@ -1,8 +1,9 @@
 /* Chooses the lines of a mesh that a view shows. See hidden_lines.h.
  *
- * Each side of a triangle is a row, sorted by its two points; the rows with equal points are the faces around an edge.
- * A face is seen from the front, from the back, or edge-on (within 1e-7), which counts as neither. Where a smooth
- * surface turns away from the viewer, the line lies between the last visible face and the next face. */
+ * Each side of a triangle is an element of a list, sorted by its two points. The elements with equal points are the
+ * faces around an edge. A face is seen from the front, from the back, or edge-on (within 1e-7), which counts as
+ * neither. Where a smooth surface turns away from the viewer, the line lies between the last visible face and the next
+ * face. */
 #include "solids/sight_edges.h"
 
 #include <math.h>
@@ -21,7 +22,8 @@ static int side_compare(const void *p, const void *q) {
 }
 
 typedef struct { vs_vec3 normal; int8_t front; } face;
-    /* front: 1 if seen from the front, -1 from the back, 0 edge-on or without area */
+    /* Computes the data of face i. front: 1 if the face is seen from the front, -1 from the back, 0 if it is seen
+     * edge-on or has no area. */
 
 static face face_of(const vs_sight *s, const uint32_t *place, size_t i) {
   const uint32_t *t = s->triangles[i];
@@ -45,7 +47,8 @@ static vs_sight_kind kind_between(const vs_sight *s, const face *faces, const si
   /* neighbours that use the edge in the same direction have opposite orientations */
   int turned = a->forward == b->forward ? -1 : 1;
   int p = f->front, q = g->front * turned;
-  bool thin = a->face >= s->closed || b->face >= s->closed; /* whether the faces are visible from both sides */
+  bool thin = a->face >= s->closed || b->face >= s->closed; /* true if the faces belong to a surface without thickness,
+                                                             * so that they are visible from both sides */
   if (thin && p + q < 0) p = -p, q = -q;
   if (p <= 0 && q <= 0) return VS_SIGHT_KINDS;
   if (p <= 0 || q <= 0) return VS_SIGHT_OUTLINE;
@@ -60,7 +63,8 @@ static bool add_edge(const vs_sight_host *host, vs_sight_edges *out, vs_sight_ed
   return true;
 }
 
-/* Returns the owner of the edge of these sides: that of a face towards the viewer, if one has an owner. */
+/* Returns the owner of the edge of these sides. If possible, it is the owner of a face that the viewer sees from the
+ * front. */
 static uint32_t owner_of(const vs_sight *s, const face *faces, const side *first, const side *end) {
   uint32_t owner = 0;
   for (const side *a = first; s->owners && a < end; a++)
@@ -104,7 +108,8 @@ bool vs_sight_find_edges(const vs_sight_host *host, const vs_sight *s, vs_sight_
   vs_store_realloc(store, all, 3 * n * sizeof *all, 0);
   vs_store_realloc(store, faces, n * sizeof *faces, 0);
   if (!ok) return vs_error_memory(e, NULL);
-  if (!going && e->kind != VS_ERROR_NONE) return false; /* vs_store_sort has set the error */
+  if (!going && e->kind != VS_ERROR_NONE) return false; /* the sort was interrupted or failed; vs_store_sort has set the
+                                                         * error */
   return going || vs_error_set(e, VS_ERROR_INTERRUPT, NULL, "interrupted");
 }
 

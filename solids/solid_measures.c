@@ -30,10 +30,11 @@ typedef struct {
   vs_nodemap known;           /* maps a node to the number of its formula + 1 */
   VS_LIST(vs_measure) formulas;
   VS_LIST(job) jobs;
-  VS_LIST(part) parts;        /* parts of the current job */
-  VS_LIST(vs_ref) rest[2];    /* added and subtracted parts that will be meshed; owned references */
+  VS_LIST(part) parts;        /* parts of the object into which the current job is divided */
+  VS_LIST(vs_ref) rest[2];    /* parts that will be meshed, added parts in [0] and subtracted parts in [1]; the lists
+                               * own these references */
   VS_LIST(vs_node *) made;    /* nodes that were made for jobs; owned */
-  bool rough;                 /* whether some part overlaps itself, so that finer meshes would take long to unite */
+  bool rough;                 /* true if some part overlaps itself, so that finer meshes would take long to unite */
   double volume, area;
   vs_vec3 moment;
   vs_error *error;
@@ -43,7 +44,7 @@ static bool memory(measuring *m) { return vs_error_memory(m->error, NULL); }
 
 static void add(measuring *m, double volume, double area, vs_vec3 centroid, double sign) {
   m->volume += sign * volume;
-  m->area += area; /* the surface of a cavity counts too */
+  m->area += area; /* the area of a cavity's wall is added, too, although its volume is subtracted */
   m->moment = vs_v3_add(m->moment, vs_v3_scale(centroid, sign * volume));
 }
 
@@ -118,7 +119,7 @@ static bool box_of(measuring *m, const part *p, vs_bounds *out) {
   return ok;
 }
 
-/* Appends the parts of a union, nested at any depth. Sets *whole to false if there are too many. */
+/* Appends the parts of a union, which may be nested at any depth. Sets *whole to false if there are too many parts. */
 static bool spread(measuring *m, vs_ref root, const vs_affine *placed, bool *whole) {
   VS_LIST(job) stack = { 0 };
   bool ok = VS_PUSH(&m->k, stack, ((job){ root, *placed, 1 })) || memory(m);
@@ -156,7 +157,7 @@ static bool cluster(measuring *m, uint32_t *set) {
   vs_bounds all = vs_bounds_empty();
   vs_bvh bvh = { 0 };
   vs_bvh_box *boxes = vs_fresh(n + (size_t)1, sizeof *boxes);
-  int32_t slack = m->ask == VS_ASK_AREA ? -1 : 1; /* number of steps by which boxes shrink */
+  int32_t slack = m->ask == VS_ASK_AREA ? -1 : 1; /* number of steps by which the boxes shrink on each side */
   vs_disjoint(set, n);
   for (uint32_t i = 0; i < n; i++) vs_bounds_unite(&all, &m->parts.at[i].box);
   double low[3] = { all.min.x, all.min.y, all.min.z },
@@ -178,7 +179,7 @@ static bool cluster(measuring *m, uint32_t *set) {
   return ok;
 }
 
-/* Sets *inside if the boxes of all cutters lie inside this body. For areas they must not touch its surface. */
+/* Sets *inside to true if the boxes of all cutters lie inside this body. For areas, they must not touch its surface. */
 static bool holds(measuring *m, const part *body, const uint32_t *set, uint32_t root, bool *inside) {
   vs_affine back;
   *inside = vs_node_has(body->ref.node, VS_IS_CONVEX) && vs_affine_invert(&body->placed, &back);
@@ -217,7 +218,7 @@ static bool settle_cluster(measuring *m, const uint32_t *set, const uint32_t *me
       ok = left_over(m, m->parts.at[member[i]].ref, &m->parts.at[member[i]].placed, sign);
     return ok;
   }
-  vs_ref *refs = vs_zeros(count + (size_t)1, sizeof *refs); /* contains the bodies, then the cutters */
+  vs_ref *refs = vs_zeros(count + (size_t)1, sizeof *refs); /* refs contains first the bodies, then the cutters */
   uint32_t at[2] = { 0, bodies };
   if (!refs) return memory(m);
   for (uint32_t i = 0; ok && i < count; i++) {

@@ -23,23 +23,23 @@
 typedef struct {
   vs_affine placement;
   const vs_material *material;
-  const char *layer; /* interned */
+  const char *layer; /* name of the layer, interned in the nodes' store */
   size_t first;    /* index in `pending` of the operation's first operand */
-  bool difference; /* whether the operands after the first are subtracted */
-  bool off;        /* whether solids at this level make the result smaller */
-  uint32_t scope;  /* index of the innermost bounded operation around this level, outside which half-spaces have no
-                    * effect; 0: the whole drawing */
-  const vs_node *scope_node; /* node of the scope; NULL: the whole drawing */
+  bool difference; /* true if the operands after the first are subtracted */
+  bool off;        /* true if solids at this level make the result smaller */
+  uint32_t scope;  /* index of the innermost bounded operation around this level; half-spaces have no effect outside the
+                    * bounds of this operation. 0: the entire drawing */
+  const vs_node *scope_node; /* node of the scope; NULL: the entire drawing */
   vs_affine local; /* map from this level to the scope */
 } level;
 typedef struct {
   const vs_node *node;
   vs_fineness facets;
   vs_mesh *mesh;
-  const vs_cached *held; /* cache entry that owns the mesh's arrays; NULL: this entry owns them */
+  const vs_cached *held; /* cache entry that owns the mesh's arrays; NULL: this structure owns them */
   size_t next;           /* index of the next entry + 1; 0: there is none */
   const vs_origin *origin;
-  const vs_node *scope;  /* for a half-space: the node whose bounds it must reach */
+  const vs_node *scope;  /* for a half-space: the node whose bounds its mesh must cover */
   vs_affine local;       /* placement of the half-space in the scope */
 } meshed;
 typedef struct { uint32_t leaf, scope; } scoped;
@@ -49,7 +49,7 @@ typedef struct {
   const vs_fineness *facets;
   vs_error *error;
   VS_LIST(vs_kernel_leaf) leaves;
-  VS_LIST(const vs_origin *) origins; /* origins of the leaves */
+  VS_LIST(const vs_origin *) origins; /* origins of the leaves: the calls in the source that made them */
   VS_LIST(vs_kernel_term) terms;
   VS_LIST(uint32_t) operands;
   VS_LIST(uint32_t) pending;          /* terms that wait for their operation */
@@ -57,21 +57,22 @@ typedef struct {
   VS_LIST(meshed) meshes;
   VS_LIST(vs_solid_part) parts;
   VS_LIST(uint32_t) paints;           /* paints[i]: first part with the same material and layer as part i */
-  VS_LIST(uint32_t) part_table, paint_table; /* hash tables of parts with open addressing: index + 1; 0: free */
-  VS_LIST(vs_bounds) within;          /* if there are half-spaces: for each leaf, the bounds in which it has an
+  VS_LIST(uint32_t) part_table, paint_table; /* hash tables of parts with open addressing. An element is the index of a
+                                              * part + 1; 0: the slot is free */
+  VS_LIST(vs_bounds) within;          /* if there are half-spaces: for each leaf, the bounds within which it has an
                                        * effect */
-  VS_LIST(uint32_t) scopes;           /* for each scope, the scope around it */
-  VS_LIST(scoped) scoped;             /* every place of every leaf */
-  /* hash table of meshes by their nodes' hashes: index + 1; 0: empty. Its size is a power of two, at least the number
-   * of meshes */
+  VS_LIST(uint32_t) scopes;           /* for each scope: index of the scope around it */
+  VS_LIST(scoped) scoped;             /* scope of every occurrence of every leaf */
+  /* hash table of meshes by their nodes' hashes. An element is the index of a mesh + 1; 0: the bucket is empty. The
+   * size is a power of two, at least the number of meshes */
   VS_LIST(size_t) buckets;
-  VS_LIST(uint32_t) twins;            /* hash table of leaves by mesh, placement, paint and side, with open addressing:
-                                       * index + 1; 0: free */
-  VS_LIST(uint8_t) off;               /* for each leaf: the value of level.off */
+  VS_LIST(uint32_t) twins;            /* hash table of leaves by mesh, placement, paint and side, with open addressing.
+                                       * An element is the index of a leaf + 1; 0: the slot is free */
+  VS_LIST(uint8_t) off;               /* for each leaf: 1 if it makes the result smaller (level.off) */
   VS_LIST(uint32_t) mesh_numbers;     /* for each leaf: the index of its mesh */
   VS_LIST(uint64_t) identities;       /* for each leaf: the identity of its mesh */
   VS_LIST(uint32_t) plain;            /* indices of the meshes that threads make at the end */
-  _Atomic size_t made;                /* number of triangles of all meshes made */
+  _Atomic size_t made;                /* number of triangles of all meshes that have been made */
   vs_cache *cache;                    /* cache of meshes; may be NULL */
 } builder;
 
@@ -192,7 +193,7 @@ static bool mesh_of(builder *b, const vs_ref *ref, const level *at, const vs_fin
     *number = (uint32_t)i - 1;
     return true;
   }
-  if (!vs_kernel_report(&b->k, 0)) return false; /* a single shape may have a million triangles */
+  if (!vs_kernel_report(&b->k, 0)) return false; /* polls here, because a single shape may have a million triangles */
   *mesh = vs_zeros(1, sizeof **mesh);
   if (!*mesh) return vs_error_memory(b->error, NULL);
   if (!VS_PUSH(&b->k, b->meshes,
@@ -221,7 +222,7 @@ static bool mesh_of(builder *b, const vs_ref *ref, const level *at, const vs_fin
 
 enum {
   FEW = 64,
-  CHUNK = 8 /* CHUNK: number of meshes of a task, if there are many meshes */,
+  CHUNK = 8 /* CHUNK: number of meshes that a task makes, if there are many meshes */,
   CURVED = 100 /* approximate number of triangles of a curved shape */,
   SERIAL = 10000 /* with fewer triangles, threads cost more time than they save */
 };
@@ -233,7 +234,7 @@ static bool make_some(vs_kernel *k, void *context, size_t index) {
   const builder *b = all->b;
   for (size_t i = index * all->chunk; i < (index + 1) * all->chunk && i < b->plain.count; i++) {
     const meshed *m = &b->meshes.at[b->plain.at[i]];
-    if (!vs_kernel_report(k, 0)) return false; /* a single shape may have a million triangles */
+    if (!vs_kernel_report(k, 0)) return false; /* polls here, because a single shape may have a million triangles */
     m->mesh->most = k->options->max_triangles * VS_ON_THE_WAY;
     if (!vs_tessellate(m->node, &m->facets, m->mesh, NULL))
       return m->mesh->over
@@ -330,9 +331,10 @@ static bool add_leaf(builder *b, const vs_ref *ref, const level *at) {
          add_term(b, VS_TERM_LEAF, b->twins.at[slot] - 1, 0);
 }
 
-/* Replaces half-spaces by bounded solids. Inside the bounds of its innermost bounded operation, such a solid agrees
- * with the half-space. Outside these bounds all other leaves of the operation are empty, so the half-space has no
- * effect. Each solid therefore has the least necessary size, and is combined only with leaves that it can affect. */
+/* Replaces half-spaces by bounded solids. Inside the bounds of the half-space's innermost bounded operation, such a
+ * solid agrees with the half-space. Outside these bounds all other leaves of the operation are empty, so the half-space
+ * has no effect. Each solid therefore has the least necessary size, and is combined only with leaves that it can
+ * affect. */
 static bool bound_half_spaces(builder *b) {
   bool any = false, ok = true;
   for (size_t i = 0; i < b->meshes.count && !any; i++) any = b->meshes.at[i].node->kind == VS_HALF_SPACE;
@@ -347,12 +349,12 @@ static bool bound_half_spaces(builder *b) {
     vs_bounds placed = vs_bounds_transform(&own[b->mesh_numbers.at[s->leaf]], &b->leaves.at[s->leaf].placement);
     vs_bounds_unite(&reach[s->scope], &placed);
   }
-  /* The outer scopes come first. */
+  /* Outer scopes come before the scopes that they contain. */
   for (size_t i = b->scopes.count; ok && i-- > 1;) vs_bounds_unite(&reach[b->scopes.at[i]], &reach[i]);
   for (size_t i = 0; ok && i < b->leaves.count; i++)
     b->within.at[i] = b->meshes.at[b->mesh_numbers.at[i]].node->kind == VS_HALF_SPACE ? vs_bounds_empty()
                     : (vs_bounds){ vs_v3(-INFINITY, -INFINITY, -INFINITY), vs_v3(INFINITY, INFINITY, INFINITY) };
-  /* own[] of a half-space: the bounds that it must reach, over all its places */
+  /* For a half-space, own[] is the box that it must cover, over all its occurrences. */
   for (size_t i = 0; ok && i < b->scoped.count; i++) {
     const scoped *s = &b->scoped.at[i];
     vs_affine back;
@@ -399,7 +401,7 @@ static bool enter(builder *b, vs_walk *walk, const vs_ref *ref) {
     now.placement = vs_affine_multiply(&now.placement, &VS_AS(transform, n)->matrix);
     now.local = vs_affine_multiply(&now.local, &VS_AS(transform, n)->matrix);
   }
-  if (b->scopes.count == 0 && !VS_PUSH(&b->k, b->scopes, 0u)) return false; /* scope 0: the whole drawing */
+  if (b->scopes.count == 0 && !VS_PUSH(&b->k, b->scopes, 0u)) return false; /* scope 0 is the entire drawing */
   if ((n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE) && !(n->flags & VS_NODE_ENDLESS)) {
     if (!VS_PUSH(&b->k, b->scopes, now.scope)) return false;
     now.scope = (uint32_t)b->scopes.count - 1;
@@ -472,7 +474,7 @@ static void tally_up(vs_tally *t, const vs_kernel_counts *c) {
   vs_tally_also(t, c->peak);
 }
 
-/* Where the result is put: one of the two pointers is NULL. */
+/* The destination of the result. Either `one` or `many` is NULL. */
 typedef struct { vs_solid *one; vs_solid_copies *many; } target;
 
 /* Adds the references to the builder as a single problem, a union. */
@@ -519,7 +521,8 @@ static void warn_coarse(const builder *b, const vs_kernel_options *options, cons
   vs_job_warn(options->job, b->origins.at[counts->coarse_leaf], message);
 }
 
-/* Copies the kernel's error to the solid's, with the origin of the leaf if there is one. An earlier error remains. */
+/* Copies the kernel's error to the solid's error, with the origin of the leaf if the kernel names one. If an error was
+ * already set, it remains. */
 static void take_failure(const builder *b) {
   const vs_kernel_error *why = b->k.error;
   if (why->status == VS_KERNEL_FINE) return;

@@ -8,18 +8,18 @@
 #include "kernel/evaluate.h"
 #include "model/node.h"
 
-/* The source of a face. Coplanar faces that differ only in their leaf are merged; the merged face has one of the
+/* The source of a face. Coplanar faces that differ only in their leaf are merged, and the merged face has one of these
  * leaves. */
 typedef struct {
-  const vs_material *material; /* material; NULL: the model gives none */
-  const char *layer;           /* layer, interned in the nodes' store; NULL: none */
-  vs_ref leaf;                 /* the first primitive with this source, whose origin applies to the whole part; lives as
-                                * long as the nodes */
+  const vs_material *material; /* material of the face; NULL: the model defines none */
+  const char *layer;           /* layer of the face, interned in the nodes' store; NULL: none */
+  vs_ref leaf;                 /* the first primitive with this material and layer; its origin applies to all of the
+                                * part. It exists as long as the nodes */
 } vs_solid_part;
 
 typedef struct {
   vs_mesh mesh;         /* triangle i belongs to parts[mesh.tags[i]] */
-  vs_solid_part *parts; /* owned array */
+  vs_solid_part *parts; /* the parts; the solid owns this array */
   size_t part_count;
   size_t straightened;  /* number of bends removed (kernel_options.h) */
 } vs_solid;

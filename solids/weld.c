@@ -1,7 +1,7 @@
 /* Implements the welding of meshes: it removes details smaller than a step.
  *
  * Where two surfaces nearly coincide, their exact union has millions of needles and crumbs. They are invisible, and the
- * next union cuts each of them again. Two steps remove them, and keep a chain closed in all cases:
+ * next union cuts each of them again. Two steps remove them. The mesh stays a closed chain in all cases:
  *   unite    a corner moves to the first corner that is closer than the step, if there is one. The first corners do
  *            not move, so no row of corners contracts to a point, and corners that two meshes share stay shared
  *   reroute  the longest edge of a triangle lower than the step is led through the triangle's third corner, in all
@@ -38,7 +38,7 @@ typedef struct {
   const vs_mesh *m;
   double step, width;
   size_t slots;
-  int64_t *first; /* first corner of each slot, or NONE */
+  int64_t *first; /* for each slot: the first corner in its list, or NONE */
   int64_t *next;  /* for each corner: the next corner in its list */
   uint32_t *to;   /* for each corner: the corner that replaces it */
 } stay;
@@ -117,7 +117,8 @@ static double height_of(const vs_mesh *m, const uint32_t t[3], int *longest) {
   return most > 0 ? vs_v3_length(n) / most : 0;
 }
 
-/* Lists the edges to reroute. If two corners qualify for an edge, uses the nearer. Returns the number of edges. */
+/* Lists the edges to reroute. If two corners qualify for an edge, chooses the nearer corner. Returns the number of
+ * edges. */
 static size_t plan_detours(const vs_mesh *m, double step, detours *d) {
   size_t count = 0;
   memset(d->at, 0, d->slots * sizeof *d->at);

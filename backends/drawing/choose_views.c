@@ -1,5 +1,5 @@
-/* Chooses the views of a drawing: the view of --view, the view that the file's name gives, or the views that every
- * model has. */
+/* Chooses the views of a drawing: the view of the option --view, the view that the file's name ends with, or the views
+ * that every model has. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -25,7 +25,7 @@ static void cut_section(const vs_emitter *e, vs_scene_view *v) {
   v->eye = middle, v->target = vs_v3_add(middle, v->cut_normal);
 }
 
-/* The views that every model has. whole: whether the view is on the sheet of all views. */
+/* The views that every model has. whole: true if the view is on the sheet of all views. */
 static const struct { const char *name; vs_view view; vs_cut cut; bool whole; } own[] = {
   { "plan", VS_VIEW_TOP, VS_CUT_OWN, true },       { "section", VS_VIEW_ALONG, VS_CUT_PLANE, true },
   { "front", VS_VIEW_FRONT, VS_CUT_NONE, true },   { "right", VS_VIEW_RIGHT, VS_CUT_NONE, true },
@@ -67,14 +67,14 @@ static void stem(const char *path, char *out, size_t room) {
   snprintf(out, room, "%.*s", (int)(length < room ? length : room - 1), base);
 }
 
-/* Finds the view that the end of the file's name says, after a blank, a line or a dot: "house-section A". */
+/* Finds the view whose name ends the file's name, after a blank, a line or a dot: "house-section A". */
 static bool find_at_end(const vs_emitter *e, const char *base, vs_scene_view *out) {
   for (const char *at = base; *at; at++)
     if (strchr("-_. ", *at) && at[1] && find(e, at + 1, out)) return true;
   return false;
 }
 
-/* Warns that the end of the file's name, a view in other models, is none in this one. */
+/* Warns if the end of the file's name is the name of a view in other models, but this model has no such view. */
 static void warn_of_name(const vs_emitter *e, const char *base) {
   static const char *const words[] = { "north", "south", "east", "west", "roof", "floor", "ground", "side", "rear",
                                        "perspective", "axonometry", "elevations", "sections", "views" };

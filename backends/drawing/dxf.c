@@ -1,7 +1,7 @@
 /* Writes .dxf (AutoCAD 2000, as text). Debian has no C library that writes this format.
  *
  * A drawing is in model units. A point of the first view has its coordinates in the view's plane, so a plan's points
- * have the model's coordinates. The first view's scale decides the size of the paper around it and of other views.
+ * have the model's coordinates. The first view's scale determines the size of the paper around it and of other views.
  * Every object has a handle. The file contains only the tables and dictionaries that readers require. */
 #include <math.h>
 #include <stdio.h>
@@ -16,7 +16,7 @@ typedef struct {
   double mm;
   vs_sheet_point shift;
   unsigned handle;
-  const vs_scene *scene; /* with the layers' pens */
+  const vs_scene *scene; /* the drawn scene, which has the pens of the layers */
 } writing;
 
 /* FIRST_HANDLE: first handle of a drawn object; tables have lower handles. */
@@ -62,7 +62,7 @@ static bool text_is_short(const char *text) {
   return bytes <= DXF_LINE;
 }
 
-/* Writes as much of *text as fits on a line of the file; *text moves to the first character not written. */
+/* Writes as much of *text as fits on a line of the file. *text moves to the first character that is not written. */
 static void text_line(vs_writer *w, const char **text) {
   char as[DXF_CHARACTER];
   for (size_t bytes = 0; **text != '\0';) {
@@ -94,7 +94,8 @@ static void code_long_text(vs_writer *w, const char *text) {
 
 enum { NAME = 250 };
 
-/* Spells the name of the program's layer as DXF allows, in lines of one file: some signs become underscores. */
+/* Writes the name of the program's layer `own` as DXF allows: some signs become underscores. The name is cut to the
+ * length of a line. */
 static const char *own_name(const writing *out, uint32_t own, char name[NAME]) {
   snprintf(name, NAME, "%.*s", (int)vs_character_cut(out->s->layers[own - 1], NAME - 10), out->s->layers[own - 1]);
   for (char *at = name; *at; at++)
@@ -102,14 +103,15 @@ static const char *own_name(const writing *out, uint32_t own, char name[NAME]) {
   return name[0] ? name : strcpy(name, "_");
 }
 
-/* Returns the number of the drawing's own layer of that name; VS_DRAWN_LAYERS if there is none. */
+/* Returns the number of the drawing's own layer with this name, or VS_DRAWN_LAYERS if there is none. */
 static int drawn_named(const char *name) {
   int i = 0;
   while (i < VS_DRAWN_LAYERS && strcasecmp(vs_drawn_rows[i].name, name) != 0) i++;
   return i;
 }
 
-/* Returns true if the program's layer needs a row, because no layer of the drawing and none before has its name. */
+/* Returns true if the program's layer needs a row in the table of layers, because no layer of the drawing and no
+ * earlier layer has its name. */
 static bool needs_row(const writing *out, uint32_t own) {
   char name[NAME], other[NAME];
   own_name(out, own, name);
@@ -123,7 +125,7 @@ static const vs_scene_pen *own_pen(const writing *out, uint32_t own) {
   return vs_scene_find_pen(out->scene, out->s->layers[own - 1]);
 }
 
-/* Returns the pen that the program gives the drawing's layer i by a layer of the same name, or NULL. */
+/* Returns the pen of the drawing's layer i, which the program sets by a layer of the same name, or NULL. */
 static const vs_scene_pen *drawn_pen(const writing *out, unsigned i) {
   char name[NAME];
   const vs_scene_pen *pen = NULL;
@@ -132,18 +134,20 @@ static const vs_scene_pen *drawn_pen(const writing *out, unsigned i) {
   return pen;
 }
 
-/* Returns the colour of DXF's table that is nearest to the pen's: 1 to 9 the pure ones, from 10 on 24 hues in five
- * shades, full and pale, from 250 on greys. */
+/* Returns the index of the colour in DXF's table that is nearest to the pen's colour. Indices 1 to 9 are pure colours.
+ * From 10 on, there are 24 hues in five shades, full and pale. From 250 on, there are greys. */
 static int colour_index(const double rgb[3]) {
   static const double pure[9][3] = { { 1, 0, 0 }, { 1, 1, 0 }, { 0, 1, 0 }, { 0, 1, 1 }, { 0, 0, 1 },
                                      { 1, 0, 1 }, { 1, 1, 1 }, { .5, .5, .5 }, { .75, .75, .75 } };
   static const double shades[5] = { 1, 0.65, 0.5, 0.3, 0.15 };
   int best = 7;
-  double least = rgb[0] * rgb[0] + rgb[1] * rgb[1] + rgb[2] * rgb[2]; /* black is 7, too: it is drawn on white */
+  double least = rgb[0] * rgb[0] + rgb[1] * rgb[1] + rgb[2] * rgb[2]; /* black has index 7, too, because index 7 is
+                                                                       * drawn black on white paper */
   for (int i = 1; i < 256; i++) {
     double c[3];
     for (int k = 0; k < 3; k++) {
-      double hue = fmod((i / 10 - 1) * 15 / 60. - 2 * k + 9, 6) - 3; /* 0: this colour is the full one */
+      double hue = fmod((i / 10 - 1) * 15 / 60. - 2 * k + 9, 6) - 3; /* 0: the component k has its full value in this
+                                                                      * hue */
       double full = fmin(1, fmax(0, 2 - fabs(hue))), shade = shades[i % 10 / 2];
       c[k] = i < 10 ? pure[i - 1][k] : i >= 250 ? 0.2 + 0.16 * (i - 250) : shade * (i % 2 ? (1 + full) / 2 : full);
     }
@@ -154,7 +158,7 @@ static int colour_index(const double rgb[3]) {
   return best;
 }
 
-/* Returns the line weight of DXF that is nearest to a width in millimetres, in hundredths. */
+/* Returns the line weight of DXF, in hundredths of a millimetre, that is nearest to a width in millimetres. */
 static int line_weight(double width) {
   static const int weights[] = { 0,  5,  9,  13, 15, 18, 20,  25,  30,  35,  40,  50,
                                  53, 60, 70, 80, 90, 100, 106, 120, 140, 158, 200, 211 };
@@ -396,7 +400,7 @@ static void put_long_text(writing *out, const vs_mark *m, int align) {
   code_real(w, 20, up(out, m->at.y));
   code_real(w, 30, 0);
   code_real(w, 40, m->size / out->mm);
-  code_real(w, 41, 0); /* width of the text: 0 means no limit */
+  code_real(w, 41, 0); /* width of the text box; 0 means no limit */
   code_int(w, 71, BOTTOM_LEFT + align);
   code_int(w, 72, 1); /* direction of the text: from left to right */
   code_long_text(w, m->text);

@@ -13,7 +13,7 @@
 #include "model/store/patient_sort.h"
 #include "solids/sight_edges.h"
 
-/* The contents of the view, in its own coordinates. */
+/* The contents of the view while it is made, in the view's coordinates. */
 typedef struct {
   vs_emitter *e;
   vs_flat_view *v;
@@ -24,7 +24,7 @@ typedef struct {
   uint32_t *owners;    /* owners[i]: number of triangle i's layer */
   uint8_t *caps;
   vs_flat_whole *whole;
-  uint32_t curve_owner; /* of the curve that is being added */
+  uint32_t curve_owner; /* number of the layer of the curve that is currently added */
   size_t owner_room;
   size_t point_count, point_room, triangle_count, triangle_room, paint_room, cap_room;
   size_t closed;       /* number of triangles of solids, which precede all other triangles */
@@ -47,7 +47,7 @@ vs_sheet_point vs_flat_view_project(const vs_flat_view *v, vs_vec3 p) { return f
 
 /* ---- triangles and curves ---- */
 
-/* Sets *number to the number of the program's layer; 0: none. */
+/* Sets *number to the number of the program's layer with this name, or to 0 if name is NULL. */
 static bool number_layer(seen *s, const char *name, uint32_t *number) {
   vs_flat_whole *w = s->whole;
   *number = 0;
@@ -78,7 +78,7 @@ static bool add_triangles(seen *s, const vs_mesh *m, const vs_solid *solid, cons
     const uint32_t *t = m->triangles[i];
     uint32_t tag = m->tags ? m->tags[i] : 0;
     size_t at = s->triangle_count;
-    bool lid = !s->v->look.parallel; /* whether the triangle is a face of the cut by the plane in front of the eye */
+    bool lid = !s->v->look.parallel; /* true if the triangle is a face of the cut by the plane in front of the eye */
     for (int k = 0; k < 3; k++) s->triangles[at][k] = (uint32_t)base + t[2 - k];
         /* The view's axes x, y, z are left-handed. */
     for (int k = 0; k < 3; k++) lid = lid && s->points[base + t[k]].z <= s->nearest + 4 * s->slack;
@@ -99,12 +99,13 @@ static bool add_triangles(seen *s, const vs_mesh *m, const vs_solid *solid, cons
   return true;
 }
 
-static bool add_curve_edge(seen *s, vs_vec3 p, vs_vec3 q) { /* of the current curve */
+static bool add_curve_edge(seen *s, vs_vec3 p, vs_vec3 q) { /* adds an edge of the current curve from p to q */
   if (s->edges.count == s->edges.room && !vs_store_grow(s->host.store, &s->edges.at, &s->edges.room,
       s->edges.count + 1, sizeof *s->edges.at))
     return vs_emit_no_memory(s->e);
   double slack = fmax(s->slack, 4 * s->e->facets.tolerance);
-      /* a curve drawn on a round surface lies on the surface, but its chords do not */
+      /* A curve that is drawn on a round surface lies on the surface, but its chords do not. Therefore the edge gets a
+       * slack. */
   s->edges.at[s->edges.count++] = (vs_sight_edge){ into_view(&s->v->look, p), into_view(&s->v->look, q),
       VS_SIGHT_CURVE, slack, s->curve_owner };
   return true;
@@ -187,8 +188,8 @@ static bool has_solids(const vs_scene *scene) {
   return any;
 }
 
-/* Adds the solids. For a view with a cut, it does not make the uncut solids: those of a city take longer than its
- * plan. */
+/* Adds the solids. For a view with a cut, it does not make the uncut solids, because those of a city take longer than
+ * its plan. */
 static bool add_solids(seen *s, vs_flat_whole *whole) {
   vs_vec3 planes[2][2];
   size_t count = 0;
@@ -421,7 +422,7 @@ static bool take_loop(seen *s, border *all, size_t count, size_t i, double slack
   return true;
 }
 
-enum { SEARCH_WORK = 200 }; /* nanoseconds of a search, as vs_store_going expects */
+enum { SEARCH_WORK = 200 }; /* estimated time of a search in nanoseconds, for vs_store_going */
 
 static bool add_fills(seen *s) {
   vs_store *store = s->host.store;
@@ -443,7 +444,8 @@ static bool add_fills(seen *s) {
           s->paints[i], false };
   }
   bool ok = vs_store_sort(store, all, count, sizeof *all, border_compare, s->e->error);
-  for (size_t i = 0; ok && i < count; i++) { /* removes the sides that two triangles of the same material share */
+  for (size_t i = 0; ok && i < count; i++) { /* removes the sides that two triangles of the same material have in
+                                              * common */
     border back = { all[i].b, all[i].a, all[i].paint, false };
     const border *found = bsearch(&back, all, count, sizeof *all, border_compare);
     all[i].used = found != NULL;
@@ -511,7 +513,7 @@ bool vs_flat_view_make(vs_emitter *e, vs_flat_view *v, const vs_loose *loose, vs
   vs_scene scene = *e->scene;
   vs_scene_look(&scene, &v->spec);
   v->look = vs_look_find(&scene, &e->bounds, &e->bounds, 1, 1);
-  if (v->spec.upright && !v->look.parallel) { /* the picture plane is vertical */
+  if (v->spec.upright && !v->look.parallel) { /* in an upright perspective view, the picture plane is vertical */
     v->look.forward = vs_v3_unit(vs_v3(v->look.forward.x, v->look.forward.y, 0));
     v->look.up = vs_v3(0, 0, 1);
   }

@@ -19,10 +19,10 @@ extern const vs_layer_row vs_drawn_rows[VS_DRAWN_LAYERS];
 /* ---- a flat view: in model units, in the view's own plane ---- */
 
 typedef struct {
-  uint32_t first, count; /* index of the first point, and number of points */
+  uint32_t first, count; /* index of the line's first point, and number of its points */
   bool closed;
   vs_drawn_layer layer;
-  uint32_t own; /* number of the program's layer; 0: none */
+  uint32_t own; /* number of the program's layer that the line belongs to; 0: none */
 } vs_flat_line;
 typedef struct { uint32_t first_loop, loop_count; const vs_material *material; } vs_flat_fill;
     /* Loops that bound a fill by the even-odd rule. */
@@ -30,7 +30,7 @@ typedef struct { uint32_t first_loop, loop_count; const vs_material *material; }
 typedef struct {
   vs_scene_view spec;     /* specification of the view; spec.name is its name on the sheet */
   vs_look look;
-  bool has_cut;           /* whether the view has a cut: that of spec, or a chosen one */
+  bool has_cut;           /* true if the view has a cut: the cut of spec, or a cut that the drawing chooses */
   vs_sheet_point *points;
   vs_flat_line *lines;
   vs_flat_fill *fills;
@@ -45,8 +45,8 @@ typedef struct {
   vs_sheet_point at;
 } vs_flat_view;
 
-/* Data that all views of a drawing use: its solids, made for the first view without a cut; the layers of the program.
- * The caller frees both. */
+/* Data that all views of a drawing use. These are the solids, which are made for the first view without a cut, and the
+ * layers of the program. The caller frees both. */
 typedef struct {
   vs_solid solid;
   bool made;
@@ -55,8 +55,8 @@ typedef struct {
 } vs_flat_whole;
 bool vs_flat_view_make(vs_emitter *e, vs_flat_view *v, const vs_loose *loose, vs_flat_whole *whole);
 void vs_flat_view_free(vs_emitter *e, vs_flat_view *v);
-/* Returns the projection of a point of the model onto the view's plane. Only for a parallel view: a point behind the
- * eye of a perspective view has no projection. */
+/* Returns the projection of a point of the model onto the view's plane. The view must be parallel, because a point
+ * behind the eye of a perspective view has no projection. */
 vs_sheet_point vs_flat_view_project(const vs_flat_view *v, vs_vec3 p);
 
 #endif

@@ -39,9 +39,9 @@ typedef struct {
 static double across(const hatching *h, vs_sheet_point p) { return (p.y * h->cosine - p.x * h->sine) / h->spacing; }
 static double along(const hatching *h, vs_sheet_point p) { return p.x * h->cosine + p.y * h->sine; }
 
-/* Adds the points at which the side from p to q crosses lines. A side includes only one of its two ends. A corner on a
- * line therefore counts once if the border crosses the line there. If the border turns back, the corner counts twice or
- * not at all. */
+/* Adds the points at which the side from p to q crosses hatch lines. A side includes only one of its two ends. A corner
+ * on a hatch line therefore counts once if the border crosses the line there. If the border turns back at the corner,
+ * it counts twice or not at all. */
 static bool cross_side(const hatching *h, vs_sheet_point p, vs_sheet_point q) {
   double a = across(h, p), b = across(h, q), u = along(h, p), w = along(h, q);
   for (double k = ceil(fmin(a, b)); k < fmax(a, b); k++) {
@@ -62,7 +62,8 @@ static bool cross_loops(const hatching *h) {
   return ok;
 }
 
-/* Draws the parts of line i inside the loops: from each odd crossing to the next crossing. Omits very short parts. */
+/* Draws the parts of hatch line i inside the loops: from each odd crossing to the next crossing. Omits very short
+ * parts. */
 static bool draw_line(const hatching *h, size_t i) {
   const crossings *row = &h->lines[i];
   double c = h->cosine, n = h->sine, off = (h->begin + (double)i) * h->spacing;
@@ -77,8 +78,8 @@ static bool draw_line(const hatching *h, size_t i) {
   return ok;
 }
 
-/* Draws the lines at whole multiples of the spacing, so that they continue from face to face. The time is proportional
- * to the number of lines plus the number of their crossings with borders. */
+/* Draws hatch lines at whole multiples of the spacing, so that they continue from face to face. The time is
+ * proportional to the number of lines plus the number of their crossings with borders. */
 static bool draw_lines(hatching *h) {
   vs_emitter *e = h->pen->e;
   const vs_sheet *s = h->pen->sheet;

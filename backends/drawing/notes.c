@@ -10,16 +10,16 @@
 #include "backends/drawing/choose_views.h"
 #include "backends/drawing/notes.h"
 
-static const double bubble = 4, cap = 2.2, level_cap = 1.8; /* bubble: radius of an axis' circle. cap, level_cap:
-                                                             * heights of capitals. In mm */
+static const double bubble = 4, cap = 2.2, level_cap = 1.8; /* bubble: radius of the circle at an axis; cap, level_cap:
+                                                             * heights of capital letters; all in mm */
 static const double away = 9; /* distance from the model to a dimension, in mm */
 
 static bool is_upright(const vs_flat_view *v) { return v->look.parallel && fabs(v->look.forward.z) < 1e-6;
-    } /* the view is an elevation or a section */
+    } /* otherwise the view is an elevation or a section */
 static bool shows(const vs_flat_view *v, const vs_scene_note *n) { return v->look.parallel &&
     (!n->view || strcmp(n->view, v->spec.name) == 0); }
 
-/* Returns true if the view shows n, a note of the scene. */
+/* Returns true if the view v shows the scene's note n. */
 static bool fits(const vs_emitter *e, const vs_flat_view *v, const vs_scene_note *n) {
   if (!shows(v, n)) return false;
   vs_vec3 d = vs_v3_sub(n->q, n->p);
@@ -113,8 +113,8 @@ static bool tick(const vs_sheet_pen *pen, vs_sheet_point at, vs_sheet_point t) {
 static vs_sheet_point seen_at(const vs_flat_view *v, vs_vec3 p) { return vs_sheet_place(v, vs_flat_view_project(v,
     p)); }
 
-/* Draws a dimension. Its line runs beside p and q, away from the view's centre. The distance is the note's, or 10 mm.
- * Ticks cross the line at 45 degrees. */
+/* Draws a dimension. Its line runs beside p and q, away from the view's centre. The distance from p and q is that of
+ * the note, or 10 mm. Ticks cross the line at 45 degrees. */
 static bool dimension(const vs_sheet_pen *pen, const vs_scene_note *n) {
   const vs_flat_view *v = view_of(pen);
   vs_sheet_point p = seen_at(v, n->p), q = seen_at(v, n->q);

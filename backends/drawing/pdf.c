@@ -1,6 +1,6 @@
 /* Writes .pdf: the sheet is a page of its true size, and text remains text, in the default font. Uses libharu, which vs
  * loads when it writes the first PDF. */
-#define _GNU_SOURCE /* for memmem */
+#define _GNU_SOURCE /* declares memmem */
 #include <hpdf.h>
 #include <math.h>
 #include <stddef.h>
@@ -39,12 +39,12 @@ static bool load(pdf_library *p, vs_error *e) {
   return vs_dynamic_load(&library, names, sizeof names / sizeof *names, p, e);
 }
 
-static const double point = 72 / 25.4; /* points in a millimetre */
+static const double point = 72 / 25.4; /* number of points in a millimetre */
 static HPDF_REAL at(double mm) { return (HPDF_REAL)(mm * point); }
 
 typedef struct { const pdf_library *lib; HPDF_Page page; HPDF_Font font; const vs_sheet *s; } writing;
 
-/* Takes the pen of a kind of line; pen: that of the program's layer, or NULL. */
+/* Sets line width, colour and grey for a kind of line. pen: pen of the program's layer, or NULL. */
 static void set_layer(const writing *w, vs_drawn_layer layer, const vs_scene_pen *pen) {
   const vs_layer_row *r = &vs_drawn_rows[layer];
   w->lib->HPDF_Page_SetLineWidth(w->page, at(pen && pen->line > 0 ? pen->line : r->width));
@@ -91,7 +91,7 @@ static void dashes(const writing *w, const vs_mark *m, const vs_layer_row *r) {
 static void text(const writing *w, const vs_mark *m) {
   double angle = m->angle * (3.14159265358979323846 / 180), c = cos(angle), n = sin(angle);
   w->lib->HPDF_Page_SetFontAndSize(w->page, w->font, (HPDF_REAL)(m->size / 0.729 * point));
-      /* the height of DejaVu's capitals, as a fraction of the font's size */
+      /* 0.729 is the height of DejaVu's capitals, as a fraction of the font's size */
   double wide = (double)w->lib->HPDF_Page_TextWidth(w->page, m->text) * m->align, x = m->at.x * point - wide * c,
       y = m->at.y * point - wide * n;
   w->lib->HPDF_Page_BeginText(w->page);
@@ -134,7 +134,7 @@ static bool put_all(vs_emitter *e, const writing *w) {
   return true;
 }
 
-/* Repairs the table by which a reader of the .pdf finds the Unicode of letters. In its place libharu writes a table of
+/* Repairs the table with which a reader of the .pdf converts letters to Unicode. In its place libharu writes a table of
  * glyphs (operators `cidrange`), which readers ignore with a warning. The letters are stored as Unicode, so the correct
  * table is one line. It is stored uncompressed in the place of libharu's table, so no position in the file changes. If
  * another version of libharu writes the table in another form, the file is not changed. */

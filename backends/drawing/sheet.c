@@ -51,8 +51,8 @@ static vs_sheet_point point(double x, double y) { return (vs_sheet_point){ x, y 
 
 static bool is_flat(const vs_flat_view *v) { return v->look.parallel; }
 
-/* Returns the millimetres of paper per unit of the view's plane. A perspective view has no scale: it is as wide as the
- * paper allows. */
+/* Returns the number of millimetres on paper for a unit of the view's plane. A perspective view has no scale: it is as
+ * wide as the paper allows. */
 static double millimetres(const vs_emitter *e, const vs_sheet *s, const vs_flat_view *v, double scale) {
   if (is_flat(v)) return vs_drawing_unit(e->scene) / scale;
   double wide = v->high.x - v->low.x, high = v->high.y - v->low.y, share = s->view_count > 1 ? 0.45 : 1;
@@ -102,7 +102,8 @@ static void take_paper(vs_sheet *s, size_t i) {
   s->left = binding, s->right = s->width - margin, s->bottom = margin, s->top = s->height - margin;
 }
 
-/* Sets *sheet and *scale to those of the first view that sets one. */
+/* Sets *sheet to the sheet of the first view that sets a sheet, and *scale to the scale of the first view that sets a
+ * scale. */
 static void asked(const vs_sheet *s, const char **sheet, double *scale) {
   *sheet = NULL, *scale = 0;
   for (size_t i = 0; i < s->view_count; i++) {
@@ -175,7 +176,7 @@ static const char *scale_text(double scale, char text[32]) {
   return text;
 }
 
-/* Draws a scale bar of five parts, whose length is a round number of units. */
+/* Draws a scale bar of five parts, whose length is a round number of model units. */
 static bool scale_bar(const vs_sheet_pen *pen, double x, double y, const vs_flat_view *v) {
   double part = pow(10, floor(log10(12 / v->mm)));
   if (part * 5 * v->mm <= 12) part *= 5;
@@ -186,7 +187,7 @@ static bool scale_bar(const vs_sheet_pen *pen, double x, double y, const vs_flat
     if (!stroke(pen, point(at, y), point(at, y + 1.6))) return false;
     snprintf(text, sizeof text, i == 5 ? "%g %s" : "%g", i * part, pen->e->scene->units);
     if ((i == 0 || i == 1 || i == 5) && !write(pen, point(at, y + 2.6), 1.8, 0.5, text)) return false;
-    /* Dark parts are close parallel lines, since every program shows these. */
+    /* Dark parts are drawn as close parallel lines, because every program shows these. */
     for (int k = 0; i < 5 && k < 4 && i % 2 == 0; k++)
       if (!stroke(pen, point(at, y + 0.25 * k), point(at + part * v->mm, y + 0.25 * k))) return false;
     if (i < 5 && i % 2 && !stroke(pen, point(at, y), point(at + part * v->mm, y))) return false;
@@ -205,7 +206,7 @@ static bool north(const vs_sheet_pen *pen, double x, double y, const vs_flat_vie
       write(pen, point(x + 7.5 * dx, y + 7.5 * dy - 1.2), 2.5, 0.5, "N");
 }
 
-/* Returns the view whose scale the title block shows: the first view with a scale. Sets *several to whether the views
+/* Returns the view whose scale the title block shows: the first view with a scale. Sets *several to true if the views
  * have different scales. */
 static const vs_flat_view *scaled_view(const vs_sheet *s, bool *several) {
   const vs_flat_view *scaled = NULL;

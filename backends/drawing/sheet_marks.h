@@ -9,12 +9,12 @@ typedef enum { VS_MARK_LINE, VS_MARK_FILL, VS_MARK_TEXT } vs_mark_kind;
 typedef struct {
   vs_mark_kind kind;
   vs_drawn_layer layer;
-  uint32_t own;             /* number of the program's layer; 0: none */
+  uint32_t own;             /* number of the program's layer that the mark belongs to; 0: none */
   uint32_t view;            /* index of the mark's view; equal to the number of views for a mark of the sheet itself */
-  uint32_t first, count;    /* of a LINE: its points. Of a FILL: its loops */
+  uint32_t first, count;    /* for a LINE: range of its points; for a FILL: range of its loops */
   bool closed;
-  double grey;              /* of a FILL: its grey */
-  const char *text;         /* of a TEXT: its text, interned */
+  double grey;              /* for a FILL: its grey, from 0 (black) to 1 (white) */
+  const char *text;         /* for a TEXT: the text, interned */
   vs_sheet_point at;        /* point on the text's base line that `align` selects */
   /* Size: height of a capital in mm. Angle: in degrees. Align: `at` is the text's beginning (0), middle (0.5) or end
    * (1). */
@@ -22,9 +22,9 @@ typedef struct {
 } vs_mark;
 
 typedef struct {
-  double width, height;     /* size in mm */
+  double width, height;     /* size of the paper in mm */
   const char *name;         /* name of the paper, such as "A3" */
-  bool bare;                /* whether there is no paper: only the views, within the room that they need */
+  bool bare;                /* true if there is no paper, but only the views and the space that they need */
   double left, right, bottom, top; /* edges of the frame in mm */
   vs_mark *marks;
   vs_sheet_point *points;
@@ -32,7 +32,7 @@ typedef struct {
   size_t mark_count, mark_room, point_count, point_room, loop_count, loop_room;
   vs_flat_view *views;
   size_t view_count;
-  const char *const *layers; /* the program's: number n is layers[n - 1] */
+  const char *const *layers; /* layers of the program; layer number n is layers[n - 1] */
   size_t layer_count;
 } vs_sheet;
 
@@ -50,13 +50,13 @@ typedef struct {
   double size, angle, align;
 } vs_sheet_words;
 
-/* Each function adds a mark. It returns false if memory is out, with the emitter's error set. Points are in mm. Points
- * a and b are the ends of a stroke, or opposite corners of a rectangle. */
+/* Each function adds a mark. It returns false if memory is out, with the emitter's error set. Points are in mm. The
+ * points a and b are the ends of a line, or opposite corners of a rectangle. */
 bool vs_sheet_line(const vs_sheet_pen *pen, vs_drawn_layer layer, const vs_sheet_point *at, size_t count, bool closed);
 bool vs_sheet_stroke(const vs_sheet_pen *pen, vs_drawn_layer layer, vs_sheet_point a, vs_sheet_point b);
 bool vs_sheet_rectangle(const vs_sheet_pen *pen, vs_drawn_layer layer, vs_sheet_point a, vs_sheet_point b);
 bool vs_sheet_text(const vs_sheet_pen *pen, const vs_sheet_words *words);
-vs_sheet_point vs_sheet_place(const vs_flat_view *v, vs_sheet_point p); /* returns the position on the sheet of point p
-                                                                         * of the view's plane */
+vs_sheet_point vs_sheet_place(const vs_flat_view *v, vs_sheet_point p); /* returns the position on the sheet, in mm, of
+                                                                         * point p of the view's plane */
 
 #endif

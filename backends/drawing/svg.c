@@ -6,7 +6,7 @@
 #include "backends/drawing/svg.h"
 
 static void number(vs_writer *w, double x) { vs_put_number(w, (double)(long long)(x * 1000 + (x < 0 ? -0.5 :
-    0.5)) / 1000); } /* rounds to micrometres */
+    0.5)) / 1000); } /* rounds the number to thousandths of a millimetre */
 
 static void pair(vs_writer *w, const vs_sheet *s, vs_sheet_point p) {
   number(w, p.x);
@@ -48,8 +48,8 @@ static void text(vs_writer *w, const vs_sheet *s, const vs_mark *m) {
   vs_puts(w, "</text>\n");
 }
 
-/* Writes the marks of a layer that belong to a single view. Lines are paths, divided so that none is too long for a
- * program. */
+/* Writes the marks of a layer that belong to a single view. Lines are paths, which are divided so that none is too long
+ * for a program. */
 static void group(vs_writer *w, const vs_sheet *s, const uint32_t *order, size_t from, size_t to) {
   size_t open = 0;
   for (size_t i = from; i < to && !w->failed; i++) {
@@ -75,7 +75,7 @@ static void group(vs_writer *w, const vs_sheet *s, const uint32_t *order, size_t
   if (open > 0) vs_puts(w, "\"/>\n");
 }
 
-/* The marks of one kind of line and one layer of the program: order[from] to order[to - 1]. */
+/* The marks of one kind of line in one layer of the program: order[from] to order[to - 1]. */
 typedef struct {
   const uint32_t *order;
   size_t from, to;
@@ -120,12 +120,13 @@ static void each_view(vs_writer *w, const vs_sheet *s, const chosen *c) {
   }
 }
 
-/* Writes all marks of a kind of line in a layer of the program; own 0: those in none. The first group of such a layer
- * opens it. */
+/* Writes all marks of a kind of line that are in a layer of the program. own: number of the layer; 0: marks in no
+ * layer. The first group in such a layer opens the layer's own group. */
 static bool layer(vs_emitter *e, const vs_sheet *s, uint32_t *order, vs_drawn_layer which, uint32_t own, bool *open) {
   vs_writer *w = e->out;
   chosen c = { order, 0, 0 };
-  for (uint32_t view = 0; view <= s->view_count; view++) /* few views: a pass for each */
+  for (uint32_t view = 0; view <= s->view_count; view++) /* there are few views, so a pass over the marks is made for
+                                                          * each */
     for (size_t i = 0; i < s->mark_count; i++)
       if (s->marks[i].layer == which && s->marks[i].own == own && s->marks[i].view == view)
         order[c.to++] = (uint32_t)i;

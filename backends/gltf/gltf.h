@@ -1,9 +1,9 @@
-/* Contains the declarations that the files of the glTF back-end share: gltf_collect.c makes meshes and nodes from the
- * drawing, gltf_file.c writes them to the file.
+/* Contains the declarations for the files of the glTF back-end: gltf_collect.c makes meshes and nodes from the drawing,
+ * gltf_file.c writes them to the file.
  *
  * A geometry consists of triangles or lines in their own coordinates, and is written once. A mesh is a geometry with a
- * colour: glTF's nodes cannot set colours. A node places a mesh. A million copies of a part are therefore a million
- * nodes and a single mesh. */
+ * colour, because glTF's nodes cannot set colours. A node places a mesh. A million copies of a part are therefore a
+ * million nodes and a single mesh. */
 #ifndef VS_BACKENDS_GLTF_GLTF_H
 #define VS_BACKENDS_GLTF_GLTF_H
 
@@ -15,20 +15,20 @@ typedef struct { unsigned char *at; size_t count, room; } vs_gltf_bytes;
 typedef struct {
   uint32_t paint;              /* material number from 1; 0: the part has the colour of the place where it is used */
   bool lines;
-  bool wide;                   /* whether the indices have 32 bits; otherwise 16 */
+  bool wide;                   /* true if the indices have 32 bits; otherwise they have 16 bits */
   uint32_t vertex_count, index_count;
-  uint32_t pictured;           /* number of the primitive, from 1, among those whose vertices have texture coordinates;
-                                * 0: its vertices have none */
-  size_t places;               /* offset into places */
-  size_t vertices, indices;    /* offsets in bytes: vertices into positions and normals, indices into the index array of
-                                * that width */
+  uint32_t pictured;           /* number of the primitive, from 1, among the primitives whose vertices have texture
+                                * coordinates; 0: its vertices have none */
+  size_t places;               /* offset of the texture coordinates in the array `places` */
+  size_t vertices, indices;    /* offsets in bytes. vertices: in the arrays of positions and of normals; indices: in the
+                                * array of indices of this width */
   float min[3], max[3];        /* bounds of the primitive's positions */
 } vs_gltf_primitive;
 typedef struct {
   uint32_t first, count; /* range of the geometry's primitives */
-  uint32_t mesh;         /* index of the first mesh of this geometry + 1; 0: none */
+  uint32_t mesh;         /* index of the first mesh of this geometry + 1; 0: there is none */
 } vs_gltf_geometry;
-typedef struct { uint32_t geometry, paint, next; /* next: another mesh of the geometry + 1; 0: none */ } vs_gltf_mesh;
+typedef struct { uint32_t geometry, paint, next; /* next: index of another mesh of the geometry + 1; 0: there is none */ } vs_gltf_mesh;
 typedef struct { uint32_t mesh, layer; vs_affine place; } vs_gltf_node;
 
 typedef struct {

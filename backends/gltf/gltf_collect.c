@@ -72,14 +72,14 @@ static bool gltf_vertex(vs_emitter *e, vs_gltf_primitive *p, vs_vec3 at, vs_vec3
     p->max[i] = fmaxf(p->max[i], xyz[i] + 0.0f);
   }
   p->vertex_count++;
-  /* lines have normals too, which no reader uses, so that the same offset serves positions and normals */
+  /* Lines have normals, too, although no reader uses them. Thus the same offset is valid for positions and normals. */
   return gltf_vector(e, &g->positions, at) && gltf_vector(e, &g->normals, normal);
 }
 
-/* Adds the indices with 16 or 32 bits each, as the number of vertices requires. All indices fit 32 bits. */
+/* Adds the indices with 16 or 32 bits each, as the number of vertices requires. All indices fit into 32 bits. */
 static bool gltf_indices(vs_emitter *e, vs_gltf_primitive *p, const uint32_t *index, size_t count) {
   vs_gltf *g = e->state;
-  p->wide = p->vertex_count >= 65535; /* glTF does not allow the largest number of a width as an index */
+  p->wide = p->vertex_count >= 65535; /* glTF does not allow the largest number of 16 bits as an index */
   p->index_count = (uint32_t)count;
   vs_gltf_bytes *b = p->wide ? &g->wide : &g->narrow;
   p->indices = b->count;
@@ -120,9 +120,9 @@ static bool gltf_is_edge(const vs_affine *place, const vs_mesh *m, const uint32_
          memcmp(at[2], at[0], sizeof at[0]) == 0;
 }
 
-/* Adds a triangle with texture coordinates. The triangle has its own vertices, since the picture may end at its edges.
- * there: map from the vertices to the drawing, whose axes place pictures. The first triangle of a primitive begins the
- * primitive's texture coordinates. */
+/* Adds a triangle with texture coordinates. The triangle has its own vertices, because the picture may end at its
+ * edges. there: map from the vertices to the drawing, whose axes place pictures. The first triangle of a primitive
+ * begins the primitive's texture coordinates. */
 static bool gltf_pictured(vs_emitter *e, vs_gltf_primitive *p, const vs_vec3 at[3], const vs_vec3 normals[3],
                           const vs_affine *there, const vs_material *m) {
   vs_gltf *g = e->state;
@@ -138,12 +138,13 @@ static bool gltf_pictured(vs_emitter *e, vs_gltf_primitive *p, const vs_vec3 at[
                      place);
     unsigned char *to = gltf_room(e, &g->places, 8);
     if (to == NULL || !gltf_vertex(e, p, at[k], normals[k])) return false;
-    vs_le_float(vs_le_float(to, place[0]), 1 - place[1]); /* glTF measures texture coordinates from the upper left */
+    vs_le_float(vs_le_float(to, place[0]), 1 - place[1]); /* glTF measures texture coordinates from the upper left
+                                                           * corner of the picture */
   }
   return true;
 }
 
-/* A solid that becomes a geometry. */
+/* The state while a solid becomes a geometry. */
 typedef struct {
   vs_shaded_solid shaded;
   const vs_affine *there;      /* map from the geometry to the drawing, whose axes place pictures; NULL: the solid has
@@ -273,8 +274,8 @@ static bool gltf_add_settled(vs_emitter *e, const vs_solid *m, const vs_affine *
   return ok;
 }
 
-/* Returns true if n contains a picture. Pictures follow the drawing's axes, so the geometry of such a node serves a
- * single place. */
+/* Returns true if n contains a picture. Pictures follow the drawing's axes, so the geometry of such a node is valid at
+ * a single place only. */
 static bool gltf_has_picture(const vs_emitter *e, const vs_node *n) {
   if (e->material != NULL && e->material->pattern.picture != NULL) return true;
   for (size_t i = vs_emit_is_painted(e, n) ? vs_emit_material_count(e) : 0; i > 0; i--)
@@ -343,7 +344,8 @@ vs_emit_status vs_gltf_line(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   return ok && gltf_place(e, number, &there) ? VS_EMITTED : VS_FAILED;
 }
 
-/* The emitter already contains the placement and the paint. A layer remains open until the walk leaves its node. */
+/* Does nothing for placements and paint, because the emitter already contains them. A layer remains open until the walk
+ * leaves its node. */
 vs_emit_status vs_gltf_through(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   vs_gltf *g = e->state;
   if (ref->node->kind != VS_LAYER) return VS_EMITTED;

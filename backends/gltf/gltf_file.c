@@ -121,7 +121,7 @@ static void gltf_pictures(vs_writer *w, const gltf_file *f) {
 /* A range of a buffer view. */
 typedef struct {
   size_t view, offset, count;      /* offset is in bytes; count is the number of items */
-  const vs_gltf_primitive *bounds; /* primitive whose positions the range contains; NULL: the range contains other
+  const vs_gltf_primitive *bounds; /* the primitive whose positions the range contains; NULL: the range contains other
                                     * data */
 } gltf_stretch;
 

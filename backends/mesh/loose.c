@@ -1,4 +1,4 @@
-/* Gathers lines and open faces in a walk. The walk skips solids, since the kernel makes their union. */
+/* Gathers lines and open faces in a walk. The walk skips solids, because the kernel makes their union. */
 #include <string.h>
 
 #include "backends/mesh/loose.h"
@@ -22,7 +22,7 @@ void vs_loose_close(vs_emitter *e) {
   e->state = NULL;
 }
 
-/* Allocates room for points and corners, and begins a run of them. The points are already placed by e->placement. */
+/* Allocates memory for points and corners, and begins a run of them. The points are already placed by e->placement. */
 static bool loose_add(vs_emitter *e, bool line, const vs_vec3 *points, size_t point_count, size_t corner_count) {
   vs_loose *l = e->state;
   if (l->point_count + point_count > UINT32_MAX)

@@ -187,8 +187,8 @@ const vs_backend vs_backend_off = {
   VS_LOOSE_FACES("OFF holds faces: curves are omitted")
 };
 
-/* ---- PLY: binary, little-endian, coordinates as doubles; each face has its own colour, since faces of different
- * colours may share a corner ---- */
+/* ---- PLY: binary, little-endian, coordinates as doubles; each face has its own colour, because faces of different
+ * colours may have a common corner ---- */
 
 static uint8_t ply_level(double x) { return (uint8_t)lround(255 * x); }
 
@@ -229,7 +229,8 @@ static char *ply_faces(const void *context, size_t begin, size_t end, char *at) 
   return (char *)to;
 }
 
-/* Writes the open faces after the faces of solids, and the segments of lines as edges, with a colour of three bytes. */
+/* Writes the open faces after the faces of solids. Writes the segments of lines as edges. Each has a colour of three
+ * bytes. */
 static bool ply_loose(vs_emitter *e, uint32_t base, bool lines) {
   const vs_loose *l = e->state;
   for (size_t i = 0; i < l->run_count && !e->out->failed; i++) {

@@ -2,9 +2,9 @@
  * other shapes.
  *
  * Facts about OpenSCAD: its polyhedra are clockwise seen from outside. Objects of two and of three dimensions must not
- * be mixed, so only solids are written. In OpenSCAD the outermost color() decides the colour, here the innermost
- * material. Colours are therefore written at the highest subtrees without paint of their own. A module that is painted
- * in part receives the colour for its other parts as $paint. */
+ * be mixed, so only solids are written. In OpenSCAD the outermost color() determines the colour, but here the innermost
+ * material does. Colours are therefore written at the highest subtrees without paint of their own. A module that is
+ * painted in part receives the colour for its other parts as $paint. */
 #include <math.h>
 
 #include "backends/lower.h"
@@ -87,8 +87,8 @@ static vs_emit_status scad_box(vs_emitter *e, const vs_ref *ref, vs_phase phase)
 static vs_emit_status scad_sphere(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   const struct vs_sphere *s = VS_AS(sphere, ref->node);
-  if (s->segments > 0) return VS_LOWER; /* OpenSCAD divides spheres into other facets, so a sphere with a given number
-                                         * of facets becomes a mesh */
+  if (s->segments > 0) return VS_LOWER; /* OpenSCAD places the facets of spheres differently, so a sphere with a given
+                                         * number of facets becomes a mesh */
   scad_open(e, ref->node);
   scad_translate(e, s->center);
   scad_number(e, "sphere(r = ", s->radius);
@@ -175,7 +175,7 @@ static vs_emit_status scad_half_space(vs_emitter *e, const vs_ref *ref, vs_phase
   if (height < -half) height = -half; /* the plane is beyond everything that can be cut */
   if (height > half) height = half;
   vs_affine place = vs_frame_on_axis(vs_v3_sub(middle, vs_v3_scale(n, height)), n);
-  /* A plane perpendicular to a coordinate axis is exact to the last digit. */
+  /* The face in a plane perpendicular to a coordinate axis is exact to the last digit. */
   if (fabs(height) < half)
     for (int i = 0; i < 3; i++)
       if (fabs(place.m[i][2]) == 1) place.m[i][3] = (&h->point.x)[i];
@@ -371,8 +371,8 @@ static vs_emit_status scad_revolve(vs_emitter *e, const vs_ref *ref, vs_phase ph
 /* ---- sets of horizontal regions, written as OpenSCAD's two-dimensional objects ---- */
 
 
-/* Returns true if root is a set of regions that is parallel to XY, also after its placements, and small enough to read.
- * Sets *z to its height. */
+/* Returns true if root is a set of regions that is parallel to XY, even after its placements, and is small enough to be
+ * readable. Sets *z to the height of the set. */
 static bool scad_is_level(vs_emitter *e, const vs_ref *root, double *z) {
   enum { MOST = 2000, DEEPEST = 60 };
   vs_shape_plane plane;
@@ -399,7 +399,7 @@ static bool scad_is_level(vs_emitter *e, const vs_ref *root, double *z) {
   return level;
 }
 
-/* Writes a region in its own coordinates, without z. */
+/* Writes a region as a two-dimensional object in its own coordinates, without z. */
 static bool scad_flat_leaf(vs_emitter *e, const vs_node *n) {
   const vs_node *only = n->kind == VS_REGION && n->child_count == 1 ? n->children[0].node : NULL;
   vs_affine back = vs_affine_identity();
@@ -417,7 +417,8 @@ static bool scad_flat_leaf(vs_emitter *e, const vs_node *n) {
   return !e->out->failed;
 }
 
-/* Writes the set on the current line. It walks the set itself, because templates are defined as solids. */
+/* Writes the set as two-dimensional objects on the current line. It walks the set itself, because templates are defined
+ * as solids. */
 static bool scad_flat(vs_emitter *e, const vs_ref *root) {
   vs_walk *w = vs_walk_new(root->node->store, *root);
   vs_ref at;
@@ -433,7 +434,7 @@ static bool scad_flat(vs_emitter *e, const vs_ref *root) {
       vs_puts(e->out, "}\n");
     } else {
       bool through = n->kind == VS_LAYER || n->kind == VS_MATERIAL || n->kind == VS_TRANSFORM;
-      bool begun = depth == 0 || e->child_index == SIZE_MAX; /* whether the line already contains text */
+      bool begun = depth == 0 || e->child_index == SIZE_MAX; /* true if the line already contains text */
       if (!begun && n->class_ != VS_NOTHING) vs_put_spaces(e->out, 2 * (base + depth < 40 ? base + depth : 40));
       e->child_index = 0;
       e->depth = base + depth;
@@ -637,7 +638,7 @@ static vs_emit_status scad_hull(vs_emitter *e, const vs_ref *ref, vs_phase phase
 
 static bool scad_define(vs_emitter *e, uint32_t id, const vs_ref *ref, bool open) {
   if (open && e->state == NULL && scad_is_mixed(e, ref->node)) {
-    e->state = e; /* records that the mark is written */
+    e->state = e; /* e->state is not NULL after the mark was written */
     vs_puts(e->out, "$paint = [0.86, 0.85, 0.83]; // for objects without a colour\n\n");
   }
   return open ? vs_putf(e->out, "module part%lu() {\n", (unsigned long)id) : vs_puts(e->out, "}\n\n");

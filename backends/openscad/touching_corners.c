@@ -1,11 +1,11 @@
 /* Separates corners at which a solid touches itself. A corner in this file is a corner of a single face. A fan is the
  * set of all corners at a point that are connected by edges. If a point has several fans, the solid touches itself
  * there, as two cones with a common apex do. Each fan then gets its own point, a step towards its neighbours. If one
- * fan lies inside another, the narrower fan moves further, so they do not cross.
+ * fan lies inside another, the narrower fan moves farther, so they do not cross.
  *
- * Two faces at an edge are connected. If four or more faces share an edge, they are sorted around the edge, and two are
- * connected if they bound a wedge of solid. The corners move in doubles, since only OpenSCAD's tolerance matters. If
- * the separation fails, the mesh stays unchanged. Cost: n log n. */
+ * Two faces at an edge are connected. If four or more faces have an edge in common, they are sorted around the edge,
+ * and two are connected if they bound a wedge of solid. The corners move in doubles, because only OpenSCAD's tolerance
+ * matters. If the separation fails, the mesh stays unchanged. Cost: n log n. */
 #include "backends/openscad/touching_corners.h"
 
 #include <math.h>
@@ -19,9 +19,9 @@
 /* The edge from a corner to the next corner of its face. */
 typedef struct { uint32_t low, high, corner; bool forward; double angle; } side;
 typedef struct {
-  uint32_t place, first, edges; /* first: first corner of the fan. place: number of its point */
-  vs_vec3 towards, out;         /* towards: sum of the directions along the fan's edges, finally a unit vector. out: sum
-                                 * of the normals of its faces */
+  uint32_t place, first, edges; /* first: first corner of the fan; place: number of the fan's point */
+  vs_vec3 towards, out;         /* towards: sum of the directions along the fan's edges, finally a unit vector; out: sum
+                                 * of the normals of the fan's faces */
   double narrow;                /* how well the directions of the fan's edges agree: 1 if all are equal, 0 if they point
                                  * all around in a plane */
 } fan;
@@ -30,8 +30,8 @@ typedef struct {
   const vs_vec3 *points;
   const uint32_t *starts, *corners;
   size_t face_count, corner_count, point_count;
-  /* place[c]: number of corner c's point. next, face, group and of are also by corner. group: disjoint sets of corners.
-   * of: fan of a set's first corner */
+  /* All arrays have an element for each corner c. place[c]: number of its point. group: disjoint sets of corners.
+   * of[c]: for the first corner of a set, the number of its fan. */
   uint32_t *place, *next, *face, *group, *of;
   side *sides;
   fan *fans;
@@ -107,11 +107,11 @@ static bool join_all(apart *a) {
   return true;
 }
 
-/* Lists the fans by point, with the flattest fan of a point first, and returns their number. Sets *touches if some
- * point has two fans. A nearly flat fan is moved inwards. */
+/* Lists the fans by point, with the flattest fan of a point first, and returns their number. Sets *touches to true if
+ * some point has two fans. A nearly flat fan is moved inwards. */
 static size_t list_fans(apart *a, bool *touches) {
   size_t count = 0;
-  for (uint32_t c = 0; c < a->corner_count; c++) { /* the first corner of a group is its smallest */
+  for (uint32_t c = 0; c < a->corner_count; c++) { /* the first corner of a group is its smallest number */
     uint32_t first = vs_find(a->group, c);
     if (first == c)
       a->of[c] = (uint32_t)count, a->fans[count++] = (fan){ place_of(a, c), c, 0, vs_v3(0, 0, 0), vs_v3(0, 0, 0), 0 };
@@ -132,7 +132,8 @@ static size_t list_fans(apart *a, bool *touches) {
   return count;
 }
 
-/* Returns the length of the step. OpenSCAD merges points closer than 2^-20 units, regardless of the model's size. */
+/* Returns the length of the step by which corners are moved. OpenSCAD merges points closer than 2^-20 units, regardless
+ * of the model's size. */
 static double apart_step(const apart *a) {
   vs_bounds all = vs_bounds_empty();
   for (size_t i = 0; i < a->point_count; i++) vs_bounds_add(&all, a->points[i]);

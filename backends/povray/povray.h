@@ -1,13 +1,12 @@
-/* Contains the declarations that the files of the POV-Ray back-end share. povray_scene.c writes begin and end,
- * povray_shapes.c each kind of node, povray_meshes.c triangles. povray_plan.c, povray_worker.c and povray_process.c run
- * POV-Ray. */
+/* Contains the declarations for the files of the POV-Ray back-end. povray_scene.c writes begin and end, povray_shapes.c
+ * each kind of node, povray_meshes.c triangles. povray_plan.c, povray_worker.c and povray_process.c run POV-Ray. */
 #ifndef VS_BACKENDS_POVRAY_POVRAY_H
 #define VS_BACKENDS_POVRAY_POVRAY_H
 
 #include "backends/povray/povray_materials.h"
 
-/* Returns the fraction of white light that a matt surface of m scatters, which is multiplied by its colour. NULL: no
- * material. Clear glass scatters nothing, because POV-Ray would compute the bounced light of every pane that a ray
+/* Returns the fraction of white light that a matt surface of material m scatters; the colour is multiplied by it. m may
+ * be NULL. Clear glass scatters nothing, because POV-Ray would compute the bounced light of every pane that a ray
  * crosses. */
 static inline double vs_povray_diffuse(const vs_material *m) {
   if (m && m->transparency > 0) return m->transparency < 0.9 ? 0.8 * (1 - m->transparency) : 0;

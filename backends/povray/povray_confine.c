@@ -1,10 +1,9 @@
 /* Confines POV-Ray's process. POV-Ray does not enforce its own restrictions of files, and a scene may contain text of
  * the program (`native`) that writes files. Landlock prevents writing outside POV-Ray's private folder; a seccomp
- * filter prevents the use of the network. POV-Ray may read every file that vs may read, since the text may include
+ * filter prevents the use of the network. POV-Ray may read every file that vs may read, because the text may include
  * files.
  *
- * For a model that is not trusted, the whole process of vs is confined much further, including reading
- * (cli/confine.c). */
+ * If a model is not trusted, the process of vs itself is confined much further, including reading (cli/confine.c). */
 #define _GNU_SOURCE
 #include "backends/povray/povray_confine.h"
 
@@ -20,7 +19,7 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
-/* Landlock's numbers of calls and rules, which older system headers lack. */
+/* Landlock's numbers of system calls and rules, which older system headers lack. */
 enum { RULESET_CREATE = 444, RULESET_ADD = 445, RULESET_RESTRICT = 446, RULESET_VERSION = 1, RULE_BENEATH = 1 };
 enum { WRITE = 1 << 1, REMOVE_AND_MAKE = ((1 << 13) - 1) & ~((1 << 4) - 1), REFER = 1 << 13, TRUNCATE = 1 << 14 };
 typedef struct { uint64_t files; } ruleset;

@@ -1,4 +1,4 @@
-/* Implements material.h: plain materials, the names and sizes of patterns, and hashes. */
+/* Implements materials (material.h): plain materials, the names and sizes of patterns, and hashes. */
 #include "model/looks/material.h"
 
 #include <string.h>

@@ -29,9 +29,10 @@ typedef struct {
 } vs_material_pattern;
 
 typedef struct {
-  const char *name;            /* name, interned; "" for a material without a name */
+  const char *name;            /* name of the material, interned; "" for a material without a name */
   double red, green, blue;     /* colour: sRGB, 0 to 1 */
-  double roughness, metallic, transparency; /* each from 0 to 1 */
+  double roughness, metallic, transparency; /* roughness, metallic share and transparency of the surface, each from 0 to
+                                             * 1 */
   double ior;                  /* refractive index; a transparent material of index 1 is thin and does not bend light */
   vs_material_pattern pattern;
 } vs_material;
@@ -40,10 +41,10 @@ uint64_t vs_material_hash(const vs_material *m);
 vs_material vs_material_of_color(double red, double green, double blue); /* Returns matt paint of an sRGB colour,
                                                                           * without name and pattern. */
 const char *vs_pattern_name(vs_pattern p);               /* Returns the pattern's name; "none" for VS_PATTERN_NONE. */
-bool vs_pattern_find(const char *name, vs_pattern *out); /* Sets *out to the pattern of that name; returns false if none
-                                                          * has it. */
-double vs_pattern_size(const vs_material_pattern *p);    /* Returns the width of one unit in metres: the material's, or
-                                                          * the pattern's default. */
+bool vs_pattern_find(const char *name, vs_pattern *out); /* Sets *out to the pattern with this name. Returns false if no
+                                                          * pattern has this name. */
+double vs_pattern_size(const vs_material_pattern *p);    /* Returns the width of one unit of the pattern in metres: the
+                                                          * material's width, or else the pattern's default. */
 
 /* Returns the height in metres of the pattern's picture. */
 double vs_pattern_height(const vs_material_pattern *p);

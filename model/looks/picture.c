@@ -1,4 +1,5 @@
-/* Implements picture.h: computes the direction of a face, and the position of a point on a picture. */
+/* Implements pictures on surfaces (picture.h): computes the direction of a face, and the position of a point on a
+ * picture. */
 #include "model/looks/picture.h"
 #include "model/assert.h"
 

@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* A photograph or drawing for surfaces, as the bytes of its file. The store keeps it (vs_store_picture) until the store
+/* A photograph or drawing for surfaces, as the bytes of its file. The store owns it (vs_store_picture) until the store
  * is freed. Formats use these bytes, so that the file is read only once. */
 typedef struct vs_picture {
   const char *path;            /* path of the file, interned; .pov files contain it */

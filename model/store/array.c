@@ -1,5 +1,5 @@
-/* Grows arrays: to twice their room, to FIRST_ROOM elements or to the needed room, the largest of these. An array that
- * cannot grow remains unchanged. */
+/* Enlarges arrays. The new number of elements is the largest of: twice the old number, FIRST_ROOM, and the needed
+ * number. An array that cannot grow remains unchanged. */
 #include "model/store/array.h"
 
 #include <stdint.h>
@@ -15,7 +15,7 @@ bool vs_room_grow(void *slot, size_t *room, size_t need, size_t size) {
   if (more < need) more = need;
   if (more > SIZE_MAX / size) return false;
   void *old, *grown;
-  memcpy(&old, slot, sizeof old); /* slot is the address of a pointer of any type: copy its bytes */
+  memcpy(&old, slot, sizeof old); /* slot is the address of a pointer of any type, so the pointer's bytes are copied */
   grown = realloc(old, more * size);
   if (!grown) return false;
   memcpy(slot, &grown, sizeof grown);

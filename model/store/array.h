@@ -28,8 +28,8 @@ static inline void *vs_fresh(size_t n, size_t size) {
  * caller frees the array. */
 static inline void *vs_zeros(size_t n, size_t size) { return calloc(n ? n : 1, size); }
 
-/* Allocates n elements for the array `slot`, which must not own memory yet. The value is false, and the array NULL,
- * when memory is out. */
+/* Allocates n elements for the array `array`, which must not own memory yet. The value of the expression is false, and
+ * the array NULL, when memory is out. */
 #define VS_FRESH(array, n) (((array) = vs_fresh((n), sizeof *(array))) != NULL)
 
 #endif

@@ -1,4 +1,4 @@
-/* Implements the world cache of cache.h: a hash table with chains, and a list of its entries by last use. */
+/* Implements the world cache (cache.h): a hash table with chains, and a list of its entries by last use. */
 #include "model/store/cache.h"
 
 #include <string.h>
@@ -8,16 +8,16 @@
 
 typedef struct entry entry;
 struct entry {
-  vs_cached result; /* must be the first member: callers hold its address */
+  vs_cached result; /* must be the first member, because callers have its address */
   entry *chain;     /* next entry of the same bucket */
   entry *newer, *older;
   uint64_t hash, turn;
   size_t holders;
-  size_t own, bytes; /* own: bytes of this entry; bytes: own plus those of its node */
+  size_t own, bytes; /* own: number of bytes of this entry; bytes: own plus the bytes of the key's node */
   vs_node *node;     /* node of the key, retained; may be NULL */
   size_t count;
   uint32_t kind;
-  _Alignas(16) unsigned char block[]; /* the words of the key, then the result */
+  _Alignas(16) unsigned char block[]; /* the words of the key, followed by the result */
 };
 
 struct vs_cache {
@@ -27,7 +27,8 @@ struct vs_cache {
   entry *newest, *oldest;
   size_t limit;
   uint64_t turn, serial;
-  bool keeps, busy; /* busy: the table or an entry is being allocated, and no entry may be dropped */
+  bool keeps, busy; /* keeps: true if new results are kept in this turn; busy: true while the table or an entry is being
+                     * allocated, when no entry may be dropped */
   vs_cache_stats stats;
 };
 
@@ -132,13 +133,14 @@ bool vs_cache_shrink(vs_cache *c, size_t bytes) {
   return c->stats.bytes < before;
 }
 
-/* Makes room for more bytes: drops entries that were last used in earlier turns. Returns false if they do not
+/* Makes room for more bytes: drops entries that were last used in earlier turns. Returns false if these entries do not
  * suffice. */
 static bool make_room(vs_cache *c, size_t bytes) {
   if (bytes > c->limit / 2) return false;
   for (entry *e = c->oldest, *next; e && c->stats.bytes > c->limit - bytes; e = next) {
     next = e->newer;
-    if (e->turn == c->turn) break; /* the list is sorted by last use: all further entries are of this turn */
+    if (e->turn == c->turn) break; /* The list is sorted by last use. Therefore all further entries were used in this
+                                    * turn. */
     if (e->holders) continue;
     drop(c, e);
     c->stats.evicted++;
@@ -182,7 +184,7 @@ static bool grow(vs_cache *c) {
   if (c->stats.entries < c->room) return true;
   size_t room = c->room ? c->room * 2 : LEAST;
   entry **grown = vs_store_realloc(c->store, NULL, 0, room * sizeof *grown);
-  if (!grown) return c->room > 0; /* without a larger table, chains become longer */
+  if (!grown) return c->room > 0; /* if the table cannot be enlarged, its chains become longer */
   memset(grown, 0, room * sizeof *grown);
   for (entry *e = c->oldest; e; e = e->newer) {
     e->chain = grown[e->hash & (room - 1)];
@@ -225,7 +227,8 @@ static entry *keep(vs_cache *c, const vs_cache_key *key, const vs_cache_piece *p
 
 const vs_cached *vs_cache_keep(vs_cache *c, const vs_cache_key *key, const vs_cache_piece *pieces, size_t count) {
   if (!vs_cache_keeps(c)) return NULL;
-  c->busy = true; /* no entry may be dropped while the new one is allocated: its place in the table would be lost */
+  c->busy = true; /* No entry may be dropped while the new entry is allocated, because the found position in the table
+                   * would become invalid. */
   entry *e = keep(c, key, pieces, count);
   c->busy = false;
   if (!e) return c->stats.refused++, NULL;

@@ -4,10 +4,11 @@
  * depends. Hashes only find candidates; keys are compared in full. A result is a block of bytes that never changes,
  * with a unique serial number. The key of another result may contain this number.
  *
- * Keys retain their nodes. Results and keys count towards a limit in bytes; above it, the least recently used result is
- * dropped. A turn is one evaluation or one output. A result used in this turn is not dropped for a later one of the
- * same turn: otherwise a model larger than the limit would lose every result before its next use. If memory is out, a
- * result is just not kept. Only one thread uses the cache and its store. */
+ * Keys retain their nodes. Results and keys count towards a limit in bytes. If the limit is exceeded, the least
+ * recently used result is dropped. A turn is one evaluation or one output. A result that was used in this turn is not
+ * dropped to make room for a later result of the same turn. Otherwise a model larger than the limit would lose every
+ * result before its next use. If memory is out, a result is simply not kept. Only one thread uses the cache and its
+ * store. */
 #ifndef VS_MODEL_STORE_CACHE_H
 #define VS_MODEL_STORE_CACHE_H
 
@@ -34,17 +35,17 @@ static inline uint64_t vs_cache_real(double d) { /* Returns the bits of a real a
 typedef struct {
   size_t hits[VS_CACHED_KINDS], misses[VS_CACHED_KINDS];
   size_t entries, bytes, peak; /* entries and bytes: current numbers; peak: greatest number of bytes so far */
-  size_t evicted, refused;     /* evicted: entries dropped for room; refused: results not kept, since they were too
-                                * large or memory was out */
+  size_t evicted, refused;     /* evicted: number of entries that were dropped to make room; refused: number of results
+                                * that were not kept, because they were too large or memory was out */
 } vs_cache_stats;
 
-/* Creates a cache of at most `limit` bytes, whose keys may contain nodes of the store. vs_store_cache(s) returns it
- * until vs_cache_free; the store must outlive it. Returns NULL when memory is out. */
+/* Creates a cache of at most `limit` bytes, whose keys may contain nodes of the store. vs_store_cache(s) returns the
+ * cache until vs_cache_free is called. The store must exist longer than the cache. Returns NULL when memory is out. */
 vs_cache *vs_cache_new(vs_store *s, size_t limit);
 void vs_cache_free(vs_cache *c); /* Frees the cache. No caller may hold a result. */
 vs_cache *vs_store_cache(const vs_store *s); /* Returns the cache of the store, or NULL. */
 
-/* Begins a new turn. With keeps false, the cache keeps no new results in this turn: nothing follows that could use
+/* Begins a new turn. If keeps is false, the cache keeps no new results in this turn, because no later turn could use
  * them. */
 void vs_cache_turn(vs_cache *c, bool keeps);
 bool vs_cache_keeps(const vs_cache *c);      /* Returns true if a new result may be kept, so that computing its key is
@@ -52,7 +53,8 @@ bool vs_cache_keeps(const vs_cache *c);      /* Returns true if a new result may
 bool vs_cache_asks(const vs_cache *c);       /* Returns true if a result may be found, so that computing its key is
                                               * worthwhile. */
 
-/* Returns the result of the key, or NULL if there is none. The caller holds it until vs_cache_let_go. */
+/* Returns the result of the key, or NULL if there is none. The result stays valid until the caller calls
+ * vs_cache_let_go. */
 const vs_cached *vs_cache_find(vs_cache *c, const vs_cache_key *key);
 /* Keeps the concatenated pieces as the result of the key. Returns the result, which the caller holds, or NULL if it was
  * not kept. The caller has searched for the key without success. */

@@ -1,4 +1,4 @@
-/* Computes the hashes by which the store finds interned values. */
+/* Computes the hashes with which the store finds interned values (hashes.h). */
 #include "model/store/hashes.h"
 
 #include <string.h>

@@ -5,17 +5,19 @@
 #include "model/node.h"
 
 typedef struct { const void *key; uint64_t value; } vs_nodemap_slot;
-/* { .store = s } is an empty map */
+/* initial value of an empty map: { .store = s } */
 typedef struct { vs_store *store; vs_nodemap_slot *slots; size_t count, room; } vs_nodemap;
 
 void vs_nodemap_free(vs_nodemap *m); /* Frees the map's memory; the map is then empty and may be used again. */
-uint64_t *vs_nodemap_get(const vs_nodemap *m, const void *key); /* Returns the address of the key's value, valid until
-                                                                 * the next put, or NULL if the map lacks the key. */
-/* Adds the key if the map lacks it, with the value 0. Returns the address of the value, or NULL when memory is out.
- * Sets *found (may be NULL): whether the map already had the key. */
+uint64_t *vs_nodemap_get(const vs_nodemap *m, const void *key); /* Returns the address of the value for the key, or NULL
+                                                                 * if the map lacks the key. The address is valid until
+                                                                 * the next put. */
+/* Adds the key with the value 0 if the map lacks it. Returns the address of the value, or NULL when memory is out. Sets
+ * *found to true if the map already had the key; found may be NULL. */
 uint64_t *vs_nodemap_put(vs_nodemap *m, const void *key, bool *found);
-/* Like vs_nodemap_put, but retains the key. Without a reference, a temporary node could be freed and another node get
- * its address. All keys of such a map are added by this function, and vs_nodemap_free_held frees it. */
+/* Adds a key as vs_nodemap_put does, but retains the node. Without a reference, a temporary node could be freed and
+ * another node get its address. All keys of such a map are added by this function, and vs_nodemap_free_held frees the
+ * map. */
 uint64_t *vs_nodemap_put_held(vs_nodemap *m, vs_node *key, bool *found);
 void vs_nodemap_free_held(vs_nodemap *m);
 

@@ -1,4 +1,5 @@
-/* Implements an interruptible sort: sorts runs by qsort, then merges them, and checks for interrupts between. */
+/* Implements an interruptible sort (patient_sort.h): sorts runs with qsort, then merges them, and checks for interrupts
+ * between these steps. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -7,7 +8,7 @@
 
 typedef int sort_compare(const void *, const void *);
 typedef struct { const char *at, *end; } sort_run;
-typedef struct { size_t size; sort_compare *compare; } sort_order; /* size: bytes of an element */
+typedef struct { size_t size; sort_compare *compare; } sort_order; /* size: number of bytes of an element */
 
 /* SORT_WORK: work of merging one element, in the unit of vs_store_going */
 enum { RUN = 1 << 14, SORT_WORK = 1 << 6, RUN_WORK = 1 << 20 };

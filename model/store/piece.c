@@ -1,10 +1,10 @@
-/* Allocates small objects of a store, mostly nodes. Objects are cut from slabs; freed ones are kept in a list for each
- * size.
+/* Allocates small objects of a store, mostly nodes. Objects are cut from slabs; freed objects are kept in a list for
+ * each size.
  *
- * A drawing of a million primitives is a million pieces, so that one must cost few instructions and no header. New
- * slabs are larger when there are more pieces, up to SLAB_MOST. All slabs but one are freed when no piece is in use.
- * With a sanitizer and in the stress build each piece is a separate allocation, so that a use after free is detected
- * and each allocation can be made to fail. */
+ * A drawing of a million primitives is a million pieces. Therefore a piece must cost few instructions, and has no
+ * header. New slabs are larger when there are more pieces, up to SLAB_MOST. All slabs except one are freed when no
+ * piece is in use. With a sanitizer and in the stress build each piece is a separate allocation, so that a use after
+ * free is detected and each allocation can be made to fail. */
 #include "model/store/piece.h"
 
 #include "model/store/store_inside.h"
@@ -39,10 +39,11 @@ static bool slab_add(vs_store *s, size_t least) {
   size_t room = s->slab_bytes / 4;
   if (room < SLAB_LEAST) room = SLAB_LEAST;
   if (room > SLAB_MOST) room = SLAB_MOST;
-  if (room > HUGE_PAGE) room -= room % HUGE_PAGE; /* rounded down to whole huge pages, which the host may use */
+  if (room > HUGE_PAGE) room -= room % HUGE_PAGE; /* The size is rounded down to a multiple of huge pages, which the
+                                                   * operating system may use. */
   room -= sizeof(vs_slab);
   vs_slab *slab = s->alloc(s->context, NULL, 0, sizeof *slab + room);
-  /* little memory may be left: try a smaller slab */
+  /* Little memory may be left, so a smaller slab is tried. */
   if (!slab && room > least) slab = s->alloc(s->context, NULL, 0, sizeof *slab + (room = least));
   if (!slab) return false;
   *slab = (vs_slab){ .next = s->slabs, .room = room };

@@ -1,8 +1,8 @@
-/* Implements the store. It allocates and counts every byte of a model and, in tests, lets allocations fail. It interns
+/* Implements the store. It allocates and counts every byte of a model and, in tests, makes allocations fail. It interns
  * texts, origins and materials: equal values have one address, and nodes refer to them without reference counts.
  *
- * Interned values lie in blocks of 16 KB that are freed with the store, since a session has few different ones. To find
- * one costs a hash and a probe. */
+ * Interned values lie in blocks of 16 KB that are freed with the store, because a session has few different values.
+ * Finding an interned value costs a hash and a probe. */
 #include "model/store/store.h"
 
 #include <stdlib.h>
@@ -110,7 +110,8 @@ static void *store_keep(vs_store *s, size_t size) {
     if (!b) return NULL;
     b->size = room;
     b->used = 0;
-    if (room == size && s->blocks) { /* the block of a large item is inserted after the block being filled */
+    if (room == size && s->blocks) { /* the block of a large item is inserted after the block that is currently being
+                                      * filled */
       b->next = s->blocks->next;
       s->blocks->next = b;
     } else {
@@ -185,7 +186,7 @@ uint64_t vs_text_hash(const char *interned) {
 }
 
 static uint64_t origin_hash(const void *item) {
-  const vs_origin *o = item; /* hashes addresses: only the table uses this hash, so that no output depends on it */
+  const vs_origin *o = item; /* The hash contains addresses. Only this table uses it, so no output depends on it. */
   uint64_t h = vs_hash_mix((uintptr_t)o->file, (uint64_t)o->line << 32 | o->column);
   return vs_hash_mix(h, (uintptr_t)o->caller);
 }
@@ -264,7 +265,7 @@ bool vs_store_grow(vs_store *s, void *slot, size_t *room, size_t need, size_t si
   size_t more = *room + *room / 2 + 16;
   if (more < need) more = need;
   void *old, *fresh;
-  memcpy(&old, slot, sizeof old); /* slot is the address of a pointer of any type: copy its bytes */
+  memcpy(&old, slot, sizeof old); /* slot is the address of a pointer of any type, so the pointer's bytes are copied */
   fresh = more <= SIZE_MAX / size ? vs_store_realloc(s, old, *room * size, more * size) : NULL;
   if (fresh == NULL) return false;
   memcpy(slot, &fresh, sizeof fresh);

@@ -10,27 +10,30 @@
 typedef struct vs_store vs_store;
 typedef struct vs_cache vs_cache; /* defined in cache.h */
 
-/* Reallocates like realloc. new_size 0 frees. Returns NULL when memory is out. */
+/* A function that reallocates memory as realloc does. If new_size is 0, it frees the memory. Returns NULL when memory
+ * is out. */
 typedef void *vs_alloc_fn(void *context, void *old, size_t old_size, size_t new_size);
-/* Returns a new store with one reference, or NULL when memory is out. alloc NULL: the C library's allocator. */
+/* Returns a new store with one reference, or NULL when memory is out. If alloc is NULL, the store uses the C library's
+ * allocator. */
 vs_store *vs_store_new(vs_alloc_fn *alloc, void *context);
 /* Adds a reference to the store and returns it. */
 vs_store *vs_store_retain(vs_store *s);
 void vs_store_release(vs_store *s);
-size_t vs_store_bytes(const vs_store *s); /* Returns the bytes that nodes and arrays hold now. They count towards the
-                                           * interpreter's memory budget. */
-/* Counts work steps of about a nanosecond, and calls vs_job_going of the store's job (model/job.h) once in a million.
- * Returns false, with the error "interrupted" in e, if the job must end. s NULL: returns true. */
+size_t vs_store_bytes(const vs_store *s); /* Returns the number of bytes that nodes and arrays currently use. They count
+                                           * towards the interpreter's memory budget. */
+/* Adds `work`, in units of about a nanosecond, to a counter. Each time the counter reaches a million, calls
+ * vs_job_going of the store's job (model/job.h). Returns false, with the error "interrupted" in e, if the job must end.
+ * If s is NULL, returns true. */
 bool vs_store_going(vs_store *s, uint32_t work, vs_error *e);
 /* Reallocates and counts the bytes. new_size 0 frees. old_size is the size that was allocated. */
 void *vs_store_realloc(vs_store *s, void *old, size_t old_size, size_t new_size);
 /* Makes room for `need` elements of `size` bytes (above 0) in the array whose address is in *slot. *room is the number
  * of elements that fit. Returns false when memory is out, and then changes nothing. */
 bool vs_store_grow(vs_store *s, void *slot, size_t *room, size_t need, size_t size);
-/* For tests: the n-th allocation from now and all later ones fail. 0: none fails. */
+/* For tests: makes the n-th allocation from now, and all later allocations, fail. If n is 0, no allocation fails. */
 void vs_store_fail_at(vs_store *s, size_t n);
-/* Returns the address of a pointer, initially NULL, in which geometry/ keeps data that is slow to create (fonts) until
- * the store is freed. let_go then frees the data. */
+/* Returns the address of a pointer, initially NULL. In this pointer, geometry/ keeps data that is slow to create
+ * (fonts) until the store is freed. let_go then frees the data. */
 void **vs_store_kept(vs_store *s, void (*let_go)(vs_store *s, void *kept));
 /* Returns an interned, NUL-terminated copy of the text, or NULL when memory is out. */
 const char *vs_store_text(vs_store *s, const char *text, size_t length);
@@ -41,9 +44,10 @@ const vs_origin *vs_store_origin(vs_store *s, const char *file, uint32_t line, u
 const vs_material *vs_store_material(vs_store *s, const vs_material *m);
 /* Returns an interned copy of the picture and its bytes, or NULL when memory is out. */
 const vs_picture *vs_store_picture(vs_store *s, const vs_picture *p);
-uint64_t vs_text_hash(const char *interned); /* Returns the hash of an interned text, which the store keeps beside
-                                              * it. */
-/* Sets the callback for the release of the last reference to a ticket, or NULL. The callback must not use nodes. */
+uint64_t vs_text_hash(const char *interned); /* Returns the hash of an interned text, which the store keeps beside the
+                                              * text. */
+/* Sets the callback that is called when the last reference to a ticket is released. NULL: no callback. The callback
+ * must not use nodes. */
 void vs_store_on_ticket(vs_store *s, void (*gone)(void *context, uint32_t id), void *context);
 
 #endif

@@ -14,11 +14,12 @@ typedef struct vs_piece vs_piece;
 enum { VS_PIECE_MOST = 256 }; /* greatest size of a piece in bytes; larger objects are separate allocations */
 
 struct vs_store {
-  size_t refs; /* references by owners and by nodes; each node counts as one */
+  size_t refs; /* number of references by owners and by nodes; each node counts as one */
   size_t bytes;
   vs_alloc_fn *alloc;
   void *context;
-  size_t fail_at; /* for tests: number of allocations until they fail; 0 once they fail or if none is to fail */
+  size_t fail_at; /* for tests: number of allocations up to the first that fails; 0 after the first failure, or if none
+                   * is to fail */
   bool failing;
   vs_intern texts, origins, materials;
   const vs_picture *pictures; /* list of the store's pictures, which are few */
