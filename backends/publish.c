@@ -1,7 +1,7 @@
 /* Implements the two ways to make a file that appears completely or not at all. If the system allows it (O_TMPFILE of
  * Linux), the file has no name until it is complete. Otherwise the file is NAME.tmp-PID beside its target. A file
  * without a name leaves nothing on disk even if the process is killed. */
-#define _GNU_SOURCE /* for O_TMPFILE */
+#define _GNU_SOURCE /* declares O_TMPFILE */
 #include "backends/publish.h"
 #include "model/signals.h"
 
@@ -38,7 +38,8 @@ static int open_nameless(const char *target) {
   return -1;
 }
 
-/* Gives the file a name: the target's name if no such file exists, otherwise p->name. */
+/* Gives the file a name: the target's name if no file has it, otherwise p->name. *done: true if the file now has the
+ * target's name. */
 static bool give_name(vs_publish *p, bool *done) {
   char from[NUMBER_ROOM];
   link_name(p->file, from);
@@ -62,7 +63,7 @@ static char *end_of_links(const char *path) {
   for (int links = 0; at; links++) {
     char to[4096];
     ssize_t length = readlink(at, to, sizeof to - 1);
-    if (length < 0) return at; /* `at` is not a link */
+    if (length < 0) return at; /* `at` is not a symbolic link, so it is the end of the chain */
     const char *slash = strrchr(at, '/');
     size_t folder = slash && to[0] != '/' ? (size_t)(slash + 1 - at) : 0;
     bool good = links < LINKS_MOST && (size_t)length < sizeof to - 1;
@@ -102,9 +103,9 @@ void vs_publish_clear(const char *folder) {
   rmdir(folder);
 }
 
-enum { YOUNG = 10 /* the age in seconds up to which a file counts as new */ };
+enum { YOUNG = 10 /* age in seconds up to which a file is new */ };
 
-/* Removes the entry if the process that made it has ended. */
+/* Removes the entry of the folder if the process that made it has ended. */
 static void sweep_one(DIR *d, const char *folder, const char *name) {
   char path[4096];
   struct stat is;

@@ -8,7 +8,7 @@ typedef struct {
   int file;       /* descriptor, open for writing; the caller does not close it */
   char *target;   /* path at which the file will appear */
   char *name;     /* temporary path, beside the target */
-  bool nameless;  /* whether the file has no name yet, and vanishes when the process ends */
+  bool nameless;  /* true if the file has no name yet, so that it vanishes when the process ends */
 } vs_publish;
 
 /* Begins a file that will appear at path. If path is a symbolic link, the file appears at the link's end, and the link

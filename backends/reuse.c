@@ -1,10 +1,12 @@
-/* Implements the keeping of text for later exports. See reuse.h. */
+/* Implements the keeping of text for later exports (reuse.h). */
 #include "backends/reuse.h"
 
 enum {
-  MOST_WORDS = 1 << 22, /* the longest key in words of 8 bytes: 32 MB, enough for a mesh of a million corners */
-  MOST_TEXT = 1 << 26,  /* the longest text of a run, in bytes */
-  LEAST_TEXT = 1024     /* the shortest text that is kept, in bytes: writing a shorter text again is faster */
+  MOST_WORDS = 1 << 22, /* length of the longest key in words of 8 bytes: 32 MB, enough for a mesh of a million
+                         * corners */
+  MOST_TEXT = 1 << 26,  /* length of the longest text of a run that is kept, in bytes */
+  LEAST_TEXT = 1024     /* length of the shortest text that is kept, in bytes; a shorter text is written again faster
+                         * than it is found */
 };
 
 /* ---- keys ---- */
@@ -26,9 +28,9 @@ void vs_reuse_put_reals(vs_reuse *r, const double *reals, size_t count) {
   r->count += count;
 }
 
-/* Puts the reals of a single field into the key. A loop is faster than memcpy for so few. */
+/* Puts the reals of a single field into the key. For so few numbers, a loop is faster than memcpy. */
 static void put_few(vs_reuse *r, const double *reals, size_t count) {
-  if (!vs_reuse_room(r, count)) return; /* an array put before may have filled the last word of the room */
+  if (!vs_reuse_room(r, count)) return; /* an array that was put before may have filled the last word of the memory */
   uint64_t *to = r->words + r->count;
   for (size_t i = 0; i < count; i++) memcpy(&to[i], &reals[i], sizeof *to);
   r->count += count;
@@ -53,8 +55,10 @@ void vs_reuse_put_payload(vs_reuse *r, const vs_kind_info *info, const void *dat
       continue;
     }
     switch (info->fields[i].type) {
-    case VS_FIELD_real: case VS_FIELD_point: case VS_FIELD_vector: case VS_FIELD_affine: break; /* already put into the
-                                                                                                 * key above */
+    case VS_FIELD_real: case VS_FIELD_point: case VS_FIELD_vector: case VS_FIELD_affine: break; /* the caller has
+                                                                                                 * already put these
+                                                                                                 * fields into the
+                                                                                                 * key */
     case VS_FIELD_integer: vs_reuse_put(r, (uint64_t)(int64_t)*(const vs_field_integer *)at); break;
     case VS_FIELD_boolean: vs_reuse_put(r, *(const vs_field_boolean *)at); break;
     case VS_FIELD_points: {
@@ -71,7 +75,8 @@ void vs_reuse_put_payload(vs_reuse *r, const vs_kind_info *info, const void *dat
     }
     case VS_FIELD_text: vs_reuse_put(r, (uintptr_t)*(const vs_field_text *)at); break;
     case VS_FIELD_material: vs_reuse_put(r, (uintptr_t)*(const vs_field_material *)at); break;
-    case VS_FIELD_ticket: r->unfit = true; break; /* a number that the running program uses again for other objects */
+    case VS_FIELD_ticket: r->unfit = true; break; /* A ticket is a number that the running program uses again for other
+                                                   * objects. Therefore text with a ticket is not kept. */
     }
   }
 }

@@ -1,10 +1,10 @@
 /* Declares the keeping of text for later exports. Text is kept for runs of the drawing in the world cache
- * (model/store/cache.h). The key of a text contains all values that decide its bytes.
+ * (model/store/cache.h). The key of a text contains all values that determine its bytes.
  *
- * The driver divides a drawing into runs of a few hundred shapes (drive_run), and writes each as words, which form the
- * key. The words are the nodes' numbers, not their addresses. Therefore a program that runs again finds the text of its
- * last run, and the cache contains no node. The driver writes a text that it finds unchanged. It makes any other text,
- * and keeps a copy.
+ * The driver divides a drawing into runs of a few hundred shapes (drive_run), and writes each run as words, which form
+ * the key. The words contain the values of the nodes instead of their addresses. Therefore a program that runs again
+ * finds the text of its last run, and the cache contains no node. If the driver finds the text of a run, it writes that
+ * text. Otherwise it makes the text, and keeps a copy.
  *
  * Numbers of templates and paints need care: a new number at the front changes all later numbers. A key contains these
  * numbers in the order in which the run uses them. Kept text contains slots into which the current numbers are put. If
@@ -22,20 +22,20 @@ typedef enum { VS_NUMBER_TEMPLATE, VS_NUMBER_PAINT, VS_NUMBER_KINDS } vs_number_
 typedef struct { uint32_t run, local; } vs_reuse_local;
 
 typedef struct {
-  vs_cache *cache;   /* where text is kept; NULL: no text is kept */
+  vs_cache *cache;   /* cache in which text is kept; NULL: no text is kept */
   vs_store *store;
-  uint64_t *words;   /* key of the run that was last searched for */
+  uint64_t *words;   /* words of the key of the run that was last searched for */
   size_t count, room;
   uint64_t hash;     /* hash of the nodes in the key, never 0 */
-  bool unfit;        /* whether the words cannot be a key: they are too many, memory is out, or they contain a number of
+  bool unfit;        /* true if the words cannot be a key: they are too many, memory is out, or they contain a number of
                       * the running program */
-  bool open;         /* whether a run is being written that will be kept */
+  bool open;         /* true if a run is being written whose text will be kept */
   uint64_t triangles; /* number of triangles in an open run, set at its end */
-  uint64_t from;     /* number of bytes that the writer had before an open run */
-  char *caught;      /* part of the run's text that has left the writer's buffer */
+  uint64_t from;     /* number of bytes that the writer had written before the open run */
+  char *caught;      /* the part of the run's text that has already left the writer's buffer */
   size_t caught_count, caught_room;
-  /* numbers: the numbers that the run names, each once, in order of use. A second array is the inverse: it maps a
-   * number to its index, valid if `run` is the current run. */
+  /* numbers: the numbers of templates and materials in the run, each once, in order of use. A second array is the
+   * inverse: it maps a number to its index, valid if `run` is the current run. */
   uint32_t *numbers[VS_NUMBER_KINDS], run;
   size_t number_count[VS_NUMBER_KINDS], number_room[VS_NUMBER_KINDS];
   vs_reuse_local *locals[VS_NUMBER_KINDS];
@@ -51,8 +51,8 @@ typedef struct {
  * changes. */
 bool vs_reuse_more(vs_reuse *r, void *array, size_t *room, size_t need, size_t size);
 bool vs_reuse_grow(vs_reuse *r, size_t need);
-/* Puts words into the key: the next word, or the words of a node's values. The caller puts the numbers of its
- * materials. */
+/* These functions put words into the key: the next word, or the words of a node's values. The caller puts the numbers
+ * of the node's materials. */
 static inline bool vs_reuse_room(vs_reuse *r, size_t need) {
   return r->room - r->count >= need || vs_reuse_grow(r, need);
 }
@@ -80,7 +80,8 @@ void vs_reuse_mix(vs_reuse *r, uint64_t hash); /* Mixes a node's hash into the h
 bool vs_reuse_find(vs_reuse *r, vs_reused *out);
 bool vs_reuse_put_out(const vs_reuse *r, const vs_reused *found, vs_writer *w);
 
-void vs_reuse_begin(vs_reuse *r, vs_writer *w); /* begins the text of the run: all text written from now on */
+void vs_reuse_begin(vs_reuse *r, vs_writer *w); /* begins the text of the run, which is all text that w writes from now
+                                                 * on */
 /* Records a number that the caller writes next. */
 void vs_reuse_numbered(vs_reuse *r, const vs_writer *w, vs_number_kind kind, uint32_t number);
 void vs_reuse_warned(vs_reuse *r, const char *message);

@@ -1,6 +1,6 @@
 /* Computes the normals of triangle corners. A corner's normal is a mean over the faces around its vertex, each weighted
  * by its angle at the vertex. The mean includes only the faces whose angle to the corner's own face is less than the
- * crease. Equal normals at a vertex share an entry. */
+ * crease. Equal normals at a vertex use a single entry of the list. */
 #include "backends/shade.h"
 
 #include <math.h>
@@ -30,8 +30,8 @@ static double shade_angle(const vs_vec3 *v, const uint32_t t[3], int corner) {
 typedef struct {
   const vs_shade_faces *of;
   vs_shading *out;
-  double least;               /* cosine of the crease: faces are smooth with each other if the cosine between their
-                               * normals is at least this */
+  double least;               /* cosine of the crease: two faces are smooth with each other if the cosine between their
+                               * normals is at least this value */
   vs_vec3 *faces;             /* faces[t]: unit normal of triangle t */
   double *angles;             /* angle of each triangle at each of its corners */
   uint32_t *starts, *around;  /* the corners around vertex v are around[starts[v]] to around[starts[v + 1] - 1] */
@@ -81,8 +81,8 @@ static void shade_vertex(const shade_work *w, size_t v) {
     }
     vs_vec3 normal = shade_unit(sum);
     if (vs_v3_length(normal) < 0.5) normal = own;
-    if (vs_v3_length(normal) < 0.5) normal = vs_v3(0, 0, 1); /* a needle: a triangle so thin that it has no normal of
-                                                              * its own */
+    if (vs_v3_length(normal) < 0.5) normal = vs_v3(0, 0, 1); /* The triangle is a needle, so thin that it has no normal
+                                                              * of its own. */
     size_t at = first_normal;
     while (at < out->normal_count && vs_v3_dot(out->normals[at], normal) < 1 - 1e-9) at++;
     if (at == out->normal_count) out->normals[out->normal_count++] = normal;
@@ -90,7 +90,7 @@ static void shade_vertex(const shade_work *w, size_t v) {
   }
 }
 
-/* Frees the unused part of the arrays: most corners share their normals. */
+/* Frees the unused part of the arrays, which is large, because most corners have a normal in common. */
 static void shade_trim(vs_shading *s) {
   size_t room = s->normal_count + 1;
   vs_vec3 *less = s->memory(s->context, s->normals, s->normal_room * sizeof *less, room * sizeof *less);

@@ -12,10 +12,10 @@
 typedef void *vs_shade_memory(void *context, void *old, size_t old_bytes, size_t new_bytes);
 
 typedef struct {
-  vs_vec3 *normals;           /* unit normals */
+  vs_vec3 *normals;           /* list of unit normals */
   uint32_t (*corners)[3];     /* index of a normal for each corner of each triangle */
   size_t normal_count, normal_room, corner_room;
-  vs_shade_memory *memory;    /* allocated the arrays, and frees them */
+  vs_shade_memory *memory;    /* function that allocated the arrays, and frees them */
   void *context;
 } vs_shading;
 
@@ -30,7 +30,7 @@ typedef struct {
 } vs_shade_faces;
 #define VS_SHADE_FLAT UINT32_MAX /* number of a group in which each triangle has the normal of its face */
 
-/* Returns the faces of a mesh as one group. */
+/* Returns the faces of a mesh as a single group. */
 static inline vs_shade_faces vs_shade_mesh(const vs_mesh *m, double crease) {
   return (vs_shade_faces){ m->vertices, (const uint32_t (*)[3])m->triangles, NULL, m->vertex_count, m->triangle_count,
                            crease };
@@ -39,12 +39,12 @@ static inline vs_shade_faces vs_shade_mesh(const vs_mesh *m, double crease) {
 /* Computes the normals of the faces, in the memory of e's store. Fails if memory is out or the user interrupts; it then
  * sets e's error, and *out is empty. Free the result with vs_shading_free. */
 bool vs_shading_make(vs_emitter *e, const vs_shade_faces *faces, vs_shading *out);
-/* Computes normals as vs_shading_make does, but in the caller's memory. For a caller that keeps them longer than e's
- * store lives. */
+/* Computes normals as vs_shading_make does, but in the caller's memory. This is for a caller that keeps the normals
+ * after e's store is freed. */
 bool vs_shading_make_in(vs_emitter *e, vs_shade_memory *memory, void *context, const vs_shade_faces *faces,
                         vs_shading *out);
-/* Returns the usual crease in radians: the larger value for shapes with curved faces (round), the smaller for shapes
- * with flat faces only. */
+/* Returns the usual crease in radians: 0.6 for shapes with curved faces (round), 0.05 for shapes with flat faces
+ * only. */
 static inline double vs_shade_crease(bool round) { return round ? 0.6 : 0.05; }
 void vs_shading_free(vs_shading *s);
 
@@ -53,7 +53,7 @@ void vs_shading_free(vs_shading *s);
 typedef struct {
   const vs_solid *solid;
   const vs_affine *place;     /* placement from the solid's coordinates to the file's */
-  bool mirrored;              /* whether the placement mirrors, so that the order of each triangle's corners is
+  bool mirrored;              /* true if the placement mirrors, so that the order of each triangle's corners is
                                * reversed */
   vs_shading shading;
   uint32_t *vertex;           /* vertex[i]: number of the vertex with normal i in the current part; VS_SHADED_NEW: the

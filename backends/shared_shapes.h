@@ -1,6 +1,6 @@
 /* Declares the shapes that a format writes once for many places: unit forms with a given number of facets, and the
- * triangles of a node. The triangles are relative to the centre of the node's bounds. A viewer's 32-bit numbers are
- * finest near zero. */
+ * triangles of a node. The triangles are relative to the centre of the node's bounds, because a viewer's 32-bit numbers
+ * are finest near zero. */
 #ifndef VS_BACKENDS_SHARED_SHAPES_H
 #define VS_BACKENDS_SHARED_SHAPES_H
 
@@ -18,7 +18,7 @@ typedef struct {
   vs_nodemap nodes;           /* maps a node to its index in `made` + 1 */
   vs_shared_node *made;
   size_t made_count, made_room;
-} vs_shared_shapes;           /* an empty value is { .nodes.store = s } */
+} vs_shared_shapes;           /* initial value of an empty structure: { .nodes.store = s } */
 
 void vs_shared_free(vs_emitter *e, vs_shared_shapes *s);
 
@@ -30,19 +30,19 @@ typedef bool vs_shared_write(vs_emitter *e, const vs_solid *form, double crease,
 bool vs_shared_unit(vs_emitter *e, vs_shared_shapes *s, const vs_unit_copy *copy, vs_shared_write *write,
                     uint32_t *number);
 
-/* Where a node's shape is placed, under e's placement. */
+/* The placement of a node's shape, under e's placement. */
 typedef struct {
-  bool shared;                /* whether the shape serves all places of the node; otherwise it is made for this place
-                               * only */
-  bool written;               /* whether the shape already has its number; otherwise vs_shared_keep sets it */
+  bool shared;                /* true if the shape is valid for all places of the node; otherwise it is made for this
+                               * place only */
+  bool written;               /* true if the shape already has its number; otherwise vs_shared_keep sets it */
   uint32_t number;
   vs_vec3 middle;             /* centre of the node's bounds */
   vs_affine home;             /* placement from the node's coordinates to the shape's */
   vs_affine there;            /* placement from the shape's coordinates to the output's */
 } vs_shared_place;
 
-/* Computes the place of n's shape. shared: a single shape may serve all places of n. Returns false, with e's error set,
- * on failure. */
+/* Computes the placement of n's shape. shared: true if a single shape may be used for all places of n. Returns false,
+ * with e's error set, on failure. */
 bool vs_shared_find(vs_emitter *e, const vs_shared_shapes *s, const vs_node *n, bool shared, vs_shared_place *out);
 /* Keeps the number of a written shape for the node's other places. Returns false if memory is out. */
 bool vs_shared_keep(vs_emitter *e, vs_shared_shapes *s, vs_node *n, vs_shared_place *place, uint32_t number);

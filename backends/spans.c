@@ -1,10 +1,10 @@
-/* Implements the writing of many items by several threads. See spans.h. */
+/* Implements the writing of many items by several threads (spans.h). */
 #include "backends/spans.h"
 
 #include "kernel/memory.h"
 #include "kernel/threads.h"
 
-enum { SPAN = 1 << 16 /* bytes in a span */, TESTS = 1 << 14, SERIAL = 1 << 12 /* with fewer items: one thread */ };
+enum { SPAN = 1 << 16 /* bytes in a span */, TESTS = 1 << 14, SERIAL = 1 << 12 /* with fewer items, one thread */ };
 
 typedef struct {
   vs_writer *writer;

@@ -67,10 +67,11 @@ void vs_drive_weigh(vs_emitter *e) {
 /* ---- the key ---- */
 
 typedef struct { const vs_node *node; uint32_t next; bool whole; } step;
-/* cut: whether the run contains a half-space. thin: whether it contains an object that is not solid */
+/* cut: true if the run contains a half-space; thin: true if it contains an object that is not solid */
 typedef struct { step *steps; size_t count, room; bool cut, thin; size_t shapes; } spelling;
 
-enum { MOST_SHAPES = 1 << 16 }; /* the most shapes in a key. Inside a shape, a tree may refer to its parts many times */
+enum { MOST_SHAPES = 1 << 16 }; /* greatest number of shapes in a key; inside a shape, a tree may refer to its parts
+                                 * many times */
 enum { TAG_WHOLE = 1u << 16, TAG_TEMPLATE = 1u << 17, TAG_SHOWN = 1u << 18, TAG_CARVED = 1u << 19 };
 
 static uint64_t paint_bits(const vs_emitter *e, const vs_node *n) {
@@ -97,7 +98,7 @@ static void put_ends(vs_emitter *e, const spelling *s) {
   vs_reuse *r = &e->drive->reuse;
   double diagonal = vs_v3_length(vs_v3_sub(e->bounds.max, e->bounds.min));
   vs_reuse_put(r, (uint64_t)s->cut << 1 | s->thin);
-  if (s->thin) { /* thickness of lines */
+  if (s->thin) { /* the key contains the thickness of lines, if the run has any */
     const double place[] = { diagonal,     e->placement.m[0][3], e->placement.m[1][3], e->placement.m[2][3],
                              e->pen.share, e->pen.least };
     vs_reuse_put_reals(r, place, sizeof place / sizeof *place);
@@ -169,7 +170,8 @@ static uint32_t run_end(const vs_emitter *e, const vs_run_row *row, size_t from,
     const vs_node *n = row->refs[run->until].node;
     drive_view view = drive_look(e, n);
     uint32_t own = row->body && view.entry != NULL ? view.entry->weight : weight_of(e, n, view);
-    bool alone = own >= HEAVY; /* the search continues among its operands, unless it is a single shape */
+    bool alone = own >= HEAVY; /* the search continues among the operands of the heavy node, unless it is a single
+                                * shape */
     if (alone && run->until > from) break;
     run->shown += !view.vain;
     weight += alone && view.operation ? 0 : own;
@@ -208,7 +210,7 @@ static void run_begin(vs_emitter *e, size_t until) {
   d->run_until = until;
   if (drive_has(e, VS_KEEPS_ORIGINS)) {
     d->run_line = vs_writer_line(e->out);
-    /* the line may still receive another origin */
+    /* The current line may still receive another origin. */
     d->run_first =
         d->line_count > 0 && d->lines[d->line_count - 1].line == d->run_line ? d->line_count - 1 : d->line_count;
   }
@@ -249,8 +251,8 @@ bool vs_drive_run(vs_emitter *e, const vs_run_row *row, size_t from, vs_run *run
     run_begin(e, run->until);
     return true;
   }
-  run->found = all_said(e, &kept); /* if a warning is new, the run is written again, and its warnings have their
-                                    * places */
+  run->found = all_said(e, &kept); /* If a warning of the kept text was not given yet, the run is written again, so that
+                                    * the warning has its place. */
   bool ok = !run->found || put_out(e, &refs[first], &kept);
   vs_cache_let_go(r->cache, kept.held);
   return ok;

@@ -4,7 +4,7 @@
 
 #include "backends/backend.h"
 
-void vs_drive_find_short(vs_drive *d); /* sets brief and facets_at */
+void vs_drive_find_short(vs_drive *d); /* sets the members brief and facets_at of d */
 void vs_drive_weigh(vs_emitter *e); /* sets the weights of the entries, after the plan */
 
 /* The row of neighbours among which the driver searches for runs: operands, or the drawn objects. */
@@ -12,18 +12,18 @@ typedef struct {
   const vs_node *parent; /* operation that contains the neighbours; NULL: the drawing itself */
   const vs_ref *refs;
   size_t count;
-  bool body;             /* whether the row is a single reference to a template, whose contents form the run */
+  bool body;             /* true if the row is a single reference to a template, whose contents form the run */
 } vs_run_row;
 
 typedef struct {
   size_t until;          /* index of the neighbour before which the run ends */
   size_t shown;          /* number of nodes in the run that draw something */
-  bool found;            /* whether the kept text of the run has been written */
+  bool found;            /* true if the kept text of the run was found and has been written */
 } vs_run;
 
-/* Finds the run of the row that begins at neighbour `from`, and writes its text if that was kept. Otherwise a run that
- * is worth keeping remains open until vs_drive_run_end. Returns false, with e's error set, on failure; run->until is
- * set even then. */
+/* Finds the run of the row that begins at neighbour `from`, and writes its text if this text was kept. Otherwise, a run
+ * that is worth keeping remains open until vs_drive_run_end. Returns false, with e's error set, on failure; run->until
+ * is set even then. */
 bool vs_drive_run(vs_emitter *e, const vs_run_row *row, size_t from, vs_run *run);
 void vs_drive_run_end(vs_emitter *e);
 

@@ -99,7 +99,7 @@ static bool drive_lower(vs_emitter *e, const vs_ref *ref) {
     e->smooth = was_smooth;
   }
   if (made != NULL) {
-    /* a template is written only once, so its simpler kinds are not kept */
+    /* a template is written only once, so the simpler kinds of its node are not kept */
     if (entry != NULL && entry->uses > 1 && entry->definition == 0) entry->lowered = made;
     else vs_node_release(made);
   }

@@ -4,10 +4,10 @@
 
 #include "backends/backend.h"
 
-/* Restores a clean state. A walk that failed may have stopped anywhere. */
+/* Resets the state of the walk, because a walk that failed may have stopped anywhere. */
 void vs_drive_reset(vs_emitter *e);
-/* Emits the object and everything below it. body: the object is the body of its template, which is written in place of
- * its use. Returns false on failure; e's error or the writer has the reason. */
+/* Emits the object and everything below it. body: true if the object is the body of its template, which is written
+ * instead of a use of the template. Returns false on failure; e's error or the writer has the reason. */
 bool vs_drive_walk(vs_emitter *e, const vs_ref *root, bool body);
 /* Records, for formats with VS_KEEPS_ORIGINS, that the text from the current line on comes from the reference. Returns
  * false if memory is out. */

@@ -1,4 +1,4 @@
-/* Computes the camera's framing and the place of the sun. See view.h.
+/* Computes the camera's framing and the direction of the sun (view.h).
  *
  * Framing: the directions of the view are fixed (right r, up u, forward f). Each corner of the bounds limits the
  * position of the eye from two sides. A corner with the coordinates (x, y, z) along r, u, f is inside the picture if |x
@@ -119,7 +119,7 @@ vs_look_line vs_look_ray(const vs_look *look, uint32_t columns, uint32_t rows, u
   }
   double half = look->parallel ? look->width / 2 : tan(look->angle / 2);
   vs_vec3 ahead = look->forward, up = look->up;
-  if (look->upright && !look->parallel) { /* the picture plane is vertical */
+  if (look->upright && !look->parallel) { /* in an upright view, the picture plane is vertical */
     vs_vec3 level = vs_v3_unit(vs_v3(look->forward.x, look->forward.y, 0));
     ahead = vs_v3_scale(look->forward, 1 / vs_v3_dot(look->forward, level)), up = vs_v3(0, 0, 1);
   }

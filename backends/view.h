@@ -1,5 +1,5 @@
-/* Declares the view of a drawing: the camera, which shows the whole drawing, and the place of the sun. All formats use
- * it. */
+/* Declares the view of a drawing: the camera, which shows all of the drawing, and the direction of the sun. All formats
+ * use it. */
 #ifndef VS_BACKENDS_VIEW_H
 #define VS_BACKENDS_VIEW_H
 
@@ -12,17 +12,18 @@ typedef struct {
   double angle;               /* horizontal field of view of a perspective, in radians. For a panorama: the field of
                                * view in formats that cannot show panoramas */
   double width;               /* width of the visible rectangle of a parallel view, in model units */
-  bool upright;               /* whether the picture plane of a perspective is vertical, with the target in the centre
+  bool upright;               /* true if the picture plane of a perspective is vertical, with the target in the centre
                                * of the picture */
-  bool panorama;              /* whether the picture is a full turn around the eye, with forward horizontal and in the
-                               * centre. Equal angles have equal lengths */
+  bool panorama;              /* true if the picture is a full turn around the eye, with forward horizontal and in the
+                               * centre. Equal angles then have equal lengths */
 } vs_look;
 
 /* Returns the look that shows the drawing. aspect: width of the picture divided by its height. bounds: bounds of the
  * drawing, on whose centre the look is centred. boxes: bounds of its parts, at least one box. */
 vs_look vs_look_find(const vs_scene *scene, const vs_bounds *bounds, const vs_bounds *boxes, size_t box_count,
     double aspect);
-/* A line of sight. Its direction has component 1 along the look's forward; in a panorama it is a unit vector. */
+/* A line of sight. The component of its direction along the forward vector of the view is 1; in a panorama its
+ * direction is a unit vector. */
 typedef struct { vs_vec3 from, direction; } vs_look_line;
 /* Returns the line of sight through the centre of a pixel. Columns and rows count from 0 at the upper left. */
 vs_look_line vs_look_ray(const vs_look *look, uint32_t columns, uint32_t rows, uint32_t column, uint32_t row);

@@ -1,4 +1,4 @@
-/* Implements the writer of text. See writer.h. */
+/* Implements the writer of text (writer.h). */
 #include "backends/writer.h"
 
 #include <stdarg.h>

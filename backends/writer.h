@@ -29,12 +29,13 @@ typedef struct {
   uint64_t limit;  /* greatest number of bytes; 0: no limit */
   size_t counted;  /* number of bytes in the buffer whose newlines `line` includes */
   uint32_t line;   /* result of vs_writer_line for the first `counted` bytes */
-  bool failed, full; /* failed: whether a call has failed. full: whether the reason was the limit */
-  bool keeps_lines;  /* whether the caller uses vs_writer_line */
+  bool failed, full; /* failed: true if a call has failed; full: true if the reason was the limit */
+  bool keeps_lines;  /* true if the caller uses vs_writer_line */
   bool (*going)(void *context); /* called each time the buffer is full. If it returns false, the writer fails, and the
-                                 * context keeps the reason. NULL: never called */
+                                 * context keeps the reason. NULL: it is never called */
   void *going_context;
-  /* receives a copy of the bytes that leave the buffer, from position tap_from on; NULL: never called */
+  /* Function that receives a copy of the bytes that leave the buffer, from position tap_from on. NULL: it is never
+   * called */
   void (*tap)(void *context, const void *bytes, size_t count);
   void *tap_context;
   size_t tap_from;
@@ -46,8 +47,9 @@ bool vs_writer_flush(vs_writer *w);
 uint32_t vs_writer_line(vs_writer *w); /* Returns the number of the current line, from 1. Only for a writer with
                                         * keeps_lines. */
 
-/* Returns room for `most` bytes (at most VS_WRITER_ROOM) in the buffer, for items that are written a million times. The
- * caller fills the room and passes its end to vs_writer_filled. Returns NULL if the writer has failed. */
+/* Returns memory for `most` bytes (at most VS_WRITER_ROOM) in the buffer, for items that are written a million times.
+ * The caller fills the memory and passes the end of the text to vs_writer_filled. Returns NULL if the writer has
+ * failed. */
 static inline char *vs_writer_room(vs_writer *w, size_t most) {
   if (w->failed || (VS_WRITER_ROOM - w->used < most && !vs_writer_flush(w))) return NULL;
   return w->buffer + w->used;
@@ -61,8 +63,8 @@ bool vs_writer_filled(vs_writer *w, const char *end);
 
 bool vs_put(vs_writer *w, const void *bytes, size_t count); /* writes bytes of any value */
 bool vs_puts(vs_writer *w, const char *text);
-/* Writes formatted text as printf does. For short texts without doubles: names, integers, fixed words. Fails for a text
- * longer than 1 KB. */
+/* Writes formatted text as printf does. It is for short texts without doubles: names, integers, fixed words. Fails for
+ * a text longer than 1 KB. */
 bool vs_putf(vs_writer *w, const char *format, ...) __attribute__((format(printf, 2, 3)));
 bool vs_put_number(vs_writer *w, double x);
 /* writes three numbers, such as <1, 2, 3> */
@@ -74,7 +76,8 @@ bool vs_put_base64(vs_writer *w, const unsigned char *bytes, size_t count); /* w
 /* Writes a text of the user or of a file, escaped by the speller of the notation. */
 void vs_put_spelled(vs_writer *w, vs_speller *spell, const char *text);
 void vs_put_xml(vs_writer *w, const char *text); /* escapes text for XML and HTML, including attributes */
-/* Write little-endian bytes, as binary formats require. Each function returns the position after them. */
+/* These functions write little-endian bytes, as binary formats require. Each function returns the position after
+ * them. */
 static inline unsigned char *vs_le_u32(unsigned char *to, uint32_t x) {
   to[0] = (unsigned char)x, to[1] = (unsigned char)(x >> 8), to[2] = (unsigned char)(x >> 16),
   to[3] = (unsigned char)(x >> 24);

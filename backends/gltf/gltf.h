@@ -28,7 +28,7 @@ typedef struct {
   uint32_t first, count; /* range of the geometry's primitives */
   uint32_t mesh;         /* index of the first mesh of this geometry + 1; 0: there is none */
 } vs_gltf_geometry;
-typedef struct { uint32_t geometry, paint, next; /* next: index of another mesh of the geometry + 1; 0: there is none */ } vs_gltf_mesh;
+typedef struct { uint32_t geometry, paint, next; /* next: the geometry's next mesh + 1; 0: none */ } vs_gltf_mesh;
 typedef struct { uint32_t mesh, layer; vs_affine place; } vs_gltf_node;
 
 typedef struct {

@@ -1,9 +1,9 @@
 /* Writes references to files in a scene: pictures on surfaces and skies.
  *
  * A rendered scene refers to copies in the worker's private folder, so that POV-Ray needs no other part of the disk. A
- * .pov refers to the program's own files. Names are absolute, since POV-Ray searches in the folder in which it starts.
- * In its strings, quotes and backslashes are escaped. */
-#define _XOPEN_SOURCE 700 /* for realpath */
+ * .pov refers to the program's own files. Names are absolute, because POV-Ray searches in the folder in which it
+ * starts. In POV-Ray's strings, quotes and backslashes are escaped. */
+#define _XOPEN_SOURCE 700 /* declares realpath */
 #include "backends/povray/povray_files.h"
 
 #include <errno.h>

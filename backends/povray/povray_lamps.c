@@ -20,7 +20,7 @@
 
 enum { ENTRIES = 254 };
 static const double pi = 3.14159265358979323846, globe = 0.01 /* radius of a globe, and fade_distance, in metres */,
-                    margin = 0.001 /* distance of a pattern's values from 0 and 1 */;
+                    margin = 0.001 /* margin that a pattern's values keep from 0 and 1 */;
 
 static void put_number(vs_writer *w, const char *before, double x, const char *after) {
   vs_puts(w, before);
@@ -28,13 +28,13 @@ static void put_number(vs_writer *w, const char *before, double x, const char *a
   vs_puts(w, after);
 }
 
-/* The lamp's own axes: its centre direction, its first horizontal direction, and a second, a quarter turn further. The
- * quarter turn is anticlockwise as seen from above a hanging lamp. */
+/* The lamp's own axes: its central direction, its first horizontal direction, and a second horizontal direction, a
+ * quarter turn further. The quarter turn is anticlockwise as seen from above a hanging lamp. */
 typedef struct { vs_vec3 down, first, second; } lamp_axes;
 
 static lamp_axes axes_of(const vs_scene_lamp *l) {
   vs_vec3 down = vs_v3_unit(vs_v3_sub(l->to, l->at)), back = vs_v3_scale(down, -1);
-  /* The smallest rotation from straight down to this direction also rotates x and y. */
+  /* The smallest rotation from straight down to the lamp's central direction also rotates x and y. */
   vs_vec3 x = vs_v3(1, 0, 0), y = vs_v3(0, 1, 0);
   if (fabs(back.z) < 1 - 1e-12) {
     vs_vec3 axis = vs_v3_unit(vs_v3_cross(vs_v3(0, 0, 1), back));
@@ -87,7 +87,8 @@ static globe_angles horizontals_of(const vs_ies *ies) {
   return a;
 }
 
-/* Returns a pattern's value for an angle. The value keeps a margin from 0 and 1, where POV-Ray's values wrap. */
+/* Returns a pattern's value for an angle. The value keeps a margin from 0 and 1, where POV-Ray's patterns wrap
+ * around. */
 static double entry_at(double angle, double whole) { return margin + (1 - 2 * margin) * angle / whole; }
 
 static void put_entry(vs_writer *w, double at, double share) {
@@ -96,7 +97,7 @@ static void put_entry(vs_writer *w, double at, double share) {
 }
 
 /* Writes the pigment along a meridian, by the angle from straight down. Its transparency is the intensity as a fraction
- * of the greatest. */
+ * of the greatest intensity. */
 static void put_meridian(vs_writer *w, const vs_ies *ies, const globe_angles *verticals, double horizontal) {
   const double *at = verticals->at, last = at[verticals->count - 1];
   vs_puts(w, "function { ");

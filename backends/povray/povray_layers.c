@@ -1,5 +1,5 @@
-/* Computes the layers of a picture with a ray for every pixel. POV-Ray has no output of depth, normals or names. The
- * rays intersect the kernel's mesh of the drawing, through the camera of the picture. */
+/* Computes the layers of a picture with a ray for every pixel, because POV-Ray has no output of depth, normals or
+ * names. The rays intersect the kernel's mesh of the drawing, through the camera of the picture. */
 #include "backends/povray/povray_layers.h"
 
 #include <math.h>
@@ -23,7 +23,8 @@ typedef struct {
   vs_ray_tree tree;
   uint32_t *id, *material; /* numbers of the origin and the material of each part; 0: the part has none */
   uint32_t ground_material;
-  vs_surrounding round; /* objects that shade a point; round.ground: height of the ground, if there is one */
+  vs_surrounding round; /* objects that shade a point; round.ground: height of the ground, or -INFINITY if there is
+                         * none */
   double hair;          /* distance above a surface at which a ray does not intersect the surface's own facets */
   vs_exr *x;
   float *at[LAYERS];
@@ -77,12 +78,13 @@ static void look_at(const layers *l, uint32_t column, uint32_t row) {
   put(l, i, normal, color, plain == bare || paint ? vs_povray_diffuse(paint) : earth_diffuse);
   vs_vec3 place = vs_v3_add(vs_v3_add(from, vs_v3_scale(direction, at)), vs_v3_scale(normal, l->hair));
   vs_surrounding round = l->round;
-  if (place.z < round.ground) round.ground = -INFINITY; /* the point is in a cellar, which the ground must not shade */
+  if (place.z < round.ground) round.ground = -INFINITY; /* the point is below the ground, as in a cellar, where the
+                                                         * ground must not shade it */
   l->at[OPEN][i] = (float)vs_openness(&round, place, normal, (row + (uint32_t)crop[1]) * l->columns + column +
                                       (uint32_t)crop[0]);
 }
 
-/* Computes a row of pixels. A task of the threads. */
+/* Computes a row of pixels, as a task of the threads. */
 static bool look_along(vs_kernel *k, void *context, size_t row) {
   const layers *l = context;
   for (uint32_t column = 0; column < l->x->columns; column++) look_at(l, column, (uint32_t)row);
@@ -97,8 +99,8 @@ static bool say_more(void *to, const void *bytes, size_t count) {
   return vs_exr_add_text(t->x, t->kind, bytes, count, t->e);
 }
 
-/* An entry of a hash table of origins or materials. They are interned, so their addresses identify them. The table has
- * a power of two entries, at least twice as many as it contains. */
+/* An entry of a hash table of origins or materials. They are interned, so their addresses identify them. The number of
+ * entries is a power of two, at least twice the number of stored items. */
 typedef struct { const void *what; uint32_t number; } entry;
 typedef struct { entry *at; size_t room; uint32_t count; words to; vs_writer text; } list;
 
@@ -126,7 +128,7 @@ static uint32_t number_of(list *t, const void *what, bool *fresh) {
   return n->number;
 }
 
-/* Writes a name, with line breaks escaped: they would divide it. */
+/* Writes a name, with line breaks escaped, because they would divide it into two lines. */
 static void put_name(vs_writer *w, const char *name) {
   vs_put_spelled(w, vs_spell_line, name);
 }

@@ -70,7 +70,7 @@ static void put_finish(vs_emitter *e, const vs_material *m) {
   }
 }
 
-/* Writes the refractive index for opaque materials too: fresnel reflection needs it. */
+/* Writes the refractive index, also for opaque materials, because fresnel reflection needs it. */
 void vs_povray_interior(vs_emitter *e, const vs_material *m) {
   put_word(e->out, "  interior { ior ", m->ior >= 1 ? m->ior : 1.5, " }\n");
 }
@@ -175,7 +175,7 @@ static void put_courses(vs_emitter *e, const vs_material *m, const courses *c) {
   put_word(w, "#declare VS_J = ", size * c->joint, ";\n");
   put_word(w, "#declare VS_V = ", 0.25 * v, ";\n");
   if (m->pattern.kind ==
-      VS_PATTERN_ENGLISH) { /* the length of bricks depends only on the course */
+      VS_PATTERN_ENGLISH) { /* in English bond, the length of bricks depends only on the course */
     vs_puts(w, "#declare VS_L = function(x,y,z) { ");
     vs_puts(w, c->length);
     vs_puts(w, " }\n#declare VS_A = function(x,y,z) { ");
@@ -198,7 +198,7 @@ static void put_courses(vs_emitter *e, const vs_material *m, const courses *c) {
   vs_puts(w, "))) }\n ");
   PUT_MAP(w, { 0, joint }, { 0.05, joint }, { 0.05, times(first, 1 - 0.2 * v) }, { 0.45, first },
           { 0.82, times(first, 1 + 0.1 * v) }, { 1, times(first, 1 - 0.26 * v) });
-  put_word(w, "\n  rotate y*", -m->pattern.angle, ""); /* anticlockwise, seen from -y */
+  put_word(w, "\n  rotate y*", -m->pattern.angle, ""); /* rotates anticlockwise, as seen from -y */
   put_word(w, " scale ", metre_of(e), "\n}\n");
   vs_puts(w, "#undef VS_A\n#undef VS_L\n#undef VS_C\n"); /* POV-Ray does not allow a second declaration of a function */
 }
@@ -209,7 +209,7 @@ static void put_grain(vs_emitter *e, const vs_material *m, const char *function,
   vs_puts(w, function);
   vs_puts(w, " }\n ");
   put_map(w, stops, count);
-  put_word(w, "\n  rotate y*", -m->pattern.angle, ""); /* anticlockwise, seen from -y */
+  put_word(w, "\n  rotate y*", -m->pattern.angle, ""); /* rotates anticlockwise, as seen from -y */
   put_word(w, " scale ", metre_of(e), "\n}\n");
 }
 
@@ -269,7 +269,8 @@ static const char picture_helpers[] =
     "  VS_Share(1, .5*VS_Step) P] } #end\n"
     "#end\n";
 
-/* Declares VS_P, the picture in the plane of x and y: upright, and repeated over the plane at a single size. */
+/* Declares VS_P, a pigment with the picture in the plane of x and y: upright, and repeated over the plane at a single
+ * size. */
 static void put_picture_pigment(vs_emitter *e, const vs_material *m) {
   vs_writer *w = e->out;
   vs_puts(w, picture_helpers);
@@ -333,7 +334,7 @@ static void put_solid_pigment(vs_emitter *e, const vs_material *m) {
 
 static bool shows(const vs_emitter *e, const vs_material *m, double pixel) {
   double unit = vs_pattern_size(&m->pattern) * metre_of(e);
-  if (m->pattern.kind == VS_PATTERN_GRASSY) unit *= 110; /* the patches of a lawn are visible from afar, but its blades
+  if (m->pattern.kind == VS_PATTERN_GRASSY) unit *= 110; /* in a lawn, the patches are visible from afar, but the blades
                                                           * are not */
   return m->pattern.kind != VS_PATTERN_NONE && unit >= pixel;
 }

@@ -5,12 +5,12 @@
 
 #include "backends/backend.h"
 
-/* Writes a reference such as ` material { M_3_steel }` to a material that begin has declared. */
+/* Writes a reference such as ` material { M_3_steel }` to a material that vs_povray_begin has declared. */
 bool vs_povray_paint(vs_emitter *e, const vs_material *m);
 /* Declares the material under a name such as M_3_steel, after the functions that its pattern needs. */
 bool vs_povray_declare_material(vs_emitter *e, const vs_material *m, double pixel);
-/* Write pigment, normal and finish for use inside a texture. vs_povray_prepare_texture writes the declarations to which
- * vs_povray_texture refers. */
+/* vs_povray_prepare_texture writes the declarations to which vs_povray_texture refers. vs_povray_texture writes
+ * pigment, normal and finish for use inside a texture. */
 void vs_povray_prepare_texture(vs_emitter *e, const vs_material *m, double pixel);
 void vs_povray_texture(vs_emitter *e, const vs_material *m, double pixel);
 void vs_povray_interior(vs_emitter *e, const vs_material *m);

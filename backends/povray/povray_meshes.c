@@ -3,12 +3,12 @@
  * POV-Ray intersects a ray with each operand of a difference or an intersection. For each point where the ray enters or
  * leaves an operand, it tests whether the point lies in all other operands. A wall with many openings, or a hall under
  * vaults, therefore takes most of a picture's time. A mesh is faster, because POV-Ray builds a tree of boxes for it.
- * The kernel therefore combines such a solid for pictures, but not for a .pov, which people read and change. The mesh
- * is as fine as the picture shows, with smooth shading if its parts are round. vs_povray_solid chooses the solids. It
- * does not choose glass, which refracts light; patterns that were moved with their parts; text of the user; and solids
- * of few parts, most of which a ray misses.
+ * For pictures, the kernel therefore combines such a solid. For a .pov, which people read and change, it does not. The
+ * mesh is as fine as the picture shows, with smooth shading if its parts are round. vs_povray_solid chooses the solids.
+ * It does not choose glass, which refracts light; patterns that were moved with their parts; text of the user; and
+ * solids of few parts, most of which a ray misses.
  *
- * Triangles take part in booleans by their inside_vector. */
+ * POV-Ray uses a mesh in booleans only if the mesh has an inside_vector. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -25,8 +25,8 @@ static bool pov_needle(const vs_vec3 *v, const uint32_t t[3]) {
   return !(vs_v3_length(vs_v3_cross(a, b)) > 1e-12 * longest * longest);
 }
 
-/* Writes a triple of indices for each triangle of `of` except needles, ten triples on a line. `kept` is the number of
- * written triangles. Needles show nothing, and POV-Ray warns about them. */
+/* Writes a triple of indices for each triangle of `of` except needles (triangles without area), ten triples on a line.
+ * `kept` is the number of written triangles. Needles show nothing, and POV-Ray warns about them. */
 static void pov_triples(vs_emitter *e, const char *word, const vs_shade_faces *of, const uint32_t (*triples)[3],
                         size_t kept) {
   pov_open(e, word);
@@ -61,7 +61,7 @@ static void pov_points(vs_emitter *e, const char *word, const vs_vec3 *at, size_
 }
 
 /* POV-Ray stores the corners of meshes in single precision. If a mesh is far from the origin in relation to its size,
- * returns its first corner, relative to which the others are written; otherwise 0 0 0. */
+ * returns its first corner, relative to which the other corners are written. Otherwise returns 0 0 0. */
 static vs_vec3 pov_far(const vs_vec3 *v, size_t count) {
   vs_bounds b = vs_bounds_empty();
   for (size_t i = 0; i < count; i++) vs_bounds_add(&b, v[i]);
@@ -69,9 +69,9 @@ static vs_vec3 pov_far(const vs_vec3 *v, size_t count) {
   return count > 0 && vs_v3_length(middle) > 100 * vs_bounds_diagonal(&b) ? v[0] : vs_v3(0, 0, 0);
 }
 
-/* Triangles and their look. */
+/* Triangles to write, and their material and shading. */
 typedef struct {
-  vs_shade_faces faces;     /* the faces; groups NULL: all are flat, unless the emitter shades smoothly */
+  vs_shade_faces faces;     /* the faces; if groups is NULL, all faces are flat, unless the emitter shades smoothly */
   bool closed;
   const vs_material *paint; /* material of the triangles; NULL: the material of the surrounding object */
 } pov_triangles;
@@ -80,7 +80,7 @@ static vs_emit_status pov_mesh(vs_emitter *e, const pov_triangles *m) {
   const vs_shade_faces *f = &m->faces;
   size_t kept = 0;
   for (size_t i = 0; i < f->triangle_count; i++) kept += !pov_needle(f->vertices, f->triangles[i]);
-  if (kept == 0) return VS_EMITTED; /* there is no visible triangle */
+  if (kept == 0) return VS_EMITTED; /* there is no visible triangle, so no mesh is written */
   if (!vs_emit_triangles(e, kept)) return VS_FAILED;
   vs_shading s = { .normal_count = 0 };
   bool smooth = f->groups != NULL || e->smooth;
@@ -92,7 +92,7 @@ static vs_emit_status pov_mesh(vs_emitter *e, const pov_triangles *m) {
   if (smooth) pov_points(e, "normal_vectors { ", s.normals, s.normal_count, vs_v3(0, 0, 0), 1);
   pov_triples(e, "face_indices { ", f, f->triangles, kept);
   if (smooth) pov_triples(e, "normal_indices { ", f, (const uint32_t (*)[3])s.corners, kept);
-  if (m->closed) /* a slanted direction, which very rarely runs along an edge */
+  if (m->closed) /* writes a slanted direction as inside_vector, because such a line very rarely runs along an edge */
     pov_open(e, "inside_vector <0.2317, 0.4951, 0.8372>\n");
   if (!vs_v3_equal(from, vs_v3(0, 0, 0))) {
     pov_open(e, "translate ");
@@ -138,10 +138,11 @@ typedef struct { const vs_node *node; bool moved; } pov_step;
 typedef struct {
   pov_step *wait;
   size_t count, room;
-  size_t parts; /* number of parts; a part that is reached by several paths counts once for each */
+  size_t parts; /* number of parts of the solid; a part that is reached by several paths counts once for each */
 } pov_census;
 
-/* With fewer parts, a mesh saves no time. With more, the kernel takes longer than the picture. */
+/* If a solid has fewer parts than PARTS_LEAST, a mesh saves no time. If it has more than PARTS_MOST, the kernel takes
+ * longer than the picture. */
 enum { PARTS_LEAST = 6, PARTS_MOST = 20000 };
 
 static bool pov_paint_stays(const vs_material *m, bool moved) {
@@ -163,7 +164,7 @@ static bool pov_census_node(vs_emitter *e, pov_census *c, pov_step s) {
   return true;
 }
 
-/* Returns true if POV-Ray draws the solid faster as a mesh, and the picture is the same. */
+/* Returns true if POV-Ray draws the solid faster as a mesh, and the picture is the same in both cases. */
 static bool pov_is_dear(vs_emitter *e, const vs_node *n) {
   pov_census c = { .count = 0 };
   if (n->class_ != VS_SOLID || n->flags & VS_NODE_ENDLESS || e->carved) return false;
@@ -200,11 +201,13 @@ static const vs_solid_part *pov_part(const vs_solid *s, size_t triangle) {
   return &s->parts[s->mesh.tags ? s->mesh.tags[triangle] : 0];
 }
 
-/* Adds a lining to a piece: the same triangles, slightly deeper in the solid. POV-Ray stores the planes of a mesh's
- * triangles in single precision, so neighbours have tiny gaps along their common edge. Of about ten thousand rays, one
- * passes through a gap, and shows the space behind the solid as a bright dot. Only such a ray reaches the lining. */
+/* Adds a lining to a piece: a copy of its triangles slightly deeper in the solid. POV-Ray stores the planes of a mesh's
+ * triangles in single precision, so neighbours have tiny gaps along their common edge. Of about ten thousand rays, a
+ * single ray passes through a gap, and shows the space behind the solid as a bright dot. Only such rays reach the
+ * lining. */
 static void pov_line(pov_piece *p) {
-  const double deep = 4e-6; /* fraction of the largest coordinate, some tens of steps of single precision */
+  const double deep = 4e-6; /* depth of the lining as a fraction of the largest coordinate: some tens of steps of single
+                             * precision */
   double most = 0;
   size_t vertices = p->vertices, triangles = p->triangles;
   vs_vec3 *into = p->v + vertices;
@@ -249,8 +252,8 @@ static vs_emit_status pov_piece_of(vs_emitter *e, pov_piece *p, const vs_solid *
   }
   if (p->triangles == 0) return VS_EMITTED;
   pov_line(p);
-  const double crease = 0.35; /* in radians; the angle between neighbouring facets of round parts is at most a fifth of
-                               * it */
+  const double crease = 0.35; /* least angle in radians of a sharp edge; the angle between neighbouring facets of round
+                               * parts is at most a fifth of this */
   const vs_shade_faces faces = { p->v, (const uint32_t (*)[3])p->t, p->groups, p->vertices, p->triangles, crease };
   return pov_mesh(e, &(pov_triangles){ .faces = faces, .paint = paint });
 }
@@ -278,7 +281,8 @@ static size_t pov_paints(const vs_solid *s) {
   return paints;
 }
 
-/* Writes the meshes of a solid. More than one mesh form a union; POV-Ray warns about a union of a single object. */
+/* Writes the meshes of a solid. Several meshes are written as a union; POV-Ray warns about a union of a single
+ * object. */
 static vs_emit_status pov_pieces(vs_emitter *e, const vs_solid *s, size_t paints) {
   pov_piece p = { .vertex_room = 2 * s->mesh.vertex_count, .triangle_room = 2 * s->mesh.triangle_count };
   size_t room[4] = { 0 };

@@ -1,4 +1,4 @@
-/* Processes POV-Ray's picture.
+/* Processes POV-Ray's picture: joins its parts, and writes them as .exr or .png.
  *
  * POV-Ray always renders an EXR of linear light in half floats. The header of this file contains the date, POV-Ray's
  * version and the platform. OpenEXR's library therefore writes a new .exr: the same numbers, with texts for the camera
@@ -57,8 +57,8 @@ static bool picture_write(vs_emitter *e, const char *path, const picture_bytes *
                             problem == ENOSPC ? "the disk is full" : strerror(problem));
 }
 
-/* Copies the parts of the jobs' pictures that intersect `wanted` into an empty picture of that size. For a part of a
- * picture, POV-Ray makes a picture of full size that is black outside the part. */
+/* Copies the parts of the jobs' pictures that intersect the rectangle `wanted` into an empty picture of its size. For a
+ * part of a picture, POV-Ray makes a picture of full size that is black outside the part. */
 static bool picture_join(vs_emitter *e, const char *folder, const vs_povray_job *jobs, size_t count,
                          const vs_exr_part *wanted, vs_exr *x) {
   static const char *const channels[] = { "B", "G", "R" };
@@ -85,7 +85,8 @@ static bool picture_join(vs_emitter *e, const char *folder, const vs_povray_job 
   return ok;
 }
 
-/* Joins the plan's picture, without its first pass, in *x: the whole picture, or the part that the options set. */
+/* Joins the pictures of the plan's jobs, without the first pass, in *x. *x becomes the entire picture, or the part that
+ * the options select. */
 static bool picture_take(vs_emitter *e, const vs_povray_result *r, const vs_exr_part *part, vs_exr *x) {
   const vs_povray_plan *p = r->plan;
   return picture_join(e, r->folder, p->jobs + p->pass_count, p->count - p->pass_count, part, x);
@@ -106,7 +107,7 @@ bool vs_povray_meter(vs_emitter *e, const char *folder, const vs_povray_plan *pl
   return ok;
 }
 
-/* Writes the light as a new EXR: the whole picture or a part, with layers if the options set them. */
+/* Writes the light as a new EXR: the entire picture or a part, with layers if the options select them. */
 bool vs_povray_take_picture(vs_emitter *e, const vs_povray_result *r, const char *to) {
   vs_store *store = e->scene->store;
   vs_exr x = { .store = store };
@@ -125,7 +126,7 @@ bool vs_povray_develop_picture(vs_emitter *e, const vs_povray_result *r, const c
   const vs_povray_plan *p = r->plan;
   const vs_exr_part *wanted = &p->wanted;
   vs_exr x = { .store = store };
-  /* if the exposure is computed from the picture, it depends on the whole picture */
+  /* If the exposure is computed from the picture, it depends on the entire picture. */
   vs_exr_part all = { 0, 0, p->columns, p->rows };
   vs_tone tone = *r->tone;
   bool ok = picture_take(e, r, tone.fixed ? wanted : &all, &x);

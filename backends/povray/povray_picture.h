@@ -1,4 +1,4 @@
-/* Declares the processing of POV-Ray's picture. */
+/* Declares the processing of POV-Ray's picture: joining its parts, and writing them as .exr or .png. */
 #ifndef VS_BACKENDS_POVRAY_POVRAY_PICTURE_H
 #define VS_BACKENDS_POVRAY_POVRAY_PICTURE_H
 

@@ -57,8 +57,8 @@ static uint32_t strips_of(const vs_povray_plan *p, uint64_t triangles) {
   return count > 2 ? (uint32_t)count / 2 * 2 : (uint32_t)count;
 }
 
-/* Plans the strips that the wanted part intersects. If there are two, they lie side by side, because the sky takes less
- * time than the ground. */
+/* Plans the strips that the wanted part intersects. If there are two strips, they lie side by side, because the sky
+ * takes less time than the ground. */
 static void plan_strips(vs_povray_plan *p, uint64_t triangles) {
   uint32_t count = strips_of(p, triangles), side = count == 2 ? p->columns : p->rows;
   uint32_t begin = count == 2 ? p->wanted.left : p->wanted.top;
@@ -100,14 +100,14 @@ static double machine_memory(void) {
   return pages > 0 && page > 0 ? (double)pages * (double)page : 0;
 }
 
-/* POV-Ray keeps five single-precision numbers for each pixel of the whole picture, even if it draws a part. */
+/* POV-Ray keeps five single-precision numbers for each pixel of the entire picture, even if it draws only a part. */
 static double picture_bytes(const vs_povray_job *job) { return 20. * job->columns * job->rows; }
 
 double vs_povray_megabytes(const vs_povray_job *job) { return ceil(picture_bytes(job) / 1e6); }
 bool vs_povray_fits(const vs_povray_job *job) { return picture_bytes(job) <= machine_memory() / 4; }
 
-/* Returns the number of runs at a time. POV-Ray needs about twenty times the size of the text as memory, and room for
- * the picture. */
+/* Returns the number of runs of POV-Ray that work at a time. Each run needs about twenty times the size of the scene's
+ * text as memory, and memory for the picture. */
 size_t vs_povray_at_once(const vs_export_options *o, const vs_povray_job *job, uint64_t scene) {
   double each = 0x1p26 + 20. * (double)scene + (vs_povray_fits(job) ? picture_bytes(job) : 0);
   double room = machine_memory() / 2 / each;

@@ -5,7 +5,7 @@
 #include "backends/backend.h"
 #include "geometry/files/exr_read.h"
 
-enum { VS_POVRAY_STRIPS = 32 /* strips of a picture */, VS_POVRAY_PASSES = 2 /* parts of the first
+enum { VS_POVRAY_STRIPS = 32 /* most strips of a picture */, VS_POVRAY_PASSES = 2 /* parts of the first
                                                                                                  * pass */ };
 
 /* How a run treats samples of bounced light: it ignores them, keeps them in a file, or reads them from a file. */
@@ -16,29 +16,29 @@ typedef struct {
   uint32_t columns, rows;
   vs_exr_part part;
   vs_povray_samples samples;
-  bool smooth;      /* whether pixels at edges have several rays */
+  bool smooth;      /* true if pixels at edges have several rays */
   uint32_t threads;
   char name[16];    /* name of the run's files, without a suffix */
 } vs_povray_job;
 
 typedef struct {
-  uint32_t columns, rows; /* size of the whole picture in pixels */
+  uint32_t columns, rows; /* size of the entire picture in pixels */
   vs_exr_part wanted;     /* part of the picture to make */
-  bool bounced;           /* whether the picture has bounced light */
-  bool metered;           /* whether the exposure is computed from the picture */
+  bool bounced;           /* true if the picture has bounced light */
+  bool metered;           /* true if the exposure is computed from the picture */
   size_t pass_count, count; /* number of jobs; the first pass_count of them are the first pass */
   vs_povray_job jobs[VS_POVRAY_PASSES + VS_POVRAY_STRIPS];
 } vs_povray_plan;
 
-/* Returns the plan of a picture. triangles: number of triangles in its scene. metered: its exposure is computed from
- * the picture. alone: a single run makes the whole picture. */
+/* Returns the plan of a picture. triangles: number of triangles in its scene. metered: true if its exposure is computed
+ * from the picture. alone: true if a single run makes the entire picture. */
 vs_povray_plan vs_povray_plan_of(const vs_export_options *o, uint64_t triangles, bool metered, bool alone);
 /* Returns how many of the jobs may run at a time: as many as there are processors, or fewer if that many would need
  * more than half of the machine's memory. scene: size of the scene's text in bytes. */
 size_t vs_povray_at_once(const vs_export_options *o, const vs_povray_job *job, uint64_t scene);
 /* Returns the size of a run's picture in megabytes. */
 double vs_povray_megabytes(const vs_povray_job *job);
-/* Returns whether a run's picture fits into memory: it needs at most a quarter of the machine's memory. Otherwise
+/* Returns true if a run's picture fits into memory: it needs at most a quarter of the machine's memory. Otherwise
  * POV-Ray keeps it in a file. */
 bool vs_povray_fits(const vs_povray_job *job);
 

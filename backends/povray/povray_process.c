@@ -1,13 +1,14 @@
 /* Runs a process of POV-Ray: its input and permissions, its progress and its messages.
  *
- * POV-Ray writes everything to standard error: progress in pieces that begin with a carriage return, messages as
+ * POV-Ray writes everything to standard error. Progress comes in pieces that begin with a carriage return. Messages
+ * look like
  *   File '/tmp/.../scene.pov' line 12: Parse Error: ...
- * wrapped at 80 columns, with one space before each continuation. It exits with 0 after warnings that mean a wrong
- * picture. Any warning that povray_warnings.def does not list is therefore a flaw of the picture: vs keeps the picture,
- * reports the warning and fails. The table of the driver maps the line of a message to the place in the
+ * They are wrapped at 80 columns, with one space before each continuation. POV-Ray exits with 0 after warnings that
+ * mean a wrong picture. Any warning that povray_warnings.def does not list is therefore a flaw of the picture: vs keeps
+ * the picture, reports the warning and fails. The table of the driver maps the line of a message to the place in the
  * user's model. POV-Ray and the processes that it starts form a process group. On Linux the group ends when vs is
  * killed. */
-#define _GNU_SOURCE /* for prlimit, execvpe, pipe2 */
+#define _GNU_SOURCE /* declares prlimit, execvpe, pipe2 */
 #include "backends/povray/povray_process.h"
 
 #include <errno.h>
@@ -49,7 +50,8 @@ static void run_hear(vs_povray_process *r, const char *bytes, size_t count) {
       if (r->piece_used + 1 < sizeof r->piece) r->piece[r->piece_used++] = c;
       continue;
     }
-    if (r->used + 1 >= sizeof r->text) { /* a text that is too long loses its beginning, since errors come last */
+    if (r->used + 1 >= sizeof r->text) { /* if the text is too long, its beginning is dropped, because errors come
+                                          * last */
       memmove(r->text, r->text + sizeof r->text / 2, r->used - sizeof r->text / 2);
       r->used -= sizeof r->text / 2;
     }
@@ -69,7 +71,7 @@ static void run_unwrap(char *text) {
 /* A message of POV-Ray about a line of the scene. */
 typedef struct { const char *text; int length; unsigned long line; bool warning; } run_message;
 
-/* Reads the next message of the text after *at, and moves *at behind it. Returns false if there is none. */
+/* Reads the next message of the text after *at, and moves *at behind the message. Returns false if there is none. */
 static bool run_next(const char **at, run_message *m) {
   for (const char *from = *at; (from = strstr(from, "File '")) != NULL; from++) {
     const char *end = from + strcspn(from, "\n"), *number = strstr(from, "' line ");
@@ -139,7 +141,7 @@ static void run_become(const char *folder, const int errors[2], char *const *arg
 #ifdef __linux__
   prctl(PR_SET_PDEATHSIG, SIGKILL); /* if vs is killed, this call alone ends POV-Ray */
 #endif
-  setpgid(0, 0); /* POV-Ray's own group, so that the processes that it starts end with it */
+  setpgid(0, 0); /* makes a process group for POV-Ray, so that the processes that it starts end with it */
   for (size_t i = 0; i < sizeof usual / sizeof *usual; i++) signal(usual[i], SIG_DFL);
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, NULL);
@@ -183,7 +185,8 @@ bool vs_povray_start(vs_emitter *e, vs_povray_process *r, const char *folder, ch
   snprintf(home, sizeof home, "HOME=%s", folder);
   snprintf(ini, sizeof ini, "POVINI=%s/povray.ini", folder);
   snprintf(path, sizeof path, "PATH=%s", where != NULL ? where : "/usr/local/bin:/usr/bin:/bin");
-  /* the folder of the file with a picture too large for memory; the confinement forbids POV-Ray's own choice */
+  /* The folder receives the file of a picture that is too large for memory, because the confinement forbids the folder
+   * that POV-Ray would choose. */
   snprintf(large, sizeof large, "POV_TEMP_DIR=%s", folder);
   char *environment[] = { home, ini, path, large, "LC_ALL=C", NULL };
   int problem = run_start(r, folder, ends, arguments, environment);
@@ -213,7 +216,7 @@ void vs_povray_hear(vs_povray_process *r) {
 bool vs_povray_ended(vs_povray_process *r, int *status) {
   siginfo_t how = { .si_pid = 0 };
   if (waitid(P_PID, (id_t)r->process, &how, WEXITED | WNOHANG | WNOWAIT) == 0 && how.si_pid == 0) return false;
-  kill(-r->process, SIGKILL); /* as long as the process number is not reused */
+  kill(-r->process, SIGKILL); /* This is safe as long as the process number is not reused. */
   while (waitpid(r->process, status, 0) < 0 && errno == EINTR) continue;
   r->process = 0;
   if (r->errors >= 0) close(r->errors);
@@ -238,14 +241,15 @@ void vs_povray_stop(vs_povray_process *at, size_t count) {
 
 /* ---- the result of POV-Ray ---- */
 
-/* Sets the error of a run that ended because it had no room for its picture. POV-Ray calls this an unknown error. */
+/* Sets the error of a run that ended because it had no memory or disk space for its picture. POV-Ray calls this an
+ * unknown error. */
 static bool run_has_no_room(vs_emitter *e, const vs_povray_process *r) {
   return vs_error_set(e->error, VS_ERROR_WORKER, NULL, "POV-Ray has no room for the picture: it needs %.0f MB %s%s",
                       r->room.megabytes, r->room.folder ? "on the disk in " : "of memory",
                       r->room.folder ? r->room.folder : "");
 }
 
-/* Notes a warning of a run that made its picture. The first warning of all runs remains. */
+/* Records a warning of a run that made its picture. Only the first warning of all runs is kept. */
 static void run_note_flaw(vs_emitter *e, const run_message *m) {
   if (e->flaw.kind != VS_ERROR_NONE) return;
   vs_error_set(&e->flaw, VS_ERROR_WORKER, vs_emit_line_origin(e, (uint32_t)m->line),

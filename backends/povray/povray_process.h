@@ -17,7 +17,7 @@ typedef struct {
   char piece[256];            /* progress text since the last carriage return */
   size_t piece_used;
   bool in_piece;
-  struct {                    /* room that the process needs for its picture */
+  struct {                    /* memory and disk space that the process needs for its picture */
     double megabytes;
     const char *folder;       /* folder of the file that contains the picture; NULL: the picture is in memory */
   } room;
@@ -35,8 +35,8 @@ bool vs_povray_ended(vs_povray_process *p, int *status);
 /* Ends `count` processes by a signal, and after two seconds by SIGKILL. */
 void vs_povray_stop(vs_povray_process *at, size_t count);
 /* Returns true if an ended process made its picture. If POV-Ray warned that the picture may be wrong, sets e->flaw.
- * Returns false with the error set if there is no picture. Both have the place in the model if POV-Ray's message
- * names a line. */
+ * Returns false with the error set if there is no picture. Flaw and error have the place in the model if POV-Ray's
+ * message contains a line number. */
 bool vs_povray_judge(vs_emitter *e, vs_povray_process *p, int status);
 /* Returns true if the process gave up before it began, because the machine was too busy. */
 bool vs_povray_was_starved(const vs_povray_process *p, int status);

@@ -1,9 +1,9 @@
 /* Writes the frame of a POV-Ray scene: header, camera, light, sky, ground. povray_shapes.c writes shapes,
  * povray_materials.c materials.
  *
- * Looks: linear light (assumed_gamma 1), a warm parallel sun (with a soft edge in the final quality), a pale sky sphere
- * that radiosity turns into fill light, and no ambient term. The user's text enters the scene only as letters and
- * digits of names. */
+ * Appearance: linear light (assumed_gamma 1), a warm parallel sun (with a soft edge in the final quality), a pale sky
+ * sphere that radiosity turns into fill light, and no ambient term. The user's text enters the scene only as letters
+ * and digits of names. */
 #include "backends/povray/povray_scene.h"
 
 #include <math.h>
@@ -36,8 +36,8 @@ static void pov_word(vs_writer *w, const char *before, double x, const char *aft
 
 /* Returns true if vs makes the picture. Such pictures have light as outdoors, where the sun is several times as bright
  * as the sky, and then a tone curve. When POV-Ray itself makes the picture of a .pov, it cuts off colours brighter than
- * white. In a .pov, sun and sky together therefore make a white wall slightly darker than white. A picture as the
- * surroundings has its own brightness, and the sun follows it. */
+ * white. In a .pov, sun and sky together therefore make a white wall slightly darker than white. If a picture is the
+ * sky, it has its own brightness, and the sun follows it. */
 static bool pov_is_developed(const vs_emitter *e) { return e->backend->render != NULL; }
 static double pov_sky_strength(const vs_emitter *e) {
   return pov_is_developed(e) && e->scene->sky_image == NULL ? 1.6 : 1;
@@ -46,7 +46,7 @@ static double pov_sky_strength(const vs_emitter *e) {
  * scatter. */
 static double pov_fill_strength(const vs_emitter *e) { return pov_is_developed(e) ? 2.1 : 1; }
 static double pov_sun_strength(const vs_emitter *e) { return pov_is_developed(e) ? 2 * pov_sky_strength(e) : 1.25; }
-/* In a .pov, the light of a physical sky is reduced by the same factor as the sun. */
+/* Returns true for a physical sky. In a .pov, its light is reduced by the same factor as that of the sun. */
 static bool pov_is_physical(const vs_emitter *e) { return e->scene->turbidity > 0; }
 static vs_povray_daylight pov_daylight(const vs_emitter *e, const vs_look *l) {
   return vs_povray_daylight_of(e->scene, vs_look_sun(e->scene, l), pov_is_developed(e) ? 1 : 1.25 / 3.2);
@@ -79,7 +79,8 @@ static void pov_focus(vs_emitter *e, const vs_look *l) {
 static void pov_camera(vs_emitter *e, const vs_look *l, int width, int height) {
   vs_writer *w = e->out;
   vs_puts(w, "camera {\n");
-  if (l->parallel) { /* look_at is used because axes written as vectors would not be perpendicular to the last digit */
+  if (l->parallel) { /* look_at is used, because the camera's axes written as vectors would not be perpendicular to the
+                      * last digit */
     vs_puts(w, "  orthographic\n");
     pov_vector(w, "  location ", l->eye);
     pov_vector(w, "\n  sky ", l->up);
@@ -94,14 +95,14 @@ static void pov_camera(vs_emitter *e, const vs_look *l, int width, int height) {
     vs_puts(w, "  spherical\n");
     pov_vector(w, "  location ", l->eye);
     pov_vector(w, "\n  direction ", l->forward);
-    /* rays are rotated around these two axes, as in left-handed coordinates */
+    /* rays are rotated around these two vectors, as in left-handed coordinates */
     pov_vector(w, "\n  right ", vs_v3_scale(l->right, -1));
     pov_vector(w, "\n  up ", vs_v3_scale(l->up, -1));
     pov_word(w, "\n  angle 360 ", vs_look_height(columns, rows) * (180 / pi), "\n}\n");
     return;
   }
-  if (l->upright) { /* The picture plane is vertical, with the target in its centre: the camera's vectors are not
-                     * perpendicular. */
+  if (l->upright) { /* In an upright view, the picture plane is vertical, with the target in its centre. Therefore the
+                     * camera's vectors are not perpendicular. */
     vs_vec3 level = vs_v3_unit(vs_v3(l->forward.x, l->forward.y, 0));
     double wide = 2 * tan(l->angle / 2);
     pov_vector(w, "  location ", l->eye);
@@ -132,8 +133,9 @@ static void pov_sun(vs_emitter *e, const vs_look *l, double diagonal) {
   if (pov_is_physical(e)) {
     vs_povray_daylight day = pov_daylight(e, l);
     vs_put_triple(w, "\n  color rgb <", day.sun, ", ", ">");
-    fill *= day.fill / 0.75; /* 0.75 is the light of the plain sky on a horizontal surface */
-  } else if (vs_look_sun_is_pictured(e->scene)) { /* the number of a surface is its light over pi */
+    fill *= day.fill / 0.75; /* 0.75 is the light of the default sky on a horizontal surface */
+  } else if (vs_look_sun_is_pictured(e->scene)) { /* the number of a white surface is the light that it receives,
+                                                   * divided by pi */
     vs_vec3 light = vs_v3_scale(e->scene->picture_sun_light, 1 / pi);
     vs_put_triple(w, "\n  color rgb <", light, ", ", ">");
   } else {
@@ -145,7 +147,7 @@ static void pov_sun(vs_emitter *e, const vs_look *l, double diagonal) {
   if (e->options->quality == VS_RENDER_FINAL) { /* a soft edge of shadows takes several times as long as all other
                                                  * work */
     /* The keyword `orient` rotates the light towards the lit point, so only the lengths of the vectors matter. POV-Ray
-     * requires lengths equal to 1e-10, which the written digits of rotated vectors are not. */
+     * requires lengths that are equal to 1e-10. Written with twelve digits, rotated vectors do not fulfil this. */
     pov_vector(w, "\n  area_light ", vs_v3(0.012 * far, 0, 0));
     pov_vector(w, ", ", vs_v3(0, 0.012 * far, 0));
     vs_puts(w, ", 3, 3 adaptive 1 circular orient");
@@ -161,7 +163,8 @@ static void pov_sun(vs_emitter *e, const vs_look *l, double diagonal) {
     pov_vector(w, " }\nlight_source { ", vs_v3_sub(middle, vs_v3_scale(l->forward, far)));
     pov_word(w, " color rgb ", 0.16 * fill, " shadowless parallel ");
     pov_vector(w, "point_at ", middle);
-    pov_vector(w, " }\nlight_source { ", vs_v3_sub(middle, vs_v3(0, 0, far))); /* light from the ground */
+    pov_vector(w, " }\nlight_source { ", vs_v3_sub(middle, vs_v3(0, 0, far))); /* a light from below, which represents
+                                                                                * light that the ground reflects */
     pov_word(w, " color rgb <0.13, 0.125, 0.115> * ", fill, " shadowless parallel ");
     pov_vector(w, "point_at ", middle);
     vs_puts(w, " }\n");
@@ -188,7 +191,8 @@ static pov_air pov_air_of(const vs_scene *s) {
   return a;
 }
 
-/* Returns a screen's colour as light of the given strength. This is the meaning of srgb in a scene, IEC 61966-2-1. */
+/* Returns the light, of the given strength, of a screen's colour. The keyword srgb has this meaning in a scene, IEC
+ * 61966-2-1. */
 static vs_vec3 pov_light_of(vs_vec3 c, double strength) {
   double x[] = { c.x, c.y, c.z };
   for (int i = 0; i < 3; i++) x[i] = strength * (x[i] <= 0.04045 ? x[i] / 12.92 : pow((x[i] + 0.055) / 1.055, 2.4));
@@ -209,13 +213,15 @@ static void pov_sky(vs_emitter *e, const vs_look *l) {
     return;
   }
   pov_air air = pov_air_of(e->scene);
-  double above = pov_sky_strength(e), floor = pov_is_developed(e) ? 2.8 : 1; /* the sun lights the floor */
+  double above = pov_sky_strength(e), floor = pov_is_developed(e) ? 2.8 : 1; /* above: brightness of the sky; floor:
+                                                                              * brightness of the floor, which the sun
+                                                                              * lights */
   struct { double at, strength; vs_vec3 color; } bands[] = {
       { 0, floor, vs_v3(0.78, 0.78, 0.77) }, { 0.36, floor, vs_v3(0.9, 0.9, 0.89) }, { 0.5, above, air.haze },
       { 0.56, above, air.haze }, { 0.63, above, air.haze }, { 0.71, above, air.haze }, { 0.8, above, air.haze },
       { 0.9, above, air.haze }, { 1, above, air.zenith } };
-  for (size_t i = 3; i < sizeof bands / sizeof *bands; i++) { /* smoothly curved, since a kink would be visible as an
-                                                               * edge */
+  for (size_t i = 3; i < sizeof bands / sizeof *bands; i++) { /* the colour changes along a smooth curve, because a kink
+                                                               * would be visible as an edge */
     double share = 1 - pow(2 - 2 * bands[i].at, 2.2);
     bands[i].color = vs_v3_add(vs_v3_scale(air.haze, 1 - share), vs_v3_scale(air.zenith, share));
   }
@@ -296,7 +302,8 @@ static void pov_fog(vs_emitter *e, const vs_look *l) {
 static void pov_ground(vs_emitter *e, const vs_look *l, double diagonal, double pixel) {
   vs_writer *w = e->out;
   const vs_material *m = e->scene->ground_material;
-  double lift = 1e-5 * diagonal; /* objects on the ground would share its plane, so the ground is slightly lower */
+  double lift = 1e-5 * diagonal; /* Objects that stand on the ground would have a face in its plane. Therefore the
+                                  * ground is slightly lower. */
   double z = e->scene->ground_z * e->unit - lift;
   if (m != NULL) vs_povray_prepare_texture(e, m, pixel);
   pov_word(w, "plane {\n  z, ", z, "\n  texture {\n");
@@ -347,9 +354,9 @@ static void pov_put_radiosity(vs_emitter *e) {
   vs_puts(e->out, pov_is_developed(e) ? "#end }\n" : "}\n");
 }
 
-/* Returns the scene's unit: the length of a model unit. POV-Ray has absolute tolerances. Objects much smaller than a
- * unit have holes, and meshes of millions of units are invisible. Such drawings are scaled by a power of ten, so that
- * their size is some tens of units. */
+/* Returns the scene's unit: the length of a model unit in the scene. POV-Ray has absolute tolerances. Objects much
+ * smaller than a unit have holes, and meshes of millions of units are invisible. Such drawings are scaled by a power of
+ * ten, so that their size is some tens of units. */
 static double pov_unit(double diagonal) {
   return diagonal > 0.1 && diagonal < 1e5 ? 1 : pow(10, 1 - floor(log10(diagonal)));
 }
@@ -361,7 +368,7 @@ static double pov_half_width(const vs_look *l) { return l->panorama ? pi : tan(l
  * large pictures show curves. Points closer than a thousandth of the drawing's size, or behind the camera, count as
  * having that distance. */
 static vs_pen pov_pen(const vs_emitter *e, const vs_look *l, int width) {
-  double across = fmax(2. / width, 1. / 450); /* as a fraction of the picture's width */
+  double across = fmax(2. / width, 1. / 450); /* thickness of curves as a fraction of the picture's width */
   if (l->parallel) return (vs_pen){ .least = across * l->width / 2 };
   double share = across * pov_half_width(l);
   return (vs_pen){ .eye = l->eye, .forward = l->forward, .share = share,
@@ -380,8 +387,8 @@ static double pov_pixel(const vs_emitter *e, const vs_look *l, int width) {
     double out = fmax(fmax(low[i] * e->unit - eye[i], eye[i] - high[i] * e->unit), 0);
     square += out * out;
   }
-  double least = 0.02 * vs_bounds_diagonal(&e->bounds) * e->unit; /* least distance, for an eye that is among the
-                                                                   * walls */
+  double least = 0.02 * vs_bounds_diagonal(&e->bounds) * e->unit; /* least distance of the point, for an eye that is
+                                                                   * among the walls */
   return fmax(sqrt(square), least) * 2 * pov_half_width(l) / width;
 }
 
@@ -395,8 +402,8 @@ static double pov_chord(const vs_emitter *e, double pixel) {
   return fmin(1, fmax(1. / 16, pixel / 8 / e->unit / e->drawing_facets.tolerance));
 }
 
-/* Warns, with the object's place, if the eye is inside an object, of which it sees only the dark inside. Returns false
- * with the error set. */
+/* Warns, with the object's place, if the eye is inside an object, so that the picture shows only the dark inside.
+ * Returns false with the error set. */
 static bool pov_tell_eye(vs_emitter *e, const vs_look *look) {
   for (size_t i = 0; !look->parallel && i < e->scene->drawn_count; i++) {
     const vs_ref *r = &e->scene->drawn[i];

@@ -1,12 +1,13 @@
-/* Declares the frame of a POV-Ray scene. */
+/* Declares the frame of a POV-Ray scene: its beginning and its end. */
 #ifndef VS_BACKENDS_POVRAY_POVRAY_SCENE_H
 #define VS_BACKENDS_POVRAY_POVRAY_SCENE_H
 
 #include "backends/povray/povray_materials.h"
 
-/* Write the scene's beginning (camera, light, sky) and its end. */
+/* vs_povray_begin writes the scene's beginning (camera, light, sky), and vs_povray_end its end. */
 bool vs_povray_begin(vs_emitter *e);
 bool vs_povray_end(vs_emitter *e);
-double vs_povray_ambient(const vs_emitter *e); /* returns the ambient light, which only drafts have */
+double vs_povray_ambient(const vs_emitter *e); /* returns the light that a draft adds to all surfaces; 0 for other
+                                                * qualities */
 
 #endif

@@ -62,8 +62,8 @@ static void pov_comma(vs_emitter *e, double x) {
   vs_put_number(e->out, x);
 }
 
-/* Writes a matrix. POV-Ray multiplies row vectors, so its rows are VisualScheme's columns. The translation is in model
- * units. */
+/* Writes a matrix. POV-Ray multiplies row vectors by matrices, so the rows of its matrix are VisualScheme's columns.
+ * The translation is in model units. */
 static void pov_matrix(vs_emitter *e, const vs_affine *a) {
   vs_puts(e->out, "matrix <");
   for (int column = 0; column < 4; column++)
@@ -114,7 +114,7 @@ vs_emit_status vs_povray_cylinder(vs_emitter *e, const vs_ref *ref, vs_phase pha
 }
 
 static vs_emit_status pov_cone(vs_emitter *e, vs_vec3 base, double base_radius, vs_vec3 top, double top_radius) {
-  /* POV-Ray's cone refuses equal radii. */
+  /* POV-Ray's cone refuses equal radii, so a cylinder is written then. */
   if (base_radius == top_radius) return pov_cylinder(e, base, top, base_radius);
   char *to = POV_BEGIN(e, "cone { ");
   if (to == NULL) return VS_FAILED;
@@ -144,7 +144,7 @@ vs_emit_status vs_povray_e_cone(vs_emitter *e, const vs_ref *ref, vs_phase phase
   vs_affine place = vs_frame_on_axis(c->base, axis),
             wide = vs_affine_scaling(vs_v3(0, 0, 0), vs_v3(1, c->base_across / c->base_radius, 1));
   place = vs_affine_multiply(&place, &wide);
-  bool equal = c->base_radius == c->top_radius; /* POV-Ray's cone refuses equal radii */
+  bool equal = c->base_radius == c->top_radius; /* POV-Ray's cone refuses equal radii, so a cylinder is written then */
   pov_open(e, equal ? "cylinder { <0, 0, 0>" : "cone { <0, 0, 0>");
   if (!equal) pov_comma(e, c->base_radius * e->unit);
   pov_comma_point(e, vs_v3(0, 0, vs_v3_length(axis) * e->unit));
@@ -194,8 +194,8 @@ vs_emit_status vs_povray_half_space(vs_emitter *e, const vs_ref *ref, vs_phase p
 
 /* ---- curves and regions ---- */
 
-/* Returns the radius of a curve at point p. In a template the places are unknown, so the radius is that at the
- * drawing's far end. */
+/* Returns the radius of a curve at point p. The places of a template are unknown, so inside a template the radius is
+ * that at the drawing's far end. */
 static double pov_pen_radius(const vs_emitter *e, vs_vec3 p) {
   double depth = vs_v3_dot(vs_v3_sub(vs_affine_point(&e->placement, p), e->pen.eye), e->pen.forward);
   double size = cbrt(fabs(vs_affine_determinant(&e->placement)));
@@ -301,8 +301,8 @@ vs_emit_status vs_povray_extrude(vs_emitter *e, const vs_ref *ref, vs_phase phas
   if (!vs_region_outline(n->children[0].node, &e->facets, &o, e->error)) return VS_FAILED;
   vs_affine plane = vs_frame_on_axis(o.point, o.normal), back;
   if (o.count > 0 && vs_affine_invert(&plane, &back)) {
-    /* A prism's profile lies in x and z and rises along y. Its x becomes the plane's first axis, its y the direction of
-     * the extrusion, its z the plane's second axis. */
+    /* A prism's profile lies in x and z, and the prism rises along y. Its x becomes the plane's first axis, its y the
+     * direction of the extrusion, its z the plane's second axis. */
     vs_affine place = plane;
     const double along[] = { x->along.x, x->along.y, x->along.z }, from[] = { start.x, start.y, start.z };
     for (int row = 0; row < 3; row++) {
@@ -374,8 +374,8 @@ vs_emit_status vs_povray_transform(vs_emitter *e, const vs_ref *ref, vs_phase ph
   return pov_close(e, "");
 }
 
-/* Paint applies to parts without paint. POV-Ray gives the material of a compound to its bare parts, and puts a second
- * material on top of the first. */
+/* Paint applies to parts without paint. POV-Ray gives the material of a compound object to those of its parts that have
+ * none. If such a part already has a material, POV-Ray puts the second material on top of the first. */
 vs_emit_status vs_povray_material(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   if (phase == VS_PHASE_ENTER) {
     pov_open(e, "object {\n");
@@ -396,8 +396,8 @@ vs_emit_status vs_povray_layer(vs_emitter *e, const vs_ref *ref, vs_phase phase)
   return pov_close(e, "");
 }
 
-/* Returns true if the text begins with a keyword of a look, such as texture, which applies to the child. Any other text
- * is an object that replaces the child. */
+/* Returns true if the text begins with a keyword of the appearance, such as texture, which applies to the child. Any
+ * other text is an object that replaces the child. */
 static bool pov_is_look(const char *text) {
   static const char *const words[] = { "texture",  "pigment", "normal",    "finish", "interior",
                                        "material", "photons", "no_shadow", "hollow" };
@@ -414,7 +414,7 @@ vs_emit_status vs_povray_native(vs_emitter *e, const vs_ref *ref, vs_phase phase
   const char *code = VS_AS(native, ref->node)->code;
   bool look = pov_is_look(code);
   if (phase == VS_PHASE_ENTER) {
-    if (look && e->child_count == 0) return VS_WHOLE; /* the child is empty */
+    if (look && e->child_count == 0) return VS_WHOLE; /* the child draws nothing, so its appearance is omitted */
     pov_open(e, "object {\n");
     if (look) return pov_close(e, "");
   }
@@ -470,8 +470,8 @@ bool vs_povray_define(vs_emitter *e, uint32_t id, const vs_ref *ref, bool open) 
 bool vs_povray_use(vs_emitter *e, uint32_t id, const vs_ref *ref) {
   (void)ref;
   pov_indent(e);
-  bool placed = e->parent != NULL && e->parent->kind == VS_TRANSFORM; /* whether the placement has already begun the
-                                                                       * object */
+  bool placed = e->parent != NULL && e->parent->kind == VS_TRANSFORM; /* true if a placement around this node has
+                                                                       * already begun the object */
   return vs_puts(e->out, placed ? "T" : "object { T") && vs_emit_put_template_number(e, id) &&
          vs_puts(e->out, placed ? "\n" : " }\n");
 }

@@ -14,7 +14,7 @@ static inline vs_emit_status pov_close(vs_emitter *e, const char *word) {
   return e->out->failed ? VS_FAILED : VS_EMITTED;
 }
 
-/* Return lengths and points in the units of the scene. */
+/* Returns the point p, which is in model units, in the units of the scene. */
 static inline vs_vec3 pov_at(const vs_emitter *e, vs_vec3 p) { return e->unit == 1 ? p : vs_v3_scale(p, e->unit); }
 
 static inline void pov_point(vs_emitter *e, vs_vec3 p) { vs_put_triple(e->out, "<", p, ", ", ">"); }

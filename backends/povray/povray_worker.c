@@ -1,6 +1,6 @@
 /* Makes a picture with POV-Ray. Starts the runs of the plan (povray_plan.c), as many at a time as there are processors,
- * and reports their combined progress. Ends all runs when one fails or time is over. Keeps their common data: the
- * private folder and the samples of bounced light. */
+ * and reports their combined progress. Ends all runs when one fails or the time limit is reached. Keeps their common
+ * data: the private folder and the samples of bounced light. */
 #define _GNU_SOURCE
 #include "backends/povray/povray_worker.h"
 
@@ -22,10 +22,11 @@
 #include "geometry/measure/bounds.h"
 
 enum { AT_ONCE = 64, STARTS = 5, NAME_ROOM = VS_POVRAY_PATH_ROOM + 40, WORDS = 25 };
-/* The first pass, as a fraction of the time of first pass and strips. It takes about half as long as the strips. */
+/* Time of the first pass, as a fraction of the time of first pass and strips together. The first pass takes about half
+ * as long as the strips. */
 static const double pass_share = 0.35;
-/* A limit in stops. If white is further below 1, the samples in the file have too few digits: the file has four digits
- * after the point. */
+/* A limit in stops. If the exposure makes white darker than 1 by more than this, the samples in the file have too few
+ * digits: the file has four digits after the point. */
 static const double darkest = 5;
 /* A limit as a multiple of the drawing's size. If a drawing is farther from the origin, the positions of samples have
  * too few digits: the file has six digits. */
@@ -37,14 +38,16 @@ typedef struct {
   const char *scene;
   uint64_t scene_size;
   double begun, told;    /* times in seconds, by the clock */
-  double done, share;    /* fractions of all work: done before the current runs, and the share of the current runs */
+  double done, share;    /* fractions of all work. done: completed before the current runs; share: fraction that the
+                          * current runs take */
   vs_povray_plan plan;
 } pov_work;
 
-/* The runs of a step. */
+/* The runs of POV-Ray that make the jobs of one step. */
 typedef struct {
   const vs_povray_job *jobs;
-  size_t count, next, room; /* room: number of entries of `at` */
+  size_t count, next, room; /* count: number of jobs; next: index of the next job to start; room: number of entries of
+                             * `at` */
   double pixels;            /* number of pixels of all jobs */
   double finished;          /* number of pixels of the finished jobs */
   struct { size_t job; int starts; } of[AT_ONCE];
@@ -89,14 +92,14 @@ static void words_of(const pov_work *work, const vs_povray_job *job, words *w) {
   if (vs_povray_fits(job)) word(w, "+MI%.0f", vs_povray_megabytes(job) + 1);
   static const char *const usual[] = { "+FE", "-D", "-GD", "-GR", "-GS" };
   for (size_t i = 0; i < sizeof usual / sizeof *usual; i++) word(w, "%s", usual[i]);
-  /* The first and the last column and row of the part, counted from 1. If the last number is 1, POV-Ray reads it as the
-   * whole width. */
+  /* Columns and rows of the part are counted from 1, and the last column and row are included. If the number of the
+   * last is 1, POV-Ray reads it as the entire width. */
   if (p->left > 0) word(w, "+SC%u", p->left + 1);
   if (p->top > 0) word(w, "+SR%u", p->top + 1);
   if (p->left + p->columns < job->columns) word(w, "+EC%u", p->left + p->columns);
   if (p->top + p->rows < job->rows) word(w, "+ER%u", p->top + p->rows);
-  /* Turns jitter off, which is POV-Ray's default. With jitter, vertical edges become dotted; without it they are even,
-   * at no cost. */
+  /* Turns off jitter, which POV-Ray uses by default. With jitter, vertical edges become dotted; without jitter they are
+   * even, at no cost. */
   if (!job->smooth || quality == VS_RENDER_DRAFT) {
     word(w, "-A");
   } else {
@@ -189,7 +192,7 @@ static bool crew_tell(pov_work *work, const pov_crew *c) {
   return vs_emit_progress(work->e, "rendering", work->done + work->share * fmin(1, pixels / c->pixels));
 }
 
-/* Runs the jobs. share: their fraction of all work. */
+/* Runs the jobs to their end. share: their fraction of all work. */
 static bool work_do(pov_work *work, const vs_povray_job *jobs, size_t count, double share) {
   vs_store *store = work->e->scene->store;
   size_t room = vs_povray_at_once(work->e->options, jobs, work->scene_size);
@@ -280,7 +283,7 @@ static bool is_far(const vs_emitter *e) {
   return away > farthest * vs_bounds_diagonal(&e->bounds);
 }
 
-/* Makes everything in the plan, and sets *tone to the exposure of the first pass. If the picture is too dark, it is
+/* Makes all pictures of the plan, and sets *tone to the exposure of the first pass. If the picture is too dark, it is
  * planned again as a single run. */
 static bool work_all(pov_work *work, vs_tone *tone) {
   vs_povray_plan *p = &work->plan;

@@ -4,7 +4,7 @@
 
 #include "backends/povray/povray_materials.h"
 
-/* Render a scene with POV-Ray and write the picture to the output file. */
+/* Both functions render a scene with POV-Ray and write the picture to the output file, as .png or as .exr. */
 bool vs_povray_render_png(vs_emitter *e, const char *scene, const char *output);
 bool vs_povray_render_exr(vs_emitter *e, const char *scene, const char *output);
 

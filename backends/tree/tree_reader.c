@@ -82,7 +82,7 @@ static bool tree_numbers(tree_reader *r, double *out, size_t count) {
 
 static bool tree_string(tree_reader *r, const char **out) {
   if (tree_peek(r) != '"') return tree_fail(r, "a string is expected here");
-  char *text = r->copy + (r->at - r->copy); /* unescaped in place, since the result is never longer */
+  char *text = r->copy + (r->at - r->copy); /* the text is unescaped in place, because the result is never longer */
   size_t length = 0;
   for (r->at++; r->at < r->end && *r->at != '"'; r->at++) {
     char c = *r->at;

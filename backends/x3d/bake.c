@@ -1,10 +1,10 @@
 /* Chooses the objects that become triangles, and converts them ("baking").
  *
- * The number of Shapes that a viewer draws counts every use of a template. If it is too large, repeated stretches of
- * the drawing become templates (repeats.c). While it is still too large, templates are baked, the innermost first
- * (their numbers are the smallest). Baking turns all forms of a template into triangle sets, one for each material, in
- * the template's coordinates. After all templates, the drawing's own forms are baked, and finally the uses of templates
- * in it. A baked template uses only baked templates. */
+ * Each use of a template increases the number of Shapes that a viewer draws. If this number is too large, repeated
+ * stretches of the drawing become templates (repeats.c). While it is still too large, templates are baked, the
+ * innermost first (their numbers are the smallest). Baking turns all forms of a template into triangle sets, one for
+ * each material, in the template's coordinates. After all templates, the drawing's own forms are baked, and finally the
+ * uses of templates in it. A baked template uses only baked templates. */
 #include "backends/x3d/bake.h"
 
 #include "backends/x3d/repeats.h"
@@ -74,8 +74,8 @@ static double bake_own(const vs_x3d *x, const vs_x3d_group *g) {
   return shapes;
 }
 
-/* Returns the number of Shapes of the whole drawing. Sets shapes[k] to the number of Shapes for each use of template k.
- * Templates use only earlier templates. */
+/* Returns the number of Shapes of the entire drawing. Sets shapes[k] to the number of Shapes for each use of template
+ * k. Templates use only earlier templates. */
 static double bake_count(const vs_x3d *x, double *shapes) {
   for (size_t k = 1; k <= x->group_count; k++) {
     const vs_x3d_group *g = &x->groups[k % x->group_count];
@@ -204,8 +204,8 @@ static bool bake_until_few(vs_emitter *e, double *shapes) {
   bool few = bake_count(x, shapes) <= VS_X3D_NATIVE_MAX;
   for (size_t k = 1; !few && k < x->group_count; k++) {
     if (!bake_items(e, &x->groups[k]) || !bake_uses(e, &x->groups[k])) return false;
-    /* Counting takes time in proportion to the number of templates, so with many templates it is not done after
-     * each. */
+    /* Counting takes time in proportion to the number of templates. If there are many templates, it is therefore not
+     * done after each of them. */
     if (k % (x->group_count / 64 + 1) == 0 || k + 1 == x->group_count) few = bake_count(x, shapes) <= VS_X3D_NATIVE_MAX;
   }
   if (few) return true;
@@ -241,7 +241,7 @@ static bool bake_paints(vs_emitter *e) {
   return true;
 }
 
-/* Returns room for a number for each group, which bake_count sets. */
+/* Returns an array with a number for each group, which bake_count sets. */
 static double *bake_room(vs_emitter *e) {
   const vs_x3d *x = e->state;
   double *shapes = vs_store_realloc(e->scene->store, NULL, 0, x->group_count * sizeof *shapes);

@@ -1,5 +1,5 @@
-/* Compresses bytes with zlib. The packed scene of a page compresses well, since equal parts differ only by their
- * places. The format is zlib's (RFC 1950), so every platform can expand it; backends/page/packed.js does. */
+/* Compresses bytes with zlib. The packed scene of a page compresses well, because equal parts differ only by their
+ * places. The format is zlib's (RFC 1950), so every platform can expand it; backends/page/packed.js does this. */
 #include "backends/x3d/deflate.h"
 
 #include <stddef.h>

@@ -36,7 +36,7 @@ typedef struct { const char *layer; const vs_origin *origin; bool wrapped; } pac
 
 /* The geometry of a Shape: the triangles of a node that have the same material, layer and origin. */
 typedef struct { uint32_t geometry, paint; const char *layer; const vs_origin *origin; bool lines; } packed_part;
-typedef struct { size_t first, count; } packed_shape; /* range of parts */
+typedef struct { size_t first, count; } packed_shape; /* range of the parts of a shape */
 
 typedef struct {
   const char *names[NAME_MAX_COUNT];
@@ -44,17 +44,17 @@ typedef struct {
   vs_nodemap origins;          /* maps an origin to its number from 1 */
   const vs_origin **origin_list;
   size_t origin_count, origin_room;
-  vs_shared_shapes shapes;     /* shapes by number, which is an index in `made` */
+  vs_shared_shapes shapes;     /* shapes that are written once; the number of a shape is an index in `made` */
   packed_shape *made;
   size_t made_count, made_room;
   packed_part *parts;
   size_t part_count, part_room;
   packed_open *open;           /* operations around the current node */
   size_t open_count, open_room;
-  vs_vec3 middle;              /* centre of the drawing */
-  bool inside;                 /* whether a template is being written, in its own coordinates */
-  bool steps;                  /* whether the notation is x3d-steps */
-  bool result;                 /* whether the result of an operation is being written */
+  vs_vec3 middle;              /* centre of the drawing, relative to which positions are written */
+  bool inside;                 /* true if a template is being written, in its own coordinates */
+  bool steps;                  /* true if the notation is x3d-steps */
+  bool result;                 /* true if the result of an operation is being written */
   uint32_t geometry_count;
 } packed;
 
@@ -200,7 +200,7 @@ static void packed_origins(vs_emitter *e) {
     const uint64_t *file = vs_nodemap_get(&files, p->origin_list[i]->file);
     if (file == NULL || *file != next) continue;
     const char *path = p->origin_list[i]->file, *slash = strrchr(path, '/');
-    /* Writes the name without its folder, so that a page does not reveal the folder in which it was made. */
+    /* Writes the file's name without its folder, so that a page does not reveal the folder in which it was made. */
     packed_text(e, "file", e->path != NULL && slash != NULL ? slash + 1 : path);
     next++;
   }
@@ -353,9 +353,9 @@ void vs_packed_close(vs_emitter *e) {
 /* A solid that becomes geometries, one for each part with its own material, layer or origin. */
 typedef struct {
   vs_shaded_solid shaded;
-  uint32_t *same;              /* by tag: the first tag with its material, layer and origin */
-  uint32_t *used;              /* by part: the number of triangles whose tag has that part as its first */
-  size_t parts;                /* at least one */
+  uint32_t *same;              /* same[t]: the first tag that has the same material, layer and origin as tag t */
+  uint32_t *used;              /* used[p]: number of triangles in part p, whose tags have p as their first tag */
+  size_t parts;                /* number of parts, at least 1 */
 } packed_making;
 
 /* Returns the part with which triangle i is written. */
@@ -451,7 +451,7 @@ static bool packed_count_parts(vs_emitter *e, packed_making *from) {
   return true;
 }
 
-/* Writes the geometries of a solid without showing them: each is in a Group that is not shown. */
+/* Writes the geometries of a solid without showing them: each geometry is in a Group that is not shown. */
 static bool packed_add_solid(vs_emitter *e, const vs_solid *m, const vs_affine *home, double crease, bool closed) {
   const packed *p = e->state;
   packed_making from = { .parts = 0 };
@@ -625,8 +625,8 @@ static vs_emit_status packed_operation(vs_emitter *e, const vs_ref *ref, vs_phas
   return e->out->failed ? VS_FAILED : VS_EMITTED;
 }
 
-/* The emitter already contains the placement and the paint. An operation becomes a Group if it adds a layer or has its
- * own origin. */
+/* Handles a placement or paint, which the emitter already contains, or an operation. An operation becomes a Group if it
+ * adds a layer or has its own origin. */
 vs_emit_status vs_packed_through(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   packed *p = e->state;
   if (phase == VS_PHASE_LEAVE) return packed_close_group(e);

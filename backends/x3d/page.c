@@ -56,7 +56,7 @@ static void page_code(vs_writer *w, const char *from, const char *end) {
 }
 
 /* Writes the page's text from *at to the scene's mark or to the end, and replaces the other marks. Returns the position
- * after it. */
+ * after the written text. */
 static const char *page_until_scene(vs_emitter *e, vs_writer *w, const char *at) {
   const char *end = vs_asset_page_html_end;
   while (at < end) {
@@ -92,7 +92,8 @@ static bool page_begin(vs_emitter *e) {
   vs_writer_init(&c->inner, vs_deflate_put, c->deflate);
   e->out = &c->inner;
   bool ok = c->deflate != NULL && vs_packed_open(e);
-  if (c->deflate != NULL && e->state != NULL) return ok; /* page_close releases everything */
+  if (c->deflate != NULL && e->state != NULL) return ok; /* in this case the caller calls page_close, which releases
+                                                          * everything */
   vs_deflate_end(c->deflate);
   e->out = c->outer;
   vs_emit_release(e, c, 1, sizeof *c);

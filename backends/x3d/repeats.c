@@ -3,7 +3,7 @@
  * All objects that the drawing places directly, forms and uses of templates, form a row of letters. A letter has a name
  * and a place. Objects that differ only in their places have the same name. The row is divided into blocks. Each block
  * is a letter of the next row, whose name depends on its letters and their relative places. Therefore stretches of the
- * drawing that differ only in their places get equal names. Only nearby letters decide where a block ends, so that
+ * drawing that differ only in their places get equal names. Only nearby letters determine where a block ends, so that
  * equal stretches are divided equally: a block ends at the least of several hashes, and runs of equal letters are
  * divided into pairs. After ten or twenty rows one letter remains.
  *
@@ -25,9 +25,10 @@ typedef struct {
   uint32_t name;
   uint32_t first, count; /* range of the letter's objects in the first row */
   uint64_t paints;       /* set of the letter's paints: bit p is the paint with number p modulo 64 */
-  double bytes;          /* bytes of the letter's triangles, as a template */
-  double loose;          /* cost of the letter without a template: for each object the lesser of its triangles and, for
-                          * a use, a Shape */
+  double bytes;          /* number of bytes of the letter's triangles, if it is a template */
+  double loose;          /* cost of the letter without a template. For a form, it is the number of bytes of its
+                          * triangles. For a use of a template, it is the lesser of the bytes of its triangles and the
+                          * cost of its Shapes */
   vs_vec3 at;
 } repeat_letter;
 
@@ -40,7 +41,7 @@ typedef struct {
 typedef struct {
   vs_emitter *e;
   repeat_letter *row;
-  size_t count, room; /* count: number of letters in the row. room: number in the first row */
+  size_t count, room; /* count: number of letters in the row; room: number of letters in the first row */
   uint32_t *blocks;   /* blocks[k]: beginning of block k of the row; the last item is the row's end */
   size_t block_count;
   uint64_t *hashes; /* hashes of the row's letters, each with the vector to the next letter */
@@ -85,7 +86,8 @@ static vs_affine repeat_thing(const repeats *r, size_t i, uint64_t *what) {
   const vs_x3d_item *item = &g->items[i];
   vs_x3d_form form = item->form;
   vs_affine place = vs_affine_identity();
-  vs_x3d_form_of(r->e, item->ref.node, &form, &place); /* the item was such a form when it was collected */
+  vs_x3d_form_of(r->e, item->ref.node, &form, &place); /* this is true, because the item was a form when it was
+                                                        * collected */
   *what = (uint64_t)form << 32 | item->paint;
   return vs_affine_multiply(&item->placement, &place);
 }
@@ -225,8 +227,8 @@ static bool repeat_next_row(repeats *r) {
       if (i + 1 < r->blocks[k + 1]) hash = repeat_hash_way(r, hash, repeat_way(r, i));
     }
     r->hashes[k] =
-        repeat_name_of(r, k, hash, false); /* the hashes of the letters before are no longer needed, since each block
-                                            * has at least one letter */
+        repeat_name_of(r, k, hash, false); /* the hashes of the previous letters are no longer needed, because each
+                                            * block has at least one letter */
   }
   for (size_t k = 0; k < r->block_count; k++) {
     repeat_letter l = r->row[r->blocks[k]];
@@ -245,7 +247,7 @@ static bool repeat_next_row(repeats *r) {
 
 /* ---- costs ---- */
 
-/* Returns true if the letter costs less as a template than without. */
+/* Returns true if the letter costs less as a template than without a template. */
 static bool repeat_pays(const repeats *r, const repeat_letter *l) {
   double uses = r->names[l->name].count;
   return uses > 1 && l->bytes + uses * VS_X3D_SHAPE_BYTES * repeat_shapes(l) < uses * l->loose;
@@ -300,7 +302,7 @@ static bool repeat_take(repeats *r) {
       r->table[l->name] = (uint32_t)(x->group_count - 1);
     }
     ok = ok &&
-         vs_emit_grow(e, &uses, &use_room, use_count + 1 + most, sizeof *uses); /* includes room for all uses that
+         vs_emit_grow(e, &uses, &use_room, use_count + 1 + most, sizeof *uses); /* the array has room for all uses that
                                                                                  * existed before */
     if (ok && pays) uses[use_count++] = (vs_x3d_placed){ r->table[l->name], 0, vs_affine_translation(l->at) };
     r->row[k].name = pays ? 1 : 0;

@@ -1,27 +1,28 @@
-/* Contains the declarations that the files of the X3D back-end share. x3d_collect.c converts the drawing to groups of
- * shapes, and repeats.c makes templates of repeats. bake.c chooses the groups that become triangles. x3d_scene.c writes
- * the contents of the file, x3d_notation.c its two notations. Two more files collect by themselves: packed.c writes the
+/* Contains the declarations for the files of the X3D back-end. x3d_collect.c converts the drawing to groups of shapes,
+ * and repeats.c makes templates of repeats. bake.c chooses the groups that become triangles. x3d_scene.c writes the
+ * contents of the file, x3d_notation.c its two notations. Two more files do not use these groups: packed.c writes the
  * tree as bytes for VisualScheme's own viewer, and page.c the web page around it.
  *
  * Viewers draw a Shape slowly and a triangle fast: with more than about ten thousand Shapes they are too slow to use.
  * Therefore everything is collected first. If boxes, spheres, cylinders and cones are few, they become nodes. All other
  * objects become one triangle set and one line set for each material. A template is a group that the file contains once
  * (DEF) and uses (USE). If there are too many Shapes, the innermost templates are baked first. This adds the least
- * text, since the file still contains each template once. */
+ * text, because the file still contains each template once. */
 #ifndef VS_BACKENDS_X3D_X3D_H
 #define VS_BACKENDS_X3D_X3D_H
 
 #include "backends/backend.h"
 
 enum { VS_X3D_NATIVE_MAX = 1500 }; /* The greatest number of Shapes. */
-/* Approximate number of bytes of baked forms. With more, forms are divided coarsely, and uses of templates are not
- * baked. Browsers show about 2 MB of triangles per second. */
+/* Limit on the approximate number of bytes of baked forms. If it is exceeded, forms are divided coarsely, and uses of
+ * templates are not baked. Browsers show about 2 MB of triangles per second. */
 #define VS_X3D_BAKED_MOST 30e6
-#define VS_X3D_SHAPE_BYTES 10e3 /* the bytes of triangles that x3dom and X_ITE open and draw in the time of a single
-                                 * Shape (a megabyte in the time of about a hundred) */
+#define VS_X3D_SHAPE_BYTES 10e3 /* number of bytes of triangles that x3dom and X_ITE open and draw in the time of a
+                                 * single Shape (a megabyte in the time of about a hundred) */
 enum { VS_X3D_COARSEST = 8 };        /* The least number of facets in a full turn. */
-#define VS_X3D_COARSE_CREASE 1.0     /* in radians: more than the angle between neighbouring facets of a coarse form,
-                                      * less than the angle between its wall and its lid */
+#define VS_X3D_COARSE_CREASE 1.0     /* least angle in radians of a sharp edge of a coarse form; more than the angle
+                                      * between its neighbouring facets, less than the angle between its wall and its
+                                      * lid */
 
 /* ---- x3d_collect.c ---- */
 
@@ -30,17 +31,18 @@ typedef enum { VS_X3D_BOX, VS_X3D_SPHERE, VS_X3D_CYLINDER, VS_X3D_CONE } vs_x3d_
 
 typedef struct {
   vs_ref ref;
-  vs_affine placement;         /* placement of the node */
-  uint32_t paint;              /* number of its material */
+  vs_affine placement;         /* placement of the object's node */
+  uint32_t paint;              /* number of the object's material */
   vs_x3d_form form;
 } vs_x3d_item;
 
 typedef struct { uint32_t group, paint; vs_affine placement; } vs_x3d_placed; /* the use of a template */
 
-/* All triangles and lines of a single material. Number 0 means no material; in a template this is the paint of its
- * use. */
+/* All triangles and lines of a single material. Number 0 means no material. In a template, such objects get the paint
+ * of its use. */
 typedef struct {
-  vs_vec3 *vertices, *normals; /* arrays of equal length */
+  vs_vec3 *vertices, *normals; /* positions and unit normals of the vertices of triangles; the arrays have equal
+                                * lengths */
   size_t vertex_count, vertex_room, normal_room;
   uint32_t (*triangles)[3];
   size_t triangle_count, triangle_room;
@@ -60,8 +62,8 @@ typedef struct {
   size_t use_count, use_room;
   vs_x3d_batch *batches;       /* a batch for each material and one for no material; NULL: the group has no triangles or
                                 * lines */
-  bool bare;                   /* whether some part has the paint of the use */
-  uint32_t *paints;            /* paints in which the group is used; only 0 if it is not bare */
+  bool bare;                   /* true if some part of the group has the paint of the group's use */
+  uint32_t *paints;            /* paints with which the group is used; only 0 if the group is not bare */
   size_t paint_count, paint_room;
 } vs_x3d_group;
 
@@ -71,8 +73,9 @@ typedef struct {
   size_t group_count, group_room, group; /* group: index of the group that is being collected */
   size_t batch_count;          /* number of batches of each group that has batches */
   uint64_t collected;          /* number of triangles in all batches */
-  int least;                   /* least number of facets in a full turn for baked round forms; 0: as in other formats */
-  /* used by x3d_notation.c */
+  int least;                   /* least number of facets in a full turn for baked round forms; 0: the number is that of
+                                * other formats */
+  /* x3d_notation.c uses these two members: the depth of nesting, and whether a start tag is open. */
   size_t depth;
   bool in_tag;
 } vs_x3d;

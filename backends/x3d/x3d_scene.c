@@ -81,8 +81,8 @@ static void scene_appearance(vs_emitter *e, size_t number, bool *said, bool line
 
 /* ---- shapes ---- */
 
-/* Returns true if the fields of the form can express these half sizes. Otherwise the Transform's scale contains them,
- * and the form has unit size. */
+/* Returns true if the fields of the form can express these half sizes. Otherwise the Transform's scale contains the
+ * half sizes, and the form has unit size. */
 static bool scene_fits(vs_x3d_form form, vs_vec3 size) {
   bool even = fabs(size.x - size.z) < 1e-9 * size.x;
   return form == VS_X3D_BOX || (even && (form != VS_X3D_SPHERE || fabs(size.x - size.y) < 1e-9 * size.x));
@@ -104,7 +104,7 @@ static void scene_form(vs_emitter *e, vs_x3d_form form, vs_vec3 size) {
   vs_x3d_end(e, words[form], false);
 }
 
-/* Begins a Transform with the placement. If the form has no field for `size`, the Transform contains it too. */
+/* Begins a Transform with the placement. If the form has no field for `size`, the Transform contains the size, too. */
 static void scene_place(vs_emitter *e, const vs_affine *place, vs_vec3 size, bool scaled) {
   vs_vec3 at, unread, axis;
   double turn[4];
@@ -122,7 +122,8 @@ static void scene_item(vs_emitter *e, const vs_x3d_item *item, size_t number, bo
   vs_x3d_form form;
   vs_affine place;
   double turn[4];
-  if (!vs_x3d_form_of(e, item->ref.node, &form, &place)) return; /* the item was such a form when it was collected */
+  if (!vs_x3d_form_of(e, item->ref.node, &form, &place)) return; /* this is true, because the item was a form when it
+                                                                  * was collected */
   place = vs_affine_multiply(&item->placement, &place);
   vs_affine_split(&place, &at, turn, &size);
   size.x = fabs(size.x); /* each form is its own mirror image in x */
@@ -174,7 +175,7 @@ static void scene_corners(vs_emitter *e, const vs_vec3 *at, size_t count) {
   scene_points(e, &(scene_cloud){ "coord", "Coordinate", "point", scene_steps(e) }, at, count);
 }
 
-/* The name of a geometry that several Shapes share. The first of these Shapes writes it. */
+/* The name of a geometry that several Shapes use. The first of these Shapes writes the geometry. */
 typedef struct { char name[40]; bool again; } scene_name;
 
 static bool scene_begin_shape(vs_emitter *e, size_t number, bool *said, bool line, const char *type,
@@ -186,8 +187,8 @@ static bool scene_begin_shape(vs_emitter *e, size_t number, bool *said, bool lin
   return !name->again;
 }
 
-/* Writes triangles with a picture. Each triangle has its own corners, since the picture may end at its edges. The
- * picture follows the axes of the current output, in a template those of the template. */
+/* Writes triangles with a picture. Each triangle has its own corners, because the picture may end at its edges. The
+ * picture follows the axes of the current output; in a template, these are the template's axes. */
 static void scene_pictured(vs_emitter *e, const vs_material *m, const vs_x3d_batch *b) {
   static const char *const fields[][3] = {
       { "coord", "Coordinate", "point" }, { "normal", "Normal", "vector" },
@@ -406,7 +407,7 @@ static void scene_ground(vs_emitter *e, bool *said) {
   vs_x3d_node(e, NULL, "Shape", "ground"); /* VisualScheme's viewer recognizes the ground by this name */
   if (e->scene->ground_material != NULL) {
     scene_appearance(e, vs_emit_material_number(e, e->scene->ground_material), said, false);
-  } else { /* slightly darker than the objects on the ground */
+  } else { /* the ground is slightly darker than the objects on it */
     vs_x3d_node(e, "appearance", "Appearance", NULL);
     vs_x3d_node(e, "material", "Material", NULL);
     vs_x3d_vector(e, "diffuseColor", vs_v3(0.7, 0.7, 0.68));
@@ -433,7 +434,7 @@ bool vs_x3d_scene(vs_emitter *e) {
   vs_look look = vs_look_find(e->scene, &e->framed, e->boxes, e->box_count, aspect);
   vs_vec3 sun = vs_look_sun(e->scene, &look);
   /* The first use of a material writes it: in the templates, then in the drawing, then in the ground. */
-  size_t numbers = 2 * x->batch_count; /* numbers of faces, then of lines */
+  size_t numbers = 2 * x->batch_count; /* numbers of materials: first for faces, then for lines */
   bool *said = vs_store_realloc(e->scene->store, NULL, 0, numbers * sizeof *said);
   if (said == NULL) return vs_emit_no_memory(e);
   for (size_t i = 0; i < numbers; i++) said[i] = false;
