@@ -162,8 +162,7 @@ bool vs_lower_solids(vs_emitter *e, const vs_ref *refs, size_t count, vs_bends b
 /* The destination of the solids of a drawing. Either `one` or `many` is NULL. */
 typedef struct { vs_solid *one; vs_solid_copies *many; } lowered;
 
-/* Makes the solids of the drawing and rounds them to the format's numbers. Adds to *what the changes that rounding
- * made. */
+/* Makes the solids of the drawing and rounds them to the format's numbers. Counts the changes that rounding makes. */
 static bool lower_once(vs_emitter *e, vs_bends bends, lowered to, vs_rounded *what) {
   const vs_scene *s = e->scene;
   if (to.one)

@@ -34,8 +34,8 @@ typedef struct {
   bool (*going)(void *context); /* called each time the buffer is full. If it returns false, the writer fails, and the
                                  * context keeps the reason. NULL: it is never called */
   void *going_context;
-  /* Function that receives a copy of the bytes that leave the buffer, from position tap_from on. NULL: it is never
-   * called */
+  /* Function that receives a copy of the bytes that leave the buffer. It receives them from position tap_from. NULL: it
+   * is never called */
   void (*tap)(void *context, const void *bytes, size_t count);
   void *tap_context;
   size_t tap_from;

@@ -29,8 +29,8 @@ typedef struct {
                                * the other terms */
   uint32_t gate_count;
   bool forced;                /* value of the result inside a leaf whose element of `forces` is 1 */
-  VS_LIST(uint8_t) waits;     /* for each term: 0 if it is not in the heap; 1 if it is in the heap and was false when it
-                               * was put there; 3 if it is in the heap and was true then */
+  VS_LIST(uint8_t) waits;     /* for each term: 0: not in the heap; 1: in the heap, and false when it was put there; 3:
+                               * in the heap, and true when it was put there */
   uint32_t root;
 } vs_expression;
 

@@ -1,7 +1,7 @@
-/* Contains the declarations for the files of the X3D back-end. x3d_collect.c converts the drawing to groups of shapes,
- * and repeats.c makes templates of repeats. bake.c chooses the groups that become triangles. x3d_scene.c writes the
- * contents of the file, x3d_notation.c its two notations. Two more files do not use these groups: packed.c writes the
- * tree as bytes for VisualScheme's own viewer, and page.c the web page around it.
+/* Contains the declarations for the files of the X3D back-end. The file x3d_collect.c converts the drawing to groups of
+ * shapes, and repeats.c makes templates of repeats. The file bake.c chooses the groups that become triangles. The file
+ * x3d_scene.c writes the contents of the file, x3d_notation.c its two notations. Two more files do not use these
+ * groups: packed.c writes the tree as bytes for VisualScheme's own viewer, and page.c the web page around it.
  *
  * Viewers draw a Shape slowly and a triangle fast: with more than about ten thousand Shapes they are too slow to use.
  * Therefore everything is collected first. If boxes, spheres, cylinders and cones are few, they become nodes. All other

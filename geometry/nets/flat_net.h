@@ -23,7 +23,7 @@ bool vs_flat_net_make(vs_flat_net *s, const vs_mesh *m, bool *several);
 void vs_flat_net_free(vs_flat_net *s);
 
 /* Returns the position in the plane of the corner of triangle t opposite to edge e, if the ends of the edge are at
- * `ends`. side: 1 if the corner lies to the left of the edge, -1 if to the right. */
+ * `ends`. The parameter `side` is 1 if the corner lies to the left of the edge, -1 if to the right. */
 vs_vec2 vs_flat_net_apex(const vs_flat_net *s, uint32_t t, uint32_t e, const vs_vec2 ends[2], double side);
 /* Sets ends to the positions in the plane of the ends a and b of edge e, as triangle t is laid. */
 void vs_flat_net_ends(const vs_flat_net *s, uint32_t t, uint32_t e, vs_vec2 ends[2]);

@@ -6,9 +6,9 @@
 #include "geometry/plane/ear_clipping.h"
 
 /* Points in the order of a space-filling curve, in leaves of POINT_TREE_LEAF points, below a binary tree of boxes. The
- * member `on` of a box is the number of its points that are switched on. The construction takes n log n steps, and
- * switching a point takes as many steps as the tree is high. A search visits only boxes that intersect the triangle and
- * have such points. */
+ * member `on` of a box is the number of its switched-on points. The construction takes n log n steps, and switching a
+ * point takes as many steps as the tree is high. A search visits only boxes that intersect the triangle and have such
+ * points. */
 typedef struct { double min_x, min_y, max_x, max_y; size_t on; } vs_point_box;
 typedef struct {
   const vs_vec2 *at;   /* positions, which belong to the caller; item i has the position at[point[i]] */

@@ -83,9 +83,9 @@ double vs_loft_hermite_steps(vs_vec3 p, vs_vec3 q, vs_vec3 m, vs_vec3 k, const v
 
 /* Computes the number k of pieces into which the wall between two rows must be cut. Between lines that are not parallel
  * the wall is a saddle. Two triangles deviate from its middle by a quarter of its twist. k is the same for all rows.
- * Each edge of a section is cut into as many pieces as its own twist then requires, because the error decreases with
- * the product of the two numbers. edges: has an element for each column; in an open section the last element of each
- * loop is unused. Returns k, 1 to 64. */
+ * Each edge of a section is cut into as many pieces as its own twist then requires. The error decreases with the
+ * product of the two numbers of pieces. The array `edges` has an element for each column; in an open section the last
+ * element of each loop is unused. Returns k, 1 to 64. */
 static double loft_saddle(const vs_loft *l, const vs_fineness *f, uint32_t *edges) {
   enum { MOST = 64 };
   double most = 0;

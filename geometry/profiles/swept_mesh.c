@@ -8,8 +8,8 @@
 #include "model/store/array.h"
 
 /* `at` contains the points of all sections, one section after another, and then the points of the first section again.
- * turns[i] is true if a part of the profile goes backwards from section i to the next. `numbers` has room for the
- * vertices of all points. */
+ * The element turns[i] is true if a part of the profile goes backwards from section i to the next. `numbers` has room
+ * for the vertices of all points. */
 typedef struct {
   vs_vec3 *at;
   bool *turns;

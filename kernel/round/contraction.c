@@ -5,7 +5,7 @@
  *   unite   corners a few units apart become one. Triangles with two equal corners are edges, and are removed
  *   reroute the longest edge of a triangle that is lower than a few units goes through the triangle's third corner,
  *           in all triangles that have the edge. The low triangle vanishes, and its neighbour is cut in two at this
- *           corner. Low triangles without a short edge, which mesh repair calls caps, vanish only by this step
+ *           corner. Low triangles without a short edge, which mesh repair calls caps, vanish only by this step.
  * If several triangles have the same three corners, equal numbers of the two orientations are removed: they are sheets
  * that lie on each other. */
 #include "kernel/round/contraction.h"

@@ -3,13 +3,13 @@
  * The exact result may have corners that are closer together than the format's numbers. Where four planes nearly
  * intersect in one point, there are two corners with a very short edge. Where a corner nearly lies on another face's
  * edge, there is a triangle with almost no height. After rounding, the short edge vanishes or has an arbitrary
- * direction. The low triangle may turn over and intersect its neighbours.
+ * direction. The low triangle may turn over and intersect its neighbours. Three repairs prevent this:
  *   collapse  an edge of less than two units moves onto its lower corner if no triangle around it turns over and the
- *             link condition holds: the two corners have only the two neighbours opposite the edge in common, so the
- *             surface stays a manifold of the same kind
+ *             link condition holds. It holds if the two corners have only the two neighbours opposite the edge in
+ *             common. The surface then stays a manifold of the same kind.
  *   flip      the longest edge of a triangle lower than two units is replaced by an edge to its top: the neighbour
- *             behind that edge is cut in two there
- *   drop      a shell that is thinner than two units everywhere is removed
+ *             behind that edge is cut in two there.
+ *   drop      a shell that is thinner than two units everywhere is removed.
  * Then self_contacts.c searches the entire mesh for triangles that intersect after rounding, but not before. In formats
  * without vertex numbers, the surface near them is contracted (contraction.c).
  *
