@@ -1,27 +1,33 @@
-// Owns the conversion of a model's parts into few draw calls: copies of one geometry are instances; all other parts are
-// merged into one mesh for each kind of surface.
+// Converts a model's parts to few draw calls. Copies of one geometry become instances. All other parts are merged into
+// one mesh for each kind of surface.
 import * as THREE from "three";
 import { determinant } from "./model.js";
 import { featureEdges, lengthOf, seams } from "./edges.js";
 import { patternKey } from "./patterns.js";
 
-const MERGED_TRIANGLES = 150000, FEW_GROUPS = 10, SMALL = 20000, SEAMS_SOUGHT = 200000; // the most lines of a merged batch among which seams are sought
-const FEW_KINDS = 1 << 20; // the most pairs of geometry and surface for a table
-const CELL = 4096; // If there are more than twice as many copies, neighbouring copies form a cell: a cell out of sight or too small to see is omitted.
+// SEAMS_SOUGHT: greatest number of lines of a merged batch in which seams are searched
+const MERGED_TRIANGLES = 150000, FEW_GROUPS = 10, SMALL = 20000, SEAMS_SOUGHT = 200000;
+const FEW_KINDS = 1 << 20; // greatest number of pairs of geometry and surface for which a table is used
+// If a geometry has more than twice as many copies, neighbouring copies form a cell. A cell out of sight, or too small
+// to see, is omitted.
+const CELL = 4096;
 
 const linear = (c) => c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
 
-// Materials that differ only in colour are drawn as one.
+// Returns the key of a material's surface. Materials with equal keys, which differ only in colour, are drawn together.
 function surfaceKey(m) {
   return [Math.round(m.roughness * 20), Math.round(m.metallic * 10), Math.round(m.transparency * 20), patternKey(m)].join();
 }
 
-// Returns groups: { geometry, surface, mirrored, parts }, with the parts' numbers in ascending order.
+// Collects the shown parts in groups. Returns an array of { geometry, surface, mirrored, merge, material, parts }; the
+// numbers in `parts` ascend.
 function collect(model, shown) {
   const list = [], keys = model.materials.map(surfaceKey), numbers = new Map(), paints = keys.map((key) => numbers.get(key) ?? (numbers.set(key, numbers.size), numbers.size - 1));
-  const groupOf = new Uint32Array(model.count); // The number of its group + 1; 0: not shown.
+  // groupOf[i]: index of the group of part i, plus 1; 0: the part is not shown.
+  const groupOf = new Uint32Array(model.count);
   const { geometry, paint, volume, sheared } = model, lines = Uint8Array.from(model.geometries, (g) => g.lines ? 1 : 0), kinds = 4 * paints.length * model.geometries.length;
-  const found = kinds <= FEW_KINDS ? new Uint32Array(kinds) : [], counts = []; // by kind: the number of its group + 1
+  // found[key]: index of the group with this key, plus 1
+  const found = kinds <= FEW_KINDS ? new Uint32Array(kinds) : [], counts = [];
   for (let i = 0; i < model.count; i++) {
     if (shown && !shown(i)) continue;
     const number = geometry[i], mirrored = volume[i] < 0, key = 4 * (number * paints.length + (lines[number] ? 0 : paints[paint[i]])) + (mirrored ? 2 : 0) + sheared[i];
@@ -37,7 +43,7 @@ function collect(model, shown) {
   const order = new Uint32Array(model.count), next = new Uint32Array(list.length);
   for (let k = 0, from = 0; k < list.length; k++) list[k].parts = order.subarray(from, from + counts[k]), next[k] = from, from += counts[k];
   for (let i = 0; i < model.count; i++) if (groupOf[i] > 0) order[next[groupOf[i] - 1]++] = i;
-  // The smallest are merged first, until few draw calls remain or the merged batch is large.
+  // The smallest groups are merged first, until few draw calls remain or the merged batch is large.
   list.sort((a, b) => a.geometry.triangles * a.parts.length - b.geometry.triangles * b.parts.length);
   let left = list.filter((group) => !group.merge).length, merged = 0;
   for (const group of list) {
@@ -57,7 +63,7 @@ function edgesOf(g) {
 }
 
 // Returns the mean distance of the lines on a geometry: its area divided by their length. Curves always show. A plain
-// form's few lines count as three times as far apart, and so fade later, since only they distinguish it from its
+// form's few lines count as three times as far apart. They fade later, because only they distinguish the form from its
 // background. Without fading, a tree's distant leaves would be black.
 const FEW_LINES = 100;
 function spacingOf(g) {
@@ -72,7 +78,8 @@ function spacingOf(g) {
   return length > 0 ? (E.length < 6 * FEW_LINES ? 3 : 1) * area / length : 1e30;
 }
 
-// Merges the corners of some parts into one array each, at their places. colors may be false.
+// Merges the corners of some parts into one array for positions, one for normals and so on. The corners are mapped to
+// the places of the parts. colors: false if no colours are needed.
 export function mergeParts(model, parts, colors = true) {
   let vertices = 0, corners = 0, ends = 0;
   for (const i of parts) {
@@ -147,7 +154,7 @@ export function meshGeometry(m) {
   return g;
 }
 
-function wide(normal) { // Three shorts are padded to four: graphics cards read words of four bytes.
+function wide(normal) { // Pads each normal of three shorts to four, because graphics cards read words of four bytes.
   const out = new Int16Array(normal.length / 3 * 4);
   for (let i = 0, k = 0; i < normal.length; i += 3, k += 4) out[k] = normal[i], out[k + 1] = normal[i + 1], out[k + 2] = normal[i + 2];
   return out;
@@ -155,7 +162,8 @@ function wide(normal) { // Three shorts are padded to four: graphics cards read 
 
 function matrices(model, parts, mirrored) {
   const array = new Float32Array(16 * parts.length), sign = mirrored ? -1 : 1, m = model.matrix;
-  for (let k = 0; k < parts.length; k++) { // The parent of a mirrored part mirrors it back.
+  // Writes a mirrored part's matrix mirrored in x, because the parent of such parts mirrors it back.
+  for (let k = 0; k < parts.length; k++) {
     const o = 12 * parts[k], t = 16 * k;
     array[t] = sign * m[o], array[t + 1] = m[o + 4], array[t + 2] = m[o + 8];
     array[t + 4] = sign * m[o + 1], array[t + 5] = m[o + 5], array[t + 6] = m[o + 9];
@@ -174,11 +182,11 @@ function colours(model, parts, paints) {
   return array;
 }
 
-// Divides very many parts into lists of neighbours of about the same size.
+// Divides very many parts into lists of neighbours of about the same size. Returns the lists.
 function cells(model, parts) {
   if (parts.length <= 2 * CELL) return [parts];
   const found = [], ball = model.ball, ends = new Uint32Array(257), order = new Uint32Array(parts.length), bits = new Uint32Array(ball.buffer, ball.byteOffset, ball.length);
-  const sizeOf = (i) => (bits[4 * i + 3] + 0x400000) >>> 23; // a float's exponent, rounded
+  const sizeOf = (i) => (bits[4 * i + 3] + 0x400000) >>> 23; // exponent, rounded, of a part's radius as a 32-bit float
   for (let k = 0; k < parts.length; k++) ends[sizeOf(parts[k]) + 1]++;
   for (let size = 0; size < 256; size++) ends[size + 1] += ends[size];
   const next = ends.slice();
@@ -187,11 +195,11 @@ function cells(model, parts) {
   return found;
 }
 
-// The bits of a number from 0 to 31, with two free bits between them.
+// SPREAD[x]: the bits of x, from 0 to 31, with two free bits between them.
 const SPREAD = Uint16Array.from({ length: 32 }, (_, x) => (x & 1) | ((x & 2) << 2) | ((x & 4) << 4) | ((x & 8) << 6) | ((x & 16) << 8));
 
-// Sorts parts once by the small cubes of a grid. The bits of a cube's number give its half of the whole, its half of
-// that half, and so on, so neighbours are adjacent.
+// Sorts parts by their positions, once, so that neighbours are adjacent. A grid divides space into small cubes. The
+// bits of a cube's number are its half along each axis, then its half of this half, and so on.
 function together(ball, parts, found) {
   if (parts.length <= CELL) return found.push(parts);
   let x = Infinity, y = Infinity, z = Infinity, x1 = -Infinity, y1 = -Infinity, z1 = -Infinity;
@@ -221,7 +229,7 @@ function together(ball, parts, found) {
 
 const mirrored = (sphere) => new THREE.Sphere(sphere.center.clone().setX(-sphere.center.x), sphere.radius);
 
-// Returns a ball around parts, the largest radius among them, and their greatest scale.
+// Returns a sphere around the parts, the largest radius among them, and their greatest scale.
 function extent(model, parts) {
   const { ball, volume } = model;
   let most = 0, scale = 0, x0 = Infinity, y0 = Infinity, z0 = Infinity, x1 = -Infinity, y1 = -Infinity, z1 = -Infinity;
@@ -240,8 +248,8 @@ function extent(model, parts) {
   return { sphere, most, scale: Math.cbrt(scale) };
 }
 
-// surfaces.get(surface, material, merged) returns a three.js material; lines.merged and lines.instanced are those of
-// edges.
+// Returns a three.js group with the batches of a model. surfaces.get(surface, material, merged) returns a three.js
+// material. lines.merged and lines.instanced are the materials of edges.
 export function buildBatches(model, shown, surfaces, lines) {
   const root = new THREE.Group(), mirror = new THREE.Group();
   mirror.scale.x = -1;
@@ -264,7 +272,8 @@ export function buildBatches(model, shown, surfaces, lines) {
     }
     for (const parts of cells(model, group.parts)) {
       const count = parts.length, around = extent(model, parts), place = new THREE.InstancedBufferAttribute(new Float32Array(0), 16), color = new THREE.InstancedBufferAttribute(new Float32Array(0), 3);
-      // Most of very many copies are never visible: their places are computed when they first are.
+      // If there are very many copies, most are never visible. Therefore their places are computed when a cell is
+      // visible for the first time.
       const fill = () => {
         if (place.count > 0) return;
         place.array = matrices(model, parts, group.mirrored), place.count = count;
@@ -282,7 +291,7 @@ export function buildBatches(model, shown, surfaces, lines) {
       if (!lined) continue;
       edgeLines += count * edges.length / 6;
       const line = new THREE.LineSegments(lined, lines.instanced);
-      // A set of lines with a matrix for each copy: the renderer needs only these members.
+      // Makes a set of lines with a matrix for each copy. The renderer needs only these members for it.
       Object.assign(line, { isInstancedMesh: true, instanceMatrix: place, instanceColor: null, morphTexture: null, count, boundingSphere: mesh.boundingSphere });
       line.userData = { edges: true, around, fill, spacing: g.spacing * around.scale, cost: count * edges.length / 6 };
       (group.mirrored ? mirror : root).add(line);
@@ -316,16 +325,18 @@ export function buildBatches(model, shown, surfaces, lines) {
 function finish(mesh, surface, material) {
   mesh.userData.surface = surface;
   mesh.userData.solid = !surface.endsWith(",open");
-  mesh.castShadow = mesh.userData.casts = material.transparency < 0.3; // Light passes through glass.
+  // A glass pane casts no shadow, because light passes through it.
+  mesh.castShadow = mesh.userData.casts = material.transparency < 0.3;
   mesh.receiveShadow = true;
   mesh.frustumCulled = false;
 }
 
-// Omits from a picture the objects that no one would see: parts smaller than half a pixel and faded lines. Omits from
-// the shadow maps parts smaller than a few of their points. If the triangles and lines in sight exceed the picture's
-// limit, omits the smallest. pixels(distance): the pixels of a length of 1 at that distance; across: the length of a
-// shadow map's point; lit: the shadow maps are drawn anew.
-const LEAST_PIXELS = 0.5, LEAST_POINTS = 4, FADED_PIXELS = 5; // stage.js fades the lines
+// Omits from a picture the objects that are too small to be seen: parts smaller than half a pixel, and faded lines.
+// Omits from the shadow maps parts smaller than a few of their points. If the triangles and lines in sight exceed the
+// limit `most`, omits the smallest objects. pixels(distance): number of pixels of a length of 1 at this distance;
+// across: length of a shadow map's point; lit: true if the shadow maps are drawn anew.
+// FADED_PIXELS: distance of lines at which stage.js has faded them
+const LEAST_PIXELS = 0.5, LEAST_POINTS = 4, FADED_PIXELS = 5;
 const wider = new THREE.Sphere();
 export function leaveOut(root, { camera, pixels, across, lined, lit, most }) {
   const found = [], eye = camera.position, frustum = new THREE.Frustum().setFromProjectionMatrix(new THREE.Matrix4().multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse));
@@ -337,8 +348,8 @@ export function leaveOut(root, { camera, pixels, across, lined, lit, most }) {
     if (!edges) o.castShadow = casts && size > LEAST_POINTS * across;
     o.visible = edges ? lined && spacing * near > FADED_PIXELS : size * near > LEAST_PIXELS;
     if (!o.visible || !frustum.intersectsSphere(around.sphere)) return;
-    // By the nearest copy, since copies of a piece of bark may fill a whole street. Lines are omitted before their
-    // faces.
+    // The size is that of the nearest copy, because copies of a piece of bark may fill an entire street. Lines count as
+    // smaller than faces, so they are omitted before their faces.
     found.push({ o, size: near * (edges ? size / 4 : size), cost });
     sum += cost;
   });
@@ -354,7 +365,8 @@ export function leaveOut(root, { camera, pixels, across, lined, lit, most }) {
     if (!o.userData.around) return;
     if (lit && o.castShadow) o.visible = true;
     if (!o.visible || !o.userData.fill) return;
-    const { center, radius } = o.userData.around.sphere; // The renderer's own test of the bounds must not find more.
+    // The sphere is enlarged, so that the renderer's own test of the bounds finds no further objects.
+    const { center, radius } = o.userData.around.sphere;
     if (lit || frustum.intersectsSphere(wider.set(center, 1.01 * radius))) o.userData.fill();
   });
 }

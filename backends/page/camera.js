@@ -1,4 +1,4 @@
-// Owns the camera: turning, moving and zooming by mouse, pen, touch and keys; standard views; walking.
+// Implements the camera: turning, moving and zooming by mouse, pen, touch and keys; standard views; walking.
 //
 // The view is a target, two angles and a distance, so it cannot roll. Z is up.
 import * as THREE from "three";
@@ -24,16 +24,17 @@ export class CameraControl {
     this.walking = false;
     this.keys = new Set();
     this.pointers = new Map();
-    this.depthAt = () => null; // (x, y) in pixels: the point of the model there, or null
+    this.depthAt = () => null; // (x, y) is in pixels; returns the point of the model there, or null
     this.changed = () => {};
-    this.covered = () => 0; // pixels at the picture's lower border under or next to buttons
+    // returns the number of pixels at the picture's lower border that are under or next to buttons
+    this.covered = () => 0;
     stage.onFrame((time) => this.#step(time));
     this.#listen(stage.canvas);
   }
 
   // ---- the state and the camera ----
 
-  direction(s = this.state) { // from the target to the eye
+  direction(s = this.state) { // returns the unit vector from the target to the eye
     return new THREE.Vector3(Math.cos(s.yaw) * Math.cos(s.pitch), Math.sin(s.yaw) * Math.cos(s.pitch), Math.sin(s.pitch));
   }
   up(s = this.state) {
@@ -56,10 +57,10 @@ export class CameraControl {
       camera.fov = THREE.MathUtils.radToDeg(s.angle);
       camera.aspect = aspect;
       camera.near = Math.max(far - 2.04 * (stage.radius || 1), far / (this.walking ? 20000 : 5000));
-      const ground = stage.groundMesh; // If the eye is low, the ground is nearer than the model.
+      const ground = stage.groundMesh; // If the eye is low, the ground is nearer to it than the model.
       if (ground) camera.near = Math.min(camera.near, Math.max(0.3 * Math.abs(eye.z - ground.position.z), far / 5000));
       if (this.walking) camera.near = Math.min(camera.near, 0.1 / this.metre());
-      // The ground begins at the viewer's feet.
+      // When the user walks, the ground begins at the eye's feet.
       if (stage.groundMesh) camera.near = Math.min(camera.near, Math.max(0.25 * Math.abs(eye.z - stage.groundMesh.position.z), far / 5000));
       camera.far = Math.max(far, 1e-6) * (stage.groundMesh ? 8 : 1.2);
     }
@@ -70,7 +71,7 @@ export class CameraControl {
     stage.touch();
   }
 
-  metre() { return this.stage.model?.metres || 1; } // the length of a model unit in metres
+  metre() { return this.stage.model?.metres || 1; } // length of a model unit in metres
 
   // ---- framing ----
 
@@ -80,12 +81,13 @@ export class CameraControl {
     return out;
   }
 
-  // Returns the state that shows the whole box, or all points of the model if the box is its own, as large as possible
-  // above the buttons, with the direction of s. The computation is that of backends/view.c.
+  // Returns the state that shows the box, as large as possible above the buttons, with the direction of s. If the box
+  // is that of the model, shows all points of the model instead. The computation is that of backends/view.c.
   framed(s, box) {
     const canvas = this.stage.canvas, aspect = Math.max(1, canvas.clientWidth) / Math.max(1, canvas.clientHeight), margin = 1.12;
     const half = Math.tan(s.angle / 2), tall = half / margin, wide = tall * aspect;
-    const low = Math.min(tall, half * Math.max(0.4, 1 - 2 * this.covered() / Math.max(1, canvas.clientHeight))); // the height below the middle
+    // tangent of the visible half angle below the middle, above the buttons
+    const low = Math.min(tall, half * Math.max(0.4, 1 - 2 * this.covered() / Math.max(1, canvas.clientHeight)));
     const r = this.right(s), u = this.up(s), f = this.direction(s).negate(), corners = this.corners(box);
     const middle = corners[0].clone().add(corners[7]).multiplyScalar(0.5);
     const most = { r: -Infinity, l: -Infinity, t: -Infinity, b: -Infinity }, flat = { ...most };
@@ -112,7 +114,7 @@ export class CameraControl {
   }
   #nearest(yaw) { return yaw + 2 * Math.PI * Math.round((this.state.yaw - yaw) / (2 * Math.PI)); }
 
-  // The view that the model sets.
+  // Returns the state of the view that the model sets, or else of the default view.
   start() {
     const model = this.stage.model, v = model.view, s = { ...this.state, angle: 0.583, parallel: false, yaw: -0.98, pitch: 0.42 };
     if (!v) return this.framed(s, model.box);
@@ -131,7 +133,7 @@ export class CameraControl {
   }
   reset() { this.walking = false; Object.assign(this.state, this.start()); this.motion = null; this.apply(); }
 
-  // Moves there smoothly, or at once if the user prefers no motion.
+  // Moves the camera to a state: smoothly, or at once if the user prefers no motion.
   go(to) {
     if (matchMedia("(prefers-reduced-motion: reduce)").matches) {
       Object.assign(this.state, to);
@@ -152,7 +154,7 @@ export class CameraControl {
 
   // ---- gestures ----
 
-  turn(dx, dy) { // pixels
+  turn(dx, dy) { // dx and dy are in pixels
     this.motion = null;
     const s = this.state;
     if (this.walking) {
@@ -175,7 +177,8 @@ export class CameraControl {
     this.apply();
   }
 
-  // factor < 1 moves nearer; the point under (x, y) stays at its place in the picture.
+  // Multiplies the distance by a factor; a factor below 1 moves nearer. The point under (x, y) stays at its place in
+  // the picture.
   zoom(factor, x, y) {
     this.motion = null;
     const s = this.state;
@@ -185,7 +188,7 @@ export class CameraControl {
     factor = clamp(s.distance * factor, least, most) / s.distance;
     s.target.sub(point).multiplyScalar(factor).add(point);
     s.distance *= factor;
-    // Near the object under the cursor the steps become shorter, and never end inside it.
+    // Near the object under the cursor the steps become shorter, so the eye never ends inside it.
     this.apply();
   }
   #onTarget(px, py) {
@@ -200,7 +203,7 @@ export class CameraControl {
       const floor = model.ground ? model.ground.z - model.middle[2] : model.box.min[2];
       s.parallel = false;
       s.angle = 1.05;
-      // From the eye down to the floor; not farther from the model than half its size.
+      // The walk begins on the floor below the eye, but not farther from the model than `reach`.
       const flat = eye.clone().sub(this.stage.center).setZ(0), reach = 0.75 * Math.hypot(model.size[0], model.size[1]) + 4 / this.metre();
       if (flat.length() > reach) flat.setLength(reach);
       eye.set(this.stage.center.x + flat.x, this.stage.center.y + flat.y, floor + height);

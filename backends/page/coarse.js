@@ -1,9 +1,10 @@
-// Owns the plain material of coarse pictures. It computes light, with the tone curve, at corners, so a point costs next
-// to nothing. It shows neither patterns nor shadows nor reflections. Its light has the formulas of stage.js.
+// Makes the plain material of coarse pictures. It computes light, with the tone curve, at the corners of triangles, so
+// a point of the picture costs next to nothing. It shows neither patterns nor shadows nor reflections. Its light has
+// the formulas of stage.js.
 import * as THREE from "three";
 
-// The curve compresses bright colours and makes them paler, and leaves others unchanged: Khronos' neutral curve without
-// its toe, which reduces the contrast of dark colours.
+// The tone curve compresses bright colours and makes them paler, and leaves others unchanged. It is Khronos' neutral
+// curve without its toe, which reduces the contrast of dark colours.
 export const TONE = `{
   color *= toneMappingExposure;
   float peak = max( color.r, max( color.g, color.b ) );
@@ -68,13 +69,13 @@ void main() {
   #endif
 }`;
 
-// The uniforms that all such materials of a stage share.
+// Returns the uniforms that all coarse materials of a stage share.
 export function coarseLight() {
   const colour = () => ({ value: new THREE.Color() }), way = () => ({ value: new THREE.Vector3() });
   return { toneMappingExposure: { value: 1 }, sunWay: way(), sunLight: colour(), aboveWay: way(), aboveLight: colour(), upWay: way(), skyLight: colour(), groundLight: colour() };
 }
 
-// Sets them to a stage's lights, as its camera sees them.
+// Sets the uniforms u to the lights of a stage, in the coordinates of its camera.
 export function aimCoarseLight(u, { sun, above, fill, renderer }, camera) {
   const seen = (to, from) => to.copy(from).transformDirection(camera.matrixWorldInverse);
   seen(u.sunWay.value, sun.position.clone().sub(sun.target.position));
@@ -87,7 +88,8 @@ export function aimCoarseLight(u, { sun, above, fill, renderer }, camera) {
   u.toneMappingExposure.value = renderer.toneMappingExposure;
 }
 
-// Returns a coarse version of another material. light: of coarseLight; closed: its backs are never visible.
+// Returns the coarse version of another material. light: uniforms of coarseLight; closed: true if the backs of the
+// surface are never visible.
 export function coarseMaterial(light, { vertexColors, transparent, opacity, depthWrite, polygonOffset, clippingPlanes }, closed) {
   return new THREE.ShaderMaterial({
     uniforms: { ...light, opacity: { value: transparent ? opacity : 1 } }, vertexShader, fragmentShader, defines: closed ? {} : { BOTH_SIDES: "" }, side: closed ? THREE.FrontSide : THREE.DoubleSide, forceSinglePass: true,

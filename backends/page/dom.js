@@ -1,10 +1,11 @@
-// Owns small helpers for elements. Text is always set as text: no text of a user is read as HTML.
+// Contains small helpers for elements. Text is always set as text: no text of a user is read as HTML.
 export function el(name, attributes = {}, ...children) {
   const node = document.createElement(name);
   for (const [key, value] of Object.entries(attributes)) {
     if (key === "class") node.className = value;
     else if (key.startsWith("on")) node.addEventListener(key.slice(2), value);
-    else if (key === "style") { if (value) node.style.cssText = value; } // The live view's policy allows no style attributes.
+    // This sets a property, because the content security policy of the live view allows no style attributes.
+    else if (key === "style") { if (value) node.style.cssText = value; }
     else if (value === true) node.setAttribute(key, "");
     else if (value !== false && value !== null && value !== undefined) node.setAttribute(key, value);
   }

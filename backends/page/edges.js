@@ -1,11 +1,12 @@
-// Owns the search for the edges of a geometry that are drawn dark: creases and borders.
+// Finds the edges of a geometry that are drawn dark: creases and borders.
 //
-// Triangles with smooth shading, or in one plane, share their corners by index. At a crease or a border an index edge
-// has a triangle on one side only. Both sides of a crease have such an edge; it is kept once, identified by the places
-// of its ends. The normals of both sides are kept beside it (g.edgeSides, six numbers for each edge; zeros for a
-// border's missing side).
+// Triangles with smooth shading, or in one plane, share their corners by index. At a crease or a border, an edge
+// between two indices has a triangle on one side only. Each side of a crease has such an edge. The two are kept as one,
+// identified by the positions of its ends. The normals of both sides are kept beside it (g.edgeSides, six numbers for
+// each edge). A border has zeros for the missing side.
 
-export function lengthOf(x, y, z) { return Math.sqrt(x * x + y * y + z * z); } // Math.hypot takes ten times as long.
+// Math.hypot would take ten times as long.
+export function lengthOf(x, y, z) { return Math.sqrt(x * x + y * y + z * z); }
 
 export function featureEdges(g) {
   const { index, position } = g;
@@ -14,7 +15,8 @@ export function featureEdges(g) {
     for (let i = 0; i + 5 < position.length; i += 3) out.set(position.subarray(i, i + 6), 2 * i);
     return out;
   }
-  // Index edges in the order of first use: their ends, the smaller first, and their triangle, or -1 if they have two.
+  // Collects the edges between indices in the order of first use. low, high: indices of the ends; owner: index of the
+  // edge's triangle, or -1 if it has two.
   const count = index.length, low = new Uint32Array(count), high = new Uint32Array(count), owner = new Int32Array(count), slots = table(count), mask = slots.length - 1;
   let edges = 0;
   for (let i = 0; i < count; i += 3)
@@ -25,11 +27,12 @@ export function featureEdges(g) {
       if (e >= 0) owner[e] = -1;
       else slots[s] = edges, low[edges] = from, high[edges] = to, owner[edges++] = i;
     }
-  let open = 0; // Edges with one triangle move to the front.
+  let open = 0; // Edges with one triangle move to the front of the arrays.
   for (let e = 0; e < edges; e++) if (owner[e] >= 0) low[open] = low[e], high[open] = high[e], owner[open++] = owner[e];
-  // Corners at the same place get the number of the first of them.
+  // Corners at the same position get the number of the first of them.
   const place = placesOf(position, low, high, open);
-  // The tip of a round side may have several corners: if the normals at one end agree, the surface continues.
+  // The tip of a round side may have several corners. If the normals at one end of an edge agree, the surface
+  // continues.
   const N = g.normal, alike = (u, v) => {
     const x = 3 * u, y = 3 * v, dot = N[x] * N[y] + N[x + 1] * N[y + 1] + N[x + 2] * N[y + 2];
     return dot > 0 && dot * dot > 0.96 * (N[x] ** 2 + N[x + 1] ** 2 + N[x + 2] ** 2) * (N[y] ** 2 + N[y + 1] ** 2 + N[y + 2] ** 2);
@@ -63,7 +66,7 @@ export function featureEdges(g) {
   return out;
 }
 
-// Returns a hash table for `count` items; -1: free.
+// Returns a hash table for `count` items. An element is an item's number; -1: the slot is free.
 function table(count) { return new Int32Array(2 << Math.max(2, 32 - Math.clz32(count))).fill(-1); }
 function mix(a, b) {
   let h = Math.imul(a, 0x9e3779b1) ^ Math.imul(b, 0x85ebca77);
@@ -71,7 +74,7 @@ function mix(a, b) {
   return h ^ (h >>> 13);
 }
 
-// Returns, for each corner at the end of an edge, the first corner at the same place.
+// Returns, for each corner at the end of an edge, the first corner at the same position.
 function placesOf(position, low, high, count) {
   const words = new Uint32Array(position.buffer, position.byteOffset, position.length), vertices = position.length / 3;
   const place = new Uint32Array(vertices), known = new Uint8Array(vertices), slots = table(2 * count < vertices ? 2 * count : vertices), mask = slots.length - 1;
@@ -93,14 +96,14 @@ function normalOf(P, I, t, to, at) {
   to[at] = x * s, to[at + 1] = y * s, to[at + 2] = z * s;
 }
 
-// Returns a byte for each line: 1 if it is a seam. At a seam two bodies of one colour touch; one face of each continues
-// the other's plane, and the other two faces coincide. ends and sides: six numbers for each line; paint: a number for
-// each line; step: the distance within which places are equal.
+// Returns a byte for each line: 1 if it is a seam. At a seam two bodies of one colour touch: a face of each continues a
+// face of the other in the same plane, and the two other faces coincide. ends and sides: six numbers for each line;
+// paint: a number for each line; step: distance within which positions count as equal.
 export function seams(ends, sides, paint, step) {
   const count = ends.length / 6, found = new Uint8Array(count), first = new Map(), next = new Int32Array(count).fill(-1), near = (x, y, sign) => Math.abs(sides[x] - sign * sides[y]) + Math.abs(sides[x + 1] - sign * sides[y + 1]) + Math.abs(sides[x + 2] - sign * sides[y + 2]) < 0.01;
   for (let i = 0; i < count; i++) {
     const e = 6 * i;
-    // The midpoint of a line is the same from both ends.
+    // The midpoint of a line does not depend on its direction.
     const key = Math.round((ends[e] + ends[e + 3]) / step) * 73856093 + Math.round((ends[e + 1] + ends[e + 4]) / step) * 19349663 + Math.round((ends[e + 2] + ends[e + 5]) / step) * 83492791;
     for (let k = first.get(key) ?? -1; k >= 0; k = next[k]) {
       const o = 6 * k, apart = (a, b) => Math.abs(ends[e + a] - ends[o + b]) + Math.abs(ends[e + a + 1] - ends[o + b + 1]) + Math.abs(ends[e + a + 2] - ends[o + b + 2]);

@@ -1,9 +1,10 @@
-// Owns the triangles of X3D's forms, and normals for files without them.
+// Makes the triangles of X3D's forms, and normals for files without normals.
 import { makeGeometry } from "./model.js";
 
-const CREASE = 0.6; // radians, as backends/shade.h
+const CREASE = 0.6; // least angle of a sharp edge in radians, as in backends/shade.h
 
-// Corners that meet at less than the crease share a normal and an index, by which edges.js finds edges.
+// Returns a geometry with normals. Two faces with an angle of less than the crease between them have a common normal
+// and a common index at their corner. edges.js finds edges by these indices.
 export function withNormals(at, index, solid, crease = CREASE) {
   const count = index.length / 3, face = new Float64Array(3 * count), places = new Map(), place = new Uint32Array(at.length / 3), around = [];
   for (let v = 0; v < place.length; v++) {
@@ -43,7 +44,7 @@ export function boxForm(x, y, z) {
   return withNormals(Float32Array.from(at), Uint32Array.from(index), true);
 }
 
-function turned(rings, steps) { // rings: [radius, y] from below; poles where the radius is 0
+function turned(rings, steps) { // rotates rings, [radius, y] from below, about Y; a ring with radius 0 is a pole
   const at = [], index = [];
   for (const [r, y] of rings) for (let i = 0; i < steps; i++) at.push(r * Math.sin(2 * Math.PI * i / steps), y, r * Math.cos(2 * Math.PI * i / steps));
   for (let k = 0; k + 1 < rings.length; k++)

@@ -1,8 +1,8 @@
-// Owns the viewer's model: geometries, materials, and one flat list of parts, each a geometry at a place.
+// Contains the viewer's model: geometries, materials, and a list of parts. A part is a geometry at a place.
 //
 // A part has the origin of its own constructor call, and a path: the operations of the source that contain it, from the
-// inside outwards. A path has a parent, an origin and a kind; parts of one operation share their path. There may be a
-// million of each: all are arrays of numbers.
+// inside outwards. A path has a parent, an origin and a kind; parts of one operation have the same path. There may be a
+// million of each, so all are arrays of numbers.
 
 const PART_ARRAYS = ["geometry", "paint", "layer", "path", "kind", "made", "matrix"], PATH_ARRAYS = ["pathParent", "pathOrigin", "pathKind"], MEASURED = ["ball", "volume", "sheared"];
 
@@ -10,24 +10,26 @@ export class Model {
   constructor() {
     this.title = "model";
     this.units = "m";
-    this.middle = [0, 0, 0]; // All places of parts are relative to it.
+    this.middle = [0, 0, 0]; // All positions of parts are relative to this point.
     this.view = null;
     this.sun = null;
     this.sky = null;
-    this.daylight = null; // The physical sky: a table of its light, the sun's light, and the light on a level surface.
+    // The physical sky: a table of its light, the sun's light, and the light on a horizontal surface.
+    this.daylight = null;
     this.ground = null;
-    this.materials = [plain()]; // Number 0: parts without a material.
+    this.materials = [plain()]; // Number 0 is the material of parts without a material.
     this.layers = [""];
     this.kinds = [""];
     this.geometries = [];
     this.origins = { files: [], at: new Uint32Array(0) };
-    this.pathCount = 1; // Number 0 is the drawing itself.
+    this.pathCount = 1; // Path number 0 is the drawing itself.
     this.pathParent = new Uint32Array(64);
     this.pathOrigin = new Uint32Array(64);
     this.pathKind = new Uint16Array(64);
-    this.roles = new Map(); // Of a scene with its steps (timeline.js): the meaning of each path.
-    this.cuts = new Set(); // And the parts that are subtracted.
-    this.kept = false; // Others than the viewer use it: it remains unchanged after the next model.
+    this.roles = new Map(); // For a scene with its steps (timeline.js): the role of each path, by its number.
+    this.cuts = new Set(); // For a scene with its steps: the numbers of the parts that are subtracted.
+    // True if others than the viewer use the model, so that it must remain unchanged after the next model.
+    this.kept = false;
     this.count = 0;
     this.matrix = new Float32Array(12 * 64);
     this.geometry = new Uint32Array(64);
@@ -35,10 +37,10 @@ export class Model {
     this.layer = new Uint32Array(64);
     this.path = new Uint32Array(64);
     this.kind = new Uint16Array(64);
-    this.made = new Uint32Array(64); // The number of its origin, or 0.
+    this.made = new Uint32Array(64); // The number of the part's origin, or 0.
   }
 
-  get metres() { return { mm: 0.001, cm: 0.01, in: 0.0254, ft: 0.3048 }[this.units] || 1; } // The length of a model unit in metres.
+  get metres() { return { mm: 0.001, cm: 0.01, in: 0.0254, ft: 0.3048 }[this.units] || 1; } // Length of a model unit in metres.
 
   grow(need) {
     if (need <= this.geometry.length) return;
@@ -56,8 +58,8 @@ export class Model {
     this[key].set(was);
   }
 
-  // Takes the arrays of a model that is no longer in use: the system takes as long to clear a hundred megabytes as the
-  // viewer to fill them.
+  // Takes over the arrays of a model that is no longer in use. Otherwise the system would take as long to clear a
+  // hundred megabytes as the viewer takes to fill them.
   inherit(other) {
     for (const key of [...PART_ARRAYS, ...PATH_ARRAYS, ...MEASURED]) this[key] = other[key], other[key] = null;
   }
@@ -71,7 +73,7 @@ export class Model {
     return p;
   }
 
-  // m from index `at`: three rows of an affine map.
+  // Adds a part. m contains, from index `at`, the three rows of its affine map.
   add(geometry, m, at, paint, layer, path, kind, made) {
     const i = this.count;
     this.grow(i + 1);
@@ -85,14 +87,14 @@ export class Model {
     this.count = i + 1;
   }
 
-  // Computes the properties of each part that depend on its matrix: bounds as a ball, the volume of a unit cube
-  // (negative: mirrored), and whether it is sheared; and the bounds of all parts as a box, relative to the middle. It
-  // does so in one pass, since a million matrices exceed the processor's cache.
+  // Computes the properties of each part that depend on its matrix: bounds as a sphere, the volume of a unit cube
+  // (negative if mirrored), and whether it is sheared. Also computes the bounds of all parts as a box, relative to the
+  // middle. It does so in one pass, because a million matrices exceed the processor's cache.
   measure() {
     const n = this.count, m = this.matrix, geometry = this.geometry;
     if (!this.sheared || this.sheared.length < n) this.ball = new Float32Array(4 * n), this.volume = new Float32Array(n), this.sheared = new Uint8Array(n);
     const { ball, volume, sheared } = this;
-    const half = new Float64Array(6 * this.geometries.length); // for each geometry's box: its centre and half its size
+    const half = new Float64Array(6 * this.geometries.length); // for each geometry's box: its centre, and half its size
     this.geometries.forEach((g, at) => { for (let k = 0; k < 3; k++) half[6 * at + k] = (g.min[k] + g.max[k]) / 2, half[6 * at + 3 + k] = (g.max[k] - g.min[k]) / 2; });
     let x0 = Infinity, y0 = Infinity, z0 = Infinity, x1 = -Infinity, y1 = -Infinity, z1 = -Infinity;
     for (let i = 0, o = 0; i < n; i++, o += 12) {
@@ -119,9 +121,9 @@ export class Model {
     return this;
   }
 
-  // Returns points whose hull contains the model, three numbers each: all corners of the parts' triangles; for large
-  // models the corners of the parts' boxes; for very large ones those of the one box. A dome fills its box only in six
-  // directions, and its own points frame it better.
+  // Returns points whose hull contains the model, three numbers each. They are all corners of the parts' triangles; for
+  // large models the corners of the parts' boxes; for very large models the corners of the model's box. A dome fills
+  // its box only in six directions, so its own points frame it better.
   outerPoints() {
     if (this.outer) return this.outer;
     const n = this.count, m = this.matrix, { min, max } = this.box, MOST = 200000;
@@ -139,7 +141,8 @@ export class Model {
     return this.outer = new Float32Array(at);
   }
 
-  // Returns the places in the source that made part i: { file, line, column, number } from the innermost call outwards.
+  // Returns the places in the source that made part i, as { file, line, column, number }, from the innermost call
+  // outwards.
   chain(i) {
     const found = [], seen = new Set();
     const climb = (o) => {
@@ -160,7 +163,7 @@ export class Model {
   where(i) { return this.made[i] > 0 ? this.origin(this.made[i]) : null; }
 }
 
-// Returns the box of several models, about a middle.
+// Returns the box that contains several models, relative to `middle`.
 export function togetherBox(models, middle) {
   const box = { min: [Infinity, Infinity, Infinity], max: [-Infinity, -Infinity, -Infinity] };
   for (const m of models) for (let k = 0; k < 3; k++) {
@@ -200,7 +203,7 @@ export function determinant(m, o = 0) {
   return m[o] * (m[o + 5] * m[o + 10] - m[o + 6] * m[o + 9]) - m[o + 1] * (m[o + 4] * m[o + 10] - m[o + 6] * m[o + 8]) + m[o + 2] * (m[o + 4] * m[o + 9] - m[o + 5] * m[o + 8]);
 }
 
-// Returns a hash of the bytes, by which a picture is recognized after the model has changed.
+// Returns a hash of the bytes of a picture, so that the picture is recognized after the model has changed.
 function sumOf(bytes) {
   let sum = bytes.length;
   for (let i = 0; i < bytes.length; i++) sum = (31 * sum + bytes[i]) | 0;
@@ -210,8 +213,8 @@ function sumOf(bytes) {
 const none = [];
 const makesPath = (f) => f.origin !== undefined || f.kind !== undefined || !!(f.item || f.result || f.operation || f.cut);
 
-// Counts the parts and paths below a node; a template counts at each use. { parts, paths } is kept at each node, and
-// computed once. Templates with more than one use have their counts as `again`.
+// Counts the parts and paths below a node. A template counts at each use. { parts, paths } is kept at each node, and
+// computed once. Templates with more than one use keep their counts as `again`.
 function counted(root, nodes) {
   const used = new Set();
   for (const open = [root]; open.length > 0;) {
@@ -237,15 +240,16 @@ function counted(root, nodes) {
   return root.counted;
 }
 
-// The parts and paths of a template by themselves, in arrays as a Model's, which are copied to each of its places. A
-// layer INHERITED, and a paint or a path 0, are those of the place.
+// The parts and paths of a template, in arrays like those of a Model. They are copied to each use of the template. A
+// layer INHERITED, and a paint or path 0, are replaced by those of the use.
 const INHERITED = 0xffffffff;
 function room(parts, paths) {
   return { count: 0, matrix: new Float64Array(12 * parts), geometry: new Uint32Array(parts), paint: new Uint32Array(parts), layer: new Uint32Array(parts), path: new Uint32Array(parts), kind: new Uint16Array(parts), made: new Uint32Array(parts),
     pathCount: 1, pathParent: new Uint32Array(1 + paths), pathOrigin: new Uint32Array(1 + paths), pathKind: new Uint16Array(1 + paths), roles: new Map(), cuts: new Set() };
 }
 
-// Copies a template's parts into the model, which has room for them: `place` from index `at`.
+// Copies a template's parts into the model, which has room for them. The matrix of the use is in the array `place` from
+// index `at`.
 function copyParts(from, to, place, at, paint, layer, path) {
   const { matrix, count } = from, into = to.matrix, first = to.count, before = to.pathCount - 1;
   const a = place[at], b = place[at + 1], c = place[at + 2], x = place[at + 3], d = place[at + 4], e = place[at + 5], f = place[at + 6], y = place[at + 7], g = place[at + 8], h = place[at + 9], l = place[at + 10], z = place[at + 11];
@@ -275,7 +279,8 @@ function copyParts(from, to, place, at, paint, layer, path) {
   for (const [p, role] of from.roles) to.roles.set(before + p, role);
 }
 
-// Makes a Model from the tree that readPacked returns. spare: a model whose arrays it may take, or none.
+// Makes a Model from the tree that readPacked returns. spare: a model that is no longer in use, whose arrays the new
+// model takes over, or null.
 export function modelFromPacked(root, spare = null) {
   const model = new Model(), nodes = new Map(), layers = new Map([["", 0]]), kinds = new Map([["", 0]]);
   const numbered = (map, list, word) => {
@@ -297,7 +302,8 @@ export function modelFromPacked(root, spare = null) {
     }
     return node.geometry;
   };
-  // Returns the effect of a node, computed once for all walks over it: a million parts come from few nodes.
+  // Returns the data of a node that all walks need. They are computed once, because a million parts come from few
+  // nodes.
   const stepOf = (node) => {
     const step = { children: none, place: null, paint: 0, layer: -1, path: false, origin: 0, kind: 0, role: "", cut: false, item: 0, geometry: -1, leaf: undefined, plain: false, template: null }, f = node.fields;
     node.step = step;
@@ -319,10 +325,11 @@ export function modelFromPacked(root, spare = null) {
     return step;
   };
 
-  // An explicit stack, in arrays by depth: templates may be nested to any depth, and used a million times.
+  // An explicit stack, as arrays that are indexed by depth. Templates may be nested to any depth, and used a million
+  // times.
   const lists = [], nexts = [], paints = [], layersAt = [], paths = [], placesAt = []; // placesAt: the index of the depth's place, which may be its parent's
   let places = Float64Array.from(identity), depth = -1;
-  // Computes a place within that of the current depth; returns its index.
+  // Multiplies a place by that of the current depth. Returns the index of the product in `places`.
   const within = (place) => {
     const from = depth < 0 ? 0 : placesAt[depth], to = place ? from + 12 : from;
     if (places.length < to + 12) {
@@ -352,7 +359,7 @@ export function modelFromPacked(root, spare = null) {
     depth++;
     lists[depth] = children, nexts[depth] = 0, paints[depth] = paint, layersAt[depth] = layer, paths[depth] = path, placesAt[depth] = to;
   };
-  // Returns the step of a node's only shape, which most nodes have: it needs no stack.
+  // Returns the step of a node's only shape, or null. Most nodes have a single shape, and then need no stack.
   const leafOf = (step) => {
     const alone = (list) => list.length === 1 ? list[0].step || stepOf(list[0]) : null;
     let leaf = alone(step.children);
@@ -367,7 +374,8 @@ export function modelFromPacked(root, spare = null) {
   };
   // Adds the parts of nodes to the model or to a template's parts, which have room for them.
   const walk = (children, to, outerLayer) => {
-    const bottom = depth, still = depth < 0 ? 0 : placesAt[depth] + 12; // Another walk may request a template's parts.
+    // Templates are walked inside another walk, when their parts are requested.
+    const bottom = depth, still = depth < 0 ? 0 : placesAt[depth] + 12;
     push(children, identity, 0, outerLayer, 0);
     places.set(identity, placesAt[depth] = still);
     while (depth > bottom) {
@@ -398,7 +406,7 @@ export function modelFromPacked(root, spare = null) {
     walk(template.children, template.copied, INHERITED);
     return template.copied;
   };
-  // Geometries may be defined anywhere, also within templates that are used later.
+  // Geometries may be defined anywhere, even within templates that are used later.
   const define = (list) => {
     for (const open = [list]; open.length > 0;) {
       for (const node of open.pop()) {

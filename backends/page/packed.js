@@ -1,5 +1,5 @@
-// Owns reading the packed notation, which backends/x3d/packed.c describes, into a tree: { type, def, fields, children
-// }. A node that uses another one is { use: number }.
+// Reads the packed notation, which backends/x3d/packed.c describes, into a tree of nodes: { type, def, fields, children
+// }. A node that uses another node is { use: number }.
 
 import { unzlibSync } from "three/examples/jsm/libs/fflate.module.js";
 
@@ -31,7 +31,7 @@ export function readPacked(packed) {
     names.push(text());
     return names[names.length - 1];
   }
-  // Arrays are copied: typed arrays must begin at multiples of their width.
+  // Arrays are copied, because typed arrays must begin at multiples of their element's width.
   function array(Type, items) {
     const from = at;
     at += items * Type.BYTES_PER_ELEMENT;
@@ -68,7 +68,8 @@ export function readPacked(packed) {
   return root;
 }
 
-// The scene of a page is compressed by zlib, and begins with an x; the server's is uncompressed.
+// Returns the uncompressed bytes. The scene of a page is compressed by zlib, and begins with an x; a scene from the
+// server is uncompressed.
 function expanded(buffer) {
   const bytes = new Uint8Array(buffer);
   return bytes[0] === 120 ? unzlibSync(bytes).buffer : buffer;

@@ -1,4 +1,4 @@
-// Owns the page in one file: shows its scene, and .x3d files that are dropped on it.
+// Runs the page in one file: shows its scene, and .x3d files that the user drops on it.
 import { Viewer } from "./viewer.js";
 import { readPacked, decode64 } from "./packed.js";
 import { modelFromPacked } from "./model.js";
@@ -11,7 +11,7 @@ window.visualscheme = viewer; // For tests, and for use in the console.
 const scene = document.getElementById("scene");
 viewer.show(modelFromPacked(readPacked(decode64(scene.textContent.trim()))));
 scene.remove();
-// The page has nothing else: the viewer gets all keys from the start.
+// The page contains only the viewer, so the viewer gets all keys from the start.
 addEventListener("keydown", (event) => {
   if (event.target !== document.body) return;
   viewer.canvas.focus();

@@ -1,7 +1,7 @@
-// Owns the panel beside the picture: layers, materials and parts, each with a switch.
+// Contains the panel beside the picture: layers, materials and parts, each with a switch.
 import { el, icon } from "./dom.js";
 
-const ROWS = 400; // The most in one list; of the others it shows the number.
+const ROWS = 400; // Greatest number of rows in a list. For the others, the list shows only their number.
 
 export class Panel {
   constructor(viewer) {
@@ -72,8 +72,8 @@ export class Panel {
     return rows.slice(0, ROWS);
   }
 
-  // Shows operations of the source, folded, with the parts in each. A node is made when it is unfolded: first[p] and
-  // next[p] chain the paths of one parent.
+  // Prepares the tree of the source's operations, with the parts in each. A row is made when its operation is unfolded.
+  // first[p] and next[p] link the children of a path in a list.
   #tree() {
     const m = this.viewer.model, n = m.pathCount;
     if (this.treeOf === m) return;
@@ -106,7 +106,7 @@ export class Panel {
     const add = (p, depth) => {
       for (const child of this.pathsIn(p)) {
         if (rows.length >= ROWS) return;
-        // An operation that contains only one operation is omitted.
+        // An operation that contains only another operation is omitted.
         let at = child;
         for (let inner = this.pathsIn(at); inner.length === 1 && this.partsIn(at).length === 0; inner = this.pathsIn(at)) at = inner[0];
         const open = this.open.has(at);

@@ -1,4 +1,4 @@
-// Owns the patterns of materials (model/looks/patterns.def) in the picture: bricks, boards, grain, clouds ... at their
+// Draws the patterns of materials (model/looks/patterns.def) in the picture: bricks, boards, grain, clouds ... at their
 // real size.
 //
 // A pattern is a function of a position in the model, in metres, and of the face's normal. On floors it lies along x
@@ -143,13 +143,13 @@ vec3 vsPattern(vec3 c) {
 
 const linear = (c) => c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
 
-// Returns the pattern's part of a material's key: materials with one key are drawn as one.
+// Returns the part of a material's key that its pattern determines. Materials with equal keys are drawn together.
 export function patternKey(m) {
   return m.pattern ? [m.pattern.name, ...m.pattern.color, m.pattern.size, m.pattern.angle, m.pattern.picture ? m.pattern.picture.sum : ""].join(":") : "";
 }
 
-// Returns the texture of a picture. It has the material's own colour until the browser has decoded the picture, and
-// then requests a frame.
+// Returns the texture of a picture. The texture has the material's own colour until the browser has decoded the
+// picture. redraw is then called, which requests a frame.
 function textureOf(m, redraw) {
   const picture = m.pattern.picture;
   if (!picture.shown) {
@@ -171,8 +171,8 @@ function textureOf(m, redraw) {
   return picture.shown;
 }
 
-// Makes a three.js material show the pattern of m, if it has one. place: shared uniforms, with middle, the point to
-// which the model's places are relative, and metres, the length of a model unit. redraw: called when the browser has
+// Makes a three.js material show the pattern of m, if m has a pattern. place: shared uniforms: middle, the point to
+// which the model's positions are relative, and metres, the length of a model unit. redraw: called when the browser has
 // decoded a picture.
 export function addPattern(material, m, place, redraw) {
   const number = m.pattern ? numbers.indexOf(m.pattern.name) + 1 : 0;

@@ -1,5 +1,5 @@
-// Owns picking: finds the part of the model under a point of the picture: balls first, then the triangles of the balls
-// that the ray meets.
+// Finds the part of the model under a point of the picture. First tests the parts' bounding spheres, then the triangles
+// of the parts whose spheres the ray intersects.
 import * as THREE from "three";
 
 const ray = new THREE.Raycaster(), pointer = new THREE.Vector2();
@@ -10,7 +10,8 @@ export function rayAt(stage, x, y) {
   return ray.ray;
 }
 
-// Returns the nearest hit: { part, point, normal, triangle, distance }, or null.
+// Returns the nearest intersection of the ray through (x, y) with a part: { part, point, normal, triangle, distance },
+// or null.
 export function pick(stage, x, y) {
   const model = stage.model;
   if (!model || !stage.camera) return null;
@@ -93,8 +94,8 @@ export function snap(stage, x, y) {
   return { kind: "face", at: hit.point, normal: hit.normal, area: faceArea(stage.model, hit), part: hit.part };
 }
 
-// Returns the area of the flat face around a hit: triangles of one plane that are connected by the places of their
-// corners.
+// Returns the area of the flat face around a hit: the triangles of one plane that are connected through corners at
+// equal positions.
 function faceArea(model, hit) {
   const g = model.geometries[model.geometry[hit.part]], P = g.position, I = g.index, at = new THREE.Vector3(), n = hit.normal, level = n.dot(hit.point), most = 1e-5 * model.diagonal;
   const flat = [], corners = new Map();

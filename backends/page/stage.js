@@ -1,41 +1,44 @@
-// Owns the picture: renderer, light, sky, ground, the model's batches, the section, the marks; and the decision when to
+// Contains the picture: renderer, light, sky, ground, the model's batches, the section, the marks. Decides when to
 // draw.
 //
-// While anything moves, a frame has the sun, a light from above and a pale fill. If such frames are slow, they have a
-// quarter of the points and no new shadows, and a whole one follows when nothing has changed for a moment. When the
-// picture is still, each frame has a single direction of the sky and of the sun's disc, its own shadow and a slight
-// offset, and the stage shows their mean. Thus the same few lines make soft shadows, dark corners and smooth edges.
-// POV-Ray's picture has the same light (backends/povray/povray_scene.c).
+// While anything moves, a frame has the sun, a light from above and a pale fill light. If such frames are slow, they
+// have a quarter of the points and no new shadows. A complete frame follows when nothing has changed for a moment. When
+// the picture is still, each frame has a single direction of the sky and of the sun's disc, its own shadow and a slight
+// offset, and the stage shows the mean of the frames. Thus the same few lines of code make soft shadows, dark corners
+// and smooth edges. POV-Ray's picture has the same light (backends/povray/povray_scene.c).
 import * as THREE from "three";
 import { addPattern, patternKey } from "./patterns.js";
 import { aimCoarseLight, coarseLight, coarseMaterial, TONE, TONED } from "./coarse.js";
 import { buildBatches, disposeBatches, leaveOut, mergeParts, meshGeometry } from "./batches.js";
 
-// Radiances and colours are POV-Ray's, linear; a light of intensity pi makes a white surface perpendicular to it as
-// bright as its colour.
+// Radiances and colours are POV-Ray's, and linear. A light of intensity pi makes a white surface perpendicular to it as
+// bright as the light's colour.
 const SUN = new THREE.Color(1, 0.95, 0.87), DIFFUSE = 0.82, SKY_POWER = 1.6, SUN_POWER = 2 * SKY_POWER, EXPOSURE = 0.62;
-const LIT = 3.9; // The light of the plain sun and sky on a surface that faces the sun: the exposure is for it.
-const BOUNCED = 0.1, BOUNCED_BY_GROUND = 0.3; // The light that walls and the ground reflect, as a fraction of the sky's and the sun's light.
-// the most triangles and lines of a picture in software; a graphics card gets more
+// Light of the default sun and sky on a surface that faces the sun. EXPOSURE is the exposure for this light.
+const LIT = 3.9;
+// Light that walls, and that the ground, reflect, as a fraction of the sky's and the sun's light.
+const BOUNCED = 0.1, BOUNCED_BY_GROUND = 0.3;
+// Greatest numbers of triangles and lines of a picture in software; a graphics card gets more.
 const PLAIN_MOST = 3e5, COARSE_MOST = 4e5, MOVING_MOST = 1.2e6, STILL_MOST = 2e6;
-const GUESSED = 2000; // the approximate number of triangles that software draws in a millisecond
-const COARSE_SHARE = 0.5; // the fraction of the points along a side
-// If there are more edges, a picture without shadows omits them: a line takes software twice as long as a triangle, and
-// these pictures are rough.
+const GUESSED = 2000; // approximate number of triangles that software draws in a millisecond
+const COARSE_SHARE = 0.5; // number of points of a coarse picture along a side, as a fraction of the full number
+// If a drawing has more edges, a coarse picture without shadows omits them. A line takes software twice as long as a
+// triangle, and such a picture is rough anyway.
 const COARSE_LINES = 3000;
-const SLOW = 60; // The duration of a picture, in milliseconds, above which coarse ones are drawn while anything changes.
+// Time of a complete picture, in milliseconds, above which coarse pictures are drawn while anything changes.
+const SLOW = 60;
 
 THREE.ShaderChunk.tonemapping_pars_fragment = THREE.ShaderChunk.tonemapping_pars_fragment.replace("vec3 CustomToneMapping( vec3 color ) { return color; }", `vec3 CustomToneMapping( vec3 color ) ${TONE}`);
 
-// The light from above is one direction of the whole sky, or represents it. As a point it would sparkle on reflecting
-// surfaces, so only the sun is mirrored. Both lights always have a shadow map, because three.js would else change their
-// order.
+// The light from above has one direction of the sky, or represents all of them. On reflecting surfaces it would appear
+// as a bright point, so only the sun is mirrored. Both lights always have a shadow map, because three.js would
+// otherwise change their order.
 const SUN_ALONE_SHINES = THREE.ShaderChunk.lights_fragment_begin.replace(/(getDirectionalLightInfo[\s\S]*?)(RE_Direct\([^;]*;)/,
   "$1{ vec3 mirrored = reflectedLight.directSpecular; $2 if ( UNROLLED_LOOP_INDEX > 0 ) reflectedLight.directSpecular = mirrored; }");
 const sunAloneShines = (parameters) => { parameters.fragmentShader = parameters.fragmentShader.replace("#include <lights_fragment_begin>", SUN_ALONE_SHINES); };
 
-// The lines of a fine mesh fade when they are less than some pixels apart, since they would blacken it. spacing: the
-// mean distance of a geometry's lines, in model units.
+// Makes a shader in which the lines of a fine mesh fade when they are less than some pixels apart, because they would
+// blacken the mesh. The attribute `spacing` is the mean distance of a geometry's lines, in model units.
 const fading = (pixels) => (parameters) => { // pixels: half the picture's height
   parameters.uniforms.pixels = pixels;
   parameters.vertexShader = parameters.vertexShader.replace("#include <common>", "#include <common>\nattribute float spacing; uniform float pixels; varying float shownLine;")
@@ -49,14 +52,14 @@ const fading = (pixels) => (parameters) => { // pixels: half the picture's heigh
     .replace("#include <color_fragment>", "#include <color_fragment>\ndiffuseColor.a *= shownLine;");
 };
 
-// Returns the direction of view at a point of the picture. Parallel rays would all see one colour: the sky then has the
-// directions of a lens.
+// A shader's function that returns the direction of view at a point of the picture. In a parallel view, all rays would
+// have one colour, so the sky gets the directions of a perspective view.
 const SKY_WAY = `vec3 skyWay() {
   vec2 reach = vec2(1.0 / projectionMatrix[0][0], 1.0 / projectionMatrix[1][1]);
   if (isOrthographic) reach *= 0.45 / reach.y;
   return transpose(mat3(viewMatrix)) * vec3(position.xy * reach, -1.0);
 }`;
-// Returns the sky's colour in that direction.
+// A shader's function that returns the sky's colour in a direction.
 const SKY_COLOUR = `uniform sampler2D daylight; uniform vec2 sunWay; uniform vec3 zenith, horizon, near, below;
 vec3 daylightAt(vec3 d) { // The table's columns go from the sun's side to the other, its rows by the root of the height.
   vec2 level = d.xy / max(1e-6, length(d.xy));
@@ -75,10 +78,11 @@ vec3 skyColour(vec3 way) {
 
 const quadVertex = "varying vec2 at; void main() { at = uv; gl_Position = vec4(position.xy, 0.0, 1.0); }";
 
-// The sky's light is paler than it looks: what it lights would else drown in blue. The mean is what a level surface gets.
+// Returns a paler version of the sky's light. Otherwise the objects in this light would look too blue. `share` is the
+// share of grey.
 const paler = (c, share) => { const grey = (c.r + c.g + c.b) / 3; return c.lerp(new THREE.Color(grey, grey, grey), share); };
 
-// Whether software draws WebGL. It is found out once, since that takes a separate context.
+// True if software draws WebGL. It is determined only once, because this needs a separate context.
 let software;
 function isSoftware() {
   if (software !== undefined) return software;
@@ -112,23 +116,25 @@ export class Stage {
     this.scene.add(this.world, this.marks);
     this.clip = [];
     this.section = null;
-    this.inside = false; // Whether the eye is within the model's box.
+    this.inside = false; // True if the eye is within the model's box.
     this.frame = 0;
     this.listeners = new Set();
     this.surfaceCache = new Map();
     this.coarseLight = coarseLight();
-    this.plainCache = new Map(); // Materials of marks and of the section, kept since a shader takes a tenth of a second to make.
+    // Materials of marks and of the section. They are kept, because a shader takes a tenth of a second to make.
+    this.plainCache = new Map();
     this.place = { middle: { value: [0, 0, 0] }, metres: { value: 1 } };
     this.lineMaterials = {
       merged: new THREE.LineBasicMaterial({ vertexColors: true, transparent: true, depthWrite: false }),
       instanced: new THREE.LineBasicMaterial({ color: 0x05070a, transparent: true, opacity: 0.55, depthWrite: false }),
     };
     this.share = 1;
-    this.extent = [canvas.clientWidth || 300, canvas.clientHeight || 150]; // of the canvas on the page
-    this.half = 400; // Half the picture's height.
+    // width and height of the canvas on the page, in pixels
+    this.extent = [canvas.clientWidth || 300, canvas.clientHeight || 150];
+    this.half = 400; // Half of the picture's height in pixels.
     this.pixels = { value: 400 };
-    this.took = 0; // The duration of the last whole picture, in milliseconds, as far as it is known.
-    this.owed = false; // Whether the last picture was a coarse one.
+    this.took = 0; // Time of the last complete picture, in milliseconds, as far as it is known.
+    this.owed = false; // True if the last picture was coarse, so that a complete picture must follow.
     for (const m of Object.values(this.lineMaterials)) m.onBeforeCompile = fading(this.pixels);
     this.#lights();
     this.#sky();
@@ -159,7 +165,7 @@ export class Stage {
     this.scene.add(this.fill);
   }
 
-  #aim(light, direction) { // direction: towards the light
+  #aim(light, direction) { // direction: unit vector towards the light
     light.position.copy(direction).multiplyScalar(2 * this.radius).add(this.center);
     light.target.position.copy(this.center);
     const s = light.shadow, r = this.radius * 1.02;
@@ -187,8 +193,8 @@ export class Stage {
       this.above.intensity = 0.35 * Math.PI * DIFFUSE;
       this.fill.color.copy(mean).multiplyScalar(0.65 + BOUNCED);
     } else {
-      // Returns the direction of a sample: the golden ratio spreads any number of them evenly over the half sphere, and
-      // over the sun's disc.
+      // Computes the directions of sample number `sample`. The golden ratio distributes any number of samples evenly
+      // over the hemisphere, and over the sun's disc.
       const golden = 0.6180339887498949, silver = 0.7548776662466927;
       const turn = 2 * Math.PI * ((sample * golden) % 1), height = (0.5 + sample * silver) % 1, across = Math.sqrt(1 - height * height);
       const side = new THREE.Vector3(0.31, 0.57, 0.76).cross(this.sunDirection).normalize(), other = side.clone().cross(this.sunDirection);
@@ -215,20 +221,20 @@ export class Stage {
           #include <tonemapping_fragment>
           #include <colorspace_fragment>
         }`, depthWrite: false });
-    // In a coarse picture the sky is computed at the corners of a net.
+    // In a coarse picture the sky is computed only at the corners of a net.
     this.coarseSky = new THREE.ShaderMaterial({ uniforms: { ...uniforms, toneMappingExposure: this.coarseLight.toneMappingExposure }, toneMapped: false, vertexShader: `#include <common>
         uniform float toneMappingExposure; varying vec3 seen; ${TONED} ${SKY_WAY} ${SKY_COLOUR}
         void main() { seen = toned(skyColour(normalize(skyWay()))); gl_Position = vec4(position.xy, 0.999999, 1.0); }`,
       fragmentShader: "varying vec3 seen; void main() { gl_FragColor = vec4(seen, 1.0); }", depthWrite: false });
     this.dome = new THREE.Mesh(new THREE.PlaneGeometry(2, 2, 24, 40), this.skyMaterial);
-    this.dome.renderOrder = 1000; // Behind all opaque objects: only its visible points are computed.
+    this.dome.renderOrder = 1000; // The sky is drawn after all opaque objects, so only its visible points are computed.
     this.dome.frustumCulled = false;
     this.scene.add(this.dome);
     this.skyMean = new THREE.Color();
     this.groundLight = new THREE.Color();
   }
 
-  // Stores the values that decide the sky and its light; returns true if they have changed.
+  // Stores the values that determine the sky and its light. Returns true if they have changed.
   #lightChanged(model) {
     const key = [this.options.dark, ...this.sunDirection, ...(model.sky || []), "day", ...(model.daylight ? [...model.daylight.table, ...model.daylight.sun, ...model.daylight.level] : [])].join();
     if (key === this.lightKey) return false;
@@ -253,7 +259,7 @@ export class Stage {
     this.#environment();
   }
 
-  // The physical sky, a table that vs has computed, with the sun and the light of the sky on a level surface. The
+  // Sets the physical sky: a table that vs has computed, the sun, and the light of the sky on a horizontal surface. The
   // exposure is about that of a rendered picture: as the sun sinks, the sky at the horizon fades less than the objects
   // in its light.
   #paintDaylight(day) {
@@ -276,7 +282,7 @@ export class Stage {
     this.#environment();
   }
 
-  // Returns the sky's light in a direction, a unit vector.
+  // Returns the sky's light in the direction of a unit vector.
   #skyAt(x, y, z) {
     if (!this.daylight) return this.hazeLight.clone().lerp(this.zenithLight, Math.min(1, z / 0.6));
     const { table, columns, rows } = this.daylight, way = this.skyMaterial.uniforms.sunWay.value, across = Math.max(1e-6, Math.hypot(x, y));
@@ -285,11 +291,13 @@ export class Stage {
     return paler(new THREE.Color(table[at], table[at + 1], table[at + 2]), 0.3);
   }
 
-  // The surroundings that metals and glass reflect: the sky, a bright band low in it, and the ground.
+  // Makes the picture of the surroundings that metals and glass reflect: the sky with a bright spot low in it, and the
+  // ground.
   #environment() {
     const w = 64, h = 32, data = new Float32Array(4 * w * h), u = this.skyMaterial.uniforms, c = new THREE.Color();
     for (let y = 0; y < h; y++) {
-      const up = 1 - 2 * (y + 0.5) / h; // The picture's rows go downwards; three.js treats its own Y as up: the scene is turned.
+      // The picture's rows go downwards. three.js treats its own Y as up, so envMapRotation turns the picture.
+      const up = 1 - 2 * (y + 0.5) / h;
       if (up > 0) c.copy(u.horizon.value).lerp(u.zenith.value, Math.pow(up, 0.6)).multiplyScalar(1.15);
       else c.copy(u.near.value).lerp(u.below.value, -up).multiplyScalar(this.daylight ? 1 : 0.55);
       for (let x = 0; x < w; x++) {
@@ -307,7 +315,7 @@ export class Stage {
     this.environmentPicture = picture;
     this.environmentMap = null;
   }
-  #mirrored() { // Made when the first material needs it.
+  #mirrored() { // Returns the reflected surroundings, which are made when the first material needs them.
     if (!this.environmentMap) {
       const maker = new THREE.PMREMGenerator(this.renderer);
       this.environmentMap = maker.fromEquirectangular(this.environmentPicture);
@@ -324,7 +332,8 @@ export class Stage {
     const geometry = new THREE.RingGeometry(0.0001, 1, 64, 12), reach = 14 * model.diagonal, position = geometry.attributes.position;
     const m = model.ground.paint > 0 ? model.materials[model.ground.paint] : { color: [0.78, 0.78, 0.76], roughness: 1, metallic: 0 };
     const rgb = new THREE.Color().setRGB(...m.color, THREE.SRGBColorSpace), color = new Float32Array(4 * position.count);
-    for (let i = 0; i < position.count; i++) { // Fine near the model, and faded before the horizon.
+    // Makes the rings fine near the model, and lets the ground fade before the horizon.
+    for (let i = 0; i < position.count; i++) {
       const r = Math.hypot(position.getX(i), position.getY(i)), far = r * r;
       position.setXY(i, position.getX(i) * r, position.getY(i) * r);
       color.set([rgb.r, rgb.g, rgb.b, 1 - THREE.MathUtils.smoothstep(far, 0.08, 0.95)], 4 * i);
@@ -348,7 +357,7 @@ export class Stage {
     const key = surface + (merged ? "|v" : "");
     this.used?.add(key);
     if (this.surfaceCache.has(key)) return this.surfaceCache.get(key);
-    // The graphics card computes reflections: in software that would take seconds.
+    // Only a graphics card computes reflections, because software would take seconds.
     const shiny = !this.software && (m.metallic > 0.3 || m.transparency > 0.05 || m.roughness < 0.35);
     const material = new THREE.MeshStandardMaterial({
       vertexColors: merged, roughness: Math.max(0.06, m.roughness), metalness: this.software ? 0.35 * m.metallic : m.metallic, shadowSide: THREE.DoubleSide,
@@ -374,7 +383,8 @@ export class Stage {
     return material;
   }
 
-  // The backs of a closed surface are invisible, except in a section, in a wire frame, and from inside.
+  // Decides which sides of a material are drawn. The backs of a closed surface are invisible, except in a section, in a
+  // wire frame, and from inside.
   #side(material) { material.side = material.userData.closed && !this.section && !material.wireframe && !this.inside ? THREE.FrontSide : THREE.DoubleSide; }
   #lookInside() {
     const { min, max } = this.model.box, eye = this.camera.position.toArray(), inside = !this.camera.isOrthographicCamera && eye.every((x, k) => x > min[k] && x < max[k]);
@@ -383,7 +393,7 @@ export class Stage {
     for (const m of this.surfaceCache.values()) this.#side(m), m.needsUpdate = true;
   }
 
-  // Returns the material of a key, made once.
+  // Returns the material of a key; make() is called if there is none yet.
   #plain(key, make) {
     if (!this.plainCache.has(key)) this.plainCache.set(key, make());
     return this.plainCache.get(key);
@@ -396,7 +406,7 @@ export class Stage {
 
   // ---- the model ----
 
-  setModel(model, shown = null) { // shown(i): whether part i is in the picture; null: all are.
+  setModel(model, shown = null) { // shown(i) returns true if part i is in the picture; null: all parts are.
     this.model = model;
     this.shown = shown;
     const b = model.box;
@@ -412,13 +422,14 @@ export class Stage {
     this.#ground(model);
     this.used = new Set();
     this.refresh();
-    if (this.took === 0 && this.software) this.took = this.batches.userData.triangles / GUESSED; // Until a picture has been timed.
-    for (const [key, material] of this.surfaceCache) // Materials of earlier models, which no part has any more.
+    // This is an estimate until a picture has been timed.
+    if (this.took === 0 && this.software) this.took = this.batches.userData.triangles / GUESSED;
+    for (const [key, material] of this.surfaceCache) // Removes materials of earlier models that no part uses any more.
       if (!this.used.has(key)) material.dispose(), this.surfaceCache.delete(key);
     this.used = null;
   }
 
-  // Call this when the shown objects have changed.
+  // Makes the batches again after the shown parts have changed.
   refresh(shown = this.shown) {
     this.shown = shown;
     if (this.batches) {
@@ -450,7 +461,7 @@ export class Stage {
 
   // ---- marks: parts in a separate colour, over all others ----
 
-  setMarks(groups) { // [{ parts, color, opacity, model }]
+  setMarks(groups) { // groups: [{ parts, color, opacity, model }]
     for (const child of [...this.marks.children]) {
       this.marks.remove(child);
       child.geometry.dispose();
@@ -482,7 +493,7 @@ export class Stage {
 
   // ---- the section ----
 
-  // plane: { normal: Vector3, constant } keeps the side of the normal; null: none.
+  // Cuts the model by a plane, { normal: Vector3, constant }, and keeps the side of the normal. null: nothing is cut.
   setSection(plane) {
     const had = this.section !== null;
     this.section = plane;
@@ -496,7 +507,8 @@ export class Stage {
     this.touch(true);
   }
 
-  // Fills cut solids: behind the plane, as many faces point towards the viewer as away, except where a solid is open.
+  // Fills the cut faces of solids. Behind a point of the plane, a closed solid has equally many faces towards the
+  // viewer and away from him. If the numbers differ, the plane cuts the solid there.
   #caps() {
     if (this.capGroup) {
       this.world.remove(this.capGroup);
@@ -565,22 +577,22 @@ export class Stage {
     if (sized === this.sized) return;
     this.sized = sized;
     this.extent = [w, h];
-    this.share = 0; // The canvas changes size with the next picture.
+    this.share = 0; // With this value, the canvas changes its size at the next picture.
     this.half = h / 2;
     for (const t of [this.one, ...this.mean]) t.setSize(Math.floor(w * this.ratio), Math.floor(h * this.ratio));
     this.touch();
   }
 
-  // Draws only this fraction of the canvas' points along a side. The canvas itself then gets that size: drawing a
-  // picture over a full-size canvas would take as long as drawing the model.
+  // Draws pictures with only this fraction of the canvas' points along a side. The canvas itself then gets this size,
+  // because drawing a picture over a full-size canvas would take as long as drawing the model.
   #points(share) {
     if (share === this.share) return;
     this.share = share;
     this.renderer.setDrawingBufferSize(...this.extent, this.ratio * share);
-    this.pixels.value = share * this.half; // A line is as wide as a point.
+    this.pixels.value = share * this.half; // A line is as wide as a point of the picture.
   }
 
-  // Call this after a change: the next frame shows it. shadows: the light has changed, too.
+  // Must be called after a change, so that the next frame shows it. shadows: true if the light has changed, too.
   touch(shadows = false) {
     this.dirty = true;
     if (shadows) this.shadowsDirty = true;
@@ -588,7 +600,7 @@ export class Stage {
     this.wake();
   }
 
-  // Calls back before each frame, until the function returned is called.
+  // Calls the listener before each frame. Returns a function that ends this.
   onFrame(listener) {
     this.listeners.add(listener);
     return () => this.listeners.delete(listener);
@@ -600,7 +612,8 @@ export class Stage {
     this.renderer.render(this.quadScene, this.quadCamera);
   }
 
-  #leaveOut(most, lined = this.options.edges && !this.options.wireframe) { // most: the limit for triangles and lines; lined: with edges
+  // most: limit on the number of triangles and lines; lined: true if edges are drawn
+  #leaveOut(most, lined = this.options.edges && !this.options.wireframe) {
     if (!this.batches) return;
     const half = this.half * this.share * this.ratio * this.camera.projectionMatrix.elements[5], parallel = this.camera.isOrthographicCamera;
     leaveOut(this.batches, { camera: this.camera, pixels: (distance) => parallel ? half : half / Math.max(1e-9, distance), across: 2.04 * this.radius / this.sun.shadow.mapSize.x,
@@ -611,7 +624,8 @@ export class Stage {
     this.#lookInside();
     this.#points(coarse ? COARSE_SHARE : 1);
     this.#light(-1);
-    if (coarse && this.shadowsDirty) this.sun.shadow.intensity = this.above.shadow.intensity = 0; // The shadows of the previous model would be worse than none.
+    // The old shadows belong to the previous model, so the picture has none.
+    if (coarse && this.shadowsDirty) this.sun.shadow.intensity = this.above.shadow.intensity = 0;
     if (coarse || !this.shadowsDirty) this.renderer.shadowMap.needsUpdate = false;
     if (!coarse) this.shadowsDirty = false;
     this.owed = coarse;
@@ -626,7 +640,7 @@ export class Stage {
   }
 
   // Gives all surfaces a few plain materials, for a coarse picture without shadows. They take a fifth of the time, and
-  // above all need few shaders: those of patterns and shadows are made for the whole picture. Returns a function that
+  // need few shaders. The shaders of patterns and shadows are made for the complete picture. Returns a function that
   // restores the materials.
   #simplify(lined) {
     aimCoarseLight(this.coarseLight, this, this.camera);
@@ -652,7 +666,7 @@ export class Stage {
     };
   }
 
-  // The time that the graphics card needs for a picture is known some frames later.
+  // Reads the time of the last picture, which the graphics card reports only some frames later.
   #timed() {
     const gl = this.renderer.getContext();
     if (!this.timing || gl.getSyncParameter(this.timing.end, gl.SYNC_STATUS) !== gl.SIGNALED) return;
@@ -683,14 +697,15 @@ export class Stage {
     this.mixer.uniforms.one.value = this.one.texture;
     this.mixer.uniforms.part.value = 1 / (i + 1);
     this.#quad(this.mixer, this.mean[(i + 1) % 2]);
-    if (i + 1 >= Math.min(16, this.samples)) { // Fewer would look like separate lights.
+    if (i + 1 >= Math.min(16, this.samples)) { // The mean of fewer samples would look like separate lights.
       this.shower.uniforms.sum.value = this.mean[(i + 1) % 2].texture;
       this.#quad(this.shower, null);
     }
     this.renderer.setRenderTarget(null);
   }
 
-  // Draws the pending picture at once: waiting for the next frame would only delay one that takes longer than a frame.
+  // Draws the pending picture at once. If a picture takes longer than a frame, waiting for the next frame would only
+  // delay it.
   now() {
     if (this.lost) return;
     cancelAnimationFrame(this.frame);
@@ -723,7 +738,7 @@ export class Stage {
     }
   }
 
-  // Draws the whole picture at once, for callers that take it from the canvas: the mean of `samples` directions of
+  // Draws a complete picture at once, for callers that read it from the canvas: the mean of `samples` directions of
   // light.
   paint(samples = this.samples) {
     this.dirty = this.owed = false;
@@ -734,7 +749,7 @@ export class Stage {
     this.renderer.setRenderTarget(null);
   }
 
-  // Releases everything on the graphics card; nothing is drawn afterwards.
+  // Frees all memory on the graphics card. Nothing can be drawn afterwards.
   dispose() {
     this.lost = true;
     cancelAnimationFrame(this.frame);

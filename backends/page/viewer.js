@@ -1,5 +1,5 @@
-// Owns the viewer's user interface: the toolbar, menus, panel, section, measuring, keys. `new Viewer(element)`, then
-// show(model).
+// Contains the viewer's user interface: the toolbar, menus, panel, section, measuring, keys. Create `new
+// Viewer(element)`, then call show(model).
 import * as THREE from "three";
 import { Stage } from "./stage.js";
 import { CameraControl } from "./camera.js";
@@ -16,7 +16,7 @@ export function length(x, units) {
   return Number(x.toFixed(digits)).toLocaleString("en", { maximumFractionDigits: digits, useGrouping: false }) + (units ? " " + units : "");
 }
 
-// Returns a step of 1, 2 or 5 times a power of ten, about a four-hundredth of a length.
+// Returns a step of 1, 2 or 5 times a power of ten that is about a four-hundredth of a length.
 function niceStep(span) {
   const power = 10 ** Math.floor(Math.log10(span / 400)), least = span / 400 / power;
   return power * (least < 1.5 ? 1 : least < 3.5 ? 2 : least < 7.5 ? 5 : 10);
@@ -24,7 +24,8 @@ function niceStep(span) {
 
 export class Viewer {
   constructor(host) {
-    this.root = el("div", { class: "vs", tabindex: "-1" }); // After a click beside the buttons the viewer still gets the keys.
+    // The tabindex lets the viewer get the keys after a click beside the buttons.
+    this.root = el("div", { class: "vs", tabindex: "-1" });
     host.append(this.root);
     this.canvas = el("canvas", { tabindex: "0", role: "img", "aria-label": "The model. Arrow keys turn it, plus and minus zoom." });
     this.overlay = svg("svg", { class: "overlay", "aria-hidden": "true" });
@@ -41,8 +42,8 @@ export class Viewer {
     this.chosen = [];
     this.marks = [];
     this.ghosts = [];
-    this.handles = []; // Points that can be dragged: { name, at, drag(xyz) }, in the model's coordinates.
-    this.filter = null; // Restricts the picture to some of the parts; null: it shows all.
+    this.handles = []; // Points that the user can drag: { name, at, drag(xyz) }, in the model's coordinates.
+    this.filter = null; // A function that returns true for the parts that the picture shows; null: it shows all.
     this.keys = {};
     this.measures = [];
     this.onSelect = () => {};
@@ -65,13 +66,15 @@ export class Viewer {
 
   // ---- the model ----
 
-  // keep: the camera stays, for a new version of the same model. aside: this model only has more details of the
-  // previous one; title and size stay.
+  // Shows a model. keep: true if the camera stays, for a new version of the same model. aside: true if the model only
+  // shows more details of the previous model, so that title and size stay.
   show(model, keep = false, aside = false) {
-    const was = this.model, grown = was?.count === 0 && model.count > 0; // the model was empty: there was no view to keep
+    // grown: true if the model was empty, so that there was no view to keep
+    const was = this.model, grown = was?.count === 0 && model.count > 0;
     const first = !was || !keep || grown;
     this.model = model;
-    const same = !first && was?.count === model.count && !aside; // Parts that moved, as in a frame of an animation.
+    // True if only the places of parts have changed, as in a frame of an animation.
+    const same = !first && was?.count === model.count && !aside;
     if (first) for (const set of Object.values(this.hidden)) set.clear();
     else if (!same) this.hidden.parts.clear();
     if (!same || this.chosen.length === 0) this.select([]);
@@ -94,7 +97,8 @@ export class Viewer {
     this.panel.refresh();
   }
 
-  // Resolves when the next picture has been drawn, or after a moment: a hidden window draws nothing.
+  // Returns a promise that resolves when the next picture has been drawn, or after a moment, because a hidden window
+  // draws nothing.
   drawn() {
     return new Promise((go) => {
       const late = setTimeout(go, 150);
@@ -106,7 +110,7 @@ export class Viewer {
     const m = this.model, h = this.hidden;
     return !(h.layers.has(m.layers[m.layer[i]]) || h.materials.has(m.paint[i]) || h.parts.has(i)) && (!this.filter || this.filter(i));
   }
-  // isShown as a function for callers with a million parts; null: all are shown.
+  // Returns isShown as a function for callers with a million parts, or null if all parts are shown.
   get shown() { return this.filter || Object.values(this.hidden).some((set) => set.size > 0) ? (i) => this.isShown(i) : null; }
   refresh() { this.stage.refresh(this.shown); }
 
@@ -120,7 +124,7 @@ export class Viewer {
     if (!quietly) this.onSelect(parts);
   }
 
-  // Shows parts of this or of another model through the others: [{ parts, color, opacity, model }].
+  // Shows parts of this model or of another one through all other objects: [{ parts, color, opacity, model }].
   setGhosts(ghosts) {
     if (ghosts.length === 0 && this.ghosts.length === 0) return;
     this.ghosts = ghosts;
@@ -175,7 +179,7 @@ export class Viewer {
     this.#marksOfMenus();
   }
 
-  // Adds a button and a key, for pages that extend the viewer.
+  // Adds a button and its key, for pages that extend the viewer.
   addButton(name, label, key, action, attributes) {
     const button = this.buttons[name] = this.#button(name, label, key, () => { this.touched = true; action(); }, attributes);
     this.buttons.help.before(button);
@@ -319,21 +323,22 @@ export class Viewer {
       el("div", { class: "path" }, chain.slice(0, 8).map((o) => el("button", { type: "button", title: `Choose all that ${o.file}:${o.line} made`, onclick: () => this.selectOrigin(o) }, `${o.name}:${o.line}`))));
   }
 
-  // Shows that the chosen part comes from a call other than its own.
+  // Shows that the chosen part comes from another call than its own constructor.
   explain(kind, chain) {
     this.explained = { kind, chain };
     this.#card();
     this.say(kind + (chain.length > 0 ? ` at ${chain[0].name}, line ${chain[0].line}` : ""));
   }
 
-  // Selects all parts that the call at an origin's place made.
+  // Selects all parts that the call at the place of origin o made.
   selectOrigin(o) {
     this.select(this.partsOf((q) => q.file === o.file && q.line === o.line && q.column === o.column));
     this.onOrigin?.(o);
   }
   partsOf(wanted, m = this.model) {
     const hits = new Uint8Array(m.origins.at.length / 4 + 1), paths = new Uint8Array(m.pathCount), found = [];
-    for (let o = 1; o < hits.length; o++) hits[o] = wanted(m.origin(o)) || hits[m.origins.at[4 * (o - 1) + 3]] ? 1 : 0; // Callers come first.
+    // Callers come before the calls inside them.
+    for (let o = 1; o < hits.length; o++) hits[o] = wanted(m.origin(o)) || hits[m.origins.at[4 * (o - 1) + 3]] ? 1 : 0;
     for (let p = 1; p < m.pathCount; p++) paths[p] = hits[m.pathOrigin[p]] || paths[m.pathParent[p]];
     for (let i = 0; i < m.count; i++) if (hits[m.made[i]] || paths[m.path[i]]) found.push(i);
     return found;
@@ -383,7 +388,7 @@ export class Viewer {
     this.setSectionStrip(!!section && !this.measuring);
     if (section) {
       const k = "xyz".indexOf(section.axis), b = this.model.box, place = b.min[k] + section.at * (b.max[k] - b.min[k]);
-      // A plan keeps the lower side.
+      // A horizontal section keeps the lower side.
       const normal = AXES[section.axis].clone().multiplyScalar(section.flip ? -1 : 1).multiplyScalar(section.axis === "z" ? -1 : 1);
       this.stage.setSection({ normal, constant: -normal.clone().dot(AXES[section.axis]) * place });
       this.sectionRange.value = section.at;
@@ -440,11 +445,12 @@ export class Viewer {
     this.#frameHandles();
     this.#drawOverlay();
   }
-  // Frames handles outside of the picture together with the model, once, unless the user has moved the camera.
+  // If handles are outside of the picture, frames them together with the model. Does so only once, and only if the user
+  // has not moved the camera.
   #frameHandles() {
     if (!this.model || this.touched || this.handlesFramed || this.handles.length === 0) return;
     this.handlesFramed = true;
-    // A distant handle would make the model a speck.
+    // Distant handles are ignored, because the model would become tiny.
     const empty = this.model.count === 0, near = (p) => empty || p.distanceTo(this.stage.center) < 3 * this.stage.radius, points = this.handles.map((h) => this.#fromModel(h.at)).filter(near);
     const seen = (p) => { const q = p.clone().project(this.stage.camera); return Math.abs(q.x) < 0.9 && Math.abs(q.y) < 0.8 && q.z < 1; };
     this.stage.camera.updateMatrixWorld();
@@ -461,14 +467,15 @@ export class Viewer {
     circle.addEventListener("pointerdown", (event) => this.#dragHandle(event, handle));
     return [svg("rect", { x: p.x - w / 2, y: p.y - 38, width: w, height: 22, rx: 7, class: "label" }), svg("text", { x: p.x, y: p.y - 27 }, words), circle];
   }
-  // Returns the ray under a point of the picture, in the model's coordinates; a parallel ray begins before all objects.
+  // Returns the ray through a point of the picture, in the model's coordinates. The ray of a parallel view begins in
+  // front of all objects.
   #worldRay(x, y) {
     const ray = rayAt(this.stage, x, y), back = this.stage.camera.isOrthographicCamera ? 4 * this.stage.radius : 0;
     return { origin: ray.origin.toArray().map((v, k) => v - back * ray.direction.getComponent(k) + this.model.middle[k]), direction: ray.direction.toArray() };
   }
   #fromModel(xyz) { return new THREE.Vector3(...xyz).sub(new THREE.Vector3(...this.model.middle)); }
 
-  // The program's gizmos follow the mouse within their own constraints: they receive its ray.
+  // Sends the rays under the mouse to the program's gizmos, which follow them within their own constraints.
   #dragGizmo(event, handle) {
     const r = this.canvas.getBoundingClientRect(), send = (kind) => (e) => handle.ray(kind, this.#worldRay(e.clientX - r.left, e.clientY - r.top)), move = send("drag");
     send("press")(event);
@@ -483,8 +490,8 @@ export class Viewer {
     addEventListener("pointercancel", up);
   }
 
-  // Moves a point in its horizontal plane; in views from the side, in the vertical plane that faces the viewer; with
-  // shift, only up and down.
+  // Drags a point in its horizontal plane. In views from the side, drags it in the vertical plane that faces the
+  // viewer. With the shift key, drags it only up and down.
   #dragHandle(event, handle) {
     event.preventDefault();
     event.stopPropagation();

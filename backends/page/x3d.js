@@ -1,4 +1,5 @@
-// Owns reading an .x3d file (XML) into a Model: files of vs, and others with the same nodes. X3D's Y is up; here Z is.
+// Reads an .x3d file (XML) into a Model: files of vs, and other files with the same nodes. In X3D Y is up; here Z is
+// up.
 import { Model, makeGeometry, multiply, identity } from "./model.js";
 import { boxForm, sphereForm, cylinderForm, withNormals } from "./forms.js";
 
@@ -42,7 +43,8 @@ export function modelFromX3D(text, name = "model") {
     let m;
     if (node.nodeName === "PhysicalMaterial") m = { name: "", color: field(node, "baseColor", [1, 1, 1]), roughness: one("roughness", 1), metallic: one("metallic", 1), transparency: one("transparency", 0), ior: 1.5 };
     else {
-      // As backends/x3d/x3d_scene.c writes it: the highlight's colour identifies metals, its sharpness the roughness.
+      // backends/x3d/x3d_scene.c writes materials in this way: the highlight's colour identifies metals, and its
+      // sharpness is the roughness.
       const diffuse = field(node, "diffuseColor", [0.8, 0.8, 0.8]), glow = field(node, "emissiveColor", [0, 0, 0]), shine = field(node, "specularColor", [0, 0, 0]);
       const gloss = Math.sqrt(Math.max(0, one("shininess", 0.2) - 0.05) / 0.75), metal = Math.max(...shine) - Math.min(...shine) > 0.05 || Math.max(...shine) > 0.46;
       const color = Math.max(...diffuse) > 0 ? diffuse.map((c) => metal ? Math.min(1, c / 0.8) : c) : glow;
@@ -110,7 +112,8 @@ export function modelFromX3D(text, name = "model") {
       case "Switch": { const chosen = node.children[Number(node.getAttribute("whichChoice") ?? -1)]; if (chosen) stack.push({ nodes: [chosen], next: 0, m: top.m }); break; }
       case "Shape": {
         const g = [...node.children].map(resolve).find((n) => n.nodeName !== "Appearance");
-        if (g && node.getAttribute("DEF") === "ground") { // The ground of vs's .x3d files is no part of the model.
+        // The ground of .x3d files that vs writes is not a part of the model.
+        if (g && node.getAttribute("DEF") === "ground") {
           model.ground = { z: point(top.m, [...model.geometries[geometryOf(g)[0]].position.slice(0, 3)])[2], paint: materialOf(node) };
           break;
         }
@@ -130,7 +133,7 @@ export function modelFromX3D(text, name = "model") {
   }
   lights.sort((a, b) => b.power - a.power);
   if (lights.length > 0) model.sun = { direction: lights[0].direction, given: true };
-  // 32-bit numbers are finest near zero: places become relative to the middle of the model.
+  // 32-bit numbers are finest near zero. Therefore positions become relative to the middle of the model.
   model.measure();
   const middle = [0, 1, 2].map((k) => (model.box.min[k] + model.box.max[k]) / 2);
   for (let i = 0; i < model.count; i++) for (let k = 0; k < 3; k++) model.matrix[12 * i + 4 * k + 3] -= middle[k];

@@ -1,4 +1,4 @@
-// Owns the comparison of sets of values: a picture for each, and one camera for all.
+// Compares sets of parameter values: shows a picture for each set, with one camera for all.
 import * as THREE from "three";
 import { Stage } from "../stage.js";
 import { CameraControl } from "../camera.js";
@@ -6,10 +6,10 @@ import { togetherBox } from "../model.js";
 import { pick } from "../pick.js";
 import { el } from "../dom.js";
 
-const MOST = 8; // A browser keeps some sixteen WebGL contexts at a time.
+const MOST = 8; // Greatest number of pictures, because a browser keeps only some sixteen WebGL contexts at a time.
 
 export class Compare {
-  // scene(values) returns a promise of the model with those values.
+  // scene(values) returns a promise of the model with these values of parameters.
   constructor(viewer, scene) {
     this.viewer = viewer;
     this.scene = scene;
@@ -22,7 +22,7 @@ export class Compare {
     this.root.addEventListener("keydown", (event) => { if (event.key === "Escape") this.close(), event.stopPropagation(); });
   }
 
-  // sets: [{ name, values, said }]; the current model precedes them. use(name) applies a set.
+  // Shows a picture for each set: [{ name, values, said }]. The current model precedes them. use(name) applies a set.
   open(sets, use) {
     this.close();
     this.use = use;
@@ -36,7 +36,7 @@ export class Compare {
     this.renew();
   }
 
-  // Returns the number of columns that gives the largest pictures of four to three.
+  // Sets the number of columns for which pictures of four to three are largest.
   #columns() {
     const n = this.panes.length, { clientWidth: w, clientHeight: h } = this.grid;
     let best = 1, most = 0;
@@ -76,7 +76,7 @@ export class Compare {
     this.panes.push(pane);
   }
 
-  // All cameras follow the leader's; positions are relative to the middle of each model.
+  // Makes all cameras follow the camera `leader`. Positions are relative to the middle of each model.
   #follow(leader, model, but) {
     this.following = true;
     const world = leader.state.target.clone().add(new THREE.Vector3(...model.middle));
@@ -99,7 +99,7 @@ export class Compare {
     this.following = false;
   }
 
-  // Makes every picture anew, one after the other; if a request came meanwhile, does so once more.
+  // Makes all pictures again, one after the other. If another request comes meanwhile, begins again.
   async renew() {
     if (this.root.hidden) return;
     this.wanted = true;
@@ -129,7 +129,7 @@ export class Compare {
     if (!this.touched && !this.root.hidden) this.#frame();
   }
 
-  // Frames the space of all models, from the current direction.
+  // Makes the cameras show the box of all models, from the current direction.
   #frame() {
     const shown = this.panes.filter((p) => p.stage.model?.count > 0);
     if (shown.length === 0) return;

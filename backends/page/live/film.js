@@ -1,10 +1,11 @@
-// Owns films: pictures of a canvas, encoded by the browser as VP9, in a WebM file (a Matroska of few elements).
+// Makes films: pictures of a canvas, encoded by the browser as VP9, in a WebM file (a Matroska file of few elements).
 const bytesOf = (number) => {
   const out = [];
   do out.unshift(number % 256), number = Math.floor(number / 256); while (number > 0);
   return out;
 };
-// Returns an element: its name's bytes, its size in eight bytes, its contents (numbers, texts, bytes, or elements).
+// Returns an element of the file: the bytes of its name, its size in eight bytes, and its contents (numbers, texts,
+// bytes, or elements).
 function element(name, content) {
   const parts = Array.isArray(content) ? content : [typeof content === "number" ? Uint8Array.from(bytesOf(content)) : typeof content === "string" ? new TextEncoder().encode(content) : content];
   const size = parts.reduce((sum, part) => sum + (part.size ?? part.byteLength), 0), head = Uint8Array.from([...bytesOf(name), 1, ...new Array(7).fill(0)]);
@@ -42,7 +43,7 @@ export class Film {
     this.close();
     if (this.failed) throw this.failed;
     const clusters = [];
-    for (const chunk of this.chunks) { // Each begins with an independent picture.
+    for (const chunk of this.chunks) { // Each chunk begins with a picture that does not depend on earlier pictures.
       if (chunk.key) clusters.push({ at: chunk.at, blocks: [] });
       const cluster = clusters[clusters.length - 1], off = chunk.at - cluster.at;
       const block = new Uint8Array(4 + chunk.data.length);

@@ -1,5 +1,5 @@
-// Owns the live view's page: the viewer, the source beside it, parameters, messages, the prompt, and the connection to
-// the server.
+// Runs the page of the live view: the viewer, the source beside it, parameters, messages, the prompt, and the
+// connection to the server.
 import { Viewer } from "../viewer.js";
 import { readPacked } from "../packed.js";
 import { Model, modelFromPacked } from "../model.js";
@@ -10,16 +10,16 @@ import { Construction, Timeline } from "./timeline.js";
 import { Making } from "./making.js";
 import { Compare } from "./compare.js";
 
-// The token follows the # of the address, which browsers send to no server; it goes into a header. Other words there
-// are values of parameters.
+// The access token follows the # of the address, a part that browsers send to no server. The page sends it in a header.
+// The other words after the # are values of parameters.
 const words = location.hash.slice(1).split("&").map((word) => { try { return decodeURIComponent(word); } catch { return word; } }), token = words[0];
 const ask = (path, options = {}) => fetch(path, { ...options, headers: { "X-VS-Token": token }, referrerPolicy: "no-referrer" });
 
-const SLOW_SECONDS = 0.12; // A model that takes longer does not follow a slider.
-const TALK_MOST = 20000; // The most characters of output that are shown.
+const SLOW_SECONDS = 0.12; // If a model takes more seconds than this, it is shown coarser while a slider moves.
+const TALK_MOST = 20000; // Greatest number of characters of output that are shown.
 // Returns the end of a text, from a whole character on.
 const tail = (text, most) => text.length <= most ? text : text.slice(-most).replace(/^[\udc00-\udfff]/, "");
-const GHOSTS_MOST = 50000; // The most parts of a model whose cuts are looked up when the cursor moves.
+const GHOSTS_MOST = 50000; // Greatest number of parts of a model for which cuts are searched when the cursor moves.
 
 class Live {
   constructor() {
@@ -80,11 +80,11 @@ class Live {
     this.prompt.addEventListener("keydown", (event) => this.#promptKey(event));
     this.history = [];
     this.pieces = new Map();
-    this.telling = new Map(); // By request: the callback for the progress of an output.
+    this.telling = new Map(); // For each request: the callback that receives the progress of its output.
     this.version = 0;
-    this.talk = this.before = ""; // The output; its part before the last run.
-    this.missing = this.lost = 0; // The number of characters missing before each.
-    // When a button vanishes with its strip, no element has the keys: the viewer gets them.
+    this.talk = this.before = ""; // talk: the model's output; before: its part from before the last run.
+    this.missing = this.lost = 0; // Number of omitted characters at the beginning of talk, and of before.
+    // When the button that has the focus vanishes, no element gets the keys. The viewer then gets them.
     addEventListener("keydown", (event) => {
       if (event.target !== document.body || event.key === "Tab") return;
       this.viewer.canvas.focus();
@@ -124,7 +124,8 @@ class Live {
           const blocks = rest.split("\n\n");
           rest = blocks.pop();
           for (const block of blocks) {
-            const field = (name) => block.split("\n").find((line) => line.startsWith(name))?.slice(name.length); // Lines end in \n alone.
+            // Fields are on lines that end in \n alone.
+            const field = (name) => block.split("\n").find((line) => line.startsWith(name))?.slice(name.length);
             const kind = field("event: "), data = field("data: ");
             if (kind && data) await this.#hear(kind, data);
           }
@@ -137,7 +138,7 @@ class Live {
     }
   }
 
-  // If an event cannot be shown, reports that; the following events are still processed.
+  // Shows an event. If this fails, reports the failure; the following events are still processed.
   async #hear(kind, data) {
     try {
       await this.#event(kind, JSON.parse(data));
@@ -157,7 +158,7 @@ class Live {
     } else if (kind === "progress") {
       this.telling.get(data.id)?.(data.phase, data.fraction);
     } else if (kind === "frame") {
-      if (this.timeline.isOpen) return; // The timeline shows a single moment.
+      if (this.timeline.isOpen) return; // The timeline shows a single moment of the drawing, so frames are ignored.
       if (data.version > this.version) await this.#fetchScene();
       this.#scene(data.scene);
     } else if (kind === "state") {
@@ -176,13 +177,15 @@ class Live {
   }
 
   async #state(state) {
-    this.heard = performance.now(); // For bench/pages/save.mjs.
+    this.heard = performance.now(); // Time of the event, which bench/pages/save.mjs reads.
     this.state = state;
-    // The picture comes first: a change of the text makes the browser draw the whole page anew, which would delay it.
+    // The picture comes first. A change of the text makes the browser draw the entire page again, which would delay the
+    // picture.
     if (state.version !== this.version && state.version > 0) await this.#fetchScene();
     this.stopButton.disabled = true;
     this.name.textContent = state.model.split("/").pop();
-    document.getElementById("live").classList.toggle("follows", state.follows); // A prompt in a terminal: there is no source.
+    // The page follows a prompt in a terminal, so there is no source.
+    document.getElementById("live").classList.toggle("follows", state.follows);
     this.#outcome(state);
     this.#messages(state.messages, state.more);
     this.source.diagnose(state.messages.filter((m) => this.#isModel(m.at.file)));
@@ -194,17 +197,19 @@ class Live {
     if (state.good) this.compare.renew();
     this.#scene(state.scene);
     if (!this.source.dirty && this.source.text !== undefined && state.file !== this.file) {
-      if (this.viewer.stage.dirty) await this.viewer.drawn(); // The picture comes first: the editor takes some time for a new text.
+      // The picture comes first, because the editor takes some time for a new text.
+      if (this.viewer.stage.dirty) await this.viewer.drawn();
       if (!this.source.dirty) await this.readSource(true), this.file = state.file;
     }
-    this.finished = (this.finished || 0) + 1; // For tests: the number of states shown.
+    this.finished = (this.finished || 0) + 1; // Number of states that were shown, for tests.
   }
 
   // Shows the model's output, and below it the later input of the prompt, with its results.
   #said(state) {
     const asked = state.asked ? "› " + state.asked.trim() + "\n" : "";
     if (!state.prompted) this.before = "", this.lost = 0;
-    else if (state.run !== this.said) this.before = this.talk, this.lost = this.missing; // Else the same state came again.
+    // Otherwise the same state came again.
+    else if (state.run !== this.said) this.before = this.talk, this.lost = this.missing;
     this.said = state.run;
     const whole = this.before + (this.before && !this.before.endsWith("\n") ? "\n" : "") + asked + state.printed + state.values;
     this.talk = tail(whole, TALK_MOST);
@@ -223,7 +228,8 @@ class Live {
       ray: (kind, ray) => this.#input(kind, ray) })));
     this.viewer.setHandles([...this.parameters.points(), ...gizmos]);
   }
-  // A single request is pending at a time; of waiting drags only the last counts.
+  // Sends an input of the mouse to the program. Only one request is pending at a time. Of several waiting drags, only
+  // the last is sent.
   async #input(kind, { origin, direction }) {
     this.inputs ||= [];
     const input = { kind, body: ["left", ...origin, ...direction].join(" ") };
@@ -238,7 +244,8 @@ class Live {
     this.inputting = false;
   }
 
-  // A failed run has defined the parameters up to its failure: the others stay unchanged.
+  // Returns the parameters after a failed run. The run has defined the parameters up to its failure; the others stay
+  // unchanged.
   #known(met) {
     const now = new Map(met.map((p) => [p.name, p])), before = this.parameters.infos || [], names = new Set(before.map((p) => p.name));
     return [...before.map((p) => now.get(p.name) || p), ...met.filter((p) => !names.has(p.name))];
@@ -271,7 +278,7 @@ class Live {
         piece = new Uint8Array(buffer, data, bytes);
         data += bytes;
       }
-      if (!piece) { // The page no longer has it: everything is requested anew.
+      if (!piece) { // The page no longer has this piece, so all pieces are requested again.
         this.version = 0;
         this.pieces.clear();
         return this.#fetchScene();
@@ -287,7 +294,8 @@ class Live {
     this.pieces = pieces;
     this.version = version;
     const first = !this.viewer.model, before = this.model;
-    this.model = length === 0 ? new Model().measure() : modelFromPacked(readPacked(whole.buffer), this.spare); // A program may draw nothing.
+    // The length is 0 if the program draws nothing.
+    this.model = length === 0 ? new Model().measure() : modelFromPacked(readPacked(whole.buffer), this.spare);
     this.spare = null;
     this.made = null;
     if (this.timeline.isOpen) return this.timeline.renew();
@@ -296,11 +304,12 @@ class Live {
     this.spare = before;
   }
 
-  // Returns the steps of the current drawing. It is requested once for each version.
+  // Returns a promise of the steps of the current drawing, which are requested once for each version.
   async construction() {
     if (this.made?.version !== this.version) {
       const made = this.made = { version: this.version, promise: this.#construct() };
-      made.promise.catch(() => { if (this.made === made) this.made = null; }); // A newer run has ended it: it may be requested again.
+      // The request failed, for example because a newer run ended it. It may be sent again.
+      made.promise.catch(() => { if (this.made === made) this.made = null; });
     }
     return this.made.promise;
   }
@@ -338,7 +347,7 @@ class Live {
     this.saveButton.disabled = !this.source.dirty;
   }
 
-  // Requests the model of the current, unsaved text. A single request is pending at a time; the last text is always
+  // Requests the model of the current, unsaved text. Only one request is pending at a time; the last text is always
   // sent.
   async #attempt(text) {
     this.wanted = text;
@@ -355,14 +364,14 @@ class Live {
 
   // ---- parameters ----
 
-  // Returns the model with other values of parameters, made apart from the current one; { name: value } in the
-  // language's spelling.
+  // Returns a promise of the model with other values of parameters, { name: value } in the language's spelling. The
+  // current model does not change.
   async scene(values, options) {
     const buffer = await this.make("x3d-packed", values, options);
     return modelFromPacked(readPacked(buffer));
   }
-  // Returns an output of the model with values; told(phase, fraction) receives the progress, and an aborted signal ends
-  // it.
+  // Returns a promise of the bytes of an output of the model with these values. told(phase, fraction) receives the
+  // progress, and an aborted signal ends the request.
   async make(format, values, { size = "", told, signal } = {}) {
     const id = Math.random().toString(36).slice(2), body = Object.entries(values).map(([name, value]) => `${name}\x1f${value}\x1e`).join("");
     const cancel = () => ask("/cancel?id=" + id, { method: "POST" });
@@ -377,22 +386,23 @@ class Live {
       signal?.removeEventListener("abort", cancel);
     }
   }
-  // Returns this page's address, with the values that differ from the source.
+  // Returns this page's address, with the values of parameters that differ from the source.
   #link() {
     const values = this.parameters.changed().map((p) => "&" + encodeURIComponent(p.name) + "=" + encodeURIComponent(p.value));
     return location.origin + "/#" + token + values.join("");
   }
 
-  // moving: the value is still changing; a slow model is shown coarser meanwhile.
+  // Sets a parameter. moving: true while the value is still changing; a slow model is then shown coarser.
   set(name, value, moving = false) {
     const moved = name + " " + value;
-    if (!moving && !this.coarse && this.moved === moved) return undefined; // The final value is already shown.
+    if (!moving && !this.coarse && this.moved === moved) return undefined; // The picture already shows the final value.
     this.coarse = moving && (this.coarse || this.state?.seconds > SLOW_SECONDS);
     this.moved = moving ? moved : undefined;
     return ask("/set?name=" + encodeURIComponent(name) + (this.coarse ? "&coarse=1" : ""), { method: "POST", body: value });
   }
 
-  // Writes the sliders' values into the literals of define-parameter; the rest of the text stays unchanged.
+  // Writes the values of the sliders into the calls of define-parameter in the source. The rest of the text stays
+  // unchanged.
   async writeParameters() {
     let written = 0;
     for (const p of this.parameters.changed()) if (this.#isModel(p.at.file) && this.source.replaceParameter(p.name, p.at, p.type === "string" ? JSON.stringify(p.value) : p.type === "real" && /^-?\d+$/.test(p.value) ? p.value + ".0" : p.value)) written++;
@@ -408,7 +418,8 @@ class Live {
     this.source.mark(chain);
     if (parts.length === 1 && this.viewer.hit?.part === parts[0] && !this.timeline.isOpen) this.#cutHere(parts[0], this.viewer.hit.point);
   }
-  // Finds the subtracted part that left this face; shows the place that made it, and its ghost.
+  // Finds the subtracted part that made this face. Marks the place in the source that made the part, and shows the part
+  // as a ghost.
   async #cutHere(part, point) {
     const from = this.pointing = {}, m = this.model;
     if (!this.#isCut() || !["subtract", "intersect"].includes(m.kinds[m.kind[part]])) return;
@@ -424,7 +435,7 @@ class Live {
   #showPlace(o) {
     if (this.#isModel(o.file)) this.source.mark([o], true);
   }
-  async #atCursor(places) { // the calls around the cursor, the innermost first
+  async #atCursor(places) { // places: the calls around the cursor, the innermost first
     const { viewer } = this, from = this.pointing = {};
     if (!viewer.model) return;
     const at = (place) => (o) => this.#isModel(o.file) && o.line === place.line && o.column === place.column;
@@ -433,7 +444,7 @@ class Live {
     if (this.timeline.isOpen) return;
     viewer.setGhosts([]);
     if (!this.#isCut()) return;
-    // A subtracted part is invisible, or not wholly visible: a ghost shows it.
+    // A subtracted part is invisible, or only partly visible. Therefore it is shown as a ghost.
     const { model, ghost } = await this.construction().catch(() => ({}));
     if (!model || this.pointing !== from || this.timeline.isOpen) return;
     for (let k = 0; k <= (lit < 0 ? places.length - 1 : lit); k++) {
@@ -443,7 +454,7 @@ class Live {
       return viewer.setGhosts([{ parts, model, color: 0xd0342c, opacity: 0.32 }]);
     }
   }
-  // Returns true if the model has cuts, and is not too large for a request about them.
+  // Returns true if the model has cuts, and is small enough for a search among them.
   #isCut() {
     const m = this.model;
     return m && m.count <= GHOSTS_MOST && ["subtract", "intersect"].some((kind) => m.kinds.includes(kind));

@@ -1,5 +1,5 @@
-// Owns the panel of pictures: a render by POV-Ray, contact sheets, turntables, each with its progress and a cancel
-// button; and the pictures made up to now.
+// Contains the panel of pictures: a render by POV-Ray, contact sheets, turntables, each with its progress and a cancel
+// button. It lists the pictures that were made up to now.
 import * as THREE from "three";
 import { Stage } from "../stage.js";
 import { CameraControl } from "../camera.js";
@@ -10,8 +10,8 @@ import { el } from "../dom.js";
 const SIZES = [["640", "small"], ["1280", "medium"], ["1920", "large"]], TILE = 420;
 
 export class Making {
-  // make(format, values, options) returns a promise of bytes, scene(values) of a model; parameters() returns the
-  // current ones.
+  // make(format, values, options) returns a promise of bytes, and scene(values) a promise of a model. parameters() and
+  // values() return the current parameters and values.
   constructor(viewer, { make, scene, parameters, values }) {
     Object.assign(this, { viewer, make, scene, parameters, values });
     this.made = [];
@@ -102,8 +102,8 @@ export class Making {
   #say(text) { this.said.textContent = text; }
   #name(kind, ending) { return `${this.viewer.model.title}-${kind}-${this.made.length + 1}.${ending}`; }
 
-  // Returns the view's camera in POV-Ray's terms: eye, target, millimetres of lens. A parallel view is one from far
-  // away.
+  // Returns the view's camera in POV-Ray's terms: eye, target, focal length in millimetres. A parallel view becomes a
+  // view from far away.
   #camera(aspect) {
     const c = this.viewer.control, s = c.state, middle = new THREE.Vector3(...this.viewer.model.middle), far = s.parallel ? 25 : 1;
     const eye = s.target.clone().addScaledVector(c.direction(), far * s.distance).add(middle), target = s.target.clone().add(middle);
@@ -119,7 +119,7 @@ export class Making {
     });
   }
 
-  // Makes an invisible stage, of a size in pixels.
+  // Makes an invisible stage of a size in pixels, and passes it to work().
   async #studio(width, height, work) {
     const canvas = el("canvas", { style: `position:fixed;left:-10000px;top:0;width:${width}px;height:${height}px`, "aria-hidden": "true" });
     document.body.append(canvas);
@@ -135,7 +135,7 @@ export class Making {
       canvas.remove();
     }
   }
-  // Sets the stage's camera to that of the view, relative to the stage's own middle.
+  // Sets the camera of a stage to that of the view. Positions are relative to the middle of the stage's model.
   #look(stage, control, more = {}) {
     const s = this.viewer.control.state, off = this.viewer.model.middle.map((x, k) => x - stage.model.middle[k]);
     Object.assign(control.state, s, { target: s.target.clone().add(new THREE.Vector3(...off)) }, more);

@@ -1,21 +1,21 @@
-// Owns the controls of parameters: sliders, boxes, choices, check marks, each with a button that restores the source's
-// value.
+// Contains the controls of parameters: sliders, boxes, choices, check marks, each with a button that restores the
+// source's value.
 import { el } from "../dom.js";
 
-// Returns a step of 1, 2 or 5 times a power of ten that divides a range into some hundreds: a slider then gives round
-// numbers.
+// Returns a step of 1, 2 or 5 times a power of ten that divides a range into some hundreds of steps, so that a slider
+// gives round numbers.
 function roundStep(span) {
   const power = 10 ** Math.floor(Math.log10(span / 200 || 1)), least = span / 200 / power;
   return Number((power * (least <= 1 ? 1 : least <= 2 ? 2 : least <= 5 ? 5 : 10)).toPrecision(1));
 }
 
-// Returns a value of a file or a link in the language's spelling.
+// Returns a value from a file or a link in the language's spelling.
 const written = (value) => value === true ? "#t" : value === false ? "#f" : String(value);
 
-// Returns true if a parameter's value differs from the source's; 6 and 6.0 are equal.
+// Returns true if the value of a parameter differs from that in the source; 6 and 6.0 are equal.
 const differs = (p, value = p.value) => value !== p.default && !(["real", "integer"].includes(p.type) && Number(value) === Number(p.default));
 
-// Returns the coordinates of a point in the language's spelling, or null.
+// Returns the three coordinates of a point in the language's spelling, or null if the text is not a point.
 export function pointOf(text) {
   const m = /^\(xyz ([^ ()]+) ([^ ()]+) ([^ ()]+)\)$/.exec(text), xyz = m && m.slice(1).map((x) => x.includes("/") ? x.split("/").reduce((a, b) => a / b) : Number(x));
   return xyz && xyz.every(Number.isFinite) ? xyz : null;
@@ -23,14 +23,15 @@ export function pointOf(text) {
 export const pointText = (xyz) => `(xyz ${xyz.map((x) => String(Number(x.toPrecision(9)))).join(" ")})`;
 
 export class Parameters {
-  // set(name, value) passes a value on, in the language's spelling; write() writes all changed values into the source;
-  // link() returns an address with the values; compare(sets) shows sets beside each other; place() is the model's path.
+  // set(name, value) passes on a value in the language's spelling. write() writes all changed values into the source.
+  // link() returns an address with the values. compare(sets) shows sets beside each other. place() returns the model's
+  // path.
   constructor({ set, write, link, compare, place }) {
     this.set = set;
     this.compare = compare;
     this.place = place;
     this.rows = new Map();
-    this.sets = new Map(); // by name: { values, chosen }
+    this.sets = new Map(); // maps the name of a set to { values, chosen }
     this.list = el("div");
     const button = (text, action, attributes) => el("button", { type: "button", class: "button", onclick: action, ...attributes }, text);
     this.writeButton = button("Write to source", write, { disabled: true, title: "Put these values into the text" });
@@ -63,7 +64,7 @@ export class Parameters {
 
   // ---- sets ----
 
-  // Keeps the current values under an unused name.
+  // Keeps the current values as a set. Without a name, chooses an unused name.
   keep(name, values = this.values) {
     if (!name) for (let i = this.sets.size + 1; !name || this.sets.has(name); i++) name = "Set " + i;
     this.sets.set(name, { values, chosen: true });
@@ -75,14 +76,14 @@ export class Parameters {
     for (const p of this.infos) if (p.name in values && values[p.name] !== p.value) this.set(p.name, values[p.name]);
   }
   #chosen() { return [...this.sets].filter(([, s]) => s.chosen).map(([name, s]) => ({ name, values: s.values, said: this.#differences(s.values) })); }
-  // Returns the values of a set that differ from the source.
+  // Returns a text with the values of a set that differ from the source.
   #differences(values) {
     return this.infos.filter((p) => p.name in values && differs(p, values[p.name])).map((p) => `${p.label} ${values[p.name]}`).join(" · ") || "as the source says";
   }
   #remember() {
     try {
       sessionStorage.setItem("sets " + this.place(), JSON.stringify([...this.sets]));
-    } catch { /* A browser without storage forgets them with the page. */ }
+    } catch { /* Without storage, the browser forgets the sets with the page. */ }
   }
   #recall() {
     try {
@@ -108,7 +109,7 @@ export class Parameters {
     this.#remember();
   }
 
-  // The points among them, as handles of the view: { name, at, drag(xyz) }.
+  // Returns the parameters that are points, as handles of the view: { name, at, drag(xyz) }.
   points() { return this.infos.filter((p) => this.rows.get(p.name).drag).map((p) => ({ name: p.label, at: pointOf(p.value) || [0, 0, 0], drag: this.rows.get(p.name).drag })); }
 
   changed() { return (this.infos || []).filter((p) => differs(p)); }
@@ -144,7 +145,7 @@ export class Parameters {
     const row = { info: p }, id = "parameter-" + p.name, send = (value, moving) => { row.sent = String(value); row.moving = !!moving; this.set(p.name, String(value), !!moving); };
     const reset = el("button", { type: "button", class: "reset", title: "Back to " + p.default, "aria-label": `Reset ${p.label} to ${p.default}`, onclick: () => { row.put(row.info.default); send(row.info.default); } }, "↺");
     const label = el("label", { for: id, title: p.name }, p.label), unit = p.unit ? el("span", { class: "unit" }, p.unit) : null;
-    // A box is as wide as its number.
+    // The width of a box is that of its number.
     const box = (attributes) => {
       const input = el("input", attributes);
       input.put = (x) => { input.value = x, input.style.width = Math.min(22, Math.max(9, input.value.length + 3)) + "ch"; };
@@ -177,7 +178,8 @@ export class Parameters {
       row.put = (v) => {
         const texts = (pointOf(v) || [0, 0, 0]).map((x) => String(Number(x.toPrecision(9))));
         texts.forEach((text, k) => { boxes[k].value = text; });
-        places.classList.toggle("long", texts.some((text) => text.length > 8)); // Each below the previous.
+        // Long numbers are placed below each other.
+        places.classList.toggle("long", texts.some((text) => text.length > 8));
       };
       row.drag = (xyz, moving) => { const text = pointText(xyz); row.put(text); send(text, moving); };
       controls = [label, el("span", { class: "hint" }, "drag it in the view"), reset, places];
@@ -198,7 +200,7 @@ export class Parameters {
     el("a", { href: url, download: this.place().split("/").pop().replace(/\.[^.]*$/, "") + ".json" }).click();
     setTimeout(() => URL.revokeObjectURL(url), 10000);
   }
-  // A file contains sets by name, or the values of one.
+  // Reads a file, which contains several sets by name, or the values of a single set.
   read(text, name) {
     const found = JSON.parse(text), known = new Set(this.infos.map((p) => p.name));
     if (found === null || typeof found !== "object" || Array.isArray(found)) throw new Error("it holds no values by name");

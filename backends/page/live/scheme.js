@@ -1,9 +1,10 @@
-// Owns the reading of Scheme text for an editor: the ends of data, and which characters are comments, strings and
+// Reads Scheme text for an editor: finds the ends of data, and the characters that belong to comments, strings and
 // words.
 
 const ends = new Set([..." \t\r\n()[]{}\";'`,"]);
 
-// Passes every token to each(kind, from, to): "open" "close" "string" "comment" "number" "word" "constant" "quote".
+// Calls each(kind, from, to) for every token. kind: "open" "close" "string" "comment" "number" "word" "constant"
+// "quote".
 export function tokens(text, each) {
   let i = 0;
   while (i < text.length) {
@@ -39,7 +40,7 @@ export function tokens(text, each) {
   }
 }
 
-// Returns the ranges of a list's items, [from, to] each, quotes included: the list begins at text[at].
+// Returns the ranges [from, to] of the items of the list that begins at text[at]. Quotes belong to their items.
 export function items(text, at) {
   const found = [];
   let depth = 0, began = -1, done = false;
@@ -59,8 +60,8 @@ export function items(text, at) {
   return found;
 }
 
-// Returns the lists around a place, the innermost first, as offsets of their opening parentheses. A place directly
-// before or after a list is in it.
+// Returns the lists around a position, the innermost first, as offsets of their opening parentheses. A position
+// directly before or after a list counts as inside it.
 export function around(text, at) {
   const open = [], found = [];
   tokens(text, (kind, from, to) => {
@@ -70,14 +71,15 @@ export function around(text, at) {
       if (began !== undefined && began <= at && at <= to) found.push(began);
     }
   });
-  while (open.length > 0) { // Not closed yet.
+  while (open.length > 0) { // These lists are not closed yet.
     const began = open.pop();
     if (began <= at) found.push(began);
   }
   return found;
 }
 
-// Returns the top-level definitions of a text, by name: "(name a b)" for procedures, "" for values.
+// Returns a map of the top-level definitions of a text. It maps the name of a procedure to "(name a b)", and the name
+// of a value to "".
 export function definitions(text) {
   const found = new Map();
   for (const m of text.matchAll(/^[([](?:define|define-\w+)[ \t]+/gm)) {

@@ -1,4 +1,5 @@
-// Owns the source pane: CodeMirror with Scheme's colours, brackets by depth, indentation, completion, messages in place.
+// Contains the source pane: CodeMirror with Scheme's colours, brackets coloured by depth, indentation, completion,
+// messages in place.
 import { EditorView, keymap, lineNumbers, highlightActiveLine, highlightActiveLineGutter, drawSelection, Decoration, ViewPlugin } from "@codemirror/view";
 import { EditorState, StateField, StateEffect, RangeSetBuilder, Transaction } from "@codemirror/state";
 import { defaultKeymap, history, historyKeymap, indentWithTab } from "@codemirror/commands";
@@ -68,7 +69,7 @@ const theme = EditorView.theme({
   ".depth-0": { color: "var(--soft)" }, ".depth-1": { color: "#b3752a" }, ".depth-2": { color: "#3f8a66" }, ".depth-3": { color: "#7d63b8" }, ".depth-4": { color: "#3d7fb5" },
 });
 
-// Brackets have the colour of their depth; those without a partner are marked.
+// Colours brackets by their depth, and marks brackets without a partner.
 const rainbow = ViewPlugin.fromClass(class {
   constructor(view) { this.decorations = this.make(view); }
   update(update) { if (update.docChanged || update.viewportChanged) this.decorations = this.make(update.view); }
@@ -85,9 +86,10 @@ const rainbow = ViewPlugin.fromClass(class {
   }
 }, { decorations: (p) => p.decorations });
 
-// A list's lines are aligned with its second item, or indented by two if its head is a form.
+// Indents lines. The lines of a list are aligned with its second item, or indented by two columns if its head is a
+// form.
 const indentation = indentService.of((context, at) => {
-  // Enter calls this before it breaks the line.
+  // When the user presses Enter, this is called before the line is broken.
   const broken = context.simulatedBreak === at, text = context.state.doc.sliceString(0, broken ? at : context.state.doc.lineAt(at).from), open = [];
   tokens(text, (kind, from) => { if (kind === "open") open.push(from); else if (kind === "close") open.pop(); });
   if (open.length === 0) return 0;
@@ -97,7 +99,7 @@ const indentation = indentService.of((context, at) => {
   return column + inside[1][0] - from;
 });
 
-// Long lines wrap, with a further indentation of two columns.
+// Wraps long lines, with a further indentation of two columns.
 const hanging = ViewPlugin.fromClass(class {
   constructor(view) { this.decorations = this.make(view); }
   update(update) { if (update.docChanged || update.viewportChanged) this.decorations = this.make(update.view); }
@@ -125,16 +127,16 @@ const marks = StateField.define({
 });
 
 export class Source {
-  // describe(name) returns the calling form of a name of the language: { call, keywords, doc }.
+  // describe(name) returns a promise of the calling form of a name of the language: { call, keywords, doc }.
   constructor(place, { changed, save, cursor, complete, check, attempt, describe }) {
     this.base = undefined;
     this.check = check;
     this.attempt = attempt;
     this.describe = describe;
-    this.descriptions = new Map(); // by name
+    this.descriptions = new Map(); // maps a name to the promise of its description
     this.hint = el("div", { class: "hint-line", role: "status", "aria-label": "How it is called", hidden: true });
-    this.told = []; // The messages of the last run about this text.
-    this.found = []; // The findings in the current text.
+    this.told = []; // Messages of the last run about this text.
+    this.found = []; // Findings of the last check of the current text.
     const names = async (context) => {
       const word = context.matchBefore(/[^\s()\[\]{}"';`,]+/);
       if (!word || (word.from === word.to && !context.explicit)) return null;
@@ -172,21 +174,22 @@ export class Source {
 
   // ---- the form of the call being written ----
 
-  // Definitions of this text come before the language's.
+  // Returns the calling form of a name. Definitions of this text have precedence over those of the language.
   async #describe(name) {
     const own = definitions(this.text || "").get(name);
     if (own !== undefined) return own && { call: own, keywords: "", doc: "" };
     if (!this.descriptions.has(name)) this.descriptions.set(name, this.describe(name).catch(() => null));
     return this.descriptions.get(name);
   }
-  // Formats a line for each calling form, with the current argument (from 1) emphasized; null: nothing is known.
+  // Makes a line for each calling form, with the argument number `argument`, from 1, emphasized. Returns null if the
+  // form is unknown.
   #described(told, argument) {
     if (!told?.call) return null;
     const line = (call) => el("p", {}, call.replace(/^\(|\)$/g, "").split(/\s+(?![^([]*[)\]])/).map((word, k) => [k > 0 ? " " : "", k === argument && k > 0 ? el("b", {}, word) : word]));
     const keywords = told.keywords && !told.call.includes("#:") ? el("p", { class: "soft" }, told.keywords) : null;
     return el("div", { class: "described" }, told.call.split("\n").slice(0, 4).map(line), keywords, told.doc ? el("p", { class: "soft" }, told.doc) : null);
   }
-  // Shows below the source the nearest call around the cursor with a known form.
+  // Shows below the source the nearest call around the cursor whose form is known.
   async #hint() {
     const text = this.text || "", at = this.view.state.selection.main.head;
     let shown = null;
@@ -210,7 +213,7 @@ export class Source {
     const was = this.view.state.doc.toString();
     this.base = text;
     if (was === text) return;
-    // The common beginning and end of the old and new text stay, and the cursor with them.
+    // The beginning and the end that the old and the new text have in common stay, and the cursor in them stays.
     let a = 0, b = 0;
     while (a < was.length && a < text.length && was[a] === text[a]) a++;
     while (b < was.length - a && b < text.length - a && was[was.length - 1 - b] === text[text.length - 1 - b]) b++;
@@ -218,7 +221,7 @@ export class Source {
   }
   saved(text) { this.base = text; }
 
-  offset(line, column) { // Columns count characters, offsets units of 16 bits.
+  offset(line, column) { // Returns the offset of a place. Columns count characters, and offsets count units of 16 bits.
     const at = this.view.state.doc.line(Math.min(Math.max(1, line), this.view.state.doc.lines));
     return at.from + [...at.text].slice(0, Math.max(0, column - 1)).join("").length;
   }
@@ -233,12 +236,12 @@ export class Source {
     this.view.focus();
   }
 
-  // Returns the lists around the cursor as places.
+  // Returns the places of the lists around the cursor, the innermost first.
   places() {
     return around(this.text || "", this.view.state.selection.main.head).map((at) => this.position(at));
   }
 
-  // Marks the calls that made an object: the first strongly, its callers faintly.
+  // Marks the calls that led to an object: the first strongly, its callers faintly.
   mark(chain) {
     const text = this.view.state.doc.toString(), ranges = [];
     chain.forEach((o, k) => {
@@ -254,7 +257,7 @@ export class Source {
 
   // ---- numbers that a drag or keys change ----
 
-  // The number literal at an offset: { from, to, text }, or null.
+  // Returns the number literal at an offset, { from, to, text }, or null.
   numberAt(offset) {
     const line = this.view.state.doc.lineAt(offset);
     for (const m of line.text.matchAll(/(?<=^|[\s()[\]'])[-+]?(\d+\.?\d*|\.\d+)(?=$|[\s()[\];])/g)) {
@@ -263,7 +266,7 @@ export class Source {
     }
     return null;
   }
-  // Changes a number by that many steps of its last written digit.
+  // Changes a number by `steps` units of its last written digit.
   #turn(at, text, steps) {
     const places = (text.split(".")[1] || "").length, value = (Number(text) + steps * 10 ** -places).toFixed(places).replace(/^-(0(\.0*)?)$/, "$1");
     const now = this.numberAt(at);
@@ -287,7 +290,7 @@ export class Source {
     return true;
   }
 
-  // Requests a check of the current text, saved or not.
+  // Requests a check of the current text, whether saved or not.
   async #look() {
     const text = this.text, found = text === undefined ? [] : await this.check(text);
     if (text !== this.text) return;
@@ -310,8 +313,8 @@ export class Source {
     this.view.dispatch(setDiagnostics(this.view.state, found));
   }
 
-  // Changes the default of the (define-parameter name default ...) at a place, and nothing else. Returns false if it is
-  // not there.
+  // Changes the default in the (define-parameter name default ...) at a place, and nothing else. Returns false if there
+  // is no such call at the place.
   replaceParameter(name, at, value) {
     const text = this.text, from = this.offset(at.line, at.column);
     let open = text.lastIndexOf("(define-parameter", from + 1);

@@ -1,7 +1,7 @@
-// Owns the timeline: the making of a drawing, object by object and operation by operation, forwards and back.
+// Contains the timeline: the making of a drawing, object by object and operation by operation, forwards and back.
 //
-// Its model is not the view's: it contains the operands of each operation beside the result. A part has a step in which
-// it appears and one in which an operation uses it up.
+// Its model is another than that of the view, because it contains the operands of each operation beside the result. A
+// part appears in one step, and may be used up by an operation in a later step.
 import * as THREE from "three";
 import { el, icon } from "../dom.js";
 
@@ -13,28 +13,30 @@ export class Construction {
     this.model = model;
     const n = model.count, paths = model.pathCount, parent = model.pathParent, last = new Int32Array(paths).fill(-1);
     for (let i = 0; i < n; i++) last[model.path[i]] = Math.max(last[model.path[i]], i);
-    for (let p = paths - 1; p > 0; p--) last[parent[p]] = Math.max(last[parent[p]], last[p]); // Parents have lower numbers.
+    // Parents have lower numbers than their children.
+    for (let p = paths - 1; p > 0; p--) last[parent[p]] = Math.max(last[parent[p]], last[p]);
     const role = (p) => model.roles.get(p)?.role || "", isCut = (p) => !!model.roles.get(p)?.cut;
-    // For each path: the operation that uses up its parts, whether it subtracts them, and whether any operation above
-    // subtracts them.
+    // For each path: the operation that uses up its parts, whether this operation subtracts them, and whether any
+    // operation above subtracts them.
     const user = new Int32Array(paths), cut = new Uint8Array(paths), cutAbove = new Uint8Array(paths), met = new Uint8Array(paths), kind = (p) => model.kinds[model.pathKind[p]];
     for (let p = 1; p < paths; p++) {
       const q = parent[p];
-      if (role(p) === "result") user[p] = user[q], cut[p] = cut[q]; // q is the operation: its result has the same user as itself.
+      // q is the operation. Its result is used up by the same operation as q itself.
+      if (role(p) === "result") user[p] = user[q], cut[p] = cut[q];
       else user[p] = role(q) === "operation" ? q : user[q], cut[p] = isCut(p) || (role(q) === "operation" ? 0 : cut[q]) ? 1 : 0;
       cutAbove[p] = isCut(p) || cutAbove[q] ? 1 : 0;
       met[p] = met[q] || (role(q) === "operation" && kind(q) === "intersect") ? 1 : 0;
     }
-    const ends = new Map(); // By the last part in them, the innermost first.
+    const ends = new Map(); // Maps the number of a part to the paths whose last part it is, the innermost first.
     for (let p = paths - 1; p > 0; p--) {
       if (last[p] < 0 || role(p) === "result") continue;
       if (!ends.has(last[p])) ends.set(last[p], []);
       ends.get(last[p]).push(p);
     }
-    this.steps = []; // { path } or { part }
+    this.steps = []; // each step is { path } or { part }
     this.born = new Int32Array(n);
     this.cut = new Uint8Array(n);
-    this.ghost = new Uint8Array(n); // It can appear as the ghost of a subtracted part.
+    this.ghost = new Uint8Array(n); // 1 if the part can appear as the ghost of a subtracted part.
     const done = new Int32Array(paths).fill(-1), uses = new Int32Array(n);
     for (let i = 0; i < n; i++) {
       const p = model.path[i], result = role(p) === "result";
@@ -43,7 +45,7 @@ export class Construction {
         this.born[i] = done[parent[p]];
         uses[i] = user[p], this.cut[i] = cut[p];
       } else {
-        const before = this.steps[this.steps.length - 1]; // A shape of several paints is one step.
+        const before = this.steps[this.steps.length - 1]; // Several parts of a shape with several paints are one step.
         if (i > 0 && before?.part !== undefined && model.made[i] > 0 && model.made[i] === model.made[i - 1] && p === model.path[i - 1] && model.geometry[i] !== model.geometry[i - 1] && model.paint[i] !== model.paint[i - 1]) before.more = (before.more || 0) + 1;
         else this.steps.push({ part: i });
         this.born[i] = this.steps.length - 1;
@@ -53,7 +55,8 @@ export class Construction {
         this.ghost[i] = model.cuts.has(i) || cutAbove[p] || met[p] || (direct && kind(p) === "intersect") ? 1 : 0;
       }
       for (const q of ends.get(i) || []) {
-        if (role(q) === "operation") done[q] < 0 && (done[q] = this.steps.push({ path: q }) - 1); // It has no result.
+        // The operation has no result.
+        if (role(q) === "operation") done[q] < 0 && (done[q] = this.steps.push({ path: q }) - 1);
         else if (role(q) === "item" || WORDS[kind(q)]) this.steps.push({ path: q });
       }
     }
@@ -62,7 +65,8 @@ export class Construction {
     this.last = last;
   }
 
-  // Returns the subtracted part that left the face through a point of `from`: its surface passes there; -1: none.
+  // Returns the number of the subtracted part that made a face, or -1. The surface of this part passes through `point`,
+  // which is relative to the model `from`.
   cutterAt(from, point) {
     const m = this.model, at = point.map((x, k) => x + from.middle[k] - m.middle[k]), near = 2e-5 * m.diagonal;
     let best = -1, least = near;
@@ -76,14 +80,15 @@ export class Construction {
     return best;
   }
 
-  // Returns a test for the parts that exist after a step; `cut` for those that will be subtracted.
+  // Returns a function that tests whether a part exists after step k and is shown. cutting(k) returns the parts that
+  // exist but will be subtracted.
   shown(k) { return (i) => this.born[i] <= k && k < this.gone[i] && !this.cut[i]; }
   cutting(k) {
     const found = [];
     for (let i = 0; i < this.model.count; i++) if (this.cut[i] && this.born[i] <= k && k < this.gone[i]) found.push(i);
     return found;
   }
-  // Returns the parts that a step made or changed, of those shown at it.
+  // Returns the parts that step k made or changed, if they are shown after it.
   made(k) {
     const step = this.steps[k], found = [];
     if (step.part !== undefined) {
@@ -109,7 +114,7 @@ export class Construction {
   }
 }
 
-// Returns the distance of a point from the triangles of a part.
+// Returns the distance of a point from the triangles of part i.
 function surfaceDistance(model, i, at) {
   const g = model.geometries[model.geometry[i]], m = model.matrix.subarray(12 * i, 12 * i + 12), P = g.position, I = g.index, triangle = new THREE.Triangle(), p = new THREE.Vector3(...at), foot = new THREE.Vector3();
   if (g.lines) return Infinity;
@@ -123,8 +128,8 @@ function surfaceDistance(model, i, at) {
 }
 
 export class Timeline {
-  // construction() returns a promise of the Construction of the current drawing; mark(chain) shows places of the
-  // source; back() shows the view's model.
+  // construction() returns a promise of the Construction of the current drawing. mark(chain) marks places of the
+  // source. back() shows the view's model again.
   constructor(viewer, { construction, mark, back }) {
     this.viewer = viewer;
     this.construction = construction;
@@ -198,7 +203,7 @@ export class Timeline {
     this.playButton.setAttribute("aria-pressed", String(on));
     if (!on || !this.made) return;
     if (this.k >= this.made.steps.length - 1) this.go(0);
-    const pace = Math.max(1, Math.ceil(this.made.steps.length / 240)); // A minute at most.
+    const pace = Math.max(1, Math.ceil(this.made.steps.length / 240)); // The playback takes at most a minute.
     this.timer = setInterval(() => {
       if (this.k >= this.made.steps.length - 1) return this.play(false);
       this.go(this.k + pace);
