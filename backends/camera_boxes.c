@@ -71,7 +71,8 @@ bool vs_drive_frame(vs_emitter *e) {
 }
 
 bool vs_drive_nothing(vs_emitter *e) {
-  const vs_ref *empty = NULL; /* Every format shows solids. If the drawing contains solids here, they are empty. */
+  const vs_ref *empty = NULL; /* Every format shows solids. Therefore, if the drawing contains solids at this point,
+                               * they are empty. */
   bool other = false;
   for (size_t i = 0; i < e->scene->drawn_count; i++) {
     const vs_ref *ref = &e->scene->drawn[i];

@@ -125,8 +125,8 @@ static bool drive_plan_children(vs_emitter *e, drive_step *step, bool *pushed) {
       continue;
     }
     if (!drive_plan_meet(e, child, operation, index, first)) return false;
-    if (d->step_count > depth) return *pushed = true; /* the stack may have been reallocated, so `step` is no longer
-                                                       * valid */
+    if (d->step_count > depth) return *pushed = true; /* the stack may have been reallocated, so the pointer `step` is
+                                                       * no longer valid */
   }
   return true;
 }

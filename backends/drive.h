@@ -44,7 +44,7 @@ typedef struct {
 } drive_frame;
 
 struct vs_drive {
-  vs_nodemap index;     /* maps a node to the index of its entry + 1 */
+  vs_nodemap index;     /* maps a node to the index of the node's entry, plus 1 */
   drive_entry *entries;
   size_t entry_count, entry_room;
   uint32_t *order;      /* indices of the entries, children before parents */
@@ -60,7 +60,7 @@ struct vs_drive {
                                     * SIZE_MAX: the kind has no such number */
   vs_reuse_line *lines;
   size_t line_count, line_room;
-  vs_nodemap paints;    /* maps a material to its number */
+  vs_nodemap paints;    /* maps a material to the material's number */
   const vs_material **materials;
   size_t material_count, material_room;
   vs_node **kept;       /* trees of simpler nodes to which nodes were lowered; they exist until the walk ends */

@@ -114,8 +114,8 @@ static vs_node *lower_node(vs_emitter *e, const vs_ref *ref) {
     return made;
   }
   case VS_SLICE: case VS_DEFORM:
-  case VS_XLINE: case VS_RAY: case VS_SECTION: case VS_PROJECT: case VS_EDGES: /* a pass has replaced these kinds before
-                                                                                * the walk */
+  case VS_XLINE: case VS_RAY: case VS_SECTION: case VS_PROJECT: case VS_EDGES: /* A pass has replaced nodes of these
+                                                                                * kinds before the walk. */
   case VS_EMPTY:
   case VS_LINE:
   case VS_POLYFACE_MESH:

@@ -15,7 +15,7 @@ typedef struct {
   struct { uint32_t *at; size_t room; } units[VS_UNIT_COUNT]; /* units[u].at[f]: number of the shape of unit form u
                                                                * with f facets in a full turn, + 1; 0: there is no
                                                                * such shape */
-  vs_nodemap nodes;           /* maps a node to its index in `made` + 1 */
+  vs_nodemap nodes;           /* maps a node to the index of its element in `made`, plus 1 */
   vs_shared_node *made;
   size_t made_count, made_room;
 } vs_shared_shapes;           /* initial value of an empty structure: { .nodes.store = s } */

@@ -88,7 +88,7 @@ static bool tessellate_leaf(const vs_node *n, const vs_fineness *f, vs_mesh *out
     }
     case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: return vs_loft_mesh(n, f, out, e);
     case VS_GRID_MESH: case VS_GRID_SURFACE: ok = vs_surface_mesh(n, out); break;
-    case VS_SECTION: case VS_PROJECT: /* not possible: solids/resolve.c has replaced sections and projections by
+    case VS_SECTION: case VS_PROJECT: /* cannot occur, because solids/resolve.c has replaced sections and projections by
                                        * regions */
     case VS_JOIN: case VS_XLINE: case VS_RAY: case VS_EDGES:
     case VS_LINE:

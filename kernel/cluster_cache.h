@@ -6,7 +6,7 @@
 #include "kernel/problem.h"
 #include "kernel/cluster_copies.h"
 
-typedef VS_LIST(uint32_t) vs_places;    /* for each number, its index in a list, or VS_NONE */
+typedef VS_LIST(uint32_t) vs_places;    /* for each number: the index that was assigned to it, or VS_NONE */
 
 typedef struct {
   VS_LIST(uint64_t) words;

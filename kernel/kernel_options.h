@@ -28,7 +28,8 @@ enum { VS_ON_THE_WAY = 8 };
 #define VS_SHAPES_OVER "the shapes have more than %zu triangles, %d times the limit of %zu for the result"
 
 typedef struct {
-  vs_job *job;          /* the kernel calls vs_job_done some hundred times a second; NULL: it never stops */
+  vs_job *job;          /* job that the kernel calls some hundred times a second (vs_job_done) to learn whether it must
+                         * stop; NULL: it never stops */
   size_t max_bytes;     /* limit on the kernel's memory in bytes; 0: no limit */
   size_t max_triangles; /* limit on the triangles of the result; 0: no limit. Intermediate steps may have VS_ON_THE_WAY
                          * times as many triangles and pieces of triangles */

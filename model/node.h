@@ -53,7 +53,8 @@ typedef enum {
   VS_FIELD_material,
   VS_FIELD_ticket
 } vs_field_type;
-extern const unsigned char vs_field_reals[]; /* by field type: number of doubles stored in the field itself, or 0 */
+extern const unsigned char vs_field_reals[]; /* for each field type: number of doubles that the field itself contains,
+                                              * or 0 */
 
 /* defines struct vs_sphere { ... } and so on for every kind */
 #define VS_KIND(upper, lower, name, class_, level, role, traits) struct vs_##lower {

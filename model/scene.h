@@ -61,7 +61,7 @@ typedef struct {
   const vs_picture *ies;     /* file of the luminous intensities by direction; NULL: the intensity is equal in all
                               * directions */
   double lumens;             /* luminous flux of a lamp without a file */
-  double dim;                /* fraction of the light of its file that the lamp emits */
+  double dim;                /* fraction of the light in the lamp's file that the lamp emits */
   vs_vec3 color;             /* colour of the light: linear RGB, of luminance 1 */
 } vs_scene_lamp;
 
@@ -101,7 +101,7 @@ typedef struct {
   double sky[3];             /* sRGB colour of the sky */
   double turbidity;          /* turbidity of the physical sky (geometry/sky_light.h); 0: no physical sky */
   const vs_picture *sky_image; /* picture of the entire sky, twice as wide as high; NULL: none */
-  const vs_picture *sky_sunless; /* the sky picture without its sun; NULL if it shows no sun */
+  const vs_picture *sky_sunless; /* the sky picture without its sun; NULL if the sky picture shows no sun */
   vs_vec3 picture_sun, picture_sun_light; /* unit vector towards the sun of the sky picture, and the sun's light on a
                                            * surface perpendicular to it, as picture values times solid angle */
   double fog_visibility;     /* distance at which a dark object has 5 percent of its contrast; 0: no fog */

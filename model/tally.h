@@ -11,7 +11,7 @@
 typedef enum {
 #define VS_PHASE(upper, lower, doc) VS_WORK_##upper,
 #include "model/tally.def"
-  VS_WORK_NONE, /* no work, or work for which nobody waits */
+  VS_WORK_NONE, /* no work is done, or work for which nobody waits */
   VS_WORK_COUNT
 } vs_work_phase;
 
@@ -38,7 +38,7 @@ typedef struct vs_tally {
   vs_phase_use of[VS_WORK_COUNT];
   uint64_t written;               /* number of bytes written to output files */
   uint64_t clusters, combined, copied, remembered; /* numbers of groups of solids that touch (kernel/cluster.h) */
-  uint64_t triangles;             /* triangles in outputs, as their formats write them */
+  uint64_t triangles;             /* number of triangles in outputs, as their formats write them */
   double steps[VS_STEP_COUNT];    /* seconds of each step of the phase MESH */
   /* Counts of runs of text in the world cache: searched, found, and the bytes of those found. */
   uint64_t texts, texts_found, bytes_found;

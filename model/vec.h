@@ -49,8 +49,8 @@ static inline vs_vec3 vs_affine_column(const vs_affine *a, int c) {
 /* Functions defined in vec.c follow. */
 vs_affine vs_affine_columns(vs_vec3 x, vs_vec3 y, vs_vec3 z, vs_vec3 at); /* Returns the map with these images of the
                                                                            * three unit vectors and of the origin. */
-vs_affine vs_affine_multiply(const vs_affine *a, const vs_affine *b); /* Returns the map that applies b first, then
-                                                                       * a. */
+vs_affine vs_affine_multiply(const vs_affine *a, const vs_affine *b); /* Returns the map that applies the map b first,
+                                                                       * and then the map a. */
 /* Returns the determinant of the linear part; it is negative if the map mirrors. */
 double vs_affine_determinant(const vs_affine *a);
 bool vs_affine_invert(const vs_affine *a, vs_affine *out);            /* Sets *out to the inverse map; returns false if
@@ -105,7 +105,8 @@ static inline void vs_bounds_unite(vs_bounds *b, const vs_bounds *other) {
   vs_bounds_add(b, other->min);
   vs_bounds_add(b, other->max);
 }
-void vs_bounds_meet(vs_bounds *b, const vs_bounds *other); /* Intersects *b with the other box. */
+void vs_bounds_meet(vs_bounds *b, const vs_bounds *other); /* Replaces *b by the intersection of the boxes *b and
+                                                            * *other. */
 /* Returns true if the boxes have a common point, or their distance along every axis is at most slack (at least 0). */
 static inline bool vs_bounds_overlap(const vs_bounds *a, const vs_bounds *b, double slack) {
   VS_ASSERT(slack >= 0);

@@ -46,7 +46,8 @@ typedef struct {
   double named;       /* number of references to any node of the group; valid in the group's first entry */
   size_t turn;        /* Valid in a first entry. Number, from 1, of the map from another group, to which this group then
                        * belongs; 0: none */
-  vs_node *result;    /* rewritten node of the first entry; not retained, since the rewriting holds it */
+  vs_node *result;    /* rewritten node of the group's first entry; not retained, because the rewriting holds a
+                       * reference */
 } vs_share_entry;
 typedef struct { size_t head; vs_affine map; } vs_share_turn; /* head: index of the first entry of the other group; map:
                                                                * map from that entry's shape to this shape */
@@ -244,7 +245,7 @@ static vs_share_child share_of(vs_share *s, const vs_node *n) {
   }
   vs_share_leaf lone, *held = vs_node_bytes(n) > LONG ? &s->leaves[n->hash % LEAVES] : &lone;
   if (held != &lone && held->node && (held->node == n || vs_node_equal(held->node, n, NULL))) return held->of;
-  share_find_key(s, n, &held->of.key, &held->of.anchor); /* n is a leaf, so this call goes no deeper */
+  share_find_key(s, n, &held->of.key, &held->of.anchor); /* n is a leaf, so this call recurses no deeper */
   held->node = n;
   return held->of;
 }

@@ -128,7 +128,7 @@ static bool sugar_mark(sugar_walk *w, const sugar_level *at, bool ghost) {
   }
   vs_material look = vs_material_of_color(colors[ghost][0], colors[ghost][1], colors[ghost][2]);
   look.transparency = 0.7;
-  look.ior = 1; /* transparent without refraction */
+  look.ior = 1; /* the material becomes transparent, without refraction */
   const vs_material *m = vs_store_material(w->store, &look);
   bool ok = (m || sugar_memory(w)) && (ghost || sugar_shrink(w, bare, &placed));
   if (ok) return sugar_found(w, sugar_around(w->store, bare, child.origin, m, &placed), at->ref.origin);

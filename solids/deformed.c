@@ -260,7 +260,7 @@ static vs_node *leaf_node(const vs_deformer *d, const hexahedron *h, const vs_be
     vs_mesh *m = vs_bending_mesh(b);
     bool solid = l->closed && !l->curve;
     if (mirrored) vs_mesh_turn(m, 0);
-    ok = !solid || vs_mesh_without_overlaps(m, d->options, e); /* a hexahedron may be folded, and its mesh may then
+    ok = !solid || vs_mesh_without_overlaps(m, d->options, e); /* a hexahedron may be folded, so the deformed mesh may
                                                                 * overlap itself */
     if (ok && !(n = vs_bend_node(d->store, l, m))) vs_error_memory(e, l->origin);
   }

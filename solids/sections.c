@@ -154,7 +154,8 @@ bool vs_mesh_shadow(const vs_mesh *m, vs_vec3 point, vs_vec3 normal, vs_outline 
 
 /* ---- flat surfaces ---- */
 
-static vs_vec3 area_of(const vs_mesh *m, size_t i) { /* twice the triangle's area, along its normal */
+static vs_vec3 area_of(const vs_mesh *m, size_t i) { /* returns a vector along the triangle's normal, with twice the
+                                                      * triangle's area as length */
   vs_vec3 p = m->vertices[m->triangles[i][0]];
   return vs_v3_cross(vs_v3_sub(m->vertices[m->triangles[i][1]], p), vs_v3_sub(m->vertices[m->triangles[i][2]], p));
 }

@@ -27,7 +27,7 @@ typedef struct {
   vs_ask ask;
   double tolerance;
   vs_bounds_memo boxes;
-  vs_nodemap known;           /* maps a node to the number of its formula + 1 */
+  vs_nodemap known;           /* maps a node to the number of the node's formula, plus 1 */
   VS_LIST(vs_measure) formulas;
   VS_LIST(job) jobs;
   VS_LIST(part) parts;        /* parts of the object into which the current job is divided */
@@ -112,7 +112,7 @@ static bool box_of(measuring *m, const part *p, vs_bounds *out) {
     *out = vs_bounds_transform(out, &p->placed);
     return true;
   }
-  vs_ref ref = p->ref; /* a rotated curved object has a smaller box than its rotated box */
+  vs_ref ref = p->ref; /* the box of a rotated curved object is smaller than the rotated box of the object */
   vs_node *n = vs_node_new(ref.node->store, VS_TRANSFORM, &(struct vs_transform){ .matrix = p->placed }, &ref, 1);
   bool ok = n ? vs_node_bounds(n, out, m->error) : memory(m);
   vs_node_release(n);

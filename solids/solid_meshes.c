@@ -37,7 +37,7 @@ typedef struct {
   vs_fineness facets;
   vs_mesh *mesh;
   const vs_cached *held; /* cache entry that owns the mesh's arrays; NULL: this structure owns them */
-  size_t next;           /* index of the next entry + 1; 0: there is none */
+  size_t next;           /* index of the next mesh in the same bucket, plus 1; 0: there is none */
   const vs_origin *origin;
   const vs_node *scope;  /* for a half-space: the node whose bounds its mesh must cover */
   vs_affine local;       /* placement of the half-space in the scope */
@@ -69,8 +69,8 @@ typedef struct {
   VS_LIST(uint32_t) twins;            /* hash table of leaves by mesh, placement, paint and side, with open addressing.
                                        * An element is the index of a leaf + 1; 0: the slot is free */
   VS_LIST(uint8_t) off;               /* for each leaf: 1 if it makes the result smaller (level.off) */
-  VS_LIST(uint32_t) mesh_numbers;     /* for each leaf: the index of its mesh */
-  VS_LIST(uint64_t) identities;       /* for each leaf: the identity of its mesh */
+  VS_LIST(uint32_t) mesh_numbers;     /* for each leaf: index of the leaf's mesh in `meshes` */
+  VS_LIST(uint64_t) identities;       /* for each leaf: identity of the leaf's mesh */
   VS_LIST(uint32_t) plain;            /* indices of the meshes that threads make at the end */
   _Atomic size_t made;                /* number of triangles of all meshes that have been made */
   vs_cache *cache;                    /* cache of meshes; may be NULL */

@@ -240,7 +240,7 @@ static bool same_place(const tip *tips, size_t count, size_t a, size_t b) {
 /* All segments, and their ends sorted by layer and position. */
 typedef struct {
   const stretch *all;
-  size_t count;             /* number of segments; there are twice as many ends */
+  size_t count;             /* number of segments; the list of ends has twice as many elements */
   tip *tips;
   uint32_t *slot;           /* slot[2 * i + k]: index of end k of segment i in the sorted list of ends */
   bool *used;               /* used[i]: whether segment i is part of a line */

@@ -15,7 +15,7 @@ typedef struct {
 
 typedef struct {
   vs_vec3 *points;
-  uint32_t *corners;           /* indices of points; a closed line repeats its first index at its end */
+  uint32_t *corners;           /* indices of points; the indices of a closed line end with its first index */
   vs_loose_run *runs;
   const char **layers;         /* names of the layers around the current node, outermost first */
   size_t point_count, corner_count, run_count, layer_count;

@@ -508,7 +508,7 @@ export class Stage {
   }
 
   // Fills the cut faces of solids. Behind a point of the plane, a closed solid has equally many faces towards the
-  // viewer and away from him. If the numbers differ, the plane cuts the solid there.
+  // viewer and away from the viewer. If the numbers differ, the plane cuts the solid there.
   #caps() {
     if (this.capGroup) {
       this.world.remove(this.capGroup);

@@ -4,8 +4,8 @@
 
 #include "backends/povray/povray.h"
 
-/* For a difference or an intersection in a picture. If POV-Ray would take long to combine it, writes it as triangles
- * and returns VS_WHOLE. Otherwise writes nothing and returns VS_LOWER. */
+/* Writes a difference or an intersection in a picture as triangles, if POV-Ray would take long to combine it, and
+ * returns VS_WHOLE. Otherwise writes nothing and returns VS_LOWER. */
 vs_emit_status vs_povray_solid(vs_emitter *e, const vs_ref *ref);
 
 vs_emit_fn vs_povray_polyface;

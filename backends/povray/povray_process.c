@@ -147,7 +147,8 @@ static void run_become(const char *folder, const int errors[2], char *const *arg
   sigprocmask(SIG_SETMASK, &none, NULL);
   if (nothing < 0 || dup2(nothing, 0) < 0 || dup2(nothing, 1) < 0 || dup2(errors[1], 2) < 0) return;
   if (nothing > 2) close(nothing);
-  if (errors[1] == 2) fcntl(2, F_SETFD, 0); /* the other descriptors close at exec */
+  if (errors[1] == 2) fcntl(2, F_SETFD, 0); /* file descriptors other than standard input, output and error close at
+                                             * exec */
   vs_povray_confine(folder);
   execvpe("povray", arguments, environment);
 }

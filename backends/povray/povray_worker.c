@@ -192,7 +192,7 @@ static bool crew_tell(pov_work *work, const pov_crew *c) {
   return vs_emit_progress(work->e, "rendering", work->done + work->share * fmin(1, pixels / c->pixels));
 }
 
-/* Runs the jobs to their end. share: their fraction of all work. */
+/* Runs the jobs to their end. share: fraction of all work that the jobs take. */
 static bool work_do(pov_work *work, const vs_povray_job *jobs, size_t count, double share) {
   vs_store *store = work->e->scene->store;
   size_t room = vs_povray_at_once(work->e->options, jobs, work->scene_size);

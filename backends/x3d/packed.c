@@ -41,7 +41,7 @@ typedef struct { size_t first, count; } packed_shape; /* range of the parts of a
 typedef struct {
   const char *names[NAME_MAX_COUNT];
   size_t name_count;
-  vs_nodemap origins;          /* maps an origin to its number from 1 */
+  vs_nodemap origins;          /* maps an origin to the origin's number, from 1 */
   const vs_origin **origin_list;
   size_t origin_count, origin_room;
   vs_shared_shapes shapes;     /* shapes that are written once; the number of a shape is an index in `made` */
@@ -382,7 +382,7 @@ static void packed_vertices(vs_emitter *e, const packed_making *from, uint32_t p
   }
 }
 
-/* Writes the triangles of a part. closed: whether they enclose a solid. */
+/* Writes the triangles of a part. closed: true if they enclose a solid. */
 static void packed_triangles(vs_emitter *e, packed_making *from, uint32_t part, bool closed) {
   const vs_shaded_solid *s = &from->shaded;
   const vs_mesh *mesh = &s->solid->mesh;
@@ -414,7 +414,8 @@ static void packed_triangles(vs_emitter *e, packed_making *from, uint32_t part, 
 static void packed_same(const vs_solid *m, uint32_t *same) {
   for (size_t i = 0; i < m->part_count; i++) {
     const vs_solid_part *a = &m->parts[i];
-    size_t first = 0, most = i < 256 ? i : 0; /* if a shape has very many parts, only the first are compared */
+    size_t first = 0, most = i < 256 ? i : 0; /* if a shape has more than 256 parts, the further parts are not
+                                               * compared */
     while (first < most) {
       const vs_solid_part *b = &m->parts[first];
       if (a->material == b->material && a->layer == b->layer && a->leaf.origin == b->leaf.origin) break;

@@ -293,7 +293,7 @@ static bool repeat_take(repeats *r) {
   vs_x3d_placed *uses = NULL;
   size_t use_count = 0, use_room = 0, kept_items = 0, first_group = x->group_count, most = x->groups[0].use_count;
   bool ok = true;
-  memset(r->table, 0, r->table_room * sizeof *r->table); /* from here on, the table maps a name to its template */
+  memset(r->table, 0, r->table_room * sizeof *r->table); /* from this point, the table maps a name to its template */
   for (size_t k = 0; k < r->count && ok; k++) {
     const repeat_letter *l = &r->row[k];
     bool pays = repeat_pays(r, l);

@@ -7,7 +7,7 @@
 #include "geometry/files/raster.h"
 
 enum { VS_EXR_CHANNELS = 64, /* greatest number of channels that are read from one picture */
-       VS_EXR_NAME = 64 /* bytes of a channel's name with its NUL */ };
+       VS_EXR_NAME = 64 /* size of a channel's name in bytes, including its NUL */ };
 /* The texts of a picture. Each is an attribute of the EXR file. */
 typedef enum {
   VS_EXR_SOURCES,   /* places in the model, one on each line; the channel id refers to them by numbers from 1 */
@@ -19,7 +19,7 @@ extern const char *const vs_exr_text_names[VS_EXR_TEXTS];
 
 typedef enum {
   VS_EXR_HALF, VS_EXR_FLOAT,
-  VS_EXR_WHOLE /* 32-bit integers; in memory they are exact up to 2^24 */
+  VS_EXR_WHOLE /* 32-bit integers; as floats in memory, they are exact up to 2^24 */
 } vs_exr_type;
 
 typedef struct { char name[VS_EXR_NAME]; vs_exr_type type; float *at; /* at: the channel's numbers, in rows from the

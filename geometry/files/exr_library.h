@@ -8,7 +8,7 @@
 
 extern const vs_dynamic_library vs_exr_library;
 
-/* Discards a message of the library: its result codes contain the same information. */
+/* Discards a message of the library, because the library's result codes contain the same information. */
 void vs_exr_quiet(exr_const_context_t c, exr_result_t code, const char *message);
 
 #endif

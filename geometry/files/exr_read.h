@@ -28,7 +28,7 @@ bool vs_exr_read_cut(const vs_file_bytes *file, const vs_exr_cut *cut, vs_exr *i
 typedef struct { const char *name; double share; double *sum; float *plane; } vs_exr_target;
 typedef struct { const char *name; vs_exr_type type; } vs_exr_seen;
 typedef struct {
-  uint64_t columns, rows; /* size of the picture as the file states it, unchecked */
+  uint64_t columns, rows; /* size of the picture as the file states it; the caller must check it */
   vs_exr_seen channels[VS_EXR_CHANNELS];
   size_t count;
   bool more;              /* true if the file has more channels than VS_EXR_CHANNELS */

@@ -129,7 +129,8 @@ static bool read_obj_face(vs_byte_scan *s, vs_face_list *out) {
     long long i = strtoll(word, &end, 10);
     if (end == word || (*end && *end != '/') || i == 0)
       return vs_scan_fail(s, "expected the number of a point, got \"%.32s\"", word);
-    if (i < 0) i += (long long)out->point_count + 1; /* index -1 means the last point read so far */
+    if (i < 0) i += (long long)out->point_count + 1; /* a negative index counts backwards: -1 means the point that was
+                                                      * read last */
     if (i < 1 || i > (long long)UINT32_MAX)
       return vs_scan_fail(s, "the face refers to point %.32s, but there are %zu so far", word, out->point_count);
     if (!face_list_memory(s, vs_face_list_corner(out, (uint32_t)(i - 1)))) return false;

@@ -204,7 +204,7 @@ bool vs_ply_read(vs_byte_scan *s, vs_face_list *out) {
     if (least && e->count > (s->size - s->at) / least + 1)
       return vs_scan_fail(s, "the file is cut off: it is too short for %llu of element %s",
                           (unsigned long long)e->count, e->name);
-    if (form != PLY_WORDS) s->line = 0; /* messages after this give the byte, not the line */
+    if (form != PLY_WORDS) s->line = 0; /* from now on, messages state the byte of the file instead of the line */
     for (uint64_t n = 0; least && n < e->count; n++)
       if (!ply_one(s, form, e, n, points, out)) return false;
   }

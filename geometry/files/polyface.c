@@ -89,7 +89,7 @@ static bool sides_sort(vs_store *s, vs_side *sides, const vs_polygons *faces, vs
 
 typedef struct {
   vs_side *sides;      /* the sides of all faces, sorted by edge */
-  uint32_t *mate;      /* mate[i]: the other side on the edge of side i, or UINT32_MAX */
+  uint32_t *mate;      /* mate[i]: the side of the neighbouring face on the same edge as side i, or UINT32_MAX */
   uint32_t *of_face;   /* indices of the sides of each face, in order of faces */
   uint32_t *starts;    /* starts[f]: index in of_face of face f's first side */
   uint32_t *queue;

@@ -127,7 +127,7 @@ static void axes_turned(int k, double model[3][3], double scan[3][3], double out
   const int *order = orders[k % 24 / 4];
   int signs = k % 4;
   double sign[3] = { signs & 1 ? -1 : 1, signs & 2 ? -1 : 1, 1 };
-  sign[2] = (k % 24 / 4 < 3 ? 1 : -1) * sign[0] * sign[1]; /* the third sign makes it a rotation instead of a
+  sign[2] = (k % 24 / 4 < 3 ? 1 : -1) * sign[0] * sign[1]; /* the third sign makes the map a rotation instead of a
                                                             * reflection */
   for (int i = 0; i < 3; i++)
     for (int c = 0; c < 3; c++) turned[i][c] = sign[i] * scan[order[i]][c];

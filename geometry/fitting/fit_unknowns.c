@@ -50,7 +50,8 @@ static double outer_slope(const vs_fit_number *n, double u) {
 /* ---- distances and their derivatives ---- */
 
 bool vs_fit_going(vs_fit_search *f) {
-  bool stopped = f->out->stopped; /* after the first false, the remaining work is small and is completed */
+  bool stopped = f->out->stopped; /* After `going` has returned false for the first time, the remaining work is small
+                                   * and is completed. */
   f->out->stopped = !f->p->model->going(f->p->model->context) || stopped;
   return stopped || !f->out->stopped;
 }

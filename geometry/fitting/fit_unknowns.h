@@ -47,8 +47,8 @@ typedef struct {
   double *distances, *other;
 } vs_fit_search;
 
-/* Calls the caller's function `going`. Returns false once, when that first returns false. Afterwards it returns true,
- * because the remaining work is small and is completed. */
+/* Calls the caller's function `going`. If `going` returns false for the first time, returns false. Afterwards it
+ * returns true, because the remaining work is small and is completed. */
 bool vs_fit_going(vs_fit_search *f);
 /* Selects the points of the current step: the core, or all points. */
 void vs_fit_take_points(vs_fit_search *f, bool core);

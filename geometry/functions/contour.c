@@ -39,10 +39,10 @@ enum { BLOCK = 8, CORNERS = (BLOCK + 1) * (BLOCK + 1) * (BLOCK + 1), NONE = -1, 
 typedef struct {
   int32_t at[3];
   uint8_t below;   /* bit c: the value at corner c is below 0 */
-  uint8_t flips;   /* bit f: face f is joined in the second way (step 3) */
+  uint8_t flips;   /* bit f: the crossings in face f are joined in the second way (step 3 of the plan) */
   bool sharp;      /* true if the cell contains an edge or corner of the surface */
-  uint32_t rings;  /* two bits for each edge of the cell: the number of its ring */
-  uint32_t first;  /* index of the point of ring 0; those of the other rings follow */
+  uint32_t rings;  /* two bits for each edge of the cell: the number of the ring that contains the edge's crossing */
+  uint32_t first;  /* index of the point of the cell's ring 0; the points of its other rings follow */
   int32_t edge[3]; /* the crossed edges at the cell's lowest corner, by axis; NONE: the edge is not crossed */
 } cell;
 
@@ -61,7 +61,7 @@ typedef struct {
   double p[3], q[3];
   cell *cells;
   size_t cell_count, cell_room;
-  uint32_t *index; /* hash table from the position of a cell to its index + 1 */
+  uint32_t *index; /* hash table that maps the position of a cell to the index of the cell, plus 1 */
   size_t slots, slot_room;
   crossing *edges;
   size_t edge_count, edge_room;

@@ -12,7 +12,7 @@ typedef enum {
   VS_CONTOUR_DONE,
   VS_CONTOUR_EMPTY,     /* the value is nowhere below 0 in the box */
   VS_CONTOUR_NO_NUMBER, /* the tape has no value at `at` */
-  VS_CONTOUR_POLE,      /* the value changes its sign through infinity near `at` */
+  VS_CONTOUR_POLE,      /* the value changes its sign through infinity, near the point `at` */
   VS_CONTOUR_STOPPED,   /* the caller interrupted */
   VS_CONTOUR_MANY,      /* the cells' mesh has more triangles than out->most */
   VS_CONTOUR_MEMORY

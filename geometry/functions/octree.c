@@ -63,7 +63,7 @@ typedef struct {
   size_t quad_count;
   node *nodes;
   size_t node_count, node_room;
-  uint32_t *table; /* hash table from a position to the index of its node + 1 */
+  uint32_t *table; /* hash table that maps a position to the index of the node there, plus 1 */
   size_t slots, table_room;
   int32_t (*spoilt)[3]; /* positions of nodes of the level below that are not merged */
   size_t spoilt_count, spoilt_room;

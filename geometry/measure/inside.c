@@ -231,7 +231,7 @@ static bool inside_prepare(vs_inside_part *part, const vs_nodemap *places, vs_er
     case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
       return n->class_ != VS_SOLID || inside_prepare_facets(part, e);
     case VS_TRANSFORM:
-      /* A placement that flattens its child contains no point. */
+      /* If a placement flattens its child, the result contains no point. */
       if (!vs_affine_invert(&VS_AS(transform, n)->matrix, &part->inverse)) part->bounds = vs_bounds_empty();
       break;
     case VS_MATERIAL: case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT:

@@ -223,7 +223,7 @@ bool vs_sweep_measure(const vs_node *n, vs_measure *m, vs_error *e) {
 
 /* ---- the measuring function of each kind ---- */
 
-/* A node n without its placements and wrappers; whole: the node with them. */
+/* The object to be measured. n: node without its placements and wrappers; whole: the node with them. */
 typedef struct {
   const vs_node *whole, *n;
   vs_affine placed; /* the affine map that all placements around n make together */

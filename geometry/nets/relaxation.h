@@ -33,7 +33,7 @@ typedef enum {
   VS_RELAX_DONE,
   VS_RELAX_LOOSE,   /* point `where` has a load, and no members connect it to a fixed point */
   VS_RELAX_SHORT,   /* cable `where` cannot shorten to its length, because fixed points hold its ends apart */
-  VS_RELAX_FAR,     /* no equilibrium after VS_RELAX_STEPS steps; `residual` is the remaining imbalance */
+  VS_RELAX_FAR,     /* the net has no equilibrium after VS_RELAX_STEPS steps; `residual` is the remaining imbalance */
   VS_RELAX_STOPPED, /* the caller has interrupted */
   VS_RELAX_MEMORY
 } vs_relax_outcome;

@@ -11,7 +11,7 @@ typedef enum {
   VS_TONE_AGX,    /* AgX by Troy Sobotka in Benjamin Wrensch's approximation (2023), with the contrast of its look
                    * 'punchy' */
   VS_TONE_FILMIC, /* John Hable, Filmic Tonemapping Operators (2010): the curve of Uncharted 2 */
-  VS_TONE_LINEAR  /* no curve: light above white is clipped */
+  VS_TONE_LINEAR  /* no tone curve is applied, and light above white is clipped */
 } vs_tone_curve;
 
 typedef struct {

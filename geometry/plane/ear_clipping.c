@@ -49,7 +49,7 @@ typedef struct {
   vs_marks open;     /* positions along the ring of corners that may be ears */
   size_t *idle;      /* corners that are to be cut at once */
   size_t idle_count;
-  double flat; /* a triangle counts as empty if twice its area is below this */
+  double flat; /* a triangle counts as empty if twice its area is below this value */
   double blur; /* a line counts as passing through a corner if their distance is less than this value */
 } vs_ring;
 
@@ -470,7 +470,7 @@ static bool ring_clip(vs_ring *r, size_t start, size_t left, vs_mesh *m, const u
     size_t ear = ring_next_idle(r);
     bool idle = ear != none;
     if (!idle) ear = ring_next_ear(r, at);
-    if (ear == none) { /* there is no ear, so it cuts the corner with the largest area */
+    if (ear == none) { /* there is no ear, so the corner with the largest area is cut off */
       double best = -INFINITY;
       size_t i = at;
       do {

@@ -120,7 +120,7 @@ static bool offset_strips(vs_offsetter *o, const vs_vec2 *at, size_t n, bool clo
                                  : closed ? &edges[count - 1]
                                           : NULL;
     double turning = 0, k = 0;
-    if (!o->near_count) { /* begins a strip; if the corner before closes, it begins on the bisector */
+    if (!o->near_count) { /* begins a strip; if the corner before it closes, the strip begins on the bisector */
       bool meets = last && offset_look(o, last, e, &turning, &k) == CORNER_MEETS;
       double nx = !i && o->ways ? -o->hand * o->ways[0].y : e->nx, ny = !i && o->ways ? o->hand * o->ways[0].x : e->ny;
       ok = offset_near(o, e->p) &&

@@ -128,8 +128,8 @@ static bool flat_enter(vs_flat *f, const vs_ref *ref, vs_affine map, const vs_fi
       }
       case VS_JOIN: case VS_REGION: return flat_open(f, ref, &map, facets);
       case VS_XLINE: case VS_RAY: return flat_fail(f, ref, "expected a curve with two ends or none");
-      case VS_SECTION: case VS_PROJECT: case VS_EDGES: /* not possible: solids/resolve.c has replaced these kinds by
-                                                        * curves and regions */
+      case VS_SECTION: case VS_PROJECT: case VS_EDGES: /* cannot occur, because solids/resolve.c has replaced these
+                                                        * kinds by curves and regions */
       case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE:
         if (n->class_ == VS_REGION_CLASS) return flat_open(f, ref, &map, facets);
         if (n->child_count == 1) {

@@ -16,7 +16,7 @@
 static bool heights_used(const struct vs_height_field *h, uint32_t i) {
   static const int to[][2] = {
     { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { -1, 0 }, { -1, -1 }, { 0, -1 }
-  }; /* offsets to the sample itself and to its neighbours */
+  }; /* offsets in columns and rows from a sample to itself and to its neighbours */
   int64_t columns = h->columns, rows = columns > 0 ? h->points->count / columns : 0, x = i % columns, y = i / columns;
   VS_ASSERT(i < h->points->count);
   for (size_t k = 0; k < sizeof to / sizeof *to; k++) {

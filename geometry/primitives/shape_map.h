@@ -8,11 +8,11 @@
 /* The properties of an affine map. All are false if the map is singular. */
 typedef struct {
   bool even;    /* true for a similarity, which multiplies every length by `scale` */
-  bool upright; /* true if even, and without rotation and reflection */
+  bool upright; /* true if the map is even, and contains no rotation and reflection */
   bool axes;    /* true if the map permutes the axes, with any signs and scales */
   bool plain;   /* true if the map only scales along the axes, each with a positive factor */
-  bool level;   /* true if even, and vertical directions stay vertical */
-  bool about_z; /* true if level and right-handed, and +Z stays upwards */
+  bool level;   /* true if the map is even, and keeps vertical directions vertical */
+  bool about_z; /* true if the map is level and right-handed, and keeps +Z upwards */
   double scale;
 } vs_shape_map;
 

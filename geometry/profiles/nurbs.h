@@ -22,9 +22,9 @@ typedef struct {
 } vs_nurbs;
 
 typedef enum { VS_NURBS_GOOD, VS_NURBS_FALLS, VS_NURBS_BREAKS, VS_NURBS_NOTHING } vs_nurbs_fault;
-/* Checks the knots of a direction. Faults are a knot that is less than the one before, an inner knot with a
- * multiplicity above `degree`, where a curve is discontinuous, and an empty range of the parameter. *at: index of the
- * knot at fault. */
+/* Checks the knots of a direction. There are three faults: a knot that is less than the previous knot; an inner knot
+ * with a multiplicity above `degree`, where a curve is discontinuous; an empty range of the parameter. *at: index of
+ * the knot at fault. */
 vs_nurbs_fault vs_nurbs_check(const vs_nurbs_knots *k, size_t *at);
 
 double vs_nurbs_low(const vs_nurbs_knots *k);

@@ -32,7 +32,7 @@ typedef struct { /* a piece of an edge, or the entire edge if it was never split
   vs_vec2 corner;           /* position of the edge's corner with the edge `after` at the time `since`, when the
                              * corner's speed last changed */
   double since;
-  size_t next_piece;        /* the next piece of the same wall, to the left; SIZE_MAX: none */
+  size_t next_piece;        /* index of the next piece of the same wall, to the left; SIZE_MAX: there is none */
   uint32_t stamp, corner_stamp;
   bool gone;
 } taper_edge;

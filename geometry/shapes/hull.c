@@ -82,7 +82,7 @@ static vs_step *cloud_steps(const vs_cloud *c) {
 }
 
 /* Returns six times the volume of the tetrahedron of the points v[0], v[1], v[2] and d. It is positive if d lies on the
- * side from which the first three are counter-clockwise. */
+ * side from which v[0], v[1], v[2] are counter-clockwise. */
 static vs_wide steps_volume(const vs_step *s, const uint32_t v[3], uint32_t d) {
   vs_step a = s[v[0]], b = s[v[1]], c = s[v[2]];
   int64_t ux = b.x - a.x, uy = b.y - a.y, uz = b.z - a.z, wx = c.x - a.x, wy = c.y - a.y, wz = c.z - a.z;
@@ -308,7 +308,7 @@ bool vs_cloud_polygon(const vs_cloud *c, vs_polyline *out) {
       if (count > first && chain[count - 1].u == p->u && chain[count - 1].v == p->v) continue;
       chain[count++] = *p;
     }
-    count--; /* removes the last point, at which the other chain begins */
+    count--; /* removes the last point of this chain, because the other chain begins with it */
   }
   out->at = ok ? vs_fresh(count, sizeof *out->at) : NULL;
   ok = out->at != NULL;

@@ -14,7 +14,7 @@ typedef struct {
   double sharpness;
 } edge;
 
-/* A mesh with its edges. */
+/* The faces of a mesh, with the edges between them. */
 typedef struct {
   const vs_face_list *l;
   edge *edges;

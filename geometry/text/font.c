@@ -56,7 +56,7 @@ struct vs_font {
   void *bytes; /* copy of the font's file; NULL if FreeType itself reads the file */
   size_t size;
   double capital;
-  vs_nodemap glyphs; /* map from a glyph's index + 1 to its vs_glyph */
+  vs_nodemap glyphs; /* maps a glyph's index + 1 to the address of its vs_glyph */
   unsigned char *pairs; /* the GPOS table of a font that has no kern table; else NULL */
   size_t pairs_size;
 };

@@ -36,7 +36,8 @@ bool vs_font_is_path(const char *name);
 double vs_font_capital(const vs_font *f);    /* height of a capital H in font units */
 double vs_font_line(const vs_font *f);       /* distance of two lines of text in font units */
 double vs_font_descent(const vs_font *f);    /* depth below the base line in font units, positive */
-/* Returns the index of the character's glyph, or 0 if the font has none. Glyph 0 is then drawn instead. */
+/* Returns the index of the glyph for a character. Returns 0 if the font has no glyph for it; glyph 0 is then drawn
+ * instead. */
 uint32_t vs_font_index(const vs_font *f, uint32_t character);
 const vs_glyph *vs_font_glyph(vs_font *f, uint32_t index, vs_error *e); /* returns the glyph with the index, or NULL
                                                                          * with e set on failure */

@@ -25,7 +25,7 @@ bool vs_flat_loops_begin(vs_flat_loops *l) {
 
 bool vs_flat_loops_add(vs_flat_loops *l, vs_vec2 p) {
   vs_flat_loop *loop = l->count ? &l->loops[l->count - 1] : NULL;
-  if (!loop) return true; /* no contour has begun yet */
+  if (!loop) return true; /* no contour has begun yet, so the point is ignored */
   if (loop->count && l->at[l->point_count - 1].x == p.x && l->at[l->point_count - 1].y == p.y) return true;
   if (!VS_GROW(l->at, l->point_room, l->point_count + 1)) return false;
   l->at[l->point_count++] = p;

@@ -867,7 +867,8 @@ bool vs_arrange_planes(vs_kernel *k, vs_cluster *c) {
   size_t work_room = 0;
   bool ok = VS_ROOM(k, a.works, work_room, k->threads);
   if (ok) memset(a.works, 0, work_room * sizeof *a.works);
-  size_t least = c->facets.count; /* estimate: there are about as many faces as facets */
+  size_t least = c->facets.count; /* estimated minimum of the number of faces: there are about as many faces as
+                                   * facets */
   ok = ok && bucket(k, &a) && VS_ROOM(k, c->faces.at, c->faces.room, least) &&
        VS_ROOM(k, c->covers.at, c->covers.room, least) && VS_ROOM(k, c->uses.at, c->uses.room, 3 * least) &&
        vs_kernel_pipeline(k, a.chunks.count, arrange_chunk, absorb, &a);

@@ -20,18 +20,19 @@ enum { SPAN = 1 << 12, BATCH = 1 << 17 /* numbers of triangles in a span and in 
 typedef struct {
   vs_plane plane;
   uint64_t hash;   /* hash of the triangle's plane */
-  uint32_t source; /* index of the triangle in its mesh */
+  uint32_t source; /* index of the triangle in the mesh of its leaf */
   bool flip;
   uint8_t inner;
 } found_triangle;
 typedef struct {
-  uint32_t place, first, end; /* place: index of the leaf; first, end: range of its triangles */
+  uint32_t place, first, end; /* place: index of the leaf in the cluster; first, end: range of the leaf's triangles in
+                               * the span */
   uint32_t base;              /* number in the batch of the first triangle that was found in the span */
   VS_LIST(found_triangle) found;
 } span;
 typedef struct {
   const uint32_t *twins;
-  uint32_t triangles; /* index in `number` of the leaf's first triangle */
+  uint32_t triangles; /* index in `number` of the first triangle of the leaf */
   uint32_t span;      /* index of the leaf's first span */
   bool mirrored;
 } batch_leaf;

@@ -142,7 +142,8 @@ typedef struct {
   const facing *f;
   uint32_t corner, next; /* next: the end lies between `corner` and the corner `next`, or at `corner` if `next` equals
                           * it */
-  double at, error;      /* at: coordinate along the current axis; error: its possible error */
+  double at, error;      /* at: coordinate of the end along the current axis; error: upper bound for the error of this
+                          * coordinate */
 } end;
 
 static bool is_corner(const end *e) { return e->corner == e->next; }
@@ -208,7 +209,7 @@ static int axis_of(const vs_plane *p, const vs_plane *q) {
     if (fabs(s - t) > most) most = fabs(s - t), best = i;
   }
   if (most > bound * 0x1p-50) return best;
-  for (best = 0; best < 2; best++) { /* the planes differ, so one of the three components is not zero */
+  for (best = 0; best < 2; best++) { /* the planes are not parallel, so one of the three components is not zero */
     int u = (best + 1) % 3, v = (best + 2) % 3;
     if ((vs_i128)p->n[u] * q->n[v] != (vs_i128)p->n[v] * q->n[u]) break;
   }
@@ -327,7 +328,8 @@ static bool corners_between(chunk *m, const facing *f, int axis, end *low, end *
     vs_patch_corner *line = m->w->line.at;
     for (; to > 0 && line[to - 1].at[axis] > x[i].at[axis]; to--) line[to] = line[to - 1];
     line[to] = x[i];
-    if (to > 0 && line[to - 1].point == x[i].point) { /* the other patch has this corner, too */
+    if (to > 0 && line[to - 1].point == x[i].point) { /* the corner at the end of `line` is a corner of the other patch,
+                                                       * too */
       m->w->line.count--;
       memmove(line + to, line + to + 1, (m->w->line.count - to) * sizeof *line);
     }

@@ -31,7 +31,7 @@ typedef struct {
   vs_points_table points; /* points of the shell, without a hash table */
   vs_outlines outlines;   /* facets and sides of the shell, which refer to the members of `points` */
   vs_bvh_box box;
-  uint32_t solid;         /* number of one of its leaves */
+  uint32_t solid;         /* number of one of the shell's leaves */
 } shell;
 
 /* A range of leaves in `order`. made: true if both of its halves are on the stack of shells. */

@@ -20,7 +20,7 @@ typedef struct {
   VS_LIST(uint32_t) vertices; /* point number for each local vertex number */
   VS_LIST(vs_sweep_edge) edges;
   /* The members below are set by vs_sweep_begin. */
-  VS_LIST(uint32_t) first;    /* for each vertex: index in `rights` of its first edge to the right */
+  VS_LIST(uint32_t) first;    /* for each vertex: index in `rights` of the first edge that leads from it to the right */
   VS_LIST(uint32_t) rights;   /* edges grouped by left end, from the lowest to the highest */
   VS_LIST(uint32_t) arrival;  /* for each vertex: an edge that ends there, or VS_NONE */
   VS_LIST(vs_sweep_node) nodes; /* node of each edge in the status tree */

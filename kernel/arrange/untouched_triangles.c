@@ -31,7 +31,8 @@ enum { LEAST = 256 }; /* least number of triangles of a leaf in which plain tria
 enum { PROVEN = 128 };
 
 typedef struct {
-  uint32_t place, first, end;   /* place: index of the leaf; first, end: range of its triangles */
+  uint32_t place, first, end;   /* place: index of the leaf in the cluster; first, end: range of the leaf's triangles in
+                                 * the span */
   uint32_t blocks;              /* number of blocks in all spans before this one */
   VS_LIST(vs_use) rim;          /* uses along the rims; their member `face` is the region */
 } span;

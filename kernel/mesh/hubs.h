@@ -6,7 +6,7 @@
 #include "model/mesh.h"
 #include "kernel/memory.h"
 
-/* A mesh: its triangles and a function for the positions of their corners. */
+/* A mesh for the search: its triangles, and a function that returns the positions of their corners. */
 typedef struct {
   const uint32_t (*triangles)[3];
   size_t triangle_count, vertex_count;

@@ -27,8 +27,8 @@ typedef struct {
   int32_t least, most;              /* least and greatest winding number of any space; the number 0 (outside) is always
                                      * included; for a correct solid they are 0 and 1 */
   double volume;                    /* signed volume of the mesh; negative if the mesh is inside out */
-  vs_mesh_flaw open[VS_FLAWS_LISTED], wound[VS_FLAWS_LISTED]; /* the first flaws of each kind, in the order of their
-                                                               * triangles */
+  vs_mesh_flaw open[VS_FLAWS_LISTED], wound[VS_FLAWS_LISTED]; /* the first flaws of each kind (open edges, and wrong
+                                                               * winding numbers), in the order of their triangles */
 } vs_mesh_flaws;
 
 static inline bool vs_mesh_flawless(const vs_mesh_flaws *f) { return f->open_count == 0 && f->wound_count == 0; }

@@ -34,8 +34,8 @@ typedef struct {
                                       * merged away */
   VS_LIST(uint32_t) next;            /* for each face: the next face of its merged face, or VS_NONE */
   VS_LIST(_Atomic uint8_t) whole;    /* for each face: 1 if it keeps its original triangles */
-  VS_LIST(uint32_t) out;             /* for each point: its vertex number in the result */
-  VS_LIST(uint32_t) points;          /* for each new vertex: its point */
+  VS_LIST(uint32_t) out;             /* for each point of the cluster: its vertex number in the result */
+  VS_LIST(uint32_t) points;          /* for each new vertex of the result: its point in the cluster */
   VS_LIST(uint32_t) looks;           /* for each new triangle: 2 * plane, plus 1 if the triangle faces against the
                                       * plane's normal */
   VS_LIST(uint32_t) chunk_first;     /* first face of each chunk of faces; an extra element marks the end */

@@ -94,7 +94,7 @@ enum { TASK = 1 << 13 };
 typedef struct { VS_LIST(uint32_t) look; VS_LIST(vs_storey) storeys; bool noise, level; } found_some;
 typedef struct {
   rounding *s;
-  bool noise; /* true if there is a noise triangle (vs_rounding_is_noise) */
+  bool noise; /* true if some triangle is a noise triangle (vs_rounding_is_noise) */
   found_some found[VS_PIPELINE_WINDOW];
 } scan;
 
