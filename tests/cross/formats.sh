@@ -10,8 +10,8 @@ sheet=tests/cross/sheet.vs
 cat <<'EOF'
 # Formats
 
-This table shows each kind of object in each format. `tests/cross/formats.sh` makes the page from the program's outputs;
-a test keeps it current.
+This page shows each kind of object in each format. `tests/cross/formats.sh` makes the page from the outputs of `vs`; a
+test keeps the page current.
 
 EOF
 echo '| ending | content |'
@@ -50,20 +50,20 @@ cat <<'EOF'
 
 - *native*: in the format's own words; a round shape stays round
 - *triangles*, *lines*: triangles or straight pieces, as fine as `--tolerance`
-- *rods*, *slabs*: curves as thin rods; flat regions or open surfaces as thin slabs; `vs` warns
+- *rods*, *slabs*: curves as rods; flat regions or open surfaces as slabs; `vs` warns
 - other *italics*: the text of a warning
 
 A cell with several entries depends on the object: a straight extrusion can be native, a tapered extrusion triangles.
-`vs` never omits a shape without a warning; it omits colours and names that a format cannot hold.
+`vs` omits no shape without a warning, but omits colours and names that a format cannot hold.
 
-- `.png` and `.exr` have the shapes of `.pov`, `.x3dv` and `.html` those of `.x3d`.
-- The column *meshes* is for formats of bare triangles (`.stl .3mf .obj .ply .off`): the union of all solids. `.obj`,
+- `.png` and `.exr` have the shapes of `.pov`; `.x3dv` and `.html` the shapes of `.x3d`.
+- The column *meshes* is for formats of bare triangles (`.stl .3mf .obj .ply .off`): the union of solids. `.obj`,
   `.ply` and `.off` also contain regions and open surfaces, as open faces; `.obj` and `.ply` contain curves, as lines.
 - [Drawings](drawings.md) (`.svg .pdf .dxf`) show solids, surfaces and curves by their lines.
 - `.tree` contains everything.
 
-A warning names the place of the first omitted shape, and `vs` writes all other objects. With `--strict` this is an
-error. In pictures (`.png .exr`, and `.pov`) curves are at least two pixels wide. Curves, flat regions, text and open
+A warning names the place of the first omitted shape, and `vs` writes all other objects. With `--strict` an omission is
+an error. In pictures (`.png .exr`, and `.pov`) curves are at least two pixels wide. Curves, flat regions, text and open
 surfaces without a material are dark.
 
 EOF
