@@ -56,9 +56,9 @@ cat <<'EOF'
 A cell with several entries depends on the object: a straight extrusion can be native, a tapered extrusion triangles.
 `vs` omits no shape without a warning, but omits colours and names that a format cannot hold.
 
-- `.png` and `.exr` have the shapes of `.pov`; `.x3dv` and `.html` the shapes of `.x3d`.
-- The column *meshes* is for formats of bare triangles (`.stl .3mf .obj .ply .off`): the union of solids. `.obj`,
-  `.ply` and `.off` also contain regions and open surfaces, as open faces; `.obj` and `.ply` contain curves, as lines.
+- `.png` and `.exr` have the shapes of `.pov`; `.x3dv` and `.html` have those of `.x3d`.
+- The column *meshes* is for formats of bare triangles (`.stl .3mf .obj .ply .off`): the union of solids. `.obj`, `.ply`
+  and `.off` also contain regions and open surfaces, as open faces; `.obj` and `.ply` contain curves, as lines.
 - [Drawings](drawings.md) (`.svg .pdf .dxf`) show solids, surfaces and curves by their lines.
 - `.tree` contains everything.
 
