@@ -236,7 +236,14 @@ vs_status vs_p_sun(vs_args *f, vs_value *out) {
   const vs_arg *k = f->key; /* keywords in order: azimuth altitude latitude longitude date time */
   vs_scene *s = &f->bind->scene;
   double azimuth, altitude;
+  bool off = f->arg[0].given && !f->arg[0].boolean;
   (void)out;
+  for (size_t i = 0; off && i < 6; i++)
+    if (k[i].given) return vs_fail(f->vm, f->vm->sym.arity, "takes #f alone, which turns the sun off");
+  if (off) {
+    if (!f->bind->handing) s->has_sun = false, s->no_sun = true;
+    return VS_OK;
+  }
   if (k[2].given || k[3].given || k[4].given || k[5].given) {
     vs_sun_moment m;
     if (!k[2].given || !k[3].given || !k[4].given || !k[5].given || k[0].given || k[1].given)
@@ -257,16 +264,35 @@ vs_status vs_p_sun(vs_args *f, vs_value *out) {
                    radians * 180 / half_turn);
   }
   if (f->bind->handing) return VS_OK;
-  s->has_sun = true, s->sun_azimuth = azimuth, s->sun_altitude = altitude;
+  s->has_sun = true, s->no_sun = false, s->sun_azimuth = azimuth, s->sun_altitude = altitude;
   return VS_OK;
+}
+
+/* Sets a sky that has a name. */
+static vs_status named_sky(vs_args *f) {
+  static const struct { const char *name; vs_sky_kind kind; } skies[] = {
+    { "plain", VS_SKY_PLAIN }, { "overcast", VS_SKY_OVERCAST }, { "night", VS_SKY_NIGHT },
+  };
+  vs_scene *s = &f->bind->scene;
+  if (f->key[0].given || f->key[1].given || f->key[2].given)
+    return vs_fail(f->vm, f->vm->sym.arity, "takes the name of a sky alone, or #:color, #:image or #:turbidity");
+  for (size_t i = 0; i < sizeof skies / sizeof *skies; i++)
+    if (!strcmp(skies[i].name, f->arg[0].text.at)) {
+      if (f->bind->handing) return VS_OK;
+      s->sky_image = s->sky_sunless = NULL, s->has_sky = false, s->turbidity = 0, s->sky_kind = skies[i].kind;
+      return VS_OK;
+    }
+  return vs_bind_refuse(f, "kind", "one of 'plain 'overcast 'night", f->arg[0].value);
 }
 
 vs_status vs_p_sky(vs_args *f, vs_value *out) {
   vs_scene *s = &f->bind->scene;
   (void)out;
   const vs_arg *turbidity = &f->key[2];
+  if (f->arg[0].given) return named_sky(f);
   if (turbidity->given ? f->key[0].given || f->key[1].given : !f->key[0].given && !f->key[1].given)
-    return vs_fail(f->vm, f->vm->sym.arity, "takes #:color, #:image or both, or #:turbidity alone");
+    return vs_fail(f->vm, f->vm->sym.arity,
+                   "takes the name of a sky, or #:color, #:image or both, or #:turbidity alone");
   if (turbidity->given && !(turbidity->real >= VS_TURBIDITY_LEAST && turbidity->real <= VS_TURBIDITY_MOST))
     return vs_bind_refuse(f, "turbidity", "from 2 (very clear) to 10 (haze)", turbidity->value);
   const vs_picture *image = NULL;
@@ -277,6 +303,7 @@ vs_status vs_p_sky(vs_args *f, vs_value *out) {
   s->sky_image = image, s->sky_sunless = sunless;
   s->picture_sun = sun.direction, s->picture_sun_light = sun.light;
   s->turbidity = turbidity->given ? turbidity->real : 0;
+  s->sky_kind = turbidity->given ? VS_SKY_CLEAR : VS_SKY_PLAIN;
   if (!f->key[0].given) return VS_OK;
   const vs_material *m = f->key[0].material;
   s->has_sky = true, s->sky[0] = m->red, s->sky[1] = m->green, s->sky[2] = m->blue;

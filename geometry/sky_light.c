@@ -1,4 +1,6 @@
-/* Computes the light of the sky and the sun with the polynomials and tables of Preetham, Shirley and Smits (1999). */
+/* Computes the light of the sky and the sun: clear skies with the polynomials and tables of Preetham, Shirley and Smits
+ * (1999), overcast skies by ISO 15469, twilight by P. M. Janiczek and J. A. DeYoung, U.S. Naval Observatory Circular
+ * 171 (1987). */
 #include "geometry/sky_light.h"
 
 #include <math.h>
@@ -28,6 +30,48 @@ static double zenith_chromaticity(const double k[3][4], double turbidity, double
   return sum;
 }
 
+/* The logarithm of the illuminance in lx is a polynomial of the altitude in units of 90 degrees, for each of four
+ * ranges of altitude (table 1 of Circular 171). */
+static double twilight_illuminance(double altitude) {
+  static const struct { double from, of[4]; } ranges[] = {
+    { -0.8, { 2.88, 22.26, -207.64, 1034.30 } }, { -5, { 2.88, 21.81, -258.11, -858.36 } },
+    { -12, { 2.70, 12.17, -431.69, -1899.83 } }, { -18, { 13.84, 262.72, 1447.42, 2797.93 } },
+  };
+  size_t i = 0;
+  double x = fmax(altitude, -18) / 90;
+  while (i < sizeof ranges / sizeof *ranges - 1 && altitude < ranges[i].from) i++;
+  const double *k = ranges[i].of;
+  return pow(10, ((k[3] * x + k[2]) * x + k[1]) * x + k[0]);
+}
+
+double vs_sky_light_twilight(double altitude) {
+  return altitude < 0 ? fmin(1, twilight_illuminance(altitude) / twilight_illuminance(0)) : 1;
+}
+
+static double altitude_of(vs_vec3 sun) { return asin(fmax(-1, fmin(1, sun.z))) * 180 / pi; }
+
+/* Sets quantity i of the sky to the given value at the zenith, with the gradation 1 + a exp(b / cos theta). */
+static void gradation(vs_sky_light *s, int i, double zenith, double a, double b) {
+  s->of[i].scale = zenith / (1 + a * exp(b)), s->of[i].a = a, s->of[i].b = b;
+}
+
+/* Returns the illuminance of a horizontal surface by the whole sky, in lx. */
+static double illuminance_of(const vs_sky_light *s) {
+  vs_vec3 c = vs_sky_light_level(s);
+  return 0.2126 * c.x + 0.7152 * c.y + 0.0722 * c.z;
+}
+
+static void set_illuminance(vs_sky_light *s, double illuminance) {
+  s->of[0].scale *= illuminance / illuminance_of(s);
+}
+
+/* Darkens the sky of sunrise to that of twilight. The model's sunrise is brighter than the measured one, so the sky
+ * approaches the measured illuminance gradually: at -6 degrees, the end of civil twilight, both are equal. */
+static void darken(vs_sky_light *s, double altitude) {
+  double excess = twilight_illuminance(0) / illuminance_of(s);
+  s->of[0].scale *= vs_sky_light_twilight(altitude) * pow(excess, fmin(1, -altitude / 6));
+}
+
 vs_sky_light vs_sky_light_of(double turbidity, vs_vec3 sun) {
   static const double slope[3][5] = { { 0.1787, -0.3554, -0.0227, 0.1206, -0.0670 },
                                       { -0.0193, -0.0665, -0.0004, -0.0641, -0.0033 },
@@ -55,7 +99,45 @@ vs_sky_light vs_sky_light_of(double turbidity, vs_vec3 sun) {
     s.of[i].e = slope[i][4] * t + least[i][4];
     s.of[i].scale = zenith[i] / distribution(&s, i, 1, s.sun.z);
   }
+  if (sun.z < 0) darken(&s, altitude_of(sun));
   return s;
+}
+
+/* The gradation is that of ISO 15469, sky type 1: a = 4, b = -0.7. The colour is the standard illuminant D65. The
+ * illuminance is that of J. Krochmann, Lichttechnik 15 (1963). Below the horizon, it falls as in twilight. */
+vs_sky_light vs_sky_light_overcast(vs_vec3 sun) {
+  vs_sky_light s = { .sun = vs_v3(0, 0, 1) };
+  gradation(&s, 0, 1, 4, -0.7);
+  gradation(&s, 1, 0.3127, 0, 0);
+  gradation(&s, 2, 0.3290, 0, 0);
+  set_illuminance(&s, 300 * vs_sky_light_twilight(altitude_of(sun)) + 21000 * fmax(0, sun.z));
+  return s;
+}
+
+/* The gradation is that of the clear skies of ISO 15469: a = -1, b = -0.32. The chromaticities change in the same way,
+ * from a blue zenith to the light of lamps at the horizon. */
+vs_sky_light vs_sky_light_night(void) {
+  vs_sky_light s = { .sun = vs_v3(0, 0, 1) };
+  gradation(&s, 0, 1, -1, -0.32);
+  gradation(&s, 1, 0.23, -0.43, -0.32);
+  gradation(&s, 2, 0.235, -0.40, -0.32);
+  set_illuminance(&s, 0.5);
+  return s;
+}
+
+vs_sky_light vs_sky_light_of_scene(const vs_scene *scene, vs_vec3 sun) {
+  VS_ASSERT(scene->sky_kind != VS_SKY_PLAIN);
+  if (scene->sky_kind == VS_SKY_OVERCAST) return vs_sky_light_overcast(sun);
+  if (scene->sky_kind == VS_SKY_NIGHT) return vs_sky_light_night();
+  return vs_sky_light_of(scene->turbidity, sun);
+}
+
+vs_vec3 vs_sky_light_sun_of_scene(const vs_scene *scene, vs_vec3 sun) {
+  const vs_vec3 moon = { 0.23, 0.25, 0.31 }; /* the full moon in clear air: 0.25 lx */
+  VS_ASSERT(scene->sky_kind != VS_SKY_PLAIN);
+  if (scene->no_sun || scene->sky_kind == VS_SKY_OVERCAST) return vs_v3(0, 0, 0);
+  if (scene->sky_kind == VS_SKY_NIGHT) return sun.z > 0 ? moon : vs_v3(0, 0, 0);
+  return vs_sky_light_sun(scene->turbidity, altitude_of(sun));
 }
 
 vs_vec3 vs_sky_light_xyy(const vs_sky_light *s, vs_vec3 d) {

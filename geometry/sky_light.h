@@ -1,8 +1,10 @@
-/* Declares the luminance and colour of a clear sky and its sun. The model is that of A. J. Preetham, P. Shirley and B.
- * Smits, A Practical Analytic Model for Daylight, SIGGRAPH 1999. */
+/* Declares the luminance and colour of a sky and of its sun or moon. The clear sky is that of A. J. Preetham, P.
+ * Shirley and B. Smits, A Practical Analytic Model for Daylight, SIGGRAPH 1999. The overcast sky is type 1 of ISO
+ * 15469. */
 #ifndef VS_GEOMETRY_SKY_LIGHT_H
 #define VS_GEOMETRY_SKY_LIGHT_H
 
+#include "model/scene.h"
 #include "model/vec.h"
 
 /* Range of turbidities for which the model's polynomials describe a sky: 2 is a very clear sky, 10 is haze. */
@@ -18,9 +20,26 @@ typedef struct {
   struct { double scale, a, b, c, d, e; } of[3]; /* coefficients of Y, x and y, in this order */
 } vs_sky_light;
 
-/* Returns the sky for a turbidity from VS_TURBIDITY_LEAST to VS_TURBIDITY_MOST and a unit vector towards the sun. For a
- * sun below the horizon, returns the sky at sunrise. */
+/* Returns the clear sky for a turbidity within VS_TURBIDITY_LEAST and VS_TURBIDITY_MOST and a unit vector towards the
+ * sun. If the sun is below the horizon, the sky has the colours of sunrise and is darker. From -6 degrees downwards, a
+ * horizontal surface has the measured illuminance of twilight. */
 vs_sky_light vs_sky_light_of(double turbidity, vs_vec3 sun);
+/* Returns the overcast sky for a unit vector towards the sun, which the clouds hide. The zenith is three times as
+ * bright as the horizon in every direction. A horizontal surface has 300 + 21000 sin a lx, where a is the sun's
+ * altitude. */
+vs_sky_light vs_sky_light_overcast(vs_vec3 sun);
+/* Returns the night sky: blue overhead, with the light of a city at the horizon. A horizontal surface has 0.5 lx, as
+ * under a clear sky over a large city. */
+vs_sky_light vs_sky_light_night(void);
+/* Returns the illuminance in twilight as a fraction of that at sunrise: 1 for an altitude of the sun of 0 degrees or
+ * more. The illuminance no longer falls below -18 degrees. */
+double vs_sky_light_twilight(double altitude);
+/* Returns the sky of a scene whose sky_kind is not VS_SKY_PLAIN, for a unit vector towards the scene's sun. */
+vs_sky_light vs_sky_light_of_scene(const vs_scene *scene, vs_vec3 sun);
+/* Returns the illuminance by the sun of the same scene, or at night by the moon, of a surface perpendicular to the
+ * rays, as linear sRGB in lx. Returns 0 if the sun is hidden by clouds, below the horizon, or turned off by (sun #f).
+ * */
+vs_vec3 vs_sky_light_sun_of_scene(const vs_scene *scene, vs_vec3 sun);
 /* Returns luminance Y and chromaticities x and y of the sky in a direction of length 1. Below the horizon, they are
  * those at the horizon. */
 vs_vec3 vs_sky_light_xyy(const vs_sky_light *sky, vs_vec3 direction);

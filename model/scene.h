@@ -65,6 +65,9 @@ typedef struct {
   vs_vec3 color;             /* colour of the light: linear RGB, of luminance 1 */
 } vs_scene_lamp;
 
+/* The kinds of sky. All but the plain sky have luminances in cd/m2 (geometry/sky_light.h). */
+typedef enum { VS_SKY_PLAIN, VS_SKY_CLEAR, VS_SKY_OVERCAST, VS_SKY_NIGHT } vs_sky_kind;
+
 /* The pen of a layer in drawings. */
 typedef struct {
   const char *layer;         /* name of the layer, interned */
@@ -95,11 +98,13 @@ typedef struct {
   vs_scene_lamp *lamps;
   size_t lamp_count, lamp_room;
   bool has_sun;              /* true if the program set the sun; otherwise each format chooses a default */
+  bool no_sun;               /* whether (sun #f) turned the sun off */
   double sun_azimuth, sun_altitude; /* direction of the sun in degrees; azimuth clockwise from +Y, altitude above the
                                      * horizon */
   bool has_sky;
   double sky[3];             /* sRGB colour of the sky */
-  double turbidity;          /* turbidity of the physical sky (geometry/sky_light.h); 0: no physical sky */
+  vs_sky_kind sky_kind;
+  double turbidity;          /* turbidity of the sky (geometry/sky_light.h) if sky_kind is VS_SKY_CLEAR */
   const vs_picture *sky_image; /* picture of the entire sky, twice as wide as high; NULL: none */
   const vs_picture *sky_sunless; /* the sky picture without its sun; NULL if the sky picture shows no sun */
   vs_vec3 picture_sun, picture_sun_light; /* unit vector towards the sun of the sky picture, and the sun's light on a

@@ -292,8 +292,10 @@ static bool advise_arity(vs_scheme *vm, vs_value payload, vs_text *t) {
   int n = 0;
   for (vs_value l = vs_cdr(payload); vs_is_pair(l) && n < VS_MAX_ARGUMENTS; l = vs_cdr(l)) a[n++] = vs_car(l);
   char text[300];
-  if (p && p->key[0].mode != VS_ARG_END && p->form[0].at[0].mode == VS_ARG_END && n) { /* the procedure has only keyword
-                                                                                        * arguments: (sun 210 35) */
+  const vs_bind_param *first = p ? p->form[0].at : NULL;
+  /* Almost all arguments of the procedure are keyword arguments: (sun 210 35). At most one optional argument is not. */
+  if (p && p->key[0].mode != VS_ARG_END && n &&
+      (first->mode == VS_ARG_END || (first->mode == VS_ARG_OPTIONAL && first[1].mode == VS_ARG_END && n > 1))) {
     if (!vs_text_printf(t, "; its arguments have names: (%s", name)) return false;
     for (int i = 0; i < n && p->key[i].mode != VS_ARG_END; i++)
       if (!vs_text_printf(t, " #:%s ", p->key[i].name) || !vs_print(vm, a[i], VS_PRINT_WRITE, t)) return false;

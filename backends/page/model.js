@@ -426,7 +426,7 @@ export function modelFromPacked(root, spare = null) {
     switch (node.type) {
       case "WorldInfo": model.title = f.title; model.units = f.units; model.middle = Array.from(f.middle); break;
       case "Viewpoint": model.view = { eye: f.eye, target: f.target, up: f.up, parallel: !!f.parallel, width: f.width[0], angle: f.angle[0], aspect: f.aspect[0], given: !!f.given }; break;
-      case "DirectionalLight": model.sun = { direction: Array.from(f.direction), given: !!f.given }; break;
+      case "DirectionalLight": model.sun = { direction: Array.from(f.direction), given: !!f.given, off: !!f.off }; break;
       case "Background":
         if (f.skyColor) model.sky = Array.from(f.skyColor);
         if (f.table) model.daylight = { table: f.table, columns: f.columns, rows: f.rows, sun: f.sun, level: f.level };

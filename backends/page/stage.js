@@ -236,7 +236,7 @@ export class Stage {
 
   // Stores the values that determine the sky and its light. Returns true if they have changed.
   #lightChanged(model) {
-    const key = [this.options.dark, ...this.sunDirection, ...(model.sky || []), "day", ...(model.daylight ? [...model.daylight.table, ...model.daylight.sun, ...model.daylight.level] : [])].join();
+    const key = [this.options.dark, ...this.sunDirection, !!model.sun?.off, ...(model.sky || []), "day", ...(model.daylight ? [...model.daylight.table, ...model.daylight.sun, ...model.daylight.level] : [])].join();
     if (key === this.lightKey) return false;
     this.lightKey = key;
     return true;
@@ -248,14 +248,14 @@ export class Stage {
     this.renderer.toneMappingExposure = EXPOSURE;
     u.sunWay.value.set(0, 0);
     if (day) return this.#paintDaylight(day);
-    const own = model && model.sky, zenith = own || [0.46, 0.66, 0.9], haze = own ? own.map((x) => 0.45 + 0.55 * x) : [0.93, 0.95, 0.96];
+    const own = model && model.sky, zenith = own || [0.46, 0.66, 0.9], haze = own ? own.map((x) => 0.45 * Math.max(...own) + 0.55 * x) : [0.93, 0.95, 0.96];
     const colour = (c) => new THREE.Color().setRGB(...c, THREE.SRGBColorSpace);
     const seen = this.options.dark && !own ? [[0.13, 0.16, 0.2], [0.27, 0.31, 0.36], [0.22, 0.245, 0.275], [0.12, 0.135, 0.155]] : [zenith, haze, [0.9, 0.9, 0.89], [0.78, 0.78, 0.77]];
     ["zenith", "horizon", "near", "below"].forEach((name, k) => u[name].value.copy(colour(seen[k])));
     this.zenithLight = paler(colour(zenith), 0.45).multiplyScalar(SKY_POWER), this.hazeLight = paler(colour(haze), 0.45).multiplyScalar(SKY_POWER);
     this.skyMean.copy(this.hazeLight).lerp(this.zenithLight, 0.88);
-    this.sun.color.copy(SUN);
-    this.groundLight.copy(SUN).multiplyScalar(SUN_POWER * Math.max(0.2, this.sunDirection.z)).add(this.skyMean).multiplyScalar(BOUNCED_BY_GROUND);
+    this.sun.color.copy(SUN).multiplyScalar(model?.sun?.off ? 0 : 1);
+    this.groundLight.copy(this.sun.color).multiplyScalar(SUN_POWER * Math.max(0.2, this.sunDirection.z)).add(this.skyMean).multiplyScalar(BOUNCED_BY_GROUND);
     this.#environment();
   }
 

@@ -208,7 +208,7 @@ bool vs_povray_say_view(vs_emitter *e, vs_exr *x, uint32_t columns, uint32_t row
   to.kind = VS_EXR_SUN;
   say_number(&w, "azimuth ", azimuth < 0 ? azimuth + 360 : azimuth);
   say_number(&w, " altitude ", asin(fmax(fmin(sun.z, 1), -1)) / degree);
-  if (e->scene->turbidity > 0) say_number(&w, " turbidity ", e->scene->turbidity);
+  if (e->scene->sky_kind == VS_SKY_CLEAR) say_number(&w, " turbidity ", e->scene->turbidity);
   return ok && vs_writer_flush(&w);
 }
 

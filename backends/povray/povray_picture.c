@@ -15,6 +15,7 @@
 #include <unistd.h>
 
 #include "backends/povray/povray_layers.h"
+#include "backends/povray/povray_sky.h"
 #include "geometry/files/exr_read.h"
 #include "geometry/files/png_write.h"
 #include "model/store/array.h"
@@ -57,15 +58,24 @@ static bool picture_write(vs_emitter *e, const char *path, const picture_bytes *
                             problem == ENOSPC ? "the disk is full" : strerror(problem));
 }
 
-/* Copies the parts of the jobs' pictures that intersect the rectangle `wanted` into an empty picture of its size. For a
- * part of a picture, POV-Ray makes a picture of full size that is black outside the part. */
+/* Divides the light of the picture by the gain with which POV-Ray made it. */
+static void picture_remove_gain(vs_exr *x, double gain) {
+  float share = (float)(1 / gain);
+  for (size_t k = 0; share < 1 && k < x->count; k++)
+    for (size_t i = 0; i < (size_t)x->columns * x->rows; i++) x->channels[k].at[i] *= share;
+}
+
+/* Copies the parts of the jobs' pictures that intersect `wanted` into an empty picture of that size. For a part of a
+ * picture, POV-Ray makes a picture of full size that is black outside the part. Pictures of the night become floats,
+ * because half floats have few digits there. */
 static bool picture_join(vs_emitter *e, const char *folder, const vs_povray_job *jobs, size_t count,
                          const vs_exr_part *wanted, vs_exr *x) {
   static const char *const channels[] = { "B", "G", "R" };
+  double gain = vs_povray_gain(e->scene);
   bool ok = true;
   x->columns = wanted->columns, x->rows = wanted->rows;
   for (size_t i = 0; ok && i < sizeof channels / sizeof *channels; i++)
-    ok = vs_exr_add(x, channels[i], VS_EXR_HALF, e->error) != NULL;
+    ok = vs_exr_add(x, channels[i], gain > 1 ? VS_EXR_FLOAT : VS_EXR_HALF, e->error) != NULL;
   for (size_t i = 0; ok && i < count; i++) {
     const vs_exr_part *p = &jobs[i].part;
     uint32_t left = p->left > wanted->left ? p->left : wanted->left, top = p->top > wanted->top ? p->top : wanted->top;
@@ -82,6 +92,7 @@ static bool picture_join(vs_emitter *e, const char *folder, const vs_povray_job 
          vs_exr_read_cut(&(vs_file_bytes){ "POV-Ray's picture", b.at, b.count }, &cut, x, e->error);
     free(b.at);
   }
+  if (ok) picture_remove_gain(x, gain);
   return ok;
 }
 

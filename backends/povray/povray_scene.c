@@ -39,17 +39,31 @@ static void pov_word(vs_writer *w, const char *before, double x, const char *aft
  * white. In a .pov, sun and sky together therefore make a white wall slightly darker than white. If a picture is the
  * sky, it has its own brightness, and the sun follows it. */
 static bool pov_is_developed(const vs_emitter *e) { return e->backend->render != NULL; }
+/* Returns the light of dusk as a fraction of the day's, times the gain. A sky with a picture has its own light. */
+static double pov_dusk(const vs_emitter *e) {
+  const vs_scene *s = e->scene;
+  return s->has_sun && s->sky_image == NULL ? vs_sky_light_twilight(s->sun_altitude) * vs_povray_gain(s) : 1;
+}
 static double pov_sky_strength(const vs_emitter *e) {
-  return pov_is_developed(e) && e->scene->sky_image == NULL ? 1.6 : 1;
+  return pov_is_developed(e) && e->scene->sky_image == NULL ? 1.6 * pov_dusk(e) : pov_dusk(e);
 }
 /* Returns the strength of a draft's lights without shadows. They represent the light that the sky and the walls
  * scatter. */
 static double pov_fill_strength(const vs_emitter *e) { return pov_is_developed(e) ? 2.1 : 1; }
 static double pov_sun_strength(const vs_emitter *e) { return pov_is_developed(e) ? 2 * pov_sky_strength(e) : 1.25; }
-/* Returns true for a physical sky. In a .pov, its light is reduced by the same factor as that of the sun. */
-static bool pov_is_physical(const vs_emitter *e) { return e->scene->turbidity > 0; }
+/* Returns true for a sky with luminances. In a .pov, its light is reduced by the same factor as that of the sun. */
+static bool pov_is_physical(const vs_emitter *e) { return e->scene->sky_kind != VS_SKY_PLAIN; }
+static double pov_strength(const vs_emitter *e) {
+  return vs_povray_gain(e->scene) * (pov_is_developed(e) ? 1 : 1.25 / 3.2);
+}
 static vs_povray_daylight pov_daylight(const vs_emitter *e, const vs_look *l) {
-  return vs_povray_daylight_of(e->scene, vs_look_sun(e->scene, l), pov_is_developed(e) ? 1 : 1.25 / 3.2);
+  return vs_povray_daylight_of(e->scene, vs_look_sun(e->scene, l), pov_strength(e));
+}
+/* Returns true if the scene has no direct light from the sun or the moon. */
+static bool pov_is_sunless(const vs_emitter *e, const vs_look *l) {
+  const vs_scene *s = e->scene;
+  if (pov_is_physical(e)) return vs_v3_equal(vs_sky_light_sun_of_scene(s, vs_look_sun(s, l)), vs_v3(0, 0, 0));
+  return s->no_sun || (s->has_sun && s->sun_altitude <= 0);
 }
 /* Returns the light that a draft adds to all surfaces in any direction, so that none is black. Returns 0 for pictures
  * with bounced light. */
@@ -123,17 +137,16 @@ static void pov_camera(vs_emitter *e, const vs_look *l, int width, int height) {
   vs_puts(w, "}\n");
 }
 
-static void pov_sun(vs_emitter *e, const vs_look *l, double diagonal) {
+/* The place of the sun in a scene: the direction towards it, the middle of the drawing, and the distance. */
+typedef struct { vs_vec3 sun, middle; double far; } pov_sun_place;
+
+/* Writes the light of the sun or the moon. */
+static void pov_direct_light(vs_emitter *e, const vs_look *l, const pov_sun_place *p) {
   vs_writer *w = e->out;
-  vs_vec3 sun = vs_look_sun(e->scene, l), middle = vs_v3_scale(vs_v3_add(e->bounds.min, e->bounds.max), 0.5 * e->unit);
-  double far = 20 * diagonal;
   vs_puts(w, "light_source {\n");
-  pov_vector(w, "  ", vs_v3_add(middle, vs_v3_scale(sun, far)));
-  double fill = pov_fill_strength(e);
+  pov_vector(w, "  ", vs_v3_add(p->middle, vs_v3_scale(p->sun, p->far)));
   if (pov_is_physical(e)) {
-    vs_povray_daylight day = pov_daylight(e, l);
-    vs_put_triple(w, "\n  color rgb <", day.sun, ", ", ">");
-    fill *= day.fill / 0.75; /* 0.75 is the light of the default sky on a horizontal surface */
+    vs_put_triple(w, "\n  color rgb <", pov_daylight(e, l).sun, ", ", ">");
   } else if (vs_look_sun_is_pictured(e->scene)) { /* the number of a white surface is the light that it receives,
                                                    * divided by pi */
     vs_vec3 light = vs_v3_scale(e->scene->picture_sun_light, 1 / pi);
@@ -143,32 +156,46 @@ static void pov_sun(vs_emitter *e, const vs_look *l, double diagonal) {
     pov_word(w, " * ", pov_sun_strength(e), "");
   }
   vs_puts(w, "\n  parallel\n");
-  pov_vector(w, "  point_at ", middle);
+  pov_vector(w, "  point_at ", p->middle);
   if (e->options->quality == VS_RENDER_FINAL) { /* a soft edge of shadows takes several times as long as all other
                                                  * work */
     /* The keyword `orient` rotates the light towards the lit point, so only the lengths of the vectors matter. POV-Ray
      * requires lengths that are equal to 1e-10. Written with twelve digits, rotated vectors do not fulfil this. */
-    pov_vector(w, "\n  area_light ", vs_v3(0.012 * far, 0, 0));
-    pov_vector(w, ", ", vs_v3(0, 0.012 * far, 0));
+    pov_vector(w, "\n  area_light ", vs_v3(0.012 * p->far, 0, 0));
+    pov_vector(w, ", ", vs_v3(0, 0.012 * p->far, 0));
     vs_puts(w, ", 3, 3 adaptive 1 circular orient");
   }
   vs_puts(w, "\n}\n");
-  if (e->options->quality == VS_RENDER_DRAFT) { /* A draft has no radiosity. A second light without shadows, from the
-                                                 * other side, brightens the shadows. */
-    pov_vector(w, "light_source { ", vs_v3_add(middle, vs_v3(-sun.x * far, -sun.y * far, sun.z * far)));
-    vs_puts(w, " color rgb <0.4, 0.44, 0.5>");
-    if (fill != 1) pov_word(w, " * ", fill, "");
-    vs_puts(w, " shadowless parallel ");
-    pov_vector(w, "point_at ", middle);
-    pov_vector(w, " }\nlight_source { ", vs_v3_sub(middle, vs_v3_scale(l->forward, far)));
-    pov_word(w, " color rgb ", 0.16 * fill, " shadowless parallel ");
-    pov_vector(w, "point_at ", middle);
-    pov_vector(w, " }\nlight_source { ", vs_v3_sub(middle, vs_v3(0, 0, far))); /* a light from below, which represents
-                                                                                * light that the ground reflects */
-    pov_word(w, " color rgb <0.13, 0.125, 0.115> * ", fill, " shadowless parallel ");
-    pov_vector(w, "point_at ", middle);
-    vs_puts(w, " }\n");
-  }
+}
+
+/* Writes three lights without shadows, because a draft has no radiosity. The first shines from the side opposite to the
+ * sun and brightens the shadows. The second shines from the eye, the third from the ground. */
+static void pov_fill_lights(vs_emitter *e, const vs_look *l, const pov_sun_place *p) {
+  vs_writer *w = e->out;
+  double fill = pov_fill_strength(e);
+  if (pov_is_physical(e)) fill *= pov_daylight(e, l).fill / 0.75; /* 0.75 is the light of the plain sky on a horizontal
+                                                                   * surface */
+  else fill *= pov_dusk(e);
+  pov_vector(w, "light_source { ", vs_v3_add(p->middle, vs_v3(-p->sun.x * p->far, -p->sun.y * p->far,
+                                                              fabs(p->sun.z) * p->far)));
+  vs_puts(w, " color rgb <0.4, 0.44, 0.5>");
+  if (fill != 1) pov_word(w, " * ", fill, "");
+  vs_puts(w, " shadowless parallel ");
+  pov_vector(w, "point_at ", p->middle);
+  pov_vector(w, " }\nlight_source { ", vs_v3_sub(p->middle, vs_v3_scale(l->forward, p->far)));
+  pov_word(w, " color rgb ", 0.16 * fill, " shadowless parallel ");
+  pov_vector(w, "point_at ", p->middle);
+  pov_vector(w, " }\nlight_source { ", vs_v3_sub(p->middle, vs_v3(0, 0, p->far)));
+  pov_word(w, " color rgb <0.13, 0.125, 0.115> * ", fill, " shadowless parallel ");
+  pov_vector(w, "point_at ", p->middle);
+  vs_puts(w, " }\n");
+}
+
+static void pov_sun(vs_emitter *e, const vs_look *l, double diagonal) {
+  pov_sun_place p = { vs_look_sun(e->scene, l),
+                      vs_v3_scale(vs_v3_add(e->bounds.min, e->bounds.max), 0.5 * e->unit), 20 * diagonal };
+  if (!pov_is_sunless(e, l)) pov_direct_light(e, l, &p);
+  if (e->options->quality == VS_RENDER_DRAFT) pov_fill_lights(e, l, &p);
 }
 
 /* Writes a picture as the sky. The middle of the picture is in the north, +Y. */
@@ -187,7 +214,8 @@ static pov_air pov_air_of(const vs_scene *s) {
   pov_air a = { vs_v3(0.46, 0.66, 0.9), vs_v3(0.93, 0.95, 0.96) };
   if (!s->has_sky) return a;
   a.zenith = vs_v3(s->sky[0], s->sky[1], s->sky[2]);
-  a.haze = vs_v3_add(vs_v3(0.45, 0.45, 0.45), vs_v3_scale(a.zenith, 0.55));
+  double pale = 0.45 * fmax(a.zenith.x, fmax(a.zenith.y, a.zenith.z));
+  a.haze = vs_v3_add(vs_v3(pale, pale, pale), vs_v3_scale(a.zenith, 0.55));
   return a;
 }
 
@@ -197,6 +225,18 @@ static vs_vec3 pov_light_of(vs_vec3 c, double strength) {
   double x[] = { c.x, c.y, c.z };
   for (int i = 0; i < 3; i++) x[i] = strength * (x[i] <= 0.04045 ? x[i] / 12.92 : pow((x[i] + 0.055) / 1.055, 2.4));
   return vs_v3(x[0], x[1], x[2]);
+}
+
+/* Returns the light of the floor below the horizon. The sun and the sky light the floor: the sun's part is two thirds,
+ * and the sky's part is proportional to the luminance of a sky that the program coloured. */
+static double pov_floor(const vs_emitter *e, const pov_air *air, bool sunless) {
+  double full = pov_is_developed(e) ? 2.8 : 1, sky = 1;
+  if (e->scene->has_sky) {
+    const vs_vec3 plain = pov_light_of(vs_v3(0.93, 0.95, 0.96), 1), own = pov_light_of(air->haze, 1);
+    sky = fmin(1, (0.2126 * own.x + 0.7152 * own.y + 0.0722 * own.z) /
+                  (0.2126 * plain.x + 0.7152 * plain.y + 0.0722 * plain.z));
+  }
+  return full * ((sunless ? 0 : 2) + sky) / 3;
 }
 
 /* Writes the sky. Seen from the centre: a pale studio floor below the horizon, haze at the horizon, and blue (or the
@@ -213,9 +253,7 @@ static void pov_sky(vs_emitter *e, const vs_look *l) {
     return;
   }
   pov_air air = pov_air_of(e->scene);
-  double above = pov_sky_strength(e), floor = pov_is_developed(e) ? 2.8 : 1; /* above: brightness of the sky; floor:
-                                                                              * brightness of the floor, which the sun
-                                                                              * lights */
+  double above = pov_sky_strength(e), floor = pov_dusk(e) * pov_floor(e, &air, pov_is_sunless(e, l));
   struct { double at, strength; vs_vec3 color; } bands[] = {
       { 0, floor, vs_v3(0.78, 0.78, 0.77) }, { 0.36, floor, vs_v3(0.9, 0.9, 0.89) }, { 0.5, above, air.haze },
       { 0.56, above, air.haze }, { 0.63, above, air.haze }, { 0.71, above, air.haze }, { 0.8, above, air.haze },
@@ -228,9 +266,9 @@ static void pov_sky(vs_emitter *e, const vs_look *l) {
   vs_puts(w, "sky_sphere {\n  pigment {\n    gradient z\n    color_map {\n");
   for (size_t i = 0; i < sizeof bands / sizeof *bands; i++) {
     vs_putf(w, "      [%.2f color ", bands[i].at);
-    vs_puts(w, pov_is_developed(e) ? "rgb " : "srgb ");
-    vs_put_triple(w, "<", pov_is_developed(e) ? pov_light_of(bands[i].color, bands[i].strength) : bands[i].color, ", ",
-                  ">]\n");
+    bool screen = !pov_is_developed(e) && bands[i].strength == 1;
+    vs_puts(w, screen ? "srgb " : "rgb ");
+    vs_put_triple(w, "<", screen ? bands[i].color : pov_light_of(bands[i].color, bands[i].strength), ", ", ">]\n");
   }
   vs_puts(w, "    }\n    scale 2 translate -z\n  }\n}\n");
 }
@@ -455,7 +493,7 @@ bool vs_povray_begin(vs_emitter *e) {
   pov_sun(e, &look, diagonal);
   pov_sky(e, &look);
   pov_fog(e, &look);
-  if (!vs_povray_lamps(e, pov_is_developed(e) ? 1e-4 : 1e-4 * 1.25 / 3.2)) return false;
+  if (!vs_povray_lamps(e, 1e-4 * pov_strength(e))) return false;
   vs_puts(w, "\n");
   for (size_t i = 1; i <= vs_emit_material_count(e); i++)
     vs_povray_declare_material(e, vs_emit_material_at(e, i), pixel);

@@ -10,14 +10,20 @@ static void word(vs_writer *w, const char *before, double x, const char *after) 
   vs_puts(w, after);
 }
 
+double vs_povray_gain(const vs_scene *scene) {
+  const double night = 0.5 / 5000; /* illuminance of the night, as a fraction of that of a dull day */
+  double dark = scene->has_sun && scene->sky_image == NULL ? vs_sky_light_twilight(scene->sun_altitude) : 1;
+  if (scene->sky_kind == VS_SKY_NIGHT) dark = night;
+  return exp2(round(-log2(dark)));
+}
+
 vs_povray_daylight vs_povray_daylight_of(const vs_scene *scene, vs_vec3 sun, double strength) {
   const double pi = 3.14159265358979323846, grey = 0.3;
-  double altitude = asin(fmax(-1, fmin(1, sun.z))) * 180 / pi;
-  vs_povray_daylight d = { .sky = vs_sky_light_of(scene->turbidity, sun), .per_candela = strength * 1e-4 };
+  vs_povray_daylight d = { .sky = vs_sky_light_of_scene(scene, sun), .per_candela = strength * 1e-4 };
   /* A white surface perpendicular to a light of 1 has the number 1. Its luminance is the illuminance over pi. */
   double per_lux = d.per_candela / pi;
   vs_vec3 level = vs_sky_light_level(&d.sky);
-  d.sun = vs_v3_scale(vs_sky_light_sun(scene->turbidity, altitude), per_lux);
+  d.sun = vs_v3_scale(vs_sky_light_sun_of_scene(scene, sun), per_lux);
   d.floor = vs_v3_scale(vs_v3_add(vs_v3_scale(d.sun, fmax(0, sun.z)), vs_v3_scale(level, per_lux)), grey);
   d.fill = (0.2126 * level.x + 0.7152 * level.y + 0.0722 * level.z) * per_lux;
   return d;
@@ -43,8 +49,8 @@ void vs_povray_daylight_sky(vs_writer *w, const vs_povray_daylight *d) {
   static const double from_xyz[3][3] = { { 3.2406, -1.5372, -0.4986 }, { -0.9689, 1.8758, 0.0415 },
                                          { 0.0557, -0.2040, 1.0570 } };
   double most = brightest(d);
-  vs_puts(w, "// The daylight of Preetham, Shirley and Smits (1999): a direction's height, its angle from the sun, "
-             "luminance and chromaticities\n");
+  vs_puts(w, "// The sky by the formula of Perez, Seals and Michalsky (1993): a direction's height, its angle from the "
+             "sun, luminance and chromaticities\n");
   vs_puts(w, "#declare VS_Up = function(x,y,z) { max(z/max(1e-9, sqrt(x*x + y*y + z*z)), .001) }\n");
   word(w, "#declare VS_Gap = function(x,y,z) { acos(max(-1, min(1, (x*", d->sky.sun.x, "");
   word(w, " + y*", d->sky.sun.y, "");

@@ -241,7 +241,7 @@ static void packed_material(vs_emitter *e, size_t number) {
 static void packed_daylight(vs_emitter *e, vs_vec3 sun) {
   enum { COLUMNS = 25, ROWS = 13 };
   const double pi = 3.14159265358979323846, per_candela = 1e-4, per_lux = per_candela / pi;
-  vs_sky_light sky = vs_sky_light_of(e->scene->turbidity, sun);
+  vs_sky_light sky = vs_sky_light_of_scene(e->scene, sun);
   double side = atan2(sky.sun.y, sky.sun.x), table[ROWS * COLUMNS * 3];
   for (int row = 0; row < ROWS; row++)
     for (int column = 0; column < COLUMNS; column++) {
@@ -254,8 +254,7 @@ static void packed_daylight(vs_emitter *e, vs_vec3 sun) {
   packed_number(e, "columns", COLUMNS);
   packed_number(e, "rows", ROWS);
   packed_doubles(e, "table", table, ROWS * COLUMNS * 3);
-  vs_vec3 light = vs_sky_light_sun(e->scene->turbidity, asin(fmax(-1, fmin(1, sun.z))) * 180 / pi);
-  packed_place_of(e, "sun", vs_v3_scale(light, per_lux));
+  packed_place_of(e, "sun", vs_v3_scale(vs_sky_light_sun_of_scene(e->scene, sun), per_lux));
   packed_place_of(e, "level", vs_v3_scale(vs_sky_light_level(&sky), per_lux));
   packed_end(e);
 }
@@ -287,8 +286,9 @@ static void packed_head(vs_emitter *e) {
   packed_entry(e, "N", "DirectionalLight");
   packed_place_of(e, "direction", vs_v3_scale(vs_look_sun(s, &look), -1));
   packed_number(e, "given", s->has_sun);
+  packed_number(e, "off", s->no_sun);
   packed_end(e);
-  if (s->turbidity > 0) packed_daylight(e, vs_look_sun(s, &look));
+  if (s->sky_kind != VS_SKY_PLAIN) packed_daylight(e, vs_look_sun(s, &look));
   else if (s->has_sky) {
     packed_entry(e, "N", "Background");
     packed_doubles(e, "skyColor", s->sky, 3);

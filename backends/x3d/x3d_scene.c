@@ -338,7 +338,7 @@ static void scene_background(vs_emitter *e) {
     vs_emit_warn_once(e, NULL, "only POV-Ray shows the image of a sky: in this format the sky has one colour");
   if (e->scene->lamp_count > 0)
     vs_emit_warn_once(e, NULL, "only POV-Ray shows the light of lamps: in this format lamps give no light");
-  if (e->scene->turbidity > 0)
+  if (e->scene->sky_kind != VS_SKY_PLAIN)
     vs_emit_warn_once(e, NULL,
                       "only POV-Ray and web pages show a physical sky: in this format the sky has plain colours");
   double c[3] = { 0.62, 0.76, 0.92 };
@@ -446,7 +446,7 @@ bool vs_x3d_scene(vs_emitter *e) {
   vs_x3d_words(e, "headlight", "false");
   vs_x3d_end(e, "NavigationInfo", false);
   scene_view(e, &look, aspect);
-  scene_light(e, sun, 0.8, 0.35, "1 0.985 0.95");
+  if (!e->scene->no_sun) scene_light(e, sun, 0.8, 0.35, "1 0.985 0.95");
   scene_light(e, vs_v3(-sun.x, -sun.y, 0.35), 0.3, 0, "0.85 0.92 1");
   scene_light(e, vs_v3_scale(look.forward, -1), 0.22, 0, "1 1 1");
   vs_x3d_node(e, NULL, "Transform", "model");

@@ -28,6 +28,15 @@ static double quantile(const size_t bins[BINS], double count) {
 static const double bright_end[] = {
     [VS_TONE_NEUTRAL] = 1.1, [VS_TONE_AGX] = 3.8, [VS_TONE_FILMIC] = 4, [VS_TONE_LINEAR] = 0.9 };
 
+/* Returns by how many stops a picture of this mean luminance is darker than one of the day: 0 from 3 cd/m2. It is the
+ * key of G. Krawczyk, K. Myszkowski and H.-P. Seidel (Perceptual Effects in Real-Time Tone Mapping, SCCG 2005), which
+ * they fitted to photographs, relative to its value at 3 cd/m2. The number 1 means 10,000 cd/m2. */
+static double night_stops(double mean) {
+  const double least = 3;
+  double y = 1e4 * mean, key = 1.03 - 2 / (2 + log10(fmin(y, least) + 1));
+  return log2(key / (1.03 - 2 / (2 + log10(least + 1))));
+}
+
 double vs_tone_exposure(const vs_light *light, vs_tone_curve curve) {
   size_t bins[BINS] = { 0 }, count = 0;
   double sum = 0;
@@ -51,7 +60,11 @@ double vs_tone_exposure(const vs_light *light, vs_tone_curve curve) {
   double key = log2(0.18) + 2 * fmax(place, -0.25);
   /* By Reinhard's key alone, a white building in the sun would be grey. If nothing is brighter, the second number makes
    * the building white. */
-  return fmax(key - average, log2(bright_end[curve]) - most);
+  double dark = night_stops(exp2(average)), white = log2(bright_end[curve]) - most, lit = key + dark - average;
+  /* At night, the lit parts of the picture stay below white, and the rest is dark. The two rules are blended over a
+   * stop, so that the exposure has no step. */
+  double night = fmin(1, -dark);
+  return (1 - night) * fmax(lit, white) + night * fmin(lit, white);
 }
 
 /* ---- tone curves: from linear light to linear light of a screen, 0 to 1 ---- */

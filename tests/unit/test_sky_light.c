@@ -1,5 +1,6 @@
-/* Tests the physical sky: luminance and colour against the paper's formulas, evaluated by another program
- * (numpy, in double precision), and daylight against the clear skies of the Illuminating Engineering Society. */
+/* Tests the physical skies: luminance and colour against the paper's formulas, evaluated by another program (numpy, in
+ * double precision), daylight against the clear skies of the Illuminating Engineering Society, the overcast sky against
+ * the formulas of Moon and Spencer and of Krochmann, and twilight against the definitions of astronomers. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -71,6 +72,53 @@ static void test_colours(void **state) {
   assert_true(luminance(vs_sky_light_sun(8, 45)) < 0.6 * luminance(vs_sky_light_sun(2, 45)));
 }
 
+/* The sky of P. Moon and D. E. Spencer (1942), the first standard of the CIE, has (1 + 2 sin h) / 3 of the zenith's
+ * luminance at the height h. Type 1 of ISO 15469 differs by at most a tenth of the zenith's. */
+static void test_overcast(void **state) {
+  (void)state;
+  for (double altitude = 0; altitude <= 90; altitude += 15) {
+    vs_sky_light s = vs_sky_light_overcast(towards(90 - altitude, 40));
+    double zenith = luminance(vs_sky_light_at(&s, towards(0, 0)));
+    near_to(luminance(vs_sky_light_level(&s)), 300 + 21000 * sin(altitude * degree), 1e-6);
+    for (double h = 0; h <= 90; h += 10) {
+      double share = luminance(vs_sky_light_at(&s, towards(90 - h, 13 * h))) / zenith;
+      assert_true(fabs(share - (1 + 2 * sin(h * degree)) / 3) < 0.1);
+    }
+  }
+}
+
+/* Civil twilight ends with 3.4 lx, nautical twilight with 0.008 lx, and 760 lx are the light of sunrise (table 1 of
+ * Circular 171 and the Explanatory Supplement to the Astronomical Almanac). */
+static void test_twilight(void **state) {
+  (void)state;
+  near_to(vs_sky_light_twilight(-6) * 758.6, 3.4, 0.03);
+  near_to(vs_sky_light_twilight(-12) * 758.6, 0.008, 0.05);
+  for (double a = 10; a > -30; a -= 0.125) {
+    double here = vs_sky_light_twilight(a), lower = vs_sky_light_twilight(a - 0.125);
+    assert_true(here <= 1 && lower > 0 && lower <= here && lower > 0.8 * here);
+    if (a <= -18.125) assert_true(lower == here);
+    vs_sky_light s = vs_sky_light_of(3, towards(90 - a, 10)), t = vs_sky_light_of(3, towards(90 - a - 0.125, 10));
+    double level = luminance(vs_sky_light_level(&s));
+    if (a <= -6) near_to(level, 758.6 * here, 1e-3);
+    if (a < -0.125) assert_true(level <= luminance(vs_sky_light_level(&t)) * 1.001);
+  }
+}
+
+/* At night the zenith is dark and blue, the horizon bright and yellowish. The moon gives light while it is up. */
+static void test_night(void **state) {
+  (void)state;
+  vs_scene scene = { .sky_kind = VS_SKY_NIGHT };
+  vs_sky_light s = vs_sky_light_of_scene(&scene, towards(50, 0));
+  vs_vec3 zenith = vs_sky_light_at(&s, towards(0, 0)), horizon = vs_sky_light_at(&s, towards(90, 0));
+  near_to(luminance(vs_sky_light_level(&s)), 0.5, 1e-6);
+  assert_true(luminance(horizon) > 3 * luminance(zenith));
+  assert_true(zenith.z > 1.5 * zenith.x && horizon.x > horizon.z);
+  near_to(luminance(vs_sky_light_sun_of_scene(&scene, towards(50, 0))), 0.25, 0.01);
+  assert_true(luminance(vs_sky_light_sun_of_scene(&scene, towards(91, 0))) == 0);
+  scene.no_sun = true;
+  assert_true(luminance(vs_sky_light_sun_of_scene(&scene, towards(50, 0))) == 0);
+}
+
 /* Below the horizon, at the limits, and straight up and down all values are finite, and the night has no sun. */
 static void test_limits(void **state) {
   (void)state;
@@ -79,10 +127,10 @@ static void test_limits(void **state) {
     for (double altitude = -90; altitude <= 90; altitude += 5) {
       vs_sky_light s = vs_sky_light_of(t, towards(90 - altitude, 77));
       assert_true(s.sun.z >= 0);
-      assert_true(luminance(vs_sky_light_level(&s)) > 100);
+      assert_true(luminance(vs_sky_light_level(&s)) > 100 * vs_sky_light_twilight(altitude));
       for (double zenith = 0; zenith <= 180; zenith += 10) {
         vs_vec3 c = vs_sky_light_at(&s, towards(zenith, 3 * zenith));
-        assert_true(luminance(c) > 0 && luminance(c) < 2e5);
+        assert_true(isfinite(luminance(c)) && luminance(c) > 0 && luminance(c) < 2e5);
       }
     }
 }
@@ -90,6 +138,7 @@ static void test_limits(void **state) {
 int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_formulas), cmocka_unit_test(test_daylight), cmocka_unit_test(test_colours),
+    cmocka_unit_test(test_overcast), cmocka_unit_test(test_twilight), cmocka_unit_test(test_night),
     cmocka_unit_test(test_limits),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
