@@ -50,8 +50,9 @@ typedef enum {
   VS_OUTCOME_USAGE = 2,         /* a bad argument, or a file that cannot be read or written */
   VS_OUTCOME_WORKER = 3,        /* a worker program (POV-Ray, ...) is missing or failed */
   VS_OUTCOME_MACHINE = 4,       /* a limit of memory, time or steps, or a failure of the machine */
-  VS_OUTCOME_STOPPED = -1,      /* (break) paused the program, which happens only with VS_EVAL_STOP; not an exit code.
-                                 * vs_stop_get gives the place, vs_resume continues */
+  VS_OUTCOME_STOPPED = -1,      /* The program is paused, by (break) or by a single step; this happens only with
+                                 * VS_EVAL_STOP. It is not an exit code. vs_stop_get returns the place, and vs_resume
+                                 * continues the program */
   VS_OUTCOME_INTERRUPTED = 130
 } vs_outcome;
 
@@ -84,7 +85,7 @@ typedef struct {
 
 typedef struct {
   const char *phase;     /* current work in English, for a status line: "evaluating", "meshing", "rendering", ... */
-  const char *subject;   /* the output file, or NULL */
+  const char *subject;   /* name of the file that is being written, or NULL */
   double fraction;       /* completed fraction, 0 to 1; negative: not known */
 } vs_progress;
 
@@ -127,13 +128,13 @@ typedef struct {
   vs_host host;
   vs_alloc_fn *alloc;     /* allocator; NULL: the C library's */
   void *alloc_context;
-  double limit_time;      /* seconds for an evaluation, and for an output without its worker. For this limit and each
-                           * below, 0 means no limit */
-  size_t limit_memory;    /* bytes of the heap, of the model and of the solids that an output combines, together */
-  uint64_t limit_steps;   /* number of calls and loop turns of an evaluation */
-  size_t limit_output;    /* number of bytes that an evaluation may print */
-  double limit_worker;    /* seconds for a worker program */
-  size_t limit_triangles; /* number of triangles in the mesh of an output */
+  double limit_time;      /* Time limit in seconds of an evaluation, and of an output without its worker program. Here
+                           * and in the limits below, 0 means no limit */
+  size_t limit_memory;    /* limit in bytes of the heap, the model, and the solids that an output combines, together */
+  uint64_t limit_steps;   /* greatest number of calls and loop iterations of an evaluation */
+  size_t limit_output;    /* greatest number of bytes that an evaluation may print */
+  double limit_worker;    /* time limit in seconds of a worker program */
+  size_t limit_triangles; /* greatest number of triangles in the mesh of an output */
   size_t cache;           /* bytes of results (meshes) that the interpreter keeps for later outputs. 0: 256 MB, or a
                            * quarter of limit_memory; SIZE_MAX: it keeps nothing */
   /* Whether an error keeps the parameters of its calls, for vs_call_get. This suits a prompt. Each error then takes
@@ -152,7 +153,7 @@ VS_API vs_options vs_options_default(void);
 /* Returns a new interpreter, which the caller frees by vs_free. Returns NULL if memory is out. o NULL: the defaults.
  * The interpreter copies the data of o, and calls the callbacks until vs_free. */
 VS_API vs_scheme *vs_new(const vs_options *o);
-VS_API void vs_free(vs_scheme *s); /* s may be NULL. */
+VS_API void vs_free(vs_scheme *s); /* frees the interpreter; s may be NULL */
 
 /* Ends the running call within about 50 ms, with VS_OUTCOME_INTERRUPTED. If no call is running, the next call ends in
  * this way, unless vs_interrupt_clear precedes it. Async-signal-safe; any thread may call vs_interrupt. */
@@ -167,18 +168,19 @@ enum {
   /* The text is a whole program, as a file is. If it begins with an import, it sees only its imports. Without this
    * flag imports add names. */
   VS_EVAL_PROGRAM = 2u,
-  /* With PRINT: the n-th value since vs_new or vs_restart gets the name $n. `value` receives an object as one line. */
+  /* With VS_EVAL_PRINT: the n-th value since vs_new or vs_restart gets the name $n. The callback `value` receives an
+   * object as one line. */
   VS_EVAL_NUMBER = 4u,
   /* (break) pauses the program, with the outcome VS_OUTCOME_STOPPED. Without this flag (break) warns and continues. */
   VS_EVAL_STOP = 8u,
-  /* With STOP: pauses before the first call in the text. */
+  /* With VS_EVAL_STOP: pauses the program before the first call in the text. */
   VS_EVAL_STEP = 16u,
   /* If a program is paused, the text's expressions see the variables at its place (vs_eval_text). */
   VS_EVAL_WITHIN = 32u,
-  /* (break) does nothing, and gives no warning: the text has run before. */
+  /* The text has run before: (break) neither pauses the program nor warns. */
   VS_EVAL_PASS = 64u,
-  /* Checks (check-expect ...) wait for vs_check_next. Without this flag and without PASS they run at the text's end,
-   * and each failed check is a warning. */
+  /* Checks (check-expect ...) wait for vs_check_next. Without this flag and without VS_EVAL_PASS they run at the text's
+   * end, and each failed check is a warning. */
   VS_EVAL_CHECK_LATER = 128u
 };
 
@@ -213,10 +215,10 @@ typedef enum {
 } vs_read_state;
 typedef struct {
   vs_read_state state;
-  unsigned depth;          /* INCOMPLETE: number of open parentheses */
-  unsigned line, column;   /* place, from 1. INCOMPLETE: of the innermost open parenthesis, string or comment. BAD: of
-                            * the fault */
-  const char *message;     /* BAD: reason, such as "( is closed by ]"; otherwise NULL */
+  unsigned depth;          /* VS_READ_INCOMPLETE: number of open parentheses */
+  unsigned line, column;   /* Line and column, from 1. VS_READ_INCOMPLETE: those of the innermost open parenthesis,
+                            * string or comment. VS_READ_BAD: those of the fault */
+  const char *message;     /* VS_READ_BAD: reason, such as "( is closed by ]"; otherwise NULL */
 } vs_read_status;
 VS_API vs_read_status vs_read_check(vs_scheme *s, const char *text, size_t length);
 
@@ -231,7 +233,7 @@ typedef struct {
   const char *kind;     /* kind: "procedure", "form" (if, define ...) or "value" */
   /* A call, such as "(make-sphere c r)", with a line for each form of call; "": not known. */
   const char *call;
-  const char *keywords; /* keywords, such as "#:segments #:plane"; "": none */
+  const char *keywords; /* the procedure's keyword arguments, such as "#:segments #:plane"; "": none */
   const char *doc;      /* short description in English, half a line; "": none */
   const char *value;    /* value in written form, cut to a line; "" for procedures and forms */
   bool own;             /* whether the program or a library defines the name, not the language */
@@ -242,9 +244,9 @@ VS_API bool vs_name_get(vs_scheme *s, const char *name, vs_name_info *out);
 /* Returns the advice that an error gives for an unknown name: "make-box is the name here: ...", "did you mean
  * make-box?". Returns "" if there is no advice. */
 VS_API const char *vs_name_advice(vs_scheme *s, const char *name);
-/* Returns the message with the advice that a run adds to an error at this byte of the text: of an unknown name ("x is
- * not defined"), of a value that is called, of a form's name alone, or of (< 1 x < 3). A valid text until the next call
- * with `s`. */
+/* Returns the message with the advice that a run adds to an error at this byte of the text. The error concerns an
+ * unknown name ("x is not defined"), a value that is called, the name of a form alone, or (< 1 x < 3). The message is
+ * valid until the next call with `s`. */
 typedef enum { VS_ADVICE_NAME, VS_ADVICE_CALL, VS_ADVICE_WORD, VS_ADVICE_CHAIN } vs_advice_kind;
 VS_API const char *vs_place_advice(vs_scheme *s, vs_advice_kind kind, const char *text, size_t length, size_t at,
                                    const char *message);
@@ -283,7 +285,7 @@ typedef enum {
   VS_RESUME_ENTER,        /* runs to the next call, including calls inside the callee */
   VS_RESUME_OVER,         /* runs to the next call in the same procedure or its callers */
   VS_RESUME_OUT,          /* runs to the next call in the procedure's callers */
-  VS_RESUME_SAME          /* continues as the last time */
+  VS_RESUME_SAME          /* continues in the way of the previous vs_resume */
 } vs_resume_way;
 /* Continues the program that paused last, with the flags that started it. Returns as vs_eval_text does;
  * VS_OUTCOME_USAGE: no program is paused. */
@@ -295,8 +297,9 @@ VS_API void vs_stop_drop(vs_scheme *s);
 
 typedef struct {
   const char *procedure;  /* name of the procedure; "": it has no name */
-  const char *variables;  /* its parameters, local and captured variables, such as "n = 3, points = (...)" */
-  vs_span at;             /* place of the call in progress */
+  const char *variables;  /* the procedure's parameters, local and captured variables, such as "n = 3, points =
+                           * (...)" */
+  vs_span at;             /* place of the call that this procedure was making */
 } vs_call_info;
 /* Describes a call; index 0 is the innermost. Returns false for an index after the last call, or if there was no
  * error. */
@@ -308,7 +311,8 @@ VS_API bool vs_call_get(vs_scheme *s, size_t index, vs_call_info *out);
  * earlier samples. */
 VS_API void vs_profile(vs_scheme *s, bool on);
 typedef struct { const char *procedure; vs_span at; double own, whole;
-    /* fractions of all samples. own: in itself. whole: also in callees */ } vs_profile_info;
+    /* Fractions of all samples, 0 to 1. own: samples in the procedure itself. whole: also those in procedures that it
+     * calls */ } vs_profile_info;
 /* Describes a procedure; index 0 has the most time. Returns false for an index after the last. *looks is the number of
  * samples. */
 VS_API bool vs_profile_get(vs_scheme *s, size_t index, vs_profile_info *out, size_t *looks);
@@ -329,7 +333,8 @@ typedef struct {
   const char *value, *default_value;    /* values as written data; strings have no quotes */
   bool has_range;                       /* whether min, max and step are set: the parameter is a number without
                                          * choices */
-  double min, max, step;                /* range of the value; step 0: continuous */
+  double min, max, step;                /* least and greatest value, and distance between allowed values; step 0: any
+                                         * value in the range */
   const char *const *choices;           /* allowed values, in the form of `value`; NULL: any value */
   size_t choice_count;
   vs_span at;
@@ -357,10 +362,11 @@ typedef struct {
   bool has_bounds;                /* whether there are bounds; false if the drawing is empty, or has only infinite
                                    * lines */
   double min[3], max[3];
-  bool bounds_at_most;            /* whether some bounds are too large: those of a cut object are those of the uncut
-                                   * object, if computing the cut would take long */
+  bool bounds_at_most;            /* Whether some bounds are larger than the drawing. If computing a cut would take
+                                   * long, the bounds of the uncut object are used */
   const char *units;              /* model unit, "m" by default */
-  /* If there are no objects: the unused definitions of the program, "the program defines ..."; otherwise NULL. */
+  /* If there are no objects: a sentence that begins "the program defines ..." and names the program's unused
+   * definitions. Otherwise NULL. */
   const char *advice;
 } vs_summary;
 VS_API vs_outcome vs_drawing_summary(vs_scheme *s, vs_summary *out);
@@ -388,9 +394,11 @@ VS_API vs_outcome vs_drawing_keep(vs_scheme *s);
 
 typedef enum {
   VS_PART_WAS_ADDED, VS_PART_WAS_REMOVED,
-  VS_PART_WAS_CHANGED,   /* the part has the same kinds of objects and the same paint, but other numbers */
-  VS_PART_WAS_MOVED,     /* the part has the same shape at another place */
-  VS_PART_WAS_REPAINTED  /* the part has the same shape at the same place, with another material or layer */
+  VS_PART_WAS_CHANGED,   /* both drawings contain the part, with equal kinds of objects and equal paint, but with
+                          * different numbers */
+  VS_PART_WAS_MOVED,     /* both drawings contain the part, with the same shape at different places */
+  VS_PART_WAS_REPAINTED  /* both drawings contain the part, with the same shape and place, but with different materials
+                          * or layers */
 } vs_part_difference;
 
 typedef struct {
@@ -421,8 +429,8 @@ typedef struct {
   bool passed;
   const char *form;       /* name of the check form, such as "check-expect" */
   const char *expression; /* source text of the expression, cut to a line */
-  const char *gives;      /* result: a value as an expression, or "an error: ..." */
-  const char *expected;   /* expected result, in the same form */
+  const char *gives;      /* value of the expression, written as an expression, or "an error: ..." */
+  const char *expected;   /* expected value, written as an expression, or "an error: ..." */
 } vs_checked;
 
 typedef struct {
@@ -452,7 +460,7 @@ VS_API const char *vs_check_redefined(vs_scheme *s);
 
 typedef struct {
   bool placed;   /* whether the scan is in the model's coordinates and must not be moved */
-  bool near;     /* whether the scan is roughly in place, so that no other places are tried */
+  bool near;     /* whether the scan is roughly in place, so that vs_fit tries no other places */
   bool any_pose; /* whether the scan's up direction may differ from the model's */
   const char *const *held;
   size_t held_count; /* names of the parameters that keep their values */
@@ -473,17 +481,17 @@ typedef struct {
   const char *name;
   vs_fit_state state;
   double start, value;
-  double error;     /* standard error; infinite if undetermined, 0 if the parameter keeps its value */
-  double low, high; /* interval of the chosen confidence */
+  double error;     /* standard error of the value; infinite if undetermined, 0 if the parameter keeps its value */
+  double low, high; /* ends of the value's interval of the chosen confidence */
 } vs_fit_parameter;
 
 typedef struct {
   size_t points, nowhere; /* points: number in the file. nowhere: number without finite coordinates, which vs_fit
                            * omits */
   size_t samples,
-      used; /* samples: measured places, which are the points of a cloud, or spread over a mesh. used: those of the last
-             * step */
-  size_t outliers; /* number of samples further away than 4.685 spreads, which have no weight */
+      used; /* samples: number of measured places: the points of a cloud, or points spread over a mesh. used: number of
+             * samples in the last step */
+  size_t outliers; /* number of samples further away than 4.685 times `spread`, which have no weight */
   double spread;   /* 1.4826 times the median distance: the standard deviation, if errors are normally distributed */
   double median, root_mean_square; /* median and root mean square of the distances of all samples */
   double correlation;              /* correlation between the distances of neighbours; near 0 if the distances are only
@@ -508,8 +516,8 @@ VS_API bool vs_fit_parameter_get(const vs_scheme *s, size_t index, vs_fit_parame
 /* Returns the signed distances of the scan's points from the fitted model, negative inside, in the file's order; a NaN
  * for a point without finite coordinates. They are valid until the next vs_fit. Returns NULL if there was no fit. */
 VS_API const double *vs_fit_distances(const vs_scheme *s, size_t *count);
-/* Writes the scan, coloured by these distances, as .ply or .x3d by the path's suffix: blue at -range, grey at 0, red at
- * range. range 0: the range that contains 98 % of the points. *used is the range. */
+/* Writes the scan as .ply or .x3d, by the path's suffix, coloured by the distances of vs_fit_distances: blue at -range,
+ * grey at 0, red at range. range 0: the range that contains 98 % of the points. *used is the range. */
 VS_API vs_outcome vs_fit_map(vs_scheme *s, const char *path, double range, double *used);
 
 /* ---- output ---- */
@@ -547,27 +555,27 @@ typedef struct {
 } vs_development;
 
 typedef struct {
-  int width, height;     /* size in pixels; 0: 1024 by 768, or 4:3 with the other */
+  int width, height;     /* Size in pixels. Both 0: 1024 by 768. A single 0: computed from the other number, at a ratio
+                          * of 4:3 */
   vs_quality quality;
   vs_development development; /* development of a .png */
   bool layers;           /* whether an .exr also contains depth, normal, albedo, id, material and ambient occlusion */
   const char *view;      /* name of a view of the model, or NULL; "*": all views, on a drawing's sheet */
   bool has_camera;       /* whether the camera below replaces the model's and the view's */
-  double camera[7];      /* eye, target, and focal length in mm for a 35 mm film */
+  double camera[7];      /* eye (3 numbers), target (3 numbers), and focal length in mm for a 35 mm film */
   bool has_sun;          /* whether the sun below replaces the model's */
   double sun[2];         /* azimuth from north to east, and altitude, in degrees */
-  double tolerance;      /* height of chords in model units; 0: the model's tolerance, or that of the rule for
-                          * drawings */
-  int segments;          /* number of facets in a full turn; 0: by tolerance */
-  int least_segments;    /* least number of facets in a full turn by tolerance; 0: 32 */
+  double tolerance;      /* greatest distance of a chord from its curve, in model units; 0: the model's tolerance, or
+                          * that of the rule for drawings */
+  int segments;          /* number of facets in a full turn; 0: computed from the tolerance */
+  int least_segments;    /* least number of facets in a full turn, if it is computed from the tolerance; 0: 32 */
   unsigned passes;       /* mask of optimisation passes; VS_PASSES_ALL by default */
-  bool count;            /* whether the statistics count nodes, and commands with and without each pass; the passes then
+  bool count;            /* Whether the statistics count nodes, and commands with and without each pass. The passes then
                           * run once more for each count */
-  bool strict;           /* whether an omission or change of part of the model by the format is an error, not a
-                          * warning */
+  bool strict;           /* whether it is an error, not a warning, if the format omits or changes part of the model */
   bool change;           /* whether to write the result of vs_drawing_compare in place of the drawing: added parts
                           * green, removed parts red */
-  bool last;             /* whether no drawing and no output follows, so that the interpreter caches nothing */
+  bool last;             /* whether no other drawing or output follows, so that the interpreter caches nothing */
   int crop[4];           /* part of a .png or .exr to make: left, top, width, height in pixels; all 0: the whole
                           * picture */
   unsigned threads;      /* number of processors that POV-Ray uses for a picture; 0: all. It does not change the
@@ -663,7 +671,7 @@ typedef struct vs_output vs_output; /* the file in progress; valid in callbacks 
 typedef enum {
   VS_THING_LEAF,  /* a primitive, or a profile with its sweep; received once */
   VS_THING_ENTER, /* an operation ("unite", "intersect", "subtract", "transform" ...), before its children */
-  VS_THING_LEAVE  /* the same operation, after its children */
+  VS_THING_LEAVE  /* the end of an operation that began with VS_THING_ENTER, after its children */
 } vs_thing_phase;
 
 typedef struct {
@@ -720,8 +728,8 @@ VS_API bool vs_output_number(vs_output *out, double x);
 VS_API bool vs_output_fail(vs_output *out, const char *message);
 
 /* Reads the numbers of a thing's field: a number, flag (0 or 1), point (3 numbers), list of points or matrix. field:
- * the name in the tree dump (-o x.tree). Copies at most room numbers to out. Returns the number of all of them, 0 if
- * there is no such field. */
+ * the name in the tree dump (-o x.tree). Copies at most room numbers to out. Returns how many numbers the field has, or
+ * 0 if there is no such field. */
 VS_API size_t vs_thing_numbers(const vs_thing *t, const char *field, double *out, size_t room);
 VS_API const char *vs_thing_text(const vs_thing *t, const char *field); /* Returns the text of a thing's field, or NULL
                                                                          * if it is not a field of text. */
@@ -812,12 +820,14 @@ VS_API void vs_handle_release(vs_scheme *s, vs_handle h);     /* Releases the ha
 
 VS_API vs_handle vs_handle_boolean(vs_scheme *s, bool b);
 VS_API vs_handle vs_handle_number(vs_scheme *s, double x);
-VS_API vs_handle vs_handle_integer(vs_scheme *s, int64_t n); /* Returns an exact integer. */
+VS_API vs_handle vs_handle_integer(vs_scheme *s, int64_t n); /* Returns a handle to the exact integer n. */
 /* Returns the number that the text denotes in a program: "1/3", an integer of any size. 0: the text is not a number, or
  * memory is out. */
 VS_API vs_handle vs_handle_number_text(vs_scheme *s, const char *text);
 VS_API vs_handle vs_handle_text(vs_scheme *s, const char *text);
-VS_API vs_handle vs_handle_text_bytes(vs_scheme *s, const char *text, size_t length); /* text may contain zero bytes */
+VS_API vs_handle vs_handle_text_bytes(vs_scheme *s, const char *text, size_t length); /* Returns a handle to a text of
+                                                                                       * `length` bytes, which may
+                                                                                       * contain zero bytes */
 VS_API vs_handle vs_handle_symbol(vs_scheme *s, const char *name);
 VS_API vs_handle vs_handle_point(vs_scheme *s, double x, double y, double z);
 VS_API vs_handle vs_handle_vector(vs_scheme *s, double x, double y, double z);
@@ -835,7 +845,7 @@ VS_API void *vs_handle_get_host(vs_scheme *s, vs_handle h); /* Returns the host'
 VS_API vs_handle_kind vs_handle_kind_of(vs_scheme *s, vs_handle h);
 VS_API bool vs_handle_get_boolean(vs_scheme *s, vs_handle h); /* Returns false for #f, true for every other value. */
 /* Reads the numbers of a number (1), point, vector (3) or matrix (16, row by row). Copies at most room numbers to out.
- * Returns the number of all of them, 0 for any other value. */
+ * Returns how many numbers the value has, or 0 for any other value. */
 VS_API size_t vs_handle_get_numbers(vs_scheme *s, vs_handle h, double *out, size_t room);
 VS_API bool vs_handle_is_exact(vs_scheme *s, vs_handle h); /* returns true for an exact number, whose text has all
                                                             * digits */
@@ -876,7 +886,8 @@ VS_API vs_handle vs_node_root(vs_scheme *s);
 VS_API vs_handle vs_node_create(vs_scheme *s, const char *type, const char *name, vs_handle parent);
 VS_API vs_handle vs_node_find(vs_scheme *s, const char *name); /* Returns the node with this name, or 0, without an
                                                                 * error, if there is none. */
-/* These functions run no code of the program, so a callback of a running program may call them too. */
+/* vs_node_parent, vs_node_children and vs_node_name run no code of the program, so a callback of a running program may
+ * call them too. */
 VS_API vs_handle vs_node_parent(vs_scheme *s, vs_handle node); /* Returns the parent, or 0 if the node has none. */
 VS_API vs_handle vs_node_children(vs_scheme *s, vs_handle node); /* Returns a list of the node's children. */
 VS_API const char *vs_node_name(vs_scheme *s, vs_handle node); /* returns the name, valid as for vs_handle_get_text;
@@ -894,7 +905,8 @@ VS_API vs_outcome vs_node_set_drawing(vs_scheme *s, vs_handle node, vs_handle dr
 VS_API vs_handle vs_node_object(vs_scheme *s, vs_handle node); /* Returns the node's whole visible drawing as an
                                                                 * object. */
 
-/* Set the focus: the node to whose drawing `draw` adds. vs_node_end cannot end the focus of the root. */
+/* Begin and end a focus. The focus is the node to whose drawing `draw` adds. vs_node_end cannot end the focus of the
+ * root. */
 VS_API vs_outcome vs_node_begin(vs_scheme *s, vs_handle node);
 VS_API vs_outcome vs_node_end(vs_scheme *s);
 VS_API vs_handle vs_node_focus(vs_scheme *s);
@@ -978,7 +990,7 @@ typedef struct {
   const char *unit;  /* unit: "s", "bytes", or "" for a count */
 } vs_statistic;
 /* Gives the statistics since vs_new, in a fixed order. The manual's page on the command explains each key. A NaN means
- * that the value was not counted. Copies at most room statistics to out. Returns the number of all of them. */
+ * that the value was not counted. Copies at most room statistics to out. Returns how many statistics there are. */
 VS_API size_t vs_statistics(const vs_scheme *s, vs_statistic *out, size_t room);
 
 typedef struct {

@@ -22,8 +22,9 @@
 enum { MOST_LOOPS = 24 /* greatest number of loops in a home, nested or in sequence, since each may be compiled inside
                         * another */, MOST_DEPTH = 1500 };
 
-struct tail { struct tail *parent; vs_core_node *fix; vs_var *var; /* scope of the body of var's lambda, or of fix if
-                                                                    * var is NULL */ };
+struct tail { struct tail *parent; vs_core_node *fix; vs_var *var; /* A scope: the body of the lambda of the variable
+                                                                    * var or, if var is NULL, the body of `fix`. parent:
+                                                                    * the enclosing scope */ };
 struct job { struct job *next; vs_core_node *lambda; struct tail *tail; int loops; };
 struct needs { struct needs *next; vs_var *loop, *through; };
 
@@ -234,7 +235,7 @@ static bool capture(struct analysis *a, vs_lambda_info *f, vs_var *v) {
   return true;
 }
 
-/* Records that the home `in` uses v. Sets *early to whether that may be before v has a value. */
+/* Records that the home `in` uses v. Sets *early to true if the use may come before v has a value. */
 static bool use(struct analysis *a, vs_core_node *in, vs_var *v, bool *early) {
   vs_var_info *info = vs_info(v);
   *early = false;
@@ -242,8 +243,8 @@ static bool use(struct analysis *a, vs_core_node *in, vs_var *v, bool *early) {
     *early = info->ready == VS_NOT_READY;
   } else {
     v->captured = true;
-    /* Goes outwards until a home that already captures the variable, and knows whether it is early, or to the
-     * outermost. */
+    /* Goes outwards to the first home that already captures v and knows whether the use is early. Otherwise goes to the
+     * outermost home. */
     vs_core_node *at = in;
     uint32_t known;
     for (;; at = info_of(at)->parent) {
@@ -304,7 +305,7 @@ static bool find_homes(struct analysis *a, vs_core_node *n, vs_core_node *in) {
         vs_var *v = n->as.let.vars[i];
         vs_var_info *info = vs_info(v);
         if (info->loop) { info->ready = 0; continue; }
-        if (v->value) {                       /* consecutive lambdas are created at one moment */
+        if (v->value) {                       /* consecutive lambdas of a FIX are created at the same moment */
           if (!run) a->now++;
           run = true;
           if (!make_info(a, v->value, in, a->now)) return false;

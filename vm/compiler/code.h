@@ -19,11 +19,14 @@ enum {
 #define VS_C(i) ((i) >> 24)
 #define VS_BX(i) ((i) >> 16)
 
-/* An entry of code->places: the place of an instruction that can fail. Entries are sorted by pc. In the heap image,
- * code->places is a fixnum, one place for the whole procedure, since messages show no places in the language's own
- * sources. If the interpreter keeps the calls that lead to errors, it is a pair of the entries and a vector of
- * variables. A variable has VS_VARIABLE_WORDS words: its symbol; its register, or -1 - i for captured variable i; the
- * instructions [from, to) in which it has its value. */
+/* An entry of code->places: the place of an instruction that can fail. Entries are sorted by pc.
+ *
+ * In the heap image, code->places is a fixnum: a single place for the whole procedure, since messages show no places in
+ * the language's own sources. If the interpreter keeps the calls that lead to errors, code->places is a pair of the
+ * entries and a vector of variables.
+ *
+ * A variable has VS_VARIABLE_WORDS words: its symbol; its register, or -1 - i for captured variable i; the instructions
+ * [from, to) in which it has its value. */
 typedef struct vs_place { uint32_t pc, high, low; } vs_place;
 enum { VS_VARIABLE_WORDS = 4 };
 /* An entry of code->inlined: the instruction at pc replaces a call of the procedure in this cell (a constant index). */
@@ -44,12 +47,13 @@ const char *vs_op_operands(uint32_t op);
 /* Returns the number of extra words of an opcode. */
 uint32_t vs_op_extra(uint32_t op);
 
-/* Returns which of the procedures that define-record-type creates has these instructions, or 0. required: number of its
- * parameters. */
+/* Recognises the code of a procedure that define-record-type creates. Returns VS_CODE_GET, VS_CODE_SET, VS_CODE_TEST or
+ * VS_CODE_MAKE, or 0 for other code. required: number of the procedure's parameters. */
 uint32_t vs_code_record(const uint32_t *ins, size_t words, uint32_t required);
 
-/* Removes VS_F_CONSTANT from a cell that is to get another value, and patches all code in which calls of it were
- * replaced by opcodes. The environment calls it before a redefinition; SETGLOBAL and DEFGLOBAL do so themselves. */
+/* Removes VS_F_CONSTANT from a cell before the cell gets another value. Restores the calls of the cell's procedure that
+ * opcodes have replaced. The environment calls this function before a redefinition; SETGLOBAL and DEFGLOBAL do so
+ * themselves. */
 void vs_cell_redefine(vs_value cell);
 
 static inline uint32_t *vs_code_ins(const vs_code *c) { return (uint32_t *)(void *)vs_as_bytes(c->ins)->at; }

@@ -26,8 +26,8 @@ typedef struct compiler { vs_emit e; struct job *jobs; } compiler;
 static bool gen(compiler *c, vs_core_node *n, uint32_t to);
 static bool test(compiler *c, vs_core_node *n, bool sense, vs_jumps *list);
 
-/* Returns true if the variable has a box. Assigned variables have boxes, since a continuation that restores the
- * activation must not restore their old values. A variable with in_register set that is not captured remains in its
+/* Returns true if the variable has a box. Assigned variables have boxes: a continuation restores the registers of its
+ * activation, which must not undo an assignment. A variable with in_register set that is not captured remains in its
  * register. */
 static bool boxed(const vs_var *v) { return vs_info(v)->boxed || (v->assigned && !(v->in_register && !v->captured)); }
 static bool is_value(uint32_t to) { return to < TAIL; }
@@ -92,8 +92,8 @@ static bool load_global(compiler *c, const vs_core_node *n, uint32_t to) {
          vs_emit_op1(&c->e, VS_O_GLOBAL, to, 0, 0, k);
 }
 
-/* Sets *reg to a register with the value of n for the next instruction: that of a local variable, or a temporary
- * one. */
+/* Sets *reg to a register with the value of n for the next instruction: the register of a local variable, or a
+ * temporary one. */
 static bool operand(compiler *c, vs_core_node *n, uint32_t *reg) {
   if (n->kind == VS_AST_LOCAL && !n->flag && !boxed(n->as.var) && vs_info(n->as.var)->lambda == c->e.lambda) {
     *reg = n->as.var->reg;
@@ -120,8 +120,8 @@ static bool writes(const vs_core_node *n, const vs_var *v, int depth) {
   }
 }
 
-/* Sets *reg to a register with the value of argument i of a call. If a later argument may assign the variable, it is a
- * copy. */
+/* Sets *reg to a register with the value of argument i of a call. If a later argument may assign the variable, the
+ * register contains a copy. */
 static bool operand_of(compiler *c, vs_core_node *call, uint32_t i, uint32_t *reg) {
   vs_core_node *n = call->as.call.at[i];
   bool written = false;
@@ -173,7 +173,8 @@ static bool near(compiler *c, uint32_t *reg, unsigned i) {
   return true;
 }
 
-/* The operands B and C of an instruction, and how many of them are registers; those come first. */
+/* Operands B and C of an instruction. registers: number of these operands that are registers; registers come before
+ * other operands. */
 typedef struct { uint32_t b, c; unsigned registers; } operands;
 
 static bool emit_value_op(compiler *c, const vs_core_node *n, unsigned op, uint32_t to, operands o) {
@@ -200,7 +201,7 @@ static bool in_a_row(compiler *c, vs_core_node *n, uint32_t *first, bool *ok) {
   return true;
 }
 
-/* Emits n if it is a call that becomes an opcode, and sets *done to whether it was. */
+/* If n is a call that an opcode can replace, emits the opcode and sets *done to true. Otherwise sets *done to false. */
 static bool gen_inline(compiler *c, vs_core_node *n, uint32_t to, bool *done) {
   const vs_native *native;
   const vs_inline_row *row = row_of(c, n, &native);
@@ -469,7 +470,7 @@ static bool gen_call(compiler *c, vs_core_node *n, uint32_t to, bool fresh) {
   bool far = w >= VS_NEAR || n->count > 250 || n->as.call.keywords, global = f->kind == VS_AST_GLOBAL && !far;
   if (global && unknown_word(c, f)) {
     global = false;
-    f->pos = n->pos; /* the place of an unknown name at the head of a call */
+    f->pos = n->pos; /* the error of an unknown name at the head of a call has the place of the call */
   }
   e->fresh = VS_NO_REGISTER;
   if (!global) {
@@ -493,7 +494,7 @@ static bool gen_call(compiler *c, vs_core_node *n, uint32_t to, bool fresh) {
   if (to == EFFECT) ok = ok && vs_emit_op(e, VS_O_DROP, w, 0, 0);      /* the instruction also tells the run loop that
                                                                         * the value is not used */
   e->next = keep;
-  return ok && finish(c, w, to);        /* needed even after a tail call, since a native returns here */
+  return ok && finish(c, w, to);        /* code follows even a tail call, since a call of a native returns here */
 }
 
 /* Returns true if evaluating n reads v. Returns true if that is not certain. */

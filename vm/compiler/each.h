@@ -1,6 +1,7 @@
 /* Declares the registers of EACH and MORE, which call a procedure with each element of a list and return the results.
- * These registers are called the row. The window of the calls is at the end of the row. The data for the next call are
- * therefore at fixed positions below the activation of the called procedure.
+ * These consecutive registers are called the row. The row ends with the window of the calls: the registers for the
+ * procedure and its arguments. The data for the next call are therefore at fixed positions below the activation of the
+ * called procedure.
  *
  * The results are a list. It grows at its end as long as no continuation can return to the shorter list. Once a
  * continuation was created, the list grows at its front, in reverse order. Its pairs are then never changed, and a copy
@@ -12,7 +13,8 @@
 
 enum {
   VS_EACH_PROCEDURE,
-  VS_EACH_CAPTURES,     /* number of continuations at the start; #f: the list of results is in reverse order */
+  VS_EACH_CAPTURES,     /* number of continuations that existed before the first call; #f: the list of results is in
+                         * reverse order */
   VS_EACH_RESULTS,      /* list of results, or the unspecific value if results are not kept */
   VS_EACH_LAST,         /* last pair of the results, or '(); #f if results are not kept */
   VS_EACH_LIST,         /* list of the elements for which the procedure was not yet called */
@@ -35,7 +37,7 @@ static inline int vs_each_again(vs_scheme *vm, vs_value *base, vs_value v) {
   vs_value *row = base - 2 - VS_EACH_WINDOW, last = row[VS_EACH_LAST], list = row[VS_EACH_LIST];
   if (base[-2] != row[VS_EACH_PROCEDURE] || vm->fuel <= 1) return 0;
   if (last == VS_FALSE) {
-    if (vs_is_object(v)) return 0;        /* an object may be unused, which MORE reports */
+    if (vs_is_object(v)) return 0;        /* MORE must report an object that the program does not use */
   } else {
     if (vs_is(v, VS_T_VALUES) || vm->end - vm->free < (ptrdiff_t)sizeof(vs_pair)) return 0;
     if (last != VS_NIL && !vs_gc_is_young(vm, vs_as_pair(last))) return 0;

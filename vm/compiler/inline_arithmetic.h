@@ -37,9 +37,9 @@ static inline bool to_double(vs_value v, double *d) {
   return false;
 }
 
-/* Applies the host's binary procedure of this row to x and y, with three numbers or one in d as its result. Returns the
- * kind of the record, or 0 for a number. Returns a negative number if the procedure itself must run: for other
- * operands, or a result that is not finite. */
+/* Applies the host's binary procedure of this row to x and y. Stores the result in d: three numbers, or a single one.
+ * Returns the tag of the resulting record, or 0 for a number. Returns a negative number if the procedure itself must
+ * run: for other operands, or a result that is not finite. */
 static inline int flat_binary(const vs_flat_rules *rules, uint32_t row, vs_value x, vs_value y, double *d) {
   int kind = rules->binary[row].kind, result = rules->binary[row].result;
   if (!vs_is_flat(x, rules->binary[row].left)) return -1;

@@ -29,7 +29,8 @@ typedef struct vs_core_node vs_core_node;
 typedef struct vs_var {
   uint32_t name;             /* constant index of the variable's symbol */
   bool introduced;           /* created by a macro, so that messages do not show it */
-  bool in_register;          /* assigned in its register unless captured: no continuation is entered twice */
+  bool in_register;          /* whether the variable may be assigned in its register, unless it is captured: no
+                              * continuation of its activation is entered twice */
   bool given_again;          /* of a FIX: whether its value may be computed a second time, so that it counts as
                               * assigned */
   /* Members that the compiler sets. */
@@ -42,7 +43,7 @@ typedef struct vs_var {
 
 typedef struct vs_param {    /* a parameter of a lambda; the order is required, optional, keyword */
   vs_var *var;
-  vs_core_node *fallback;         /* default value, in the scope of the parameters before; NULL: the parameter is
+  vs_core_node *fallback;         /* default value, which may use the previous parameters; NULL: the parameter is
                                    * required */
   uint32_t keyword;          /* 0, or 1 + constant index of the keyword's symbol (without #:); a keyword parameter
                               * without a fallback is required */

@@ -224,8 +224,9 @@ static bool finish_body(vs_expansion *x) {
   }
   uint32_t depth = x->now.depth + (fix != NULL) + (seq != NULL);
   bool ok = true;
-  for (size_t i = total; ok && i-- > 0; r[0] = vs_cdr(r[0])) {      /* from the newest to the oldest, so that the tasks
-                                                                     * run in the order of the text */
+  for (size_t i = total; ok && i-- > 0; r[0] = vs_cdr(r[0])) {      /* pushes the tasks from the newest form to the
+                                                                     * oldest, so that they run in the order of the
+                                                                     * text */
     const vs_vector *v = vs_as_vector(vs_car(r[0]));
     if (i >= defined) {
       ok = expand_kept(x, vs_car(r[0]), seq ? &seq->as.seq.at[i - defined] : into, depth);

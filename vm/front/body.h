@@ -7,7 +7,7 @@
 /* Converts the transformer spec to a MACRO, or to a call that returns one. Sets *done to false if the call of
  * x->procedure must run first; the caller then sets `waiting`. */
 bool vs_expand_transformer(vs_expansion *x, vs_value spec, vs_value env, vs_value *macro, bool *done);
-/* Perform a step of a task, and pass the value to a waiting one. */
+/* vs_body_step performs a step of the current task. vs_body_resume passes a value to the task that waits for it. */
 bool vs_body_step(vs_expansion *x);
 bool vs_top_step(vs_expansion *x);
 bool vs_body_resume(vs_expansion *x, vs_value value);

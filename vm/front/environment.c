@@ -90,7 +90,8 @@ bool vs_make_alias(vs_scheme *vm, vs_value name, vs_value env, vs_value *out) {
   return true;
 }
 
-/* A stack of places to visit, for replacing aliases by symbols. Most data contain no alias, which is tested first. */
+/* A stack of places to visit, for replacing aliases by symbols. A test finds data without aliases first, which are most
+ * data. */
 typedef struct { vs_scheme *vm; vs_value *at; size_t count, room; struct vs_roots roots; } stack;
 static bool push(stack *s, vs_value v) {
   if (s->count == s->room) {
@@ -443,8 +444,8 @@ vs_meaning vs_environment_find(vs_value env, vs_value id) {
   return m;
 }
 
-/* Returns true if two identifiers have the same meaning. Copies of one imported constant in two programs have, if their
- * names are equal. */
+/* Returns true if two identifiers have the same meaning. Two programs' copies of an imported constant have the same
+ * meaning if their names are equal. */
 bool vs_same_meaning(vs_value env_a, vs_value a, vs_value env_b, vs_value b) {
   vs_meaning m = vs_environment_find(env_a, a), n = vs_environment_find(env_b, b);
   if (m.kind != n.kind) return false;
@@ -467,7 +468,7 @@ bool vs_environment_cell(vs_scheme *vm, const vs_meaning *m, vs_value *cell) {
   if (!vs_make_cell(vm, vs_identifier_symbol(m->id), value, &r[2])) return false;
   if (m->kind == VS_MEANS_CELL) vs_object_of(r[2])->flags |= VS_F_CONSTANT;
   if (!vs_environment_bind(vm, r[0], r[1], r[2])) return false;
-  *cell = r[2];        /* set only now, since binding may move the cell */
+  *cell = r[2];        /* *cell is set only now, since binding may move the cell */
   return true;
 }
 
@@ -487,7 +488,7 @@ bool vs_environment_define(vs_scheme *vm, vs_value env, vs_value id, vs_value *c
       own == VS_VACANT && m.foreign && m.kind == VS_MEANS_CELL ? vs_as_cell(m.value)->value : VS_UNDEFINED;
   if (!vs_make_cell(vm, vs_identifier_symbol(id), before, &r[2])) return false;
   if (!vs_environment_bind(vm, r[0], r[1], r[2])) return false;
-  *cell = r[2];        /* set only now, since binding may move the cell */
+  *cell = r[2];        /* *cell is set only now, since binding may move the cell */
   return true;
 }
 

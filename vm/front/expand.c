@@ -56,7 +56,8 @@ static void trace(vs_scheme *vm, void *object, void (*mark)(vs_scheme *vm, vs_va
     mark(vm, &x->tasks[i].env);
     mark(vm, &x->tasks[i].acc);
   }
-  if (vs_gc_is_minor(vm)) x->old = x->count; /* waiting tasks do not change, so that their values have become old */
+  if (vs_gc_is_minor(vm)) x->old = x->count; /* the values of waiting tasks do not change, and are in old space after
+                                              * this collection */
 }
 
 static void release(void *object) {
@@ -362,7 +363,8 @@ static bool given_twice(vs_expansion *x, vs_value name) {
 
 static void warn_of_one(vs_expansion *x, vs_value form);
 
-/* Reports (class name (define ...)) by its own word: the definition inside would be a misleading place. */
+/* Reports a form such as (class name (define ...)) at its first word: an error about the definition inside would
+ * mislead. */
 static bool check_words(vs_expansion *x, vs_value form) {
   vs_scheme *vm = x->vm;
   vs_value head = vs_car(form);

@@ -4,12 +4,14 @@
  * memory, with two roots for each level: the first and the last pair of the elements. A complete datum is added to the
  * level on top. The reader collects mistakes and continues after them, so that one reading reports all.
  *
- * The end of the text shows that a parenthesis is not closed, but not where. The reader therefore records the first
- * line that begins at or left of the column of an open parenthesis: by its indentation, the line before should have
- * closed it. It then reads the text a second time, in which each (define at the left margin begins a new form (`anew`).
- * It thus reports every unclosed form, not only the first. A missing quote exchanges the inside and outside of all
- * later strings. The reader therefore records the first string of several lines whose end touches a word: the missing
- * quote is probably there. */
+ * The end of the text shows that a parenthesis is not closed, but not where. The reader therefore compares the
+ * indentation of each line with the column of the open parenthesis. It records the first line that begins at this
+ * column or left of it: the line before probably lacks the closing parenthesis. It then reads the text a second time,
+ * in which each (define at the left margin begins a new form (`anew`). It thus reports every unclosed form, not only
+ * the first.
+ *
+ * A missing quote exchanges the inside and outside of all later strings. The reader therefore records the first string
+ * of several lines whose end touches a word: the missing quote is probably there. */
 #include "vm/front/reader.h"
 #include "vm/numbers/number.h"
 #include "vm/numbers/number_text.h"
@@ -158,7 +160,7 @@ static bool push(reader *r, frame_kind kind, vs_pos pos, char open, quote_kind q
     if (!levels) return false;
     r->levels = levels;
     vs_value *slots = vs_mem(r->vm, r->slots, 2 * r->room * sizeof *slots, 2 * room * sizeof *slots);
-    if (!slots) {   /* both arrays keep the same room */
+    if (!slots) {   /* `levels` gets its old size again, so that both arrays have room for the same number of levels */
       r->levels = vs_mem(r->vm, levels, room * sizeof *levels, r->room * sizeof *levels);
       return false;
     }
@@ -352,7 +354,7 @@ static bool read_escape(reader *r, vs_text *t) {
   r->at = start + vs_utf8_decode(r->text + start, r->size - start, &u);
   char shown[5] = {0};
   vs_utf8_encode(u, shown);
-  bool drive = start > 2 && r->text[start - 2] == ':'; /* C:\models */
+  bool drive = start > 2 && r->text[start - 2] == ':'; /* a path of Windows, such as C:\models */
   problem(r, pos, "\\%s means nothing in a string; a backslash is written \\\\%s", shown,
           drive ? ", and the name of a file has /: \"C:/models/a.vs\"" : "");
   return vs_text_char(t, u);
@@ -408,7 +410,7 @@ static bool is_hexadecimal(const char *s, size_t n) {
 
 /* Reports a word in typographic quotation marks, as a text editor for letters makes them. */
 static void typographic_quote(reader *r, vs_pos pos, const char *s, size_t length) {
-  size_t n = 3; /* the bytes of the mark; the word ends at another one */
+  size_t n = 3; /* length of the quotation mark in bytes, then the end of the word, which is the next quotation mark */
   while (n < length && !(n + 2 < length && !memcmp(s + n, "\xE2\x80", 2) && (unsigned char)s[n + 2] >= 0x98 &&
                          (unsigned char)s[n + 2] <= 0x9F))
     n++;
@@ -470,7 +472,8 @@ static bool read_symbol(reader *r, vs_value *out) {
     if (ok && vs_is_number(*out) && !r->quasi && peek(r, 0) == ',' && peek(r, 1) >= '0' && peek(r, 1) <= '9') {
       size_t more = 1;
       while (peek(r, more) >= '0' && peek(r, more) <= '9') more++;
-      if (peek(r, more) == ',' || (r->depth && r->levels[r->depth - 1].open == '[')) { /* [1,2,3] of other languages */
+      if (peek(r, more) == ',' || (r->depth && r->levels[r->depth - 1].open == '[')) { /* a list with commas, as in
+                                                                                        * other languages: [1,2,3] */
         problem(r, pos, "separate elements by blanks, not by commas: (list 1 2 3), or (xyz 1 2 3) for a point");
         while (peek(r, more) >= 0 &&
                (peek(r, more) == ',' || peek(r, more) == '.' || (peek(r, more) >= '0' && peek(r, more) <= '9')))
@@ -567,7 +570,7 @@ static bool read_hash(reader *r, vs_value *out, bool *prefix) {
 /* Reads a closing parenthesis of kind c. Sets *got if that completes a datum, *out. */
 static bool read_close(reader *r, char c, vs_pos pos, vs_value *out, bool *got) {
   *got = false;
-  while (r->depth && r->levels[r->depth - 1].kind >= QUOTE) {     /* a prefix without a datum: '), #;) */
+  while (r->depth && r->levels[r->depth - 1].kind >= QUOTE) {     /* closes prefixes without a datum: '), #;) */
     if (r->levels[r->depth - 1].quote == QUOTE_PLAIN)
       problem(r, r->levels[r->depth - 1].pos,
               "a datum is missing after this '; a text is written in double quotes, \"like this\"");
@@ -639,7 +642,7 @@ static void begin_anew(reader *r, vs_pos pos) {
   r->suspect = 0;
 }
 
-/* Reads a datum that is in no other. Returns 1, or 0 at the end of the text. If memory is out or a limit is reached,
+/* Reads a datum at the outermost level. Returns 1, or 0 at the end of the text. If memory is out or a limit is reached,
  * sets the error and returns -1. */
 static int next(reader *r, vs_value *out, vs_pos *where) {
   while (skip(r)) {
@@ -939,7 +942,7 @@ bool vs_file_number(vs_scheme *vm, const char *name, size_t bytes, uint32_t *num
       return true;
     }
   }
-  /* Numbers are assigned in order. There are few files, so that the vector grows by one element at a time. */
+  /* Files are numbered in order. There are few files, so the vector may grow by a single element. */
   if (!vs_make_vector(vm, n ? n + 1 : 2, VS_FALSE, &v[1])) return false;
   for (size_t i = 0; i < n; i++)
     vs_gc_store(vm, vs_as_vector(v[1]), &vs_as_vector(v[1])->at[i], vs_as_vector(vm->at.files)->at[i]);

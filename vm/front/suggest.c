@@ -134,7 +134,7 @@ static bool consider(void *context, vs_value symbol, vs_value binding) {
   if (stem(w->name) - w->name == stem(name->name) - name->name) same = (size_t)(stem(w->name) - w->name);
   if (same && strncasecmp(w->name, name->name, same)) same = 0;
   int limit = tolerance(same && name->length > w->length ? name->length - same : w->length - same);
-  /* A typing slip at the start of a word is rare, so that less distance is permitted. */
+  /* A typing slip at the start of a word is rare, so a smaller distance is permitted there. */
   if (limit > SLIP && tolower((unsigned char)w->name[same]) != tolower((unsigned char)name->name[same])) limit -= SLIP;
   if (limit > s->distance) limit = s->distance;
   int d = distance(w->name, w->length, name->name, name->length, limit);
@@ -318,7 +318,7 @@ static bool advise_sign(const char *name, vs_text *t) {
   return vs_text_puts(t, "; digits are written without signs between them: ") && vs_text_puts(t, digits);
 }
 
-/* Advises on operators that stand beside their operand in other languages: i++, !x, and the marks of OpenSCAD. */
+/* Advises on operators that other languages write next to their operand: i++, !x, and the marks of OpenSCAD. */
 static bool advise_beside(const char *name, vs_text *t) {
   char text[200];
   size_t n = strlen(name);

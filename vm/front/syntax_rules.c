@@ -267,8 +267,8 @@ static int match(rules *s, vs_value pattern, vs_value form, size_t *slot) {
           vs_gc_store(vm, vs_as_vector(r[2]), &vs_as_vector(r[2])->at[k], r[3]);
         }
       }
-      for (size_t k = 0; k < n; k++) {                     /* from the last to the first, so that the lists are in
-                                                            * order */
+      for (size_t k = 0; k < n; k++) {                     /* reverses the list of each variable, which has its newest
+                                                            * value first */
         vs_value l = field(r[2], k), done = VS_NIL;
         while (vs_is_pair(l)) {
           vs_value next = vs_cdr(l);
@@ -321,7 +321,7 @@ static bool rename_id(rules *s, vs_value id, vs_value *out) {
 
 static bool instantiate(rules *s, vs_value template, bool dots, vs_value *out, int depth);
 
-/* Marks the slots of the variables in a subtemplate over which there are ellipses left. */
+/* Marks the slots of the variables in a subtemplate that are still under an ellipsis. */
 static void mark_slots(const rules *s, vs_value t, bool *used, bool dots, int depth) {
   if (depth > PATTERN_DEPTH) return;
   for (; vs_is_pair(t); t = vs_cdr(t)) mark_slots(s, vs_car(t), used, dots, depth + 1);

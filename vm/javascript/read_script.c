@@ -125,7 +125,8 @@ static bool push_native(vs_scheme *vm, const vs_translation *t, const vs_item *i
   native_names names = { vm, t->k, item->scope };
   r[2] = *stack;
   if (!native_data(&names, item, file, &r[0])) return false;
-  for (r[1] = VS_NIL; vs_is_pair(r[0]); r[0] = vs_cdr(r[0])) /* reversed, so that the first is on top */
+  for (r[1] = VS_NIL; vs_is_pair(r[0]); r[0] = vs_cdr(r[0])) /* reverses the data, so that the first datum is on top of
+                                                              * the stack */
     if (!vs_cons_at(vm, vs_car(r[0]), r[1], vs_pair_pos(r[0]), &r[1])) return false;
   for (; vs_is_pair(r[1]); r[1] = vs_cdr(r[1]))
     if (!vs_cons_at(vm, vs_car(r[1]), r[2], vs_pair_pos(r[1]), &r[2])) return false;

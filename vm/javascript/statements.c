@@ -79,7 +79,8 @@ static bool turn(vs_translation *t, const vs_then *then) {
 
 static bool jump(vs_translation *t, uint32_t i);
 
-/* Writes the code after a try: it continues there, or at the place with the returned number. */
+/* Writes the code after a try: control continues there, or at the jump's target with the number that the try
+ * returned. */
 static bool outcome(vs_translation *t, const vs_then *then) {
   vs_jump_target *f = then->target;
   const vs_script_node *n = node(t, f->node);
@@ -450,7 +451,7 @@ static bool row(vs_translation *t, uint32_t first, uint32_t stop, const vs_then 
       return native_value(t, i) && vs_translate_close(t);
     TRY(done(t, i));
     if (fact(t, i, VS_STAYS))
-      return vs_translate_word(t, "js:undefined") && vs_translate_close(t); /* the statements after it are never
+      return vs_translate_word(t, "js:undefined") && vs_translate_close(t); /* the statements after this place are never
                                                                              * reached */
   }
   return go(t, then) && vs_translate_close(t);

@@ -80,7 +80,7 @@ static vs_status is_even(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 
 static bool want_addable(vs_scheme *vm, vs_value v) {
   vs_value ignored;
-  /* The last test fails, and sets the error. */
+  /* For any other value the last operand of || fails, and sets the error. */
   return vs_is_number(v) || vs_is(v, VS_T_FLAT) || vs_is_dual(v) || vs_number_add(vm, v, vs_fix(0), &ignored);
 }
 
@@ -105,8 +105,9 @@ static vs_status mul(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 static vs_status sub(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (n == 1) {
     if (vs_flat_callable(vm, a, 1)) return vm->flat->call(vm, "-", a, 1, out);
-    if (vs_is_double(a[0])) return *out = vs_flonum(-vs_double(a[0])), VS_OK;         /* 0 - 0.0 would be +0 instead of
-                                                                                       * -0 */
+    if (vs_is_double(a[0])) return *out = vs_flonum(-vs_double(a[0])), VS_OK;         /* (- x) is not computed as 0 - x:
+                                                                                       * for 0.0 the result would be +0
+                                                                                       * instead of -0 */
     return vs_number_sub(vm, vs_fix(0), a[0], out);
   }
   *out = a[0];

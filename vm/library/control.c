@@ -156,7 +156,7 @@ static vs_status procedure_shape(vs_scheme *vm, vs_value *a, int n, vs_value *ou
   if (!vs_is_procedure(a[0])) return vs_fail_type(vm, 0, "a procedure", a[0]);
   uint32_t least = 0, most = UINT32_MAX;
   bool script = false;
-  if (vs_is(a[0], VS_T_CASE) && vs_as_case(a[0])->count) { /* uses the clause that is tried first */
+  if (vs_is(a[0], VS_T_CASE) && vs_as_case(a[0])->count) { /* the first clause of a case-lambda determines the shape */
     const vs_code *code = vs_as_code(vs_as_closure(vs_as_case(a[0])->clause[0])->code);
     least = code->required;
   } else if (vs_is(a[0], VS_T_CLOSURE)) {

@@ -256,7 +256,7 @@ bool vs_library_import(vs_expansion *x) {
     vs_pos pos = vs_element_pos(r[0], false, x->now.pos);
     if (!vs_library_import_set(vm, vs_car(r[0]), x->now.env, pos, &r[1])) return false;
     if (r[1] == VS_ABSENT) continue;
-    /* The library is not loaded: its file may define it. Then the import is tried again. */
+    /* The library is not loaded. Its file may define it: loads the file, then tries the import again. */
     vs_text t;
     vs_text_open(vm, &t, 0);
     bool found, ok = library_path(vm, r[1], vs_pos_file(x->now.pos), x->now.env, &t, &found);
@@ -331,7 +331,8 @@ bool vs_library_define(vs_expansion *x) {
       for (r[L_A] = vs_cdr(d); vs_is_pair(r[L_A]); r[L_A] = vs_cdr(r[L_A]))
         if (!vs_cons(vm, vs_car(r[L_A]), r[L_FORMS], &r[L_FORMS])) return false;
     } else if (is_word(head, "import") || is_word(head, "include") || is_word(head, "include-ci")) {
-      r[L_A] = d;      /* compared by the core name, since the new environment is still empty */
+      r[L_A] = d;      /* the word is compared by its name in the core environment, since the new environment is still
+                        * empty */
       if (!vs_core_name(vm,
                         is_word(head, "import")    ? "import"
                         : is_word(head, "include") ? "include"

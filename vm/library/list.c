@@ -362,7 +362,8 @@ static vs_status list_reverse_own(vs_scheme *vm, vs_value *a, int n, vs_value *o
   return vs_list_own_turned(vm, &a[0], a[1], out);
 }
 
-/* Returns #t if map and for-each may use their fast path. Otherwise they check their arguments and report the error. */
+/* Returns #t if map and for-each may use their fast path. If it returns #f, map and for-each check their arguments and
+ * report the error. */
 static vs_status list_each_p(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)vm, (void)n;
   *out = vs_bool(vs_is_procedure(a[0]) && vs_list_length(a[1]) >= 0);
@@ -517,7 +518,7 @@ static vs_status list_search(vs_scheme *vm, vs_value *a, same_kind kind, bool en
       *out = entries ? vs_car(r[0]) : r[0];
       return VS_OK;
     }
-    /* A long list is tested for being circular. */
+    /* tests whether a long list is circular */
     if (i == (uint64_t)1 << 20 && vs_list_length(a[1]) < 0) return vs_fail_type(vm, 1, "a list that ends", a[1]);
   }
   if (r[0] != VS_NIL) return vs_fail_type(vm, 1, "a list", a[1]);

@@ -184,7 +184,8 @@ bool vs_port_write(vs_scheme *vm, vs_value port, const char *bytes, size_t n) {
     return vs_fail(vm, vm->sym.limit, "the program printed more than the limit of %llu bytes",
                    (unsigned long long)vm->config.output_limit);
   const vs_io *io = vm->config.io;
-  if ((!io || !io->write) && p->host <= VS_IO_STDERR) return true;       /* without a console, the text is ignored */
+  if ((!io || !io->write) && p->host <= VS_IO_STDERR) return true;       /* if the host has no console, the text is
+                                                                          * ignored */
   if (io && io->write && io->write(vm->config.user, p->host, bytes, n)) return true;
   return vs_fail(vm, vm->sym.file, "writing failed");
 }

@@ -61,7 +61,7 @@ bool vs_port_parameter(vs_scheme *vm, int stream, vs_value *out);
 /* Returns true if v is allowed as the parameter's value: for the parameters of the current ports, a port of the right
  * direction; for others any value. */
 bool vs_port_parameter_fits(const vs_scheme *vm, vs_value parameter, vs_value v);
-/* Return the current ports: the values of their parameters, else the standard ports. */
+/* Return the current ports: the values of their parameters or, before these exist, the standard ports. */
 vs_value vs_port_current_output(vs_scheme *vm);
 vs_value vs_port_current_input(vs_scheme *vm);
 

@@ -467,7 +467,7 @@ static vs_status string_join(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (vs_list_length(a[0]) < 0) return vs_fail_type(vm, 0, "a list of strings", a[0]);
   if (n > 1 && !arg_string(vm, a, 1)) return VS_ERROR;
   vs_text t;
-  VS_ROOTS(vm, r, 1); /* the strings that are left: vs_poll may move them */
+  VS_ROOTS(vm, r, 1); /* root: the strings not yet joined, which vs_poll may move */
   vs_text_open(vm, &t, 0);
   bool ok = true, first = true;
   for (r[0] = a[0]; ok && vs_is_pair(r[0]); r[0] = vs_cdr(r[0]), first = false) {

@@ -33,7 +33,7 @@ static bool walk_up(struct walk *w, size_t *pc, bool *native) {
 }
 
 struct link { vs_value name; vs_pos place; const vs_value *base; size_t pc; bool gap;
-    /* whether calls between this and the previous one left no activations */ };
+    /* whether calls between this activation and the previous one ended with tail calls and left no activations */ };
 
 /* Returns true if the procedure called before pc is not the one that is running above: it, or a later one, has ended
  * with a tail call. Tests only calls by global names of the program. For others, the called value is lost; tail calls

@@ -14,13 +14,13 @@
 
 #include "vm/machine/vs.h"
 
-#define VS_RET_EACH    UINT64_C(0x08000000)   /* pc is that of an instruction MORE, whose registers are below the
-                                               * window: the loop may take the result there and call the procedure again
-                                               * at once */
+#define VS_RET_EACH    UINT64_C(0x08000000)   /* Control returns to an instruction MORE, whose registers are below the
+                                               * window. The run loop may store the result there and call the procedure
+                                               * again at once */
 #define VS_RET_STOP    UINT64_C(0x10000000)   /* the call returns to the caller of vs_run */
 #define VS_RET_NATIVE  UINT64_C(0x20000000)   /* the caller is a native, which is entered again */
-#define VS_RET_GENERIC UINT64_C(0x40000000)   /* pc is that of an inlined instruction, which names the register for the
-                                               * result */
+#define VS_RET_GENERIC UINT64_C(0x40000000)   /* control returns to an inlined instruction, which names the register for
+                                               * the result */
 #define VS_RET_UNDER   UINT64_C(0x80000000)
 #define VS_RET_FLAGS   UINT64_C(0xF8000000)
 enum { VS_ACTIVATION_SLACK = 300 };                /* number of slots above an activation's registers that may be
@@ -78,7 +78,7 @@ void vs_see_activations(vs_scheme *vm, vs_see_activation_fn *see, void *to);
 /* Returns the place of the call of the running native. */
 vs_pos vs_call_place(vs_scheme *vm);
 
-/* the functions above, for errors (fail.h) */
+/* table of the functions above that describe the running calls for errors (fail.h) */
 extern const struct vs_traceback vs_call_traceback;
 
 #endif

@@ -190,7 +190,7 @@ static bool stash(vs_scheme *vm, const vs_value *a, size_t n, size_t named) {
   return true;
 }
 
-/* Moves these values back to `at`, in the order of `names`, which are `count` symbols. */
+/* Moves the values that `stash` stored in vm->call_args to `at`, in the order of `names`, which are `count` symbols. */
 static bool place(vs_scheme *vm, vs_value who, vs_value kw, const vs_value *names, size_t count, vs_value *at) {
   for (size_t i = 0; i < count; i++) at[i] = VS_ABSENT;
   const vs_keywords *k = kw == VS_FALSE ? NULL : vs_as_keywords(kw);

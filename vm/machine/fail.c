@@ -49,7 +49,7 @@ static vs_status fail(vs_scheme *vm, vs_value kind, const vs_pos *place, vs_valu
   if (vm->native && !place) {
     vs_value name = vm->native->name;
     const char *shown = vs_is_symbol(name) ? vs_as_symbol(name)->name : "procedure";
-    /* the name of the procedure for which it works: subtract for %subtract */
+    /* omits the % of an internal procedure: an error of %subtract names subtract */
     used = snprintf(text, sizeof text / 2, "%s: ", shown + (*shown == '%'));
     if (used > (int)sizeof text / 2 - 1) used = (int)sizeof text / 2 - 1;
   }
@@ -57,8 +57,8 @@ static vs_status fail(vs_scheme *vm, vs_value kind, const vs_pos *place, vs_valu
   va_copy(again, list);
   int length = vsnprintf(text + used, sizeof text - (size_t)used, format, list);
   bool ok;
-  if (length >= 0 && (size_t)(used + length) >= sizeof text) {        /* too long: written again, into allocated
-                                                                       * memory */
+  if (length >= 0 && (size_t)(used + length) >= sizeof text) {        /* the text is too long for the array, and is
+                                                                       * written again into allocated memory */
     size_t bytes = (size_t)used + (size_t)length + 1;
     char *more = vs_mem(vm, NULL, 0, bytes);
     ok = more != NULL;

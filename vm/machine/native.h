@@ -66,7 +66,7 @@ typedef struct vs_native_def {
 
 typedef struct vs_native_table {
   const char *name;
-  const vs_native_def *defs; /* the last one has the name NULL */
+  const vs_native_def *defs; /* procedures of the table; the last element has the name NULL */
 } vs_native_table;
 
 /* Creates the procedures of a table, and calls define(vm, context, symbol, procedure) with each. The caller supplies
@@ -139,7 +139,7 @@ typedef struct vs_foreign_type {
   /* Marks the Scheme values in the object; NULL if it has none. If it is not NULL, every collection visits the
    * object. */
   void (*trace)(vs_scheme *vm, void *object, void (*mark)(vs_scheme *vm, vs_value *slot));
-  /* unused, false: the heap image contains no foreign objects */
+  /* Unused and always false, since the heap image contains no foreign objects */
   bool callable_image;
 } vs_foreign_type;
 

@@ -276,7 +276,7 @@ typedef struct {
   uint32_t file;
   unsigned calls;      /* number of activations since the last %run: the load itself, and its callers */
   vs_pos place;        /* place of the outermost of these calls */
-  bool plain;          /* whether each form so far was only the call */
+  bool plain;          /* whether each top-level form so far was only the call that loads the next file */
   bool endless;
   unsigned times, others;
 } nesting;
@@ -527,8 +527,8 @@ static bool run_forms(vs_scheme *vm, vs_value forms, vs_value env, bool tell, vs
   vm->top_place = 0;
   if (!core_value(vm, "%run", &procedure)) return false;
   if (vs_run(vm, procedure, 3, r, last ? last : &r[3])) return true;
-  vs_value c = vm->condition;           /* after tail calls the condition may have no place: uses that of the top-level
-                                         * form */
+  vs_value c = vm->condition;           /* after tail calls the condition may have no place; it then gets the place of
+                                         * the top-level form */
   if (vs_is(c, VS_T_CONDITION) && c != vm->at.no_memory && !vs_as_condition(c)->place)
     vs_as_condition(c)->place = vm->top_place;
   return false;
@@ -569,7 +569,7 @@ static bool beside_script(vs_scheme *vm, const char *name) {
   vs_intake intake = vs_environment_intake(vm->at.program);
   if (intake == VS_INTAKE_FRESH) vm->scripted = script;
   if (script || !vm->scripted) return true;
-  vs_environment_set_intake(vm->at.program, VS_INTAKE_OPEN); /* otherwise imports would replace the script's
+  vs_environment_set_intake(vm->at.program, VS_INTAKE_OPEN); /* with another setting, imports would replace the script's
                                                               * variables */
   bool ok = vs_environment_import(vm, vm->at.program, vm->at.core, VS_TRUE, &clash, &own);
   vs_environment_set_intake(vm->at.program, intake);

@@ -274,7 +274,8 @@ look:
     if (vs_is(p, VS_T_NATIVE) && !vs_native_laid_out(vs_as_native(p)) && vs_as_native(p)->min <= 1 &&
         vs_as_native(p)->max >= 1) {
       const vs_native *native = vs_as_native(p);
-      base[A] = base[A + 2];                      /* a window: procedure, free slot, the value */
+      base[A] = base[A + 2];                      /* the window at A contains the procedure, a free slot and the
+                                                   * value */
       base[A + 2] = base[A + 3];
       vm->base = base + A + 2; vm->pc = pc; vm->top = base + A + 4;
       vm->base[-1] = vs_ret_make(A, HERE);
@@ -630,7 +631,8 @@ call_record:
   goto call;
 
   /* Calls w[0] with the arguments w[2..2+n) and the keywords kw. For a tail call, the activation at base ends.
-   * Otherwise the result is returned as `ret` tells, and the caller is the activation at base (or none yet). */
+   * Otherwise `ret` is the return information, and the caller is the activation at base. Before the first call there is
+   * no activation. */
 call: {
     vs_value f = w[0];
     if (!vs_is_object(f)) goto no_procedure;
@@ -693,8 +695,8 @@ call: {
           base[-2] = f;
           w = base - 2; ret = base[-1];
           tail = false;
-          pc = NULL;                            /* its code has ended: the native returns to the caller of this
-                                                 * activation */
+          pc = NULL;                            /* the code of this activation has ended: the native returns to the
+                                                 * caller of the activation */
         } else if (tail) {
           ret = vs_ret_make((size_t)(w - base), HERE);
         }
@@ -846,8 +848,8 @@ native_done:
     default: goto uncaught;
   }
 
-  /* Returns several values, v, from the activation at base. Natives and the host accept any number. For code this is
-   * tested here, or below at `give` if its activation must be found first. */
+  /* Returns several values, v, from the activation at base. Natives and the host accept any number of values. Whether a
+   * caller in code accepts several values is tested here, or below at `give` if its activation must be found first. */
 give_several:
   ret = base[-1];
   if (!(ret & VS_RET_FLAGS)) {
@@ -937,7 +939,7 @@ give: {
   /* The native at base, or the code at base and pc, has raised vm->condition. Limits and interrupts are not passed to
    * handlers. */
 fail_native:
-  w = base;                               /* overwrites its arguments, which are no longer needed */
+  w = base;                               /* the window overwrites the native's arguments, which are no longer needed */
   ret = vs_ret_make(0, 0) | VS_RET_NATIVE;
   goto raise;
 fail: {

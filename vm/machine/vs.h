@@ -77,8 +77,8 @@ typedef struct vs_config {
 } vs_config;
 
 /* The ways to step through a program (step.h). CONTINUE: without stops. ENTER: to the next call in the program's text.
- * OVER: to the next call in this activation or its callers. OUT: to the next call in its callers. SAME: as before, when
- * continuing. */
+ * OVER: to the next call in this activation or its callers. OUT: to the next call in its callers. SAME: the way of the
+ * previous step. */
 typedef enum { VS_STEP_CONTINUE, VS_STEP_ENTER, VS_STEP_OVER, VS_STEP_OUT, VS_STEP_SAME } vs_step_mode;
 
 typedef struct vs_stepping {
@@ -110,7 +110,7 @@ struct vs_scheme {
   vs_value *base, *top;            /* base: registers of the current activation; top: first unused slot, below which all
                                     * slots are visited by the collector */
   vs_value under;                  /* STACK object with the activations below the working stretch, or #f */
-  uint64_t under_depth;            /* number of its slots that belong to activations which still run */
+  uint64_t under_depth;            /* number of slots of `under` that belong to activations which still run */
   const uint32_t *pc;              /* pc of the current activation while a native or the collector runs */
 
   /* Dynamic state of the program, which continuations contain. */

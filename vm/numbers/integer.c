@@ -468,7 +468,8 @@ static bool piece_from_digits(vs_scheme *vm, const unsigned char *digits, size_t
 
 bool vs_int_from_digits(vs_scheme *vm, const unsigned char *digits, size_t n, int radix, bool negative, vs_value *out) {
   VS_ROOTS(vm, p, SQUARINGS);
-  VS_ROOTS(vm, r, 3);                        /* roots: the pieces, the lowest first, and two of them */
+  VS_ROOTS(vm, r, 3);                        /* roots: the pieces, the lowest first, and the two pieces that are being
+                                              * joined */
   int count;
   VS_ASSERT(radix >= 2 && radix <= 36);
   while (n && *digits == 0) digits++, n--;

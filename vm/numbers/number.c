@@ -89,7 +89,7 @@ static bool ratio_part(vs_value v, bool den, vs_value *out) {
   return true;
 }
 
-/* Computes a op b exactly, if one of them is a ratio or op is a division. */
+/* Computes a op b exactly, if a or b is a ratio or op is a division. */
 static bool ratio_arith(vs_scheme *vm, vs_flat_op op, vs_value a, vs_value b, vs_value *out) {
   VS_ROOTS(vm, r, 6);
   VS_ASSERT(vs_is_exact(a) && vs_is_exact(b));
@@ -192,7 +192,7 @@ bool vs_number_div(vs_scheme *vm, vs_value a, vs_value b, vs_value *out) {
 
 /* ---- comparison ---- */
 
-/* Sets *order to -1, 0 or 1, or to 2 if a number is NaN. Both are numbers. */
+/* Compares the numbers a and b. Sets *order to -1, 0 or 1, or to 2 if a or b is NaN. */
 static bool number_compare(vs_scheme *vm, vs_value a, vs_value b, int *order) {
   bool da = vs_is_double(a), db = vs_is_double(b);
   VS_ASSERT(vs_is_number(a) && vs_is_number(b));

@@ -32,8 +32,8 @@ bool vs_number_quotient(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);
 bool vs_number_remainder(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);
 bool vs_number_modulo(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);
 bool vs_number_abs(vs_scheme *vm, vs_value a, vs_value *out);
-bool vs_number_sqrt(vs_scheme *vm, vs_value a, vs_value *out);               /* the result is exact if the root of an
-                                                                              * exact number is */
+bool vs_number_sqrt(vs_scheme *vm, vs_value a, vs_value *out);               /* if a is exact and has an exact root, the
+                                                                              * result is exact */
 bool vs_number_is_zero(vs_scheme *vm, vs_value a, bool *out);                /* other values are the error "zero?:
                                                                               * expected a number" */
 

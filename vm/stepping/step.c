@@ -218,8 +218,8 @@ static vs_status break_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 
 static vs_status resume(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
-  vs_call_begin(vm, a[0]);        /* the before thunks of its dynamic-winds do not run, since the program has not left
-                                   * them */
+  vs_call_begin(vm, a[0]);        /* the before thunks of the program's dynamic-winds do not run, since the program has
+                                   * not left them */
   *out = VS_UNSPECIFIC;
   return VS_THROW;
 }

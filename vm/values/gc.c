@@ -26,7 +26,8 @@ enum {
   BLOCK_DATA = BLOCK - 32,
   CHUNK_BLOCKS = 64,
   CHUNK_LEAST = 2 << 20, CHUNK_MOST = 4 << 20,      /* least and greatest size of larger chunks, in bytes */
-  /* After memory was refused, 1/STARVED of the heap must be allocated before the next collection for that reason. */
+  /* If the host refuses memory, a major collection runs. The next major collection for this reason must wait until
+   * 1/STARVED of the heap has been allocated. */
   STARVED = 64,
   GC_MARK = 1, GC_REMEMBERED = 2, GC_FREE = 4, GC_MOVED = 8, GC_LARGE = 16
 };
@@ -253,7 +254,7 @@ static void gc_hold_down(vs_scheme *vm) {      /* for debugging: every allocatio
 /* Initialises the header of an object of this type (VS_T_...), and zeroes the rest. */
 static vs_object *gc_init(vs_object *o, int type, unsigned gc, size_t words) {
   VS_ASSERT(type >= 0 && type < VS_T_COUNT);
-  if (!(gc & GC_LARGE)) memset(o, 0, words * sizeof(uint64_t));       /* gc_large has already zeroed it */
+  if (!(gc & GC_LARGE)) memset(o, 0, words * sizeof(uint64_t));       /* gc_large has already zeroed a large object */
   o->type = (uint8_t)type; o->gc = (uint8_t)gc; o->words = (uint32_t)words;
   return o;
 }
@@ -369,7 +370,7 @@ enum { CHARGE_DIGITS = 11, CHARGE_MASK = (1 << CHARGE_DIGITS) - 1 };
 static uint16_t gc_charge(size_t bytes) {
   unsigned shift = 0;
   for (; bytes > CHARGE_MASK && shift < 31; shift++) bytes = bytes / 2 + bytes % 2;
-  return (uint16_t)(shift << CHARGE_DIGITS | (bytes & CHARGE_MASK)); /* no object has 4 TB */
+  return (uint16_t)(shift << CHARGE_DIGITS | (bytes & CHARGE_MASK)); /* every object is smaller than 4 TB */
 }
 static size_t gc_charged(uint16_t charge) { return (size_t)(charge & CHARGE_MASK) << (charge >> CHARGE_DIGITS); }
 
@@ -439,7 +440,7 @@ static void minor_visit(vs_scheme *vm, vs_value *slot) {
   vs_object *o = vs_object_of(v);
   uint64_t *corpse = (uint64_t *)(void *)o;
   if (!(o->gc & GC_MOVED)) {
-    vs_object *copy = gc_cell(vm, o->words);      /* cannot fail, since blocks are reserved */
+    vs_object *copy = gc_cell(vm, o->words);      /* gc_cell cannot fail here, since blocks are reserved */
     uint64_t *to = (uint64_t *)(void *)copy;
     bool traced = vs_layout[o->type].first != 0;
     size_t words = o->words;
@@ -697,7 +698,7 @@ void vs_gc_major(vs_scheme *vm) {
   for (size_t i = 0; i < gc->tracing_count; i++)
     if (gc->tracing[i]->gc & GC_MARK) gc->tracing[kept++] = gc->tracing[i];
   gc->tracing_count = kept;
-  /* The minor collection has cleared the remembered set, but a trace function may have stored since. */
+  /* The minor collection has cleared the remembered set, but a trace function may have stored addresses since. */
   kept = 0;
   for (size_t i = 0; i < gc->remembered_count; i++)
     if (gc->remembered[i]->gc & GC_MARK) gc->remembered[kept++] = gc->remembered[i];
