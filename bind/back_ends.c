@@ -62,7 +62,8 @@ static vs_status lower_triangles(vs_args *f, const vs_fineness *facets, vs_node 
 vs_status vs_p_lowered(vs_args *f, vs_value *out) {
   vs_error e = { 0 };
   vs_bounds bounds;
-  /* Whether the object contains a shadow or the like, whose outline is computed before its triangles. */
+  /* Whether the object contains a shadow or a similar node. The outline of such a node is computed before its
+   * triangles. */
   bool worked_out = (f->arg[0].ref.node->flags & VS_NODE_UNRESOLVED) != 0;
   if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return VS_ERROR;
   const vs_node *n = f->arg[0].ref.node;

@@ -58,8 +58,8 @@ static const char *largest_field(vs_kind kind, const void *data) {
   return NULL;
 }
 
-/* Refuses a field that is too large. The matrix of a placement is computed from the last argument, which the message
- * names instead. */
+/* Refuses a field that is too large. A matrix is computed from the last argument; if it is too large, the message names
+ * that argument instead of the field. */
 static vs_status refuse_large(vs_args *f, const char *field) {
   const vs_bind_param *p = f->procedure->form[f->form].at;
   bool given = strcmp(field, "matrix") != 0;
@@ -85,7 +85,7 @@ vs_status vs_bind_each_part(vs_args *f, vs_procedure_fn *one, vs_value *out) {
   size_t count, made = 0;
   vs_status status = VS_OK;
   if (!vs_several_parts(whole, &parts, &count)) return vs_bind_give_node(f, NULL, out);
-  for (; status == VS_OK && made < count; made++) { /* each result gets the origin of its part */
+  for (; status == VS_OK && made < count; made++) { /* each result gets the origin of the part from which it was made */
     f->arg[0].ref = parts[made];
     status = one(f, out);
     if (status != VS_OK) break;
@@ -110,8 +110,8 @@ vs_status vs_bind_empty(vs_args *f, const char *why, vs_value *out) {
 /* ---- moving figures into another plane ---- */
 
 /* Computes the axes of a figure in the plane. *u, the figure's X, is horizontal and points towards +X, or towards +Y if
- * it is perpendicular to X. *v, the figure's Y, points upwards. In a horizontal plane they are X and Y. A figure in 'xz
- * therefore looks from the front as the figure in XY looks from above. */
+ * it is perpendicular to X. *v, the figure's Y, points upwards. In a horizontal plane *u and *v are X and Y. A figure
+ * in 'xz therefore looks from the front as the figure in XY looks from above. */
 static void plane_directions(vs_vec3 normal, vs_vec3 *u, vs_vec3 *v) {
   vs_vec3 n = vs_v3_unit(normal), up = vs_v3(0, 0, 1);
   *u = vs_v3(1, 0, 0), *v = vs_v3(0, 1, 0);

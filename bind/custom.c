@@ -28,7 +28,7 @@ static bool tickets_grow(vs_bind *b, size_t need) {
   if (!tickets) return false;
   b->tickets = tickets;
   uint32_t *gone = vs_store_realloc(b->store, b->gone, old * sizeof *gone, room * sizeof *gone);
-  if (!gone) { /* both arrays keep the smaller room: the one that has grown is shrunk again */
+  if (!gone) { /* both arrays keep the smaller size: `tickets`, which has grown, is shrunk again */
     vs_ticket **less = vs_store_realloc(b->store, tickets, room * sizeof *tickets, old ? old * sizeof *tickets : 0);
     b->tickets = less;
     return false;
@@ -60,7 +60,7 @@ vs_status vs_p_custom_new(vs_args *f, vs_value *out) {
 /* Returns a number that no node has any more, or #f. */
 vs_status vs_p_custom_gone(vs_args *f, vs_value *out) {
   vs_bind *b = f->bind;
-  /* Skips numbers that nodes have got again. */
+  /* Skips numbers that were assigned to other nodes again. */
   while (b->gone_count && b->tickets[b->gone[b->gone_count - 1]]) b->gone_count--;
   *out = b->gone_count ? vs_fix(b->gone[--b->gone_count]) : VS_FALSE;
   return VS_OK;
@@ -78,7 +78,7 @@ vs_status vs_p_custom_open(vs_args *f, vs_value *out) {
   return VS_OK;
 }
 
-/* Returns a number for the node. The same node always has the same number. */
+/* Returns a number for the node. Two calls with the same node return the same number. */
 vs_status vs_p_node_number(vs_args *f, vs_value *out) {
   *out = vs_fix((int64_t)((uintptr_t)f->arg[0].ref.node >> 3));
   return VS_OK;

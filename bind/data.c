@@ -205,7 +205,7 @@ static vs_status json_parse(vs_scheme *vm, const char *text, size_t length, cons
     return vs_fail(vm, vm->sym.error, "%s:%d:%d: %s", name, wrong.line > 0 ? wrong.line : 1,
                    wrong.column > 0 ? wrong.column : 1, wrong.text);
   bool ok = take_json(vm, &j, root, out);
-  /* the same as json_decref, which would need jansson when the program is linked */
+  /* json_decref without its name: its name would require jansson when the program is linked */
   if (root->refcount != (size_t)-1 && --root->refcount == 0) j.discard(root);
   return ok;
 }

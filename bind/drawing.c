@@ -76,7 +76,8 @@ vs_status vs_p_erase(vs_args *f, vs_value *out) {
     for (size_t k = 0; k < count; k++) {
       bool same = scene->drawn[k].node == node || (scene->drawn[k].node->hash == node->hash &&
           vs_node_equal(scene->drawn[k].node, node, NULL));
-      if (same) vs_node_release(scene->drawn[k].node); /* the argument has another reference to the object */
+      if (same) vs_node_release(scene->drawn[k].node); /* the argument also has a reference to the object, so that the
+                                                        * node is not freed */
       else scene->drawn[kept++] = scene->drawn[k];
     }
     scene->drawn_count = kept;
@@ -179,8 +180,8 @@ static vs_status pattern_of(vs_args *f, const vs_arg *k, bool colored, vs_materi
 }
 
 vs_status vs_p_make_material(vs_args *f, vs_value *out) {
-  const vs_arg *k = f->key; /* keywords in order: name color roughness metallic transparency ior, the pattern's four,
-                             * image */
+  const vs_arg *k = f->key; /* keywords in order: name, color, roughness, metallic, transparency, ior, the pattern's
+                             * four keywords, image */
   vs_material m = { "", .8, .8, .8, .5, 0, 0, 1.5, { 0 } };
   if (k[0].given && !(m.name = vs_store_text(f->store, k[0].text.at, k[0].text.length)))
     return vs_fail_memory(f->vm);

@@ -1,5 +1,5 @@
-/* Computes measures of objects: volume, area, length, centroid. Uses a formula if geometry/ has one, otherwise the mesh
- * of the solid that formats write. */
+/* Computes measures of objects: volume, area, length, centroid. Uses a formula if geometry/ has one. Otherwise uses the
+ * mesh that formats write for the solid. */
 #include "bind/measures.h"
 
 #include <stdlib.h>
@@ -195,7 +195,8 @@ vs_status vs_p_area(vs_args *f, vs_value *out) {
   if (f->arg[0].ref.node->class_ != VS_CURVE && !vs_bind_resolve(f, 0)) return VS_ERROR;
   vs_class c = (vs_class)f->arg[0].ref.node->class_;
   if (c == VS_NOTHING) return vs_bind_give_real(f, 0, out);
-  if (c == VS_CURVE && f->arg[0].ref.node->flags & VS_NODE_CLOSED) { /* a closed curve counts as a filled area */
+  if (c == VS_CURVE && f->arg[0].ref.node->flags & VS_NODE_CLOSED) { /* a closed curve counts as the area that it
+                                                                      * encloses */
     if (!vs_bind_uncrossed(f, f->arg[0].ref, "a closed curve that is taken as filled")) return VS_ERROR;
     vs_node *region = vs_node_new(f->store, VS_REGION, &(struct vs_region){ 0 }, &f->arg[0].ref, 1);
     if (!vs_bind_keep(f, region)) return VS_ERROR;

@@ -9,9 +9,9 @@
 #include "vm/machine/activation.h"
 #include "vm/values/text.h"
 
-/* Greatest number of callers in the chain of calls to a place, innermost first. Eight suffice to reach the user's own
- * text, and limit the work for each object. The chain is first searched by a key; if it is new, its calls are interned
- * one by one. */
+/* Greatest number of callers in the chain of calls to a place, innermost first. Eight callers suffice to reach the
+ * user's own text, and limit the work for each object. A hash key finds a chain that is already known; the calls of a
+ * new chain are interned one by one. */
 
 enum { CHAIN = 8 };
 

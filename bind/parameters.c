@@ -97,7 +97,7 @@ static bool point_setting(const vs_args *f, const char *datum, vs_value list, do
 }
 
 /* Sets *out to the setting, converted to the type of the default value `like`. An exact default requires an exact
- * number, and a real default any number. For a string the text needs no quotes. */
+ * number; a real default accepts any number. For a string the text needs no quotes. */
 static vs_status read_setting(vs_args *f, const char *name, const char *datum, vs_value like, vs_value *out) {
   vs_bind_parameter_type t = type_of(like);
   if (t == VS_P_STRING) return vs_string_from_utf8(f->vm, datum, strlen(datum), out);

@@ -14,7 +14,8 @@ static vs_vec3 polar(double rho, double phi, double z) {
   vs_sincos(phi, &s, &c);
   return vs_v3(rho * c, rho * s, z);
 }
-static vs_vec3 spherical(double rho, double phi, double psi) { /* psi is the angle from +Z */
+static vs_vec3 spherical(double rho, double phi, double psi) { /* Returns the point with these spherical coordinates;
+                                                                * psi is the angle from +Z */
   double s, c;
   vs_sincos(psi, &s, &c);
   return polar(rho * s, phi, rho * c);
@@ -275,9 +276,9 @@ static vs_status on_arc(vs_args *f, int64_t i, vs_value *out) {
 vs_status vs_p_arc_sequence(vs_args *f, vs_value *out) { return listed(f, f->arg[5].integer, on_arc, out); }
 
 /* Sets *out to point i of an arc that is divided into equal horizontal steps, that is, equal steps of the sine. The
- * zenith angle is the inverse sine in the half turn [(k - 1/2) pi, (k + 1/2) pi] that contains both ends. If there
- * is none, two points of the arc may lie above each other. The sign of the cosine is then that at the middle of the
- * arc. */
+ * zenith angle is the inverse sine in the half turn [(k - 1/2) pi, (k + 1/2) pi] that contains both ends. If no half
+ * turn contains both ends, a point of the arc may be above another. The sign of the cosine is then that at the middle
+ * of the arc. */
 static vs_status on_arc_horizontally(vs_args *f, int64_t i, vs_value *out) {
   double s0, c0, s1, c1, sm, cm, t = fraction(i, f->arg[5].integer);
   vs_sincos(X(3), &s0, &c0), vs_sincos(X(4), &s1, &c1), vs_sincos((X(3) + X(4)) / 2, &sm, &cm);

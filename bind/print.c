@@ -196,7 +196,7 @@ static bool opening(const sink *k, const vs_node *n) {
       return text(k, "(hull") &&
              (!VS_AS(hull, n)->points->count || named(k, n, (const char *const[]){ "points", NULL }));
     case VS_SLICE: return text(k, "(do-slice");
-    case VS_DEFORM: { /* scopes are seen from -Y, and their y is the Z of the world */
+    case VS_DEFORM: { /* scopes are seen from -Y, and the y of a scope is the Z of the world */
       const struct vs_deform *d = VS_AS(deform, n);
       const vs_vec3 corner[8] = { d->c010, d->c110, d->c011, d->c111, d->c000, d->c100, d->c001, d->c101 };
       bool ok = text(k, "(scope-place (make-ffd-scope");

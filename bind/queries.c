@@ -138,7 +138,7 @@ vs_status vs_p_contains(vs_args *f, vs_value *out) {
   if (n->class_ == VS_NOTHING) return truth(false, out);
   if (n->class_ == VS_REGION_CLASS)
     return vs_region_contains(n, f->arg[1].point, &inside, &e) ? truth(inside, out) : vs_bind_error(f->vm, &e);
-  if (n->class_ == VS_CURVE && n->flags & VS_NODE_CLOSED) { /* a closed curve counts as filled */
+  if (n->class_ == VS_CURVE && n->flags & VS_NODE_CLOSED) { /* a closed curve counts as the area that it encloses */
     if (!vs_bind_uncrossed(f, f->arg[0].ref, "a closed curve that is taken as filled")) return VS_ERROR;
     vs_node *region = vs_node_new(f->store, VS_REGION, &(struct vs_region){ 0 }, &f->arg[0].ref, 1);
     if (!vs_bind_keep(f, region)) return VS_ERROR;

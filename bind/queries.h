@@ -6,7 +6,7 @@
 
 typedef struct vs_args vs_args;
 
-/* Checks that the object in argument i is finite. If it is not, the error tells how to bound it. */
+/* Checks that the object in argument i is finite. Otherwise sets an error that explains how to bound the object. */
 vs_status vs_bind_finite(vs_args *f, int i);
 
 #endif

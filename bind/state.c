@@ -156,7 +156,8 @@ bool vs_bind_finish(vs_bind *b) {
   return false;
 }
 
-/* ---- counting objects; one sum is kept for each shared node, so that a DAG costs only its number of nodes ---- */
+/* counts objects. Each shared node is counted once and its sum kept, so that the time is proportional to the number of
+ * nodes */
 
 static bool is_transparent(const vs_node *n) {
   return n->kind == VS_UNION || n->kind == VS_TRANSFORM || vs_node_is_wrapper(n);
@@ -165,8 +166,8 @@ static bool is_transparent(const vs_node *n) {
 static vs_bind_counts count_node(const vs_node *n, const vs_nodemap *known, const vs_bind_counts *sums) {
   vs_bind_counts c = { 0 };
   if (n->class_ == VS_NOTHING) {
-    c.all = n->kind == VS_NATIVE; /* native text without a child counts as an object, though other formats show
-                                   * nothing */
+    c.all = n->kind == VS_NATIVE; /* native text without a child counts as an object, although formats other than its
+                                   * own show nothing */
     return c;
   }
   if (!is_transparent(n)) {

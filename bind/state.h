@@ -18,8 +18,8 @@ struct vs_bind {
   vs_store *store;
   vs_scene scene;
   /* Values of top-level expressions, which are the model if nothing was drawn. The nodes are retained. */
-  /* shown: the value was printed at the prompt, or was drawn and later replaced, so that no warning about an unused
-   * object is necessary */
+  /* shown: whether the value was printed at the prompt, or was drawn and later replaced; vs then gives no warning about
+   * an unused object */
   struct { vs_node *node; const vs_origin *origin; bool shown; } *returned;
   size_t returned_count, returned_room;
   bool drew;                       /* whether the root node has a drawing, so that top-level values are not the model */
@@ -40,8 +40,8 @@ struct vs_bind {
   size_t setting_count, setting_room;
   size_t refused;                  /* number of refused allocations, by which 'not found' is distinguished from 'memory
                                     * is out' */
-  uint32_t library_files;          /* files with smaller numbers are part of the language, and so are those of
-                                    * vs_config.shipped */
+  uint32_t library_files;          /* files with smaller numbers are part of the language; the files of
+                                    * vs_config.shipped are, too */
   vs_inside_cache *inside;         /* data prepared for contains?, or NULL */
   /* Users' kinds (custom.c). tickets[n]: ticket of number n if a node has it. gone: numbers that no node has any
    * more. */
@@ -55,8 +55,8 @@ struct vs_bind {
   bool away;
   /* Calls the host's procedure whose number is the first argument; NULL if there is no host. */
   vs_native_fn *host_call;
-  bool handing;                    /* whether a drawing function is running; draw then only returns its object, and the
-                                    * scene does not change */
+  bool handing;                    /* whether a drawing function is running; `draw` then only returns its argument, and
+                                    * the scene does not change */
   struct vs_derivation *growing;   /* derivation of the running rule (rules/derivation.h), or NULL */
   /* Objects of derivations with their records (rules/lineage.h). At the limit, those without other references are
    * removed. */
@@ -70,8 +70,8 @@ struct vs_bind {
   size_t mesh_triangles;           /* greatest number of triangles in an output, also for meshes computed before the
                                     * output; 0: no limit */
   bool bad_parameter;              /* whether the current error is caused by a value of -D; exit status 2 */
-  /* Job of long computations in procedures, with b as its context. The limits of the program end it; the condition is
-   * then set. The host sets its warn and its tally. */
+  /* Job of long computations in procedures; its context is b. The limits of the program end it; the condition is then
+   * set. The host sets the job's members warn and tally. */
   vs_job job;
 };
 

@@ -1,10 +1,10 @@
-/* Warns of objects that a program creates but does not use: values of expressions in a body before its last, or at the
- * top level of a file that draws other objects.
+/* Warns of objects that a program creates but does not use: values of expressions in a body before its last expression,
+ * or at the top level of a file that draws other objects.
  *
- * The run loop reports each object that is the unused value of an expression in a body; of a list, its first object.
- * The result of the last `draw` does not count. The first object at each place is kept, for at most sixteen places. At
- * the end of the evaluation, objects that are part of the model are removed again, since the program may have stored
- * them in a list. */
+ * The run loop reports each object that is the unused value of an expression in a body. If the value is a list, it
+ * reports the first object of the list. The result of the last `draw` does not count. The first object at each place is
+ * kept, for at most sixteen places. At the end of the evaluation, objects that are part of the model are removed again,
+ * since the program may have stored them in a list. */
 #include "bind/thrown.h"
 
 #include "bind/objects.h"

@@ -8,7 +8,8 @@
 
 typedef struct vs_bind vs_bind;
 
-/* Returns true if a warning of this kind was already given for this place. Records it as given. */
+/* Returns true if a warning of this kind was already given for this place. Otherwise records that the warning is given
+ * now. */
 bool vs_bind_warned(vs_bind *b, const vs_origin *o, const char *kind);
 /* Suppresses warnings of this kind at the place of the current call from now on. */
 void vs_bind_clear(vs_bind *b, const char *kind);

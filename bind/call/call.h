@@ -29,7 +29,8 @@ typedef struct vs_arg {
     /* Objects, and the points that were listed between them. */
     struct { vs_ref *at; size_t count; vs_vec3 *points; size_t point_count; } things;
     struct { const vs_value *at; size_t count; } values; /* the remaining arguments, unconverted */
-    struct { uint32_t *starts, *corners; size_t count; } faces; /* starts has count + 1 elements */
+    struct { uint32_t *starts, *corners; size_t count; } faces; /* starts[i]: index in `corners` of the first corner of
+                                                                 * face i. starts has count + 1 elements */
     const vs_material *material;
     struct vs_scope *scope;
     struct { const char *at; size_t length; } text;
@@ -47,9 +48,9 @@ struct vs_args {
   vs_procedure_fn *function;    /* the C function of the procedure */
   const char *names;            /* names of the procedure, separated by spaces; the name of an internal procedure begins
                                  * with '%' */
-  int given;                    /* number of positional arguments of the call, those of a rest included */
-  int form, count;              /* form: index of the chosen form; count: number of positional arguments, where a rest
-                                 * counts as one */
+  int given;                    /* number of positional arguments of the call, including those of a rest parameter */
+  int form, count;              /* form: index of the chosen form; count: number of positional arguments, where all
+                                 * arguments of a rest parameter count as one */
   vs_arg arg[VS_CALL_ARGUMENTS], key[VS_CALL_KEYS];
   struct vs_scratch *scratch;   /* memory that is freed when the call ends */
 };

@@ -105,8 +105,8 @@ static int form_fits(vs_args *f, const vs_form *form, const vs_value *a, int n) 
     if (p->mode == VS_ARG_END) return -1;
     if (fits == i && looks_like(f, (vs_contract)p->contract, a[i])) fits++;
   }
-  if (p->mode == VS_ARG_REQUIRED) return -1; /* the form requires more arguments; required parameters precede optional
-                                              * ones */
+  if (p->mode == VS_ARG_REQUIRED) return -1; /* the form requires more than n arguments; required parameters precede
+                                              * optional ones */
   if (p->mode == VS_ARG_REST && fits >= 0 && fits < n && looks_like(f, (vs_contract)p->contract, a[fits])) fits++;
   return fits < 0 ? 0 : fits;
 }
@@ -195,8 +195,8 @@ static bool enter_slowly(vs_args *f, const vs_value *a, int given) {
 static vs_status run(vs_args *f, const vs_bind_columns *table, vs_value *a, int n, vs_value *out) {
   bool keyed = f->procedure->key[0].mode != VS_ARG_END;
   int given = n, places = n;
-  /* a[] contains a value for each positional parameter, then one for each keyword. With a rest there are no unused
-   * places. */
+  /* a[] contains a value for each positional parameter, then one for each keyword. If the native has a rest parameter,
+   * a[] has no unused elements between them. */
   if (keyed && f->vm->native->max != UINT32_MAX) {
     places = (int)f->vm->native->max;
     for (given = 0; given < places && a[given] != VS_ABSENT; given++) {}

@@ -135,7 +135,8 @@ static bool points_meant(vs_args *f, const vs_bind_param *p, const vs_value *v, 
     for (size_t k = 0; k < listed; k++) all[numbers++] = d[k];
   }
   if (each == 1) each = numbers % 2 == 0 ? 2 : 3;
-  if (numbers < 2 * each || numbers % each != 0) return false; /* one point is no line, and was not meant */
+  if (numbers < 2 * each || numbers % each != 0) return false; /* a single point makes no line: the numbers were not
+                                                                * meant as points */
   char name[64], x[3][32];
   size_t at = (size_t)snprintf(text, room, "(%s", p->mode == VS_ARG_REST ? vs_bind_own_name(f, name) : "list");
   for (size_t i = 0; i < numbers; i += each) {
@@ -306,7 +307,7 @@ vs_status vs_convert_rule(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg
 
 /* ---- materials and colours ---- */
 
-/* Refuses the name of a material, and suggests the probable spelling: "#ff8800" for "#f80", or the most similar
+/* Refuses a name that is no material, and suggests the probable spelling: "#ff8800" for "#f80", or the most similar
  * name. */
 static vs_status refuse_material(vs_args *f, const vs_bind_param *p, vs_value got, const char *name) {
   char hint[64];
@@ -318,8 +319,8 @@ static vs_status refuse_material(vs_args *f, const vs_bind_param *p, vs_value go
   return vs_bind_refuse_hint(f, p->name, vs_contract_noun(p->contract), got, hint);
 }
 
-/* Refuses a colour of three numbers outside of 0 to 1. If all lie between 0 and 255, and one is 32 or more, the error
- * suggests them divided by 255, since other programs use that range. */
+/* Refuses a colour of three numbers outside of 0 to 1. If all are between 0 and 255, and one is 32 or more, the error
+ * suggests the numbers divided by 255, since other programs use the range 0 to 255. */
 static vs_status refuse_parts(vs_args *f, const vs_bind_param *p, vs_value got) {
   double c[3];
   char hint[96];

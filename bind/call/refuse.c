@@ -104,7 +104,7 @@ vs_status vs_bind_refuse_kind(vs_args *f, const vs_bind_param *p, vs_value got) 
       vs_bind_take_ref(got).node)
     return vs_bind_refuse_hint(f, p->name, vs_contract_noun(p->contract), got,
                        "put the sections into one list: (list section ...)");
-  vs_arg word; /* suggests 'walls for "walls", "top" for 'top */
+  vs_arg word; /* suggests a symbol for a string, or a string for a symbol: 'walls for "walls", "top" for 'top */
   if (((p->contract == VS_C_TEXT && vs_is_symbol(got)) || (p->contract == VS_C_NAME && vs_is_string(got))) &&
       vs_convert_text(f, p, got, &word) && word.text.length < 40 &&
       strcspn(word.text.at, " \t\n\"'()") == word.text.length && strcmp(p->name, "sheet") != 0) {

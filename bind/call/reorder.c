@@ -14,16 +14,20 @@
 #include "vm/values/printer.h"
 #include "vm/values/text.h"
 
-enum { MOST = 5 /* arguments: 120 orders */, SHOWN = 40 /* bytes of an argument */ };
+enum {
+  MOST = 5,  /* greatest number of arguments; five arguments have 120 orders */
+  SHOWN = 40 /* greatest number of bytes shown of an argument */
+};
 
 typedef struct {
   const vs_bind_param *param[MOST];
-  bool fits[MOST][MOST]; /* [parameter][argument] */
-  int order[MOST], count; /* the argument of each parameter, in the first order that fits */
-  int found;              /* the number of such orders, at most 2 */
+  bool fits[MOST][MOST]; /* fits[p][a]: whether argument a fulfils the contract of parameter p */
+  int order[MOST], count; /* order[p]: argument of parameter p, in the first order in which all arguments fit; count:
+                           * number of arguments */
+  int found;              /* number of orders in which all arguments fit, counted up to 2 */
 } orders;
 
-/* Finds the parameter of each place. Returns false if the form does not take n arguments. */
+/* Sets o->param[i] to the parameter of argument i. Returns false if the form does not accept n arguments. */
 static bool place_parameters(const vs_form *form, int n, orders *o) {
   const vs_bind_param *p = form->at;
   o->count = n;
@@ -35,7 +39,7 @@ static bool place_parameters(const vs_form *form, int n, orders *o) {
   return p->mode != VS_ARG_REQUIRED;
 }
 
-/* Tries all orders: order[0..at) is chosen, order[at] comes next. */
+/* Tries all orders of the arguments: order[0..at) is chosen, and order[at] is chosen next. */
 static void try_orders(orders *o) {
   int order[MOST] = {0}, at = 0;
   for (order[0] = -1; at >= 0 && o->found < 2;) {
@@ -89,7 +93,7 @@ void vs_bind_reorder(vs_args *f, const vs_value *a, int n) {
       vs_as_condition(r[0])->payload != VS_FALSE) return;
   orders o = {.found = 0};
   vs_job job = f->bind->job;
-  f->bind->job.warn = NULL; /* a trial says nothing */
+  f->bind->job.warn = NULL; /* a trial gives no warnings */
   for (int form = 0; form < VS_MAX_FORMS && f->procedure->form[form].used && !o.found; form++) {
     if (!place_parameters(&f->procedure->form[form], n, &o)) continue;
     for (int i = 0; i < n; i++)

@@ -133,8 +133,8 @@ vs_status vs_p_make_ellipse(vs_args *f, vs_value *out) {
 
 /* ---- splines ---- */
 
-static vs_status tangent(vs_args *f, int i, const char *name, vs_vec3 *out) { /* #f means a natural end: the zero
-                                                                               * vector */
+static vs_status tangent(vs_args *f, int i, const char *name, vs_vec3 *out) { /* #f means that the spline has no given
+                                                                               * tangent at this end: the zero vector */
   vs_value v = f->arg[i].value;
   double angle, s, c;
   *out = vs_v3(0, 0, 0);

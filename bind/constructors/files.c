@@ -84,7 +84,7 @@ static vs_status take_sun(vs_args *f, const char *shown, const char *whole, cons
   return ok ? VS_OK : vs_bind_error(f->vm, &e);
 }
 
-/* The file format is recognised by the first bytes. */
+/* The first bytes determine the file format. */
 vs_status vs_bind_sky_picture(vs_args *f, vs_value name, const vs_picture **out, const vs_picture **sunless,
                               vs_panorama_sun *sun) {
   static const struct { const char *format; unsigned char bytes[4]; size_t count;

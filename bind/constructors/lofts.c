@@ -102,7 +102,7 @@ vs_status vs_p_do_loft(vs_args *f, vs_value *out) {
   struct vs_loft d = { .start_angle = f->arg[1].given ? REAL(1) : 0, .start_hold = f->arg[2].given ? REAL(2) : 0,
                        .end_angle = f->arg[3].given ? REAL(3) : 0, .end_hold = f->arg[4].given ? REAL(4) : 0 };
   size_t n = f->arg[0].refs.count;
-  if (d.start_hold == 0) d.start_angle = 0; /* without a hold, the angle has no effect */
+  if (d.start_hold == 0) d.start_angle = 0; /* without a hold at the start, the start angle has no effect */
   if (d.end_hold == 0) d.end_angle = 0;
   if (!sections(f, f->arg[0].refs.at, &n, out)) return VS_ERROR;
   return n ? loft(f, VS_LOFT, &d, f->arg[0].refs.at, n, out) : VS_OK;

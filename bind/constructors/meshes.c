@@ -253,7 +253,7 @@ vs_status vs_p_make_irregular_pyramid(vs_args *f, vs_value *out) {
   if (!at || !starts || !corner) return VS_ERROR;
   memcpy(at, f->arg[0].points.at, n * sizeof *at);
   at[n] = POINT(1);
-  vs_vec3 spread = { 0, 0, 0 }; /* sum of normals: twice the area of the base, along its normal */
+  vs_vec3 spread = { 0, 0, 0 }; /* sum of the base's normals, whose length is twice the area of the base */
   for (size_t i = 1; i + 1 < n; i++)
     spread = vs_v3_add(spread, vs_v3_cross(vs_v3_sub(at[i], at[0]), vs_v3_sub(at[i + 1], at[0])));
   /* size: of the base; up: height of the apex; off: greatest distance of a base corner from the plane; widest: twice
@@ -299,7 +299,7 @@ vs_status vs_p_make_3dface(vs_args *f, vs_value *out) {
   if (n == 4) b = vs_v3_length(vs_v3_cross(vs_v3_sub(at[2], at[0]), vs_v3_sub(at[3], at[0])));
   double nothing = 1e-14 * size * size;
   if (a <= nothing && b <= nothing) return vs_bind_empty(f, "all corners are on one line", out);
-  /* If one triangle has no area, only the other is used. */
+  /* If the first of two triangles has no area, only the second is used. */
   if (n == 4 && a <= nothing) memcpy(corner, corner + 3, sizeof corner / 2), b = 0;
   return polyface(f, &(vs_polygons){ at, n, starts, corner, n == 4 && b > nothing ? 2 : 1 }, out);
 }

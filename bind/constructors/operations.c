@@ -275,8 +275,8 @@ vs_status vs_p_hull(vs_args *f, vs_value *out) {
   vs_cloud cloud = { 0 };
   vs_error e = { 0 };
   vs_status ok = VS_OK;
-  vs_ref whole = { vs_node_retain(made), vs_bind_origin(f->bind) }; /* whether the hull is a solid, region or line can
-                                                                     * be decided only for the resolved object */
+  vs_ref whole = { vs_node_retain(made), vs_bind_origin(f->bind) }; /* only the resolved object shows whether the hull
+                                                                     * is a solid, a region or a line */
   vs_kernel_options options = { .job = vs_bind_job(f->vm) };
   if (!vs_resolve(&whole, 1, &(vs_fineness){ .tolerance = 0 }, &options, &e) || !vs_node_bounds(whole.node, &b, &e) ||
       !vs_hull_points(whole.node, &(vs_fineness){ .tolerance = vs_fineness_tolerance(&b) }, &cloud, &e))

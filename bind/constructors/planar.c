@@ -93,7 +93,7 @@ static vs_status joined(vs_args *f, vs_ref **out, size_t *count) {
   *count = n;
   vs_status status = VS_OK;
   for (size_t i = 0; i < n; i++)
-    if (!vs_bind_keep(f, c[i].node)) status = VS_ERROR; /* if it fails, vs_bind_keep has released the node */
+    if (!vs_bind_keep(f, c[i].node)) status = VS_ERROR; /* if vs_bind_keep fails, it has released the node */
   return status;
 }
 

@@ -15,7 +15,7 @@ static bool group_numbers(vs_scheme *vm, const vs_form *form, const vs_plain_cal
   int used = 0, groups = 0;
   size_t at = (size_t)snprintf(text, room, "(%s", call->name);
   for (const vs_bind_param *p = form->at; p->mode != VS_ARG_END && used < n; p++) {
-    int left = 0; /* number of arguments that the required parameters after this one need */
+    int left = 0; /* number of arguments that the required parameters after this parameter need */
     for (const vs_bind_param *q = p + 1; q->mode == VS_ARG_REQUIRED; q++) left++;
     double d[3];
     int numbers = 0;

@@ -105,8 +105,8 @@ vs_status vs_p_make_e_cone(vs_args *f, vs_value *out) {
 
 vs_status vs_p_make_superellipsoid(vs_args *f, vs_value *out) {
   struct vs_superellipsoid d = { .e = REAL(0), .n = REAL(1), .size = REAL(2), .segments = segments(f) };
-  const double least = 0.001, most = 20; /* beyond these exponents the shape cannot be distinguished from a box or from
-                                          * nothing, and powers overflow or underflow */
+  const double least = 0.001, most = 20; /* beyond these exponents the shape looks like a box or vanishes, and powers
+                                          * overflow or underflow */
   if (d.e < least || d.e > most) return vs_bind_refuse(f, "e", "from 0.001 to 20", f->arg[0].value);
   if (d.n < least || d.n > most) return vs_bind_refuse(f, "n", "from 0.001 to 20", f->arg[1].value);
   if (d.size == 0) return vs_bind_empty(f, "s is 0", out);

@@ -79,8 +79,9 @@ typedef enum {
 } rule;
 
 /* The procedures that accept dual numbers. `shape` has a letter for each argument: p for a point or gvector, n for a
- * number. `tag` is the kind of the result, 0 for a number. `with` has a bit for each coordinate that the numbers are,
- * or the index of the coordinate to return. A p before numbers is the point that they move. */
+ * number. `tag` is the kind of the result, 0 for a number. `with` has a bit for each coordinate that the number
+ * arguments give. For a procedure that returns a coordinate, `with` is its index. If numbers follow a p, they move this
+ * point. */
 static const struct {
   vs_procedure_fn *fn;
   const char *shape;

@@ -187,8 +187,8 @@ static void lay_face(vs_scope *child, const vs_scope *s, int face) {
     for (int c = 0; c < 8; c++) child->as.corner[c] = s->as.corner[at[c & 3]];
     return;
   }
-  static const uint8_t axis_of[8] = { 0, 0, 1, 0, 2, 0, 0, 0 }; /* axis_of[bit]: axis along which two corners differ
-                                                                 * whose numbers differ in this bit */
+  static const uint8_t axis_of[8] = { 0, 0, 1, 0, 2, 0, 0, 0 }; /* axis_of[b]: axis along which two corners differ if
+                                                                 * their numbers differ by the bit b */
   int ax = axis_of[first ^ along], ay = axis_of[first ^ up];
   double sx = along > first ? 1 : -1, sy = up > first ? 1 : -1;
   vs_vec3 x = vs_v3_scale(vs_affine_column(&s->as.box.frame, ax), sx),
@@ -360,7 +360,7 @@ vs_status vs_p_scope_extrude(vs_args *f, vs_value *out) {
     c->left = e.left, c->right = e.right;
     t->rules[i] = r[0];
   }
-  for (uint32_t k = 0; k < 2; k++) { /* k = 0: the top; k = 1: the bottom */
+  for (uint32_t k = 0; k < 2; k++) { /* k = 0: the polygon at the top; k = 1: the polygon at the bottom */
     if (r[1 + k] == VS_FALSE) continue;
     vs_scope *c = t->child[sides + k] = vs_rules_child(d, s, (vs_scope_class)s->class_, k ? "bottom" : "top", 0, 1);
     t->rules[sides + k] = r[1 + k];
@@ -452,7 +452,7 @@ vs_status vs_p_scope_round_corner(vs_args *f, vs_value *out) {
   return vs_task_push(d, t) ? VS_OK : VS_ERROR;
 }
 
-/* Adds a triangle scope with these three points as child i. If it fails, sets the error and returns false. */
+/* Adds a scope for the triangle of these three points as child i. If it fails, sets the error and returns false. */
 static bool add_triangle(vs_derivation *d, vs_rule_task *t, vs_scope *parent, const char *op, uint32_t i,
                          const vs_vec3 p[3]) {
   vs_scope *c = t->child[i] = vs_rules_child(d, parent, VS_SCOPE_TRIANGLE, op, i, t->count);
@@ -495,8 +495,8 @@ vs_status vs_p_scope_triangulate(vs_args *f, vs_value *out) {
   return t && vs_task_push(d, t) ? VS_OK : VS_ERROR;
 }
 
-/* Divides a triangle into four at the midpoints of its edges: first the three at its corners, then the one in the
- * middle. */
+/* Divides a triangle into four triangles at the midpoints of its edges: first the three at its corners, then the one in
+ * the middle. */
 vs_status vs_p_scope_subdivide(vs_args *f, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   if (!vs_rules_class(f, 0, VS_SCOPE_BIT(TRIANGLE))) return VS_ERROR;

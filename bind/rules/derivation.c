@@ -36,7 +36,7 @@ void vs_task_drop(vs_derivation *d, vs_rule_task *t) {
   vs_store_realloc(d->store, t, t->bytes, 0);
 }
 
-/* Releases the objects: they were returned as a union, or the derivation failed. */
+/* Releases the objects of a derivation, after their union was returned or after the derivation failed. */
 static void forget_made(vs_derivation *d) {
   vs_store *s = d->store;
   for (size_t i = 0; i < d->made_count; i++) {
@@ -79,7 +79,7 @@ static bool is_live(const vs_bind *b, vs_value wrapper, bool *run) {
 }
 
 /* Ends a derivation that an uncaught error has left: such an error does not restore b->growing. A running derivation
- * has a winder, so that it must have ended if there are no winders. */
+ * has an entry in the list of winders (dynamic-wind). If this list is empty, the derivation has ended. */
 static void forget_ended(vs_bind *b) {
   if (!b->growing || b->vm->winders != VS_NIL) return;
   if (!b->growing->outer) vs_random_restore(b->vm, b->growing->random);
@@ -95,8 +95,9 @@ static vs_derivation *derivation_new(vs_bind *b, vs_value *holder) {
   };
   const vs_derivation *outer = b->growing;
   if (outer) {
-    d->name = outer->name, d->steps = 1000 * ++b->growing->steps; /* makes the paths of its scopes differ from those of
-                                                                   * other derivations of this rule */
+    d->name = outer->name, d->steps = 1000 * ++b->growing->steps; /* a count of steps makes the paths of the new
+                                                                   * derivation's scopes differ from those of other
+                                                                   * derivations of this rule */
     d->entry = outer->entry, d->position = outer->position;
   }
   d->lineage = outer ? vs_lineage_retain(outer->lineage) : vs_lineage_new(b->store);
@@ -453,7 +454,7 @@ vs_status vs_p_rule_enter(vs_args *f, vs_value *out) {
   vs_rule_task *t = d ? vs_task_new(d, 1, false) : NULL;
   if (!t) return VS_ERROR;
   t->body = true, t->name = name, t->rules[0] = r[0];
-  if (live) { /* the path gets one more level, so that two calls on one scope differ */
+  if (live) { /* the path gets one more level, so that two calls of rules on the same scope differ */
     vs_scope *child = vs_rules_child(d, s, (vs_scope_class)s->class_, name, 0, 1);
     if (!child) return vs_task_drop(d, t), VS_ERROR;
     vs_scope_become(child, s);
@@ -569,7 +570,7 @@ vs_status vs_p_choose(vs_args *f, vs_value *out) {
     if (x < p) return *out = vs_fix((int64_t)i), VS_OK;
     x -= p;
   }
-  /* The sum is below 1 by rounding, or -1 was chosen. */
+  /* The sum of the probabilities is below 1 by rounding, or no sequence was chosen. */
   *out = vs_fix(sum < 1 - 1e-9 && !open ? -1 : (int64_t)n - 1);
   return VS_OK;
 }

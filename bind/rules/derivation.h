@@ -24,11 +24,11 @@ typedef struct vs_rule_task {
   size_t bytes;
   uint32_t entry;       /* number of the task's entry in the record */
   uint32_t count, next; /* count: number of children; next: first child that still waits */
-  bool many;            /* whether each child has its own rule; otherwise rules[0] is the rule of all */
-  bool body;            /* whether rules[0] is the body of the rule `name`, with its arguments bound */
+  bool many;            /* whether each child has its own rule; otherwise rules[0] is the rule of all children */
+  bool body;            /* whether rules[0] is the body of the rule `name`, with the rule's arguments bound */
   const char *name;
   const vs_origin *origin; /* place of the operator's call in the program */
-  vs_value *rules;         /* stored after the children in the same block */
+  vs_value *rules;         /* rules of the children, stored after the children in the same block */
   vs_scope *child[];
 } vs_rule_task;
 
@@ -46,7 +46,7 @@ typedef struct vs_derivation {
   size_t count, room;
   size_t begun; /* number of tasks when the running rule began; tasks above it are in the order in which its expressions
                  * created them */
-  vs_ref *made; /* the objects created; their nodes are retained */
+  vs_ref *made; /* objects that rules have created; their nodes are retained */
   size_t made_count, made_room;
   vs_scope_flags **made_flags; /* flags of object i; objects from flags_room on have none */
   size_t flags_room;
@@ -55,13 +55,15 @@ typedef struct vs_derivation {
   vs_scope *now;               /* scope to which the running rule is applied, retained, or NULL */
   vs_lineage *lineage;         /* the record, shared with derivations that began within its rules */
   uint32_t entry, position;    /* entry and position, in the record, of the scope to which the rule is applied */
-  vs_surroundings *around;     /* the objects around, for questions of rules; NULL before the first question */
+  vs_surroundings *around;     /* tree of the objects created so far, for questions of rules about their surroundings;
+                                * NULL before the first question */
   vs_value rule;               /* rule that %derivation-rule returns, a procedure */
   const char *name;            /* name of the running rule, or NULL */
   uint32_t steps;              /* number of operators that the running rule has called */
   uint32_t most;               /* greatest number of levels of a path */
   bool over;                   /* whether the resulting object was returned */
-  struct vs_derivation *outer; /* the derivation during which this one began; valid while this one runs */
+  struct vs_derivation *outer; /* the outer derivation, during which this derivation began; valid while this derivation
+                                * runs */
   uint64_t random[4];          /* state of the program's random generator, restored at the end */
   /* The object placed last and its bounds, since a repeat places the same object many times. */
   vs_node *fitted; /* node of the object placed last, retained, or NULL */

@@ -11,11 +11,11 @@
 
 typedef struct vs_bind vs_bind;
 
-/* The scopes that one operator created from the scope at `position` of entry `parent`. The first entry is the root,
- * which is its own parent. */
+/* An entry of the record: the scopes that one operator created from the scope at `position` of entry `parent`. The
+ * first entry is the root, which is its own parent. */
 typedef struct {
   uint32_t parent, position, count;
-  uint32_t index; /* index of a single scope; the index of one of several scopes is its position */
+  uint32_t index; /* index of a single scope; in an entry of several scopes, the index of each is its position */
   uint32_t site;  /* index in the record's table of pairs of rule and operator */
 } vs_lineage_entry;
 

@@ -1,8 +1,7 @@
 /* Computes the components of mesh scopes: the faces of an object as polygon scopes, and their edges and vertices.
  *
- * The faces of polyface meshes and boxes are their own; a region or closed curve has a face for each of its areas;
- * other solids and surfaces have the triangles of their mesh. An edge or a vertex that several faces share occurs
- * once. */
+ * Polyface meshes and boxes have faces already. A region or closed curve has a face for each of its areas. Other solids
+ * and surfaces have the triangles of their mesh as faces. An edge or a vertex that several faces share occurs once. */
 #include "bind/rules/mesh_faces.h"
 
 #include "bind/call/call.h"
@@ -24,7 +23,7 @@
 
 typedef struct {
   vs_args *f;
-  vs_scope_loops **at; /* allocated in the call's scratch memory */
+  vs_scope_loops **at; /* loops of the faces, in an array in the call's scratch memory */
   size_t count, room;
 } faces;
 

@@ -37,7 +37,8 @@ static bool moved(vs_scope *s, const vs_affine *m) {
   const vs_scope_loops *old = s->loops;
   vs_scope_loops *l = vs_scope_loops_new(s->store, old->points->at, old->start, old->count);
   if (!l) return false;
-  vs_vec3 *at = (vs_vec3 *)(uintptr_t)l->points->at; /* this copy belongs to no other scope yet */
+  vs_vec3 *at = (vs_vec3 *)(uintptr_t)l->points->at; /* the loops of this copy belong to no other scope yet, and may be
+                                                      * changed */
   for (uint32_t i = 0; i < l->points->count; i++) at[i] = vs_affine_point(m, at[i]);
   vs_scope_loops_release(s->store, s->loops);
   s->loops = l;

@@ -21,7 +21,7 @@ static bool bounds_of(vs_derivation *d, vs_ref object, vs_bounds *b) {
   return true;
 }
 
-/* Returns the factor by which an extent is scaled to a size; 1 if either is 0. */
+/* Returns the factor by which an extent is scaled to a size; 1 if the extent or the size is 0. */
 static double factor(double size, double extent) { return size > 0 && extent > 0 ? size / extent : 1; }
 
 /* Returns the map from the bounds of an object to a box with this frame and size. */

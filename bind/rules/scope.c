@@ -202,7 +202,7 @@ bool vs_scope_add_flags(vs_scope *s, const char *const *names, size_t count) {
   }
   uint32_t room = have + fresh;
   while (f->count < room)
-    f->name[f->count++] = names[0]; /* a name was given twice: the array has unused room at its end */
+    f->name[f->count++] = names[0]; /* a name was given twice: the end of the array remains unused */
   vs_scope_flags_release(s->store, s->flags);
   s->flags = f;
   return true;
@@ -210,8 +210,8 @@ bool vs_scope_add_flags(vs_scope *s, const char *const *names, size_t count) {
 
 /* ---- marks and signals ---- */
 
-/* Returns the extra of s, after replacing a shared one by a copy. The copy has no signals, since they were sent to the
- * scope that waited. Returns NULL when memory is out. */
+/* Returns the extra of s. If other scopes share the extra, first replaces it by a copy. The copy has no signals, since
+ * they were sent to the scope that waited. Returns NULL when memory is out. */
 static vs_scope_extra *own_extra(vs_scope *s) {
   vs_scope_extra *old = s->extra;
   if (old && old->refs == 1) return old;

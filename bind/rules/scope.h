@@ -38,7 +38,7 @@ typedef struct {
   uint32_t refs, count;
   const vs_points *points;
   uint32_t start[];
-} vs_scope_loops; /* start has count + 1 elements */
+} vs_scope_loops; /* start[i]: index of the first point of loop i. start has count + 1 elements */
 
 typedef struct vs_scope vs_scope;
 

@@ -85,7 +85,7 @@ typedef struct {
   vs_vec3 point;     /* a point in the scope */
   double slack;      /* distances below this length count as 0 */
   piece own[6];
-  piece *flat; /* flat pieces of a polygon, curve or mesh, instead of `own`; owned by the store */
+  piece *flat; /* flat pieces of a polygon, curve or mesh, used instead of `own`; owned by the store */
   size_t count, room;
   vs_node *solid; /* a closed mesh, whose inside belongs to the scope, or NULL */
 } body;
@@ -360,7 +360,8 @@ static bool leaf_point(const vs_bend_leaf *l, const vs_affine *map, vs_vec3 *out
 typedef struct {
   vs_args *f;
   body body;
-  bool inside; /* true: asks whether the scope lies inside an object; false: whether it touches one */
+  bool inside; /* true: the question is whether the scope lies inside an object; false: whether the scope touches an
+                * object */
   const char *flag;
   bool failed;
 } question;
@@ -443,8 +444,8 @@ static bool any_answers(question *q, vs_derivation *d) {
   if (!a || !catch_up(d, a)) return q->failed = true, false;
   int level = LEVELS - 1;
   size_t at = 0;
-  /* Visits the tree in order: enters a box that overlaps; otherwise continues with the next box, or the parent's next
-   * after the last of a level. */
+  /* Visits the tree in order. Enters a box whose bounds overlap those of the scope. Otherwise continues with the next
+   * box or, after the last box of a level, with the parent's next box. */
   while (at < a->level[level].count) {
     const vs_bounds *box = &a->level[level].at[at];
     bool meet = !vs_bounds_is_empty(box) && vs_bounds_overlap(box, &q->body.bounds, q->body.slack);

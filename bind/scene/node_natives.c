@@ -57,8 +57,9 @@ static vs_status node_matrix(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return give_matrix(vm, &m, out);
 }
 
-/* Inverts node_matrix: returns a list of translate, rotate and scale that results in the given matrix. Returns #f if
- * its columns are not perpendicular, or one is 0. If the matrix mirrors, the scale along X is negative. */
+/* Inverts node_matrix: returns the list (translate rotate scale) from which node_matrix computes the given matrix.
+ * Returns #f if the columns of the matrix are not perpendicular, or a column is 0. If the matrix mirrors, the scale
+ * along X is negative. */
 static vs_status matrix_parts(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   vs_affine m = vs_bind_take_matrix(vs_as_flat(a[0])->at);
@@ -73,8 +74,8 @@ static vs_status matrix_parts(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
   if (flat > 1e-12) {
     r[0] = atan2(column[1].z, column[2].z) / degree;
     r[2] = atan2(column[0].y, column[0].x) / degree;
-  } else r[0] = atan2(-column[2].y, column[1].y) / degree; /* X is vertical: rotations about X and Z have the same
-                                                            * axis */
+  } else r[0] = atan2(-column[2].y, column[1].y) / degree; /* X is vertical: rotations about X and about Z have the same
+                                                            * effect */
   const double *const parts[3] = { t, r, s };
   VS_ROOTS(vm, root, 2);
   root[0] = VS_NIL;
@@ -103,9 +104,9 @@ static vs_status fail_ray(vs_scheme *vm, const vs_error *e) {
   return vs_fail(vm, vm->sym.error, "%s", *e->message ? e->message : "the ray's hits cannot be computed");
 }
 
-/* (object matrix from direction): intersects a ray with the object, placed by the matrix. Returns #f if it misses.
- * Otherwise returns (distance . #f), or (distance file line column) if the object's origin is known. The distance is a
- * multiple of the length of direction. */
+/* (object matrix from direction): intersects a ray with the object, placed by the matrix. Returns #f if the ray does
+ * not hit the object. Otherwise returns (distance . #f), or (distance file line column) if the object's origin is
+ * known. The distance is a multiple of the length of direction. */
 static vs_status ray_meets(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   vs_affine m = vs_bind_take_matrix(vs_as_flat(a[1])->at), back;
@@ -137,8 +138,9 @@ static vs_status drawing_list(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
   return vs_bind_give_refs(b, b->scene.drawn, b->scene.drawn_count, out);
 }
 
-/* Called before the drawing of the root is replaced. A program does not throw away an object that it has drawn, itself
- * or all its parts. Marks such objects among the top-level values. When memory is out, marks none. */
+/* Called before the drawing of the root is replaced. The program has used an object if it has drawn the object itself,
+ * or all its parts. Marks such objects among the top-level values, so that no warning follows. When memory is out,
+ * marks none. */
 static void was_shown(vs_bind *b) {
   if (b->returned_count == 0 || b->scene.drawn_count == 0) return;
   vs_nodemap all = { .store = b->store };
@@ -162,8 +164,8 @@ static vs_status drawing_swap(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
   if (!drawing_list(vm, a, n, &r[0])) return VS_ERROR;
   size_t before = b->scene.drawn_count, kept = 0;
   if (!b->away && a[1] == VS_FALSE) was_shown(b);
-  for (vs_value l = a[0]; vs_is_pair(l); l = vs_cdr(l)) /* added after the old objects, so that these remain if it
-                                                         * fails */
+  for (vs_value l = a[0]; vs_is_pair(l); l = vs_cdr(l)) /* adds the new objects after the old objects, so that the old
+                                                         * objects remain if this fails */
     if (!vs_scene_draw(&b->scene, vs_bind_take_ref(vs_car(l)))) {
       while (b->scene.drawn_count > before) vs_node_release(b->scene.drawn[--b->scene.drawn_count].node);
       return vs_fail_memory(vm);

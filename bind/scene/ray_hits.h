@@ -1,5 +1,5 @@
-/* Declares the first hit of a ray on solids and surfaces, computed by ray_hits.c with the triangles that measures
- * use. */
+/* Declares the first hit of a ray on solids and surfaces. ray_hits.c computes it with the triangles that measures of
+ * objects use. */
 #ifndef VS_BIND_SCENE_RAY_HITS_H
 #define VS_BIND_SCENE_RAY_HITS_H
 

@@ -26,11 +26,12 @@ typedef struct {
   vs_args *f;
   vs_mesh mesh;
   vs_flat_net net;
-  const vs_glue_tab **tab; /* tab[e]: the tab at cut edge e, or NULL; NULL if there are no tabs */
+  const vs_glue_tab **tab; /* tab[e]: the tab at cut edge e, or NULL if the edge has no tab; tab is NULL if there are no
+                            * tabs */
   vs_polyline loop;        /* the loop that is being walked */
-  vs_outline outline;      /* the loops of the piece so far */
+  vs_outline outline;      /* the completed loops of the piece */
   size_t room;
-  vs_vec2 (*chain)[2];     /* the border edges of the piece */
+  vs_vec2 (*chain)[2];     /* the border edges of the piece, by their end points */
   size_t chain_count, chain_room;
   double shift;            /* distance by which the piece is moved along +X */
 } sheet;
@@ -157,7 +158,7 @@ vs_status vs_p_unroll(vs_args *f, vs_value *out) {
         covered += (a.x * b.y - a.y * b.x) / 2;
       }
     vs_area_free(&whole), whole = (vs_area){ 0 };
-    if (ok && fabs(sum - covered) > 1e-6 * sum) /* it overlaps itself in the plane */
+    if (ok && fabs(sum - covered) > 1e-6 * sum) /* the surface overlaps itself in the plane */
       ok = vs_fail(f->vm, f->vm->sym.range,
                    "the surface overlaps itself when it is laid flat; cut it into shorter parts with do-slice");
   }
@@ -196,8 +197,8 @@ static bool folds(sheet *s, uint32_t piece, bool mountain, vs_value *out) {
   return true;
 }
 
-/* Sets *out to the list of the piece's cut edges: number, start, end, as the border runs. number[e] is that of edge
- * e. */
+/* Sets *out to the list of the piece's cut edges: number, start, end, in the direction of the border. number[e] is the
+ * number of edge e. */
 static bool numbers(sheet *s, uint32_t piece, const uint32_t *number, vs_value *out) {
   vs_args *f = s->f;
   const vs_flat_net *n = &s->net;

@@ -290,7 +290,8 @@ static vs_node *region_of(vs_args *f, const vs_area *a, const vs_affine *frame) 
   return loops && at ? vs_node_new(s, VS_REGION, &(struct vs_region){ 0 }, loops, a->loop_count) : NULL;
 }
 
-/* (voronoi points region): returns a region for each point, in order. A cell outside of the given region is empty. */
+/* (voronoi points region): returns a region for each point, in order. If the cell of a point is outside of the given
+ * region, its result is empty. */
 vs_status vs_p_voronoi(vs_args *f, vs_value *out) {
   size_t n = f->arg[0].points.count;
   vs_error e = { 0 };

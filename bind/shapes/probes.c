@@ -174,8 +174,8 @@ vs_status vs_p_curve_near(vs_args *f, vs_value *out) {
   if (!vs_bind_stations(f, 0, &c)) return VS_ERROR;
   double best = INFINITY, at = 0;
   size_t n = c.path.count - (c.path.closed ? 0 : 1);
-  for (size_t i = 0; i < n; i++) { /* in each span, finds the minimum of the distance from its derivative, starting in
-                                    * the middle */
+  for (size_t i = 0; i < n; i++) { /* in each span, finds the minimum of the distance as the zero of its derivative,
+                                    * starting in the middle */
     double low = c.along[i], high = c.along[i + 1], s = .5 * (low + high);
     vs_vec3 a = c.path.at[i].at;
     if (vs_v3_length(vs_v3_sub(a, p)) > best + 1.6 * (high - low)) continue;

@@ -1,4 +1,5 @@
-/* Implements land: a surface over surveyed points with breaklines, and the solid under a surface. */
+/* Implements land: a surface through surveyed points, which contains given lines (breaklines), and the solid under a
+ * surface. */
 
 #include <math.h>
 #include <stdlib.h>
@@ -15,7 +16,8 @@
 #include "geometry/nets/mesh_edges.h"
 #include "geometry/plane/breaklines.h"
 
-/* Makes the pair of a list of points and a list of faces, whose indices count from 1. */
+/* Sets *out to a pair of a list of points and a list of faces. A face is a list of indices of points, counted from
+ * 1. */
 static vs_status points_and_faces(vs_args *f, const vs_mesh *m, vs_value *out) {
   VS_ROOTS(f->vm, r, 3);
   r[0] = r[1] = VS_NIL;
@@ -48,7 +50,8 @@ static vs_status two_heights(vs_args *f, vs_vec3 p, vs_vec3 q) {
   return vs_fail(f->vm, f->vm->sym.range, "points at (xy %s %s) have two heights, %s and %s", n[0], n[1], n[2], n[3]);
 }
 
-/* Numbers the points; those at one place have one number, and m gets a vertex for each. */
+/* Sets number[i] to the index of the vertex in m for point i. Points with equal x and y share a vertex. Sets an error
+ * if their heights differ. */
 static vs_status number_points(vs_args *f, const vs_vec3 *at, size_t n, uint32_t *number, vs_mesh *m) {
   placed *p = vs_bind_scratch(f, (n + 1) * sizeof *p);
   if (!p) return VS_ERROR;
@@ -73,8 +76,8 @@ static vs_status not_constrained(vs_args *f, vs_breaklines_outcome outcome, vs_v
   return vs_fail(f->vm, f->vm->sym.range, "a breakline at (xy %s %s) comes too near to other points", x, y);
 }
 
-/* (%terrain points breaks sizes): points and those of the breaklines, each of which has one of the sizes. Returns a
- * pair of points and faces. */
+/* (%terrain points breaks sizes): computes a surface through the points. breaks are the points of all breaklines in
+ * sequence; each of the sizes is the number of points of a breakline. Returns a pair of points and faces. */
 vs_status vs_p_terrain(vs_args *f, vs_value *out) {
   size_t n = f->arg[0].points.count, breaks = f->arg[1].points.count, all = n + breaks, edge_count = 0;
   vs_vec3 *at = vs_bind_scratch(f, (all + 1) * sizeof *at);
@@ -116,12 +119,14 @@ vs_status vs_p_terrain(vs_args *f, vs_value *out) {
 
 /* ---- the solid under a surface ---- */
 
-/* a to b: a border, the surface on its left */
+/* Adds a wall below the border edge from a to b, which has the surface on its left. base + a and base + b are the lower
+ * corners */
 static bool add_wall(vs_mesh *m, uint32_t a, uint32_t b, uint32_t base) {
   return vs_mesh_add_triangle(m, a, base + a, base + b) && vs_mesh_add_triangle(m, a, base + b, b);
 }
 
-/* Makes the closed mesh between the surface, or its outline at the height top, and the height low. */
+/* Computes the closed mesh between a surface and the plane at the height low. If top is a number, the surface is first
+ * flattened to the height top. */
 static bool close_surface(const vs_mesh *s, double low, double top, vs_mesh *out) {
   vs_mesh_edges edges = { 0 };
   uint32_t base = (uint32_t)s->vertex_count;
@@ -143,8 +148,9 @@ static bool close_surface(const vs_mesh *s, double low, double top, vs_mesh *out
   return ok;
 }
 
-/* (%cut-and-fill surface low top name): a pair of points and faces of the solid down to the height low, under the
- * surface or, with the height top, under that. Without heights: the pair of the surface's least and greatest height. */
+/* (%cut-and-fill surface low top name): returns the points and faces of the solid between the height low and the
+ * surface. If top is given, the solid ends at the height top instead of the surface. Without heights, returns the pair
+ * of the surface's least and greatest height. */
 vs_status vs_p_cut_and_fill(vs_args *f, vs_value *out) {
   vs_mesh m = { 0 }, solid = { 0 };
   double low = 0, top = NAN;

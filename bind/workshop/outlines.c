@@ -23,7 +23,8 @@
 #include "solids/sections.h"
 #include "vm/machine/fail.h"
 
-/* Returns a closed or open line of these points. The call owns it; NULL with the error set. */
+/* Returns a node of the line through these points, closed if p is closed. The call's memory owns the node. If it fails,
+ * sets the error and returns NULL. */
 static vs_node *line_of(vs_args *f, const vs_polyline *p) {
   vs_points *points = vs_points_new(f->store, p->at, p->count);
   vs_node *n = points ? vs_node_new(f->store, VS_LINE, &(struct vs_line){ .points = points, .closed = p->closed }, NULL,
@@ -33,7 +34,7 @@ static vs_node *line_of(vs_args *f, const vs_polyline *p) {
   return vs_bind_keep(f, n) ? n : NULL;
 }
 
-/* Returns true if both are the same closed points in the same or the opposite order. */
+/* Returns true if the closed lines a and b have equal points, in equal or opposite order. */
 static bool same_loop(const vs_polyline *a, const vs_polyline *b) {
   bool forward = a->count == b->count, back = forward;
   for (size_t i = 0; (forward || back) && i < a->count; i++) {
@@ -43,7 +44,8 @@ static bool same_loop(const vs_polyline *a, const vs_polyline *b) {
   return forward || back;
 }
 
-/* Sets curve[i] to the child of the region that is loop i of its outline; to no node where none is exactly that. */
+/* Sets curve[i] to the child of the region that has exactly the points of loop i of the outline. Sets it to no node if
+ * there is no such child. */
 static bool match_curves(vs_args *f, const vs_node *region, const vs_fineness *facets, const vs_outline *o,
                          vs_ref *curve) {
   for (size_t i = 0; i < o->count; i++) curve[i] = (vs_ref){ 0 };
@@ -64,7 +66,8 @@ static bool match_curves(vs_args *f, const vs_node *region, const vs_fineness *f
   return true;
 }
 
-/* Adds the loops that are holes, or those that are not, to out, within the wrappers of `whole`. */
+/* Adds curves for the loops of the outline to out: holes only, or the other loops only. Each is put into the layers and
+ * materials of `whole`. */
 static bool put_loops(vs_args *f, vs_ref whole, const vs_outline *o, const vs_ref *curve, bool holes, vs_ref *out,
                       size_t *count) {
   for (size_t i = 0; i < o->count; i++) {
@@ -90,7 +93,8 @@ static vs_ref *of_region(vs_args *f, vs_ref ref, size_t *count) {
   const vs_node *n = ref.node;
   while (vs_is_wrapper(n)) n = n->children[0].node;
   vs_fineness facets = vs_bend_facets(f->vm, n);
-  if (vs_bind_tolerance(f->vm) <= 0) facets.tolerance /= 16; /* as fine as sections: the lines are kept */
+  if (vs_bind_tolerance(f->vm) <= 0) facets.tolerance /= 16; /* as fine as sections of solids, since the outline's lines
+                                                              * remain in the model */
   if (!vs_region_outline(n, &facets, &o, &e)) return vs_bind_error(f->vm, &e), NULL;
   vs_ref *curve = vs_bind_scratch(f, (o.count + 1) * sizeof *curve);
   vs_ref *out = curve && match_curves(f, n, &facets, &o, curve) ? of_outline(f, ref, &o, curve, count) : NULL;
@@ -143,7 +147,7 @@ vs_ref *vs_bind_outlines(vs_args *f, vs_ref ref, size_t *count) {
          NULL;
 }
 
-/* (outline o) */
+/* (outline o): returns the closed curves around the region or flat surface. */
 vs_status vs_p_outline(vs_args *f, vs_value *out) {
   size_t count;
   vs_kind kind = (vs_kind)f->arg[0].ref.node->kind;
@@ -169,17 +173,17 @@ static bool keep_line(void *context, const vs_polyline *line) {
   return l->at[l->count++].node != NULL;
 }
 
-/* Makes the list of the lines of an open mesh at a level. */
+/* Sets *out to the list of the lines in which a plane intersects an open mesh. */
 static vs_status surface_level(vs_args *f, const vs_mesh *m, vs_vec3 at, vs_vec3 normal, vs_value *out) {
   level_lines lines = { .f = f };
   bool ok = vs_mesh_contour(m, at, normal, &(vs_line_put){ keep_line, &lines });
-  if (!ok) vs_fail_memory(f->vm); /* nothing else fails */
+  if (!ok) vs_fail_memory(f->vm); /* vs_mesh_contour fails only when memory is out */
   ok = ok && vs_bind_give_refs(f->bind, lines.at, lines.count, out);
   free(lines.at);
   return ok ? VS_OK : VS_ERROR;
 }
 
-/* Sets *region to the region of the outline; to no node if it has no loops. */
+/* Sets *region to a region with the loops of the outline, or to no node if the outline has no loops. */
 static bool region_of(vs_args *f, const vs_outline *o, vs_ref *region) {
   vs_ref *refs = vs_bind_scratch(f, (o->count + 1) * sizeof *refs);
   bool ok = refs != NULL;
@@ -193,7 +197,8 @@ static bool region_of(vs_args *f, const vs_outline *o, vs_ref *region) {
   return vs_bind_keep(f, region->node);
 }
 
-/* Makes a list of the section of a closed mesh, a region; the empty list if there is none. */
+/* Sets *out to a list with the region in which a plane intersects a closed mesh, or to the empty list if there is no
+ * intersection. */
 static vs_status solid_level(vs_args *f, const vs_mesh *m, vs_vec3 at, vs_vec3 normal, vs_value *out) {
   vs_outline o = { 0 };
   vs_error e = { 0 };
@@ -204,7 +209,8 @@ static vs_status solid_level(vs_args *f, const vs_mesh *m, vs_vec3 at, vs_vec3 n
   return ok ? VS_OK : VS_ERROR;
 }
 
-/* Sets *out to the least and the greatest height above the plane of the object's corners, or #f. */
+/* Sets *out to the pair of the least and greatest height above the plane of the object's corners, or to #f if it has no
+ * corners. */
 static vs_status give_span(vs_args *f, vs_value *out) {
   vs_mesh m = { 0 };
   vs_vec3 point = f->arg[1].line.at, up = vs_v3_unit(f->arg[1].line.direction);
@@ -220,8 +226,9 @@ static vs_status give_span(vs_args *f, vs_value *out) {
   return low <= high ? vs_cons(f->vm, vs_flonum(low), vs_flonum(high), out) : VS_OK;
 }
 
-/* (%contours o plane heights): for each height above the plane, from the last to the first, a list: of a solid its
- * section, a region; of a surface its curves. Without heights: the pair of the least and the greatest, or #f. */
+/* (%contours o plane heights): returns a list for each height above the plane, from the last height to the first. For a
+ * solid it contains the section, a region; for a surface, the curves. Without heights, returns the pair of the object's
+ * least and greatest height, or #f. */
 vs_status vs_p_levels(vs_args *f, vs_value *out) {
   vs_mesh m = { 0 };
   vs_vec3 point = f->arg[1].line.at, normal = f->arg[1].line.direction, up = vs_v3_unit(normal);
@@ -232,7 +239,7 @@ vs_status vs_p_levels(vs_args *f, vs_value *out) {
   if (class_ != VS_SOLID && class_ != VS_SURFACE)
     return vs_bind_refuse(f, "o", "a solid or a surface", f->arg[0].value);
   if (f->arg[2].value == VS_FALSE) return give_span(f, out);
-  VS_ROOTS(f->vm, r, 3); /* the result, a level, the heights that are left */
+  VS_ROOTS(f->vm, r, 3); /* roots: the result, the list of a height, the remaining heights */
   r[0] = VS_NIL, r[2] = f->arg[2].value;
   bool ok = vs_bend_triangles(f->vm, f->arg[0].ref, &m);
   for (; ok && vs_is_pair(r[2]); r[2] = vs_cdr(r[2])) {
@@ -249,13 +256,14 @@ vs_status vs_p_levels(vs_args *f, vs_value *out) {
 
 /* ---- slices ---- */
 
-/* (%slices-normal plane): the plane's normal, of length 1. */
+/* (%slices-normal plane): returns the plane's normal, of length 1. */
 vs_status vs_p_slices_normal(vs_args *f, vs_value *out) {
   return vs_bind_give_vector(f, vs_v3_unit(f->arg[0].line.direction), out);
 }
 
 
-/* Adds the curves of the outline `above` that lie within the outline o, in o's plane, to the list *out. */
+/* Sets *out to the list of those curves of the outline `above` that lie within the outline o, moved into the plane of
+ * o. */
 static bool add_engraved(vs_args *f, const vs_outline *o, const vs_outline *above, double slack, vs_value *out) {
   vs_area a = { 0 }, b = { 0 };
   vs_inner_lines lines = { 0 };
@@ -279,7 +287,7 @@ static bool add_engraved(vs_args *f, const vs_outline *o, const vs_outline *abov
   return ok;
 }
 
-/* (%slices-middle region): the middle of the largest circle within it and its radius, or #f. */
+/* (%slices-middle region): returns the centre and the radius of the largest circle within the region, or #f. */
 vs_status vs_p_slices_middle(vs_args *f, vs_value *out) {
   vs_outline o = { 0 };
   vs_area a = { 0 };
@@ -303,8 +311,9 @@ vs_status vs_p_slices_middle(vs_args *f, vs_value *out) {
   return ok ? VS_OK : VS_ERROR;
 }
 
-/* (%slices o plane heights): heights are descending. Returns, from the lowest on, pairs of a section, a region or #f,
- * and a list of the curves of the section above it that lie within it. Without heights: as %contours. */
+/* (%slices o plane heights): heights are descending. Returns a pair for each height, from the lowest: the section,
+ * which is a region or #f, and those curves of the next higher section that lie within it. Without heights, returns the
+ * pair of the object's least and greatest height, or #f. */
 vs_status vs_p_slices(vs_args *f, vs_value *out) {
   vs_mesh m = { 0 };
   vs_outline above = { 0 };
@@ -315,7 +324,7 @@ vs_status vs_p_slices(vs_args *f, vs_value *out) {
   if (f->arg[0].ref.node->class_ == VS_NOTHING) return VS_OK;
   if (f->arg[0].ref.node->class_ != VS_SOLID) return vs_bind_refuse(f, "o", "a solid", f->arg[0].value);
   if (f->arg[2].value == VS_FALSE) return give_span(f, out);
-  VS_ROOTS(f->vm, r, 4); /* the result, a slice, its region, the heights that are left */
+  VS_ROOTS(f->vm, r, 4); /* roots: the result, a pair, its region, the remaining heights */
   r[0] = VS_NIL, r[3] = f->arg[2].value;
   bool ok = vs_bend_triangles(f->vm, f->arg[0].ref, &m);
   vs_bounds b = vs_mesh_bounds(&m);

@@ -15,7 +15,8 @@
 #include "bind/shapes/taken_apart.h"
 #include "geometry/measure/ray_tree.h"
 
-/* "15:00+01:00", "15:00:30Z", "15:00" (mean local time by the longitude): hours UT */
+/* Reads a time as hours of universal time: "15:00+01:00", "15:00:30Z", or "15:00", which is mean local time at the
+ * longitude. */
 static bool read_time(const char *text, double longitude, double *hours) {
   int h, m, s = 0, used = 0, more = 0, zh, zm;
   if (sscanf(text, "%2d:%2d%n:%2d%n", &h, &m, &used, &s, &more) < 2) return false;
@@ -44,14 +45,14 @@ bool vs_bind_moment(vs_args *f, const vs_arg *place, vs_sun_moment *out) {
   return true;
 }
 
-/* Returns the direction to the sun: Y is north, X is east. */
+/* Returns the direction to the sun as a unit vector; Y is north, X is east. */
 static vs_vec3 towards_sun(const vs_sun_moment *m) {
   vs_sun_direction d = vs_sun_position(m);
   double a = d.azimuth * (acos(-1) / 180), h = d.altitude * (acos(-1) / 180);
   return vs_v3(cos(h) * sin(a), cos(h) * cos(a), sin(h));
 }
 
-/* (sun-direction #:latitude #:longitude #:date #:time) */
+/* (sun-direction #:latitude #:longitude #:date #:time): returns the direction to the sun as a gvector. */
 vs_status vs_p_sun_direction(vs_args *f, vs_value *out) {
   vs_sun_moment m;
   if (!f->key[0].given || !f->key[2].given || !f->key[3].given)
@@ -59,7 +60,7 @@ vs_status vs_p_sun_direction(vs_args *f, vs_value *out) {
   return vs_bind_moment(f, f->key, &m) && vs_bind_give_vector(f, towards_sun(&m), out);
 }
 
-/* (%sun-path hours #:latitude #:longitude #:date): the direction at so many hours of mean local time. */
+/* (%sun-path hours #:latitude #:longitude #:date): returns the direction to the sun at this hour of mean local time. */
 vs_status vs_p_sun_at(vs_args *f, vs_value *out) {
   vs_sun_moment m;
   vs_arg place[4] = { f->key[0], f->key[1], f->key[2], { .given = false } };
@@ -70,7 +71,8 @@ vs_status vs_p_sun_at(vs_args *f, vs_value *out) {
   return vs_bind_give_vector(f, towards_sun(&m), out);
 }
 
-/* Makes the list of the hours of sun at each place. tree: the triangles that cast shadows; NULL if there are none. */
+/* Sets *out to the list of the hours of sun at each place. tree: triangles that cast shadows; NULL if there are
+ * none. */
 static vs_status count_hours(vs_args *f, const vs_ray_tree *tree, double size, vs_value *out) {
   const vs_arg *at = &f->arg[0], *normals = &f->arg[1], *suns = &f->arg[2];
   VS_ROOTS(f->vm, r, 1);
@@ -91,7 +93,7 @@ static vs_status count_hours(vs_args *f, const vs_ray_tree *tree, double size, v
   return VS_OK;
 }
 
-/* Adds the triangles of an object that casts a shadow. */
+/* Adds the triangles of an object that casts a shadow to the mesh. */
 static bool add_shade(vs_args *f, vs_ref ref, vs_mesh *all) {
   vs_arg first = f->arg[0];
   vs_mesh m = { 0 };
@@ -115,8 +117,8 @@ static bool add_shade(vs_args *f, vs_ref ref, vs_mesh *all) {
   return ok;
 }
 
-/* (%solar-hours points normals suns step among): normals and suns are points in place of gvectors; each sun shines for
- * `step` hours. */
+/* (%solar-hours points normals suns step among): returns the hours of sun at each point, among objects that cast
+ * shadows. Normals and directions of suns are given as points; each sun shines for `step` hours. */
 vs_status vs_p_solar_hours(vs_args *f, vs_value *out) {
   vs_mesh m = { 0 };
   vs_ray_tree tree = { 0 };

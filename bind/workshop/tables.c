@@ -1,4 +1,5 @@
-/* Implements the natives of tables of quantities: the looks of an object, and the length of the unit. */
+/* Implements the natives of tables of quantities: the kind, layer and material of an object, and the length of the
+ * model's unit. */
 
 #include <string.h>
 
@@ -16,8 +17,8 @@ static bool add_text(vs_args *f, const char *text, vs_value *list) {
   return vs_string_from_utf8(f->vm, text, strlen(text), &r[0]) && vs_cons(f->vm, r[0], *list, list);
 }
 
-/* (%schedule-looks o): a list of the name of its kind, its layer and the name of its material, "" if it has none; the
- * innermost around the whole object count. The last element: metres in a unit. */
+/* (%schedule-looks o): returns a list of the object's kind, layer, material, and the metres in a model unit. A missing
+ * name is "". Of several layers or materials around the whole object, the innermost counts. */
 vs_status vs_p_schedule_looks(vs_args *f, vs_value *out) {
   const vs_node *n = f->arg[0].ref.node;
   const char *layer = NULL, *material = NULL;
