@@ -35,7 +35,8 @@ typedef struct {
   long frame;                 /* number of the current frame from 1; 0 without --frames */
   int told;                   /* descriptor for the names of files read, if a batch started this run
                                * (batch/inputs_told.h), else -1 */
-  unsigned results;           /* number of values printed since the program began; $results names the last one */
+  unsigned results;           /* number of values printed since the program began; $results is the name of the last
+                               * value */
 } cli_session;
 
 #endif

@@ -36,7 +36,7 @@ enum {
   FS_ALL_1 = (1 << 13) - 1,
   FS_REFER = 1 << 13 /* access right that Landlock knows from version 2 */,
   FS_TRUNCATE = 1 << 14 /* access right that Landlock knows from version 3 */,
-  NET_ALL = 3 /* Landlock version 4: bind and connect */
+  NET_ALL = 3 /* network rights that Landlock knows from version 4: bind and connect */
 };
 typedef struct { uint64_t files, net; } ruleset;
 typedef struct __attribute__((packed)) { uint64_t allowed; int32_t parent; } rule;
@@ -121,9 +121,9 @@ static void confine_calls(void) {
   code[n++] = (struct sock_filter)BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, ARCHITECTURE, 1, 0);
   code[n++] = (struct sock_filter)BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_KILL_PROCESS);
   code[n++] = (struct sock_filter)BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(struct seccomp_data, nr));
-  code[n++] = (struct sock_filter)BPF_JUMP(BPF_JMP | BPF_JGE | BPF_K, 0x40000000, REFUSED + 1, 0); /* system calls of
-                                                                                                    * the x32 ABI are
-                                                                                                    * refused */
+  code[n++] = (struct sock_filter)BPF_JUMP(BPF_JMP | BPF_JGE | BPF_K, 0x40000000, REFUSED + 1, 0); /* refuses system
+                                                                                                    * calls of the x32
+                                                                                                    * ABI */
   for (unsigned char i = 0; i < REFUSED; i++)
     code[n++] = (struct sock_filter)BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, refused[i], (unsigned char)(REFUSED - i), 0);
   code[n++] = (struct sock_filter)BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW);

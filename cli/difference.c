@@ -52,7 +52,7 @@ static void model_free(model *m) {
   free(m->unused);
 }
 
-/* Returns the text after the NUL of this one. */
+/* Returns the text that follows this text, after its NUL. */
 static const char *next_text(const char *text) { return text + strlen(text) + 1; }
 
 /* Sets *out to the parameter whose texts begin at *at, and moves *at past them. Returns false if there are no more. */
@@ -80,7 +80,7 @@ typedef struct {
   bool begun;           /* whether the text before the parts was written */
   const model *before, *after;
   vs_comparison found;
-  const char *gap;      /* JSON: the text before the next item, such as a comma */
+  const char *gap;      /* text to write before the next item of JSON, such as a comma */
   size_t told, passed;  /* numbers of parts: named in the report, and omitted */
 } report;
 

@@ -7,8 +7,8 @@
 #include "cli/options.h"
 #include "cli/prompt/manual.h"
 
-/* Returns the name here of a word of another program, such as slab, in a sentence; or "". A guess at a slip of the pen
- * is no such name. */
+/* If the word belongs to another program, as slab does, returns a sentence with its name in this language. Otherwise
+ * returns "". Advice that only guesses a similar name is ignored. */
 static const char *foreign(vs_scheme *scheme, const char *word) {
   const char *advice = scheme ? vs_name_advice(scheme, word) : "";
   bool guess = strncmp(advice, "did you mean", 12) == 0 || strncmp(advice, "perhaps", 7) == 0;
@@ -51,7 +51,9 @@ int cli_help_command(int count, char **words) {
   for (int i = 0; i < count && length < sizeof phrase; i++)
     length += (size_t)snprintf(phrase + length, sizeof phrase - length, "%s%s", i ? " " : "", words[i]);
   bool several = strchr(phrase, ' ') && length < sizeof phrase;
-  for (const char *at = several ? phrase : ""; strchr(at, ' '); at = strchr(at, ' ') + 1) /* my spiral stair */
+  for (const char *at = several ? phrase : ""; strchr(at, ' '); at = strchr(at, ' ') + 1) /* the words after the first
+                                                                                           * of a phrase such as `my
+                                                                                           * spiral stair` */
     if (cli_manual_print(at, "vs help", stdout)) return VS_OUTCOME_DONE;
   vs_options plain = vs_options_default();
   vs_scheme *scheme = vs_new(&plain);

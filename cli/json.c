@@ -1,4 +1,4 @@
-/* Writes texts and numbers as JSON. Nothing is read, so that a JSON library would be larger than this file. */
+/* Writes texts and numbers as JSON. The command reads no JSON, so a JSON library would be larger than this file. */
 #include "cli/json.h"
 
 #include <math.h>

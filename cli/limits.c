@@ -26,7 +26,7 @@
 
 #define GRACE 0.3         /* seconds after the limit, and without a poll, until the process ends */
 #define GRACE_AT_PROMPT 3 /* the same seconds at the prompt, where the end of the process loses the typed text */
-#define ASLEEP 5  /* seconds without a poll after which a step ends that waits and uses no processor time */
+#define ASLEEP 5  /* seconds without a poll after which a waiting step is ended, even if it uses no processor time */
 
 enum {
   BESIDE = 4 << 20 /* bytes in addition to 1.1 times the limit, for stacks of threads and tables of libraries */,
@@ -52,7 +52,7 @@ static void lower_data_limit(rlim_t most, bool for_good) {
 #endif
   struct rlimit r;
   if (getrlimit(RLIMIT_DATA, &r) != 0) return;
-  if (r.rlim_cur > most) r.rlim_cur = most; /* an unlimited rlim_cur is the largest number */
+  if (r.rlim_cur > most) r.rlim_cur = most; /* the number that means "no limit" is the largest number */
   if (for_good && r.rlim_max > most) r.rlim_max = most;
   setrlimit(RLIMIT_DATA, &r);
 }

@@ -12,7 +12,7 @@ typedef struct {
   double limit;               /* seconds allowed for one step; 0: no watch */
   const char *name;           /* name of the model, for the message */
   bool prompt;                /* whether the steps are those of the prompt; set before the watch begins */
-  int scheduling;             /* descriptor of the system's statistics of our run time, or -1 */
+  int scheduling;             /* descriptor of the system's statistics of this process's run time, or -1 */
   _Atomic double began;       /* clock at the start of the current step, or 0 between steps */
   _Atomic double polled;      /* clock at the last poll of the library */
   _Atomic bool evaluating;    /* whether the step is an evaluation, which has one limit for its total time */
@@ -36,7 +36,7 @@ bool cli_limits_watch(cli_watch *w);
 /* Ends the watching thread, if there is one. Call it before *w or its name is freed. */
 void cli_watch_close(cli_watch *w);
 
-/* Call these before and after each library call that has a time limit. */
+/* Call cli_watch_begin before, and cli_watch_end after, each library call that has a time limit. */
 void cli_watch_begin(cli_watch *w, bool evaluating);
 void cli_watch_end(cli_watch *w);
 /* Records that the library polls now. vs_host.poll calls it. */

@@ -57,7 +57,7 @@ static bool print_output(void *context, const char *text, size_t length) {
 
 static const char *read_input(void *context, size_t *length) {
   cli_session *c = context;
-  fflush(stdout); /* shows a question before its answer is read */
+  fflush(stdout); /* prints the program's question before its answer is read */
   if (c->editor) return cli_repl_line(c, length);
   ssize_t got = getline(&c->line, &c->line_room, stdin);
   if (got < 0) return NULL;

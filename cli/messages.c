@@ -223,7 +223,7 @@ void cli_report_summary(const char *title, const vs_summary *s) {
   fputc('\n', stderr);
   double largest = 0;
   for (int i = 0; i < 3 && s->has_bounds && !s->bounds_at_most; i++) largest = fmax(largest, s->max[i] - s->min[i]);
-  if (largest >= LARGEST_BUILDING && strcmp(s->units, "m") == 0) /* probably a house drawn in millimetres */
+  if (largest >= LARGEST_BUILDING && strcmp(s->units, "m") == 0) /* a house drawn in millimetres would have this size */
     fprintf(stderr,
             "%s: the model is %.3g km large; if its lengths are not in metres, write (units 'mm) or (units 'cm)\n",
             title, largest / 1000);

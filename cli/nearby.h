@@ -1,4 +1,5 @@
-/* Declares the search for "perhaps you mean": the most similar of some names; upper and lower case are the same. */
+/* Declares the search for the name that a user probably meant: the most similar of several names. Upper and lower case
+ * are equal. */
 #ifndef VS_CLI_NEARBY_H
 #define VS_CLI_NEARBY_H
 

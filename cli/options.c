@@ -25,11 +25,11 @@ struct option_row {
   const char *value, *help;
   take_fn *take;
   size_t member, size;    /* offset and size in bytes of the member of cli_options to set */
-  long least, most;       /* least and greatest value of an option that is an integer */
+  long least, most;       /* least and greatest permitted value of an option whose value is an integer */
   const char *expected;   /* description of a valid value, for messages */
   void (*print)(void);    /* function that prints a text; `take` is then not used */
 };
-/* Returns row i of the table of options, or NULL. The table follows the functions that it contains. */
+/* Returns row i of the table of options, or NULL. The table is defined below, after the functions that it contains. */
 static const option_row *option_at(size_t i);
 
 static const struct { const char *name, *arguments; unsigned takes; const char *help; } commands[] = {
@@ -501,8 +501,8 @@ static bool find_format(cli_options *o, cli_target *t) {
   if (strcmp(t->path, "-") == 0) o->to_stdout = true;
   const vs_format_info *said = o->format ? vs_format_find(o->format) : NULL,
                        *own = ending ? vs_format_find(ending) : NULL;
-  if (own && said && strcmp(said->suffix, own->suffix) == 0) own = said; /* --format names another notation with the
-                                                                          * same suffix */
+  if (own && said && strcmp(said->suffix, own->suffix) == 0) own = said; /* --format names another format with the same
+                                                                          * suffix */
   if (!own) own = said;
   if (own) t->format = own->name;
   return own || o->format || (ending && ending[1]) || late_format(o, t, NULL);

@@ -27,15 +27,15 @@ typedef enum {
  * commands accept --json and --xml. */
 enum { CLI_TAKES_JSON = 1, CLI_TAKES_XML = 2, CLI_TAKES_TWO = 4 /* the command requires two files */,
        CLI_TAKES_OUTPUT = 8 /* the command accepts the option -o */,
-       CLI_TAKES_FOLDER = 16 /* the option -o with a folder */,
-       CLI_TAKES_LANGUAGE = 32 /* the option --to, and -o for a program in that language */,
+       CLI_TAKES_FOLDER = 16 /* the command accepts the option -o with a folder */,
+       CLI_TAKES_LANGUAGE = 32 /* the command accepts the option --to, and -o for a program in that language */,
        CLI_TAKES_PICTURE = 64 /* the files of the command are EXR pictures */,
-       CLI_TAKES_POINT = 128 /* two numbers follow the file */,
+       CLI_TAKES_POINT = 128 /* two numbers follow the file on the command line */,
        CLI_TAKES_TARGET = 256 /* the command requires the option -o exactly once */,
-       CLI_TAKES_SCAN = 512 /* a second file, which is read as points */,
-       CLI_TAKES_SUN = 1024 /* the options --place, --date and hours */,
-       CLI_TAKES_MANY = 2048 /* any number of files; -o with a file or a folder */,
-       CLI_TAKES_PROGRAMS = 4096 /* any number of files, without -o */ };
+       CLI_TAKES_SCAN = 512 /* the command accepts a second file, which is read as points */,
+       CLI_TAKES_SUN = 1024 /* the command accepts the options --place, --date and those for hours */,
+       CLI_TAKES_MANY = 2048 /* the command accepts any number of files, and -o with a file or a folder */,
+       CLI_TAKES_PROGRAMS = 4096 /* the command accepts any number of files, and no -o */ };
 
 typedef struct {
   cli_command command;
@@ -47,7 +47,7 @@ typedef struct {
                                           * that follows it */
   char *library_path;           /* folders of -L, then those of VS_LIBRARY_PATH, or NULL; allocated */
   const char *format;
-  const char *language;         /* vs translate: the language of --to; NULL: by the suffix of the output */
+  const char *language;         /* vs translate: the language of --to; NULL: determined by the suffix of the output */
   vs_options interpreter;              /* limits and texts of the interpreter; main adds the callbacks */
   vs_output_options output;
   cli_frames frames;

@@ -55,7 +55,7 @@ static void json_members(const table *t, bool first) {
     fputs(first && i == 0 ? "" : ", ", stderr);
     cli_json_text(stderr, t->at[i].key);
     fputs(": ", stderr);
-    double v = t->at[i].value; /* times are rounded to nanoseconds */
+    double v = t->at[i].value; /* rounds times to nanoseconds */
     cli_json_number(stderr, strcmp(t->at[i].unit, "s") == 0 ? round(v * 1e9) / 1e9 : v);
   }
 }

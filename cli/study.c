@@ -264,7 +264,7 @@ static vs_outcome translate(study *s, const cli_options *o) {
   return ok ? VS_OUTCOME_DONE : VS_OUTCOME_USAGE;
 }
 
-/* Returns true if the target language is known. Otherwise prints a message on standard error. */
+/* Returns true if the option --to names a known language. Otherwise prints a message on standard error. */
 static bool has_language(const cli_options *o) {
   const char *path = o->target_count ? o->targets[0].path : NULL;
   if (o->command != CLI_COMMAND_translate || know_language(o->language, path)) return true;

@@ -134,7 +134,7 @@ static void set_limits(vs_options *i) {
 
 int cli_test_command(cli_options *o, const volatile sig_atomic_t *interrupts, int (*run)(cli_options *o)) {
   tally t = { 0 };
-  if (!o->untrusted) set_limits(&o->interpreter); /* cli_untrusted_begin sets limits of its own */
+  if (!o->untrusted) set_limits(&o->interpreter); /* for an untrusted program, cli_untrusted_begin sets other limits */
   o->quiet = true;
   for (size_t i = 0; i < o->source_count; i++) {
     int from;

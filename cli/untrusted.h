@@ -5,7 +5,7 @@
 #include "cli/options.h"
 
 typedef struct {
-  int folder;            /* descriptor of the model's folder; -1 if there is none, and no file is read */
+  int folder;            /* descriptor of the model's folder; -1: the model has no folder, and no file is read */
   char *prefix;          /* prefix of the paths of files in the folder: "models/", or "" */
   char *scratch;         /* path of a private temporary folder for external programs, or NULL */
   int keeper, alive;     /* keeper: child process that removes `scratch` when this process ends, or 0; alive: end of the

@@ -1,7 +1,7 @@
 /* Implements the side of a live view: an interpreter for outputs with other values. See aside.h.
  *
- * For each request the interpreter runs the session's text from the start. It does not receive additions at the prompt,
- * which belong to the session. The library caches results, so a later request reuses them. */
+ * For each request the interpreter runs the session's text from the start. It does not receive text typed at the
+ * prompt, which belongs to the session. The library caches results, so a later request reuses them. */
 #include "live/aside.h"
 
 #include <math.h>
@@ -68,7 +68,7 @@ static bool aside_bytes(void *context, const void *bytes, size_t count) {
 
 /* ---- a request ---- */
 
-/* Sets the values of a request, or removes them. The text of w->given stays the same. */
+/* Sets the parameter values of a request, or removes them. Does not change the text w->given. */
 static void aside_values(live_aside *a, live_wish *w, bool set) {
   for (char *at = w->given; *at != 0;) {
     char *unit = strchr(at, LIVE_UNIT), *record = strchr(at, LIVE_RECORD);

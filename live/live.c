@@ -49,7 +49,7 @@ typedef struct live_follower {
   unsigned version, run; /* numbers of the scene and of the run */
   bool kept;           /* whether a client waits for the current output, so that only Stop ends it */
   bool overtaken;      /* whether the current run was interrupted because a window or a file requires another run */
-  bool ended_early;    /* whether a window interrupted the last run */
+  bool ended_early;    /* whether a window's request interrupted the last run */
   double looked;       /* in seconds. looked: time of the last check for a newer request. whole: duration of the last
                         * complete run */
   double whole;
@@ -338,7 +338,8 @@ static vs_outcome run_files(live *l) {
  * incomplete file. */
 static void run_model(live *l) {
   enum { TIMES = 3 };
-  const double quick = 0.5; /* in seconds */
+  const double quick = 0.5; /* duration of a read, in seconds, above which a second save is more likely than an
+                             * incomplete file */
   vs_outcome outcome = run_files(l);
   for (int i = 1; i < TIMES && outcome != VS_OUTCOME_INTERRUPTED && now() - l->began < quick; i++) {
     if (!live_files_changed(&l->files)) break;
@@ -512,7 +513,7 @@ static bool start_browser(char *command, const char *address) {
   char *last = strdup(address);
   if (!placed) words[count] = last;
   if (count > 0 && last != NULL && !put.failed && posix_spawn_file_actions_init(&actions) == 0) {
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", 1 /* O_WRONLY */, 0);
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", 1 /* the flag O_WRONLY */, 0);
     posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", 1, 0);
     started = posix_spawnp(&child, words[0], &actions, NULL, words, environ) == 0;
     posix_spawn_file_actions_destroy(&actions);

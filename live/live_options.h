@@ -17,7 +17,7 @@ typedef struct live_options {
    * function. It returns false if memory is out. NULL: there are no checks. */
   bool (*check)(const vs_options *interpreter, const char *path, const char *text, size_t length, FILE *to);
   bool open_browser;
-  FILE *told;                           /* receives a line with the address */
+  FILE *told;                           /* stream that receives a line with the view's address */
   const volatile sig_atomic_t *ended;   /* a value other than 0 ends the view */
   /* Receives the interpreter, so that a signal can interrupt it, and NULL at the end. May be NULL. */
   void (*running)(vs_scheme *scheme);

@@ -96,7 +96,8 @@ static double file_age(const live_file *f) {
 
 bool live_files_note(live_files *f, const char *path) {
   for (size_t i = 0; i < f->count; i++)
-    if (strcmp(f->at[i].path, path) == 0) return true; /* keeps the state at the first read */
+    if (strcmp(f->at[i].path, path) == 0) return true; /* the file is already recorded: keeps its state at the first
+                                                        * read */
   if (f->count == f->room) {
     size_t room = f->room * 2 + 16;
     live_file *grown = realloc(f->at, room * sizeof *grown);
@@ -131,7 +132,8 @@ bool live_files_changed(const live_files *f) {
     live_file now = file_now(was->path);
     if (is_another(&now, was)) return true;
     double age = file_age(&now);
-    if (was->young && age > SETTLE) return true; /* the file is read once more, and then counts as old */
+    if (was->young && age > SETTLE) return true; /* a file that changed a moment before it was read is read once more,
+                                                  * and then counts as old */
     if (was->there && was->size == 0 && age >= 0 && age < SETTLE_EMPTY) return true; /* an editor is probably writing
                                                                                       * the file */
   }

@@ -11,8 +11,8 @@
 typedef struct {
   char *path;
   bool there;
-  bool young; /* whether the state was recorded within a tick of its file system's clock, so that a new write could have
-               * the same time */
+  bool young; /* Whether the file had changed within a tick of its file system's clock when the state was recorded. A
+               * later write could then have the same time */
   dev_t device;
   ino_t inode;
   off_t size;
@@ -31,8 +31,8 @@ bool live_files_note(live_files *f, const char *path); /* Records the current st
                                                         * Returns false if memory is out. */
 /* Returns true if a file changed, or if a file was read while it was empty, before its writing. */
 bool live_files_changed(const live_files *f);
-bool live_files_newer(const live_files *f); /* Returns true if a file changed. For calls while the files are being
-                                             * read. */
+bool live_files_newer(const live_files *f); /* Returns true if a file changed since it was recorded. For calls while the
+                                             * files are being read. */
 /* Waits until no file has changed for a moment, at most about 0.7 seconds. A file whose last change is younger than a
  * tick of its file system's clock could change again without a visible difference. An empty file is probably being
  * written. */

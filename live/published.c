@@ -42,7 +42,7 @@ static void publish_event(live_publish *p, const char *kind, const char *json) {
   live_puts(&t, "\n\n");
   if (t.failed) {
     live_text_free(&t);
-    return; /* the next state contains everything again */
+    return; /* the next state contains all data of this event */
   }
   char **slot = &p->events[p->event_count++ % LIVE_EVENTS];
   free(*slot);

@@ -12,8 +12,8 @@ enum { LIVE_KEPT = 1 << 20 };
 typedef struct {
   live_tail printed, values;
   live_text messages;          /* messages as JSON objects, separated by commas */
-  size_t shown, more, errors;  /* shown: number of messages that are kept. more: number of messages without room.
-                                * errors: number of errors among both */
+  size_t shown, more, errors;  /* shown: number of messages that are kept. more: number of messages that were not kept.
+                                * errors: number of errors among all messages */
 } live_said;
 
 void live_tail_add(live_tail *t, const char *text, size_t length);

@@ -187,7 +187,7 @@ static void listener_free(void *context) {
   listener *l = context;
   pthread_mutex_lock(&l->server->publish->lock);
   l->server->publish->windows--;
-  pthread_cond_broadcast(&l->server->publish->changed); /* another window may wait for the free place */
+  pthread_cond_broadcast(&l->server->publish->changed); /* another window may wait for the place that is now free */
   pthread_mutex_unlock(&l->server->publish->lock);
   live_text_free(&l->text);
   free(l);

@@ -12,7 +12,7 @@ typedef struct live_server {
   const char *model;          /* path of the source that windows read and write; NULL: there is no source */
   void (*stop)(void *context); /* interrupts the current run; any thread may call it */
   void *stop_context;
-  const struct live_options *options; /* options, used for their check */
+  const struct live_options *options; /* options of the view, of which the server uses the function `check` */
   vs_scheme *names;                  /* interpreter for completion; use it only with names_lock held */
   pthread_mutex_t names_lock;
   struct MHD_Daemon *daemon;

@@ -20,7 +20,7 @@ void live_waiting_close(live_waiting *w); /* called after the last connection ha
 /* Returns an entry for a connection that waits, valid until live_waiter_end. Returns NULL if no entry is free; the
  * connection then has no limit. The functions below accept NULL for c. */
 live_waiter *live_waiter_begin(live_waiting *w, int socket);
-void live_waiter_end(live_waiting *w, live_waiter *c);   /* call it before the socket is closed */
+void live_waiter_end(live_waiting *w, live_waiter *c);   /* ends the entry; call it before the socket is closed */
 void live_waiter_asked(live_waiting *w, live_waiter *c); /* records that a complete request has arrived */
 void live_waiter_waits(live_waiting *w, live_waiter *c); /* records that the request is answered, so that the connection
                                                           * waits again */

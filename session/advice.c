@@ -160,7 +160,7 @@ static size_t operator_behind(const char *p, size_t n, const char *end, const ch
   return m;
 }
 
-/* p: the word set! of (set! name value). */
+/* Advises on an assignment to an undefined variable. p: place of the word set! of (set! name value). */
 static bool advise_set(place p, vs_text *t) {
   uint32_t unused = 0;
   const char *name = vs_outline_blanks(p.at + 4, p.end, &unused);
@@ -202,7 +202,9 @@ static bool advise_unbound(place p, vs_span at, vs_text *t) {
     return vs_text_printf(t, " yet: line %u defines it, after this use; move the definition up", (unsigned)line);
   }
   if (is_assignment(p, n, &value, &m)) {
-    while (call && m && (value[m - 1] == ')' || value[m - 1] == ' ')) m--; /* (x = 5) */
+    while (call && m && (value[m - 1] == ')' || value[m - 1] == ' ')) m--; /* the assignment is in parentheses, (x =
+                                                                            * 5), and the value ends before the
+                                                                            * closing one */
     return !m || vs_text_printf(t, "; (define %.*s %.*s) names a value", (int)n, p.at, (int)m, value);
   }
   const char *operator, *operand;
@@ -263,7 +265,7 @@ static const vs_procedure *procedure_of(const vs_native *native) {
   return &vs_bind_procedures[native->def - vs_bind_defs];
 }
 
-/* Advises on (map make-sphere points), which calls with one argument for each list. */
+/* Advises on (map make-sphere points): map calls the procedure with one argument for each list, which is too few. */
 static bool advise_mapped(const place *p, vs_value callee, vs_text *t) {
   char form[200];
   const char *call = vs_is_procedure(callee) ? vs_procedure_form(callee, form, sizeof form) : NULL;
@@ -412,7 +414,7 @@ void vs_session_advise_named(vs_session *s, vs_value v, vs_pos pos) {
   const char *more = p.at + n;
   while (more < p.end && (*more == ' ' || *more == '\t')) more++;
   if (!n || n > 80 || more == p.end || strchr("\r\n;)]", *more)) return;
-  size_t assigned = vs_outline_word(more, p.end); /* const r = 3: the error of r follows */
+  size_t assigned = vs_outline_word(more, p.end); /* const r = 3: the error about r follows */
   const char *sign = more + assigned + (more + assigned < p.end && more[assigned] == ' ');
   if (assigned && sign < p.end && *sign == '=') return;
   uint32_t line = 0;
@@ -422,7 +424,7 @@ void vs_session_advise_named(vs_session *s, vs_value v, vs_pos pos) {
     next = vs_outline_blanks(end, p.end, &line);
     if (next == p.end) break;
   }
-  if (n <= 2 && strspn(p.at, "+-*/<>=") >= n) /* 3 + 4: the operator is written after its first operand */
+  if (n <= 2 && strspn(p.at, "+-*/<>=") >= n) /* 3 + 4: the operator follows its first operand */
     snprintf(text, sizeof text, "%.*s is only named here, and not called: the operator comes first, (%.*s a b)",
              (int)n, p.at, (int)n, p.at);
   else {

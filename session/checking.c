@@ -55,8 +55,8 @@ static bool call_library(trial *c, const char *name, size_t n, const vs_value *a
   return vs_run(vm, c->r[WORK], n, argv, out);
 }
 
-/* Appends the text and the place of the error in vm->condition, and clears vm->condition. Sets a flag if the error is
- * an interrupt. */
+/* Appends the text and the place of the error in vm->condition, and clears vm->condition. Sets c->interrupted if the
+ * error is an interrupt. */
 static bool put_failure(trial *c, vs_text *t) {
   vs_scheme *vm = c->session->bind.vm;
   vs_value *r = c->r;
@@ -80,7 +80,7 @@ static bool put_failure(trial *c, vs_text *t) {
 /* ---- deciding whether a check passes ---- */
 
 /* Calls a procedure of the check. Stores its value in r[root], and appends the value as text to `told`. If the call
- * fails, returns false and appends the error instead. */
+ * fails, appends the error instead, and returns false. */
 static bool ask(trial *c, int word, int root, vs_text *told) {
   vs_scheme *vm = c->session->bind.vm;
   c->r[WORK] = vs_as_vector(c->r[CHECK])->at[word];

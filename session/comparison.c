@@ -235,7 +235,7 @@ vs_outcome vs_drawing_compare(vs_scheme *vm, vs_comparison *out, each_part *each
   pairing p = { .a.store = s->bind.store, .b.store = s->bind.store };
   vs_error e = { 0 };
   vs_job job = vs_session_job(s);
-  job.limits.seconds = s->options.limit_time; /* as for an output */
+  job.limits.seconds = s->options.limit_time; /* the comparison has the same time limit as an output */
   vs_job_start(&job);
   vs_store_set_job(s->bind.store, s->writing = &job);
   bool ok = vs_drawn_parts_take(&p.a, s->kept, s->kept_count, &e) && vs_drawn_parts_take(&p.b, now, count, &e) &&

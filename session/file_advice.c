@@ -1,4 +1,5 @@
-/* Implements the advice on files that are not there: the same name in another case, with an ending, or with a slip. */
+/* Implements the advice on files that do not exist. It names a file of the same folder: with the name in another case,
+ * with an added suffix, or with a similar name. */
 #include "session/file_advice.h"
 
 #include <ctype.h>
@@ -10,9 +11,12 @@
 
 enum { LONGEST = 100 };
 
-typedef struct { const char *wanted; char best[LONGEST + 1]; int rank; } search; /* rank: 3 the case, 2 the ending */
+typedef struct { const char *wanted; char best[LONGEST + 1]; int rank; } search; /* rank of `best`: 3: another case; 2:
+                                                                                  * an added suffix; 1: one letter
+                                                                                  * differs; 0: none found */
 
-/* Returns true if the names differ by one letter: another, one more or less, or two in the wrong order. */
+/* Returns true if the names, ignoring case, differ by one letter: a replaced, missing or additional letter, or two
+ * exchanged letters. */
 static bool is_slip(const char *a, const char *b) {
   size_t n = strlen(a), m = strlen(b), front = 0, back = 0;
   while (a[front] && tolower((unsigned char)a[front]) == tolower((unsigned char)b[front])) front++;
@@ -33,7 +37,8 @@ static bool take(void *context, const char *name, size_t length) {
              : !strchr(s->wanted, '.') && !strncasecmp(found, s->wanted, n) && found[n] == '.' ? 2
              : is_slip(s->wanted, found)                                                          ? 1
                                                                                                   : 0;
-  /* the first name of several, so that the advice does not depend on the order of a folder */
+  /* Of several names of equal rank, the first in alphabetical order is used. The advice therefore does not depend on
+   * the order of a folder. */
   if (!rank || rank < s->rank || (rank == s->rank && strcmp(found, s->best) >= 0)) return true;
   memcpy(s->best, found, length + 1);
   s->rank = rank;

@@ -408,7 +408,7 @@ void vs_host_fail(vs_scheme *vm, const char *message) {
   if (t) snprintf(t->failure, sizeof t->failure, "%s", message);
 }
 
-/* The arguments in a: the number of the host's procedure, then its own arguments. */
+/* a[0] is the number of the host's procedure; the arguments of the call follow. */
 vs_status vs_session_host_call(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   enum { MOST = 64 };
   vs_session *s = vs_session_of(vm);
@@ -472,8 +472,8 @@ vs_outcome vs_update(vs_scheme *vm) {
   vs_outcome outcome = VS_OUTCOME_DONE;
   VS_ROOTS(vm, r, 2);
   if (vs_session_busy(s, "vs_update")) return VS_OUTCOME_USAGE;
-  size_t count = s->handles ? s->handles->posted_count : 0; /* changes posted by callbacks during the update wait for
-                                                             * the next one */
+  size_t count = s->handles ? s->handles->posted_count : 0; /* changes that callbacks post during this update wait for
+                                                             * the next update */
   for (size_t i = 0; i < count; i++) {
     vs_posted p = s->handles->posted[i];
     bool held = vs_session_held(s, "vs_update", p.property, &r[0]) && vs_session_held(s, "vs_update", p.value, &r[1]);

@@ -21,7 +21,8 @@ struct vs_handles {
   vs_held *at;
   size_t count, room;
   uint32_t free;      /* index + 1 of the first free entry, or 0 */
-  uint32_t stamp;     /* the latest stamp; no stamp is used twice; each interpreter begins with another */
+  uint32_t stamp;     /* the latest stamp; an interpreter uses no stamp twice, and two interpreters begin with different
+                       * stamps */
   vs_host_entry *procedures;
   size_t procedure_count, procedure_room;
   vs_posted *posted;  /* changes that wait for vs_update, oldest first; they hold references to their handles */

@@ -86,7 +86,7 @@ static const char *environment(void *session, const char *name) {
   return ((vs_session *)session)->options.untrusted ? NULL : getenv(name);
 }
 
-extern char **environ; /* POSIX requires programs to declare it themselves */
+extern char **environ; /* POSIX requires each program to declare `environ` itself */
 
 static const char *variable(void *session, size_t i) {
   return ((vs_session *)session)->options.untrusted ? NULL : environ[i];
@@ -263,7 +263,7 @@ static int64_t open_stream(void *session, const char *path, vs_io_mode mode, con
 
 static ptrdiff_t read_console(vs_session *s, void *to, size_t room) {
   const vs_host *h = &s->options.host;
-  vs_stream *in = &s->stream[VS_IO_STDIN]; /* a last line without a line end */
+  vs_stream *in = &s->stream[VS_IO_STDIN]; /* the last line of standard input, which has no line end */
   if (in->at == in->length) {
     size_t n;
     const char *line = h->input ? h->input(h->context, &n) : NULL;

@@ -9,10 +9,11 @@ void *vs_session_memory(void *session, void *old, size_t old_bytes, size_t bytes
                                                                                      * the store. */
 double vs_session_clock(void *session);                                            /* Returns monotonic time in
                                                                                     * seconds. */
-bool vs_session_interrupted(void *session); /* for the VM: also true when an output that is being written is late */
-/* The calls of a job back to the host, with the session as their context. Returns false if the host interrupts. */
+bool vs_session_interrupted(void *session); /* returns true to interrupt the VM: on a request of the host, or if the
+                                             * current output exceeds its time limit */
+/* Implements vs_job.going for a session: reports progress to the host. Returns false if the host interrupts. */
 bool vs_session_going(void *session, const char *stage, double fraction);
-/* Returns the job of work for the session's host that is not an output: it has no limits. */
+/* Returns the job for work that is not an output; such work has no limits of its own. */
 vs_job vs_session_job(vs_session *s);
 /* Reads a whole file as text, which the caller frees. source: also keeps the text, for messages. If it fails, returns
  * false and sets *why to the reason. */

@@ -23,8 +23,8 @@ typedef struct {
   size_t place_count, place_room;
   double (*places)[3][4];
   bool made;               /* whether the host does not have the shape yet; only then it has a mesh here */
-  vs_mesh mesh;            /* its arrays are allocated by the session */
-  vs_shading shading;      /* its arrays are allocated by the session */
+  vs_mesh mesh;            /* the mesh, whose arrays are allocated by the session */
+  vs_shading shading;      /* the normals, whose arrays are allocated by the session */
   vs_mesh_part *parts;
   size_t part_count;
 } shape;
@@ -46,8 +46,8 @@ struct vs_host_meshes {
                             * of the current drawing */
   const char **layers;     /* names of the open layers, outermost first */
   size_t layer_count, layer_room;
-  size_t removed, told;    /* removed: next index in `had`; told: next index in `now`; for the next call of
-                            * vs_mesh_next */
+  size_t removed, told;    /* Positions of the next call of vs_mesh_next. removed: next index in `had`; told: next index
+                            * in `now` */
   size_t last;             /* index + 1 of the shape passed to the host last, whose arrays it may use until the next
                             * call */
   bool open;               /* whether vs_mesh_next is passing the shapes of a drawing */
@@ -158,7 +158,7 @@ static void paint(vs_mesh_part *p, const vs_material *m, const char *layer, cons
   if (o) p->file = o->file, p->line = o->line, p->column = o->column;
 }
 
-/* Copies the driver's mesh, which is valid only until its next mesh. */
+/* Copies the driver's mesh, which is valid only until the driver makes its next mesh. */
 static bool keep(vs_emitter *e, shape *f, const vs_solid *from, const vs_origin *origin, double crease) {
   vs_host_meshes *m = meshes_of(e);
   vs_session *s = m->session;
@@ -199,8 +199,8 @@ static shape *shape_of(vs_emitter *e, uint64_t id, bool *make) {
   return f;
 }
 
-/* Returns true if the mesh of the node is the same at any fineness. Returns false for curved nodes, and for nodes with
- * too many parts to examine. */
+/* Returns true if the mesh of the node does not depend on the fineness. Returns false for curved nodes, and for nodes
+ * with too many parts to examine. */
 static bool is_angular(const vs_node *n) {
   enum { MOST = 200 };
   const vs_node *wait[MOST];
@@ -258,8 +258,8 @@ static vs_emit_status host_boolean(vs_emitter *e, const vs_ref *ref, vs_phase ph
   return emit_shape(e, ref, vs_shade_crease(true)) ? VS_WHOLE : VS_FAILED;
 }
 
-/* Adds a curve as a mesh without triangles. Its vertices are the curve's points, with the first repeated at the end of
- * a closed curve. */
+/* Adds a curve as a mesh without triangles. Its vertices are the curve's points. For a closed curve, the first point is
+ * repeated at the end. */
 static vs_emit_status host_line(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   const struct vs_line *l = VS_AS(line, ref->node);

@@ -27,7 +27,7 @@ typedef struct {
   const vs_ref *now;   /* the object being written, for the place in an error message */
 } own_state;
 
-/* Converts an output to its emitter: they are the same object. */
+/* Converts an output to its emitter: vs_output is the emitter's type in the public interface. */
 static vs_emitter *own_emitter(vs_output *out) { return (vs_emitter *)(void *)out; }
 static vs_output *own_output(vs_emitter *e) { return (vs_output *)(void *)e; }
 static const vs_own_format *own_format(const vs_emitter *e) { return (const vs_own_format *)(const void *)e->backend; }

@@ -191,15 +191,15 @@ vs_outcome vs_session_report_condition(vs_session *s, vs_value condition, bool u
     if (!vs_session_condition_place(s, c, &at)) vs_session_span(s, vm->top_place, &at);
     count = callers(s, vs_as_condition(r[0])->chain, at, notes);
     printed = printed && vs_session_advise(s, r[0], at, &t);
-    if (s->bind.bad_parameter) { /* the parameter's value from outside is wrong, not the line that defines the
-                                  * parameter */
+    if (s->bind.bad_parameter) { /* the value of the parameter came from outside the program, so the line that defines
+                                  * the parameter is not wrong */
       notes[0] = (vs_diagnostic_note){ at, "the parameter is defined here" };
       count = at.file != NULL;
       at = (vs_span){ 0 };
     }
   }
   if (printed && vs_text_end(&t)) message = t.at;
-  else if (outcome != VS_OUTCOME_INTERRUPTED) outcome = VS_OUTCOME_MACHINE; /* no memory is left for the message */
+  else if (outcome != VS_OUTCOME_INTERRUPTED) outcome = VS_OUTCOME_MACHINE; /* no memory remains for the message */
   if (late) {
     snprintf(limit, sizeof limit, "the output: stopped after %g seconds, the limit", s->options.limit_time);
     message = limit;
@@ -209,7 +209,7 @@ vs_outcome vs_session_report_condition(vs_session *s, vs_value condition, bool u
   tell(s, (vs_diagnostic){ .severity = VS_SEVERITY_ERROR, .outcome = outcome, .at = at, .message = message,
                            .notes = notes, .note_count = count });
   vs_text_close(&t);
-  /* A syntax error may contain further ones: a list of pairs (place . message). */
+  /* A syntax error may contain further errors: a list of pairs (place . message). */
   if (is_condition && vs_as_condition(r[0])->kind == vm->sym.read)
     for (vs_value l = vs_as_condition(r[0])->payload; vs_is_pair(l); l = vs_cdr(l)) {
       vs_value more = vs_car(l);

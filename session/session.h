@@ -22,7 +22,7 @@ typedef struct {
   char *name, *text;
   size_t name_bytes, length, room, lines /* lines: number of line ends in the text */;
   unsigned first_line;
-  bool before; /* whether it was read before the last vs_restart and not again since */
+  bool before; /* whether the source was read before the last vs_restart and was not read again since */
 } vs_source;
 
 enum { VS_STREAMS = 64 };
@@ -82,8 +82,8 @@ typedef struct {
   vs_known_files inputs;    /* the files that the program has read or created */
   char why[256];            /* reason why the last file operation failed */
   double evaluate_seconds, write_seconds;
-  vs_job job;               /* of the work between outputs; it has no limits of its own */
-  vs_job *writing;          /* of the output that is being written, from its first stage with a limit; NULL: none */
+  vs_job job;               /* job for work between outputs, which has no limits of its own */
+  vs_job *writing;          /* job of the output that is being written, from its first stage with a limit; NULL: none */
   vs_output_record *outputs; /* accounts of the latest outputs, oldest first */
   size_t output_count, output_room;
   vs_ref *kept; size_t kept_count; /* objects of vs_drawing_keep, whose nodes are retained (comparison.c) */

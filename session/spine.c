@@ -198,7 +198,8 @@ static bool stage_hand_over(writing *j) {
   const vs_format *f = j->format;
   const char *names[4] = { NULL };
   size_t n = 0;
-  if (!f) names[n++] = "*"; /* also functions for one format only, unless a function is for all formats */
+  if (!f) names[n++] = "*"; /* also calls functions that are registered for one format, unless a function is registered
+                             * for all formats */
   if (f) names[n++] = f->name, names[n++] = f->suffix;
   if (f && vs_export_family(f)) names[n++] = vs_export_family(f);
   bool handed = j->options && j->options->change; /* drawing functions were already called for the two drawings of a

@@ -67,7 +67,7 @@ void vs_session_output_end(vs_session *s, bool done) {
     r->tally.of[i] = (vs_phase_use){ all->seconds - before.seconds, all->growth - before.growth, all->peak };
     if (before.peak > all->peak) all->peak = before.peak;
   }
-  /* Time for counting nodes is not included: only statistics need it. */
+  /* The time for counting nodes is not included, since only statistics need these counts. */
   for (int i = 0; i < VS_WORK_NONE; i++) s->write_seconds += r->tally.of[i].seconds;
   r->tally.written = t->written - r->tally.written;
   r->tally.clusters = t->clusters - r->tally.clusters;

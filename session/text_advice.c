@@ -1,5 +1,5 @@
-/* Implements advice that the program's own text gives: the words around the place of an error. It reads the text as an
- * outline; a wrong guess costs only a hint. */
+/* Implements advice that is computed from the program's text around the place of an error. It does not read the text as
+ * a program; a wrong guess only leads to missing or useless advice. */
 #include "session/text_advice.h"
 
 #include <ctype.h>
@@ -39,12 +39,12 @@ static bool opens(const char *at, const char *end) { return at < end && (*at == 
 static bool closes(const char *at, const char *end) { return at >= end || *at == ')' || *at == ']' || *at == '}'; }
 static word word_at(const char *at, const char *end) { return (word){ at, vs_outline_word(at, end) }; }
 
-/* Returns the first word within the parentheses at `at`; empty without one. */
+/* Returns the first word within the parentheses at `at`; the word is empty if there is none. */
 static word head_of(const char *at, const char *end) {
   if (!opens(at, end)) return (word){ at, 0 };
   return word_at(skip_blanks(at + 1, end), end);
 }
-/* Returns the element after the one at `at`; it may be the closing parenthesis. */
+/* Returns the element after the element at `at`; this may be the closing parenthesis. */
 static const char *next_of(const char *at, const char *end) { return skip_blanks(skip_datum(at, end), end); }
 static const char *first_of(const char *at, const char *end) { return skip_blanks(at + 1, end); }
 
@@ -98,7 +98,7 @@ bool vs_text_advise_hidden(vs_text_place p, vs_text *t) {
     word head = head_of(at, p.end);
     const char *list = next_of(skip_blanks(head.at, p.end), p.end);
     bool parameter = is_among(head, "lambda") && opens(list, p.end) && has_parameter(list, p.end, name);
-    const char *before = at; /* a clause: the parenthesis before it, or another clause */
+    const char *before = at; /* A clause that binds the name is preceded by a parenthesis or by another clause */
     while (before > form && strchr(" \t\r\n", before[-1])) before--;
     bool clause = same(head, name) && before > form && strchr("([)]", before[-1]) && skip_datum(at, p.end) <= p.at;
     if (!parameter && !clause) continue;
@@ -153,7 +153,8 @@ bool vs_text_advise_operator(vs_text_place p, vs_text *t) {
   for (size_t i = 0; i < sizeof operators / sizeof *operators; i++) {
     if (!is(sign, operators[i].sign)) continue;
     char text[300], form[80];
-    bool sets = strstr(operators[i].form, "(set! x") != NULL; /* x is the first operand */
+    bool sets = strstr(operators[i].form, "(set! x") != NULL; /* whether the advised form is an assignment to x, the
+                                                               * first operand */
     if (sets)
       snprintf(form, sizeof form, "(set! %.*s %s", (int)(end - first > 30 ? 30 : end - first), first,
                operators[i].form + 8);
@@ -207,7 +208,8 @@ bool vs_text_advise_chain(vs_text_place p, vs_text *t) {
 static int put_keys(const char *table, const char *end, vs_text *t) {
   int count = 0;
   if (*table == '\'') table = skip_blanks(table + 1, end);
-  if (is(head_of(table, end), "quote")) table = next_of(first_of(table, end), end); /* as the checks write it */
+  if (is(head_of(table, end), "quote")) table = next_of(first_of(table, end), end); /* the result of a check has (quote
+                                                                                     * ...) in place of ' */
   for (const char *at = first_of(table, end); opens(table, end) && !closes(at, end) && count < 12;
        at = next_of(at, end)) {
     const char *key = opens(at, end) ? first_of(at, end) : NULL;
@@ -257,10 +259,10 @@ bool vs_text_advise_missing_key(vs_scheme *vm, vs_text_place p, vs_text *t) {
 
 /* ---- statements of other languages ---- */
 
-/* Returns the word that touches the parenthesis at p, or the first word of its line; empty if the line begins
- * otherwise. */
+/* Returns the word directly before the parenthesis at p, or else the first word of the line. The word is empty if the
+ * line does not begin with a word. */
 static word statement_of(vs_text_place p) {
-  const char *word_start = p.at; /* f(x): the word that touches the parenthesis */
+  const char *word_start = p.at; /* in f(x), the word directly before the parenthesis */
   while (p.at < p.end && *p.at == '(' && word_start > p.start && !strchr(" \t\r\n()[]{}\"';,", word_start[-1]))
     word_start--;
   if (word_start < p.at) return (word){ word_start, (size_t)(p.at - word_start) };
@@ -281,7 +283,7 @@ bool vs_text_advise_statement(vs_scheme *vm, vs_text_place p, vs_text *t) {
   while (behind < p.end && (*behind == ' ' || *behind == '\t')) behind++;
   bool alone = vs_text_end(t) && t->at && strstr(t->at, "is syntax and has no value") != NULL;
   if (vs_is_foreign_name(name)) {
-    vs_text advice; /* it begins with a semicolon */
+    vs_text advice; /* receives the advice, which begins with a semicolon and a blank */
     vs_text_open(vm, &advice, 600);
     bool ok =
         vs_foreign_advice(name, &advice) && vs_text_end(&advice) && vs_text_printf(t, "; %s: %s", name, advice.at + 2);
@@ -349,14 +351,14 @@ static bool match(void *context, const vs_outline_item *item) {
   return d->found = item->name, d->procedure = item->procedure, false;
 }
 
-/* Returns the last element, at `at` or after it, of the parentheses around it. */
+/* Returns the last of the elements from `at` to the closing parenthesis. */
 static const char *last_from(const char *at, const char *end) {
   const char *last = NULL;
   for (; !closes(at, end); at = next_of(at, end)) last = at;
   return last;
 }
 
-/* Returns the expression that is the value of a call of the procedure at `at`: a lambda, or a name of the program. */
+/* Returns the expression whose value is returned by the procedure at `at`, a lambda or a name of the program. */
 static const char *value_of(vs_text_place p, const char *at) {
   if (is_among(head_of(at, p.end), "lambda \316\273"))
     return last_from(next_of(next_of(first_of(at, p.end), p.end), p.end), p.end);

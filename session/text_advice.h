@@ -1,31 +1,32 @@
-/* Declares the functions of text_advice.c: advice that the program's own text gives. */
+/* Declares advice that text_advice.c computes from the program's text around the place of an error. */
 #ifndef VS_SESSION_TEXT_ADVICE_H
 #define VS_SESSION_TEXT_ADVICE_H
 
 #include "session/session.h"
 
-/* A place in a source: `at` lies in the text from `start` to `end`. */
+/* A place in a source text: the text is from `start` to `end`, and `at` is the place. */
 typedef struct { const char *start, *at, *end; uint32_t first_line; } vs_text_place;
 
-/* Each of these writes to t, the error's text, and returns false when memory is out. Without advice t stays as it
- * is. */
+/* Each of these functions appends advice to the error's text t, or replaces it. Without advice it leaves t unchanged.
+ * It returns false when memory is out. */
 
-/* The called name is a parameter or a variable that hides a procedure of the language: replaces t. */
+/* Advises if the called name is a parameter or a variable that hides a procedure of the language. Replaces t. */
 bool vs_text_advise_hidden(vs_text_place p, vs_text *t);
-/* An operand of the call at p is x of (lambda x ...), the list of all arguments. */
+/* Advises if an operand of the call at p is the parameter x of (lambda x ...), which is the list of all arguments. */
 bool vs_text_advise_rest(vs_text_place p, vs_text *t);
-/* The word is an element of a quoted list of the call at p, where its value was meant. */
+/* Advises if the word is an element of a quoted list in the call at p, where the value of the word was meant. */
 bool vs_text_advise_quoted(vs_text_place p, const char *word, vs_text *t);
-/* The word at p is an operator behind its first operand, (3 ** 2): replaces t. */
+/* Advises if the word at p is an operator after its first operand, as in (3 ** 2). Replaces t. */
 bool vs_text_advise_operator(vs_text_place p, vs_text *t);
-/* The call at p is (< 1 x < 3). */
+/* Advises if the call at p is a chain of comparisons such as (< 1 x < 3). */
 bool vs_text_advise_chain(vs_text_place p, vs_text *t);
-/* The call at p takes a part of (assq key table), which is #f: names the keys of the table. */
+/* Advises if the call at p uses the result of (assq key table) and the key is missing, so that the result is #f. Names
+ * the keys of the table. */
 bool vs_text_advise_missing_key(vs_scheme *vm, vs_text_place p, vs_text *t);
-/* The statement around p is of another language: its first word gives the advice. */
+/* Advises if the statement around p belongs to another language, which its first word shows. */
 bool vs_text_advise_statement(vs_scheme *vm, vs_text_place p, vs_text *t);
-/* A part of the call at p gives no value: an if without else, a loop, a definition; also within a procedure that is
- * mapped. */
+/* Advises if an operand of the call at p has no value, such as an `if` without else, a loop or a definition. Also
+ * examines the body of a procedure that the call applies to each element of a list. */
 bool vs_text_advise_valueless(vs_text_place p, vs_text *t);
 
 #endif

@@ -1,4 +1,4 @@
-/* Implements the advice for a value that a procedure cannot take: the rows of advice.def. */
+/* Implements the advice for a value that a procedure does not accept. The table advice.def contains the advice. */
 #include "session/type_advice.h"
 
 #include <math.h>
@@ -12,12 +12,17 @@
 #include "vm/numbers/number.h"
 #include "vm/values/printer.h"
 
-enum { SHOWN = 60 /* bytes of a value */ };
+enum { SHOWN = 60 /* greatest length of a shown value in bytes */ };
 
-/* The kinds of values in the rows. A value may have several: an empty list is EMPTY and LIST. */
+/* The kinds of values in the rows. A value may have several kinds: an empty list is EMPTY and LIST. */
 enum {
-  NUMBER = 1, WHOLE = 2 /* 1.0 */, FRACTION = 4, TEXT = 8, NUMBER_TEXT = 16 /* "3" */, SYMBOL = 32, LIST = 64,
-  PAIR = 128 /* no list: (1 2 . 3) */, EMPTY = 256, VECTOR = 512, POINT = 1024, GVECTOR = 2048, OBJECT = 4096,
+  NUMBER = 1,
+  WHOLE = 2, /* real number without a fractional part, such as 1.0 */
+  FRACTION = 4, TEXT = 8,
+  NUMBER_TEXT = 16, /* text that contains a number, such as "3" */
+  SYMBOL = 32, LIST = 64,
+  PAIR = 128, /* pair that is no proper list, such as (1 2 . 3) */
+  EMPTY = 256, VECTOR = 512, POINT = 1024, GVECTOR = 2048, OBJECT = 4096,
   NEGATIVE = 8192, FALSE = 16384, ANY = 32768
 };
 
@@ -58,7 +63,8 @@ static int kinds_of(vs_scheme *vm, vs_value v) {
   return ANY | (vs_bind_take_ref(v).node ? OBJECT : 0);
 }
 
-/* The same for a value that only the text of the error shows, as that of a procedure in Scheme does. */
+/* Returns the kinds of a value that is known only as text in the error, as for errors of procedures written in
+ * Scheme. */
 static int kinds_of_text(const char *shown) {
   size_t digits = strspn(shown, "0123456789.-+/");
   if (*shown == '"')
@@ -82,7 +88,7 @@ static bool is_word_of(const char *words, const char *word, size_t n) {
   return !*words;
 }
 
-/* Writes a value; text: how the error shows it, or NULL. */
+/* Writes the value v. text: the value as the error shows it, or NULL if v is known. */
 static bool put_value(vs_scheme *vm, vs_value v, const char *text, vs_print_mode how, vs_text *t) {
   vs_text shown;
   bool bare = text && *text == '"' && how == VS_PRINT_DISPLAY;
@@ -94,7 +100,8 @@ static bool put_value(vs_scheme *vm, vs_value v, const char *text, vs_print_mode
   return ok;
 }
 
-/* Writes the advice; the procedure's name is the text before the first colon. */
+/* Writes the advice with its %f, %v and %t replaced. The name of the procedure is the part of the error before the
+ * first colon. */
 static bool put_advice(vs_scheme *vm, const char *advice, vs_value got, const char *text, size_t name, vs_text *t) {
   char procedure[80];
   memcpy(procedure, t->at, name);
@@ -111,8 +118,9 @@ static bool put_advice(vs_scheme *vm, const char *advice, vs_value got, const ch
   return true;
 }
 
-/* Finds the kind of value that the error asks for, if it is a contract's whole text or a type of the language: a kind
- * with a condition of its own is explained there. Returns its length, 0 without one. */
+/* Finds the kind of value that the error requires. Sets *kind to this part of the error and returns its length. Returns
+ * 0 if the part is neither the noun of a contract nor a type of the language. A kind with a condition explains itself
+ * in the error. */
 static size_t wanted_kind(const char *error, const char **kind) {
   static const char *const nouns[] = {
 #define VS_CONTRACT(name, noun, condition, convert) noun,
@@ -121,7 +129,7 @@ static size_t wanted_kind(const char *error, const char **kind) {
     "a list", "a vector", "a procedure", "an integer", "a surface", "a solid or a surface",
   };
   const char *must = strstr(error, " must be "), *expected = strstr(error, "expected ");
-  const char *place = strstr(error + 2, ": "); /* NAME: FILE:LINE: ... is about a file's text */
+  const char *place = strstr(error + 2, ": "); /* an error "NAME: FILE:LINE: ..." is about the text of a file */
   if (place && place < (must ? must : expected ? expected : error)) return 0;
   *kind = must ? must + 9 : expected ? expected + 9 : error;
   const char *end = strstr(*kind, ", got");
@@ -131,12 +139,14 @@ static size_t wanted_kind(const char *error, const char **kind) {
   return 0;
 }
 
-/* Returns true if the error has the row's words; for a row of any procedure, in the kind that must be given. */
+/* Returns true if the error contains the row's words. For a row of any procedure, the words must be in the required
+ * kind. */
 static bool fits(const char *error, const row *r) {
   const char *found = strstr(error, r->words), *kind;
   if (!found || *r->procedures || strstr(r->words, "literal") || strstr(r->words, "got")) return found != NULL;
   size_t n = wanted_kind(error, &kind);
-  bool whole = *r->words == 'a' || *r->words == '#'; /* the kind begins with the words */
+  bool whole = *r->words == 'a' || *r->words == '#'; /* words that begin with `a` or `#` must be at the start of the
+                                                      * kind */
   found = n ? strstr(kind, r->words) : NULL;
   return found && (whole ? found == kind : found < kind + n) && !strstr(error, "; call the lambda") &&
          !strstr(error, "; call it: ");

@@ -1,4 +1,4 @@
-/* Declares the functions of type_advice.c. */
+/* Declares the advice for a value that a procedure does not accept, implemented in type_advice.c. */
 #ifndef VS_SESSION_TYPE_ADVICE_H
 #define VS_SESSION_TYPE_ADVICE_H
 

@@ -141,7 +141,7 @@ static bool take_value(vs_scheme *vm, vs_value v, vs_pos place) {
   bool ok = vs_print(vm, r[0], VS_PRINT_WRITE, &shown);
   size_t objects = shown.cut && s->flags & VS_EVAL_NUMBER ? objects_in_list(r[0]) : 0;
   char note[60] = "";
-  /* Cut between words, since a number that is cut would be a different number. */
+  /* Cuts the text between words, since a number that is cut would be a different number. */
   while (shown.cut && shown.count && shown.at[shown.count - 1] != ' ') shown.count--;
   if (shown.cut && shown.count) shown.count--;
   if (objects) snprintf(note, sizeof note, "#<list of %zu objects>", objects);
@@ -484,8 +484,8 @@ size_t vs_complete(vs_scheme *vm, const char *prefix, bool (*each)(void *context
   vs_environment_each(vm->at.program, collect, &l);
   if (!l.failed && l.count) qsort(l.names, l.count, sizeof *l.names, by_name);
   for (size_t i = 0; !l.failed && i < l.count; i++) {
-    if (i && l.names[i] == l.names[i - 1]) continue; /* the same name, own and imported: interned texts have equal
-                                                      * addresses */
+    if (i && l.names[i] == l.names[i - 1]) continue; /* a name that is both defined and imported; interned texts have
+                                                      * equal addresses */
     given++;
     if (!each(context, l.names[i])) break;
   }

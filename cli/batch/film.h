@@ -23,7 +23,7 @@ typedef struct {
                       * numbers */
   size_t count;
   long rate;         /* frames per second */
-  bool stands;       /* whether no frame has changed, so that an existing film is kept */
+  bool stands;       /* whether no frame has changed, so that an existing film need not be made again */
   bool quiet;
 } cli_film;
 

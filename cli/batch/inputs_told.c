@@ -18,7 +18,7 @@ int cli_inputs_begin(void) {
   char number[24];
   int list = memfd_create("visualscheme-inputs", 0);
   if (list < 0) return -1;
-  fcntl(list, F_SETFL, O_APPEND); /* the runs share the file's position, so each appends */
+  fcntl(list, F_SETFL, O_APPEND); /* all runs write at the end of the file, whose position they share */
   snprintf(number, sizeof number, "%d", list);
   if (setenv(variable, number, 1) == 0) return list;
   close(list);

@@ -40,12 +40,12 @@ typedef struct {
   const char *model;
   char *set, *view, *file; /* set: parameters as "a=1,b=2", or NULL; view: name, or NULL for the model's default view */
   const char *given;       /* the part of `set` from --set (NULL: none); the other part is the parameter of --frames */
-  char exposure[EXPOSURE_ROOM]; /* exposure in stops for all frames of a film; empty: that of the options */
+  char exposure[EXPOSURE_ROOM]; /* exposure in stops for all frames of a film; empty: the exposure in the options */
   uint64_t metered;        /* hash of the first frame's scene, from which the exposure was computed */
   long frame;              /* number of the frame from 1, or 0 without --frames; the frames of a film are consecutive in
                             * the batch */
   pid_t process;
-  int told;                /* reading end of a pipe for the result */
+  int told;                /* descriptor of the pipe's end from which the result is read */
   bool known, failed;      /* known: the model has run, and result.model is set; failed: it has failed, without a
                             * message so far */
   result result;
@@ -410,8 +410,8 @@ static void await(const batch *b, pid_t process, int *status) {
   }
 }
 
-/* Runs the command for the picture and returns its exit code. With hash not NULL, updates *hash with its standard
- * output. */
+/* Runs the command for the picture and returns its exit code. If hash is not NULL, updates *hash with the command's
+ * standard output. */
 static int run(const batch *b, const picture *p, const char *file, uint64_t *hash) {
   int ends[2] = {-1, -1}, status = 0;
   char *defines = NULL;
@@ -475,8 +475,8 @@ static result make(const batch *b, const picture *p) {
  * frame once more, as light, and uses its exposure for all frames. The manifest stores it with the hash of the first
  * frame's scene, for a run that continues the film. */
 
-/* Sets the picture's exposure to that of the last run, if the scene of the first frame has not changed. Returns false
- * if it has. */
+/* Sets the picture's exposure to that of the last run, if the scene of the first frame has not changed. Otherwise
+ * returns false. */
 static bool recall_exposure(const batch *b, picture *p) {
   char wanted[60];
   size_t length, n = 0;
@@ -548,7 +548,7 @@ static bool start(batch *b, picture *p, picture_work *work) {
   p->process = fork();
   if (p->process == 0) {
     close(ends[0]);
-    die_with_parent(SIGKILL); /* the process waits for another program, and would ignore SIGTERM */
+    die_with_parent(SIGKILL); /* the process waits for the model's run, and would not react to SIGTERM */
     result r = work(b, p);
     ssize_t sent = write(ends[1], &r, sizeof r);
     _exit(sent == sizeof r ? 0 : 1);

@@ -1,5 +1,6 @@
-/* Edits lines on a terminal by libedit, and implements keys that libedit lacks. While libedit waits for a key, colours
- * are painted over its line (paint.c), and beneath it how the procedure is called, or a menu of names.
+/* Edits lines on a terminal by libedit, and implements keys that libedit lacks. While libedit waits for a key, paint.c
+ * paints colours over the line. Below the line it shows the arguments of the procedure at the cursor, or a menu of
+ * names.
  *
  * libedit edits one buffer. A newline in the buffer is shown as a line break, so that an expression of several lines
  * can be recalled and edited. Lines that are typed one by one are also returned one by one. The prompt then shows the
@@ -61,16 +62,17 @@ struct cli_editor {
   line_buffer rest;     /* the text of a paste after its last newline, with which the next buffer begins */
   bool taken_back;      /* whether the buffer contains the lines of the unfinished expression, too */
   int back;             /* number of characters from the shown parenthesis back to the cursor; 0 if none is shown */
-  ptrdiff_t closed;     /* position where completion has inserted a closing quote, so that typing one there only moves
-                         * past it; 0 if there is none */
+  ptrdiff_t closed;     /* Position where completion has inserted a closing quote. If the user types a quote there, the
+                         * cursor only moves past it. 0 if there is no such position */
   cli_each_command *commands;
   cli_idle idle;
   mbstate_t partial;    /* state of a character whose bytes have not all been read */
   bool escapes, colours; /* whether the terminal has a cursor to move, and colours */
-  cli_paint paint;      /* the place of the rows beneath the line */
-  cli_names menu;       /* the names of the menu; count is 0 if there is none */
-  int chosen;           /* number of the chosen name; -1: none yet */
-  size_t menu_at, menu_length; /* cursor and length of the buffer for which the menu is shown */
+  cli_paint paint;      /* position of the painted rows below the line */
+  cli_names menu;       /* names of the menu; count is 0 if no menu is shown */
+  int chosen;           /* index of the chosen name in the menu; -1: none is chosen yet */
+  size_t menu_at, menu_length; /* Cursor position and length of the buffer when the menu was shown. If they differ now,
+                                * the menu is no longer valid */
 };
 
 /* Returns true if the terminal understands escape sequences. */
@@ -147,7 +149,7 @@ static char *text_before(cli_editor *e) {
   return all;
 }
 
-/* Shows how a procedure is called, such as "  (make-sphere c r) #:segments", below the current line. */
+/* Shows the ways to call a procedure, such as "  (make-sphere c r) #:segments", below the current line. */
 static bool show_call(cli_editor *e, const char *name) {
   vs_name_info info;
   if (!vs_name_get(e->scheme, name, &info) || !*info.call) return false;
@@ -210,20 +212,20 @@ static void close_menu(cli_editor *e) {
   e->chosen = -1;
 }
 
-static void hold_menu(cli_editor *e) { /* the menu is for the buffer as it is now */
+static void hold_menu(cli_editor *e) { /* records that the menu is for the current content of the buffer */
   const LineInfo *info = libedit.el_line(e->line);
   e->menu_at = (size_t)(info->cursor - info->buffer);
   e->menu_length = (size_t)(info->lastchar - info->buffer);
 }
 
-/* Returns true if a menu is shown for the buffer as it is. */
+/* Returns true if a menu is shown and the buffer has not changed since. */
 static bool in_menu(const cli_editor *e) {
   const LineInfo *info = libedit.el_line(e->line);
   return e->menu.count && e->menu_at == (size_t)(info->cursor - info->buffer) &&
          e->menu_length == (size_t)(info->lastchar - info->buffer);
 }
 
-/* Puts the name `by` places further in the menu into the buffer, in place of the word before the cursor. */
+/* Chooses the name `by` places further in the menu. Replaces the word before the cursor by it. */
 static unsigned char choose(cli_editor *e, int by) {
   int count = (int)e->menu.count;
   const char *old = e->chosen < 0 ? NULL : e->menu.at[e->chosen];
@@ -238,8 +240,8 @@ static unsigned char choose(cli_editor *e, int by) {
   return ok ? CC_REFRESH : CC_ERROR;
 }
 
-/* Inserts the common beginning of the names, and shows them in a menu. On a terminal without a cursor, shows a list
- * instead, if nothing could be inserted. Takes over the names. */
+/* Inserts the common beginning of the names, and shows them in a menu. On a terminal whose cursor cannot be moved,
+ * shows them as a list if nothing could be inserted. Takes over the names. */
 static unsigned char show_names(cli_editor *e, cli_names *n) {
   bool more = n->common > n->prefix;
   if (more) {
@@ -266,7 +268,7 @@ static unsigned char show_names(cli_editor *e, cli_names *n) {
   return CC_REDISPLAY;
 }
 
-/* Inserts the rest of the only name. */
+/* Completes the word before the cursor with the only name found. */
 static unsigned char insert_only(cli_editor *e, const cli_names *n) {
   const char *name = n->at[0];
   bool folder = *name && name[strlen(name) - 1] == '/', shown = false;
@@ -280,7 +282,8 @@ static unsigned char insert_only(cli_editor *e, const cli_names *n) {
   return !ok ? CC_ERROR : shown ? CC_REDISPLAY : CC_REFRESH;
 }
 
-/* Completes the word before the cursor as far as all names agree. Then shows the names, and goes through them. */
+/* Completes the word before the cursor as far as all names agree. Pressed again, the key chooses the names one after
+ * the other. */
 static unsigned char complete(EditLine *line, int key) {
   (void)key;
   cli_editor *e = editor_of(line);
@@ -406,7 +409,7 @@ static void paint(cli_editor *e, bool ended);
 static unsigned char enter(EditLine *line, int key) {
   (void)key;
   cli_editor *e = editor_of(line);
-  if (e && in_menu(e) && e->chosen >= 0) { /* takes the chosen name */
+  if (e && in_menu(e) && e->chosen >= 0) { /* accepts the chosen name */
     close_menu(e);
     return CC_REFRESH;
   }
@@ -477,7 +480,7 @@ static unsigned char paste(EditLine *line, int key) {
 
 /* ---- waiting for a key ---- */
 
-/* Appends how a procedure is called to a row of `width` columns, with the argument at the cursor in bold type. */
+/* Appends a row of `width` columns with the ways to call a procedure. The argument at the cursor is in bold type. */
 static bool put_hint(cli_editor *e, const cli_call *call, int width, line_buffer *to) {
   vs_name_info info;
   char text[600];
@@ -488,8 +491,8 @@ static bool put_hint(cli_editor *e, const cli_call *call, int width, line_buffer
   return cli_hint_row(text, strlen(info.call) + 2, call->argument, width, e->colours, to);
 }
 
-/* Paints colours over the line, and beneath it the menu, or how the procedure at the cursor is called. A line that has
- * ended keeps its colours, but neither a marked bracket nor anything beneath. */
+/* Paints colours over the line. Below it, paints the menu or the ways to call the procedure at the cursor. After the
+ * line has ended, paints neither a marked bracket nor rows below. */
 static void paint(cli_editor *e, bool ended) {
   enum { MENU = 8 };
   char *before = text_before(e);

@@ -13,7 +13,8 @@
 
 extern const char vs_manual_text[], vs_manual_text_end[];
 
-/* The folder of the pages, the page of common tasks, and that of the trade's words with their links. */
+/* Paths of the manual's folder, of the page of common tasks, and of the page that links the trade's words to
+ * sections. */
 #define MANUAL "manual/"
 #define TASKS "i-want-to"
 #define INDEX "studio"
@@ -87,8 +88,8 @@ static const char *find_entry(const char *word) {
   return NULL;
 }
 
-/* Returns true if the line is an item of a list of calls, "- `(make-box p q)`, `(make-wedge p q)`: ...", and one of
- * them calls the name. */
+/* Returns true if the line is an item of a list of calls, "- `(make-box p q)`, `(make-wedge p q)`: ...", and the name
+ * is that of one of the calls. */
 static bool calls(part line, const char *name) {
   if (line.end - line.at < 4 || memcmp(line.at, "- `", 3) != 0) return false;
   bool code = false;
@@ -112,7 +113,8 @@ static const char *find_page(const char *word) {
   return called;
 }
 
-/* Returns true if the line opens a page that readers of models seldom want: on the sources, or a list of words. */
+/* Returns true if the line begins a page that is seldom useful to readers of models: a page about the sources, or a
+ * list of words. */
 static bool is_inside(part line) {
   static const char *const inside[] = { "internals/", "glossary.", "walk.", "back-ends.", "embedding.", "README." };
   for (size_t i = 0; i < sizeof inside / sizeof *inside; i++) {
@@ -143,7 +145,7 @@ static bool stem_is(const wanted *w, part text) {
   return cli_phrase_is(&w->stems, &w->stem, text.at, (size_t)(text.end - text.at));
 }
 
-/* Pages in which headings are searched. */
+/* The sets of pages that a search for headings can use. */
 typedef enum { PAGES_TASKS, PAGES_MODELS, PAGES_INSIDE } pages;
 
 /* Returns the first heading of these pages that contains the word, or its stem; NULL if there is none. */
@@ -192,7 +194,7 @@ static bool row_of(part line, part *words, part *text) {
   return true;
 }
 
-/* Returns the next word of a cell such as "point, gvector", and moves cell->at behind it. */
+/* Returns the next word of a cell such as "point, gvector", and moves cell->at past the word. */
 static part next_word(part *cell) {
   const char *comma = memchr(cell->at, ',', (size_t)(cell->end - cell->at));
   part word = { cell->at, comma ? comma : cell->end };
@@ -209,8 +211,8 @@ static bool has_word(part cell, const wanted *w, bool stem) {
   return false;
 }
 
-/* Returns the second cell of the row of a page's table whose first cell has the word, or its stem, and that first cell
- * in *words. The result's `at` is NULL if there is none. */
+/* Searches a page's table for a row whose first cell contains the word or, if `stem`, its stem. Returns the second cell
+ * of the row, and sets *words to the first cell. The result's `at` is NULL if there is no such row. */
 static part find_row_by(const char *page, const wanted *w, bool stem, part *words) {
   bool on = false;
   for (const char *at = vs_manual_text; at < vs_manual_text_end;) {
@@ -222,7 +224,8 @@ static part find_row_by(const char *page, const wanted *w, bool stem, part *word
   return (part){ NULL, NULL };
 }
 
-/* A word that is a name of the language must be in the table itself, not its stem: `draw` does not find "drawing". */
+/* Searches as find_row_by does, first for the word, then for its stem. If the word is a name of the language, its stem
+ * is not searched: `draw` does not find "drawing". */
 static part find_row(const char *page, const wanted *w, bool name, part *words) {
   part text = find_row_by(page, w, false, words);
   return text.at || name ? text : find_row_by(page, w, true, words);
@@ -273,7 +276,7 @@ static const char *find_link(part link) {
   return NULL;
 }
 
-/* Returns the target of the first link in [text.at, text.end), and moves text.at behind it. */
+/* Returns the target of the first link in [text.at, text.end), and moves text.at past the link. */
 static part next_link(part *text) {
   for (const char *p = text->at; p + 1 < text->end; p++) {
     if (p[0] != ']' || p[1] != '(') continue;
@@ -285,14 +288,15 @@ static part next_link(part *text) {
   return (part){ NULL, NULL };
 }
 
-/* Returns the line before, which begins with byte 1 and the path, if the place is the first line of a page. */
+/* If the place is the first line of a page, returns the line before it, which begins with byte 1 and the page's
+ * path. */
 static part page_of(const char *place) {
   const char *p = place - 1;
   while (p > vs_manual_text && p[-1] != '\n') p--;
   return line_at(p);
 }
 
-/* Prints the call that shows this place, on a line: `vs help "a roof"`, or at the prompt `,help a roof`. */
+/* Prints the command that shows this place, on a line: `vs help "a roof"`, or at the prompt `,help a roof`. */
 static void print_call(const char *place, const char *how, FILE *to) {
   part line = page_of(place), heading = line_at(place);
   bool page = *line.at == '\001';
@@ -307,8 +311,8 @@ static void print_call(const char *place, const char *how, FILE *to) {
 /* The places that a search has printed: an entry and a page, NULL for none. */
 typedef struct { const char *entry, *page; } printed;
 
-/* Prints the pages of the index's row `text`: the section of the first link, unless something is printed already, and
- * the calls that show the others. */
+/* Prints the pages that `text`, a row of the index, links. Prints the section of the first link, unless a text was
+ * already printed. For the other links, prints the commands that show them. */
 static void print_index(part text, const printed *done, const char *how, FILE *to) {
   bool whole = !done->entry && !done->page, first = true;
   part link;

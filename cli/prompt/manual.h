@@ -5,16 +5,16 @@
 #include <stdbool.h>
 #include <stdio.h>
 
-/* Prints the manual's text on a word or phrase and returns true, or returns false if there is none. It prints the
- * explanation for beginners, the entry of a name of the language, the page of that name, and the index's links. If all
- * are missing, it prints a section whose heading contains the word or its stem. `how` begins the calls that it names:
- * "vs help", or ",help" at the prompt. */
+/* Prints the manual's text on a word or phrase, and returns true. Returns false if there is none. Prints the
+ * explanation for beginners, the entry of a name of the language, the page with that name, and the links of the index.
+ * If none of these exists, prints a section whose heading contains the word or its stem. `how` is the command in
+ * printed commands: "vs help", or ",help" at the prompt. */
 bool cli_manual_print(const char *word, const char *how, FILE *to);
-/* Writes the word of the index that is nearest to a word with a slip. Returns false if none is near. */
+/* Writes the word of the index that is most similar to a misspelt word. Returns false if none is similar. */
 bool cli_manual_near(const char *word, char *room, size_t size);
 /* Returns true if the manual has an entry or a page of that name. */
 bool cli_manual_describes(const char *word);
-/* Prints the calls of vs help that show the index's links for a word, each on a line. */
+/* Prints the commands `vs help ...` that show the index's links for a word, each on a line. */
 void cli_manual_see_also(const char *word, FILE *to);
 /* Prints the manual's text on the command `vs WORD`: the page of that name, else the section whose heading contains the
  * command. Returns false if there is none. */

@@ -134,7 +134,7 @@ static void print_blanks(printer *o, int n) {
   for (int i = 0; i < n; i++) fputc(' ', o->to);
 }
 
-/* Prints the words of a line. *bold is whether its text begins in bold type; it is set to whether it ends so. */
+/* Prints the words of a line. *bold: whether the line begins in bold type; on return, whether it ends in bold type. */
 static void print_words(printer *o, part line, bool *bold) {
   if (*bold && o->bold) fputs("\033[1m", o->to);
   for (const char *p = line.at; p < line.end; p++) {

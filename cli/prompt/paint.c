@@ -1,6 +1,6 @@
-/* Paints colours over the line that libedit has drawn. libedit knows neither colours nor text beneath its line. While
- * it waits for a key, the cursor is where libedit believes it; all movements here are relative to this place and end
- * there. The painted characters are those that libedit has drawn, at the same places. */
+/* Paints colours over the line that libedit has drawn, and rows below it. libedit supports neither. While it waits for
+ * a key, the cursor is where libedit expects it; all movements here begin and end there. The painted characters are
+ * those that libedit has drawn, at the same places. */
 #define _XOPEN_SOURCE 700 /* for wcwidth */
 #include "cli/prompt/paint.h"
 
@@ -25,17 +25,18 @@ static size_t character(const char *at, size_t length, int *columns) {
   return invalid ? 1 : n;
 }
 
-/* Moves a place behind a character as libedit does. */
+/* Moves a place past a character as libedit does. */
 static void advance(place *p, char c, int columns, int width) {
   if (c == '\n') p->row++, p->column = 0;
   else {
-    if (p->column + columns > width) p->row++, p->column = 0; /* a wide character that does not fit */
+    if (p->column + columns > width) p->row++, p->column = 0; /* a wide character that does not fit into the row begins
+                                                               * the next row */
     p->column += columns;
     if (p->column >= width) p->row++, p->column = 0;
   }
 }
 
-/* Computes the places of the cursor and of the end. Returns false if the text cannot be painted. */
+/* Computes the places of the cursor and of the text's end. Returns false if the text cannot be painted. */
 static bool measure(const cli_painted *line, place *cursor, place *end) {
   place p = { 0, line->prompt };
   *cursor = p;
@@ -68,8 +69,8 @@ static bool set_colour(line_buffer *to, unsigned class) {
   return put(to, text);
 }
 
-/* Puts the text behind the prompt. The terminal's cursor is then behind the last character; if its row is full, this is
- * still the row above the end's. */
+/* Writes the text after the prompt. The terminal's cursor is then after the last character. If the last row is full,
+ * the cursor is still in it, while the computed end is in the next row. */
 static bool put_text(const cli_painted *line, line_buffer *to) {
   unsigned class = CLI_SYNTAX_PLAIN;
   bool ok = true;
@@ -94,19 +95,21 @@ void cli_paint_show(cli_paint *p, const cli_painted *line) {
   int rows = line->rows;
   if (!measure(line, &cursor, &end) || (!line->classes && !rows)) return;
   if (end.row + rows >= line->height) rows = 0;
-  int row = cursor.row; /* of the terminal's cursor */
+  int row = cursor.row; /* row of the terminal's cursor */
   bool ok = true;
   if (line->classes && line->length) {
     ok = move(&out, row, 'A') && move(&out, line->prompt ? line->prompt + 1 : 1, 'G') && put_text(line, &out);
-    bool full = end.column == 0 && line->text[line->length - 1] != '\n'; /* the terminal's cursor is still on the row
-                                                                          * above */
+    bool full = end.column == 0 && line->text[line->length - 1] != '\n'; /* whether the last row is full, so that the
+                                                                          * terminal's cursor is a row above the
+                                                                          * computed end */
     ok = ok && (!full || put(&out, "\r\n"));
     row = end.row;
   }
   if (rows) {
-    while (ok && row++ <= end.row) ok = put(&out, "\r\n"); /* makes rows that the terminal lacks; move() would not */
+    while (ok && row++ <= end.row) ok = put(&out, "\r\n"); /* creates rows that the terminal does not have yet, which
+                                                            * moving the cursor would not */
     ok = ok &&
-         cli_line_buffer_add(&out, line->below, strlen(line->below) - 2); /* without the last "\r\n" */
+         cli_line_buffer_add(&out, line->below, strlen(line->below) - 2); /* omits the last "\r\n" */
     row = end.row + rows;
   }
   ok = ok && move(&out, row - cursor.row, 'A') && move(&out, cursor.row - row, 'B') &&
@@ -128,11 +131,11 @@ void cli_paint_erase(cli_paint *p) {
 
 /* ---- the row of a call ---- */
 
-/* Finds the parameter of that number in a form of call, "(name p [q] r ...)"; a last parameter with ... takes all
- * further arguments. Returns false if there is none. */
+/* Finds the parameter with this number in a form of call, "(name p [q] r ...)". If "..." follows the last parameter, it
+ * is found for all larger numbers. Returns false if there is no such parameter. */
 static bool find_parameter(const char *form, size_t length, int number, size_t *from, size_t *to) {
-  int depth = 0, at = -1;         /* at: number of the parameter that ends next, -1 for the name */
-  size_t start = 0, previous = 0; /* of this parameter, and of the one before */
+  int depth = 0, at = -1;         /* at: number of the parameter that ends next; -1: the procedure's name */
+  size_t start = 0, previous = 0; /* positions where this parameter and the previous parameter begin */
   for (size_t i = 0; i < length; i++) {
     depth += form[i] == '(' || form[i] == '[';
     depth -= form[i] == ')' || form[i] == ']';

@@ -7,31 +7,32 @@
 
 #include "cli/prompt/line_buffer.h"
 
-/* The place of the rows beneath the line; all 0 if there are none. */
+/* Position of the painted rows below the line; all members are 0 if there are none. */
 typedef struct {
-  int down;   /* rows from the cursor to the first row beneath */
-  int column; /* of the cursor, from 0 */
+  int down;   /* number of rows from the cursor's row to the first row below the line */
+  int column; /* column of the cursor, counted from 0 */
 } cli_paint;
 
 typedef struct {
-  const char *text;             /* the line, perhaps with newlines */
-  size_t length, cursor;        /* in bytes */
+  const char *text;             /* the text of the line, which may contain newlines */
+  size_t length, cursor;        /* length of the text, and position of the cursor in it, in bytes */
   const unsigned char *classes; /* a cli_syntax for each byte, or NULL: no colours */
   int prompt, width, height;    /* columns of the prompt; columns and rows of the terminal */
-  const char *below;            /* text beneath, whose rows end in "\r\n" and are narrower than the terminal */
-  int rows;                     /* its number of rows */
+  const char *below;            /* text of the rows below the line, each ending in "\r\n" and narrower than the
+                                 * terminal */
+  int rows;                     /* number of rows below the line */
 } cli_painted;
 
-/* Paints the line that libedit shows on standard output, while the cursor is at its place, and returns it there. Does
- * nothing if the text has control characters or does not fit on the terminal. */
+/* Paints the line that libedit shows on standard output, and its rows below. Expects the cursor at its place in the
+ * line, and returns it there. Does nothing if the text contains control characters or does not fit on the terminal. */
 void cli_paint_show(cli_paint *p, const cli_painted *line);
-/* Returns the number of rows that are free beneath the line on the whole terminal. */
+/* Returns the greatest number of rows below the line for which the terminal has room. */
 int cli_paint_room(const cli_painted *line);
-/* Appends a row of less than `width` columns. `text` has two blanks, up to text[call] the forms of a call, with a
- * newline between them, and a description. With `colours`, the row is dim, and the parameter of number `argument`
- * bold. */
+/* Appends a row of less than `width` columns. `text` begins with two blanks. Up to text[call] it contains the ways to
+ * call a procedure, separated by newlines; a description follows. With `colours` the row is dim, and parameter number
+ * `argument` is bold. */
 bool cli_hint_row(const char *text, size_t call, int argument, int width, bool colours, line_buffer *to);
-/* Erases the rows beneath the line, so that libedit finds the terminal as it left it. */
+/* Erases the rows below the line, so that the terminal is again in the state in which libedit left it. */
 void cli_paint_erase(cli_paint *p);
 
 #endif

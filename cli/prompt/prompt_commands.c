@@ -497,7 +497,7 @@ static void locals(cli_session *c, const char *number) {
     const char *end = at;
     int depth = 0;
     bool string = false;
-    for (; *end; end++) { /* to the comma before the next name */
+    for (; *end; end++) { /* finds the comma before the next name */
       if (*end == '"') string = !string;
       if (!string && *end == '(') depth++;
       if (!string && *end == ')') depth--;

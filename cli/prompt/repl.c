@@ -106,7 +106,8 @@ static void advise_bare_call(cli_session *c, const char *line, bool failed) {
   } else {
     char command[sizeof name + 1];
     snprintf(command, sizeof command, ",%s", name);
-    if (!failed || strstr(vs_name_advice(c->scheme, name), command)) return; /* the error message already explains it */
+    if (!failed || strstr(vs_name_advice(c->scheme, name), command)) return; /* the error message already contains this
+                                                                              * advice */
   }
   cli_command_advise(name, stderr);
 }
@@ -396,7 +397,7 @@ vs_outcome cli_repl(cli_session *c) {
     }
     pending.length = 0;
   }
-  if (vs_exit_requested(c->scheme, &code)) outcome = VS_OUTCOME_DONE; /* (exit n) decides the exit status */
+  if (vs_exit_requested(c->scheme, &code)) outcome = VS_OUTCOME_DONE; /* after (exit n), the exit status is n */
   free(pending.at);
   live_follow_close(c->view);
   c->view = NULL;

@@ -170,7 +170,7 @@ static void show_blocks(const picture *p) {
   }
 }
 
-/* Shows the brightness without colours; each character represents two pixels, one above the other. */
+/* Shows the brightness without colours. Each character represents two pixels, an upper and a lower pixel. */
 static void show_characters(const picture *p) {
   static const char ramp[] = " .:-=+*#%@";
   for (int y = 0; y < p->height; y += 2) {
@@ -275,8 +275,9 @@ static way best_way(void) {
   for (int i = 0; wanted && i < 5; i++)
     if (!strcmp(wanted, names[i])) return (way)i;
   if (!isatty(STDOUT_FILENO) || !cli_colours(STDOUT_FILENO)) return SHOW_CHARACTERS;
-  bool inside = getenv("TMUX") || (term && !strncmp(term, "screen", 6)); /* within tmux and screen, these variables may
-                                                                          * describe another terminal */
+  bool inside = getenv("TMUX") || (term && !strncmp(term, "screen", 6)); /* within tmux and screen, the other
+                                                                          * environment variables may describe another
+                                                                          * terminal */
   if (!inside && (getenv("KITTY_WINDOW_ID") || (term && strstr(term, "kitty")) || (program &&
       !strcmp(program, "ghostty")))) return SHOW_KITTY;
   if (!inside && program && (!strcmp(program, "iTerm.app") || !strcmp(program, "WezTerm"))) return SHOW_ITERM;

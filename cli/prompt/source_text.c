@@ -15,12 +15,12 @@ typedef enum { TOKEN_BLANK, TOKEN_COMMENT, TOKEN_STRING, TOKEN_OPEN, TOKEN_CLOSE
 typedef struct {
   size_t from, to;
   token_kind kind;
-  bool whole; /* false: a string or comment without its end */
+  bool whole; /* whether the token is complete; false for a string or comment that is not closed */
 } token;
 
 static bool ends_word(char c) { return strchr(" \t\r\n()[]{}\"';`,", c) != NULL; }
 
-/* Returns the end of the string that begins at `at`, or length + 1 if it has none. */
+/* Returns the end of the string that begins at `at`, or length + 1 if the string is not closed. */
 static size_t end_of_string(const char *text, size_t length, size_t at) {
   for (size_t i = at + 1; i < length; i++) {
     if (text[i] == '\\') i++;
@@ -29,7 +29,8 @@ static size_t end_of_string(const char *text, size_t length, size_t at) {
   return length + 1;
 }
 
-/* Returns the end of the comment #| ... |#, with further ones within, that begins at `at`; or length + 1. */
+/* Returns the end of the comment #| ... |# that begins at `at`, including nested comments. Returns length + 1 if the
+ * comment is not closed. */
 static size_t end_of_comment(const char *text, size_t length, size_t at) {
   int depth = 0;
   for (size_t i = at; i + 1 < length; i++) {
@@ -42,7 +43,7 @@ static size_t end_of_comment(const char *text, size_t length, size_t at) {
   return length + 1;
 }
 
-/* Returns the token at `at`, which is less than the length. */
+/* Returns the token at position `at`, which must be less than the length. */
 static token next_token(const char *text, size_t length, size_t at) {
   char c = text[at], next = at + 1 < length ? text[at + 1] : 0;
   token t = { at, at + 1, TOKEN_WORD, true };
@@ -57,7 +58,7 @@ static token next_token(const char *text, size_t length, size_t at) {
   else if (c == ')' || c == ']') t.kind = TOKEN_CLOSE;
   else if (c == '\'' || c == '`' || c == ',') t.kind = TOKEN_QUOTE;
   else {
-    if (c == '#' && next == '\\') t.to += 2; /* the character may be a bracket */
+    if (c == '#' && next == '\\') t.to += 2; /* the character after #\ may be a bracket */
     while (t.to < length && !ends_word(text[t.to])) t.to++;
   }
   if (t.to > length) t.to = length, t.whole = false;
@@ -85,7 +86,8 @@ size_t cli_text_open(const char *text, size_t length, size_t open[CLI_DEEP], boo
 /* Returns the number of the argument at the end of the text that follows the name of a call. */
 static int argument_at(const char *text, size_t length) {
   int begun = 0, current = -1, depth = 0;
-  bool touching = true, of_keyword = false, prefix = false; /* of_keyword: the next argument belongs to a keyword */
+  bool touching = true, of_keyword = false, prefix = false; /* of_keyword: whether the next argument is the value of a
+                                                             * keyword */
   for (size_t at = 0; at < length;) {
     token t = next_token(text, length, at);
     bool starts = t.kind == TOKEN_OPEN || t.kind == TOKEN_WORD || t.kind == TOKEN_STRING || t.kind == TOKEN_QUOTE;
@@ -94,7 +96,7 @@ static int argument_at(const char *text, size_t length) {
       current = keyword || of_keyword ? -1 : begun++;
       of_keyword = keyword;
     }
-    prefix = t.kind == TOKEN_QUOTE; /* its datum comes next and is the same argument */
+    prefix = t.kind == TOKEN_QUOTE; /* the datum after the quote belongs to the same argument */
     depth += t.kind == TOKEN_OPEN;
     depth -= t.kind == TOKEN_CLOSE;
     touching = t.kind != TOKEN_BLANK && t.kind != TOKEN_COMMENT;
@@ -146,7 +148,8 @@ size_t cli_text_indentation(vs_scheme *scheme, const char *text) {
   size_t n = 0, more = 2;
   while (text[bracket + 1 + n] && !ends_word(text[bracket + 1 + n])) n++;
   const char *name = text + bracket + 1, *argument = name + n + strspn(name + n, " \t");
-  if (!n || text[bracket] == '[' || (bracket && text[bracket - 1] == '\'')) more = 1; /* data, a clause */
+  if (!n || text[bracket] == '[' || (bracket && text[bracket - 1] == '\'')) more = 1; /* Quoted data and clauses are
+                                                                                       * indented by one column */
   else if (is_procedure(scheme, name, n) && *argument && *argument != '\n' && *argument != ';')
     more = (size_t)(argument - text) - bracket;
   return column + more < MOST ? column + more : MOST;
@@ -191,10 +194,11 @@ static cli_syntax class_of_word(vs_scheme *scheme, const char *word, size_t n, b
 
 void cli_text_classes(vs_scheme *scheme, const char *text, size_t length, size_t cursor, unsigned char *classes) {
   size_t open[CLI_DEEP], depth = 0;
-  bool quoted = false, behind = false; /* behind: the pair of the bracket before the cursor is marked */
+  bool quoted = false, behind = false; /* behind: whether the cursor is directly after a bracket, whose matching bracket
+                                        * is marked */
   memset(classes, CLI_SYNTAX_PLAIN, length);
   size_t first = strspn(text, " \t");
-  if (first < length && text[first] == ',') { /* a command of the prompt */
+  if (first < length && text[first] == ',') { /* the text is a command of the prompt */
     memset(classes + first, CLI_SYNTAX_KEYWORD, strcspn(text + first, " \t\n"));
     return;
   }

@@ -5,7 +5,7 @@
 
 #include "cli/command.h"
 
-void cli_output_fails(cli_session *c); /* Reports the failure once; errno has the reason. */
+void cli_output_fails(cli_session *c); /* Reports once that standard output cannot be written; errno has the reason. */
 /* Writes the buffered standard output; reports a failure. */
 void cli_output_flush(cli_session *c);
 /* Closes standard output, and returns the exit status. It is 2 if output was lost, even if `code` is 1 because the

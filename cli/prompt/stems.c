@@ -25,8 +25,8 @@ void cli_stems_close(cli_stems *s) {
 
 static bool in_word(char c) { return isalnum((unsigned char)c) || (unsigned char)c >= 0x80; }
 
-/* Reads the next word of the text as a stem, which the array `word` of CLI_STEM_SIZE bytes receives; a longer word
- * becomes "". Returns the end of the word, or NULL if there is no further word. */
+/* Reads the next word of the text. Writes its stem to the array `word` of CLI_STEM_SIZE bytes; for a longer word it
+ * writes "". Returns the end of the word, or NULL if there is no further word. */
 static const char *next_stem(const cli_stems *s, const char *at, const char *end, char *word) {
   while (at < end && !in_word(*at)) at++;
   if (at == end) return NULL;

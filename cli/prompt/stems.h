@@ -23,17 +23,18 @@ void cli_stems_close(cli_stems *s);
 
 enum { CLI_PHRASE_WORDS = 8, CLI_STEM_SIZE = 32 };
 
-/* The words of a short text in lower case, or their stems. A word is a row of letters, digits and bytes of UTF-8. */
+/* The words of a short text in lower case, or their stems. A word is a sequence of letters, digits and bytes of
+ * UTF-8. */
 typedef struct {
   char word[CLI_PHRASE_WORDS][CLI_STEM_SIZE];
-  size_t count; /* 0 if the text has no word, too many words, or one that is too long */
+  size_t count; /* number of words; 0 if the text has no word, too many words, or a word that is too long */
 } cli_phrase;
 
 /* Returns the stems of the text's words. If s is NULL, returns the words themselves. */
 cli_phrase cli_phrase_of(const cli_stems *s, const char *text, size_t length);
-/* Returns true if the text contains the words of the phrase, one after the other. */
+/* Returns true if the text contains the words of the phrase as consecutive words. */
 bool cli_phrase_in(const cli_stems *s, const cli_phrase *p, const char *text, size_t length);
-/* Returns true if the text has exactly these words. */
+/* Returns true if the words of the text are exactly those of the phrase. */
 bool cli_phrase_is(const cli_stems *s, const cli_phrase *p, const char *text, size_t length);
 
 #endif

@@ -35,7 +35,7 @@ static gpu_mesh *find(engine *e, uint64_t id) {
   return &e->meshes[i];
 }
 
-/* Receives the changes since the last call. An engine would copy the arrays to the graphics card here. */
+/* Receives the changes of the meshes since the last call. An engine would copy the arrays to the graphics card here. */
 static void synchronise(engine *e, vs_scheme *s, const char *when) {
   unsigned changes[3] = { 0 };
   size_t triangles = 0, named = 0;

@@ -111,8 +111,9 @@ static bool take_gizmo(void *context, vs_scheme *s, const vs_gizmo *gizmo) {
   return v->gizmo_count < MOST_GIZMOS;
 }
 
-/* Returns the number of facets in a full turn for the quality that the last frames' times allow; 0: by tolerance. There
- * are few levels of quality, because each change of level meshes all round shapes again. */
+/* Returns the number of facets in a full turn, for the quality that the times of the last frames allow. Returns 0 if
+ * the tolerance determines the number. There are few levels of quality, because each change of level meshes all round
+ * shapes again. */
 static int facets(viewer *v) {
   vs_handle controller = vs_scene_controller(v->scheme), value = 0;
   double quality = 1;
@@ -123,7 +124,7 @@ static int facets(viewer *v) {
   return quality > 0.6 ? 0 : quality > 0.3 ? 16 : 8;
 }
 
-/* Receives the changes since the last call. The library gives only these. */
+/* Receives the meshes that have changed since the last call. */
 static void update(viewer *v) {
   vs_mesh_info m;
   vs_output_options o = vs_output_options_default();
@@ -394,8 +395,8 @@ int main(int count, char **words) {
   v.scheme = vs_new(&o);
   int code = v.scheme ? (int)vs_eval_file(v.scheme, words[1], VS_EVAL_PROGRAM) : VS_OUTCOME_MACHINE;
   if (code == VS_OUTCOME_DONE) {
-    vs_handle adapt = vs_lookup(v.scheme, "scene-quality"); /* after this first call, the quality follows the times of
-                                                             * the frames */
+    vs_handle adapt = vs_lookup(v.scheme, "scene-quality"); /* after this first call, the quality depends on the times
+                                                             * of the frames */
     vs_apply(v.scheme, adapt, NULL, 0, NULL);
     vs_handle_release(v.scheme, adapt);
     look_at_all(&v);

@@ -184,7 +184,7 @@ bool know_is(const knowledge *k, know_index node, const char *word) {
   if (!node || (n->kind != KNOW_SYMBOL && n->kind != KNOW_KEYWORD)) return false;
   const char *text = k->names[n->name].text;
   return !strcmp(k->script && !strncmp(text, "js:", 3) ? text + 3 : text, word); /* in a script, a word such as js:if is
-                                                                                  * compared without its js: */
+                                                                                  * compared without the prefix js: */
 }
 
 const char *know_spelling(const knowledge *k, know_index node, size_t *length) {
@@ -217,7 +217,7 @@ const char *know_kind_word(know_kind kind) {
 /* ---- the analysis ---- */
 
 bool know_open(knowledge *k) {
-  /* element 0 of each array means that there is none */
+  /* element 0 of each array is unused, so that index 0 can mean "none" */
   know_index none = know_node_new(k, KNOW_OTHER);
   none |= know_name_of(k, "", 0, 0, 0);
   k->name_table[0] = 0;

@@ -47,13 +47,13 @@ typedef struct {
   bool made;           /* whether a macro made the node; its place is then that of the macro's use */
   bool walked;         /* whether the walk has determined the node's meaning */
   bool statement;      /* whether the node is a statement, at top level or in a body */
-  uint16_t form;       /* LIST: 1 + the row in binding_forms.def of its first word; 0: none */
+  uint16_t form;       /* LIST: 1 + the row in binding_forms.def of the list's first word; 0: no row */
   know_index parent, first, next;
-  uint32_t count;      /* number of elements */
-  know_index name;     /* SYMBOL, KEYWORD: index of its know_name */
+  uint32_t count;      /* LIST, VECTOR: number of elements */
+  know_index name;     /* SYMBOL, KEYWORD: index of the node's know_name */
   know_index symbol;   /* symbol to which a name refers */
   know_index scope;    /* scope around the node */
-  know_index expansion; /* LIST: expansion of the macro that it uses */
+  know_index expansion; /* LIST: expansion of the macro that this list uses */
   know_index origin;   /* if made: the node of which this is a copy */
   know_place at;
 } know_node;
@@ -68,7 +68,7 @@ typedef enum {
 typedef struct { know_index parent, node, first_symbol, procedure; uint8_t kind; } know_scope;
 
 typedef enum {
-  KNOW_VARIABLE, KNOW_FUNCTION, KNOW_PARAMETER, /* kinds of a procedure's names */
+  KNOW_VARIABLE, KNOW_FUNCTION, KNOW_PARAMETER, /* a variable, a procedure, and a parameter of a procedure */
   KNOW_MODEL_PARAMETER, /* a name defined by (define-parameter ...) */
   KNOW_LOCAL,     /* a name bound by a let */
   KNOW_LOOP_VARIABLE, KNOW_LOOP,  /* names of (let loop ([i 0]) ...): i and loop */
@@ -93,19 +93,19 @@ typedef struct {
   uint8_t kind;
   bool made;              /* whether a macro made the definition */
   bool optional;          /* PARAMETER: whether it has a default, receives the remaining arguments, or is a keyword */
-  bool checked;           /* PARAMETER: whether a contract reads it */
-  know_index definition;  /* node of the name where it is defined; 0: BUILTIN */
+  bool checked;           /* PARAMETER: whether it has a contract, which uses its value */
+  know_index definition;  /* node of the name where it is defined; 0 for BUILTIN */
   know_index form;        /* node of the whole form that defines it */
-  know_index value;       /* node of the expression; a FUNCTION's parameter list is in `parameters` */
+  know_index value;       /* node of the value's expression; for a FUNCTION, `parameters` is its parameter list */
   know_index parameters;  /* node of the parameter list, or of a rest name without a list */
   know_index body;        /* node of the first form of the body */
   know_index owner;       /* PARAMETER: symbol of its FUNCTION; 0: parameter of a lambda */
-  know_index first_use, last_use; /* indices of know_use, in the order of the walk */
+  know_index first_use, last_use; /* first and last use: indices of know_use, in the order of the walk */
   uint32_t definitions, reads, sets, calls;
   know_arity arity;
-  know_index comment, comment_end; /* range of the know_comments above or beside the definition */
+  know_index comment, comment_end; /* range of the comments (know_comment) above or beside the definition */
   know_index doc_string;  /* node of the string in a body that documents the definition */
-  uint16_t row;           /* MACRO of the language: 1 + its row of binding_forms.def; 0: none */
+  uint16_t row;           /* MACRO of the language: 1 + the macro's row of binding_forms.def; 0: no row */
   bool rules;             /* MACRO defined by define-syntax-rule: `value` is the name with its pattern */
   know_index hides;       /* variable of the program that this symbol hides */
   const char *call, *keywords, *doc; /* BUILTIN: texts as in vs_name_info */
@@ -133,10 +133,10 @@ typedef struct {
   char trouble[400];      /* reason of the first failure; "": there is none */
   vs_outcome outcome;     /* outcome of the first failure */
   bool muted;             /* whether the host must store messages by know_hear, and show none */
-  char heard[700];        /* the first error; without one, the first warning */
-  uint32_t heard_line, heard_column; /* its place */
-  bool heard_warning;     /* whether it is a warning */
-  uint32_t trial;         /* number of the value that a check tries */
+  char heard[700];        /* the first error that the host heard; if there is none, the first warning */
+  uint32_t heard_line, heard_column; /* place of the message `heard` */
+  bool heard_warning;     /* whether the message `heard` is a warning */
+  uint32_t trial;         /* index of the value that a check is trying for an unknown argument */
   bool reading;           /* whether the host must ignore errors of line 0, and set `unreadable` for any other error */
   bool unreadable;
   bool open;              /* whether some names cannot be known, because the program uses eval or opaque macros */

@@ -309,7 +309,7 @@ static void walk_FOR_FOLD(form *f) {
   for (know_index i = first_of(f, f->second); i; i = next(f, i)) {
     know_index s = know_bind(f->w, first_of(f, i), inner, KNOW_LOOP_VARIABLE, i);
     if (s) know_use_add(f->k, s, know_written(f->k, first_of(f, i)), KNOW_REFERENCE, false);
-        /* its value is the value of the loop */
+        /* the value of the last form is the value of the loop */
   }
   body(f, next(f, f->third), sequences(f, f->third, inner));
 }
@@ -368,7 +368,7 @@ static void walk_DEFINE(form *f) {
   while (outer) {
     scope = know_scope_new(k, scope, KNOW_SCOPE_PROCEDURE, f->node);
     know_bind_parameters(f->w, &(know_parameters){outer, next(f, first_of(f, outer)), scope, scope, 0}, &arity);
-    know_index up = 0; /* the list that contains the name */
+    know_index up = 0; /* list that contains the name */
     for (know_index i = target; i != outer; i = first_of(f, i)) up = i;
     outer = up;
   }
@@ -567,7 +567,7 @@ static void walk_IMPORT(form *f) {
       f->w->begun ? 0 : VS_EVAL_PROGRAM);
   k->muted = false;
   f->w->begun = true;
-  if (outcome != VS_OUTCOME_DONE) k->open = true; /* it may be a library of the program */
+  if (outcome != VS_OUTCOME_DONE) k->open = true; /* the import failed: it may name a library of the program */
 }
 static void walk_LIBRARY(form *f) {
   know_mark_data(f->k, f->second, KNOW_SYNTAX);

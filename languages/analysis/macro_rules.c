@@ -246,7 +246,7 @@ static know_index build_list(expansion *x, know_index template, match *bound) {
   if (is_ellipsis(x, k->nodes[template].first) && k->nodes[template].count == 2) { /* an escaped ellipsis, (... ...) */
     know_index kept = x->ellipsis, none = know_node_new(k, KNOW_SYMBOL);
     if (!none) return 0;
-    x->ellipsis = none; /* a name that occurs nowhere, so that ... has no effect inside */
+    x->ellipsis = none; /* a name that occurs nowhere: inside the escape, ... has no special meaning */
     know_index out = build(x, know_nth(k, template, 1), bound);
     x->ellipsis = kept;
     return out;
@@ -259,7 +259,7 @@ static know_index build_list(expansion *x, know_index template, match *bound) {
     if (is_tail) {
       know_index end = build(x, i, bound);
       if (!end) return 0;
-      if (k->nodes[end].kind == KNOW_LIST) { /* (a . (b c)) is spelled as (a b c) */
+      if (k->nodes[end].kind == KNOW_LIST) { /* (a . (b c)) is another spelling of (a b c) */
         for (know_index e = k->nodes[end].first; e; e = k->nodes[e].next)
           if (!append(x, list, &last, copy_of_use(x, e))) return 0;
         k->nodes[list].dotted = k->nodes[end].dotted;

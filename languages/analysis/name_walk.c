@@ -85,8 +85,8 @@ static know_index ask_language(know_walk *w, know_index name) {
     return word;
   }
   if (!vs_name_get(k->scheme, text, &info)) return 0;
-  if (k->script) return know_symbol_new(k, KNOW_LANGUAGE, name, KNOW_BUILTIN); /* in a script the symbol accepts any
-                                                                                * number of arguments */
+  if (k->script) return know_symbol_new(k, KNOW_LANGUAGE, name, KNOW_BUILTIN); /* the analysis does not know how many
+                                                                                * arguments a script's symbol accepts */
   bool form = !strcmp(info.kind, "form");
   know_index s = know_symbol_new(k, KNOW_LANGUAGE, name, form ? KNOW_MACRO : KNOW_BUILTIN);
   if (!s) return 0;

@@ -13,7 +13,7 @@ static void spelled(FILE *to, vs_speller *spell, const char *text, size_t length
 void know_xml_text(FILE *to, const char *text, size_t length) { spelled(to, vs_spell_xml, text, length); }
 
 static void xml_attribute(FILE *to, const char *text, size_t length) {
-  /* Writes line ends by their numbers, because a reader of XML would turn them into blanks. */
+  /* Writes line ends by their numbers (&#10;), since a reader of XML would turn plain line ends into blanks. */
   for (size_t i = 0, n; i < length; i += n + 1) {
     for (n = 0; i + n < length && !strchr("\n\r\t", text[i + n]);) n++;
     know_xml_text(to, text + i, n);

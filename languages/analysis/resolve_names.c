@@ -80,7 +80,7 @@ static know_index settle(know_walk *w, know_index node, know_index scope, uint16
 static void expression(know_walk *w, know_index node, know_index scope) {
   knowledge *k = w->k;
   know_index written = know_written(k, node);
-  if (k->nodes[written].walked && k->nodes[written].kind != KNOW_SYMBOL) return; /* a macro uses the node twice */
+  if (k->nodes[written].walked && k->nodes[written].kind != KNOW_SYMBOL) return; /* a macro has used the node twice */
   k->nodes[node].walked = k->nodes[written].walked = true;
   if (k->nodes[node].role != KNOW_SYNTAX) k->nodes[node].scope = k->nodes[written].scope = scope;
   uint16_t row;
@@ -271,7 +271,7 @@ static bool resolve(knowledge *k) {
   know_walk w = {.k = k};
   know_scope_new(k, 0, KNOW_SCOPE_LANGUAGE, 0);
   know_scope_new(k, KNOW_LANGUAGE, KNOW_SCOPE_PROGRAM, k->files[0].root);
-  k->text_nodes = k->node_count ? k->node_count - 1 : 0; /* node 0 means that there is none */
+  k->text_nodes = k->node_count ? k->node_count - 1 : 0; /* node 0 does not count: it means that there is no node */
   k->files[0].run = true;
   know_later_body(&w, k->nodes[k->files[0].root].first, KNOW_PROGRAM);
   run(&w);
@@ -285,7 +285,7 @@ static bool resolve(knowledge *k) {
   }
   for (know_index s = 1; k->script && s < k->symbol_count; s++)
     k->symbols[s].arity.least = 0; /* omitted arguments of a script's function are undefined */
-  for (know_index i = 1; i < k->node_count; i++) /* data that macro patterns used as words */
+  for (know_index i = 1; i < k->node_count; i++) /* marks data that macro patterns have used as words */
     if (k->nodes[i].kind == KNOW_SYMBOL && k->nodes[i].role == KNOW_EXPRESSION) k->nodes[i].role = KNOW_SYNTAX;
   if (!*k->trouble) find_openness(k), find_comments(k);
   free(w.tasks);

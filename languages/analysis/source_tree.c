@@ -148,7 +148,7 @@ static void deliver(reader *r, know_index node) {
   for (;;) {
     open_list *o = &r->open[r->depth - 1];
     knowledge *k = r->k;
-    if (o->skip && !o->close) { /* after #; */
+    if (o->skip && !o->close) { /* the open item is #;, which drops this datum */
       know_index hidden = o->node;
       r->depth--;
       drop(r, node);
@@ -162,7 +162,7 @@ static void deliver(reader *r, know_index node) {
     k->nodes[o->node].count++;
     if (o->dot) k->nodes[o->node].dotted = true;
     if (o->close) return;
-    node = o->node; /* the quote has its datum */
+    node = o->node; /* the quote is complete: it has its datum */
     finish(r, node);
     r->depth--;
   }
@@ -450,8 +450,8 @@ static bool readable(knowledge *k, const char *path, const char *text, size_t le
   k->reading = false;
   free(whole);
   if (outcome == VS_OUTCOME_MODEL && !k->unreadable) return true;
-  know_fail(k, NULL, outcome == VS_OUTCOME_DONE ? VS_OUTCOME_MODEL : outcome, "%s", "-"); /* the host has received the
-                                                                                           * message */
+  know_fail(k, NULL, outcome == VS_OUTCOME_DONE ? VS_OUTCOME_MODEL : outcome, "%s", "-"); /* the host has already
+                                                                                           * received the message */
   return false;
 }
 

@@ -37,7 +37,8 @@ know_index know_constant_value(const knowledge *k, know_index node) {
   if (n->kind != KNOW_SYMBOL || n->role != KNOW_REFERENCE || !n->symbol) return 0;
   const know_symbol *s = &k->symbols[n->symbol];
   know_index clauses = k->nodes[s->form].parent, form = k->nodes[clauses].parent;
-  if (form && know_is(k, k->nodes[form].first, "and-let*")) return 0; /* a value of #f ends it */
+  if (form && know_is(k, k->nodes[form].first, "and-let*")) return 0; /* and-let* ends at a value of #f, so its clauses
+                                                                       * determine no constant */
   bool fixed = s->definitions == 1 && !s->sets && !s->made && !s->owner && (s->kind == KNOW_VARIABLE ||
       s->kind == KNOW_LOCAL);
   return fixed ? s->value : 0;
@@ -92,14 +93,16 @@ know_type know_type_of(const knowledge *k, know_index node) {
       const know_symbol *own = k->nodes[head].role == KNOW_REFERENCE ? &k->symbols[k->nodes[head].symbol] : NULL;
       if (!k->script && own && own->kind == KNOW_FUNCTION && own->definitions == 1 && !own->sets && !own->made &&
           own->body && !n->dotted) {
-        for (node = own->body; k->nodes[node].next;) node = k->nodes[node].next; /* the value of its last expression */
+        for (node = own->body; k->nodes[node].next;) node = k->nodes[node].next; /* the value of a procedure is the
+                                                                                  * value of its last expression */
         continue;
       }
       int row = n->form ? -1 : know_plain_row(k, k->nodes[head].symbol);
-      if (row < 0 || (n->count == 2 && know_is(k, head, "subtract"))) return KNOW_TYPE_UNKNOWN; /* such a call returns a
-                                                                                                 * procedure that waits
-                                                                                                 * for the other
-                                                                                                 * operands */
+      if (row < 0 || (n->count == 2 && know_is(k, head, "subtract"))) return KNOW_TYPE_UNKNOWN; /* with a single
+                                                                                                 * operand, `subtract`
+                                                                                                 * returns a procedure
+                                                                                                 * that waits for the
+                                                                                                 * other operands */
       if (plain[row].type || row > 3) return plain[row].type;
       for (know_index i = k->nodes[head].next; i; i = k->nodes[i].next) /* + - * / of numbers: one level of operands is
                                                                          * sufficient */
@@ -172,14 +175,14 @@ static bool count_fits(know_findings *f, know_index node, know_index symbol) {
     }
     const char *name = k->names[k->nodes[i].name].text;
     bool known = own ? takes_keyword(k, s->arity.keywords, i) : has_keyword(s->keywords, name);
-    bool keyless = !own && !strcmp(s->text, "draw"); /* others may hand keywords on */
+    bool keyless = !own && !strcmp(s->text, "draw"); /* other procedures may pass keywords on */
     if ((own ? s->arity.any_keyword : keyless || *s->keywords != 0) && !known) {
       know_found(f, KNOW_CHECK_ARGUMENTS, i, "%s takes no %s", s->text, name);
       ok = false;
     } else if (own && !s->arity.any_keyword && s->arity.most != UINT32_MAX) {
       know_found(f, KNOW_CHECK_ARGUMENTS, i, "%s has no keyword %s", s->text, name);
       return false;
-    } else if (own && !s->arity.any_keyword) return ok; /* the rest argument may contain the keyword */
+    } else if (own && !s->arity.any_keyword) return ok; /* the rest argument may contain the keyword in question */
     i = k->nodes[i].next;
     if (!i) return ok;
   }
@@ -189,10 +192,10 @@ static bool count_fits(know_findings *f, know_index node, know_index symbol) {
     plural(wants, sizeof wants, s->arity.least, s->arity.most);
     size_t n = 0;
     const char *list = s->arity.keywords ? know_spelling(k, s->arity.keywords, &n) : "";
-    bool slash = false; /* AutoLISP's local names */
+    bool slash = false; /* whether the parameter list has a slash, as AutoLISP writes before local names */
     for (know_index i = s->arity.keywords ? k->nodes[s->arity.keywords].first : 0; i; i = k->nodes[i].next)
       slash = slash || know_is(k, i, "/");
-    bool curried = n > 1 && *list == '('; /* (define (f x) ...) has the name in the list */
+    bool curried = n > 1 && *list == '('; /* in (define (f x) ...), the list contains the procedure's name */
     know_found(f, KNOW_CHECK_ARGUMENTS, node, "%s takes %s and is given %u%s%.*s%s", s->text, wants, count,
                curried && n < 100 ? ": " : "", curried && n < 100 ? (int)n : 0, list,
                slash ? "; names behind / are not local here: (let ([y 0]) ...) in the body makes one" : "");
@@ -210,7 +213,8 @@ static bool count_fits(know_findings *f, know_index node, know_index symbol) {
   else plural(wants, sizeof wants, r.least, r.most);
   char calls[200];
   snprintf(calls, sizeof calls, "%s", s->call);
-  for (char *c = strchr(calls, '\n'); c; c = strchr(c, '\n')) *c = ','; /* a line for each form */
+  for (char *c = strchr(calls, '\n'); c; c = strchr(c, '\n')) *c = ','; /* the forms of a call are on separate lines; a
+                                                                         * comma replaces each newline */
   know_found(f, KNOW_CHECK_ARGUMENTS, node, "%s takes %s and is given %u: %s", s->text, wants, count, calls);
   return false;
 }
@@ -250,7 +254,7 @@ static bool wrong_for(const char *name, size_t n, know_type type, const char *ca
   return false;
 }
 
-/* Reports an argument without a value. */
+/* Reports an argument whose expression has no value. */
 static void wrong_nothing(know_findings *f, know_index node, const know_symbol *s, const char *name, size_t n) {
   const knowledge *k = f->k;
   know_index head = k->nodes[node].first;
@@ -326,7 +330,8 @@ static void own_contracts(know_findings *f, know_index node, const know_symbol *
   }
 }
 
-/* Reports a call of a value. A run says the same of a literal, and of a name that hides a procedure. */
+/* Reports a call of a value that is no procedure. The message is the one that a run gives for a literal, or for a name
+ * that hides a procedure. */
 static void calls_value(know_findings *f, know_index node, know_type type) {
   knowledge *k = f->k;
   know_index head = k->nodes[node].first;
@@ -356,14 +361,15 @@ static void calls_value(know_findings *f, know_index node, know_type type) {
              k->script ? message : know_advised(k, VS_ADVICE_CALL, node, message));
 }
 
-/* Reports a call of a parameter that hides a procedure of the language, if the program gives it something else. */
+/* Reports a call of a parameter that hides a procedure of the language, if the program passes other values for this
+ * parameter. */
 static void calls_parameter(know_findings *f, know_index node) {
   knowledge *k = f->k;
   const know_symbol *s = &k->symbols[k->nodes[k->nodes[node].first].symbol], *owner = &k->symbols[s->owner];
   vs_name_info info;
   if (s->kind != KNOW_PARAMETER || !s->owner || owner->kind != KNOW_FUNCTION || k->script || s->sets) return;
   if (!vs_name_get(k->scheme, s->text, &info) || strcmp(info.kind, "procedure") != 0) return;
-  uint32_t nth = 0; /* the place of the argument */
+  uint32_t nth = 0; /* position of the argument in the call */
   know_index p = owner->parameters ? k->nodes[owner->parameters].first : 0;
   for (; p && k->nodes[p].symbol != (know_index)(s - k->symbols); p = k->nodes[p].next, nth++) {}
   if (!p) return;
@@ -376,7 +382,7 @@ static void calls_parameter(know_findings *f, know_index node) {
   }
 }
 
-/* Reports (map (lambda x ...) list): x is a list of one element. */
+/* Reports (map (lambda x ...) list): x is a list of all arguments, which has one element here. */
 static void maps_rest(know_findings *f, know_index node) {
   const knowledge *k = f->k;
   know_index head = k->nodes[node].first, procedure = know_nth(k, node, 1), name = know_nth(k, procedure, 1);
@@ -388,7 +394,7 @@ static void maps_rest(know_findings *f, know_index node) {
              shown);
 }
 
-/* Reports (< 1 x < 3). */
+/* Reports a chain of comparisons such as (< 1 x < 3). */
 static bool has_sign_inside(know_findings *f, know_index node) {
   const knowledge *k = f->k;
   static const char *const signs[] = {"<", ">", "<=", ">=", "="};
@@ -403,7 +409,7 @@ static bool has_sign_inside(know_findings *f, know_index node) {
   return true;
 }
 
-/* Reports (do-move o v) as a statement of the program, once o has been drawn. */
+/* Reports (do-move o v) as a statement after o was drawn: the statement has no effect on the drawing. */
 static void moves_drawn(know_findings *f, know_index node) {
   const knowledge *k = f->k;
   static const char *const moves[] = {"do-move", "do-rotate", "do-scale", "do-mirror", "do-transform", "move", "rotate",

@@ -9,7 +9,7 @@ typedef enum {
   KNOW_TYPE_UNKNOWN, KNOW_TYPE_NUMBER, KNOW_TYPE_STRING, KNOW_TYPE_BOOLEAN, KNOW_TYPE_CHARACTER, KNOW_TYPE_SYMBOL,
       KNOW_TYPE_LIST,
   KNOW_TYPE_VECTOR, KNOW_TYPE_PROCEDURE, KNOW_TYPE_POINT, KNOW_TYPE_GVECTOR, KNOW_TYPE_OBJECT,
-  KNOW_TYPE_NOTHING /* the value of a loop, of display */
+  KNOW_TYPE_NOTHING /* no value, as of a loop or a call of display */
 } know_type;
 
 /* Returns the type of an expression's value, as far as its text determines the type. */

@@ -135,7 +135,8 @@ static bool bound_by_let(const knowledge *k, know_index node) {
 }
 
 const char *know_advised(const knowledge *k, vs_advice_kind kind, know_index node, const char *message) {
-  know_index at = node, parent = k->nodes[node].parent; /* set! names itself in its advice */
+  know_index at = node, parent = k->nodes[node].parent; /* node whose place the advice concerns; for the name in (set!
+                                                         * name value), the whole form */
   if (kind == VS_ADVICE_NAME && parent && know_is(k, k->nodes[parent].first, "set!") && know_nth(k, parent, 1) == node)
     at = parent;
   const know_file *file = &k->files[k->nodes[at].at.file];
@@ -201,7 +202,8 @@ static void check_names(know_findings *f) {
     const know_node *n = &k->nodes[i];
     if (n->kind == KNOW_SYMBOL && n->role == KNOW_UNBOUND && !n->made && !n->origin) {
       const char *text = k->names[n->name].text, *advice = k->script ? "" : vs_name_advice(k->scheme, text);
-      const know_file *file = &k->files[n->at.file]; /* %cube(3), and no name of the library's own */
+      const know_file *file = &k->files[n->at.file]; /* a name that begins with % is reported only before a parenthesis,
+                                                      * as in %cube(3): other such names are internal to the library */
       if (*text == '%' && (n->at.to >= file->size || file->text[n->at.to] != '(')) continue;
       char said[800];
       char near[120] = "";
@@ -397,7 +399,7 @@ static bool is_mesh(const char *path) {
   return false;
 }
 
-/* Reports a file that a load or load-mesh cannot read, as a run does. */
+/* Reports a file that `load` or `load-mesh` cannot read, with the message of a run. */
 static void missing_file(know_findings *f, know_index node, const char *path) {
   knowledge *k = f->k;
   size_t n;
@@ -508,7 +510,7 @@ bool know_check_program(knowledge *k, know_findings *out) {
   if (out->count) qsort(out->at, out->count, sizeof *out->at, by_place);
   size_t kept = 0;
   for (size_t i = 0; i < out->count; i++) {
-    if (kept && !by_place(&out->at[kept - 1], &out->at[i])) continue; /* the file is loaded twice, so the finding occurs
+    if (kept && !by_place(&out->at[kept - 1], &out->at[i])) continue; /* a file that is loaded twice has each finding
                                                                        * twice */
     if (!allowed(k, &out->at[i])) out->at[kept++] = out->at[i];
   }

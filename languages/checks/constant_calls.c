@@ -1,5 +1,5 @@
-/* Checks calls whose arguments are constants, all of them or all but one: the interpreter makes the calls,
- * and its errors and warnings are findings. */
+/* Checks calls of which all arguments, or all but one, are constants. The interpreter makes the calls; its errors and
+ * warnings are findings. */
 #include "languages/checks/constant_calls.h"
 
 #include <stdio.h>
@@ -45,10 +45,11 @@ void know_put_constant(const knowledge *k, know_index node, know_expression *t) 
     know_put(t, ")", 1);
   } else if (n->kind == KNOW_SYMBOL && n->role == KNOW_REFERENCE && k->symbols[n->symbol].kind == KNOW_BUILTIN &&
       (!*k->symbols[n->symbol].call || know_plain_row(k, n->symbol) >= 0) && *k->symbols[n->symbol].text != '%')
-    know_put(t, k->symbols[n->symbol].text, strlen(k->symbols[n->symbol].text)); /* pi, origin, ux, sqrt */
+    know_put(t, k->symbols[n->symbol].text, strlen(k->symbols[n->symbol].text)); /* a name of the language, such as pi,
+                                                                                  * origin, ux or sqrt */
   else if (t->depth == 2 && n->kind == KNOW_SYMBOL && n->role == KNOW_REFERENCE && n->symbol &&
            k->symbols[n->symbol].kind == KNOW_FUNCTION)
-    know_put(t, "(lambda any #t)", 15); /* in place of a procedure of the program, an argument of the call */
+    know_put(t, "(lambda any #t)", 15); /* replaces a procedure of the program that is an argument of the call */
   else if ((value = know_constant_value(k, node)) != 0) know_put_constant(k, value, t);
   else t->failed = true;
   t->depth--;
@@ -78,20 +79,22 @@ bool know_guarded(const knowledge *k, know_index node) {
   return false;
 }
 
-/* Returns true for a draw of an object: the interpreter would keep all of them, and warn of equal ones. */
+/* Returns true for a call of `draw` with an object. Such calls are not made: the interpreter would keep all objects,
+ * and warn of equal ones. */
 static bool draws_object(const knowledge *k, know_index node) {
   know_type type = know_type_of(k, know_nth(k, node, 1));
   return know_is(k, k->nodes[node].first, "draw") && (type == KNOW_TYPE_OBJECT || type == KNOW_TYPE_LIST || !type);
 }
 
-/* Returns true for an argument of a predicate: (empty-object? (do-offset c -2)) asks for the cause of a warning. */
+/* Returns true for an argument of a predicate, as in (empty-object? (do-offset c -2)). The program tests the case of
+ * which a warning would inform. */
 static bool is_asked(const knowledge *k, know_index node) {
   know_index head = k->nodes[k->nodes[node].parent].first;
   const char *name = head && k->nodes[head].kind == KNOW_SYMBOL ? k->names[k->nodes[head].name].text : "";
   return *name && name[strlen(name) - 1] == '?';
 }
 
-/* Returns true for the interpreter's error of a wrong number of arguments, or of an unknown keyword. */
+/* Returns true for the interpreter's error about a wrong number of arguments, or about an unknown keyword. */
 static bool is_of_count(const char *why) {
   return strstr(why, " needs ") || strstr(why, " takes no arguments") || strstr(why, ": takes (") ||
          strstr(why, " has no keyword ");
@@ -100,7 +103,7 @@ static bool is_of_count(const char *why) {
 bool know_check_constants(know_findings *f, know_index node, uint8_t *wrong) {
   knowledge *k = f->k;
   for (know_index i = know_nth(k, node, 1); i; i = k->nodes[i].next)
-    if (wrong[i]) return wrong[node] = 1, false; /* reported there */
+    if (wrong[i]) return wrong[node] = 1, false; /* the error of the argument is reported at the argument */
   if (draws_object(k, node)) return true;
   know_expression t = {0};
   know_put_constant(k, node, &t);
@@ -115,8 +118,8 @@ bool know_check_constants(know_findings *f, know_index node, uint8_t *wrong) {
 
 /* ---- calls with one unknown argument ---- */
 
-/* Values of all kinds, in place of an unknown argument. Each has a 41, by which an error shows that it is about the
- * value, and there are two of the common kinds: one may equal a constant of the call. */
+/* Values of all kinds, which replace an unknown argument. Each contains 41; an error that contains 41 is about this
+ * value. The common kinds have two values, since one may equal a constant of the call. */
 static const char *const values[] = {
   "41",
   "41.5",
@@ -155,7 +158,7 @@ static const char *const values[] = {
 };
 enum { VALUES = sizeof values / sizeof *values };
 
-/* Writes the call with the value in place of the unknown argument. */
+/* Writes the call, with the value in place of the unknown argument. */
 static void put_call(const knowledge *k, know_index node, know_index unknown, const char *value, know_expression *t) {
   know_index head = k->nodes[node].first;
   know_put(t, "(", 1);
@@ -166,13 +169,14 @@ static void put_call(const knowledge *k, know_index node, know_index unknown, co
   know_put(t, ")", 1);
 }
 
-/* Returns the one positional argument that is not constant, if there are others; 0: none, or several. */
+/* Returns the only positional argument that is not constant, if the call has others. Returns 0 if there is none, or
+ * more than one. */
 static know_index unknown_argument(const knowledge *k, know_index node) {
   know_index unknown = 0;
   uint32_t known = 0;
   for (know_index i = know_nth(k, node, 1); i; i = k->nodes[i].next) {
     if (k->nodes[i].kind == KNOW_KEYWORD) {
-      i = k->nodes[i].next; /* its value */
+      i = k->nodes[i].next; /* skips the value of the keyword */
       know_expression value = {0};
       if (i) know_put_constant(k, i, &value);
       free(value.at);
@@ -214,7 +218,8 @@ void know_check_with_unknown(know_findings *f, know_index node, uint8_t *wrong) 
     k->trial = 0;
     free(t.at);
     if (!*why || t.failed) return;
-    if (k->heard_warning) { /* the value is taken: all that are earn the same warning */
+    if (k->heard_warning) { /* The procedure accepts the value and warns. A finding requires that all accepted values
+                             * lead to the same warning */
       if (warning && strcmp(warning, why) != 0) return;
       warning = know_text(k, why, strlen(why));
     } else if (!error && is_of_constant(why)) error = know_text(k, why, strlen(why));

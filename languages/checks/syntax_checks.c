@@ -1,4 +1,4 @@
-/* Checks forms that the language cannot expand: the interpreter expands them, and runs nothing. */
+/* Checks forms that the language cannot expand. The interpreter expands them, and runs nothing. */
 #include "languages/checks/syntax_checks.h"
 
 #include <stdio.h>
@@ -7,7 +7,7 @@
 
 #include "model/store/array.h"
 
-enum { PROGRAM = 2, MOST_FORM = 200000 /* bytes */ };
+enum { PROGRAM = 2, MOST_FORM = 200000 /* MOST_FORM: greatest length of a form in bytes */ };
 
 typedef struct { char *at; size_t count, room; bool ok; } text;
 
@@ -18,13 +18,13 @@ static void put(text *t, const char *s, size_t n) {
   t->count += n;
 }
 
-/* Returns false for a form that only a program may hold, or that another part of the checks reads. */
+/* Returns false for a form that is permitted only at the top level of a program, or that another check examines. */
 static bool is_expandable(const knowledge *k, know_index form) {
   static const char *const others[] = {"import", "require", "include", "include-ci", "load", "provide", "begin",
                                        "cond-expand", "export"};
   know_index head = k->nodes[form].first;
   know_index symbol = k->nodes[form].symbol;
-  if (k->nodes[form].kind == KNOW_SYMBOL) /* a form's name alone */
+  if (k->nodes[form].kind == KNOW_SYMBOL) /* the form is only a name */
     return k->nodes[form].role == KNOW_SYNTAX ||
            (symbol && k->symbols[symbol].kind == KNOW_MACRO && !k->symbols[symbol].definition);
   if (k->nodes[form].kind != KNOW_LIST || !head || k->nodes[head].kind != KNOW_SYMBOL) return false;
@@ -35,7 +35,7 @@ static bool is_expandable(const knowledge *k, know_index form) {
   return strncmp(word, "define-", 7) != 0;
 }
 
-/* Returns true if a macro of the program, or one that only a run can expand, is used in the form. */
+/* Returns true if the form uses a macro of the program, or a macro that only a run can expand. */
 static bool uses_macros(const knowledge *k, know_index form, know_index end) {
   for (know_index i = form; i < end; i++) {
     const know_node *n = &k->nodes[i];
@@ -46,7 +46,8 @@ static bool uses_macros(const knowledge *k, know_index form, know_index end) {
   return false;
 }
 
-/* Writes the program's own names that are forms in the language: their uses are calls. */
+/* Writes the program's own names that are also forms of the language, separated by blanks. Uses of these names are
+ * calls. */
 static void put_own_names(const knowledge *k, text *t) {
   for (know_index s = k->scopes[PROGRAM].first_symbol; s; s = k->symbols[s].next_in_scope) {
     vs_name_info info;
@@ -57,7 +58,7 @@ static void put_own_names(const knowledge *k, text *t) {
   }
 }
 
-/* Returns the innermost node of the form at that place of the text. */
+/* Returns the innermost node of the form at this place in the text. */
 static know_index node_at(const knowledge *k, know_index form, know_index end, uint32_t line, uint32_t column) {
   know_index found = form;
   for (know_index i = form; i < end; i++)
@@ -65,7 +66,7 @@ static know_index node_at(const knowledge *k, know_index form, know_index end, u
   return found;
 }
 
-/* Reports an import of a library that is nowhere. */
+/* Reports an import of a library that does not exist. */
 static void import(know_findings *f, know_index form) {
   knowledge *k = f->k;
   const know_file *file = &k->files[k->nodes[form].at.file];
@@ -97,7 +98,8 @@ static void expand(know_findings *f, know_index form, know_index end, const text
   k->muted = false;
   free(t.at);
   if (!t.ok) know_fail(k, NULL, VS_OUTCOME_MACHINE, "out of memory");
-  bool warned = outcome == VS_OUTCOME_DONE && k->heard_warning; /* (cond (> 3 2) ...) tests a procedure */
+  bool warned = outcome == VS_OUTCOME_DONE && k->heard_warning; /* the warning of a test that is a procedure, as in
+                                                                 * (cond (> 3 2) ...) */
   if ((outcome != VS_OUTCOME_MODEL && !warned) || !*k->heard ||
       (strstr(k->heard, "top level") && !strstr(k->heard, "or in the body")))
     return;

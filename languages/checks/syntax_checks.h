@@ -4,8 +4,8 @@
 
 #include "languages/checks/checks.h"
 
-/* Has the interpreter expand each top-level form, within a procedure that nothing calls; each error is a finding. Uses
- * that depend on the program's own macros, or on a run, are not checked. */
+/* Checks each top-level form: the interpreter expands it within a procedure that is never called. Each error is a
+ * finding. Forms that depend on the program's own macros, or on a run, are not checked. */
 void know_check_syntax(know_findings *f);
 
 #endif

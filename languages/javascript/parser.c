@@ -15,7 +15,7 @@ typedef struct {
   vs_script_place last; /* place of the last token that was read */
   unsigned depth, chained; /* depth: number of open levels. chained: number of else-ifs among them */
   unsigned functions, loops, switches; /* numbers of functions, loops and switches around the current place; loops and
-                                        * switches within its function */
+                                        * switches are counted within the innermost function */
 } parser;
 
 typedef struct {
@@ -571,8 +571,8 @@ static bool jump(parser *p, vs_script_kind kind, vs_script_place at, uint32_t *o
 
 static bool word_statement(parser *p, vs_script_place at, uint32_t *out);
 
-/* Reads the statement after `else`. An `if` here continues a chain and begins no new level, so the length of a chain is
- * limited only by the height of the tree. */
+/* Reads the statement after `else`. If it is another `if`, it continues the chain and begins no new level. Only the
+ * height of the tree limits the length of a chain. */
 static bool otherwise(parser *p, uint32_t *out) {
   if (!at_word(p, VS_WORD_IF)) return statement(p, out);
   if (++p->chained > VS_SCRIPT_HEIGHT)

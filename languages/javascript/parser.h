@@ -1,5 +1,5 @@
-/* Declares the parser of scripts. Their grammar is ECMAScript 3 without regular expressions, `with`, getters and direct
- * calls of the interpreter. */
+/* Declares the parser of scripts. The grammar is that of ECMAScript 3 without regular expressions, `with`, getters and
+ * calls of eval. */
 #ifndef VS_LANGUAGES_JAVASCRIPT_PARSER_H
 #define VS_LANGUAGES_JAVASCRIPT_PARSER_H
 

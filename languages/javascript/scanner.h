@@ -24,9 +24,9 @@ typedef enum {
 typedef struct {
   uint8_t kind;
   bool newline;          /* whether a line ended between the last token and this token */
-  uint8_t word;          /* WORD: its vs_script_word */
-  char mark[5];          /* MARK: its text */
-  uint32_t name;         /* NAME, WORD: index of its name */
+  uint8_t word;          /* WORD: the word, a vs_script_word */
+  char mark[5];          /* MARK: the text of the mark */
+  uint32_t name;         /* NAME, WORD: index of the name in the script's names */
   uint32_t text, length; /* STRING, NATIVE: range in the script's texts */
   double number;
   vs_script_place at;

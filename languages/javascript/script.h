@@ -39,7 +39,7 @@ typedef struct {
   uint32_t a, b, c, d;   /* parts of the node; script_nodes.def gives their meaning for each kind */
   uint32_t name;         /* NAME: index in `names` */
   uint32_t text, length; /* STRING, NATIVE: range of `texts`, in UTF-8 */
-  double number;         /* NUMBER: its value */
+  double number;         /* NUMBER: the value of the number */
   vs_script_place at;
 } vs_script_node;
 

@@ -375,7 +375,7 @@ static void case_statements(lowering *l, know_index c, const sequence *rest, tr_
   enum { MOST = 64 };
   sequence all[MOST + 1] = {{0, NULL}};
   int count = 0;
-  know_index cut = 0, kept = 0; /* cut: the break. kept: the last statement before it */
+  know_index cut = 0, kept = 0; /* cut: the case's break statement. kept: the last statement before the break */
   bool on = true;
   for (; c && on && count < MOST; c = next(l, c)) {
     know_index last = 0, i = nth(l, c, case_value(l, c) ? 2 : 1);
@@ -407,7 +407,7 @@ static void choose(lowering *l, know_index n, const sequence *rest, tr_index int
   value(l, chosen, add(l, d, TR_NOTHING, chosen));
   into = add(l, into, TR_NOTHING, n);
   for (know_index c = nth(l, n, 2); c; c = next(l, c)) {
-    know_index group = c; /* the last of several cases that share their statements */
+    know_index group = c; /* the last of several consecutive cases with the same statements */
     if (!case_value(l, c)) fallback = c;
     if (!case_value(l, c)) continue;
     while (next(l, group) && !nth(l, group, 2) && case_value(l, next(l, group))) group = next(l, group);

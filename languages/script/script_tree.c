@@ -438,7 +438,7 @@ static know_index statement(maker *m, uint32_t i) {
 bool know_script_word(const char *name, uint16_t *row) {
   static const char *const same[] = { "define", "define-parameter", "lambda", "set!", "rec", "quote" };
   if (strncmp(name, "js:", 3) != 0) return false;
-  *row = know_form_row("and"); /* its parts are expressions */
+  *row = know_form_row("and"); /* the parts of the word's list are expressions */
   for (size_t i = 0; i < sizeof same / sizeof *same; i++)
     if (!strcmp(name + 3, same[i])) *row = know_form_row(same[i]);
   return true;

@@ -172,8 +172,8 @@ static void put_script_call(FILE *f, const knowledge *k, const know_symbol *s) {
   puts_to(f, s->text);
   fputc('(', f);
   for (; p; p = k->nodes[p].next) {
-    if (k->nodes[s->parameters].dotted && !k->nodes[p].next) break; /* the parameter is `arguments`, which the text does
-                                                                     * not contain */
+    if (k->nodes[s->parameters].dotted && !k->nodes[p].next) break; /* the rest parameter is `arguments`, which the text
+                                                                     * does not contain */
     if (begun) fputs(", ", f);
     puts_to(f, k->names[k->nodes[p].name].text);
     begun = true;
@@ -289,7 +289,7 @@ static bool symbol_page(site *s, bool functions) {
 
 /* ---- statements, and equal parts of statements ---- */
 
-enum { LEAST_ALIKE = 8 /* number of nodes */ };
+enum { LEAST_ALIKE = 8 /* least number of nodes of a part that is compared */ };
 typedef struct { uint64_t hash; uint32_t nodes; know_index node; } alike;
 
 static int by_hash(const void *a, const void *b) {
@@ -320,8 +320,9 @@ static void hash_trees(const knowledge *k, alike *of) {
     else {
       size_t length;
       const char *text = know_spelling(k, i, &length);
-      if (!length && n->kind == KNOW_SYMBOL) text = k->names[n->name].text, length = strlen(text); /* a word of a
-                                                                                                    * script */
+      if (!length && n->kind == KNOW_SYMBOL) text = k->names[n->name].text, length = strlen(text); /* a word such as
+                                                                                                    * js:get has no text
+                                                                                                    * in the script */
       h = hash_bytes(h, text, length);
     }
     of[i] = (alike){h, nodes, i};

@@ -19,7 +19,7 @@ static bool is(const knowledge *k, know_index n, const char *word) {
   return head && k->nodes[head].kind == KNOW_SYMBOL && !strcmp(k->names[k->nodes[head].name].text, word);
 }
 
-/* Returns a parameter with the name of an earlier parameter in the list, or 0 if there is none. */
+/* Returns the first parameter whose name equals that of an earlier parameter in the list, or 0 if there is none. */
 static know_index twice(const knowledge *k, know_index list) {
   know_index first = list && k->nodes[list].kind == KNOW_LIST ? k->nodes[list].first : 0;
   for (know_index i = first; i; i = k->nodes[i].next)

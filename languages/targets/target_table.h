@@ -4,7 +4,7 @@
 
 #include "languages/translate/target.h"
 
-/* Return the target with this name, or for this path's suffix, or NULL if there is none. */
+/* Return the target with this name, or with the suffix of this path. Return NULL if there is none. */
 const tr_target *tr_target_named(const char *name);
 const tr_target *tr_target_of_file(const char *path);
 

@@ -282,7 +282,7 @@ static void plan_effect(tr_writer *w, tr_index n) {
   case TR_CALL:
     tr_plan_commented(w, "%n%v;", n);
     break;
-  default: break; /* an unused value */
+  default: break; /* omits a value that is not used */
   }
 }
 

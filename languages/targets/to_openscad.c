@@ -483,7 +483,7 @@ static void plan_single(tr_writer *w, tr_index n) {
   case TR_PRIMITIVE: {
     tr_word row = tr_word_row(w->target, node->row ? node->row : 1);
     if (!strcmp(node->text, "native")) tr_plan(w, "%s", at(w, node->first)->text);
-    else if (!node->row) break; /* a complaint exists already */
+    else if (!node->row) break; /* a complaint about this node exists already */
     else if ((*row.result != 'o' && !tr_row_has_block(row.text))) {
       tr_complain(w->t, n, "%s: this gives no solid that OpenSCAD could place", node->text);
     } else {

@@ -40,14 +40,14 @@ typedef struct {
   bool effect;        /* MAP: whether it is a for-each */
   bool rest;          /* PARAMETER: whether it receives the remaining arguments */
   bool yes;           /* BOOLEAN: its value */
-  bool plain;         /* BODY: whether it is the file's, whose children are at top level */
+  bool plain;         /* BODY: whether it is the body of the file, whose children are at top level */
   tr_index parent, first, last, next;
   uint32_t count;
   know_index source;  /* node of the text, or of a macro */
   tr_index variable;  /* NAME, DEFINE, PARAMETER, SET: the variable */
-  tr_index procedure; /* PROCEDURE around the node that becomes a separate procedure in the target; 0: top level */
+  tr_index procedure; /* PROCEDURE around the node, if that becomes a separate procedure in the target; 0: top level */
   uint8_t colour;     /* 1: used as a colour, 2: a list of colours, and so on; 0: not a colour (colour_flow.h) */
-  uint16_t row;       /* PRIMITIVE: its row of translated_words.def, counted from 1 */
+  uint16_t row;       /* PRIMITIVE: row of translated_words.def, counted from 1 */
   const char *text;
 } tr_node;
 
@@ -56,11 +56,12 @@ typedef struct {
   const char *name;   /* name in the target */
   know_index symbol;  /* symbol of the program; 0: the translation made the variable */
   uint8_t type, gives; /* type: type of the value. gives: type of the results of a procedure */
-  uint8_t colour;     /* as for nodes */
-  bool global, set, handed; /* handed: whether it is used other than in calls */
+  uint8_t colour;     /* 1: the variable is a colour, 2: a list of colours, and so on; 0: not a colour
+                       * (colour_flow.h) */
+  bool global, set, handed; /* handed: whether the variable is used other than as the procedure of a call */
   bool recursive, draws, loops; /* loops: whether JavaScript writes the procedure as a loop */
   bool lifted;        /* whether a local name becomes a definition at top level */
-  bool module;        /* whether it refers to a solid, or makes a solid */
+  bool module;        /* whether the variable is a solid, or a procedure that makes a solid */
   bool model_parameter;
   tr_index define;    /* DEFINE or PARAMETER node of the variable */
   tr_index procedure; /* PROCEDURE that is the variable's value; 0: none, or not known */

@@ -8,13 +8,13 @@
 typedef struct tr_writer tr_writer;
 typedef enum {
   TR_LIFTS_NOTHING,
-  TR_LIFTS_SOLIDS, /* lifts definitions that make solids, or that call themselves */
+  TR_LIFTS_SOLIDS, /* lifts only definitions that make solids, or that call themselves */
   TR_LIFTS_PROCEDURES
 } tr_lifts;
 typedef struct tr_target {
   const char *name, *title; /* name: for --to. title: for messages */
   const char *ending;       /* suffix of files in the language */
-  uint8_t lifts;            /* which local definitions move to top level */
+  uint8_t lifts;            /* which local definitions move to top level (TR_LIFTS_...) */
   bool assigns;             /* whether variables can be set */
   bool helpers_first;       /* whether the helpers that the program uses must precede it */
   const char *key;          /* text between a keyword and its value */

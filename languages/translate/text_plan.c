@@ -17,8 +17,8 @@
 #include "model/characters.h"
 #include "model/store/array.h"
 
-enum { WIDE = 96 /* columns; longer lines are broken */, INDENT = 2, MOST_INDENT = 30,
-  MOST_TEXT = 64 << 20, REPLACEMENT = 0xFFFD /* replaces a byte that is not a character */ };
+enum { WIDE = 96 /* number of columns above which a line is broken */, INDENT = 2, MOST_INDENT = 30,
+  MOST_TEXT = 64 << 20, REPLACEMENT = 0xFFFD /* code point that replaces a byte which is not a character */ };
 
 static bool no_memory(tr_writer *w) { return know_fail(w->t->k, NULL, VS_OUTCOME_MACHINE, "out of memory"); }
 

@@ -28,7 +28,7 @@ struct tr_writer {
   uint32_t indent, column;
   know_index comment;  /* next comment of the current file */
   uint32_t segments;
-  void (*emit)(tr_writer *w, const tr_piece *piece); /* plans the pieces of a piece that has a node */
+  void (*emit)(tr_writer *w, const tr_piece *piece); /* plans the pieces of which a piece with a node consists */
 };
 
 void tr_plan(tr_writer *w, const char *format, ...);

@@ -134,7 +134,7 @@ static uint8_t result_of(const translation *t, tr_index primitive, const char *r
   if (*result == '+') return arithmetic(t, primitive);
   if (*result == 'E') return list_of(all_arguments(t, primitive));
   if (*result == 'J') return all_arguments(t, primitive);
-  if (*result == 'K') { /* the rule of cons */
+  if (*result == 'K') { /* computes the type of the result K, as for cons */
     uint8_t made = first ? list_of(t->nodes[first].type) : TR_UNKNOWN;
     return first && t->nodes[first].next ? join(made, t->nodes[t->nodes[first].next].type) : made;
   }

@@ -35,7 +35,7 @@ struct vs_scan_fit {
   vs_scan_points scan;
   vs_model_fit fit;
   fitted *parameters; /* parameters of the program, in their order; the store owns the names */
-  size_t *number;     /* number[i]: index in `parameters` of fitted number i */
+  size_t *number;     /* number[i]: index in `parameters` of the i-th parameter that is fitted */
   size_t parameter_count, number_count;
   double *distances; /* distances[i]: distance of point i of the file from the model */
 };
@@ -139,7 +139,7 @@ static bool failed(const job *j, vs_outcome outcome, vs_error *e) {
   return vs_error_set(e, kind, NULL, "%s", j->message);
 }
 
-/* Computes the mesh of the drawing, with this tolerance, or the drawing's own if it is 0. */
+/* Computes the mesh of the drawing with this tolerance; 0: the drawing's own tolerance. */
 static bool mesh_drawn(job *j, double tolerance, vs_mesh *out, vs_error *e) {
   vs_session *s = j->session;
   vs_ref *refs;

@@ -27,7 +27,8 @@
 
 enum { TIMES = 500, PATH_ROOM = 4096 };
 
-typedef struct { double from, hours; /* begin in hours of mean local time, and length in hours */ double azimuth,
+typedef struct { double from, hours; /* begin of the sun's position in hours of mean local time, and its length in
+                                      * hours */ double azimuth,
     altitude; vs_vec3 towards; } sun;
 
 typedef struct {
