@@ -825,9 +825,8 @@ VS_API vs_handle vs_handle_integer(vs_scheme *s, int64_t n); /* Returns a handle
  * memory is out. */
 VS_API vs_handle vs_handle_number_text(vs_scheme *s, const char *text);
 VS_API vs_handle vs_handle_text(vs_scheme *s, const char *text);
-VS_API vs_handle vs_handle_text_bytes(vs_scheme *s, const char *text, size_t length); /* Returns a handle to a text of
-                                                                                       * `length` bytes, which may
-                                                                                       * contain zero bytes */
+/* Returns a handle to a text of `length` bytes, which may contain zero bytes. */
+VS_API vs_handle vs_handle_text_bytes(vs_scheme *s, const char *text, size_t length);
 VS_API vs_handle vs_handle_symbol(vs_scheme *s, const char *name);
 VS_API vs_handle vs_handle_point(vs_scheme *s, double x, double y, double z);
 VS_API vs_handle vs_handle_vector(vs_scheme *s, double x, double y, double z);

@@ -19,11 +19,8 @@ typedef struct vs_bind_parameter {
   size_t choice_count;
   vs_pos at;
 } vs_bind_parameter;
-typedef struct vs_bind_setting { const char *name, *datum; bool used; } vs_bind_setting; /* A value for a parameter,
-                                                                                          * from an option -D of the
-                                                                                          * command line. used: whether
-                                                                                          * a define-parameter has used
-                                                                                          * it */
+/* A value for a parameter, from an option -D of the command line. used: whether a define-parameter has used it. */
+typedef struct vs_bind_setting { const char *name, *datum; bool used; } vs_bind_setting;
 
 /* Stores a setting for a later define-parameter; datum NULL deletes it. Returns false when memory is out. */
 bool vs_bind_set_parameter(vs_bind *b, const char *name, const char *datum);

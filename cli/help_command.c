@@ -51,9 +51,8 @@ int cli_help_command(int count, char **words) {
   for (int i = 0; i < count && length < sizeof phrase; i++)
     length += (size_t)snprintf(phrase + length, sizeof phrase - length, "%s%s", i ? " " : "", words[i]);
   bool several = strchr(phrase, ' ') && length < sizeof phrase;
-  for (const char *at = several ? phrase : ""; strchr(at, ' '); at = strchr(at, ' ') + 1) /* the words after the first
-                                                                                           * of a phrase such as `my
-                                                                                           * spiral stair` */
+  /* The words after the first of a phrase such as `my spiral stair`. */
+  for (const char *at = several ? phrase : ""; strchr(at, ' '); at = strchr(at, ' ') + 1)
     if (cli_manual_print(at, "vs help", stdout)) return VS_OUTCOME_DONE;
   vs_options plain = vs_options_default();
   vs_scheme *scheme = vs_new(&plain);

@@ -202,9 +202,8 @@ static bool advise_unbound(place p, vs_span at, vs_text *t) {
     return vs_text_printf(t, " yet: line %u defines it, after this use; move the definition up", (unsigned)line);
   }
   if (is_assignment(p, n, &value, &m)) {
-    while (call && m && (value[m - 1] == ')' || value[m - 1] == ' ')) m--; /* the assignment is in parentheses, (x =
-                                                                            * 5), and the value ends before the
-                                                                            * closing one */
+    /* The assignment is in parentheses, (x = 5), and the value ends before the closing one. */
+    while (call && m && (value[m - 1] == ')' || value[m - 1] == ' ')) m--;
     return !m || vs_text_printf(t, "; (define %.*s %.*s) names a value", (int)n, p.at, (int)m, value);
   }
   const char *operator, *operand;

@@ -11,9 +11,8 @@
 
 enum { LONGEST = 100 };
 
-typedef struct { const char *wanted; char best[LONGEST + 1]; int rank; } search; /* rank of `best`: 3: another case; 2:
-                                                                                  * an added suffix; 1: one letter
-                                                                                  * differs; 0: none found */
+/* Rank of `best`: 3: another case; 2: an added suffix; 1: one letter differs; 0: none found. */
+typedef struct { const char *wanted; char best[LONGEST + 1]; int rank; } search;
 
 /* Returns true if the names, ignoring case, differ by one letter: a replaced, missing or additional letter, or two
  * exchanged letters. */

@@ -98,11 +98,8 @@ know_type know_type_of(const knowledge *k, know_index node) {
         continue;
       }
       int row = n->form ? -1 : know_plain_row(k, k->nodes[head].symbol);
-      if (row < 0 || (n->count == 2 && know_is(k, head, "subtract"))) return KNOW_TYPE_UNKNOWN; /* with a single
-                                                                                                 * operand, `subtract`
-                                                                                                 * returns a procedure
-                                                                                                 * that waits for the
-                                                                                                 * other operands */
+      /* With a single operand, `subtract` returns a procedure that waits for the other operands. */
+      if (row < 0 || (n->count == 2 && know_is(k, head, "subtract"))) return KNOW_TYPE_UNKNOWN;
       if (plain[row].type || row > 3) return plain[row].type;
       for (know_index i = k->nodes[head].next; i; i = k->nodes[i].next) /* + - * / of numbers: one level of operands is
                                                                          * sufficient */

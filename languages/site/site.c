@@ -320,9 +320,8 @@ static void hash_trees(const knowledge *k, alike *of) {
     else {
       size_t length;
       const char *text = know_spelling(k, i, &length);
-      if (!length && n->kind == KNOW_SYMBOL) text = k->names[n->name].text, length = strlen(text); /* a word such as
-                                                                                                    * js:get has no text
-                                                                                                    * in the script */
+      /* A word such as js:get has no text in the script. */
+      if (!length && n->kind == KNOW_SYMBOL) text = k->names[n->name].text, length = strlen(text);
       h = hash_bytes(h, text, length);
     }
     of[i] = (alike){h, nodes, i};

@@ -1,5 +1,5 @@
-/* Tests fits by a host: program and scan lie in the host's memory, the fit reports doubtful results, and the
- * map of deviations is a file. */
+/* Tests fits by a host. The program and the scan are in the host's memory. The fit reports doubtful results, and writes
+ * the map of deviations to a file. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -57,7 +57,7 @@ int main(void) {
   CHECK(vs_fit_parameter_get(s, 2, &p) && p.state == VS_FIT_NO_NUMBER && !vs_fit_parameter_get(s, 3, &p));
   const double *d = vs_fit_distances(s, &count);
   CHECK(count == 600 && fabs(d[0]) < 1e-3 && fabs(d[599]) < 1e-3);
-  vs_summary summary; /* the program has run with the fitted values */
+  vs_summary summary; /* the fit leaves the drawing of the program with the fitted values */
   CHECK(vs_drawing_summary(s, &summary) == VS_OUTCOME_DONE && fabs(summary.max[0] - 1.8) < 1e-3 && fabs(summary.max[2] - 2.6) < 1e-3);
   CHECK(h.failed == 0 && vs_fit(s, "box.vs", "gone.off", &f, &r) == VS_OUTCOME_USAGE && r.samples == 0 && h.failed == 1);
   CHECK(!vs_fit_distances(s, &count) && count == 0);

@@ -1,5 +1,5 @@
 /* Tests that a host can add a format: a text format of a dozen lines, with words for boxes, spheres, lines and
- * subtractions. The library lowers all other kinds to these. */
+ * subtractions. The library converts all other kinds of objects to these. */
 #include <stdio.h>
 #include <string.h>
 #include <visualscheme.h>
@@ -16,7 +16,7 @@ static bool keep(void *context, const void *bytes, size_t count) {
   return true;
 }
 
-/* Writes a line: the word, the numbers of the fields, and the place of the thing. */
+/* Writes a line: the word, the numbers of the fields, and the place in the program that made the thing. */
 static vs_kind_status line_of(vs_output *out, const vs_thing *t, const char *word, const char *const fields[]) {
   vs_output_print(out, word);
   for (; *fields; fields++) {
@@ -36,9 +36,7 @@ static vs_kind_status box(void *context, vs_output *out, const vs_thing *t) {
 static vs_kind_status sphere(void *context, vs_output *out, const vs_thing *t) {
   double segments;
   ((host *)context)->things++;
-  if (vs_thing_numbers(t, "segments", &segments, 1) != 1 || segments > 0) return VS_KIND_SIMPLER; /* the drawing has a
-                                                                                                   * fixed number of
-                                                                                                   * facets */
+  if (vs_thing_numbers(t, "segments", &segments, 1) != 1 || segments > 0) return VS_KIND_SIMPLER; /* fixed facets */
   return line_of(out, t, "ball", (const char *const[]){"c", "r", NULL});
 }
 static vs_kind_status line(void *context, vs_output *out, const vs_thing *t) {

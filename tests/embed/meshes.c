@@ -87,7 +87,7 @@ static uint64_t material(void *context, const char *name) {
 
 static vs_outcome run(vs_scheme *s, const char *text) { return vs_eval_text(s, "model", 1, text, strlen(text), 0); }
 
-/* Tests that a context which is shown a thousand times is given once, with a matrix for each place. */
+/* Tests that a drawing which a thousand nodes show is given as a single mesh, with a matrix for each node's place. */
 static void share(vs_scheme *s, round_of *r) {
   static const char one[] =
       "(erase-all) (node-clear)"
@@ -179,7 +179,7 @@ int main(int count, char **words) {
   CHECK(strstr(r.asked, "gold ") && strstr(r.asked, "steel ") && strlen(r.asked) == strlen("gold steel "));
   CHECK(go(s, &r) == VS_OUTCOME_DONE && r.added + r.changed + r.removed == 0); /* nothing changed: the round is empty */
 
-  /* a moved node: the same mesh has another place. A new sphere of another material: another mesh */
+  /* after a node moved, its mesh keeps its id and has another place; a new sphere of another material is a new mesh */
   CHECK(run(s, "(node-translate (node-find \"1\") (vxyz 0 0 7))") == VS_OUTCOME_DONE);
   CHECK(go(s, &r) == VS_OUTCOME_DONE && r.added == 0 && r.changed == 1 && r.removed == 0 && r.places == 3);
   CHECK(run(s, "(draw (with-material 'steel (make-box (xyz 0 0 0) (xyz 1 1 1))))") == VS_OUTCOME_DONE);
@@ -189,7 +189,7 @@ int main(int count, char **words) {
   CHECK(strlen(r.asked) == strlen("gold steel ")); /* the library does not ask again for a known name */
   uint64_t steel = r.last;
 
-  /* the round reports removed meshes; a mesh that returns has its old id; a curve has only points */
+  /* the round reports removed meshes; a mesh that is drawn again has its old id; the mesh of a curve has only points */
   CHECK(run(s, "(erase-all) (for-each (lambda (n) (node-setdrawing n '())) (node-getchildren (node-getroot)))"
                "(draw (make-line (xyz 0 0 0) (xyz 1 0 0) (xyz 1 1 0)))") == VS_OUTCOME_DONE);
   CHECK(go(s, &r) == VS_OUTCOME_DONE && r.added == 1 && r.curves == 1 && r.removed == 3);

@@ -73,7 +73,7 @@ static void read_in_events(host *h) {
                "(node-addchild house roof) (node-addchild house plain) (node-addchild (node-getroot) house) (node-begin roof) (node-end)"
                "(node-removechild house roof) (node-removechildren house)") == VS_OUTCOME_DONE);
   CHECK(strcmp(h->log, "/house /roof /? /house/roof /house/? /root/house:roof,? /root/house/roof /root/house/roof /roof /root/house ") == 0);
-  /* the same calls outside a program, and with a value that is not a node */
+  /* makes the calls again outside of an event, and with a value that is not a node */
   vs_handle house = vs_lookup(s, "house");
   *h->said = 0;
   CHECK(!vs_node_name(s, five) && *h->said && (*h->said = 0, !vs_node_parent(s, five)) && *h->said && (*h->said = 0, !vs_node_children(s, five)) && *h->said);
@@ -199,7 +199,7 @@ static void hold_own(vs_scheme *s, host *h) {
   CHECK(vs_property_get(s, node, "window", &again) == VS_OUTCOME_DONE && vs_handle_get_host(s, again) == bare);
   CHECK(vs_property_put(s, node, "buffer", five) == VS_OUTCOME_DONE && vs_property_put(s, node, "window", five) == VS_OUTCOME_DONE);
   vs_handle_release(s, again);
-  CHECK(run(s, "(gc)") == VS_OUTCOME_DONE && !*freed); /* the program still refers to it */
+  CHECK(run(s, "(gc)") == VS_OUTCOME_DONE && !*freed); /* the program still refers to the host's object */
   CHECK(run(s, "(define kept #f) (gc)") == VS_OUTCOME_DONE && run(s, "(gc)") == VS_OUTCOME_DONE);
   CHECK(strcmp(freed, "buffer ") == 0); /* the library freed only this object, once */
   CHECK(vs_property_put(s, node, "buffer", owned = vs_handle_host(s, other, free_own, s)) == VS_OUTCOME_DONE);
@@ -223,7 +223,7 @@ int main(void) {
 
   host mirror = { 0 };
   read_in_events(&mirror);
-  /* a model at three places, stored once */
+  /* a model that is stored once and placed three times */
   CHECK(run(s, "(define engine (subtract (make-box (xyz -1 -1 0) (xyz 1 1 2)) (make-cylinder (xyz 0 0 1) 2 0.5)))") == VS_OUTCOME_DONE);
   vs_handle engine = vs_lookup(s, "engine");
   CHECK(vs_handle_kind_of(s, engine) == VS_HANDLE_OBJECT);
@@ -294,7 +294,7 @@ int main(void) {
   hold_gizmos(s, &h);
   hold_own(s, &h);
 
-  /* misuse */
+  /* calls that misuse the interface give errors */
   CHECK(vs_node_add_child(s, group, group) == VS_OUTCOME_MODEL && strstr(h.said, "cannot hang below itself"));
   CHECK(vs_node_end(s) == VS_OUTCOME_MODEL && strstr(h.said, "no node was begun"));
   CHECK(vs_node_add_child(s, eight, group) == VS_OUTCOME_MODEL && strstr(h.said, "parent must be a node, got 8"));

@@ -18,7 +18,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 typedef struct {
   const uint8_t *at;
   size_t size;
-} fuzz_file; /* the only file: every path denotes it */
+} fuzz_file; /* contents of the only file: every path denotes it */
 
 static inline bool fuzz_drop(void *context, const char *text, size_t length) {
   return (void)context, (void)text, (void)length, true;

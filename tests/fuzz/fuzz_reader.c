@@ -1,5 +1,5 @@
-/* Fuzzes the reader: any bytes are source text. It writes one in four readable inputs and reads the result again; the
- * second text must equal the first. */
+/* Fuzzes the reader: any bytes are source text. Of the inputs that can be read, a quarter is written as text and read
+ * again; writing must then give the same text. */
 #include "tests/fuzz/fuzz.h"
 
 #include "vm/front/reader.h"

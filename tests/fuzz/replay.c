@@ -1,9 +1,11 @@
-/* Fuzzes without libFuzzer: hands each named file to the fuzzer that it is linked with. With `-n COUNT` it
- * then hands over COUNT random changes of these files, which are the same in each run; `-s NUMBER` sets another seed.
- * tests/fuzz/corpus keeps every input that once crashed. With `-k FILE` it writes each input to FILE first, so that
- * FILE holds the input of a crash; `-j FILE` hands over the inputs of a journal (fuzz.h). An input that takes more than
- * SLOW seconds of processor time, or WAITS of elapsed time, ends the process. A limit of elapsed time alone would
- * refuse inputs that only waited for a busy machine. */
+/* Fuzzes without libFuzzer: passes each named file to the fuzzer with which it is linked.
+ *
+ * `-n COUNT` then passes COUNT random changes of these files, which are the same in each run; `-s NUMBER` sets another
+ * seed. tests/fuzz/corpus contains every input that once crashed. `-k FILE` writes each input to FILE first, so that
+ * after a crash FILE contains its input. `-j FILE` passes the inputs of a journal (fuzz.h).
+ *
+ * An input that takes more than SLOW seconds of processor time, or WAITS of elapsed time, ends the process. A limit of
+ * elapsed time alone would refuse inputs that only waited for a busy machine. */
 #include "tests/fuzz/fuzz.h"
 
 #include <sys/time.h>
@@ -19,7 +21,8 @@ static uint64_t chance(uint64_t below) { /* the generator xorshift64* */
 }
 
 static void hand(const uint8_t *from, size_t count, const char *keep) {
-  uint8_t *exact = malloc(count ? count : 1); /* of exact size, so that a sanitizer finds reads past the end */
+  uint8_t *exact = malloc(count ? count : 1); /* a block of exactly this size, so that a sanitizer finds reads past its
+                                               * end */
   FILE *f = keep ? fopen(keep, "wb") : NULL;
   if (!exact) abort();
   memcpy(exact, from, count);
@@ -51,19 +54,19 @@ static size_t change(uint8_t *to, size_t count, const input *all, size_t inputs)
     case 0: if (at < count) to[at] = odd[chance(sizeof odd)]; break;
     case 1: if (at < count) to[at] ^= (uint8_t)(1 << chance(8)); break;
     case 2: if (at < count) to[at] = (uint8_t)chance(256); break;
-    case 3: /* inserted */
+    case 3: /* inserts the stretch */
       if (length > other->count - from) length = other->count - from;
       if (count + length > GROWTH) break;
       memmove(to + at + length, to + at, count - at);
       memcpy(to + at, other->at + from, length);
       count += length;
       break;
-    case 4: /* deleted */
+    case 4: /* deletes the stretch */
       if (length > count - at) length = count - at;
       memmove(to + at, to + at + length, count - at - length);
       count -= length;
       break;
-    default: /* written over */
+    default: /* writes over the stretch */
       if (length > other->count - from) length = other->count - from;
       if (length > count - at) length = count - at;
       memcpy(to + at, other->at + from, length);

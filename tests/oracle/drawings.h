@@ -25,7 +25,8 @@ void drawing_shrink(drawing *d, drawing_fails *fails, void *context); /* replace
 /* The parts of a drawing: for every path to a primitive, in order, the primitive with its place, its paint and its
  * origins. */
 typedef struct drawing_look drawing_look;
-typedef struct drawing_memo drawing_memo; /* data that looks share between equal parts; it must outlive them */
+typedef struct drawing_memo drawing_memo; /* cache of data that looks share between equal parts; it must outlive the
+                                           * looks */
 drawing_memo *drawing_memo_new(void);
 void drawing_memo_free(drawing_memo *m);
 drawing_look *drawing_look_new(const drawing *d, drawing_memo *m); /* returns NULL if the drawing has too many paths */
@@ -33,11 +34,11 @@ void drawing_look_free(drawing_look *l);
 /* Returns a point in the box of a part. Four numbers of 0..1 select the part and the position in its box. */
 vs_vec3 drawing_look_point(const drawing_look *l, double which, double x, double y, double z);
 /* Returns true if `after` has the parts of `before`: equal primitives in order, with equal places, bounds, paint and
- * origins. With `less`, parts may be missing. With `templates`, a primitive may have the origin of its place. Otherwise
- * writes the reason to why. */
+ * origins. With `less`, parts may be missing. With `templates`, a primitive may have the origin of the place where its
+ * template is used. If false, writes the reason to why. */
 bool drawing_same_parts(const drawing_look *before, const drawing_look *after, bool less, bool templates, char *why, size_t room);
-/* Returns true if both looks are the same set, whatever shapes the parts have. Call it after drawing_same_parts. It
- * fails for passes that omit parts which cannot intersect. */
+/* Returns true if both looks combine their parts in the same way, for parts of any shape. Call it after
+ * drawing_same_parts. It fails for passes that omit parts which cannot intersect. */
 bool drawing_same_sets(drawing_look *before, drawing_look *after, uint64_t seed, char *why, size_t room);
 /* Returns true if both looks agree at p: whether p is inside, and inside which primitives. Sets *close if p is so close
  * to a surface that both answers are right. */

@@ -233,7 +233,8 @@ static bool bounds_are_loose(const vs_node *n) {
 
 static bool near(vs_vec3 a, vs_vec3 b, double slack) { return fabs(a.x - b.x) <= slack && fabs(a.y - b.y) <= slack && fabs(a.z - b.z) <= slack; }
 
-static bool same_bounds(const part *a, const part *b) { /* b is the part after the pass */
+static bool same_bounds(const part *a, const part *b) { /* Compares the bounds of two parts; b is the part after the
+                                                         * pass */
   vs_bounds x = a->bounds, y = b->bounds;
   if (vs_bounds_is_empty(&x) || vs_bounds_is_empty(&y)) return vs_bounds_is_empty(&x) == vs_bounds_is_empty(&y);
   if (a->node->kind == VS_HALF_SPACE) { /* a half-space is compared by its plane */
@@ -310,10 +311,12 @@ static const char *difference_of(const part *a, const part *b) {
 
 static uint32_t line_at(const drawing_look *l, const part *p, size_t i) { return l->paths[p->path + i] ? l->paths[p->path + i]->line : 0; }
 
-/* Returns the fault in the origins of b, or NULL if there is none. b is a part of `after` with the look of the part a
- * of `before`. The references on b's path, up to the first node with several users (a template), must have, in order,
- * origins of a's path. With `pruned` only the first of them must, because the use from which a template was made may be
- * gone. The primitive keeps its origin, unless it is in a template or the pass has made templates (`made`). */
+/* Returns the fault in the origins of b, or NULL if there is none. b is the part of `after` that equals the part a of
+ * `before`.
+ *
+ * The references on b's path, up to the first node with several users (a template), must have, in order, origins of a's
+ * path. With `pruned` only the first of them must, because the use from which a template was made may be gone. The
+ * primitive keeps its origin, unless it is in a template or the pass has made templates (`made`). */
 static const char *origin_trouble(const drawing_look *before, const part *a, const drawing_look *after, const part *b, bool made, bool pruned) {
   size_t last = b->path_count - 1, k = 0;
   for (size_t i = 0; i <= last; i++)
@@ -346,7 +349,7 @@ bool drawing_same_parts(const drawing_look *before, const drawing_look *after, b
       return false;
     }
     what = origin_trouble(before, &before->parts[k], after, b, templates, templates && less);
-    /* with omitted parts, a part of `before` that is missing may equal this one: then try the next equal part */
+    /* if parts may be missing, b may equal a later part of `before`: tries the next equal part */
     for (size_t other = k + 1; what && less && other < before->part_count; other++)
       if (!difference_of(&before->parts[other], b) && !origin_trouble(before, &before->parts[other], after, b, templates, templates && less)) what = NULL, k = other;
     if (what) {
@@ -430,7 +433,7 @@ static bool verdicts_equal(const verdict *a, const drawing_look *before, const v
   return true;
 }
 
-/* Compares both looks as sets, whatever shapes the parts have: a random bit decides whether a part contains a point. */
+/* Compares both looks as combinations of parts of any shape: a random bit decides whether a part contains a point. */
 bool drawing_same_sets(drawing_look *before, drawing_look *after, uint64_t seed, char *why, size_t room) {
   bool same = true;
   for (size_t i = 0; i < before->part_count; i++) {

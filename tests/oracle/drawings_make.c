@@ -14,8 +14,8 @@ typedef struct {
   uint32_t line;
   vs_affine frame; /* frame in which leaves are written, with the coordinates that a program would compute */
   bool turned;     /* whether the frame is more than a translation */
-  double nudge;    /* length added to each length, so that the part nearly is a copy of another */
-  bool more;       /* whether the part has an additional facet */
+  double nudge;    /* length that is added to each length, so that a part is nearly a copy of another part */
+  bool more;       /* whether round parts have an additional facet */
 } maker;
 
 static uint32_t any(maker *m, uint32_t n) { /* returns a random integer of 0 .. n-1 */
@@ -299,7 +299,8 @@ static vs_ref copies(maker *m) {
   vs_ref kids[4];
   size_t n = 2 + any(m, 3);
   bool turned = any(m, 2);
-  size_t odd = any(m, 5); /* index of a differing copy; if it is above the number of copies, there is none */
+  size_t odd = any(m, 5); /* index of the copy that differs from the others; no copy differs if the index exceeds their
+                           * number */
   uint64_t same = m->state;
   for (size_t i = 0; i < n; i++) {
     vs_ref parts[5];

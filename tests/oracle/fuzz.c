@@ -1,13 +1,15 @@
-/* Makes the random trees for the tests of the kernel: boxes, cylinders, cones, spheres and tori, nested, turned, flush
- * and off the grid.
+/* Makes the random trees for the tests of the kernel: boxes, cylinders, cones, spheres and tori. They are nested,
+ * rotated, flush with each other, and off the grid.
  *
  *   usage: fuzz [-v] [-s FIRST_SEED] [COUNT]; fuzz -p cell|turned|spelt SEED
- * For two trees a and b of each seed: every result is closed, has winding number one, does not intersect itself
+ *
+ * For two trees a and b of each seed, every result is closed, has winding number one, does not intersect itself
  * (tests/tools/crossings.h: as doubles, as 12 digits, as 32-bit numbers), and is the same for one thread and three. The
  * volumes satisfy |a u b| = |a| + |b| - |a n b|, |a - b| = |a| - |a n b|, a - (a - b) = a n b, a - a = 0, a u a = a,
- * and De Morgan's law inside a box around both. The volumes of trees of boxes alone are also counted cell by cell.
- * Exits with the number of seeds that failed, and prints them. -p prints one of these as a program in the language, to
- * be appended to bench/kernel/suite.vs. */
+ * and De Morgan's law inside a box around both. The volumes of trees of boxes are also counted cell by cell.
+ *
+ * Prints the seeds that failed; the exit code is their number. -p prints the trees of one seed as a program in the
+ * language, to be appended to bench/kernel/suite.vs. */
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -112,8 +114,8 @@ static void add_tree(program *t, seed_kind k, int depth, cells *c) { /* adds a t
 
 static bool verbose, failed;
 static uint64_t straightened, told_of; /* straightened: number of removed bends. told_of: number of results without
-                                        * bends that were reported to intersect themselves, and are made again */
-static uint64_t results, said; /* results: number of results. said: number of those that intersect themselves in the
+                                        * bends that the kernel reported to intersect themselves, and made again */
+static uint64_t results, said; /* results: number of results. said: number of results that intersect themselves in the
                                 * numbers of a format, with a warning */
 static void complain(const char *what, const program *t, const char *detail) {
   failed = true;
@@ -187,7 +189,7 @@ static void look_at_crossings(const char *what, const program *t, const vs_mesh 
   }
 }
 
-static bool in_levels; /* whether to combine level by level, as in crowded clusters */
+static bool in_levels; /* whether to combine the leaves level by level, as the kernel does in crowded clusters */
 
 /* Checks the result without bends. It must be a closed manifold of the same volume. If it intersects itself, this must
  * be reported. */

@@ -1,9 +1,10 @@
 /* Makes and shrinks random programs: see models.h.
  *
- * The kinds are those of model/prims.def. Most are made by (make-NAME ...), (do-NAME ...) or (NAME ...); the table of
- * bind/ has their forms and contracts, so a new kind with a row in both joins without a change here. The lines of
- * `by_hand` make others, some are sets of solids, and `no_model` lists those that are no solid, with the reason. If a
- * kind has none of these, the test fails. Curves and regions are profiles of swept solids. */
+ * The kinds are those of model/prims.def. Most are made by (make-NAME ...), (do-NAME ...) or (NAME ...). The table of
+ * bind/ has the forms and contracts of these procedures, so a new kind with rows in both tables is tested without a
+ * change here. The lines of `by_hand` make other kinds. Some kinds are sets of solids. `no_model` lists the kinds that
+ * are no solid, with the reason. If a kind has none of these, the test fails. Curves and regions are profiles of swept
+ * solids. */
 #include "tests/oracle/models.h"
 
 #include <stdarg.h>
@@ -307,7 +308,7 @@ static void leaf(maker *m) {
       say(m, " %g %g %g)", 0.5 + any(m, 4), 0.5 + any(m, 4), 0.05 + any(m, 3));
       return;
     }
-    m->depth--; /* a solid in an argument is simpler */
+    m->depth--; /* solids in arguments have less depth */
     bool done = made(m, kind_at(any(m, (uint32_t)count_kinds(false)), false));
     m->depth++;
     if (done) return;
@@ -345,7 +346,8 @@ static bool solid(maker *m) {
       say(m, " ");
       size_t at = m->count;
       solid(m);
-      if (i == 0 && any(m, 4) == 0 && m->count - at < MODEL_ROOM / 8) { /* adds a near copy beside the part */
+      if (i == 0 && any(m, 4) == 0 && m->count - at < MODEL_ROOM / 8) { /* adds a copy beside the part, with slightly
+                                                                         * different numbers */
         snprintf(was, sizeof was, "%s", m->text + at);
         say(m, " %s", was);
         size_t copy = m->count - strlen(was);
@@ -412,7 +414,8 @@ static void whole_set(maker *m, int depth) {
     say(m, " ");
     size_t from = m->count;
     whole_set(m, depth > 1 && any(m, 2) ? depth - 1 : 0);
-    if (i == 0 && any(m, 5) == 0 && m->count - from < MODEL_ROOM / 8) { /* adds a near copy beside the part */
+    if (i == 0 && any(m, 5) == 0 && m->count - from < MODEL_ROOM / 8) { /* adds a copy beside the part, with slightly
+                                                                         * different numbers */
       char was[MODEL_ROOM / 8];
       snprintf(was, sizeof was, "%s", m->text + from);
       say(m, " ");

@@ -1,9 +1,10 @@
-/* Declares the slow oracle: the exact volume of a boolean of convex solids, in GMP's rationals, by a method that shares
- * nothing with the kernel.
+/* Declares the slow oracle: it computes the exact volume of a boolean of convex solids in GMP's rationals, by a method
+ * that shares nothing with the kernel.
  *
- * Space is a cube of six tetrahedra. The planes of a leaf cut tetrahedra in two until every piece is inside or outside
- * of the leaf; the next leaf cuts these pieces. The volume is the sum of the pieces for whose leaves the expression is
- * true. The method is exponential in principle, so it suits a handful of leaves. */
+ * Space is a cube of six tetrahedra. The planes of a leaf cut tetrahedra in two, until every piece is inside or outside
+ * of the leaf; the planes of the next leaf then cut these pieces. The volume is the sum of the pieces inside those
+ * leaves for which the expression is true. The time may grow exponentially with the number of leaves, so there should
+ * be few. */
 #ifndef VS_TESTS_ORACLE_H
 #define VS_TESTS_ORACLE_H
 

@@ -16,8 +16,8 @@ static path_row samples[SAMPLES];
 static size_t sample_count;
 static char *definitions;
 
-/* Definitions: solids made from curves, regions and surfaces; a drawing by a file in another language; a facade of two
- * rules. */
+/* Definitions for the samples: solids made from curves, regions and surfaces; a drawing by a file in another language;
+ * a facade made by two rules. */
 static const char helpers[] =
     "(define (thick o) (if (or (curve? o) (region? o) (surface? o)) (do-thicken o 1/8) o))\n"
     "(define (drawn file) (erase-all) (load file) (let ([all (drawing)]) (erase-all) (unite all)))\n"
@@ -101,8 +101,8 @@ static void unwrapped(char *text) {
 
 static void add_sample(const char *name, const char *object, const char *end) {
   if (sample_count == SAMPLES) abort();
-  if (strncmp(object, "(only ", 6) == 0) return; /* in a drawing with `only`, the written part differs from the measured
-                                                  * part */
+  if (strncmp(object, "(only ", 6) == 0) return; /* `only` restricts the written drawing, so that it differs from the
+                                                  * measured object */
   const char *name_end = behind(name);
   samples[sample_count].name = copy_of(name + 1, name_end - 1);
   samples[sample_count].object = copy_of(object, end);

@@ -1,6 +1,10 @@
-/* Evaluates .sx files with the kernel. For each file it prints its volume, number of triangles, closedness and seconds.
- * usage: run_sx [-t threads] [-g] [-o out.stl] FILE... -g: prints also the longest time between two calls of progress,
- * in the caller's processor time, and the completed fraction at that time. */
+/* Evaluates .sx files with the kernel. For each file it prints the volume, the number of triangles, whether the mesh is
+ * closed, and the seconds.
+ *
+ * usage: run_sx [-t threads] [-g] [-o out.stl] FILE...
+ *
+ * -g also prints the longest time between two calls of progress, in the caller's processor time, and the completed
+ * fraction at that time. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

@@ -6,7 +6,7 @@
 #include "kernel/evaluate.h"
 
 typedef struct {
-  vs_kernel_problem problem; /* contains pointers into the arrays below */
+  vs_kernel_problem problem; /* the problem; it contains pointers into the arrays below */
   vs_kernel_leaf *leaves;
   vs_kernel_term *terms;
   uint32_t *operands;

@@ -19,7 +19,8 @@ enum { LINE = 1 << 16, WORDS = 40, TRIES = 3, KILL_AFTER = 30 };
 #define MOST_ADDRESSES ((rlim_t)8 << 30) /* limit of address space, which protects the machine if a limit of the program
                                           * fails */
 #define SLACK_TIME 0.5
-#define SLACK_MEMORY 16.0 /* allowance in MB, in addition to a tenth of the limit */
+#define SLACK_MEMORY 16.0 /* megabytes by which a process may exceed its memory limit, in addition to a tenth of the
+                           * limit */
 
 typedef struct { char name[80], out[16], args[400]; double time, memory; int exit; bool sample; } attack;
 typedef struct { double seconds, megabytes; int status; bool killed; } result;

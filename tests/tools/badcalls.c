@@ -255,13 +255,14 @@ static bool names_value(const char *value, const char *error) {
   if (!got) return strcmp(value, "#<void>") == 0 && strstr(error, "gave no value");
   size_t same = 0;
   got += 4;
-  if (strncmp(value, "#<procedure ", 12) == 0 && strncmp(got, "the procedure ", 14) == 0) { /* "...; call it: (NAME parameters)" */
+  /* Text "...; call it: (NAME parameters)" of the message. */
+  if (strncmp(value, "#<procedure ", 12) == 0 && strncmp(got, "the procedure ", 14) == 0) {
     size_t name = strlen(value) - 13;
     return strncmp(got + 14, value + 12, name) == 0 && strncmp(got + 14 + name, "; call it: (", 12) == 0;
   }
   while (got[same] && got[same] == value[same]) same++;
   if (!value[same] || (same >= 12 && strncmp(got + same, "...", 3) == 0)) return true;
-  char one[300]; /* an element, without the advice behind it */
+  char one[300]; /* the element that the message names, without the advice after it */
   snprintf(one, sizeof one, "%.*s", (int)strcspn(got, ";"), got);
   const char *element = value[0] == '(' ? strstr(value, one) : NULL;
   return element && (element[-1] == ' ' || element[-1] == '(') && strchr(" )", element[strlen(one)]);

@@ -68,7 +68,7 @@ static inline int crossings_side(crossings *c, uint32_t ia, uint32_t ib, uint32_
   }
   if (fabs(det) > 1e-14 * size && size > 1e-250) return det > 0 ? 1 : -1; /* the error is below Shewchuk's bound,
                                                                            * 7.8e-16 of size */
-  if (size == 0) { /* every product has a factor 0, unless a product was too small for a double */
+  if (size == 0) { /* every product contains a factor 0, unless its value was too small for a double */
     bool small = false;
     for (int i = 0; i < 9; i++) small = small || (e[i / 3][i % 3] != 0 && fabs(e[i / 3][i % 3]) < 1e-100);
     if (!small) return 0;
@@ -119,7 +119,7 @@ static inline crossings_kind crossings_in_plane(crossings *c, uint32_t t, uint32
   for (int end = 0; end < 2; end++) {
     uint32_t from = end ? q : p, to = end ? p : q;
     if (!crossings_holds(c, t, from)) continue;
-    for (int i = 0; i < 3; i++) /* the segment begins on this side of the triangle, and leaves it at once */
+    for (int i = 0; i < 3; i++) /* the segment begins on this side of the triangle, and runs away from the triangle */
       if (crossings_turn(c, axis, v[i], v[(i + 1) % 3], from) == 0 &&
           crossings_turn(c, axis, v[i], v[(i + 1) % 3], to) == -way)
         return CROSSINGS_TOUCHING;
@@ -252,9 +252,8 @@ static inline uint32_t crossings_tree(const crossings *c, crossings_node *nodes,
     for (int k = 1; k < 3; k++)
       if (o->max[k] - o->min[k] > o->max[axis] - o->min[axis]) axis = k;
     crossings_halve(c, order + first, n, n / 2, axis);
-    stack[depth].first = first + n / 2, stack[depth].count = n - n / 2, stack[depth++].parent = me; /* keeps the
-                                                                                                     * right child
-                                                                                                     * for later */
+    /* Pushes the right child on the stack, to be divided later. */
+    stack[depth].first = first + n / 2, stack[depth].count = n - n / 2, stack[depth++].parent = me;
     stack[depth].first = first, stack[depth].count = n / 2, stack[depth++].parent = me;
   }
   return used;

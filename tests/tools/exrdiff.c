@@ -1,6 +1,6 @@
-/* Compares two EXR pictures as numbers: `exrdiff A.exr B.exr` prints the number of pixels, the number of
- * pixels that differ in luminance by more than a hundredth, the mean of all differences, and the largest with its
- * position. Exits with 0 if it can read both and they have the same size. */
+/* Compares two EXR pictures as numbers: `exrdiff A.exr B.exr`. Prints the number of pixels; the number of pixels that
+ * differ in luminance by more than a hundredth; the mean of all differences; and the largest difference with its
+ * position. Exits with 0 if both files can be read and have equal sizes. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

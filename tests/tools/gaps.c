@@ -1,8 +1,9 @@
-/* Measures the time between polls: `gaps [-v] FILE FORMAT...` runs a program and writes its drawing in each
- * of the formats, discarding the bytes. For each format it prints the longest time between two polls for an interrupt,
- * in processor time of all threads, so that other load on the machine does not count. With -v it also prints the
- * program's call stacks in that time, a line of addresses for each hundredth of a second, for addr2line -f -e gaps
- * (link it with -no-pie). */
+/* Measures the time between polls: `gaps [-v] FILE FORMAT...` runs a program and writes its drawing in each of the
+ * formats, discarding the bytes.
+ *
+ * For each format it prints the longest time between two polls for an interrupt. This is processor time of all threads,
+ * so that other load on the machine does not count. -v also prints the program's call stacks in that time, a line of
+ * addresses for each hundredth of a second, for addr2line -f -e gaps (link it with -no-pie). */
 #define _GNU_SOURCE
 #include "visualscheme.h"
 

@@ -8,8 +8,8 @@
 enum { CELLS_MOST = 2000 };
 
 typedef struct {
-  long index;            /* column + row * columns */
-  char name[120], class[16]; /* class: solid, region, surface, curve or mixed */
+  long index;            /* number of the cell: column + row * columns */
+  char name[120], class[16]; /* class of the object: solid, region, surface, curve or mixed */
   double volume, area;   /* expected figures; NAN: not known */
   vec least, most;       /* corners of the bounding box that the program returns */
   double within, loose;  /* within: relative tolerance of the volume. loose: tolerance of a side of the box, as a

@@ -1,9 +1,12 @@
-/* Prints the figures of pictures for the tests. `pngstat FILE` prints `WIDTH HEIGHT COLOURS EDGES INK STEP CLIPPED`.
- * COLOURS: the number of different colours, of 15 bits. EDGES: the number of pixels in 1000 that clearly differ from
- * their left neighbour; flat or smooth pictures have none, models have some. INK: the number of dark pixels; a partly
- * covered pixel counts in part. STEP: the largest difference, of 255, between a row and the row above, as a mean over
- * the row; a line across the whole picture is such a step. CLIPPED: the number of pixels in 1000 of which red, green or
- * blue is 255. `pngstat FILE OTHER` prints the number of pixels in 1000 that clearly differ between the two. */
+/* Prints figures of pictures for the tests. `pngstat FILE` prints `WIDTH HEIGHT COLOURS EDGES INK STEP CLIPPED`:
+ *
+ *   COLOURS  number of different colours, with 15 bits each
+ *   EDGES    pixels in 1000 that clearly differ from their left neighbour; flat or smooth pictures have none
+ *   INK      number of dark pixels; a partly covered pixel counts in part
+ *   STEP     largest mean difference, of 255, between a row and the row above, as of a line across the picture
+ *   CLIPPED  pixels in 1000 of which red, green or blue is 255
+ *
+ * `pngstat FILE OTHER` prints how many pixels in 1000 clearly differ between the two pictures. */
 #include <math.h>
 #include <png.h>
 #include <stdbool.h>

@@ -67,7 +67,7 @@ int main(int argc, char **argv) {
     return fprintf(stderr, "usage: stopped COUNT OLD NEW OUT VS ARGUMENT...\n"), 2;
   }
   long count = atol(argv[1]), wrong = 0, whole = 0, unchanged = 0, finished = 0, behind = 0;
-  double takes = 0.05; /* duration of the latest complete runs in seconds */
+  double takes = 0.05; /* estimated duration of a complete run in seconds */
   srand(7);
   for (long i = 0; i < count; i++) {
     const int kind = kinds[i % 4];
@@ -90,7 +90,7 @@ int main(int argc, char **argv) {
     if (code == 0)
       finished++, takes += 0.1 * (now() - began - takes);
     else
-      takes *= 1.01; /* on a busy machine a run takes longer */
+      takes *= 1.01; /* a stopped run raises the estimate slightly, since runs take longer on a busy machine */
     const char *beside = left_beside(argv[4]);
     const bool there = take(argv[4], &found), is_old = there && same(&found, &old),
                is_new = there && same(&found, &new);

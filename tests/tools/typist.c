@@ -15,9 +15,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-enum { PATIENCE = 700, /* silence in ms after which the next line is typed; on a busy machine a program may be silent
-                        * for some hundred ms */
-       AT_PROMPT = 150 /* ms of silence after a prompt, after which no more output is expected */ };
+enum { PATIENCE = 700, /* milliseconds of silence after which the next line is typed; on a busy machine a program may be
+                        * silent for several hundred milliseconds */
+       AT_PROMPT = 150 /* milliseconds of silence after a prompt, after which no more output is expected */ };
 
 /* Copies the program's output to standard output until it is silent for `patience` ms, or for less if the output ends
  * in a new line with a prompt. Returns false once the program has closed the terminal. */

@@ -37,8 +37,8 @@ static inline vs_ref test_cylinder(test_model *m, vs_vec3 base, vs_vec3 top, dou
 static inline vs_ref test_move(test_model *m, double x, double y, double z, vs_ref what) {
   return test_node(m, 4, VS_TRANSFORM, &(struct vs_transform){ .matrix = vs_affine_translation(vs_v3(x, y, z)) }, &what, 1);
 }
-/* Takes a struct vs_material; the payload of the node, for which prims.def would use the same name, has the layout of
- * its table. */
+/* Returns a material node around an object. Uses struct vs_material, since prims.def would give the node's data the
+ * same name; their layouts are equal. */
 static inline vs_ref test_paint(test_model *m, const char *name, vs_ref what) {
   struct { vs_field_material material; unsigned char end; } data = { vs_store_ready_material(m->store, name), 0 };
   return test_node(m, 5, VS_MATERIAL, &data, &what, 1);
@@ -53,8 +53,8 @@ static inline void test_draw(test_model *m, vs_ref what) {
   vs_node_release(what.node);
 }
 
-/* Returns a node of the kind, with children if it has any: the tree's golden file and its reading back use every kind
- * once. */
+/* Returns a node of the kind, with children if the kind has any. The golden file of the tree dump, and the test that
+ * reads it back, use every kind once. */
 static inline vs_ref test_any(test_model *m, vs_kind kind) {
   unsigned char data[256] = { 0 };
   const vs_kind_info *info = vs_kind_get(kind);

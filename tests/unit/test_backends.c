@@ -111,8 +111,8 @@ static void test_numbers(void **state) {
     assert_int_equal(length, strlen(text));
     assert_string_equal(text, cases[i].text);
   }
-  /* All numbers equal printf's twelve digits, character for character, for every way to print them: random bits, then
-   * numbers as in models. */
+  /* The text of a number equals printf's twelve digits for every number: for random bits, and for numbers as in
+   * models. */
   uint64_t seed = 12345;
   const char *longer = getenv("LONG");
   for (int i = 0, most = longer && *longer ? 1500000 : 300000; i < most; i++) {
@@ -245,8 +245,8 @@ static void test_deflate(void **state) {
   uint32_t seed = 1;
   for (size_t i = 0; i < room; i++) bytes[i] = (unsigned char)((seed = seed * 1664525u + 1013904223u) >> 24);
   for (size_t n = 0; n < 40; n++) deflate_and_back(m.store, bytes, n, 3);
-  assert_true(deflate_and_back(m.store, bytes, room, 70000) < room + room / 100); /* noise does not become much
-                                                                                   * longer */
+  assert_true(deflate_and_back(m.store, bytes, room, 70000) < room + room / 100); /* noise, which cannot be compressed,
+                                                                                   * does not become much longer */
   for (size_t i = 1000; i < room; i++) bytes[i] = bytes[i - 1000];
   assert_true(deflate_and_back(m.store, bytes, room, 4097) < room / 50);
   free(bytes);
@@ -371,7 +371,7 @@ static void test_povray_solids_left(void **state) {
     if (i == 2) wall = test_paint(&m, "glass", wall);
     if (i == 3) wall = test_pair(&m, VS_DIFFERENCE, wall, moved);
     else vs_node_release(moved.node);
-    if (i == 4) { /* drawn alone, and as a cutter of a larger glass sphere */
+    if (i == 4) { /* draws the solid alone, or as a cutter of a larger glass sphere */
       vs_node_retain(wall.node);
       test_draw(&m, test_paint(&m, "glass", test_pair(&m, VS_DIFFERENCE, test_sphere(&m, 0, 0, 0, 20), wall)));
     }
@@ -420,7 +420,7 @@ static void test_x3d_words(void **state) {
   test_model_close(&m);
 }
 
-/* a single triangle, which encloses nothing */
+/* adds a single triangle, which encloses no volume */
 /* The text and the binary notation of STL contain the same numbers. */
 static void test_stl_words(void **state) {
   (void)state;
@@ -459,12 +459,12 @@ static void test_left_out(void **state) {
   assert_holds(last_warning, "open surfaces are drawn as thin slabs");
   free(text);
   warnings = 0;
-  text = written(&m, "off"); /* the box and a triangle */
+  text = written(&m, "off"); /* the file contains the box and a triangle */
   assert_holds(text, "OFF\n11 13 0\n");
   assert_holds(text, "\n3 8 9 10\n");
   assert_int_equal(warnings, 0);
   free(text);
-  text = written(&m, "stl-ascii"); /* the box alone */
+  text = written(&m, "stl-ascii"); /* the file contains only the box */
   int facets = 0;
   for (const char *at = text; (at = strstr(at, "facet normal")) != NULL; at++) facets++;
   assert_int_equal(facets, 12);

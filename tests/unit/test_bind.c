@@ -22,7 +22,7 @@ typedef struct {
   vs_bind bind;
   vs_store *store;
   vs_value names[NAMES], procedures[NAMES];
-  struct vs_roots kept[2]; /* roots that hold two values */
+  struct vs_roots kept[2]; /* two roots of the garbage collector */
   size_t count;
   char text[512]; /* written form of the last value or condition */
   char warning[512];

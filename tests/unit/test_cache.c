@@ -69,7 +69,7 @@ static void test_bound(void **state) {
   enum { ONE = 10000, LIMIT = 100000 };
   vs_store *s = vs_store_new(NULL, NULL);
   vs_cache *c = vs_cache_new(s, LIMIT);
-  for (uint64_t i = 0; i < 50; i++) { /* each value in its own turn */
+  for (uint64_t i = 0; i < 50; i++) { /* requests each value in a separate turn */
     vs_cache_turn(c, true);
     vs_node *n = sphere(s, 1 + (double)i);
     vs_cache_let_go(c, keep(c, n, i, ONE));
@@ -252,7 +252,8 @@ static void test_measures(void **state) {
   vs_free(s);
 }
 
-/* Tags belong to the problem, paints to the cluster: parts in another order, other colours, other layers. */
+/* Parts in another order, other colours and other layers use the cached results: tags belong to the problem, and paints
+ * to the cluster. */
 static void test_tags(void **state) {
   (void)state;
   static const char *const programs[] = {
@@ -285,7 +286,7 @@ static void test_tags(void **state) {
   }
 }
 
-/* After a restart an interpreter keeps parameters and meshes alone. */
+/* Tests that after a restart an interpreter keeps parameters and meshes, and nothing else. */
 static void test_restart(void **state) {
   (void)state;
   static const char model[] =
@@ -310,8 +311,8 @@ static void test_restart(void **state) {
   bytes b = written(s, "stl", false);
   assert_true(statistic(s, "cache.clusters.misses") - clusters <= 2); /* of thirteen clusters, only the two changed
                                                                        * clusters */
-  bytes pov = written(s, "povray", false); /* the bounds for its camera need a mesh of each part alone, as separate
-                                            * clusters */
+  bytes pov = written(s, "povray", false); /* the camera of POV-Ray needs the bounds of each part, whose mesh is
+                                            * computed as a separate cluster */
   assert_true(vs_parameter_set(fresh, "k", "4"));
   run(fresh, model);
   bytes c = written(fresh, "stl", true), pov_too = written(fresh, "povray", true);
@@ -319,7 +320,7 @@ static void test_restart(void **state) {
   assert_memory_equal(b.at, c.at, b.count);
   assert_int_equal(pov.count, pov_too.count);
   assert_memory_equal(pov.at, pov_too.at, pov.count);
-  assert_int_equal(a.count, b.count); /* as many triangles, at other places */
+  assert_int_equal(a.count, b.count); /* the mesh has as many triangles as before, at other places */
   free(a.at), free(b.at), free(c.at), free(pov.at), free(pov_too.at);
   vs_free(s);
   vs_free(fresh);
@@ -471,8 +472,8 @@ static void test_texts_refused(void **state) {
   vs_free(plain);
   size_t done = 0, failed = 0;
   const char *longer = getenv("LONG");
-  long early = longer && *longer ? 1 : 11, late = 97; /* the camera of a picture needs meshes, which makes hundreds of
-                                                       * requests: a sample of them */
+  long early = longer && *longer ? 1 : 11, late = 97; /* The camera of a picture needs meshes, and meshes make hundreds
+                                                       * of requests. Only a sample of these requests is refused */
   for (long left = 0; left < 6000 && done < 40; left += left < 300 ? early : late) {
     vs_scheme *s = vs_new(&o);
     assert_non_null(s);
@@ -497,8 +498,8 @@ static void test_texts_refused(void **state) {
   free(want.at);
 }
 
-/* Whatever room an array leaves in the key, the fields after the array fit: the tangents of a spline follow its
- * points. */
+/* Tests that an array of any length leaves enough room in the cache's key for the fields after it: the tangents of a
+ * spline follow its points. */
 static void test_payload_room(void **state) {
   (void)state;
   vs_store *s = vs_store_new(NULL, NULL);

@@ -85,7 +85,7 @@ static void test_levels(void **state) {
     { "(difference (cbox 8 8 8)", "(translate 0 0 -10 (cyl 20 0.3 0.3 8))", ")", 12, 13 },
     /* no leaf can be settled early: one arrangement */
     { "(intersection (cbox 9.5 9.5 9.5) (union", "(cbox 10 10 9)", "))", 10, 3 },
-    /* a leaf that settles nothing, beside leaves that settle others */
+    /* a leaf that is not settled early, beside leaves that are */
     { "(union (difference (cbox 12 12 12) (cbox 11 11 30))", "(cbox 10 10 10)", ")", 8, 5 },
     /* coplanar faces throughout */
     { "(union", "(cbox 10 10 10)", ")", 5, 90 },
@@ -147,7 +147,7 @@ static bool is_proven(int what, uint32_t n) {
     proven += hubs.of.at[t] == 0;
   }
   assert_true(proven == 0 || proven == m.triangle_count);
-  assert_int_equal(hubs.edges, proven); /* each triangle with the next triangle */
+  assert_int_equal(hubs.edges, proven); /* each triangle is proven disjoint from the next triangle */
   assert_int_equal(hubs.corners.count, proven > 0);
   vs_hubs_free(&k, &hubs);
   assert_int_equal(k.bytes, 0);
@@ -164,7 +164,7 @@ static void test_hubs(void **state) {
     assert_true(is_proven(SADDLE, n));
     assert_false(is_proven(OPEN, n));
   }
-  assert_false(is_proven(CONE, 60)); /* so few triangles are tested in pairs */
+  assert_false(is_proven(CONE, 60)); /* a hub with so few triangles is not proven; its triangles are tested in pairs */
 }
 
 /* Adds a cone with the hub `tip`, and a rim of n vertices around `middle`. The radius varies by `waves` times
@@ -289,7 +289,7 @@ static void test_meshes_with_hubs(void **state) {
   vs_vec3 was = m.vertices[1];
   m.vertices[1] = vs_v3(0, 0, -1); /* moves the inner bottom through the outer bottom */
   assert_false(is_good(&m));
-  m.vertices[1] = vs_v3(0, 6, 3); /* moves it through the walls */
+  m.vertices[1] = vs_v3(0, 6, 3); /* moves the vertex through the walls */
   assert_false(is_good(&m));
   m.vertices[1] = was;
   assert_true(is_good(&m));

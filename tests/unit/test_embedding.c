@@ -135,7 +135,7 @@ static void test_stops(void **state) {
   assert_false(vs_stop_get(s, &stop));
   assert_int_equal(vs_resume(s, VS_RESUME_CONTINUE), VS_OUTCOME_USAGE);
   assert_int_equal(run(s, stepped, 0), VS_OUTCOME_DONE);
-  assert_int_equal(run(s, "(wall 3)", STOP & ~VS_EVAL_STOP), VS_OUTCOME_DONE); /* without the flag, (break) only
+  assert_int_equal(run(s, "(wall 3)", STOP & ~VS_EVAL_STOP), VS_OUTCOME_DONE); /* without VS_EVAL_STOP, (break) only
                                                                                 * warns */
   assert_string_equal(last, "(6 7 3)");
   assert_int_equal(run(s, "(wall 4)", STOP), VS_OUTCOME_STOPPED);
@@ -157,7 +157,7 @@ static void test_stops(void **state) {
   assert_string_equal(last, "2000000");
   assert_int_equal(run(s, "(car 5)", STOP), VS_OUTCOME_MODEL); /* an error at a stop does not end the stop */
   assert_int_equal(vs_stop_depth(s), 2);
-  /* returns from one call of 100,000: the next stop is in its caller */
+  /* steps out of one call of 100,000: the next stop is in the procedure's caller */
   assert_int_equal(vs_resume(s, VS_RESUME_OUT), VS_OUTCOME_STOPPED);
   assert_true(vs_stop_get(s, &stop));
   assert_int_equal(stop.kind, VS_STOPPED_VALUE);

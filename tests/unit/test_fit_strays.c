@@ -1,6 +1,7 @@
-/* Tests the table of strays: a facade, scanned from one side, with strays of several kinds, in several poses. A fit is
- * right if each number is within a hundredth of its true value; a wrong fit must report a doubt. LONG=1: 100 seeds for
- * each cell; otherwise a sample; FITS=N: N seeds. SHOW=1 prints the table, and each fit that is wrong or in doubt. */
+/* Tests fits of a facade that was scanned from one side. Some points of the scan, the strays, are not on the facade.
+ * There are several kinds of strays, and several poses. A fit is right if each number is within a hundredth of its true
+ * value; a wrong fit must report a doubt. LONG=1: 100 seeds for each cell of the table; otherwise a sample; FITS=N: N
+ * seeds. SHOW=1 prints the table, and each fit that is wrong or in doubt. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -187,7 +188,7 @@ static void scan_wall(const double *n, double strays, const pose *at, uint64_t s
     vs_vec3 off = vs_v3(normal(&seed), normal(&seed), normal(&seed));
     out[i] = vs_rigid_point(&m, vs_v3_add(p, vs_v3_scale(off, .005)));
   }
-  for (size_t i = POINTS; i > 1; i--) { /* in random order */
+  for (size_t i = POINTS; i > 1; i--) { /* shuffles the points */
     size_t k = (size_t)(share(&seed) * (double)i);
     vs_vec3 held = out[i - 1];
     out[i - 1] = out[k], out[k] = held;

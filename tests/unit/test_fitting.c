@@ -42,7 +42,7 @@ static void losses(void **state) {
 
 static vs_rigid_motion some_motion(void) {
   vs_rigid_motion m = { .size = 2, .centre = { 1, 2, 3 }, .to = { -4, 5, 6 } };
-  m.turn[0][1] = 1, m.turn[1][2] = 1, m.turn[2][0] = 1; /* maps x to z, y to x, z to y */
+  m.turn[0][1] = 1, m.turn[1][2] = 1, m.turn[2][0] = 1; /* a rotation that maps x to z, y to x, z to y */
   return m;
 }
 

@@ -131,7 +131,7 @@ static void bounds_hold_all_values(void **state) {
 
 static void ranges_walk_through_grids(void **state) {
   (void)state;
-  /* more values than the precomputed ones */
+  /* asks for more values than are precomputed */
   vs_sample_range r[2] = { { .a = 0, .b = 1, .n = 3 }, { .a = 5, .b = 7, .n = 500 } };
   static double in[2][VS_SAMPLE_BATCH];
   vs_sample_begin(&r[0]), vs_sample_begin(&r[1]);
@@ -143,7 +143,7 @@ static void ranges_walk_through_grids(void **state) {
       assert_true(fabs(in[1][k] - (5 + 2. * (at % 500) / 499)) < 1e-14);
     }
   }
-  assert_true(in[1][99] == 7); /* both ends are exact */
+  assert_true(in[1][99] == 7); /* the last value of the range is exact */
 }
 
 /* ---- contours ---- */

@@ -14,7 +14,8 @@
 #include "tests/unit/allocator.h"
 #include "tests/unit/skip.h"
 
-static size_t fail_at, held; /* number of blocks in use; counted only while fail_at is set */
+static size_t fail_at, held; /* fail_at: 1 + number of requests before a failure; 0: none fails. held: number of blocks
+                              * in use, counted only while fail_at is set */
 
 #if REPLACED
 static bool refused(void) {

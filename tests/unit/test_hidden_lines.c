@@ -108,7 +108,7 @@ static void a_box_behind_a_box(void **state) {
   add_box(&m, vs_v3(0, 0, 0), vs_v3(4, 4, 1), NULL);
   add_box(&m, vs_v3(2, 1, 5), vs_v3(6, 3, 6), NULL); /* a face of 4 by 2, whose left half is behind the other box */
   assert_true(fabs(look(&m, false, NULL).seen - (16 + 2 + 2 + 2)) < 1e-9);
-  model touching = { .point_count = 0 }; /* face on face: coplanar faces hide nothing of each other */
+  model touching = { .point_count = 0 }; /* two boxes face to face: coplanar faces do not hide each other */
   add_box(&touching, vs_v3(0, 0, 0), vs_v3(4, 4, 1), NULL);
   add_box(&touching, vs_v3(4, 0, 0), vs_v3(6, 4, 1), NULL);
   assert_true(fabs(look(&touching, false, NULL).seen - (16 + 12 - 4)) < 1e-9); /* the common edge of the two faces
@@ -142,7 +142,7 @@ static void in_perspective(void **state) {
   (void)state;
   model m = { .point_count = 0 };
   add_box(&m, vs_v3(-1, -1, 4), vs_v3(1, 1, 6), NULL);
-  result r = look(&m, true, NULL); /* the back appears at 1/6, behind the front, which appears at 1/4 */
+  result r = look(&m, true, NULL); /* the front appears at 1/4 of the picture, and the back at 1/6, behind the front */
   assert_true(fabs(r.seen - 8 * 0.25) < 1e-9);
   r = look_at_line(&m, true, vs_v3(-4, 0, 8), vs_v3(4, 0, 8)); /* a line from -1/2 to 1/2 in the picture, hidden from
                                                                 * -1/4 to 1/4 */
@@ -169,8 +169,8 @@ static void many_boxes(void **state) {
   model m = { .point_count = 0 };
   for (int i = 0; i < 300; i++) add_box(&m, vs_v3(0, 0, 2 * i), vs_v3(4 + 0.001 * i, 4, 2 * i + 1), NULL);
   result r = look(&m, false, NULL);
-  assert_true(fabs(r.seen - (16 + 299 * (4 + 0.001 * 2))) < 1e-6); /* of each later box: its right edge, and 0.001 at
-                                                                    * both ends of this edge */
+  assert_true(fabs(r.seen - (16 + 299 * (4 + 0.001 * 2))) < 1e-6); /* of each later box, its right edge and 0.001 of the
+                                                                    * edges at both ends of it are visible */
 }
 
 static void stopping_and_failing(void **state) {

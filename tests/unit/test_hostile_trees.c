@@ -108,7 +108,7 @@ static bool going(void *context, const char *stage, double done) {
   return at < l->until;
 }
 
-/* Runs passes over the tree. *seconds is the time of everything. */
+/* Runs passes over the tree. *seconds: processor time of the passes and of freeing the tree. */
 static vs_error_kind run(size_t tree, size_t n, unsigned passes, listener *l, double *seconds, double stop_after) {
   vs_store *s = vs_store_new(NULL, NULL);
   vs_node *root = trees[tree].make(s, n);

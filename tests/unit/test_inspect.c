@@ -325,7 +325,7 @@ static void test_apart(void **state) {
     met += faults > 0;
     missed += !apart && faults == 0;
   }
-  assert_true(said > 40000 && met > 40000); /* both answers occur often */
+  assert_true(said > 40000 && met > 40000); /* the test reports both answers often */
   assert_true(missed * 5 < said);           /* the test rarely fails to decide, although many triangles touch */
   const vs_vec3 opposed[6] = { { 0, 0, 0 }, { 3, 1, 1 }, { 3, -1, 1 }, { 0, 0, 0 }, { -3, -1, -1 }, { -3, 1, -1 } }; /* as at the centre of a torus without a hole */
   int shared;

@@ -175,7 +175,7 @@ static void test_predicates(void **state) {
       int want = mpq_cmp(c[0][axis], c[1][axis]);
       assert_int_equal(vs_compare(view, 0, 1, axis), (want > 0) - (want < 0));
     }
-    mpq_set_ui(s, 0, 1); /* determinant (1 - 0) x (2 - 0) in x and y */
+    mpq_set_ui(s, 0, 1); /* the determinant is that of (1 - 0) x (2 - 0), in x and y */
     mpq_sub(t, c[1][0], c[0][0]);
     mpq_sub(u, c[2][1], c[0][1]);
     mpq_mul(s, t, u);
@@ -936,7 +936,7 @@ static void test_facets_stay_whole(void **state) {
   (void)state;
   static const struct {
     const char *text;
-    size_t triangles; /* 0: the number is unknown, but lower */
+    size_t triangles; /* number of triangles without bends; 0: not known */
   } cases[] = {
     { "(difference (box 4 4 4) (translate 2 2 2 (rotate 33 21 17 (cbox 1 1 9))))", 32 },
     { "(difference (rotate 33 21 17 (box 4 4 4)) (translate 0 0 1 (box 1 1 9)) (rotate 33 21 17 (translate 9 0 0 (box 1 1 1))))", 0 },

@@ -1,6 +1,6 @@
-/* Tests that memory may run out anywhere in the kernel, in any of its threads: each request in turn is refused,
- * once and for good. Each run succeeds or returns a named error; none hangs, and all memory is freed. A sample; LONG=1:
- * every request of four threads. */
+/* Tests that memory may run out anywhere in the kernel, in any of its threads. Each request in turn is refused: once,
+ * or with all later requests. Each run succeeds or returns a named error; none hangs, and all memory is freed. Tests a
+ * sample of the requests; LONG=1: every request of four threads. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdatomic.h>

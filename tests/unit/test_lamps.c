@@ -1,5 +1,5 @@
-/* Tests lamp files and of the sun in panoramas: intensities and symmetries in closed form, randomly damaged
- * files, and suns that the test paints into skies. */
+/* Tests files of lamps, and the sun in panoramas: intensities and symmetries in closed form, randomly damaged files,
+ * and suns that the test paints into skies. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -148,8 +148,8 @@ static void test_suns(void **state) {
     near_to(sun.light.z, 0.7 * bright * angle, 0.02 * bright * angle);
     float most = 0;
     for (size_t k = 0; k < (size_t)x.columns * x.rows; k++) most = fmaxf(most, vs_exr_find(&x, "B")[k]);
-    assert_true(most < 1.3); /* the sky has 0.9, and more below the horizon; only the sky remains after removing the
-                              * sun */
+    assert_true(most < 1.3); /* the sky has the value 0.9, and more below the horizon; no larger value remains after the
+                              * sun is removed */
     assert_false(vs_panorama_take_sun(&x, &sun));
     vs_exr_free(&x);
     assert_int_equal(vs_store_bytes(s), 0);

@@ -1,5 +1,5 @@
-/* Tests the library's C procedures: each row is an expression of nested calls, and the text that it prints,
- * or its error. A few lines of evaluator replace the compiler, so that these tests need only reader, natives and
+/* Tests the library's C procedures. Each row is an expression of nested calls, and the text that it prints, or its
+ * error. A small evaluator in this file replaces the compiler, so that these tests need only reader, natives and
  * printer. */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -23,7 +23,7 @@ static vs_value names, input;        /* names: table from name to procedure. inp
 
 static bool define(vs_scheme *vm, void *table, vs_value symbol, vs_value procedure) { return vs_table_put(vm, *(vs_value *)table, symbol, procedure); }
 
-/* The recursion is as deep as the rows of this file nest. */
+/* Evaluates a form. The recursion is as deep as the nesting of this file's rows. */
 static bool eval(vs_scheme *vm, vs_value form, vs_value *out) {
   if (vs_is_symbol(form)) return vs_table_get(vm, names, form, out);
   if (!vs_is_pair(form)) return *out = form, true;
@@ -76,7 +76,7 @@ static void with_vm(void (*test)(vs_scheme *vm)) {
   vs_close_vm(vm);
 }
 
-/* ---- the tower ---- */
+/* ---- the types of numbers ---- */
 
 static const row numbers[] = {
     {"(+ 1 2)", "3"},

@@ -137,9 +137,9 @@ static double time_to_end(vs_scheme *s, watch *w, const char *made, const char *
   return took;
 }
 
-/* By design each ends within 50 ms of an interrupt; the test allows half a second, because sanitizers and a garbage
- * collection in between take time. A virtual machine counts some of the time that it did not receive as the process's
- * time: the best of eight runs is the time of the code. */
+/* By design each operation ends within 50 ms of an interrupt. The test allows half a second, because sanitizers and a
+ * garbage collection in between take time. A virtual machine counts some of the time that it did not receive as the
+ * process's time. The best of eight runs is therefore the time of the code. */
 static void test_interrupts(void **state) {
   (void)state;
   watch w;

@@ -1,4 +1,4 @@
-/* Tests bounds, of contains? and of measures: each against the others and against closed forms. */
+/* Tests bounds, contains? and measures: each against the others and against closed forms. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

@@ -1,5 +1,5 @@
-/* Tests reading mesh files and of repairing their meshes: one cube in every format, thousands of damaged
- * copies of each, and broken solids. An argument multiplies the number of damaged copies. */
+/* Tests the reading of mesh files and the repair of their meshes: one cube in every format, thousands of damaged copies
+ * of each file, and broken solids. An argument multiplies the number of damaged copies. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>

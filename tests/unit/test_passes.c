@@ -215,7 +215,7 @@ static void placements_go_through_what_takes_them_in(void **state) {
   assert_int_equal(r.node->kind, VS_DIFFERENCE);
   assert_true(stats.commands_after == 3 && VS_AS(torus, r.node->children[1].node)->center.z == 4);
   vs_node_release(r.node);
-  /* a box does not absorb a rotation: this would save nothing */
+  /* a rotation is not folded into a box, since this would save nothing */
   vs_affine turn = vs_affine_rotation(vs_v3(0, 0, 0), vs_v3(0, 0, 1), 0.3);
   r = (vs_ref){ moved(s, turn, two(s, VS_UNION, NODE(sphere, SPHERE, { 0, 0, 0 }, 2, 0), NODE(box, BOX, { 0, 0, 0 }, { 1, 1, 1 }))), NULL };
   run(s, &r, 1 << VS_PASS_FOLD);
@@ -236,7 +236,7 @@ static void paint_rises(void **state) {
   for (int i = 0; i < 6; i++) kids[i] = painted(s, "red", layered(s, i < 4 ? "roof" : "wall", NODE(sphere, SPHERE, { i, 0, 0 }, 1, 0)));
   vs_ref r = { over(s, VS_UNION, NULL, kids, 6), NULL };
   vs_pass_stats stats = run(s, &r, 1 << VS_PASS_FOLD);
-  assert_int_equal(r.node->kind, VS_MATERIAL); /* a single material around all six */
+  assert_int_equal(r.node->kind, VS_MATERIAL); /* a single material around all six objects */
   assert_true(stats.commands_before == 23 && stats.commands_after == 14);
   vs_node_release(r.node);
   for (int i = 0; i < 6; i++) kids[i] = painted(s, i == 2 ? "green" : "red", NODE(sphere, SPHERE, { i, 0, 0 }, 1, 0));
@@ -418,7 +418,7 @@ static void turned_copies_become_a_template(void **state) {
   vs_node_release(r.node);
   /* every allocation fails in turn */
   vs_node *beside[] = { brace(s, 3, 0, false, 0.3), brace(s, 3, 1, false, 0.3), brace(s, 4, 1, false, 0.3), brace(s, 3, 2, true, 0.3), brace(s, -1, 2, true, 0.3) };
-  r.node = over(s, VS_UNION, NULL, beside, 5); /* turned, and turned and moved */
+  r.node = over(s, VS_UNION, NULL, beside, 5); /* the parts turned, and turned and moved */
   assert_true(vs_node_bounds(r.node, &before, NULL));
   run(s, &r, 1 << VS_PASS_SHARE);
   assert_true(vs_node_bounds(r.node, &after, NULL));

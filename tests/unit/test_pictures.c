@@ -1,5 +1,5 @@
-/* Tests geometry/pictures and of EXR files: tone curves against the published values, exposure by the
- * histogram, measures of difference against closed forms, noise and edges, files that are cut short or changed. */
+/* Tests geometry/pictures and EXR files: tone curves against the published values, exposure by the histogram, measures
+ * of difference against closed forms, noise and edges, and files that are cut short or changed. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -398,9 +398,12 @@ static void test_ray_tree(void **state) {
   vs_store_release(store);
 }
 
-/* Beside a wall at the distance d that extends beyond `far`, a direction meets it within `far` if its component towards
- * the wall is more than c = d / far: seen from above, a segment of the unit disc with the area acos c - c sqrt(1 - c
- * c). Beside a wall of the height h without `far`: half of 1 - d / sqrt(d d + h h). */
+/* The reference values of openness.
+ *
+ * Beside a wall at the distance d that extends beyond `far`, a direction hits the wall within `far` if its component
+ * towards the wall is more than c = d / far. Seen from above, these directions are a segment of the unit disc with the
+ * area acos c - c sqrt(1 - c c). Beside a wall of the height h without `far`, the hidden fraction is half of 1 - d /
+ * sqrt(d d + h h). */
 static void test_openness(void **state) {
   (void)state;
   vs_store *store = vs_store_new(NULL, NULL);

@@ -1,4 +1,4 @@
-/* Tests areas in a plane: sets, offsets, open lines, chains, triangulated sheets with holes; and of shapes
+/* Tests areas in a plane: sets, offsets, open lines, chains, triangulated sheets with holes. Also tests shapes that are
  * derived from meshes: sections, shadows, edges. */
 #include <math.h>
 #include <setjmp.h>
@@ -26,7 +26,8 @@ static vs_area rectangle(double x0, double y0, double x1, double y1) {
   return a;
 }
 
-static double content(const vs_area *a) { /* returns the signed area; holes have the opposite orientation */
+static double content(const vs_area *a) { /* returns the signed area of all loops; holes have the opposite
+                                           * orientation */
   double sum = 0;
   for (size_t l = 0, first = 0; l < a->loop_count; first += a->size[l++])
     for (size_t i = 0; i < a->size[l]; i++) {
@@ -114,9 +115,9 @@ static void read_off_meshes(void **state) {
   vs_mesh_free(&box);
 }
 
-/* A sheet of 22,500 holes, which takes a second: walking around the ring for each hole would take half a minute, and
- * testing corners where holes touch would take minutes. Rows that are level and staggered, diamonds and squares, some
- * of which touch in a corner. */
+/* Tests a sheet of 22,500 holes, which takes a second. Walking around the ring for each hole would take half a minute,
+ * and testing corners where holes touch would take minutes. The holes are diamonds and squares, in level and staggered
+ * rows, and some touch in a corner. */
 static void sheets_of_holes(void **state) {
   (void)state;
   enum { ROWS = 150, HOLES = ROWS * ROWS, CORNERS = 4 + 4 * HOLES };

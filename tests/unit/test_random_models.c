@@ -68,14 +68,15 @@ static double grid_slack(trial *t, const char *text, const char *end, int facets
   static const char *const whose[] = { "(area (unite a))", "(area (unite b))", "(area (unite a b))",
                                        "(area (intersect a b))", "(area (subtract a b))" };
   static char all[MODEL_ROOM];
-  /* the box of the others' bounds in the axes of a turned half-space, enlarged by a thirty-second, and its bounds in
-   * world axes */
+  /* the box of the other solids' bounds in the axes of a rotated half-space, enlarged by a thirty-second, and the
+   * bounds of this box in world axes */
   enum { ENLARGED = 4 };
   double sum = 0, area;
   bool halves = false;
   size_t n = 0;
   for (const char *from = text; from < end && n + 16 < sizeof all;) { /* sets become unions, so that all leaves count */
-    if (strncmp(from, "(make-half-space ", 17) == 0) { /* the kernel makes it as large as the others in its set need */
+    if (strncmp(from, "(make-half-space ", 17) == 0) { /* the kernel makes a half-space as large as the other solids in
+                                                        * its set require */
       n += (size_t)snprintf(all + n, sizeof all - n, "(unite)");
       from = end_of(from), halves = true;
       continue;
@@ -186,7 +187,7 @@ static bool bad_inside(trial *t, const char *text, const written *w, uint64_t se
     double finer = winding_at(t, text, at[i], FINE);
     if (isnan(finer)) finer = winding_at(t, text, at[i], FINER);
     else if ((finer > 0.5) != (answers[i] == '1')) finer = winding_at(t, text, at[i], FINEST);
-    /* The facets were too coarse for a part cut from round solids. If a finer model gives no answer, the difference
+    /* The facets were too coarse for a part cut from round solids. If a finer model has no result, the difference
      * counts as a fault. */
     if ((finer > 0.5) == (answers[i] == '1') && !isnan(finer)) continue;
     snprintf(t->why, sizeof t->why, "at (xyz %.17g %.17g %.17g) the mesh winds %g times, and contains? says %c", at[i][0], at[i][1], at[i][2], turns, answers[i]);
@@ -208,7 +209,8 @@ static bool fails(void *context, const char *text) {
     snprintf(t->why, sizeof t->why, "%s", t->heard.error);
     return true;
   }
-  bool solid = number_of(t, "(if (solid? o) 1 0)", &v) && v > 0; /* otherwise the .off contains open faces as well */
+  bool solid = number_of(t, "(if (solid? o) 1 0)", &v) && v > 0; /* unless the object is a solid, the .off contains open
+                                                                  * faces as well */
   bool bad = (solid && bad_mesh(t, ".off", &off)) || bad_mesh(t, ".stl", &single);
   static const char *const others[] = { ".ply", ".glb" };
   for (int i = 0; i < 2 && solid && !bad && t->volumes; i++) {
@@ -385,7 +387,7 @@ static void turned_examples_are_right(void **state) {
     "(subtract (subtract (make-box (xyz 1 -1 -4) (xyz 3 3 -2)) (do-rotate (make-box (xyz 1 -1 -4) (xyz 3 3 -2)) 'z "
     "(degrees->radians -7e-6))) (do-rotate (subtract (make-box (xyz 1 -1 -4) (xyz 3 3 -2)) (do-rotate (make-box (xyz 1 "
     "-1 -4) (xyz 3 3 -2)) 'z (degrees->radians -7e-6))) 'y (degrees->radians 3e-7)))",
-    /* the same, with two neighbouring triangles, and no other contact */
+    /* as the model before, with two neighbouring triangles and no other contact */
     "(unite (subtract (make-prism (xyz 1 -2 -1) 2 9 (xyz 1 -2 2)) (do-rotate (make-prism (xyz 1 -2 -1) 2 9 (xyz 1 -2 "
     "2)) (vxyz 0 1 1) (degrees->radians 5e-7)) (make-box (xyz 2 -1 -4) (xyz 5 2 -1))) (do-rotate (make-box (xyz 0 -1 "
     "-1) (xyz 3 0 3)) 'z (degrees->radians 4e-6)))",

@@ -38,9 +38,9 @@ static const char asking[] =
     "(lambda (p) (for-each (lambda (c) (write (c p)) (display \" \")) (list cx cy cz))) box) (display \"no box \")) "
     "(write (list (solid? o) (asked area) (asked centroid))))";
 
-/* Evaluates the text, and asks and writes in one of the two orders. Before the first question the interpreter has
- * collected the values from which the program made the object, so nothing else refers to its parts. Returns false if
- * the program is refused. */
+/* Evaluates the text, and asks and writes in one of two orders. Before the first question the interpreter collects
+ * garbage. The values from which the program made the object are then freed, so that nothing else refers to its parts.
+ * Returns false if the program is refused. */
 static bool look(trial *t, const char *text, bool asks_first, unsigned passes, looks *out) {
   vs_output_options o = vs_output_options_default();
   bool more;
@@ -198,7 +198,7 @@ static double volume_beyond(const written_mesh *m, int k, double level, int sign
   double sum = 0;
   int u = (k + 1) % 3, v = (k + 2) % 3;
   for (size_t i = 0; i < m->count; i++) {
-    double part[4][3]; /* the coordinates u, v and the height above the level */
+    double part[4][3]; /* coordinates u and v of the triangle's corners, and their height above the level */
     int n = 0;
     for (int c = 0; c < 3; c++) {
       const double *a = m->points[m->triangles[i][c]], *b = m->points[m->triangles[i][(c + 1) % 3]];

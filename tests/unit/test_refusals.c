@@ -1,8 +1,8 @@
-/* Tests that every request for memory may be refused, in some forty programs: every kind of object, every form
- * of the language, every format. Each request in turn (of the later ones a sample) is refused, once and for good:
- * objects of the heap, requests of the interpreter to its host, and requests of geometry and the libraries below it
- * (GEOS, FreeType, libzip) to the C library. The run ends cleanly or writes the very same bytes, the interpreter works
- * afterwards, and all memory is freed. */
+/* Tests that every request for memory may be refused, in some forty programs: every kind of object, every form of the
+ * language, every format. Each request in turn is refused, once, or with all later requests; of later requests only a
+ * sample. These are objects of the heap, requests of the interpreter to its host, and requests of geometry and the
+ * libraries below it (GEOS, FreeType, libzip) to the C library. The run ends with an error, or writes the same bytes as
+ * without a refusal. The interpreter works afterwards, and all memory is freed. */
 #define _DEFAULT_SOURCE /* for mkdtemp */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -189,8 +189,8 @@ static void test_programs(void **state) {
     vs_scheme *s = vs_new(&o);
     assert_non_null(s);
     ending plain = { 0 };
-    vs_outcome wanted = plain.outcome = perform(s, &programs[i], &plain.sum); /* libraries that are loaded at first use
-                                                                               * are loaded from here on */
+    /* Libraries that are loaded at first use are loaded by this run, before any request is refused. */
+    vs_outcome wanted = plain.outcome = perform(s, &programs[i], &plain.sum);
     if (wanted == VS_OUTCOME_MACHINE || wanted == VS_OUTCOME_USAGE) fail_msg("%s: %s", programs[i].text, b.said);
     if (wanted == VS_OUTCOME_MODEL && programs[i].format) fail_msg("%s: %s", programs[i].text, b.said);
     snprintf(plain.said, sizeof plain.said, "%s", b.said);

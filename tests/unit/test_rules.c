@@ -168,8 +168,8 @@ static void leaves_keep_their_looks(void **state) {
   vs_kernel_options options = { 0 };
   vs_error e = { 0 };
   struct vs_box unit = { .p = { 0, 0, 0 }, .q = { 1, 1, 1 } };
-  const vs_origin *here = (const vs_origin *)(const void *)&unit; /* a pointer that is passed on, but never
-                                                                   * dereferenced */
+  const vs_origin *here = (const vs_origin *)(const void *)&unit; /* an address that is passed on as an origin, but
+                                                                   * never dereferenced */
   vs_ref at = { vs_node_new(s, VS_BOX, &unit, NULL, 0), here };
   for (int i = 0; i < 12; i++) {
     struct vs_layer layer = { .name = vs_store_text(s, i ? "outer" : "inner", 5) };
@@ -188,7 +188,7 @@ static void leaves_keep_their_looks(void **state) {
   vs_store_release(s);
 }
 
-/* Each allocation of the store fails once. The result must be a message or complete, and no memory may be lost. */
+/* Each allocation of the store fails once. The result must be an error or complete, and no memory may be lost. */
 static void refused_memory(void **state) {
   (void)state;
   vs_fineness facets = { 0.01, 0 };

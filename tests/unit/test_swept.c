@@ -205,8 +205,8 @@ static void regions_join_open_curves(void **state) {
   vs_error e = { 0 };
   vs_ref joined[] = { parts[0], parts[1] };
   size_t count = 2;
-  assert_true(vs_curves_join(s, joined, &count, &e)); /* the line's direction is opposite to the arc's, so the line is
-                                                       * reversed */
+  assert_true(vs_curves_join(s, joined, &count, &e)); /* The line's direction is opposite to the arc's direction. The
+                                                       * join must reverse the line */
   assert_int_equal(count, 1);
   assert_int_equal(joined[0].node->kind, VS_JOIN);
   vs_node *region = vs_node_new(s, VS_REGION, NULL, joined, 1);

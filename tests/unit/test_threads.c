@@ -132,7 +132,7 @@ static void test_apart(void **state) {
   assert_in_range(alone.formats, 8, 32);
   assert_int_equal(alone.hits, 3);
   assert_int_equal(alone.gizmos, 1);
-  assert_int_equal(alone.changes, 21); /* from 4 to 4.0 by quarters, and the posted changes */
+  assert_int_equal(alone.changes, 21); /* values from 4 to 4.0 in steps of a quarter, and the posted changes */
   assert_true(alone.width == 1 && alone.meshes == 6);
   for (int i = 0; i < THREADS; i++) assert_int_equal(pthread_create(&threads[i], NULL, make, &together[i]), 0);
   for (int i = 0; i < THREADS; i++) assert_int_equal(pthread_join(threads[i], NULL), 0);
@@ -173,7 +173,7 @@ static void *evaluate(void *s) {
 static bool hears(const char *thread, int signal_number) {
   char path[300], line[200];
   unsigned long long held = ~0ull;
-  int threads = 0; /* it is 0 in the status of a thread that has just ended */
+  int threads = 0; /* the number is 0 in the status of a thread that has just ended */
   snprintf(path, sizeof path, "/proc/self/task/%s/status", thread);
   FILE *f = fopen(path, "r");
   while (f && fgets(line, sizeof line, f)) sscanf(line, "Threads: %d", &threads), sscanf(line, "SigBlk: %llx", &held);

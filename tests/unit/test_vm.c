@@ -175,7 +175,8 @@ static void programs(void **state) {
   }
 }
 
-/* Tests more variables and arguments than an instruction can number. */
+/* Tests procedures with more variables, and calls with more arguments, than the operand of an instruction can
+ * number. */
 static void wide_frames(void **state) {
   (void)state;
   vs_scheme *vm = open_plain();

@@ -14,7 +14,7 @@
 #include <cmocka.h>
 
 #include "visualscheme.h"
-#include "tests/oracle/models.c" /* includes its static functions */
+#include "tests/oracle/models.c" /* this file uses the static functions of models.c */
 #include "tests/tools/written_mesh.h"
 
 enum { TEXT = 4 * MODEL_ROOM };
@@ -29,7 +29,8 @@ typedef struct {
   char why[900];
   unsigned line;
   const char *file;                /* name of the texts' file; NULL: model */
-  bool volumes;                    /* whether to measure volumes and to write two more formats, which takes longest */
+  bool volumes;                    /* Whether to measure volumes and to write two more formats. This takes most of the
+                                    * time */
   const vs_output_options *output; /* options for writing; NULL: the defaults */
 } trial;
 
@@ -136,8 +137,8 @@ static double winding(const written_mesh *s, const double p[3], double *nearest)
       dots[j] = v[j][0] * v[(j + 1) % 3][0] + v[j][1] * v[(j + 1) % 3][1] + v[j][2] * v[(j + 1) % 3][2];
     sum += 2 * atan2(det, length[0] * length[1] * length[2] + dots[0] * length[2] + dots[1] * length[0] +
                               dots[2] * length[1]);
-    /* For a triangle that appears large: its distance from the point's plane. Otherwise a bound computed from its
-     * corners. Both are never more than the true distance. */
+    /* For a triangle that appears large: its plane's distance from the point. Otherwise a bound computed from its
+     * corners. Neither exceeds the true distance. */
     double plane = size > 0 ? fabs(det) / sqrt(size) : 0, longest = 0;
     for (int k = 0; k < 3; k++) longest = fmax(longest, fmax(fabs(e[k]), fabs(f[k])));
     *nearest = fmin(*nearest, fmax(plane, fmin(length[0], fmin(length[1], length[2])) - 2 * longest));
