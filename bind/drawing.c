@@ -100,8 +100,8 @@ static vs_status around(vs_args *f, vs_kind kind, const void *data, const vs_arg
   char name[64];
   if (objects->refs.count == 0 && objects != f->arg && f->given < 2) {
     vs_bind_own_name(f, name);
-    vs_bind_warn(f->bind, "no object", "%s gets no object, and changes none that is drawn elsewhere: (%s%s object)",
-                 name, name,
+    vs_bind_warn(f->bind, "no object",
+                 "%s has no object here, and does not change objects drawn elsewhere: write (%s%s object)", name, name,
                  kind == VS_MATERIAL ? strcmp(name, "color") ? " steel" : " \"red\""
                  : kind == VS_LAYER  ? " \"walls\""
                                      : "");

@@ -269,7 +269,7 @@ static bool has_language(const cli_options *o) {
   const char *path = o->target_count ? o->targets[0].path : NULL;
   if (o->command != CLI_COMMAND_translate || know_language(o->language, path)) return true;
   if (o->language) fprintf(stderr, "vs translate: --to %s: there is no such language;", o->language);
-  else fputs("vs translate: --to says the language, or the ending of -o;", stderr);
+  else fputs("vs translate: name the language by --to, or by the ending of -o;", stderr);
   fprintf(stderr, " there are%s\n", know_languages());
   return false;
 }

@@ -65,7 +65,7 @@ vs_outcome cli_test_run(cli_session *c, vs_outcome (*run_file)(cli_session *c, c
   else if (outcome != VS_OUTCOME_DONE) broken(c, path, "the program stopped before its end", "");
   else if (vs_exit_requested(c->scheme, &code)) broken(c, path, "(exit) ended the program before its end", "");
   const char *own = vs_check_redefined(c->scheme);
-  if (own) broken(c, path, own, " is defined anew: its uses in the program are no checks");
+  if (own) broken(c, path, own, " is redefined by the program: its uses are no checks");
   bool any = vs_check_waits(c->scheme);
   if (!any && outcome == VS_OUTCOME_DONE && !own) printf("%s: no checks\n", path);
   while (vs_check_waits(c->scheme)) {

@@ -87,7 +87,7 @@ bool cli_untrusted_read(cli_untrusted *u, const char *path, char **text, size_t 
   bool good = fstat(file, &info) == 0 && S_ISREG(info.st_mode) && info.st_size >= 0;
   if (!good || (size_t)info.st_size > u->most) {
     close(file);
-    return refuse(u, good ? "too large for the memory there is" : "is not an ordinary file", why);
+    return refuse(u, good ? "larger than the available memory" : "is not an ordinary file", why);
   }
   size_t room = (size_t)info.st_size + 1, used = 0;
   char *to = malloc(room);

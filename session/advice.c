@@ -121,10 +121,10 @@ static const struct { const char *operators, *keywords, *words; bool first; cons
   { "do-rotate rotate do-revolve do-sweep make-plane rotation-matrix scope-split scope-repeat scope-turn", "#:up",
     "x y z", false, "'", "the name of an axis has a quote before it" },
   { "", "#:align #:valign", "left right center centre top bottom baseline", false, "'",
-    "a word that means itself has a quote before it" },
+    "a word that is no variable has a quote before it" },
   { "view-from view", "",
     "top bottom front back left right iso isometric plan section perspective panorama axonometric", false, "'",
-    "a word that means itself has a quote before it" },
+    "a word that is no variable has a quote before it" },
   { "units", "", "m mm cm in ft", true, "'", "the name of a unit has a quote before it" },
 };
 
@@ -254,7 +254,7 @@ static bool advise_callee(place p, vs_span at, vs_value irritants, vs_text *t, v
          vs_print(vm, vs_car(irritants), VS_PRINT_WRITE, t) &&
          (ours || name[n] != ')' || vs_text_printf(t, "; its value is %.*s, without parentheses", (int)n, name)) &&
          (!ours ||
-          vs_text_printf(t, "; under another name for that, (%.*s ...) has its old meaning again", (int)n, name));
+          vs_text_printf(t, "; give this value another name, and (%.*s ...) calls the procedure again", (int)n, name));
 }
 
 /* ---- wrong numbers of arguments ---- */
@@ -275,7 +275,7 @@ static bool advise_mapped(const place *p, vs_value callee, vs_text *t) {
   if (!is_word_of("map for-each append-map filter map-division", head, n) || call[1 + name] != ' ') return true;
   const char *first = call + 1 + name + 1;
   size_t length = strcspn(first, " )");
-  return vs_text_printf(t, "; (lambda (%.*s) %s) gives the others", (int)length, first, call);
+  return vs_text_printf(t, "; (lambda (%.*s) %s) adds the missing arguments", (int)length, first, call);
 }
 
 static bool advise_arity(vs_scheme *vm, vs_value payload, vs_text *t) {
@@ -461,7 +461,7 @@ bool vs_session_advise_empty(vs_session *s, vs_text *t) {
   if (!n.ok) return false;
   if (!n.count) {
     t->count = before;
-    return vs_text_printf(t, "; (draw object) draws one");
+    return vs_text_printf(t, "; (draw object) draws an object");
   }
   return vs_text_printf(t, "%s and draws nothing; (draw (%.*s ...)) draws its result", n.count > 4 ? " and others" : "",
       (int)n.last_length, n.last);

@@ -64,7 +64,7 @@ static bool put_failure(trial *c, vs_text *t) {
   char place[24];
   r[WORK] = vm->condition;
   vm->condition = VS_FALSE;
-  if (vs_session_is_exit(r[WORK])) return vs_text_puts(t, "the end of the program, by (exit)");
+  if (vs_session_is_exit(r[WORK])) return vs_text_puts(t, "(exit), which ends the program");
   if (vs_is(r[WORK], VS_T_CONDITION)) {
     const vs_condition *condition = vs_as_condition(r[WORK]);
     c->interrupted = c->interrupted || condition->kind == vm->sym.interrupt;

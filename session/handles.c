@@ -102,7 +102,7 @@ static vs_held *entry(vs_session *s, const char *who, vs_handle h) {
   vs_handles *t = s->handles;
   size_t i = (size_t)(h & 0xffffffff);
   if (t && i > 0 && i <= t->count && t->at[i - 1].uses && t->at[i - 1].stamp == h >> 32) return &t->at[i - 1];
-  if (h == 0) usage(s, "%s: this is no handle but 0", who);
+  if (h == 0) usage(s, "%s: 0 is not a handle", who);
   else usage(s, "%s: this handle is another interpreter's, was released, or is older than vs_restart", who);
   return NULL;
 }
@@ -418,7 +418,8 @@ vs_status vs_session_host_call(vs_scheme *vm, vs_value *a, int n, vs_value *out)
   if (!t || number >= t->procedure_count) return vs_fail(vm, vm->sym.error, "the host's procedure is gone");
   vs_host_entry p = t->procedures[number];
   vm->native = NULL; /* errors begin with the name that the host gave the procedure */
-  if (count > MOST) return vs_fail(vm, vm->sym.arity, "%s: at most %d arguments reach the host", p.name, MOST);
+  if (count > MOST)
+    return vs_fail(vm, vm->sym.arity, "%s: a procedure of the host accepts at most %d arguments", p.name, MOST);
   while (made < count && (handles[made] = vs_session_hold(s, &a[made + 1])) != 0) made++;
   *t->failure = 0;
   bool ok = made == count && p.fn(p.context, vm, handles, count, &result);

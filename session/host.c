@@ -134,7 +134,7 @@ static bool slurp(vs_session *s, const char *path, char **text, size_t *length, 
   }
   int error = at && ferror(f) ? errno : 0;
   fclose(f);
-  if (!at) return refuse(s, over ? "too large for the memory there is" : VS_IO_NO_MEMORY, why);
+  if (!at) return refuse(s, over ? "larger than the available memory" : VS_IO_NO_MEMORY, why);
   if (error) return free(at), refuse(s, reason(error), why);
   *text = at, *length = used;
   return true;

@@ -81,7 +81,7 @@ bool vs_text_advise_hidden(vs_text_place p, vs_text *t) {
   if (!name.n || name.n > LONGEST_WORD) return true;
   const char *second = next_of(owner, p.end);
   word procedure = head_of(second, p.end);
-  static const char why[] = "no procedure: give it another name, and (%.*s ...) has its meaning again";
+  static const char why[] = "no procedure: give it another name, and (%.*s ...) calls the procedure again";
   char rest[200];
   snprintf(rest, sizeof rest, why, (int)name.n, name.at);
   if (is(head_of(form, p.end), "define") && procedure.n && procedure.n < LONGEST_WORD) {

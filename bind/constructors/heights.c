@@ -84,7 +84,7 @@ static vs_status field(vs_args *f, const char *name, const vs_raster *r, bool sc
   if (!points) return vs_fail_memory(f->vm);
   bool flat = true;
   for (size_t i = 0; flat && i < count; i++) flat = !(at[i].z > p.z + low);
-  vs_status ok = flat ? vs_bind_empty(f, "all of it lies at #:low", out)
+  vs_status ok = flat ? vs_bind_empty(f, "no height is above #:low", out)
                       : vs_bind_make(f, VS_HEIGHT_FIELD,
                                      &(struct vs_height_field){
                                          .points = points, .columns = (int32_t)r->columns, .low = p.z + low },

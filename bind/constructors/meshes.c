@@ -333,7 +333,7 @@ vs_status vs_p_load_mesh(vs_args *f, vs_value *out) {
     if (ok && n->class_ != VS_SOLID)
       ok = vs_fail(f->vm, f->vm->sym.range,
                    sheet ? "%s: the faces are a surface, which encloses nothing: make-polyface-mesh makes one of them"
-                         : "%s: nothing solid is left of it",
+                         : "%s: no solid remains after the repair",
                    name);
   } else if (ok) {
     vs_mesh mesh = { 0 };

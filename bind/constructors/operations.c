@@ -289,7 +289,7 @@ vs_status vs_p_hull(vs_args *f, vs_value *out) {
     if (two) vs_points_release(f->store, two);
     vs_polyline_free(&ends);
   } else if (ok && d.dimension < 1)
-    ok = vs_bind_empty(f, d.dimension ? "there is nothing to hold" : "all of it is one point", out);
+    ok = vs_bind_empty(f, d.dimension ? "there are no objects" : "all points are the same", out);
   else if (ok && d.dimension == 2) {
     d.points = VS_AS(hull, made)->points;
     bool planar = true; /* whether all children can be used directly; a surface is replaced by its corners, since planar

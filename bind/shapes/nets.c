@@ -89,7 +89,8 @@ vs_status vs_p_form_find(vs_args *f, vs_value *out) {
   for (size_t k = 0; k < net.member_count; k++) {
     double a = next(f->vm, &l), b = next(f->vm, &l), length = next(f->vm, &l), density = next(f->vm, &l);
     net.members[k] = (vs_net_member){ .a = (uint32_t)a, .b = (uint32_t)b, .length = length, .density = density };
-    if (net.members[k].a >= n || net.members[k].b >= n) return vs_fail(f->vm, f->vm->sym.range, "a member has no end");
+    if (net.members[k].a >= n || net.members[k].b >= n)
+      return vs_fail(f->vm, f->vm->sym.range, "a member ends at none of the points");
   }
   memset(fixed, 0, n * sizeof *fixed);
   for (l = f->arg[2].value; vs_is_pair(l);) {
@@ -167,7 +168,8 @@ vs_status vs_p_shortest_path(vs_args *f, vs_value *out) {
   double points = (double)f->arg[1].integer;
   for (size_t i = 0; i < count; i++) {
     double a = next(f->vm, &l), b = next(f->vm, &l), length = next(f->vm, &l);
-    if (!(a >= 0 && a < points && b >= 0 && b < points)) return vs_fail(f->vm, f->vm->sym.range, "a member has no end");
+    if (!(a >= 0 && a < points && b >= 0 && b < points))
+      return vs_fail(f->vm, f->vm->sym.range, "a member ends at none of the points");
     ways[i] = (vs_way){ (uint32_t)a, (uint32_t)b, length };
   }
   uint32_t *at;

@@ -156,7 +156,7 @@ vs_status vs_p_make_subdivision(vs_args *f, vs_value *out) {
   }
   double faces = (double)l.corner_count * pow(4, (double)f->arg[1].integer - 1);
   if (status && faces > FACES_MOST)
-    status = vs_fail(f->vm, f->vm->sym.range, "%.0f faces would be made, and at most %d are", faces, FACES_MOST);
+    status = vs_fail(f->vm, f->vm->sym.range, "%.0f faces would be made, but at most %d are", faces, FACES_MOST);
   if (status && !creases_of(f, &l, &creases, &crease_count)) status = VS_ERROR;
   vs_subdivision how = { .creases = creases,
                          .crease_count = crease_count,

@@ -56,7 +56,7 @@ static vs_vec3 towards_sun(const vs_sun_moment *m) {
 vs_status vs_p_sun_direction(vs_args *f, vs_value *out) {
   vs_sun_moment m;
   if (!f->key[0].given || !f->key[2].given || !f->key[3].given)
-    return vs_fail(f->vm, f->vm->sym.arity, "takes #:latitude, #:date and #:time, and perhaps #:longitude");
+    return vs_fail(f->vm, f->vm->sym.arity, "needs #:latitude, #:date and #:time; #:longitude is optional");
   return vs_bind_moment(f, f->key, &m) && vs_bind_give_vector(f, towards_sun(&m), out);
 }
 
@@ -65,7 +65,7 @@ vs_status vs_p_sun_at(vs_args *f, vs_value *out) {
   vs_sun_moment m;
   vs_arg place[4] = { f->key[0], f->key[1], f->key[2], { .given = false } };
   if (!f->key[0].given || !f->key[2].given)
-    return vs_fail(f->vm, f->vm->sym.arity, "takes #:latitude and #:date, and perhaps #:longitude");
+    return vs_fail(f->vm, f->vm->sym.arity, "needs #:latitude and #:date; #:longitude is optional");
   if (!vs_bind_moment(f, place, &m)) return VS_ERROR;
   m.hours += f->arg[0].real - 12;
   return vs_bind_give_vector(f, towards_sun(&m), out);

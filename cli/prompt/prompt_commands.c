@@ -61,7 +61,7 @@ static vs_outcome run_model(cli_session *c, const char *path) {
     free(c->model);
     c->model = copy;
   } else if (!c->model && !o->source_count) {
-    fputs(",run needs a file, as in ,run house.vs; after that ,run alone does\n", stderr);
+    fputs(",run needs a file, as in ,run house.vs; after that, ,run alone runs the file again\n", stderr);
     return VS_OUTCOME_USAGE;
   }
   for (size_t i = 0; !c->model && i < o->source_count; i++)
@@ -96,7 +96,7 @@ static void load_file(cli_session *c, cli_prompt *p, const char *path) {
   }
   char text[1200];
   if (strpbrk(p->loaded, "\"\\") || snprintf(text, sizeof text, "(load \"%s\")\n", p->loaded) >= (int)sizeof text) {
-    fprintf(stderr, "%s: no file name for ,load\n", p->loaded);
+    fprintf(stderr, "%s: ,load does not accept this file name\n", p->loaded);
     return;
   }
   cli_prompt_evaluate(c, p, text, strlen(text), p->line++);
@@ -127,7 +127,7 @@ void cli_prompt_set(cli_session *c, char *rest) {
     if (near.best) fprintf(stderr, "; perhaps %s", near.best);
     fputs("; ,parameters lists them\n", stderr);
   } else if (!c->model && !c->options->source_count) {
-    fprintf(stderr, "%s was defined at the prompt; do that again: (define-parameter %s %s)\n", rest, rest, value);
+    fprintf(stderr, "%s was defined at the prompt; define it again: (define-parameter %s %s)\n", rest, rest, value);
   /* the new value was refused: restore the old one */
   } else if (vs_parameter_set(c->scheme, rest, value) && run_model(c, "") == VS_OUTCOME_USAGE && was &&
       vs_parameter_set(c->scheme, rest, was)) {
@@ -188,7 +188,8 @@ static void help(cli_session *c, const char *name) {
   if (!vs_name_get(c->scheme, name, &info)) {
     if (cli_help_word(c->scheme, name, ",help")) return;
     const char *advice = vs_name_advice(c->scheme, name);
-    printf("%s is no name here%s%s; ,apropos %s looks for it everywhere\n", name, *advice ? "; " : "", advice, name);
+    printf("%s is not defined%s%s; ,apropos %s lists the names that contain it\n", name, *advice ? "; " : "", advice,
+           name);
     return;
   }
   if (info.at.file) printf("%s is defined in %s, line %u\n", name, info.at.file, (unsigned)info.at.line);
@@ -492,7 +493,7 @@ static void locals(cli_session *c, const char *number) {
     puts("; there is no such call; ,backtrace lists them");
     return;
   }
-  if (!*f.variables) puts("; it has no variables");
+  if (!*f.variables) puts("; this call has no variables");
   for (const char *at = f.variables; *at;) {
     const char *end = at;
     int depth = 0;

@@ -29,6 +29,7 @@ int cli_output_end(int code, bool told) {
   if (code != VS_OUTCOME_DONE && code != VS_OUTCOME_MODEL) return code; /* for these codes, the failure was already
                                                                          * reported */
   if (!told && errno && errno != EPIPE) fprintf(stderr, "vs: standard output: %s\n", strerror(errno));
-  else if (!told && !errno && !reader_is_gone()) fputs("vs: standard output: not all could be written\n", stderr);
+  else if (!told && !errno && !reader_is_gone())
+    fputs("vs: standard output: the text could not be written completely\n", stderr);
   return VS_OUTCOME_USAGE;
 }

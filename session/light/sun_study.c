@@ -53,13 +53,14 @@ static bool make_suns(study *t) {
   const vs_sun_span *d = t->span;
   bool place = fabs(d->latitude) <= 90 && fabs(d->longitude) <= 180, day = vs_sun_is_day(d->year, d->month, d->day);
   bool hours = d->from >= 0 && d->to <= 24 && d->from < d->to && d->step > 0 && (d->to - d->from) / d->step <= TIMES;
-  if (!place) return vs_error_set(&t->error, VS_ERROR_FILE, NULL,
-      "the place is no latitude from -90 to 90 and longitude "
-                                  "from -180 to 180");
+  if (!place)
+    return vs_error_set(&t->error, VS_ERROR_FILE, NULL,
+                        "the place must be a latitude from -90 to 90 and a longitude from -180 to 180");
   if (!day) return vs_error_set(&t->error, VS_ERROR_FILE, NULL, "there is no day %04d-%02d-%02d", d->year, d->month,
       d->day);
-  if (!hours) return vs_error_set(&t->error, VS_ERROR_FILE, NULL, "the hours go from 0 to 24, forwards, in at most %d "
-                                  "steps", TIMES);
+  if (!hours)
+    return vs_error_set(&t->error, VS_ERROR_FILE, NULL, "the hours must increase, from 0 to 24, in at most %d steps",
+                        TIMES);
   for (double at = d->from; at < d->to - 1e-9; at = d->from + (double)t->count * d->step) {
     sun *s = &t->suns[t->count++];
     s->from = at, s->hours = fmin(d->step, d->to - at);

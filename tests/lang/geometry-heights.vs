@@ -42,7 +42,7 @@
 (fails (make-height-field '((0 1) (1 0)) origin (xyz 1 1 2))) ; expect: make-height-field: q must be as high as p: the two are corners of a level rectangle, got ((xyz 1 1 2))
 (fails (make-height-field '((0 1) (1 0)) origin (xyz 1 1 0) #:low 2 #:high 1)) ; expect: make-height-field: high must be #:low or more, got (1)
 (displayln (make-height-field '((1 1) (1 1)) origin (xyz 0 5 0))) ; expect: (empty-object)
-(make-height-field '((1 1) (1 1)) origin (xyz 5 5 0) #:low 1) ; expect warning: all of it lies at #:low
+(make-height-field '((1 1) (1 1)) origin (xyz 5 5 0) #:low 1) ; expect warning: no height is above #:low
 
 ; the bare floor round an island is no part of it, nor of its box
 (define islet (make-height-field '((0 0 0 0) (0 0 2 0) (0 0 0 0) (0 0 0 0)) (xy 0 0) (xy 3 3)))

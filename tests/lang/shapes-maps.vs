@@ -54,7 +54,7 @@
 (displayln (< (volume smooth) (volume half-sharp) (volume (make-subdivision cube 3 #:creases edges)))) ; expect: #t
 (define sheet (make-mesh (map-division (lambda (u v) (xyz u v (* u v))) 0 4 4 0 4 4)))
 (displayln (surface? (make-subdivision sheet 2)))  ; expect: #t
-(fails (make-subdivision cube 12))                 ; expect: make-subdivision: 100663296 faces would be made, and at most 4000000 are
+(fails (make-subdivision cube 12))                 ; expect: make-subdivision: 100663296 faces would be made, but at most 4000000 are
 (fails (make-subdivision cube 2 #:creases '((1 99)))) ; expect: make-subdivision: creases must be of points of the mesh, got 99
 (fails (make-subdivision cube 2 #:creases (list (list (xyz -1 -1 -1) (xyz 1 1 1))))) ; expect: make-subdivision: creases must be edges of the mesh, got ((xyz -1 -1 -1) (xyz 1 1 1))
 (fails (make-subdivision cube 0))                  ; expect: make-subdivision: n must be an exact integer from 1 to 12, got 0

@@ -67,7 +67,7 @@
 (fails (sun-direction #:latitude 1 #:longitude 200 #:date "2026-06-21" #:time "12:00")) ; expect: sun-direction: longitude must be from -180 to 180, got 200
 (fails (sun-direction #:latitude 1 #:date "2026-06-31" #:time "12:00")) ; expect: sun-direction: date must be a day such as "2026-06-21", got "2026-06-31"
 (fails (sun-direction #:latitude 1 #:date "2026-06-21" #:time "noon")) ; expect: sun-direction: time must be a time such as "15:00+01:00", got "noon"
-(fails (sun-direction #:latitude 1 #:date "2026-06-21")) ; expect: sun-direction: takes #:latitude, #:date and #:time, and perhaps #:longitude
+(fails (sun-direction #:latitude 1 #:date "2026-06-21")) ; expect: sun-direction: needs #:latitude, #:date and #:time; #:longitude is optional
 (fails (sun-path #:latitude 1 #:date "today")) ; expect: sun-path: date must be a day such as "2026-06-21", got "today"
 (fails (sun-path #:latitude 1 #:date "2026-06-21" #:radius 0)) ; expect: sun-path: radius must be a positive number, got 0
 (displayln (solar-hours '() uz #:latitude 1 #:date "2026-06-21")) ; expect: ()

@@ -157,7 +157,7 @@ static bool include(vs_expansion *x, vs_value *form, bool fold) {
   r[1] = VS_NIL;
   for (; vs_is_pair(r[0]); r[0] = vs_cdr(r[0])) {
     if (!vs_is_string(vs_car(r[0])))
-      return vs_expand_fail(x, pos, vs_car(r[0]), "include wants the name of a file as a string, not");
+      return vs_expand_fail(x, pos, vs_car(r[0]), "include needs the name of a file as a string, not");
     bool circle;
     if (!vs_source_include(vm, vs_car(r[0]), vs_pos_file(pos), fold, &r[2], &circle))
       return circle && vs_expand_fail(x, pos, vs_car(r[0]), "this file includes itself, without end, through");

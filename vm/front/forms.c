@@ -316,7 +316,7 @@ bool vs_form_quasiquote(vs_expansion *x) {
   return true;
 }
 
-/* Returns the quasiquote form that v is: VS_FORM_unquote for (unquote e), and so on. Returns -1 for other values. */
+/* Returns the quasiquote form that v is, such as VS_FORM_unquote for (unquote e). Returns -1 for other values. */
 static int quasi_kind(vs_value env, vs_value v) {
   if (!vs_is_pair(v) || !vs_is_pair(vs_cdr(v)) || vs_cdr(vs_cdr(v)) != VS_NIL || !vs_is_identifier(vs_car(v)))
     return -1;

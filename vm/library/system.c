@@ -287,7 +287,7 @@ static const vs_native_def defs[] = {
     {"current-jiffy", "", current_jiffy, 0, NULL},
     {"jiffies-per-second", "", jiffies_per_second, 0, NULL},
     {"runtime", "", runtime, 0, "seconds on a clock that only goes forward"},
-    {"command-line", "", command_line, 0, "the program's name and its arguments, which stand behind -- in the command"},
+    {"command-line", "", command_line, 0, "the program's name and its arguments, which follow -- in the command"},
     {"get-environment-variable getenv", "name", get_environment_variable, 0, NULL},
     {"get-environment-variables", "", get_environment_variables, 0, NULL},
     {"collect-garbage gc", "", gc, 0, NULL},
