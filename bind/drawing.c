@@ -281,6 +281,7 @@ static vs_status named_sky(vs_args *f) {
     if (!strcmp(skies[i].name, f->arg[0].text.at)) {
       if (f->bind->handing) return VS_OK;
       s->sky_image = s->sky_sunless = NULL, s->has_sky = false, s->turbidity = 0, s->sky_kind = skies[i].kind;
+      s->sky_given = true;
       return VS_OK;
     }
   return vs_bind_refuse(f, "kind", "one of 'plain 'overcast 'night", f->arg[0].value);
@@ -301,6 +302,7 @@ vs_status vs_p_sky(vs_args *f, vs_value *out) {
   const vs_picture *sunless = NULL;
   if (f->key[1].given && vs_bind_sky_picture(f, f->key[1].value, &image, &sunless, &sun) != VS_OK) return VS_ERROR;
   if (f->bind->handing) return VS_OK;
+  s->sky_given = true;
   s->sky_image = image, s->sky_sunless = sunless;
   s->picture_sun = sun.direction, s->picture_sun_light = sun.light;
   s->turbidity = turbidity->given ? turbidity->real : 0;

@@ -103,6 +103,7 @@ typedef struct {
                                      * horizon */
   bool has_sky;
   double sky[3];             /* sRGB colour of the sky */
+  bool sky_given;            /* whether the program called sky */
   vs_sky_kind sky_kind;
   double turbidity;          /* turbidity of the sky (geometry/sky_light.h) if sky_kind is VS_SKY_CLEAR */
   const vs_picture *sky_image; /* picture of the entire sky, twice as wide as high; NULL: none */

@@ -140,6 +140,7 @@ bool vs_povray_develop_picture(vs_emitter *e, const vs_povray_result *r, const c
   /* If the exposure is computed from the picture, it depends on the entire picture. */
   vs_exr_part all = { 0, 0, p->columns, p->rows };
   vs_tone tone = *r->tone;
+  tone.dither = true, tone.left = wanted->left, tone.top = wanted->top;
   bool ok = picture_take(e, r, tone.fixed ? wanted : &all, &x);
   vs_light light = picture_light(&x);
   if (ok && !tone.fixed) {

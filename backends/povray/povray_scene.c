@@ -207,11 +207,23 @@ static void pov_sky_image(vs_emitter *e) {
   vs_puts(w, " map_type 1 interpolate 2 } rotate x*90 rotate -z*90 }\n}\n");
 }
 
+/* Returns true for the picture of a plain model: the program set neither ground, sky, lamps nor fog. `vs` then adds a
+ * pale ground at the model's lowest point. From below, this ground would hide the model, so it is omitted. */
+static bool pov_is_studio(const vs_emitter *e, const vs_look *l) {
+  const vs_scene *s = e->scene;
+  bool above = l->parallel ? l->forward.z < -0.01 : l->eye.z > e->bounds.min.z * e->unit;
+  return pov_is_developed(e) && above && !s->has_ground && !s->sky_given && s->lamp_count == 0 &&
+         !(s->fog_visibility > 0) && !l->panorama;
+}
+
 typedef struct { vs_vec3 zenith, haze; } pov_air;
 
-/* Returns the colours of the sky overhead and at the horizon, as numbers of a screen (sRGB). */
-static pov_air pov_air_of(const vs_scene *s) {
+/* Returns the colours of the sky overhead and at the horizon, as numbers of a screen (sRGB). The sky of a studio is
+ * paler, so that shadows are less blue. */
+static pov_air pov_air_of(const vs_emitter *e, const vs_look *l) {
+  const vs_scene *s = e->scene;
   pov_air a = { vs_v3(0.46, 0.66, 0.9), vs_v3(0.93, 0.95, 0.96) };
+  if (pov_is_studio(e, l)) a.zenith = vs_v3(0.76, 0.81, 0.88);
   if (!s->has_sky) return a;
   a.zenith = vs_v3(s->sky[0], s->sky[1], s->sky[2]);
   double pale = 0.45 * fmax(a.zenith.x, fmax(a.zenith.y, a.zenith.z));
@@ -252,7 +264,7 @@ static void pov_sky(vs_emitter *e, const vs_look *l) {
     pov_sky_image(e);
     return;
   }
-  pov_air air = pov_air_of(e->scene);
+  pov_air air = pov_air_of(e, l);
   double above = pov_sky_strength(e), floor = pov_dusk(e) * pov_floor(e, &air, pov_is_sunless(e, l));
   struct { double at, strength; vs_vec3 color; } bands[] = {
       { 0, floor, vs_v3(0.78, 0.78, 0.77) }, { 0.36, floor, vs_v3(0.9, 0.9, 0.89) }, { 0.5, above, air.haze },
@@ -281,7 +293,7 @@ static void pov_ground_haze(vs_emitter *e, const vs_look *l, double diagonal, do
   enum { COUNT = 10 };
   const double near = 1.3, far = 60, at[COUNT] = { far, 30, 15, 9, 6, 4, 3, 2.2, 1.7, near };
   vs_writer *w = e->out;
-  vs_vec3 haze = pov_air_of(e->scene).haze;
+  vs_vec3 haze = pov_air_of(e, l).haze;
   vs_vec3 middle = vs_v3_scale(vs_v3_add(e->bounds.min, e->bounds.max), 0.5 * e->unit);
   vs_vec3 foot = vs_v3(middle.x, middle.y, z);
   bool physical = pov_is_physical(e);
@@ -311,7 +323,7 @@ static void pov_ground_haze(vs_emitter *e, const vs_look *l, double diagonal, do
  * cloud reflects 0.7 of the sun's and the sky's light, a grey floor 0.3. */
 static vs_vec3 pov_fog_light(const vs_emitter *e, const vs_look *l) {
   if (pov_is_physical(e)) return vs_v3_scale(pov_daylight(e, l).floor, 0.7 / 0.3);
-  return pov_light_of(pov_air_of(e->scene).haze, e->scene->sky_image == NULL ? pov_sky_strength(e) : 1);
+  return pov_light_of(pov_air_of(e, l).haze, e->scene->sky_image == NULL ? pov_sky_strength(e) : 1);
 }
 
 /* Writes the fog. Light decreases with the distance as exp(-x / distance). At the visibility (the meteorological
@@ -340,15 +352,17 @@ static void pov_fog(vs_emitter *e, const vs_look *l) {
 static void pov_ground(vs_emitter *e, const vs_look *l, double diagonal, double pixel) {
   vs_writer *w = e->out;
   const vs_material *m = e->scene->ground_material;
+  bool studio = !e->scene->has_ground;
   double lift = 1e-5 * diagonal; /* Objects that stand on the ground would have a face in its plane. Therefore the
                                   * ground is slightly lower. */
-  double z = e->scene->ground_z * e->unit - lift;
+  double z = (studio ? e->bounds.min.z : e->scene->ground_z) * e->unit - lift;
   if (m != NULL) vs_povray_prepare_texture(e, m, pixel);
   pov_word(w, "plane {\n  z, ", z, "\n  texture {\n");
   if (m != NULL) vs_povray_texture(e, m, pixel);
   else
-    pov_word(w, "    pigment { color srgb <0.77, 0.76, 0.73> }\n    finish { ambient ", vs_povray_ambient(e),
-             " diffuse 0.8 }\n");
+    pov_word(w, studio ? "    pigment { color srgb <0.82, 0.82, 0.81> }\n    finish { ambient "
+                       : "    pigment { color srgb <0.77, 0.76, 0.73> }\n    finish { ambient ",
+             vs_povray_ambient(e), " diffuse 0.8 }\n");
   vs_puts(w, "  }\n");
   if (e->scene->sky_image == NULL) pov_ground_haze(e, l, diagonal, z);
   if (m != NULL) vs_povray_interior(e, m);
@@ -497,7 +511,7 @@ bool vs_povray_begin(vs_emitter *e) {
   vs_puts(w, "\n");
   for (size_t i = 1; i <= vs_emit_material_count(e); i++)
     vs_povray_declare_material(e, vs_emit_material_at(e, i), pixel);
-  if (e->scene->has_ground) pov_ground(e, &look, diagonal, pixel);
+  if (e->scene->has_ground || pov_is_studio(e, &look)) pov_ground(e, &look, diagonal, pixel);
   return !w->failed;
 }
 

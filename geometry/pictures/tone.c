@@ -167,6 +167,25 @@ static unsigned char screen(const screen_steps *s, double x) { /* returns the sR
   return (unsigned char)b;
 }
 
+/* Returns the number of a pixel in the dither matrix of B. E. Bayer, An Optimum Method for Two-Level Rendition of
+ * Continuous-Tone Pictures (IEEE ICC 1973), of 8 by 8 pixels: each number from 0 to 63 once. */
+static unsigned bayer(uint32_t column, uint32_t row) {
+  unsigned n = 0, mixed = column ^ row;
+  for (unsigned bit = 0; bit < 3; bit++)
+    n |= (row >> bit & 1) << (4 - 2 * bit) | (mixed >> bit & 1) << (5 - 2 * bit);
+  return n;
+}
+
+/* Returns the sRGB byte of x, rounded up for some pixels. Their share is the fraction of a step by which x exceeds the
+ * lower byte. x: linear light, 0 to 1; n: number of the pixel in the dither matrix. */
+static unsigned char dithered(const screen_steps *s, double x, unsigned n) {
+  unsigned b = screen(s, x);
+  if (b == 0 || b == 255) return (unsigned char)b;
+  /* The steps end half a byte above and below b. */
+  double above = (x - s->at[b]) / (s->at[b + 1] - s->at[b]) - 0.5, threshold = (n + 0.5) / 64;
+  return (unsigned char)(above > 0 ? b + (above > threshold) : b - (-above > threshold));
+}
+
 double vs_tone_apply(const vs_light *light, const vs_tone *tone, unsigned char *rgb) {
   static void (*const curves[])(const double in[3], double out[3]) = {
       [VS_TONE_NEUTRAL] = neutral, [VS_TONE_AGX] = agx, [VS_TONE_FILMIC] = filmic, [VS_TONE_LINEAR] = linear };
@@ -179,7 +198,9 @@ double vs_tone_apply(const vs_light *light, const vs_tone *tone, unsigned char *
     double in[3], out[3];
     for (int k = 0; k < 3; k++) in[k] = isnan(from[k]) ? 0 : lesser(greater((double)from[k], 0), 1e6) * gain;
     curves[tone->curve](in, out);
-    for (int k = 0; k < 3; k++) rgb[3 * i + (size_t)k] = screen(&steps, cut(out[k]));
+    unsigned n = bayer(tone->left + (uint32_t)(i % light->columns), tone->top + (uint32_t)(i / light->columns));
+    for (int k = 0; k < 3; k++)
+      rgb[3 * i + (size_t)k] = tone->dither ? dithered(&steps, cut(out[k]), n) : screen(&steps, cut(out[k]));
   }
   return stops;
 }

@@ -19,6 +19,8 @@ typedef struct {
   bool fixed;      /* true: the exposure `stops` is relative to the picture's own light; false: relative to the exposure
                     * of vs_tone_exposure */
   double stops;
+  bool dither;     /* whether neighbouring pixels are rounded differently to bytes, so that a gradient has no bands */
+  uint32_t left, top; /* column and row of the picture's first pixel in the whole picture, for the alternation */
 } vs_tone;
 
 /* A picture in linear light: three planes of linear sRGB numbers, in rows. */

@@ -26,7 +26,7 @@ vs_tone vs_session_tone(const vs_development *d) {
   static const vs_tone_curve curves[] = {
       [VS_CURVE_NEUTRAL] = VS_TONE_NEUTRAL, [VS_CURVE_AGX] = VS_TONE_AGX, [VS_CURVE_FILMIC] = VS_TONE_FILMIC,
       [VS_CURVE_LINEAR] = VS_TONE_LINEAR };
-  return (vs_tone){ .curve = curves[d->curve], .fixed = d->fixed, .stops = d->exposure };
+  return (vs_tone){ .curve = curves[d->curve], .fixed = d->fixed, .stops = d->exposure, .dither = true };
 }
 
 /* ---- reading and writing files ---- */

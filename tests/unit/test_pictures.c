@@ -109,6 +109,41 @@ static void test_exposure(void **state) {
   }
 }
 
+/* Tests that a gradient over few bytes has no band wider than 8 pixels, that its mean is kept, that white and black
+ * stay, and that a part of the picture equals that part of the whole. */
+static void test_dither(void **state) {
+  (void)state;
+  enum { WIDE = 512, HIGH = 16, LEFT = 37, TOP = 5 };
+  static float at[WIDE * HIGH], part[WIDE * HIGH];
+  static unsigned char rgb[3 * WIDE * HIGH], cut_rgb[3 * WIDE * HIGH];
+  for (int i = 0; i < WIDE * HIGH; i++) at[i] = 0.5f + 0.02f * (float)(i % WIDE) / WIDE;
+  vs_light light = { at, at, at, WIDE, HIGH };
+  vs_tone tone = { .curve = VS_TONE_LINEAR, .fixed = true, .dither = true };
+  vs_tone_apply(&light, &tone, rgb);
+  double sum = 0, wanted = 0;
+  for (int x = 0, band = 0; x < WIDE; x++) {
+    bool flat = true; /* whether the column has one byte, which is also that of the column before */
+    for (int y = 0; y < HIGH; y++) {
+      unsigned char here = rgb[3 * (y * WIDE + x)];
+      flat = flat && here == rgb[3 * (x ? x - 1 : 0)];
+      sum += here, wanted += 255 * (1.055 * pow((double)at[x], 1 / 2.4) - 0.055);
+    }
+    band = flat ? band + 1 : 0;
+    assert_true(band <= 8);
+  }
+  assert_true(fabs(sum - wanted) / (WIDE * HIGH) < 0.02);
+  for (int y = TOP; y < HIGH; y++)
+    for (int x = LEFT; x < WIDE; x++) part[(y - TOP) * (WIDE - LEFT) + x - LEFT] = at[y * WIDE + x];
+  vs_light piece = { part, part, part, WIDE - LEFT, HIGH - TOP };
+  tone.left = LEFT, tone.top = TOP;
+  vs_tone_apply(&piece, &tone, cut_rgb);
+  for (int y = TOP; y < HIGH; y++)
+    assert_memory_equal(&rgb[3 * (y * WIDE + LEFT)], &cut_rgb[3 * (y - TOP) * (WIDE - LEFT)], 3 * (WIDE - LEFT));
+  for (int i = 0; i < WIDE * HIGH; i++) at[i] = i < WIDE ? 0 : 1;
+  vs_tone_apply(&light, &tone, rgb);
+  for (int i = 0; i < WIDE * HIGH; i++) assert_int_equal(rgb[3 * i], i < WIDE ? 0 : 255);
+}
+
 /* Tests light without pixels, with NaN and with infinities. */
 static void test_odd_light(void **state) {
   (void)state;
@@ -448,6 +483,7 @@ int main(void) {
   const struct CMUnitTest tests[] = {
     cmocka_unit_test(test_linear), cmocka_unit_test(test_neutral),  cmocka_unit_test(test_filmic),
     cmocka_unit_test(test_agx),    cmocka_unit_test(test_exposure), cmocka_unit_test(test_odd_light),
+    cmocka_unit_test(test_dither),
     cmocka_unit_test(test_exr_round_trip), cmocka_unit_test(test_denoise), cmocka_unit_test(test_gap),
     cmocka_unit_test(test_false_color), cmocka_unit_test(test_ray_tree),
     cmocka_unit_test(test_screen), cmocka_unit_test(test_halves), cmocka_unit_test(test_png),
