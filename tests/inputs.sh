@@ -1,7 +1,8 @@
 #!/bin/sh
 # Tests that no output overwrites an input: a model that reads every kind of file writes every format and
 # notation, and each command of the tables that writes a file runs, onto each of the input files and by every kind of
-# name. The exit code is 2, and every file is unchanged.
+# name. So does each option that names an output, where one model, or the last run of several, reads the input. The
+# exit code is 2, every file is unchanged, and no other output is written.
 case limits/inputs in *"$ONLY"*) ;; *) exit 0 ;; esac
 . tests/report.sh
 root=$PWD
@@ -17,12 +18,13 @@ echo '(define side 2)' > part.scm
 printf 'x,y\n1,2\n' > data.csv
 echo '{"a": 1}' > data.json
 echo words > words.txt
+: > empty.txt
 cat > m.vs << 'MODEL'
 (load "part.scm")
 (define-parameter r 1)
 (define rows (load-csv "data.csv"))
 (define tree (load-json "data.json"))
-(define words (file->string "words.txt"))
+(define words (string-append (file->string "words.txt") (file->string "empty.txt")))
 (sky #:image "sky.exr")
 (lamp (xyz 0 0 9) #:ies "lamp.ies")
 (view "street" #:from (xyz 9 9 9) #:to (xyz 0 0 0))
@@ -30,7 +32,7 @@ cat > m.vs << 'MODEL'
       (make-text (xyz 0 0 3) 1 "a" #:font "font.ttf")
       (with-material (make-material #:image "look.png") (make-box (xyz 5 0 0) (xyz 6 1 1))))
 MODEL
-inputs="m.vs part.scm data.csv data.json words.txt sky.exr lamp.ies mesh.obj land.png font.ttf look.png"
+inputs="m.vs part.scm data.csv data.json words.txt empty.txt sky.exr lamp.ies mesh.obj land.png font.ttf look.png"
 cp m.vs land.vs # whose picture by default is land.png
 mkdir plain; for f in $inputs; do cp "$f" plain/; done
 if ! "$vs" -q m.vs -o ok.pov 2> "$work/err"; then
@@ -41,11 +43,14 @@ fi
 
 refused() { # WHAT COMMAND...: must end with 2 (1 where the program itself writes), and leave all as it is; else all is restored
   what=$1; shift
+  ls -A . sub > "$work/were" 2> /dev/null
   timeout 60 "$@" > "$work/out" 2> "$work/err" < /dev/null
   code=$?
   case $what in call-*) want=1 ;; *) want=2 ;; esac
   [ $code = $want ] || { echo "$what: ended with $code"; tail -n 2 "$work/err"; } >> "$work/wrong"
   for f in $inputs; do cmp -s "$f" "plain/$f" || { echo "$what: $f is gone" >> "$work/wrong"; rm -f "$f"; cp "plain/$f" "$f"; }; done
+  ls -A . sub 2> /dev/null | diff "$work/were" - | sed -n 's/^> //p' > "$work/made"
+  while read -r made; do echo "$what: writes $made before it refuses"; rm -rf "./$made"; done < "$work/made" >> "$work/wrong"
 }
 
 # with LONG every format and notation onto every input; otherwise each onto the program and, in turn, one of the others
@@ -94,9 +99,21 @@ for command in $(sed -n 's/^COMMAND(\([a-z]*\),.*/\1/p' "$root/cli/commands.def"
     refused "render --film" "$vs" render film.vs --frames 2 --film 25 --size 20x15 --quality draft -o film.png
     for made in two.png film-001.png film-1.png film.manifest.json; do [ -e $made ] && echo "render: $made is written, though another output is refused" >> "$work/wrong"; done
     inputs=${inputs% one.png film.mp4}
-    for f in $inputs; do
-      refused "render --manifest $f" "$vs" render m.vs -o r.pov --all-views --manifest "$f"
-      refused "render --sheet $f" "$vs" render m.vs -o r.pov --sheet "$f"
+    # every option of the table that names an output: one model or the last run of several reads the file
+    echo '(define-parameter k 1) (when (= k 2) (load "m.vs")) (draw (make-sphere origin k))' > last.vs
+    set -- $inputs
+    for option in $(sed -n 's/^OPTION([^,]*, "\([a-z-]*\)", VALUE_REQUIRED, "\(OUT\|FILE\)",$/\1/p' "$root/cli/options.def"); do
+      for runs in m.vs "m.vs --all-views" "one.vs m.vs" "m.vs one.vs --jobs 4" "last.vs --set k=1 --set k=2" "last.vs --frames 2,k=1..2"; do
+        for f in $([ "$LONG" ] && echo $inputs || echo "$1"); do
+          case $option in
+          output) [ "$runs" != m.vs ] || refused "render -o $f" "$vs" render m.vs -o "$f" ;; # others number their pictures
+          *) mkdir made; refused "render $runs --$option $f" "$vs" render $runs --size 20x15 --quality draft -o made --$option "$f"
+            [ -z "$(ls made)" ] || echo "render $runs --$option $f: writes $(ls made | tr '\n' ' ') before it refuses" >> "$work/wrong"
+            rm -r made ;;
+          esac
+        done
+        shift; [ $# -gt 0 ] || set -- $inputs
+      done
     done ;;
   tone|falsecolor) ln -sf a.exr p.png; cp a.exr plain.exr
     "$vs" $command a.exr -o p.png > /dev/null 2>&1; [ $? = 2 ] && cmp -s a.exr plain.exr || echo "$command: replaces the picture" >> "$work/wrong" ;;

@@ -61,6 +61,7 @@ typedef struct {
                                * all */
   const char *manifest_path;  /* path of the manifest, or NULL */
   int lock;                   /* descriptor of the locked manifest, or -1 */
+  bool manifest_made;         /* whether this run has created the manifest, empty, to lock it */
   bool unwritten;             /* whether writing the manifest failed, which was already reported */
   int told;                   /* descriptor of the file for the names of files read by the runs, or -1 */
   vs_outcome failed;          /* outcome of the first model whose views could not be found, else VS_OUTCOME_DONE */
@@ -575,7 +576,9 @@ static bool take_manifest(batch *b) {
   struct stat mine, named;
   if (!path) return true;
   if (!may_write(b, path)) return false;
-  b->lock = open(path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  b->lock = open(path, O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  b->manifest_made = b->lock >= 0;
+  if (b->lock < 0) b->lock = open(path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
   if (b->lock < 0) return fprintf(stderr, "vs render: cannot write %s: %s\n", path, strerror(errno)), false;
   bool taken = flock(b->lock, LOCK_EX | LOCK_NB) == 0 && fstat(b->lock, &mine) == 0 && stat(path, &named) == 0 &&
                mine.st_ino == named.st_ino && mine.st_dev == named.st_dev;
@@ -664,17 +667,19 @@ static bool takes_place(const batch *b, const picture *p) {
   return !found || found >= line + length;
 }
 
-/* If pictures would replace other files, first runs all models without making pictures, since a model may read the
- * output of another. Returns false, after a message and before anything is written, if an output is an input. */
+/* If outputs would replace other files, first runs all models without making pictures, since a model may read the
+ * output of another, and only the batch knows its manifest and its sheet. No model runs more often for it. Returns
+ * false, after a message and before anything is written, if an output is an input. */
 static bool try_models(batch *b) {
-  bool any = false, ok = true;
+  bool any = (b->manifest_path && !b->manifest_made) || (b->options->sheet && access(b->options->sheet, F_OK) == 0);
+  bool ok = true;
   for (size_t i = 0; b->count > 1 && i < b->count; i++) any = any || takes_place(b, &b->at[i]);
   if (!any) return true;
   run_all(b, b->ended, try_model);
   for (size_t i = 0; ok && i < b->count; i++) ok = may_write(b, b->at[i].file) && may_film(b, &b->at[i]);
   ok = ok && (!b->options->sheet || may_write(b, b->options->sheet)) &&
       (!b->manifest_path || may_write(b, b->manifest_path));
-  if (!ok && b->lock >= 0 && !b->manifest) remove(b->manifest_path); /* the manifest was created empty, for the lock */
+  if (!ok && b->manifest_made) remove(b->manifest_path);
   return ok;
 }
 
