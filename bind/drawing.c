@@ -162,7 +162,7 @@ static vs_status picture_of(vs_args *f, const vs_arg *image, bool colored, vs_ma
  * darkened. */
 static vs_status pattern_of(vs_args *f, const vs_arg *k, bool colored, vs_material *m) {
   vs_material_pattern *p = &m->pattern;
-  const double darker = 0.75;
+  const double darker = vs_pattern_darkening;
   if (k[4].given && (k[0].given || k[1].given))
     return vs_fail(f->vm, f->vm->sym.arity, "takes #:image or #:pattern and #:pattern-color, not both");
   if (k[4].given && picture_of(f, &k[4], colored, m) != VS_OK) return VS_ERROR;
@@ -182,7 +182,7 @@ static vs_status pattern_of(vs_args *f, const vs_arg *k, bool colored, vs_materi
 vs_status vs_p_make_material(vs_args *f, vs_value *out) {
   const vs_arg *k = f->key; /* keywords in order: name, color, roughness, metallic, transparency, ior, the pattern's
                              * four keywords, image */
-  vs_material m = { "", .8, .8, .8, .5, 0, 0, 1.5, { 0 } };
+  vs_material m = vs_material_default;
   if (k[0].given && !(m.name = vs_store_text(f->store, k[0].text.at, k[0].text.length)))
     return vs_fail_memory(f->vm);
   if (k[1].given) m.red = k[1].material->red, m.green = k[1].material->green, m.blue = k[1].material->blue;

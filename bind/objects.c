@@ -3,9 +3,8 @@
 
 #include "bind/origins.h"
 #include "bind/print.h"
+#include "bind/print_looks.h"
 #include "bind/state.h"
-
-#include <stdio.h>
 
 /* ---- objects ---- */
 
@@ -48,25 +47,6 @@ vs_status vs_bind_give_refs(vs_bind *b, const vs_ref *refs, size_t count, vs_val
 static void paint_release(void *object) { (void)object; }
 static bool paint_print(vs_scheme *vm, const void *object, bool (*put)(void *to, const char *s, size_t n), void *to) {
   (void)vm;
-  const vs_material *m = object;
-  const vs_material_pattern *p = &m->pattern;
-  char text[1024], c[3][32], v[4][32], q[5][32];
-  vs_bind_number_text(c[0], m->red), vs_bind_number_text(c[1], m->green), vs_bind_number_text(c[2], m->blue);
-  vs_bind_number_text(v[0], m->roughness), vs_bind_number_text(v[1], m->metallic),
-      vs_bind_number_text(v[2], m->transparency), vs_bind_number_text(v[3], m->ior);
-  vs_bind_number_text(q[0], p->red), vs_bind_number_text(q[1], p->green), vs_bind_number_text(q[2], p->blue);
-  vs_bind_number_text(q[3], vs_pattern_size(p)), vs_bind_number_text(q[4], p->angle);
-  int n = snprintf(text, sizeof text,
-                   "(make-material #:name \"%.100s\" #:color (list %s %s %s) #:roughness %s #:metallic %s "
-                   "#:transparency %s #:ior %s",
-                   m->name, c[0], c[1], c[2], v[0], v[1], v[2], v[3]);
-  if (n > 0 && (size_t)n < sizeof text && p->picture)
-    n += snprintf(text + n, sizeof text - (size_t)n, " #:image \"%.500s\" #:pattern-size %s #:pattern-angle %s",
-                  p->picture->path, q[3], q[4]);
-  else if (n > 0 && (size_t)n < sizeof text && p->kind != VS_PATTERN_NONE)
-    n += snprintf(text + n, sizeof text - (size_t)n,
-                  " #:pattern '%s #:pattern-color (list %s %s %s) #:pattern-size %s #:pattern-angle %s",
-                  vs_pattern_name(p->kind), q[0], q[1], q[2], q[3], q[4]);
-  return n > 0 && put(to, text, (size_t)n < sizeof text ? (size_t)n : sizeof text - 1) && put(to, ")", 1);
+  return vs_bind_print_material(object, put, to);
 }
 const vs_foreign_type vs_paint_type = { "a material", paint_release, NULL, NULL, paint_print, NULL, false };

@@ -2,6 +2,7 @@
  * instead of recursion permits deep trees. */
 #include "bind/print.h"
 
+#include "bind/print_looks.h"
 #include "model/store/array.h"
 #include "model/walk.h"
 
@@ -19,7 +20,7 @@ void vs_bind_number_text(char out[32], double d) {
 
 #define TURN 6.283185307179586
 
-typedef struct { bool (*put)(void *to, const char *s, size_t n); void *to; } sink;
+typedef struct { vs_put_text *put; void *to; } sink;
 
 static bool text(const sink *k, const char *s) { return k->put(k->to, s, strlen(s)); }
 static bool number(const sink *k, double d) {
@@ -31,12 +32,7 @@ static bool triple(const sink *k, const char *maker, vs_vec3 v) {
   return text(k, "(") && text(k, maker) && text(k, " ") && number(k, v.x) && text(k, " ") && number(k, v.y) &&
          text(k, " ") && number(k, v.z) && text(k, ")");
 }
-static bool quoted(const sink *k, const char *s) {
-  if (!text(k, "\"")) return false;
-  for (; *s; s++)
-    if (!((*s == '"' || *s == '\\') ? text(k, "\\") && k->put(k->to, s, 1) : k->put(k->to, s, 1))) return false;
-  return text(k, "\"");
-}
+static bool quoted(const sink *k, const char *s) { return vs_bind_print_quoted(s, k->put, k->to); }
 
 static bool points(const sink *k, const vs_points *p) {
   if (!text(k, "(list")) return false;
@@ -74,12 +70,6 @@ static bool matrix(const sink *k, const vs_affine *m) {
   return text(k, " 0 0 0 1)");
 }
 
-static bool material(const sink *k, const vs_material *m) {
-  if (*m->name) return quoted(k, m->name);
-  return text(k, "(list ") && number(k, m->red) && text(k, " ") && number(k, m->green) && text(k, " ") &&
-         number(k, m->blue) && text(k, ")");
-}
-
 /* Writes a field of the node's data. */
 static bool field(const sink *k, const vs_field_info *f, const void *data) {
   const char *at = (const char *)data + f->offset;
@@ -94,7 +84,8 @@ static bool field(const sink *k, const vs_field_info *f, const void *data) {
     case VS_FIELD_faces: return faces(k, *(const vs_faces *const *)(const void *)at);
     case VS_FIELD_text: return quoted(k, *(const char *const *)(const void *)at);
     case VS_FIELD_ticket: return number(k, (*(const vs_ticket *const *)(const void *)at)->id);
-    case VS_FIELD_material: return material(k, *(const vs_material *const *)(const void *)at);
+    case VS_FIELD_material:
+      return vs_bind_print_material(*(const vs_material *const *)(const void *)at, k->put, k->to);
   }
   return false;
 }
@@ -219,9 +210,7 @@ static bool opening(const sink *k, const vs_node *n) {
     case VS_JOIN: return text(k, "(join-curves");
     case VS_OFFSET: case VS_SECTION: case VS_PROJECT: case VS_EDGES: return text(k, "(do-") && text(k, name);
     case VS_TRANSFORM: return text(k, is_moved(&VS_AS(transform, n)->matrix) ? "(do-move" : "(do-transform");
-    case VS_MATERIAL:
-      return text(k, *VS_AS(material, n)->material->name ? "(with-material " : "(color ") &&
-             material(k, VS_AS(material, n)->material);
+    case VS_MATERIAL: return vs_bind_print_painting(VS_AS(material, n)->material, k->put, k->to);
     case VS_NATIVE:
       return text(k, "(native '") && text(k, VS_AS(native, n)->target) &&
              named(k, n, (const char *const[]){ "text", NULL }) && text(k, " #:otherwise");

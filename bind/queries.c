@@ -1,4 +1,4 @@
-/* Implements questions about an object: its kind and parts, its bounds and measures. */
+/* Implements questions about an object: its kind and parts, its bounds and measures, its looks and place. */
 #include "bind/queries.h"
 
 #include "bind/build.h"
@@ -12,6 +12,9 @@
 #include "bind/state.h"
 #include "geometry/measure/node_measures.h"
 #include "geometry/plane/planar_evaluation.h"
+#include "model/store/array.h"
+#include "model/store/nodemap.h"
+#include "model/walk.h"
 #include "vm/values/heap.h"
 
 static vs_status truth(bool b, vs_value *out) {
@@ -69,6 +72,10 @@ static vs_status list_faces(vs_args *f, const vs_faces *g, vs_value *out) {
   return VS_OK;
 }
 
+static vs_status give_material(vs_scheme *vm, const vs_material *m, vs_value *out) {
+  return vs_make_foreign(vm, &vs_paint_type, (void *)(uintptr_t)m, 0, out);
+}
+
 static vs_status field_value(vs_args *f, const vs_field_info *i, const vs_node *n, vs_value *out) {
   const void *at = (const char *)vs_node_data(n) + i->offset;
   switch (i->type) {
@@ -85,7 +92,7 @@ static vs_status field_value(vs_args *f, const vs_field_info *i, const vs_node *
     case VS_FIELD_ticket: *out = vs_fix((*(const vs_ticket *const *)at)->id); return VS_OK;
     case VS_FIELD_material: {
       const vs_material *m = *(const vs_material *const *)at;
-      return vs_make_foreign(f->vm, &vs_paint_type, (void *)(uintptr_t)m, 0, out);
+      return give_material(f->vm, m, out);
     }
   }
   return vs_fail_memory(f->vm);
@@ -147,4 +154,143 @@ vs_status vs_p_contains(vs_args *f, vs_value *out) {
   if (n->class_ != VS_SOLID) return vs_bind_refuse(f, "o", "a solid, a region or a closed curve", f->arg[0].value);
   if (!vs_inside_cached(&f->bind->inside, n, f->arg[1].point, &inside, &e)) return vs_bind_error(f->vm, &e);
   return truth(inside, out);
+}
+
+/* ---- the one look of all parts ----
+ *
+ * A look is a material or the name of a layer. The parts of a node that have a look of their own either agree or not;
+ * the others take the look of the innermost wrapper around them. A node's answer is made from those of its children,
+ * once for each node. */
+
+typedef struct {
+  const void *look; /* the look of the parts that have one, or NULL if none has */
+  bool bare;        /* whether some part has none */
+  bool several;     /* whether two parts have different looks */
+} look_of;
+
+static look_of both(look_of a, look_of b) {
+  bool differ = a.look && b.look && a.look != b.look;
+  return (look_of){ a.look ? a.look : b.look, a.bare || b.bare, a.several || b.several || differ };
+}
+
+/* Returns the number of children whose parts the node shows; these are its first ones. */
+static size_t shown(const vs_node *n) {
+  switch (vs_node_role(n)) {
+    case VS_ROLE_SHAPE: case VS_ROLE_LEAF: case VS_ROLE_MADE: break;
+    case VS_ROLE_PLACED: case VS_ROLE_WRAPPER: return n->child_count;
+    case VS_ROLE_SET: return n->kind == VS_DIFFERENCE && n->child_count ? 1 : n->child_count;
+  }
+  return 0;
+}
+
+static const void *own_look(const vs_node *n, vs_kind kind) {
+  if (n->kind != kind) return NULL;
+  return kind == VS_MATERIAL ? (const void *)VS_AS(material, n)->material : VS_AS(layer, n)->name;
+}
+
+typedef struct {
+  vs_kind kind;       /* VS_MATERIAL or VS_LAYER */
+  vs_nodemap answers; /* node -> its place in `made`, from 1 */
+  look_of *made;
+  size_t count, room;
+} look_search;
+
+/* Stores the answer for a node whose children have theirs. Returns false when memory is out. */
+static bool answer(look_search *l, const vs_node *n) {
+  const void *own = own_look(n, l->kind);
+  look_of sum = { NULL, shown(n) == 0, false };
+  for (size_t i = 0; i < shown(n); i++) {
+    const vs_node *child = n->children[i].node;
+    if (child->kind != VS_EMPTY) sum = both(sum, l->made[*vs_nodemap_get(&l->answers, child) - 1]);
+  }
+  if (own && sum.bare) sum = both((look_of){ sum.look, false, sum.several }, (look_of){ own, false, false });
+  if (!VS_GROW(l->made, l->room, l->count + 1)) return false;
+  uint64_t *place = vs_nodemap_put(&l->answers, n, NULL);
+  if (!place) return false;
+  l->made[l->count++] = sum;
+  *place = l->count;
+  return true;
+}
+
+/* Sets *out to the look that all parts of the object have, or to NULL. Returns false when memory is out. */
+static bool find_look(vs_store *s, vs_ref root, vs_kind kind, const void **out) {
+  look_search l = { .kind = kind, .answers = { .store = s } };
+  vs_walk *w = vs_walk_new(s, root);
+  vs_ref at;
+  size_t depth;
+  vs_walk_event event = VS_WALK_FAILED;
+  while (w && (event = vs_walk_next(w, &at, &depth)) < VS_WALK_DONE) {
+    if (vs_nodemap_get(&l.answers, at.node)) {
+      if (event == VS_WALK_ENTER) vs_walk_skip(w);
+    } else if (event == VS_WALK_ENTER) {
+      if (shown(at.node) == 0) vs_walk_skip(w);
+    } else if (!answer(&l, at.node)) {
+      event = VS_WALK_FAILED;
+      break;
+    }
+  }
+  *out = NULL;
+  if (event == VS_WALK_DONE) {
+    look_of whole = l.made[*vs_nodemap_get(&l.answers, root.node) - 1];
+    if (!whole.bare && !whole.several) *out = whole.look;
+  }
+  vs_walk_free(w);
+  vs_nodemap_free(&l.answers);
+  free(l.made);
+  return event == VS_WALK_DONE;
+}
+
+vs_status vs_p_object_material(vs_args *f, vs_value *out) {
+  const void *look;
+  if (!find_look(f->store, f->arg[0].ref, VS_MATERIAL, &look)) return vs_fail_memory(f->vm);
+  *out = VS_FALSE;
+  return look ? give_material(f->vm, look, out) : VS_OK;
+}
+
+vs_status vs_p_object_layer(vs_args *f, vs_value *out) {
+  const void *look;
+  if (!find_look(f->store, f->arg[0].ref, VS_LAYER, &look)) return vs_fail_memory(f->vm);
+  *out = VS_FALSE;
+  return look ? vs_string_from_utf8(f->vm, look, strlen(look), out) : VS_OK;
+}
+
+vs_status vs_p_object_origin(vs_args *f, vs_value *out) {
+  const vs_origin *o = f->arg[0].ref.origin;
+  VS_ROOTS(f->vm, r, 2);
+  *out = VS_FALSE;
+  if (!o) return VS_OK;
+  r[0] = VS_NIL;
+  if (!vs_cons(f->vm, vs_fix(o->column), r[0], &r[0]) || !vs_cons(f->vm, vs_fix(o->line), r[0], &r[0]) ||
+      !vs_string_from_utf8(f->vm, o->file, strlen(o->file), &r[1]) || !vs_cons(f->vm, r[1], r[0], &r[0]))
+    return VS_ERROR;
+  *out = r[0];
+  return VS_OK;
+}
+
+/* ---- materials ---- */
+
+vs_status vs_p_material_name(vs_args *f, vs_value *out) {
+  const char *name = f->arg[0].material->name;
+  return vs_string_from_utf8(f->vm, name, strlen(name), out);
+}
+
+vs_status vs_p_material_color(vs_args *f, vs_value *out) {
+  const vs_material *m = f->arg[0].material;
+  const double parts[] = { m->blue, m->green, m->red };
+  VS_ROOTS(f->vm, r, 1);
+  r[0] = VS_NIL;
+  for (size_t i = 0; i < sizeof parts / sizeof *parts; i++)
+    if (!vs_cons(f->vm, vs_flonum(parts[i]), r[0], &r[0])) return VS_ERROR;
+  *out = r[0];
+  return VS_OK;
+}
+
+vs_status vs_p_material_roughness(vs_args *f, vs_value *out) {
+  *out = vs_flonum(f->arg[0].material->roughness);
+  return VS_OK;
+}
+
+vs_status vs_p_material_transparency(vs_args *f, vs_value *out) {
+  *out = vs_flonum(f->arg[0].material->transparency);
+  return VS_OK;
 }

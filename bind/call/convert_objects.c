@@ -357,7 +357,8 @@ vs_status vs_convert_material(vs_args *f, const vs_bind_param *p, vs_value v, vs
     vs_value l = v;
     for (int i = 0; i < 3; i++, l = vs_cdr(l))
       if (!vs_bind_take_number(f->vm, vs_car(l), &c[i]) || !(c[i] >= 0 && c[i] <= 1)) return refuse_parts(f, p, v);
-    vs_material m = { "", c[0], c[1], c[2], .5, 0, 0, 1.5, { 0 } };
+    vs_material m = vs_material_default;
+    m.red = c[0], m.green = c[1], m.blue = c[2];
     out->material = vs_store_material(f->store, &m);
     return out->material ? VS_OK : vs_fail_memory(f->vm);
   }

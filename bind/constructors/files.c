@@ -58,7 +58,8 @@ vs_status vs_bind_picture(vs_args *f, vs_value name, const vs_picture **out, con
   if (!vs_photograph_read(f->store, &(vs_file_bytes){ *shown, bytes->at, (size_t)bytes->length }, &read, &e))
     return vs_bind_error(f->vm, &e);
   for (int i = 0; i < 3; i++) mean[i] = read.mean[i];
-  const vs_picture kept = { .path = whole, .format = read.format, .columns = read.columns, .rows = read.rows };
+  vs_picture kept = { .path = whole, .format = read.format, .columns = read.columns, .rows = read.rows };
+  memcpy(kept.mean, mean, sizeof kept.mean);
   return keep_picture(f, kept, bytes, out);
 }
 
@@ -76,7 +77,8 @@ static vs_status take_sun(vs_args *f, const char *shown, const char *whole, cons
     return vs_bind_error(f->vm, &e);
   bool found = vs_panorama_take_sun(&x, sun), ok = !found || vs_exr_write(&x, &left, &e);
   if (ok && found) {
-    *out = vs_store_picture(store, &(vs_picture){ whole, "exr", left.at, left.size, x.columns, x.rows, 0, NULL });
+    const vs_picture kept = { whole, "exr", left.at, left.size, x.columns, x.rows, 0, { 0 }, NULL };
+    *out = vs_store_picture(store, &kept);
     if (!*out) ok = vs_error_memory(&e, NULL);
   }
   if (left.at) vs_store_realloc(store, left.at, left.room, 0);

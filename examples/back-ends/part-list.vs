@@ -6,22 +6,16 @@
 ; parts, and counts equal ones: kind, material, how many, the volume of each.
 
 ; A part is a list: kind, material, volume.
-(define (parts o material)
-  (case (object-kind o)
-    [(unite layer) (append-map (lambda (child) (parts child material)) (object-children o))]
-    [(with-material) (parts (first (object-children o)) (material-name (first (object-arguments o))))]
-    [(transform)                          ; what is placed keeps its shape: only its volume may be another
-     (let ([inside (parts (first (object-children o)) material)])
-       (if (= (length inside) 1)
-           (list (list (first (first inside)) (second (first inside)) (volume o)))
-           inside))]
-    [else (if (solid? o) (list (list (object-kind o) material (volume o))) '())]))
-
-(define (material-name m)
-  (let ([text (format "~a" m)])           ; (make-material #:name "oak" ...), or steel
-    (if (string-contains? text "#:name")
-        (second (string-split text "\""))
-        text)))
+(define (parts o outer)
+  (let ([material (or (object-material o) outer)])
+    (case (object-kind o)
+      [(unite layer with-material) (append-map (lambda (child) (parts child material)) (object-children o))]
+      [(transform)                          ; what is placed keeps its shape: only its volume may be another
+       (let ([inside (parts (first (object-children o)) material)])
+         (if (= (length inside) 1)
+             (list (list (first (first inside)) (second (first inside)) (volume o)))
+             inside))]
+      [else (if (solid? o) (list (list (object-kind o) (if material (material-name material) "") (volume o))) '())])))
 
 (define (rounded x) (/ (round (* 1000 x)) 1000))
 
@@ -36,7 +30,7 @@
 
 (define-back-end part-list "csv"
   (lambda (objects port)
-    (let ([counts (tally (append-map (lambda (o) (parts o "")) objects))])
+    (let ([counts (tally (append-map (lambda (o) (parts o #f)) objects))])
       (display "kind,material,count,volume\n" port)
       (hash-for-each counts
         (lambda (key count)

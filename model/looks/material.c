@@ -15,6 +15,9 @@ static const struct { const char *name; double size; } patterns[VS_PATTERN_COUNT
 static const double plain_roughness = 0.6, plain_ior = 1.5; /* roughness and refractive index of a material that is
                                                              * given only by its colour */
 
+const vs_material vs_material_default = { "", .8, .8, .8, .5, 0, 0, 1.5, { 0 } };
+const double vs_pattern_darkening = 0.75;
+
 vs_material vs_material_of_color(double red, double green, double blue) {
   return (vs_material){
     .name = "", .red = red, .green = green, .blue = blue, .roughness = plain_roughness, .ior = plain_ior };

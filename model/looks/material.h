@@ -37,6 +37,9 @@ typedef struct {
   vs_material_pattern pattern;
 } vs_material;
 
+extern const vs_material vs_material_default;  /* the material that make-material makes without keywords */
+extern const double vs_pattern_darkening;      /* factor from a material's colour to the second colour of its pattern */
+
 uint64_t vs_material_hash(const vs_material *m);
 vs_material vs_material_of_color(double red, double green, double blue); /* Returns matt paint of an sRGB colour,
                                                                           * without name and pattern. */

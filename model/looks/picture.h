@@ -14,6 +14,7 @@ typedef struct vs_picture {
   size_t size;
   uint32_t columns, rows;
   uint64_t hash;               /* hash of path and bytes; set by the store */
+  double mean[3];              /* mean colour of a material's picture: sRGB, 0 to 1 */
   const struct vs_picture *next; /* next picture in the store's list */
 } vs_picture;
 

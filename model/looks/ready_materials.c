@@ -14,9 +14,14 @@ static const struct { const char *name; unsigned rgb; } colors[] = {
 #include "model/looks/colors.def"
 };
 
-static const vs_material *material_hex(vs_store *s, unsigned rgb, const char *name) {
+static vs_material material_of_hex(unsigned rgb, const char *name) {
   vs_material m = vs_material_of_color((rgb >> 16 & 255) / 255.0, (rgb >> 8 & 255) / 255.0, (rgb & 255) / 255.0);
   m.name = name;
+  return m;
+}
+
+static const vs_material *material_hex(vs_store *s, unsigned rgb, const char *name) {
+  vs_material m = material_of_hex(rgb, name);
   return vs_store_material(s, &m);
 }
 
@@ -48,6 +53,18 @@ const vs_material *vs_store_ready_material(vs_store *s, const char *name) {
   for (size_t i = 0; i < sizeof colors / sizeof *colors; i++)
     if (material_same_name(colors[i].name, name)) return material_hex(s, colors[i].rgb, colors[i].name);
   return NULL;
+}
+
+vs_named vs_ready_material_table(const vs_material *m) {
+  for (size_t i = 0; i < sizeof ready / sizeof *ready; i++)
+    if (!strcmp(m->name, ready[i].name))
+      return vs_material_hash(m) == vs_material_hash(&ready[i].material) ? VS_NAMED_MATERIAL : VS_NAMED_NONE;
+  for (size_t i = 0; i < sizeof colors / sizeof *colors; i++) {
+    if (strcmp(m->name, colors[i].name)) continue;
+    vs_material paint = material_of_hex(colors[i].rgb, colors[i].name);
+    return vs_material_hash(m) == vs_material_hash(&paint) ? VS_NAMED_COLOR : VS_NAMED_NONE;
+  }
+  return VS_NAMED_NONE;
 }
 
 const char *vs_ready_material_name(size_t i) {

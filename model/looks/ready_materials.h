@@ -7,6 +7,10 @@
 /* Returns the material of that name: a predefined material such as concrete or glass, a CSS colour, or "#rrggbb".
  * Returns NULL if the name is unknown or memory is out. */
 const vs_material *vs_store_ready_material(vs_store *s, const char *name);
+/* The table in which a material is: none, the predefined materials, the CSS colours. */
+typedef enum { VS_NAMED_NONE, VS_NAMED_MATERIAL, VS_NAMED_COLOR } vs_named;
+/* Returns the table that has exactly this material under its name. */
+vs_named vs_ready_material_table(const vs_material *m);
 const char *vs_ready_material_name(size_t i); /* Returns the name of predefined material i, or NULL if i is too
                                                * large. */
 

@@ -24,4 +24,4 @@
 (displayln (make-sphere origin 2))                     ; expect: (make-sphere (xyz 0 0 0) 2)
 (current-segments)
 ; a pattern is part of a material, and is printed with it
-(displayln (make-material #:name "m" #:color (list 1 1 1) #:pattern 'tiles #:pattern-size 2 #:pattern-angle 30)) ; expect: (make-material #:name "m" #:color (list 1 1 1) #:roughness 0.5 #:metallic 0 #:transparency 0 #:ior 1.5 #:pattern 'tiles #:pattern-color (list 0.75 0.75 0.75) #:pattern-size 2 #:pattern-angle 30)
+(displayln (make-material #:name "m" #:color (list 1 1 1) #:pattern 'tiles #:pattern-size 2 #:pattern-angle 30)) ; expect: (make-material #:name "m" #:color (list 1 1 1) #:pattern 'tiles #:pattern-size 2 #:pattern-angle 30)

@@ -209,7 +209,7 @@ static void *ledger_alloc(void *context, void *old, size_t old_size, size_t new_
 
 static bool small_task(vs_store *s) {
   bool ok = vs_store_origin(s, "f.vs", 1, 1, NULL) && vs_store_ready_material(s, "steel") &&
-            vs_store_picture(s, &(vs_picture){ "a.png", "png", (const unsigned char *)"abc", 3, 1, 1, 0, NULL });
+            vs_store_picture(s, &(vs_picture){ "a.png", "png", (const unsigned char *)"abc", 3, 1, 1, 0, { 0 }, NULL });
   vs_vec3 corners[] = { { 0, 0, 0 }, { 1, 0, 0 }, { 1, 1, 0 } };
   vs_points *at = ok ? vs_points_new(s, corners, 3) : NULL;
   struct vs_line data = { .points = at, .closed = true };
