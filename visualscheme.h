@@ -543,6 +543,9 @@ VS_API bool vs_format_of(const vs_scheme *s, const char *name_or_suffix, vs_form
 #define VS_PASSES_ALL (~0u)
 VS_API const char *const *vs_pass_list(size_t *count);
 
+/* Returns the names of the looks of pictures, and their number in *count. */
+VS_API const char *const *vs_look_list(size_t *count);
+
 typedef enum { VS_QUALITY_DRAFT, VS_QUALITY_GOOD, VS_QUALITY_FINAL } vs_quality;
 
 /* The curve from linear light to screen values. The manual's page 'Pictures' cites the formulas. */
@@ -580,6 +583,7 @@ typedef struct {
                           * picture */
   unsigned threads;      /* number of processors that POV-Ray uses for a picture; 0: all. It does not change the
                           * picture */
+  const char *look;      /* name of a look of vs_look_list, which replaces the model's; NULL: the model's own */
 } vs_output_options;
 VS_API vs_output_options vs_output_options_default(void);
 

@@ -313,6 +313,15 @@ vs_status vs_p_sky(vs_args *f, vs_value *out) {
   return VS_OK;
 }
 
+vs_status vs_p_look(vs_args *f, vs_value *out) {
+  vs_scene_style style = vs_scene_style_find(f->arg[0].text.at);
+  (void)out;
+  if (style == VS_STYLE_OWN)
+    return vs_bind_refuse(f, "name", "one of 'arctic 'model 'technical 'overcast 'night", f->arg[0].value);
+  if (!f->bind->handing) vs_scene_set_style(&f->bind->scene, style);
+  return VS_OK;
+}
+
 vs_status vs_p_lamp(vs_args *f, vs_value *out) {
   const vs_arg *k = f->key; /* keywords in order: ies lumens to turn dim color */
   vs_scene_lamp l = { .at = f->arg[0].point, .dim = k[4].given ? k[4].real : 1, .color = { 1, 1, 1 } };

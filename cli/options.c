@@ -208,6 +208,17 @@ static bool take_quality(cli_options *o, const option_row *row, const char *text
   return bad(row, text);
 }
 
+static bool take_look(cli_options *o, const option_row *row, const char *text) {
+  size_t count;
+  const char *const *names = vs_look_list(&count);
+  for (size_t i = 0; i < count; i++)
+    if (strcmp(text, names[i]) == 0) {
+      o->output.look = names[i];
+      return true;
+    }
+  return bad(row, text);
+}
+
 static bool take_curve(cli_options *o, const option_row *row, const char *text) {
   static const char *const names[] = {[VS_CURVE_NEUTRAL] = "neutral", [VS_CURVE_AGX] = "agx",
                                       [VS_CURVE_FILMIC] = "filmic", [VS_CURVE_LINEAR] = "linear"};

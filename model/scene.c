@@ -101,3 +101,27 @@ void vs_scene_look(vs_scene *scene, const vs_scene_view *view) {
   scene->upright = view->upright;
   scene->aperture = view->aperture, scene->focus = view->focus;
 }
+
+const char *vs_scene_style_name(vs_scene_style style) {
+  static const char *const names[VS_STYLE_COUNT] = {
+#define STYLE(upper, name) [VS_STYLE_##upper] = name,
+#include "model/styles.def"
+#undef STYLE
+  };
+  return names[style];
+}
+
+vs_scene_style vs_scene_style_find(const char *name) {
+  for (int i = VS_STYLE_OWN + 1; i < VS_STYLE_COUNT; i++)
+    if (strcmp(vs_scene_style_name((vs_scene_style)i), name) == 0) return (vs_scene_style)i;
+  return VS_STYLE_OWN;
+}
+
+void vs_scene_set_style(vs_scene *scene, vs_scene_style style) {
+  scene->style = style;
+  scene->sky_image = scene->sky_sunless = NULL, scene->has_sky = false, scene->turbidity = 0;
+  scene->sky_given = style == VS_STYLE_OVERCAST || style == VS_STYLE_NIGHT;
+  scene->sky_kind = VS_SKY_PLAIN;
+  if (style == VS_STYLE_OVERCAST) scene->sky_kind = VS_SKY_OVERCAST;
+  if (style == VS_STYLE_NIGHT) scene->sky_kind = VS_SKY_NIGHT;
+}

@@ -68,6 +68,15 @@ typedef struct {
 /* The kinds of sky. All but the plain sky have luminances in cd/m2 (geometry/sky_light.h). */
 typedef enum { VS_SKY_PLAIN, VS_SKY_CLEAR, VS_SKY_OVERCAST, VS_SKY_NIGHT } vs_sky_kind;
 
+/* The look of pictures. VS_STYLE_OWN: the program's own materials, sky and sun. */
+typedef enum {
+  VS_STYLE_OWN,
+#define STYLE(upper, name) VS_STYLE_##upper,
+#include "model/styles.def"
+#undef STYLE
+  VS_STYLE_COUNT
+} vs_scene_style;
+
 /* The pen of a layer in drawings. */
 typedef struct {
   const char *layer;         /* name of the layer, interned */
@@ -103,6 +112,7 @@ typedef struct {
                                      * horizon */
   bool has_sky;
   double sky[3];             /* sRGB colour of the sky */
+  vs_scene_style style;
   bool sky_given;            /* whether the program called sky */
   vs_sky_kind sky_kind;
   double turbidity;          /* turbidity of the sky (geometry/sky_light.h) if sky_kind is VS_SKY_CLEAR */
@@ -143,6 +153,12 @@ const vs_scene_view *vs_scene_find_view(const vs_scene *scene, const char *name)
 /* Returns the default view of a picture: the first perspective, panorama or axonometry, or else the first view. Returns
  * NULL if the program set the camera or defined no view. */
 const vs_scene_view *vs_scene_own_view(const vs_scene *scene);
+/* Returns the name of a look, or NULL for VS_STYLE_OWN. */
+const char *vs_scene_style_name(vs_scene_style style);
+/* Returns the look of that name; VS_STYLE_OWN if there is none. */
+vs_scene_style vs_scene_style_find(const char *name);
+/* Gives the scene a look. The look also sets the sky: a plain one, an overcast one or that of the night. */
+void vs_scene_set_style(vs_scene *scene, vs_scene_style style);
 /* Sets the scene's camera to that of the view. The caller applies the view's cut. */
 void vs_scene_look(vs_scene *scene, const vs_scene_view *view);
 

@@ -95,6 +95,8 @@ static void begin(writing *j) {
 /* ---- options of the output ---- */
 
 void vs_session_aim(const vs_output_options *o, vs_scene *scene) {
+  vs_scene_style style = o->look ? vs_scene_style_find(o->look) : VS_STYLE_OWN;
+  if (style != VS_STYLE_OWN) vs_scene_set_style(scene, style);
   if (o->has_sun) scene->has_sun = true, scene->sun_azimuth = o->sun[0], scene->sun_altitude = o->sun[1];
   if (!o->has_camera) return;
   scene->view = VS_VIEW_CAMERA, scene->upright = false, scene->aperture = 0;

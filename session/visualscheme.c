@@ -614,6 +614,16 @@ bool vs_format_of(const vs_scheme *vm, const char *text, vs_format_info *out) {
 
 /* ---- writing outputs ---- */
 
+const char *const *vs_look_list(size_t *count) {
+  static const char *const names[] = {
+#define STYLE(upper, name) name,
+#include "model/styles.def"
+#undef STYLE
+  };
+  *count = sizeof names / sizeof *names;
+  return names;
+}
+
 const char *const *vs_pass_list(size_t *count) {
   static const char *const names[] = {
 #define VS_PASS(upper, lower, begin, end, doc) #lower,

@@ -339,7 +339,20 @@ static bool shows(const vs_emitter *e, const vs_material *m, double pixel) {
   return m->pattern.kind != VS_PATTERN_NONE && unit >= pixel;
 }
 
+bool vs_povray_is_white(const vs_scene *s) {
+  return s->style == VS_STYLE_ARCTIC || s->style == VS_STYLE_TECHNICAL;
+}
+
+/* Returns the material that a look shows in place of m: white, or card. Glass stays glass. */
+static const vs_material *shown(const vs_emitter *e, const vs_material *m) {
+  static const vs_material white = { "", .93, .93, .93, 1, 0, 0, 1.5, { 0 } };
+  static const vs_material card = { "", .9, .875, .82, 1, 0, 0, 1.5, { 0 } };
+  if (m->transparency > 0) return m;
+  return vs_povray_is_white(e->scene) ? &white : e->scene->style == VS_STYLE_MODEL ? &card : m;
+}
+
 void vs_povray_prepare_texture(vs_emitter *e, const vs_material *m, double pixel) {
+  m = shown(e, m);
   if (!shows(e, m, pixel)) return;
   if (m->pattern.picture != NULL) put_picture_pigment(e, m);
   else if (lies_on_faces(m->pattern.kind)) put_face_pigment(e, m);
@@ -347,6 +360,7 @@ void vs_povray_prepare_texture(vs_emitter *e, const vs_material *m, double pixel
 
 void vs_povray_texture(vs_emitter *e, const vs_material *m, double pixel) {
   vs_writer *w = e->out;
+  m = shown(e, m);
   if (!shows(e, m, pixel)) {
     vs_puts(w, "    pigment { ");
     put_color(w, first_of(m));

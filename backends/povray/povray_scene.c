@@ -9,6 +9,7 @@
 #include <math.h>
 
 #include "backends/povray/povray.h"
+#include "backends/povray/povray_edges.h"
 #include "backends/povray/povray_files.h"
 #include "backends/povray/povray_lamps.h"
 #include "backends/povray/povray_meshes.h"
@@ -63,7 +64,8 @@ static vs_povray_daylight pov_daylight(const vs_emitter *e, const vs_look *l) {
 static bool pov_is_sunless(const vs_emitter *e, const vs_look *l) {
   const vs_scene *s = e->scene;
   if (pov_is_physical(e)) return vs_v3_equal(vs_sky_light_sun_of_scene(s, vs_look_sun(s, l)), vs_v3(0, 0, 0));
-  return s->no_sun || (s->has_sun && s->sun_altitude <= 0);
+  return s->no_sun || s->style == VS_STYLE_ARCTIC || s->style == VS_STYLE_TECHNICAL ||
+         (s->has_sun && s->sun_altitude <= 0);
 }
 /* Returns the light that a draft adds to all surfaces in any direction, so that none is black. Returns 0 for pictures
  * with bounced light. */
@@ -157,8 +159,8 @@ static void pov_direct_light(vs_emitter *e, const vs_look *l, const pov_sun_plac
   }
   vs_puts(w, "\n  parallel\n");
   pov_vector(w, "  point_at ", p->middle);
-  if (e->options->quality == VS_RENDER_FINAL) { /* a soft edge of shadows takes several times as long as all other
-                                                 * work */
+  /* A soft edge of shadows takes several times as long as all other work. */
+  if (e->options->quality == VS_RENDER_FINAL || e->scene->style == VS_STYLE_MODEL) {
     /* The keyword `orient` rotates the light towards the lit point, so only the lengths of the vectors matter. POV-Ray
      * requires lengths that are equal to 1e-10. Written with twelve digits, rotated vectors do not fulfil this. */
     pov_vector(w, "\n  area_light ", vs_v3(0.012 * p->far, 0, 0));
@@ -224,6 +226,7 @@ static pov_air pov_air_of(const vs_emitter *e, const vs_look *l) {
   const vs_scene *s = e->scene;
   pov_air a = { vs_v3(0.46, 0.66, 0.9), vs_v3(0.93, 0.95, 0.96) };
   if (pov_is_studio(e, l)) a.zenith = vs_v3(0.76, 0.81, 0.88);
+  if (vs_povray_is_white(s)) a.zenith = a.haze = vs_v3(0.97, 0.97, 0.97);
   if (!s->has_sky) return a;
   a.zenith = vs_v3(s->sky[0], s->sky[1], s->sky[2]);
   double pale = 0.45 * fmax(a.zenith.x, fmax(a.zenith.y, a.zenith.z));
@@ -266,8 +269,10 @@ static void pov_sky(vs_emitter *e, const vs_look *l) {
   }
   pov_air air = pov_air_of(e, l);
   double above = pov_sky_strength(e), floor = pov_dusk(e) * pov_floor(e, &air, pov_is_sunless(e, l));
+  double tint = vs_povray_is_white(e->scene) ? 0 : 0.01;
   struct { double at, strength; vs_vec3 color; } bands[] = {
-      { 0, floor, vs_v3(0.78, 0.78, 0.77) }, { 0.36, floor, vs_v3(0.9, 0.9, 0.89) }, { 0.5, above, air.haze },
+      { 0, floor, vs_v3(0.78, 0.78, 0.78 - tint) }, { 0.36, floor, vs_v3(0.9, 0.9, 0.9 - tint) },
+      { 0.5, above, air.haze },
       { 0.56, above, air.haze }, { 0.63, above, air.haze }, { 0.71, above, air.haze }, { 0.8, above, air.haze },
       { 0.9, above, air.haze }, { 1, above, air.zenith } };
   for (size_t i = 3; i < sizeof bands / sizeof *bands; i++) { /* the colour changes along a smooth curve, because a kink
@@ -351,7 +356,8 @@ static void pov_fog(vs_emitter *e, const vs_look *l) {
  * ground. */
 static void pov_ground(vs_emitter *e, const vs_look *l, double diagonal, double pixel) {
   vs_writer *w = e->out;
-  const vs_material *m = e->scene->ground_material;
+  bool plain = e->scene->style == VS_STYLE_MODEL || vs_povray_is_white(e->scene);
+  const vs_material *m = plain ? NULL : e->scene->ground_material;
   bool studio = !e->scene->has_ground;
   double lift = 1e-5 * diagonal; /* Objects that stand on the ground would have a face in its plane. Therefore the
                                   * ground is slightly lower. */
@@ -359,10 +365,13 @@ static void pov_ground(vs_emitter *e, const vs_look *l, double diagonal, double 
   if (m != NULL) vs_povray_prepare_texture(e, m, pixel);
   pov_word(w, "plane {\n  z, ", z, "\n  texture {\n");
   if (m != NULL) vs_povray_texture(e, m, pixel);
-  else
-    pov_word(w, studio ? "    pigment { color srgb <0.82, 0.82, 0.81> }\n    finish { ambient "
-                       : "    pigment { color srgb <0.77, 0.76, 0.73> }\n    finish { ambient ",
-             vs_povray_ambient(e), " diffuse 0.8 }\n");
+  else {
+    const char *color = vs_povray_is_white(e->scene) ? "<0.85, 0.85, 0.85>"
+                        : studio ? "<0.82, 0.82, 0.81>" : "<0.77, 0.76, 0.73>";
+    vs_puts(w, "    pigment { color srgb ");
+    vs_puts(w, color);
+    pov_word(w, " }\n    finish { ambient ", vs_povray_ambient(e), " diffuse 0.8 }\n");
+  }
   vs_puts(w, "  }\n");
   if (e->scene->sky_image == NULL) pov_ground_haze(e, l, diagonal, z);
   if (m != NULL) vs_povray_interior(e, m);
@@ -473,10 +482,12 @@ static bool pov_tell_eye(vs_emitter *e, const vs_look *look) {
   return true;
 }
 
+static int pov_width(const vs_emitter *e) { return e->options->width > 0 ? e->options->width : 1024; }
+static int pov_height(const vs_emitter *e) { return e->options->height > 0 ? e->options->height : 768; }
+
 bool vs_povray_begin(vs_emitter *e) {
   vs_writer *w = e->out;
-  int width = e->options->width > 0 ? e->options->width : 1024,
-      height = e->options->height > 0 ? e->options->height : 768;
+  int width = pov_width(e), height = pov_height(e);
   double diagonal = vs_v3_length(vs_v3_sub(e->bounds.max, e->bounds.min));
   if (!(diagonal > 0)) diagonal = 1;
   e->unit = pov_unit(diagonal);
@@ -489,7 +500,9 @@ bool vs_povray_begin(vs_emitter *e) {
    * light is not followed. */
   if (pov_is_developed(e) && e->options->quality != VS_RENDER_FINAL) vs_puts(w, "adc_bailout 0.02\n  ");
   pov_put_radiosity(e);
-  vs_puts(w, "}\n#default { texture { pigment { color srgb <0.86, 0.85, 0.83> } finish { ambient ");
+  vs_puts(w, "}\n#default { texture { pigment { color srgb ");
+  vs_puts(w, vs_povray_is_white(e->scene) ? "<0.93, 0.93, 0.93>" : "<0.86, 0.85, 0.83>");
+  vs_puts(w, " } finish { ambient ");
   pov_word(w, "", vs_povray_ambient(e), " diffuse 0.82 } } }\n\n");
   vs_look look = vs_look_find(e->scene, &e->framed, e->boxes, e->box_count, (double)width / height);
   if (pov_is_developed(e) && !pov_tell_eye(e, &look)) return false;
@@ -515,7 +528,10 @@ bool vs_povray_begin(vs_emitter *e) {
   return !w->failed;
 }
 
-bool vs_povray_end(vs_emitter *e) { return !e->out->failed; }
+bool vs_povray_end(vs_emitter *e) {
+  int width = pov_width(e), height = pov_height(e);
+  return (e->scene->style != VS_STYLE_TECHNICAL || vs_povray_edges(e, width, height)) && !e->out->failed;
+}
 
 #define POVRAY_SHARED(more)                                                                                            \
   .begin = vs_povray_begin, .item = vs_povray_item, .end = vs_povray_end, .define = vs_povray_define, \

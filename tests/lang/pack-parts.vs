@@ -81,5 +81,4 @@
 
 (displayln (pack-parts '() #:sheet '(10 10)))
 ; expect: ()
-(pack-parts (list tile frame) #:sheet '(12 9))
-; expect error: pack-parts: a part of 20 by 10 is larger than the sheet of 12 by 9
+(pack-parts (list tile frame) #:sheet '(12 9)) ; expect error: pack-parts: a part of 20 by 10 is larger than the sheet of 12 by 9

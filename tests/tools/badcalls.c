@@ -84,7 +84,7 @@ static const struct { const char *procedure, *parameter, *good; } special[] = {
   { "view", "name", "\"a\" 'plan" }, { "view", "kind", NULL }, { "view", "cut", "1" }, { "view", "sheet", "\"A3\"" }, { "view", "from", NULL }, { "view", "to", NULL },
   { "view", "lens", NULL }, { "view", "upright", NULL }, { "dimension", "q", "(xyz 9 9 9)" }, { "grid-axis", "q", "(xyz 9 9 9)" },
   { "camera", "target", "(xyz 9 9 9)" }, { "view-from", "side", "'top" }, { "units", "unit", "'mm" },
-  { "sky", "kind", "'night" },
+  { "sky", "kind", "'night" }, { "look", "name", "'arctic" },
   { "sky", "color", NULL }, { "sky", "image", NULL }, { "sun", "shines", "#f" },
   { "sky", "turbidity", NULL }, { "camera", "focus", NULL }, { "view", "focus", NULL }, { "view", "aperture", NULL },
   { "native", "target", "'povray" }, { "erase", "objects", "(draw ball)" }, { "native", "text", "\"sphere { 0, 1 }\"" },
