@@ -16,6 +16,9 @@ typedef enum {
 typedef struct { const char *name; double width, dash, gap, dot, grey; int colour, weight; } vs_layer_row;
 extern const vs_layer_row vs_drawn_rows[VS_DRAWN_LAYERS];
 
+/* Space around a view, in millimetres. */
+typedef struct { double left, right, below, above; } vs_sheet_room;
+
 /* ---- a flat view: in model units, in the view's own plane ---- */
 
 typedef struct {
@@ -43,6 +46,9 @@ typedef struct {
   /* Position on the sheet, set by sheet.c: millimetres = at + (point - low) * mm. */
   double mm, scale;
   vs_sheet_point at;
+  double title;           /* height of the title's base line on the sheet, in mm */
+  vs_sheet_room room;     /* space of the notes around the view at this size */
+  double room_mm;         /* the size, as `mm`, for which `room` is measured; 0: none */
 } vs_flat_view;
 
 /* Data that all views of a drawing use. These are the solids, which are made for the first view without a cut, and the

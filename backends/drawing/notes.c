@@ -85,19 +85,6 @@ static double dimensions_width(const vs_emitter *e, const vs_flat_view *v, bool 
   return 0;
 }
 
-vs_sheet_room vs_sheet_notes_room(const vs_emitter *e, const vs_flat_view *v) {
-  vs_sheet_room room = { 2, 2 };
-  for (size_t i = 0; i < e->scene->note_count; i++) {
-    vs_note_kind kind = e->scene->notes[i].kind;
-    if (!fits(e, v, &e->scene->notes[i]) || kind == VS_NOTE_LABEL) continue;
-    bool ends = kind == VS_NOTE_AXIS && is_upright(v);
-    double left = kind == VS_NOTE_LEVEL ? levels_width(e, v) + 3 + dimensions_width(e, v, false) : 20;
-    room.across = fmax(room.across, left);
-    room.up = fmax(room.up, kind == VS_NOTE_LEVEL ? 6 : ends ? 2 * bubble + 4 + dimensions_width(e, v, true) : 20);
-  }
-  return room;
-}
-
 static const vs_flat_view *view_of(const vs_sheet_pen *pen) { return &pen->sheet->views[pen->view]; }
 
 static bool stroke(const vs_sheet_pen *pen, vs_sheet_point a, vs_sheet_point b) {
@@ -193,7 +180,7 @@ static bool ground(const vs_sheet_pen *pen) {
   const vs_flat_view *v = view_of(pen);
   if (!e->scene->has_ground || !is_upright(v)) return true;
   double y = seen_at(v, vs_v3(0, 0, e->scene->ground_z)).y, x0 = v->at.x, x1 = x0 + (v->high.x - v->low.x) * v->mm,
-      more = fmin(8, vs_sheet_notes_room(e, v).across + 4);
+      more = 8;
   return vs_sheet_stroke(pen, VS_DRAWN_GROUND, (vs_sheet_point){ x0 - more, y }, (vs_sheet_point){ x1 + more, y });
 }
 
@@ -210,5 +197,44 @@ bool vs_sheet_notes(const vs_sheet_pen *pen) {
     case VS_NOTE_AXIS: ok = axis(pen, n); break;
     }
   }
+  return ok;
+}
+
+/* Extends the room to a point in millimetres from the view's lower left corner; wide and high: size of the view. */
+static void include(vs_sheet_room *room, vs_sheet_point p, double wide, double high) {
+  room->left = fmax(room->left, -p.x), room->right = fmax(room->right, p.x - wide);
+  room->below = fmax(room->below, -p.y), room->above = fmax(room->above, p.y - high);
+}
+
+/* Extends the room to a text; descenders reach below the base line. */
+static void include_text(vs_sheet_room *room, const vs_mark *m, double wide, double high) {
+  double turn = m->angle * (3.14159265358979323846 / 180), c = cos(turn), n = sin(turn);
+  double length = about_width(m->text, m->size);
+  for (int i = 0; i < 4; i++) {
+    double along = length * (i % 2 - m->align), up = m->size * (i < 2 ? -0.35 : 1.1);
+    include(room, (vs_sheet_point){ m->at.x + along * c - up * n, m->at.y + along * n + up * c }, wide, high);
+  }
+}
+
+bool vs_sheet_notes_room(vs_emitter *e, const vs_sheet *s, uint32_t index) {
+  vs_flat_view *v = &s->views[index];
+  if (v->room_mm == v->mm) return true;
+  vs_sheet own = { .views = s->views, .view_count = s->view_count };
+  vs_sheet_point kept = v->at;
+  v->at = (vs_sheet_point){ 0, 0 };
+  bool ok = vs_sheet_notes(&(vs_sheet_pen){ e, &own, index });
+  v->at = kept;
+  double wide = (v->high.x - v->low.x) * v->mm, high = (v->high.y - v->low.y) * v->mm, border = 2;
+  vs_sheet_room room = { 0, 0, 0, 0 };
+  for (size_t i = 0; ok && i < own.mark_count; i++) {
+    const vs_mark *m = &own.marks[i];
+    if (m->kind == VS_MARK_TEXT) include_text(&room, m, wide, high);
+    else for (uint32_t k = 0; k < m->count; k++) include(&room, own.points[m->first + k], wide, high);
+  }
+  v->room = (vs_sheet_room){ room.left + border, room.right + border, room.below + border, room.above + border };
+  v->room_mm = v->mm;
+  vs_emit_release(e, own.marks, own.mark_room, sizeof *own.marks);
+  vs_emit_release(e, own.points, own.point_room, sizeof *own.points);
+  vs_emit_release(e, own.loops, own.loop_room, sizeof *own.loops);
   return ok;
 }

@@ -7,8 +7,8 @@
 /* Adds the program's notes to the pen's view, and the ground line. Returns false if memory is out, with the emitter's
  * error set. */
 bool vs_sheet_notes(const vs_sheet_pen *pen);
-/* The space that a view's notes need, in millimetres. across: on the left and on the right; up: below and above. */
-typedef struct { double across, up; } vs_sheet_room;
-vs_sheet_room vs_sheet_notes_room(const vs_emitter *e, const vs_flat_view *v);
+/* Sets the room of the sheet's view `index` at the view's present size. Draws the notes on a sheet of their own and
+ * measures how far they reach beyond the view's lines. Returns false if memory is out, with the emitter's error set. */
+bool vs_sheet_notes_room(vs_emitter *e, const vs_sheet *s, uint32_t index);
 
 #endif

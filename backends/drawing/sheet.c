@@ -52,49 +52,66 @@ static vs_sheet_point point(double x, double y) { return (vs_sheet_point){ x, y 
 static bool is_flat(const vs_flat_view *v) { return v->look.parallel; }
 
 /* Returns the number of millimetres on paper for a unit of the view's plane. A perspective view has no scale: it is as
- * wide as the paper allows. */
+ * wide as the paper allows. It has no notes, but a border. */
 static double millimetres(const vs_emitter *e, const vs_sheet *s, const vs_flat_view *v, double scale) {
   if (is_flat(v)) return vs_drawing_unit(e->scene) / scale;
   double wide = v->high.x - v->low.x, high = v->high.y - v->low.y, share = s->view_count > 1 ? 0.45 : 1;
-  vs_sheet_room room = vs_sheet_notes_room(e, v);
-  double across = share * (s->right - s->left - 2 * gap - 2 * room.across),
-      up = share * (s->top - s->bottom - title_height - 2 * gap - 2 * room.up - caption);
+  const double border = 2;
+  double across = share * (s->right - s->left - 2 * gap - 2 * border),
+      up = share * (s->top - s->bottom - title_height - 2 * gap - 2 * border - caption);
   return fmin(across / fmax(wide, 1e-9 * high), up / fmax(high, 1e-9 * wide));
 }
 
-/* Places the views in rows. Returns false if they do not fit at this scale. */
-static bool place_all(vs_emitter *e, vs_sheet *s, double scale) {
-  double y = s->top - gap, row = 0, x = s->left + gap, least = s->bottom + title_height + gap, widest = 0;
-  size_t first = 0;
-  for (size_t i = 0; i <= s->view_count; i++) {
-    vs_flat_view *v = &s->views[i];
-    vs_sheet_room room = { 0, 0 };
-    double wide = 0, high = 0;
-    if (i < s->view_count) {
-      v->scale = is_flat(v) ? (v->spec.scale > 0 ? v->spec.scale : scale) : 0;
-      v->mm = millimetres(e, s, v, v->scale > 0 ? v->scale : 1);
-      room = vs_sheet_notes_room(e, v);
-      wide = (v->high.x - v->low.x) * v->mm + 2 * room.across;
-      high = (v->high.y - v->low.y) * v->mm + 2 * room.up + caption;
-      if (wide > s->right - s->left - 2 * gap + 1e-6) return false;
-    }
-    /* The row ends here. Its views have a common base line, and the row is centred. */
-    if (i == s->view_count || x + wide > s->right - gap + 1e-6) {
-      double shift = fmax(0, (s->right - gap - (x - gap)) / 2);
-      for (size_t k = first; k < i; k++) s->views[k].at.x += shift, s->views[k].at.y += y - row;
-      widest = fmax(widest, x);
-      y -= row + gap;
-      row = 0, x = s->left + gap, first = i;
-      if (i == s->view_count) break;
-    }
-    v->at = (vs_sheet_point){ x + room.across, room.up + caption };
-    x += wide + gap;
-    row = fmax(row, high);
-    if (y - row < least - 1e-6) return false;
+static double wide_of(const vs_flat_view *v) { return (v->high.x - v->low.x) * v->mm + v->room.left + v->room.right; }
+
+/* Sets the size of view i at this scale, and the room of its notes. Returns false if memory is out, with the emitter's
+ * error set. */
+static bool size_view(vs_emitter *e, vs_sheet *s, size_t i, double scale) {
+  vs_flat_view *v = &s->views[i];
+  v->scale = is_flat(v) ? (v->spec.scale > 0 ? v->spec.scale : scale) : 0;
+  v->mm = millimetres(e, s, v, v->scale > 0 ? v->scale : 1);
+  return vs_sheet_notes_room(e, s, (uint32_t)i);
+}
+
+/* Places the views from `first` to `end` - 1 in a row below `top`, centred. The views have a common base line, and
+ * their titles another one, below the notes of all. Returns the lower edge of the row. */
+static double place_row(vs_sheet *s, size_t first, size_t end, double top) {
+  double above = 0, below = 0, wide = gap * (double)(end - first - 1), free = s->right - s->left - 2 * gap;
+  for (size_t i = first; i < end; i++) {
+    const vs_flat_view *v = &s->views[i];
+    above = fmax(above, (v->high.y - v->low.y) * v->mm + v->room.above), below = fmax(below, v->room.below);
+    wide += wide_of(v);
   }
-  if (y > least) /* half of the remaining height is above the views, half below */
-    for (size_t k = 0; k < s->view_count; k++) s->views[k].at.y -= (y - least) / 2;
-  return true;
+  double x = s->left + gap + fmax(0, (free - wide) / 2);
+  for (size_t i = first; i < end; i++) {
+    vs_flat_view *v = &s->views[i];
+    v->at = (vs_sheet_point){ x + v->room.left, top - above };
+    v->title = top - above - below - caption + 3;
+    x += wide_of(v) + gap;
+  }
+  return top - above - below - caption;
+}
+
+/* Places the views in rows. Sets *fits to whether they fit at this scale. Returns false if memory is out, with the
+ * emitter's error set. */
+static bool place_all(vs_emitter *e, vs_sheet *s, double scale, bool *fits) {
+  double y = s->top - gap, least = s->bottom + title_height + gap, free = s->right - s->left - 2 * gap;
+  *fits = false;
+  for (size_t i = 0; i < s->view_count; i++) {
+    if (!size_view(e, s, i, scale)) return false;
+    if (wide_of(&s->views[i]) > free + 1e-6) return true;
+  }
+  for (size_t first = 0, end; first < s->view_count; first = end) {
+    double wide = wide_of(&s->views[first]);
+    for (end = first + 1; end < s->view_count && wide + gap + wide_of(&s->views[end]) <= free + 1e-6; end++)
+      wide += gap + wide_of(&s->views[end]);
+    y = place_row(s, first, end, y);
+    if (y < least - 1e-6) return true;
+    y -= gap;
+  }
+  double shift = fmax(0, (y + gap - least) / 2); /* half of the remaining height is above the views, half below */
+  for (size_t k = 0; k < s->view_count; k++) s->views[k].at.y -= shift, s->views[k].title -= shift;
+  return *fits = true;
 }
 
 static void take_paper(vs_sheet *s, size_t i) {
@@ -114,29 +131,40 @@ static void asked(const vs_sheet *s, const char **sheet, double *scale) {
 
 /* Places the views beside each other at true size, or at their scale, on a sheet that is as large as they are. A
  * perspective view becomes 200 mm wide. */
-static void place_bare(vs_emitter *e, vs_sheet *s, double scale) {
+static bool place_bare(vs_emitter *e, vs_sheet *s, double scale) {
   static const double border = 5, perspective = 200;
-  double x = border, highest = 0;
+  double x = border, above = 0, below = 0;
   s->name = "none", s->bare = true;
   for (size_t i = 0; i < s->view_count; i++) {
     vs_flat_view *v = &s->views[i];
     double wide = v->high.x - v->low.x;
     v->scale = !is_flat(v) ? 0 : v->spec.scale > 0 ? v->spec.scale : scale > 0 ? scale : 1;
     v->mm = v->scale > 0 ? vs_drawing_unit(e->scene) / v->scale : wide > 0 ? perspective / wide : 1;
-    vs_sheet_room room = vs_sheet_notes_room(e, v);
-    v->at = (vs_sheet_point){ x + room.across, border + room.up };
-    x += wide * v->mm + 2 * room.across + (i + 1 < s->view_count ? gap : border);
-    highest = fmax(highest, (v->high.y - v->low.y) * v->mm + 2 * room.up);
+    if (!vs_sheet_notes_room(e, s, (uint32_t)i)) return false;
+    v->at.x = x + v->room.left;
+    x += wide_of(v) + (i + 1 < s->view_count ? gap : border);
+    above = fmax(above, (v->high.y - v->low.y) * v->mm + v->room.above), below = fmax(below, v->room.below);
   }
-  s->width = x, s->height = highest + 2 * border;
+  for (size_t i = 0; i < s->view_count; i++) s->views[i].at.y = border + below;
+  s->width = x, s->height = above + below + 2 * border;
   s->left = s->bottom = 0, s->right = s->width, s->top = s->height;
+  return true;
+}
+
+/* Takes the first sheet from papers[low] to papers[high - 1] that the views fit at this scale. Sets *fits to whether
+ * there is one. Returns false if memory is out, with the emitter's error set. */
+static bool try_papers(vs_emitter *e, vs_sheet *s, size_t low, size_t high, double scale, bool *fits) {
+  *fits = false;
+  for (size_t i = low; i < high && !*fits; i++)
+    if (take_paper(s, i), !place_all(e, s, scale, fits)) return false;
+  return true;
 }
 
 static bool choose(vs_emitter *e, vs_sheet *s) {
   const char *sheet;
   double scale;
   asked(s, &sheet, &scale);
-  if (sheet && strcmp(sheet, "none") == 0) return place_bare(e, s, scale), true;
+  if (sheet && strcmp(sheet, "none") == 0) return place_bare(e, s, scale);
   size_t low = 0, high = PAPERS;
   for (size_t i = 0; sheet && i < PAPERS; i++)
     if (strcmp(papers[i].name, sheet) == 0) low = i, high = i + 1;
@@ -151,14 +179,12 @@ static bool choose(vs_emitter *e, vs_sheet *s) {
     large = across < 60;
   }
   size_t fixed = !sheet && scale == 0 ? PAPERS - 1 : high; /* sheet A0 is used only if the program sets it */
-  if (scale == 0 && !large)
-    for (size_t i = low; i < fixed; i++)
-      if (take_paper(s, i), place_all(e, s, scales[HUNDRED])) return true;
-  for (size_t k = scale > 0 ? 0 : large ? 0 : HUNDRED + 1; scale == 0 && k < SCALES; k++)
-    for (size_t i = large || sheet ? low : 1; i < (large && !sheet ? 1 : sheet ? high : 3); i++)
-      if (take_paper(s, i), place_all(e, s, scales[k])) return true;
-  for (size_t i = low; scale > 0 && i < high; i++)
-    if (take_paper(s, i), place_all(e, s, scale)) return true;
+  bool fits = false, ok = true;
+  if (scale > 0) ok = try_papers(e, s, low, high, scale, &fits);
+  else if (!large) ok = try_papers(e, s, low, fixed, scales[HUNDRED], &fits);
+  for (size_t k = large ? 0 : HUNDRED + 1; scale == 0 && ok && !fits && k < SCALES; k++)
+    ok = try_papers(e, s, large || sheet ? low : 1, large && !sheet ? 1 : sheet ? high : 3, scales[k], &fits);
+  if (!ok || fits) return ok;
   char name[48] = "a sheet";
   if (sheet) snprintf(name, sizeof name, "the sheet %.8s", sheet);
   if (scale > 0) return vs_error_set(e->error, VS_ERROR_MODEL, NULL,
@@ -251,12 +277,11 @@ static bool captions(vs_emitter *e, vs_sheet *s) {
   bool ok = true;
   for (size_t i = 0; ok && i < s->view_count; i++) {
     const vs_flat_view *v = &s->views[i];
-    double room = vs_sheet_notes_room(e, v).up, x = v->at.x + (v->high.x - v->low.x) * v->mm / 2,
-        y = v->at.y - room - caption + 3;
+    double x = v->at.x + (v->high.x - v->low.x) * v->mm / 2;
     char text[160], scale[32];
     snprintf(text, sizeof text, "%.*s%s%s", (int)vs_character_cut(v->spec.name, 100), v->spec.name,
         v->scale > 0 ? "   " : "", scale_text(v->scale, scale));
-    ok = write(&(vs_sheet_pen){ e, s, (uint32_t)i }, point(x, y), 2.5, 0.5, text);
+    ok = write(&(vs_sheet_pen){ e, s, (uint32_t)i }, point(x, v->title), 2.5, 0.5, text);
     if (ok && i == 0 && v->look.parallel && fabs(v->look.forward.z) > 0.999)
       ok = north(&sheet, s->right - 12, s->top - 14, v);
   }

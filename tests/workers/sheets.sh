@@ -1,0 +1,82 @@
+# Tests what an office sees on a sheet: marks stay inside the frame, and titles lie on nothing.
+. tests/report.sh
+
+wanted sheets || exit 0
+cd "$work" || exit 1
+
+cat > read.py <<'EOF'
+import re, xml.etree.ElementTree as tree
+svg = '{http://www.w3.org/2000/svg}'
+def marks(name):
+    """Yields (kind, view, data): the points of each path, or the text and its rectangle."""
+    for layer in tree.parse(name).getroot().iter(svg + 'g'):
+        kind = layer.get('id')
+        for group in [layer] + layer.findall(svg + 'g'):
+            title = group.find(svg + 'title')
+            view = None if title is None else title.text
+            if group is not layer and view is None or group is layer and kind is None: continue
+            for x in group.findall(svg + 'path'):
+                for part in re.findall(r'M[^M]*', x.get('d')):
+                    numbers = [float(n) for n in re.findall(r'-?[\d.]+', part)]
+                    yield kind, view, list(zip(numbers[::2], numbers[1::2]))
+            for x in group.findall(svg + 'text'):
+                size, left, y = (float(x.get(k)) for k in ('font-size', 'x', 'y'))
+                wide, high = 0.6 * size * len(x.text), 0.73 * size
+                left -= {'start': 0, 'middle': wide / 2, 'end': wide}[x.get('text-anchor')]
+                box = [(left, y - high), (left + wide, y)]
+                if 'rotate(-90' in x.get('transform', ''):
+                    box = [(left + wide / 2 - high, y - wide / 2), (left + wide / 2, y + wide / 2)]
+                yield 'text', view, (x.text, box)
+EOF
+
+# Every kind of note, far beyond the model on every side; each alone and all at once; with and without paper.
+cat > notes.vs <<'EOF'
+(define-parameter kind 0)
+(define-parameter bare #f)
+(define (put i . notes) (if (or (= kind 0) (= kind i)) (for-each (lambda (f) (f)) notes)))
+(draw (make-box origin (xyz 10 8 3)))
+(ground 0)
+(define-syntax show
+  (syntax-rules () ((_ a ...) (if bare (view a ... #:scale 200 #:sheet 'none) (view a ... #:scale 200)))))
+(show "plan" 'plan)
+(show "section" 'section #:cut (make-plane (xyz 0 4 0) uy))
+(show "front" 'front)
+(show "iso" 'isometric)
+(put 1 (lambda () (level 24 "a ridge far above, with a long name")) (lambda () (level -14 "rock")))
+(put 2 (lambda () (grid-axis "A" (xyz 4.5 -12 0) (xyz 4.5 9 0))) (lambda () (grid-axis "1" (xyz -15 4 0) (xyz 12 4 0)))
+       (lambda () (grid-axis "B" (xyz 10 22 0) (xyz 10 0 0))) (lambda () (grid-axis "2" (xyz 30 0 0) (xyz 0 0 0))))
+(put 3 (lambda () (dimension origin (xyz 10 0 0) #:offset -14)) (lambda () (dimension origin (xyz 0 8 0) #:offset 11))
+       (lambda () (dimension (xyz 0 0 0) (xyz 0 0 3) #:offset -18)) (lambda () (dimension (xyz 10 0 0) (xyz 60 0 0))))
+(put 4 (lambda () (label (xyz 24 4 1) "a tree of the neighbour")) (lambda () (label (xyz -24 -14 1) "street")))
+EOF
+for bare in t f; do for kind in 0 1 2 3 4; do
+  "$vs" -q notes.vs -D kind=$kind -D "bare=#$bare" --all-views -o notes-$kind-$bare.svg || echo "notes $kind $bare"
+done; done > said 2>&1
+/usr/bin/python3 - >> said 2>&1 <<'EOF'
+from read import marks
+for kind in range(5):
+    for bare in 'tf':
+        name = f'notes-{kind}-{bare}.svg'
+        every = list(marks(name))
+        if bare == 't':
+            size = open(name).read().split('viewBox="')[1].split('"')[0].split()
+            frame = [(0, 0), (float(size[2]), float(size[3]))]
+        else: frame = next(p for k, v, p in every if k == 'frame')
+        low, high = [[f(p[i] for p in frame) for i in (0, 1)] for f in (min, max)]
+        titles = []
+        for k, v, p in every:
+            points, what = (p[1], p[0]) if k == 'text' else (p, k)
+            if k == 'text' and v and '   1:' in what: titles.append(p)
+            if any(not low[i] - .01 <= q[i] <= high[i] + .01 for q in points for i in (0, 1)):
+                print(name, what, 'leaves the frame')
+        if len(titles) != (4 if bare == 'f' else 0): print(name, 'titles', titles)
+        for title in titles:
+            what, ((x0, y0), (x1, y1)) = title
+            for k, v, p in every:
+                if k in ('frame', 'sheet') or p == title: continue
+                points = p[1] if k == 'text' else p
+                for a, b in zip(points, points[1:]):
+                    if min(a[0], b[0]) < x1 and max(a[0], b[0]) > x0 and min(a[1], b[1]) < y1 and max(a[1], b[1]) > y0:
+                        print(name, f'the title "{what}" lies on', k, p[0] if k == 'text' else '', v)
+EOF
+result sheets/frame said
