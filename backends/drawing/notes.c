@@ -1,8 +1,9 @@
 /* Draws the notes of a drawing: dimensions, labels, levels, axes, and the ground line in elevations and sections.
  *
  * A note appears only in the views in which it is true. A dimension needs a view that shows its length unshortened; a
- * level needs a view with heights. An axis appears on plans, and as a vertical line in views along it. Dimensions are
- * next to the model. Outside them are the levels on the left and the circles of axes below. */
+ * level dimension needs a plan, or a section through both of its ends. A level needs a view with heights. An axis
+ * appears on plans, and as a vertical line in views along it. Dimensions are next to the model. Outside them are the
+ * levels on the left and the circles of axes below. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -19,13 +20,38 @@ static bool is_upright(const vs_flat_view *v) { return v->look.parallel && fabs(
 static bool shows(const vs_flat_view *v, const vs_scene_note *n) { return v->look.parallel &&
     (!n->view || strcmp(n->view, v->spec.name) == 0); }
 
+/* Returns true if the cut has removed both ends of a dimension. */
+static bool is_removed(const vs_flat_view *v, const vs_scene_note *n, double slack) {
+  const vs_scene_view *s = &v->spec;
+  return v->has_cut && vs_v3_dot(vs_v3_sub(n->p, s->cut_point), s->cut_normal) < -slack &&
+         vs_v3_dot(vs_v3_sub(n->q, s->cut_point), s->cut_normal) < -slack;
+}
+
+/* Returns true if both ends of a dimension lie in the plane of the view's cut. */
+static bool is_in_cut(const vs_flat_view *v, const vs_scene_note *n, double slack) {
+  const vs_scene_view *s = &v->spec;
+  return v->has_cut && fabs(vs_v3_dot(vs_v3_sub(n->p, s->cut_point), s->cut_normal)) <= slack &&
+         fabs(vs_v3_dot(vs_v3_sub(n->q, s->cut_point), s->cut_normal)) <= slack;
+}
+
+/* Returns true if the view shows this dimension, which it shows unshortened. A dimension with #:view is in that view
+ * alone. A level dimension belongs to plans, and to the sections in whose plane it lies. Other dimensions belong to
+ * elevations and sections. No view shows a dimension of the removed part. */
+static bool shows_dimension(const vs_flat_view *v, const vs_scene_note *n) {
+  vs_vec3 d = vs_v3_sub(n->q, n->p);
+  double slack = 1e-6 * vs_v3_length(d);
+  if (n->view) return true;
+  if (is_removed(v, n, slack)) return false;
+  return !is_upright(v) || fabs(d.z) > slack || is_in_cut(v, n, slack);
+}
+
 /* Returns true if the view v shows the scene's note n. */
 static bool fits(const vs_emitter *e, const vs_flat_view *v, const vs_scene_note *n) {
   if (!shows(v, n)) return false;
   vs_vec3 d = vs_v3_sub(n->q, n->p);
   double along = fabs(vs_v3_dot(d, v->look.forward)), length = vs_v3_length(d);
   switch (n->kind) {
-  case VS_NOTE_DIMENSION: return along <= 1e-6 * length;
+  case VS_NOTE_DIMENSION: return along <= 1e-6 * length && shows_dimension(v, n);
   case VS_NOTE_LABEL: return v->labelled[n - e->scene->notes];
   case VS_NOTE_LEVEL: return is_upright(v);
   case VS_NOTE_AXIS: return (!is_upright(v) && along <= 1e-6 * length) || along >= length * (1 - 1e-9);

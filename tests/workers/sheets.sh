@@ -1,4 +1,5 @@
-# Tests what an office sees on a sheet: marks stay inside the frame, and titles lie on nothing.
+# Tests what an office sees on a sheet: marks stay inside the frame, titles lie on nothing, dimensions are where they
+# belong.
 . tests/report.sh
 
 wanted sheets || exit 0
@@ -80,3 +81,42 @@ for kind in range(5):
                         print(name, f'the title "{what}" lies on', k, p[0] if k == 'text' else '', v)
 EOF
 result sheets/frame said
+
+# Dimensions in every direction, before, in and beyond the cuts; each has its own text. The views that show each; the side
+# of its offset.
+cat > dimensions.vs <<'EOF'
+(draw (make-box origin (xyz 10 8 6)))
+(view "plan" 'plan #:cut 3)
+(view "section" 'section #:cut (make-plane (xyz 0 4 0) uy))
+(view "across" 'section #:cut (make-plane (xyz 5 0 0) ux))
+(view "front" 'front)
+(view "iso" 'isometric)
+(for ([at (list 0 4 8)] [name '("before" "in" "after")])
+  (dimension (xyz 0 at 1) (xyz 10 at 1) #:text (string-append "width " name))
+  (dimension (xyz 0 at 1) (xyz 0 at 5) #:text (string-append "height " name)))
+(dimension (xyz 0 0 5) (xyz 10 0 5) #:text "above the plan's cut")
+(dimension (xyz 0 0 1) (xyz 0 8 1) #:text "depth")
+(dimension (xyz 5 0 1) (xyz 5 8 1) #:text "depth in the cut")
+(dimension (xyz 0 4 0) (xyz 10 4 6) #:text "slope")
+(dimension (xyz 0 0 1) (xyz 10 0 1) #:text "named" #:view "front")
+(dimension (xyz 0 1 1) (xyz 10 1 1) #:text "left" #:offset 1)
+(dimension (xyz 0 1 1) (xyz 10 1 1) #:text "right" #:offset -1)
+(dimension (xyz 10 1 1) (xyz 0 1 1) #:text "left of the way back" #:offset 1)
+EOF
+"$vs" -q dimensions.vs --all-views -o dimensions.svg > said 2>&1
+/usr/bin/python3 - >> said 2>&1 <<'EOF'
+from collections import defaultdict
+from read import marks
+found, y = defaultdict(set), {}
+for k, v, p in marks('dimensions.svg'):
+    if k == 'text' and v and '   1:' not in p[0]: found[p[0]].add(v); y[p[0]] = p[1][1][1]
+uprights = {'section', 'front'}
+want = {'width before': {'plan'}, 'width in': {'plan', 'section'}, 'width after': {'plan'},
+        'height before': {'front'}, 'height in': uprights, 'height after': uprights, 'depth': {'plan'},
+        'depth in the cut': {'plan', 'across'}, 'slope': uprights, 'named': {'front'}, 'left': {'plan'}, 'right': {'plan'},
+        'left of the way back': {'plan'}}
+for name in sorted(set(want) | set(found)):
+    if found[name] != want.get(name, set()): print(name, 'is in', sorted(found[name]), 'and not in', sorted(want.get(name, [])))
+if not y['left'] < y['right'] or abs(y['left of the way back'] - y['right']) > .1: print('sides of offsets', y)
+EOF
+result sheets/dimensions said
