@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "backends/lower.h"
+#include "backends/drawing/earth.h"
 #include "backends/drawing/flat_view.h"
 #include "geometry/plane/slice.h"
 #include "model/store/patient_sort.h"
@@ -416,7 +417,7 @@ static bool take_loop(seen *s, border *all, size_t count, size_t i, double slack
   if (!fill || fill->material != m) {
     if (!vs_emit_grow(s->e, &v->fills, &v->fill_room, v->fill_count + 1, sizeof *v->fills)) return false;
     fill = &v->fills[v->fill_count++];
-    *fill = (vs_flat_fill){ (uint32_t)v->loop_count - 1, 0, m };
+    *fill = (vs_flat_fill){ (uint32_t)v->loop_count - 1, 0, m, false };
   }
   fill->loop_count++;
   return true;
@@ -497,7 +498,43 @@ static bool find_labels(seen *s) {
   return true;
 }
 
+/* ---- the earth ---- */
+
+/* Appends the triangles behind which the earth hides the model. They have no lines. */
+static bool add_veil(seen *s) {
+  vs_emitter *e = s->e;
+  vs_mesh veil = { 0 };
+  vs_earth_model model = { s->points, (const uint32_t (*)[3])s->triangles, s->point_count, s->triangle_count,
+                           s->closed, s->slack, s->nearest };
+  size_t base = s->point_count;
+  bool ok = vs_flat_earth(e, s->v, &model, &veil, &s->edges);
+  size_t count = s->triangle_count + veil.triangle_count;
+  if (ok && base + veil.vertex_count > UINT32_MAX)
+    ok = vs_error_set(e->error, VS_ERROR_MODEL, NULL, "more points than a drawing can hold");
+  ok = ok && vs_emit_grow(e, &s->points, &s->point_room, base + veil.vertex_count, sizeof *s->points) &&
+       vs_emit_grow(e, &s->triangles, &s->triangle_room, count, sizeof *s->triangles) &&
+       vs_emit_grow(e, &s->paints, &s->paint_room, count, sizeof *s->paints) &&
+       vs_emit_grow(e, &s->owners, &s->owner_room, count, sizeof *s->owners) &&
+       vs_emit_grow(e, &s->caps, &s->cap_room, count, sizeof *s->caps);
+  for (size_t i = 0; ok && i < veil.vertex_count; i++) s->points[s->point_count++] = veil.vertices[i];
+  for (size_t i = 0; ok && i < veil.triangle_count; i++) {
+    size_t at = s->triangle_count++;
+    for (int k = 0; k < 3; k++) s->triangles[at][k] = (uint32_t)base + veil.triangles[i][k];
+    s->paints[at] = 0, s->owners[at] = 0, s->caps[at] = 0;
+  }
+  vs_mesh_free(&veil);
+  return ok;
+}
+
 /* ---- the view ---- */
+
+/* Describes the triangles of the view. */
+static vs_sight sight_of(const seen *s) {
+  return (vs_sight){ .points = s->points, .triangles = (const uint32_t (*)[3])s->triangles,
+                     .point_count = s->point_count, .triangle_count = s->triangle_count, .closed = s->closed,
+                     .paints = s->paints, .owners = s->owners, .caps = s->v->has_cut ? s->caps : NULL,
+                     .perspective = !s->v->look.parallel, .slack = s->slack };
+}
 
 static void measure(vs_flat_view *v) {
   v->low = (vs_sheet_point){ INFINITY, INFINITY }, v->high = (vs_sheet_point){ -INFINITY, -INFINITY };
@@ -522,13 +559,11 @@ bool vs_flat_view_make(vs_emitter *e, vs_flat_view *v, const vs_loose *loose, vs
   bool ok = add_solids(&s, whole);
   s.closed = s.triangle_count;
   ok = ok && add_loose(&s, loose);
-  vs_sight sight = { .points = s.points, .triangles = (const uint32_t (*)[3])s.triangles,
-      .point_count = s.point_count, .triangle_count = s.triangle_count,
-                     .closed = s.closed, .paints = s.paints, .owners = s.owners, .caps = v->has_cut ? s.caps : NULL,
-                         .perspective = !v->look.parallel, .slack = s.slack };
-  ok = ok && vs_sight_find_edges(&s.host, &sight, &s.edges, e->error) &&
-       vs_sight_find_visible(&s.host, &sight, &s.edges, v->spec.hidden, &s.pieces, e->error) && add_lines(&s) &&
-           add_fills(&s) && find_labels(&s);
+  vs_sight sight = sight_of(&s);
+  ok = ok && vs_sight_find_edges(&s.host, &sight, &s.edges, e->error) && add_fills(&s) && add_veil(&s);
+  sight = sight_of(&s);
+  ok = ok && vs_sight_find_visible(&s.host, &sight, &s.edges, v->spec.hidden, &s.pieces, e->error) && add_lines(&s) &&
+       find_labels(&s);
   measure(v);
   vs_sight_edges_free(&s.host, &s.edges);
   vs_sight_pieces_free(&s.host, &s.pieces);

@@ -27,8 +27,8 @@ typedef struct {
   vs_drawn_layer layer;
   uint32_t own; /* number of the program's layer that the line belongs to; 0: none */
 } vs_flat_line;
-typedef struct { uint32_t first_loop, loop_count; const vs_material *material; } vs_flat_fill;
-    /* Loops that bound a fill by the even-odd rule. */
+/* Loops that bound a fill by the even-odd rule. earth: true if the fill is earth, which has no material. */
+typedef struct { uint32_t first_loop, loop_count; const vs_material *material; bool earth; } vs_flat_fill;
 
 typedef struct {
   vs_scene_view spec;     /* specification of the view; spec.name is its name on the sheet */

@@ -10,6 +10,7 @@ static const hatch rows[] = {
 #define HATCH(name, grey, angle, spacing, crossed) { name, grey, angle, spacing, crossed },
 #include "backends/drawing/hatches.def"
 };
+static const double earth_spacing = 2.5; /* distance of the earth's hatch lines in mm */
 static const hatch plain = { "", 0.3, 0, 0, false };
 
 static const hatch *hatch_of(const vs_material *m) {
@@ -28,6 +29,7 @@ static int compare(const void *p, const void *q) {
  * spacings. The function `along` returns its position on its line, in mm. */
 typedef struct {
   const vs_sheet_pen *pen;
+  vs_drawn_layer layer;
   uint32_t first_loop, loop_count;
   double cosine, sine;      /* cosine and sine of the lines' angle */
   double spacing;           /* distance between neighbouring lines in mm */
@@ -71,7 +73,7 @@ static bool draw_line(const hatching *h, size_t i) {
   if (row->count > 1) qsort(row->at, row->count, sizeof *row->at, compare);
   for (size_t k = 0; ok && k + 1 < row->count; k += 2) {
     double from = row->at[k], to = row->at[k + 1];
-    ok = to - from < 0.05 || vs_sheet_stroke(h->pen, VS_DRAWN_HATCH,
+    ok = to - from < 0.05 || vs_sheet_stroke(h->pen, h->layer,
                                              (vs_sheet_point){ from * c - off * n, from * n + off * c },
                                              (vs_sheet_point){ to * c - off * n, to * n + off * c });
   }
@@ -106,8 +108,10 @@ static bool draw_lines(hatching *h) {
 }
 
 /* Hatches the loops from first_loop to the sheet's last loop. The angle of the lines is in radians. */
-static bool lines_across(const vs_sheet_pen *pen, uint32_t first_loop, double angle, double spacing) {
+static bool lines_across(const vs_sheet_pen *pen, vs_drawn_layer layer, uint32_t first_loop, double angle,
+                         double spacing) {
   hatching h = { .pen = pen,
+                 .layer = layer,
                  .first_loop = first_loop,
                  .loop_count = (uint32_t)pen->sheet->loop_count - first_loop,
                  .cosine = cos(angle),
@@ -130,10 +134,12 @@ bool vs_sheet_fill(const vs_sheet_pen *pen, const vs_flat_fill *fill) {
     for (uint32_t i = 0; i < v->loops[l].count; i++) s->points[s->point_count++] = vs_sheet_place(v,
         v->points[v->loops[l].first + i]);
   }
+  const double pi = 3.14159265358979323846;
+  if (fill->earth) return lines_across(pen, VS_DRAWN_EARTH, first, pi / 4, earth_spacing);
   if (!vs_emit_grow(e, &s->marks, &s->mark_room, s->mark_count + 1, sizeof *s->marks)) return false;
   s->marks[s->mark_count++] = (vs_mark){ .kind = VS_MARK_FILL, .layer = VS_DRAWN_FILL, .view = pen->view,
       .first = first, .count = fill->loop_count, .grey = h->grey };
-  const double pi = 3.14159265358979323846, angle = h->angle * (pi / 180);
-  if (h->spacing > 0 && !lines_across(pen, first, angle, h->spacing)) return false;
-  return !h->crossed || lines_across(pen, first, angle + pi / 2, h->spacing);
+  const double angle = h->angle * (pi / 180);
+  if (h->spacing > 0 && !lines_across(pen, VS_DRAWN_HATCH, first, angle, h->spacing)) return false;
+  return !h->crossed || lines_across(pen, VS_DRAWN_HATCH, first, angle + pi / 2, h->spacing);
 }

@@ -201,10 +201,26 @@ static bool label(const vs_sheet_pen *pen, const vs_scene_note *n) {
   return vs_sheet_text(pen, &(vs_sheet_words){ n->text, seen_at(view_of(pen), n->p), cap, 0, 0.5 });
 }
 
+/* Draws the ground line where a section cuts the earth: the sides of the earth at the height of the ground. */
+static bool ground_of_earth(const vs_sheet_pen *pen, const vs_flat_fill *fill) {
+  const vs_flat_view *v = view_of(pen);
+  double y = vs_flat_view_project(v, vs_v3(0, 0, pen->e->scene->ground_z)).y, near = 1e-9 * fabs(v->high.y - v->low.y);
+  bool ok = true;
+  for (uint32_t l = fill->first_loop; ok && l < fill->first_loop + fill->loop_count; l++)
+    for (uint32_t i = 0, n = v->loops[l].count; ok && i < n; i++) {
+      vs_sheet_point p = v->points[v->loops[l].first + i], q = v->points[v->loops[l].first + (i + 1) % n];
+      if (fabs(p.y - y) <= near && fabs(q.y - y) <= near)
+        ok = vs_sheet_stroke(pen, VS_DRAWN_GROUND, vs_sheet_place(v, p), vs_sheet_place(v, q));
+    }
+  return ok;
+}
+
 static bool ground(const vs_sheet_pen *pen) {
   const vs_emitter *e = pen->e;
   const vs_flat_view *v = view_of(pen);
   if (!e->scene->has_ground || !is_upright(v)) return true;
+  for (size_t i = 0; i < v->fill_count; i++)
+    if (v->fills[i].earth) return ground_of_earth(pen, &v->fills[i]);
   double y = seen_at(v, vs_v3(0, 0, e->scene->ground_z)).y, x0 = v->at.x, x1 = x0 + (v->high.x - v->low.x) * v->mm,
       more = 8;
   return vs_sheet_stroke(pen, VS_DRAWN_GROUND, (vs_sheet_point){ x0 - more, y }, (vs_sheet_point){ x1 + more, y });

@@ -1,5 +1,5 @@
 # Tests what an office sees on a sheet: marks stay inside the frame, titles lie on nothing, dimensions are where they
-# belong.
+# belong, the earth hides what is below it.
 . tests/report.sh
 
 wanted sheets || exit 0
@@ -120,3 +120,66 @@ for name in sorted(set(want) | set(found)):
 if not y['left'] < y['right'] or abs(y['left of the way back'] - y['right']) > .1: print('sides of offsets', y)
 EOF
 result sheets/dimensions said
+
+# The earth: a house with a cellar, a court that walls enclose, and a footing; in every kind of view. The parts below the
+# ground of each view's lines; the area of the earth that the sections cut.
+cat > earth.vs <<'EOF'
+(define-parameter z 0)
+(define (at x y h) (xyz x y (+ z h)))
+(define-parameter dashed #f)
+(define house (subtract (make-box (at 0 0 -3) (at 10 8 3.3)) (make-box (at 0.4 0.4 0.3) (at 9.6 7.6 3)) (make-box (at 0.4 0.4 -2.6) (at 9.6 7.6 0))))
+(define court (subtract (make-box (at 10 2 -3) (at 13 6 0.2)) (make-box (at 10 2.3 -2.6) (at 12.7 5.7 1))))
+(draw house court (make-box (at 3 6 -2.6) (at 4 7 -1.6)) (make-box (at -0.5 -0.5 -3.5) (at 10.5 8.5 -3)))
+(ground z)
+(view "plan" 'plan #:hidden dashed)
+(view "cellar" 'plan #:cut (- z 1.3) #:hidden dashed)
+(view "section" 'section #:cut (make-plane (at 0 4 0) uy) #:hidden dashed)
+(view "south" 'front #:hidden dashed)
+(view "west" 'left #:hidden dashed)
+(view "iso" 'isometric #:hidden dashed)
+(view "below" 'bottom #:hidden dashed)
+EOF
+for z in 0 7; do for view in plan cellar section south west iso below; do
+  "$vs" -q earth.vs -D z=$z --view $view -o earth-$view-$z.dxf || echo "$view"
+  "$vs" -q earth.vs -D z=$z -D 'dashed=#t' --view $view -o dashed-$view-$z.dxf || echo "$view"
+done; done > said 2>&1
+if /usr/bin/python3 -c 'import ezdxf' 2> /dev/null; then
+  /usr/bin/python3 - >> said 2>&1 <<'EOF'
+import ezdxf
+def lines(name):
+    d = ezdxf.readfile(name)
+    if d.audit().errors: print(name, 'audit')
+    for e in d.modelspace():
+        if e.dxf.layer not in ('cut', 'outline', 'edge', 'parting', 'hidden', 'ground'): continue
+        if e.dxftype() == 'LINE': p = [tuple(e.dxf.start)[:2], tuple(e.dxf.end)[:2]]
+        elif e.dxftype() == 'LWPOLYLINE': p = list(e.get_points('xy')) + (list(e.get_points('xy'))[:1] if e.closed else [])
+        else: continue
+        for a, b in zip(p, p[1:]): yield (e.dxf.layer, *a, *b)
+for z in (0, 7):
+    for view in ('south', 'west'):
+        for name in ('earth', 'dashed'):
+            low = [s for s in lines(f'{name}-{view}-{z}.dxf') if min(s[2], s[4]) < z - 1e-6]
+            if name == 'earth' and low: print(view, z, 'lines below the ground', low[:3])
+            if name == 'dashed' and (not low or any(s[0] != 'hidden' for s in low)): print(view, z, 'below the ground is not dashed', low[:3])
+    inside = [s for s in lines(f'earth-section-{z}.dxf') if s[0] not in ('cut', 'ground', 'parting') and max(s[2], s[4]) < z - .01]
+    for layer, *s in inside: # the box in the cellar and the walls behind the cut are visible; the footing's rear is not
+        if not all(.39 <= x <= 12.71 and -2.61 <= y - z for x, y in (s[:2], s[2:])): print('section', z, 'a line in the earth', layer, s)
+    if len(inside) < 3: print('section', z, 'the cellar lost its lines', inside)
+    ground = [s for s in lines(f'earth-section-{z}.dxf') if s[0] == 'ground']
+    if any(max(s[1], s[3]) > 1e-6 and min(s[1], s[3]) < 13 - 1e-6 for s in ground) or len(ground) != 2: print('ground line', ground)
+    for view, limit in (('plan', 0), ('iso', None)):
+        seen = list(lines(f'earth-{view}-{z}.dxf'))
+        if view == 'plan' and any(min(s[1], s[3]) < -1e-6 or max(s[2], s[4]) > 8 + 1e-6 for s in seen): print('plan', z, 'the footing is visible')
+        if view == 'plan' and not any(abs(s[1] - 12.7) < 1e-6 and abs(s[3] - 12.7) < 1e-6 for s in seen): print('plan', z, 'the court is hidden')
+    if not any(s[1] < -.4 for s in lines(f'earth-below-{z}.dxf')): print('below', z, 'the footing is hidden')
+    for view in ('section', 'cellar'):
+        hatch = sum(1 for e in ezdxf.readfile(f'earth-{view}-{z}.dxf').modelspace() if e.dxf.layer == 'earth')
+        if hatch < 20: print(view, z, 'hatch lines of the earth', hatch)
+    for e in ezdxf.readfile(f'earth-section-{z}.dxf').modelspace().query('*[layer=="earth"]'):
+        x, y = (e.dxf.start.x + e.dxf.end.x) / 2, (e.dxf.start.y + e.dxf.end.y) / 2 - z
+        if y > 1e-6 or (0 < x < 13 and -3 < y): print('section', z, 'earth in the house', x, y)
+EOF
+  result sheets/earth said
+else
+  echo "skip sheets/earth: no python3-ezdxf"
+fi
