@@ -10,8 +10,8 @@ sheet=tests/cross/sheet.vs
 cat <<'EOF'
 # Formats
 
-This page shows each kind of object in each format. `tests/cross/formats.sh` makes the page from the outputs of `vs`; a
-test keeps the page current.
+This page shows how each format writes each kind of object. `tests/cross/formats.sh` makes the page from the outputs of
+`vs`; a test compares them.
 
 EOF
 echo '| ending | content |'
@@ -48,19 +48,20 @@ for format in pov scad x3d html glb 3mf obj ply off stl tree; do
 done
 cat <<'EOF'
 
-- *native*: in the format's own words; a round shape stays round
+- *native*: shapes of the format itself; round shapes stay round
 - *triangles*, *lines*: triangles or straight pieces, as fine as `--tolerance`
-- *rods*, *slabs*: curves as rods; flat regions or open surfaces as slabs; `vs` warns
-- other *italics*: the text of a warning
+- *rods*, *slabs*: curves become thin rods, flat regions or open surfaces thin slabs; `vs` warns
+- other *italics*: `vs` warns with this text
 
-A cell with several entries depends on the object: a straight extrusion can be native, a tapered extrusion triangles.
-`vs` omits no shape without a warning, but omits colours and names that a format cannot hold.
+If a cell has several entries, the object decides: a straight extrusion can be native, a tapered one triangles. `vs`
+warns of omitted shapes, but not of colours and names that a format cannot hold.
 
-- `.png` and `.exr` have the shapes of `.pov`; `.x3dv` and `.html` have those of `.x3d`.
-- The column *meshes* is for formats of bare triangles (`.stl .3mf .obj .ply .off`): the union of solids. `.obj`, `.ply`
-  and `.off` also contain regions and open surfaces, as open faces; `.obj` and `.ply` contain curves, as lines.
+- The column *POV-Ray* also holds for `.png` and `.exr`, *X3D* for `.x3dv` and `.html`.
+- The column *meshes* is for formats of triangles (`.stl .3mf .obj .ply .off`), which contain the union of solids.
+  `.obj`, `.ply` and `.off` also contain regions and open surfaces, as open faces; `.obj` and `.ply` contain curves, as
+  lines.
 - [Drawings](drawings.md) (`.svg .pdf .dxf`) show solids, surfaces and curves by their lines.
-- `.tree` contains everything.
+- `.tree` files contain all kinds.
 
 A warning names the place of the first omitted shape, and `vs` writes all other objects. With `--strict` an omission is
 an error. In pictures (`.png .exr`, and `.pov`) curves are at least two pixels wide. Curves, flat regions, text and open
