@@ -174,6 +174,8 @@ $(BUILD)/unit/%: tests/unit/%.c $(BUILD)/libvisualscheme.a
 	$(call say,unit  $<)
 	$(Q)$(CC) $(CFLAGS) -MMD -MP $< -o $@ $(BUILD)/libvisualscheme.a $(LDFLAGS) $(UNIT_LIBS) $(LDLIBS)
 
+$(BUILD)/unit/test_forms: UNIT_LIBS += -Wl,--wrap=vs_bind_call
+
 $(BUILD)/tools/%: tests/tools/%.c $(wildcard tests/tools/*.h)
 	@mkdir -p $(@D)
 	$(call say,tool  $<)

@@ -57,8 +57,6 @@
 (load "shapes.vs")
 (define shapes-count (length rows))
 (load "appendix-a.vs")
-; behind all others, so that each of them keeps its variant
-(shape "mesh/crust" (make-crust (make-box (xyz -2 -2 -2) (xyz 2 2 1)) 1/2) #:volume (- 48 18) #:within 1e-6 #:box (box-of -2 -2 -2 2 2 1))
 (set! rows (reverse rows))
 
 (define (form-of row k) (list-ref (row-forms row) k))
