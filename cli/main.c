@@ -14,6 +14,7 @@
 
 #include "cli/large_blocks.h"
 #include "cli/prompt/editor.h"
+#include "cli/format_command.h"
 #include "cli/help_command.h"
 #include "cli/prompt/repl.h"
 #include "cli/limits.h"
@@ -556,6 +557,11 @@ static int run_command(int argc, char **argv, bool *told) {
     int code = cli_test_command(&options, &interrupts, run_test);
     cli_options_free(&options);
     return code;
+  }
+  if (options.command == CLI_COMMAND_format) {
+    vs_outcome outcome = cli_format_command(&options);
+    cli_options_free(&options);
+    return (int)outcome;
   }
   if (options.command == CLI_COMMAND_ast || options.command == CLI_COMMAND_check ||
       options.command == CLI_COMMAND_doc || options.command == CLI_COMMAND_translate) {

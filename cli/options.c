@@ -591,12 +591,22 @@ static bool test_files(const cli_options *o) {
   return files;
 }
 
+static bool text_files(const cli_options *o) {
+  bool files = o->source_count > 0 && !o->target_count && !o->interactive && !o->untrusted && !o->define_count;
+  for (size_t i = 0; i < o->source_count; i++) files = files && o->sources[i].kind == CLI_SOURCE_FILE;
+  if (!files)
+    fprintf(stderr, "vs %s: give the files of programs alone, as in vs %s house.vs, or - for standard input\n",
+            commands[o->command - 1].name, commands[o->command - 1].name);
+  return files;
+}
+
 /* Returns true if the command has the files that it requires, and -o only if it writes a file. Otherwise prints a
  * message on standard error. */
 static bool command_files(const cli_options *o, unsigned takes) {
   if (takes & CLI_TAKES_PICTURE) return picture_files(o, takes);
   if (takes & CLI_TAKES_MANY) return batch_files(o);
   if (takes & CLI_TAKES_PROGRAMS) return test_files(o);
+  if (takes & CLI_TAKES_TEXTS) return text_files(o);
   const char *name = commands[o->command - 1].name;
   size_t want = takes & (CLI_TAKES_TWO | CLI_TAKES_SCAN) ? 2 : 1;
   bool files = o->source_count == want, output = takes & CLI_TAKES_OUTPUT || o->target_count == 0;

@@ -395,8 +395,9 @@ static char *given_text(knowledge *k, size_t *length) {
   return text;
 }
 
-static char *read_text(knowledge *k, const char *path, size_t *length) {
-  FILE *f = fopen(path, "rb");
+char *know_file_text(knowledge *k, const char *path, size_t *length) {
+  bool standard = !strcmp(path, "-");
+  FILE *f = standard ? stdin : fopen(path, "rb");
   char *text = NULL;
   size_t room = 0, used = 0, got = 0;
   if (!f) return know_fail(k, NULL, VS_OUTCOME_USAGE, "%s: %s", path, errno == ENOENT ? "no such file"
@@ -411,7 +412,7 @@ static char *read_text(knowledge *k, const char *path, size_t *length) {
   } while (got && used <= KNOW_MOST_BYTES);
   bool bad = ferror(f) != 0;
   int why = errno;
-  fclose(f);
+  if (!standard) fclose(f);
   if (bad) know_fail(k, NULL, VS_OUTCOME_USAGE, "%s: %s", path, strerror(why));
   else if (used > KNOW_MOST_BYTES) know_fail(k, NULL, VS_OUTCOME_MODEL,
       "%s: a program of more than %d MB is not analysed", path, KNOW_MOST_BYTES >> 20);
@@ -431,10 +432,9 @@ static bool is_text(const char *text, size_t length) {
   return true;
 }
 
-/* Returns true if the language's reader accepts the text. The interpreter reads a whole text before it runs any of it.
- * A form that cannot be expanded is therefore added on a line before the first, so that the text is read and not run.
- * The host ignores messages about that line. */
-static bool readable(knowledge *k, const char *path, const char *text, size_t length) {
+/* The interpreter reads a whole text before it runs any of it. A form that cannot be expanded is therefore added on a
+ * line before the first, so that the text is read and not run. The host ignores messages about that line. */
+bool know_readable(knowledge *k, const char *path, const char *text, size_t length) {
   static const char before[] = "(lambda)\n";
   char *whole = NULL;
   if (!is_text(text, length)) { /* the reader's message counts bytes; no part of the text can run */
@@ -464,7 +464,7 @@ know_index know_read_file(knowledge *k, const char *path, know_index loaded_by) 
   for (size_t i = 0; i < k->file_count; i++)
     if (loaded_by && !strcmp(k->files[i].path, path)) return (know_index)i;
   size_t length;
-  char *text = k->given && !k->file_count ? given_text(k, &length) : read_text(k, path, &length);
+  char *text = k->given && !k->file_count ? given_text(k, &length) : know_file_text(k, path, &length);
   if (!text) return UINT32_MAX;
   if (!VS_GROW(k->files, k->file_room, k->file_count + 1)) {
     free(text);
@@ -484,7 +484,7 @@ know_index know_read_file(knowledge *k, const char *path, know_index loaded_by) 
     k->files[file].comment_end = (know_index)k->comment_count;
     return read ? file : UINT32_MAX;
   }
-  if (!readable(k, k->files[file].path, text, length)) return UINT32_MAX;
+  if (!know_readable(k, k->files[file].path, text, length)) return UINT32_MAX;
   reader r = {.k = k, .text = text, .size = length, .file = file, .line = 1, .column = 1};
   know_index root = 0;
   bool ok = read_nodes(&r, &root);
