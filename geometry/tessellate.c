@@ -4,7 +4,6 @@
 
 #include "geometry/profiles/loft.h"
 #include "geometry/profiles/loft_mesh.h"
-#include "geometry/profiles/overturn.h"
 #include "geometry/profiles/revolve.h"
 #include "geometry/primitives/solid_triangles.h"
 #include "geometry/primitives/shape.h"
@@ -12,6 +11,9 @@
 #include "geometry/profiles/swept_mesh.h"
 #include "geometry/profiles/thicken.h"
 #include "geometry/profiles/taper.h"
+#include "model/store/array.h"
+
+#include <stdlib.h>
 
 /* Returns the child of a placement or an appearance, and adds the placement to *placed. Returns NULL for any other
  * node. An appearance does not change the shape. */
@@ -130,56 +132,65 @@ bool vs_tessellate(const vs_node *n, const vs_fineness *f, vs_mesh *out, vs_erro
   return true;
 }
 
-/* Makes the plan of the sections of a sweep or a pipe. Sets *is to true if n is a sweep or a pipe; other solids have no
- * plan. Returns false on an error. */
-static bool sweep_plan(const vs_node *n, const vs_fineness *f, vs_swept *plan, vs_affine *placed, bool *is,
-                       vs_error *e) {
+struct vs_bends {
+  vs_swept plan;
+  vs_affine placed; /* map from the plan's coordinates to those above the placements */
+  double scale;     /* factor from a tolerance above the placements to one below them */
+};
+
+vs_bends *vs_bends_new(const vs_node *n, const vs_fineness *f, vs_error *e) {
+  vs_bends *b = vs_zeros(1, sizeof *b);
   vs_fineness inner;
   const vs_origin *origin;
-  n = tessellate_bottom(n, f, placed, &inner, &origin);
-  *plan = (vs_swept){ 0 };
-  *is = n->kind == VS_SWEEP || (n->kind == VS_THICKEN && n->children[0].node->class_ == VS_CURVE);
-  if (!*is || vs_swept_plan(n, &inner, plan, e)) return true;
+  if (!b) return vs_error_memory(e, NULL), NULL;
+  n = tessellate_bottom(n, f, &b->placed, &inner, &origin);
+  b->scale = inner.tolerance / f->tolerance;
+  if (vs_swept_plan(n, &inner, &b->plan, e)) return b;
   if (e && !e->origin) e->origin = origin;
-  return false;
+  free(b);
+  return NULL;
 }
 
-bool vs_sweep_turns(const vs_node *n, const vs_fineness *f, bool *turns, vs_error *e) {
-  vs_swept plan;
-  vs_affine placed;
-  *turns = false;
-  if (!sweep_plan(n, f, &plan, &placed, turns, e)) return false;
-  bool ok = !*turns || vs_swept_turns(&plan, turns) || vs_error_memory(e, NULL);
-  vs_swept_free(&plan);
-  return ok;
+void vs_bends_free(vs_bends *b) {
+  if (b) vs_swept_free(&b->plan);
+  free(b);
 }
 
-bool vs_sweep_runs(const vs_node *n, const vs_fineness *f, size_t steps, vs_mesh **runs, size_t *count, vs_error *e) {
-  vs_swept plan;
-  vs_affine placed;
-  bool is;
-  *runs = NULL;
-  *count = 0;
-  if (!sweep_plan(n, f, &plan, &placed, &is, e)) return false;
-  bool ok = !is || vs_swept_runs(&plan, steps, runs, count) || vs_error_memory(e, NULL);
-  for (size_t i = 0; i < *count; i++) vs_mesh_transform(&(*runs)[i], &placed);
-  vs_swept_free(&plan);
-  return ok;
+size_t vs_bends_steps(const vs_bends *b) { return b->plan.section_count; }
+
+bool vs_bends_refine(vs_bends *b, const bool *marked, double tolerance) {
+  return vs_overturn_refine(&b->plan, marked, b->scale * tolerance);
 }
 
-bool vs_sweep_tightest(const vs_node *n, const vs_fineness *f, const vs_vec3 *near, vs_sweep_bend *out, vs_error *e) {
-  vs_swept plan;
-  vs_affine placed, back;
-  bool is;
-  *out = (vs_sweep_bend){ .fits = 1 };
-  if (!sweep_plan(n, f, &plan, &placed, &is, e)) return false;
-  vs_vec3 place;
-  bool finds = near && vs_affine_invert(&placed, &back);
-  if (finds) place = vs_affine_point(&back, *near);
-  if (is) vs_overturn_tightest(&plan, finds ? &place : NULL, &out->at, &out->fits);
-  out->at = vs_affine_point(&placed, out->at);
-  vs_swept_free(&plan);
+bool vs_bends_turn(const vs_bends *b, bool *turns) { return vs_swept_turns(&b->plan, turns); }
+
+bool vs_bends_mesh(const vs_bends *b, vs_mesh *out) {
+  size_t first_vertex = out->vertex_count, first_triangle = out->triangle_count;
+  if (!vs_swept_mesh(&b->plan, out)) return false;
+  vs_mesh_transform_from(out, &b->placed, first_vertex, first_triangle);
   return true;
+}
+
+bool vs_bends_runs(const vs_bends *b, size_t steps, vs_mesh **runs, size_t *count) {
+  if (!vs_swept_runs(&b->plan, steps, runs, count)) return false;
+  for (size_t i = 0; i < *count; i++) vs_mesh_transform(&(*runs)[i], &b->placed);
+  return true;
+}
+
+bool vs_bends_samples(const vs_bends *b, vs_step_point *out, size_t most, size_t *count) {
+  if (!vs_swept_samples(&b->plan, out, most, count)) return false;
+  for (size_t i = 0; i < *count; i++) out[i].at = vs_affine_point(&b->placed, out[i].at);
+  return true;
+}
+
+void vs_bends_tightest(const vs_bends *b, const vs_vec3 *near, vs_bend *out) {
+  vs_affine back;
+  vs_vec3 place;
+  *out = (vs_bend){ .fits = 1 };
+  bool finds = near && vs_affine_invert(&b->placed, &back);
+  if (finds) place = vs_affine_point(&back, *near);
+  vs_overturn_tightest(&b->plan, finds ? &place : NULL, &out->at, &out->fits);
+  out->at = vs_affine_point(&b->placed, out->at);
 }
 
 static bool hull_corners(const vs_node *n, const vs_affine *placed, const vs_fineness *f, vs_cloud *out, vs_error *e) {

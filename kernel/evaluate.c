@@ -312,7 +312,8 @@ static bool no_room(vs_kernel *k) {
 static bool want_tags(vs_kernel *k, vs_mesh *m) { return vs_mesh_want_tags(m) || no_room(k); }
 
 /* Sets *alone to true if the cluster is one leaf that touches neither another leaf nor itself. The kernel then copies
- * or drops the leaf unchanged, without a grid. A mesh that is no star is inspected once for contacts with itself.
+ * or drops the leaf unchanged, without a grid. A mesh that is no star and not settled is inspected once for contacts
+ * with itself. A settled mesh must not be arranged again: the grid would move its corners, and triangles might meet.
  * Returns false on failure. */
 static bool stands_alone(vs_kernel *k, whole *w, vs_group leaves, bool *alone) {
   enum { FLAT = 1 << 20 }; /* limit on the factor by which a placement flattens the mesh; up to this factor, the result
@@ -327,6 +328,7 @@ static bool stands_alone(vs_kernel *k, whole *w, vs_group leaves, bool *alone) {
     size *= sqrt(x * x + y * y + z * z);
   }
   if (!(fabs(vs_affine_determinant(&l->placement)) * FLAT > size)) return true;
+  if (l->mesh->settled) part->alone = VS_GOOD;
   if (!part->star && part->alone == VS_UNASKED) {
     bool good;
     if (!vs_part_plainly_good(k, part, &good)) return false;

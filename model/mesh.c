@@ -151,6 +151,7 @@ bool vs_mesh_closed(const vs_mesh *m, bool *ok) {
 
 void vs_mesh_turn(vs_mesh *m, size_t first_triangle) {
   VS_ASSERT(first_triangle <= m->triangle_count);
+  m->settled = false;
   for (size_t i = first_triangle; i < m->triangle_count; i++) {
     uint32_t swap = m->triangles[i][1];
     m->triangles[i][1] = m->triangles[i][2];
@@ -160,6 +161,7 @@ void vs_mesh_turn(vs_mesh *m, size_t first_triangle) {
 
 void vs_mesh_transform_from(vs_mesh *m, const vs_affine *a, size_t first_vertex, size_t first_triangle) {
   VS_ASSERT(first_vertex <= m->vertex_count && first_triangle <= m->triangle_count);
+  m->settled = false;
   for (size_t i = first_vertex; i < m->vertex_count; i++) m->vertices[i] = vs_affine_point(a, m->vertices[i]);
   if (vs_affine_determinant(a) < 0) vs_mesh_turn(m, first_triangle);
 }
@@ -168,6 +170,7 @@ void vs_mesh_transform(vs_mesh *m, const vs_affine *a) { vs_mesh_transform_from(
 
 void vs_mesh_squeeze(vs_mesh *m, const uint8_t *gone) {
   size_t kept = 0;
+  m->settled = false;
   for (size_t t = 0; t < m->triangle_count; t++) {
     if (gone[t]) continue;
     memmove(m->triangles[kept], m->triangles[t], sizeof *m->triangles);

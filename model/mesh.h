@@ -16,6 +16,8 @@ typedef struct {
   size_t most;              /* largest permitted number of triangles; there may be three times as many vertices; 0: no
                              * limit */
   bool over;                /* true if a triangle was refused because of the limit `most` */
+  bool settled;             /* true if no triangles intersect in the numbers of any format. Who changes the mesh sets it
+                             * to false */
 } vs_mesh;
 
 void vs_mesh_free(vs_mesh *m); /* Frees the mesh's arrays, not m itself. m is then an empty mesh. */

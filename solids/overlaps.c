@@ -24,6 +24,7 @@
 #include "kernel/mesh/shells.h"
 #include "kernel/round/rounding.h"
 #include "model/store/array.h"
+#include "solids/astray.h"
 #include "solids/weld.h"
 
 /* Returns true if a mesh of this kind may overlap itself. Ignores placements around the node. */
@@ -63,7 +64,7 @@ static bool drop_flakes(vs_mesh *m, double thickness, vs_error *e) {
   if (ok) vs_mesh_squeeze(m, gone);
   vs_shells_free(&shells);
   free(gone);
-  return ok;
+  return ok && (vs_mesh_drop_lonely(m) || vs_error_memory(e, NULL));
 }
 
 /* The work that is still allowed: the number of pairs of triangles that arrangements may still test, and whether this
@@ -118,13 +119,13 @@ bool vs_mesh_without_overlaps(vs_mesh *m, const vs_kernel_options *options, vs_e
  * of the number of all pairs. STEPS: number of steps of a sweep in a run. */
 enum { CROWD = 16, MOST_PAIRS = 60000000, STEPS = 8 };
 
-/* Sets *crowd to true if m, the mesh of a sweep, overlaps so much at its bends that runs of steps must be united
- * separately. Returns false on failure. */
-static bool is_crowd(const vs_node *n, const vs_fineness *f, const vs_mesh *m, const vs_kernel_options *options,
-                     bool *crowd, vs_error *e) {
+/* Sets *crowd to whether m, the mesh of a sweep, overlaps so much at its bends that runs of steps must be united
+ * separately. */
+static bool is_crowd(const vs_bends *bends, const vs_mesh *m, const vs_kernel_options *options, bool *crowd,
+                     vs_error *e) {
   vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
   size_t pairs, most = CROWD * m->triangle_count + 1;
-  if (!vs_sweep_turns(n, f, crowd, e)) return false;
+  if (!vs_bends_turn(bends, crowd)) return vs_error_memory(e, NULL);
   if (!*crowd) return true;
   if (!vs_mesh_pairs(m, most, options, &pairs, &why)) return failed(&why, e);
   *crowd = pairs >= most;
@@ -147,10 +148,10 @@ static bool unite(vs_mesh *m, double step, work *left, vs_error *e) {
   return resolve(m, left->options, left, e) && (left->too_much || vs_mesh_weld(m, step) || vs_error_memory(e, NULL));
 }
 
-static bool unite_runs(const vs_node *n, const vs_fineness *f, double step, work *left, vs_mesh *m, vs_error *e) {
+static bool unite_runs(const vs_bends *bends, double step, work *left, vs_mesh *m, vs_error *e) {
   vs_mesh *runs;
   size_t count;
-  if (!vs_sweep_runs(n, f, STEPS, &runs, &count, e)) return false;
+  if (!vs_bends_runs(bends, STEPS, &runs, &count)) return vs_error_memory(e, NULL);
   bool ok = true;
   for (size_t i = 0; ok && i < count && !left->too_much; i++) ok = unite(&runs[i], step, left, e);
   for (size_t apart = 1; apart < count; apart *= 2)
@@ -164,18 +165,6 @@ static bool unite_runs(const vs_node *n, const vs_fineness *f, double step, work
   for (size_t i = 0; i < count; i++) vs_mesh_free(&runs[i]);
   free(runs);
   return ok && (left->too_much || (resolve(m, left->options, left, e) && drop_flakes(m, step, e)));
-}
-
-bool vs_primitive_overlaps(const vs_node *n, const vs_fineness *f, const vs_kernel_options *options, bool *overlaps,
-                           vs_error *e) {
-  vs_mesh m = { 0 };
-  vs_mesh_flaws flaws = { 0 };
-  vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
-  bool crowd = false, ok = vs_tessellate(n, f, &m, e) && is_crowd(n, f, &m, options, &crowd, e);
-  ok = ok && (crowd || !m.triangle_count || vs_kernel_inspect(&m, options, &flaws, &why) || failed(&why, e));
-  *overlaps = crowd || flaws.wound_count > 0;
-  vs_mesh_free(&m);
-  return ok;
 }
 
 /* ---- rounding ---- */
@@ -217,14 +206,14 @@ static bool mend(vs_mesh *m, double per, const vs_kernel_options *options, vs_er
   return true;
 }
 
-/* Resolves the overlaps of m. Sets *met to true if triangles of the result intersect. */
+/* Sets *met as find_met does. If triangles of m intersect, resolves m once more and searches again. */
 static bool try_out(vs_mesh *m, work *left, bool *met, vs_vec3 *at, vs_error *e) {
-  return resolve(m, left->options, left, e) && (left->too_much || find_met(m, left->options, met, at, e));
+  if (!find_met(m, left->options, met, at, e)) return false;
+  return !*met || (resolve(m, left->options, left, e) && (left->too_much || find_met(m, left->options, met, at, e)));
 }
 
-/* Repairs m on a grid (mend) and resolves the intersections there, several times. Gives up if m grows, because the
- * repetitions would not end. The last check is of the final mesh: the solid that m winds around more than 0 times,
- * resolved again. */
+/* Repairs m on a grid (mend) and resolves the intersections there, several times. Gives up if m grows, since that does
+ * not end. */
 static bool settle_on(vs_mesh *m, double per, work *left, bool *met, vs_vec3 *at, vs_error *e) {
   enum { ROUNDS = 4 };
   vs_bounds b = vs_mesh_bounds(m);
@@ -233,7 +222,8 @@ static bool settle_on(vs_mesh *m, double per, work *left, bool *met, vs_vec3 *at
   *met = true;
   for (int round = 0; ok && *met && round < ROUNDS && !left->too_much && m->triangle_count < most; round++) {
     ok = mend(m, per, left->options, e) && resolve(m, left->options, left, e);
-    ok = ok && (left->too_much || drop_flakes(m, 1e-6 * vs_bounds_diagonal(&b), e)) && try_out(m, left, met, at, e);
+    if (!ok || left->too_much) break;
+    ok = drop_flakes(m, 1e-6 * vs_bounds_diagonal(&b), e) && try_out(m, left, met, at, e);
   }
   return ok;
 }
@@ -244,7 +234,6 @@ static bool settle(vs_mesh *m, double coarsest, work *left, bool *met, vs_vec3 *
   vs_bounds b = vs_mesh_bounds(m);
   double size = vs_bounds_diagonal(&b);
   int digits = -(int)floor(log10(fmax(coarsest, size * 0x1p-20)));
-  *met = true;
   bool ok = try_out(m, left, met, at, e);
   for (int finer = 1; ok && *met && finer >= 0 && !left->too_much; finer--) {
     double per = pow(10, digits + finer);
@@ -260,37 +249,143 @@ static bool settle(vs_mesh *m, double coarsest, work *left, bool *met, vs_vec3 *
   return ok;
 }
 
-/* Sets the error to the bend of a sweep that is too tight, and the size of the profile that fits. at: a place near the
- * bend; NULL: the tightest bend. */
-static bool refuse(const vs_node *n, const vs_fineness *f, const vs_vec3 *at, vs_error *e) {
-  vs_sweep_bend bend;
-  char fits[60] = "no profile fits";
-  if (!vs_sweep_tightest(n, f, at, &bend, e)) return false;
-  if (bend.fits > 1e-3) snprintf(fits, sizeof fits, "a profile %.2g times as large fits", bend.fits * .99);
-  return vs_error_set(
-      e, VS_ERROR_MODEL, NULL,
-      "the bend at (xyz %.4g %.4g %.4g) is too tight: the profile overlaps itself there, and makes no solid; %s",
-      bend.at.x, bend.at.y, bend.at.z, fits);
-}
+/* ---- sweeps ---- */
 
 static bool is_sweep(const vs_node *n) {
   while (n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER) n = n->children[0].node;
   return n->kind == VS_SWEEP || (n->kind == VS_THICKEN && n->children[0].node->class_ == VS_CURVE);
 }
 
+bool vs_primitive_tessellated(const vs_node *n, const vs_fineness *f, const vs_kernel_options *options, vs_mesh *m,
+                              vs_error *e) {
+  size_t limit = options ? options->max_triangles : 0;
+  m->most = limit * VS_ON_THE_WAY;
+  bool ok = vs_tessellate(n, f, m, e);
+  if (!ok && m->over) vs_error_set(e, VS_ERROR_MEMORY, NULL, VS_SHAPES_OVER, m->most, VS_ON_THE_WAY, limit);
+  m->most = 0;
+  return ok;
+}
+
+bool vs_primitive_overlaps(const vs_node *n, const vs_fineness *f, const vs_kernel_options *options, bool *overlaps,
+                           vs_error *e) {
+  vs_mesh m = { 0 };
+  vs_mesh_flaws flaws = { 0 };
+  vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
+  bool crowd = false, ok = vs_tessellate(n, f, &m, e);
+  vs_bends *bends = ok && is_sweep(n) ? vs_bends_new(n, f, e) : NULL;
+  ok = ok && (!is_sweep(n) || bends) && (!bends || is_crowd(bends, &m, options, &crowd, e));
+  ok = ok && (crowd || !m.triangle_count || vs_kernel_inspect(&m, options, &flaws, &why) || failed(&why, e));
+  *overlaps = crowd || flaws.wound_count > 0;
+  vs_bends_free(bends);
+  vs_mesh_free(&m);
+  return ok;
+}
+
+/* A sweep whose overlaps are removed. outcome: how the attempt ended; at: the place of the fault; marked: true for the
+ * steps with points at which the mesh differs from the sections. */
+typedef struct {
+  const vs_node *node;
+  const vs_fineness *fineness;
+  const vs_kernel_options *options;
+  vs_bends *bends;
+  enum { FREED, TOO_MUCH, MEETS, STRAYS } outcome;
+  vs_vec3 at;
+  bool *marked;
+} sweep;
+
+/* Removes the overlaps of m, the mesh of s->bends. Sets s->outcome. */
+static bool free_sweep(sweep *s, vs_mesh *m, vs_error *e) {
+  vs_bounds b = vs_mesh_bounds(m);
+  double tolerance = s->fineness->tolerance, step = fmax(tolerance / 16, vs_bounds_diagonal(&b) * 0x1p-20);
+  work left = { s->options, MOST_PAIRS, false };
+  bool crowd, changed = true, met = false, turns;
+  s->outcome = FREED;
+  if (!is_crowd(s->bends, m, s->options, &crowd, e)) return false;
+  if (!(crowd ? unite_runs(s->bends, step, &left, m, e) : free_of_overlaps(m, s->options, &changed, e))) return false;
+  if (!left.too_much && !settle(m, tolerance / 8, &left, &met, &s->at, e)) return false;
+  if (left.too_much || met) return s->outcome = left.too_much ? TOO_MUCH : MEETS, true;
+  if (!vs_bends_turn(s->bends, &turns)) return vs_error_memory(e, NULL);
+  /* With a given number of facets the stations are as coarse as the caller has asked. */
+  if (!turns || s->fineness->segments > 0) return true;
+  const vs_astray look = { s->node, s->bends, m, tolerance, s->options ? s->options->job : NULL };
+  size_t astray;
+  free(s->marked);
+  s->marked = vs_zeros(vs_bends_steps(s->bends), sizeof *s->marked);
+  if (!s->marked) return vs_error_memory(e, NULL);
+  if (!vs_sweep_astray(&look, s->marked, &astray, &s->at, e)) return false;
+  if (astray) s->outcome = STRAYS;
+  return true;
+}
+
+/* Sets the error: the bend of the sweep that is too tight, the size of profile that fits, and a remedy. */
+static bool refuse(const sweep *s, vs_error *e) {
+  vs_bend bend;
+  char remedy[80] = "make the bend wider: no profile fits it";
+  vs_bends_tightest(s->bends, s->outcome == TOO_MUCH ? NULL : &s->at, &bend);
+  if (bend.fits == 1)
+    return vs_error_set(e, VS_ERROR_MODEL, NULL,
+                        "the sweep overlaps itself at (xyz %.4g %.4g %.4g) at too small an angle, and makes no solid: "
+                        "move the path apart or through itself there",
+                        s->at.x, s->at.y, s->at.z);
+  if (bend.fits > 1e-3)
+    snprintf(remedy, sizeof remedy, "make the bend wider, or the profile at most %.2g times as large", bend.fits * .99);
+  return vs_error_set(e, VS_ERROR_MODEL, NULL,
+                      "the bend at (xyz %.4g %.4g %.4g) is too tight: the profile overlaps itself there, and makes no "
+                      "solid; %s",
+                      bend.at.x, bend.at.y, bend.at.z, remedy);
+}
+
+/* Marks the steps close to marked ones as well: the points are few, and a step may be wrong without one. */
+static bool mark_neighbours(sweep *s) {
+  enum { CLOSE = 3 };
+  size_t steps = vs_bends_steps(s->bends), since = CLOSE + 1;
+  bool *wider = vs_zeros(steps, sizeof *wider);
+  if (!wider) return false;
+  for (size_t i = 0; i < steps; i++) {
+    since = s->marked[i] ? 0 : since + 1;
+    wider[i] = since <= CLOSE;
+  }
+  since = CLOSE + 1;
+  for (size_t i = steps; i-- > 0;) {
+    since = s->marked[i] ? 0 : since + 1;
+    wider[i] = wider[i] || since <= CLOSE;
+  }
+  free(s->marked);
+  s->marked = wider;
+  return true;
+}
+
+/* Divides the steps at tight bends, makes the mesh of the sweep again, and removes its overlaps. Divides only the steps
+ * at which the mesh differs from the sections, if there are any. finer: the steps are those of a tolerance that is so
+ * much smaller. */
+static bool free_finer(sweep *s, double finer, vs_mesh *m, vs_error *e) {
+  size_t limit = s->options ? s->options->max_triangles : 0;
+  bool some = s->outcome == STRAYS;
+  vs_mesh_free(m);
+  m->most = limit * VS_ON_THE_WAY;
+  bool ok = (!some || mark_neighbours(s)) &&
+            vs_bends_refine(s->bends, some ? s->marked : NULL, s->fineness->tolerance / finer) &&
+            vs_bends_mesh(s->bends, m);
+  if (!ok && m->over) return vs_error_set(e, VS_ERROR_MEMORY, NULL, VS_SHAPES_OVER, m->most, VS_ON_THE_WAY, limit);
+  m->most = 0;
+  return ok ? free_sweep(s, m, e) : vs_error_memory(e, NULL);
+}
+
 bool vs_primitive_freed(const vs_node *n, const vs_fineness *f, const vs_kernel_options *options, vs_mesh *m,
                         vs_error *e) {
-  bool crowd, changed = true, met = false, turns;
-  work left = { options, MOST_PAIRS, false };
-  vs_vec3 at;
-  vs_bounds b = vs_mesh_bounds(m);
-  double step = fmax(f->tolerance / 16, vs_bounds_diagonal(&b) * 0x1p-20);
+  enum { FINE = 16, FINEST = 1024 };
+  bool changed;
   if (!may_overlap(n)) return true;
-  if (!is_crowd(n, f, m, options, &crowd, e)) return false;
-  if (!(crowd ? unite_runs(n, f, step, &left, m, e) : free_of_overlaps(m, options, &changed, e))) return false;
-  if (left.too_much) return refuse(n, f, NULL, e);
-  if (!changed || !is_sweep(n)) return true;
-  if (!settle(m, f->tolerance / 8, &left, &met, &at, e)) return false;
-  if (!met) return true;
-  return vs_sweep_turns(n, f, &turns, e) && (!turns || refuse(n, f, left.too_much ? NULL : &at, e));
+  if (!is_sweep(n)) return free_of_overlaps(m, options, &changed, e);
+  sweep s = { .node = n, .fineness = f, .options = options, .bends = vs_bends_new(n, f, e) };
+  bool ok = s.bends && free_sweep(&s, m, e);
+  for (int finer = FINE; ok && finer <= FINEST; finer *= 4) {
+    if (s.outcome != STRAYS && (s.outcome != MEETS || finer > FINE)) break;
+    ok = free_finer(&s, finer, m, e);
+  }
+  ok = ok && (s.outcome == FREED || refuse(&s, e));
+  m->settled = ok;
+  free(s.marked);
+  vs_bends_free(s.bends);
+  return ok;
 }

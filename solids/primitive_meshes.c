@@ -9,40 +9,32 @@
 #include "model/job.h"
 #include "solids/overlaps.h"
 
-static bool primitive_mesh(const vs_node *n, const vs_fineness *f, const vs_kernel_options *options, vs_mesh *out,
-                           vs_error *e) {
-  size_t limit = options ? options->max_triangles : 0;
-  out->most = limit * VS_ON_THE_WAY;
-  if (!vs_tessellate(n, f, out, e)) {
-    if (out->over) vs_error_set(e, VS_ERROR_MEMORY, NULL, VS_SHAPES_OVER, out->most, VS_ON_THE_WAY, limit);
-    return false;
-  }
-  out->most = 0;
-  return vs_primitive_freed(n, f, options, out, e);
-}
-
 bool vs_primitive_mesh(const vs_node *n, const vs_fineness *f, const vs_kernel_options *options, vs_mesh *out,
                        vs_error *e) {
   vs_tally *tally = vs_store_tally(n->store);
   vs_work_phase was = vs_tally_enter(tally, VS_WORK_MESH);
-  bool ok = primitive_mesh(n, f, options, out, e);
+  bool ok = vs_primitive_tessellated(n, f, options, out, e) && vs_primitive_freed(n, f, options, out, e);
   vs_tally_enter(tally, was);
   return ok;
 }
 
 /* ---- meshes in the cache ---- */
 
-/* Header of a cached mesh. The vertices follow, and then the corners of the triangles, each beginning at a multiple of
- * 16 bytes (cache.c). */
-typedef struct { uint64_t vertices, triangles; } header;
+/* the vertices follow, then the corners, each at a multiple of 16 bytes (cache.c) */
+enum { APART = 16 };
+typedef struct { uint64_t vertices, triangles, settled; } header;
+
+static size_t next(size_t bytes) { return (bytes + APART - 1) / APART * APART; }
 
 static void view(const vs_cached *held, vs_mesh *out) {
   header h;
   memcpy(&h, held->data, sizeof h);
-  unsigned char *at = (unsigned char *)(uintptr_t)held->data + sizeof h;
-  *out = (vs_mesh){ .vertex_count = (size_t)h.vertices, .triangle_count = (size_t)h.triangles };
+  unsigned char *at = (unsigned char *)(uintptr_t)held->data + next(sizeof h);
+  *out = (vs_mesh){ .vertex_count = (size_t)h.vertices,
+                    .triangle_count = (size_t)h.triangles,
+                    .settled = h.settled != 0 };
   out->vertices = (vs_vec3 *)(void *)at;
-  out->triangles = (uint32_t (*)[3])(void *)(at + ((h.vertices * sizeof *out->vertices + 15) & ~(size_t)15));
+  out->triangles = (uint32_t (*)[3])(void *)(at + next(h.vertices * sizeof *out->vertices));
 }
 
 static bool find(const vs_kept_mesh *to, const vs_cache_key *key) {
@@ -53,7 +45,7 @@ static bool find(const vs_kept_mesh *to, const vs_cache_key *key) {
 
 static void keep(const vs_kept_mesh *to, const vs_cache_key *key) {
   vs_mesh *m = to->mesh;
-  header h = { m->vertex_count, m->triangle_count };
+  header h = { m->vertex_count, m->triangle_count, m->settled };
   const vs_cache_piece pieces[] = { { &h, sizeof h },
                                     { m->vertices, m->vertex_count * sizeof *m->vertices },
                                     { m->triangles, m->triangle_count * sizeof *m->triangles } };

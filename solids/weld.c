@@ -175,8 +175,7 @@ static bool reroute(vs_mesh *m, double step, bool *any) {
 
 /* ---- unite and reroute ---- */
 
-/* Removes the corners that belong to no triangle. */
-static bool drop_lonely(vs_mesh *m) {
+bool vs_mesh_drop_lonely(vs_mesh *m) {
   uint32_t *to = NULL, count = 0;
   if (!VS_FRESH(to, m->vertex_count + 1)) return false;
   memset(to, 0, (m->vertex_count + 1) * sizeof *to);
@@ -199,5 +198,5 @@ bool vs_mesh_weld(vs_mesh *m, double step) {
   m->tags = NULL;
   bool any = true, ok = unite(m, step);
   for (int i = 0; ok && any && i < REROUTES; i++) ok = reroute(m, step, &any);
-  return ok && drop_lonely(m);
+  return ok && vs_mesh_drop_lonely(m);
 }

@@ -10,4 +10,7 @@
  * without a triangle are removed. Returns false if memory is out; m is then unusable. */
 bool vs_mesh_weld(vs_mesh *m, double step);
 
+/* Removes the corners that belong to no triangle. Returns false when memory is out; m is then unchanged. */
+bool vs_mesh_drop_lonely(vs_mesh *m);
+
 #endif

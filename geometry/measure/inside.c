@@ -161,8 +161,8 @@ static bool inside_leaf(const vs_inside_part *part, vs_vec3 p) {
 
 /* ---- preparation ---- */
 
-static bool inside_prepare_swept(vs_inside_part *part, vs_error *e) {
-  vs_fineness f = { fmax(vs_bounds_diagonal(&part->bounds) / 16384, 1e-300), 0 };
+static bool inside_prepare_swept(vs_inside_part *part, double tolerance, vs_error *e) {
+  vs_fineness f = { fmin(fmax(vs_bounds_diagonal(&part->bounds) / 16384, 1e-300), tolerance), 0 };
   part->plan = vs_zeros(1, sizeof *part->plan);
   if (!part->plan) return vs_error_memory(e, NULL);
   if (!vs_swept_plan(part->node, &f, part->plan, e)) return false;
@@ -183,16 +183,16 @@ static bool inside_prepare_swept(vs_inside_part *part, vs_error *e) {
   return true;
 }
 
-static bool inside_prepare_facets(vs_inside_part *part, vs_error *e) {
-  vs_fineness f = { fmax(vs_bounds_diagonal(&part->bounds) / 16384, 1e-300), 0 };
+static bool inside_prepare_facets(vs_inside_part *part, double tolerance, vs_error *e) {
+  vs_fineness f = { fmin(fmax(vs_bounds_diagonal(&part->bounds) / 16384, 1e-300), tolerance), 0 };
   part->facets = vs_zeros(1, sizeof *part->facets);
   if (!part->facets) return vs_error_memory(e, NULL);
   return vs_tessellate(part->node, &f, &part->facets->mesh, e) &&
          (vs_facet_index_make(part->facets) || vs_error_memory(e, NULL));
 }
 
-static bool inside_prepare_revolve(vs_inside_part *part, vs_error *e) {
-  vs_fineness f = { fmax(vs_bounds_diagonal(&part->bounds) / 65536, 1e-300), 0 };
+static bool inside_prepare_revolve(vs_inside_part *part, double tolerance, vs_error *e) {
+  vs_fineness f = { fmin(fmax(vs_bounds_diagonal(&part->bounds) / 65536, 1e-300), tolerance), 0 };
   part->turned = vs_zeros(1, sizeof *part->turned);
   return part->turned ? vs_revolve_plan(part->node, &f, part->turned, e) : vs_error_memory(e, NULL);
 }
@@ -209,7 +209,7 @@ static bool inside_prepare_axis(vs_inside_part *part) {
 }
 
 /* Prepares the part of node n. The parts of its children are already prepared. */
-static bool inside_prepare(vs_inside_part *part, const vs_nodemap *places, vs_error *e) {
+static bool inside_prepare(vs_inside_part *part, const vs_nodemap *places, double tolerance, vs_error *e) {
   const vs_node *n = part->node;
   part->inverse = vs_affine_identity();
   switch ((vs_kind)n->kind) {
@@ -221,15 +221,16 @@ static bool inside_prepare(vs_inside_part *part, const vs_nodemap *places, vs_er
       return inside_prepare_axis(part);
     case VS_EXTRUDE: case VS_SWEEP:
       /* a tapered extrusion is tested by its mesh, because its walls are planar */
-      if (n->kind == VS_EXTRUDE && VS_AS(extrude, n)->taper != 0) return inside_prepare_facets(part, e);
-      return n->class_ != VS_SOLID || inside_prepare_swept(part, e);
+      if (n->kind == VS_EXTRUDE && VS_AS(extrude, n)->taper != 0) return inside_prepare_facets(part, tolerance, e);
+      return n->class_ != VS_SOLID || inside_prepare_swept(part, tolerance, e);
     case VS_THICKEN:
       if (n->class_ != VS_SOLID) return true;
-      return n->children[0].node->class_ == VS_SURFACE ? inside_prepare_facets(part, e) : inside_prepare_swept(part, e);
-    case VS_POLYFACE_MESH: case VS_HULL: return n->class_ != VS_SOLID || inside_prepare_facets(part, e);
-    case VS_REVOLVE: return n->class_ != VS_SOLID || inside_prepare_revolve(part, e);
+      return n->children[0].node->class_ == VS_SURFACE ? inside_prepare_facets(part, tolerance, e)
+                                                       : inside_prepare_swept(part, tolerance, e);
+    case VS_POLYFACE_MESH: case VS_HULL: return n->class_ != VS_SOLID || inside_prepare_facets(part, tolerance, e);
+    case VS_REVOLVE: return n->class_ != VS_SOLID || inside_prepare_revolve(part, tolerance, e);
     case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
-      return n->class_ != VS_SOLID || inside_prepare_facets(part, e);
+      return n->class_ != VS_SOLID || inside_prepare_facets(part, tolerance, e);
     case VS_TRANSFORM:
       /* If a placement flattens its child, the result contains no point. */
       if (!vs_affine_invert(&VS_AS(transform, n)->matrix, &part->inverse)) part->bounds = vs_bounds_empty();
@@ -263,7 +264,9 @@ void vs_inside_free(vs_inside *v) {
   free(v);
 }
 
-vs_inside *vs_inside_new(const vs_node *n, vs_error *e) {
+vs_inside *vs_inside_new(const vs_node *n, vs_error *e) { return vs_inside_within(n, INFINITY, e); }
+
+vs_inside *vs_inside_within(const vs_node *n, double tolerance, vs_error *e) {
   vs_inside *v = vs_zeros(1, sizeof *v);
   vs_nodemap places = { .store = n->store };
   vs_bounds_memo bounds = { .places = { .store = n->store } };
@@ -287,7 +290,8 @@ vs_inside *vs_inside_new(const vs_node *n, vs_error *e) {
         uint64_t *place = vs_nodemap_put(&places, at.node, &found);
         ok = place || vs_error_memory(e, NULL);
         if (place) *place = v->count - 1;
-        ok = ok && vs_bounds_memo_get(&bounds, at.node, &part->bounds, e) && inside_prepare(part, &places, e);
+        ok = ok && vs_bounds_memo_get(&bounds, at.node, &part->bounds, e) &&
+             inside_prepare(part, &places, tolerance, e);
         v->cost += sizeof *part + at.node->child_count * sizeof(size_t);
         if (part->plan)
           v->cost += part->plan->section_count * (sizeof(vs_section) + sizeof(vs_bounds)) +

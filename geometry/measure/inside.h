@@ -11,6 +11,8 @@ bool vs_node_contains(const vs_node *n, vs_vec3 p, bool *inside, vs_error *e);
  * memory. Only one thread at a time may test. */
 typedef struct vs_inside vs_inside;
 vs_inside *vs_inside_new(const vs_node *n, vs_error *e);
+/* As vs_inside_new; no formula differs from the solid by more than the tolerance. */
+vs_inside *vs_inside_within(const vs_node *n, double tolerance, vs_error *e);
 bool vs_inside_test(vs_inside *v, vs_vec3 p);
 void vs_inside_free(vs_inside *v);
 /* A cache of prepared nodes for callers that test the same few thousand nodes in any order with vs_node_contains. The

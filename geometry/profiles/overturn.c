@@ -104,29 +104,42 @@ static bool turns_sharply(const vs_swept *s, size_t step) {
   return s->sections[before].ends || s->sections[step].ends || vs_v3_dot(way_of(s, before), way_of(s, step)) < 0.95;
 }
 
-bool vs_overturn_refine(vs_swept *s, double tolerance) {
+/* Divides step r as the parts in divided[r] say. */
+static bool divide(vs_swept *s, const parts *divided) {
   vs_section *fine = NULL;
-  size_t count = 0, room = 0, rows = s->section_count;
-  bool ok = true, cut = false;
-  for (size_t r = 0; ok && r < rows; r++) {
-    const vs_section *from = &s->sections[r], *to = &s->sections[(r + 1) % rows];
-    bool goes = !from->ends && (s->joined || r + 1 < rows);
-    double differ = goes ? rises_differ(s, r, tolerance) : 0;
-    parts p = { .at = { 0 }, .count = 1 };
-    if (differ > 0) p = parts_of(differ, tolerance, turns_sharply(s, r), turns_sharply(s, (r + 1) % rows));
-    cut = cut || p.count > 1;
-    ok = VS_GROW(fine, room, count + p.count);
+  size_t count = 0, room = 0;
+  bool ok = true;
+  for (size_t r = 0; ok && r < s->section_count; r++) {
+    const vs_section *from = &s->sections[r], *to = &s->sections[(r + 1) % s->section_count];
+    ok = VS_GROW(fine, room, count + divided[r].count);
     if (ok) fine[count++] = *from;
-    for (size_t k = 1; ok && k < p.count; k++) fine[count++] = vs_section_between(from, to, p.at[k]);
+    for (size_t k = 1; ok && k < divided[r].count; k++)
+      fine[count++] = vs_section_between(from, to, divided[r].at[k]);
   }
-  if (ok && cut) {
-    free(s->sections);
-    s->sections = fine;
-    s->section_count = count;
-    s->section_room = room;
-  } else {
-    free(fine);
+  if (!ok) return free(fine), false;
+  free(s->sections);
+  s->sections = fine;
+  s->section_count = count;
+  s->section_room = room;
+  return true;
+}
+
+static bool goes_on(const vs_swept *s, size_t step) { /* returns true if a step follows the section */
+  return !s->sections[step].ends && (s->joined || step + 1 < s->section_count);
+}
+
+bool vs_overturn_refine(vs_swept *s, const bool *marked, double tolerance) {
+  size_t rows = s->section_count;
+  parts *divided = vs_fresh(rows, sizeof *divided);
+  bool ok = divided != NULL, cut = false;
+  for (size_t r = 0; ok && r < rows; r++) {
+    double differ = (!marked || marked[r]) && goes_on(s, r) ? rises_differ(s, r, tolerance) : 0;
+    divided[r].count = 1;
+    if (differ > 0) divided[r] = parts_of(differ, tolerance, turns_sharply(s, r), turns_sharply(s, (r + 1) % rows));
+    cut = cut || divided[r].count > 1;
   }
+  ok = ok && (!cut || divide(s, divided));
+  free(divided);
   return ok;
 }
 
@@ -138,11 +151,13 @@ static double six_volumes(const vs_mesh *m, const uint32_t t[4]) {
   return vs_v3_dot(vs_v3_cross(a, b), c);
 }
 
-/* For each tetrahedron of a prism with a negative volume, appends its faces twice, facing outwards. low, high: vertices
- * of the two rows; cell: corners of the triangle; hand: 1, or -1 if the triangle is clockwise in its row. */
-static bool add_prism(vs_mesh *m, const uint32_t *low, const uint32_t *high, const uint32_t cell[3], int hand) {
-  uint32_t c[3] = { cell[0], cell[1], cell[2] };
-  int32_t even = 1;
+/* The corners of the three tetrahedra that fill a prism: the numbers of the cell's corners in the first row, or these
+ * numbers + 3 in the second row. */
+static const uint8_t corner[3][4] = { { 0, 1, 2, 5 }, { 0, 1, 5, 4 }, { 0, 3, 4, 5 } };
+
+/* Sorts the three numbers. Returns 1, or -1 if the order was reversed. */
+static int sort_cell(uint32_t c[3]) {
+  int even = 1;
   for (int i = 0; i < 3; i++) {
     int j = i % 2;
     if (c[j] <= c[j + 1]) continue;
@@ -151,12 +166,18 @@ static bool add_prism(vs_mesh *m, const uint32_t *low, const uint32_t *high, con
     c[j + 1] = swap;
     even = -even;
   }
-  const uint32_t tetrahedra[3][4] = { { low[c[0]], low[c[1]], low[c[2]], high[c[2]] },
-                                      { low[c[0]], low[c[1]], high[c[2]], high[c[1]] },
-                                      { low[c[0]], high[c[0]], high[c[1]], high[c[2]] } };
+  return even;
+}
+
+/* For each tetrahedron of a prism with a negative volume, appends its faces twice, facing outwards. low, high: vertices
+ * of the two rows; cell: corners of the triangle; hand: 1, or -1 if the triangle is clockwise in its row. */
+static bool add_prism(vs_mesh *m, const uint32_t *low, const uint32_t *high, const uint32_t cell[3], int hand) {
+  uint32_t c[3] = { cell[0], cell[1], cell[2] };
+  int even = sort_cell(c);
   bool ok = true;
   for (int i = 0; ok && i < 3; i++) {
-    const uint32_t *t = tetrahedra[i];
+    uint32_t t[4];
+    for (int j = 0; j < 4; j++) t[j] = corner[i][j] < 3 ? low[c[corner[i][j]]] : high[c[corner[i][j] - 3]];
     if (!(six_volumes(m, t) * even * hand < 0)) continue;
     uint32_t p = t[0], q = t[even > 0 ? 1 : 2], r = t[even > 0 ? 2 : 1], s = t[3]; /* the faces of the tetrahedron, with
                                                                                     * reversed orientation */
@@ -198,5 +219,68 @@ bool vs_overturn_fill(const vs_overturn_rows *rows, size_t first, vs_mesh *out) 
   if (rows->inside_out) vs_mesh_turn(out, first);
   ok = ok && vs_mesh_net(out, first);
   vs_mesh_free(&cells);
+  return ok;
+}
+
+/* ---- chance points ---- */
+
+/* chance: state of the generator (SplitMix64: Steele, Lea, Flood, 2014). passed: volume of the tetrahedra so far. next:
+ * volume at which the next point follows. every: volume between two points; 0: only `passed` is computed. */
+typedef struct {
+  uint64_t chance;
+  double passed, next, every;
+  size_t step; /* step of the prisms that follow */
+  vs_step_point *out;
+  size_t most, count;
+} sampling;
+
+static double chance(sampling *s) { /* returns a number from 0 to 1 */
+  uint64_t z = s->chance += 0x9e3779b97f4a7c15u;
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+  return (double)((z ^ (z >> 31)) >> 11) * 0x1p-53;
+}
+
+/* Returns a chance point of the tetrahedron. Three cuts of an interval into four parts are evenly spread weights. */
+static vs_vec3 point_within(sampling *s, const vs_vec3 t[4]) {
+  double cut[5] = { 0, chance(s), chance(s), chance(s), 1 };
+  for (int i = 0; i < 3; i++) {
+    int j = 1 + i % 2;
+    double low = fmin(cut[j], cut[j + 1]);
+    cut[j + 1] = fmax(cut[j], cut[j + 1]);
+    cut[j] = low;
+  }
+  vs_vec3 p = { 0, 0, 0 };
+  for (int i = 0; i < 4; i++) p = vs_v3_add(p, vs_v3_scale(t[i], cut[i + 1] - cut[i]));
+  return p;
+}
+
+static void sample_prism(sampling *s, const vs_vec3 *low, const vs_vec3 *high, const uint32_t cell[3]) {
+  uint32_t c[3] = { cell[0], cell[1], cell[2] };
+  sort_cell(c);
+  for (int i = 0; i < 3; i++) {
+    vs_vec3 t[4];
+    for (int j = 0; j < 4; j++) t[j] = corner[i][j] < 3 ? low[c[corner[i][j]]] : high[c[corner[i][j] - 3]];
+    s->passed += fabs(vs_v3_dot(vs_v3_cross(vs_v3_sub(t[1], t[0]), vs_v3_sub(t[2], t[0])), vs_v3_sub(t[3], t[0])));
+    for (; s->every > 0 && s->next < s->passed && s->count < s->most; s->next += s->every)
+      s->out[s->count++] = (vs_step_point){ point_within(s, t), s->step };
+  }
+}
+
+bool vs_overturn_samples(const vs_overturn_steps *steps, vs_step_point *out, size_t most, size_t *count) {
+  size_t n = steps->s->profile_count;
+  vs_mesh cells = { 0 };
+  sampling s = { .out = out, .most = most };
+  bool ok = make_cells(steps->s, &cells);
+  for (int pass = 0; ok && pass < 2; pass++) { /* the first pass computes the volume */
+    s.every = s.passed / (double)(most ? most : 1);
+    s.next = s.every / 2;
+    s.passed = 0;
+    for (s.step = 0; s.step < steps->s->section_count; s.step++)
+      for (size_t c = 0; steps->turns[s.step] && c < cells.triangle_count; c++)
+        sample_prism(&s, steps->at + s.step * n, steps->at + (s.step + 1) * n, cells.triangles[c]);
+  }
+  vs_mesh_free(&cells);
+  *count = s.count;
   return ok;
 }

@@ -9,10 +9,10 @@
  * again. `size` is the size of the sweep. The x and y of a section are right-handed about the path's direction. */
 bool vs_overturns(const vs_swept *s, const vs_vec3 *at, size_t step, double size);
 
-/* Divides steps with backwards parts into as many steps as the tolerance requires. Within such a step, tetrahedra
- * deviate from the sweep by a quarter of the difference between the distances of their corners. Returns false when
- * memory is out. */
-bool vs_overturn_refine(vs_swept *s, double tolerance);
+/* Divides steps with backwards parts into as many steps as the tolerance requires: the steps r with marked[r], or all
+ * if marked is NULL. Within such a step, tetrahedra deviate from the sweep by a quarter of the difference between the
+ * distances of their corners. Returns false when memory is out. */
+bool vs_overturn_refine(vs_swept *s, const bool *marked, double tolerance);
 
 /* Finds the bend that limits the size of the profile most. If near is not NULL, finds the bend nearest to this point
  * instead. *at: position of the bend on the path; *fits: factor by which the profile must be scaled there. If no bend
@@ -33,5 +33,21 @@ typedef struct {
  * be the walls and caps of these rows. Afterwards the winding number of the mesh is above 0 exactly in the places that
  * the profile passes through. Returns false when memory is out. */
 bool vs_overturn_fill(const vs_overturn_rows *rows, size_t first, vs_mesh *out);
+
+/* A point in the step from section `step` to the next. */
+typedef struct {
+  vs_vec3 at;
+  size_t step;
+} vs_step_point;
+/* at: the points of all sections, one section after another, and those of the first again. turns[r]: true if a part
+ * goes backwards in the step from section r to the next. */
+typedef struct {
+  const vs_swept *s;
+  const vs_vec3 *at;
+  const bool *turns;
+} vs_overturn_steps;
+/* Writes at most `most` chance points to out, evenly spread in the tetrahedra of all steps with a backwards part.
+ * *count: their number. Equal steps give equal points. Returns false when memory is out. */
+bool vs_overturn_samples(const vs_overturn_steps *steps, vs_step_point *out, size_t most, size_t *count);
 
 #endif

@@ -470,7 +470,7 @@ static bool swept_along(vs_swept *s, vs_path *path, const swept_way *way, const 
   s->across = true;
   s->base = base;
   if (ok && stands && (upright || scale != 1) && f->segments <= 0) ok = swept_flatten(s, f);
-  if (ok && stands && s->filled && f->segments <= 0) ok = vs_overturn_refine(s, f->tolerance);
+  if (ok && stands && s->filled && f->segments <= 0) ok = vs_overturn_refine(s, NULL, f->tolerance);
   vs_path_free(&fine);
   free(carried);
   free(stance);

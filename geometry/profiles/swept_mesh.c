@@ -95,6 +95,14 @@ bool vs_swept_turns(const vs_swept *s, bool *turns) {
   return ok;
 }
 
+bool vs_swept_samples(const vs_swept *s, vs_step_point *out, size_t most, size_t *count) {
+  laid l;
+  *count = 0;
+  bool ok = lay(s, &l) && vs_overturn_samples(&(vs_overturn_steps){ s, l.at, l.turns }, out, most, count);
+  laid_free(&l);
+  return ok;
+}
+
 bool vs_swept_runs(const vs_swept *s, size_t steps, vs_mesh **runs, size_t *count) {
   size_t n = s->profile_count, room = 0;
   laid l;

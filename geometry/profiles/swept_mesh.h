@@ -2,6 +2,7 @@
 #ifndef VS_GEOMETRY_PROFILES_SWEPT_MESH_H
 #define VS_GEOMETRY_PROFILES_SWEPT_MESH_H
 
+#include "geometry/profiles/overturn.h"
 #include "geometry/profiles/swept.h"
 
 bool vs_swept_mesh(const vs_swept *s, vs_mesh *out); /* appends the triangles of the sweep; returns false when memory is
@@ -16,6 +17,10 @@ bool vs_swept_turns(const vs_swept *s, bool *turns);
  * must be across a path. The caller frees the meshes and their array. Returns false, without meshes, when memory is
  * out. */
 bool vs_swept_runs(const vs_swept *s, size_t steps, vs_mesh **runs, size_t *count);
+
+/* Writes chance points from the steps in which a part of the profile goes backwards (overturn.h), at most `most`.
+ * Returns false when memory is out. */
+bool vs_swept_samples(const vs_swept *s, vs_step_point *out, size_t most, size_t *count);
 
 /* Makes the triangles of a region or closed profile, in its plane. Returns false when memory is out. */
 bool vs_outline_mesh(const vs_outline *o, vs_mesh *out);
