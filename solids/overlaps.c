@@ -335,25 +335,26 @@ static bool refuse(const sweep *s, vs_error *e) {
                       bend.at.x, bend.at.y, bend.at.z, remedy);
 }
 
-/* Marks the steps close to marked ones as well: the points are few, and a step may be wrong without one. */
-static bool mark_neighbours(sweep *s) {
-  enum { CLOSE = 3 };
-  size_t steps = vs_bends_steps(s->bends), since = CLOSE + 1;
+/* Marks steps up to `close` steps from marked ones as well: the points are few, and a step may be wrong without one. */
+static bool mark_neighbours(sweep *s, size_t close) {
+  size_t steps = vs_bends_steps(s->bends), since = close + 1;
   bool *wider = vs_zeros(steps, sizeof *wider);
   if (!wider) return false;
   for (size_t i = 0; i < steps; i++) {
     since = s->marked[i] ? 0 : since + 1;
-    wider[i] = since <= CLOSE;
+    wider[i] = since <= close;
   }
-  since = CLOSE + 1;
+  since = close + 1;
   for (size_t i = steps; i-- > 0;) {
     since = s->marked[i] ? 0 : since + 1;
-    wider[i] = wider[i] || since <= CLOSE;
+    wider[i] = wider[i] || since <= close;
   }
   free(s->marked);
   s->marked = wider;
   return true;
 }
+
+enum { FINE = 16, FINEST = 1024 }; /* factors by which the tolerance of steps becomes smaller, first and last */
 
 /* Divides the steps at tight bends, makes the mesh of the sweep again, and removes its overlaps. Divides only the steps
  * at which the mesh differs from the sections, if there are any. finer: the steps are those of a tolerance that is so
@@ -363,7 +364,7 @@ static bool free_finer(sweep *s, double finer, vs_mesh *m, vs_error *e) {
   bool some = s->outcome == STRAYS;
   vs_mesh_free(m);
   m->most = limit * VS_ON_THE_WAY;
-  bool ok = (!some || mark_neighbours(s)) &&
+  bool ok = (!some || mark_neighbours(s, finer > FINE ? 1 : 3)) &&
             vs_bends_refine(s->bends, some ? s->marked : NULL, s->fineness->tolerance / finer) &&
             vs_bends_mesh(s->bends, m);
   if (!ok && m->over) return vs_error_set(e, VS_ERROR_MEMORY, NULL, VS_SHAPES_OVER, m->most, VS_ON_THE_WAY, limit);
@@ -373,7 +374,6 @@ static bool free_finer(sweep *s, double finer, vs_mesh *m, vs_error *e) {
 
 bool vs_primitive_freed(const vs_node *n, const vs_fineness *f, const vs_kernel_options *options, vs_mesh *m,
                         vs_error *e) {
-  enum { FINE = 16, FINEST = 1024 };
   bool changed;
   if (!may_overlap(n)) return true;
   if (!is_sweep(n)) return free_of_overlaps(m, options, &changed, e);
