@@ -1,0 +1,148 @@
+/* Tests that two sweeps along one path, whose profiles share an edge, share the wall of this edge.
+ *
+ * A road and its kerb must neither overlap nor leave a gap. Random pairs of profiles with a common edge move along random
+ * paths: plain, upright, growing, and twisted. Both have the same base point, and the fineness of one drawing. The volume
+ * of the union is the sum of the volumes, the common part is empty, and the difference is the first solid. This holds
+ * within the kernel's grid. Where a profile turns about the path, by a twist or to stay upright, the number of
+ * steps depends on the profile's size. There the walls may differ, by a fraction of the tolerance. Pairs that overlap elsewhere are
+ * skipped.
+ *
+ * A sample, with LONG=1 a thousand pairs, or those of SEEDS=FROM-TO; TELL=1 prints the results. */
+#include <setjmp.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include <cmocka.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "geometry/measure/bounds.h"
+#include "geometry/tessellate.h"
+#include "model/store/cache.h"
+#include "solids/overlaps.h"
+#include "solids/solid_meshes.h"
+#include "tests/unit/dice.h"
+#include "tests/unit/seeds.h"
+
+static const double pi = 3.14159265358979323846;
+
+static int any(dice *d, int n) { return (int)(throw(d) % (uint64_t)n); }
+
+static vs_node *through(vs_store *s, vs_kind kind, const vs_vec3 *at, size_t n, bool closed) {
+  vs_points *p = vs_points_new(s, at, n);
+  vs_node *curve = kind == VS_LINE ? vs_node_new(s, VS_LINE, &(struct vs_line){ .points = p, .closed = closed }, NULL, 0)
+                                   : vs_node_new(s, VS_SPLINE, &(struct vs_spline){ .points = p, .closed = closed }, NULL, 0);
+  vs_points_release(s, p);
+  return curve;
+}
+
+/* A path that does not bend much: its profiles seldom overlap. */
+static vs_node *path(vs_store *s, dice *d, bool *upright) {
+  vs_vec3 at[6];
+  int n = 3 + any(d, 3), which = any(d, 6);
+  double rise = any(d, 2) ? 0 : between(d, -.5, .5);
+  if (which == 0) return vs_node_new(s, VS_CIRCLE, &(struct vs_circle){ .radius = between(d, 1, 4) }, NULL, 0);
+  if (which == 1)
+    return vs_node_new(s, VS_ARC, &(struct vs_arc){ .radius = between(d, 1, 4), .end = between(d, 1, 5) }, NULL, 0);
+  if (which == 2) *upright = false, rise = between(d, -2, 2);
+  double way = between(d, 0, 2 * pi);
+  at[0] = vs_v3(0, 0, 0);
+  for (int i = 1; i < n; i++) {
+    double length = between(d, 1, 4);
+    way += between(d, -1, 1);
+    at[i] = vs_v3_add(at[i - 1], vs_v3(length * cos(way), length * sin(way), length * rise * between(d, .2, 1)));
+  }
+  return through(s, any(d, 3) == 0 ? VS_LINE : VS_SPLINE, at, (size_t)n, false);
+}
+
+typedef struct { vs_node *left, *right, *whole; } profiles;
+
+/* Two profiles to the left and the right of an edge from p to q, and their union. */
+static profiles pair_of(vs_store *s, dice *d) {
+  double size = between(d, .05, .5), turn = any(d, 3) ? pi / 2 * any(d, 4) : between(d, 0, 2 * pi), left = size * between(d, .2, 3), right = size * between(d, .05, 1);
+  vs_vec3 p = { size * between(d, -1, 1), size * between(d, -1, 1), 0 }, way = { cos(turn), sin(turn), 0 }, across = { -sin(turn), cos(turn), 0 }, q = vs_v3_add(p, vs_v3_scale(way, size * between(d, .2, 1)));
+  vs_vec3 ql = vs_v3_add(q, vs_v3_scale(across, left)), pl = vs_v3_add(p, vs_v3_scale(across, left * between(d, .5, 1))), pr = vs_v3_sub(p, vs_v3_scale(across, right)), qr = vs_v3_sub(q, vs_v3_scale(across, right * between(d, .5, 1)));
+  const vs_vec3 a[] = { p, q, ql, pl }, b[] = { q, p, pr, qr }, whole[] = { p, pr, qr, q, ql, pl };
+  return (profiles){ through(s, VS_LINE, a, 4, true), through(s, VS_LINE, b, 4, true), through(s, VS_LINE, whole, 6, true) };
+}
+
+static vs_node *swept(vs_store *s, const struct vs_sweep *way, vs_node *profile, vs_node *curve) {
+  vs_ref children[2] = { { profile, NULL }, { curve, NULL } };
+  return vs_node_new(s, VS_SWEEP, way, children, 2);
+}
+
+/* the part of tolerance times area by which volumes may differ if the profiles turn */
+#define TURNED .05
+
+typedef struct { size_t pairs, skipped, wrong; double most, most_turned; } tally;
+
+static double volume_of(const vs_node *n, const vs_fineness *f, double *area) {
+  vs_ref ref = { (vs_node *)(uintptr_t)n, NULL };
+  vs_solid solid;
+  vs_error e = { 0 };
+  if (!vs_solid_evaluate(&ref, 1, f, NULL, &solid, &e)) fail_msg("%s", e.message);
+  double volume = vs_mesh_volume(&solid.mesh);
+  if (area) *area += vs_mesh_area(&solid.mesh);
+  vs_solid_free(&solid);
+  return volume;
+}
+
+static double set_volume(vs_store *s, vs_kind kind, vs_node *a, vs_node *b, const vs_fineness *f) {
+  vs_ref both[2] = { { a, NULL }, { b, NULL } };
+  vs_node *n = vs_node_new(s, kind, NULL, both, 2);
+  double volume = volume_of(n, f, NULL);
+  vs_node_release(n);
+  return volume;
+}
+
+static void look(vs_store *s, uint64_t seed, tally *t) {
+  static const char *const names[] = { "plain", "upright", "twisted", "growing", "upright and twisted", "twisted and growing" };
+  dice d = { seed * 7919 + 1 };
+  int kind = any(&d, 6);
+  bool upright = kind == 1 || kind == 4, overlaps = true;
+  vs_error e = { 0 };
+  vs_bounds b;
+  profiles two = pair_of(s, &d);
+  vs_node *curve = path(s, &d, &upright);
+  struct vs_sweep way = { .scale = kind == 3 || kind == 5 ? between(&d, .3, 1.5) : 1, .twist = kind == 2 || kind >= 4 ? between(&d, -3, 3) : 0, .has_base = true };
+  if (upright) way.up = vs_v3(0, 0, 1);
+  vs_node *a = swept(s, &way, two.left, curve), *c = swept(s, &way, two.right, curve), *whole = swept(s, &way, two.whole, curve);
+  assert_true(vs_node_bounds(whole, &b, &e));
+  vs_fineness f = { vs_fineness_tolerance(&b), 0 };
+  bool ok = vs_primitive_overlaps(whole, &f, NULL, &overlaps, &e);
+  if (ok && !overlaps) {
+    double area = 0, size = vs_bounds_diagonal(&b), va = volume_of(a, &f, &area), vc = volume_of(c, &f, &area), sum = set_volume(s, VS_UNION, a, c, &f),
+           common = set_volume(s, VS_INTERSECTION, a, c, &f), rest = set_volume(s, VS_DIFFERENCE, a, c, &f), unit = area * size * 0x1p-30;
+    double off = fmax(fabs(sum - va - vc), fmax(fabs(common), fabs(rest - va))) / unit;
+    t->pairs++;
+    if (way.twist != 0 || upright) off *= unit / (f.tolerance * area * TURNED), t->most_turned = fmax(t->most_turned, off);
+    else t->most = fmax(t->most, off);
+    if (off > 1) {
+      t->wrong++;
+      fprintf(stderr, "pair %llu: %s along %s: union %.3g, common part %.3g, difference %.3g; rounding is %.2g (tolerance %.2g)\n", (unsigned long long)seed, names[kind], vs_kind_get((vs_kind)curve->kind)->name,
+              sum - va - vc, common, rest - va, unit, f.tolerance * area);
+    }
+  } else t->skipped++;
+  vs_node *all[] = { a, c, whole, curve, two.left, two.right, two.whole };
+  for (int i = 0; i < 7; i++) vs_node_release(all[i]);
+}
+
+static void sweeps_share_the_wall_of_a_common_edge(void **state) {
+  (void)state;
+  seed_range seeds = seeds_asked(60, 1000);
+  tally t = { 0 };
+  for (uint64_t seed = seeds.from; seed <= seeds.to; seed++) {
+    vs_store *s = vs_store_new(NULL, NULL);
+    look(s, seed, &t);
+    vs_store_release(s);
+  }
+  if (getenv("TELL")) fprintf(stderr, "%zu pairs, %zu skipped, %zu wrong, the worst by %.3g of the rounding, turned ones by %.3g of the bound\n", t.pairs, t.skipped, t.wrong, t.most, t.most_turned);
+  assert_int_equal(t.wrong, 0);
+  if (!seeds.asked) assert_true(t.pairs * 2 > t.skipped);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = { cmocka_unit_test(sweeps_share_the_wall_of_a_common_edge) };
+  return cmocka_run_group_tests_name("shared walls", tests, NULL, NULL);
+}
