@@ -117,7 +117,7 @@ static bool write_as(trial *t, const char *suffix, size_t which, written *out, b
 
 /* Returns the winding number: the sum of the triangles' solid angles divided by 4 pi. *nearest is the distance of the
  * nearest triangle. */
-static double winding(const written_mesh *s, const double p[3], double *nearest) {
+static inline double winding(const written_mesh *s, const double p[3], double *nearest) {
   double sum = 0;
   *nearest = INFINITY;
   for (size_t i = 0; i < s->count; i++) {
@@ -146,7 +146,7 @@ static double winding(const written_mesh *s, const double p[3], double *nearest)
   return sum / (4 * 3.14159265358979323846);
 }
 
-static bool number_of(trial *t, const char *expression, double *out) {
+static inline bool number_of(trial *t, const char *expression, double *out) {
   if (run(t, "(display %s)", expression) != VS_OUTCOME_DONE) return false;
   *out = strtod(t->heard.out, NULL);
   return true;
