@@ -20,6 +20,7 @@
 #include "geometry/nets/planarity.h"
 #include "geometry/nets/relaxation.h"
 #include "geometry/plane/planar_evaluation.h"
+#include "geometry/plane/skeleton.h"
 #include "geometry/plane/voronoi.h"
 #include "vm/machine/fail.h"
 
@@ -326,6 +327,70 @@ vs_status vs_p_voronoi(vs_args *f, vs_value *out) {
   }
   vs_voronoi_free(&cells);
   flat_region_free(&g);
+  *out = r[0];
+  return ok ? VS_OK : VS_ERROR;
+}
+
+/* ---- straight skeletons ---- */
+
+/* Sets the condition for an outcome that is a failure; then returns false. where: two edges of the outline. */
+static bool no_skeleton(vs_args *f, vs_skeleton_outcome outcome, const vs_vec2 *at, const size_t where[2]) {
+  char n[4][32];
+  switch (outcome) {
+  case VS_SKELETON_STOPPED: return false; /* the condition is already set */
+  case VS_SKELETON_MEMORY: return vs_fail_memory(f->vm);
+  case VS_SKELETON_CROSSES:
+    for (int i = 0; i < 2; i++)
+      vs_bind_number_text(n[2 * i], at[where[i]].x), vs_bind_number_text(n[2 * i + 1], at[where[i]].y);
+    vs_fail(f->vm, f->vm->sym.range,
+            "the outline crosses or touches itself: see the edges that begin at (xy %s %s) and (xy %s %s)", n[0], n[1],
+            n[2], n[3]);
+    return false;
+  case VS_SKELETON_OPEN:
+    vs_fail(f->vm, f->vm->sym.range, "the edges never meet: more edges must move inwards");
+    return false;
+  case VS_SKELETON_RING:
+    vs_fail(f->vm, f->vm->sym.range, "the face of one edge would enclose others: make the speeds more equal");
+    return false;
+  case VS_SKELETON_FAILED:
+    vs_fail(f->vm, f->vm->sym.range, "the outline has details too fine to compute");
+    return false;
+  case VS_SKELETON_DONE: break;
+  }
+  return true;
+}
+
+/* (%straight-skeleton points speeds sizes): returns the faces as lists: the number of the edge from 1, or 0, then
+ * points, whose z is the time. */
+vs_status vs_p_straight_skeleton(vs_args *f, vs_value *out) {
+  size_t n = f->arg[0].points.count, loops = 0, where[2] = { 0, 0 };
+  int64_t most = vs_list_length(f->arg[2].value);
+  double *speed = vs_bind_scratch(f, (n + 1) * sizeof *speed);
+  size_t *size = vs_bind_scratch(f, ((size_t)(most > 0 ? most : 0) + 1) * sizeof *size);
+  vs_vec2 *at = vs_bind_scratch(f, (n + 1) * sizeof *at);
+  if (!speed || !size || !at) return VS_ERROR;
+  vs_value l = f->arg[1].value;
+  for (size_t i = 0; i < n; i++) {
+    at[i] = (vs_vec2){ f->arg[0].points.at[i].x, f->arg[0].points.at[i].y };
+    speed[i] = next(f->vm, &l);
+  }
+  for (l = f->arg[2].value; vs_is_pair(l);) size[loops++] = (size_t)next(f->vm, &l);
+  vs_skeleton k;
+  vs_long_work work = { vs_bind_keep_going, f->vm };
+  vs_skeleton_outcome outcome = vs_skeleton_make(&(vs_skeleton_outline){ at, speed, size, loops }, work, &k, where);
+  if (outcome != VS_SKELETON_DONE) return no_skeleton(f, outcome, at, where), VS_ERROR;
+  VS_ROOTS(f->vm, r, 3);
+  r[0] = VS_NIL;
+  bool ok = true;
+  for (size_t i = k.face_count; ok && i-- > 0;) {
+    const vs_skeleton_face *face = &k.face[i];
+    r[1] = VS_NIL;
+    for (size_t c = face->count; ok && c-- > 0;)
+      ok = vs_bind_give_point(f, k.at[k.corner[face->first + c]], &r[2]) && vs_cons(f->vm, r[2], r[1], &r[1]);
+    vs_value edge = vs_fix(face->edge == VS_SKELETON_STEP ? 0 : (int64_t)face->edge + 1);
+    ok = ok && vs_cons(f->vm, edge, r[1], &r[1]) && vs_cons(f->vm, r[1], r[0], &r[0]) && vs_poll(f->vm, 16);
+  }
+  vs_skeleton_free(&k);
   *out = r[0];
   return ok ? VS_OK : VS_ERROR;
 }

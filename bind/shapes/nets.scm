@@ -205,3 +205,19 @@
                 (let ((c (corner i))) (if c (begin (split! i (second c) (third c)) (loop i)) (loop (+ i 1)))))))
       (settle! (if joints 40 0))
       (append-map (lambda (i) (filter-map (lambda (j) (and (< i j) (> (distance (p i) (p j)) 1e-9) (list (p i) (p j)))) (neighbours i))) (iota count)))))
+
+; ---- straight skeletons ----
+
+; Returns the faces of the edges of closed outlines that move inwards: lists of the edge's number and of points.
+(define (straight-skeleton outline speeds)
+  (let ((loops (if (and (pair? outline) (point? (car outline))) (list outline) outline)))
+    (if (not (and (pair? loops) (list? loops) (every (lambda (l) (and (list? l) (every point? l) (> (length l) 2))) loops)))
+        (error 'straight-skeleton "outline must be a list of three points or more, or a list of such lists, got ~s" outline))
+    (let* ((n (apply + (map length loops))) (good? (lambda (v) (and (real? v) (finite? v) (>= v 0))))
+           (each (if (list? speeds) speeds (make-list n speeds))))
+      (if (not (every good? each))
+          (error 'straight-skeleton "speeds must be a number of 0 or more, or a list of them, got ~s" speeds))
+      (if (not (= (length each) n))
+          (error 'straight-skeleton "speeds must be ~a numbers, one for each edge, got ~a" n (length each)))
+      (map (lambda (face) (if (eqv? (car face) 0) (cons #f (cdr face)) face))
+           (%straight-skeleton (append-map values loops) each (map length loops))))))

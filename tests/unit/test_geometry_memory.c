@@ -10,6 +10,7 @@
 
 #include "geometry/measure/node_measures.h"
 #include "geometry/files/polyface.h"
+#include "geometry/plane/skeleton.h"
 #include "geometry/tessellate.h"
 #include "tests/unit/allocator.h"
 #include "tests/unit/skip.h"
@@ -131,7 +132,31 @@ static void making_a_polyface_fails_in_turn(void **state) {
   vs_store_release(s);
 }
 
+static bool going(void *context, double done) { return !context && done >= 0; }
+
+static void making_a_skeleton_fails_in_turn(void **state) {
+  (void)state;
+  if (!REPLACED) SKIP_TEST("a sanitizer has replaced the allocator");
+  vs_vec2 at[] = { { 0, 0 }, { 5, 0 }, { 9, 0 }, { 9, 6 }, { 0, 6 }, { 4, 2 }, { 5, 2 }, { 4, 3 } };
+  double speed[] = { 1, 2, 1, 1, 0, 1, 1, 1 }; /* with a step, a gable and a hole */
+  size_t size[] = { 5, 3 }, where[2], tries = 1;
+  vs_skeleton_outcome outcome = VS_SKELETON_MEMORY;
+  for (; outcome == VS_SKELETON_MEMORY; tries++) {
+    vs_skeleton k;
+    held = 0;
+    fail_at = tries;
+    outcome = vs_skeleton_make(&(vs_skeleton_outline){ at, speed, size, 2 }, (vs_long_work){ going, NULL }, &k, where);
+    if (outcome == VS_SKELETON_DONE) vs_skeleton_free(&k);
+    fail_at = 0;
+    assert_int_equal(held, 0);
+    assert_true(tries < 5000);
+  }
+  assert_int_equal(outcome, VS_SKELETON_DONE);
+  assert_true(tries > 20);
+}
+
 int main(void) {
-  const struct CMUnitTest tests[] = { cmocka_unit_test(every_allocation_fails_in_turn), cmocka_unit_test(making_a_polyface_fails_in_turn) };
+  const struct CMUnitTest tests[] = { cmocka_unit_test(every_allocation_fails_in_turn), cmocka_unit_test(making_a_polyface_fails_in_turn),
+                                      cmocka_unit_test(making_a_skeleton_fails_in_turn) };
   return cmocka_run_group_tests_name("geometry short of memory", tests, NULL, NULL);
 }

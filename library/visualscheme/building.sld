@@ -1,0 +1,5 @@
+; The words of a building: roofs. All lengths are in model units, all pitches in degrees.
+(define-library (visualscheme building)
+  (export roof roof-faces)
+  (import (visualscheme))
+  (include "building/roofs.scm"))

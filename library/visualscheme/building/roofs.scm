@@ -1,0 +1,113 @@
+; Roofs over outlines: planes that rise inwards from the edges, by the straight skeleton. An edge moves inwards by the
+; cotangent of its pitch for each unit of height. The edge of a gable does not move.
+
+(define (loops-of who outline)
+  (let ((loops (if (and (pair? outline) (point? (car outline))) (list outline) outline)))
+    (if (not (and (pair? loops) (list? loops) (every (lambda (l) (and (list? l) (every point? l) (> (length l) 2))) loops)))
+        (error who "outline must be a list of three points or more, or a list of such lists, got ~s" outline))
+    (let ((z (cz (caar loops))))
+      (if (not (every (lambda (l) (every (lambda (p) (near? (cz p) z)) l)) loops))
+          (error who "the points of outline must have one height, got ~s" outline)))
+    loops))
+
+; Returns the pitch of each of n edges, #f for a gable.
+(define (pitches-of who pitch gables n)
+  (define (good? p) (and (real? p) (< 0 p 90)))
+  (let ((each (if (list? pitch) pitch (make-list n pitch))))
+    (if (not (every good? each)) (error who "pitch must be degrees between 0 and 90, or a list of them, got ~s" pitch))
+    (if (not (= (length each) n)) (error who "pitch must be ~a numbers, one for each edge, got ~a" n (length each)))
+    (if (not (and (list? gables) (every (lambda (g) (and (exact-integer? g) (<= 1 g n))) gables)))
+        (error who "gables must be numbers of edges from 1 to ~a, got ~s" n gables))
+    (map (lambda (p i) (if (memv i gables) #f p)) each (iota n 1))))
+
+(define (slope p) (tan (degrees->radians p)))
+(define (speed p) (if p (/ 1 (slope p)) 0))
+
+; Returns the way from p to q of length 1, and the turn of it to the left.
+(define (way p q) (unitize (vxyz (- (cx q) (cx p)) (- (cy q) (cy p)) 0)))
+(define (left v) (vxyz (- (cy v)) (cx v) 0))
+
+; Returns twice the area of a loop, positive if it is counter-clockwise.
+(define (turn loop)
+  (let ((p (car loop)))
+    (apply + (map (lambda (a b) (- (* (- (cx a) (cx p)) (- (cy b) (cy p))) (* (- (cx b) (cx p)) (- (cy a) (cy p)))))
+               loop (append (cdr loop) (list p))))))
+
+(define (inside? p loop)
+  (odd? (count (lambda (a b)
+                 (and (not (eq? (> (cy a) (cy p)) (> (cy b) (cy p))))
+                      (< (cx p) (+ (cx a) (/ (* (- (cy p) (cy a)) (- (cx b) (cx a))) (- (cy b) (cy a)))))))
+          loop (append (cdr loop) (list (car loop))))))
+
+; Returns the loop with each edge moved outwards by its distance; sign is 1 if the inside is on the left of the edges.
+; Fails if an edge would turn round.
+(define (widened who loop sign distances)
+  (define (corner p before after d e)
+    (let* ((m (v*r (left before) (- sign))) (n (v*r (left after) (- sign))) (k (- (* (cx m) (cy n)) (* (cy m) (cx n)))))
+      (if (< (abs k) 1e-9) (p+v p (v*r n e))
+          (+xy p (/ (- (* d (cy n)) (* e (cy m))) k) (/ (- (* (cx m) e) (* (cx n) d)) k)))))
+  (let* ((next (append (cdr loop) (list (car loop)))) (ways (map way loop next)) (turned (lambda (l) (cons (last l) (drop-right l 1)))))
+    (let* ((wide (map corner loop (turned ways) ways (turned distances) distances)))
+      (for-each (lambda (p w a b)
+                  (if (<= (dot w (p->q a b)) 0) (error who "the overhang closes the outline at ~s: make it less" p)))
+        loop ways wide (append (cdr wide) (list (car wide))))
+      wide)))
+
+(define (split l sizes) (if (null? sizes) '() (cons (take l (car sizes)) (split (drop l (car sizes)) (cdr sizes)))))
+
+; Returns the faces of a roof: lists of the number of the edge, or #f, and of points.
+(define (faces who outline pitch gables overhang)
+  (if (not (and (real? overhang) (finite? overhang) (>= overhang 0))) (error who "overhang must be a number of 0 or more, got ~s" overhang))
+  (let* ((loops (loops-of who outline)) (sizes (map length loops)) (pitches (pitches-of who pitch gables (apply + sizes)))
+         (flattest (apply min 90 (filter values pitches)))
+         ; the eaves are level: they lie as far below the outline as the flattest plane falls on its overhang
+         (fall (if (= flattest 90) 0 (* overhang (slope flattest))))
+         (distances (map (lambda (p) (if p (/ fall (slope p)) overhang)) pitches))
+         (z (- (cz (caar loops)) fall))
+         (sign (lambda (loop)
+                 (let ((holes (count (lambda (l) (and (not (eq? l loop)) (inside? (car loop) l))) loops)))
+                   (if (eq? (> (turn loop) 0) (even? holes)) 1 -1))))
+         (wide (if (> overhang 0) (map (lambda (l d) (widened who l (sign l) d)) loops (split distances sizes)) loops)))
+    (map (lambda (face) (cons (car face) (map (lambda (p) (xyz (cx p) (cy p) (+ z (cz p)))) (cdr face))))
+         (straight-skeleton wide (map speed pitches)))))
+
+(define (roof-faces outline #:pitch [pitch any? 35] #:gables [gables any? '()] #:overhang [overhang any? 0])
+  (faces 'roof-faces outline pitch gables overhang))
+
+; Numbers points from 1 by their coordinates: returns the procedure that numbers, and one that returns all points.
+(define (numbering)
+  (let ((known (make-hash)) (all '()) (n 0))
+    (values
+      (lambda (p)
+        (let ((key (list (cx p) (cy p) (cz p))))
+          (or (hash-ref known key #f)
+              (begin (set! n (+ n 1)) (set! all (cons p all)) (hash-set! known key n) n))))
+      (lambda () (reverse all)))))
+
+; Removes each element that equals the next one around the list.
+(define (without-repeats l)
+  (filter-map (lambda (a b) (if (equal? a b) #f a)) l (append (cdr l) (list (car l)))))
+
+; A roof's solid has its faces above and their projections below. Where a face is vertical, its projection has no area:
+; face and projection are one polygon, without the edge at the foot that both have.
+(define (roof outline #:pitch [pitch any? 35] #:gables [gables any? '()] #:overhang [overhang any? 0] #:thickness [thickness any? #f])
+  (if (not (or (not thickness) (and (real? thickness) (> thickness 0)))) (error 'roof "thickness must be a positive number, got ~s" thickness))
+  (let* ((all (faces 'roof outline pitch gables overhang))
+         (foot (apply min (append-map (lambda (f) (map cz (cdr f))) all)))
+         (down (lambda (p) (xyz (cx p) (cy p) foot)))
+         (level? (lambda (f) (and (car f) (not (memv (car f) gables))))))
+    (call-with-values numbering
+      (lambda (number points)
+        (define (closed f)
+          (let* ((top (map number (cdr f))) (low (map number (map down (cdr f)))))
+            (if (level? f) (list top (without-repeats (reverse low)))
+                (let* ((foot (map (lambda (a b) (if (= a b) a 0)) top low))
+                       (next (append (cdr foot) (list (car foot))))
+                       (at (or (list-index (lambda (a b) (and (> a 0) (> b 0))) foot next) (list-index positive? foot) 0))
+                       (around (lambda (l) (append (drop l (+ at 1)) (take l (+ at 1))))))
+                  (list (without-repeats (append (around top) (cdr (reverse (around low))))))))))
+        (let* ((polygons (filter (lambda (p) (> (length p) 2)) (append-map closed all)))
+               (solid (make-polyface-mesh (points) polygons)))
+          (if (not (solid? solid))
+              (error 'roof "parallel edges of unequal pitch make a vertical step, which has no solid: give them one pitch, or use roof-faces"))
+          (if thickness (subtract solid (do-move solid (vxyz 0 0 (- thickness)))) solid))))))
