@@ -85,6 +85,7 @@ struct vs_backend {
                                                                  * of equal parts once. A back-end has `copies` or
                                                                  * `solid`, not both. */
   vs_numbers numbers;
+  bool objects; /* whether faces of different objects stay apart in the mesh of all solids */
   /* Runs a worker program on the written text. NULL: the text itself is the output. */
   bool (*render)(vs_emitter *e, const char *text_path, const char *output_path);
   /* Writes the files beside e->path (such as an .mtl) after the text. NULL: the format has no such files. */

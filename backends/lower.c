@@ -159,14 +159,21 @@ bool vs_lower_solids(vs_emitter *e, const vs_ref *refs, size_t count, vs_bends b
   return vs_solid_evaluate(refs, count, &e->facets, &options, out, e->error);
 }
 
+bool vs_lower_objects(vs_emitter *e, const vs_refs *refs, int depth, vs_bends bends, vs_solid *out) {
+  vs_kernel_options options = lower_options(e, bends);
+  return vs_solid_of_objects(refs, depth, &e->facets, &options, out, e->error);
+}
+
 /* The destination of the solids of a drawing. Either `one` or `many` is NULL. */
 typedef struct { vs_solid *one; vs_solid_copies *many; } lowered;
 
 /* Makes the solids of the drawing and rounds them to the format's numbers. Counts the changes that rounding makes. */
 static bool lower_once(vs_emitter *e, vs_bends bends, lowered to, vs_rounded *what) {
   const vs_scene *s = e->scene;
+  const vs_refs drawn = { s->drawn, s->drawn_count };
   if (to.one)
-    return vs_lower_solids(e, s->drawn, s->drawn_count, bends, to.one) &&
+    return (e->backend->objects ? vs_lower_objects(e, &drawn, 0, bends, to.one)
+                                : vs_lower_solids(e, s->drawn, s->drawn_count, bends, to.one)) &&
            vs_emit_round(e, &to.one->mesh, e->backend->numbers, what);
   vs_kernel_options options = lower_options(e, bends);
   bool ok = vs_solid_evaluate_copies(s->drawn, s->drawn_count, &e->facets, &options, to.many, e->error);

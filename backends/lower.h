@@ -17,6 +17,8 @@ bool vs_lower_mesh(vs_emitter *e, const vs_ref *ref, vs_solid *out);
 typedef enum { VS_BENT, VS_STRAIGHT, VS_BENT_AGAIN } vs_bends;
 /* Makes the union of the solids among the references. Returns false, with e's error set, on failure. */
 bool vs_lower_solids(vs_emitter *e, const vs_ref *refs, size_t count, vs_bends bends, vs_solid *out);
+/* As vs_lower_solids, but keeps objects apart (vs_solid_of_objects). */
+bool vs_lower_objects(vs_emitter *e, const vs_refs *refs, int depth, vs_bends bends, vs_solid *out);
 /* Makes a single mesh of all solids of the drawing, rounded: corners that the format's numbers cannot distinguish are
  * merged. Warns, with the place, if this folds the mesh. The mesh has no bends, unless fewer triangles intersect with
  * them. */

@@ -40,6 +40,7 @@ typedef struct {
   size_t point_count, triangle_count, closed;
   const uint32_t *paints;   /* paint of each triangle: edges between different paints are drawn; may be NULL */
   const uint32_t *owners;   /* owner of each triangle, a number that the edges of the triangle get; may be NULL */
+  const uint32_t *objects;  /* object of each triangle: edges between different objects are drawn; may be NULL */
   const uint8_t *caps;      /* for each triangle: 1 if it lies in the plane of the cut; may be NULL */
   bool perspective;
   double slack;             /* lengths up to this count as zero: about 1e-7 of the size of the drawing */

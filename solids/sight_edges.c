@@ -35,14 +35,17 @@ static face face_of(const vs_sight *s, const uint32_t *place, size_t i) {
   return f;
 }
 
-static bool paints_differ(const vs_sight *s, uint32_t a, uint32_t b) { return s->paints &&
-    s->paints[a] != s->paints[b]; }
+/* Returns true if two faces have different paints, owners or objects, so that a line is between them. */
+static bool are_apart(const vs_sight *s, uint32_t a, uint32_t b) {
+  return (s->paints && s->paints[a] != s->paints[b]) || (s->owners && s->owners[a] != s->owners[b]) ||
+         (s->objects && s->objects[a] != s->objects[b]);
+}
 
 /* Returns the kind of the line at the edge between two faces, or VS_SIGHT_KINDS if the edge has no line. */
 static vs_sight_kind kind_between(const vs_sight *s, const face *faces, const side *a, const side *b) {
   const face *f = &faces[a->face], *g = &faces[b->face];
   bool cap_f = s->caps && s->caps[a->face], cap_g = s->caps && s->caps[b->face];
-  if (cap_f && cap_g) return paints_differ(s, a->face, b->face) ? VS_SIGHT_PARTING : VS_SIGHT_KINDS;
+  if (cap_f && cap_g) return are_apart(s, a->face, b->face) ? VS_SIGHT_PARTING : VS_SIGHT_KINDS;
   if (cap_f || cap_g) return VS_SIGHT_CUT;
   /* neighbours that use the edge in the same direction have opposite orientations */
   int turned = a->forward == b->forward ? -1 : 1;
@@ -53,7 +56,7 @@ static vs_sight_kind kind_between(const vs_sight *s, const face *faces, const si
   if (p <= 0 && q <= 0) return VS_SIGHT_KINDS;
   if (p <= 0 || q <= 0) return VS_SIGHT_OUTLINE;
   double cosine = vs_v3_dot(f->normal, g->normal) * turned;
-  return cosine < sharp || paints_differ(s, a->face, b->face) ? VS_SIGHT_CREASE : VS_SIGHT_KINDS;
+  return cosine < sharp || are_apart(s, a->face, b->face) ? VS_SIGHT_CREASE : VS_SIGHT_KINDS;
 }
 
 static bool add_edge(const vs_sight_host *host, vs_sight_edges *out, vs_sight_edge edge) {

@@ -20,6 +20,8 @@
 #include "model/job.h"
 #include "model/walk.h"
 
+enum { NO_OBJECTS = -1 };
+
 typedef struct {
   vs_affine placement;
   const vs_material *material;
@@ -74,6 +76,8 @@ typedef struct {
   VS_LIST(uint32_t) plain;            /* indices of the meshes that threads make at the end */
   _Atomic size_t made;                /* number of triangles of all meshes that have been made */
   vs_cache *cache;                    /* cache of meshes; may be NULL */
+  int depth;                          /* depth of the nodes that are objects; NO_OBJECTS: none */
+  uint32_t object;                    /* number of the current object; 0: none */
 } builder;
 
 static bool full(builder *b) {
@@ -97,12 +101,13 @@ static bool close_term(builder *b, vs_term_kind kind, size_t first) {
 }
 
 static bool same_part(const vs_solid_part *a, const vs_solid_part *b, bool leaf) {
-  return a->material == b->material && a->layer == b->layer && (!leaf || a->leaf.origin == b->leaf.origin);
+  return a->material == b->material && a->layer == b->layer && a->object == b->object &&
+         (!leaf || a->leaf.origin == b->leaf.origin);
 }
 
 static size_t part_slot(const builder *b, const uint32_t *table, size_t count, const vs_solid_part *part, bool leaf) {
   uint64_t h = ((uint64_t)(uintptr_t)part->material >> 4) * 0x9e3779b97f4a7c15u +
-               (leaf ? (uint64_t)(uintptr_t)part->leaf.origin >> 4 : 0);
+               (leaf ? (uint64_t)(uintptr_t)part->leaf.origin >> 4 : 0) + part->object * 0x94d049bb133111ebu;
   h = (h ^ h >> 29) * 0xbf58476d1ce4e5b9u;
   size_t mask = count - 1, i = (size_t)(h >> 20) & mask;
   while (table[i] && !same_part(&b->parts.at[table[i] - 1], part, leaf)) i = (i + 1) & mask;
@@ -316,7 +321,7 @@ static bool add_leaf(builder *b, const vs_ref *ref, const level *at) {
   if (b->leaves.count >= UINT32_MAX - 1) return full(b);
   uint32_t number = 0;
   if (!mesh_of(b, ref, at, &facets, &mesh, &number) ||
-      !part_of(b, &(vs_solid_part){ at->material, at->layer, *ref }, &leaf.tag))
+      !part_of(b, &(vs_solid_part){ at->material, at->layer, *ref, b->object }, &leaf.tag))
     return false;
   leaf.mesh = mesh;
   if ((b->leaves.count + 1) * 2 > b->twins.count && !twins_grow(b)) return false;
@@ -397,6 +402,7 @@ static bool enter(builder *b, vs_walk *walk, const vs_ref *ref) {
     now.local = up->local;
     now.off = up->off != (up->difference && b->pending.count > up->first);
   }
+  if (b->depth != NO_OBJECTS && b->levels.count == (size_t)b->depth) b->object++;
   if (n->kind == VS_TRANSFORM) {
     now.placement = vs_affine_multiply(&now.placement, &VS_AS(transform, n)->matrix);
     now.local = vs_affine_multiply(&now.local, &VS_AS(transform, n)->matrix);
@@ -475,7 +481,7 @@ static void tally_up(vs_tally *t, const vs_kernel_counts *c) {
 }
 
 /* The destination of the result. Either `one` or `many` is NULL. */
-typedef struct { vs_solid *one; vs_solid_copies *many; } target;
+typedef struct { vs_solid *one; vs_solid_copies *many; int depth; /* see builder */ } target;
 
 /* Adds the references to the builder as a single problem, a union. */
 static bool build(builder *b, const vs_ref *refs, size_t count) {
@@ -576,6 +582,7 @@ static bool evaluate(const vs_ref *refs, size_t count, const vs_fineness *facets
   b->k.error = &why;
   b->k.threads = 1;
   b->facets = facets;
+  b->depth = to.depth;
   b->error = error;
   vs_kernel_time(&b->k, counts.seconds);
   bool ok = build(b, refs, count);
@@ -600,7 +607,15 @@ static bool evaluate(const vs_ref *refs, size_t count, const vs_fineness *facets
 bool vs_solid_evaluate(const vs_ref *refs, size_t count, const vs_fineness *facets, const vs_kernel_options *options,
                        vs_solid *out, vs_error *error) {
   *out = (vs_solid){ .part_count = 0 };
-  if (evaluate(refs, count, facets, options, (target){ .one = out }, error)) return true;
+  if (evaluate(refs, count, facets, options, (target){ .one = out, .depth = NO_OBJECTS }, error)) return true;
+  vs_solid_free(out);
+  return false;
+}
+
+bool vs_solid_of_objects(const vs_refs *refs, int depth, const vs_fineness *facets, const vs_kernel_options *options,
+                         vs_solid *out, vs_error *error) {
+  *out = (vs_solid){ .part_count = 0 };
+  if (evaluate(refs->at, refs->count, facets, options, (target){ .one = out, .depth = depth }, error)) return true;
   vs_solid_free(out);
   return false;
 }
@@ -609,7 +624,7 @@ bool vs_solid_evaluate_copies(const vs_ref *refs, size_t count, const vs_finenes
                               const vs_kernel_options *options, vs_solid_copies *out, vs_error *error) {
   *out = (vs_solid_copies){ .part_count = 0 };
   /* after a failure the kernel leaves its result empty */
-  return evaluate(refs, count, facets, options, (target){ .many = out }, error);
+  return evaluate(refs, count, facets, options, (target){ .many = out, .depth = NO_OBJECTS }, error);
 }
 
 void vs_solid_copies_free(vs_solid_copies *s) {

@@ -15,6 +15,7 @@ typedef struct {
   const char *layer;           /* layer of the face, interned in the nodes' store; NULL: none */
   vs_ref leaf;                 /* the first primitive with this material and layer; its origin applies to all of the
                                 * part. It exists as long as the nodes */
+  uint32_t object;             /* number of the object that the part belongs to (vs_solid_of_objects); otherwise 0 */
 } vs_solid_part;
 
 typedef struct {
@@ -32,11 +33,17 @@ typedef struct {
   size_t straightened;
 } vs_solid_copies;
 
+typedef struct { const vs_ref *at; size_t count; } vs_refs;
+
 /* Computes the union of the solids in refs, and ignores curves and surfaces. out need not be initialised; it is empty
  * after a failure. options may be NULL. A face made by a subtraction has the cutter's material, or that of the cut
  * solid if the cutter has none. Where solids overlap, the earlier solid has priority. */
 bool vs_solid_evaluate(const vs_ref *refs, size_t count, const vs_fineness *facets, const vs_kernel_options *options,
                        vs_solid *out, vs_error *error);
+/* As vs_solid_evaluate, but keeps faces of different objects apart: coplanar faces that touch stay two parts. An object
+ * is a node at this depth below a reference; at depth 0 it is the reference's own node. */
+bool vs_solid_of_objects(const vs_refs *refs, int depth, const vs_fineness *facets, const vs_kernel_options *options,
+                         vs_solid *out, vs_error *error);
 void vs_solid_free(vs_solid *s);
 bool vs_solid_evaluate_copies(const vs_ref *refs, size_t count, const vs_fineness *facets,
                               const vs_kernel_options *options, vs_solid_copies *out, vs_error *error);

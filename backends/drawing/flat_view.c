@@ -23,11 +23,13 @@ typedef struct {
   uint32_t (*triangles)[3];
   uint32_t *paints;    /* paints[i]: number of triangle i's material */
   uint32_t *owners;    /* owners[i]: number of triangle i's layer */
+  uint32_t *objects;   /* objects[i]: number of triangle i's object; surfaces have the last numbers */
   uint8_t *caps;
   vs_flat_whole *whole;
+  uint32_t run_object;  /* number of the surface that is currently added */
   uint32_t curve_owner; /* number of the layer of the curve that is currently added */
   size_t owner_room;
-  size_t point_count, point_room, triangle_count, triangle_room, paint_room, cap_room;
+  size_t point_count, point_room, triangle_count, triangle_room, paint_room, cap_room, object_room;
   size_t closed;       /* number of triangles of solids, which precede all other triangles */
   double slack, nearest; /* slack: tolerance of lengths. nearest: in a perspective view, the distance in front of the
                           * eye at which everything is clipped */
@@ -70,7 +72,8 @@ static bool add_triangles(seen *s, const vs_mesh *m, const vs_solid *solid, cons
       !vs_emit_grow(e, &s->triangles, &s->triangle_room, count, sizeof *s->triangles) ||
       !vs_emit_grow(e, &s->paints, &s->paint_room, count, sizeof *s->paints) ||
       !vs_emit_grow(e, &s->owners, &s->owner_room, count, sizeof *s->owners) ||
-          !vs_emit_grow(e, &s->caps, &s->cap_room, count, sizeof *s->caps))
+      !vs_emit_grow(e, &s->objects, &s->object_room, count, sizeof *s->objects) ||
+      !vs_emit_grow(e, &s->caps, &s->cap_room, count, sizeof *s->caps))
     return false;
   const vs_scene_view *spec = &s->v->spec;
   for (size_t i = 0; i < m->vertex_count; i++) s->points[base + i] = into_view(&s->v->look, m->vertices[i]);
@@ -89,6 +92,7 @@ static bool add_triangles(seen *s, const vs_mesh *m, const vs_solid *solid, cons
         tag < solid->part_count ? solid->parts[tag].material : run ? run->material : NULL);
     const char *layer = solid && tag < solid->part_count ? solid->parts[tag].layer : run ? run->layer : NULL;
     if (!number_layer(s, layer, &s->owners[at])) return false;
+    s->objects[at] = solid && tag < solid->part_count ? solid->parts[tag].object : s->run_object;
     bool cap = s->v->has_cut && solid;
     for (int k = 0; cap && k < 3; k++) cap = fabs(vs_v3_dot(vs_v3_sub(m->vertices[t[k]], spec->cut_point),
         spec->cut_normal)) <= 4 * s->slack;
@@ -150,6 +154,7 @@ static bool add_loose(seen *s, const vs_loose *l) {
       continue;
     }
     vs_mesh whole = { 0 }, part = { 0 };
+    s->run_object = UINT32_MAX - (uint32_t)i;
     for (size_t k = 0; ok && k + 2 < run->count; k += 3) {
       for (size_t n = 0; ok && n < 3; n++) ok = vs_mesh_add_vertex(&whole, l->points[l->corners[run->first + k + n]],
           NULL);
@@ -163,6 +168,8 @@ static bool add_loose(seen *s, const vs_loose *l) {
   }
   return ok || s->e->error->kind != VS_ERROR_NONE || vs_emit_no_memory(s->e);
 }
+
+enum { CUT_DEPTH = 2 }; /* depth of the drawn objects below the node of cut_node */
 
 /* Makes a node for all solids minus the half-spaces beyond the planes. */
 static vs_node *cut_node(vs_emitter *e, const vs_vec3 (*planes)[2], size_t count) {
@@ -206,7 +213,8 @@ static bool add_solids(seen *s, vs_flat_whole *whole) {
   vs_ref ref = { cut_node(s->e, (const vs_vec3 (*)[2])planes, count), NULL };
   vs_solid cut = { .part_count = 0 };
   if (!ref.node) return vs_emit_no_memory(s->e);
-  bool ok = vs_lower_solids(s->e, &ref, 1, VS_BENT, &cut) && add_triangles(s, &cut.mesh, &cut, NULL);
+  const vs_refs refs = { &ref, 1 };
+  bool ok = vs_lower_objects(s->e, &refs, CUT_DEPTH, VS_BENT, &cut) && add_triangles(s, &cut.mesh, &cut, NULL);
   vs_solid_free(&cut);
   vs_node_release(ref.node);
   return ok;
@@ -515,12 +523,13 @@ static bool add_veil(seen *s) {
        vs_emit_grow(e, &s->triangles, &s->triangle_room, count, sizeof *s->triangles) &&
        vs_emit_grow(e, &s->paints, &s->paint_room, count, sizeof *s->paints) &&
        vs_emit_grow(e, &s->owners, &s->owner_room, count, sizeof *s->owners) &&
+       vs_emit_grow(e, &s->objects, &s->object_room, count, sizeof *s->objects) &&
        vs_emit_grow(e, &s->caps, &s->cap_room, count, sizeof *s->caps);
   for (size_t i = 0; ok && i < veil.vertex_count; i++) s->points[s->point_count++] = veil.vertices[i];
   for (size_t i = 0; ok && i < veil.triangle_count; i++) {
     size_t at = s->triangle_count++;
     for (int k = 0; k < 3; k++) s->triangles[at][k] = (uint32_t)base + veil.triangles[i][k];
-    s->paints[at] = 0, s->owners[at] = 0, s->caps[at] = 0;
+    s->paints[at] = s->owners[at] = s->objects[at] = 0, s->caps[at] = 0;
   }
   vs_mesh_free(&veil);
   return ok;
@@ -532,7 +541,8 @@ static bool add_veil(seen *s) {
 static vs_sight sight_of(const seen *s) {
   return (vs_sight){ .points = s->points, .triangles = (const uint32_t (*)[3])s->triangles,
                      .point_count = s->point_count, .triangle_count = s->triangle_count, .closed = s->closed,
-                     .paints = s->paints, .owners = s->owners, .caps = s->v->has_cut ? s->caps : NULL,
+                     .paints = s->paints, .owners = s->owners, .objects = s->objects,
+                     .caps = s->v->has_cut ? s->caps : NULL,
                      .perspective = !s->v->look.parallel, .slack = s->slack };
 }
 
@@ -571,6 +581,7 @@ bool vs_flat_view_make(vs_emitter *e, vs_flat_view *v, const vs_loose *loose, vs
   vs_emit_release(e, s.triangles, s.triangle_room, sizeof *s.triangles);
   vs_emit_release(e, s.paints, s.paint_room, sizeof *s.paints);
   vs_emit_release(e, s.owners, s.owner_room, sizeof *s.owners);
+  vs_emit_release(e, s.objects, s.object_room, sizeof *s.objects);
   vs_emit_release(e, s.caps, s.cap_room, sizeof *s.caps);
   return ok;
 }

@@ -1,5 +1,5 @@
 # Tests what an office sees on a sheet: marks stay inside the frame, titles lie on nothing, dimensions are where they
-# belong, the earth hides what is below it.
+# belong, the earth hides what is below it, and objects that touch keep the line between them.
 . tests/report.sh
 
 wanted sheets || exit 0
@@ -183,3 +183,50 @@ EOF
 else
   echo "skip sheets/earth: no python3-ezdxf"
 fi
+
+# Two plates that touch, in each way that they can be drawn, in each view and cut: a line lies between them, unless they
+# are united. Both have faces in the same planes.
+cat > plates.vs <<'EOF'
+(define-parameter way 0)
+(define (plate x shape) (let ((p (xyz x 0 0)) (q (xyz (+ x 2) 2 1)))
+  (case shape ((box) (make-box p q))
+              ((prism) (do-extrude (make-region (make-rectangle p (xyz (+ x 2) 2 0))) 1))
+              ((region) (make-region (make-rectangle p (xyz (+ x 2) 2 0)))))))
+(define shape (list-ref '(box prism region) (modulo way 3)))
+(define a (plate 0 shape)) (define b (plate 2 shape))
+(case (quotient way 3)
+  ((0) (draw a b)) ((1) (draw a) (draw b)) ((2) (draw (list a b))) ((3) (draw (layer "a" a) (layer "b" b)))
+  ((4) (draw (unite (layer "a" a) (layer "b" b)))) ((5) (draw (unite (with-material wood a) (with-material brick b))))
+  ((6) (draw (unite a b))))
+(define all (list "top" "bottom" "front" "back" "cut"))
+(if (not (eq? shape 'region)) (begin
+  (view "front" 'front) (view "back" 'back) (view "cut" 'plan #:cut 0.5)
+  (view "section" 'section #:cut (make-plane (xyz 0 1 0) uy))))
+(view "top" 'top) (view "bottom" 'bottom)
+EOF
+for way in 0 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do
+  "$vs" -q plates.vs -D way=$way --all-views -o plates-$way.svg || echo "way $way"
+done > said 2>&1
+/usr/bin/python3 - >> said 2>&1 <<'EOF'
+from collections import defaultdict
+import re
+from read import svg, tree
+for way in range(21):
+    points = defaultdict(list)
+    root = tree.parse(f'plates-{way}.svg').getroot()
+    for g in root.iter(svg + 'g'):
+        title = g.find(svg + 'title')
+        for x in g.findall(svg + 'path') if title is not None else []:
+            if x.get('fill'): continue
+            for part in re.findall(r'M[^M]*', x.get('d')):
+                n = [float(v) for v in re.findall(r'-?[\d.]+', part)]
+                p = list(zip(n[::2], n[1::2]))
+                points[title.text] += list(zip(p, p[1:] + (p[:1] if 'Z' in part else [])))
+    if len(points) != (2 if way % 3 == 2 else 6): print('way', way, 'views', sorted(points))
+    for view, lines in points.items():
+        xs = [p[0] for l in lines for p in l]
+        middle = (min(xs) + max(xs)) / 2
+        between = any(abs(a[0] - middle) < .01 and abs(b[0] - middle) < .01 and abs(a[1] - b[1]) > 1 for a, b in lines)
+        if between != (way < 18): print('way', way, view, 'has a line' if between else 'has no line', 'between the plates')
+EOF
+result sheets/plates said
