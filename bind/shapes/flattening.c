@@ -170,8 +170,8 @@ vs_status vs_p_unroll(vs_args *f, vs_value *out) {
   return ok ? list_of(f, r, 5, out) : VS_ERROR;
 }
 
-/* Sets *out to the list of ends of the piece's folds: two points for each. Mountain folds are convex as seen from
- * outside; the triangles of a flat face have no fold between them. */
+/* Sets *out to the list of ends of the piece's folds: two points for each. A tab is folded along its edge. Mountain
+ * folds are convex as seen from outside; the triangles of a flat face have no fold between them. */
 static bool folds(sheet *s, uint32_t piece, bool mountain, vs_value *out) {
   vs_args *f = s->f;
   const vs_flat_net *n = &s->net;
@@ -179,8 +179,9 @@ static bool folds(sheet *s, uint32_t piece, bool mountain, vs_value *out) {
   r[0] = VS_NIL;
   for (uint32_t e = 0; e < n->edges.edge_count; e++) {
     const vs_mesh_edge *g = &n->edges.edges[e];
-    if (!n->joined[e] || n->piece[g->side[0]] != piece || n->face[g->side[0]] == n->face[g->side[1]]) continue;
-    uint32_t t = g->side[0], u = g->side[1];
+    const vs_glue_tab *tab = s->tab ? s->tab[e] : NULL;
+    uint32_t t = tab ? tab->triangle : g->side[0], u = g->side[t == g->side[0]];
+    if ((!n->joined[e] && !tab) || n->piece[t] != piece || n->face[t] == n->face[u]) continue;
     vs_vec3 a = vs_mesh_edges_place(&n->edges, t, 0), b = vs_mesh_edges_place(&n->edges, t, 1),
             c = vs_mesh_edges_place(&n->edges, t, 2);
     vs_vec3 q = vs_mesh_edges_place(&n->edges, u, vs_flat_net_corner(n, u, e));

@@ -80,9 +80,20 @@
              (iota (+ nu 2) -1)))
       (iota (+ nv 2) -1))))
 
+; Returns the corners (u . v) of a region or a closed curve in the plane XY, such as a cell of voronoi, or #f.
+(define (%region-cell o)
+  (and (or (region? o) (curve? o))
+       (let ((l (outline o)))
+         (and (= (length l) 1) (eq? (object-kind (lowered (car l))) 'line)
+              (map (lambda (p) (cons (cx p) (cy p))) (car (object-arguments (lowered (car l)))))))))
+
+; Returns the cells of a grid, in which regions are cells, too.
 (define (%need-cells who grid)
-  (if (not (and (list? grid) (every (lambda (c) (and (list? c) (>= (length c) 3) (every (lambda (p) (and (pair? p) (real? (car p)) (real? (cdr p)))) c))) grid)))
-      (error who "grid must be a grid, such as (quad-grid 8 4), got ~s" grid)))
+  (define (cell c) (if (object? c) (%region-cell c) c))
+  (let ((cells (and (list? grid) (map cell grid))))
+    (if (not (and cells (every (lambda (c) (and (list? c) (>= (length c) 3) (every (lambda (p) (and (pair? p) (real? (car p)) (real? (cdr p)))) c))) cells)))
+        (error who "grid must be a grid, such as (quad-grid 8 4), or a list of regions with one border, got ~s" grid))
+    cells))
 
 ; Returns the corners of a panel without those that equal their neighbour, as at the pole of a dome. #f: it has no area.
 (define (%distinct-corners corners)
@@ -95,7 +106,6 @@
 ; Returns the corners of each cell on the surface, for the procedure `who`; cells without an area are omitted.
 (define (%corners-for who f grid)
   (%need-procedure who 'f f)
-  (%need-cells who grid)
   (filter-map
     (lambda (cell)
       (%distinct-corners
@@ -105,7 +115,7 @@
                      p
                      (error who "f must give points of finite coordinates; at (u, v) = (~a, ~a) it gave ~s" (car c) (cdr c) p))))
              cell)))
-    grid))
+    (%need-cells who grid)))
 (define (panel-corners f grid) (%corners-for 'panel-corners f grid))
 
 ; component makes an object for the corners of a cell.

@@ -51,6 +51,8 @@
 ; glue tabs add area; folds and numbers are layers
 (define cube (first (unfold (make-box origin (xyz 1 1 1)) #:tabs 0.2)))
 (displayln (near? (area cube) (+ 6 (* 7 0.2 0.8)) 1e-9))                     ; expect: #t
+; five folds between faces, and one at each of seven tabs
+(displayln (length (object-children (first (object-children (second (object-children cube)))))))              ; expect: 12
 (displayln (map object-arguments (object-children cube)))                    ; expect: ((cut) (mountain) (numbers))
 (fails (unfold 3))                                                           ; expect: unfold: solid must be a solid, got 3
 (fails (unfold (make-box origin (xyz 1 1 1)) #:tabs -1))                     ; expect: unfold: tabs must be a number of 0 or more, got -1
