@@ -99,7 +99,7 @@ $(BUILD)/obj/assets.o: $(BUILD)/assets.s
 	$(Q)$(CC) -c $< -o $@
 
 # The heap image: a stage-0 interpreter, made of the same objects, loads the language's own sources and writes down what it then holds.
-LIBRARY   = prelude.scm library/srfi.scm bind/geometry.scm bind/primitives.scm bind/data.scm bind/back_ends.scm bind/rules/rules.scm bind/functions/functions.scm bind/shapes/shapes.scm bind/shapes/maps.scm bind/shapes/implicits.scm bind/shapes/panels.scm bind/shapes/prefabs.scm bind/shapes/nets.scm bind/shapes/probes.scm bind/shapes/engraving.scm bind/shapes/flattening.scm bind/workshop/workshop.scm bind/workshop/tables.scm bind/workshop/cutting_sheets.scm bind/workshop/frames.scm bind/scene/properties.scm bind/scene/nodes.scm bind/scene/actions.scm bind/scene/contexts.scm bind/scene/interaction.scm
+LIBRARY   = prelude.scm library/srfi.scm bind/geometry.scm bind/primitives.scm bind/data.scm bind/back_ends.scm bind/rules/rules.scm bind/functions/functions.scm bind/shapes/shapes.scm bind/shapes/maps.scm bind/shapes/implicits.scm bind/shapes/panels.scm bind/shapes/prefabs.scm bind/shapes/nets.scm bind/shapes/probes.scm bind/shapes/engraving.scm bind/shapes/flattening.scm bind/workshop/workshop.scm bind/workshop/tables.scm bind/workshop/cutting_sheets.scm bind/workshop/frames.scm bind/incoming/load_outline.scm bind/incoming/load_dxf.scm bind/incoming/load_svg.scm bind/scene/properties.scm bind/scene/nodes.scm bind/scene/actions.scm bind/scene/contexts.scm bind/scene/interaction.scm
 STAGE0    = $(filter-out $(BUILD)/obj/session/%.o,$(LIB_OBJ)) $(BUILD)/obj/scripts/stage0.o
 
 $(BUILD)/stage0: $(STAGE0)

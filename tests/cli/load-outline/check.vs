@@ -1,0 +1,16 @@
+(define (near? a b) (<= (abs (- a b)) (* 1e-6 (max 1 (abs b)))))
+(define (thousandth x) (/ (round (* 1000 x)) 1000.))
+(define (core o) (first (object-children (first (object-children o)))))
+(define (size o) (cond ((region? o) (area o)) ((curve? o) (curve-length o)) ((surface? o) (area o)) (else (volume o))))
+(define (show file)
+  (displayln file)
+  (let ((table (load-outline file)))
+    (for-each
+      (lambda (name)
+        (for-each
+          (lambda (o)
+            (displayln (list name (object-layer o) (map thousandth (material-color (object-material o)))
+                             (if (eq? (object-kind (core o)) 'text) (third (object-arguments (core o))) (thousandth (size o)))
+                             (map (lambda (p) (map thousandth (list (cx p) (cy p) (cz p)))) (bounding-box o)))))
+          (hash-ref table name)))
+      (sort (hash-keys table) string<?))))
