@@ -17,6 +17,7 @@
 #include "cli/format_command.h"
 #include "cli/help_command.h"
 #include "cli/prompt/repl.h"
+#include "cli/lsp/language_server.h"
 #include "cli/limits.h"
 #include "cli/nearby.h"
 #include "cli/prompt/standard_output.h"
@@ -557,6 +558,11 @@ static int run_command(int argc, char **argv, bool *told) {
     int code = cli_test_command(&options, &interrupts, run_test);
     cli_options_free(&options);
     return code;
+  }
+  if (options.command == CLI_COMMAND_lsp) {
+    vs_outcome outcome = cli_language_server(&options);
+    cli_options_free(&options);
+    return (int)outcome;
   }
   if (options.command == CLI_COMMAND_format) {
     vs_outcome outcome = cli_format_command(&options);

@@ -591,6 +591,12 @@ static bool test_files(const cli_options *o) {
   return files;
 }
 
+static bool no_files(const cli_options *o) {
+  bool none = !o->source_count && !o->target_count && !o->interactive && !o->untrusted && !o->check;
+  if (!none) fprintf(stderr, "vs %s: give no files; it reads standard input\n", commands[o->command - 1].name);
+  return none;
+}
+
 static bool text_files(const cli_options *o) {
   bool files = o->source_count > 0 && !o->target_count && !o->interactive && !o->untrusted && !o->define_count;
   for (size_t i = 0; i < o->source_count; i++) files = files && o->sources[i].kind == CLI_SOURCE_FILE;
@@ -607,6 +613,7 @@ static bool command_files(const cli_options *o, unsigned takes) {
   if (takes & CLI_TAKES_MANY) return batch_files(o);
   if (takes & CLI_TAKES_PROGRAMS) return test_files(o);
   if (takes & CLI_TAKES_TEXTS) return text_files(o);
+  if (takes & CLI_TAKES_NOTHING) return no_files(o);
   const char *name = commands[o->command - 1].name;
   size_t want = takes & (CLI_TAKES_TWO | CLI_TAKES_SCAN) ? 2 : 1;
   bool files = o->source_count == want, output = takes & CLI_TAKES_OUTPUT || o->target_count == 0;

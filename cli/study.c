@@ -7,6 +7,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "cli/draft.h"
 #include "cli/messages.h"
 #include "languages/checks/checks.h"
 #include "languages/analysis/first_calls.h"
@@ -16,6 +17,7 @@
 #include "languages/analysis/tree_report.h"
 #include "languages/analysis/resolve_names.h"
 
+enum { CHECK_SECONDS = 5 };
 typedef struct { knowledge k; cli_reporter reporter; vs_scheme *scheme; } study;
 
 /* Receives messages of the interpreter. While the analysis queries it (muted), only the first error is kept. */
@@ -50,22 +52,7 @@ static vs_outcome check(study *s, const cli_options *o) {
 
 /* ---- checking a text in an editor ---- */
 
-enum { CHECK_SECONDS = 5, CHECK_MEMORY = 512 << 20 };
-typedef struct { knowledge k; know_place at; char message[300]; } draft;
-
-/* Receives messages of the interpreter, and keeps the first error in the text itself. */
-static void keep_error(void *context, const vs_diagnostic *d) {
-  draft *t = context;
-  if (t->k.muted) know_hear(&t->k, d);
-  if (d->severity != VS_SEVERITY_ERROR || !d->at.line) return;
-  t->k.unreadable |= t->k.reading;
-  if (t->k.muted || *t->message) return;
-  snprintf(t->message, sizeof t->message, "%s", d->message);
-  t->at = (know_place){.line = d->at.line, .column = d->at.column, .end_line = d->at.end_line,
-                       .end_column = d->at.end_column};
-}
-
-static void report_unreadable(const draft *t, FILE *to) {
+static void report_unreadable(const cli_draft *t, FILE *to) {
   know_writer w;
   know_write_start(&w, to, KNOW_JSON, "findings");
   know_write_list(&w, "findings");
@@ -75,27 +62,20 @@ static void report_unreadable(const draft *t, FILE *to) {
   know_write_number(&w, "column", t->at.column);
   know_write_number(&w, "end_line", t->at.end_line);
   know_write_number(&w, "end_column", t->at.end_column);
-  know_write_word(&w, "details", *t->message ? t->message : t->k.trouble);
+  know_write_word(&w, "details", t->message);
   know_write_item_end(&w, "finding");
   know_write_list_end(&w, "findings");
   know_write_end(&w, "findings");
 }
 
 bool cli_study_check_text(const vs_options *interpreter, const char *path, const char *text, size_t length, FILE *to) {
-  draft t = {0};
-  know_findings found = {0};
-  if (!know_reads(path)) return know_report_findings_json(&found, to), true;
-  vs_options o = *interpreter;
-  o.host = (vs_host){.context = &t, .diagnose = keep_error};
-  o.limit_time = CHECK_SECONDS, o.limit_memory = CHECK_MEMORY;
-  vs_scheme *scheme = vs_new(&o);
-  bool ok = scheme != NULL;
-  if (ok && know_read_given(&t.k, scheme, path, text, length, o.library_path) && know_check_program(&t.k, &found))
-    know_report_findings_json(&found, to);
+  cli_draft t = {0};
+  know_findings none = {0};
+  if (!know_reads(path)) return know_report_findings_json(&none, to), true;
+  bool ok = cli_draft_read(&t, interpreter, path, text, length);
+  if (t.known) know_report_findings_json(&t.found, to);
   else if (ok) report_unreadable(&t, to);
-  know_findings_free(&found);
-  know_free(&t.k);
-  vs_free(scheme);
+  cli_draft_free(&t);
   return ok;
 }
 

@@ -1,0 +1,84 @@
+/* Reads JSON by the library jansson. Inline functions of its header that need the library are not used: they would
+ * require the library when the program is linked. */
+#include "cli/lsp/json_input.h"
+
+#include <jansson.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "geometry/dynamic.h"
+#include "languages/analysis/notation.h"
+#include "model/store/array.h"
+
+#define FUNCTIONS(F)                                                                 \
+  F(load, json_loadb, json_t *, (const char *, size_t, size_t, json_error_t *))      \
+  F(discard, json_delete, void, (json_t *))                                          \
+  F(get, json_object_get, json_t *, (const json_t *, const char *))                  \
+  F(count, json_array_size, size_t, (const json_t *))                                \
+  F(nth, json_array_get, json_t *, (const json_t *, size_t))                         \
+  F(text, json_string_value, const char *, (const json_t *))                         \
+  F(length, json_string_length, size_t, (const json_t *))                            \
+  F(number, json_integer_value, json_int_t, (const json_t *))
+VS_DYNAMIC_FUNCTIONS(FUNCTIONS);
+
+bool lsp_json_open(lsp_json_reader *r) {
+  static const char *const files[] = { "libjansson.so.4", "libjansson.4.dylib", NULL };
+  static const vs_dynamic_library library = { files, "libjansson4", "JSON" };
+  vs_error e = { 0 };
+  *r = (lsp_json_reader){ .functions = vs_zeros(1, sizeof(dynamic_functions)) };
+  if (r->functions && vs_dynamic_load(&library, dynamic_names, sizeof dynamic_names / sizeof *dynamic_names,
+                                      r->functions, &e)) return true;
+  snprintf(r->trouble, sizeof r->trouble, "%s", r->functions ? e.message : "out of memory");
+  return false;
+}
+
+void lsp_json_close(lsp_json_reader *r) {
+  free(r->functions);
+  r->functions = NULL;
+}
+
+static const dynamic_functions *of(const lsp_json_reader *r) { return r->functions; }
+
+lsp_json lsp_json_read(lsp_json_reader *r, const char *text, size_t length) {
+  json_error_t wrong;
+  return of(r)->load(text, length, JSON_DECODE_ANY, &wrong);
+}
+
+void lsp_json_free(lsp_json_reader *r, lsp_json value) {
+  if (value && value->refcount != (size_t)-1 && --value->refcount == 0) of(r)->discard(value);
+}
+
+lsp_json lsp_json_at(const lsp_json_reader *r, lsp_json value, const char *path) {
+  char name[80];
+  while (value && *path) {
+    size_t n = strcspn(path, ".");
+    snprintf(name, sizeof name, "%.*s", (int)n, path);
+    value = json_is_object(value) ? of(r)->get(value, name) : NULL;
+    path += n + (path[n] == '.');
+  }
+  return value;
+}
+
+size_t lsp_json_count(const lsp_json_reader *r, lsp_json array) {
+  return array && json_is_array(array) ? of(r)->count(array) : 0;
+}
+
+lsp_json lsp_json_nth(const lsp_json_reader *r, lsp_json array, size_t nth) { return of(r)->nth(array, nth); }
+
+const char *lsp_json_text(const lsp_json_reader *r, lsp_json value, const char *path, size_t *length) {
+  value = lsp_json_at(r, value, path);
+  if (!value || !json_is_string(value)) return NULL;
+  if (length) *length = of(r)->length(value);
+  return of(r)->text(value);
+}
+
+long long lsp_json_number(const lsp_json_reader *r, lsp_json value, const char *path, long long otherwise) {
+  value = lsp_json_at(r, value, path);
+  return value && json_is_integer(value) ? of(r)->number(value) : otherwise;
+}
+
+void lsp_json_echo(const lsp_json_reader *r, lsp_json value, FILE *to) {
+  if (value && json_is_integer(value)) fprintf(to, "%lld", (long long)of(r)->number(value));
+  else if (value && json_is_string(value)) know_json_text(to, of(r)->text(value), of(r)->length(value));
+  else fputs("null", to);
+}

@@ -1,0 +1,220 @@
+/* Implements `vs lsp`: messages by JSON-RPC 2.0, each after a header Content-Length. */
+#include "cli/lsp/language_server.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/lsp/lsp_answers.h"
+#include "languages/analysis/notation.h"
+#include "model/store/array.h"
+
+enum { MOST_BYTES = 128 << 20, BAD_JSON = -32700, NO_METHOD = -32601, NOT_INITIALIZED = -32002, REFUSED = -32803 };
+
+typedef struct {
+  lsp_server s;
+  char *body; size_t room;
+  bool initialized, shut, ended;
+} server;
+
+/* ---- messages ---- */
+
+/* Reads the next message into v->body. Returns false at the end of the input, or if it is no message. */
+static bool receive(server *v, size_t *length) {
+  char line[1000];
+  long long size = -1;
+  while (fgets(line, sizeof line, stdin) && *line != '\r' && *line != '\n')
+    if (!strncmp(line, "Content-Length:", 15)) size = strtoll(line + 15, NULL, 10);
+  if (size < 0 || feof(stdin) || size > MOST_BYTES || !VS_GROW(v->body, v->room, (size_t)size + 1)) return false;
+  *length = fread(v->body, 1, (size_t)size, stdin);
+  v->body[*length] = 0;
+  return *length == (size_t)size;
+}
+
+static void send_text(const char *text, size_t length) {
+  printf("Content-Length: %zu\r\n\r\n", length);
+  fwrite(text, 1, length, stdout);
+  fflush(stdout);
+}
+
+/* Begins and ends a message in memory, which is then sent. */
+typedef struct { FILE *to; char *text; size_t length; } message;
+
+static bool message_begin(message *m) {
+  *m = (message){ 0 };
+  m->to = open_memstream(&m->text, &m->length);
+  if (m->to) fputs("{\"jsonrpc\":\"2.0\",", m->to);
+  return m->to != NULL;
+}
+
+static void message_send(message *m) {
+  fputc('}', m->to);
+  if (fclose(m->to) == 0) send_text(m->text, m->length);
+  free(m->text);
+}
+
+static void send_error(server *v, lsp_json id, int code, const char *why) {
+  message m;
+  if (!message_begin(&m)) return;
+  fputs("\"id\":", m.to);
+  lsp_json_echo(&v->s.json, id, m.to);
+  fprintf(m.to, ",\"error\":{\"code\":%d,\"message\":", code);
+  know_json_text(m.to, why, strlen(why));
+  fputc('}', m.to);
+  message_send(&m);
+}
+
+/* Sends the answer's result, or the reason why there is none. */
+static void send_result(server *v, lsp_json id, lsp_json parameters, lsp_answer *answer) {
+  message m;
+  if (!message_begin(&m)) return;
+  fputs("\"id\":", m.to);
+  lsp_json_echo(&v->s.json, id, m.to);
+  fputs(",\"result\":", m.to);
+  v->s.to = m.to, v->s.refused = NULL;
+  answer(&v->s, parameters);
+  if (!v->s.refused) {
+    message_send(&m);
+    return;
+  }
+  fclose(m.to);
+  free(m.text);
+  send_error(v, id, REFUSED, v->s.refused);
+}
+
+/* ---- the life of the server ---- */
+
+static void answer_initialize(lsp_server *s, lsp_json parameters) {
+  (void)parameters;
+  fputs("{\"capabilities\":{\"positionEncoding\":\"utf-16\","
+        "\"textDocumentSync\":{\"openClose\":true,\"change\":2}", s->to);
+#define LSP_REQUEST(method, function, capability) fputs("," capability, s->to);
+#include "cli/lsp/lsp_methods.def"
+  fputs("},\"serverInfo\":{\"name\":\"vs\",\"version\":\"" VS_VERSION "\"}}", s->to);
+}
+
+static void answer_null(lsp_server *s, lsp_json parameters) {
+  (void)parameters;
+  fputs("null", s->to);
+}
+
+static void publish(lsp_server *s, lsp_document *d, bool closed) {
+  message m;
+  if (!message_begin(&m)) return;
+  fputs("\"method\":\"textDocument/publishDiagnostics\",\"params\":{\"uri\":", m.to);
+  know_json_text(m.to, d->uri, strlen(d->uri));
+  fputs(",\"diagnostics\":", m.to);
+  s->to = m.to;
+  if (closed) fputs("[]", m.to);
+  else lsp_write_diagnostics(s, d);
+  fputc('}', m.to);
+  message_send(&m);
+}
+
+static void drop(lsp_server *s, lsp_document *d) {
+  for (size_t i = 0; i < s->count; i++)
+    if (s->documents[i] == d) s->documents[i] = s->documents[--s->count];
+  lsp_document_free(d);
+}
+
+static void lsp_did_open(lsp_server *s, lsp_json parameters) {
+  size_t length = 0;
+  const char *uri = lsp_json_text(&s->json, parameters, "textDocument.uri", NULL);
+  const char *text = lsp_json_text(&s->json, parameters, "textDocument.text", &length);
+  lsp_document *old = lsp_find(s, parameters);
+  if (!uri || !text || !VS_GROW(s->documents, s->room, s->count + 1)) return;
+  lsp_document *d = lsp_document_open(uri, text, length);
+  if (!d) return;
+  if (old) drop(s, old);
+  s->documents[s->count++] = d;
+  publish(s, d, false);
+}
+
+static void lsp_did_change(lsp_server *s, lsp_json parameters) {
+  lsp_document *d = lsp_find(s, parameters);
+  lsp_json changes = lsp_json_at(&s->json, parameters, "contentChanges");
+  for (size_t i = 0; d && i < lsp_json_count(&s->json, changes); i++) {
+    lsp_json change = lsp_json_nth(&s->json, changes, i);
+    size_t length = 0, from = 0, to = d->length;
+    const char *text = lsp_json_text(&s->json, change, "text", &length);
+    if (lsp_json_at(&s->json, change, "range")) {
+      lsp_position start = { (uint32_t)lsp_json_number(&s->json, change, "range.start.line", 0),
+                             (uint32_t)lsp_json_number(&s->json, change, "range.start.character", 0) };
+      lsp_position end = { (uint32_t)lsp_json_number(&s->json, change, "range.end.line", 0),
+                           (uint32_t)lsp_json_number(&s->json, change, "range.end.character", 0) };
+      from = lsp_offset(d->text, d->length, start), to = lsp_offset(d->text, d->length, end);
+    }
+    if (text) lsp_document_edit(d, from, to, text, length);
+  }
+  if (d) publish(s, d, false);
+}
+
+static void lsp_did_close(lsp_server *s, lsp_json parameters) {
+  lsp_document *d = lsp_find(s, parameters);
+  if (!d) return;
+  publish(s, d, true);
+  drop(s, d);
+}
+
+typedef struct { const char *method; lsp_answer *answer; bool notice; } method;
+static const method methods[] = {
+#define LSP_REQUEST(name, function, capability) { name, function, false },
+#define LSP_NOTICE(name, function) { name, function, true },
+#include "cli/lsp/lsp_methods.def"
+  { "shutdown", answer_null, false },
+};
+
+static void handle(server *v, lsp_json m) {
+  const char *name = lsp_json_text(&v->s.json, m, "method", NULL);
+  lsp_json id = lsp_json_at(&v->s.json, m, "id"), parameters = lsp_json_at(&v->s.json, m, "params");
+  if (!name) return; /* an answer of the editor, though the server asks nothing */
+  if (!strcmp(name, "exit")) {
+    v->ended = true;
+    return;
+  }
+  if (!strcmp(name, "initialize") && id) {
+    v->initialized = true;
+    send_result(v, id, parameters, answer_initialize);
+    return;
+  }
+  for (size_t i = 0; i < sizeof methods / sizeof *methods; i++) {
+    if (strcmp(methods[i].method, name) || methods[i].notice != !id) continue;
+    if (!v->initialized) break;
+    if (!strcmp(name, "shutdown")) v->shut = true;
+    if (id) send_result(v, id, parameters, methods[i].answer);
+    else methods[i].answer(&v->s, parameters);
+    return;
+  }
+  if (id && !v->initialized) send_error(v, id, NOT_INITIALIZED, "the first request is initialize");
+  else if (id) send_error(v, id, NO_METHOD, "vs lsp has no such method");
+}
+
+/* The names of the language alone: its messages concern no text. */
+static void ignore(void *context, const vs_diagnostic *d) { (void)context, (void)d; }
+
+vs_outcome cli_language_server(const cli_options *o) {
+  server v = { .s.interpreter = &o->interpreter };
+  vs_options interpreter = o->interpreter;
+  interpreter.host = (vs_host){ .diagnose = ignore };
+  size_t length = 0;
+  if (!lsp_json_open(&v.s.json)) {
+    fprintf(stderr, "vs lsp: %s\n", v.s.json.trouble);
+    lsp_json_close(&v.s.json);
+    return VS_OUTCOME_WORKER;
+  }
+  v.s.language = vs_new(&interpreter);
+  while (v.s.language && !v.ended && !ferror(stdout) && receive(&v, &length)) {
+    lsp_json m = lsp_json_read(&v.s.json, v.body, length);
+    if (m) handle(&v, m);
+    else send_error(&v, NULL, BAD_JSON, "this message is no JSON");
+    lsp_json_free(&v.s.json, m);
+  }
+  vs_outcome outcome = !v.s.language ? VS_OUTCOME_MACHINE : v.ended && !v.shut ? VS_OUTCOME_MODEL : VS_OUTCOME_DONE;
+  if (!v.s.language) fputs("vs: out of memory\n", stderr);
+  while (v.s.count) drop(&v.s, v.s.documents[0]);
+  vs_free(v.s.language);
+  free(v.s.documents);
+  free(v.body);
+  lsp_json_close(&v.s.json);
+  return outcome;
+}

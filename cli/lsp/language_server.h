@@ -1,0 +1,10 @@
+/* Declares `vs lsp`. */
+#ifndef VS_CLI_LSP_LANGUAGE_SERVER_H
+#define VS_CLI_LSP_LANGUAGE_SERVER_H
+
+#include "cli/options.h"
+
+/* Answers the messages of an editor on standard input until it says `exit`, or until the input ends. */
+vs_outcome cli_language_server(const cli_options *o);
+
+#endif

@@ -1,0 +1,398 @@
+/* Answers the requests of an editor about the texts that it has open. */
+#include "cli/lsp/lsp_answers.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli/prompt/source_text.h"
+#include "languages/analysis/notation.h"
+#include "languages/format/format_program.h"
+
+
+/* ---- common parts ---- */
+
+lsp_document *lsp_find(const lsp_server *s, lsp_json parameters) {
+  const char *uri = lsp_json_text(&s->json, parameters, "textDocument.uri", NULL);
+  for (size_t i = 0; uri && i < s->count; i++)
+    if (!strcmp(s->documents[i]->uri, uri)) return s->documents[i];
+  return NULL;
+}
+
+static size_t offset_of(const lsp_server *s, const lsp_document *d, lsp_json parameters) {
+  long long line = lsp_json_number(&s->json, parameters, "position.line", 0);
+  long long character = lsp_json_number(&s->json, parameters, "position.character", 0);
+  return lsp_offset(d->text, d->length, (lsp_position){ (uint32_t)line, (uint32_t)character });
+}
+
+static void put(FILE *to, const char *text) { know_json_text(to, text, strlen(text)); }
+
+static void put_range(FILE *to, const char *key, const char *text, size_t length, lsp_span span) {
+  lsp_position a = lsp_position_of(text, length, span.from), b = lsp_position_of(text, length, span.to);
+  fprintf(to, "\"%s\":{\"start\":{\"line\":%u,\"character\":%u},\"end\":{\"line\":%u,\"character\":%u}}", key,
+          (unsigned)a.line, (unsigned)a.character, (unsigned)b.line, (unsigned)b.character);
+}
+
+static void put_node_range(FILE *to, const char *key, const knowledge *k, know_index node) {
+  const know_place *at = &know_at(k, node)->at;
+  put_range(to, key, k->files[at->file].text, k->files[at->file].size, (lsp_span){ at->from, at->to });
+}
+
+static void put_location(FILE *to, const knowledge *k, know_index node) {
+  fputs("{\"uri\":", to);
+  lsp_write_uri(to, k->files[know_at(k, node)->at.file].path);
+  fputc(',', to);
+  put_node_range(to, "range", k, node);
+  fputc('}', to);
+}
+
+/* Returns the symbol at the position of the request, or 0. Sets *node, and *k to the analysis. */
+static know_index asked(lsp_server *s, lsp_json parameters, knowledge **k, know_index *node) {
+  lsp_document *d = lsp_find(s, parameters);
+  if (!d || !lsp_document_study(d, s->interpreter)) return 0;
+  *k = &d->draft.k;
+  return lsp_symbol_at(*k, offset_of(s, d, parameters), node);
+}
+
+/* ---- diagnostics ---- */
+
+static const char *const check_names[] = {
+#define KNOW_CHECK(id, name, meaning) name,
+#include "languages/checks/checks.def"
+};
+
+static void put_diagnostic(FILE *to, const lsp_document *d, lsp_span span, const char *code, const char *message) {
+  fputc('{', to);
+  put_range(to, "range", d->text, d->length, span);
+  fprintf(to, ",\"severity\":%d,\"source\":\"vs\",\"code\":", strcmp(code, "unreadable") ? 2 : 1);
+  put(to, code);
+  fputs(",\"message\":", to);
+  put(to, message);
+  fputc('}', to);
+}
+
+void lsp_write_diagnostics(lsp_server *s, lsp_document *d) {
+  const char *comma = "";
+  fputc('[', s->to);
+  bool known = !know_reads(d->path) || lsp_document_study(d, s->interpreter);
+  if (!known) put_diagnostic(s->to, d, lsp_place(d->text, d->length, &d->draft.at), "unreadable", d->draft.message);
+  for (size_t i = 0; known && i < d->draft.found.count; i++) {
+    const know_finding *f = &d->draft.found.at[i];
+    if (f->at.file) continue;
+    lsp_span span = f->at.to > f->at.from ? (lsp_span){ f->at.from, f->at.to } : lsp_place(d->text, d->length, &f->at);
+    fputs(comma, s->to);
+    put_diagnostic(s->to, d, span, check_names[f->check], f->details);
+    comma = ",";
+  }
+  fputc(']', s->to);
+}
+
+/* ---- the texts of a name ---- */
+
+/* Returns the node that shows how the symbol is used: (name parameter ...) of a definition, or its name. */
+static know_index signature_of(const knowledge *k, const know_symbol *s) {
+  know_index parent = s->definition ? know_at(k, s->definition)->parent : 0;
+  return s->kind == KNOW_FUNCTION && parent && parent != s->form ? parent : s->definition;
+}
+
+static void add_comments(FILE *to, const knowledge *k, const know_symbol *s) {
+  for (know_index i = s->comment; i < s->comment_end; i++) {
+    const know_comment *c = &k->comments[i];
+    const char *text = k->files[c->file].text + c->from, *end = k->files[c->file].text + c->to;
+    while (text < end && (*text == ';' || *text == ' ')) text++;
+    fprintf(to, "%.*s\n", (int)(end - text), text);
+  }
+}
+
+static void add_builtin(FILE *to, const char *call, const char *keywords, const char *doc) {
+  if (*call) fprintf(to, "```scheme\n%s\n```\n", call);
+  if (*keywords) fprintf(to, "%s\n\n", keywords);
+  fputs(doc, to);
+}
+
+static void add_symbol(FILE *to, const knowledge *k, know_index symbol) {
+  const know_symbol *s = &k->symbols[symbol];
+  size_t n = 0;
+  if (s->kind == KNOW_BUILTIN || !s->definition) {
+    add_builtin(to, s->call ? s->call : "", s->keywords ? s->keywords : "", s->doc ? s->doc : "");
+    return;
+  }
+  const char *text = know_spelling(k, signature_of(k, s), &n);
+  fprintf(to, "```scheme\n%.*s\n```\n%s\n\n", (int)n, text, know_symbol_word((know_symbol_kind)s->kind));
+  add_comments(to, k, s);
+  if (!s->doc_string) return;
+  text = know_spelling(k, s->doc_string, &n);
+  if (n > 2) fprintf(to, "%.*s", (int)n - 2, text + 1);
+}
+
+void lsp_hover(lsp_server *s, lsp_json parameters) {
+  knowledge *k = NULL;
+  know_index node = 0, symbol = asked(s, parameters, &k, &node);
+  char *text = NULL;
+  size_t length = 0;
+  FILE *to = symbol ? open_memstream(&text, &length) : NULL;
+  if (to) add_symbol(to, k, symbol);
+  if (to) fclose(to);
+  if (length) {
+    fputs("{\"contents\":{\"kind\":\"markdown\",\"value\":", s->to);
+    know_json_text(s->to, text, length);
+    fputs("},", s->to);
+    put_node_range(s->to, "range", k, node);
+    fputc('}', s->to);
+  } else fputs("null", s->to);
+  free(text);
+}
+
+/* ---- completion ---- */
+
+typedef struct { lsp_server *s; const char *comma; lsp_document *d; lsp_span word; } completion;
+enum { KIND_FUNCTION = 3, KIND_VARIABLE = 6, KIND_FORM = 14 };
+
+static void put_item(completion *c, const char *name, int kind, const char *detail, const char *doc) {
+  FILE *to = c->s->to;
+  fprintf(to, "%s{\"label\":", c->comma);
+  put(to, name);
+  fprintf(to, ",\"kind\":%d,\"detail\":", kind);
+  put(to, detail);
+  fputs(",\"documentation\":", to);
+  put(to, doc);
+  fputs(",\"textEdit\":{", to);
+  put_range(to, "range", c->d->text, c->d->length, c->word);
+  fputs(",\"newText\":", to);
+  put(to, name);
+  fputs("}}", to);
+  c->comma = ",";
+}
+
+static bool complete_name(void *context, const char *name) {
+  completion *c = context;
+  vs_name_info info;
+  if (!vs_name_get(c->s->language, name, &info)) return true;
+  int kind = !strcmp(info.kind, "procedure") ? KIND_FUNCTION : !strcmp(info.kind, "form") ? KIND_FORM : KIND_VARIABLE;
+  put_item(c, name, kind, info.call, info.doc);
+  return true;
+}
+
+static void complete_symbols(completion *c, const char *prefix) {
+  const knowledge *k = &c->d->draft.k;
+  for (know_index i = 1; i < k->symbol_count; i++) {
+    const know_symbol *y = &k->symbols[i];
+    if (y->kind == KNOW_BUILTIN || y->made || !y->definition || strncmp(y->text, prefix, strlen(prefix))) continue;
+    bool again = false; /* another symbol has the same name */
+    for (know_index j = 1; j < i && !again; j++)
+      again = k->symbols[j].kind != KNOW_BUILTIN && !k->symbols[j].made && k->symbols[j].definition &&
+              !strcmp(k->symbols[j].text, y->text);
+    size_t n = 0;
+    const char *text = know_spelling(k, signature_of(k, y), &n);
+    if (!again) put_item(c, y->text, y->kind == KNOW_FUNCTION ? KIND_FUNCTION : KIND_VARIABLE,
+                         know_text(&c->d->draft.k, text, n), know_symbol_word((know_symbol_kind)y->kind));
+  }
+}
+
+void lsp_completion(lsp_server *s, lsp_json parameters) {
+  lsp_document *d = lsp_find(s, parameters);
+  if (!d) {
+    fputs("[]", s->to);
+    return;
+  }
+  size_t to = offset_of(s, d, parameters), from = to;
+  while (from && !strchr(" \t\r\n()[]{}\"';`,", d->text[from - 1])) from--;
+  char prefix[200];
+  snprintf(prefix, sizeof prefix, "%.*s", (int)(to - from), d->text + from);
+  completion c = { s, "", d, { (uint32_t)from, (uint32_t)to } };
+  fputs("[", s->to);
+  if (lsp_document_study(d, s->interpreter)) complete_symbols(&c, prefix);
+  vs_complete(s->language, prefix, complete_name, &c);
+  fputs("]", s->to);
+}
+
+/* ---- calls ---- */
+
+/* Writes a call such as (make-box c l w) as a signature: each word after the name is a parameter. */
+static void put_signature(FILE *to, const char *call, size_t length, const char *doc) {
+  const char *comma = "";
+  fputs("{\"label\":", to);
+  know_json_text(to, call, length);
+  fputs(",\"documentation\":", to);
+  put(to, doc);
+  fputs(",\"parameters\":[", to);
+  size_t i = 0;
+  while (i < length && call[i] != ' ' && call[i] != '\n') i++;
+  while (i < length) {
+    while (i < length && strchr(" \n)", call[i])) i++;
+    size_t from = i;
+    for (int depth = 0; i < length && (depth || !strchr(" \n)", call[i])); i++)
+      depth += (call[i] == '(' || call[i] == '[') - (call[i] == ')' || call[i] == ']');
+    if (i == from) break;
+    lsp_position a = lsp_position_of(call, length, from), b = lsp_position_of(call, length, i);
+    if (!a.line && !b.line) fprintf(to, "%s{\"label\":[%u,%u]}", comma, (unsigned)a.character, (unsigned)b.character);
+    if (!a.line && !b.line) comma = ",";
+  }
+  fputs("]}", to);
+}
+
+void lsp_signature(lsp_server *s, lsp_json parameters) {
+  lsp_document *d = lsp_find(s, parameters);
+  size_t offset = d ? offset_of(s, d, parameters) : 0;
+  cli_call call = { .argument = -1 };
+  bool found = false;
+  if (d) {
+    char kept = d->text[offset];
+    d->text[offset] = 0;
+    found = cli_text_call(d->text, &call);
+    d->text[offset] = kept;
+  }
+  vs_name_info info;
+  const knowledge *k = d && lsp_document_study(d, s->interpreter) ? &d->draft.k : NULL;
+  FILE *to = s->to;
+  fprintf(to, "{\"activeParameter\":%d,\"signatures\":[", call.argument > 0 ? call.argument : 0);
+  for (know_index i = 1; found && k && i < k->symbol_count; i++) {
+    if (k->symbols[i].kind != KNOW_FUNCTION || strcmp(k->symbols[i].text, call.name)) continue;
+    size_t n = 0;
+    const char *text = know_spelling(k, signature_of(k, &k->symbols[i]), &n);
+    put_signature(to, text, n, "");
+    found = false;
+  }
+  if (found && vs_name_get(s->language, call.name, &info))
+    for (const char *at = info.call, *comma = ""; *at; comma = ",") {
+      size_t n = strcspn(at, "\n");
+      fputs(comma, to);
+      put_signature(to, at, n, info.doc);
+      at += n + (at[n] == '\n');
+    }
+  fputs("]}", to);
+}
+
+/* ---- places of a name ---- */
+
+void lsp_definition(lsp_server *s, lsp_json parameters) {
+  knowledge *k = NULL;
+  know_index node = 0, symbol = asked(s, parameters, &k, &node);
+  if (symbol && k->symbols[symbol].definition) put_location(s->to, k, k->symbols[symbol].definition);
+  else fputs("null", s->to);
+}
+
+void lsp_references(lsp_server *s, lsp_json parameters) {
+  knowledge *k = NULL;
+  know_index node = 0, symbol = asked(s, parameters, &k, &node);
+  const char *comma = "";
+  fputc('[', s->to);
+  for (know_index i = 1; symbol && i < k->text_nodes; i++) {
+    if (!lsp_is_name_of(k, i, symbol)) continue;
+    fputs(comma, s->to);
+    put_location(s->to, k, i);
+    comma = ",";
+  }
+  fputc(']', s->to);
+}
+
+/* Returns the text with the symbol's name replaced, which the caller frees, or NULL when memory is out. */
+static char *renamed(const knowledge *k, know_index symbol, const char *name, size_t *length) {
+  char *text = NULL;
+  size_t from = 0;
+  FILE *to = open_memstream(&text, length);
+  if (!to) return NULL;
+  for (know_index i = 1; i < k->text_nodes; i++) {
+    const know_place *at = &know_at(k, i)->at;
+    if (!lsp_is_name_of(k, i, symbol) || at->from < from) continue;
+    fwrite(k->files[0].text + from, 1, at->from - from, to);
+    fputs(name, to);
+    from = at->to;
+  }
+  fwrite(k->files[0].text + from, 1, k->files[0].size - from, to);
+  if (fclose(to) == 0) return text;
+  free(text);
+  return NULL;
+}
+
+/* Returns true if every name of both analyses has the same definition. */
+static bool same_meaning(const cli_draft *a, const cli_draft *b) {
+  if (!b->known || a->k.text_nodes != b->k.text_nodes || a->found.count != b->found.count) return false;
+  for (know_index i = 1; i < a->k.text_nodes; i++) {
+    const know_node *x = know_at(&a->k, i), *y = know_at(&b->k, i);
+    if (x->kind != y->kind || x->role != y->role) return false;
+    if (a->k.symbols[x->symbol].definition != b->k.symbols[y->symbol].definition) return false;
+  }
+  return true;
+}
+
+/* Renames only if an analysis of the new text finds the same definition for every name. */
+void lsp_rename(lsp_server *s, lsp_json parameters) {
+  knowledge *k = NULL;
+  know_index node = 0, symbol = asked(s, parameters, &k, &node);
+  const char *name = lsp_json_text(&s->json, parameters, "newName", NULL);
+  lsp_document *d = lsp_find(s, parameters);
+  s->refused = "there is no name of the program here";
+  if (!symbol || !name || !k->symbols[symbol].definition) return;
+  s->refused = "another file has the name; rename it there by hand";
+  for (know_index i = 1; i < k->text_nodes; i++)
+    if (lsp_is_name_of(k, i, symbol) && know_at(k, i)->at.file) return;
+  size_t length = 0;
+  char *text = renamed(k, symbol, name, &length);
+  cli_draft after = { 0 };
+  bool same = text && cli_draft_read(&after, s->interpreter, d->path, text, length) && same_meaning(&d->draft, &after);
+  cli_draft_free(&after);
+  free(text);
+  s->refused = "the new name would change the meaning of the program";
+  if (!same) return;
+  s->refused = NULL;
+  const char *comma = "";
+  fputs("{\"changes\":{", s->to);
+  put(s->to, d->uri);
+  fputs(":[", s->to);
+  for (know_index i = 1; i < k->text_nodes; i++) {
+    if (!lsp_is_name_of(k, i, symbol)) continue;
+    fprintf(s->to, "%s{", comma);
+    put_node_range(s->to, "range", k, i);
+    fputs(",\"newText\":", s->to);
+    put(s->to, name);
+    fputc('}', s->to);
+    comma = ",";
+  }
+  fputs("]}}", s->to);
+}
+
+/* ---- the whole text ---- */
+
+void lsp_outline(lsp_server *s, lsp_json parameters) {
+  lsp_document *d = lsp_find(s, parameters);
+  const knowledge *k = d && lsp_document_study(d, s->interpreter) ? &d->draft.k : NULL;
+  const char *comma = "";
+  fputc('[', s->to);
+  for (know_index i = 1; k && i < k->symbol_count; i++) {
+    const know_symbol *y = &k->symbols[i];
+    if (!y->definition || y->made || !y->form || know_at(k, y->definition)->at.file ||
+        k->scopes[y->scope].kind != KNOW_SCOPE_PROGRAM) continue;
+    fprintf(s->to, "%s{\"name\":", comma);
+    put(s->to, y->text);
+    fprintf(s->to, ",\"kind\":%d,\"detail\":", y->kind == KNOW_FUNCTION || y->kind == KNOW_MACRO ? 12 : 13);
+    put(s->to, know_symbol_word((know_symbol_kind)y->kind));
+    fputc(',', s->to);
+    put_node_range(s->to, "range", k, y->form);
+    fputc(',', s->to);
+    put_node_range(s->to, "selectionRange", k, y->definition);
+    fputc('}', s->to);
+    comma = ",";
+  }
+  fputc(']', s->to);
+}
+
+void lsp_formatting(lsp_server *s, lsp_json parameters) {
+  lsp_document *d = lsp_find(s, parameters);
+  if (!d || vs_language_of(d->path) || !lsp_document_study(d, s->interpreter)) {
+    fputs("[]", s->to);
+    return;
+  }
+  size_t length = 0;
+  char *text = format_program(d->text, d->length, &length);
+  bool changes = text && (length != d->length || memcmp(text, d->text, length));
+  fputc('[', s->to);
+  if (changes) {
+    fputc('{', s->to);
+    put_range(s->to, "range", d->text, d->length, (lsp_span){ 0, (uint32_t)d->length });
+    fputs(",\"newText\":", s->to);
+    know_json_text(s->to, text, length);
+    fputc('}', s->to);
+  }
+  fputc(']', s->to);
+  free(text);
+}
