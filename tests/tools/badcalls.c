@@ -97,7 +97,7 @@ static const struct { const char *procedure, *parameter, *good; } special[] = {
   { "do-guided-loft", "guides", "bar" }, { "do-guided-loft", "path", NULL },  { "curve-length", "c", "rail" },
   { "curve-intersections", "b", "(make-circle origin 2)" },
   { "make-height-field", "source", "'((1 2) (2 3))" }, { "make-height-field", "q", "(xyz 3 2 0)" }, { "make-height-field", "high", "4" }, { "make-height-field", "low", "-1" },
-  { "load-mesh", "file", NULL }, { "load-mesh", "repair", NULL }, { "make-mesh", "closed-u", NULL }, { "make-mesh", "closed-v", NULL },
+  { "load-mesh", "file", NULL }, { "load-points", "file", NULL }, { "load-mesh", "repair", NULL }, { "make-mesh", "closed-u", NULL }, { "make-mesh", "closed-v", NULL },
   { "make-crust", "thickness", "0.1" }, { "make-crust", "side", "'out" },
   { "scope-corner", "i", "1" }, { "scope-corner", "j", "0" }, { "scope-corner", "k", "1" },
   { "make-surface-scope", "surface", "(do-revolve (make-line (xz 1 0) (xz 1 2)) 'z)" },
