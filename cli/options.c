@@ -41,7 +41,8 @@ enum { COMMANDS = sizeof commands / sizeof *commands };
 bool cli_command_help(const char *name, FILE *to) {
   for (size_t i = 0; i < COMMANDS; i++)
     if (!strcmp(commands[i].name, name))
-      return fprintf(to, "vs %s %s: %s\n", name, commands[i].arguments, commands[i].help) > 0;
+      return fprintf(to, "vs %s%s%s: %s\n", name, *commands[i].arguments ? " " : "", commands[i].arguments,
+                     commands[i].help) > 0;
   return false;
 }
 
