@@ -70,7 +70,7 @@
 ; expect: ((#t 3 #t #t) (#t 3 #t #t) (#t 3 #t #t))
 (displayln (panel-corners needle (quad-grid 2 2))) ; expect: ()
 (displayln (volume (panel-plate (list origin (xyz 4 0 0) (xyz 4 2 0) (xyz 0 2 0)) 0.5)))  ; expect: 4.0
-(fails (panelise saddle 3 list))                   ; expect: panelise: grid must be a grid, such as (quad-grid 8 4), got 3
+(fails (panelise saddle 3 list))                   ; expect: panelise: grid must be a grid, such as (quad-grid 8 4), or a list of regions with one border, got 3
 (fails (panelise saddle (quad-grid 2 2) list))     ; expect: panelise: component must give an object, got (((xyz 0 0 1) (xyz 5 0 0) (xyz 5 5 0) (xyz 0 5 0)))
 (fails (quad-grid 0 4))                            ; expect: quad-grid: nu must be an exact integer from 1 to 1000, got 0
 ; PM4VR's functions (figure 10 of its supplement), by its names: each at one place
