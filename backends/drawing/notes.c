@@ -248,10 +248,13 @@ static void include(vs_sheet_room *room, vs_sheet_point p, double wide, double h
   room->below = fmax(room->below, -p.y), room->above = fmax(room->above, p.y - high);
 }
 
-/* Extends the room to a text; descenders reach below the base line. */
+/* Extends the room to a text; descenders reach below the base line. A text longer than LONGEST_TEXT millimetres may leave
+ * the frame, because otherwise no sheet would hold the drawing. */
+enum { LONGEST_TEXT = 150 };
+
 static void include_text(vs_sheet_room *room, const vs_mark *m, double wide, double high) {
   double turn = m->angle * (3.14159265358979323846 / 180), c = cos(turn), n = sin(turn);
-  double length = about_width(m->text, m->size);
+  double length = fmin(about_width(m->text, m->size), LONGEST_TEXT);
   for (int i = 0; i < 4; i++) {
     double along = length * (i % 2 - m->align), up = m->size * (i < 2 ? -0.35 : 1.1);
     include(room, (vs_sheet_point){ m->at.x + along * c - up * n, m->at.y + along * n + up * c }, wide, high);
