@@ -248,8 +248,8 @@ static void include(vs_sheet_room *room, vs_sheet_point p, double wide, double h
   room->below = fmax(room->below, -p.y), room->above = fmax(room->above, p.y - high);
 }
 
-/* Extends the room to a text; descenders reach below the base line. A text longer than LONGEST_TEXT millimetres may leave
- * the frame, because otherwise no sheet would hold the drawing. */
+/* Extends the room to a text; descenders reach below the base line. A text longer than LONGEST_TEXT millimetres may
+ * leave the frame, because otherwise no sheet would hold the drawing. */
 enum { LONGEST_TEXT = 150 };
 
 static void include_text(vs_sheet_room *room, const vs_mark *m, double wide, double high) {
