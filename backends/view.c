@@ -107,6 +107,17 @@ vs_vec3 vs_look_sun(const vs_scene *scene, const vs_look *look) {
   return vs_v3(across.x * cos(44 * degree), across.y * cos(44 * degree), sin(44 * degree));
 }
 
+vs_vec3 vs_look_to_view(const vs_look *l, vs_vec3 p) {
+  vs_vec3 d = l->parallel ? p : vs_v3_sub(p, l->eye);
+  return vs_v3(vs_v3_dot(d, l->right), vs_v3_dot(d, l->up), vs_v3_dot(d, l->forward));
+}
+
+vs_vec3 vs_look_from_view(const vs_look *l, vs_vec3 p) {
+  vs_vec3 flat = vs_v3_add(vs_v3_scale(l->right, p.x), vs_v3_scale(l->up, p.y));
+  vs_vec3 d = vs_v3_add(flat, vs_v3_scale(l->forward, p.z));
+  return l->parallel ? d : vs_v3_add(l->eye, d);
+}
+
 double vs_look_height(uint32_t columns, uint32_t rows) { return fmin(2 * pi * rows / columns, pi); }
 
 vs_look_line vs_look_ray(const vs_look *look, uint32_t columns, uint32_t rows, uint32_t column, uint32_t row) {

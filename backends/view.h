@@ -22,6 +22,11 @@ typedef struct {
  * drawing, on whose centre the look is centred. boxes: bounds of its parts, at least one box. */
 vs_look vs_look_find(const vs_scene *scene, const vs_bounds *bounds, const vs_bounds *boxes, size_t box_count,
     double aspect);
+/* Converts a point of the model to coordinates of the view: x to the right, y up, z away from the viewer. In a
+ * perspective the origin is the eye. These coordinates are left-handed: a triangle seen from its front is clockwise. */
+vs_vec3 vs_look_to_view(const vs_look *look, vs_vec3 p);
+/* Converts a point from coordinates of the view to those of the model. */
+vs_vec3 vs_look_from_view(const vs_look *look, vs_vec3 p);
 /* A line of sight. The component of its direction along the forward vector of the view is 1; in a panorama its
  * direction is a unit vector. */
 typedef struct { vs_vec3 from, direction; } vs_look_line;

@@ -191,11 +191,9 @@ static bool take_json(vs_scheme *vm, const dynamic_functions *j, json_t *root, v
 
 /* Parses JSON text. `name` is the name of the source in messages. */
 static vs_status json_parse(vs_scheme *vm, const char *text, size_t length, const char *name, vs_value *out) {
-  static const char *const files[] = { "libjansson.so.4", "libjansson.4.dylib", NULL };
-  static const vs_dynamic_library library = { files, "libjansson4", "JSON" };
   dynamic_functions j;
   vs_error e = { 0 };
-  if (!vs_dynamic_load(&library, dynamic_names, sizeof dynamic_names / sizeof *dynamic_names, &j, &e)) {
+  if (!vs_dynamic_load(&vs_json_library, dynamic_names, sizeof dynamic_names / sizeof *dynamic_names, &j, &e)) {
     vs_fail(vm, vm->sym.file, "%s", e.message);
     return VS_ERROR;
   }

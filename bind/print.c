@@ -20,19 +20,10 @@ void vs_bind_number_text(char out[32], double d) {
 
 #define TURN 6.283185307179586
 
-typedef struct { vs_put_text *put; void *to; } sink;
-
-static bool text(const sink *k, const char *s) { return k->put(k->to, s, strlen(s)); }
-static bool number(const sink *k, double d) {
-  char t[32];
-  vs_bind_number_text(t, d);
-  return text(k, t);
-}
 static bool triple(const sink *k, const char *maker, vs_vec3 v) {
   return text(k, "(") && text(k, maker) && text(k, " ") && number(k, v.x) && text(k, " ") && number(k, v.y) &&
          text(k, " ") && number(k, v.z) && text(k, ")");
 }
-static bool quoted(const sink *k, const char *s) { return vs_bind_print_quoted(s, k->put, k->to); }
 
 static bool points(const sink *k, const vs_points *p) {
   if (!text(k, "(list")) return false;
@@ -295,7 +286,7 @@ static bool between(const sink *k, uint32_t *left) {
   return text(k, guides ? ") (list" : ")");
 }
 
-bool vs_bind_print_node(const vs_node *n, bool (*put)(void *to, const char *s, size_t n), void *to) {
+bool vs_bind_print_node(const vs_node *n, vs_put_text *put, void *to) {
   enum { MOST = 20000 }; /* limits the text, since that of a tree with shared nodes can be exponentially long */
   sink k = { put, to };
   vs_walk *w = vs_walk_new(n->store, (vs_ref){ (vs_node *)(uintptr_t)n, NULL });

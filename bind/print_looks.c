@@ -6,25 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "bind/print.h"
 #include "model/looks/ready_materials.h"
-
-typedef struct { vs_put_text *put; void *to; } sink;
-
-static bool text(const sink *k, const char *s) { return k->put(k->to, s, strlen(s)); }
-
-static bool number(const sink *k, double d) {
-  char t[32];
-  vs_bind_number_text(t, d);
-  return text(k, t);
-}
-
-bool vs_bind_print_quoted(const char *s, vs_put_text *put, void *to) {
-  if (!put(to, "\"", 1)) return false;
-  for (; *s; s++)
-    if (((*s == '"' || *s == '\\') && !put(to, "\\", 1)) || !put(to, s, 1)) return false;
-  return put(to, "\"", 1);
-}
 
 /* Returns true if the colour was given as "#rrggbb": its parts are 255ths, and a list of them has longer numbers than a
  * program would write. */
@@ -54,7 +36,8 @@ static bool color(const sink *k, double red, double green, double blue, bool hex
          text(k, ")");
 }
 
-/* Returns true if all except the colour is as (color c o) makes it. *hex: whether c was a text, and no list. */
+/* Returns true if m is a material that the call (color c o) makes for some colour c. *hex: whether c is a string, and
+ * not a list. */
 static bool is_paint(const vs_material *m, bool *hex) {
   vs_material by_text = vs_material_of_color(m->red, m->green, m->blue), by_list = by_text;
   by_list.roughness = vs_material_default.roughness;
@@ -72,7 +55,7 @@ static bool pattern(const sink *k, const vs_material *m) {
   const double darker = vs_pattern_darkening;
   if (p->kind == VS_PATTERN_NONE) return true;
   if (p->picture) {
-    if (!text(k, " #:image ") || !vs_bind_print_quoted(p->picture->path, k->put, k->to)) return false;
+    if (!text(k, " #:image ") || !quoted(k, p->picture->path)) return false;
   } else {
     if (!text(k, " #:pattern '") || !text(k, vs_pattern_name(p->kind))) return false;
     if ((p->red != darker * m->red || p->green != darker * m->green || p->blue != darker * m->blue) &&
@@ -88,7 +71,7 @@ static bool call(const sink *k, const vs_material *m) {
   const double *usual = m->pattern.picture ? m->pattern.picture->mean : plain;
   bool colored = m->red != usual[0] || m->green != usual[1] || m->blue != usual[2];
   return text(k, "(make-material") &&
-         (!*m->name || (text(k, " #:name ") && vs_bind_print_quoted(m->name, k->put, k->to))) &&
+         (!*m->name || (text(k, " #:name ") && quoted(k, m->name))) &&
          (!colored || (text(k, " #:color ") && color(k, m->red, m->green, m->blue, false))) &&
          keyword(k, "roughness", m->roughness, d->roughness) && keyword(k, "metallic", m->metallic, d->metallic) &&
          keyword(k, "transparency", m->transparency, d->transparency) && keyword(k, "ior", m->ior, d->ior) &&
@@ -104,11 +87,11 @@ bool vs_bind_print_painting(const vs_material *m, vs_put_text *put, void *to) {
   const sink k = { put, to };
   bool hex;
   switch (vs_ready_material_table(m)) {
-    case VS_NAMED_MATERIAL: return text(&k, "(with-material ") && vs_bind_print_quoted(m->name, put, to);
-    case VS_NAMED_COLOR: return text(&k, "(color ") && vs_bind_print_quoted(m->name, put, to);
+    case VS_NAMED_MATERIAL: return text(&k, "(with-material ") && quoted(&k, m->name);
+    case VS_NAMED_COLOR: return text(&k, "(color ") && quoted(&k, m->name);
     case VS_NAMED_NONE: break;
   }
-  if (m->pattern.picture) return text(&k, "(with-material ") && vs_bind_print_quoted(m->name, put, to);
+  if (m->pattern.picture) return text(&k, "(with-material ") && quoted(&k, m->name);
   if (is_paint(m, &hex)) {
     const double c[3] = { m->red, m->green, m->blue };
     int parts[3];

@@ -1,11 +1,12 @@
-/* Declares the text of a material, written by print_looks.c. */
+/* Declares the text of a material, written by print_looks.c, and contains the functions by which print_looks.c and
+ * print.c pass parts of a text to its receiver. */
 #ifndef VS_BIND_PRINT_LOOKS_H
 #define VS_BIND_PRINT_LOOKS_H
 
-#include "model/looks/material.h"
+#include <string.h>
 
-/* Receives n bytes of a text. Returns false to stop. */
-typedef bool vs_put_text(void *to, const char *s, size_t n);
+#include "bind/print.h"
+#include "model/looks/material.h"
 
 /* Writes an expression that makes the material again: its name if it is predefined, else make-material with the
  * keywords whose values are not the defaults. Returns false if put does. */
@@ -13,7 +14,21 @@ bool vs_bind_print_material(const vs_material *m, vs_put_text *put, void *to);
 /* Writes the beginning of the call that gives a material to objects: with-material or color, and the material. Returns
  * false if put does. */
 bool vs_bind_print_painting(const vs_material *m, vs_put_text *put, void *to);
-/* Writes a string in quotation marks. Returns false if put does. */
-bool vs_bind_print_quoted(const char *s, vs_put_text *put, void *to);
+
+typedef struct { vs_put_text *put; void *to; } sink; /* the receiver: a callback and its context */
+
+/* Pass a text, a number, or a string in quotation marks. Return false if the callback does. */
+static inline bool text(const sink *k, const char *s) { return k->put(k->to, s, strlen(s)); }
+static inline bool number(const sink *k, double d) {
+  char t[32];
+  vs_bind_number_text(t, d);
+  return text(k, t);
+}
+static inline bool quoted(const sink *k, const char *s) {
+  if (!text(k, "\"")) return false;
+  for (; *s; s++)
+    if (((*s == '"' || *s == '\\') && !text(k, "\\")) || !k->put(k->to, s, 1)) return false;
+  return text(k, "\"");
+}
 
 #endif

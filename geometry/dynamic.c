@@ -5,6 +5,9 @@
 #include <dlfcn.h>
 #include <string.h>
 
+static const char *const json_files[] = { "libjansson.so.4", "libjansson.4.dylib", NULL };
+const vs_dynamic_library vs_json_library = { json_files, "libjansson4", "JSON" };
+
 bool vs_dynamic_load(const vs_dynamic_library *library, const vs_dynamic_name *names, size_t count, void *functions,
                      vs_error *e) {
   void *handle = NULL;

@@ -27,6 +27,8 @@ typedef struct { const char *symbol; size_t offset; /* offset: position of the f
 #define VS_DYNAMIC_MEMBER(member, symbol, result, parameters) result (*member) parameters;
 #define VS_DYNAMIC_ROW(member, symbol, result, parameters) { #symbol, offsetof(dynamic_functions, member) },
 
+extern const vs_dynamic_library vs_json_library; /* jansson, which reads JSON in bind/ and cli/ */
+
 /* Loads the library, and sets the function pointers in the struct `functions`. The library stays loaded. Returns false
  * if the library or a function is missing; e is then VS_ERROR_WORKER with the package's name. */
 bool vs_dynamic_load(const vs_dynamic_library *library, const vs_dynamic_name *names, size_t count, void *functions,

@@ -13,16 +13,6 @@
 typedef vs_vec2 directed[2]; /* a directed edge */
 typedef struct { directed *at; size_t count, room; } edge_list;
 
-static vs_vec3 from_view(const vs_look *l, vs_vec3 p) {
-  vs_vec3 q = vs_v3_add(vs_v3_add(vs_v3_scale(l->right, p.x), vs_v3_scale(l->up, p.y)), vs_v3_scale(l->forward, p.z));
-  return l->parallel ? q : vs_v3_add(l->eye, q);
-}
-
-static vs_vec3 to_view(const vs_look *l, vs_vec3 p) {
-  vs_vec3 d = l->parallel ? p : vs_v3_sub(p, l->eye);
-  return vs_v3(vs_v3_dot(d, l->right), vs_v3_dot(d, l->up), vs_v3_dot(d, l->forward));
-}
-
 /* Adds the triangles of an area of a plane. The area's x and y are coordinates along the axes from `at`. */
 static bool add_area(vs_emitter *e, const vs_area *a, const vs_vec3 axes[2], vs_vec3 at, vs_mesh *out) {
   bool ok = true;
@@ -103,10 +93,10 @@ static bool earth_in_section(vs_emitter *e, vs_flat_view *v, const vs_earth_mode
 
 static bool section(vs_emitter *e, vs_flat_view *v, const vs_earth_model *m, vs_mesh *veil) {
   vs_area earth = { 0 };
-  double ground = to_view(&v->look, vs_v3(0, 0, e->scene->ground_z)).y;
+  double ground = vs_look_to_view(&v->look, vs_v3(0, 0, e->scene->ground_z)).y;
   const vs_vec3 axes[2] = { vs_v3(1, 0, 0), vs_v3(0, 1, 0) };
   bool ok = earth_in_section(e, v, m, ground, &earth) && add_earth_fill(e, v, &earth) &&
-            add_area(e, &earth, axes, vs_v3(0, 0, to_view(&v->look, v->spec.cut_point).z), veil);
+            add_area(e, &earth, axes, vs_v3(0, 0, vs_look_to_view(&v->look, v->spec.cut_point).z), veil);
   vs_area_free(&earth);
   return ok;
 }
@@ -130,7 +120,7 @@ static bool footprint(vs_emitter *e, const vs_flat_view *v, const vs_earth_model
     vs_vec2 up = { 0, 0 }, down = { 0, 0 };
     int crossings = 0;
     for (int k = 0; k < 3; k++) {
-      c[k] = from_view(&v->look, m->points[m->triangles[i][k]]);
+      c[k] = vs_look_from_view(&v->look, m->points[m->triangles[i][k]]);
       if (fabs(c[k].z - ground) <= m->slack) c[k].z = ground;
     }
     for (int k = 0; k < 3; k++) {
@@ -185,7 +175,7 @@ static bool add_feet(vs_emitter *e, const vs_flat_view *v, const vs_earth_model 
       vs_vec2 from = a->at[first + k], to = a->at[first + (k + 1) % n];
       vs_vec3 p = vs_v3(from.x, from.y, z), q = vs_v3(to.x, to.y, z);
       if (v->has_cut && !clip(&p, &q, v->spec.cut_point, v->spec.cut_normal)) continue;
-      p = to_view(l, p), q = to_view(l, q);
+      p = vs_look_to_view(l, p), q = vs_look_to_view(l, q);
       if (!l->parallel && !clip(&p, &q, vs_v3(0, 0, m->nearest), vs_v3(0, 0, 1))) continue;
       if (out->count == out->room &&
           !vs_store_grow(e->scene->store, &out->at, &out->room, out->count + 1, sizeof *out->at))
@@ -208,7 +198,7 @@ static bool from_above(vs_emitter *e, vs_flat_view *v, const vs_earth_model *m, 
             add_area(e, &earth, axes, vs_v3(0, 0, e->scene->ground_z), &flat);
   if (fabs(l->forward.z) < 1 - 1e-9) ok = ok && add_feet(e, v, m, &earth, feet);
   ok = ok && (!v->has_cut || keep_side(e, &flat, v->spec.cut_point, v->spec.cut_normal));
-  for (size_t i = 0; i < flat.vertex_count; i++) flat.vertices[i] = to_view(l, flat.vertices[i]);
+  for (size_t i = 0; i < flat.vertex_count; i++) flat.vertices[i] = vs_look_to_view(l, flat.vertices[i]);
   ok = ok && (l->parallel || keep_side(e, &flat, vs_v3(0, 0, m->nearest), vs_v3(0, 0, 1)));
   vs_emit_release(e, edges.at, edges.room, sizeof *edges.at);
   vs_area_free(&earth);
@@ -222,7 +212,7 @@ static bool from_above(vs_emitter *e, vs_flat_view *v, const vs_earth_model *m, 
 /* Adds a rectangle before the model, below the ground. */
 static bool elevation(vs_emitter *e, const vs_flat_view *v, const vs_earth_model *m, vs_mesh *veil) {
   double far = vs_bounds_diagonal(&e->bounds), front = INFINITY;
-  double ground = to_view(&v->look, vs_v3(0, 0, e->scene->ground_z)).y;
+  double ground = vs_look_to_view(&v->look, vs_v3(0, 0, e->scene->ground_z)).y;
   vs_vec2 low = { INFINITY, INFINITY }, high = { -INFINITY, -INFINITY };
   for (size_t i = 0; i < m->point_count; i++) {
     vs_vec3 p = m->points[i];

@@ -37,16 +37,13 @@ typedef struct {
   vs_sight_pieces pieces;
 } seen;
 
-static vs_vec3 into_view(const vs_look *l, vs_vec3 p) {
-  vs_vec3 d = l->parallel ? p : vs_v3_sub(p, l->eye);
-  return vs_v3(vs_v3_dot(d, l->right), vs_v3_dot(d, l->up), vs_v3_dot(d, l->forward));
-}
-
 static vs_sheet_point flat(const vs_look *l, vs_vec3 p) {
   return l->parallel ? (vs_sheet_point){ p.x, p.y } : (vs_sheet_point){ p.x / p.z, p.y / p.z };
 }
 
-vs_sheet_point vs_flat_view_project(const vs_flat_view *v, vs_vec3 p) { return flat(&v->look, into_view(&v->look, p)); }
+vs_sheet_point vs_flat_view_project(const vs_flat_view *v, vs_vec3 p) {
+  return flat(&v->look, vs_look_to_view(&v->look, p));
+}
 
 /* ---- triangles and curves ---- */
 
@@ -76,7 +73,7 @@ static bool add_triangles(seen *s, const vs_mesh *m, const vs_solid *solid, cons
       !vs_emit_grow(e, &s->caps, &s->cap_room, count, sizeof *s->caps))
     return false;
   const vs_scene_view *spec = &s->v->spec;
-  for (size_t i = 0; i < m->vertex_count; i++) s->points[base + i] = into_view(&s->v->look, m->vertices[i]);
+  for (size_t i = 0; i < m->vertex_count; i++) s->points[base + i] = vs_look_to_view(&s->v->look, m->vertices[i]);
   s->point_count += m->vertex_count;
   for (size_t i = 0; i < m->triangle_count; i++) {
     const uint32_t *t = m->triangles[i];
@@ -111,7 +108,7 @@ static bool add_curve_edge(seen *s, vs_vec3 p, vs_vec3 q) { /* adds an edge of t
   double slack = fmax(s->slack, 4 * s->e->facets.tolerance);
       /* A curve that is drawn on a round surface lies on the surface, but its chords do not. Therefore the edge gets a
        * slack. */
-  s->edges.at[s->edges.count++] = (vs_sight_edge){ into_view(&s->v->look, p), into_view(&s->v->look, q),
+  s->edges.at[s->edges.count++] = (vs_sight_edge){ vs_look_to_view(&s->v->look, p), vs_look_to_view(&s->v->look, q),
       VS_SIGHT_CURVE, slack, s->curve_owner };
   return true;
 }
@@ -501,7 +498,7 @@ static bool find_labels(seen *s) {
     bool upright = fabs(v->look.forward.z) < 1e-6;
     double kept = v->has_cut ? vs_v3_dot(vs_v3_sub(n->p, spec->cut_point), spec->cut_normal) : 0;
     v->labelled[i] = n->kind == VS_NOTE_LABEL && kept >= -s->slack &&
-                     (n->view || !upright || !is_covered(s, into_view(&v->look, n->p)));
+                     (n->view || !upright || !is_covered(s, vs_look_to_view(&v->look, n->p)));
   }
   return true;
 }

@@ -22,22 +22,12 @@ typedef struct {
   size_t triangle_count;
 } edges;
 
-static vs_vec3 to_view(const edges *d, vs_vec3 p) {
-  vs_vec3 v = vs_v3_sub(p, d->look.eye);
-  return vs_v3(vs_v3_dot(v, d->look.right), vs_v3_dot(v, d->look.up), vs_v3_dot(v, d->look.forward));
-}
-
-static vs_vec3 to_model(const edges *d, vs_vec3 v) {
-  vs_vec3 flat = vs_v3_add(vs_v3_scale(d->look.right, v.x), vs_v3_scale(d->look.up, v.y));
-  return vs_v3_add(d->look.eye, vs_v3_add(flat, vs_v3_scale(d->look.forward, v.z)));
-}
-
 static void find_depths(edges *d) {
   const vs_bounds *b = &d->e->bounds;
   d->near = INFINITY, d->far = -INFINITY;
   for (int i = 0; i < 8; i++) {
     vs_vec3 corner = vs_v3(i & 1 ? b->max.x : b->min.x, i & 2 ? b->max.y : b->min.y, i & 4 ? b->max.z : b->min.z);
-    double depth = to_view(d, corner).z;
+    double depth = vs_look_to_view(&d->look, corner).z;
     d->near = fmin(d->near, depth), d->far = fmax(d->far, depth);
   }
 }
@@ -51,7 +41,7 @@ static double radius_at(const edges *d, double depth) {
 static void put_joint(const edges *d, vs_vec3 v, double radius) {
   const double ahead = 3 * radius; /* a round surface bulges past the facets from which its lines are computed */
   vs_vec3 moved = d->look.parallel ? vs_v3(v.x, v.y, v.z - ahead) : vs_v3_scale(v, (v.z - ahead) / v.z);
-  vs_put_triple(d->e->out, "<", vs_v3_scale(to_model(d, moved), d->e->unit), ", ", ">, ");
+  vs_put_triple(d->e->out, "<", vs_v3_scale(vs_look_from_view(&d->look, moved), d->e->unit), ", ", ">, ");
   vs_put_number(d->e->out, radius * d->e->unit);
 }
 
@@ -93,7 +83,7 @@ static bool convert(edges *d, const vs_mesh *m) {
   d->points = vs_store_realloc(store, NULL, 0, m->vertex_count * sizeof *d->points);
   d->triangles = vs_store_realloc(store, NULL, 0, m->triangle_count * sizeof *d->triangles);
   if (!d->points || !d->triangles) return vs_emit_no_memory(d->e);
-  for (size_t i = 0; i < m->vertex_count; i++) d->points[i] = to_view(d, m->vertices[i]);
+  for (size_t i = 0; i < m->vertex_count; i++) d->points[i] = vs_look_to_view(&d->look, m->vertices[i]);
   for (size_t i = 0; i < m->triangle_count; i++) {
     const uint32_t *t = m->triangles[i];
     bool ahead = d->look.parallel;

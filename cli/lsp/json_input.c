@@ -22,11 +22,9 @@
 VS_DYNAMIC_FUNCTIONS(FUNCTIONS);
 
 bool lsp_json_open(lsp_json_reader *r) {
-  static const char *const files[] = { "libjansson.so.4", "libjansson.4.dylib", NULL };
-  static const vs_dynamic_library library = { files, "libjansson4", "JSON" };
   vs_error e = { 0 };
   *r = (lsp_json_reader){ .functions = vs_zeros(1, sizeof(dynamic_functions)) };
-  if (r->functions && vs_dynamic_load(&library, dynamic_names, sizeof dynamic_names / sizeof *dynamic_names,
+  if (r->functions && vs_dynamic_load(&vs_json_library, dynamic_names, sizeof dynamic_names / sizeof *dynamic_names,
                                       r->functions, &e)) return true;
   snprintf(r->trouble, sizeof r->trouble, "%s", r->functions ? e.message : "out of memory");
   return false;

@@ -8,7 +8,6 @@
 #include "languages/analysis/notation.h"
 #include "languages/format/format_program.h"
 
-
 /* ---- common parts ---- */
 
 lsp_document *lsp_find(const lsp_server *s, lsp_json parameters) {
