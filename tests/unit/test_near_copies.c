@@ -76,11 +76,7 @@ static void near_copies_are_never_silent(void **state) {
     if (getenv("SHOW")) fprintf(stderr, "seed %llu: %s\n", seed, text);
     if (!is_silent(&t, text)) continue;
     bad++;
-    fprintf(stderr, "seed %llu: %s\n%s\n", seed, t.why, text);
-    if (getenv("NOSHRINK")) continue;
-    model_shrink(text, is_silent, &t);
-    is_silent(&t, text);
-    fprintf(stderr, "smaller: %s\n%s\n", t.why, text);
+    report_seed("", seed, text, is_silent, &t, t.why);
   }
   vs_free(t.vm);
   if (getenv("TELL") || seeds.asked)

@@ -258,10 +258,7 @@ static void models_are_right(void **state) {
     }
     if (!wrong) continue;
     bad++;
-    fprintf(stderr, "seed %llu: %s\n%s\n", seed, t.why, text);
-    model_shrink(text, fails, &t);
-    fails(&t, text);
-    fprintf(stderr, "smaller: %s\n%s\n", t.why, text);
+    report_seed("", seed, text, fails, &t, t.why);
   }
   vs_free(t.vm);
   if (getenv("TELL") || seeds.asked)
@@ -415,11 +412,7 @@ static void turned_models_are_right(void **state) {
     if (getenv("SHOW")) fprintf(stderr, "seed %llu: %s\n", seed, text);
     if (!is_silent(&t, text)) continue;
     bad++;
-    fprintf(stderr, "turned, seed %llu: %s\n%s\n", seed, t.why, text);
-    if (getenv("NOSHRINK")) continue;
-    model_shrink(text, is_silent, &t);
-    is_silent(&t, text);
-    fprintf(stderr, "smaller: %s\n%s\n", t.why, text);
+    report_seed("turned, ", seed, text, is_silent, &t, t.why);
   }
   vs_free(t.vm);
   if (getenv("TELL") || seeds.asked)

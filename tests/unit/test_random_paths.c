@@ -347,11 +347,9 @@ static void paths_agree(void **state) {
     if (p.compared > compared) seen_samples[sample]++, seen_ways[way]++, seen_sets[set]++;
     if (!fault) continue;
     bad++;
-    fprintf(stderr, "seed %llu, %s: %s\n%s\n", seed, path_sample(sample), p.why, text);
-    if (getenv("NOSHRINK")) continue;
-    model_shrink(text, fails, &p);
-    fails(&p, text);
-    fprintf(stderr, "smaller: %s\n%s\n", p.why, text);
+    char label[200];
+    snprintf(label, sizeof label, "%s, ", path_sample(sample));
+    report_seed(label, seed, text, fails, &p, p.why);
   }
   vs_free(p.kept.vm);
   vs_free(p.bare.vm);

@@ -87,8 +87,8 @@ static void test_overcast(void **state) {
   }
 }
 
-/* Civil twilight ends with 3.4 lx, nautical twilight with 0.008 lx, and 760 lx are the light of sunrise (table 1 of
- * Circular 171 and the Explanatory Supplement to the Astronomical Almanac). */
+/* Civil twilight ends with 3.4 lx, nautical twilight with 0.008 lx, and 760 lx are the light of sunrise (Circular
+ * 171). */
 static void test_twilight(void **state) {
   (void)state;
   near_to(vs_sky_light_twilight(-6) * 758.6, 3.4, 0.03);

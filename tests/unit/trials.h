@@ -166,4 +166,15 @@ static void begin(trial *t, size_t cache) {
   assert_non_null(t->vm);
 }
 
+/* Prints the program of a seed for which `fails` returned true, and then the smallest part of it for which `fails` still
+ * returns true. `why` is the reason, which `fails` writes; label stands before the seed. NOSHRINK=1: the program alone. */
+static void report_seed(const char *label, unsigned long long seed, char text[MODEL_ROOM],
+                        bool (*fails)(void *context, const char *text), void *context, const char *why) {
+  fprintf(stderr, "%sseed %llu: %s\n%s\n", label, seed, why, text);
+  if (getenv("NOSHRINK")) return;
+  model_shrink(text, fails, context);
+  fails(context, text);
+  fprintf(stderr, "smaller: %s\n%s\n", why, text);
+}
+
 #endif
