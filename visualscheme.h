@@ -50,9 +50,8 @@ typedef enum {
   VS_OUTCOME_USAGE = 2,         /* a bad argument, or a file that cannot be read or written */
   VS_OUTCOME_WORKER = 3,        /* a worker program (POV-Ray, ...) is missing or failed */
   VS_OUTCOME_MACHINE = 4,       /* a limit of memory, time or steps, or a failure of the machine */
-  VS_OUTCOME_STOPPED = -1,      /* The program is paused, by (break) or by a single step; this happens only with
-                                 * VS_EVAL_STOP. It is not an exit code. vs_stop_get returns the place, and vs_resume
-                                 * continues the program */
+  VS_OUTCOME_STOPPED = -1,      /* (break) or a single step paused the program, which needs VS_EVAL_STOP; no exit code.
+                                 * vs_stop_get returns the place, vs_resume continues the program */
   VS_OUTCOME_INTERRUPTED = 130
 } vs_outcome;
 
@@ -297,8 +296,7 @@ VS_API void vs_stop_drop(vs_scheme *s);
 
 typedef struct {
   const char *procedure;  /* name of the procedure; "": it has no name */
-  const char *variables;  /* the procedure's parameters, local and captured variables, such as "n = 3, points =
-                           * (...)" */
+  const char *variables;  /* its parameters, local and captured variables, such as "n = 3, points = (...)" */
   vs_span at;             /* place of the call that this procedure was making */
 } vs_call_info;
 /* Describes a call; index 0 is the innermost. Returns false for an index after the last call, or if there was no
@@ -311,8 +309,7 @@ VS_API bool vs_call_get(vs_scheme *s, size_t index, vs_call_info *out);
  * earlier samples. */
 VS_API void vs_profile(vs_scheme *s, bool on);
 typedef struct { const char *procedure; vs_span at; double own, whole;
-    /* Fractions of all samples, 0 to 1. own: samples in the procedure itself. whole: also those in procedures that it
-     * calls */ } vs_profile_info;
+    /* fractions of all samples. own: in the procedure itself. whole: also in its callees */ } vs_profile_info;
 /* Describes a procedure; index 0 has the most time. Returns false for an index after the last. *looks is the number of
  * samples. */
 VS_API bool vs_profile_get(vs_scheme *s, size_t index, vs_profile_info *out, size_t *looks);
@@ -331,10 +328,8 @@ typedef struct {
                                          * none */
   vs_parameter_type type;               /* type of the default value */
   const char *value, *default_value;    /* values as written data; strings have no quotes */
-  bool has_range;                       /* whether min, max and step are set: the parameter is a number without
-                                         * choices */
-  double min, max, step;                /* least and greatest value, and distance between allowed values; step 0: any
-                                         * value in the range */
+  bool has_range;                       /* whether min, max and step are set: a number without choices */
+  double min, max, step;                /* range, and distance between allowed values; step 0: any value */
   const char *const *choices;           /* allowed values, in the form of `value`; NULL: any value */
   size_t choice_count;
   vs_span at;
@@ -359,14 +354,12 @@ VS_API const char *vs_parameter_unused(const vs_scheme *s, size_t index);
 typedef struct {
   size_t objects;                 /* number of drawn (or returned) objects; each placement counts */
   size_t solids, surfaces, regions, curves; /* numbers of objects of each kind; a mixed union counts as a solid */
-  bool has_bounds;                /* whether there are bounds; false if the drawing is empty, or has only infinite
-                                   * lines */
+  bool has_bounds;                /* whether there are bounds; false for an empty drawing or infinite lines alone */
   double min[3], max[3];
   bool bounds_at_most;            /* Whether some bounds are larger than the drawing. If computing a cut would take
                                    * long, the bounds of the uncut object are used */
   const char *units;              /* model unit, "m" by default */
-  /* If there are no objects: a sentence that begins "the program defines ..." and names the program's unused
-   * definitions. Otherwise NULL. */
+  /* If there are no objects: the program's unused definitions, "the program defines ...". Otherwise NULL. */
   const char *advice;
 } vs_summary;
 VS_API vs_outcome vs_drawing_summary(vs_scheme *s, vs_summary *out);
@@ -394,11 +387,9 @@ VS_API vs_outcome vs_drawing_keep(vs_scheme *s);
 
 typedef enum {
   VS_PART_WAS_ADDED, VS_PART_WAS_REMOVED,
-  VS_PART_WAS_CHANGED,   /* both drawings contain the part, with equal kinds of objects and equal paint, but with
-                          * different numbers */
+  VS_PART_WAS_CHANGED,   /* the part has equal kinds of objects and equal paint in both drawings, but other numbers */
   VS_PART_WAS_MOVED,     /* both drawings contain the part, with the same shape at different places */
-  VS_PART_WAS_REPAINTED  /* both drawings contain the part, with the same shape and place, but with different materials
-                          * or layers */
+  VS_PART_WAS_REPAINTED  /* the part has the same shape and place in both drawings, but another material or layer */
 } vs_part_difference;
 
 typedef struct {
@@ -558,8 +549,7 @@ typedef struct {
 } vs_development;
 
 typedef struct {
-  int width, height;     /* Size in pixels. Both 0: 1024 by 768. A single 0: computed from the other number, at a ratio
-                          * of 4:3 */
+  int width, height;     /* size in pixels. Both 0: 1024 by 768. A single 0: from the other number, at 4:3 */
   vs_quality quality;
   vs_development development; /* development of a .png */
   bool layers;           /* whether an .exr also contains depth, normal, albedo, id, material and ambient occlusion */
@@ -579,10 +569,8 @@ typedef struct {
   bool change;           /* whether to write the result of vs_drawing_compare in place of the drawing: added parts
                           * green, removed parts red */
   bool last;             /* whether no other drawing or output follows, so that the interpreter caches nothing */
-  int crop[4];           /* part of a .png or .exr to make: left, top, width, height in pixels; all 0: the whole
-                          * picture */
-  unsigned threads;      /* number of processors that POV-Ray uses for a picture; 0: all. It does not change the
-                          * picture */
+  int crop[4];           /* part of a .png or .exr: left, top, width, height in pixels; all 0: the whole picture */
+  unsigned threads;      /* number of processors for POV-Ray; 0: all. It does not change the picture */
   const char *look;      /* name of a look of vs_look_list, which replaces the model's; NULL: the model's own */
 } vs_output_options;
 VS_API vs_output_options vs_output_options_default(void);
@@ -710,10 +698,8 @@ typedef struct {
   bool binary;
   const vs_format_kind *kinds;
   size_t kind_count;
-  bool (*begin)(void *context, vs_output *out); /* writes the beginning of the file; returns false on failure. NULL:
-                                                 * nothing to write */
-  bool (*end)(void *context, vs_output *out);   /* writes the end of the file; returns false on failure. NULL: nothing
-                                                 * to write */
+  bool (*begin)(void *context, vs_output *out); /* writes the file's beginning; returns false on failure; may be NULL */
+  bool (*end)(void *context, vs_output *out);   /* writes the file's end; returns false on failure; may be NULL */
   void *context;                   /* argument of each callback; it must live as long as the interpreter */
 } vs_format_own;
 
@@ -842,8 +828,7 @@ VS_API vs_handle vs_handle_list(vs_scheme *s, const vs_handle *items, size_t cou
  * interpreter. If release is NULL, the host owns the object, which must live as long as the interpreter. */
 VS_API vs_handle vs_handle_host(vs_scheme *s, void *object, void (*release)(void *context, void *object),
     void *context);
-VS_API void *vs_handle_get_host(vs_scheme *s, vs_handle h); /* Returns the host's object, or NULL for any other
-                                                             * value. */
+VS_API void *vs_handle_get_host(vs_scheme *s, vs_handle h); /* Returns the host's object; NULL: no host's object. */
 
 VS_API vs_handle_kind vs_handle_kind_of(vs_scheme *s, vs_handle h);
 VS_API bool vs_handle_get_boolean(vs_scheme *s, vs_handle h); /* Returns false for #f, true for every other value. */

@@ -31,7 +31,7 @@ static double zenith_chromaticity(const double k[3][4], double turbidity, double
 }
 
 /* The logarithm of the illuminance in lx is a polynomial of the altitude in units of 90 degrees, for each of four
- * ranges of altitude (table 1 of Circular 171). */
+ * ranges of altitude (Circular 171). */
 static double twilight_illuminance(double altitude) {
   static const struct { double from, of[4]; } ranges[] = {
     { -0.8, { 2.88, 22.26, -207.64, 1034.30 } }, { -5, { 2.88, 21.81, -258.11, -858.36 } },
