@@ -1,2 +1,2 @@
-(define (pile o) (pile (unite o (make-box (xyz 0 0 0) (xyz 1 1 1)))))
-(pile (make-box (xyz 0 0 0) (xyz 1 1 1)))
+(define (pile o box) (pile (unite o box) box))
+(pile (make-box (xyz 0 0 0) (xyz 1 1 1)) (make-box (xyz 0 0 0) (xyz 1 1 1)))
