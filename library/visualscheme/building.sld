@@ -1,4 +1,4 @@
-; The words of a building: roofs. All lengths are in model units, all pitches in degrees.
+; The words of a building: roofs. All lengths are in model units, all pitches in radians.
 (define-library (visualscheme building)
   (export roof roof-faces)
   (import (visualscheme))

@@ -173,7 +173,8 @@ bool vs_library_advice(vs_scheme *vm, vs_value symbol, bool syntax, vs_text *t) 
     const char *exports = libraries[i].exports, *inside, *word;
     for (size_t n, m; word = next_word(&exports, &n, &inside, &m), n;)
       if (n == name->length && !memcmp(word, name->name, n))
-        return vs_text_puts(t, "; (import (") && vs_text_puts(t, libraries[i].name) && vs_text_puts(t, ")) brings it");
+        return vs_text_puts(t, "; (import (") && vs_text_puts(t, libraries[i].name) &&
+               vs_text_puts(t, ")) brings it, (import (visualscheme)) the whole language");
   }
   bool ours = name->name[0] != '%' && vs_idtable_get(vs_as_environment(vm->at.core)->table, symbol) != VS_VACANT;
   for (const vs_shipped *f = vm->config.shipped; !ours && f && f->name; f++)

@@ -12,16 +12,15 @@
 
 ; Returns the pitch of each of n edges, #f for a gable.
 (define (pitches-of who pitch gables n)
-  (define (good? p) (and (real? p) (< 0 p 90)))
+  (define (good? p) (and (real? p) (< 0 p (/ pi 2))))
   (let ((each (if (list? pitch) pitch (make-list n pitch))))
-    (if (not (every good? each)) (error who "pitch must be degrees between 0 and 90, or a list of them, got ~s" pitch))
+    (if (not (every good? each)) (error who "pitch must be radians between 0 and pi/2, or a list of them, got ~s; (degrees->radians 35) is 35 degrees" pitch))
     (if (not (= (length each) n)) (error who "pitch must be ~a numbers, one for each edge, got ~a" n (length each)))
     (if (not (and (list? gables) (every (lambda (g) (and (exact-integer? g) (<= 1 g n))) gables)))
         (error who "gables must be numbers of edges from 1 to ~a, got ~s" n gables))
     (map (lambda (p i) (if (memv i gables) #f p)) each (iota n 1))))
 
-(define (slope p) (tan (degrees->radians p)))
-(define (speed p) (if p (/ 1 (slope p)) 0))
+(define (speed p) (if p (/ 1 (tan p)) 0))
 
 ; Returns the way from p to q of length 1, and the turn of it to the left.
 (define (way p q) (unitize (vxyz (- (cx q) (cx p)) (- (cy q) (cy p)) 0)))
@@ -59,10 +58,10 @@
 (define (faces who outline pitch gables overhang)
   (if (not (and (real? overhang) (finite? overhang) (>= overhang 0))) (error who "overhang must be a number of 0 or more, got ~s" overhang))
   (let* ((loops (loops-of who outline)) (sizes (map length loops)) (pitches (pitches-of who pitch gables (apply + sizes)))
-         (flattest (apply min 90 (filter values pitches)))
+         (flattest (apply min (/ pi 2) (filter values pitches)))
          ; the eaves are level: they lie as far below the outline as the flattest plane falls on its overhang
-         (fall (if (= flattest 90) 0 (* overhang (slope flattest))))
-         (distances (map (lambda (p) (if p (/ fall (slope p)) overhang)) pitches))
+         (fall (if (= flattest (/ pi 2)) 0 (* overhang (tan flattest))))
+         (distances (map (lambda (p) (if p (/ fall (tan p)) overhang)) pitches))
          (z (- (cz (caar loops)) fall))
          (sign (lambda (loop)
                  (let ((holes (count (lambda (l) (and (not (eq? l loop)) (inside? (car loop) l))) loops)))
@@ -71,7 +70,7 @@
     (map (lambda (face) (cons (car face) (map (lambda (p) (xyz (cx p) (cy p) (+ z (cz p)))) (cdr face))))
          (straight-skeleton wide (map speed pitches)))))
 
-(define (roof-faces outline #:pitch [pitch any? 35] #:gables [gables any? '()] #:overhang [overhang any? 0])
+(define (roof-faces outline #:pitch [pitch any? (degrees->radians 35)] #:gables [gables any? '()] #:overhang [overhang any? 0])
   (faces 'roof-faces outline pitch gables overhang))
 
 ; Numbers points from 1 by their coordinates: returns the procedure that numbers, and one that returns all points.
@@ -90,7 +89,7 @@
 
 ; A roof's solid has its faces above and their projections below. Where a face is vertical, its projection has no area:
 ; face and projection are one polygon, without the edge at the foot that both have.
-(define (roof outline #:pitch [pitch any? 35] #:gables [gables any? '()] #:overhang [overhang any? 0] #:thickness [thickness any? #f])
+(define (roof outline #:pitch [pitch any? (degrees->radians 35)] #:gables [gables any? '()] #:overhang [overhang any? 0] #:thickness [thickness any? #f])
   (if (not (or (not thickness) (and (real? thickness) (> thickness 0)))) (error 'roof "thickness must be a positive number, got ~s" thickness))
   (let* ((all (faces 'roof outline pitch gables overhang))
          (foot (apply min (append-map (lambda (f) (map cz (cdr f))) all)))
