@@ -6,12 +6,7 @@
 (define (%need-net who net)
   (if (not (and (list? net) (= (length net) 2) (list? (first net)) (every %finite-point? (first net)) (list? (second net))))
       (error who "net must be (list points members), such as (panel-net panels), got ~s" net))
-  (let ((n (length (first net))))
-    (for-each
-      (lambda (m)
-        (if (not (and (list? m) (= (length m) 2) (every (lambda (i) (and (exact-integer? i) (<= 1 i n))) m)))
-            (error who "members must be lists of two numbers of points from 1 to ~a, got ~s" n m)))
-      (second net))))
+  (%need-members who (second net) (length (first net))))
 
 ; Returns the net of the edges of panels, lists of corners; equal corners are one point, shared edges one member.
 (define (panel-net panels)
