@@ -20,75 +20,81 @@
 
 #include <string.h>
 
-enum { FEW = 24 }; /* up to this number of segments, each pair is tested */
+enum { FEW = 24 }; /* greatest number of segments for which every pair of segments is tested; more segments are searched
+                    * with an index */
 
 typedef struct {
   uint32_t p, q;
-  uint32_t leaf;   /* leaf whose boundary edge this is: the area to the left of p->q has one more cover of the leaf than
-                    * the area to the right; VS_NONE for a cut */
-  /* the second plane that contains the segment. VS_NONE for an edge between vertices of the input; VS_LINE plus a
-   * line's index for a part of such an edge */
+  uint32_t leaf;   /* For a boundary edge of a facet: number of the facet's leaf. The area to the left of p->q has
+                    * one more layer of the leaf's surface than the area to the right. For a cut through a facet:
+                    * VS_NONE. */
+  /* number of a second plane that contains the segment; VS_NONE for an edge between two vertices of the input; VS_LINE
+   * plus an index in the cluster's `lines` for a part of such an edge */
   uint32_t side;
-  uint8_t axis;    /* an axis along which p and q are far apart */
+  uint8_t axis;    /* coordinate axis (0, 1 or 2) along which the ends p and q are far apart */
 } segment;
 typedef struct { uint32_t segment, point; } incidence;
-/* A piece of a segment from vertex l to vertex r of the sweep. delta: cover of the leaf above the piece minus its cover
- * below the piece. */
+/* Part of a segment between two neighbouring points, from the sweep's vertex l to its vertex r. delta: number of layers
+ * of the leaf's surface above the piece minus the number below. */
 typedef struct { uint32_t l, r, leaf; int32_t delta; uint32_t side; } piece;
 
-/* The results of a chunk of groups. A point number from VS_POINT_MORE on is an index in `fresh`. */
+/* Output of one task, which arranges a chunk of planes. A point number from VS_POINT_MORE on is an index in `fresh`. */
 typedef struct {
-  VS_LIST(vs_face) faces;    /* faces; their member `cover` is an index in this structure's `covers` */
+  VS_LIST(vs_face) faces;    /* faces of the arrangement; the member `cover` of each is an index in this structure's
+                              * `covers` */
   VS_LIST(vs_cover) covers;
-  VS_LIST(vs_use) uses;      /* boundary edges of the faces; their member `face` is an index in this structure's
+  VS_LIST(vs_use) uses;      /* boundary edges of the faces; the member `face` of each is an index in this structure's
                               * `faces` */
-  VS_LIST(uint32_t) lines;   /* line of each use, if facets are given by their sides instead of triangles */
+  VS_LIST(uint32_t) lines;   /* lines[i]: line that contains boundary edge i, if the facets are given by their border
+                              * edges instead of triangles */
   VS_LIST(vs_fresh_point) fresh;
-  size_t cuts, crossed;      /* cuts: number of cuts so far in the planes of the chunk; crossed: number of points in
-                              * which cuts cross */
-  size_t hidden;             /* estimated number of points in which cuts cross inside a lid, so that they do not appear
-                              * in the result */
+  size_t cuts, crossed;      /* cuts: number of cuts through facets so far in this chunk of planes; crossed: number of
+                              * points in which cuts cross */
+  size_t hidden;             /* estimated number of points in which cuts cross inside a solid whose inside is already
+                              * decided; such points do not appear in the result */
 } findings;
 
-/* Working memory of a thread. */
+/* Memory that one thread reuses for all planes that it arranges. */
 typedef struct {
   vs_kernel *k;
   const vs_cluster *c;
   findings *to;
-  uint32_t plane_id, place;      /* plane_id: number of the group's plane; place: index in the cluster of a leaf with a
-                                  * facet in the plane */
+  uint32_t plane_id, place;      /* plane_id: number of the plane that the thread arranges; place: index in the cluster
+                                  * of a leaf with a facet in this plane */
   vs_plane plane;
-  VS_LIST(vs_point) points;      /* points of the group; their member `next` links them in a hash table */
-  VS_LIST(uint32_t) global;      /* for each point of the group: its number in the cluster, or VS_POINT_MORE + i for
-                                  * fresh point i of the chunk */
-  VS_LIST(vs_homogeneous) more;  /* exact coordinates of the new points */
-  VS_LIST(uint32_t) known;       /* for each point of the cluster: its number in the group; valid only if the element of
-                                  * `global` at this number is the point */
+  VS_LIST(vs_point) points;      /* points of the facets and cuts in the plane; their member `next` links them in a hash
+                                  * table */
+  VS_LIST(uint32_t) global;      /* global[i]: number in the cluster of the plane's point i, or VS_POINT_MORE + j for
+                                  * the new point j of the chunk */
+  VS_LIST(vs_homogeneous) more;  /* exact coordinates of the points that the cluster did not have before */
+  VS_LIST(uint32_t) known;       /* known[p]: number in this plane of the cluster's point p; valid only if `global` at
+                                  * this number is p */
   VS_LIST(uint32_t) heads;
-  VS_LIST(segment) segments;     /* segments of the group: first the boundary edges, then the cuts */
+  VS_LIST(segment) segments;     /* segments in the plane: first the boundary edges of facets, then the cuts */
   VS_LIST(incidence) on;
-  VS_LIST(uint32_t) families;    /* for each segment: its family in the index (bvh.h); 0: the segment was already tested
-                                  * against all segments of family 0 */
-  VS_LIST(uint32_t) through;     /* for each point: index in `holds` of its first entry, which names a segment that
-                                  * contains the point */
-  VS_LIST(incidence) holds;      /* entries of the lists of `through`; the member `point` of an entry is the index of
+  VS_LIST(uint32_t) families;    /* families[i]: family of segment i in the tree of boxes (bvh.h). Family 0: the segment
+                                  * was already tested against all others of family 0. */
+  VS_LIST(uint32_t) through;     /* through[i]: index in `holds` of the first entry of point i; each entry names a
+                                  * segment that contains the point */
+  VS_LIST(incidence) holds;      /* linked lists that begin at `through`; the member `point` of an entry is the index of
                                   * the next entry */
   VS_LIST(vs_bvh_box) boxes;
   vs_bvh bvh;
   VS_LIST(uint32_t) list, scratch;
-  VS_LIST(uint32_t) local;       /* for each point: its vertex number in the sweep */
+  VS_LIST(uint32_t) local;       /* local[i]: number of point i among the vertices of the plane sweep */
   VS_LIST(piece) pieces;
   VS_LIST(piece) sorted;
-  VS_LIST(uint32_t) on_first;    /* at first for each segment its first incidence, and later for each vertex its first
-                                  * piece */
+  VS_LIST(uint32_t) on_first;    /* first for each segment: the index of its first point on it; later for each vertex:
+                                  * the index of its first piece */
   VS_LIST(vs_keyed) keyed;
-  VS_LIST(uint32_t) payload;     /* for each edge of the sweep: its first piece; an extra element marks the end */
-  /* for each edge of the sweep: `side` of a segment that contains it, an edge of the input if possible. */
+  VS_LIST(uint32_t) payload;     /* payload[e]: index of the first piece on edge e of the plane sweep; an extra element
+                                  * marks the end */
+  /* line[e]: the member `side` of a segment that contains edge e of the plane sweep, if possible of an input edge */
   VS_LIST(uint32_t) line;
-  VS_LIST(uint32_t) above, below, face; /* above, below: number of the face on each side of an edge, later elements of a
-                                         * union-find structure; face: resulting face for each face of the sweep */
+  VS_LIST(uint32_t) above, below, face; /* above[e], below[e]: face on each side of edge e, later elements of a
+                                         * union-find structure; face[f]: final number of the sweep's face f */
   VS_LIST(uint32_t) face_first, face_edges, queue;
-  VS_LIST(vs_cover) cover;       /* covers of the group's faces */
+  VS_LIST(vs_cover) cover;       /* changes of the winding numbers across each face of the plane */
   VS_LIST(uint32_t) cover_first, cover_count;
   vs_sweep sweep;
 } plane_work;
@@ -97,9 +103,8 @@ static vs_points_view view(const plane_work *w) {
   return (vs_points_view){ w->points.at, w->c->points.big.at, w->more.at };
 }
 
-static void grid_of(const plane_work *w, uint32_t point, int32_t out[3]) { /* returns the coordinates, in steps of the
-                                                                            * grid, of a point that is a vertex of the
-                                                                            * input */
+static void grid_of(const plane_work *w, uint32_t point, int32_t out[3]) { /* returns the coordinates, in grid steps, of
+                                                                            * a point that is a vertex of the input */
   for (int i = 0; i < 3; i++) out[i] = vs_point_grid(&w->points.at[point], i);
 }
 
@@ -117,7 +122,7 @@ static bool own_point(plane_work *w, uint32_t global, uint32_t *point) {
 
 static size_t slot_of(const plane_work *w, const int64_t f[3]) { return vs_points_hash(f) & (w->heads.count - 1); }
 
-/* Makes the hash table of the group's points: when a point is first searched in it, and again when the table is
+/* Makes the hash table of the plane's points: when a point is first searched in it, and again when the table is
  * full. */
 static bool chain_points(plane_work *w) {
   size_t want = 64;
@@ -171,7 +176,8 @@ static bool add_segment(plane_work *w, uint32_t p, uint32_t q, uint32_t leaf, ui
   return VS_PUSH(w->k, w->segments, s);
 }
 
-/* Sets p and q to the ends of the input's edge that contains the segment. Returns false if no such edge is known. */
+/* Sets p and q to the two ends, in grid steps, of the input's edge that contains segment s. Returns false if no such
+ * edge is known. */
 static bool edge_ends(const plane_work *w, const segment *s, int32_t p[3], int32_t q[3]) {
   if (s->side == VS_NONE) {
     grid_of(w, s->p, p);
@@ -212,7 +218,7 @@ static bool add_facet(plane_work *w, const vs_facet *f) {
 
 /* ---- step 2: crossings ---- */
 
-/* Records that segment s contains the point, unless the segment ends there. */
+/* Records that point `point` lies inside segment s, unless it is an end of s. */
 static bool put(plane_work *w, uint32_t s, uint32_t point) {
   const segment *x = &w->segments.at[s];
   VS_ASSERT(s < w->segments.count);
@@ -221,13 +227,13 @@ static bool put(plane_work *w, uint32_t s, uint32_t point) {
 }
 
 static bool within(const plane_work *w, const segment *s, uint32_t x) { /* returns true if point x, which lies on the
-                                                                         * line of segment s, is between the ends of
-                                                                         * s */
+                                                                         * infinite line through segment s, is between
+                                                                         * the ends of s */
   return vs_compare(view(w), s->p, x, s->axis) * vs_compare(view(w), x, s->q, s->axis) > 0;
 }
 
-/* Computes on which side of s the point x lies, as seen in the plane. Returns false if the fixed-point numbers do not
- * decide it. */
+/* Computes on which side of segment s the point x lies, as seen along the plane's normal. Returns false if the error of
+ * the fixed-point numbers leaves it open. */
 static bool side_quick(const plane_work *w, const segment *s, uint32_t x, int *sign) {
   *sign = 0;
   if (x == s->p || x == s->q) return true;
@@ -235,13 +241,13 @@ static bool side_quick(const plane_work *w, const segment *s, uint32_t x, int *s
   if (*sign != VS_UNSURE) return true;
   uint32_t p = w->global.at[s->p], q = w->global.at[s->q], point = w->global.at[x];
   if (s->side != VS_NONE || point >= w->c->edge_of.count) return false;
-  const vs_edge *e = &w->c->edge_of.at[point]; /* most cuts end at a point on an edge whose two ends are known */
+  const vs_edge *e = &w->c->edge_of.at[point]; /* most cuts end at a point on an input edge whose two ends are known */
   *sign = 0;
   return (e->low == p && e->high == q) || (e->low == q && e->high == p);
 }
 
-/* Computes the sides of s on which t's two ends lie. The signs are only relative: the caller may compare them with each
- * other and with 0. */
+/* Computes the signs *a and *b of the sides of segment s on which the two ends of segment t lie. Only comparisons of *a
+ * with *b and with 0 are meaningful. */
 static void sides_of(const plane_work *w, const segment *s, const segment *t, int *a, int *b) {
   bool known_a = side_quick(w, s, t->p, a), known_b = side_quick(w, s, t->q, b);
   if (known_a && known_b) return;
@@ -252,7 +258,7 @@ static void sides_of(const plane_work *w, const segment *s, const segment *t, in
 }
 
 static bool lies_on(const plane_work *w, const segment *s, uint32_t x) { /* returns true if point x lies on segment s,
-                                                                          * but not at an end of s */
+                                                                          * but is not an end of s */
   int sign;
   if (!side_quick(w, s, x, &sign)) {
     vs_plane side;
@@ -262,7 +268,7 @@ static bool lies_on(const plane_work *w, const segment *s, uint32_t x) { /* retu
   return sign == 0 && within(w, s, x);
 }
 
-/* Computes the point where the segments s and t cross. The point is inside both segments. */
+/* Computes the point where the segments s and t cross. The caller knows that the point is not an end of either. */
 static bool meet(const plane_work *w, const segment *s, const segment *t, vs_homogeneous *out) {
   vs_plane a, b;
   int32_t p[3], q[3];
@@ -273,8 +279,8 @@ static bool meet(const plane_work *w, const segment *s, const segment *t, vs_hom
   return vs_meet_planes(&w->plane, &a, &b, out);
 }
 
-/* Counts the crossing at the point, and tests for every 16th crossing whether it is inside a lid. Returns false once
- * too many crossings are hidden. */
+/* Counts a crossing of two cuts, and tests for every 16th crossing whether it is inside a solid and so hidden. Returns
+ * false once too many crossings are hidden. */
 static bool look_whether_hidden(plane_work *w, uint32_t point) {
   enum { ONE_IN = 16 };
   findings *to = w->to;
@@ -295,7 +301,7 @@ static bool cross(void *context, uint32_t i, uint32_t j) {
     j = t;
   }
   const segment *s = &w->segments.at[i], *t = &w->segments.at[j];
-  if (s->p == s->q) return t->p == t->q || !lies_on(w, t, s->p) || put(w, j, s->p); /* s is a single point */
+  if (s->p == s->q) return t->p == t->q || !lies_on(w, t, s->p) || put(w, j, s->p); /* segment s is a single point */
   if (t->p == t->q) return !lies_on(w, s, t->p) || put(w, i, t->p);
   int a, b, c, d;
   sides_of(w, s, t, &a, &b);
@@ -304,7 +310,7 @@ static bool cross(void *context, uint32_t i, uint32_t j) {
     return (!within(w, s, t->p) || put(w, i, t->p)) && (!within(w, s, t->q) || put(w, i, t->q)) &&
            (!within(w, t, s->p) || put(w, j, s->p)) && (!within(w, t, s->q) || put(w, j, s->q));
   }
-  uint32_t end = a == 0 ? t->p : t->q; /* the end of t that lies on the line through s */
+  uint32_t end = a == 0 ? t->p : t->q; /* the end of segment t that lies on the infinite line through segment s */
   if (a * b == 0 && (end == s->p || end == s->q)) return true;
   sides_of(w, t, s, &c, &d);
   if (c * d > 0) return true;
@@ -317,7 +323,7 @@ static bool cross(void *context, uint32_t i, uint32_t j) {
 }
 
 /* Finds the crossings of all pairs of segments, except pairs among the first `tried` segments, which were tested
- * before. tried is at most the number of segments. */
+ * before. */
 static bool crossings(plane_work *w, uint32_t tried) {
   uint32_t n = (uint32_t)w->segments.count;
   VS_ASSERT(tried <= n);
@@ -344,7 +350,7 @@ static bool crossings(plane_work *w, uint32_t tried) {
   return true;
 }
 
-/* Records that segment s contains the point. */
+/* Records that segment s contains point `point`. */
 static bool hold(plane_work *w, uint32_t s, uint32_t point) {
   uint32_t *at = &w->through.at[point];
   VS_ASSERT(point < w->through.count);
@@ -353,7 +359,7 @@ static bool hold(plane_work *w, uint32_t s, uint32_t point) {
   return true;
 }
 
-/* Makes the lists of the segments that contain each point. */
+/* Makes, for each point, the list of the segments that contain it. */
 static bool index_points(plane_work *w) {
   size_t points = w->points.count;
   if (!VS_ROOM(w->k, w->through.at, w->through.room, points)) return false;
@@ -367,7 +373,7 @@ static bool index_points(plane_work *w) {
   return true;
 }
 
-/* Returns true if some segment contains both points. */
+/* Returns true if some segment contains the points p and q. */
 static bool joined(const plane_work *w, uint32_t p, uint32_t q) {
   for (uint32_t i = w->through.at[p]; i != VS_NONE; i = w->holds.at[i].point)
     for (uint32_t j = w->through.at[q]; j != VS_NONE; j = w->holds.at[j].point)
@@ -377,14 +383,16 @@ static bool joined(const plane_work *w, uint32_t p, uint32_t q) {
 
 /* ---- step 3: pieces ---- */
 
-static bool on_before(const void *context, uint32_t x, uint32_t y) { /* x and y are incidences of one segment */
+static bool on_before(const void *context, uint32_t x, uint32_t y) { /* orders two points of one segment along it; x and
+                                                                      * y are indices of their incidences */
   const plane_work *w = context;
   const incidence *a = &w->on.at[x], *b = &w->on.at[y];
   const segment *s = &w->segments.at[a->segment];
   return vs_compare(view(w), a->point, b->point, s->axis) * vs_compare(view(w), s->p, s->q, s->axis) > 0;
 }
 
-/* Sorts the incidences by segment, and along each segment. The result is in w->list. */
+/* Sorts the incidences (pairs of a segment and a point on it) by segment, and along each segment. The result is in
+ * w->list. */
 static bool order_on(plane_work *w) {
   size_t n = w->segments.count, m = w->on.count;
   if (!VS_ROOM(w->k, w->on_first.at, w->on_first.room, n + 2) || !VS_ROOM(w->k, w->keyed.at, w->keyed.room, 2 * m + 1))
@@ -406,7 +414,7 @@ static bool order_on(plane_work *w) {
     }
     vs_sort_keyed(at, at + m, count);
     for (uint32_t j = 0; j < count; j++) list[low + j] = at[j].item;
-    for (uint32_t j = 0, end; j < count; j = end) { /* handles points that are repeated, or closer than fixed-point
+    for (uint32_t j = 0, end; j < count; j = end) { /* handles points that occur twice or are closer than fixed-point
                                                      * numbers can distinguish */
       for (end = j + 1; end < count && at[end].key == at[j].key;) end++;
       if (end > j + 1) vs_kernel_sort(list + low + j, w->scratch.at, end - j, on_before, w);
@@ -421,7 +429,7 @@ static bool piece_before(const piece *x, const piece *y) {
   return x->delta != y->delta ? x->delta < y->delta : x->side < y->side;
 }
 
-/* Sorts the pieces by both ends and the leaf, into w->sorted. Pieces that compare equal have equal members, so the
+/* Sorts the pieces by their two ends and the leaf, into w->sorted. Pieces that compare equal have equal members, so the
  * result is unique. */
 static bool order_pieces(plane_work *w) {
   enum { MANY = 64 };
@@ -436,7 +444,7 @@ static bool order_pieces(plane_work *w) {
   for (size_t v = 0; v < n; v++) {
     piece *at = w->sorted.at + first[v];
     uint32_t count = first[v + 1] - first[v];
-    /* Shell sort: most vertices have few pieces, but a hub has very many. */
+    /* Shell sort: most vertices have few pieces, but some have very many. */
     for (uint32_t gap = count > MANY ? count / 2 : 1; gap; gap = gap == 2 ? 1 : (uint32_t)(gap / 2.2))
       for (uint32_t i = gap; i < count; i++) {
         piece x = at[i];
@@ -448,7 +456,7 @@ static bool order_pieces(plane_work *w) {
   return true;
 }
 
-/* Adds the piece of a segment between points p and q, which are different vertices of the sweep. */
+/* Adds the piece of segment s between the points p and q, which are different vertices of the plane sweep. */
 static bool add_piece(plane_work *w, uint32_t p, uint32_t q, const segment *s) {
   uint32_t a = w->local.at[p], b = w->local.at[q];
   VS_ASSERT(a != b);
@@ -465,8 +473,8 @@ static bool split(plane_work *w) {
   uint32_t *list = w->list.at;
   for (size_t i = 0; i < n; i++) list[2 * i] = w->segments.at[i].p, list[2 * i + 1] = w->segments.at[i].q;
   for (size_t i = 0; i < m; i++) list[2 * n + i] = w->on.at[i].point;
-  /* Numbers the vertices of the sweep. Each point that is an end of a piece gets one number, in the order of the
-   * sweep. */
+  /* Numbers the vertices of the plane sweep. Each point that is an end of a piece gets one number, in the sweep's
+   * order. */
   size_t unique = 0;
   for (size_t i = 0; i < ends; i++) w->local.at[list[i]] = VS_NONE;
   for (size_t i = 0; i < ends; i++)
@@ -495,8 +503,8 @@ static bool split(plane_work *w) {
   const piece *sorted = w->sorted.at;
   w->sweep.edges.count = w->payload.count = w->line.count = 0;
   size_t kept = 0, count = w->pieces.count;
-  for (size_t i = 0, end; i < count; i = end) { /* makes an edge for each pair (l, r), with a piece for each leaf whose
-                                                 * delta is not 0 */
+  for (size_t i = 0, end; i < count; i = end) { /* makes an edge for each pair (l, r) of vertices, with a piece for each
+                                                 * leaf whose delta is not 0 */
     const piece *at = &sorted[i];
     if (!VS_PUSH(k, w->sweep.edges, ((vs_sweep_edge){ at->l, at->r })) || !VS_PUSH(k, w->payload, (uint32_t)kept))
       return false;
@@ -525,7 +533,7 @@ static bool name_faces(plane_work *w) {
       !vs_sweep_begin(k, &w->sweep))
     return false;
   w->face.count = 0;
-  if (!VS_PUSH(k, w->face, 0u)) return false; /* face 0 is the outside */
+  if (!VS_PUSH(k, w->face, 0u)) return false; /* face 0 is the unbounded area around all segments */
   vs_sweep_event e;
   while (vs_sweep_next(k, &w->sweep, &e)) {
     uint32_t low = e.below == VS_NONE ? 0 : w->above.at[e.below], high = e.above == VS_NONE ? 0 : w->below.at[e.above];
@@ -546,7 +554,8 @@ static bool name_faces(plane_work *w) {
     }
   }
   if (!vs_sweep_done(&w->sweep)) return false;
-  uint32_t count = 0; /* the root of a set is its smallest number, so faces are numbered without gaps and in order */
+  uint32_t count = 0; /* The root of each set of united faces is its smallest number. Therefore one pass numbers the
+                       * faces without gaps and in order. */
   for (uint32_t f = 0; f < w->face.count; f++) w->face.at[f] = vs_find(w->face.at, f) == f ? f : vs_find(w->face.at, f);
   if (!VS_ROOM(k, w->list.at, w->list.room, w->face.count)) return false;
   for (uint32_t f = 0; f < w->face.count; f++) w->list.at[f] = w->face.at[f] == f ? count++ : w->list.at[w->face.at[f]];
@@ -558,8 +567,8 @@ static bool name_faces(plane_work *w) {
 
 /* ---- step 5: covers ---- */
 
-/* Computes the cover of face `to` from that of its neighbour `from` across an edge. sign: 1 if `to` is above the edge,
- * -1 if it is below. */
+/* Computes the winding changes of face `to` from those of its neighbour `from` across an edge. sign: 1 if `to` is above
+ * the edge, -1 if it is below. */
 static bool step_cover(plane_work *w, uint32_t from, uint32_t to, uint32_t edge, int sign) {
   VS_ASSERT(sign == 1 || sign == -1);
   w->cover_first.at[to] = (uint32_t)w->cover.count;
@@ -628,7 +637,8 @@ static bool give_faces(plane_work *w) {
       uint32_t e = w->face_edges.at[i];
       uint32_t l = w->global.at[w->sweep.vertices.at[w->sweep.edges.at[e].l]],
                r = w->global.at[w->sweep.vertices.at[w->sweep.edges.at[e].r]];
-      bool second = i > begin && w->face_edges.at[i - 1] == e; /* true if the face is on both sides of the edge */
+      bool second = i > begin && w->face_edges.at[i - 1] == e; /* true if the face lies on both sides of edge e, which
+                                                                * then occurs twice in its list */
       vs_use use = w->above.at[e] == f && !second ? (vs_use){ l, r, w->queue.at[f] } : (vs_use){ r, l, w->queue.at[f] };
       to->uses.at[to->uses.count++] = use;
       if (w->c->sides.count && !VS_PUSH(k, to->lines, w->line.at[e])) return false;
@@ -639,7 +649,8 @@ static bool give_faces(plane_work *w) {
 
 /* ---- groups ---- */
 
-static bool give_facet(plane_work *w, uint32_t facet) { /* makes a face of a facet that nothing touches */
+static bool give_facet(plane_work *w, uint32_t facet) { /* copies the triangles of a facet that no other facet touches,
+                                                         * as one face */
   const vs_cluster *c = w->c;
   findings *to = w->to;
   const vs_facet *f = &c->facets.at[facet];
@@ -664,20 +675,22 @@ static bool give_facet(plane_work *w, uint32_t facet) { /* makes a face of a fac
   return VS_PUSH(w->k, to->covers, cover) && VS_PUSH(w->k, to->faces, face);
 }
 
-typedef struct { uint32_t from, end; } chunk; /* a range of groups, from root `from` to root `end` - 1 */
+typedef struct { uint32_t from, end; } chunk; /* a range of groups of facets, from the union-find root `from` to the
+                                               * root `end` - 1 */
 
-/* Facets and cuts sorted by group, in the order of the groups' roots, and the groups divided into chunks. */
+/* Facets and cuts sorted by their group of touching coplanar facets, and the groups divided into chunks for the
+ * threads. */
 typedef struct {
   vs_cluster *c;
-  VS_LIST(uint32_t) facets, cuts;  /* indices of facets and cuts, sorted by group */
-  VS_LIST(uint32_t) facet_first, cut_first; /* for each root: index of its first facet or cut; an extra element marks
-                                             * the end */
+  VS_LIST(uint32_t) facets, cuts;  /* indices of all facets and of all cuts, each sorted by group */
+  VS_LIST(uint32_t) facet_first, cut_first; /* facet_first[r], cut_first[r]: position in `facets` or `cuts` of the first
+                                             * element of group r; an extra element marks the end */
   VS_LIST(chunk) chunks;
   findings found[VS_PIPELINE_WINDOW];
-  plane_work *works;               /* working memory of each thread */
-  vs_points_table points;          /* new points of all chunks, numbered after the points of the cluster */
-  VS_LIST(uint32_t) numbers;       /* numbers in the cluster of a chunk's fresh points */
-  size_t tried, crossed, hidden;   /* sums over the chunks so far of the chunks' members cuts, crossed and hidden */
+  plane_work *works;               /* memory of each thread, an array with one element for each */
+  vs_points_table points;          /* new points of all chunks; their numbers follow those of the cluster's points */
+  VS_LIST(uint32_t) numbers;       /* numbers[i]: number in the cluster of the new point i of a chunk */
+  size_t tried, crossed, hidden;   /* sums of the members `cuts`, `crossed` and `hidden` of the chunks so far */
 } arranging;
 
 static bool arrange_group(plane_work *w, const arranging *a, uint32_t root) {
@@ -700,7 +713,7 @@ static bool arrange_group(plane_work *w, const arranging *a, uint32_t root) {
   size_t left = c->cuts.count - a->cut_first.at[root];
   for (uint32_t j = 0; j < cut_count; j++) {
     const vs_facet_cut *cut = &c->cuts.at[cuts[j]];
-    if (j + AHEAD < left) { /* also prefetches data of the next group */
+    if (j + AHEAD < left) { /* also prefetches the memory of the next group */
       __builtin_prefetch(&c->cuts.at[cuts[j + AHEAD]]);
       const vs_facet_cut *near = &c->cuts.at[cuts[j + NEAR]];
       __builtin_prefetch(&c->points.all.at[near->p]);
@@ -708,21 +721,21 @@ static bool arrange_group(plane_work *w, const arranging *a, uint32_t root) {
       __builtin_prefetch(&w->known.at[near->p], 1);
       __builtin_prefetch(&w->known.at[near->q], 1);
     }
-    /* Point numbers are below 2^30. */
+    /* Point numbers are below 2^30, so two of them fit into the 64-bit key of a sort. */
     at[j] = (vs_keyed){ cut->p < cut->q ? (int64_t)cut->p << 32 | cut->q : (int64_t)cut->q << 32 | cut->p, cut->plane };
   }
   vs_sort_keyed(at, at + cut_count, cut_count);
   uint32_t kept = 0, tried = 0;
-  for (uint32_t j = 0, stop; j < cut_count; j = stop) { /* keeps each segment once, with the first of its second
-                                                         * planes */
+  for (uint32_t j = 0, stop; j < cut_count; j = stop) { /* keeps each cut segment once, with the first of the second
+                                                         * planes that contain it */
     uint32_t plane = at[j].item, p, q;
     for (stop = j + 1; stop < cut_count && at[stop].key == at[j].key; stop++)
       if (at[stop].item < plane) plane = at[stop].item;
     if (!own_point(w, (uint32_t)(at[j].key >> 32), &p) || !own_point(w, (uint32_t)at[j].key, &q)) return false;
     at[kept++] = (vs_keyed){ (int64_t)p << 32 | q, plane };
   }
-  if (end > begin + 1) { /* Solids that touch side by side have many cuts that lie on an edge, between points that edges
-                          * already connect. Such cuts are not needed. */
+  if (end > begin + 1) { /* Solids that touch side by side have many cuts that lie on a facet's edge, between points
+                          * that edges already connect. Such cuts are not needed. */
     if (!crossings(w, 0) || !index_points(w)) return false;
     tried = (uint32_t)w->segments.count;
   }
@@ -794,7 +807,8 @@ static bool absorb(vs_kernel *k, void *context, size_t index) {
 }
 
 static bool bucket(vs_kernel *k, arranging *a) {
-  enum { CHUNK = 2048, LARGE = 4 * CHUNK }; /* number of facets and cuts in a chunk */
+  enum { CHUNK = 2048, LARGE = 4 * CHUNK }; /* CHUNK: number of facets and cuts that one task handles; LARGE: number
+                                             * from which a chunk of groups counts as large and is started early */
   const vs_cluster *c = a->c;
   uint32_t n = (uint32_t)c->facets.count, m = (uint32_t)c->cuts.count, *first;
   if (!VS_ROOM(k, a->facets.at, a->facets.room, (size_t)n + 1) ||
@@ -814,7 +828,8 @@ static bool bucket(vs_kernel *k, arranging *a) {
   for (uint32_t i = 2; i < n + 2; i++) first[i] += first[i - 1];
   for (uint32_t i = 0; i < m; i++) a->cuts.at[first[c->facets.at[c->cuts.at[i].facet].group + 1]++] = i;
   if (!vs_kernel_report(k, k->part)) return false;
-  for (int large = 1; large >= 0; large--) /* the first pass lists the large chunks, the second the others */
+  for (int large = 1; large >= 0; large--) /* the first pass lists the large chunks, so that threads start with them;
+                                            * the second pass lists the others */
     for (uint32_t i = 0, end; i < n; i = end) {
       uint32_t size = 0;
       for (end = i; end < n && size < CHUNK; end++) {
@@ -867,18 +882,20 @@ bool vs_arrange_planes(vs_kernel *k, vs_cluster *c) {
   size_t work_room = 0;
   bool ok = VS_ROOM(k, a.works, work_room, k->threads);
   if (ok) memset(a.works, 0, work_room * sizeof *a.works);
-  size_t least = c->facets.count; /* estimated minimum of the number of faces: there are about as many faces as
-                                   * facets */
+  size_t least = c->facets.count; /* estimated minimum of the number of faces, for the size of the arrays; there are
+                                   * about as many faces as facets */
   ok = ok && bucket(k, &a) && VS_ROOM(k, c->faces.at, c->faces.room, least) &&
        VS_ROOM(k, c->covers.at, c->covers.room, least) && VS_ROOM(k, c->uses.at, c->uses.room, 3 * least) &&
        vs_kernel_pipeline(k, a.chunks.count, arrange_chunk, absorb, &a);
   vs_points_forget(k, &c->points);
   vs_points_forget(k, &a.points);
   ok = ok && vs_points_append(k, &c->points, &a.points);
-  if (!ok && k->error->status == VS_KERNEL_FINE && !c->layered) c->crowded = c->crowd > 0; /* there were too many hidden
-                                                                                            * crossings, so the cluster
-                                                                                            * will be arranged again in
-                                                                                            * levels */
+  if (!ok && k->error->status == VS_KERNEL_FINE && !c->layered) c->crowded = c->crowd > 0; /* Too many crossings were
+                                                                                            * hidden inside solids.
+                                                                                            * Therefore the cluster
+                                                                                            * will be arranged again,
+                                                                                            * and its solids united
+                                                                                            * two by two. */
   for (size_t i = 0; i < VS_PIPELINE_WINDOW; i++) {
     VS_DROP(k, a.found[i].faces);
     VS_DROP(k, a.found[i].covers);

@@ -25,47 +25,52 @@ typedef struct {
   vs_kernel *k;
   vs_cluster *c;
   vs_expression *e;
-  VS_LIST(_Atomic uint32_t) sets; /* union-find structure of the sides of faces: 2 * face for the + side, 2 * face + 1
-                                   * for the - side */
-  VS_LIST(uint32_t) side;         /* cell of each side of a face */
+  VS_LIST(_Atomic uint32_t) sets; /* union-find structure whose elements are the sides of faces: 2 * face for the +
+                                   * side, 2 * face + 1 for the - side */
+  VS_LIST(uint32_t) side;         /* cell (connected piece of space) beside each side of a face: [2 * face] for the +
+                                   * side, [2 * face + 1] for the - side */
   VS_LIST(uint32_t) first, borders; /* borders: sides of faces grouped by cell; first: index in `borders` of each cell's
                                      * first side */
-  VS_LIST(uint64_t) sum;    /* sum of random numbers for the windings in each cell */
-  VS_LIST(uint8_t) state;   /* for each cell, a set of bits. 1: visited; 2: the walk has passed through the cell; 4:
-                             * inside the result; 8: settled */
+  VS_LIST(uint64_t) sum;    /* sum[c]: sum of the random numbers that stand for the windings in cell c; a check of the
+                             * arrangement */
+  VS_LIST(uint8_t) state;   /* state[c]: bits of cell c. 1: visited; 2: the walk has passed through it; 4: inside the
+                             * result; 8: decided by one leaf, so that its surroundings do not matter */
   VS_LIST(uint32_t) queue;
   struct { uint32_t cell, next, face; } *stack;
   size_t stack_room;
-  VS_LIST(vs_cover) found;  /* winding numbers that the line through a face has found */
+  VS_LIST(vs_cover) found;  /* winding numbers of the leaves at the place that a ray through a face has tested */
   VS_LIST(uint32_t) active; /* active: leaves that contain the current cell; place: index of each leaf in `active` */
   VS_LIST(uint32_t) place;
-  VS_LIST(uint32_t) owner;  /* for each cell inside the result: the earliest leaf that makes the expression true
+  VS_LIST(uint32_t) owner;  /* owner[c]: for a cell inside the result, the earliest leaf that makes the expression true
                              * there */
   uint32_t cells;
-  size_t lids;              /* number of active leaves whose inside is settled */
-  bool owned;               /* true if `owner` is needed, because the faces of a bare leaf get the tag of a cell's
-                             * owner */
-  /* The members below describe the current line. */
+  size_t lids;              /* number of leaves around the current cell whose inside is decided (settled) */
+  bool owned;               /* true if `owner` is needed, because some faces get the tag of the leaf that owns the cell
+                             * beside them */
+  /* The members below describe the ray through a face whose winding numbers are searched. */
   uint32_t face;
   int axis;
   bool degenerate;
   vs_homogeneous at;
   int64_t u, v;
   vs_bvh_box column;
-  vs_use probe[3];          /* boundary edges of a region's triangle, which is the target of the line */
+  vs_use probe[3];          /* boundary edges of one triangle of an untouched region, if the ray passes through such a
+                             * region */
 } walk;
 
-/* The target of a line: a face, or one triangle of a region. */
+/* The face through which a ray passes, or one triangle of a region of untouched triangles. */
 typedef struct {
   vs_plane plane;
-  bool flip;                /* true if the + side of the face is the - side of the plane */
+  bool flip;                /* true if the face's + side is the - side of its plane, which is opposite to the plane's
+                             * normal */
   const vs_use *uses;
   uint32_t count;
 } outline;
 
 /* ---- step 1: cells ---- */
 
-bool vs_around_before(const vs_around *a, const vs_around *b) { /* orders by the angle of (x, y) from +x */
+bool vs_around_before(const vs_around *a, const vs_around *b) { /* returns true if a precedes b by the angle of (x, y),
+                                                                 * counted from the +x axis */
   bool lower_a = a->y < 0 || (a->y == 0 && a->x < 0), lower_b = b->y < 0 || (b->y == 0 && b->x < 0);
   if (lower_a != lower_b) return lower_b;
   return (vs_i128)a->x * b->y - (vs_i128)a->y * b->x > 0;
@@ -119,8 +124,7 @@ static bool sort_edge(vs_kernel *k, walk *w, const vs_half *halves, size_t count
   return ok;
 }
 
-/* Prefetches data that are soon read from many places of memory. Uses are prefetched first, then their faces, and last
- * the planes of the faces. */
+/* Prefetches memory of the uses from i on: first each use, then its face, and last the plane of the face. */
 VS_AHEAD look_ahead(const vs_cluster *c, uint32_t i, uint32_t stop) {
   enum { USE = 36, FACE = 24, PLANE = 12 };
   const vs_half *at = c->edges.at.at + i;
@@ -130,7 +134,8 @@ VS_AHEAD look_ahead(const vs_cluster *c, uint32_t i, uint32_t stop) {
   __builtin_prefetch(&c->planes.all.at[c->faces.at[c->uses.at[at[PLANE].item].face].plane]);
 }
 
-/* Unites sides of faces into cells, if the sides face each other at an edge whose smaller point is in the range. */
+/* Unites the sides of two faces into one cell if they face each other at an edge whose smaller point is in the
+ * range. */
 static bool join_range(vs_kernel *k, void *context, size_t range) {
   walk *w = context;
   const vs_cluster *c = w->c;
@@ -142,7 +147,7 @@ static bool join_range(vs_kernel *k, void *context, size_t range) {
     const vs_half *at = h->at.at + i;
     for (end = i + 1; end < h->first.at[low + 1] && h->at.at[end].high == at->high;) end++;
     for (uint32_t j = i; j < end; j++) look_ahead(c, j, stop);
-    if (end - i == 1) { /* the other face at this edge was culled */
+    if (end - i == 1) { /* a face has no partner at this edge because the kernel removed the triangle there early */
       uint32_t face = c->uses.at[at->item].face;
       vs_unite_shared(w->sets.at, 2 * face, 2 * face + 1);
     } else if (end - i == 2) {
@@ -177,8 +182,8 @@ static bool make_cells(walk *w) {
   for (size_t i = 0; i < c->regions.count; i++)
     if (c->regions.at[i].open) vs_unite_shared(w->sets.at, 2 * c->regions.at[i].face, 2 * c->regions.at[i].face + 1);
   w->cells = 0;
-  for (uint32_t i = 0; i < 2 * f; i++) { /* the root of a set is its smallest number, so cells can be numbered in one
-                                          * pass */
+  for (uint32_t i = 0; i < 2 * f; i++) { /* The root of each set is its smallest number. Therefore one pass can number
+                                          * the cells. */
     uint32_t root = vs_find_shared(w->sets.at, i);
     w->side.at[i] = root == i ? w->cells++ : w->side.at[root];
   }
@@ -201,8 +206,8 @@ static bool make_cells(walk *w) {
 
 /* ---- step 2: the line ---- */
 
-/* Makes the outline of a face. For a region, it temporarily appends the corners of a triangle to the cluster's
- * points. */
+/* Makes the outline of a face. For a region of untouched triangles, it temporarily appends the corners of one triangle
+ * to the cluster's points. */
 static bool outline_of(walk *w, uint32_t face, outline *o) {
   vs_cluster *c = w->c;
   const vs_face *f = &c->faces.at[face];
@@ -230,8 +235,8 @@ static bool outline_of(walk *w, uint32_t face, outline *o) {
   return true;
 }
 
-/* Returns true if the point is strictly inside the outline as seen along the axis perpendicular to (au, av); exact.
- * probe: number of the point, the last one of the table. */
+/* Returns true if the point `probe` is strictly inside the outline as seen along the axis perpendicular to (au, av).
+ * The test is exact. probe: number of the last point in the table. */
 static bool strictly_inside(vs_points_view view, const outline *o, uint32_t probe, int au, int av) {
   bool inside = false;
   for (uint32_t i = 0; i < o->count; i++) {
@@ -244,12 +249,12 @@ static bool strictly_inside(vs_points_view view, const outline *o, uint32_t prob
   return inside;
 }
 
-/* Chooses a place inside the outline, as seen along w->axis. It is on a line v = const, in the middle of the longest
- * interval between two crossings with the boundary. attempt: selects the line. */
+/* Chooses a place inside the outline for a ray, as seen along w->axis. The place is on a line v = const, in the middle
+ * of the longest interval between two crossings with the boundary. attempt: selects the line. */
 static bool aim(walk *w, const outline *o, int attempt) {
   vs_cluster *c = w->c;
   int au = (w->axis + 1) % 3, av = (w->axis + 2) % 3;
-  /* Coordinates are relative to a point nearby, where doubles are exact. */
+  /* Coordinates are relative to a point of the outline, so that their doubles are exact. */
   int64_t low = INT64_MAX, high = INT64_MIN, origin = c->points.all.at[o->uses[0].from].fixed[au];
   for (uint32_t i = 0; i < o->count; i++) {
     int64_t y = c->points.all.at[o->uses[i].from].fixed[av];
@@ -285,8 +290,8 @@ static bool aim(walk *w, const outline *o, int attempt) {
   return true;
 }
 
-/* Tests whether the line crosses a triangle of the leaf, and adds the crossing to the winding number. The triangle's
- * corners are on the grid. */
+/* Tests whether the ray crosses a triangle of the leaf, and adds the crossing to the leaf's winding number. The
+ * triangle's corners are on the grid. */
 static bool shoot(walk *w, const vs_placed *p, uint32_t leaf, bool mirrored, size_t triangle) {
   const uint32_t *id = p->part->mesh->triangles[triangle];
   const int32_t *at[3] = { w->c->corners[p->first + id[0]], w->c->corners[p->first + id[mirrored ? 2 : 1]],
@@ -307,12 +312,12 @@ static bool shoot(walk *w, const vs_placed *p, uint32_t leaf, bool mirrored, siz
   bool flip;
   if (!vs_plane_through(at[0], at[1], at[2], &plane, &flip) || plane.n[w->axis] == 0) return true;
   if (turns & 4) {
-    w->degenerate = true; /* the line passes through an edge, so the caller must choose another place */
+    w->degenerate = true; /* the ray passes through an edge of the triangle, so the caller must choose another place */
     return false;
   }
   int64_t n = plane.n[w->axis];
   int side = vs_homogeneous_side(&plane, &w->at);
-  if (side == 0 || (side > 0) == (n > 0)) return true; /* the triangle is not above the place */
+  if (side == 0 || (side > 0) == (n > 0)) return true; /* the triangle is not above the ray's start */
   return VS_PUSH(w->k, w->found, ((vs_cover){ leaf, (n > 0) != flip ? 1 : -1 }));
 }
 
@@ -342,7 +347,8 @@ static bool index_leaf(walk *w, vs_placed *p) {
 }
 
 static bool shoot_leaf(void *context, uint32_t place) {
-  enum { MANY = 2048, OFTEN = 16 }; /* a leaf with MANY triangles that was tested OFTEN times gets an index */
+  enum { MANY = 2048, OFTEN = 16 }; /* A leaf with at least MANY triangles that rays have tested OFTEN times gets a tree
+                                     * of its triangles' boxes. */
   walk *w = context;
   vs_placed *p = &w->c->placed.at[place];
   uint32_t leaf = w->c->leaves[place];
@@ -369,7 +375,7 @@ static void find_solids(walk *w) {
   vs_cover *at = w->found.at;
   size_t n = w->found.count, kept = 0;
   if (!w->c->solid) return;
-  for (size_t i = 0, end; i < n; i = end) { /* entries of the same leaf are consecutive */
+  for (size_t i = 0, end; i < n; i = end) { /* entries of `found` that belong to one leaf are consecutive */
     vs_cover sum = at[i];
     for (end = i + 1; end < n && at[end].leaf == sum.leaf; end++) sum.delta += at[end].delta;
     if (w->c->layered && w->c->layered[sum.leaf]) {
@@ -386,8 +392,8 @@ static void find_solids(walk *w) {
   w->found.count = kept;
 }
 
-/* Sets w->found to the winding numbers directly above the face, along an axis. *side: the side of the face that is
- * above. *done: false if no place on the face could be used. Returns false on an error. */
+/* Sets w->found to the winding numbers just above the face, along an axis. *side: the side of the face that is above.
+ * *done: false if no place on the face allowed a clear result. Returns false on an error. */
 static bool look_through(walk *w, uint32_t face, const outline *o, uint32_t *side, bool *done) {
   vs_cluster *c = w->c;
   w->axis = o->plane.k;
@@ -402,8 +408,8 @@ static bool look_through(walk *w, uint32_t face, const outline *o, uint32_t *sid
     int au = (w->axis + 1) % 3, av = (w->axis + 2) % 3;
     probe.fixed[au] = w->u;
     probe.fixed[av] = w->v;
-    if (!VS_PUSH(w->k, c->points.all, probe)) return false; /* the probe is temporarily appended to the points, but not
-                                                             * entered in the hash table */
+    if (!VS_PUSH(w->k, c->points.all, probe)) return false; /* the test point is temporarily appended to the cluster's
+                                                             * points, but not entered in their hash table */
     bool inside = strictly_inside(vs_points_of(&c->points), o, (uint32_t)c->points.all.count - 1, au, av);
     c->points.all.count--;
     if (!inside) continue;
@@ -455,8 +461,8 @@ static bool turn_leaf(walk *w, uint32_t leaf, int32_t delta) {
   return true;
 }
 
-/* Finds the owner of a cell: the earliest leaf that makes the expression true there. A leaf that another operand
- * subtracts again does not count. */
+/* Finds the owner of a cell: the earliest leaf that makes the expression true there. A leaf does not count if another
+ * operand subtracts it again. */
 static bool find_owner(walk *w, uint32_t cell) {
   uint32_t owner = VS_NONE, first = VS_NONE;
   for (size_t i = 0; i < w->active.count; i++) {
@@ -471,7 +477,7 @@ static bool find_owner(walk *w, uint32_t cell) {
   return true;
 }
 
-/* Enters a cell with the given sum of random numbers, and evaluates the expression in it. */
+/* Enters a cell with the sum of the random numbers of its windings, and evaluates the expression there. */
 static bool arrive(walk *w, uint32_t cell, uint64_t sum) {
   bool joining = w->c->joining != NULL, settled = w->lids > 0 || (!joining && vs_expression_gated(w->e));
   bool inside = joining ? settled : vs_expression_value(w->e);
@@ -483,7 +489,7 @@ static bool arrive(walk *w, uint32_t cell, uint64_t sum) {
   return !inside || !w->owned || find_owner(w, cell);
 }
 
-/* Returns the change of the sum from the + side of the face to its - side. */
+/* Returns the change of the sum of random numbers from the + side of the face to its - side. */
 static uint64_t change(const walk *w, uint32_t face) {
   const vs_face *f = &w->c->faces.at[face];
   uint64_t sum = 0;
@@ -495,9 +501,9 @@ static uint64_t change(const walk *w, uint32_t face) {
   return sum;
 }
 
-static bool pass(walk *w, uint32_t face, int32_t sign) { /* updates the winding numbers for a step through the face;
-                                                          * sign: 1 from the + side to the - side, -1 in the opposite
-                                                          * direction */
+static bool pass(walk *w, uint32_t face, int32_t sign) { /* updates the winding numbers of all leaves for a step through
+                                                          * the face; sign: 1 from the + side to the - side, -1 in the
+                                                          * opposite direction */
   const vs_face *f = &w->c->faces.at[face];
   for (uint32_t i = 0; i < f->cover_count; i++) {
     vs_cover cover = w->c->covers.at[f->cover + i];
@@ -520,10 +526,11 @@ static bool walk_from(walk *w, uint32_t cell) {
   if (!arrive(w, cell, sum)) return false;
   while (depth) {
     uint32_t here = w->stack[depth - 1].cell;
-    if (w->state.at[here] & 8) w->stack[depth - 1].next = w->first.at[here + 1]; /* the cell is settled, so the walk
-                                                                                  * does not continue from it */
+    if (w->state.at[here] & 8) w->stack[depth - 1].next = w->first.at[here + 1]; /* the value of the cell is decided by
+                                                                                  * one leaf, so the walk does not
+                                                                                  * continue from it */
     if (w->stack[depth - 1].next == w->first.at[here + 1]) {
-      uint32_t back = w->stack[--depth].face; /* returns through the face by which the walk came */
+      uint32_t back = w->stack[--depth].face; /* goes back through the face by which the walk entered the cell */
       if (back != VS_NONE && !pass(w, back, w->side.at[2 * back] == here ? 1 : -1)) return false;
       continue;
     }
@@ -571,13 +578,13 @@ static double about_area(const walk *w, uint32_t face) {
 
 /* The result of a search for a face near a cell through which a line can pass. */
 typedef struct {
-  uint32_t side;  /* side of the face whose winding numbers were found; valid if done */
-  bool done;      /* false if the faces are too small for a line */
-  size_t cells;   /* number of cells in `queue` whose faces were considered */
+  uint32_t side;  /* side of the face for which winding numbers were found; valid if `done` is true */
+  bool done;      /* false if the faces near the start are too small for a ray */
+  size_t cells;   /* number of cells in `queue` whose faces were searched */
 } sighting;
 
-/* Searches the faces of the cell `start` and of cells connected to it, at most `most` cells and `faces` faces. Tests a
- * line through the largest of these faces. */
+/* Searches the faces of the cell `start` and of cells connected to it, at most `most` cells and `faces` faces. Sends a
+ * ray through the largest of these faces. */
 static bool look_around(walk *w, uint32_t start, size_t most, size_t faces, sighting *a) {
   size_t head = 0, tail = 0, seen = 0;
   double best = -1;
@@ -615,12 +622,13 @@ static double about_thickness(const walk *w, uint32_t face) {
   return fabs(about_area(w, face)) / longest;
 }
 
-/* Returns true if the first cells in `queue` are too thin for a line. If they are next to settled space, they get its
- * value. The result is closed with any value, because the faces between cells of different values are closed. A cell is
- * nowhere wider than the sum of the thicknesses of its faces. Even thousands of such thicknesses sum to less than 2^-10
- * steps. */
+/* Returns true if the first cells in `queue` are too thin for a ray. If they are next to space whose value is decided,
+ * they get its value. The result is closed with any value, because the faces between cells of different values are
+ * closed. A cell is nowhere wider than the sum of the thicknesses of its faces. Even thousands of such thicknesses sum
+ * to less than 2^-10 steps. */
 static bool settle_crumbs(walk *w, size_t cells) {
-  static const double CRUMB = 64; /* greatest thickness of such a cell's face, in fixed-point units */
+  static const double CRUMB = 64; /* greatest thickness of the faces of a cell that counts as too thin for a ray, in
+                                   * fixed-point units */
   uint32_t known = VS_NONE;
   for (size_t i = 0; i < cells; i++)
     for (uint32_t cell = w->queue.at[i], j = w->first.at[cell]; j < w->first.at[cell + 1]; j++) {
@@ -637,8 +645,8 @@ static bool settle_crumbs(walk *w, size_t cells) {
   return known != VS_NONE;
 }
 
-/* Finds winding numbers by a line, and walks from the cell whose winding numbers are known. most: number of cells in
- * which to search for a face. */
+/* Finds the winding numbers of one cell with a ray, and walks from there to all connected cells. most: number of cells
+ * in which to search for a face. */
 static bool walk_component(walk *w, uint32_t start, size_t most) {
   enum { FACES = 256 };
   sighting a = { .done = false };
@@ -646,7 +654,7 @@ static bool walk_component(walk *w, uint32_t start, size_t most) {
   /* A solid that nearly touches itself at one place has thousands of tiny cells there. Therefore all cells are
    * searched. */
   if (!a.done && most > 1 && !look_around(w, start, w->cells, SIZE_MAX, &a)) return false;
-  for (size_t i = 0; !a.done && i < a.cells; i++) /* The line through the largest face failed. Therefore all faces are
+  for (size_t i = 0; !a.done && i < a.cells; i++) /* The ray through the largest face failed. Therefore all faces are
                                                    * tried. */
     for (uint32_t j = w->first.at[w->queue.at[i]]; !a.done && j < w->first.at[w->queue.at[i] + 1]; j++)
       if (!look(w, w->borders.at[j], &a.side, &a.done)) return false;
@@ -654,8 +662,8 @@ static bool walk_component(walk *w, uint32_t start, size_t most) {
   uint32_t above = w->side.at[a.side], below = w->side.at[a.side ^ 1], through = a.side / 2;
   if (!(w->state.at[above] & 2) && !walk_from(w, above)) return false;
   if (w->state.at[below] & 2) return true;
-  const vs_face *f = &w->c->faces.at[through]; /* the cell above is settled, so the face's cover determines the windings
-                                                * below */
+  const vs_face *f = &w->c->faces.at[through]; /* The value of the cell above is decided, so the walk cannot start
+                                                * there. The winding numbers below follow from the face's changes. */
   for (uint32_t i = 0; i < f->cover_count; i++) {
     vs_cover cover = w->c->covers.at[f->cover + i];
     vs_cover across = { vs_solid_of(w->c, cover.leaf), a.side & 1 ? -cover.delta : cover.delta };
@@ -664,20 +672,20 @@ static bool walk_component(walk *w, uint32_t start, size_t most) {
   return walk_from(w, below);
 }
 
-/* Marks cells inside a leaf that settles its inside. These cells are settled and need no line. Such a leaf is a star on
- * the grid. A side of one of its faces is inside if the face separates the winding numbers 0 and 1. A thin star may
- * have been folded by the grid. Then it also has faces between the winding numbers -1 and 0, whose inner side is
+/* Marks cells inside a leaf that alone decides the expression's value there. These cells need no ray. Such a leaf is a
+ * star on the grid. A side of one of its faces is inside if the face separates the winding numbers 0 and 1. A thin star
+ * may have been folded by the grid. Then it also has faces between the winding numbers -1 and 0, whose inner side is
  * outside of the leaf. The walk has to distinguish these. */
 static bool mark_settled(walk *w) {
   const vs_cluster *c = w->c;
   bool value = c->joining || w->e->forced;
-  uint8_t *settles = NULL; /* settles[i]: 1 if the problem's leaf i settles its inside */
+  uint8_t *settles = NULL; /* settles[i]: 1 if leaf i of the problem alone decides the expression's value inside it */
   size_t room = 0;
   bool any = false;
   for (uint32_t i = 0; i < c->leaf_count; i++) any = any || (c->placed.at[i].star && w->e->forces.at[c->leaves[i]]);
   if (!any) return true;
   if (!VS_ROOM(w->k, settles, room, (size_t)c->problem->leaf_count + 1)) return false;
-  /* Only leaves of the cluster have faces here. */
+  /* Only leaves of this cluster have faces in it. */
   for (uint32_t i = 0; i < c->leaf_count; i++)
     settles[c->leaves[i]] = c->placed.at[i].star && w->e->forces.at[c->leaves[i]];
   for (uint32_t f = 0; f < c->faces.count; f++)
@@ -692,16 +700,16 @@ static bool mark_settled(walk *w) {
   return true;
 }
 
-/* Returns the leaf whose tag the face gets. `cell` is the cell beside the face that contains the solid. The leaf is the
- * earliest one with this surface. If it is a bare leaf that is subtracted, the cell's owner is used instead. */
+/* Returns the leaf whose tag the face gets: the earliest one with this surface. If it is a bare leaf that is
+ * subtracted, the owner of `cell` is used instead. cell: the cell beside the face that the result contains. */
 static uint32_t painter(const walk *w, uint32_t face, uint32_t cell) {
   const vs_cluster *c = w->c;
   const vs_face *f = &c->faces.at[face];
   uint32_t leaf = c->covers.at[f->cover].leaf;
   if (!c->kept.at[face] || !c->problem->leaves[leaf].bare || !w->e->taken_off.at[leaf]) return leaf;
   if (!(w->state.at[cell] & 8)) return w->owner.at[cell] == VS_NONE ? leaf : w->owner.at[cell];
-  for (uint32_t i = 0; i < f->cover_count; i++) /* the cell is settled as true by a leaf that has this face in its
-                                                 * surface */
+  for (uint32_t i = 0; i < f->cover_count; i++) /* the cell is inside the result because of a leaf that has this face in
+                                                 * its surface */
     if (!w->e->taken_off.at[c->covers.at[f->cover + i].leaf]) return c->covers.at[f->cover + i].leaf;
   return leaf;
 }
@@ -717,7 +725,8 @@ bool vs_classify_faces(vs_kernel *k, vs_cluster *c, vs_expression *e) {
   for (uint32_t i = 0; ok && i < w.cells; i++) {
     enum { AROUND = 1000 };
     if (w.state.at[i] & 2) continue;
-    /* The connected cells may be visible only behind settled space. Therefore another start is tried. */
+    /* The connected cells may be separated by space whose value is already decided. Therefore another start is
+     * tried. */
     ok = walk_component(&w, i, AROUND) && (w.state.at[i] & 2 || walk_component(&w, i, 1)) && vs_kernel_poll(k, 0.8);
   }
   ok = ok && VS_ROOM(k, c->kept.at, c->kept.room, c->faces.count + 1);
@@ -732,7 +741,7 @@ bool vs_classify_faces(vs_kernel *k, vs_cluster *c, vs_expression *e) {
     c->wound.count = w.cells;
     c->side_cell.count = 2 * c->faces.count;
     c->side_cell.room = w.side.room;
-    c->side_cell.at = w.side.at; /* these arrays now belong to the cluster */
+    c->side_cell.at = w.side.at; /* these arrays now belong to the cluster, which frees them */
     w.side.at = NULL;
     w.side.room = 0;
   }

@@ -1,13 +1,14 @@
-/* Declares the classification of faces. */
+/* Declares the search for the faces that bound the result. */
 #ifndef VS_KERNEL_ARRANGE_CLASSIFY_H
 #define VS_KERNEL_ARRANGE_CLASSIFY_H
 
 #include "kernel/cluster.h"
 
-bool vs_classify_faces(vs_kernel *k, vs_cluster *c, vs_expression *e); /* makes c->kept, the list of faces that bound
-                                                                        * the result; returns false on an error */
-/* Chooses the axes *x and *y for the order around the edge from point low to point high, and returns its sign. low and
- * high differ. */
+bool vs_classify_faces(vs_kernel *k, vs_cluster *c, vs_expression *e); /* makes c->kept, which marks the faces that
+                                                                        * bound the result of expression e; returns
+                                                                        * false on an error */
+/* Chooses the coordinate axes *x and *y for the order of faces around the edge from point low to point high. Returns 1
+ * if high follows low along the third axis, else -1. The two points differ. */
 int vs_around_axes(vs_points_view view, uint32_t low, uint32_t high, int *x, int *y);
 bool vs_around_before(const vs_around *a, const vs_around *b);
 

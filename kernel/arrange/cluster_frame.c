@@ -17,12 +17,12 @@
 
 enum { CANDIDATES = 64 };
 
-/* A possible frame. r: its directions; back: inverse of r; unit: unit along each axis; plates: area of the thin plates
- * in it; votes: number of leaves. */
+/* A possible frame. r: its directions; back: inverse of r; unit: length of a step along each axis; plates: total area
+ * of the thin plates whose faces lie on this frame's grid; votes: number of leaves with this frame. */
 typedef struct { double r[3][3], back[3][3], unit[3]; double plates; uint32_t votes; } candidate;
 
-/* Splits a linear part into scale, the lengths of its columns, and r, their directions. Returns false if the columns
- * nearly lie in one plane. */
+/* Splits the linear part of a placement into the lengths of its columns (scale) and their directions (r). Returns false
+ * if the columns nearly lie in one plane. */
 static bool split(const vs_affine *a, double r[3][3], double scale[3]) {
   for (int j = 0; j < 3; j++) {
     int nonzero = 0;
@@ -37,8 +37,8 @@ static bool split(const vs_affine *a, double r[3][3], double scale[3]) {
   return true;
 }
 
-/* Computes the inverse of r; it is the transpose if the columns are orthogonal to 1e-12, and *rigid is then true.
- * Returns false if the columns nearly lie in one plane, because such a frame would make the grid coarse. */
+/* Computes the inverse of r. If the columns are orthogonal to 1e-12, it is the transpose, and *rigid is true. Returns
+ * false if the columns nearly lie in one plane, because such a frame would make the grid coarse. */
 static bool invert(double r[3][3], double back[3][3], bool *rigid) {
   bool orthogonal = true;
   for (int j = 0; j < 3; j++) {
@@ -60,7 +60,8 @@ static bool invert(double r[3][3], double back[3][3], bool *rigid) {
   return true;
 }
 
-/* Sets p to back * r as an exact signed permutation. Returns false if it is no such permutation. */
+/* Sets p to back * r as an exact signed permutation of the axes. Returns false if back * r is not near such a
+ * permutation. */
 static bool permutation(double back[3][3], double r[3][3], double p[3][3]) {
   for (int i = 0; i < 3; i++)
     for (int j = 0; j < 3; j++) {
@@ -72,11 +73,12 @@ static bool permutation(double back[3][3], double r[3][3], double p[3][3]) {
   return true;
 }
 
-/* Returns the area of the leaf in the world if it is a very thin plate with few triangles, else 0. */
+/* Returns the area of the leaf, in world units, if it is a very thin plate with few triangles, else 0. */
 static double plate_area(const vs_cluster *c, uint32_t leaf) {
-  enum { FEW = 64 }; /* greatest number of triangles of a plate; round shapes have more triangles, and no frame has all
-                      * their faces on the grid */
-  static const double THIN = 0x1p-10; /* greatest ratio of the volume to the 3/2 power of the area; a cube has .068 */
+  enum { FEW = 64 }; /* Greatest number of triangles of a thin plate. Round shapes have more triangles, and no frame has
+                      * all their faces on the grid. */
+  static const double THIN = 0x1p-10; /* Greatest ratio of a thin plate's volume to the 3/2 power of its area. A cube
+                                       * has .068. */
   const vs_part *part = &c->parts->all.at[c->parts->of_leaf.at[leaf]];
   const vs_affine *a = &c->problem->leaves[leaf].placement;
   const vs_mesh *m = part->mesh;
@@ -105,7 +107,7 @@ bool vs_frame_choose(vs_kernel *k, vs_cluster *c, vs_affine *to_frame) {
       bool rigid;
       if (!invert(r, all[j].back, &rigid)) continue;
       double least = fmin(scale[0], fmin(scale[1], scale[2])), most = fmax(scale[0], fmax(scale[1], scale[2]));
-      /* Leaves with a common shear keep their original coordinates. */
+      /* Leaves with a common shear keep their coordinates unscaled. */
       for (int x = 0; x < 3; x++) all[j].unit[x] = rigid || most > 4 * least ? 1 : scale[x];
       for (int x = 0; x < 3; x++)
         for (int y = 0; y < 3; y++) all[j].r[x][y] = r[x][y];

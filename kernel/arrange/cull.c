@@ -17,15 +17,16 @@
 typedef struct {
   vs_kernel *k;
   vs_cluster *c;
-  VS_LIST(uint32_t) pairs; /* pairs of numbers: the index of a leaf, and the index of a lid near it */
+  VS_LIST(uint32_t) pairs; /* pairs of numbers: the index of a leaf, and the index of a lid (a convex leaf whose inside
+                            * is decided) near it */
 } finding;
 
 static bool note(void *context, uint32_t a, uint32_t b) {
   finding *f = context;
   const vs_placed *p = &f->c->placed.at[a], *q = &f->c->placed.at[b];
   if (!vs_kernel_poll(f->k, 0)) return false;
-  if (p->lid && q->lid) { /* The leaf and the lid are both lids. Therefore not only their boxes but also the balls
-                           * within them must intersect. */
+  if (p->lid && q->lid) { /* Leaf and lid are both convex. Therefore not only their boxes but also the balls within them
+                           * must intersect. */
     double x = p->middle[0] - q->middle[0], y = p->middle[1] - q->middle[1], z = p->middle[2] - q->middle[2];
     if (sqrt(x * x + y * y + z * z) > sqrt(p->outside) + sqrt(q->outside)) return true;
   }
@@ -37,8 +38,8 @@ static double box_size(const vs_bvh_box *b) {
   return ((double)b->max[0] - b->min[0]) * ((double)b->max[1] - b->min[1]) * ((double)b->max[2] - b->min[2]);
 }
 
-/* Computes p->to_local, the map from the grid to the part, and the length of two steps there. Returns false if the
- * placement is flat. */
+/* Computes p->to_local, the map from grid steps to the coordinates of the leaf's part, and p->margin, the length of two
+ * steps there. Returns false if the placement is flat. */
 static bool find_local(const vs_grid *g, const vs_affine *to_frame, vs_placed *p) {
   double step = g->unit / g->scale, sum = 0;
   vs_affine inverse;
@@ -53,7 +54,7 @@ static bool find_local(const vs_grid *g, const vs_affine *to_frame, vs_placed *p
   }
   p->margin = 2 * step * sqrt(sum);
   vs_vec3 middle = vs_affine_point(to_frame, p->part->middle);
-  /* Tests whether the map has one scale for all directions, which converts steps to lengths in the part. */
+  /* Tests whether the placement scales equally in all directions. A single factor then converts steps to lengths. */
   double x[3] = { middle.x, middle.y, middle.z }, scale = sqrt(sum / 3) * step;
   bool similar = true;
   for (int i = 0; i < 3; i++) {
@@ -92,13 +93,13 @@ bool vs_cull_prepare(vs_kernel *k, vs_cluster *c, const vs_affine *to_frame) {
   for (uint32_t i = 0; ok && i < n; i++) {
     vs_placed *p = &c->placed.at[i];
     p->lids_first = (uint32_t)sum;
-    sum += p->lids_count < VS_LIDS ? (p->lids_count + 3) / 4 * 4 : VS_LIDS; /* The lids of a leaf have their boxes in
-                                                                             * packs of four. */
+    sum += p->lids_count < VS_LIDS ? (p->lids_count + 3) / 4 * 4 : VS_LIDS; /* The boxes of the lids near a leaf are
+                                                                             * stored in packs of four. */
     p->lids_count = 0;
   }
   ok = ok && VS_ROOM(k, c->lids.at, c->lids.room, sum + 1) &&
        VS_ROOM(k, c->lid_boxes.at, c->lid_boxes.room, sum / 4 + 1);
-  for (size_t i = 0; ok && i < f.pairs.count; i += 2) { /* keeps the largest lids of each leaf, in descending order;
+  for (size_t i = 0; ok && i < f.pairs.count; i += 2) { /* keeps the largest lids near each leaf, in descending order;
                                                          * lids of equal size are in order of their indices */
     vs_placed *p = &c->placed.at[f.pairs.at[i]];
     uint32_t lid = f.pairs.at[i + 1], *list = c->lids.at + p->lids_first, at = p->lids_count;
@@ -126,7 +127,8 @@ bool vs_cull_prepare(vs_kernel *k, vs_cluster *c, const vs_affine *to_frame) {
   return ok;
 }
 
-/* Computes the box of the gate in steps, enlarged by two steps. Returns false if there is no gate. */
+/* Computes the box outside of which the expression is false (the gate), in steps, enlarged by two steps. Returns false
+ * if there is none. */
 static bool gate_box(const vs_cluster *c, double low[3], double high[3]) {
   if (!c->gate) return false;
   double step = c->grid.unit / c->grid.scale;
@@ -149,8 +151,8 @@ static bool in_box(const vs_bvh_box *b, const double p[3]) {
          p[2] < b->max[2];
 }
 
-/* Returns true if p is well inside the lid. square: squared distance from the lid's middle, which decides nearly all
- * cases. */
+/* Returns true if point p is more than two steps inside the lid. square: squared distance of p from the lid's middle,
+ * which decides nearly all cases. */
 static bool in_lid_at(const vs_placed *lid, double square, const double p[3]) {
   if (square > lid->outside) return false;
   if (square < lid->well_inside) return true;
@@ -166,11 +168,11 @@ static bool in_lid(const vs_placed *lid, const double p[3]) {
 bool vs_cull_needed(const vs_cluster *c, uint32_t place) {
   const vs_placed *p = &c->placed.at[place];
   double low[3], high[3];
-  if (c->layered && c->layered[c->leaves[place]]) return false; /* in levels, the leaf that contains this leaf may be in
-                                                                 * another level */
+  if (c->layered && c->layered[c->leaves[place]]) return false; /* when solids are united level by level, the leaf that
+                                                                 * contains this leaf may be in another level */
   if (p->lids_count) return true;
   bool out = false;
-  if (gate_box(c, low, high)) /* the leaf is entirely inside the gate, so there is nothing to cull */
+  if (gate_box(c, low, high)) /* if the leaf is entirely inside the gate's box, the box removes nothing */
     for (int a = 0; a < 3; a++) out = out || p->box.min[a] < low[a] || p->box.max[a] > high[a];
   return out;
 }
@@ -220,7 +222,7 @@ bool vs_cull_point(const vs_cluster *c, uint32_t place, const double p[3]) {
 
 bool vs_cull_segment(const vs_cluster *c, uint32_t place, uint32_t other, const double p[3], const double q[3]) {
   const vs_placed *leaf = &c->placed.at[place];
-  vs_bvh_box box; /* a point well inside a lid is at least one step inside the lid's box */
+  vs_bvh_box box; /* a point two steps inside a lid is at least one step inside the lid's box */
   for (int a = 0; a < 3 && leaf->lids_count; a++)
     box.min[a] = (int32_t)floor(p[a] < q[a] ? p[a] : q[a]), box.max[a] = (int32_t)ceil(p[a] > q[a] ? p[a] : q[a]);
   for (uint32_t i = 0; i < leaf->lids_count; i += 4)
@@ -236,9 +238,10 @@ bool vs_cull_segment(const vs_cluster *c, uint32_t place, uint32_t other, const 
 /* Removes a ball around the lid's middle from a convex outline of n corners. Replaces the outline by places on its
  * edges whose convex hull contains the remaining part. A place in the outline outside of the ball lies on a chord that
  * does not intersect the ball, and the ends of the chord are on edges. A corner on the ball stays; additional places do
- * no harm. Returns the number of places. 0: nothing remains, or the test cannot decide. n is at most `room`. */
+ * no harm. Returns the number of places; 0 if nothing remains or the test cannot decide. */
 static uint32_t clip_outline(const vs_placed *lid, double radius, double (*at)[3], uint32_t n, uint32_t room) {
-  /* SURELY: a fraction of the squared radius that exceeds rounding errors. FAR: greatest distance for which it does. */
+  /* SURELY: fraction of the squared radius that exceeds all rounding errors. FAR: greatest ratio of a corner's squared
+   * distance from the ball to the squared radius for which it does. */
   static const double SURELY = 1e-6, FAR = 1e6;
   double (*out)[3] = at + room; /* the result uses the second half of the caller's array */
   uint32_t count = 0;
@@ -277,7 +280,8 @@ void vs_cull_box(const vs_cluster *c, uint32_t place, const vs_patch_corner *cor
       size = fmax(size, (double)box->max[a] - box->min[a]);
       other = fmax(other, (double)lid->box.max[a] - lid->box.min[a]);
     }
-    if (size < other / 2) continue; /* the lid is so small that it cannot reduce the box much */
+    if (size < other / 2) continue; /* the patch's box is less than half as large as the lid's box, so a reduction saves
+                                     * little work */
     for (uint32_t j = 0; !begun && j < count; j++)
       for (int a = 0; a < 3; a++) at[j][a] = corners[j].at[a];
     begun = true;

@@ -1,5 +1,5 @@
-/* Makes triangles and facets from the corners on the grid. It omits culled, plain and flat triangles, and joins
- * coplanar neighbours. It also checks that each leaf is closed.
+/* Makes triangles and facets (connected coplanar triangles) from the corners on the grid. It omits culled, untouched
+ * and flat triangles, and joins coplanar neighbours. It also checks that each leaf is closed.
  *
  * Leaves are processed in batches, and a batch in spans of triangles that threads share. They compute (1) the planes of
  * the remaining triangles, and (2) neighbours in one plane. Then the triangles get the numbers of their points, planes
@@ -13,55 +13,58 @@
 #include <math.h>
 #include <string.h>
 
-enum { SPAN = 1 << 12, BATCH = 1 << 17 /* numbers of triangles in a span and in a batch */ };
+enum { SPAN = 1 << 12, BATCH = 1 << 17 /* SPAN: number of triangles that one task handles; BATCH: number of triangles
+                                        * that are handled before the next batch begins */ };
 #define FLAT UINT32_MAX
-#define GONE (UINT32_MAX - 1) /* value in `number` for a culled or plain triangle, which gets no facet */
+#define GONE (UINT32_MAX - 1) /* value in `number` for a culled or untouched triangle, which gets no facet */
 
 typedef struct {
   vs_plane plane;
   uint64_t hash;   /* hash of the triangle's plane */
-  uint32_t source; /* index of the triangle in the mesh of its leaf */
+  uint32_t source; /* index of this triangle in the mesh of its leaf */
   bool flip;
   uint8_t inner;
 } found_triangle;
 typedef struct {
-  uint32_t place, first, end; /* place: index of the leaf in the cluster; first, end: range of the leaf's triangles in
-                               * the span */
-  uint32_t base;              /* number in the batch of the first triangle that was found in the span */
+  uint32_t place, first, end; /* place: index of the leaf in the cluster; first, end: range of the leaf's triangles that
+                               * one task handles */
+  uint32_t base;              /* number in the batch of the first triangle of this span */
   VS_LIST(found_triangle) found;
 } span;
 typedef struct {
   const uint32_t *twins;
-  uint32_t triangles; /* index in `number` of the first triangle of the leaf */
-  uint32_t span;      /* index of the leaf's first span */
+  uint32_t triangles; /* index in the array `number` of the first triangle of the leaf */
+  uint32_t span;      /* index of the first span of the leaf's triangles */
   bool mirrored;
 } batch_leaf;
 
 typedef struct {
   vs_cluster *c;
-  uint32_t first, end;          /* range of the leaves in the batch, as indices in the cluster */
+  uint32_t first, end;          /* range of leaves in the batch: indices in the cluster from `first` to `end` - 1 */
   VS_LIST(batch_leaf) leaves;
   VS_LIST(span) spans;
-  size_t span_count;            /* number of spans that have memory, from all batches */
-  VS_LIST(uint32_t) number;     /* for each triangle of a mesh: its index among the triangles found in its span; or
-                                 * FLAT, GONE */
-  VS_LIST(_Atomic uint32_t) sets; /* union-find structure of the found triangles that are connected in one plane */
-  bool straight;                  /* true if sheets are to be found */
-  VS_LIST(_Atomic uint32_t) sheets; /* union-find structure of the found triangles that are connected and nearly in one
-                                     * plane, if straight */
-  VS_LIST(uint32_t) facet;      /* for each found triangle that is the first of its facet: the facet */
-  VS_LIST(uint32_t) ids;        /* point number of each vertex of the current leaf, or VS_NONE */
-  VS_LIST(uint32_t) twins;      /* twins (corners with opposite edges, see vs_twins_find) of the leaves whose part has
-                                 * no list of twins */
-  VS_LIST(uint32_t) fresh;      /* vertices of the current span that have no point yet */
-  size_t given;                 /* number of the cluster's triangles before the current batch */
+  size_t span_count;            /* number of spans that have memory, counted over all batches */
+  VS_LIST(uint32_t) number;     /* number[t]: index of the mesh's triangle t among the triangles kept in its span, or
+                                 * FLAT or GONE */
+  VS_LIST(_Atomic uint32_t) sets; /* union-find structure over the kept triangles; a set is a facet: connected triangles
+                                   * in one plane */
+  bool straight;                  /* true if facets that the grid has split are to be collected to sheets */
+  VS_LIST(_Atomic uint32_t) sheets; /* union-find structure over the kept triangles, if `straight`; a set is a sheet:
+                                     * connected triangles nearly in one plane */
+  VS_LIST(uint32_t) facet;      /* facet[i]: facet that begins with the kept triangle i */
+  VS_LIST(uint32_t) ids;        /* ids[v]: point number of vertex v of the current leaf, or VS_NONE */
+  VS_LIST(uint32_t) twins;      /* pairs of corners with opposite edges (see vs_twins_find), for leaves whose mesh has
+                                 * no such list */
+  VS_LIST(uint32_t) fresh;      /* vertices of the current span that have no point number yet */
+  size_t given;                 /* number of the cluster's triangles in all earlier batches */
 } facets;
 
 static uint32_t turned(bool mirrored, uint32_t j) { return mirrored ? 2 - j : j; }
-/* Returns the edge of the mesh's triangle that is edge j of the grid's triangle, and vice versa. */
+/* Converts an edge index of a mesh's triangle to that of the grid's triangle, whose corners are reversed if the leaf is
+ * mirrored. Also converts back. */
 static uint32_t turned_edge(bool mirrored, uint32_t j) { return mirrored ? (4 - j) % 3 : j; }
 
-/* Finds the twins of a leaf on the grid, pairs of corners with opposite edges: see vs_twins_find. place: index of the
+/* Finds the twins of a leaf on the grid: pairs of corners with opposite edges, see vs_twins_find. place: index of the
  * leaf. */
 static bool find_twins(vs_kernel *k, facets *f, uint32_t place) {
   vs_cluster *c = f->c;
@@ -110,13 +113,13 @@ static bool same_plane(const found_triangle *a, const found_triangle *b) {
          a->plane.d == b->plane.d && a->flip == b->flip;
 }
 
-/* Returns true if the grid may have split the plane of two neighbouring triangles into two planes. at: coordinates of
- * the leaf's vertices; v, w: vertices of the two triangles. */
+/* Returns true if the grid may have split the common plane of the neighbouring triangles a and b into two planes. at:
+ * coordinates of the leaf's vertices; v, w: vertices of the two triangles. */
 static bool nearly_one_plane(int32_t (*at)[3], const found_triangle *a, const uint32_t v[3], const found_triangle *b,
                              const uint32_t w[3]) {
   static const double OFF = 4, ALIKE = 0.999; /* OFF: greatest number of steps by which rounding of three corners may
-                                               * move a fourth off their plane; ALIKE: least cosine of the angle between
-                                               * the normals */
+                                               * move a fourth corner off their plane; ALIKE: least cosine of the angle
+                                               * between normals that may have been one */
   double n = 0, m = 0, both = 0, above = 0, below = 0;
   for (int i = 0; i < 3; i++) {
     double x = (double)a->plane.n[i], y = (double)b->plane.n[i];
@@ -146,8 +149,8 @@ static bool join_span(vs_kernel *k, void *context, size_t index) {
       uint32_t twin = l->twins[3 * (size_t)a->source + turned_edge(l->mirrored, j)];
       if (twin == VS_NONE || twin / 3 == a->source) continue;
       uint32_t number = f->number.at[l->triangles + twin / 3];
-      /* The neighbour has been flattened to a line by the grid, so this triangle may have to be split along that
-       * line. */
+      /* The grid has moved the neighbour's corners onto one line. Therefore this triangle may have to be split along
+       * that line. */
       if (number == FLAT) a->inner |= VS_BESIDE_FLAT;
       if (number >= GONE) continue;
       const span *other = &f->spans.at[l->span + twin / 3 / SPAN];
@@ -166,12 +169,12 @@ static bool join_span(vs_kernel *k, void *context, size_t index) {
 
 /* ---- steps in a fixed order ---- */
 
-/* Sets the points of the triangles of all spans. Points are numbered in the order of their first use. The points of one
- * span at a time are searched, so that memory can be prefetched. */
+/* Sets the point numbers of the triangles of all spans. Points are numbered in the order in which triangles first refer
+ * to them. The points of one span at a time are searched, so that memory can be prefetched. */
 static bool give_points(vs_kernel *k, facets *f) {
   vs_cluster *c = f->c;
-  vs_grid_triangle *to = c->triangles.at; /* The array may be NULL if there are no triangles. Then no offset may be
-                                           * added to it. */
+  vs_grid_triangle *to = c->triangles.at; /* `to` may be NULL if there are no triangles, and adding an offset to NULL is
+                                           * undefined. */
   if (f->given > 0) to += f->given;
   for (size_t index = 0; index < f->spans.count; index++) {
     const span *s = &f->spans.at[index];
@@ -199,7 +202,7 @@ static bool give_points(vs_kernel *k, facets *f) {
   return true;
 }
 
-/* Sets the other members of the triangles of all spans, and makes facets and planes. */
+/* Sets the planes and facets of the triangles of all spans. */
 static bool give_facets(vs_kernel *k, facets *f) {
   vs_cluster *c = f->c;
   vs_grid_triangle *to = c->triangles.at + f->given;
@@ -211,12 +214,12 @@ static bool give_facets(vs_kernel *k, facets *f) {
       if (i + VS_AHEAD_FAR < s->found.count) vs_planes_ahead(&c->planes, from[VS_AHEAD_FAR].hash, false);
       if (i + VS_AHEAD_NEAR < s->found.count) vs_planes_ahead(&c->planes, from[VS_AHEAD_NEAR].hash, true);
       uint32_t root = vs_find_shared(f->sets.at, s->base + i);
-      if (root == s->base + i) { /* the triangle is the first of its facet */
+      if (root == s->base + i) { /* this triangle is the first of its facet */
         vs_facet made = { .leaf = leaf, .place = s->place, .group = (uint32_t)c->facets.count, .flip = from->flip };
         f->facet.at[root] = (uint32_t)c->facets.count;
         if (!vs_planes_add(k, &c->planes, &from->plane, from->hash, &made.plane) || !VS_PUSH(k, c->facets, made))
           return false;
-        /* The first triangle of a sheet is also the first of its facet. */
+        /* The first triangle of a sheet (facets nearly in one plane) is also the first of its facet. */
         if (f->straight && !VS_PUSH(k, c->sheets, f->facet.at[vs_find_shared(f->sheets.at, root)])) return false;
       }
       to->leaf = leaf;
@@ -232,7 +235,8 @@ static bool give_facets(vs_kernel *k, facets *f) {
   return true;
 }
 
-/* The two tasks write different members and different tables, so they can run at the same time. */
+/* Runs task 0, which numbers the points, or task 1, which makes planes and facets. They write different tables, so they
+ * can run at the same time. */
 static bool give(vs_kernel *k, void *context, size_t index) {
   return index ? give_facets(k, context) : give_points(k, context);
 }
@@ -248,7 +252,7 @@ static bool plan_leaf(vs_kernel *k, facets *f, uint32_t place, size_t *triangles
                           "the solid is inside out: its faces should run counter-clockwise seen from outside");
   for (uint32_t t = 0; t < n; t += SPAN) {
     span made = { .place = place, .first = t, .end = n - t < SPAN ? n : t + SPAN };
-    if (f->spans.count < f->span_count) { /* reuses the memory of a span of an earlier batch */
+    if (f->spans.count < f->span_count) { /* reuses the memory of a span of an earlier batch of leaves */
       span *s = &f->spans.at[f->spans.count++];
       s->place = place;
       s->first = made.first;
@@ -304,21 +308,23 @@ static bool do_batch(vs_kernel *k, facets *f) {
   return true;
 }
 
-/* Makes facet_triangles: the triangles sorted by facet. */
+/* Makes c->facet_triangles: the indices of the triangles, sorted by facet. */
 static bool index_facets(vs_kernel *k, vs_cluster *c) {
   size_t n = c->triangles.count, f = c->facets.count;
   vs_facet last = { .leaf = VS_NONE };
   if (!VS_PUSH(k, c->facets, last) || !VS_ROOM(k, c->facet_triangles.at, c->facet_triangles.room, n + 1)) return false;
   for (size_t t = 0; t < n; t++) c->facets.at[c->triangles.at[t].facet + 1].first++;
   for (size_t i = 1; i <= f; i++) c->facets.at[i].first += c->facets.at[i - 1].first;
-  for (size_t t = n; t-- > 0;) { /* fills each facet's range from its end, which decreases to the beginning */
+  for (size_t t = n; t-- > 0;) { /* Each facet's `first` begins as the end of its range and decreases to the
+                                  * beginning. */
     uint32_t facet = c->triangles.at[t].facet;
     c->facet_triangles.at[--c->facets.at[facet + 1].first] = (uint32_t)t;
   }
   for (size_t i = 0; i < f; i++) c->facets.at[i].first = c->facets.at[i + 1].first;
   c->facets.at[f].first = (uint32_t)n;
   c->facet_triangles.count = n;
-  c->facets.count = f; /* an extra facet after the last one remains readable, as the end of the last facet's ranges */
+  c->facets.count = f; /* an extra facet after the last one stays in memory; its `first` marks the end of the last
+                        * facet's triangles */
   return true;
 }
 

@@ -1,4 +1,5 @@
-/* Intersects facets that are given by their sides. The segments and points that two of them share become cuts in both.
+/* Intersects facets that are given by their border edges (sides). The segments and points that two facets share become
+ * cuts in both facets.
  *
  * Such a facet may have any outline, with holes, and its corners are exact points. The line of two planes crosses its
  * outline at events, which are sorted along the line. Imagine this line moved up, or down, by a very small distance. A
@@ -21,23 +22,26 @@
 
 #define FRESH (UINT32_C(1) << 31)
 
-typedef struct { uint32_t a, b, p, q, cut; } contact; /* a, b: facets that touch; p, q: ends of the segment that they
-                                                       * share; cut: bits as in intersect_patches.c */
+typedef struct { uint32_t a, b, p, q, cut; } contact; /* a, b: two facets that touch; p, q: ends of the segment that the
+                                                       * facets share; cut: bit 0: the segment is new in a; bit 1: it is
+                                                       * new in b */
 
 enum { BREAK = 0, UP = 1, DOWN = 2 };
 typedef struct {
   int64_t fixed[3];
-  uint32_t id;   /* number of a point, or FRESH plus an index in `crossings` */
-  uint8_t first, exact; /* first: 1 if the event belongs to the outline of the pair's first facet; exact: 1 if the
+  uint32_t id;   /* number of an existing point, or FRESH plus an index in `crossings` */
+  uint8_t first, exact; /* first: 1 if this event belongs to the outline of the pair's first facet; exact: 1 if its
                          * fixed-point numbers are exact */
-  uint8_t turns; /* bits UP and DOWN: the line moved up or moved down enters or leaves the facet here */
+  uint8_t turns; /* bits UP and DOWN: whether the line moved up, or the line moved down, enters or leaves the facet
+                  * here */
 } event;
 
-/* Working memory of a thread. */
+/* Memory that one thread reuses for all its pairs of facets. */
 typedef struct {
   VS_LIST(event) events;
-  VS_LIST(vs_fresh_point) crossings; /* new points on the current line */
-  VS_LIST(uint32_t) given;           /* for each crossing: its number among the new points of the chunk, or VS_NONE */
+  VS_LIST(vs_fresh_point) crossings; /* new points on the line of the current two planes */
+  VS_LIST(uint32_t) given;           /* given[i]: number of crossings[i] among the new points of the chunk, or
+                                      * VS_NONE */
 } working;
 
 typedef struct {
@@ -50,7 +54,7 @@ typedef struct {
 
 static const vs_plane *plane_of(const vs_cluster *c, const vs_facet *f) { return &c->planes.all.at[f->plane]; }
 
-/* Computes the point where a side of the facet crosses the plane `through`. The ends of the side lie on different sides
+/* Computes the point where side s of facet f crosses the plane `through`. The ends of the side lie on different sides
  * of that plane. */
 static bool crossing(const vs_cluster *c, const vs_facet *f, const vs_facet_side *s, const vs_plane *through,
     vs_homogeneous *out) {
@@ -59,7 +63,7 @@ static bool crossing(const vs_cluster *c, const vs_facet *f, const vs_facet_side
   return vs_meet_edge(line->at[0], line->at[1], through, out);
 }
 
-/* Returns true if the facet has corners on both sides of the plane p, or corners in p. */
+/* Returns true if facet f has corners on both sides of the plane p, or corners in p. */
 static bool reaches(const vs_cluster *c, const vs_facet *f, const vs_plane *p) {
   vs_points_view view = vs_points_of(&c->points);
   bool above = false, below = false;
@@ -117,7 +121,8 @@ static void load(const chunk *m, const event *e, vs_homogeneous *out) {
   else *out = m->c->points.big.at[p->big];
 }
 
-/* Returns the order along the axis (0, 1 or 2) of two points on one line: -1, 1, or 0 if they are the same point. */
+/* Compares the positions of two events on one line along the axis (0, 1 or 2). Returns -1, 1, or 0 if they are one
+ * point. */
 static int compare(const chunk *m, const event *a, const event *b, int axis) {
   VS_ASSERT(axis >= 0 && axis < 3);
   if (a->fixed[axis] != b->fixed[axis]) return a->fixed[axis] < b->fixed[axis] ? -1 : 1;
@@ -140,7 +145,8 @@ static void sort_events(chunk *m, int axis) {
     }
 }
 
-/* Returns an axis that is not perpendicular to the line of the two planes. The planes are not parallel. */
+/* Returns a coordinate axis that is not perpendicular to the intersection line of the planes p and q. The planes are
+ * not parallel. */
 static int axis_of(const vs_plane *p, const vs_plane *q) {
   double most = -1;
   int best = 0;
@@ -153,7 +159,7 @@ static int axis_of(const vs_plane *p, const vs_plane *q) {
   return best;
 }
 
-/* Sets *id to the number of an event's point. A new point is added to those of the chunk. */
+/* Sets *id to the point number of event e. If the point is new, it is added to the chunk's new points. */
 static bool name(chunk *m, const event *e, uint32_t *id) {
   *id = e->id;
   if (!(e->id & FRESH)) return true;
@@ -166,7 +172,7 @@ static bool name(chunk *m, const event *e, uint32_t *id) {
   return true;
 }
 
-/* Returns true if the segment from p to q is new for the facet: neither a side nor a corner. */
+/* Returns true if the segment from p to q is new for facet f: neither a side nor a corner of f. */
 static bool is_new(const vs_cluster *c, const vs_facet *f, uint32_t p, uint32_t q) {
   if ((p | q) & FRESH) return true;
   for (uint32_t i = f[0].first; i < f[1].first; i++) {
@@ -184,8 +190,8 @@ static bool add_contact(chunk *m, uint32_t a, uint32_t b, const event *from, con
   return !cut || VS_PUSH(m->k, m->contacts, ((contact){ a, b, p, q, cut }));
 }
 
-/* Returns the first event, from index i on, and passes over all events at the same point. If possible, the result is an
- * event with an existing point. *end: index after the last event at this point. i is the index of an event. */
+/* Returns the first event, from index i on, and skips all events at the same point. If one of these has an existing
+ * point, that event is returned. *end: index after the last event at this point. */
 static event *gather(chunk *m, size_t i, int axis, size_t *end) {
   event *at = m->w->events.at, *best = &at[i];
   VS_ASSERT(i < m->w->events.count);
@@ -205,9 +211,9 @@ static bool share(chunk *m, uint32_t a, uint32_t b) {
   for (size_t i = 0; i < m->w->crossings.count; i++) m->w->given.at[i] = VS_NONE;
   int axis = axis_of(plane_of(c, f), plane_of(c, g));
   sort_events(m, axis);
-  uint8_t in[2] = { 0, 0 }; /* for each of the two facets: bits UP and DOWN for the moved lines that are inside the
-                             * facet */
-  bool covered = false;     /* true if both facets cover the line before this event */
+  uint8_t in[2] = { 0, 0 }; /* in[f]: bits UP and DOWN, whether the line moved up, or down, is inside facet f of the
+                             * pair */
+  bool covered = false;     /* true if both facets of the pair contain the interval of the line before this event */
   event before = { .id = VS_NONE };
   for (size_t i = 0, end; i < n; i = end) {
     const event here = *gather(m, i, axis, &end);
@@ -241,15 +247,15 @@ static bool meet(void *context, uint32_t a, uint32_t b) {
 
 typedef struct {
   vs_cluster *c;
-  vs_points_table points; /* the new points; the cluster's points are only read during the tasks */
+  vs_points_table points; /* new points of all chunks; the cluster's points do not change while threads run */
   vs_bvh bvh;
   VS_LIST(vs_bvh_box) boxes;
   VS_LIST(uint32_t) families, group, ids;
   chunk chunks[VS_PIPELINE_WINDOW];
-  working *works; /* working memory of each thread */
+  working *works; /* memory of each thread, an array with one element for each */
 } meeting;
 
-enum { CHUNK = 64 }; /* number of blocks of the index in a chunk */
+enum { CHUNK = 64 }; /* number of blocks of the tree of boxes whose pairs one task tests */
 
 static bool meet_chunk(vs_kernel *k, void *context, size_t index) {
   meeting *all = context;

@@ -20,27 +20,30 @@
 #include <math.h>
 #include <string.h>
 
-/* A segment that two patches share, or a part of it between two corners that lie on it. */
+/* A segment that two patches share, or the part of such a segment between two corners on it. */
 typedef struct {
-  uint32_t a, b, p, q; /* a, b: the patches; p, q: numbers of the points at the ends of the segment; a number with the
-                        * bit FRESH is a new point of the chunk */
-  uint32_t cut;        /* bit 0: the segment is new in a; bit 1: it is new in b; 0: the patches are coplanar, and their
-                        * facets are united */
+  uint32_t a, b, p, q; /* a, b: indices of the patches; p, q: numbers of the points at the segment's ends; a number with
+                        * the bit FRESH is a new point of the chunk */
+  uint32_t cut;        /* bit 0: the segment is new in patch a; bit 1: it is new in patch b; 0: the patches are
+                        * coplanar, and their facets are united to a group */
 } contact;
 #define FRESH (UINT32_C(1) << 31)
 
-/* The point where an edge crosses a patch. Both triangles at the edge need it, mostly within a short time. */
+/* The point where an edge crosses a patch. The two triangles at the edge need it, mostly within a short time, so it is
+ * cached. */
 typedef struct {
-  uint32_t low, high, patch; /* the two corners of the edge, and the patch */
-  uint32_t fresh;            /* number of the point in the chunk, or VS_NONE */
+  uint32_t low, high, patch; /* low, high: points at the ends of the edge; patch: index of the patch that the edge
+                              * crosses */
+  uint32_t fresh;            /* number of the point among the chunk's new points, or VS_NONE */
 } crossing;
 enum { CROSSINGS = 1 << 12 };
 
-/* Working memory of a thread. */
+/* Memory that one thread reuses for all its pairs of patches. */
 typedef struct {
-  VS_LIST(double) heights[2];     /* heights of the corners of each patch of a pair over the plane of the other */
-  VS_LIST(crossing) crossings;    /* hash table of the latest crossings */
-  VS_LIST(vs_patch_corner) line;  /* corners on the segment that both patches share, in order */
+  VS_LIST(double) heights[2];     /* heights[i]: heights of the corners of patch i of a pair over the plane of the other
+                                   * patch, in steps times the normal's length */
+  VS_LIST(crossing) crossings;    /* hash table of the points that were computed most recently */
+  VS_LIST(vs_patch_corner) line;  /* corners of the patches that lie on their shared segment, in order along it */
 } working;
 
 typedef struct {
@@ -49,11 +52,10 @@ typedef struct {
   working *w;
   VS_LIST(contact) contacts;
   VS_LIST(vs_fresh_point) fresh;
-  VS_LIST(vs_edge) edges;         /* for each fresh point of the chunk: an edge that contains it */
-  size_t asked;                   /* number of segments that were tested for being inside lids */
+  VS_LIST(vs_edge) edges;         /* edges[i]: an input edge that contains the new point i of the chunk */
+  size_t asked;                   /* number of segments for which the thread tested whether they are inside a lid */
   size_t left, looked, hidden;    /* left: number of segments that no lid contains entirely; looked: number of these
-                                   * segments of which the middle was tested; hidden: number of tested middles inside a
-                                   * lid */
+                                   * whose middle was tested; hidden: number of tested middles inside a lid */
 } chunk;
 
 static const vs_patch_corner *corners(const vs_cluster *c, const vs_patch *p) { return c->patch_corners.at + p->first; }
@@ -71,7 +73,7 @@ static bool corner_of(const vs_cluster *c, const vs_patch *p, uint32_t id) {
   return false;
 }
 
-/* Returns the edge of the patch between the corners p and q, or VS_NONE if there is none. */
+/* Returns the index of the edge of patch x between the corners p and q, or VS_NONE if there is none. */
 static uint32_t edge_of(const vs_cluster *c, const vs_patch *x, uint32_t p, uint32_t q) {
   const vs_patch_corner *at = corners(c, x);
   for (uint32_t i = 0; i < x->count; i++) {
@@ -86,20 +88,22 @@ static uint32_t edge_of(const vs_cluster *c, const vs_patch *x, uint32_t p, uint
 /* A patch, and its position relative to the plane of another patch. */
 typedef struct {
   const vs_patch *of, *other;
-  double *height;                /* height of each of the patch's corners over the plane; the signs are exact, and 0 is
-                                  * exactly 0 */
-  double error;                  /* upper bound for the error of heights that are not 0 */
-  uint32_t on, first_on, last_on; /* on: number of corners in the plane; first_on, last_on: two of these corners */
-  bool above, below;             /* true if there are corners above, or below, the plane */
+  double *height;                /* height[i]: height of the patch's corner i over the other patch's plane; its sign is
+                                  * exact, and 0 is exactly 0 */
+  double error;                  /* upper bound for the error of each height that is not 0 */
+  uint32_t on, first_on, last_on; /* on: number of corners in the other patch's plane; first_on, last_on: the first and
+                                   * the last of these corners */
+  bool above, below;             /* above: true if the patch has corners above the other patch's plane; below: true if
+                                  * it has corners below it */
 } facing;
 
 static vs_i128 height(const vs_plane *p, const int32_t at[3]) {
   return (vs_i128)p->n[0] * at[0] + (vs_i128)p->n[1] * at[1] + (vs_i128)p->n[2] * at[2] - p->d;
 }
 
-/* Computes heights as doubles, relative to a corner of the other patch; differences of 33 bits are exact. The normal,
- * the three products and the two sums have relative errors of 2^-53. The total error is below 2^-50 of the sum of the
- * products' sizes, and zero if these are below 2^53. */
+/* Computes the heights as doubles, relative to a corner of the other patch; differences of 33 bits are exact. The
+ * normal, the three products and the two sums have relative errors of 2^-53. The total error is below 2^-50 of the sum
+ * of the products' sizes, and zero if these are below 2^53. */
 static void face_to(const vs_cluster *c, facing *f) {
   const vs_plane *p = &c->planes.all.at[f->other->plane];
   const vs_patch_corner *x = corners(c, f->of);
@@ -140,22 +144,22 @@ static crossing *crossing_of(chunk *m, uint32_t p, uint32_t q, uint32_t patch) {
  * between a corner and the next. */
 typedef struct {
   const facing *f;
-  uint32_t corner, next; /* next: the end lies between `corner` and the corner `next`, or at `corner` if `next` equals
-                          * it */
-  double at, error;      /* at: coordinate of the end along the current axis; error: upper bound for the error of this
-                          * coordinate */
+  uint32_t corner, next; /* next: the end lies between `corner` and the corner `next`, or at `corner` if the two are
+                          * equal */
+  double at, error;      /* at: coordinate of the end along the line's main axis, in steps; error: upper bound for its
+                          * error */
 } end;
 
 static bool is_corner(const end *e) { return e->corner == e->next; }
 
-/* Computes the exact position of an end between two corners. */
+/* Computes the exact position of an end that lies between two corners. */
 static bool end_place(const vs_cluster *c, const end *e, vs_homogeneous *out) {
   const vs_patch_corner *x = corners(c, e->f->of);
   VS_ASSERT(e->corner != e->next);
   return vs_meet_edge(x[e->corner].at, x[e->next].at, &c->planes.all.at[e->f->other->plane], out);
 }
 
-/* Returns the order of the ends along the axis: -1, 1, or 0 if they are the same point. */
+/* Compares the ends a and b along the axis. Returns -1, 1, or 0 if they are one point. */
 static int compare(const vs_cluster *c, const end *a, const end *b, int axis) {
   double d = a->at - b->at, error = a->error + b->error;
   if (fabs(d) > error || error <= 0) return (d > 0) - (d < 0);
@@ -169,15 +173,15 @@ static int compare(const vs_cluster *c, const end *a, const end *b, int axis) {
   return vs_homogeneous_compare(&p, &q, axis);
 }
 
-/* Returns the position of an end on its edge, as a fraction of the edge. */
+/* Returns the position of end e on its edge, from 0 at `corner` to 1 at `next`. */
 static double fraction(const end *e) {
   double u = e->f->height[e->corner], v = e->f->height[e->next];
   return is_corner(e) ? 0 : u / (u - v);
 }
 
 /* Computes the interval of the line that the patch covers. An end on an edge is at the fraction t = u / (u - v), where
- * u and v are heights. The error of t is below 3 errors of a height / |u - v|, because t <= 1. Rounding adds errors
- * below 2^-18 steps along the edge. */
+ * u and v are the heights of the edge's corners. The error of t is below 3 errors of a height / |u - v|, because t <=
+ * 1. Rounding adds errors below 2^-18 steps along the edge. */
 static void cover(const vs_cluster *c, const facing *f, int axis, end *low, end *high) {
   const vs_patch_corner *x = corners(c, f->of);
   const double *h = f->height;
@@ -198,7 +202,7 @@ static void cover(const vs_cluster *c, const facing *f, int axis, end *low, end 
   }
 }
 
-/* Returns an axis that is not perpendicular to the line of the two planes. */
+/* Returns a coordinate axis that is not perpendicular to the intersection line of the planes p and q. */
 static int axis_of(const vs_plane *p, const vs_plane *q) {
   double most = 0, bound = 0;
   int best = 0;
@@ -209,14 +213,15 @@ static int axis_of(const vs_plane *p, const vs_plane *q) {
     if (fabs(s - t) > most) most = fabs(s - t), best = i;
   }
   if (most > bound * 0x1p-50) return best;
-  for (best = 0; best < 2; best++) { /* the planes are not parallel, so one of the three components is not zero */
+  for (best = 0; best < 2; best++) { /* The planes are not parallel. Therefore at least one component of the line's
+                                      * direction is not zero. */
     int u = (best + 1) % 3, v = (best + 2) % 3;
     if ((vs_i128)p->n[u] * q->n[v] != (vs_i128)p->n[v] * q->n[u]) break;
   }
   return best;
 }
 
-/* Computes the position of an end in steps. Returns false if its error is too large to decide whether a lid contains
+/* Computes the position of end e in steps. Returns false if its error is too large to decide whether a lid contains
  * it. */
 static bool end_at(const vs_cluster *c, const end *e, double at[3]) {
   const vs_patch_corner *x = corners(c, e->f->of);
@@ -230,7 +235,7 @@ static bool end_at(const vs_cluster *c, const end *e, double at[3]) {
   return is_corner(e) || 4 * e->f->error * length <= 0.25 * fabs(h[e->corner] - h[e->next]);
 }
 
-/* Returns true if coplanar patches have more in common than their common corners and edges. */
+/* Returns true if the coplanar patches a and b share more than corners and edges that they have in common. */
 static bool overlap(const vs_cluster *c, const vs_patch *a, const vs_patch *b) {
   const vs_plane *plane = &c->planes.all.at[a->plane];
   const vs_patch *t[2] = { a, b };
@@ -253,21 +258,21 @@ static bool overlap(const vs_cluster *c, const vs_patch *a, const vs_patch *b) {
   return !(apart && a->facet == b->facet);
 }
 
-/* Returns true if two triangles of one leaf in different planes share only a corner or edge, as neighbours do. Returns
- * false also if the test would take long. Triangles with a common edge share only this edge, because it lies on the
- * line of their planes. Triangles with one common corner share only this corner if the other corners of one triangle
- * lie on one side of the other's plane. */
+/* Returns true if triangles a and b of one leaf, in different planes, share only a corner or edge, as neighbours do.
+ * Returns false also if the test would take long. Triangles with a common edge share only this edge, because it lies on
+ * the line of their planes. Triangles with one common corner share only this corner if the other corners of one
+ * triangle lie on one side of the other's plane. */
 static bool only_neighbours(const vs_cluster *c, const vs_patch *a, const vs_patch *b) {
   if (a->count != 3 || b->count != 3) return false;
   const vs_patch_corner *x = corners(c, a), *y = corners(c, b);
-  uint32_t in_a = 0, in_b = 0; /* sets of corners, as bits */
+  uint32_t in_a = 0, in_b = 0; /* corners of triangle a, or b, that the other triangle also has: bit i for corner i */
   for (uint32_t i = 0; i < 3; i++)
     for (uint32_t j = 0; j < 3; j++) {
       uint32_t same = x[i].point == y[j].point;
       in_a |= same << i, in_b |= same << j;
     }
-  static const uint8_t edge[8] = { [3] = 1, [6] = 2, [5] = 4 }; /* edge[corners]: bit of the edge between two corners,
-                                                                 * given as bits */
+  static const uint8_t edge[8] = { [3] = 1, [6] = 2, [5] = 4 }; /* edge[c]: bit of the edge between two corners, where c
+                                                                 * has the bits of the two corners */
   if (edge[in_a]) return !(a->inner & edge[in_a]) && !(b->inner & edge[in_b]);
   if (!in_a) return false;
   for (int side = 0; side < 2; side++) {
@@ -279,14 +284,14 @@ static bool only_neighbours(const vs_cluster *c, const vs_patch *a, const vs_pat
   return false;
 }
 
-/* Returns true if the segment from p to q is new for the patch: neither a corner nor an edge of its facet. */
+/* Returns true if the segment from p to q is new for patch x: neither a corner nor an edge of its facet. */
 static bool is_new(const vs_cluster *c, const vs_patch *x, uint32_t p, uint32_t q) {
   if (p == q) return !corner_of(c, x, p);
   uint32_t edge = edge_of(c, x, p, q);
   return edge == VS_NONE || (edge < 3 && (x->inner >> edge & 1));
 }
 
-/* Returns true if the patch only touches the other patch's plane with a corner or edge that both patches have. */
+/* Returns true if the patch touches the other patch's plane only in a corner or edge that belongs to both patches. */
 static bool only_touches(const vs_cluster *c, const facing *f) {
   if ((f->above && f->below) || f->on > 2) return false;
   const vs_patch_corner *x = corners(c, f->of);
@@ -294,7 +299,7 @@ static bool only_touches(const vs_cluster *c, const facing *f) {
   return !is_new(c, f->other, p, q) && !is_new(c, f->of, p, q);
 }
 
-/* Sets *id to the point at an end. Makes the point if it does not exist. */
+/* Sets *id to the number of the point at end e. Makes the point if it does not exist. */
 static bool end_point(chunk *m, const end *e, uint32_t *id) {
   const vs_patch_corner *p = &corners(m->c, e->f->of)[e->corner], *q = &corners(m->c, e->f->of)[e->next];
   *id = p->point;
@@ -312,8 +317,8 @@ static bool end_point(chunk *m, const end *e, uint32_t *id) {
   return true;
 }
 
-/* Used if edges lie on the line of the planes. Inserts the corners of f that are on the line, between the ends low and
- * high, into `line`. A corner that is at an end of the segment replaces that end. */
+/* Inserts into `line` the corners of f's patch between the ends low and high. The function is used if edges lie on the
+ * line of the two planes. A corner that is at an end of the segment replaces that end. */
 static bool corners_between(chunk *m, const facing *f, int axis, end *low, end *high) {
   const vs_patch_corner *x = corners(m->c, f->of);
   for (uint32_t i = 0; f->on > 2 && i < f->of->count; i++) {
@@ -328,8 +333,8 @@ static bool corners_between(chunk *m, const facing *f, int axis, end *low, end *
     vs_patch_corner *line = m->w->line.at;
     for (; to > 0 && line[to - 1].at[axis] > x[i].at[axis]; to--) line[to] = line[to - 1];
     line[to] = x[i];
-    if (to > 0 && line[to - 1].point == x[i].point) { /* the corner at the end of `line` is a corner of the other patch,
-                                                       * too */
+    if (to > 0 && line[to - 1].point == x[i].point) { /* the latest corner in `line` is the same point as this corner of
+                                                       * the other patch */
       m->w->line.count--;
       memmove(line + to, line + to + 1, (m->w->line.count - to) * sizeof *line);
     }
@@ -337,8 +342,8 @@ static bool corners_between(chunk *m, const facing *f, int axis, end *low, end *
   return true;
 }
 
-/* Returns true if the segment from p to q is new for f's patch. The points are on the line of the two planes, and f
- * names its corners on that line. */
+/* Returns true if the segment from p to q is new for f's patch. The points p and q are on the line of the two planes,
+ * and f names its corners on that line. */
 static bool is_new_on(const vs_cluster *c, const facing *f, uint32_t p, uint32_t q) {
   const vs_patch_corner *x = corners(c, f->of);
   if (f->on > 2) return is_new(c, f->of, p, q);
@@ -350,8 +355,8 @@ static bool is_new_on(const vs_cluster *c, const facing *f, uint32_t p, uint32_t
   return (between != 1 && between + 1 != f->of->count) || (edge < 3 && (f->of->inner >> edge & 1));
 }
 
-/* Returns a set of bits. Bit 0: the segment from p to q is new in the first patch; bit 1: it is new in the second
- * patch. A fresh point is not a corner of either patch, because it would have been found as that corner. */
+/* Returns bits. Bit 0: the segment from p to q is new in the first patch; bit 1: it is new in the second patch. A newly
+ * computed point is not a corner of either patch, because it would have been found as that corner. */
 static uint32_t new_in(const vs_cluster *c, const facing f[2], uint32_t p, uint32_t q) {
   if ((p | q) & FRESH) return 3;
   return (uint32_t)is_new_on(c, &f[0], p, q) | (uint32_t)is_new_on(c, &f[1], p, q) << 1;
@@ -366,7 +371,7 @@ static bool add_contact(chunk *m, const facing f[2], uint32_t p, uint32_t q) {
 
 static uint32_t corner_point(const vs_cluster *c, const end *e) { return corners(c, e->f->of)[e->corner].point; }
 
-/* Tests for every 16th cut whether its middle is inside a lid. */
+/* Tests for every 16th cut whether its middle is inside a lid, and so hidden in the result. */
 static void look_whether_hidden(chunk *m, uint32_t place, const double p[3], const double q[3]) {
   enum { ONE_IN = 16 };
   if (++m->left % ONE_IN) return;
@@ -375,15 +380,15 @@ static void look_whether_hidden(chunk *m, uint32_t place, const double p[3], con
   m->hidden += vs_cull_point(m->c, place, middle);
 }
 
-/* Intersects patches of different planes, and records the segments or the point that they share. */
+/* Intersects patches a and b, which lie in different planes. Records the segments or the point that they share. */
 static bool share(chunk *m, const vs_patch *a, const vs_patch *b) {
   const vs_cluster *c = m->c;
   const vs_patch *t[2] = { a, b };
   facing f[2];
   end low[2], high[2];
   for (int i = 0; i < 2; i++) {
-    int which = (t[1]->count < t[0]->count) ^ i; /* begins with the patch that has fewer corners, because this patch
-                                                  * alone decides most cases */
+    int which = (t[1]->count < t[0]->count) ^ i; /* begins with the patch that has fewer corners, because its heights
+                                                  * are cheaper and decide most cases */
     if (!VS_ROOM(m->k, m->w->heights[which].at, m->w->heights[which].room, t[which]->count)) return false;
     f[which] = (facing){ .of = t[which], .other = t[!which], .height = m->w->heights[which].at };
     face_to(c, &f[which]);
@@ -396,7 +401,8 @@ static bool share(chunk *m, const vs_patch *a, const vs_patch *b) {
       to = high[above < 0 || (above == 0 && !is_corner(&high[0]))];
   int length = compare(c, &to, &from, axis);
   if (length < 0) return true;
-  if (length == 0 && !is_corner(&from)) from = to; /* prefers an end that is a corner */
+  if (length == 0 && !is_corner(&from)) from = to; /* the shared segment is a single point: prefers the end that is a
+                                                    * corner */
   if (length == 0) to = from;
   if (is_corner(&from) && is_corner(&to) && !new_in(c, f, corner_point(c, &from), corner_point(c, &to))) return true;
   if (t[0]->place != t[1]->place) {
@@ -423,7 +429,8 @@ static bool share(chunk *m, const vs_patch *a, const vs_patch *b) {
 static bool meet(void *context, uint32_t first, uint32_t second) {
   chunk *m = context;
   const vs_cluster *c = m->c;
-  if (first > second) { /* the order of point numbers must not depend on the order of pairs in the index */
+  if (first > second) { /* The order of points p and q must not depend on the order in which the tree of boxes returns
+                         * pairs. */
     uint32_t t = first;
     first = second;
     second = t;
@@ -440,12 +447,13 @@ static bool meet(void *context, uint32_t first, uint32_t second) {
 typedef struct {
   vs_kernel *k;
   vs_cluster *c;
-  uint32_t *group; /* union-find structure over facets */
-  VS_LIST(uint32_t) ids;  /* numbers of a chunk's fresh points */
+  uint32_t *group; /* group[f]: parent of facet f in a union-find structure */
+  VS_LIST(uint32_t) ids;  /* ids[i]: number in the cluster of the new point i of a chunk */
   chunk chunks[VS_PIPELINE_WINDOW];
-  working *works; /* working memory of each thread */
+  working *works; /* memory of each thread, an array with one element for each */
   size_t chunk_count;
-  size_t asked, left, looked, hidden; /* sums of the chunks' members of the same names, over the chunks so far */
+  size_t asked, left, looked, hidden; /* sums of the members `asked`, `left`, `looked` and `hidden` of the chunks so
+                                       * far */
 } meeting;
 
 static bool leave(meeting *m, const vs_patch *t, uint32_t p, uint32_t q, uint32_t plane) {
@@ -453,8 +461,8 @@ static bool leave(meeting *m, const vs_patch *t, uint32_t p, uint32_t q, uint32_
   return VS_PUSH(m->k, m->c->cuts, ((vs_facet_cut){ t->facet, p, q, plane }));
 }
 
-/* Returns true if the chunks so far show that there are very many cuts, nearly all of them hidden. Where most cuts
- * appear in the result, as in a lattice of holes, levels would only repeat the work. */
+/* Returns true if the chunks so far show that there are very many cuts, nearly all of them hidden. If most cuts appear
+ * in the result, as in a lattice of holes, levels would only repeat the work. */
 static bool most_is_hidden(const meeting *m, size_t index) {
   enum { SURE = 500, EACH = 32, LEAST = 20000 };
   const vs_cluster *c = m->c;
@@ -493,7 +501,8 @@ static bool absorb(vs_kernel *k, void *context, size_t index) {
   return true;
 }
 
-enum { CHUNK = 64 }; /* number of blocks of the index in a chunk; all partners of a large patch are in one chunk */
+enum { CHUNK = 64 }; /* Number of blocks of the tree of boxes whose pairs one task tests. All partners of a large patch
+                      * are in one chunk. */
 
 static bool meet_chunk(vs_kernel *k, void *context, size_t index) {
   meeting *all = context;

@@ -26,33 +26,34 @@
 
 #include <string.h>
 
-/* A shell: the sides that bound the union of some leaves. */
+/* The border of the union of some leaves: facets, given by their border edges. */
 typedef struct {
-  vs_points_table points; /* points of the shell, without a hash table */
-  vs_outlines outlines;   /* facets and sides of the shell, which refer to the members of `points` */
+  vs_points_table points; /* points of the shell; the table has no hash table */
+  vs_outlines outlines;   /* facets and border edges of the shell, which refer to the members of `points` */
   vs_bvh_box box;
-  uint32_t solid;         /* number of one of the shell's leaves */
+  uint32_t solid;         /* number of a leaf inside the shell, which identifies the solid */
 } shell;
 
-/* A range of leaves in `order`. made: true if both of its halves are on the stack of shells. */
+/* A range of leaves in `order`. made: true if both halves of the range are already on the stack of shells. */
 typedef struct { uint32_t first, end; bool made; } span;
 
 typedef struct {
   vs_kernel *k;
   vs_cluster *c;
   vs_expression *e;
-  VS_LIST(uint32_t) order;       /* indices of the leaves to unite; leaves that are close to each other are
-                                  * neighbours */
-  VS_LIST(uint64_t) weight;      /* weight[i]: sum of the weights of the first i leaves; an extra element marks the
+  VS_LIST(uint32_t) order;       /* indices of the leaves to unite, in an order in which leaves that are close in space
+                                  * are neighbours */
+  VS_LIST(uint64_t) weight;      /* weight[i]: sum of the weights of the first i leaves in `order`; an extra element
+                                  * marks the end */
+  VS_LIST(uint32_t) facet_first; /* facet_first[i]: first facet of the leaf with the index i; an extra element marks the
                                   * end */
-  VS_LIST(uint32_t) facet_first; /* for each leaf's index: its first facet; an extra element marks the end */
   VS_LIST(span) spans;
   VS_LIST(shell) shells;
-  /* For each point of a cluster: its number in the shell to which it is copied. Between two copies, all elements are
+  /* number[p]: number of the cluster's point p in the shell to which it is copied. Between two copies, all elements are
    * VS_NONE. */
   VS_LIST(uint32_t) number;
-  VS_LIST(uint32_t) taken;       /* points whose element of `number` is set */
-  VS_LIST(uint32_t) moved;       /* for each point of a shell: its number in the cluster to which it is copied */
+  VS_LIST(uint32_t) taken;       /* points p for which number[p] is set, so that they can be reset */
+  VS_LIST(uint32_t) moved;       /* moved[i]: number in the cluster of point i of the shell that is copied there */
   size_t done;
 } levels;
 
@@ -64,7 +65,7 @@ static void shell_free(vs_kernel *k, shell *s) {
 
 /* ---- copying of points between two tables ---- */
 
-/* Copies a point into a shell, unless it was copied before, and sets *id to its number there. */
+/* Copies a point into a shell, unless it was copied before, and sets *id to its number in the shell. */
 static bool take_point(levels *l, shell *s, const vs_points_table *from, uint32_t *id) {
   uint32_t *number = &l->number.at[*id];
   if (*number == VS_NONE) {
@@ -95,8 +96,8 @@ static bool take_points(levels *l, shell *s, const vs_points_table *from) {
   return true;
 }
 
-/* Appends the facets of a shell to those of a cluster. family: family of the facets in the index, see bvh.h. The caller
- * appends the extra facet that marks the end of the last facet. */
+/* Appends the facets of shell s to those of cluster `to`. family: family of the facets in the tree of boxes, see bvh.h.
+ * The caller appends the extra facet that marks the end of the last facet. */
 static bool add_shell(levels *l, vs_cluster *to, const shell *s, uint32_t family) {
   vs_kernel *k = l->k;
   size_t points = s->points.all.count, facets = s->outlines.facets.count;
@@ -127,11 +128,12 @@ static bool add_shell(levels *l, vs_cluster *to, const shell *s, uint32_t family
 
 static bool end_facets(vs_kernel *k, vs_cluster *c) {
   if (!VS_PUSH(k, c->facets, ((vs_facet){ .leaf = VS_NONE, .first = (uint32_t)c->sides.count }))) return false;
-  c->facets.count--; /* the extra facet after the last one remains readable */
+  c->facets.count--; /* the extra facet after the last one stays in memory as a mark of its end */
   return true;
 }
 
-/* Appends the borders of the facets of one leaf, which consist of triangles. Each edge of a border becomes a line. */
+/* Appends the facets of one leaf, which consist of triangles, as facets that are given by their border edges. Each
+ * border edge becomes a line. place: index of the leaf. */
 static bool add_outlines(levels *l, uint32_t place, vs_outlines *to) {
   vs_cluster *c = l->c;
   vs_kernel *k = l->k;
@@ -183,7 +185,7 @@ static void level_free(vs_kernel *k, vs_cluster *c) { /* Frees the cluster of a 
   VS_DROP(k, c->kept);
 }
 
-/* Appends shell b to shell a, without intersecting them. */
+/* Appends the facets of shell b to shell a, without intersecting the two. */
 static bool append(levels *l, shell *a, const shell *b) {
   vs_cluster both = { .points = { .all = { 0 } } };
   vs_kernel *k = l->k;
@@ -209,9 +211,9 @@ static bool append(levels *l, shell *a, const shell *b) {
   return ok;
 }
 
-/* Replaces the last two shells by their union. There are at least two shells. */
+/* Replaces the last two shells on the stack by their union. There are at least two shells. */
 static bool unite_last(levels *l) {
-  enum { SERIAL = 10000 }; /* in a level with fewer facets, only one thread works */
+  enum { SERIAL = 10000 }; /* number of facets in a level below which a single thread is faster */
   vs_kernel *k = l->k;
   const vs_cluster *c = l->c;
   shell *a = &l->shells.at[l->shells.count - 2], *b = &l->shells.at[l->shells.count - 1], made = { .solid = a->solid };
@@ -243,7 +245,7 @@ static bool unite_last(levels *l) {
   return ok;
 }
 
-static uint64_t spread(uint64_t x) { /* moves 21 bits to every third position */
+static uint64_t spread(uint64_t x) { /* moves the 21 bits of x to every third position, for a Morton code */
   x &= 0x1fffff;
   x = (x | x << 32) & 0x1f00000000ffffu;
   x = (x | x << 16) & 0x1f0000ff0000ffu;
@@ -325,7 +327,7 @@ static bool unite_all(levels *l) {
   return true;
 }
 
-/* Collects the facets of the united solid and the facets of all other leaves, with their sides. */
+/* Collects the facets of the united solid and those of all other leaves, with their border edges. */
 static bool gather(levels *l) {
   vs_cluster *c = l->c;
   vs_kernel *k = l->k;

@@ -10,17 +10,18 @@
 
 #include <string.h>
 
-/* Working memory of a thread. */
+/* Memory that one thread reuses for all its facets. */
 typedef struct {
   vs_kernel *k;
   const vs_cluster *c;
   struct made *to;
   const uint32_t *alone;
-  VS_LIST(uint32_t) next;   /* for each point on the facet's border: the next point; VS_NONE outside of facet_patch */
-  VS_LIST(uint32_t) border; /* a point of each loop of the border, where the walk along it begins */
+  VS_LIST(uint32_t) next;   /* next[p]: point that follows p on the facet's border; VS_NONE for all points while no
+                             * facet is processed */
+  VS_LIST(uint32_t) border; /* one point of each loop of the facet's border, where a walk along the loop begins */
 } building;
 
-typedef struct made { /* patches of a chunk of facets; indices of corners are relative to the chunk */
+typedef struct made { /* Patches of a chunk of facets. Indices of corners are relative to the chunk. */
   VS_LIST(vs_patch) patches;
   VS_LIST(vs_patch_corner) corners;
   VS_LIST(vs_bvh_box) boxes;
@@ -29,8 +30,8 @@ typedef struct made { /* patches of a chunk of facets; indices of corners are re
 typedef struct {
   vs_cluster *c;
   made made[VS_PIPELINE_WINDOW];
-  building *works; /* working memory of each thread */
-  VS_LIST(uint32_t) alone; /* for each plane: the only facet in the plane, or SEVERAL */
+  building *works; /* memory of each thread, an array with one element for each */
+  VS_LIST(uint32_t) alone; /* alone[p]: the only facet in plane p, or SEVERAL */
 } patching;
 
 /* Appends the patch whose corners begin at index `first` of the chunk's corners. */
@@ -46,8 +47,8 @@ static bool add_patch(building *b, uint32_t facet, uint32_t first, uint8_t inner
       if (x < box.min[a]) box.min[a] = x;
       if (x > box.max[a]) box.max[a] = x;
     }
-  /* The box is reduced only if the facet is alone in its plane. Facets in one plane must be cut by each other's
-   * borders, even where these borders are hidden. Otherwise two faces could overlap there. */
+  /* The box is reduced to its visible part only if the facet is the only one in its plane. Facets in one plane must be
+   * cut by each other's borders, even where these borders are hidden. Otherwise two faces could overlap there. */
   if (c->placed.at[p.place].lids_count && b->alone[p.plane] == facet)
     vs_cull_box(c, p.place, b->to->corners.at + first, p.count, &box);
   return VS_PUSH(b->k, b->to->patches, p) && VS_PUSH(b->k, b->to->boxes, box);
@@ -59,8 +60,8 @@ static bool add_corner(building *b, uint32_t point) {
   return VS_PUSH(b->k, b->to->corners, corner);
 }
 
-/* Returns true if the ring of corners from `first` on is convex and goes around once. Corners on a straight line are
- * allowed, but no reversal. The ring has at least three corners. */
+/* Returns true if the ring of corners from index `first` on is convex and goes around once. Corners on a straight line
+ * are allowed, but no reversal. The ring has at least three corners. */
 static bool convex(const building *b, const vs_facet *f, uint32_t first) {
   const vs_plane *p = &b->c->planes.all.at[f->plane];
   const vs_patch_corner *at = b->to->corners.at + first;
@@ -107,7 +108,7 @@ static bool facet_patch(building *b, uint32_t facet, bool *whole) {
   return true;
 }
 
-enum { CHUNK = 4096 }; /* number of facets in a chunk */
+enum { CHUNK = 4096 }; /* number of facets that one task handles */
 #define SEVERAL (UINT32_MAX - 1)
 
 static bool make_chunk(vs_kernel *k, void *context, size_t index) {
@@ -175,19 +176,21 @@ bool vs_patches_build(vs_kernel *k, vs_cluster *c) {
     uint32_t *of = &p.alone.at[c->facets.at[i].plane];
     *of = *of == VS_NONE ? i : SEVERAL;
   }
-  size_t least = c->facets.count; /* estimated minimum of the number of patches and of corners */
+  size_t least = c->facets.count; /* estimated minimum of the number of patches and of corners, for the size of the
+                                   * arrays */
   ok = ok && VS_ROOM(k, c->patches.at, c->patches.room, least) && VS_ROOM(k, c->boxes.at, c->boxes.room, least) &&
        VS_ROOM(k, c->patch_corners.at, c->patch_corners.room, 3 * least);
   ok = ok && vs_kernel_pipeline(k, (c->facets.count + CHUNK - 1) / CHUNK, make_chunk, take_chunk, &p) &&
        VS_ROOM(k, families, family_room, c->patches.count + 1);
-  for (size_t i = 0; ok && i < c->patches.count; i++) { /* the patches of a star on the grid form one family, because
-                                                         * its triangles do not touch each other */
+  for (size_t i = 0; ok && i < c->patches.count; i++) { /* Patches of one family are not tested against each other. The
+                                                         * triangles of a star on the grid do not intersect, so its
+                                                         * patches form one family. */
     uint32_t place = c->patches.at[i].place;
     families[i] = c->placed.at[place].star ? place : UINT32_MAX;
   }
   c->bvh.families = families;
   ok = ok && vs_bvh_build(k, &c->bvh, c->boxes.at, (uint32_t)c->patches.count);
-  VS_DROP(k, c->boxes); /* the index has a copy of the boxes */
+  VS_DROP(k, c->boxes); /* the tree of boxes has its own copy of them */
   VS_FREE(k, families, family_room);
   for (size_t i = 0; i < room; i++) {
     VS_DROP(k, p.works[i].next);

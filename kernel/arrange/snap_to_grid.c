@@ -1,5 +1,6 @@
-/* Converts the placed leaves of a cluster to corners on the grid. It chooses the frame and the grid, welds coordinates,
- * rounds them, and determines the shape of the leaves afterwards. facets.c continues with the triangles.
+/* Converts the placed leaves of a cluster to corners on the grid. It chooses the frame and the grid, rounds the
+ * vertices, and makes nearly equal coordinates equal. It then tests whether each star is still a star on the grid.
+ * facets.c continues with the triangles.
  *
  * The step of the grid is 1, 2 or 5 times a power of ten. It is the smallest with which the cluster fits into 2^31
  * steps in either direction. It is decimal because the numbers in models are. A triangle that spans nearly all of the
@@ -19,23 +20,25 @@
 #include <stdlib.h>
 #include <string.h>
 
-typedef struct { double at; uint32_t index; } border; /* a coordinate; index: 3 * vertex + axis */
+typedef struct { double at; uint32_t index; } border; /* A coordinate near the middle between two grid lines. index: 3 *
+                                                       * vertex + axis. */
 
 enum { SPAN = 1 << 13 };
 typedef struct {
   double low[3], high[3];
-  VS_LIST(border) borders[3];   /* for each axis: coordinates near the middle between two grid lines */
+  VS_LIST(border) borders[3];   /* borders[a]: coordinates along axis a that are near the middle between two grid
+                                 * lines */
 } chunk;
 
 typedef struct {
   vs_cluster *c;
-  VS_LIST(vs_vec3) placed;      /* vertices in the frame, one leaf after another */
-  vs_affine *to_frame;          /* map of each leaf into the frame */
+  VS_LIST(vs_vec3) placed;      /* vertices of all leaves in the coordinates of the frame, one leaf after another */
+  vs_affine *to_frame;          /* to_frame[i]: map of leaf i into the coordinates of the frame */
   size_t to_frame_room;
-  VS_LIST(chunk) chunks;        /* chunks of SPAN vertices */
-  VS_LIST(border) borders;      /* coordinates of the current axis that are near the middle between two grid lines */
-  double near[3];               /* for each axis: coordinates that differ by less than this number of steps are rounded
-                                 * to the same grid line */
+  VS_LIST(chunk) chunks;        /* ranges of SPAN vertices, each of which one task handles */
+  VS_LIST(border) borders;      /* coordinates along the current axis that are near the middle between two grid lines */
+  double near[3];               /* near[a]: coordinates along axis a that differ by less than this number of steps are
+                                 * rounded to one grid line */
   double steps[3];              /* extent of the cluster along each axis, in steps */
 } snapping;
 
@@ -46,8 +49,8 @@ static int by_place(const void *a, const void *b) {
   return x->at < y->at ? -1 : x->at > y->at ? 1 : x->index < y->index ? -1 : x->index > y->index;
 }
 
-/* Greatest number of steps in either direction. Boxes that are enlarged by some steps must still fit into 32-bit
- * numbers. */
+/* Greatest number of steps from the middle of the cluster in either direction. Boxes that are enlarged by some steps
+ * must still fit into 32-bit numbers. */
 static const double MOST = (double)(INT64_C(1) << VS_GRID_BITS) - 64;
 
 static void choose_step(vs_grid *g, double half, double far) {
@@ -73,7 +76,7 @@ static bool place_chunk(vs_kernel *k, void *context, size_t index) {
   chunk *to = &s->chunks.at[index];
   uint32_t leaf = 0, beyond = c->leaf_count;
   for (int a = 0; a < 3; a++) to->low[a] = INFINITY, to->high[a] = -INFINITY;
-  while (beyond - leaf > 1) { /* finds the last leaf that begins at or before the chunk */
+  while (beyond - leaf > 1) { /* finds by bisection the last leaf whose vertices begin at or before the chunk */
     uint32_t middle = leaf + (beyond - leaf) / 2;
     if (c->placed.at[middle].first <= index * SPAN) leaf = middle;
     else beyond = middle;
@@ -131,8 +134,8 @@ static bool grid_chunk(vs_kernel *k, void *context, size_t index) {
   return vs_kernel_report(k, 0);
 }
 
-/* Returns true if the normal of the triangle fits into 63 bits. Each of its components is twice the area of the
- * triangle as seen along that axis, divided by a common divisor. */
+/* Returns true if each component of the normal of triangle a b c fits into 63 bits. A component is twice the area of
+ * the triangle as seen along that axis, divided by a common divisor. */
 static bool normal_fits(const int32_t a[3], const int32_t b[3], const int32_t c[3]) {
   for (int i = 0; i < 3; i++) {
     int u = (i + 1) % 3, v = (i + 2) % 3;
@@ -145,8 +148,8 @@ static bool normal_fits(const int32_t a[3], const int32_t b[3], const int32_t c[
   return true;
 }
 
-/* Returns true if the normals of all triangles fit. Only a leaf that spans 2^63 square steps in two axes can have a
- * triangle whose normal does not fit; smaller clusters need no test. */
+/* Returns true if the normals of all triangles fit into 63 bits. Only a leaf that spans 2^63 square steps in two axes
+ * can have a triangle whose normal does not fit; smaller clusters need no test. */
 static bool normals_fit(const vs_cluster *c, const snapping *s) {
   static const double SAFE = 0x1p62;
   if (s->steps[0] * s->steps[1] < SAFE && s->steps[1] * s->steps[2] < SAFE && s->steps[2] * s->steps[0] < SAFE)
@@ -179,12 +182,13 @@ static bool weld(vs_kernel *k, vs_cluster *c, snapping *s) {
     half = fmax(half, (high[a] - low[a]) / 2);
     far = fmax(far, fmax(fabs(low[a]), fabs(high[a])));
   }
-  for (bool fits = false; !fits; half *= 1.5) { /* the next larger step is 2 or 2.5 times as wide */
+  for (bool fits = false; !fits; half *= 1.5) { /* tries the next larger decimal step, 2 or 2.5 times as wide, until all
+                                                 * normals fit */
     choose_step(&c->grid, half, far);
     for (int a = 0; a < 3; a++) {
       double scale = c->grid.scale, unit = c->grid.unit;
       c->grid.offset[a] = floor((low[a] + high[a]) / 2 * scale / unit);
-      /* doubles are coarser far from the origin */
+      /* the spacing of doubles grows with the distance `far` from the origin, and with it the tolerance */
       s->near[a] = fmax((high[a] - low[a]) * 0x1p-40, far * 0x1p-50) * scale / unit;
       s->steps[a] = (high[a] - low[a]) * scale / unit;
     }
@@ -208,7 +212,7 @@ static bool weld(vs_kernel *k, vs_cluster *c, snapping *s) {
   return true;
 }
 
-/* Computes the box of each leaf in steps. Determines whether each star is still a star on the grid. */
+/* Computes the bounding box of each leaf in steps. Determines whether each star is still a star on the grid. */
 static bool find_shape(vs_kernel *k, void *context, size_t index) {
   const snapping *s = context;
   const vs_cluster *c = s->c;

@@ -4,8 +4,8 @@
 
 #include "kernel/cluster.h"
 
-bool vs_snap_to_grid(vs_kernel *k, vs_cluster *c);                       /* chooses the frame and the grid, and rounds
-                                                                          * all vertices to it; returns false on an
-                                                                          * error */
+bool vs_snap_to_grid(vs_kernel *k, vs_cluster *c);                       /* chooses the cluster's frame and grid, and
+                                                                          * rounds all vertices to the grid; returns
+                                                                          * false on an error */
 
 #endif

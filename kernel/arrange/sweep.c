@@ -1,4 +1,4 @@
-/* Implements the sweep: the order of vertices, the status tree and the events. */
+/* Implements a plane sweep: the order of its vertices, the tree of the edges under the sweep line, and the events. */
 #include "kernel/arrange/sweep.h"
 
 static bool point_before(const void *context, uint32_t a, uint32_t b) {
@@ -8,8 +8,8 @@ static bool point_before(const void *context, uint32_t a, uint32_t b) {
   return sign < 0;
 }
 
-/* Sorts points by the fixed-point numbers of u, whose order is right if they differ. Points with equal u are sorted by
- * v: by the fixed-point numbers if all of these are exact, else by exact coordinates. */
+/* Sorts points by coordinate u, then by v. Fixed-point numbers decide if they differ in u. Points with equal u are
+ * sorted by v: by the fixed-point numbers if all of these are exact, else by exact coordinates. */
 bool vs_sweep_order(vs_kernel *k, vs_sweep *s, uint32_t *points, size_t count, uint32_t *scratch) {
   const vs_point *all = s->points.at;
   s->vertices.count = 0;
@@ -64,7 +64,7 @@ bool vs_sweep_begin(vs_kernel *k, vs_sweep *s) {
   return true;
 }
 
-/* Returns the priority of an edge in the treap, a hash of its number. */
+/* Returns the priority of edge e in the treap: a hash of its number. */
 static uint32_t priority(uint32_t e) {
   uint64_t h = ((uint64_t)e + 1) * 0x9e3779b97f4a7c15u;
   return (uint32_t)(h >> 32);
@@ -78,7 +78,7 @@ static void replace_child(vs_sweep *s, uint32_t parent, uint32_t old, uint32_t n
   if (now != VS_NONE) n[now].parent = parent;
 }
 
-static void rotate_up(vs_sweep *s, uint32_t x) { /* moves node x above its parent */
+static void rotate_up(vs_sweep *s, uint32_t x) { /* rotates the tree so that node x moves above its parent */
   vs_sweep_node *n = s->nodes.at;
   uint32_t p = n[x].parent;
   replace_child(s, n[p].parent, p, x);
@@ -100,8 +100,9 @@ static void insert_between(vs_sweep *s, uint32_t e, uint32_t below, uint32_t abo
   if (below != VS_NONE) n[below].next = e;
   if (above != VS_NONE) n[above].previous = e;
   if (below != VS_NONE && n[below].right == VS_NONE) n[below].right = e, n[e].parent = below;
-  else if (above != VS_NONE) n[above].left = e, n[e].parent = above; /* Of the two neighbours of a new edge, one has a
-                                                                      * free child on the side of this edge. */
+  else if (above != VS_NONE) n[above].left = e, n[e].parent = above; /* A new edge lies between two neighbours in order.
+                                                                      * One of them has no child on the side of the new
+                                                                      * edge. */
   else s->root = e;
   while (n[e].parent != VS_NONE && priority(n[e].parent) < priority(e)) rotate_up(s, e);
 }

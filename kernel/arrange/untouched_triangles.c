@@ -1,5 +1,5 @@
-/* Finds plain (untouched) triangles. No other triangle touches them, so they need no planes, facets, patches or
- * separate faces.
+/* Finds untouched triangles, `plain` in the code. No other triangle touches them, so they need no planes, facets,
+ * patches or separate faces.
  *
  * A triangle of a large leaf is plain under three conditions. First, its box does not intersect the box of any triangle
  * of another leaf. Second, it has only those corners and edges in common with other triangles of its leaf that the mesh
@@ -8,9 +8,9 @@
  * some axis, a fan that goes around once. All tests use corners on the grid, which doubles represent exactly. If a test
  * is uncertain, the triangle is arranged like any other, which only costs time.
  *
- * A region is a connected set of plain triangles. In the classification it is a single face, with uses only along its
- * rim. The face on the other side of the rim is the facet of one arranged triangle. Therefore every edge of the rim has
- * two uses, and the region needs no plane. Its triangles are copied to the result unchanged.
+ * A region is a connected set of plain triangles. In the classification it is a single face, with boundary edges only
+ * along its rim. The face on the other side of the rim is the facet of one arranged triangle. Therefore every edge of
+ * the rim has two faces, and the region needs no plane. Its triangles are copied to the result unchanged.
  *
  * Boxes are tested in blocks of up to 16 connected triangles that are consecutive in the mesh. Meshes made by programs
  * mostly have such an order. */
@@ -27,29 +27,30 @@
 #include <string.h>
 
 enum { SPAN = 1 << 13, LANES = 4, PACKS = 4, BLOCK = LANES * PACKS };
-enum { LEAST = 256 }; /* least number of triangles of a leaf in which plain triangles are searched */
+enum { LEAST = 256 }; /* least number of triangles of a leaf in which untouched triangles are searched */
 enum { PROVEN = 128 };
 
 typedef struct {
-  uint32_t place, first, end;   /* place: index of the leaf in the cluster; first, end: range of the leaf's triangles in
-                                 * the span */
-  uint32_t blocks;              /* number of blocks in all spans before this one */
-  VS_LIST(vs_use) rim;          /* uses along the rims; their member `face` is the region */
+  uint32_t place, first, end;   /* place: index of the leaf in the cluster; first, end: range of the leaf's triangles
+                                 * that one task handles */
+  uint32_t blocks;              /* number of blocks of triangles in all spans before this one */
+  VS_LIST(vs_use) rim;          /* boundary edges of the regions; the member `face` of each is the index of its
+                                 * region */
 } span;
-/* A block of triangles. hub: a common corner of all its triangles, around which they share only edges; UINT32_MAX:
- * there is no such corner. */
+/* Up to 16 connected triangles of a mesh. hub: a corner that all of them have, and around which they share only edges;
+ * UINT32_MAX: there is no such corner. */
 typedef struct { uint32_t place, first, hub; vs_pack packs[PACKS]; } block;
 
 typedef struct {
   vs_cluster *c;
   VS_LIST(span) spans;
-  VS_LIST(uint64_t) masks;      /* mask of every vertex, see cluster.h */
+  VS_LIST(uint64_t) masks;      /* masks[v]: set of the lids that contain vertex v, as bits; see VS_LIDS in cluster.h */
   VS_LIST(block) blocks;
-  VS_LIST(vs_bvh_box) boxes;        /* boxes of the blocks */
+  VS_LIST(vs_bvh_box) boxes;        /* boxes[i]: bounding box of block i of triangles */
   vs_bvh bvh;
-  VS_LIST(_Atomic uint8_t) fans; /* for each vertex: 1: its triangles form a single simple fan; 2 or more: they do not;
-                                  * PROVEN: the vertex is a hub, whose fan was proven simple */
-  VS_LIST(vs_hubs) hubs;         /* hubs of each leaf, on the grid */
+  VS_LIST(_Atomic uint8_t) fans; /* fans[v]: for vertex v: 1: its triangles form a single simple fan; 2 or more: they do
+                                  * not; PROVEN: the vertex has very many triangles, whose fan was proven simple */
+  VS_LIST(vs_hubs) hubs;         /* hubs[i]: corners of leaf i at which very many triangles end, on the grid */
   VS_LIST(_Atomic uint32_t) sets;
 } plain;
 
@@ -70,12 +71,13 @@ static const uint32_t *triangle_at(const vs_cluster *c, uint32_t place, uint32_t
 static uint8_t fate_of(const vs_cluster *c, uint32_t place, uint32_t t) {
   return atomic_load_explicit(&c->fate.at[c->placed.at[place].first_triangle + t], memory_order_relaxed);
 }
-/* Sets the fate of triangle t to VS_ARRANGED, VS_CULLED or VS_PLAIN. */
+/* Sets the fate of triangle t of a leaf: VS_ARRANGED, VS_CULLED or VS_PLAIN (untouched). */
 static void set_fate(vs_cluster *c, uint32_t place, uint32_t t, uint8_t fate) {
   VS_ASSERT(fate <= VS_PLAIN);
   atomic_store_explicit(&c->fate.at[c->placed.at[place].first_triangle + t], fate, memory_order_relaxed);
 }
-static void arrange(vs_cluster *c, uint32_t place, uint32_t t) { /* several threads may call this for one triangle */
+static void arrange(vs_cluster *c, uint32_t place, uint32_t t) { /* Marks triangle t as not untouched. Several threads
+                                                                  * may call this for one triangle. */
   if (fate_of(c, place, t) == VS_PLAIN) set_fate(c, place, t, VS_ARRANGED);
 }
 
@@ -83,7 +85,8 @@ static uint32_t next_of(uint32_t corner) { return corner % 3 == 2 ? corner - 2 :
 
 /* ---- culled triangles ---- */
 
-/* Computes masks; the vertices of a leaf are divided among its spans. */
+/* Computes the masks (sets of lids) of a range of a leaf's vertices. The vertices are divided among the spans of the
+ * leaf. */
 static bool mask_span(vs_kernel *k, void *context, size_t index) {
   plain *p = context;
   const span *s = &p->spans.at[index];
@@ -118,8 +121,8 @@ static uint32_t hub_of(const plain *p, uint32_t place, uint32_t t) {
   return h->of.count ? h->of.at[t] : UINT32_MAX;
 }
 
-/* Finds the triangles of the next block, which all have the same hub, or no hub. Returns false at the end of the
- * span. */
+/* Finds the next block of triangles: all have one hub (a corner with very many triangles), or none has a hub. Returns
+ * false at the end of the span. */
 static bool next_block(const plain *p, const span *s, uint32_t *first, uint32_t *end) {
   const vs_cluster *c = p->c;
   const uint32_t (*v)[3] = (const uint32_t (*)[3])mesh_at(c, s->place)->triangles;
@@ -192,7 +195,7 @@ static void look_at_pair(vs_cluster *c, uint32_t a_place, uint32_t a, uint32_t b
   if (a_place == b_place) {
     const uint32_t *v = triangle_at(c, a_place, a), *w = triangle_at(c, b_place, b);
     vs_vec3 x[3], y[3];
-    if (share_a_corner(v, w)) return; /* the triangles share a corner; the test of fans decides whether they touch
+    if (share_a_corner(v, w)) return; /* the two triangles share a corner; the test of fans decides whether they touch
                                        * elsewhere */
     for (int i = 0; i < 3; i++) {
       const int32_t *p = corner_at(c, a_place, v[i]), *q = corner_at(c, b_place, w[i]);
@@ -219,7 +222,7 @@ static bool meet_blocks(void *context, uint32_t first, uint32_t second) {
   return true;
 }
 
-enum { CHUNK = 256 }; /* number of blocks of the index in a chunk */
+enum { CHUNK = 256 }; /* number of blocks of the tree of boxes whose pairs one task tests */
 
 static bool meet_chunk(vs_kernel *k, void *context, size_t index) {
   searcher s = { context, k };
@@ -245,7 +248,8 @@ static bool meet_within(vs_kernel *k, void *context, size_t index) { /* tests th
 }
 
 static bool index_blocks(vs_kernel *k, plain *p, bool *few) {
-  enum { WORTH = 4 }; /* least average number of triangles in a block for which the search is worthwhile */
+  enum { WORTH = 4 }; /* least average number of triangles in a block for which the search for untouched triangles saves
+                       * time */
   vs_cluster *c = p->c;
   uint32_t sum = 0, *families = NULL;
   size_t room = 0;
@@ -261,8 +265,8 @@ static bool index_blocks(vs_kernel *k, plain *p, bool *few) {
   bool ok = VS_ROOM(k, p->blocks.at, p->blocks.room, (size_t)sum + 1) &&
             VS_ROOM(k, p->boxes.at, p->boxes.room, (size_t)sum + 1) && VS_ROOM(k, families, room, (size_t)sum + 1) &&
             vs_kernel_run(k, p->spans.count, fill_blocks, p);
-  /* A star does not intersect itself, and triangles of one hub do not intersect each other. Leaves that are not
-   * searched need no test against each other. */
+  /* Triangles of one family are not tested against each other. A star does not intersect itself, and triangles of one
+   * hub do not intersect each other. */
   for (uint32_t i = 0; ok && i < sum; i++) {
     const block *b = &p->blocks.at[i];
     const vs_placed *l = &c->placed.at[b->place];
@@ -294,7 +298,7 @@ static void normal_of(const vs_cluster *c, uint32_t place, uint32_t t, normal *t
   }
 }
 
-/* returns true if the vertex `off` is not in the plane, by more than rounding errors; m: normal of the plane; on: a
+/* returns true if vertex `off` is farther from the plane than rounding errors explain; m: normal of the plane; on: a
  * vertex in the plane */
 static bool surely_bent(const vs_cluster *c, uint32_t place, const normal *m, uint32_t on, uint32_t off) {
   const int32_t *p = corner_at(c, place, on), *q = corner_at(c, place, off);
@@ -307,7 +311,7 @@ static bool surely_bent(const vs_cluster *c, uint32_t place, const normal *m, ui
   return fabs(sum) > error;
 }
 
-/* Sets triangles to arranged, unless each of their edges has exactly one neighbour in the mesh, which is not
+/* Marks triangles as touched, unless each of their edges has exactly one neighbour in the mesh, which is not
  * coplanar. */
 static bool look_across(vs_kernel *k, void *context, size_t index) {
   plain *p = context;
@@ -341,8 +345,8 @@ static bool look_across(vs_kernel *k, void *context, size_t index) {
 static bool lower(double x, double y) { return y < 0 || (y <= 0 && x < 0); }
 
 /* Tests whether the triangles around a corner's vertex go around it once as seen along some axis. They then share only
- * their common corners and edges. The test begins at the given corner of the leaf's mesh, and is done only for the
- * first corner at each vertex. */
+ * their common corners and edges. corner: index of the corner in the leaf's mesh. The test is done only for the first
+ * corner at each vertex. */
 static void look_around(plain *p, uint32_t place, uint32_t corner) {
   enum { MOST = 64 };
   const vs_cluster *c = p->c;
@@ -379,7 +383,8 @@ static void look_around(plain *p, uint32_t place, uint32_t corner) {
     falls += lower((double)q[x] - o[x], (double)q[y] - o[y]) && !lower((double)r[x] - o[x], (double)r[y] - o[y]);
   }
   uint8_t had = atomic_fetch_or_explicit(fan, good && falls == 1 ? 1 : 2, memory_order_relaxed);
-  if (had) atomic_fetch_or_explicit(fan, 2, memory_order_relaxed); /* two fans of triangles touch at this vertex */
+  if (had) atomic_fetch_or_explicit(fan, 2, memory_order_relaxed); /* an earlier fan exists at this vertex: two fans of
+                                                                    * triangles touch there */
 }
 
 static bool find_fans(vs_kernel *k, void *context, size_t index) {
@@ -415,7 +420,7 @@ static vs_vec3 grid_corner(const void *context, uint32_t vertex) {
   return vs_v3(at[0], at[1], at[2]);
 }
 
-/* Finds the hubs of the leaves that are searched and are not stars. */
+/* Finds the hubs (corners with very many triangles) of the searched leaves that are not stars. */
 static bool find_hubs(vs_kernel *k, plain *p) {
   const vs_cluster *c = p->c;
   if (!VS_ROOM(k, p->hubs.at, p->hubs.room, c->leaf_count)) return false;
@@ -433,7 +438,8 @@ static bool find_hubs(vs_kernel *k, plain *p) {
 static bool search_leaves(vs_kernel *k, plain *p, size_t vertices) {
   bool few;
   if (!find_hubs(k, p) || !index_blocks(k, p, &few)) return false;
-  if (!few) { /* the triangles of the mesh are in no useful order, so the search is not worthwhile */
+  if (!few) { /* The triangles of the mesh are in no useful order. Therefore the search for untouched triangles would
+               * not save time. */
     for (size_t i = 0; i < p->c->fate.count; i++)
       if (p->c->fate.at[i] == VS_PLAIN) p->c->fate.at[i] = VS_ARRANGED;
     return true;
@@ -491,7 +497,8 @@ bool vs_plain_find(vs_kernel *k, vs_cluster *c) {
     culled = culled || vs_cull_needed(c, i);
     searched = searched || l->searched;
   }
-  if (!culled && !searched) return true; /* nothing was culled or searched, so all triangles are arranged */
+  if (!culled && !searched) return true; /* no triangle was culled and no leaf was searched, so all triangles are
+                                          * arranged */
   if (triangles >= UINT32_MAX / 3) return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the solids have too many faces");
   bool ok = make_spans(k, &p) && VS_ROOM(k, c->fate.at, c->fate.room, triangles + 1) &&
             (!culled || VS_ROOM(k, p.masks.at, p.masks.room, vertices + 1));
@@ -536,8 +543,8 @@ static bool join_span(vs_kernel *k, void *context, size_t index) {
   return vs_kernel_report(k, k->part);
 }
 
-/* Numbers the regions in the order of their first triangles. Chooses one large triangle of each region, among its first
- * ones. */
+/* Numbers the regions of untouched triangles in the order of their first triangles. Chooses one large triangle of each
+ * region, among its first ones. */
 static bool name_regions(vs_kernel *k, plain *p) {
   enum { LOOKED_AT = 256 };
   vs_cluster *c = p->c;
@@ -585,8 +592,8 @@ static bool find_rim(vs_kernel *k, void *context, size_t index) {
       uint8_t fate = fate_of(c, s->place, twins[3 * (size_t)t + j] / 3);
       uint32_t from = c->point_of.at[l->first + v[j]], to = c->point_of.at[l->first + v[j == 2 ? 0 : j + 1]];
       if (fate == VS_PLAIN) continue;
-      if (fate == VS_CULLED) from = to = VS_NONE; /* beyond this edge the surface continues in settled space, where its
-                                                   * triangles were culled */
+      if (fate == VS_CULLED) from = to = VS_NONE; /* beyond this edge, the triangles of the surface were removed as
+                                                   * hidden, so the edge gets no face there */
       else if (from == VS_NONE || to == VS_NONE) return VS_BROKEN(k, "a rim has no points");
       if (!VS_PUSH(k, s->rim, ((vs_use){ mirrored ? to : from, mirrored ? from : to, region }))) return false;
     }
@@ -597,7 +604,7 @@ static bool find_rim(vs_kernel *k, void *context, size_t index) {
 static bool add_faces(vs_kernel *k, plain *p) {
   vs_cluster *c = p->c;
   size_t regions = c->regions.count, uses = c->uses.count, faces = c->faces.count;
-  VS_LIST(uint32_t) at = { 0 }; /* first use of each region, later the end of its uses */
+  VS_LIST(uint32_t) at = { 0 }; /* at[r]: first the start of region r's boundary edges, later their end */
   size_t sum = 0;
   for (size_t i = 0; i < p->spans.count; i++) sum += p->spans.at[i].rim.count;
   if (uses + sum >= UINT32_MAX || faces + regions >= UINT32_MAX / 2)
@@ -657,14 +664,14 @@ size_t vs_plain_kept(const vs_cluster *c) {
   return sum;
 }
 
-/* A vertex that has a number in the result has this number in point_of, with this bit set. */
+/* Bit in point_of for a vertex that already has a number in the result. The other bits are that number. */
 #define NUMBERED VS_POINT_MORE
 
 typedef struct {
   vs_cluster *c;
   vs_mesh *out;
-  VS_LIST(uint32_t) vertices; /* indices in `corners` of the new vertices */
-  size_t first_vertex;        /* number in the result of the first new vertex */
+  VS_LIST(uint32_t) vertices; /* indices in the cluster's `corners` of the vertices that are new in the result */
+  size_t first_vertex;        /* number in the result of the first of the new vertices */
 } copying;
 
 enum { PLACES = 1 << 14 };
