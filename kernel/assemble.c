@@ -5,8 +5,9 @@
 
 #include "kernel/threads.h"
 
-enum { SERIAL = 10000 /* with fewer triangles, one thread copies */, CHUNK = 16 /* number of placements that one task
-                                                                                 * copies */ };
+enum { SERIAL = 10000 /* fewest triangles for which threads copy */, CHUNK = 16 /* placements
+                                                                                                           * in a
+                                                                                                           * task */ };
 
 bool vs_placing_room(vs_kernel *k, vs_mesh *out, size_t vertices, size_t triangles) {
   size_t limit = k->options ? k->options->max_triangles : 0, more_vertices = out->vertex_count + vertices,
@@ -14,8 +15,9 @@ bool vs_placing_room(vs_kernel *k, vs_mesh *out, size_t vertices, size_t triangl
   if (limit && more > limit)
     return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the result has more than %zu triangles, the limit", limit);
   if (more_vertices > UINT32_MAX) return vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the result has too many corners");
-  if ((more_vertices > out->vertex_room || more > out->triangle_room) && /* reserves room for half as many more, because
-                                                                          * thousands of placements may follow */
+  if ((more_vertices > out->vertex_room || more > out->triangle_room) && /* reserves room for half as many more
+                                                                          * elements, because thousands of placements
+                                                                          * may follow */
       !vs_mesh_reserve(out, more_vertices + more_vertices / 2, more + more / 2) &&
       !vs_mesh_reserve(out, more_vertices, more))
     return vs_kernel_fail(k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids");
@@ -29,12 +31,11 @@ typedef struct {
   size_t count;
   const vs_kernel_leaf *leaves;
   vs_mesh *results;
-  struct { VS_LIST(uint32_t) at; } tags[VS_THREADS_MOST]; /* one table for each thread: the copy's tag for each tag of
+  struct { VS_LIST(uint32_t) at; } tags[VS_THREADS_MOST]; /* tags[i]: for thread i, the tag in the copy for each tag of
                                                            * the original */
 } placing;
 
-/* Fills the calling thread's table with the copy's tag for each tag of the original. Each of the VS_THREADS_MOST
- * threads has a table of its own. */
+/* Fills the calling thread's table: the tag in the copy for each tag of the original. */
 static bool find_tags(vs_kernel *k, placing *all, const vs_placement *p) {
   VS_ASSERT(k->worker < VS_THREADS_MOST);
   for (uint32_t i = 0; i < p->leaf_count; i++) {
@@ -45,8 +46,8 @@ static bool find_tags(vs_kernel *k, placing *all, const vs_placement *p) {
   return true;
 }
 
-/* Copies the range of vertices and triangles that the placement describes. The range must lie within its mesh before
- * and after the copy. */
+/* Copies the range of vertices and triangles that placement p describes. The range must lie within its mesh before and
+ * after the copy. */
 static bool place_one(vs_kernel *k, placing *all, const vs_placement *p) {
   vs_mesh *to = &all->results[p->into];
   const vs_mesh *m = p->mesh ? p->mesh : to;

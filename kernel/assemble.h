@@ -12,13 +12,13 @@ typedef struct { size_t vertex, triangle, vertices, triangles; } vs_range; /* a 
                                                                             * its vertices and triangles */
 
 typedef struct {
-  const vs_mesh *mesh;       /* mesh to copy completely; NULL: copy the part `from` of the result instead */
+  const vs_mesh *mesh;       /* mesh to copy completely; NULL: copy the range `from` of the result `into` instead */
   vs_range from;
   uint32_t into;             /* index of the result that receives the copy */
-  size_t vertex, triangle;   /* indices of the copy's first vertex and triangle in the result */
+  size_t vertex, triangle;   /* positions in the result of the copy's first vertex and first triangle */
   vs_affine map;
   const uint32_t *were, *leaves; /* A triangle with the tag of leaf were[i] gets the tag of leaf leaves[i] in the copy.
-                                  * If were is NULL, all triangles get the tag of leaf leaves[0]. */
+                                  * If `were` is NULL, all triangles get the tag of leaf leaves[0]. */
   uint32_t leaf_count;
 } vs_placement;
 
@@ -29,7 +29,7 @@ typedef struct {
 /* Reserves space for `vertices` vertices and `triangles` triangles, with their tags, in the mesh out. Adds these
  * numbers to the counts of out. Returns false and sets the error if the result becomes too large or memory is out. */
 bool vs_placing_room(vs_kernel *k, vs_mesh *out, size_t vertices, size_t triangles);
-/* Copies the meshes of all placements in p into the results. Returns false and sets the error on failure. */
+/* Copies the meshes of all placements in p into the array `results`. Returns false and sets the error on failure. */
 bool vs_placing_finish(vs_kernel *k, vs_placing *p, const vs_kernel_leaf *leaves, vs_mesh *results);
 void vs_placing_free(vs_kernel *k, vs_placing *p);
 

@@ -50,8 +50,8 @@ bool vs_check_leaves(vs_kernel *k, const vs_cluster *c, vs_check *check, vs_kern
     double six = 0, swept = 0;
     for (size_t t = 0; t < m->triangle_count; t++) {
       const uint32_t *v = m->triangles[t];
-      double x[3][3]; /* corners relative to the leaf's first vertex, so that the products of a small leaf stay
-                       * accurate */
+      double x[3][3]; /* coordinates of three corners relative to the leaf's first vertex, so that the products of a
+                       * small leaf stay accurate */
       for (int j = 0; j < 3; j++)
         for (int a = 0; a < 3; a++) x[j][a] = (double)at[v[j]][a] - at[0][a];
       six += x[0][0] * (x[1][1] * x[2][2] - x[1][2] * x[2][1]) - x[0][1] * (x[1][0] * x[2][2] - x[1][2] * x[2][0]) +
@@ -89,11 +89,11 @@ static void unite_box(vs_bvh_box *x, const vs_bvh_box *y) {
   }
 }
 
-/* Bounds on the volume of a leaf or term, in cubic steps, and its box, in steps. A leaf of another cluster has volume
- * 0. */
+/* Bounds on the volume of a leaf or term, in cubic grid steps, and its bounding box, in steps. A leaf of another
+ * cluster has volume 0. */
 typedef struct { double least, most; vs_bvh_box box; } bounds;
 
-/* Returns the bounds on the volume of the term `kind` with the operands a and b. */
+/* Returns the bounds on the volume of a term (union, intersection or difference) with the operands a and b. */
 static bounds combine(vs_term_kind kind, bounds a, const bounds *b) {
   vs_bvh_box both = common_box(&a.box, &b->box);
   switch (kind) {
@@ -144,8 +144,9 @@ static bool find_bounds(vs_kernel *k, const vs_cluster *c, const vs_check *check
   return true;
 }
 
-/* Returns the normal of triangle t of the mesh, with twice its area as length. The two shorter edges are multiplied: in
- * a needle, the product of two long edges would be mostly rounding error. *a is the corner between these edges. */
+/* Returns the normal of triangle t of the mesh, with twice the triangle's area as length. It is the product of the two
+ * shorter edges: in a needle, the product of two long edges would be mostly rounding error. *a is the corner between
+ * the shorter edges. */
 static vs_vec3 twice_area(const vs_mesh *m, size_t t, vs_vec3 *a) {
   vs_vec3 at[3], edge[3];
   int longest = 0;
@@ -174,8 +175,8 @@ bool vs_check_result(vs_kernel *k, const vs_cluster *c, const vs_check *check, c
   double volume = six / 6 / unit, slack = 1e-9 * sum + 0x1p-48 * far * area / unit; /* slack: upper bound, in cubic
                                                                                      * steps, for the error from
                                                                                      * rounding to doubles */
-  if (c->straightened) slack += 2 * area * cbrt(unit) / unit; /* the removal of bends moves each face by at most two
-                                                               * steps */
+  if (c->straightened) slack += 2 * area * cbrt(unit) / unit; /* the removal of bends (corners where a cut changes
+                                                               * plane) moves each face by at most two steps */
   if (volume >= least - slack && volume <= most + slack) return true;
   return VS_BROKEN(k, volume < least - slack ? "the result is smaller than its parts allow"
                                              : "the result is larger than its parts allow");

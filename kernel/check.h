@@ -6,13 +6,13 @@
 #include "kernel/problem.h"
 #include "kernel/cluster.h"
 
-/* bounds on the volume of a leaf on the grid, in cubic steps; the array index is the leaf's index in the cluster */
+/* bounds on the volume of a leaf of the cluster after rounding to the grid, in cubic steps */
 typedef struct { double least, most; } vs_leaf_volume;
 typedef struct { VS_LIST(vs_leaf_volume) leaves; } vs_check;
 
-/* Computes the volumes of the cluster's leaves on the grid. Adds to counts->coarse the number of leaves whose volume
- * the grid has changed by more than a hundredth, and describes the first of them. Returns false when memory is out or
- * the caller interrupts. */
+/* Computes the volumes of the cluster's leaves after rounding to the grid. Adds to counts->coarse the number of leaves
+ * whose volume the grid has changed by more than a hundredth, and describes the first of them. Returns false when
+ * memory is out or the caller interrupts. */
 bool vs_check_leaves(vs_kernel *k, const vs_cluster *c, vs_check *check, vs_kernel_counts *counts);
 /* Returns true if the volume of out's triangles from index `first` on lies between the bounds that follow from the
  * leaves' volumes. Otherwise the kernel has failed: sets the error and returns false. */
@@ -26,10 +26,10 @@ bool vs_holds_grid(const vs_cluster *c);    /* true if every triangle has three 
 bool vs_holds_patches(const vs_cluster *c); /* true if every patch has a facet, and three or more corners among the
                                              * points */
 bool vs_holds_cuts(const vs_cluster *c);    /* true if every cut lies in a facet and ends at points */
-bool vs_holds_faces(const vs_cluster *c);   /* true if every face has covers, and uses with two different ends that
-                                             * belong to no other face */
-bool vs_holds_kept(const vs_cluster *c);    /* true if every face has a valid value in `kept` */
-bool vs_holds_result(const vs_mesh *m, size_t first_triangle); /* true if every triangle from first_triangle on has
+bool vs_holds_faces(const vs_cluster *c);   /* true if every face separates the winding numbers of a leaf, and its
+                                             * boundary edges have two different ends and belong to no other face */
+bool vs_holds_kept(const vs_cluster *c);    /* true if every face has a value 0, 1 or 2 in `kept` */
+bool vs_holds_result(const vs_mesh *m, size_t first_triangle); /* true if every triangle of m from first_triangle on has
                                                                 * three different vertices */
 
 #endif

@@ -19,7 +19,7 @@
  * costs the grid at most 6 of its 32 bits. */
 static const double FAR = 64;
 
-/* An edge with its two vertices. number: the vertex where the plane cuts the edge. In close_border, number is the
+/* An edge and its two vertices. number: number of the vertex where the plane cuts the edge. In close_border, it is the
  * edge's direction instead: 1 from low to high, -1 from high to low. */
 typedef struct { uint32_t low, high; int32_t number; } edge;
 typedef struct {
@@ -43,8 +43,8 @@ static bool keep(clipper *c, uint32_t a, uint32_t b, uint32_t d) {
   return VS_PUSH(c->k, c->kept, a) && VS_PUSH(c->k, c->kept, b) && VS_PUSH(c->k, c->kept, d);
 }
 
-/* Makes a vertex on each edge that crosses the plane. The ends of an edge are used in a fixed order, so both of its
- * triangles get the same vertex. Returns false when memory is out or the caller interrupts. */
+/* Makes a vertex on each edge that crosses the cutting plane. The ends of an edge are used in a fixed order, so both of
+ * its triangles get the same vertex. Returns false when memory is out or the caller interrupts. */
 static bool cut_edges(clipper *c) {
   c->edges.count = 0;
   for (size_t t = 0; t < c->corners.count; t += 3)
@@ -106,8 +106,8 @@ static bool close_border(clipper *c) {
       if (!(c->beyond.at[a] < 0) && !(c->beyond.at[b] < 0) && !VS_PUSH(c->k, c->edges, edge_of(a, b))) return false;
     }
   if (c->edges.count) qsort(c->edges.at, c->edges.count, sizeof *c->edges.at, edge_order);
-  for (size_t i = 0, end; i < c->edges.count; i = end) { /* the border consists of the edges that triangles use more
-                                                          * often in one direction than in the other */
+  for (size_t i = 0, end; i < c->edges.count; i = end) { /* The border consists of the edges that the triangles contain
+                                                          * more often in one direction than in the other. */
     edge e = c->edges.at[i];
     for (e.number = 0, end = i; end < c->edges.count && edge_order(&c->edges.at[end], &e) == 0; end++)
       e.number += c->edges.at[end].number;
@@ -131,7 +131,7 @@ static bool close_border(clipper *c) {
   return true;
 }
 
-/* Computes the part of the leaf's mesh that lies within `box`, a box in the leaf's coordinates. */
+/* Computes the part of the leaf's mesh that lies within `box`. The box is in the leaf's coordinates. */
 static bool cut_leaf(vs_kernel *k, clipper *c, const vs_kernel_leaf *leaf, const vs_bounds *box, vs_clip *out) {
   const vs_mesh *m = leaf->mesh;
   double low[3] = { box->min.x, box->min.y, box->min.z }, high[3] = { box->max.x, box->max.y, box->max.z };
@@ -161,7 +161,8 @@ static bool cut_leaf(vs_kernel *k, clipper *c, const vs_kernel_leaf *leaf, const
     c->corners.at = c->kept.at, c->corners.count = c->kept.count, c->corners.room = c->kept.room;
     c->kept.at = swap, c->kept.room = room, c->kept.count = 0;
   }
-  uint32_t *number = NULL, count = 0; /* removes unused vertices: they would enlarge the bounds of the leaf */
+  uint32_t *number = NULL, count = 0; /* Removes vertices that no triangle has. They would enlarge the bounds of the
+                                       * leaf. */
   size_t room = 0;
   bool ok = VS_ROOM(k, number, room, c->vertices.count + 1);
   if (ok) memset(number, 0xff, c->vertices.count * sizeof *number);
@@ -178,8 +179,8 @@ static bool cut_leaf(vs_kernel *k, clipper *c, const vs_kernel_leaf *leaf, const
   return ok;
 }
 
-/* Computes the region in which each leaf matters. The region of a leaf that matters nowhere is empty. bounds[i]: the
- * bounds of leaf i. */
+/* Computes the region in which each leaf can influence the result. The region of a leaf that never does is empty.
+ * bounds[i]: the bounds of leaf i. */
 static bool find_regions(vs_kernel *k, const vs_kernel_problem *p, const vs_bounds *bounds, vs_bounds *regions) {
   VS_LIST(vs_bounds) terms = { 0 }, matters = { 0 };
   bool ok = VS_ROOM(k, terms.at, terms.room, (size_t)p->term_count + 1) &&
@@ -218,8 +219,8 @@ static bool find_regions(vs_kernel *k, const vs_kernel_problem *p, const vs_boun
   return ok;
 }
 
-/* Returns true if the leaf is so much larger than the region where it matters that it must be cut. *box is then the
- * part of space to keep. */
+/* Returns true if the leaf is so much larger than the region where it can influence the result that it must be cut.
+ * *box is then the part of space to keep. */
 static bool is_far_larger(const vs_bounds *leaf, const vs_bounds *region, vs_bounds *box) {
   if (vs_bounds_is_empty(leaf) || vs_bounds_is_empty(region)) return false;
   vs_bounds here = *region;
@@ -244,7 +245,7 @@ bool vs_clip_leaves(vs_kernel *k, const vs_kernel_problem *p, vs_bounds *bounds,
   for (uint32_t i = 0; ok && i < p->leaf_count; i++) {
     vs_bounds box;
     if (!is_far_larger(&bounds[i], &regions.at[i], &box)) continue;
-    if (!out->leaves.count) { /* when the first leaf is cut, copies the list of all leaves */
+    if (!out->leaves.count) { /* the first cut leaf: makes a copy of the list of all leaves, which is then changed */
       ok = VS_ROOM(k, out->leaves.at, out->leaves.room, (size_t)p->leaf_count + 1) &&
            VS_ROOM(k, out->identities.at, out->identities.room, (size_t)p->leaf_count + 1) &&
            VS_ROOM(k, out->clips.at, out->clips.room, (size_t)p->leaf_count + 1); /* Reserves memory for all elements
@@ -262,7 +263,7 @@ bool vs_clip_leaves(vs_kernel *k, const vs_kernel_problem *p, vs_bounds *bounds,
     *clip = (vs_clip){ .mesh = { .vertex_count = 0 } };
     ok = cut_leaf(k, &c, &p->leaves[i], &box, clip);
     out->leaves.at[i].mesh = &clip->mesh;
-    out->identities.at[i] = 0; /* 0: the cut mesh has no number in the caller's identities */
+    out->identities.at[i] = 0; /* 0: the cut mesh has no serial number, so the cache does not recognise it */
     bounds[i] = vs_mesh_placed_bounds(&clip->mesh, &p->leaves[i].placement);
   }
   VS_DROP(k, regions);

@@ -37,22 +37,22 @@ enum { VS_BESIDE_FLAT = 8 }; /* bit of `inner`: an edge of the triangle borders 
                               * moved onto one line */
 
 typedef struct {
-  uint32_t v[3];   /* numbers of the corners in `points`, counter-clockwise as seen from outside its leaf */
-  uint32_t leaf;   /* number of the triangle's leaf in the problem */
+  uint32_t v[3];   /* numbers of the triangle's corners in `points`, counter-clockwise as seen from outside the leaf */
+  uint32_t leaf;   /* number of the triangle's leaf in the kernel's problem */
   uint32_t plane, facet;
-  uint32_t source; /* index of the triangle in the mesh of its leaf */
-  bool flip;       /* true if the leaf's outward normal is opposite to the plane's normal */
-  uint8_t inner;   /* bit i: the edge from v[i] to the next corner lies inside the facet, between two of its triangles;
-                    * and the bit VS_BESIDE_FLAT */
+  uint32_t source; /* index of the triangle in its leaf's mesh */
+  bool flip;       /* true if the outward normal of the leaf is opposite to the normal of the plane */
+  uint8_t inner;   /* bit i: the edge from v[i] to the next corner lies between two triangles of the facet; also the bit
+                    * VS_BESIDE_FLAT */
 } vs_grid_triangle;
 
 typedef struct {
-  uint32_t leaf, place, plane, first; /* place: index of the leaf in the cluster's `placed`; first: index of the facet's
-                                       * first triangle in facet_triangles; the facet ends at the `first` of the next
-                                       * facet */
-  uint32_t group;  /* parent in a union-find structure whose elements are facets */
-  bool flip, touched; /* touched: another facet intersects or touches this one; the kernel copies the triangles of all
-                       * other facets */
+  uint32_t leaf, place, plane, first; /* place: index of the facet's leaf in `placed`; first: index of the facet's first
+                                       * triangle in facet_triangles; the next facet's `first` marks the end */
+  uint32_t group;  /* parent of the facet in a union-find structure of touching facets in one plane */
+  bool flip, touched; /* flip: true if the leaf's outward normal is opposite to the plane's; touched: true if another
+                       * facet intersects or touches this one. The kernel copies the triangles of all untouched
+                       * facets. */
 } vs_facet;
 
 typedef struct {
@@ -67,39 +67,41 @@ typedef struct { int32_t at[3]; uint32_t point; } vs_patch_corner;
 /* A border edge of a facet, from one point to another, counter-clockwise as seen from outside the leaf. line: VS_LINE
  * plus an index in `lines`, or the number of a plane. */
 typedef struct { uint32_t from, to, line; } vs_facet_side;
-typedef struct { int32_t at[2][3]; } vs_line;        /* the two ends of an edge of the input, in steps */
+typedef struct { int32_t at[2][3]; } vs_line;        /* the two ends of an edge of the input mesh, in grid steps */
 #define VS_LINE (UINT32_C(1) << 31)
 
-typedef struct { uint32_t low, high; } vs_edge; /* an edge between two vertices of the input, as indices with low <
-                                                 * high */
-/* A segment from point p to point q that lies in the facet and in the plane. If p == q, it is a single point. */
+typedef struct { uint32_t low, high; } vs_edge; /* an edge of the input mesh: the point numbers of its two ends, with
+                                                 * low < high */
+/* A segment that cuts the facet, from point p to point q, in the second plane `plane`. If p == q, it is a single
+ * point. */
 typedef struct { uint32_t facet, p, q, plane; } vs_facet_cut;
 
 typedef struct { uint32_t leaf; int32_t delta; } vs_cover;
 typedef struct {
-  uint32_t plane;  /* number of the face's plane; VS_NONE: the face is a region of plain triangles */
+  uint32_t plane;  /* number of the face's plane; VS_NONE: the face is a curved region of untouched triangles */
   uint32_t cover, cover_count;
-  uint32_t facet;  /* index of the facet if the face consists of a facet's triangles; index of the region if the face is
-                    * a region; else VS_NONE */
+  uint32_t facet;  /* index of the facet or region of untouched triangles whose triangles form the face; else VS_NONE */
   uint32_t tag;
   uint32_t use, use_count; /* range of the face's boundary edges in `uses` */
 } vs_face;
 typedef struct { uint32_t from, to, face; } vs_use;
 
 typedef struct {
-  uint32_t place, face;     /* place: index of the region's leaf in `placed`; face: the region's index in `faces`, set
-                             * after the planes are arranged */
-  uint32_t count, triangle; /* count: number of the region's triangles; triangle: index in the mesh of a large triangle
-                             * of the region */
-  bool open;                /* true if culled triangles continue the surface of the region */
+  uint32_t place, face;     /* place: index of the region's leaf in `placed`; face: index of the region's face in
+                             * `faces`, set after the planes are arranged */
+  uint32_t count, triangle; /* count: number of triangles in the region; triangle: index in the leaf's mesh of a large
+                             * one of them */
+  bool open;                /* true if triangles that were removed as hidden continue the region's surface */
 } vs_region;
-enum { VS_ARRANGED, VS_CULLED, VS_PLAIN }; /* how the kernel treats a leaf's triangle */
+enum { VS_ARRANGED, VS_CULLED, VS_PLAIN }; /* treatment of a triangle: cut against others, removed as hidden, or copied
+                                            * because nothing touches it */
 
 /* The frame and the grid of the cluster: world = frame * ((grid + offset) * step). */
 typedef struct {
   vs_affine frame;
-  bool framed;        /* true if `frame` is not the identity */
-  double scale, unit; /* step = unit / scale; unit and scale are exact if the step is a decimal number */
+  bool framed;        /* true if `frame` is a rotation or another map than the identity */
+  double scale, unit; /* Width of a grid step is unit / scale. Both numbers are exact if the step is a decimal
+                       * number. */
   double offset[3];   /* position of the grid's origin, in whole steps */
 } vs_grid;
 
@@ -108,21 +110,23 @@ typedef struct {
   const vs_part *part;
   uint32_t first;     /* index of the leaf's first vertex in `corners` */
   size_t first_triangle; /* index of the leaf's first triangle in `fate` */
-  bool searched;      /* true if some of the leaf's triangles may be plain */
-  vs_bvh_box box;         /* bounding box of the leaf, in steps */
-  vs_affine to_local; /* map from steps to the coordinates of the leaf's part; set for lids only */
-  double margin;      /* length of two steps in the part's coordinates */
-  double middle[3];   /* middle of the leaf's part, in steps; the next two members are squared distances from it */
+  bool searched;      /* true if the kernel searches this leaf for untouched triangles */
+  vs_bvh_box box;         /* bounding box of the leaf, in grid steps */
+  vs_affine to_local; /* map from grid steps to the coordinates of the leaf's part; set only if the leaf is a lid (see
+                       * `lid`) */
+  double margin;      /* length of two grid steps in the coordinates of the leaf's part */
+  double middle[3];   /* middle of the leaf's part, in grid steps; well_inside and outside are squared distances from
+                       * it */
   double well_inside, outside; /* A point closer to the middle than sqrt(well_inside) is more than two steps inside the
-                                * leaf. A point farther than sqrt(outside) is outside. The values are -1 and infinity if
-                                * the placement is not a similarity. */
-  bool lid;           /* true if the leaf is convex and the space inside it is settled */
-  bool star;          /* true if the leaf is a star, and its triangles touch each other only in shared corners and edges
-                       * on the grid, too */
-  uint32_t lids_first, lids_count; /* range in `lids` of the lids whose boxes intersect the box of this leaf; it begins
-                                    * at a multiple of four */
-  uint32_t lines;     /* number of lines that were tested against this leaf if it is large; after many lines, an index
-                       * of its triangles is built */
+                                * leaf. A point farther than sqrt(outside) is outside of the leaf. The values are -1 and
+                                * infinity if the placement does not scale equally in all directions. */
+  bool lid;           /* true if the leaf is convex and alone decides the expression's value inside it */
+  bool star;          /* true if the leaf is a star (its middle sees every triangle from inside) and does not intersect
+                       * itself on the grid */
+  uint32_t lids_first, lids_count; /* range in `lids` of the convex, deciding leaves whose boxes intersect this leaf's
+                                    * box; it begins at a multiple of four */
+  uint32_t lines;     /* number of rays that were tested against this leaf, if it is large; after many rays, a tree of
+                       * its triangles' boxes is built */
   vs_bvh bvh;
   vs_bvh_box *bvh_boxes;
   size_t bvh_box_room;
@@ -134,69 +138,73 @@ typedef struct {
   const vs_expression *expression;
   const uint32_t *leaves;
   uint32_t leaf_count;
-  const vs_bounds *gate; /* bounds in world coordinates outside of which a gate of the expression is false; NULL: there
-                          * is no gate */
+  const vs_bounds *gate; /* bounds in world coordinates outside of which the expression is false; NULL: there are
+                          * none */
   vs_grid grid;
   VS_LIST(vs_placed) placed;
-  int32_t (*corners)[3];  /* coordinates of the vertices of every leaf's mesh, in steps */
+  int32_t (*corners)[3];  /* coordinates, in grid steps, of the vertices of all leaves' meshes */
   size_t corner_room;
-  vs_bvh leaf_bvh;        /* tree of the boxes of `placed` */
+  vs_bvh leaf_bvh;        /* tree of the bounding boxes of all leaves */
   VS_LIST(vs_bvh_box) leaf_boxes;
-  VS_LIST(uint32_t) lids; /* indices of the lids in `leaves` */
-  VS_LIST(vs_pack) lid_boxes; /* the boxes of `lids`, in packs of four */
-  VS_LIST(_Atomic uint8_t) fate; /* fate (VS_ARRANGED, VS_CULLED or VS_PLAIN) of every triangle of every leaf's mesh; if
-                                  * empty, all are arranged */
+  VS_LIST(uint32_t) lids; /* for each leaf in turn: the indices of the lids (convex, deciding leaves) near it */
+  VS_LIST(vs_pack) lid_boxes; /* bounding boxes of `lids`, in packs of four */
+  VS_LIST(_Atomic uint8_t) fate; /* fate[t]: VS_ARRANGED, VS_CULLED or VS_PLAIN for triangle t, counted over all leaves'
+                                  * meshes; if empty, all triangles are arranged */
   size_t plain_count;
-  VS_LIST(uint32_t) region_of;   /* index in `regions` for each plain triangle */
+  VS_LIST(uint32_t) region_of;   /* for each untouched triangle: index of its region in `regions` */
   VS_LIST(vs_region) regions;
-  VS_LIST(uint32_t) point_of;    /* for each vertex of every leaf's mesh: its number in `points`, if the mesh has plain
-                                  * and other triangles; else VS_NONE */
+  VS_LIST(uint32_t) point_of;    /* for each vertex of all leaves' meshes: its number in `points`, if its mesh has
+                                  * untouched and other triangles; else VS_NONE */
   vs_points_table points;
   vs_planes_table planes;
   VS_LIST(vs_grid_triangle) triangles;
   VS_LIST(vs_facet) facets;
   VS_LIST(uint32_t) facet_triangles;
-  /* sheets[f]: the first facet of the sheet that contains facet f; empty if bends are kept */
+  /* sheets[f]: first facet of the sheet (facets that the grid split from one plane) that contains facet f; empty if the
+   * result keeps bends */
   VS_LIST(uint32_t) sheets;
   uint32_t corner_points; /* number of points that are corners of the leaves; these points come first in `points` */
-  size_t straightened;    /* number of bends removed from the result */
+  size_t straightened;    /* number of bends removed from the result (corners where a cut passes between facets of a
+                           * sheet) */
   VS_LIST(vs_patch) patches;
   VS_LIST(vs_patch_corner) patch_corners;
   VS_LIST(vs_bvh_box) boxes; /* bounding boxes of the patches, in steps */
   vs_bvh bvh;
   VS_LIST(vs_facet_cut) cuts;
-  VS_LIST(vs_edge) edge_of; /* edge_of[p]: if point p is an intersection, an edge of the input that contains it; else
-                             * both ends are 0. The list is freed after the planes are arranged */
+  VS_LIST(vs_edge) edge_of; /* edge_of[p]: an input edge that contains the intersection point p; both ends are 0 for a
+                             * point without such an edge. The list is freed after the planes are arranged. */
   VS_LIST(vs_face) faces;
   VS_LIST(vs_cover) covers;
   VS_LIST(vs_use) uses;
-  vs_halves edges;       /* index of the uses at each edge */
-  VS_LIST(uint8_t) kept; /* kept[f]: 0: face f is not in the result; 1: outside is on its + side; 2: outside is on its -
-                          * side */
-  /* The members below serve the union of solids level by level (levels.c). Without levels they are empty. */
-  /* crowd: number of leaves that can be united in levels. crowded: true if there are too many cuts to arrange them all
+  vs_halves edges;       /* index that finds the faces' boundary edges between two given points */
+  VS_LIST(uint8_t) kept; /* kept[f]: 0 if face f is not in the result; 1 if outside is on its + side; 2 if outside is on
+                          * its - side */
+  /* The members below serve the union of solids two by two (levels.c). Otherwise they are empty. */
+  /* crowd: number of leaves that can be united two by two. crowded: true if there are too many cuts to arrange them all
    * in one step. */
   size_t crowd;
   bool crowded;
-  VS_LIST(vs_facet_side) sides;     /* border edges of the facets; with levels, facets[].first is an index in this list,
-                                     * not in facet_triangles */
-  VS_LIST(vs_line) lines;     /* the lines of `sides`; within a level, the arrays belong to the enclosing cluster */
-  VS_LIST(uint32_t) use_line; /* use_line[i]: line of uses[i], as in vs_facet_side */
-  uint32_t *solid;            /* union-find structure over the problem's leaves: a set contains leaves that are already
-                               * united to one solid; NULL: no levels */
-  uint8_t *layered;           /* layered[i]: 1 if leaf i of the problem is united with other leaves in levels; NULL: no
-                               * levels */
-  size_t solid_room, layered_room;
-  const uint32_t *joining;    /* in a level: the set of solids that the level unites; all other solids are ignored;
+  VS_LIST(vs_facet_side) sides;     /* border edges of the facets; if solids are united in levels, facets[].first is an
+                                     * index in this list, not in facet_triangles */
+  VS_LIST(vs_line) lines;     /* input edges to which `line` of the sides refers; within a level, the array belongs to
+                               * the enclosing cluster */
+  VS_LIST(uint32_t) use_line; /* use_line[i]: line that contains uses[i], in the form of vs_facet_side's `line` */
+  uint32_t *solid;            /* union-find structure over the problem's leaves; a set contains the leaves of one solid,
+                               * united so far; NULL: no levels */
+  uint8_t *layered;           /* layered[i]: 1 if leaf i of the problem is united with other leaves level by level;
                                * NULL: no levels */
+  size_t solid_room, layered_room;
+  const uint32_t *joining;    /* within a level: the solids that it unites, while all others are ignored; NULL: no
+                               * levels */
   uint32_t joining_count;
-  bool inspect;          /* true if the cluster is one leaf that may be inside out; side_cell and wound are then set */
-  VS_LIST(uint32_t) side_cell; /* cell on each side of a face: [2 * face] for the + side, [2 * face + 1] for the -
-                                * side */
-  VS_LIST(int32_t) wound;      /* wound[cell]: winding number of the leaf in that cell */
+  bool inspect;          /* true if the kernel only inspects one leaf that may be inside out; side_cell and wound are
+                          * then set */
+  VS_LIST(uint32_t) side_cell; /* number of the cell (connected piece of space) beside a face: [2 * face] on its + side,
+                                * [2 * face + 1] on its - side */
+  VS_LIST(int32_t) wound;      /* wound[c]: winding number of the leaf in cell c */
 } vs_cluster;
 
-/* Enlarges the box, in steps, so that it contains the point. A fractional coordinate is rounded both down and up. */
+/* Enlarges box b, in grid steps, so that it contains point p. A fractional coordinate is rounded both down and up. */
 static inline void vs_box_add_point(vs_bvh_box *b, const vs_point *p) {
   for (int a = 0; a < 3; a++) {
     bool whole = vs_point_exact(p) && !(p->fixed[a] & (((int64_t)1 << VS_FIXED_BITS) - 1));
@@ -206,7 +214,7 @@ static inline void vs_box_add_point(vs_bvh_box *b, const vs_point *p) {
   }
 }
 
-/* Returns the solid that currently contains the leaf, identified by the number of its first leaf. */
+/* Returns the solid that currently contains the leaf. A solid is identified by the number of its first leaf. */
 static inline uint32_t vs_solid_of(const vs_cluster *c, uint32_t leaf) {
   return c->solid ? vs_find(c->solid, leaf) : leaf;
 }
@@ -227,21 +235,21 @@ static inline bool vs_too_hidden(const vs_cluster *c, size_t cuts, size_t crosse
       hidden > crossed / 4 * 3);
 }
 
-/* Facets of a result; the kernel appends to them. Facets and sides refer to points by the cluster's numbers. The leaf
- * of a facet is set to the tag of its face. */
+/* A list of facets with their border edges. They refer to points by the cluster's numbers. The `leaf` of each facet is
+ * the tag of its face. */
 typedef struct {
   VS_LIST(vs_facet) facets; /* the last element only marks the end of the sides of the facet before it */
   VS_LIST(vs_facet_side) sides;
 } vs_outlines;
 void vs_cluster_free(vs_kernel *k, vs_cluster *c);
 
-/* Number of lids with a bit in masks[vertex]. Bit b is set if the vertex is well inside the b-th lid of its leaf. The
- * last six bits are set if the vertex lies beyond the corresponding side of the gate's bounds. */
+/* Number of bits of masks[vertex] that stand for lids. Bit b is set if the vertex is at least two steps inside lid b of
+ * its leaf. The last six bits are set if the vertex lies beyond the corresponding side of the gate's bounds. */
 enum { VS_LIDS = 48 };
 
-/* A face in the cyclic order of faces around an edge. x and y are two coordinates of the face's normal; classify.c
- * chooses their axes and signs by the edge. */
-typedef struct { int64_t x, y; uint32_t ccw, cw; } vs_around; /* ccw, cw: numbers that the caller attaches to the face,
-                                                               * one for each of its two sides */
+/* A face in the cyclic order of faces around an edge. x, y: two coordinates of the face's normal; classify.c chooses
+ * their axes and signs by the edge. */
+typedef struct { int64_t x, y; uint32_t ccw, cw; } vs_around; /* ccw, cw: numbers that the caller gives to the face's
+                                                               * sides in counter-clockwise and clockwise direction */
 
 #endif

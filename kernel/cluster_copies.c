@@ -35,16 +35,16 @@ static bool put_leaf(vs_kernel *k, vs_copies *c, uint32_t leaf, const vs_affine 
   for (int i = 0; i < 3; i++)
     for (int j = 0; j < 4; j++) {
       double x = a.m[i][j], unit = j < 3 ? 0x1p-36 : size * 0x1p-36;
-      if (!(fabs(x / unit) < 0x1p62)) return put(k, c, UINT64_MAX) && put(k, c, leaf); /* a coordinate is too large to
-                                                                                        * be rounded, so the leaf's
+      if (!(fabs(x / unit) < 0x1p62)) return put(k, c, UINT64_MAX) && put(k, c, leaf); /* The coordinate x is too large
+                                                                                        * to be rounded. The leaf's
                                                                                         * number is appended, which
-                                                                                        * makes the key unique */
+                                                                                        * makes the key unique. */
       if (!put(k, c, rounded(x, unit))) return false;
     }
   return true;
 }
 
-/* Numbers a term of the problem in the order of first use, and appends its number to the key. */
+/* Gives a term of the problem the next number if it has none, and appends its number to the key. */
 static bool reach(vs_kernel *k, vs_copies *c, uint32_t term) {
   VS_ASSERT(term < c->problem->term_count);
   if (c->number.at[term] == VS_NONE) {
@@ -66,7 +66,8 @@ bool vs_copies_put_terms(vs_kernel *k, vs_copies *c, vs_group leaves) {
   for (size_t i = 0; ok && i < c->terms.count; i++) { /* reach() appends to this list during the loop */
     uint32_t t = c->terms.at[i];
     ok = put(k, c, (uint64_t)e->need.at[t] << 32 | (uint64_t)e->kind.at[t] << 1 | (t == e->root));
-    /* Clears the number of operands in the key for a union or a leaf, because it does not matter there. */
+    /* Clears the number of operands in the key of a union or leaf, because the values of these terms do not depend on
+     * it. */
     if (e->kind.at[t] == VS_TERM_UNION || e->kind.at[t] == VS_TERM_LEAF) c->keys.at[c->keys.count - 1] &= UINT32_MAX;
     for (uint32_t j = e->user_first.at[t]; ok && j < e->user_first.at[t + 1]; j++)
       ok = reach(k, c, e->users.at[j] / 2) &&
@@ -102,7 +103,7 @@ static bool put_key(vs_kernel *k, vs_copies *c, vs_group leaves, uint64_t *hash,
   return true;
 }
 
-/* Enlarges the hash table if it has no more room for another original. */
+/* Enlarges the hash table if it has no more room for another cluster. */
 static bool heads_grow(vs_kernel *k, vs_copies *c) {
   if (c->originals.count < c->heads.count) return true;
   size_t want = c->heads.count * 4;
@@ -123,7 +124,8 @@ static bool map_between(const vs_affine *from, const vs_affine *to, vs_vec3 midd
   vs_affine back;
   if (!vs_affine_invert(from, &back)) return false;
   *map = vs_affine_multiply(to, &back);
-  for (int r = 0; r < 3; r++) /* removes rounding errors from translations and quarter turns */
+  for (int r = 0; r < 3; r++) /* makes entries that differ from whole values only by rounding errors exact, as for
+                               * translations and quarter turns */
     for (int j = 0; j < 3; j++) {
       double whole = floor(map->m[r][j] + 0.5);
       if (fabs(map->m[r][j] - whole) < 1e-14) map->m[r][j] = whole;

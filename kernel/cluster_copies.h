@@ -10,15 +10,15 @@
 /* The leaves of a cluster, as numbers in the problem. The array belongs to the caller. */
 typedef struct { const uint32_t *at; uint32_t count; } vs_group;
 
-/* A cluster that equals no earlier cluster. key, length: range of its key in `keys`. next: index of the next original
- * in the same chain of the hash table. */
+/* A cluster that equals no earlier cluster. key, length: start and length of its key in `keys`. next: index of the next
+ * original with the same slot of the hash table. */
 typedef struct { uint64_t hash; size_t key, length; vs_group leaves; uint32_t next; } vs_original;
 
-/* The relation of a cluster to the original that it copies. */
+/* Describes which earlier cluster a cluster copies. */
 typedef struct {
-  uint32_t original;         /* index of the original in `originals` */
-  bool is_new;               /* true if the cluster is itself a new original */
-  vs_affine map;             /* map from the original to the copy; the identity for a new original */
+  uint32_t original;         /* index in `originals` of the cluster that is copied */
+  bool is_new;               /* true if the cluster equals no earlier one and became a new original */
+  vs_affine map;             /* map from the original cluster to its copy; the identity for a new original */
 } vs_cluster_copy;
 
 typedef struct {
@@ -26,16 +26,17 @@ typedef struct {
   const vs_parts *parts;
   const vs_expression *expression;
   VS_LIST(vs_original) originals;
-  VS_LIST(uint64_t) keys;    /* the keys of all originals, one after another, and then the key of the current cluster */
-  VS_LIST(uint32_t) heads;   /* hash table: index of the first original of each chain */
+  VS_LIST(uint64_t) keys;    /* keys of all original clusters, one after another, and then the key of the current
+                              * cluster */
+  VS_LIST(uint32_t) heads;   /* heads[h]: index of the first original cluster in slot h of the hash table */
   VS_LIST(uint32_t) terms;   /* terms of the problem that depend on the cluster's leaves, in the order of first use */
-  VS_LIST(uint32_t) number;  /* for each term of the problem: its index in `terms`, or VS_NONE */
+  VS_LIST(uint32_t) number;  /* number[t]: index in `terms` of the problem's term t, or VS_NONE */
 } vs_copies;
 
 bool vs_copies_begin(vs_kernel *k, vs_copies *c, const vs_kernel_problem *p, const vs_parts *parts,
                      const vs_expression *e);
-/* Finds the original that the cluster copies, or adds the cluster as a new original. The cluster has at least one leaf;
- * the array of its leaves must live as long as c. Returns false when memory is out. */
+/* Finds the earlier cluster that the given cluster copies, or adds the given cluster as a new original. It has at least
+ * one leaf; the array of its leaves must live as long as c. Returns false when memory is out. */
 bool vs_copies_find(vs_kernel *k, vs_copies *c, vs_group leaves, vs_cluster_copy *out);
 /* Appends to `keys` the terms through which the leaves influence the result, in the order of first use. Returns false
  * when memory is out. */

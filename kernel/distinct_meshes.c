@@ -15,12 +15,12 @@
 
 /* ---- twins: corners whose edges run in opposite directions between the same two vertices ---- */
 
-typedef struct { uint32_t high, corner; } half; /* corner: twice the corner's number, plus 1 if its edge runs from the
-                                                 * higher to the lower vertex */
+typedef struct { uint32_t high, corner; } half; /* high: the edge's vertex with the higher number; corner: twice the
+                                                 * corner's number, plus 1 if its edge runs from the higher to the lower
+                                                 * vertex */
 
-/* Puts a half (one direction of an edge) into the bucket of the edge's lower vertex, for each edge. The bucket of
- * vertex v is halves[first[v]] to halves[first[v + 1] - 1]. `first` has two more elements than there are vertices; all
- * are 0 at the call. */
+/* Puts each directed edge (a half) into the bucket of its lower vertex. The bucket of vertex v is halves[first[v]] to
+ * halves[first[v + 1] - 1]. `first` has two more elements than there are vertices; all are 0 at the call. */
 static void fill_buckets(const vs_twins_input *in, uint32_t *first, half *halves, uint32_t *twins) {
   const uint32_t *id = in->id;
   for (int pass = 0; pass < 2; pass++) {
@@ -37,8 +37,8 @@ static void fill_buckets(const vs_twins_input *in, uint32_t *first, half *halves
   }
 }
 
-/* Sorts a bucket by (high, corner) with Shell's method. At a vertex with very many edges, insertion sort would be too
- * slow. */
+/* Sorts a bucket of n directed edges by (high, corner) with Shell's method. At a vertex with very many edges, insertion
+ * sort would be too slow. */
 static void sort_bucket(half *at, uint32_t n) {
   for (uint32_t gap = n / 2; gap; gap = gap == 2 ? 1 : (uint32_t)(gap / 2.2))
     for (uint32_t i = gap; i < n; i++) {
@@ -51,8 +51,8 @@ static void sort_bucket(half *at, uint32_t n) {
     }
 }
 
-/* Pairs the halves of a bucket. Each half is paired with the nearest unpaired half before it that has the same two
- * vertices and the opposite direction. sorted: true if halves with the same higher vertex are neighbours. */
+/* Pairs the directed edges of a bucket. Each is paired with the nearest unpaired one before it that has the same two
+ * vertices and the opposite direction. sorted: true if edges with the same higher vertex are neighbours. */
 static inline void join_bucket(const half *at, uint32_t n, bool sorted, uint32_t *twins) {
   for (uint32_t i = 0; i < n; i++) {
     uint32_t corner = at[i].corner / 2;
@@ -72,7 +72,8 @@ static inline void join_bucket(const half *at, uint32_t n, bool sorted, uint32_t
 }
 
 bool vs_twins_find(vs_kernel *k, const vs_twins_input *in, uint32_t *twins, uint32_t *open) {
-  enum { MANY = 64 }; /* Buckets with more than this many halves are sorted first. Most buckets have few halves. */
+  enum { MANY = 64 }; /* Number of directed edges in a bucket from which the bucket is sorted first. Most buckets have
+                       * few edges. */
   uint32_t *first = NULL;
   half *halves = NULL;
   size_t first_room = 0, half_room = 0;
@@ -132,7 +133,8 @@ static bool find_twins(vs_kernel *k, vs_part *p) {
 
 static double det(vs_vec3 a, vs_vec3 b, vs_vec3 c) { return vs_v3_dot(vs_v3_cross(a, b), c); }
 
-/* Sets p->star to true if the part is a star about the mean of its vertices. Returns false if interrupted. */
+/* Sets p->star to true if the part is a star: the mean of its vertices sees every triangle from inside. Returns false
+ * if interrupted. */
 static bool find_star(vs_kernel *k, vs_part *p) {
   const vs_mesh *m = p->mesh;
   size_t n = m->triangle_count, vertices = m->vertex_count;
@@ -173,9 +175,9 @@ static void find_convex(vs_part *p) {
   size_t n = m->triangle_count, vertices = m->vertex_count;
   double size = p->outer;
   if (!p->star) return;
-  bool global = n * vertices <= GLOBAL; /* true: each vertex is tested against each triangle. false: only neighbouring
-                                         * triangles are tested, across each edge. The tolerance per edge is then that
-                                         * of a double, so that errors cannot accumulate */
+  bool global = n * vertices <= GLOBAL; /* If true, each vertex is tested against each triangle. If false, only
+                                         * neighbouring triangles are tested, across each edge. The tolerance per edge
+                                         * is then that of a double, so that errors cannot accumulate. */
   for (size_t t = 0; t < n; t++) {
     vs_vec3 a = m->vertices[m->triangles[t][0]], normal = vs_v3_cross(vs_v3_sub(m->vertices[m->triangles[t][1]], a),
                                                                       vs_v3_sub(m->vertices[m->triangles[t][2]], a));
@@ -188,8 +190,8 @@ static void find_convex(vs_part *p) {
   p->convex = true;
 }
 
-/* Walks from *triangle to the triangle that the ray from the part's middle in direction d crosses. corner: the corners
- * of that triangle, relative to the middle. Returns false if the walk has more than STEPS steps. */
+/* Walks from *triangle to the triangle that the ray from the part's middle in direction d crosses. corner: receives the
+ * corners of that triangle, relative to the middle. Returns false if the walk has more than STEPS steps. */
 static bool walk_to(const vs_part *p, vs_vec3 d, uint32_t *triangle, vs_vec3 corner[3]) {
   enum { STEPS = 48 };
   const vs_mesh *m = p->mesh;
@@ -211,8 +213,8 @@ static bool walk_to(const vs_part *p, vs_vec3 d, uint32_t *triangle, vs_vec3 cor
 
 static const uint8_t across_of[3] = { 1, 2, 0 }, up_of[3] = { 2, 0, 1 };
 
-/* Returns the index of the cell that contains the direction d: the sides of a cube are divided into start_cells *
- * start_cells cells each. */
+/* Returns the index of the cell that contains the direction d. The sides of a cube around the part are divided into
+ * start_cells * start_cells cells each. */
 static uint32_t cell_of(const vs_part *p, vs_vec3 d) {
   double x[3] = { d.x, d.y, d.z }, size[3] = { fabs(d.x), fabs(d.y), fabs(d.z) };
   uint32_t k = size[0] >= size[1] ? (size[0] >= size[2] ? 0 : 2) : size[1] >= size[2] ? 1 : 2, n = p->start_cells;
@@ -221,8 +223,8 @@ static uint32_t cell_of(const vs_part *p, vs_vec3 d) {
   return ((2 * k + (x[k] < 0)) * n + (u < n ? u : n - 1)) * n + (v < n ? v : n - 1);
 }
 
-/* Finds a triangle for each cell, at which walks begin. The number of cells is such that a cell has about four
- * triangles. */
+/* Finds a triangle for each cell of the cube of directions, at which walks begin. The number of cells is such that a
+ * cell has about four triangles. */
 static bool find_starts(vs_kernel *k, vs_part *p) {
   enum { MOST = 16 };
   double wanted = sqrt((double)p->mesh->triangle_count / 24);
@@ -238,8 +240,8 @@ static bool find_starts(vs_kernel *k, vs_part *p) {
         x[side / 2] = side & 1 ? -1 : 1;
         x[across_of[side / 2]] = (2 * i + 1.0) / n - 1;
         x[up_of[side / 2]] = (2 * j + 1.0) / n - 1;
-        if (j == 0 && i > 0) triangle = p->starts[at - n]; /* the first cell of the previous row is nearer than the last
-                                                            * cell of that row */
+        if (j == 0 && i > 0) triangle = p->starts[at - n]; /* begins at the triangle of the first cell of the previous
+                                                            * row, which is nearer than the last cell of that row */
         walk_to(p, vs_v3(x[0], x[1], x[2]), &triangle, corner);
         p->starts[at++] = triangle;
       }
@@ -274,7 +276,8 @@ static bool look_at(vs_kernel *k, void *context, size_t chunk) {
     if (!find_star(k, part)) return false;
     if (!part->star) part->volume = vs_mesh_volume(part->mesh);
     else if (part->joined) find_convex(part);
-    else VS_FREE(k, part->twins, part->twin_room); /* the mesh is copied unchanged, so its twins are not needed */
+    else VS_FREE(k, part->twins, part->twin_room); /* the kernel copies this mesh unchanged, so its pairs of opposite
+                                                    * edges are not needed */
     if (!find_starts(k, part) || !vs_kernel_report(k, 0)) return false;
   }
   return true;
@@ -304,7 +307,7 @@ bool vs_parts_prepare(vs_kernel *k, vs_parts *p, const vs_kernel_problem *proble
   for (uint32_t i = 0; ok && i < count; i++)
     if ((i > 0 && cluster[i - 1] == cluster[i]) || (i + 1 < count && cluster[i + 1] == cluster[i]))
       p->all.at[p->of_leaf.at[order[i]]].joined = true;
-  enum { SERIAL = 10000 }; /* a problem with fewer triangles is prepared in one thread */
+  enum { SERIAL = 10000 }; /* number of triangles in the problem below which a single thread prepares all meshes */
   size_t triangles = 0;
   uint32_t threads = k->threads;
   for (size_t i = 0; i < p->all.count; i++) triangles += p->all.at[i].mesh->triangle_count;

@@ -8,26 +8,27 @@
 
 typedef struct {
   const vs_mesh *mesh;
-  uint32_t *twins;      /* twins[3 * t + j]: the corner whose edge runs in the opposite direction of edge j of triangle
-                         * t; NULL if the mesh is closed only after rounding to the grid */
+  uint32_t *twins;      /* twins[3 * t + j]: corner whose edge runs in the opposite direction of edge j of triangle t;
+                         * NULL if the mesh is closed only after rounding to the grid */
   size_t twin_room;
-  double volume;        /* volume of the mesh; negative if the mesh is inside out */
-  vs_vec3 middle;       /* mean of the vertices */
+  double volume;        /* volume of the mesh, in cubic units of its coordinates; negative if the mesh is inside out */
+  vs_vec3 middle;       /* mean of the mesh's vertices */
   bool star;            /* true if every ray from the middle crosses the surface exactly once, from inside to outside;
                          * such a mesh does not intersect itself */
-  bool convex;          /* true if the part is a star that is convex up to rounding errors; known only if joined */
-  uint32_t *starts;     /* For convex parts: for some directions from the middle, a triangle near the triangle that the
-                         * ray in this direction crosses. The array index is a cell of a cube's sides
-                         * (distinct_meshes.c). */
+  bool convex;          /* true if the part is a star that is convex up to rounding errors; valid only if `joined` is
+                         * true */
+  uint32_t *starts;     /* For convex parts: starts[cell] is a triangle near the one that a ray from the middle in a
+                         * direction of this cell crosses. Cells divide the sides of a cube (distinct_meshes.c). */
   size_t start_room;
   uint32_t start_cells; /* number of cells along an edge of the cube of `starts`; 0: the part has so few triangles that
-                         * a walk may begin at any of them */
-  double inner, outer;  /* convex parts: radii about the middle of a ball inside the part and of a ball that contains
-                         * it */
-  /* for a part that is not a star: whether the kernel may copy it unchanged if no other leaf touches it */
+                         * a search may begin at any of them */
+  double inner, outer;  /* for convex parts: radius of a ball about the middle inside the part, and of a ball that
+                         * contains the part */
+  /* for a part that is not a star: whether it was inspected, and whether the kernel may copy it unchanged if no other
+   * leaf touches it */
   enum { VS_UNASKED, VS_GOOD, VS_DOUBTFUL } alone;
-  bool joined;          /* true if a leaf with this mesh touches another leaf. A star that is not joined has no twins,
-                         * and its convexity is unknown: the kernel copies it unchanged */
+  bool joined;          /* True if a leaf with this mesh touches another leaf. A star that touches none has no `twins`,
+                         * and `convex` is unknown: the kernel copies it unchanged. */
 } vs_part;
 
 typedef struct {
@@ -46,18 +47,18 @@ void vs_parts_free(vs_kernel *k, vs_parts *p);
 typedef struct {
   const uint32_t (*triangles)[3];
   size_t count;
-  const uint32_t *id;   /* id[v]: identifies the corner at vertex v; vertices with equal values are one corner. NULL:
-                         * each vertex is a corner of its own */
-  size_t id_count;      /* upper bound on the values of id: all are less than id_count */
+  const uint32_t *id;   /* id[v]: corner at vertex v; vertices with equal values are one corner. NULL: each vertex is a
+                         * separate corner */
+  size_t id_count;      /* number that exceeds all values of id */
 } vs_twins_input;
 
-/* Fills twins, which has three elements per triangle. An edge has the value VS_NONE if no edge runs in the opposite
- * direction. *open: a triangle with such an edge, or VS_NONE. Returns false when memory is out or the caller
- * interrupts. */
+/* Fills twins, which has three elements per triangle: the opposite edge of each edge, or VS_NONE if no edge runs in the
+ * opposite direction. *open: a triangle with an edge without partner, or VS_NONE. Returns false when memory is out or
+ * the caller interrupts. */
 bool vs_twins_find(vs_kernel *k, const vs_twins_input *in, uint32_t *twins, uint32_t *open);
 
-/* Returns true if q is inside the convex part and further than `margin` from its surface. May return false for a place
- * that is inside. margin is at least 0, in the part's coordinates. */
+/* Returns true if q is inside the convex part and farther than `margin` from its surface. May return false for a place
+ * that is inside. margin: at least 0, in the part's coordinates. */
 bool vs_part_holds(const vs_part *p, vs_vec3 q, double margin);
 
 #endif

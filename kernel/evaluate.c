@@ -36,7 +36,7 @@ static bool join(void *parent, uint32_t a, uint32_t b) {
 static double least(const vs_bounds *b, int axis) { return axis == 0 ? b->min.x : axis == 1 ? b->min.y : b->min.z; }
 static double most(const vs_bounds *b, int axis) { return axis == 0 ? b->max.x : axis == 1 ? b->max.y : b->max.z; }
 
-enum { SERIAL = 10000 /* with fewer corners, one thread works */, LEAVES = 16 /* number of leaves in a task */ };
+enum { SERIAL = 10000 /* fewest corners for which threads work */, LEAVES = 16 /* leaves in a task */ };
 
 typedef struct { const vs_kernel_problem *problem; vs_bounds *bounds; } bounding;
 
@@ -105,8 +105,8 @@ static bool find_clusters(vs_kernel *k, const vs_kernel_problem *p, vs_bounds *b
   uint32_t *start = NULL, *sorted = NULL;
   size_t start_room = 0, sorted_room = 0;
   ok = ok && VS_ROOM(k, start, start_room, (size_t)n + 2) && VS_ROOM(k, sorted, sorted_room, (size_t)n + 1);
-  if (ok) { /* Sorts the leaves by cluster, in order of their numbers. The root of each set is its smallest number, so
-             * clusters are in order, too. */
+  if (ok) { /* Sorts the leaves by cluster, and within a cluster by number. The root of each union-find set is its
+             * smallest number. Therefore the clusters are in order, too. */
     for (uint32_t i = 0; i < n + 2; i++) start[i] = 0;
     for (uint32_t i = 0; i < n; i++) scratch[i] = vs_find(set, i), start[scratch[i] + 2]++;
     for (uint32_t i = 2; i < n + 2; i++) start[i] += start[i - 1];
@@ -168,7 +168,8 @@ typedef struct {
   const vs_kernel_problem *problem;
   vs_parts parts;
   vs_expression expression;
-  vs_bounds gate; /* bounds in world coordinates outside of which a gate is false; empty if there is no gate */
+  vs_bounds gate; /* bounds in world coordinates outside of which the expression is false because of a gate; empty if
+                   * there is no gate */
   vs_bounds *bounds; /* bounds of each leaf; NULL once they are no longer needed */
   vs_remember remember;
   vs_placing placing;
@@ -176,7 +177,8 @@ typedef struct {
   size_t triangles; /* number of triangles in all meshes of the result */
 } whole;
 
-/* Frees the arrays that only the intersection of patches needs, because the next steps need as much memory again. */
+/* Frees the arrays of patches and their boxes after the patches are intersected, because the next steps need as much
+ * memory again. */
 static void forget_patches(vs_kernel *k, vs_cluster *c) {
   VS_DROP(k, c->patches);
   VS_DROP(k, c->patch_corners);
@@ -185,8 +187,8 @@ static void forget_patches(vs_kernel *k, vs_cluster *c) {
   vs_planes_forget(k, &c->planes);
 }
 
-/* Returns true if the leaf can be united with other such leaves, level by level, before they are arranged with the
- * other leaves: see levels.c. */
+/* Returns true if the leaf can be united with other such leaves, two by two, before they are arranged with the
+ * remaining leaves: see levels.c. */
 static bool can_be_layered(const vs_cluster *c, uint32_t place) {
   return c->expression->forces.at[c->leaves[place]] && c->placed.at[place].star && c->placed.at[place].part->volume > 0;
 }
@@ -271,8 +273,8 @@ static bool run_cluster(vs_kernel *k, whole *w, vs_group group, vs_mesh *out) {
   return ok;
 }
 
-/* Computes w->gate, the bounds in which every gate may be true. Computes the bounds of all terms for this; operands
- * come before the terms that use them. Returns false when memory is out. */
+/* Computes w->gate, the bounds in which every gate (operand outside of which the result is empty) may be true. Computes
+ * the bounds of all terms for this; operands come before the terms that use them. Returns false when memory is out. */
 static bool find_gate(vs_kernel *k, whole *w, const vs_bounds *leaves) {
   VS_LIST(vs_bounds) terms = { 0 };
   const vs_kernel_problem *p = w->problem;
@@ -295,7 +297,7 @@ static bool find_gate(vs_kernel *k, whole *w, const vs_bounds *leaves) {
   return true;
 }
 
-/* Returns true if the cluster extends beyond the bounds of the gates. */
+/* Returns true if the cluster extends beyond the bounds outside of which the result is empty. */
 static bool gate_cuts(const whole *w, vs_group leaves) {
   if (!w->expression.gate_count) return false;
   if (w->problem->within) return true; /* The leaves' bounds were already reduced to the bounds of the gates. Therefore
@@ -312,12 +314,12 @@ static bool no_room(vs_kernel *k) {
 static bool want_tags(vs_kernel *k, vs_mesh *m) { return vs_mesh_want_tags(m) || no_room(k); }
 
 /* Sets *alone to true if the cluster is one leaf that touches neither another leaf nor itself. The kernel then copies
- * or drops the leaf unchanged, without a grid. A mesh that is no star and not settled is inspected once for contacts
- * with itself. A settled mesh must not be arranged again: the grid would move its corners, and triangles might meet.
- * Returns false on failure. */
+ * or drops the leaf unchanged, without a grid. A mesh that is no star is inspected once for contacts with itself. A
+ * mesh marked as settled must not be arranged: the grid would move its corners, and triangles might touch. Returns
+ * false on failure. */
 static bool stands_alone(vs_kernel *k, whole *w, vs_group leaves, bool *alone) {
-  enum { FLAT = 1 << 20 }; /* limit on the factor by which a placement flattens the mesh; up to this factor, the result
-                            * of the inspection is valid for the placed leaf */
+  enum { FLAT = 1 << 20 }; /* greatest factor by which a placement may flatten the mesh so that the inspection of the
+                            * mesh is valid for the placed leaf */
   const vs_kernel_leaf *l = &w->problem->leaves[leaves.at[0]];
   vs_part *part = &w->parts.all.at[w->parts.of_leaf.at[leaves.at[0]]];
   *alone = false;
@@ -367,18 +369,19 @@ static bool make_cluster(vs_kernel *k, whole *w, vs_copies *copies, vs_group lea
   if (asked && !(vs_kernel_report(k, 0) && vs_remember_find(k, &w->remember, out, &found) && vs_kernel_report(k, 0)))
     return false;
   ++*(found ? &w->counts.remembered : &w->counts.combined);
-  w->counts.straightened += found && k->options->straight; /* the cache does not store the number of removed bends, so
-                                                            * the count increases by 1 for a cached cluster */
+  w->counts.straightened += found && k->options->straight; /* The cache does not store the number of removed bends.
+                                                            * Therefore the count increases by 1 for each cached
+                                                            * cluster. */
   return found || (run_cluster(k, w, leaves, out) &&
                    (!asked || vs_remember_keep(k, &w->remember, out, vertices, triangles)));
 }
 
-/* The destination of the results: the mesh `one` for all clusters, or a separate mesh for each original in the array
- * `many`. */
+/* Destination of the results: the mesh `one` for all clusters, or the array `many` with a separate mesh for each
+ * original cluster. */
 typedef struct {
   vs_mesh *one;
   vs_kernel_copies *many;
-  VS_LIST(vs_range) ranges; /* range of each original within the mesh `one` */
+  VS_LIST(vs_range) ranges; /* ranges[i]: vertices and triangles of original cluster i within the mesh `one` */
 } sink;
 
 static bool add_mesh(vs_kernel *k, vs_kernel_copies *c, vs_mesh **made) {
@@ -412,7 +415,7 @@ static bool give_cluster(vs_kernel *k, whole *w, vs_copies *copies, sink *to, vs
     return VS_ROOM(k, to->many->copies, to->many->copy_room, to->many->copy_count + 1) &&
            (to->many->copies[to->many->copy_count++] = (vs_kernel_copy){ copy.original, copy.map }, true);
   }
-  if (!copy.is_new) { /* a copy may have other tags than its original, with equal paints */
+  if (!copy.is_new) { /* the copied cluster may have other tags than its original, with equal paints */
     vs_placement p = { .from = to->ranges.at[copy.original],
                        .vertex = to->one->vertex_count,
                        .triangle = to->one->triangle_count,

@@ -2,18 +2,19 @@
  * recurse, because operands come before the terms that use them. */
 #include "kernel/expression.h"
 
-/* State of the terms while vs_expression_build runs. */
+/* Working memory of vs_expression_build. */
 typedef struct {
   VS_LIST(uint32_t) uses;   /* uses[t]: number of terms that have t as an operand */
-  VS_LIST(uint32_t) pairs;  /* pairs of an operand and its user: the operand's number, then 2 * user + 1 if the user
+  VS_LIST(uint32_t) pairs;  /* pairs of numbers: the number of an operand, then 2 * user + 1 if the term `user`
                              * subtracts it, else 2 * user */
   VS_LIST(uint32_t) stack;  /* stack of operands still to be examined: 2 * term + 1 if the term is subtracted, else 2 *
                              * term */
-  VS_LIST(uint8_t) live;    /* live[t]: 1 if term t is reachable from the root and not merged into its user */
+  VS_LIST(uint8_t) live;    /* live[t]: 1 if term t is reachable from the root and was not merged into the term that has
+                             * it as operand */
 } building;
 
-/* Returns true if the operand `inner` can be merged into its user: a term of kind `outer` then has the operands of
- * `inner` instead. off: true if the user subtracts `inner`. */
+/* Returns true if the term `inner` can be merged into the term that has it as operand: that term, of kind `outer`, then
+ * gets the operands of `inner` instead. off: true if it subtracts `inner`. */
 static bool absorbed(const vs_kernel_problem *p, const building *b, vs_term_kind outer, bool off, uint32_t inner) {
   vs_term_kind kind = p->terms[inner].kind;
   if (b->uses.at[inner] != 1) return false;
@@ -47,8 +48,8 @@ static bool collect(vs_kernel *k, const vs_kernel_problem *p, building *b, vs_ex
 }
 
 /* Finds the leaves and terms that determine the result on their own. These are operands of a union at the root, when
- * they are true, and operands of an intersection at the root, when they are false. The same holds for operands of such
- * operands. A leaf that is the only term is not included. */
+ * they are true, and operands of an intersection at the root, when they are false. Operands of such operands count,
+ * too. A leaf that is the only term is not included. */
 static bool find_forces(vs_kernel *k, vs_expression *e, const vs_kernel_problem *p, const uint8_t *live) {
   enum { IF_TRUE = 1, IF_FALSE = 2 };
   VS_LIST(uint8_t) flag = { 0 };
@@ -108,8 +109,8 @@ bool vs_expression_build(vs_kernel *k, vs_expression *e, const vs_kernel_problem
     for (uint32_t i = 0; i < p->leaf_count; i++) e->winding.at[i] = 0;
     for (uint32_t i = 0; i < p->leaf_count + 2; i++) e->leaf_first.at[i] = 0;
     e->root = n ? n - 1 : 0;
-    for (uint32_t i = n; i-- > 0;) { /* users come before operands in this loop, so the uses of term i are complete when
-                                      * it is reached */
+    for (uint32_t i = n; i-- > 0;) { /* The loop reaches a term after all terms that have it as operand. Therefore
+                                      * uses[i] is complete when term i is reached. */
       if (p->terms[i].kind == VS_TERM_LEAF) continue;
       for (uint32_t j = 0; j < p->terms[i].count; j++) b.uses.at[p->operands[p->terms[i].first + j]]++;
     }
@@ -117,7 +118,7 @@ bool vs_expression_build(vs_kernel *k, vs_expression *e, const vs_kernel_problem
       if (b.live.at[i] && p->terms[i].kind != VS_TERM_LEAF) ok = collect(k, p, &b, e, i);
     ok = ok && find_forces(k, e, p, b.live.at);
   }
-  /* Sorts the pairs by operand, and the terms of leaves by leaf. */
+  /* Sorts the pairs of operand and user by operand, and the terms of leaves by leaf. */
   if (ok && VS_ROOM(k, e->users.at, e->users.room, b.pairs.count / 2 + 1)) {
     for (size_t i = 0; i < b.pairs.count; i += 2) e->user_first.at[b.pairs.at[i] + 1]++;
     for (uint32_t i = 0; i < n; i++) e->user_first.at[i + 1] += e->user_first.at[i];
@@ -134,8 +135,9 @@ bool vs_expression_build(vs_kernel *k, vs_expression *e, const vs_kernel_problem
         e->leaf_terms.at[--e->leaf_first.at[p->terms[i].first + 1]] = i;
     for (uint32_t i = 0; i < p->leaf_count; i++) e->leaf_first.at[i] = e->leaf_first.at[i + 1];
     e->leaf_first.at[p->leaf_count] = live;
-    for (uint32_t i = n; i-- > 0;) { /* users come before operands: uses[i] becomes 1 if term i is subtracted an odd
-                                      * number of times on the way of first users to the root */
+    for (uint32_t i = n; i-- > 0;) { /* uses[i] becomes 1 if term i is subtracted an odd number of times on the way to
+                                      * the root. The way leads to the first user of each term. The loop reaches users
+                                      * before their operands. */
       uint32_t first = e->user_first.at[i];
       b.uses.at[i] = first < e->user_first.at[i + 1] ? b.uses.at[e->users.at[first] / 2] ^ (e->users.at[first] & 1) : 0;
       if (p->terms[i].kind == VS_TERM_LEAF) e->taken_off.at[p->terms[i].first] = (uint8_t)b.uses.at[i];
@@ -163,8 +165,8 @@ static bool value(const vs_expression *e, uint32_t term) {
 bool vs_expression_value(const vs_expression *e) { return e->kind.at && value(e, e->root); }
 
 bool vs_expression_upholds(vs_kernel *k, vs_expression *e, uint32_t leaf, bool *answer) {
-  /* Limit on the number of visited terms, because there may be very many paths from the leaf to the root. A wrong
-   * answer only selects another material. */
+  /* Limit on the number of visited terms, because very many paths may lead from the leaf to the root. If the limit is
+   * reached, the answer may be wrong, which only selects another material. */
   enum { STEPS = 256 };
   VS_ASSERT(e->winding.at[leaf] > 0);
   *answer = false;
@@ -242,8 +244,8 @@ bool vs_expression_add(vs_kernel *k, vs_expression *e, uint32_t leaf, int32_t de
     e->positive.at[t] = now;
     if (!VS_PUSH(k, e->stack, t * 2 + now)) return false;
   }
-  while (e->stack.count) { /* The stack contains terms whose value has changed and whose users are not updated yet. A
-                            * value may change several times. */
+  while (e->stack.count) { /* The stack contains terms whose value has changed, but whose users have not been evaluated
+                            * again. A value may change several times. */
     uint32_t t = e->stack.at[--e->stack.count] / 2;
     bool up = e->stack.at[e->stack.count] & 1;
     for (uint32_t i = e->user_first.at[t]; i < e->user_first.at[t + 1]; i++) {

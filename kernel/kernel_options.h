@@ -1,4 +1,5 @@
-/* Defines the inputs and outputs of the kernel other than meshes: the job, limits, counts and errors. */
+/* Defines the kernel's inputs and outputs other than meshes: the job that can interrupt it, limits, counts and
+ * errors. */
 #ifndef VS_KERNEL_KERNEL_OPTIONS_H
 #define VS_KERNEL_KERNEL_OPTIONS_H
 
@@ -10,18 +11,19 @@
 #include "model/node.h"
 
 typedef struct {
-  size_t clusters;   /* number of groups of solids that touch; it is the sum of the next three members */
-  size_t combined;   /* number of clusters that were evaluated */
-  size_t copied;     /* number of clusters that were copied from an equal cluster of the same problem */
-  size_t remembered; /* number of clusters that were found in the cache */
-  size_t peak;       /* greatest number of bytes that were allocated at one time */
-  size_t coarse;     /* number of leaves whose volume the grid has changed by more than a hundredth, because they are
-                      * too small for its steps. The next three members describe the first such leaf */
+  size_t clusters;   /* number of groups of solids that touch: the sum of `combined`, `copied` and `remembered` */
+  size_t combined;   /* number of clusters that the kernel evaluated */
+  size_t copied;     /* number of clusters that the kernel copied from an equal cluster of the problem */
+  size_t remembered; /* number of clusters that the kernel found in the cache */
+  size_t peak;       /* greatest number of bytes that the kernel had allocated at one time */
+  size_t coarse;     /* Number of leaves whose volume the grid has changed by more than a hundredth, because they are
+                      * too small for its steps. coarse_leaf, coarse_step and coarse_by describe the first such leaf. */
   uint32_t coarse_leaf; /* number of the first leaf whose volume the grid has changed by more than a hundredth */
-  double coarse_step, coarse_by; /* coarse_step: width of a grid step at this leaf; coarse_by: change of the leaf's
-                                  * volume, relative to its exact volume */
-  size_t straightened; /* number of bends that were removed from the result (see the option `straight`) */
-  double seconds[VS_STEP_COUNT]; /* seconds that each step of the kernel took */
+  double coarse_step, coarse_by; /* coarse_step: width of a grid step at leaf coarse_leaf; coarse_by: change of the
+                                  * leaf's volume, as a fraction of its exact volume */
+  size_t straightened; /* number of bends that were removed from the result (see the option `straight` of
+                        * vs_kernel_options) */
+  double seconds[VS_STEP_COUNT]; /* seconds[s]: time that step s of the kernel took */
 } vs_kernel_counts;
 
 enum { VS_ON_THE_WAY = 8 };
@@ -31,18 +33,19 @@ typedef struct {
   vs_job *job;          /* job that the kernel calls some hundred times a second (vs_job_done) to learn whether it must
                          * stop; NULL: it never stops */
   size_t max_bytes;     /* limit on the kernel's memory in bytes; 0: no limit */
-  size_t max_triangles; /* limit on the triangles of the result; 0: no limit. Intermediate steps may have VS_ON_THE_WAY
-                         * times as many triangles and pieces of triangles */
+  size_t max_triangles; /* Limit on the triangles of the result; 0: no limit. Intermediate steps may have VS_ON_THE_WAY
+                         * times as many triangles and pieces of triangles. */
   vs_cache *cache;      /* cache of evaluated clusters (model/store/cache.h); NULL: nothing is cached */
-  bool warns;           /* true if vs_solid_evaluate may warn of a fault that does not stop it */
-  vs_kernel_counts *counts; /* the kernel adds its counts to these counts; only the peak becomes the greater of the two;
-                             * NULL: no counts */
-  bool in_levels;       /* for tests: every cluster is arranged level by level (arrange/levels.c) if possible */
-  bool straight;        /* true: the kernel may remove bends from cuts through a sheet, which is a planar facet that the
-                         * grid has split into several planes. The caller must then search the result for contacts
-                         * (round/rounding.h). If there are contacts, it must evaluate again with straight == false */
-  uint32_t threads;     /* number of threads; 0: one for each processor. The result does not depend on it. Only the
-                         * caller's thread asks the job */
+  bool warns;           /* true if vs_solid_evaluate may report faults that do not stop the kernel */
+  vs_kernel_counts *counts; /* Counts to which the kernel adds its counts; NULL: no counts. The member `peak` becomes
+                             * the greater of the two values. */
+  bool in_levels;       /* for tests: true if the solids of every cluster are united two by two (arrange/levels.c) where
+                         * possible */
+  bool straight;        /* True if the kernel may remove bends from cuts through a sheet, a planar facet that the grid
+                         * has split into several planes. The caller must then search the result for contacts
+                         * (round/rounding.h). If there are contacts, it must evaluate again with straight == false. */
+  uint32_t threads;     /* Number of threads; 0: one for each processor. The result does not depend on it. Only the
+                         * caller's thread calls vs_job_done. */
 } vs_kernel_options;
 
 typedef enum {
@@ -57,9 +60,9 @@ typedef enum {
 } vs_kernel_status;
 typedef struct {
   vs_kernel_status status;
-  uint32_t leaf;        /* number of the leaf at fault for OPEN, INSIDE_OUT and NOT_FINITE; for INTERNAL: a leaf of the
-                         * cluster that failed */
-  char message[200];    /* English text without the place of the fault */
+  uint32_t leaf;        /* number of the faulty leaf for OPEN, INSIDE_OUT and NOT_FINITE; for INTERNAL: a leaf of the
+                         * cluster whose evaluation failed */
+  char message[200];    /* message in English; it does not name the place of the fault */
 } vs_kernel_error;
 
 #endif

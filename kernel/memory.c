@@ -7,7 +7,8 @@
 #include <string.h>
 
 bool vs_kernel_fail(vs_kernel *k, vs_kernel_status status, uint32_t leaf, const char *format, ...) {
-  if (k->error->status != VS_KERNEL_FINE) return false; /* only the first error is kept */
+  if (k->error->status != VS_KERNEL_FINE) return false; /* an earlier error is kept, because later ones may be its
+                                                         * consequences */
   k->error->status = status;
   k->error->leaf = leaf;
   va_list rest;
@@ -44,8 +45,8 @@ bool vs_kernel_grow(vs_kernel *k, void *slot, size_t *room, size_t need, size_t 
   grown = realloc(old, more * size);
   if (!grown) return vs_kernel_fail(k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids");
   memcpy(slot, &grown, sizeof grown);
-  size_t now = atomic_fetch_add(bytes, added) + added; /* the peak may lack bytes that two threads add at the same
-                                                        * time */
+  size_t now = atomic_fetch_add(bytes, added) + added; /* now: allocated bytes after this call; it may lack bytes that
+                                                        * two threads add at the same time */
   _Atomic size_t *peak = k->owner ? &k->owner->peak : &k->peak;
   if (now > *peak) *peak = now;
   *room = more;

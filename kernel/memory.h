@@ -1,5 +1,5 @@
-/* Defines the context of the kernel: its counted memory, error, progress and interrupts. Every working array is counted
- * in a context. */
+/* Defines the context of a call of the kernel: its counted memory, error, progress and interrupts. Every working array
+ * is counted in a context. */
 #ifndef VS_KERNEL_MEMORY_H
 #define VS_KERNEL_MEMORY_H
 
@@ -18,13 +18,14 @@ typedef struct vs_kernel {
   uint32_t threads;        /* number of threads that may work at a time, including this one */
   _Atomic size_t bytes;    /* number of bytes that are allocated for arrays */
   _Atomic size_t peak;     /* largest value of `bytes` so far */
-  _Atomic bool stop;       /* true if a thread has failed or the caller has interrupted; all threads then return */
-  uint32_t ticks;          /* number of polls since the last call of vs_job_done */
-  double done, share;      /* done: progress of all work before this cluster, 0 to 1; share: fraction of all work that
-                            * this cluster takes */
-  double part;             /* progress within the cluster, as last reported, 0 to 1 */
-  double *laps, since;     /* laps: seconds of each step, indexed by vs_step; NULL: no time is measured. since: start of
-                            * the current step in seconds */
+  _Atomic bool stop;       /* true if a thread has failed or the caller has interrupted the kernel; all threads then
+                            * return */
+  uint32_t ticks;          /* number of polls since the kernel last called vs_job_done */
+  double done, share;      /* done: fraction of all work that was finished before this cluster; share: fraction of all
+                            * work that this cluster takes; 0 to 1 */
+  double part;             /* fraction of the current cluster's work that is finished, as last reported, 0 to 1 */
+  double *laps, since;     /* laps: array of the seconds of each step, indexed by vs_step; NULL: no time is measured.
+                            * since: time in seconds when the current step began */
 } vs_kernel;
 
 bool vs_kernel_fail(vs_kernel *k, vs_kernel_status status, uint32_t leaf, const char *format, ...)
@@ -33,8 +34,8 @@ bool vs_kernel_fail(vs_kernel *k, vs_kernel_status status, uint32_t leaf, const 
   vs_kernel_fail(k, VS_KERNEL_INTERNAL, 0,                                                                             \
                  "the solids could not be combined: %s (a fault of vs, please report the model)", why)
 
-/* Checks the number of pieces into which triangles have been cut. Returns false and sets the error if it exceeds
- * VS_ON_THE_WAY times the limit on the result's triangles. */
+/* Compares the number of pieces into which triangles have been cut with the limit. Returns false and sets the error if
+ * it exceeds VS_ON_THE_WAY times the limit on the result's triangles. */
 bool vs_kernel_on_the_way(vs_kernel *k, size_t pieces);
 
 /* Enlarges the array whose address is in *slot to at least `need` elements of `size` bytes; *room is the number of
@@ -62,8 +63,9 @@ static inline bool vs_kernel_poll(vs_kernel *k, double part) {
  * it is not inlined early, because it has no effect. */
 #define VS_AHEAD static inline __attribute__((always_inline)) void
 
-/* vs_kernel_run calls task(k, context, 0) to task(k, context, count - 1) in any order, and several at a time if there
- * are threads. Each call gets the context of its own thread as k. A task returns false to stop all. */
+/* vs_kernel_run calls task(k, context, 0) to task(k, context, count - 1) in any order, several at a time if there
+ * are threads. k is the context of the thread that runs the task. If a task returns false, the remaining tasks are
+ * not run. */
 typedef bool vs_task_fn(vs_kernel *k, void *context, size_t index);
 /* vs_kernel_pipeline runs tasks as vs_kernel_run does, and calls taker(k, context, i) for every i in increasing order.
  * The taker runs in the caller's thread, after task i and while later tasks run. At most VS_PIPELINE_WINDOW results
@@ -71,8 +73,8 @@ typedef bool vs_task_fn(vs_kernel *k, void *context, size_t index);
  * taker changes. */
 enum { VS_PIPELINE_WINDOW = 64 };
 
-/* Sorts an array of numbers by the strict order `less`. The sort is stable (a merge sort). scratch has as many elements
- * as the array. */
+/* Sorts an array of numbers by the strict order `less`. The sort is stable (a merge sort). scratch: an array of as many
+ * elements. */
 typedef bool vs_less_fn(const void *context, uint32_t a, uint32_t b);
 void vs_kernel_sort(uint32_t *at, uint32_t *scratch, size_t count, vs_less_fn *less, const void *context);
 

@@ -15,7 +15,7 @@
 
 typedef struct {
   double high, low;
-} pair; /* a pair of doubles whose exact sum is the value */
+} pair; /* two doubles whose exact sum is a difference of coordinates */
 
 static inline pair two_sum(double a, double b) {
   double sum = a + b, virtual_b = sum - a, virtual_a = sum - virtual_b;
@@ -29,7 +29,8 @@ static inline pair two_product(double a, double b) {
   return (pair){ product, low_a * low_b - (((product - high_a * high_b) - low_a * high_b) - high_a * low_b) };
 }
 
-/* Computes to = e + f. Returns the number of terms. Zero terms are dropped, but a zero sum has one term. */
+/* Computes the expansion to = e + f. Returns its number of terms. Zero terms are dropped, but a zero sum has one
+ * term. */
 static int add(const double *e, int e_count, const double *f, int f_count, double *to) {
   int i = 0, j = 0, count = 0;
   double sum = 0;
@@ -49,7 +50,7 @@ static int add(const double *e, int e_count, const double *f, int f_count, doubl
   return count;
 }
 
-/* Computes to = e * b and returns the number of terms. e has at least one term. */
+/* Computes the expansion to = e * b and returns its number of terms. e has at least one term. */
 static int scale(const double *e, int e_count, double b, double *to) {
   int count = 0;
   pair p = two_product(e[0], b);
@@ -66,7 +67,7 @@ static int scale(const double *e, int e_count, double b, double *to) {
   return count;
 }
 
-/* Computes to = e * d and returns the number of terms. e has 1 to 16 terms. */
+/* Computes the expansion to = e * d and returns its number of terms. e has 1 to 16 terms. */
 static int multiply(const double *e, int e_count, pair d, double *to) {
   enum { MOST = 16 };
   double low[2 * MOST], high[2 * MOST];
@@ -75,7 +76,7 @@ static int multiply(const double *e, int e_count, pair d, double *to) {
   return add(low, low_count, high, high_count, to);
 }
 
-/* Computes to = a * d - b * c and returns the number of terms, at most 16. */
+/* Computes the expansion to = a * d - b * c and returns its number of terms, at most 16. */
 static int minor(pair a, pair b, pair c, pair d, double to[16]) {
   double ad[8], bc[8];
   int n = multiply((const double[]){ a.low, a.high }, 2, d, ad),
@@ -87,8 +88,8 @@ static double coordinate(vs_vec3 p, int axis) { return axis == 0 ? p.x : axis ==
 
 static int sign(double x) { return (x > 0) - (x < 0); }
 
-/* Returns the power of two that scales the largest of the sizes to about one. Returns 1 if all are zero, or the largest
- * is already of about that size. */
+/* Returns the power of two that scales the largest of `count` sizes to about one. Returns 1 if all are zero, or the
+ * largest is already of about that size. */
 static double to_one(const double *size, int count) {
   double most = 0;
   int exponent;

@@ -90,8 +90,8 @@ void vs_plane_axes(vs_plane *p) {
   p->v = (uint8_t)(up ? v : u);
 }
 
-/* Computes p = b - a and q = c - a. Returns true if these are so small that a product of three of them fits into 127
- * bits as (i64 x i64) x i64. */
+/* Computes p = b - a and q = c - a. Returns true if the differences are so small that a product of three of them fits
+ * into 127 bits as (i64 x i64) x i64. */
 static inline bool differences(const int32_t a[3], const int32_t b[3], const int32_t c[3], int64_t p[3], int64_t q[3]) {
   uint64_t wide = 0;
   for (int i = 0; i < 3; i++) {
@@ -111,8 +111,8 @@ bool vs_plane_through(const int32_t a[3], const int32_t b[3], const int32_t c[3]
       int u = (i + 1) % 3, v = (i + 2) % 3;
       vs_i128 n = (vs_i128)p[u] * q[v] - (vs_i128)p[v] * q[u];
       minus[i] = n < 0;
-      size[i] = (vs_u128)(n < 0 ? -n : n); /* at most 2^64 - 2^33, which is twice the area of a triangle in a square of
-                                            * less than 2^32 */
+      size[i] = (vs_u128)(n < 0 ? -n : n); /* n is at most 2^64 - 2^33, twice the area of a triangle in a square of less
+                                            * than 2^32 steps */
       g = gcd64(g, (uint64_t)size[i]);
     }
     for (int i = 0; i < 3; i++) {
@@ -126,7 +126,8 @@ bool vs_plane_through(const int32_t a[3], const int32_t b[3], const int32_t c[3]
       int u = (i + 1) % 3, v = (i + 2) % 3;
       out->n[i] = p[u] * q[v] - p[v] * q[u];
       uint64_t size = (uint64_t)(out->n[i] < 0 ? -out->n[i] : out->n[i]);
-      if (g != 1) g = gcd64(g, g ? size % g : size); /* the divisor of two large numbers is mostly small */
+      if (g != 1) g = gcd64(g, g ? size % g : size); /* the greatest common divisor of two large numbers is mostly
+                                                      * small, so the next step is fast */
     }
   if (g == 0) return false;
   int64_t first = out->n[0] ? out->n[0] : out->n[1] ? out->n[1] : out->n[2];
@@ -179,8 +180,8 @@ bool vs_meet_edge(const int32_t a[3], const int32_t b[3], const vs_plane *p, vs_
   for (int i = 0; i < 3; i++) oa += (vs_i128)p->n[i] * a[i], ob += (vs_i128)p->n[i] * b[i];
   vs_i128 w = oa - ob;
   if (w == 0) return false;
-  for (int i = 0; i < 3; i++) { /* handles an edge that is parallel to an axis, with a plane perpendicular to this axis,
-                                 * which is common in models */
+  for (int i = 0; i < 3; i++) { /* Handles an edge that is parallel to an axis with a plane perpendicular to this axis.
+                                 * The case is common in models. */
     int j = (i + 1) % 3, l = (i + 2) % 3;
     if (a[j] != b[j] || a[l] != b[l] || p->n[i] != 1 || p->n[j] || p->n[l]) continue;
     wide_from(out->x[i], VS_LIMBS, p->d);
@@ -216,8 +217,8 @@ void vs_homogeneous_fixed(const int64_t fixed[3], vs_homogeneous *out) {
 
 static bool across(const vs_plane *p) { return !p->n[(p->k + 1) % 3] && !p->n[(p->k + 2) % 3]; } /* returns true if the
                                                                                                   * plane is
-                                                                                                  * perpendicular to an
-                                                                                                  * axis */
+                                                                                                  * perpendicular to its
+                                                                                                  * axis k */
 
 bool vs_meet_planes(const vs_plane *p, const vs_plane *q, const vs_plane *r, vs_homogeneous *out) {
   const vs_plane *s[3] = { p, q, r };
@@ -234,7 +235,8 @@ bool vs_meet_planes(const vs_plane *p, const vs_plane *q, const vs_plane *r, vs_
       int u = (i + 1) % 3, v = (i + 2) % 3;
       vs_i128 cross = (vs_i128)x->n[u] * y->n[v] - (vs_i128)x->n[v] * y->n[u];
       add_product(out->x[i], s[j]->d, cross);
-      if (j == 0) add_product(out->w, p->n[i], cross); /* the denominator is W = n_p . (n_q x n_r) */
+      if (j == 0) add_product(out->w, p->n[i], cross); /* the denominator of the intersection of three planes is W = n_p
+                                                        * . (n_q x n_r) */
     }
   }
   int sign = wide_sign(out->w, VS_LIMBS);
@@ -248,9 +250,9 @@ bool vs_meet_planes(const vs_plane *p, const vs_plane *q, const vs_plane *r, vs_
 /* Returns x, which is at least 0, as an approximate double. */
 static inline double near128(vs_i128 x) { return (double)(int64_t)(x >> 64) * 0x1p64 + (double)(uint64_t)x; }
 
-/* Computes the fixed-point numbers as vs_homogeneous_fix does, if the numerators fit into 128 bits and the denominator
- * into 94 bits. Most points fulfil this. It computes whole steps first, and then the fraction. Returns false if they do
- * not fit. */
+/* Computes the fixed-point numbers as vs_homogeneous_fix does, for numerators that fit into 128 bits and a denominator
+ * that fits into 94 bits, as for most points. Computes whole steps first, and then the fraction. Returns false if the
+ * numbers are larger. */
 static bool fix_narrow(const vs_homogeneous *h, int64_t fixed[3], bool *exact) {
   vs_i128 w = (vs_i128)((vs_u128)h->w[1] << 64 | h->w[0]);
   for (int i = 0; i < 3; i++)
@@ -263,7 +265,8 @@ static bool fix_narrow(const vs_homogeneous *h, int64_t fixed[3], bool *exact) {
     if (fabs(guess) > 0x1p32) return false;
     int64_t whole = (int64_t)floor(guess), rest;
     vs_i128 r = x - w * whole;
-    for (; r < 0; whole--) r += w; /* the quotients computed in doubles are wrong by at most one */
+    for (; r < 0; whole--) r += w; /* the quotient was computed in doubles, so it may differ by one from the right
+                                    * integer */
     for (; r >= w; whole++) r -= w;
     rest = (int64_t)(near128(r) * per * (double)(1 << VS_FIXED_BITS));
     r = r * ((vs_i128)1 << VS_FIXED_BITS) - w * rest;
@@ -281,7 +284,7 @@ static inline double near256(const uint64_t x[4]) {
   return (((double)x[3] * 0x1p64 + (double)x[2]) * 0x1p64 + (double)x[1]) * 0x1p64 + (double)x[0];
 }
 
-/* Computes r -= w * q. q >= 0. */
+/* Computes r = r - w * q on wide integers. q >= 0. */
 static inline void take_times(uint64_t r[4], const uint64_t w[4], uint64_t q) {
   vs_u128 t = (vs_u128)w[0] * q, u = (vs_u128)w[1] * q + (uint64_t)(t >> 64),
           v = (vs_u128)w[2] * q + (uint64_t)(u >> 64);
@@ -289,8 +292,7 @@ static inline void take_times(uint64_t r[4], const uint64_t w[4], uint64_t q) {
   wide_sub(r, product, 4);
 }
 
-/* Returns the quotient floor(r / w), and sets r to the remainder. q: an estimate that differs from the quotient by
- * about 1. */
+/* Returns floor(r / w), and sets r to the remainder. q: an estimate of the quotient with an error of about 1. */
 static inline int64_t divide(uint64_t r[4], const uint64_t w[4], int64_t q) {
   take_times(r, w, (uint64_t)q);
   for (; wide_sign(r, 4) < 0; q--) wide_add(r, w, 4);
@@ -302,7 +304,7 @@ static inline int64_t divide(uint64_t r[4], const uint64_t w[4], int64_t q) {
   }
 }
 
-/* Computes to = x * 2^bits. bits is 1 to 63. */
+/* Computes to = x * 2^bits on wide integers. bits is 1 to 63. */
 static inline void shift_up(uint64_t to[4], const uint64_t x[4], int bits) {
   VS_ASSERT(bits > 0 && bits < 64);
   for (int i = 3; i > 0; i--) to[i] = x[i] << bits | x[i - 1] >> (64 - bits);
@@ -310,7 +312,7 @@ static inline void shift_up(uint64_t to[4], const uint64_t x[4], int bits) {
 }
 
 bool vs_homogeneous_fix(const vs_homogeneous *h, int64_t fixed[3]) {
-  enum { UP = 32 }; /* an offset of 2^UP steps is added to avoid negative numbers */
+  enum { UP = 32 }; /* an offset of 2^UP steps is added to coordinates so that they are not negative */
   bool exact = true;
   VS_ASSERT(wide_sign(h->w, VS_LIMBS) > 0);
   if (h->w[0] == 1 && !h->w[1] && !h->w[2] && !h->w[3]) { /* the denominator is 1, so the point is on the grid */
@@ -402,8 +404,8 @@ int vs_orient2d_slow(vs_points_view v, uint32_t a, uint32_t b, uint32_t c, int a
   load(v, b, &h[1]);
   load(v, c, &h[2]);
   uint64_t sum[11] = { 0 }, s[8], t[8], r[11];
-  for (int i = 0; i < 3; i++) { /* expands the determinant of the rows (X_u, X_v, W) along its last column; every W >
-                                 * 0 */
+  for (int i = 0; i < 3; i++) { /* expands the determinant whose rows are (X_u, X_v, W) of three points, along its last
+                                 * column; every W > 0 */
     const vs_homogeneous *p = &h[(i + 1) % 3], *q = &h[(i + 2) % 3];
     wide_mul(s, 8, p->x[axis_u], VS_LIMBS, q->x[axis_v], VS_LIMBS);
     wide_mul(t, 8, p->x[axis_v], VS_LIMBS, q->x[axis_u], VS_LIMBS);

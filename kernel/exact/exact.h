@@ -34,22 +34,23 @@ enum { VS_FIXED_BITS = 30, VS_GRID_BITS = 31, VS_LIMBS = 4 };
 typedef struct {
   int64_t n[3];
   vs_i128 d;
-  uint8_t k, u, v; /* k: the axis with the largest |n|; u, v: the other two axes, ordered so that counter-clockwise as
-                    * seen from n is counter-clockwise in (u, v) */
+  uint8_t k, u, v; /* k: axis with the largest component of the normal; u, v: the other two axes, in an order in which
+                    * counter-clockwise stays so as seen from the normal's tip */
 } vs_plane;
 
 typedef struct {
-  uint64_t x[3][VS_LIMBS], w[VS_LIMBS]; /* the point is x / w; two's complement, least limb first; w > 0 */
+  uint64_t x[3][VS_LIMBS], w[VS_LIMBS]; /* the point is x / w in grid steps; x and w are two's complement integers,
+                                         * least limb first; w > 0 */
 } vs_homogeneous;
 
 typedef struct {
   int64_t fixed[3];
-  uint32_t big; /* VS_POINT_EXACT if the fixed-point numbers are exact; otherwise the index of the exact coordinates. If
-                 * the index has the bit VS_POINT_MORE, they are in the list `more` of a view */
-  uint32_t next; /* the next point with the same hash; used only in the tables that arrange_planes.c makes for groups */
+  uint32_t big; /* VS_POINT_EXACT if the fixed-point numbers are exact; otherwise the index of the exact coordinates. An
+                 * index with the bit VS_POINT_MORE refers to the list `more` of a vs_points_view. */
+  uint32_t next; /* next point with the same hash, only in the tables that arrange_planes.c makes for each plane */
 } vs_point;
 
-/* Access to all points of a table, for the predicates. */
+/* Read access to the fixed-point and exact coordinates of all points of a table, for the predicates. */
 typedef struct {
   const vs_point *at;
   const vs_homogeneous *big, *more;
@@ -61,26 +62,27 @@ static inline int vs_sign128(vs_i128 x) { return (x > 0) - (x < 0); }
  * the triangle a, b, c. Returns false if the points are collinear, or the normal does not fit */
 bool vs_plane_through(const int32_t a[3], const int32_t b[3], const int32_t c[3], vs_plane *out, bool *flipped);
 void vs_plane_axes(vs_plane *p);
-/* computes the plane that contains the integer points a and b and is parallel to axis k; its normal is not primitive. a
- * and b differ along another axis */
+/* Computes the plane that contains the integer points a and b and is parallel to axis k. The components of its normal
+ * may have a common divisor. a and b differ along another axis than k. */
 void vs_plane_along(const int32_t a[3], const int32_t b[3], int k, vs_plane *out);
-/* returns the sign of det(b-a, c-a, d-a) */
+/* returns the sign of the determinant of b - a, c - a and d - a: on which side of triangle a b c the point d lies */
 int vs_orient3d(const int32_t a[3], const int32_t b[3], const int32_t c[3], const int32_t d[3]);
 
-/* Both functions compute a point. vs_meet_edge computes the intersection of the line through a and b with the plane,
- * where a and b are on different sides. vs_meet_planes computes the intersection of three planes. Both return false if
- * the intersection is not a single point. */
+/* vs_meet_edge computes the intersection of the line through a and b with plane p, where a and b are on different sides
+ * of p. vs_meet_planes computes the intersection of three planes. The functions return false if the intersection is not
+ * a single point. */
 bool vs_meet_edge(const int32_t a[3], const int32_t b[3], const vs_plane *p, vs_homogeneous *out);
 bool vs_meet_planes(const vs_plane *p, const vs_plane *q, const vs_plane *r, vs_homogeneous *out);
-/* Computes the fixed-point numbers of a point. Returns true if they are exact. h->w > 0. */
+/* Computes the coordinates of point h rounded down to fixed-point numbers. Returns true if these are exact. h->w >
+ * 0. */
 bool vs_homogeneous_fix(const vs_homogeneous *h, int64_t fixed[3]);
 void vs_homogeneous_integer(const int32_t at[3], vs_homogeneous *out);
-void vs_homogeneous_fixed(const int64_t fixed[3], vs_homogeneous *out); /* makes a point from the fixed-point numbers of
-                                                                         * an exact point */
-/* Compares two points along an axis, 0, 1 or 2. w > 0 for both points. */
-int vs_homogeneous_compare(const vs_homogeneous *a, const vs_homogeneous *b, int axis); /* returns the sign of the
-                                                                                         * difference a - b along the
-                                                                                         * axis */
+void vs_homogeneous_fixed(const int64_t fixed[3], vs_homogeneous *out); /* converts the fixed-point numbers of an exact
+                                                                         * point to a homogeneous point */
+/* Compares the positions of points a and b along an axis, 0, 1 or 2. w > 0 for both points. */
+int vs_homogeneous_compare(const vs_homogeneous *a, const vs_homogeneous *b, int axis); /* returns 1 if a is greater
+                                                                                         * than b along the axis, -1 if
+                                                                                         * less, 0 if equal */
 bool vs_homogeneous_equal(const vs_homogeneous *a, const vs_homogeneous *b);
 /* Returns the side of the plane on which the point lies: 1 on the side of the normal, -1 on the opposite side, 0 in the
  * plane. h->w > 0. */
@@ -93,21 +95,22 @@ static inline bool vs_point_exact(const vs_point *p) { return p->big == VS_POINT
 static inline int32_t vs_point_grid(const vs_point *p, int axis) { return (int32_t)(p->fixed[axis] >> VS_FIXED_BITS); }
 
 int vs_side_slow(vs_points_view v, const vs_plane *p, uint32_t x);
-/* Sets *sign to the sign of n.x - d for point x. Returns false if the point's fixed-point numbers do not decide it. */
+/* Sets *sign to the side of plane p on which point x lies: the sign of n.x - d. Returns false if the fixed-point
+ * numbers of the point do not decide it. */
 static inline bool vs_side_quick(vs_points_view v, const vs_plane *p, uint32_t x, int *sign) {
   const vs_point *q = &v.at[x];
   vs_i128 s = (vs_i128)p->n[0] * q->fixed[0] + (vs_i128)p->n[1] * q->fixed[1] + (vs_i128)p->n[2] * q->fixed[2] -
               p->d * ((vs_i128)1 << VS_FIXED_BITS);
   *sign = vs_sign128(s);
   if (vs_point_exact(q)) return true;
-  vs_i128 low = s, high = s; /* the fixed-point number is smaller than the exact coordinate, but by less than 1 */
+  vs_i128 low = s, high = s; /* the fixed-point number is at most the exact coordinate, and less than 1 below it */
   for (int i = 0; i < 3; i++) {
     if (p->n[i] < 0) low += p->n[i];
     else high += p->n[i];
   }
   return low > 0 || high < 0;
 }
-/* Returns the sign of n.x - d for point x. */
+/* Returns the side of plane p on which point x lies: the sign of n.x - d. */
 static inline int vs_side(vs_points_view v, const vs_plane *p, uint32_t x) {
   int sign;
   return vs_side_quick(v, p, x, &sign) ? sign : vs_side_slow(v, p, x);
@@ -123,7 +126,8 @@ static inline int vs_compare(vs_points_view v, uint32_t a, uint32_t b, int axis)
 
 int vs_orient2d_slow(vs_points_view v, uint32_t a, uint32_t b, uint32_t c, int axis_u, int axis_v);
 enum { VS_UNSURE = 2 }; /* result of a quick test that does not decide the sign */
-/* Returns the result of vs_orient2d if the fixed-point numbers of the points decide it, else VS_UNSURE. */
+/* Returns the orientation of points a, b, c as vs_orient2d does, if their fixed-point numbers decide it, else
+ * VS_UNSURE. */
 static inline int vs_orient2d_quick(vs_points_view v, uint32_t a, uint32_t b, uint32_t c, int axis_u, int axis_v) {
   const vs_point *p = &v.at[a], *q = &v.at[b], *r = &v.at[c];
   int64_t ax = q->fixed[axis_u] - p->fixed[axis_u], ay = q->fixed[axis_v] - p->fixed[axis_v];

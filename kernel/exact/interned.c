@@ -14,7 +14,7 @@ static uint64_t mix(uint64_t h, uint64_t x) {
 
 uint64_t vs_points_hash(const int64_t f[3]) { return mix(mix(mix(1, (uint64_t)f[0]), (uint64_t)f[1]), (uint64_t)f[2]); }
 
-/* Enlarges the table so that it has room for `count` items. */
+/* Enlarges the hash table so that it has room for `count` items. */
 static bool slots_grow(vs_kernel *k, vs_slots *s, size_t count) {
   if (count < s->count / 4 * 3) return true;
   vs_slots more = { .count = s->count ? s->count * 2 : 256 };
@@ -39,8 +39,8 @@ static void slots_free(vs_kernel *k, vs_slots *s) {
   s->count = 0;
 }
 
-/* Returns the next item with this hash; the search begins at slot *at. Sets *at to the slot of the item. If there is no
- * such item, returns VS_NONE, and *at is a free slot. The number of slots is a power of two. */
+/* Returns the next item whose stored hash is `tag`. The search begins at slot *at. Sets *at to the item's slot. If
+ * there is no such item, returns VS_NONE, and *at is a free slot. The number of slots is a power of two. */
 static inline uint32_t slots_next(const vs_slots *s, uint32_t tag, size_t *at) {
   VS_ASSERT(s->count > 0 && (s->count & (s->count - 1)) == 0 && *at < s->count);
   for (;; *at = (*at + 1) & (s->count - 1))
@@ -49,12 +49,13 @@ static inline uint32_t slots_next(const vs_slots *s, uint32_t tag, size_t *at) {
 
 /* A point to find or to add. */
 typedef struct {
-  uint64_t hash;           /* hash of the fixed-point numbers */
-  const int64_t *fixed;    /* three fixed-point numbers */
-  const vs_homogeneous *h; /* exact coordinates; NULL: the fixed-point numbers are exact */
+  uint64_t hash;           /* hash of `fixed`, the fixed-point coordinates */
+  const int64_t *fixed;    /* three coordinates of the point, as fixed-point numbers */
+  const vs_homogeneous *h; /* exact coordinates of the point; NULL: the fixed-point numbers are exact */
 } point_key;
 
-/* Returns the number of the point, or VS_NONE if the table lacks it. *slot is then the slot in which to put it. */
+/* Returns the number of the point, or VS_NONE if the table lacks it. *slot is then the slot in which to store the
+ * point. */
 static uint32_t points_find(const vs_points_table *t, point_key key, size_t *slot) {
   const int64_t *fixed = key.fixed;
   const vs_homogeneous *h = key.h;

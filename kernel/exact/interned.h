@@ -8,15 +8,15 @@
 
 #define VS_NONE UINT32_MAX
 
-/* A hash table with open addressing, at most three quarters full, which finds numbers by their hash. The upper bits of
- * the stored hash select the slot. Therefore the next larger table has its items in the same order. Most different
- * items have different stored hashes, so they need not be compared. */
-typedef struct { uint32_t tag, item; } vs_slot; /* tag: upper half of the hash; item: the number, or VS_NONE if the slot
-                                                 * is free */
+/* A slot of a hash table with open addressing, at most three quarters full. The upper bits of the stored hash select
+ * the slot. Therefore the next larger table has its items in the same order. Most different items have different stored
+ * hashes, so they need not be compared. */
+typedef struct { uint32_t tag, item; } vs_slot; /* tag: upper half of the item's hash; item: number of the item, or
+                                                 * VS_NONE if the slot is free */
 typedef struct {
   vs_slot *at;
   size_t room, count; /* count: number of slots, a power of two or 0 */
-  int shift;          /* number of bits by which a tag is shifted to the right to get its slot */
+  int shift;          /* number of bits by which a stored hash is shifted to the right to get its slot */
 } vs_slots;
 
 typedef struct {
@@ -29,7 +29,7 @@ typedef struct {
 typedef struct {
   vs_homogeneous at;
   int64_t fixed[3];
-  uint64_t hash; /* hash of the fixed-point numbers */
+  uint64_t hash; /* hash of the point's fixed-point coordinates */
   bool exact;
 } vs_fresh_point;
 
@@ -47,36 +47,37 @@ bool vs_points_integer(vs_kernel *k, vs_points_table *t, const int32_t at[3], ui
  * false when memory is out. */
 bool vs_points_add_corners(vs_kernel *k, vs_points_table *t, int32_t (*corners)[3], const uint32_t *vertices,
                            size_t count, uint32_t *ids);
-/* Sets *id to the number of the point, and adds the point if the table lacks its position. h: exact coordinates, or
- * NULL if the fixed-point numbers are exact. Returns false when memory is out. */
+/* Sets *id to the number of the point with these coordinates, and adds the point if the table lacks it. h: exact
+ * coordinates, or NULL if the fixed-point numbers are exact. Returns false when memory is out. */
 bool vs_points_add_fixed(vs_kernel *k, vs_points_table *t, const int64_t fixed[3], const vs_homogeneous *h,
                          uint32_t *id);
 uint64_t vs_points_hash(const int64_t fixed[3]);
-void vs_fresh_fill(vs_fresh_point *f); /* sets the members fixed and hash from the member `at` */
-/* Sets ids to the numbers of many points, and adds those that the table lacks. base: a table that precedes t and does
- * not change, or NULL. The number of a point that base lacks is its number in t plus the count of base. Returns false
- * when memory is out. */
+void vs_fresh_fill(vs_fresh_point *f); /* sets the members `fixed` and `hash` of the point from its exact position
+                                        * `at` */
+/* Sets ids to the numbers of many points, and adds those that table t lacks. base: a table that precedes t and does not
+ * change, or NULL. The number of a point that base lacks is its number in t plus the count of base. Returns false when
+ * memory is out. */
 bool vs_points_add_all(vs_kernel *k, vs_points_table *t, const vs_points_table *base, const vs_fresh_point *fresh,
                        size_t count, uint32_t *ids);
 /* Appends the points of `more` to t; `more` is a table that was built with base t. `more` is empty afterwards. If the
  * slots of `more` were freed, later searches in t do not find these points. Returns false when memory is out. */
 bool vs_points_append(vs_kernel *k, vs_points_table *t, vs_points_table *more);
-void vs_points_forget(vs_kernel *k, vs_points_table *t); /* frees the hash table, after which points can no longer be
-                                                          * looked up */
-/* Computes the position of an exact point, in steps. id is a number in the table. */
+void vs_points_forget(vs_kernel *k, vs_points_table *t); /* frees the hash table of t, after which points can no longer
+                                                          * be searched */
+/* Sets out to the position, in grid steps, of point `id` of the table, which has whole coordinates. */
 void vs_points_grid(const vs_points_table *t, uint32_t id, int32_t out[3]); /* the point must be a vertex of the
                                                                              * input */
 void vs_points_free(vs_kernel *k, vs_points_table *t);
 
 uint64_t vs_planes_hash(const vs_plane *p);
-/* Sets *id to the number of the plane, and adds the plane if the table lacks it. hash is the hash of p. Returns false
- * when memory is out. */
+/* Sets *id to the number of plane p, and adds the plane if the table lacks it. hash: hash of p. Returns false when
+ * memory is out. */
 bool vs_planes_add(vs_kernel *k, vs_planes_table *t, const vs_plane *p, uint64_t hash, uint32_t *id);
-/* Makes room for `more` additional items, so that the table need not be enlarged when they are added. Returns false
- * when memory is out. */
+/* Makes room for `more` additional planes, so that the table is not enlarged when they are added. Returns false when
+ * memory is out. */
 bool vs_planes_expect(vs_kernel *k, vs_planes_table *t, size_t more);
 bool vs_points_expect(vs_kernel *k, vs_points_table *t, size_t more);
-/* Prefetches entries of a table that are soon needed: slots VS_AHEAD_FAR items in advance, and the items in them
+/* Distances at which entries of a hash table are prefetched: slots VS_AHEAD_FAR items in advance, and the items in them
  * VS_AHEAD_NEAR items in advance. */
 enum { VS_AHEAD_FAR = 16, VS_AHEAD_NEAR = 8 };
 static inline const vs_slot *vs_slot_of(const vs_slots *s, uint64_t hash) {
@@ -92,8 +93,8 @@ VS_AHEAD vs_planes_ahead(const vs_planes_table *t, uint64_t hash, bool near) {
   if (!near) __builtin_prefetch(slot);
   else if (slot->tag == (uint32_t)(hash >> 32) && slot->item != VS_NONE) __builtin_prefetch(&t->all.at[slot->item]);
 }
-void vs_planes_forget(vs_kernel *k, vs_planes_table *t); /* frees the hash table, after which planes can no longer be
-                                                          * looked up */
+void vs_planes_forget(vs_kernel *k, vs_planes_table *t); /* frees the hash table of t, after which planes can no longer
+                                                          * be searched */
 void vs_planes_free(vs_kernel *k, vs_planes_table *t);
 
 #endif

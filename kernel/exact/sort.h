@@ -7,7 +7,7 @@
 
 typedef struct { int64_t key; uint32_t item; } vs_keyed;
 
-/* Sorts the items by key. The sort is stable. scratch is an array with as many elements. */
+/* Sorts `count` items by key. Items with equal keys keep their order. scratch: an array of `count` elements. */
 void vs_sort_keyed(vs_keyed *at, vs_keyed *scratch, size_t count);
 
 #endif

@@ -13,7 +13,7 @@
 
 enum { BLOCK = 4, STACK = 64 };
 
-static uint64_t spread(uint64_t x) { /* moves 21 bits to every third position */
+static uint64_t spread(uint64_t x) { /* moves the 21 bits of x to every third position, for a Morton code */
   x &= 0x1fffff;
   x = (x | x << 32) & 0x1f00000000ffffu;
   x = (x | x << 16) & 0x1f0000ff0000ffu;
@@ -27,8 +27,8 @@ enum { AXIS_BITS = 10 }; /* greatest number of bits per axis, so that the Morton
 
 static int length(uint64_t x) { return x ? 64 - __builtin_clzll(x) : 0; }
 
-/* Returns the number of low bits to omit from all coordinates. The remaining bits suffice to distinguish `count` boxes,
- * with a few more bits for regions with many boxes. */
+/* Returns the number of low bits to omit from all coordinates of the Morton codes. The remaining bits suffice to
+ * distinguish `count` boxes, with a few more bits for regions with many boxes. */
 static int code_shift(uint32_t count, const int64_t range[3], int *bits) {
   for (int shift = 0;; shift++) {
     int sum = 0;
@@ -42,12 +42,12 @@ static int code_shift(uint32_t count, const int64_t range[3], int *bits) {
   }
 }
 
-enum { CHUNK = 1 << 14, MANY = 1 << 16 /* CHUNK: number of boxes that one task processes; MANY: with this number of
-                                        * boxes, threads are used */ };
+enum { CHUNK = 1 << 14, MANY = 1 << 16 /* CHUNK: number of boxes that one task handles; MANY: number of boxes from which
+                                        * several threads work */ };
 
 typedef struct {
   vs_bvh *t;
-  uint64_t *code;       /* the Morton code in the high 32 bits, the item's number in the low 32 bits */
+  uint64_t *code;       /* code[i]: Morton code of a box in the high 32 bits, the item's number in the low 32 bits */
   int64_t low[3];
   int shift;
 } coding;
@@ -154,7 +154,7 @@ static vs_bvh_box around(const vs_pack *p) {
   return b;
 }
 
-/* Returns the family of all items in the block of that level. Returns -1 if the items have several families, or an item
+/* Returns the family of all items below the given block of the tree. Returns -1 if they have several families, or one
  * has none. The level must exist. */
 static int32_t family_below(const vs_bvh *t, uint32_t level, uint32_t block) {
   uint32_t all = level ? t->size[level - 1] : t->count,
@@ -184,8 +184,8 @@ bool vs_bvh_build(vs_kernel *k, vs_bvh *t, const vs_bvh_box *boxes, uint32_t cou
   for (uint32_t level = 1; ok && level < t->level_count; level++) {
     const vs_pack *below = t->packs + t->first[level - 1];
     vs_pack *to = t->packs + t->first[level];
-    memset(to[t->size[level] - 1].min, 0x7f, sizeof to->min); /* empties the last pack, which may have fewer than four
-                                                               * boxes */
+    memset(to[t->size[level] - 1].min, 0x7f, sizeof to->min); /* fills the last pack with empty boxes, because it may
+                                                               * have fewer than four boxes */
     memset(to[t->size[level] - 1].max, 0x80, sizeof to->max);
     for (uint32_t i = 0; i < t->size[level - 1]; i++) {
       vs_bvh_box b = around(&below[i]);
@@ -198,7 +198,7 @@ bool vs_bvh_build(vs_kernel *k, vs_bvh *t, const vs_bvh_box *boxes, uint32_t cou
   return ok;
 }
 
-/* Returns the box in one of the four lanes. */
+/* Returns box number `lane` (0 to 3) of the pack. */
 static vs_bvh_box box_of(const vs_pack *p, uint32_t lane) {
   VS_ASSERT(lane < BLOCK);
   return (vs_bvh_box){ { p->min[0][lane], p->min[1][lane], p->min[2][lane] },
@@ -213,12 +213,14 @@ static uint32_t next_bit(uint32_t *set) {
   return lane;
 }
 
-/* A traversal of the blocks from number `from` on, in order. It visits the blocks with a box that intersects `box`. */
+/* A traversal of the tree's blocks from number `from` on, in order. It visits the blocks that have a box that
+ * intersects `box`. */
 typedef struct {
   const vs_bvh *t;
   vs_bvh_box box;
   uint32_t from;
-  int32_t family; /* blocks in which all items have this family are skipped; -1: no block is skipped */
+  int32_t family; /* family whose items are skipped: the traversal omits blocks that contain only this family; -1:
+                   * none */
   struct { uint32_t level, i; } stack[STACK];
   int top;
 } descent;
@@ -232,7 +234,7 @@ static void begin(descent *d, const vs_bvh *t, const vs_bvh_box *box, uint32_t f
   if (t->level_count) d->stack[d->top].level = t->level_count - 1, d->stack[d->top++].i = 0;
 }
 
-/* Finds the next block of the traversal. Bit i of *met is set if the block's box i intersects d->box. Returns false at
+/* Finds the next block of the traversal. Bit i of *met is set if box i of the block intersects d->box. Returns false at
  * the end. */
 static bool next(descent *d, uint32_t *block, uint32_t *met) {
   const vs_bvh *t = d->t;
@@ -261,7 +263,7 @@ static bool next(descent *d, uint32_t *block, uint32_t *met) {
 uint32_t vs_bvh_blocks(const vs_bvh *t) { return t->level_count ? t->size[0] : 0; }
 
 bool vs_bvh_pairs(const vs_bvh *t, uint32_t first, uint32_t end, vs_bvh_pair_fn *fn, void *context) {
-  enum { GROUP = 4 }; /* number of blocks for which the tree is descended once */
+  enum { GROUP = 4 }; /* number of neighbouring blocks for which the tree is traversed once */
   uint32_t blocks = vs_bvh_blocks(t), block, met;
   if (end > blocks) end = blocks;
   for (uint32_t from = first; from < end; from += GROUP) {
