@@ -1,4 +1,5 @@
-/* Defines the input of the kernel, which consists of leaves and terms, and its result as copies of meshes. */
+/* Defines the input of the kernel, leaves (placed meshes) and terms (operations on them), and its result as copies of
+ * meshes. */
 #ifndef VS_KERNEL_PROBLEM_H
 #define VS_KERNEL_PROBLEM_H
 
@@ -6,26 +7,27 @@
 #include "model/node.h"
 
 typedef struct {
-  const vs_mesh *mesh;  /* closed mesh, counter-clockwise as seen from outside; several leaves may use the same mesh. It
-                         * may intersect itself; places where it overlaps itself are inside */
+  const vs_mesh *mesh;  /* Closed mesh, counter-clockwise as seen from outside; several leaves may have one mesh. It may
+                         * intersect itself; places where it overlaps itself are inside. */
   vs_affine placement;
-  uint32_t tag;         /* tag that the result's triangles get; the kernel merges coplanar faces whose tags or paints
-                         * are equal */
-  bool bare;            /* true: if the leaf is subtracted from a solid, its faces in the result get the tag of that
-                         * solid */
+  uint32_t tag;         /* tag that the leaf's triangles get in the result; the kernel merges coplanar faces whose tags
+                         * or paints are equal */
+  bool bare;            /* if true, the faces that this leaf cuts into another solid get the tag of that solid, not of
+                         * this leaf */
 } vs_kernel_leaf;
 
 typedef enum {
   VS_TERM_LEAF,
   VS_TERM_UNION,
   VS_TERM_INTERSECTION,
-  VS_TERM_DIFFERENCE /* value: the first operand minus all other operands */
+  VS_TERM_DIFFERENCE /* value of the term: the first operand minus all other operands */
 } vs_term_kind;
 typedef struct {
   vs_term_kind kind;
-  uint32_t first;       /* for a LEAF: number of the leaf; for other kinds: index of the first operand in `operands` */
-  uint32_t count;       /* Number of operands. Each operand is the number of an earlier term. If there is no operand,
-                         * the term is the empty solid */
+  uint32_t first;       /* for VS_TERM_LEAF: number of the leaf; for other kinds: index in `operands` of the first
+                         * operand */
+  uint32_t count;       /* Number of operands. Each operand is the number of an earlier term. A term without operands is
+                         * the empty solid. */
 } vs_kernel_term;
 
 typedef struct {
@@ -33,17 +35,17 @@ typedef struct {
   const vs_kernel_term *terms;
   const uint32_t *operands;
   uint32_t leaf_count, term_count, operand_count;
-  const uint32_t *paints; /* paint of each tag; NULL: the tags are the paints. A face that was merged from several tags
-                           * has one of them */
-  const uint64_t *identities; /* identity of each leaf's mesh. Meshes with equal identities are equal, in all problems.
-                               * 0: the identity is unknown. NULL: all identities are unknown */
-  const vs_bounds *within;  /* for each leaf, the bounds within which it matters; the kernel combines it with other
-                             * leaves only in these bounds. The mesh of an endless solid extends beyond them. NULL: no
-                             * bounds */
+  const uint32_t *paints; /* paints[i]: paint of tag i; NULL: the tags are the paints. A face that was merged from
+                           * several tags gets one of them. */
+  const uint64_t *identities; /* identities[i]: serial number of leaf i's mesh. Meshes with equal numbers are equal, in
+                               * all problems. 0: unknown. NULL: all are unknown. */
+  const vs_bounds *within;  /* within[i]: bounds within which leaf i can influence the result. The kernel combines it
+                             * with other leaves only in these bounds. The mesh of an endless solid extends beyond them.
+                             * NULL: no bounds. */
 } vs_kernel_problem;
 
-/* A result in which clusters that are copies of each other share one mesh. Each copy has the index of a mesh and a
- * placement. Copies are in the order of their first leaves. */
+/* A copy of a mesh in a result: the index of the mesh, and its placement. Clusters that are copies of each other share
+ * one mesh. Copies are in the order of their first leaves. */
 typedef struct { uint32_t mesh; vs_affine place; } vs_kernel_copy;
 typedef struct {
   vs_mesh *meshes;

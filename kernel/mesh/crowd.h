@@ -1,12 +1,12 @@
-/* Declares an estimate of the work that the arrangement of a mesh with itself needs. */
+/* Declares a count of intersecting boxes, which estimates the work of arranging a mesh with itself. */
 #ifndef VS_KERNEL_MESH_CROWD_H
 #define VS_KERNEL_MESH_CROWD_H
 
 #include "kernel/kernel_options.h"
 #include "model/mesh.h"
 
-/* Counts the pairs of the mesh's triangles whose boxes intersect, and stops at `most`. Returns false and sets the error
- * on failure. */
+/* Counts the pairs of the mesh's triangles whose bounding boxes intersect. Stops when *pairs reaches `most`. Returns
+ * false and sets the error on failure. */
 bool vs_mesh_pairs(const vs_mesh *m, size_t most, const vs_kernel_options *options, size_t *pairs,
                    vs_kernel_error *error);
 

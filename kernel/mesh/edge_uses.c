@@ -1,14 +1,15 @@
-/* Sorts edges by their ends. Each task counts the edges of a chunk of items and distributes them into ranges of points.
- * Then each task sorts the edges of a range. Chunks and ranges do not depend on the number of threads. Therefore the
- * order does not depend on it either. */
+/* Sorts directed edges by their two ends. Each task counts the edges of a chunk of items and distributes them into
+ * ranges of points. Then each task sorts the edges of a range. Chunks and ranges do not depend on the number of
+ * threads. Therefore the order does not depend on it either. */
 #include "kernel/mesh/edge_uses.h"
 
 #include <string.h>
 
 #include "kernel/threads.h"
 
-enum { CHUNK = 1 << 15, BLOCK = 256, LEAST = 10 /* CHUNK: number of items that a task distributes; LEAST: a range has at
-                                                 * least 1 << LEAST points */, RANGES = 256 };
+enum { CHUNK = 1 << 15, BLOCK = 256, LEAST = 10 /* CHUNK: number of items whose edges a task distributes; BLOCK: number
+                                                 * of items whose edges are read at once; LEAST: a range has at least 1
+                                                 * << LEAST points */, RANGES = 256 };
 
 typedef struct { uint32_t low, high, item; } loose;
 
@@ -17,9 +18,9 @@ typedef struct {
   vs_ends_fn *ends;
   const void *context;
   uint32_t items, points;
-  VS_LIST(uint32_t) counts; /* for each chunk and range: number of edges, later the index where the chunk writes its
-                             * next edge */
-  VS_LIST(uint32_t) begin;  /* for each range: index of its first edge; an extra element marks the end */
+  VS_LIST(uint32_t) counts; /* for each chunk of items and range of points: number of edges, later the index where the
+                             * chunk writes its next edge */
+  VS_LIST(uint32_t) begin;  /* begin[r]: index of the first edge of range r; an extra element marks the end */
   VS_LIST(loose) loose;
 } sorting;
 
@@ -64,8 +65,8 @@ static bool sort_range(vs_kernel *k, void *context, size_t range) {
   uint32_t *first = h->first.at + from, n = end - from;
   memset(first, 0, n * sizeof *first); /* clears n elements only, because element n belongs to the next range */
   for (uint32_t i = low; i < high; i++) first[s->loose.at[i].low - from]++;
-  /* first[p] becomes the end of point p's edges. The loop below fills the edges from the end and decreases first[p] to
-   * their beginning. */
+  /* The loop sets first[p] to the end of point p's edges. When the edges are filled in from the end, first[p] decreases
+   * to their beginning. */
   for (uint32_t p = 0, sum = low; p < n; p++) {
     sum += first[p];
     first[p] = sum;
@@ -77,7 +78,7 @@ static bool sort_range(vs_kernel *k, void *context, size_t range) {
   for (uint32_t p = 0; p < n; p++) {
     vs_half *at = h->at.at + first[p];
     uint32_t count = (p + 1 < n ? first[p + 1] : high) - first[p];
-    /* Shell sort: most points have few edges, but a hub has very many. */
+    /* Shell sort: most points have few edges, but some have very many. */
     for (uint32_t gap = count > 32 ? count / 2 : 1; gap && count; gap = gap == 2 ? 1 : (uint32_t)(gap / 2.2))
       for (uint32_t i = gap; i < count; i++) {
         vs_half x = at[i];

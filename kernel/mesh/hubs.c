@@ -21,12 +21,13 @@
 
 enum { MANY = 64 };
 
-/* A triangle at a hub. next, last: its two corners after the hub, in the triangle's order. */
+/* A triangle at a hub (a corner of very many triangles). next, last: the triangle's other two corners, in its order
+ * after the hub. */
 typedef struct { uint32_t hub, triangle, next, last; } spoke;
 
 typedef struct {
   const vs_fans *m;
-  VS_LIST(uint32_t) count; /* number of triangles at each vertex */
+  VS_LIST(uint32_t) count; /* count[v]: number of triangles at vertex v */
   VS_LIST(spoke) spokes;
   VS_LIST(uint32_t) order, scratch; /* indices of the spokes, sorted by hub and then by next corner; scratch: memory for
                                      * the sort */
@@ -39,8 +40,9 @@ static bool before(const void *context, uint32_t a, uint32_t b) {
 
 static const spoke *at(const search *c, size_t i) { return &c->spokes.at[c->order.at[i]]; }
 
-/* Returns the spoke in the range [first, end) of `order` whose next corner is `corner`. Its triangle is the neighbour
- * along the edge from the hub to that corner. Returns NULL if there is no such spoke, or several. */
+/* Returns the spoke (triangle at a hub) in the range [first, end) of `order` whose next corner is `corner`. Its
+ * triangle is the neighbour along the edge from the hub to that corner. Returns NULL if there is no such spoke, or
+ * several. */
 static const spoke *following(const search *c, size_t first, size_t end, uint32_t corner) {
   size_t low = first, high = end;
   VS_ASSERT(first <= end && end <= c->order.count);
@@ -53,15 +55,16 @@ static const spoke *following(const search *c, size_t first, size_t end, uint32_
   return at(c, low);
 }
 
-/* Returns true if det(p, q, d) is above 0 by more than its possible rounding error. */
+/* Returns true if det(p, q, d) is above 0 by more than its possible rounding error: seen along d, the turn from p to q
+ * is counter-clockwise. */
 static bool turns(vs_vec3 p, vs_vec3 q, vs_vec3 d) {
   double size = (fabs(p.y * q.z) + fabs(p.z * q.y)) * fabs(d.x) + (fabs(p.z * q.x) + fabs(p.x * q.z)) * fabs(d.y) +
       (fabs(p.x * q.y) + fabs(p.y * q.x)) * fabs(d.z);
   return vs_v3_dot(vs_v3_cross(p, q), d) > 1e-14 * size;
 }
 
-/* Returns true if the triangles of the spokes [first, end) surround their common hub exactly once. The range is not
- * empty. */
+/* Returns true if the triangles with the indices [first, end) in `order` surround their common hub exactly once. The
+ * range is not empty. */
 static bool goes_round_once(const search *c, size_t first, size_t end) {
   const vs_fans *m = c->m;
   vs_vec3 hub = m->corner(m->context, at(c, first)->hub), d = vs_v3(0, 0, 0);
@@ -79,13 +82,13 @@ static bool goes_round_once(const search *c, size_t first, size_t end) {
     if (!turns(p, q, d)) return false;
     sum += atan2(vs_v3_dot(vs_v3_cross(p, q), d), vs_v3_dot(p, q) - vs_v3_dot(p, d) * vs_v3_dot(q, d));
     x = following(c, first, end, x->last);
-    if (!x || (x == begin) != (i + 1 == end)) return false; /* the spokes form several fans, or a fan that does not
-                                                             * close */
+    if (!x || (x == begin) != (i + 1 == end)) return false; /* the triangles at the hub form several fans, or a fan that
+                                                             * does not close */
   }
   return fabs(sum - 6.283185307179586) < 1;
 }
 
-/* Makes a spoke for each corner of a triangle that is a hub. */
+/* Makes a spoke for each triangle corner that is a hub (a corner of very many triangles). */
 static bool find_spokes(vs_kernel *k, search *c) {
   const vs_fans *m = c->m;
   for (uint32_t t = 0; t < m->triangle_count; t++)
@@ -100,8 +103,8 @@ static bool find_spokes(vs_kernel *k, search *c) {
   return vs_kernel_report(k, k->part);
 }
 
-/* Returns the number of edges that two triangles of one hub share. The index reports no pairs of one hub, so these
- * edges are counted here. */
+/* Returns the number of edges that two triangles of one hub share. The search for pairs of boxes omits pairs of one
+ * hub, so these edges are counted here. */
 static size_t edges_within(const search *c, const vs_hubs *hubs, size_t first, size_t end) {
   size_t edges = 0;
   for (size_t i = first; i < end; i++) {
@@ -111,7 +114,7 @@ static size_t edges_within(const search *c, const vs_hubs *hubs, size_t first, s
   return edges;
 }
 
-/* Returns the index after the last spoke of the hub to which spoke i belongs. */
+/* Returns the position in `order` after the last triangle of the hub to which triangle number i there belongs. */
 static size_t end_of_hub(const search *c, size_t i) {
   size_t end = i + 1;
   VS_ASSERT(i < c->order.count);
@@ -121,14 +124,15 @@ static size_t end_of_hub(const search *c, size_t i) {
 
 /* ---- hubs within the cones of other hubs ---- */
 
-enum { NESTED = 64 }; /* greatest number of hubs that are tested against each other */
+enum { NESTED = 64 }; /* greatest number of hubs whose cones are tested against each other */
 
 /* A hub and the edges of the cone that its triangles bound, in order and relative to the hub. */
 typedef struct {
-  vs_vec3 hub, d, u, v; /* u, v: unit vectors perpendicular to d */
+  vs_vec3 hub, d, u, v; /* hub: position of the cone's tip; d: its axis, a unit vector; u, v: unit vectors perpendicular
+                         * to d */
   double side;          /* 1 if the cone opens in the direction d from the hub, -1 if it opens in the opposite
                          * direction */
-  size_t first, count;  /* range of the cone's edges in `edges` and of their angles */
+  size_t first, count;  /* first, count: range of the cone's edges in the arrays of edges and of their angles */
   bool convex;
 } cone;
 typedef struct {
@@ -140,16 +144,16 @@ typedef struct {
 
 static int turn_of(vs_vec3 p, vs_vec3 q, vs_vec3 d) { return turns(p, q, d) ? 1 : turns(q, p, d) ? -1 : 0; }
 
-/* Returns true if x is on the inner side of the triangle between edge i and the next edge, by more than rounding
- * errors. x is relative to the hub. */
+/* Returns true if place x is on the inner side of the triangle between edge i of cone w and the next edge, by more than
+ * rounding errors. x is relative to the hub. */
 static bool under(const cones *c, const cone *w, size_t i, vs_vec3 x) {
   return turn_of(c->edges.at[w->first + i % w->count], c->edges.at[w->first + (i + 1) % w->count], x) == w->side;
 }
 
 static double angle_of(const cone *w, vs_vec3 x) { return atan2(vs_v3_dot(x, w->v), vs_v3_dot(x, w->u)); }
 
-/* Adds the cone of the hub with the spokes [first, end), whose triangles surround it once. Sets the cone's member
- * `convex`. Returns false when memory is out. */
+/* Adds the cone of the hub whose triangles [first, end) surround it once. Sets the cone's member `convex`. Returns
+ * false when memory is out. */
 static bool make_cone(vs_kernel *k, const search *s, size_t first, size_t end, cones *c) {
   cone w = { .hub = s->m->corner(s->m->context, at(s, first)->hub), .first = c->edges.count };
   for (size_t i = first; i < end; i++)
@@ -179,26 +183,27 @@ static bool make_cone(vs_kernel *k, const search *s, size_t first, size_t end, c
   return VS_PUSH(k, c->cones, w);
 }
 
-/* Returns true if the place is inside the convex cone, by more than rounding errors. It is tested against three
+/* Returns true if the place is inside the convex cone w, by more than rounding errors. It is tested against three
  * neighbouring triangles, so that a rounding error in its angle does not matter. */
 static bool within(const cones *c, const cone *w, vs_vec3 place) {
   vs_vec3 x = vs_v3_sub(place, w->hub);
   double angle = angle_of(w, x);
   VS_ASSERT(w->convex);
   if (angle < 0) angle += 6.283185307179586;
-  size_t low = 0, high = w->count; /* finds the last edge whose angle is not above that of the place */
+  size_t low = 0, high = w->count; /* finds by bisection the last edge of the cone whose angle is not above that of the
+                                    * place */
   while (high - low > 1) {
     size_t middle = low + (high - low) / 2;
     if (c->angles.at[w->first + middle] <= angle) low = middle;
     else high = middle;
   }
-  size_t from = low + w->count - 1; /* index of the edge before the found edge */
+  size_t from = low + w->count - 1; /* index of the edge before the edge found by bisection, counted around the cone */
   vs_vec3 p = c->edges.at[w->first + from % w->count], q = c->edges.at[w->first + (from + 3) % w->count];
   return turns(p, q, w->d) && turns(p, x, w->d) && turns(x, q, w->d) && under(c, w, from, x) &&
          under(c, w, from + 1, x) && under(c, w, from + 2, x);
 }
 
-/* Returns true if all triangles around hub b lie inside the cone of hub a. The hub b itself is tested against every
+/* Returns true if all triangles around the tip of cone b lie inside cone a. The tip of b is tested against every
  * triangle of a, because it may lie on the axis. */
 static bool holds(const cones *c, const cone *a, const cone *b) {
   vs_vec3 x = vs_v3_sub(b->hub, a->hub);
@@ -210,7 +215,8 @@ static bool holds(const cones *c, const cone *a, const cone *b) {
   return true;
 }
 
-/* Joins hubs that lie within each other's cones to one family, named after the first such hub. */
+/* Joins hubs whose triangles lie within each other's cones to one family, named after the first hub. Pairs of one
+ * family need no test. */
 static bool join_nested(vs_kernel *k, const search *s, vs_hubs *out) {
   size_t count = out->corners.count;
   cones c = { .cones = { 0 } };
@@ -227,7 +233,7 @@ static bool join_nested(vs_kernel *k, const search *s, vs_hubs *out) {
     family[i] = (uint32_t)i;
     for (size_t f = 0; family[i] == i && f < i; f++) {
       if (family[f] != f) continue;
-      bool apart = true; /* true if the hub's triangles are apart from those of every hub in the family */
+      bool apart = true; /* true if the hub's triangles do not intersect those of any hub in the family */
       for (size_t j = f; apart && j < i; j++)
         apart = family[j] != f || holds(&c, &c.cones.at[j], &c.cones.at[i]) ||
                 holds(&c, &c.cones.at[i], &c.cones.at[j]);
@@ -250,7 +256,8 @@ static bool join_nested(vs_kernel *k, const search *s, vs_hubs *out) {
 
 static bool prove(vs_kernel *k, const search *c, vs_hubs *out) {
   if (!VS_ROOM(k, out->of.at, out->of.room, c->m->triangle_count)) return false;
-  memset(out->of.at, 0xff, c->m->triangle_count * sizeof *out->of.at); /* sets every element to UINT32_MAX: no hub */
+  memset(out->of.at, 0xff, c->m->triangle_count * sizeof *out->of.at); /* sets every element to UINT32_MAX, which means
+                                                                        * that the triangle has no hub */
   out->of.count = c->m->triangle_count;
   for (size_t i = 0, end; i < c->order.count; i = end) {
     end = end_of_hub(c, i);

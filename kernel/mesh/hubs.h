@@ -1,4 +1,4 @@
-/* Declares the search for hubs, corners of very many triangles. The triangles around such a hub need no test against
+/* Declares the search for hubs: corners at which very many triangles end. Triangles around one hub need no test against
  * each other. */
 #ifndef VS_KERNEL_MESH_HUBS_H
 #define VS_KERNEL_MESH_HUBS_H
@@ -6,7 +6,7 @@
 #include "model/mesh.h"
 #include "kernel/memory.h"
 
-/* A mesh for the search: its triangles, and a function that returns the positions of their corners. */
+/* A mesh in which hubs are searched: its triangles, and a function that returns the positions of their corners. */
 typedef struct {
   const uint32_t (*triangles)[3];
   size_t triangle_count, vertex_count;
@@ -15,10 +15,11 @@ typedef struct {
   const void *context;
 } vs_fans;
 
-/* The hubs whose triangles were proven to have only their common edges in common. A hub within another hub's convex
- * cone may belong to the same family: its triangles then have the other hub in `of`. */
+/* The hubs whose triangles were proven to share only their common edges. If a hub lies in another hub's convex cone,
+ * `of` may name that other hub for its triangles. */
 typedef struct {
-  VS_LIST(uint32_t) of;      /* for each triangle: its hub, or UINT32_MAX if it has none. Empty: there are no hubs */
+  VS_LIST(uint32_t) of;      /* of[t]: hub at which triangle t ends, or UINT32_MAX if there is none. Empty: the mesh has
+                              * no hubs. */
   VS_LIST(uint32_t) corners; /* vertex numbers of the hubs */
   size_t edges;              /* number of edges between two triangles with the same hub in `of` */
 } vs_hubs;

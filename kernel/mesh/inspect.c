@@ -1,4 +1,4 @@
-/* Inspects a mesh. It finds open edges by the coordinates as given. It computes winding numbers in the exact
+/* Inspects a mesh for flaws. It finds open edges by the coordinates as given. It computes winding numbers in the exact
  * arrangement of the mesh with itself.
  *
  * Every cell of this arrangement has a winding number, which should be 0 or 1. A cell with another number that is
@@ -43,7 +43,7 @@ static bool directed_before(const void *context, uint32_t a, uint32_t b) {
   return x->high != y->high ? x->high < y->high : x->triangle < y->triangle;
 }
 
-/* Inserts the flaw into the list, which is sorted by triangle, and increases *count. The list keeps only the first
+/* Inserts a flaw into the list, which is sorted by triangle, and increases *count. The list keeps only the first
  * VS_FLAWS_LISTED flaws. */
 static void by_triangle(vs_mesh_flaw *list, size_t *count, vs_mesh_flaw flaw) {
   size_t held = *count < VS_FLAWS_LISTED ? *count : VS_FLAWS_LISTED, i = held;
@@ -87,7 +87,8 @@ static bool open_edges(vs_kernel *k, const vs_mesh *m, vs_mesh_flaws *out) {
     if (balance != 0) {
       const vs_vec3 *a = &m->vertices[first->low], *b = &m->vertices[first->high];
       vs_mesh_flaw flaw = { first->triangle, vs_v3((a->x + b->x) / 2, (a->y + b->y) / 2, (a->z + b->z) / 2), 0 };
-      for (size_t j = i; j < end; j++) /* finds the first use that has no partner in the opposite direction */
+      for (size_t j = i; j < end; j++) /* finds the first triangle at this edge that has no partner with the opposite
+                                        * direction */
         if ((edges.at[order.at[j]].way > 0) == (balance > 0)) {
           flaw.triangle = edges.at[order.at[j]].triangle;
           break;
@@ -110,7 +111,7 @@ typedef struct {
   vs_kernel *k;
   vs_cluster *c;
   uint32_t face;
-  int64_t at[3]; /* a place in the face, in fixed-point numbers */
+  int64_t at[3]; /* a place inside the face, in fixed-point numbers */
   uint32_t found;
 } search;
 
@@ -148,7 +149,8 @@ static void inside_of(const vs_cluster *c, uint32_t face, int64_t at[3]) {
     high = fmax(high, y);
   }
   v = low + 0.4871 * (high - low);
-  for (size_t i = 0; i < count; i++) { /* pairs each crossing with the next crossing to its right */
+  for (size_t i = 0; i < count; i++) { /* pairs each crossing of the line with the face's border with the next crossing
+                                        * to its right */
     double x[2] = { 0, INFINITY };
     for (int pass = 0; pass < 2; pass++)
       for (size_t j = pass ? 0 : i; j < (pass ? count : i + 1); j++) {
@@ -160,8 +162,8 @@ static void inside_of(const vs_cluster *c, uint32_t face, int64_t at[3]) {
           continue;
         }
         double cross = (double)a->fixed[p->u] + (v - ay) / (by - ay) * (double)(b->fixed[p->u] - a->fixed[p->u]);
-        if (!pass) x[0] = ay > by ? cross : NAN; /* The face is on the left of the use. Therefore it is to the right
-                                                  * along u if the use goes down. */
+        if (!pass) x[0] = ay > by ? cross : NAN; /* A face lies to the left of its boundary edges. Therefore it is to
+                                                  * the right along u if the edge goes down. */
         else if (cross > x[0] && cross < x[1]) x[1] = cross;
       }
     if (isfinite(x[0]) && isfinite(x[1]) && x[1] - x[0] > best) best = x[1] - x[0], u = (x[0] + x[1]) / 2;
@@ -171,8 +173,8 @@ static void inside_of(const vs_cluster *c, uint32_t face, int64_t at[3]) {
   at[p->k] = (int64_t)(((double)p->d * 0x1p30 - (double)p->n[p->u] * u - (double)p->n[p->v] * v) / (double)p->n[p->k]);
 }
 
-/* Computes the volume and area of each cell, in steps. The volume is a sum of cones from a corner of the cell. A nearby
- * corner keeps the errors of a small cell small. */
+/* Computes the volume and area of each cell, in cubic and square steps. The volume is a sum of cones from a corner of
+ * the cell. Because this corner is near, the errors of a small cell are small. */
 static void measure_cells(const vs_cluster *c, cell *cells) {
   for (uint32_t f = 0; f < c->faces.count; f++) {
     uint32_t begin = c->faces.at[f].use, end = begin + c->faces.at[f].use_count;
@@ -187,7 +189,7 @@ static void measure_cells(const vs_cluster *c, cell *cells) {
              av = (double)(a->fixed[p->v] - o->fixed[p->v]) * 0x1p-30;
       double bu = (double)(b->fixed[p->u] - o->fixed[p->u]) * 0x1p-30,
              bv = (double)(b->fixed[p->v] - o->fixed[p->v]) * 0x1p-30;
-      seen += (au * bv - av * bu) / 2; /* area of the face as projected along axis k */
+      seen += (au * bv - av * bu) / 2; /* area of the face as seen along axis k, in square steps */
     }
     double area = seen * length / fabs(n[p->k]);
     for (uint32_t side = 0; side < 2; side++) {
@@ -216,7 +218,7 @@ static bool name_triangles(vs_kernel *k, vs_cluster *c, vs_mesh_flaws *out) {
   for (uint32_t i = 0; ok && i < 2 * f; i++) {
     uint32_t at = c->side_cell.at[i];
     int32_t winding = c->wound.at[at];
-    /* The second condition ignores cells thinner than two steps: their volume is at most half their area times two
+    /* The second condition ignores cells thinner than two grid steps: their volume is at most half their area times two
      * steps. */
     if ((winding == 0 || winding == 1) || fabs(cells.at[at].volume) <= cells.at[at].area) continue;
     if (winding < out->least) out->least = winding;
@@ -238,7 +240,8 @@ static bool name_triangles(vs_kernel *k, vs_cluster *c, vs_mesh_flaws *out) {
 
 /* ---- a quick test that finds most meshes without flaws ---- */
 
-/* Sets *apart to true if every shell faces outwards and the boxes of the shells do not intersect. */
+/* Sets *apart to true if every shell (connected triangles) faces outwards and the boxes of the shells do not
+ * intersect. */
 static bool shells_apart(vs_kernel *k, const vs_part *p, bool *apart) {
   enum { FEW = 64 };
   const vs_mesh *m = p->mesh;
@@ -254,8 +257,8 @@ static bool shells_apart(vs_kernel *k, const vs_part *p, bool *apart) {
     if (p->twins[i] != VS_NONE) vs_unite(shell.at, i / 3, p->twins[i] / 3);
     ok = vs_kernel_poll(k, k->part);
   }
-  for (uint32_t t = 0; ok && *apart && t < n; t++) { /* a root has the least index of its shell, so shell numbers can
-                                                      * replace the parents in one pass */
+  for (uint32_t t = 0; ok && *apart && t < n; t++) { /* The root of each shell's set is its least index. Therefore one
+                                                      * pass can replace the parents by numbers of shells. */
     uint32_t root = vs_find(shell.at, t);
     if (root != t) continue;
     if (count == FEW) *apart = false;
@@ -273,7 +276,8 @@ static bool shells_apart(vs_kernel *k, const vs_part *p, bool *apart) {
     volumes.at[number.at[t]] += vs_v3_dot(v[0], vs_v3_cross(v[1], v[2])) / 6;
     ok = vs_kernel_poll(k, k->part);
   }
-  for (uint32_t t = 0; ok && *apart && t < n; t++) /* restores the union-find parents */
+  for (uint32_t t = 0; ok && *apart && t < n; t++) /* restores the union-find parents that the numbers of shells had
+                                                    * replaced */
     if (vs_find(shell.at, t) == t) {
       vs_bounds *b = &bounds.at[number.at[t]];
       b->min = vs_v3_add(b->min, m->vertices[m->triangles[t][0]]);
@@ -296,7 +300,7 @@ static bool shells_apart(vs_kernel *k, const vs_part *p, bool *apart) {
 }
 
 /* Sets *whole to true if the triangles at each vertex form a single fan. It unites triangle corners that follow each
- * other along an edge. The fans are single if there are as many sets of corners as vertices. */
+ * other around a vertex. The fans are single if there are as many sets of corners as vertices. */
 static bool fans_whole(vs_kernel *k, const vs_part *p, bool *whole) {
   const vs_mesh *m = p->mesh;
   size_t n = 3 * m->triangle_count, sets = 0, corners = 0;
@@ -333,13 +337,13 @@ bool vs_part_plainly_good(vs_kernel *k, const vs_part *p, bool *good) {
   if (!shells_apart(k, p, good) || !*good) return k->error->status == VS_KERNEL_FINE;
   *good = false;
   if (!fans_whole(k, p, &whole) || !vs_mesh_is_apart(k, p->mesh, &apart, &edges)) return false;
-  /* The last condition excludes edges of four triangles, because such triangles are paired arbitrarily. */
+  /* The last condition excludes edges of four triangles, for which the pairs of triangles are arbitrary. */
   *good = whole && apart && 2 * edges == 3 * p->mesh->triangle_count;
   return true;
 }
 
-/* Returns true if facets intersect or touch. Such facets have cuts, except coplanar facets with equal borders, which
- * have a common group. */
+/* Returns true if facets of the cluster intersect or touch. Such facets have cuts, except coplanar facets with equal
+ * borders, which are united to a group. */
 static bool touches(const vs_cluster *c) {
   for (uint32_t f = 0; f < c->facets.count; f++)
     if (c->facets.at[f].group != f) return true;

@@ -10,43 +10,44 @@ enum { VS_FLAWS_LISTED = 16 };
 
 typedef struct {
   uint32_t triangle;
-  vs_vec3 at;      /* in the list `open`: the middle of the edge; in the list `wound`: a place inside the triangle that
-                    * borders on space with a wrong winding number */
-  int32_t winding; /* in the list `wound`: winding number of this space; 2 or more if the mesh overlaps itself, below 0
-                    * if it is inside out */
+  vs_vec3 at;      /* position of the flaw. In the list `open`: the middle of the edge; in the list `wound`: a place
+                    * inside the triangle that borders on space with a wrong winding number */
+  int32_t winding; /* in the list `wound`: winding number of the space beside the triangle; 2 or more if the mesh
+                    * overlaps itself, below 0 if it is inside out */
 } vs_mesh_flaw;
 
 typedef struct {
-  size_t open_count;                /* number of edges that are used more often in one direction than in the other; if
-                                     * it is above 0, winding numbers are not computed */
+  size_t open_count;                /* number of edges that triangles contain more often in one direction than in the
+                                     * other; if it is above 0, winding numbers are not computed */
   size_t wound_count;               /* number of triangles next to space with a winding number other than 0 and 1; space
                                      * that is thinner than rounding errors is ignored. If several coplanar triangles of
                                      * a face border on such space, at least one is counted */
   bool touches;                     /* true if the mesh may overlap or touch itself, other than in common corners and
                                      * edges of neighbours, even if all winding numbers are right */
-  int32_t least, most;              /* least and greatest winding number of any space; the number 0 (outside) is always
-                                     * included; for a correct solid they are 0 and 1 */
+  int32_t least, most;              /* least and greatest winding number of any cell of space, including 0 for the
+                                     * outside; a correct solid has 0 and 1 */
   double volume;                    /* signed volume of the mesh; negative if the mesh is inside out */
-  vs_mesh_flaw open[VS_FLAWS_LISTED], wound[VS_FLAWS_LISTED]; /* the first flaws of each kind (open edges, and wrong
-                                                               * winding numbers), in the order of their triangles */
+  vs_mesh_flaw open[VS_FLAWS_LISTED], wound[VS_FLAWS_LISTED]; /* the first flaws of each kind, in the order of their
+                                                               * triangles. open: edges without partner; wound:
+                                                               * triangles beside space with a wrong winding number */
 } vs_mesh_flaws;
 
 static inline bool vs_mesh_flawless(const vs_mesh_flaws *f) { return f->open_count == 0 && f->wound_count == 0; }
 
 /* Sets *good to true if the mesh is closed and does not intersect itself, no shell lies within another, and the
- * triangles at each vertex form one fan. The test uses doubles. *good may be false for a correct mesh, if doubles
- * cannot decide. Returns false only on an error. */
+ * triangles at each vertex form one fan. *good may be false for a correct mesh, because the test uses doubles. Returns
+ * false only on an error. */
 bool vs_part_plainly_good(vs_kernel *k, const vs_part *p, bool *good);
 
-/* Inspects a mesh. Vertices with equal coordinates count as one corner even if their indices differ; tags are ignored.
- * A shell within another is a cavity if it faces inwards. options may be NULL. Returns false and sets the error only if
- * a coordinate is not finite, memory is out, a limit is exceeded or the caller interrupts. A flaw is not an error. */
+/* Inspects a mesh. Vertices with equal coordinates count as one corner; tags are ignored. A shell within another is a
+ * cavity if it faces inwards. options may be NULL. Returns false and sets the error only if a coordinate is not finite,
+ * memory is out, a limit is exceeded or the caller interrupts. A flaw is not an error. */
 bool vs_kernel_inspect(const vs_mesh *mesh, const vs_kernel_options *options, vs_mesh_flaws *out,
                        vs_kernel_error *error);
 
-/* Appends to out the solid that consists of all space with a winding number above 0. Every triangle gets the tag. A
- * closed mesh that overlaps itself becomes a mesh that does not. Parts that are inside out vanish. Returns false with
- * the same errors as vs_kernel_evaluate. */
+/* Appends to out the solid that consists of all space where the mesh has a winding number above 0. Every triangle gets
+ * the tag. A closed mesh that overlaps itself becomes a mesh that does not. Parts that are inside out vanish. Returns
+ * false with the same errors as vs_kernel_evaluate. */
 bool vs_kernel_resolve(const vs_mesh *mesh, uint32_t tag, const vs_kernel_options *options, vs_mesh *out,
                        vs_kernel_error *error);
 

@@ -14,13 +14,14 @@
 
 #include <string.h>
 
-/* Within a level, tags are numbers of leaves. They get their paints later, so paints are not compared. */
+/* Returns true if the tags a and b have equal paints. When solids are united level by level, tags are numbers of
+ * leaves, and paints are not compared. */
 static bool same_paint(const vs_cluster *c, uint32_t a, uint32_t b) {
   const vs_kernel_problem *p = c->problem;
   return a == b || (!c->joining && p->paints && p->paints[a] == p->paints[b]);
 }
 
-/* Prefetches data that merge_range soon reads from many places of memory. */
+/* Prefetches memory that merge_range will read soon. */
 VS_AHEAD merge_ahead(const vs_cluster *c, uint32_t i, uint32_t stop) {
   enum { USE = 24, FACE = 12 };
   const vs_half *at = c->edges.at.at + i;
@@ -31,8 +32,8 @@ VS_AHEAD merge_ahead(const vs_cluster *c, uint32_t i, uint32_t stop) {
   __builtin_prefetch(&c->faces.at[face]);
 }
 
-/* Merges faces over every edge that has two coplanar faces of one paint with the same orientation, and no other face.
- * Collects the other edges. */
+/* Merges two coplanar faces of one paint and orientation across an edge that no other face has. Collects the remaining
+ * edges. */
 static bool merge_range(vs_kernel *k, void *context, size_t range) {
   vs_result_state *w = context;
   const vs_cluster *c = w->c;
@@ -99,11 +100,11 @@ static bool merge(vs_result_state *w) {
     VS_DROP(k, from->seams);
     if (!vs_kernel_report(k, 0.9)) return false;
   }
-  vs_halves_free(k, &c->edges); /* the edges are no longer needed */
+  vs_halves_free(k, &c->edges); /* the sorted boundary edges of the faces are no longer needed */
   return VS_PUSH(k, w->edge_first, (uint32_t)uses);
 }
 
-/* Returns true if edges e and f have the same merged faces beside them. *flat: true if all these faces lie in one
+/* Returns true if the edges e and f have the same merged faces beside them. *flat: true if all these faces lie in one
  * plane. *bent: true if a merged face has another plane beside e than beside f. */
 static bool same_faces(vs_result_state *w, uint32_t e, uint32_t f, bool *flat, bool *bent) {
   uint32_t eb = w->edge_first.at[e], ee = w->edge_first.at[e + 1], fb = w->edge_first.at[f],
@@ -144,7 +145,7 @@ static bool drop_some_corners(vs_kernel *k, void *context, size_t chunk) {
     if (w->degree.at[p] != 2 || !same_faces(w, w->edges.at[2 * p], w->edges.at[2 * p + 1], &flat, &bent)) continue;
     const vs_use *a = vs_result_use(w, w->edge_first.at[w->edges.at[2 * p]]),
                  *b = vs_result_use(w, w->edge_first.at[w->edges.at[2 * p + 1]]);
-    if (bent) { /* straighten.c decides whether the corner at such a bend can be dropped */
+    if (bent) { /* at a bend, a merged face changes its plane; straighten.c decides whether the corner can be dropped */
       if (flat || w->stays.at[p] || !are_two(w, w->edges.at[2 * p])) continue;
       w->bent.at[p] = 1;
     }
@@ -165,7 +166,7 @@ VS_AHEAD corners_ahead(const vs_result_state *w, uint32_t e, size_t edges) {
   __builtin_prefetch(vs_result_use(w, w->edge_first.at[e + USE]));
   const vs_use *u = vs_result_use(w, w->edge_first.at[e + POINT]);
   uint32_t p = u->from < u->to ? u->to : u->from; /* The loop visits edges in the order of their lower points. Therefore
-                                                   * only the data of the higher points are scattered in memory. */
+                                                   * only the higher points need to be prefetched. */
   __builtin_prefetch(&w->degree.at[p], 1);
   __builtin_prefetch(&w->edges.at[2 * p], 1);
 }
@@ -188,7 +189,7 @@ static bool drop_corners(vs_result_state *w) {
     corners_ahead(w, e, edges);
     if (w->gone.count && w->gone.at[e]) continue;
     const vs_use *u = vs_result_use(w, w->edge_first.at[e]);
-    /* Corners of plain triangles must stay, because triangles that are not in `uses` share them. */
+    /* Corners of untouched triangles must stay, because triangles that are not in `uses` share them. */
     for (uint32_t i = w->edge_first.at[e]; w->rim.count && i < w->edge_first.at[e + 1]; i++)
       if (c->faces.at[vs_result_use(w, i)->face].plane == VS_NONE)
         w->degree.at[u->from] = w->degree.at[u->to] = 3, w->rim.at[u->from] = w->rim.at[u->to] = 1, w->rim_edges++;
@@ -213,7 +214,7 @@ static bool name_edges(vs_kernel *k, void *context, size_t chunk) {
   return vs_kernel_report(k, 0.9);
 }
 
-/* Links the faces of each merged face in a list, and each use to its edge. */
+/* Links the faces of each merged face in a list, and each boundary edge of a face to its entry in edge_first. */
 static bool link_faces(vs_result_state *w) {
   const vs_cluster *c = w->c;
   size_t faces = c->faces.count, uses = c->uses.count;
@@ -231,7 +232,7 @@ static bool link_faces(vs_result_state *w) {
   return vs_kernel_run(w->k, (w->edge_first.count - 1 + EDGES - 1) / EDGES, name_edges, w);
 }
 
-/* Returns true if no corner of the face has been dropped. */
+/* Returns true if no corner on the border of face f has been dropped. */
 static bool has_all_corners(const vs_result_state *w, uint32_t f) {
   const vs_face *face = &w->c->faces.at[f];
   for (uint32_t i = face->use; i < face->use + face->use_count; i++)
@@ -239,21 +240,22 @@ static bool has_all_corners(const vs_result_state *w, uint32_t f) {
   return true;
 }
 
-/* Returns true if the outward direction of the leaf is opposite to the normal of the face's plane. Returns false for a
- * face that is in no sheet. */
+/* Returns true if the leaf's outward direction is opposite to the normal of face f's plane. Returns false for a face
+ * that is in no sheet (planar facet that the grid has split). */
 static bool is_turned(const vs_result_state *w, uint32_t f) {
   uint32_t facet = vs_result_facet(w, &w->c->faces.at[f]);
   return facet != VS_NONE && w->c->facets.at[facet].flip;
 }
 
 /* Collects the border of the merged face f as sides from corner to corner, without dropped corners. Collects the lines
- * of the sides, too, if sides have lines. */
+ * that contain the sides, too, if the cluster has them. */
 static bool gather_sides(vs_kernel *k, const vs_result_state *w, uint32_t f, vs_triangulation *t) {
   const vs_cluster *c = w->c;
   t->sides.count = t->list.count = 0;
   bool turned = is_turned(w, f);
   for (; f != VS_NONE; f = w->next.at[f]) {
-    bool reverse = is_turned(w, f) != turned; /* the planes of a sheet may have opposite normals */
+    bool reverse = is_turned(w, f) != turned; /* the planes into which the grid has split a planar facet may have
+                                               * opposite normals */
     if (!vs_kernel_poll(k, 0.9)) return false;
     for (uint32_t i = c->faces.at[f].use, end = i + c->faces.at[f].use_count; i < end; i++) {
       const vs_use *u = &c->uses.at[i];
@@ -317,8 +319,8 @@ static bool triangulate_chunk(vs_kernel *k, void *context, size_t index) {
     } else {
       bool simple = true;
       if (!gather_sides(k, w, f, t) || (w->sheets && !vs_sheets_simple(w, f, k, t, &simple))) return false;
-      if (!simple) continue; /* A merged face that is not simple makes the result invalid. The result is then made
-                              * again. */
+      if (!simple) continue; /* A merged face whose border intersects itself makes the result invalid. The result is
+                              * then made again. */
       if (!vs_plane_triangulate(k, t, &c->points, &c->planes.all.at[face->plane])) return false;
       if (w->sheets) vs_sheets_mend(w, f, t);
       n = t->triangles.count;
@@ -348,7 +350,7 @@ static bool place_chunk(vs_kernel *k, void *context, size_t index) {
   return vs_kernel_report(k, k->part);
 }
 
-/* Reserves memory for triangles in large steps, because many clusters may be appended to one mesh. */
+/* Reserves memory for `triangles` more triangles in large steps, because many clusters may be appended to one mesh. */
 static bool reserve(const vs_result_state *w, vs_mesh *out, size_t triangles) {
   return triangles <= out->triangle_room ||
          vs_mesh_reserve(out, 0, out->triangle_count ? triangles + triangles / 2 : triangles) || no_room(w);
@@ -362,7 +364,8 @@ static bool make_room(const vs_result_state *w, vs_mesh *out, size_t more) {
   return reserve(w, out, all);
 }
 
-/* Appends the triangles of a chunk to the mesh. Points get vertex numbers in the order of their first use. */
+/* Appends the triangles of a chunk of faces to the mesh. Points get vertex numbers in the order in which triangles
+ * first use them. */
 static bool take_chunk(vs_kernel *k, void *context, size_t index) {
   vs_result_state *w = context;
   const vs_cut_chunk *from = &w->chunks[index % VS_PIPELINE_WINDOW];
@@ -440,7 +443,8 @@ static void writer_free(vs_kernel *k, vs_result_state *w) {
   vs_sheets_free(k, w);
 }
 
-/* Merges the faces of sheets and drops bends, repeatedly, until all remaining merges are safe. */
+/* Merges the faces of sheets (planar facets that the grid has split) and drops their bends, repeatedly, until all
+ * remaining merges are safe. */
 static bool merge_sheets(vs_result_state *w) {
   enum { TIMES = 8 };
   bool again = true;
@@ -478,7 +482,7 @@ bool vs_output_faces(vs_kernel *k, vs_cluster *c, vs_mesh *out) {
     bool failed = !ok && w.sheets && k->error->status == VS_KERNEL_INTERNAL;
     if (ok && !vs_sheets_spoiled(&w)) break;
     if (!ok && !failed) break;
-    if (failed) { /* returns to the result with all bends, which needs no check */
+    if (failed) { /* makes the result again with all bends, which needs no check */
       k->error->status = VS_KERNEL_FINE;
       atomic_store(&k->stop, false);
     }

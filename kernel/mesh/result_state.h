@@ -1,15 +1,19 @@
 /* Defines the state in which make_result.c makes the mesh of a result. straighten.c also uses it, to decide which bends
- * the result may lose. */
+ * (corners where a cut passes between facets that the grid has split) the result may lose. */
 #ifndef VS_KERNEL_MESH_RESULT_STATE_H
 #define VS_KERNEL_MESH_RESULT_STATE_H
 
 #include "kernel/cluster.h"
 #include "kernel/mesh/triangulate.h"
 
-typedef struct { VS_LIST(uint32_t) uses, firsts, seams; } vs_found_edges; /* edges that a task found in its range;
-                                                                           * seams: indices in firsts */
-typedef struct { uint32_t v[3], tag, look; } vs_cut_triangle; /* v: points of the triangle; look: 2 * plane, plus 1 if
-                                                               * the triangle faces against the plane's normal */
+typedef struct { VS_LIST(uint32_t) uses, firsts, seams; } vs_found_edges; /* edges that a task found in its range.
+                                                                           * uses: boundary edges of faces; firsts:
+                                                                           * position in uses of each edge's first
+                                                                           * one; seams: indices in firsts of edges
+                                                                           * inside a sheet */
+typedef struct { uint32_t v[3], tag, look; } vs_cut_triangle; /* v: point numbers of the triangle's corners; look: 2 *
+                                                               * plane, plus 1 if the triangle faces against the plane's
+                                                               * normal */
 typedef struct { VS_LIST(vs_cut_triangle) at; } vs_cut_chunk;
 
 typedef struct vs_sheets vs_sheets;
@@ -18,38 +22,43 @@ typedef struct {
   vs_kernel *k;
   vs_cluster *c;
   VS_LIST(vs_found_edges) found;
-  VS_LIST(uint32_t) uses;            /* border edges of the faces in the result, as indices in the cluster's uses,
-                                      * sorted by edge */
-  VS_LIST(uint32_t) edge_first;      /* for each edge that is not merged away: index of its first use in `uses`; an
-                                      * extra element marks the end */
+  VS_LIST(uint32_t) uses;            /* border edges of the faces in the result: indices in the cluster's `uses`, sorted
+                                      * by edge */
+  VS_LIST(uint32_t) edge_first;      /* edge_first[e]: for an edge e that stays in the result, position in `uses` of its
+                                      * first face border; an extra element marks the end */
   VS_LIST(_Atomic uint32_t) sets;    /* union-find structure of the faces that are merged */
-  VS_LIST(uint32_t) parent;          /* for each face: the first face of the merged face that contains it */
-  VS_LIST(uint32_t) edges;           /* two elements for each point: the first two edges of edge_first that end there */
-  VS_LIST(uint8_t) degree;           /* for each point: number of edges of edge_first that end there, where 3 means
-                                      * three or more; 4: the corner is dropped */
-  VS_LIST(uint8_t) rim;              /* for each point: 1 if it lies on the rim of a region in the result; empty if
-                                      * there are no regions */
+  VS_LIST(uint32_t) parent;          /* parent[f]: first face of the merged face that contains face f */
+  VS_LIST(uint32_t) edges;           /* edges[2 * p], edges[2 * p + 1]: the first two edges of edge_first that end at
+                                      * point p */
+  VS_LIST(uint8_t) degree;           /* degree[p]: number of edges of edge_first that end at point p, where 3 means
+                                      * three or more; 4: the corner p is dropped */
+  VS_LIST(uint8_t) rim;              /* rim[p]: 1 if point p lies on the rim of a region of untouched triangles in the
+                                      * result; empty if there are no regions */
   size_t rim_edges;
-  VS_LIST(uint32_t) edge_of;         /* for each use of the cluster: its edge in edge_first, or VS_NONE if the edge is
-                                      * merged away */
-  VS_LIST(uint32_t) next;            /* for each face: the next face of its merged face, or VS_NONE */
-  VS_LIST(_Atomic uint8_t) whole;    /* for each face: 1 if it keeps its original triangles */
-  VS_LIST(uint32_t) out;             /* for each point of the cluster: its vertex number in the result */
-  VS_LIST(uint32_t) points;          /* for each new vertex of the result: its point in the cluster */
-  VS_LIST(uint32_t) looks;           /* for each new triangle: 2 * plane, plus 1 if the triangle faces against the
-                                      * plane's normal */
-  VS_LIST(uint32_t) chunk_first;     /* first face of each chunk of faces; an extra element marks the end */
+  VS_LIST(uint32_t) edge_of;         /* edge_of[u]: edge in edge_first of the cluster's boundary edge u, or VS_NONE if
+                                      * that edge vanished because its faces were merged */
+  VS_LIST(uint32_t) next;            /* next[f]: the face after f in the list of faces that are merged with f, or
+                                      * VS_NONE */
+  VS_LIST(_Atomic uint8_t) whole;    /* whole[f]: 1 if face f keeps its original triangles */
+  VS_LIST(uint32_t) out;             /* out[p]: vertex number in the result of the cluster's point p */
+  VS_LIST(uint32_t) points;          /* points[i]: point in the cluster of the result's new vertex i */
+  VS_LIST(uint32_t) looks;           /* looks[i]: for new triangle i: 2 * plane, plus 1 if the triangle faces against
+                                      * the plane's normal */
+  VS_LIST(uint32_t) chunk_first;     /* chunk_first[i]: first face of chunk i; an extra element marks the end */
   vs_cut_chunk chunks[VS_PIPELINE_WINDOW];
-  VS_LIST(vs_triangulation) cutters; /* working memory of the triangulation, for each thread */
+  VS_LIST(vs_triangulation) cutters; /* working memory of the triangulation, with an element for each thread */
   vs_mesh *mesh;
-  size_t first_vertex;               /* index of this cluster's first vertex in the mesh */
+  size_t first_vertex;               /* index in the result's mesh of this cluster's first vertex */
   /* The members below are used only if bends may be removed (straighten.c). Otherwise they are empty. */
-  VS_LIST(uint32_t) lone;            /* for each plane: its only facet, or VS_NONE if it does not have exactly one */
-  VS_LIST(uint32_t) seams;           /* edges of edge_first between two facets of a sheet */
-  VS_LIST(uint8_t) gone;             /* for each edge: 1 if it is a seam over which faces are merged */
-  VS_LIST(uint8_t) bent;             /* for each point: 1 if it is a bend that is dropped, which lies off the line of
-                                      * the remaining edges */
-  VS_LIST(uint8_t) stays;            /* for each point: 1 if it is a bend that must not be dropped */
+  VS_LIST(uint32_t) lone;            /* lone[p]: the only facet in plane p, or VS_NONE if the plane does not have
+                                      * exactly one */
+  VS_LIST(uint32_t) seams;           /* edges of edge_first between two facets of a sheet (a planar facet that the grid
+                                      * has split) */
+  VS_LIST(uint8_t) gone;             /* gone[e]: 1 if the faces on both sides of edge e, a seam of a sheet, are merged
+                                      * over it */
+  VS_LIST(uint8_t) bent;             /* bent[p]: 1 if point p is a bend that is dropped; it lies off the line of the
+                                      * remaining edges */
+  VS_LIST(uint8_t) stays;            /* stays[p]: 1 if point p is a bend that must not be dropped */
   vs_sheets *sheets;
 } vs_result_state;
 

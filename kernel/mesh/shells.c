@@ -15,8 +15,8 @@ bool vs_shells_find(const vs_mesh *m, vs_shells *out) {
   vs_disjoint(set, n);
   for (size_t t = 0; t < m->triangle_count; t++)
     for (int j = 1; j < 3; j++) vs_unite(set, m->triangles[t][0], m->triangles[t][j]);
-  for (uint32_t v = 0; v < n; v++) /* the root of a set is its first vertex, so shell numbers can replace parents during
-                                    * the loop */
+  for (uint32_t v = 0; v < n; v++) /* The root of each set is its first vertex. Therefore one pass can replace parents
+                                    * by numbers of shells. */
     set[v] = set[v] == v ? out->count++ : set[set[v]];
   out->at = vs_zeros((size_t)out->count + 1, sizeof *out->at);
   if (!out->at) return false;

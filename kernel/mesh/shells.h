@@ -5,7 +5,7 @@
 #include "model/mesh.h"
 
 typedef struct {
-  double volume;   /* volume of the shell; negative if it is the wall of a cavity */
+  double volume;   /* volume that the shell encloses, in cubic units; negative if the shell is the wall of a cavity */
   double area;
   double reach;    /* the largest absolute coordinate of the shell's corners */
   vs_vec3 from;    /* position of the shell's first corner */
@@ -17,7 +17,8 @@ typedef struct {
   uint32_t *of;    /* of[v]: number of the shell that contains vertex v */
 } vs_shells;
 
-/* Finds the shells of m. Returns false when memory is out. The caller frees out with vs_shells_free in either case. */
+/* Finds the shells (sets of triangles that corners connect) of mesh m. Returns false when memory is out. The caller
+ * frees out with vs_shells_free in either case. */
 bool vs_shells_find(const vs_mesh *m, vs_shells *out);
 void vs_shells_free(vs_shells *s);
 

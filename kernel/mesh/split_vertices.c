@@ -14,30 +14,33 @@
 
 #include <string.h>
 
-/* For each range of edges: the first halves of the edges that do not have exactly two triangles. */
+/* A list for each range of edges: the position of the first directed edge of each edge that does not have exactly two
+ * triangles. */
 typedef struct { VS_LIST(uint32_t) at; } crowded;
 
 typedef struct {
   vs_kernel *k;
-  vs_fresh_result of;          /* result to split; vertices on the rim of plain triangles are not split, because nothing
-                                * touches there */
+  vs_fresh_result of;          /* result to split; vertices on the rim of untouched triangles are not split, because
+                                * nothing touches there */
   size_t vertices, triangles;
-  _Atomic size_t open;         /* number of edges on the rim of plain triangles */
-  vs_halves halves;            /* edges of the triangles; item 3 * triangle + j is the edge from corner j to the next
-                                * corner */
+  _Atomic size_t open;         /* number of edges between these triangles and untouched triangles, which are written
+                                * later */
+  vs_halves halves;            /* directed edges of the triangles; item 3 * triangle + j is the edge from corner j to
+                                * the next corner */
   VS_LIST(crowded) crowded;
   VS_LIST(uint32_t) twins;
-  VS_LIST(_Atomic uint32_t) lead; /* for each vertex: one of the triangle corners at the vertex */
-  _Atomic size_t seen;         /* number of triangle corners in the fans that contain a lead */
-  VS_LIST(uint32_t) to;        /* for each triangle corner: its vertex after the split, counted from first_vertex */
-  VS_LIST(uint32_t) copied;    /* for each new vertex: the vertex that it copies */
+  VS_LIST(_Atomic uint32_t) lead; /* lead[v]: one of the triangle corners (3 * triangle + j) at vertex v */
+  _Atomic size_t seen;         /* number of triangle corners in the fans around the corners in `lead` */
+  VS_LIST(uint32_t) to;        /* to[c]: vertex of triangle corner c after the split, counted from first_vertex */
+  VS_LIST(uint32_t) copied;    /* copied[i]: vertex whose position the new vertex i copies */
   VS_LIST(uint8_t) taken;
   VS_LIST(vs_around) around;
   VS_LIST(vs_around) many;     /* faces around the edges of more than two triangles, in cyclic order; the wedge before
                                 * the first face is empty */
   VS_LIST(uint32_t) many_first;
-  VS_LIST(uint8_t) way;        /* for each edge of more than two triangles: how these triangles are paired */
-  VS_LIST(uint32_t) middle;    /* for each triangle corner: the vertex in the middle of its edge, or VS_NONE */
+  VS_LIST(uint8_t) way;        /* way[e]: how the triangles at edge e are paired, if the edge has more than two */
+  VS_LIST(uint32_t) middle;    /* middle[c]: vertex in the middle of the edge that begins at triangle corner c, or
+                                * VS_NONE */
 } splitter;
 typedef enum { SOLID, AIR, MIDDLE } joined;
 
@@ -49,7 +52,8 @@ static uint32_t vertex_at(const splitter *s, uint32_t corner) {
 
 static bool starts_at(const splitter *s, uint32_t corner, uint32_t low) { return vertex_at(s, corner) == low; }
 
-/* Pairs the triangles at an edge of more than two. low: the edge's lower point; halves: the edge's uses. */
+/* Pairs the triangles at an edge of more than two triangles. low: the edge's lower point; halves: the `count` directed
+ * edges between its ends. */
 static bool pair_many(splitter *s, uint32_t low, const vs_half *halves, size_t count) {
   vs_points_view view = vs_points_of(&s->of.c->points);
   int x, y, sign = vs_around_axes(view, s->of.points[low], s->of.points[halves[0].high], &x, &y);
@@ -68,7 +72,8 @@ static bool pair_many(splitter *s, uint32_t low, const vs_half *halves, size_t c
   size_t begin = 0;
   while (begin < count && s->around.at[begin].cw) begin++;
   if (!VS_PUSH(s->k, s->many_first, (uint32_t)s->many.count) || !VS_PUSH(s->k, s->way, (uint8_t)SOLID)) return false;
-  for (size_t i = 0; i < count; i++) { /* if a face runs against the edge, the wedge counter-clockwise of it is solid */
+  for (size_t i = 0; i < count; i++) { /* if a face runs against the edge's direction, the wedge counter-clockwise of it
+                                        * is solid */
     const vs_around *a = &s->around.at[(begin + i) % count];
     if ((bool)a->cw != (i % 2 == 1)) return VS_BROKEN(s->k, "solid lies on solid along an edge");
     if (!VS_PUSH(s->k, s->many, *a)) return false;
@@ -76,14 +81,14 @@ static bool pair_many(splitter *s, uint32_t low, const vs_half *halves, size_t c
   return true;
 }
 
-/* Makes the edges at corners a and b neighbours. */
+/* Makes the triangles that begin with the edges at corners a and b neighbours across these edges. */
 static void join(splitter *s, uint32_t a, uint32_t b) {
   VS_ASSERT(a != b);
   s->twins.at[a] = b;
   s->twins.at[b] = a;
 }
 
-/* Sets *a and *b to the faces of the edge's n-th pair, which must exist. */
+/* Sets *a and *b to the two faces of pair n at the edge. The pair must exist. */
 static void pair_of(const splitter *s, size_t edge, size_t n, uint32_t *a, uint32_t *b) {
   uint32_t begin = s->many_first.at[edge], count = s->many_first.at[edge + 1] - begin;
   size_t i = 2 * n + (s->way.at[edge] == AIR);
@@ -106,7 +111,7 @@ static void ends_of_corners(const void *context, uint32_t begin, uint32_t count,
   }
 }
 
-/* Prefetches data that are soon read from many places of memory. */
+/* Prefetches memory that the pairing of edges will read soon. */
 VS_AHEAD join_ahead(const splitter *s, uint32_t i, uint32_t stop) {
   enum { FAR = 16 };
   if (i + FAR >= stop) return;
@@ -129,9 +134,10 @@ static bool join_range(vs_kernel *k, void *context, size_t range) {
     bool first = starts_at(s, at[0].item, low);
     if (end - i == 2 && first != starts_at(s, at[1].item, low)) {
       join(s, at[0].item, at[1].item);
-      atomic_store_explicit(&s->lead.at[low], at[!first].item, memory_order_relaxed); /* Several threads may write this
-                                                                                       * element. Any of their values is
-                                                                                       * right. */
+      atomic_store_explicit(&s->lead.at[low], at[!first].item, memory_order_relaxed); /* Several threads may write
+                                                                                       * lead[low]. Each of their values
+                                                                                       * is a triangle corner there, so
+                                                                                       * any is right. */
       atomic_store_explicit(&s->lead.at[at->high], at[first].item, memory_order_relaxed);
     } else if (end - i == 1 && on_rim(s, low) && on_rim(s, at->high)) {
       s->twins.at[at[0].item] = VS_NONE;
@@ -166,7 +172,8 @@ static bool find_twins(splitter *s) {
 }
 
 enum { VERTICES = 1 << 14 };
-/* Counts the corners in one fan at each vertex. If the fans contain all corners, the result does not touch itself. */
+/* Counts the triangle corners in one fan at each vertex. If the fans contain all corners, the result does not touch
+ * itself. */
 static bool count_fans(vs_kernel *k, void *context, size_t chunk) {
   splitter *s = context;
   size_t begin = chunk * VERTICES, end = s->vertices - begin < VERTICES ? s->vertices : begin + VERTICES, n = 0;
@@ -180,11 +187,11 @@ static bool count_fans(vs_kernel *k, void *context, size_t chunk) {
   return vs_kernel_report(k, k->part);
 }
 
-/* Reports progress every 65536 steps: a loop over the corners of a large mesh takes a second. Returns false if the
- * caller interrupts. */
+/* Returns true if step i needs no report of progress, or the report succeeds. Every 65536th step reports, because a
+ * loop over a large mesh takes a second. Returns false if the caller interrupts. */
 static bool turn(const splitter *s, uint32_t i) { return (i & 0xFFFF) != 0xFFFF || vs_kernel_report(s->k, s->k->part); }
 
-/* Sets *touching to true if a vertex must be split, which is rare. */
+/* Sets *touching to true if a vertex must be split because the result touches itself there, which is rare. */
 static bool look_for_touching(splitter *s, bool *touching) {
   *touching = s->way.count > 0;
   if (*touching) return true;
@@ -228,7 +235,7 @@ static bool find_fans(splitter *s) {
   return true;
 }
 
-/* Returns true if two pairs of the edge are still connected at both ends. */
+/* Returns true if two pairs of triangles at the edge are still connected at both of its ends. */
 static bool still_held(const splitter *s, size_t edge) {
   size_t pairs = (s->many_first.at[edge + 1] - s->many_first.at[edge]) / 2;
   for (size_t i = 0; i < pairs; i++)
@@ -264,7 +271,7 @@ static bool no_room(splitter *s) {
   return vs_kernel_fail(s->k, VS_KERNEL_OUT_OF_MEMORY, 0, "out of memory while combining solids");
 }
 
-/* Cuts a triangle that has new vertices on some of its edges. None of the pieces is flat. */
+/* Cuts triangle t, if it has new vertices on its edges, into pieces. None of the pieces is flat. */
 static bool cut_triangle(splitter *s, uint32_t t) {
   vs_mesh *m = s->of.m;
   size_t at = s->of.first_triangle + t;
@@ -308,7 +315,8 @@ static bool write(splitter *s) {
              low = s->of.m->triangles[s->of.first_triangle + s->many.at[begin].ccw / 3][s->many.at[begin].ccw % 3];
     uint32_t corner = next_of(s->many.at[begin].ccw),
              high = s->of.m->triangles[s->of.first_triangle + corner / 3][corner % 3];
-    /* All pairs get a vertex at the same position, so the result remains closed by position. */
+    /* Each pair of triangles gets its own vertex in the edge's middle. These vertices have one position, so the result
+     * remains closed by position. */
     vs_vec3 at = vs_v3_scale(vs_v3_add(m->vertices[low], m->vertices[high]), 0.5);
     for (size_t i = 0; i < (s->many_first.at[e + 1] - begin) / 2; i++) {
       uint32_t a, b, vertex;

@@ -32,16 +32,17 @@
 static const double OFF = 1, ALIKE = 0.999, WEDGE = -0.98, SHALLOW = 0.97, FAR = 8, BESIDE = 0.5;
 
 typedef struct {
-  double n[3], at[3]; /* middle plane of the sheet; n: unit normal, outwards; at: a point of the plane */
+  double n[3], at[3]; /* middle plane of the sheet. n: its unit normal, outwards; at: a point of the plane, in steps */
   uint32_t corners, bends;
-  bool merged, fresh;       /* merged: the faces of the sheet are merged; fresh: the merging was given up after the last
-                             * check of bands */
+  bool merged, fresh;       /* merged: the sheet's faces are merged; fresh: the sheet was given up after the bands
+                             * around cuts were last checked */
   _Atomic bool given_up;
 } sheet;
 
 typedef struct {
   uint32_t p, q, edge, keys[2], sheets[2]; /* A cut from point p to point q whose bends are dropped. edge: its first
-                                            * edge, at p; keys: the planes on its two sides, as in `near`. */
+                                            * edge, at p; keys: representative planes of the faces on its two sides;
+                                            * sheets: the sheets there. */
   double wide;
 } cut;
 typedef struct { double at; uint32_t point; } placed;
@@ -49,22 +50,24 @@ typedef struct { uint32_t near, point; } corner;
 
 struct vs_sheets {
   VS_LIST(sheet) all;
-  VS_LIST(uint32_t) of;       /* for each facet: the sheet that contains it, or VS_NONE */
-  VS_LIST(uint32_t) of_face;  /* for each face: the sheet that contains it, or VS_NONE */
-  VS_LIST(uint32_t) face_key; /* for each face: the key plane of its plane, or VS_NONE */
+  VS_LIST(uint32_t) of;       /* of[f]: sheet that contains facet f, or VS_NONE */
+  VS_LIST(uint32_t) of_face;  /* of_face[f]: sheet that contains face f, or VS_NONE */
+  VS_LIST(uint32_t) face_key; /* face_key[f]: representative plane of face f's sheet or plane, or VS_NONE */
   VS_LIST(cut) cuts;
-  VS_LIST(uint32_t) cut_of;   /* for each bend: the cut that contains it */
-  VS_LIST(uint32_t) key;      /* for each plane: its key plane, the plane that represents all planes of a sheet */
-  VS_LIST(uint32_t) near;     /* for each key plane with cuts: its index in `first`; for other planes: VS_NONE */
-  VS_LIST(uint32_t) first;    /* for each key plane in `near`: the first of its corners in `corners`, which are sorted
-                               * by x; an extra element marks the end */
+  VS_LIST(uint32_t) cut_of;   /* cut_of[p]: cut that contains the bend at point p */
+  VS_LIST(uint32_t) key;      /* key[p]: plane that represents plane p, for instance all planes of a sheet */
+  VS_LIST(uint32_t) near;     /* near[p]: for a representative plane p with cuts: its index in `first`; for other
+                               * planes: VS_NONE */
+  VS_LIST(uint32_t) first;    /* first[i]: for representative plane i in `near`, position in `corners` of its first
+                               * corner; corners are sorted by x; an extra element marks the end */
   VS_LIST(placed) corners;
   VS_LIST(corner) hits;       /* corners of faces before they are sorted into `corners` */
-  VS_LIST(uint8_t) free;      /* for each cut: 1 if its band contains no other corner */
-  size_t near_count, room;  /* near_count: number of key planes with cuts; room: size of this structure in bytes */
-  bool kept;                /* true if the current round found bends that must stay */
-  bool looked;              /* true if all bands have been checked once; later rounds check only bands beside fresh
-                             * sheets */
+  VS_LIST(uint8_t) free;      /* free[i]: 1 if the band around cut i contains no other corner */
+  size_t near_count, room;  /* near_count: number of representative planes with cuts; room: size of this structure in
+                             * bytes */
+  bool kept;                /* true if the current round of checks found bends that must stay */
+  bool looked;              /* true if the bands around all cuts have been checked; later rounds check only bands beside
+                             * sheets that were given up since */
   _Atomic bool spoiled;
 };
 
@@ -94,7 +97,8 @@ bool vs_sheets_begin(vs_result_state *w) {
   for (int twice = 0; twice < 2; twice++)
     for (uint32_t f = 0; f < c->facets.count; f++) {
       uint32_t *lone = &w->lone.at[c->facets.at[f].plane];
-      if (!twice) *lone = *lone == VS_NONE ? f : VS_NONE - 1; /* marks a plane that has more than one facet */
+      if (!twice) *lone = *lone == VS_NONE ? f : VS_NONE - 1; /* VS_NONE - 1 marks a plane that has more than one
+                                                               * facet */
       else if (*lone == VS_NONE - 1) *lone = VS_NONE;
     }
   return vs_kernel_report(w->k, 0.9);
@@ -112,7 +116,8 @@ bool vs_sheets_seam(const vs_result_state *w, const vs_use *a, const vs_use *b) 
          (f->tag == g->tag || (p->paints && p->paints[f->tag] == p->paints[g->tag]));
 }
 
-/* Returns the sheet of the face if the sheet's faces are merged, else VS_NONE. */
+/* Returns the sheet (planar facet that the grid has split) that contains the face, if its faces are merged, else
+ * VS_NONE. */
 static uint32_t merged_sheet_of(const vs_result_state *w, uint32_t face) {
   uint32_t s = w->sheets->of_face.at[face];
   return s == VS_NONE || !w->sheets->all.at[s].merged ? VS_NONE : s;
@@ -138,12 +143,12 @@ static void normal_of(double at[3][3], double n[3]) {
   cross(a, b, n);
 }
 
-/* Computes the middle plane of each sheet, and gives up sheets with corners that are not near it. */
+/* Computes the middle plane of each sheet. Gives up sheets with corners more than a step away from it. */
 static bool measure(vs_result_state *w) {
   const vs_cluster *c = w->c;
   vs_sheets *s = w->sheets;
-  for (int step = 0; step < 3; step++) { /* step 0 computes sums; step 1 divides them to means; step 2 checks the
-                                          * corners */
+  for (int step = 0; step < 3; step++) { /* step 0 adds normals and positions; step 1 divides them to means; step 2
+                                          * checks the distance of the corners */
     for (size_t i = 0; step == 1 && i < s->all.count; i++) {
       sheet *x = &s->all.at[i];
       double length = sqrt(dot(x->n, x->n));
@@ -173,8 +178,8 @@ static bool measure(vs_result_state *w) {
   return true;
 }
 
-/* Returns true if an end of the seam is not a corner of the leaf. If both ends are corners of the leaf, nothing cuts
- * the seam, so it has no bends. */
+/* Returns true if an end of the seam, an edge between two facets of a sheet, is not a corner of the leaf. If both ends
+ * are corners of the leaf, nothing cuts the seam, so it has no bends. */
 static bool is_cut(const vs_result_state *w, uint32_t seam) {
   const vs_use *u = vs_result_use(w, w->edge_first.at[seam]);
   return u->from >= w->c->corner_points || u->to >= w->c->corner_points;
@@ -211,9 +216,10 @@ bool vs_sheets_plan(vs_result_state *w) {
     *of = (uint32_t)s->all.count;
     if (!vs_kernel_poll(w->k, 0.9) || !VS_PUSH(w->k, s->all, ((sheet){ .corners = 0 }))) return false;
   }
-  for (uint32_t f = 0; f < facets; f++) s->of.at[f] = s->of.at[c->sheets.at[f]]; /* the first facet of a sheet has a
-                                                                                  * lower number than the others, so its
-                                                                                  * sheet is already known */
+  for (uint32_t f = 0; f < facets; f++) s->of.at[f] = s->of.at[c->sheets.at[f]]; /* The first facet of a sheet has the
+                                                                                  * lowest number of its facets.
+                                                                                  * Therefore its sheet is already
+                                                                                  * known. */
   for (uint32_t p = 0; p < planes; p++) s->key.at[p] = p;
   for (uint32_t f = 0; f < facets; f++) {
     uint32_t first = c->sheets.at[f];
@@ -221,8 +227,8 @@ bool vs_sheets_plan(vs_result_state *w) {
     if (w->lone.at[c->facets.at[f].plane] != f) give_up(w, s->of.at[f]);
     else s->key.at[c->facets.at[f].plane] = c->facets.at[first].plane;
   }
-  /* The sheet and key of each face are stored, because every round needs them for each edge. Faces, planes and facets
-   * are scattered in memory. */
+  /* The sheet and representative plane of each face are stored in arrays, because every round reads them for each edge.
+   * The faces, planes and facets themselves are scattered in memory. */
   if (!VS_ROOM(w->k, s->of_face.at, s->of_face.room, c->faces.count + 1) ||
       !VS_ROOM(w->k, s->face_key.at, s->face_key.room, c->faces.count + 1))
     return false;
@@ -278,8 +284,8 @@ static bool is_fresh(const vs_result_state *w, uint32_t face) {
   return s != VS_NONE && w->sheets->all.at[s].fresh;
 }
 
-/* Computes a unit normal n. It is the outward normal of the face's sheet if the sheet is merged, else that of the
- * face's plane. */
+/* Sets n to a unit normal: the outward normal of the face's sheet if the sheet is merged, else the normal of the face's
+ * plane. */
 static void look(const vs_result_state *w, uint32_t face, double n[3]) {
   uint32_t s = merged_sheet_of(w, face);
   const vs_plane *p = &w->c->planes.all.at[w->c->faces.at[face].plane];
@@ -291,7 +297,7 @@ static void look(const vs_result_state *w, uint32_t face, double n[3]) {
   for (int i = 0; i < 3; i++) n[i] *= sign / length;
 }
 
-/* Returns the edge at point `at` that is not `edge`. The point has exactly two edges. */
+/* Returns the edge at point `at` that is not `edge`. Exactly two edges end at this point. */
 static uint32_t next_edge(const vs_result_state *w, uint32_t edge, uint32_t at) {
   VS_ASSERT(w->edges.at[2 * at] == edge || w->edges.at[2 * at + 1] == edge);
   return w->edges.at[2 * at] == edge ? w->edges.at[2 * at + 1] : w->edges.at[2 * at];
@@ -307,7 +313,7 @@ static double away(const double p[3], const double along[3], const double x[3], 
   return sqrt(dot(off, off));
 }
 
-/* Marks the bends on the line that begins with `edge` at point p as bends that stay. */
+/* Marks all bends on the line that begins with `edge` at point p as bends that must not be dropped. */
 static void keep_bends(vs_result_state *w, uint32_t edge, uint32_t p) {
   uint32_t at = vs_result_other_end(vs_result_use(w, w->edge_first.at[edge]), p);
   for (; w->degree.at[at] == 4; at = vs_result_other_end(vs_result_use(w, w->edge_first.at[edge]), at)) {
@@ -317,8 +323,8 @@ static void keep_bends(vs_result_state *w, uint32_t edge, uint32_t p) {
   w->sheets->kept = true;
 }
 
-/* Follows the line from corner p along `edge` up to the next corner that stays. Checks that the line is straight except
- * for bends, and adds their number to *bends. */
+/* Follows the line from corner p along `edge` to the next corner that stays. Checks that the line is straight except
+ * for bends, and adds the number of its bends to *bends. */
 static bool check_line(vs_result_state *w, uint32_t edge, uint32_t p, size_t *bends) {
   vs_sheets *s = w->sheets;
   uint32_t begin = w->edge_first.at[edge],
@@ -329,7 +335,7 @@ static bool check_line(vs_result_state *w, uint32_t edge, uint32_t p, size_t *be
     bent += w->bent.at[q];
     e = next_edge(w, e, q);
   }
-  if (p > q) return true; /* the loop also finds this line from its other end, so it is ignored here */
+  if (p > q) return true; /* the loop also finds this line from its other end q, so it is ignored here */
   made.q = q;
   *bends += bent;
   double from[3], to[3], along[3], n[2][3], x[3], t, last = 0;
@@ -394,7 +400,7 @@ static int by_place(const void *a, const void *b) {
   return x->at < y->at ? -1 : x->at > y->at ? 1 : x->point < y->point ? -1 : x->point > y->point;
 }
 
-/* Collects the corners of faces in all planes and sheets that have cuts with bends. */
+/* Collects the corners of faces in all planes and sheets with cuts that have bends. */
 static bool find_near(vs_result_state *w) {
   vs_sheets *s = w->sheets;
   size_t planes = w->c->planes.all.count;
@@ -438,8 +444,8 @@ static bool find_near(vs_result_state *w) {
   return true;
 }
 
-/* Returns true if the band of a cut contains no other corner of the plane or sheet on one side. number: index of the
- * cut; side: 0 or 1. */
+/* Returns true if the band around a cut contains no other corner of the plane or sheet on one of its sides. number:
+ * index of the cut; side: 0 or 1. */
 static bool is_free(const vs_result_state *w, uint32_t number, int side) {
   const vs_sheets *s = w->sheets;
   const cut *c = &s->cuts.at[number];
@@ -451,7 +457,8 @@ static bool is_free(const vs_result_state *w, uint32_t number, int side) {
   between(p, q, along);
   double length = sqrt(dot(along, along)), low = fmin(p[0], q[0]) - c->wide, high = fmax(p[0], q[0]) + c->wide;
   for (int i = 0; i < 3; i++) along[i] /= length;
-  for (uint32_t stop = end; at < stop;) { /* binary search for the first corner that is not before the band */
+  for (uint32_t stop = end; at < stop;) { /* binary search for the first corner that may lie in the band, by its x
+                                           * coordinate */
     uint32_t middle = at + (stop - at) / 2;
     if (s->corners.at[middle].at < low) at = middle + 1;
     else stop = middle;
@@ -477,7 +484,7 @@ static bool find_free(vs_kernel *k, void *context, size_t index) {
   return true;
 }
 
-/* Gives up the sheets that lose no bends. Returns true if one of them was merged. */
+/* Gives up the merging of sheets that lose no bends by it. Returns true if one of them was merged. */
 static bool give_up_idle(vs_result_state *w) {
   bool any = false;
   for (size_t i = 0; i < w->sheets->all.count; i++) {
@@ -499,10 +506,10 @@ bool vs_sheets_check(vs_result_state *w, bool *again) {
   if (!vs_kernel_report(w->k, 0.9)) return false;
   w->c->straightened = dropped;
   if (!check_lines(w, &bends)) return false;
-  if (bends != dropped) vs_sheets_give_up(w); /* On a closed border that consists of bends alone, none of the bends
-                                               * belongs to a cut. */
+  if (bends != dropped) vs_sheets_give_up(w); /* If bends and dropped bends differ in number, a closed border consists
+                                               * of bends alone. None of these belongs to a cut. */
   *again = give_up_idle(w) || s->kept;
-  if (*again) return true; /* the cuts change in the next round, so their bands are not checked now */
+  if (*again) return true; /* the cuts change in the next round, so the bands around them are checked then */
   if (!find_near(w)) return false;
   if (!VS_ROOM(w->k, s->free.at, s->free.room, s->cuts.count + 1) ||
       !vs_kernel_run(w->k, (s->cuts.count + CUTS - 1) / CUTS, find_free, w))
@@ -523,7 +530,7 @@ static bool spoil(const vs_result_state *w, uint32_t of) {
   return false;
 }
 
-/* Returns true if the two sides have a common place that is not an end of both. */
+/* Returns true if the sides a and b have a common place that is not an end of both. */
 static bool sides_meet(const vs_sweep *s, const vs_border *a, const vs_border *b) {
   uint32_t x[2] = { a->from, a->to }, y[2] = { b->from, b->to };
   for (int i = 0; i < 2; i++)
@@ -577,7 +584,7 @@ bool vs_sheets_simple(const vs_result_state *w, uint32_t face, vs_kernel *k, vs_
   return true;
 }
 
-/* Returns true if the triangle with the points v faces the same way as its sheet. */
+/* Returns true if the triangle with the point numbers v faces in the direction of its sheet's normal. */
 static bool holds(const vs_result_state *w, const sheet *s, const uint32_t v[3]) {
   double at[3][3], n[3];
   for (int j = 0; j < 3; j++) place(w, v[j], at[j]);
@@ -585,8 +592,8 @@ static bool holds(const vs_result_state *w, const sheet *s, const uint32_t v[3])
   return fabs(dot(n, s->n)) >= ALIKE * sqrt(dot(n, n));
 }
 
-/* Replaces the longest edge of triangle i, and of its neighbour there, by the other diagonal if both new triangles face
- * the same way as the sheet. Returns false if that is impossible. */
+/* Replaces the longest edge of triangle i, and of its neighbour there, by the other diagonal of the two. Returns false
+ * if a new triangle would not face in the direction of the sheet's normal. */
 static bool turn_edge(const vs_result_state *w, const sheet *s, vs_triangulation *t, size_t i) {
   uint32_t *v = t->triangles.at[i];
   double at[3][3], d[3], longest = 0;

@@ -1,4 +1,4 @@
-/* Proves that triangles are apart.
+/* Proves that two triangles are apart: that they share at most corners or an edge.
  *
  * Two convex sets with at most a common corner have a separating plane. The candidates are the planes of the two
  * triangles, and planes through an edge of each. The sign of a determinant is used only if it exceeds the largest
@@ -15,7 +15,8 @@
 
 #define SURE 1e-14
 
-static int sign3(vs_vec3 a, vs_vec3 b, vs_vec3 c) { /* returns the sign of det(a, b, c); 0: uncertain */
+static int sign3(vs_vec3 a, vs_vec3 b, vs_vec3 c) { /* returns the sign of det(a, b, c); 0 if it is uncertain because of
+                                                     * rounding errors */
   double x = b.y * c.z, y = b.z * c.y, z = b.z * c.x, u = b.x * c.z, v = b.x * c.y, w = b.y * c.x;
   double det = a.x * (x - y) + a.y * (z - u) + a.z * (v - w);
   double size = fabs(a.x) * (fabs(x) + fabs(y)) + fabs(a.y) * (fabs(z) + fabs(u)) + fabs(a.z) * (fabs(v) + fabs(w));
@@ -31,8 +32,9 @@ static bool same(vs_vec3 a, vs_vec3 b) { return a.x == b.x && a.y == b.y && a.z 
 
 /* ---- two triangles with a common edge ---- */
 
-static bool not_folded(vs_vec3 p, vs_vec3 q, vs_vec3 x, vs_vec3 y) { /* p, q: ends of the common edge; x, y: the third
-                                                                      * corners of the two triangles */
+static bool not_folded(vs_vec3 p, vs_vec3 q, vs_vec3 x, vs_vec3 y) { /* returns true if two triangles with the common
+                                                                      * edge from p to q are not folded onto each other;
+                                                                      * x, y: their third corners */
   if (sign3(vs_v3_sub(q, p), vs_v3_sub(x, p), vs_v3_sub(y, p)) != 0) return true;
   /* the two normals have similar directions if x and y lie on opposite sides of the edge */
   vs_vec3 e = vs_v3_sub(q, p), n = vs_v3_cross(e, vs_v3_sub(x, p)), m = vs_v3_cross(vs_v3_sub(y, p), e);
@@ -42,9 +44,9 @@ static bool not_folded(vs_vec3 p, vs_vec3 q, vs_vec3 x, vs_vec3 y) { /* p, q: en
 
 /* ---- two triangles with a common corner ---- */
 
-/* Returns true if the plane perpendicular to the direction from cone b to cone a separates the two cones. A cone
- * consists of two edge directions at the common corner. Cones that point away from each other are separated in this
- * way. */
+/* Returns true if the plane perpendicular to the direction from cone b to cone a separates the two cones. A cone is
+ * given by the directions of two edges at the common corner. Cones that point away from each other are separated in
+ * this way. */
 static bool cones_opposed(const vs_vec3 a[2], const vs_vec3 b[2]) {
   vs_vec3 d = vs_v3_sub(vs_v3_add(vs_v3_unit(a[0]), vs_v3_unit(a[1])), vs_v3_add(vs_v3_unit(b[0]), vs_v3_unit(b[1])));
   for (int i = 0; i < 4; i++) {
@@ -55,7 +57,8 @@ static bool cones_opposed(const vs_vec3 a[2], const vs_vec3 b[2]) {
   return true;
 }
 
-static bool cones_apart(const vs_vec3 a[2], const vs_vec3 b[2]) { /* each cone consists of the directions between two
+static bool cones_apart(const vs_vec3 a[2], const vs_vec3 b[2]) { /* returns true if the cones share only their tip;
+                                                                   * each cone is given by the directions of its two
                                                                    * edges */
   int s = sign3(a[0], a[1], b[0]), t = sign3(b[0], b[1], a[0]);
   if (s && s == sign3(a[0], a[1], b[1])) return true;
@@ -77,8 +80,8 @@ static bool cones_apart(const vs_vec3 a[2], const vs_vec3 b[2]) { /* each cone c
     c[i][1] = axis == 0 ? v.z : axis == 1 ? v.x : v.y;
   }
   int own[2] = { sign2(c[0], c[1]), sign2(c[2], c[3]) };
-  /* Tests lines along each of the four edge directions. A line separates the cones if the cone of its edge lies on one
-   * side and the other cone on the opposite side. */
+  /* Tests lines along each of the four edges, as seen along the axis. A line separates the cones if the cone of its
+   * edge lies on one side and the other cone on the opposite side. */
   for (int i = 0; own[0] && own[1] && i < 4; i++) {
     int mine = i % 2 ? -own[i / 2] : own[i / 2], other = i < 2 ? 2 : 0;
     if (sign2(c[i], c[other]) == -mine && sign2(c[i], c[other + 1]) == -mine) return true;
@@ -88,7 +91,8 @@ static bool cones_apart(const vs_vec3 a[2], const vs_vec3 b[2]) { /* each cone c
 
 /* ---- two triangles without a common corner ---- */
 
-/* Returns true if a plane perpendicular to d separates the triangles. Corners are relative to a place nearby. */
+/* Returns true if a plane perpendicular to d separates triangles a and b. Their corners are relative to a place
+ * nearby. */
 static bool parted(vs_vec3 d, const vs_vec3 a[3], const vs_vec3 b[3]) {
   double low[2], high[2], error = 0;
   for (int i = 0; i < 6; i++) {
@@ -110,7 +114,10 @@ bool vs_triangles_parted(const vs_vec3 a[3], const vs_vec3 b[3]) {
   if (parted(n, p, q) || parted(m, p, q)) return true;
   for (int i = 0; i < 3; i++)
     if (parted(vs_v3_cross(n, e[i]), p, q) || parted(vs_v3_cross(m, f[i]), p, q)) return true; /* the triangles lie
-                                                                                                * nearly in one plane */
+                                                                                                * nearly in one plane,
+                                                                                                * so lines perpendicular
+                                                                                                * to their edges are
+                                                                                                * tried, too */
   for (int i = 0; i < 9; i++)
     if (parted(vs_v3_cross(e[i / 3], f[i % 3]), p, q)) return true;
   return false;
@@ -137,12 +144,13 @@ bool vs_triangles_apart(const vs_vec3 a[3], const vs_vec3 b[3], int *count) {
 
 /* ---- all pairs of a mesh ---- */
 
-enum { SERIAL = 10000 /* fewest triangles for threads */, TRIANGLES = 1 << 13, BLOCKS = 512 /* blocks in a task */ };
+enum { SERIAL = 10000 /* fewest triangles for threads */, TRIANGLES = 1 << 13, BLOCKS = 512 /* blocks of boxes in a
+                                                                                             * task */ };
 
 typedef struct {
   const vs_mesh *m;
   vs_bounds all;
-  double step; /* width of a step of the boxes' coordinates */
+  double step; /* width of a step of the boxes' integer coordinates, in units of the mesh */
   VS_LIST(vs_bvh_box) boxes;
   vs_bvh bvh;
   _Atomic bool met;
@@ -208,8 +216,8 @@ bool vs_mesh_is_apart(vs_kernel *k, const vs_mesh *m, bool *apart, size_t *edges
   vs_fans fans = { (const uint32_t (*)[3])m->triangles, m->triangle_count, m->vertex_count, NULL, corner_at, m };
   vs_hubs hubs = { .edges = 0 };
   bool ok = m->triangle_count < UINT32_MAX && vs_hubs_find(k, &fans, &hubs);
-  s.bvh.families = hubs.of.count ? hubs.of.at : NULL; /* the index skips pairs of triangles at one hub, which are proven
-                                                       * to be apart */
+  s.bvh.families = hubs.of.count ? hubs.of.at : NULL; /* the search for pairs of boxes skips triangles at one hub, which
+                                                       * are proven to be apart */
   ok = ok && VS_ROOM(k, s.boxes.at, s.boxes.room, m->triangle_count + 1) &&
        vs_kernel_run(k, (m->triangle_count + TRIANGLES - 1) / TRIANGLES, box_some, &s) &&
        vs_bvh_build(k, &s.bvh, s.boxes.at, (uint32_t)m->triangle_count) &&

@@ -1,5 +1,5 @@
 /* Declares a quick proof that a mesh does not intersect itself. It tests pairs of triangles in doubles, with bounds on
- * the errors. A test proves that a pair is apart, or leaves this undecided. */
+ * the errors. A test either proves that two triangles are apart, or leaves this undecided. */
 #ifndef VS_KERNEL_MESH_TRIANGLES_APART_H
 #define VS_KERNEL_MESH_TRIANGLES_APART_H
 
@@ -9,10 +9,10 @@
 /* Returns true if the two triangles have nothing in common but corners, or an edge, with equal positions. Returns false
  * if doubles cannot decide this, or if the triangles touch, are folded onto each other, or include a triangle without
  * area. */
-bool vs_triangles_apart(const vs_vec3 a[3], const vs_vec3 b[3], int *shared); /* *shared: number of corners with equal
-                                                                               * positions */
+bool vs_triangles_apart(const vs_vec3 a[3], const vs_vec3 b[3], int *shared); /* *shared: number of corners of a that
+                                                                               * have equal positions in b */
 
-/* Returns true if the two triangles have nothing in common, by more than rounding errors. */
+/* Returns true if triangles a and b have no point in common and are separated by more than rounding errors. */
 bool vs_triangles_parted(const vs_vec3 a[3], const vs_vec3 b[3]);
 
 /* Sets *apart to true if all pairs of the mesh's triangles are proven to be apart; *edges is then the number of pairs

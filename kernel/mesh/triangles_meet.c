@@ -9,7 +9,7 @@
 
 #include "kernel/exact/doubles.h"
 
-/* Returns an axis along which the projection of the triangle has an area; 3: there is none. */
+/* Returns an axis (0, 1 or 2) along which the projection of the triangle has an area; 3 if the triangle has none. */
 static int open_axis(const vs_vec3 *t) {
   for (int axis = 0; axis < 3; axis++)
     if (vs_doubles_turn(axis, t[0], t[1], t[2])) return axis;
@@ -18,8 +18,8 @@ static int open_axis(const vs_vec3 *t) {
 
 bool vs_triangle_is_flat(const vs_vec3 *corners) { return open_axis(corners) == 3; }
 
-/* Returns true if p is in the triangle or on its border. p must lie in the triangle's plane, and the projection along
- * the axis must have an area. */
+/* Returns true if p is in triangle t or on its border. p lies in the triangle's plane. The projection of t along the
+ * axis has an area. */
 static bool holds(int axis, const vs_vec3 t[3], vs_vec3 p) {
   int way = vs_doubles_turn(axis, t[0], t[1], t[2]);
   VS_ASSERT(way != 0);
@@ -28,8 +28,8 @@ static bool holds(int axis, const vs_vec3 t[3], vs_vec3 p) {
   return true;
 }
 
-/* Returns true if the segment and the triangle have only the point `from` in common, which lies in the triangle. The
- * segment lies in the triangle's plane. The projection along the axis must have an area. */
+/* Returns true if the segment and triangle t have only the segment's end `from` in common. The segment lies in the
+ * plane of t. The projection of t along the axis has an area. */
 static bool leaves(int axis, const vs_vec3 t[3], vs_vec3 from, vs_vec3 to) {
   int way = vs_doubles_turn(axis, t[0], t[1], t[2]);
   VS_ASSERT(way != 0);
@@ -40,7 +40,7 @@ static bool leaves(int axis, const vs_vec3 t[3], vs_vec3 from, vs_vec3 to) {
   return false;
 }
 
-/* Tests a segment in the triangle's plane against the triangle, whose area is not 0. */
+/* Tests the segment from p to q, which lies in the plane of triangle t, against t, whose area is not 0. */
 static vs_triangle_meeting flat_segment(const vs_vec3 t[3], vs_vec3 p, vs_vec3 q) {
   int axis = open_axis(t), left = 0, right = 0;
   VS_ASSERT(axis < 3);
@@ -51,8 +51,8 @@ static vs_triangle_meeting flat_segment(const vs_vec3 t[3], vs_vec3 p, vs_vec3 q
     left += turn > 0;
     right += turn < 0;
   }
-  for (int i = 0; i < 3; i++) { /* Both ends are outside the triangle. The segment may still cross the triangle, or
-                                 * touch it at a corner. */
+  for (int i = 0; i < 3; i++) { /* Both ends of the segment are outside the triangle. The segment may still cross the
+                                 * triangle, or touch it at a corner. */
     vs_vec3 a = t[i], b = t[(i + 1) % 3];
     int ap = vs_doubles_turn(axis, a, b, p), aq = vs_doubles_turn(axis, a, b, q);
     if (ap * aq <= 0 && (ap || aq) && vs_doubles_turn(axis, p, q, a) * vs_doubles_turn(axis, p, q, b) <= 0)
@@ -61,7 +61,8 @@ static vs_triangle_meeting flat_segment(const vs_vec3 t[3], vs_vec3 p, vs_vec3 q
   return VS_MEET_NOT;
 }
 
-/* Tests a segment against a triangle. from, to: signs of the sides of the triangle's plane on which p and q lie. */
+/* Tests the segment from p to q against triangle t. from, to: signs of the sides of the triangle's plane on which p and
+ * q lie. */
 static vs_triangle_meeting segment(const vs_vec3 t[3], vs_vec3 p, vs_vec3 q, int from, int to) {
   if (from * to > 0) return VS_MEET_NOT;
   if (from == 0 && to == 0) return flat_segment(t, p, q);
@@ -80,8 +81,8 @@ static vs_triangle_meeting worse(vs_triangle_meeting a, vs_triangle_meeting b) {
 
 vs_triangle_meeting vs_triangles_meet(const vs_vec3 a[3], const vs_vec3 b[3]) {
   int of_a[3], of_b[3], shared = 0, over_a[3] = { 0 },
-                        over_b[3] = { 0 }; /* over_a[i]: side of a's plane on which corner i of b lies; over_b[i]: side
-                                            * of b's plane on which corner i of a lies */
+                        over_b[3] = { 0 }; /* over_a[i]: side of triangle a's plane on which corner i of b lies;
+                                            * over_b[i]: side of b's plane on which corner i of a lies */
   VS_ASSERT(!vs_triangle_is_flat(a) && !vs_triangle_is_flat(b));
   for (int i = 0; i < 3; i++)
     for (int j = 0; j < 3; j++)

@@ -1,4 +1,4 @@
-/* Triangulates a polygon by a sweep that cuts off each triangle as soon as it is visible.
+/* Triangulates a polygon by a plane sweep that cuts off each triangle as soon as it is visible.
  *
  * The sweep visits the vertices in the order of x. The status contains the edges that cross the sweep line. Each
  * interval inside the polygon between two neighbouring edges has a chain. The chain is the left border of the space, up
@@ -16,7 +16,7 @@
 
 typedef struct { vs_kernel *k; vs_triangulation *t; } cutter;
 
-/* Appends the triangle with the three different vertices x, y and z of the sweep. */
+/* Appends the triangle x, y, z, which are three different vertices of the sweep. */
 static bool emit(cutter *c, uint32_t x, uint32_t y, uint32_t z) {
   vs_triangulation *t = c->t;
   VS_ASSERT(x != y && y != z && z != x);
@@ -40,7 +40,7 @@ static bool start(cutter *c, uint32_t edge, uint32_t v) {
   return true;
 }
 
-/* Cuts off the triangles that vertex v sees from the upper end of the chain. */
+/* Cuts off the triangles that vertex v sees from the upper end of chain x, the border of the untriangulated space. */
 static bool cut_tail(cutter *c, vs_chain *x, uint32_t v) {
   vs_chain_node *n = c->t->nodes.at;
   while (x->tail != x->head) {
@@ -85,8 +85,8 @@ static bool extend_head(cutter *c, vs_chain *x, uint32_t v) {
   return true;
 }
 
-/* Splits the chain of the interval above edge `below` at its rightmost corner, which v sees. The chain of `below` keeps
- * the lower part, and the chain of `above` gets the upper part. The two edges differ. */
+/* Splits the chain (border of the untriangulated space) above edge `below` at its rightmost corner, which vertex v
+ * sees. The edge `below` keeps the lower part, and the edge `above` gets the upper part. The two edges differ. */
 static bool split(cutter *c, uint32_t below, uint32_t above, uint32_t v) {
   vs_chain *x = &c->t->chains.at[below], *y = &c->t->chains.at[above];
   uint32_t middle = x->rightmost, copy;
@@ -102,8 +102,8 @@ static bool split(cutter *c, uint32_t below, uint32_t above, uint32_t v) {
   return extend_tail(c, x, v) && extend_head(c, y, v);
 }
 
-/* Returns true if the edges are consistent. A path that goes upwards across all of them starts inside the polygon if
- * `under` is true, and ends inside it if `over` is true. */
+/* Returns true if the edges at a vertex are consistent. A path that goes upwards across all of them starts inside the
+ * polygon if `under` is true, and ends inside it if `over` is true. */
 static bool agree(const vs_boundary *edges, const uint32_t *at, uint32_t count, bool under, bool over) {
   for (uint32_t i = 0; i < count; i++) {
     if ((bool)(edges[at[i]].inside & 2) != under) return false;
@@ -135,7 +135,8 @@ static bool step(cutter *c, const vs_sweep_event *e) {
     if (over && !extend_head(c, &t->chains.at[last], v)) return false;
     if (n) t->chains.at[e->rights[n - 1]] = t->chains.at[last];
     else if (under != over) return VS_BROKEN(c->k, "a face has no border");
-    else if (under) { /* v joins two intervals: it is the end of the lower chain and the beginning of the upper chain */
+    else if (under) { /* vertex v joins two intervals inside the polygon: it ends the lower chain and begins the upper
+                       * chain */
       vs_chain *x = &t->chains.at[e->below], *y = &t->chains.at[last];
       vs_chain_node *nodes = t->nodes.at;
       uint32_t second = nodes[y->head].next;
@@ -159,8 +160,8 @@ static bool before(const vs_sweep *s, uint32_t a, uint32_t b) {
   return sign < 0 || (sign == 0 && vs_compare(s->points, a, b, s->v) < 0);
 }
 
-/* Orders the sides as a loop that starts at its leftmost corner; *last: position of its rightmost corner. Returns false
- * if the sides are not such a loop. */
+/* Orders the sides of the border as a loop that starts at its leftmost corner; *last: position of its rightmost corner.
+ * Returns false if the sides are not one loop that goes right along the bottom and returns along the top. */
 static bool find_loop(const vs_triangulation *t, uint32_t loop[SMALL], uint32_t *last) {
   uint32_t n = (uint32_t)t->sides.count, first = 0, at = 0;
   const vs_border *sides = t->sides.at;
@@ -186,8 +187,8 @@ static bool find_loop(const vs_triangulation *t, uint32_t loop[SMALL], uint32_t 
   return i == n;
 }
 
-/* Triangulates a small face, with a single chain in an array. The result is the same as that of the sweep. The loop has
- * 3 to SMALL sides. */
+/* Triangulates a small face of 3 to SMALL sides with a single chain in an array. The triangles are those of the sweep.
+ * last: position of the loop's rightmost corner. */
 static bool cut_loop(cutter *c, const uint32_t *loop, uint32_t last) {
   vs_triangulation *t = c->t;
   const vs_sweep *s = &t->sweep;

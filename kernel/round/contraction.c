@@ -17,7 +17,7 @@
 #include "model/store/disjoint.h"
 
 static bool is_met(const vs_rounding *s, uint32_t t) { /* returns true if triangle t is near a triangle that intersects
-                                                        * another triangle */
+                                                        * another triangle after rounding */
   const uint32_t *v = s->m->triangles[t];
   return s->near_met.at[v[0]] || s->near_met.at[v[1]] || s->near_met.at[v[2]];
 }
@@ -26,8 +26,9 @@ static vs_vec3 place(const vs_rounding *s, uint32_t v) { return s->m->vertices[v
 
 /* ---- sheets that lie on each other ---- */
 
-typedef struct { uint32_t corner[3], triangle; bool odd; } sheet; /* corners in ascending order; odd: true if this order
-                                                                   * has the opposite orientation */
+typedef struct { uint32_t corner[3], triangle; bool odd; } sheet; /* corner: the triangle's corners in ascending order;
+                                                                   * odd: true if this order has the opposite
+                                                                   * orientation */
 
 static int sheet_order(const void *a, const void *b) {
   const sheet *x = a, *y = b;
@@ -39,7 +40,8 @@ static int sheet_order(const void *a, const void *b) {
 
 static sheet sheet_of(const uint32_t v[3], uint32_t t) {
   sheet s = { { v[0], v[1], v[2] }, t, false };
-  for (int i = 0; i < 3; i++) { /* sorts the three corners: compares corners 0 and 1, then 1 and 2, then 0 and 1 */
+  for (int i = 0; i < 3; i++) { /* sorts the three corners of the triangle: compares corners 0 and 1, then 1 and 2, then
+                                 * 0 and 1 */
     int j = i % 2;
     if (s.corner[j] < s.corner[j + 1]) continue;
     uint32_t swap = s.corner[j];
@@ -49,8 +51,8 @@ static sheet sheet_of(const uint32_t v[3], uint32_t t) {
   return s;
 }
 
-/* Removes pairs of triangles that lie on each other, among the triangles at busy corners. Returns false when memory is
- * out. */
+/* Removes pairs of triangles with equal corners and opposite orientation, among the triangles at changed corners.
+ * Returns false when memory is out. */
 static bool cancel_sheets(vs_rounding *s) {
   const vs_mesh *m = s->m;
   VS_LIST(sheet) sheets = { 0 };
@@ -77,11 +79,11 @@ static bool cancel_sheets(vs_rounding *s) {
 
 /* ---- details that must not be lost ---- */
 
-enum { DETAIL = 16 /* a contraction that moves the surface by more units loses a detail; with 32-bit numbers, this limit
-                    * is a millionth of the coordinate */ };
+enum { DETAIL = 16 /* Limit, in units of the last place, above which a contraction loses a detail of the surface. With
+                    * 32-bit numbers, it is a millionth of the coordinate. */ };
 
-/* Returns true if the corner `to` is more than DETAIL units off the plane of triangle t. If the triangle's corner moves
- * to `to`, a detail of the surface is lost. Along a finely divided surface, corners may move farther without loss. */
+/* Returns true if the corner `to` is more than DETAIL units off the plane of triangle t, so that moving the triangle's
+ * corner there loses a detail. Along a finely divided surface, corners may move farther without loss. */
 static bool leaves(const vs_rounding *s, const uint32_t t[3], uint32_t corner, uint32_t to) {
   vs_vec3 n = vs_rounding_normal(place(s, t[0]), place(s, t[1]), place(s, t[2]));
   double off = fabs(vs_v3_dot(n, vs_v3_sub(place(s, to), place(s, corner))));
@@ -94,9 +96,9 @@ static void lose(vs_rounded *out, vs_vec3 at) {
 
 /* ---- uniting of corners ---- */
 
-/* Unites the ends of edges that are shorter than `units` units, in triangles near a contact. all: true for all such
- * triangles, false only for triangles that rounding bends. *count: number of united corners. Returns false when memory
- * is out. */
+/* Unites the ends of edges that are shorter than `units` units of the last place, in triangles near intersecting
+ * triangles. all: true for all such triangles, false only for triangles whose direction rounding changes. *count:
+ * number of united corners. Returns false when memory is out. */
 static bool unite(vs_rounding *s, double units, bool all, vs_rounded *out, size_t *count) {
   vs_mesh *m = s->m;
   VS_LIST(uint32_t) parent = { 0 };
@@ -129,7 +131,7 @@ static bool unite(vs_rounding *s, double units, bool all, vs_rounded *out, size_
       if (to[j] == v[j]) continue;
       s->changed.at[t] = VS_CHANGED;
       if (s->busy.at[v[j]] || !leaves(s, v, v[j], to[j])) continue;
-      s->busy.at[v[j]] = 1; /* counts the change and marks the corners as busy */
+      s->busy.at[v[j]] = 1; /* marks the corner as changed in this round */
       lose(out, place(s, v[j]));
     }
     memcpy(v, to, sizeof to);
@@ -143,8 +145,8 @@ static bool unite(vs_rounding *s, double units, bool all, vs_rounded *out, size_
 
 /* ---- rerouting of edges ---- */
 
-/* A low triangle. low, high: ends of its longest edge, with low < high; top: its third corner; along: position of the
- * third corner along the longest edge. */
+/* A triangle that is too low (a cap). low, high: ends of its longest edge, with low < high; top: its third corner;
+ * along: position of the third corner along the longest edge. */
 typedef struct { uint32_t low, high, top; double along; } cap;
 typedef VS_LIST(cap) caps;
 typedef VS_LIST(uint32_t) corners;
@@ -157,7 +159,8 @@ static int cap_order(const void *a, const void *b) {
   return x->top < y->top ? -1 : x->top > y->top;
 }
 
-/* TOPS: greatest number of corners that one edge gets in one step */
+/* TOPS: greatest number of corners through which one edge is led in one step; LOOP: greatest number of corners of the
+ * resulting polygon */
 enum { TOPS = 16, LOOP = 3 + 3 * TOPS };
 
 static bool find_caps(vs_rounding *s, double units, bool all, caps *to) {
@@ -190,7 +193,7 @@ static bool find_caps(vs_rounding *s, double units, bool all, caps *to) {
   return true;
 }
 
-/* Lists the corners through which the edge from p to q is rerouted, beginning with p. Returns their number. p and q
+/* Lists the corners through which the edge from p to q is led, beginning with p. Returns their number. p and q
  * differ. */
 static size_t route_of(const caps *all, uint32_t p, uint32_t q, uint32_t *to) {
   uint32_t a = p < q ? p : q, b = p < q ? q : p;
@@ -228,7 +231,7 @@ static bool cut_loop(vs_rounding *s, const uint32_t *loop, size_t count, corners
   return true;
 }
 
-/* Divides a loop that returns to a corner into two loops, and cuts them into triangles. Returns false when memory is
+/* Divides a loop that visits a corner twice into two loops, and cuts these into triangles. Returns false when memory is
  * out. */
 static bool cut_loops(vs_rounding *s, const uint32_t *loop, size_t count, corners *to) {
   uint32_t open[LOOP];
@@ -243,7 +246,7 @@ static bool cut_loops(vs_rounding *s, const uint32_t *loop, size_t count, corner
   return cut_loop(s, open, n, to);
 }
 
-/* Replaces triangle t of the mesh by the triangles in `by`, which has three corners for each and may be empty. Returns
+/* Replaces triangle t of the mesh by the triangles in `by`: three corners for each triangle, possibly none. Returns
  * false when memory is out. */
 static bool replace(vs_rounding *s, uint32_t t, const corners *by) {
   vs_mesh *m = s->m;
@@ -264,9 +267,9 @@ static bool replace(vs_rounding *s, uint32_t t, const corners *by) {
   return true;
 }
 
-/* Reroutes, through their third corners, the longest edges of triangles near a contact that are lower than `units`
- * units. all: true for all such triangles, false only for triangles that rounding bends. *count: number of removed
- * triangles. Returns false when memory is out. */
+/* Removes triangles that are lower than `units` units of the last place, near intersecting triangles: leads their
+ * longest edges through their third corners. all: true for all such triangles, false only for triangles whose direction
+ * rounding changes. *count: number of removed triangles. Returns false when memory is out. */
 static bool reroute(vs_rounding *s, double units, bool all, vs_rounded *out, size_t *count) {
   vs_mesh *m = s->m;
   caps found = { 0 };
