@@ -14,22 +14,22 @@
 enum {
   MOST = VS_THREADS_MOST,
   WINDOW = VS_PIPELINE_WINDOW,
-  STACK = 1 << 20 /* bytes of each thread's stack; a small stack suffices because tasks do not recurse, and the
-                   * process's memory limit includes it */
+  STACK = 1 << 20 /* Bytes of each thread's stack. A small stack suffices because tasks do not recurse. It counts
+                   * towards the process's memory limit. */
 };
 
 typedef struct {
   vs_kernel *k;
   vs_task_fn *task;
   void *context;
-  size_t count, window;   /* count: number of tasks; window: number of results that may wait for the taker; 0: there is
-                           * no taker */
+  size_t count, window;   /* count: number of tasks; window: number of complete results that may wait for `taker`; 0:
+                           * there is no taker */
   _Atomic size_t next, taken;
-  _Atomic bool *ready;    /* ready[i % window]: true if task i is complete and the taker has not read its result */
+  _Atomic bool *ready;    /* ready[i % window]: true if task i is complete and `taker` has not read its result */
   pthread_mutex_t lock;   /* protects `running`, `failed` and `error` */
-  pthread_cond_t done, space; /* done: signalled when a thread or a result is complete; space: signalled when the taker
-                               * has read a result */
-  size_t running, failed; /* running: number of started threads that still run; failed: the lowest number of a task that
+  pthread_cond_t done, space; /* done: signalled when a thread ends or a result is complete; space: signalled when
+                               * `taker` has read a result */
+  size_t running, failed; /* running: number of started threads that still run; failed: lowest number of a task that
                            * failed, or SIZE_MAX */
   vs_kernel_error error;
 } crew;
@@ -47,8 +47,8 @@ static bool do_task(crew *c, vs_kernel *k, size_t i) {
     return true;
   }
   pthread_mutex_lock(&c->lock);
-  if (k->error->status != VS_KERNEL_FINE && i < c->failed) { /* a task that ended because another task set `stop` has no
-                                                              * error of its own */
+  if (k->error->status != VS_KERNEL_FINE && i < c->failed) { /* a task that ended only because another task failed
+                                                              * (`stop`) has no error */
     c->failed = i;
     c->error = *k->error;
   }
@@ -91,23 +91,24 @@ static void wait_a_while(crew *c) {
   pthread_mutex_lock(&c->lock);
 }
 
-/* Calls the taker for each result in order. Runs tasks itself while the next result is not ready. c->window must not be
- * 0. */
+/* Calls `taker` for the results of all tasks in order. Runs tasks in this thread while the next result is not ready.
+ * c->window must not be 0. */
 static void take(crew *c, vs_task_fn *taker) {
   vs_kernel *k = c->k;
   VS_ASSERT(c->window > 0);
   for (size_t at = 0; at < c->count && !atomic_load(&k->stop);) {
     if (atomic_load(&c->ready[at % c->window])) {
       atomic_store(&c->ready[at % c->window], false);
-      if (!taker(k, c->context, at) || !vs_kernel_report(k, k->part)) { /* only this thread can detect that the caller
-                                                                         * interrupts */
+      if (!taker(k, c->context, at) || !vs_kernel_report(k, k->part)) { /* only the caller's thread calls its job, and
+                                                                         * so detects an interrupt */
         stop(c);
         return;
       }
       at++;
       pthread_mutex_lock(&c->lock);
       atomic_store(&c->taken, at);
-      pthread_cond_broadcast(&c->space); /* wakes all waiting threads, because any of them may have the next task */
+      pthread_cond_broadcast(&c->space); /* wakes all threads that wait for space in the window, because any of them may
+                                          * have the next task */
       pthread_mutex_unlock(&c->lock);
       continue;
     }
@@ -186,7 +187,7 @@ static bool run(vs_kernel *k, size_t count, size_t window, vs_task_fn *task, vs_
     c.running++;
     pthread_mutex_unlock(&c.lock);
     if (vs_thread_start(&threads[started], small ? &how : NULL, begin, w) != 0) { /* if a thread cannot be started,
-                                                                                   * continues with fewer threads */
+                                                                                   * fewer threads do the work */
       pthread_mutex_lock(&c.lock);
       c.running--;
       pthread_mutex_unlock(&c.lock);
@@ -196,7 +197,7 @@ static bool run(vs_kernel *k, size_t count, size_t window, vs_task_fn *task, vs_
   }
   if (small) pthread_attr_destroy(&how);
   uint32_t own = k->threads;
-  k->threads = 1; /* tasks must not start threads themselves */
+  k->threads = 1; /* tasks that run in a thread must not start more threads */
   if (taker) take(&c, taker);
   else work(&c, k);
   k->threads = own;

@@ -5,13 +5,14 @@
 #include "kernel/memory.h"
 
 /* vs_kernel_time starts the clock for the first step; NULL: no time is measured. vs_kernel_lap ends a step and adds its
- * seconds to laps[step]. It always returns true, so that it can be used in a chain of && operators. */
+ * seconds to laps[step]. It always returns true, so that it can be an operand of &&. */
 void vs_kernel_time(vs_kernel *k, double laps[VS_STEP_COUNT]);
-/* step is a row of steps.def. */
+/* `step` must be a row of steps.def. */
 bool vs_kernel_lap(vs_kernel *k, vs_step step);
 bool vs_kernel_run(vs_kernel *k, size_t count, vs_task_fn *task, void *context);
 bool vs_kernel_pipeline(vs_kernel *k, size_t count, vs_task_fn *task, vs_task_fn *taker, void *context);
 uint32_t vs_kernel_threads(const vs_kernel_options *options); /* returns the number of threads to use: the number in
-                                                               * options, or else the number of processors */
+                                                               * options if it is not 0, else the number of
+                                                               * processors */
 
 #endif

@@ -15,8 +15,8 @@ typedef struct { uint32_t l, r; uint8_t inside; } vs_boundary; /* an edge of the
 
 typedef struct {
   VS_LIST(vs_border) sides;              /* input: border of the polygon, from point to point; the inside is on the
-                                          * left, seen against the plane's normal */
-  /* output: point numbers of the triangles' corners, counter-clockwise, seen against the plane's normal */
+                                          * left, as seen from the tip of the plane's normal */
+  /* output: point numbers of the triangles' corners, counter-clockwise as seen from the tip of the plane's normal */
   struct { uint32_t (*at)[3]; size_t count, room; } triangles;
   vs_sweep sweep;
   VS_LIST(uint32_t) list, scratch, local;

@@ -29,7 +29,8 @@
 #include "kernel/threads.h"
 #include "model/store/array.h"
 
-enum { ROUNDS = 3, PASSES = 3 /* PASSES: number of passes of flips in a round */, CONTRACTIONS = 8 };
+enum { ROUNDS = 3, PASSES = 3 /* ROUNDS: greatest number of rounds of collapses and flips; PASSES: number of passes of
+                               * flips in a round */, CONTRACTIONS = 8 };
 
 typedef vs_rounding rounding;
 
@@ -37,7 +38,8 @@ static vs_vec3 corner(const rounding *s, uint32_t v) { return vs_rounding_corner
 
 static bool near(double a, double b, vs_numbers numbers) {
   double d = fabs(a - b), most = fabs(a) > fabs(b) ? fabs(a) : fabs(b);
-  if (d > most * 1e-6) return false; /* This test decides nearly all cases: no format has units that large. */
+  if (d > most * 1e-6) return false; /* Returns early for nearly all edges: units are less than a millionth of the
+                                      * coordinates in every format. */
   return d == 0 || d < 2 * vs_rounding_unit(most, numbers);
 }
 
@@ -46,8 +48,8 @@ static bool too_short(const rounding *s, uint32_t a, uint32_t b) {
   return near(p.x, q.x, s->numbers) && near(p.y, q.y, s->numbers) && near(p.z, q.z, s->numbers);
 }
 
-/* Returns true if the edge from a to b is shorter than the distance by which rounding may move its ends. Such an edge
- * may still be harmless: on faces perpendicular to an axis, rounding moves all triangles alike. */
+/* Returns true if the edge from vertex a to b is shorter than the distance by which rounding may move its ends. Such an
+ * edge may still be harmless: on faces perpendicular to an axis, rounding moves all triangles alike. */
 static bool unsure(const rounding *s, uint32_t a, uint32_t b) {
   double length = vs_v3_length(vs_v3_sub(s->m->vertices[a], s->m->vertices[b]));
   return length < 2 * fmax(vs_rounding_unit_at(s, a), vs_rounding_unit_at(s, b));
@@ -63,8 +65,8 @@ static bool is_neighbour(const rounding *s, uint32_t v, uint32_t other) {
   return false;
 }
 
-/* Marks the triangles beside a noise triangle (vs_rounding_is_noise). If the noise triangle has turned over, its
- * neighbours may intersect each other, even with equal orientation. */
+/* Marks the triangles beside each triangle so low that rounding may turn it over (vs_rounding_is_noise). If it has
+ * turned over, its neighbours may intersect each other, even with equal orientation. */
 static void suspect_neighbours(vs_rounding *s) {
   for (size_t i = 0; i < s->look.count; i++) {
     uint32_t t = s->look.at[i];
@@ -77,7 +79,7 @@ static void suspect_neighbours(vs_rounding *s) {
   }
 }
 
-/* Returns true if the triangle has an edge that may be too short. */
+/* Returns true if triangle t has an edge that is shorter than rounding moves its ends. */
 static bool has_short(const rounding *s, uint32_t t) {
   const uint32_t *v = s->m->triangles[t];
   for (int j = 0; j < 3; j++) {
@@ -94,12 +96,12 @@ enum { TASK = 1 << 13 };
 typedef struct { VS_LIST(uint32_t) look; VS_LIST(vs_storey) storeys; bool noise, level; } found_some;
 typedef struct {
   rounding *s;
-  bool noise; /* true if some triangle is a noise triangle (vs_rounding_is_noise) */
+  bool noise; /* true if some triangle is so low that rounding may turn it over (vs_rounding_is_noise) */
   found_some found[VS_PIPELINE_WINDOW];
 } scan;
 
-/* If the triangle lies in a plane perpendicular to an axis, appends this plane, unless it is the plane that was last
- * appended for this axis. *level: true if there is such a plane. Returns false when memory is out. */
+/* Appends the plane of triangle t, if it is perpendicular to an axis, unless it is the plane that was appended last for
+ * this axis. *level: true if the plane is perpendicular to an axis. Returns false when memory is out. */
 static bool find_storey(vs_kernel *k, const rounding *s, uint32_t t, vs_storey last[3], found_some *to, bool *level) {
   const uint32_t *v = s->m->triangles[t];
   vs_vec3 a = s->m->vertices[v[0]], b = s->m->vertices[v[1]], c = s->m->vertices[v[2]];
@@ -148,8 +150,8 @@ static int storey_order(const void *a, const void *b) {
   return x->value < y->value ? -1 : x->value > y->value;
 }
 
-/* Merges two adjacent sorted runs: the run from `low` to `middle`, and the run from `middle` to `high`. scratch has
- * room for the first run. Neither run is empty. */
+/* Merges two adjacent sorted runs of storeys: the run from index `low` to `middle` - 1, and the run from `middle` to
+ * `high` - 1. scratch has room for the first run. Neither run is empty. */
 static void merge_storeys(vs_storey *at, vs_storey *scratch, size_t low, size_t middle, size_t high) {
   size_t i = 0, n = middle - low, j = middle, to = low;
   VS_ASSERT(low < middle && middle < high);
@@ -159,8 +161,9 @@ static void merge_storeys(vs_storey *at, vs_storey *scratch, size_t low, size_t 
   while (i < n) at[to++] = scratch[i++];
 }
 
-/* Sorts the storeys in runs, between which the caller may interrupt: a million boxes have some million storeys. Returns
- * false when memory is out or the caller interrupts. */
+/* Sorts the storeys (planes perpendicular to an axis that contain triangles) by axis and value. The caller may
+ * interrupt between runs: a million boxes have some million storeys. Returns false when memory is out or the caller
+ * interrupts. */
 static bool order_storeys(vs_kernel *k, vs_storey *at, size_t count) {
   enum { RUN = 1 << 15 };
   VS_LIST(vs_storey) scratch = { 0 };
@@ -194,7 +197,7 @@ static bool sort_storeys(rounding *s) {
   return vs_kernel_report(s->k, 1);
 }
 
-/* axis is 0, 1 or 2. */
+/* `axis` must be 0, 1 or 2. */
 size_t vs_rounding_storey(const vs_rounding *s, int axis, double value) {
   vs_storey sought = { value, axis };
   size_t low = 0, high = s->storeys.count;
@@ -207,8 +210,8 @@ size_t vs_rounding_storey(const vs_rounding *s, int axis, double value) {
   return low;
 }
 
-/* Finds the triangles that need a test. *any: true if there is a noise triangle. Returns false when memory is out or
- * the caller interrupts. */
+/* Finds the triangles that are low or have short edges. *any: true if rounding may turn one of them over. Returns false
+ * when memory is out or the caller interrupts. */
 static bool find_look(rounding *s, bool *any) {
   scan c = { .s = s };
   s->look.count = s->storeys.count = 0;
@@ -234,7 +237,7 @@ static int number_order(const void *a, const void *b) {
   return x < y ? -1 : x > y;
 }
 
-/* Begins a round: marks all corners as not busy, and sorts the triangles to test. */
+/* Begins a round of repairs: marks all corners as unchanged in this round, and sorts the triangles to test. */
 static void begin_round(rounding *s) {
   memset(s->busy.at, 0, s->m->vertex_count);
   for (size_t i = 1; i < s->look.count; i++)
@@ -244,7 +247,8 @@ static void begin_round(rounding *s) {
     }
 }
 
-/* Makes the fans of the vertices and the marks of the triangles to test again. Returns false when memory is out. */
+/* Makes the list of triangles around each vertex (its fan), and marks the triangles to test again. Returns false when
+ * memory is out. */
 static bool index_mesh(rounding *s) {
   const vs_mesh *m = s->m;
   size_t n = m->vertex_count, triangles = m->triangle_count;
@@ -272,10 +276,11 @@ static bool index_mesh(rounding *s) {
   return vs_kernel_report(s->k, 1);
 }
 
-/* Adds triangle t to the fan of vertex v. Returns false when memory is out. */
+/* Adds triangle t to the list of triangles around vertex v. Returns false when memory is out. */
 static bool give(rounding *s, uint32_t v, uint32_t t) {
   vs_fan *f = &s->fans.at[v];
-  if (f->first + f->count != s->around.count) { /* moves the fan to a place that has free room after it */
+  if (f->first + f->count != s->around.count) { /* moves the list of vertex v's triangles to the end of `around`, where
+                                                 * it can grow */
     if (!VS_ROOM(s->k, s->around.at, s->around.room, s->around.count + f->count + 1)) return false;
     if (f->count) memcpy(s->around.at + s->around.count, s->around.at + f->first, f->count * sizeof *s->around.at);
     f->first = (uint32_t)s->around.count;
@@ -295,8 +300,9 @@ static void take_off(rounding *s, uint32_t v, uint32_t t) {
 
 /* ---- short edges ---- */
 
-/* Returns true if vertex b may be moved to vertex a. Every remaining triangle around b must keep its orientation,
- * unless that was arbitrary. The link condition must hold. a and b differ. */
+/* Returns true if the edge from a to b may be collapsed, by a move of vertex b to vertex a. Every remaining triangle
+ * around b must keep its orientation, unless that was arbitrary. The link condition must hold: only the two vertices
+ * opposite the edge are neighbours of a and of b. a and b differ. */
 static bool allowed(const rounding *s, uint32_t a, uint32_t b) {
   uint32_t common = 0, both = 0;
   vs_vec3 to = s->m->vertices[a];
@@ -309,15 +315,16 @@ static bool allowed(const rounding *s, uint32_t a, uint32_t b) {
       both++;
       continue;
     }
-    if (is_neighbour(s, a, p)) common++; /* In only one triangle does p follow b. Thus each neighbour is counted once,
-                                          * except those in the triangles at the edge. */
+    if (is_neighbour(s, a, p)) common++; /* Vertex p follows b in only one triangle. Therefore each common neighbour of
+                                          * a and b is counted once, except those in the triangles at the edge. */
     vs_vec3 before = vs_rounding_normal(s->m->vertices[b], s->m->vertices[p], s->m->vertices[q]),
             after = vs_rounding_normal(to, s->m->vertices[p], s->m->vertices[q]);
-    if (vs_v3_dot(before, after) < 0 && !vs_rounding_is_noise(s, other)) return false; /* a noise triangle may turn
-                                                                                        * over */
+    if (vs_v3_dot(before, after) < 0 && !vs_rounding_is_noise(s, other)) return false; /* a triangle that rounding may
+                                                                                        * turn over anyway may also turn
+                                                                                        * over here */
   }
-  /* In the loop, the corner after b is a in one of the edge's triangles and p in every other triangle. The two corners
-   * opposite the edge are neighbours of a, and the loop counts one of them. */
+  /* In the loop, the corner after b is a in one of the edge's two triangles and p in every other triangle. Each of the
+   * two corners opposite the edge is a neighbour of a, and the loop counts one of them. */
   bool tetrahedron = s->fans.at[a].count == 3 && s->fans.at[b].count == 3; /* the collapse of an edge of a tetrahedron
                                                                             * would leave two triangles that lie on each
                                                                             * other */
@@ -330,9 +337,9 @@ static bool same_side(vs_vec3 n, vs_vec3 a, vs_vec3 b, vs_vec3 c) {
   return vs_v3_dot(n, vs_rounding_normal(a, b, c)) > 0;
 }
 
-/* Removes a triangle lower than the distance by which rounding moves its corners, because it may turn over. Its longest
- * edge is replaced by an edge from its third corner into the neighbour at that edge, which is cut in two. Neither new
- * triangle may be as low, or turn over, before or after rounding. t is not gone. */
+/* Removes triangle t, which is lower than the distance by which rounding moves its corners and so may turn over. Its
+ * longest edge is replaced by an edge from its third corner into the neighbour at that edge, which is cut in two.
+ * Neither new triangle may be as low, or turn over, before or after rounding. t must not be removed already. */
 static bool flip(rounding *s, uint32_t t) {
   vs_mesh *m = s->m;
   const uint32_t *v = m->triangles[t];
@@ -366,7 +373,7 @@ static bool flip(rounding *s, uint32_t t) {
   return give(s, top, other) && give(s, far, t) && look_at(s, t) && look_at(s, other);
 }
 
-/* Flips the low triangles once; *done: number of flips. Returns false when memory is out. */
+/* Removes triangles that are too low by one pass of flips; *done: number of flips. Returns false when memory is out. */
 static bool flip_round(rounding *s, size_t *done) {
   begin_round(s);
   *done = 0;
@@ -377,7 +384,7 @@ static bool flip_round(rounding *s, size_t *done) {
   return s->k->error->status == VS_KERNEL_FINE;
 }
 
-/* Removes the triangles that are marked as gone from the mesh. */
+/* Removes from the mesh's array the triangles that are marked as gone. */
 static void squeeze(rounding *s) {
   size_t kept = 0;
   for (size_t t = 0; t < s->m->triangle_count; t++)
@@ -385,8 +392,8 @@ static void squeeze(rounding *s) {
   vs_mesh_squeeze(s->m, s->gone.at);
 }
 
-/* Collapses vertex b onto vertex a, and marks the two triangles at their edge as gone. a and b differ. Returns false
- * when memory is out. */
+/* Collapses the edge between vertices a and b: b becomes a, and the two triangles at the edge are marked as gone. a and
+ * b differ. Returns false when memory is out. */
 static bool collapse(rounding *s, uint32_t a, uint32_t b) {
   vs_mesh *m = s->m;
   VS_ASSERT(a != b);
@@ -432,13 +439,13 @@ static bool collapse_round(rounding *s, size_t *done) {
 /* ---- blades: shells that are too thin ---- */
 
 static bool is_blade(const rounding *s, const vs_shell *of) {
-  return fabs(of->volume) <= of->area * vs_rounding_unit(of->reach, s->numbers); /* if both sides are equal, both are 0,
-                                                                                  * and the shell is a single point */
+  return fabs(of->volume) <= of->area * vs_rounding_unit(of->reach, s->numbers); /* `<=`, not `<`: both sides are 0 for
+                                                                                  * a shell that is a single point */
 }
 
-/* Removes shells that are thinner than two units everywhere and that rounding bends, because their sides would lie on
- * each other. Keeps them if there is no other shell. A thin plate along the axes stays unchanged, even far from the
- * origin. Returns false when memory is out. */
+/* Removes shells (connected parts of the surface) that are thinner than two units of the last place everywhere and that
+ * rounding bends, because their sides would lie on each other. Keeps them if there is no other shell. A thin plate
+ * along the axes stays unchanged, even far from the origin. Returns false when memory is out. */
 static bool drop_blades(rounding *s, vs_rounded *out) {
   vs_mesh *m = s->m;
   bool ok = vs_rounding_find_shells(s);
@@ -484,8 +491,8 @@ static bool drop_vertices(rounding *s) {
   return true;
 }
 
-/* Makes all marks again after vertices and triangles have got new numbers. Returns false when memory is out or the
- * caller interrupts. */
+/* Makes all lists and marks again after vertices and triangles have got new numbers. Returns false when memory is out
+ * or the caller interrupts. */
 static bool begin_again(rounding *s) {
   bool any;
   return find_look(s, &any) && index_mesh(s);
@@ -533,10 +540,10 @@ static bool round_mesh(vs_rounding *s, vs_rounded *out) {
   ok = ok && vs_rounding_count_met(s, out);
   if (ok && out->met_before > before) before = out->met_before;
   if (ok) squeeze(s);
-  /* Each round contracts more coarsely, and from the third round on it contracts all triangles near contacts. If
-   * this makes other triangles intersect, the rounds continue as long as the number of such triangles decreases. If
-   * a large part of a large mesh intersects, its facets are finer than the format's numbers, and no contraction
-   * repairs this. */
+  /* Each round contracts the surface more coarsely. From the third round on, it contracts all triangles near contacts.
+   * If this makes other triangles intersect, the rounds continue as long as the number of such triangles decreases. If
+   * a large part of a large mesh intersects, its facets are finer than the format's numbers, and no contraction repairs
+   * this. */
   for (int round = 0; ok && s->places && out->met && round < CONTRACTIONS; round++) {
     enum { ALL = 2, MANY = 10000, PART = 16 };
     if (out->met > MANY && out->met > m->triangle_count / PART) break;
@@ -551,14 +558,14 @@ static bool round_mesh(vs_rounding *s, vs_rounded *out) {
     out->flipped += flipped;
     if (round > ALL && out->met >= met) break;
   }
-  out->met_before = before; /* Contraction itself may make triangles cross. Such triangles must not count as
-                             * intersections before rounding. */
+  out->met_before = before; /* Contraction may make triangles cross that did not cross in the exact result. Therefore
+                             * the earlier count of intersections before rounding is kept. */
   return ok && (out->collapsed || out->dropped ? drop_vertices(s) : true);
 }
 
 bool vs_mesh_round(vs_mesh *m, vs_numbers numbers, const vs_kernel_options *options, vs_rounded *out,
                     vs_kernel_error *error) {
-  enum { SERIAL = 10000 }; /* with fewer triangles, one thread works */
+  enum { SERIAL = 10000 }; /* number of triangles below which a single thread works */
   vs_kernel_error ignored;
   vs_kernel k = { .options = options,
                   .error = error ? error : &ignored,

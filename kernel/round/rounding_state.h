@@ -1,5 +1,5 @@
-/* Defines the state of rounding a mesh (rounding.c). The search for self-contacts after rounding (self_contacts.c) and
- * their repair (contraction.c) share it. */
+/* Defines the state of the repair of a mesh for rounding (rounding.c). The search for triangles that intersect after
+ * rounding (self_contacts.c) and their repair (contraction.c) share it. */
 #ifndef VS_KERNEL_ROUND_ROUNDING_STATE_H
 #define VS_KERNEL_ROUND_ROUNDING_STATE_H
 
@@ -10,57 +10,63 @@
 
 typedef struct { uint32_t first, count; } vs_fan;
 
-typedef struct { double value; int axis; } vs_storey; /* A storey: a plane perpendicular to an axis that contains a
-                                                       * triangle. */
+typedef struct { double value; int axis; } vs_storey; /* A storey: a plane perpendicular to an axis that contains
+                                                       * triangles. value: the coordinate along this axis that all its
+                                                       * points have. */
 
 typedef struct {
   vs_kernel *k;
   vs_mesh *m;
-  vs_numbers numbers;      /* kind of numbers; LOOSE is replaced by SINGLE */
+  vs_numbers numbers;      /* kind of the format's numbers; VS_NUMBERS_LOOSE is replaced by VS_NUMBERS_SINGLE */
   /* True if the format stores positions without vertex numbers. Triangles with two equal corners are then omitted. */
   bool places;
   vs_bounds bounds;
-  double coarsest;         /* two units in the last place of the greatest coordinate of the mesh */
-  VS_LIST(vs_storey) storeys; /* different storeys of the mesh, sorted by axis and value; empty if two of them are less
-                               * than two units apart */
-  bool level;              /* true if every triangle lies in a storey */
-  VS_LIST(vs_fan) fans;    /* for each vertex: range in `around` of the triangles at the vertex that are not gone */
+  double coarsest;         /* two units in the last place of the mesh's greatest coordinate, the largest distance that
+                            * matters */
+  VS_LIST(vs_storey) storeys; /* the planes perpendicular to an axis that contain triangles, sorted by axis and value;
+                               * empty if two of them are less than two units apart */
+  bool level;              /* true if every triangle is perpendicular to an axis, in one of `storeys` */
+  VS_LIST(vs_fan) fans;    /* fans[v]: range in `around` of the triangles at vertex v that are not removed */
   VS_LIST(uint32_t) around;
-  VS_LIST(uint32_t) look;  /* sorted list of triangles that may be low or have an edge that is too short: at first all
-                            * of them, later those that have changed */
-  VS_LIST(uint8_t) busy;   /* for each vertex: 1 if the current round has changed a triangle near it */
-  VS_LIST(uint8_t) gone;   /* for each triangle: 1 if it is removed; triangles keep their numbers until the end */
-  VS_LIST(uint8_t) listed; /* for each triangle: 1 if it is in `look`; 2 if it is counted among the intersecting
+  VS_LIST(uint32_t) look;  /* sorted list of triangles that may be low or have a short edge: at first all such
+                            * triangles, later those that have changed */
+  VS_LIST(uint8_t) busy;   /* busy[v]: 1 if the current round has changed a triangle at vertex v */
+  VS_LIST(uint8_t) gone;   /* gone[t]: 1 if triangle t is removed; triangles keep their numbers until the end */
+  VS_LIST(uint8_t) listed; /* listed[t]: 1 if triangle t is in `look`; 2 if it is counted among the intersecting
                             * triangles */
   VS_LIST(uint8_t)
-  changed; /* for each triangle, a set of marks. VS_CHANGED: it has other corners than in the exact result. VS_SUSPECT:
-            * it is beside a triangle that may have turned over, or at a place where the surface touches itself */
-  bool searched;           /* true if all pairs of triangles have been tested once (self_contacts.c) */
-  vs_shells shells;        /* shells of the mesh, computed when needed; collapsing an edge does not connect shells */
-  VS_LIST(uint8_t) alone;  /* for each vertex, in the first search: 1 if its shell needs no test (stars.h); else
-                            * empty */
-  VS_LIST(uint8_t) folded; /* for each vertex: 1 if it belongs to two triangles that lie on each other, to within some
-                            * units in the last place */
-  VS_LIST(uint8_t) near_met; /* for each vertex: 1 if it belongs to a triangle that intersects another; 2 or 3 if it is
-                              * one or two triangles away from such a vertex */
+  changed; /* changed[t]: marks of triangle t as bits. VS_CHANGED: it has other corners than in the exact result.
+            * VS_SUSPECT: it is beside a triangle that may have turned over, or at a place where the surface touches
+            * itself. */
+  bool searched;           /* true if self_contacts.c has tested all pairs of triangles once */
+  vs_shells shells;        /* connected parts of the mesh, computed when needed; the collapse of an edge does not
+                            * connect shells */
+  VS_LIST(uint8_t) alone;  /* alone[v]: 1 if the shell of vertex v cannot intersect after rounding (stars.h); only in
+                            * the first search, else empty */
+  VS_LIST(uint8_t) folded; /* folded[v]: 1 if vertex v belongs to two triangles that lie on each other, within some
+                            * units of the last place */
+  VS_LIST(uint8_t) near_met; /* near_met[v]: 1 if vertex v belongs to a triangle that intersects another; 2 or 3 if it
+                              * is one or two triangles away from such a vertex */
 } vs_rounding;
 
-enum { VS_CHANGED = 1, VS_SUSPECT = 2, VS_SEEN = 4 /* mark that is set together with another mark: a search has already
-                                                    * seen the triangle with this mark */ };
+enum { VS_CHANGED = 1, VS_SUSPECT = 2, VS_SEEN = 4 /* VS_SEEN is set together with VS_CHANGED or VS_SUSPECT: a search
+                                                    * has already tested the triangle with this mark */ };
 
-bool vs_rounding_find_shells(vs_rounding *s); /* returns false if memory is out or the caller interrupts */
-vs_vec3 vs_rounding_corner(const vs_rounding *s, uint32_t v); /* returns the position of vertex v after rounding */
-/* Returns the unit in the last place of the number x. For doubles, digits that were lost on the way out of a frame are
- * not counted. */
+bool vs_rounding_find_shells(vs_rounding *s); /* computes s->shells if it is not computed yet; returns false if memory
+                                               * is out or the caller interrupts */
+vs_vec3 vs_rounding_corner(const vs_rounding *s, uint32_t v); /* returns the position of vertex v after rounding to the
+                                                               * format's numbers */
+/* Returns the unit in the last place of a number of the size of x. For doubles, it includes the digits that are lost
+ * when coordinates are mapped from the cluster's frame. */
 double vs_rounding_unit(double x, vs_numbers numbers);
-double vs_rounding_reach(vs_vec3 p); /* returns the largest absolute value of p's coordinates */
-/* v is a vertex of the mesh. */
-double vs_rounding_unit_at(const vs_rounding *s, uint32_t v); /* returns the unit of the largest coordinate of vertex
-                                                               * v */
-/* t is a triangle of the mesh. */
-int vs_rounding_longest(const vs_rounding *s, uint32_t t); /* returns the first corner of the triangle's longest edge, 0
-                                                            * to 2 */
-/* vs_rounding_normal returns the normal of the triangle a, b, c, whose length is twice the area. vs_rounding_height
+double vs_rounding_reach(vs_vec3 p); /* returns the largest absolute value of the coordinates of p */
+/* v must be a vertex of the mesh. */
+double vs_rounding_unit_at(const vs_rounding *s, uint32_t v); /* returns the unit in the last place of the largest
+                                                               * coordinate of vertex v */
+/* t must be a triangle of the mesh. */
+int vs_rounding_longest(const vs_rounding *s, uint32_t t); /* returns the corner (0 to 2) of triangle t at which its
+                                                            * longest edge begins */
+/* vs_rounding_normal returns the normal of the triangle a, b, c, with twice the area as length. vs_rounding_height
  * returns the least of the triangle's three heights. */
 static inline vs_vec3 vs_rounding_normal(vs_vec3 a, vs_vec3 b, vs_vec3 c) {
   return vs_v3_cross(vs_v3_sub(b, a), vs_v3_sub(c, a));
@@ -70,13 +76,13 @@ double vs_rounding_height(vs_vec3 a, vs_vec3 b, vs_vec3 c);
  * vanish. */
 bool vs_rounding_bends(const vs_rounding *s, uint32_t t);
 
-/* Returns the index of the first storey of the axis whose value is not below `value`. Returns the index at which it
- * would be inserted if there is none. */
+/* Returns the index of the first storey (plane that contains triangles) across the axis whose value is not below
+ * `value`. If there is none, returns the index at which it would be inserted. */
 size_t vs_rounding_storey(const vs_rounding *s, int axis, double value);
 
-/* Returns true if triangle t is lower than the distance by which rounding may move its corners, and this changes its
- * direction by more than two or three degrees. Also returns true if the triangle is lower than doubles can represent.
- * Because doubles are rounded, such a triangle may have turned over before, and no format turns it further. */
+/* Returns true if rounding may turn triangle t over. The triangle is then lower than the distance by which rounding may
+ * move its corners, and this changes its direction by more than two or three degrees. Also returns true if the triangle
+ * is lower than doubles can represent, because it may have turned over before. */
 bool vs_rounding_is_noise(const vs_rounding *s, uint32_t t);
 
 #endif

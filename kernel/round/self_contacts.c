@@ -41,73 +41,83 @@
 #include <string.h>
 
 enum { STEEP = 4, NOT_ITS = 255, NOT_LEVEL = 3, OPEN = 0, LEVEL = 1, RUN = 16, TRIANGLES = 1 << 13 };
-#define ALIKE 0.85f /* least cosine of the angle between two runs that face the same way */
+#define ALIKE 0.85f /* least cosine of the angle between the normals of two runs that face the same way */
 
-/* A triangle, mostly with rounded corners. */
+/* A triangle with its normal. Its corners are mostly rounded already. */
 typedef struct {
   uint32_t triangle;
-  vs_vec3 at[3], normal, size; /* size: for each component of the normal, the sum of the products' sizes; 1e-14 of it
-                                * exceeds any rounding error */
+  vs_vec3 at[3], normal, size; /* at: corners; normal: normal of twice the area; size: for each component of the normal,
+                                * the sum of the products' sizes, of which 1e-14 exceeds any rounding error */
   double low[3], high[3];
-  bool flat; /* true if the corners lie on one line */
+  bool flat; /* true if the three corners lie on one line */
 } sheet;
 
 typedef float floats __attribute__((vector_size(16)));
 typedef int32_t truths __attribute__((vector_size(16)));
-/* Four corners of a run, relative to the middle of the mesh. If the run has fewer corners, the last corner is
- * repeated. */
+/* Four corners of a run (neighbouring triangles tested together), relative to the middle of the mesh. If the run has
+ * fewer corners, its last corner is repeated. */
 typedef struct { floats x, y, z; uint32_t corner[4]; } corners;
 enum { FOURS = (3 * RUN + 3) / 4 };
 
 typedef struct {
   uint32_t first, first_four, first_place;
-  uint8_t count, fours;          /* count: number of triangles; fours: number of groups of four corners. `places` has
-                                  * three indices of corners for each triangle */
-  bool is_low;                   /* true if the run is a single low triangle */
-  uint8_t is_changed;            /* marks (VS_CHANGED ...) of the run's triangle if it has only one, else 0 */
-  bool busy;                     /* true for an open run that crosses a storey or is close to one */
-  bool anew;                     /* true if the run is tested against all other runs, see is_anew */
-  uint8_t level;                 /* axis along which all corners of the run have the coordinate `value`: 0 for x, 1 for
-                                  * y, 2 for z */
-  /* hub: a corner of all its triangles around which no test is needed (hubs.h), or UINT32_MAX. */
+  uint8_t count, fours;          /* count: number of triangles in the run; fours: number of groups of four corners.
+                                  * `places` has three indices of corners for each triangle. */
+  bool is_low;                   /* true if the run is one triangle that is lower than some units of the last place */
+  uint8_t is_changed;            /* marks (VS_CHANGED ...) of the run's only triangle; 0 if the run has several
+                                  * triangles */
+  bool busy;                     /* true for a run that is not perpendicular to an axis, and crosses a plane of runs
+                                  * that are, or is close to one */
+  bool anew;                     /* true if this run is tested against all other runs, because its triangle has changed
+                                  * (see is_anew) */
+  uint8_t level;                 /* axis to which the run is perpendicular: 0 for x, 1 for y, 2 for z; all its corners
+                                  * then have the coordinate `value` */
+  /* corner of very many triangles that all triangles of the run share, and around which no test is needed (hubs.h);
+   * UINT32_MAX: there is none */
   uint32_t hub;
   double value;
-  float normal[3], low, high;    /* the run's slab, enlarged by the margin on both sides: its unit normal, and the lower
-                                  * and upper limit along the normal */
-  float height, longest;         /* height: least height of the run's triangles; longest: length of their longest
-                                  * edge */
+  float normal[3], low, high;    /* interval that contains all corners of the run, enlarged by the margin on both sides:
+                                  * a unit normal, and the lower and upper limit along it */
+  float height, longest;         /* height: least height of the run's triangles; longest: length of their longest edge;
+                                  * in units of the mesh */
 } run;
 
-/* The range of a busy run's coordinates along each axis. near_low, near_high: whether another corner is within the
- * margin of the range's low or high end. */
-typedef struct { double low[3], high[3]; bool near_low[3], near_high[3], any; /* any: true if the run is low or
-                                                                               * changed */ } reach;
+/* The range of a run's coordinates along each axis. near_low, near_high: whether a second corner is within the margin
+ * of the range's low or high end. */
+typedef struct { double low[3], high[3]; bool near_low[3], near_high[3], any; /* any: true if the run is one low or
+                                                                               * changed triangle, which is tested
+                                                                               * against all planes */ } reach;
 
 typedef struct { VS_LIST(run) at; VS_LIST(vs_bvh_box) boxes; } runs;
-typedef struct { runs kinds[2]; VS_LIST(corners) fours; VS_LIST(uint8_t) places; } made; /* kinds: the open runs and the
-                                                                                          * level runs that a task has
-                                                                                          * made */
-typedef struct { uint32_t a, b; bool before; } pair; /* a, b: triangles that intersect; before: true if they also
-                                                      * intersect before rounding */
+typedef struct { runs kinds[2]; VS_LIST(corners) fours; VS_LIST(uint8_t) places; } made; /* kinds: the runs that a task
+                                                                                          * has made: those not
+                                                                                          * perpendicular to an axis,
+                                                                                          * and those perpendicular to
+                                                                                          * one */
+typedef struct { uint32_t a, b; bool before; } pair; /* a, b: numbers of two triangles that intersect; before: true if
+                                                      * they also intersect before rounding */
 
 typedef struct {
   vs_rounding *s;
   vs_rounded *out;
   vs_vec3 middle;
-  double step;                   /* length of a step of the boxes' integer coordinates */
-  double low;                    /* a triangle is low if its least height is below this length */
-  float margin;                  /* length that is added to a slab on both sides; it exceeds the errors of floats */
+  double step;                   /* length of a step of the boxes' integer coordinates, in units of the mesh */
+  double low;                    /* height below which a triangle counts as low */
+  float margin;                  /* length by which the interval of a run is enlarged on both sides; it exceeds the
+                                  * errors of floats */
   made all;
-  VS_LIST(uint32_t) busy;        /* indices of the busy open runs */
+  VS_LIST(uint32_t) busy;        /* indices of the busy runs: those that cross or nearly touch a plane of runs
+                                  * perpendicular to an axis */
   VS_LIST(vs_bvh_box) busy_boxes;
-  VS_LIST(reach) reaches;        /* ranges of the busy runs' coordinates */
-  vs_hubs around;                /* hubs of the mesh with rounded corners */
-  VS_LIST(uint32_t) hubs;        /* hub of each open run */
-  vs_bvh bvh, busy_bvh;          /* bvh: index of all open runs; busy_bvh: index of the busy open runs */
+  VS_LIST(reach) reaches;        /* reaches[i]: coordinates of busy run i along each axis */
+  vs_hubs around;                /* corners of very many triangles, in the mesh with rounded corners */
+  VS_LIST(uint32_t) hubs;        /* hubs[i]: `hub` of run i of those that are not perpendicular to an axis */
+  vs_bvh bvh, busy_bvh;          /* bvh: boxes of all runs that are not perpendicular to an axis; busy_bvh: boxes of
+                                  * those in `busy` */
   made found[VS_PIPELINE_WINDOW];
-  struct { VS_LIST(pair) at, folds; } met[VS_PIPELINE_WINDOW]; /* at: pairs that intersect; folds: pairs that are
-                                                                * folded, see is_fold */
-  bool folds;                    /* true if folds were found */
+  struct { VS_LIST(pair) at, folds; } met[VS_PIPELINE_WINDOW]; /* at: pairs of triangles that intersect; folds: pairs
+                                                                * that are folded onto each other, see is_fold */
+  bool folds;                    /* true if pairs of triangles were found that are folded onto each other */
 } search;
 
 /* ---- pairs of triangles ---- */
@@ -142,7 +152,7 @@ static void load_exact(const vs_rounding *s, uint32_t t, sheet *to) {
   measure(to);
 }
 
-/* Returns true if triangle b is on one side of a's plane, except for corners that both have. */
+/* Returns true if triangle b is on one side of triangle a's plane, except for corners that a has, too. */
 static bool beside(const sheet *a, const sheet *b) {
   bool above = false, below = false;
   int unsure = 0;
@@ -168,10 +178,11 @@ static bool apart(const sheet *a, const sheet *b) {
 
 /* ---- runs ---- */
 
-/* longest, height: squares of the longest edge and of the least height */
+/* A triangle for the making of runs. longest, height: squares of its longest edge and of its least height; low: true if
+ * it is too low for a run. */
 typedef struct { vs_vec3 at[3], normal; vs_bounds box; double longest, height; bool low; } facet;
 
-/* Returns triangle t of the mesh with the data for making runs. */
+/* Returns triangle t of the mesh with its normal, box and sizes. */
 static facet facet_of(const search *c, uint32_t t) {
   facet f;
   VS_ASSERT(t < c->s->m->triangle_count);
@@ -191,7 +202,7 @@ static bool bounds_touch(const vs_bounds *a, const vs_bounds *b) {
          (a->min.z <= b->max.z) & (b->min.z <= a->max.z);
 }
 
-/* Returns true if the normals differ by less than 15 degrees. */
+/* Returns true if the normals a and b differ by less than 15 degrees. */
 static bool alike(vs_vec3 a, vs_vec3 b) {
   double d = vs_v3_dot(a, b);
   return d > 0 && d * d > 0.933 * vs_v3_dot(a, a) * vs_v3_dot(b, b);
@@ -206,7 +217,8 @@ static vs_bvh_box box_of(const search *c, const vs_bounds *w) {
                    { (int32_t)high.x + more, (int32_t)high.y + more, (int32_t)high.z + more } };
 }
 
-/* A run that is being extended, with its normal and its corners, nearly all of them once. */
+/* A run (triangles tested together) to which triangles are being added, with its normal. Its list of corners contains
+ * nearly all corners only once. */
 typedef struct {
   run r;
   vs_vec3 normal;
@@ -236,8 +248,8 @@ static floats heights(const run *r, const corners *p) {
 
 static double coordinate(vs_vec3 p, int axis) { return axis == 0 ? p.x : axis == 1 ? p.y : p.z; }
 
-/* Returns true if the run has corners on both sides of a storey, or closer to it than the margin. Otherwise it is apart
- * from all level runs. */
+/* Returns true if the run has corners on both sides of a plane with runs perpendicular to an axis, or within the margin
+ * of it. Otherwise it cannot intersect any of these runs. */
 static bool is_busy(const search *c, const run *r, const vs_bounds *box, const corners *four) {
   const vs_rounding *s = c->s;
   if (r->is_low || r->is_changed) return true;
@@ -291,8 +303,8 @@ static bool end_run(vs_kernel *k, const search *c, made *to, making *g) {
   return VS_PUSH(k, kind->at, *r) && VS_PUSH(k, kind->boxes, box_of(c, b));
 }
 
-/* Returns true if the triangle was changed since the last search, or has a corner of a triangle that intersected
- * another in that search. Two triangles for which this is false need no test again after the test of all pairs. */
+/* Returns true if triangle t has changed since the last search, or has a corner of a triangle that intersected another
+ * in that search. After the test of all pairs, two triangles for which this is false need no second test. */
 static bool is_anew(const vs_rounding *s, uint32_t t) {
   const uint32_t *v = s->m->triangles[t];
   return !s->searched || (s->changed.at[t] && !(s->changed.at[t] & VS_SEEN)) || s->near_met.at[v[0]] == 1 ||
@@ -382,7 +394,7 @@ static void drop_made(vs_kernel *k, made *m) {
 
 /* ---- pairs of runs ---- */
 
-static uint32_t bits(truths all) { /* sets bit i for lane i */
+static uint32_t bits(truths all) { /* converts the lanes of a comparison to bits: bit i is set if lane i is true */
   uint64_t half[2];
   all &= (truths){ 1, 2, 4, 8 };
   memcpy(half, &all, sizeof half);
@@ -390,7 +402,7 @@ static uint32_t bits(truths all) { /* sets bit i for lane i */
   return (uint32_t)(half[0] | half[0] >> 32);
 }
 
-/* Returns the index of the corner in the run, or NOT_ITS if the run does not contain the corner. */
+/* Returns the index of the corner in run r, or NOT_ITS if the run does not contain this corner. */
 static uint32_t place_of(const search *c, const run *r, uint32_t corner) {
   const corners *four = c->all.fours.at + r->first_four;
   for (uint32_t i = 0; i < 4u * r->fours; i++)
@@ -409,11 +421,12 @@ static bool has_edge(const search *c, const run *r, uint32_t p, uint32_t q) { /*
 }
 
 /* Returns true if run b moves away from the plane of run a at each common edge or corner. At the end of a's next
- * triangle, its distance must exceed the distance by which rounding may lift a corner. Across a low triangle of a, b
- * moves away only a little, and even less if it is not steep. */
+ * triangle, its distance must exceed the distance by which rounding may lift a corner. If a has a low triangle, b must
+ * be steeper. */
 static bool falls_away(const search *c, const run *a, const run *b) {
   float enough = STEEP * (float)c->s->coarsest * b->longest, least = INFINITY;
-  if (a->height * c->margin >= enough) return true; /* this test decides nearly all cases */
+  if (a->height * c->margin >= enough) return true; /* the lowest triangle of run a is high enough in nearly all
+                                                     * cases */
   const corners *four = c->all.fours.at + b->first_four;
   for (uint32_t i = 0; i < b->fours; i++) {
     floats h = heights(a, &four[i]);
@@ -425,10 +438,11 @@ static bool falls_away(const search *c, const run *a, const run *b) {
   return a->height * (least + c->margin) >= enough;
 }
 
-/* Returns true if all corners of run b are beyond run a's slab on one side, except shared corners and edges between
- * shared corners. Corners in the plane of a level run are allowed, because they stay in it. */
+/* Returns true if all corners of run b are beyond the interval of run a along its normal, on one side. Shared corners
+ * and edges between shared corners do not count. If a is perpendicular to an axis, corners in its plane are allowed,
+ * because they stay in it. */
 static bool beyond(const search *c, const run *a, const run *b) {
-  uint32_t above = 0, below = 0, in[4 * FOURS]; /* in: for each corner of run b, its index in run a */
+  uint32_t above = 0, below = 0, in[4 * FOURS]; /* in: for each corner of run b, its index in run a, or NOT_ITS */
   uint64_t shared = 0;
   bool touches = false, slopes = false;
   const corners *four = c->all.fours.at + b->first_four;
@@ -462,7 +476,8 @@ static bool beyond(const search *c, const run *a, const run *b) {
   return true;
 }
 
-/* The part of a triangle that lies in a slab. The rounded triangle is computed when it is needed. */
+/* The part of a triangle that lies in the interval of another run along that run's normal. min, max: its box; rounded:
+ * the triangle after rounding, computed when needed (made). */
 typedef struct { float min[3], max[3]; sheet rounded; uint32_t triangle; bool made; } piece;
 
 static void add_place(piece *p, float x, float y, float z) {
@@ -473,7 +488,7 @@ static void add_place(piece *p, float x, float y, float z) {
   }
 }
 
-/* Adds the point where the edge from corner i to corner j crosses the height. */
+/* Adds to the piece the point where the edge from corner i to corner j crosses the plane at `height` over the other run. */
 static void add_through(piece *p, const corners *four, const float *h, uint32_t i, uint32_t j, float height) {
   const corners *a = &four[i / 4], *b = &four[j / 4];
   uint32_t x = i % 4, y = j % 4;
@@ -483,7 +498,8 @@ static void add_through(piece *p, const corners *four, const float *h, uint32_t 
             a->z[x] + part * (b->z[y] - a->z[x]));
 }
 
-/* Computes the pieces of run r in the slab of another run. Returns their number. */
+/* Computes the pieces of run r that lie in the interval of another run along that run's normal. Returns their
+ * number. */
 static uint32_t cut(const search *c, const run *r, const run *slab, piece *to) {
   const corners *four = c->all.fours.at + r->first_four;
   const uint8_t *place = c->all.places.at + r->first_place;
@@ -526,8 +542,8 @@ static const sheet *sheet_of(const search *c, piece *p) {
 
 typedef struct { vs_kernel *k; search *c; size_t at; const run *level; } looking;
 
-/* Returns true if the triangles share an edge, face each other, and are so close that rounding may move one through the
- * other. The triangles beyond them may then cross although they face the same way. */
+/* Returns true if triangles x and y share an edge, face each other, and are so close that rounding may move one through
+ * the other. The triangles beyond them may then cross although they face the same way. */
 static bool is_fold(const search *c, const sheet *x, const sheet *y) {
   enum { UNITS = 16 };
   double along = vs_v3_dot(x->normal, y->normal), n = vs_v3_dot(x->normal, x->normal);
@@ -543,7 +559,7 @@ static bool is_fold(const search *c, const sheet *x, const sheet *y) {
   return shared == 2 && height * height < UNITS * c->s->coarsest * (UNITS * c->s->coarsest) * n;
 }
 
-/* Tests whether two triangles intersect after rounding, and records the pair. Also tests whether the pair touched
+/* Tests whether triangles x and y intersect after rounding, and records the pair. Also tests whether they touched
  * before rounding, in the repaired mesh. If triangles with changed corners did not touch before, rounding is the
  * cause. */
 static bool try_triangles(looking *l, const sheet *x, const sheet *y) {
@@ -609,8 +625,8 @@ static bool reach_of(vs_kernel *k, search *c, const run *r) {
   return VS_PUSH(k, c->reaches, to);
 }
 
-/* Returns true if the storey at `value` makes the run busy. A run that is busy only because of other storeys is apart
- * from the level runs in this storey (see is_busy). */
+/* Returns true if the run is busy because of the plane at `value` across the axis. A run that is busy only because of
+ * other planes does not intersect runs in this plane (see is_busy). */
 static bool is_busy_at(const search *c, const reach *r, int axis, double value) {
   double low = r->low[axis], high = r->high[axis];
   if (r->any) return true;
@@ -626,8 +642,8 @@ static bool look_level(void *context, uint32_t busy) {
   return look_pair(l, l->level, &l->c->all.kinds[OPEN].at.at[l->c->busy.at[busy]]);
 }
 
-/* Marks the triangles that contraction may change: those at corners of intersecting triangles, and two more triangles
- * in every direction. Returns false if interrupted. */
+/* Marks the triangles that contraction may change: those at corners of intersecting triangles, and two further rings of
+ * triangles around them. Returns false if interrupted. */
 static bool mark_around(vs_rounding *s) {
   for (uint8_t ring = 1; ring <= 2; ring++)
     for (size_t t = 0; t < s->m->triangle_count; t++) {
@@ -643,7 +659,8 @@ static bool mark_around(vs_rounding *s) {
 
 enum { BLOCKS = 256, QUERIES = 1024 };
 
-/* Tasks with low numbers test pairs of open runs. The others test level runs against busy open runs. */
+/* Number of tasks that test pairs of runs that are not perpendicular to an axis. They come first. The other tasks test
+ * runs that are perpendicular to an axis against busy runs. */
 static size_t open_tasks(const search *c) { return ((size_t)vs_bvh_blocks(&c->bvh) + BLOCKS - 1) / BLOCKS; }
 
 static bool look(vs_kernel *k, void *context, size_t index) {
@@ -687,8 +704,8 @@ static bool take(vs_kernel *k, void *context, size_t index) {
   return true;
 }
 
-/* Counts triangles that have no area after rounding, because they lie on edges of other triangles. Low triangles are
- * runs of their own. */
+/* Counts as intersecting the triangles that have no area after rounding, because they lie on edges of other triangles.
+ * Such a triangle is a run alone. */
 static bool count_flat(vs_kernel *k, const search *c) {
   const runs *open = &c->all.kinds[OPEN];
   for (size_t i = 0; i < open->at.count; i++) {
@@ -705,7 +722,7 @@ static bool count_flat(vs_kernel *k, const search *c) {
 static vs_vec3 rounded_corner(const void *state, uint32_t vertex) { return vs_rounding_corner(state, vertex); }
 
 static bool count_met(vs_rounding *s, vs_rounded *out, bool *folds) {
-  enum { LOW = 4 /* triangles with a height below 2 * LOW units are low */, MARGIN = 128 };
+  enum { LOW = 4 /* LOW: triangles with a height below 2 * LOW units of the last place count as low */, MARGIN = 128 };
   vs_kernel *k = s->k;
   vs_vec3 size = vs_v3_sub(s->bounds.max, s->bounds.min);
   double extent = fmax(fmax(size.x, fmax(size.y, size.z)), 4 * s->coarsest);
@@ -753,8 +770,8 @@ static bool count_met(vs_rounding *s, vs_rounded *out, bool *folds) {
   return ok;
 }
 
-/* Marks the triangles around folds as suspect. *any: true if a triangle was marked that had no such mark before.
- * Returns false if interrupted. */
+/* Marks the triangles around folds (pairs of triangles that face each other at an edge) as suspect. *any: true if a
+ * triangle got a new mark. Returns false if interrupted. */
 static bool suspect_folds(vs_rounding *s, bool *any) {
   *any = false;
   for (size_t t = 0; t < s->m->triangle_count; t++) {

@@ -4,8 +4,8 @@
 
 #include "kernel/round/rounding_state.h"
 
-/* Counts the triangles that intersect another triangle after rounding, each once, in out->met. Returns false when
- * memory is out or the caller interrupts. */
+/* Sets out->met to the number of triangles that intersect another triangle after rounding. Returns false when memory is
+ * out or the caller interrupts. */
 bool vs_rounding_count_met(vs_rounding *s, vs_rounded *out);
 
 #endif

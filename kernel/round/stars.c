@@ -17,11 +17,13 @@
 #include "kernel/mesh/bvh.h"
 
 typedef struct {
-  vs_vec3 middle, way; /* middle: middle of the shell's box; way: direction from the middle to one of its triangles */
+  vs_vec3 middle, way; /* middle: middle of the shell's bounding box; way: direction from there to one of its
+                        * triangles */
   vs_bounds box;
-  uint32_t seen;       /* number of triangles that the ray from the middle in this direction crosses */
-  uint64_t edges;      /* signed sum of the pseudorandom numbers of all edges */
-  double least;        /* volumes of tetrahedra above this value exceed rounding errors */
+  uint32_t seen;       /* number of the shell's triangles that a ray from `middle` in the direction `way` crosses */
+  uint64_t edges;      /* sum of the pseudorandom numbers of all edges, each with the sign of its direction; 0 if the
+                        * shell is closed */
+  double least;        /* least volume of a tetrahedron that exceeds rounding errors, in cubic units */
   bool is_star, has_way;
 } star;
 
@@ -43,16 +45,17 @@ static uint64_t number_of(uint32_t from, uint32_t to) { /* returns the pseudoran
 
 typedef struct { star *all; uint32_t one; } asking;
 
-static bool stands_alone(void *context, uint32_t other) { /* returns false, which ends the search, at the first box of
-                                                           * another shell */
+static bool stands_alone(void *context, uint32_t other) { /* reports a box that intersects the shell's box; returns
+                                                           * false, which ends the search, if it belongs to another
+                                                           * shell */
   asking *a = context;
   if (other == a->one) return true;
   a->all[a->one].is_star = a->all[other].is_star = false;
   return false;
 }
 
-/* Returns true if the triangle is seen from its inner side, and rounding errors cannot affect whether it covers the
- * direction of->way. */
+/* Returns true if the triangle p, q, r is seen from its inner side, and rounding errors cannot affect whether the ray
+ * in the direction of->way crosses it. */
 static bool fits(star *of, vs_vec3 p, vs_vec3 q, vs_vec3 r) {
   vs_vec3 a = vs_v3_sub(p, of->middle), b = vs_v3_sub(q, of->middle), c = vs_v3_sub(r, of->middle);
   if (!(volume(a, b, c) > of->least)) return false;
@@ -68,8 +71,8 @@ static bool fits(star *of, vs_vec3 p, vs_vec3 q, vs_vec3 r) {
   return x > of->least && y > of->least && z > of->least;
 }
 
-/* Excludes shells whose boxes are closer than the margin to another shell's box. Boxes further apart do not touch in
- * the index's integer coordinates. */
+/* Excludes shells whose boxes are closer than the margin to another shell's box. Boxes farther apart do not touch in
+ * the tree's integer coordinates either. */
 static bool part(vs_rounding *s, star *all, uint32_t count, double margin) {
   VS_LIST(vs_bvh_box) boxes = { 0 };
   vs_bvh bvh = { 0 };
@@ -114,8 +117,9 @@ bool vs_rounding_find_alone(vs_rounding *s, double margin) {
     vs_vec3 c = vs_v3_scale(vs_v3_add(of->box.min, of->box.max), 0.5);
     double size = vs_bounds_diagonal(&of->box) + 2 * s->coarsest,
            reach = fmax(vs_rounding_reach(of->box.min), vs_rounding_reach(of->box.max)) + s->coarsest;
-    of->middle = vs_v3(vs_single(c.x), vs_single(c.y), vs_single(c.z)); /* the middle is rounded to 32 bits, so that
-                                                                         * differences from corners are nearly exact */
+    of->middle = vs_v3(vs_single(c.x), vs_single(c.y), vs_single(c.z)); /* the middle is rounded to 32-bit numbers, so
+                                                                         * that differences from corners are nearly
+                                                                         * exact */
     of->least = size * size * (1e-14 * size + 0x1p-50 * reach);
   }
   for (size_t t = 0; ok && t < m->triangle_count; t++) {

@@ -1,13 +1,14 @@
 /* Finds places where the exact surface touches itself (touching.h).
  *
- * Sheets that face the same way are not tested against each other (self_contacts.c), because another sheet is between
- * them. This is not so where the surface touches itself, at a position that two corners share. The sheet between two
- * others may end there. Rounding of the corners around this place may then tilt thin triangles of these two sheets into
- * each other.
+ * Parts of the surface that face the same way are not tested against each other (self_contacts.c), because another
+ * part, which faces the opposite way, is between them. This is not so where the surface touches itself, at a position
+ * that two corners share. The part between may end there. Rounding of the corners around this place may then tilt thin
+ * triangles of the two parts into each other.
  *
- * Triangles of a storey stay in it when their corners are rounded. But the corners are doubles, and two planes may have
- * become one if they differed by less than doubles can represent. If a thin wedge was between such planes, a triangle
- * now lies on another triangle that faces it, and they share the position of a corner. */
+ * Triangles of a storey, a plane perpendicular to an axis, stay in it when their corners are rounded. But the corners
+ * are doubles, and two planes may have become one if they differed by less than doubles can represent. If a thin wedge
+ * was between such planes, a triangle now lies on another triangle that faces it, and they share the position of a
+ * corner. */
 #include "kernel/round/touching.h"
 
 #include <stdlib.h>
@@ -18,7 +19,7 @@
 static uint64_t place_hash(vs_vec3 p) {
   uint64_t bits[3], h = 0;
   vs_vec3 q = vs_v3(p.x + 0.0, p.y + 0.0, p.z + 0.0); /* adding 0 converts -0 to 0, so that equal positions have equal
-                                                       * bytes */
+                                                       * bytes in the hash */
   memcpy(bits, &q, sizeof bits);
   for (int i = 0; i < 3; i++) h = (h ^ bits[i]) * 0x9e3779b97f4a7c15u, h ^= h >> 32;
   return h;
@@ -26,8 +27,8 @@ static uint64_t place_hash(vs_vec3 p) {
 
 enum { NOT_LEVEL = 3 };
 
-/* Returns the axis to which triangle t is perpendicular, in a storey or not, or NOT_LEVEL. *up: true if its normal
- * points along the axis. */
+/* Returns the axis to which triangle t is perpendicular, or NOT_LEVEL. *up: true if its normal points along the
+ * axis. */
 static int across(const vs_mesh *m, uint32_t t, bool *up) {
   const uint32_t *v = m->triangles[t];
   vs_vec3 a = m->vertices[v[0]], b = m->vertices[v[1]], c = m->vertices[v[2]];
@@ -42,7 +43,7 @@ static int across(const vs_mesh *m, uint32_t t, bool *up) {
   return axis;
 }
 
-/* Returns true if a triangle perpendicular to the axis (0, 1 or 2) lies in a storey. */
+/* Returns true if triangle t, which is perpendicular to the axis (0, 1 or 2), lies in a storey of s. */
 static bool in_storey(const vs_rounding *s, uint32_t t, int axis) {
   vs_vec3 a = s->m->vertices[s->m->triangles[t][0]];
   double value = axis == 0 ? a.x : axis == 1 ? a.y : a.z;
@@ -57,9 +58,10 @@ static bool is_level(const vs_rounding *s, uint32_t t) {
   return axis != NOT_LEVEL && in_storey(s, t, axis);
 }
 
-/* A corner of a triangle in a storey, at a place where triangles of storeys face both ways along an axis. */
+/* A corner of a triangle in a storey (plane across an axis). At its position, triangles in storeys face both ways along
+ * an axis. */
 typedef struct {
-  uint32_t place, triangle; /* place: the first vertex at the position of the corner */
+  uint32_t place, triangle; /* place: first vertex at the position of the corner; triangle: number of the triangle */
   uint8_t axis;
   bool up;                  /* true if the triangle's normal points along the axis */
 } level_corner;
@@ -79,8 +81,8 @@ static bool overlap(const vs_rounding *s, uint32_t t, uint32_t u) {
   return !vs_triangle_is_flat(a) && !vs_triangle_is_flat(b) && vs_triangles_meet(a, b) == VS_MEET_CROSS;
 }
 
-/* Tests the triangles of one storey around one place, beginning with triangles that face down. If there are very many
- * triangles, marks them without a test. Returns false if interrupted. */
+/* Tests the triangles of one storey (plane across an axis) around one position, beginning with triangles that face
+ * down. If there are very many triangles, marks them without a test. Returns false if interrupted. */
 static bool look_around(vs_rounding *s, const level_corner *at, size_t count) {
   enum { MANY = 1 << 12 };
   size_t down = 0;
@@ -90,15 +92,16 @@ static bool look_around(vs_rounding *s, const level_corner *at, size_t count) {
       if (down * (count - down) <= MANY && !overlap(s, at[i].triangle, at[j].triangle)) continue;
       s->changed.at[at[i].triangle] = s->changed.at[at[j].triangle] = VS_SUSPECT;
       if (!vs_kernel_poll(s->k, 1)) return false;
-      if (down * (count - down) > MANY && i) break; /* all triangles that face up are already marked */
+      if (down * (count - down) > MANY && i) break; /* with too many pairs for a test, all triangles that face up were
+                                                     * marked in the first pass */
     }
   return true;
 }
 
 static uint32_t place_of(const uint32_t *place, uint32_t v) { return place[v] == UINT32_MAX ? v : place[v]; }
 
-/* For each place, records the directions of the triangles that are perpendicular to an axis, two bits for each axis.
- * *mixed: true if at some place such triangles face both ways along an axis, which is rare. Returns false if
+/* For each position, records the directions of the triangles there that are perpendicular to an axis, two bits for each
+ * axis. *mixed: true if at some position such triangles face both ways along an axis, which is rare. Returns false if
  * interrupted. */
 static bool look_ways(vs_rounding *s, const uint32_t *place, uint8_t *ways, bool *mixed) {
   for (uint32_t t = 0; t < s->m->triangle_count; t++) {
@@ -114,8 +117,9 @@ static bool look_ways(vs_rounding *s, const uint32_t *place, uint8_t *ways, bool
   return true;
 }
 
-/* Marks pairs of triangles of one storey that overlap, face each other and share a position. These triangles were in
- * two planes that became one when their corners were rounded to doubles. Returns false on failure. */
+/* Marks pairs of triangles of one storey (plane across an axis) that overlap, face each other and share a position.
+ * These triangles were in two planes that became one when their corners were rounded to doubles. Returns false on
+ * failure. */
 static bool suspect_folds(vs_rounding *s, const uint32_t *place) {
   VS_LIST(level_corner) all = { 0 };
   VS_LIST(uint8_t) ways = { 0 };
@@ -145,9 +149,9 @@ static bool suspect_folds(vs_rounding *s, const uint32_t *place) {
 
 bool vs_rounding_suspect_touching(vs_rounding *s) {
   const vs_mesh *m = s->m;
-  VS_LIST(uint32_t) slots = { 0 }; /* hash table of positions, with the number of a vertex plus 1 in each slot; 0 marks
-                                    * a free slot */
-  VS_LIST(uint32_t) places = { 0 }; /* for each vertex: the first vertex at the same position if there are several, else
+  VS_LIST(uint32_t) slots = { 0 }; /* hash table of positions: a slot contains the number of a vertex plus 1; 0 marks a
+                                    * free slot */
+  VS_LIST(uint32_t) places = { 0 }; /* places[v]: first vertex at the position of vertex v if several are there, else
                                      * UINT32_MAX */
   size_t size = 16, any = 0;
   while (size < 2 * m->vertex_count) size *= 2;

@@ -4,9 +4,9 @@
 
 #include "kernel/round/rounding_state.h"
 
-/* Marks the triangles at positions that two corners share. Triangles in a storey stay apart after any rounding, so they
- * are not marked. The exceptions are triangles that overlap, face each other and share a position. Returns false if
- * memory is out or the caller interrupts. */
+/* Marks the triangles at positions that two corners share as suspect. Triangles in a storey (plane across an axis) stay
+ * apart after any rounding. Therefore they are marked only if they overlap, face each other and share a position.
+ * Returns false if memory is out or the caller interrupts. */
 bool vs_rounding_suspect_touching(vs_rounding *s);
 
 #endif
