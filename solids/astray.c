@@ -13,8 +13,9 @@
 #include "geometry/measure/ray_crossings.h"
 #include "model/store/array.h"
 
-enum { POINTS = 20000 }; /* number of points */
-static const double far_away = 2.5; /* distance from the surface, in tolerances, beyond which a wrong point counts */
+enum { POINTS = 20000 }; /* number of random points that are tested */
+static const double far_away = 2.5; /* distance from the surface, in tolerances of the mesh, beyond which a point on the
+                                     * wrong side counts */
 
 /* Returns the place on the segment from a to b that is nearest to p. */
 static vs_vec3 on_segment(vs_vec3 p, vs_vec3 a, vs_vec3 b) {
@@ -35,7 +36,7 @@ static bool near_triangle(vs_vec3 p, const vs_vec3 v[3], double distance) {
   return near || over;
 }
 
-/* Returns true if a triangle of the mesh is no further from p than the distance. */
+/* Returns true if a triangle of the mesh is at most `distance` away from p. */
 static bool near_surface(const vs_mesh *m, vs_vec3 p, double distance) {
   for (size_t t = 0; t < m->triangle_count; t++) {
     const vs_vec3 v[3] = { m->vertices[m->triangles[t][0]], m->vertices[m->triangles[t][1]],

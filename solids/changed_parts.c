@@ -12,7 +12,8 @@
 #include "solids/solid_meshes.h"
 #include "model/walk.h"
 
-enum { PART_WORK = 300 /* approximate nanoseconds of work per part, for the polls of interrupts */ };
+enum { PART_WORK = 300 /* approximate nanoseconds of work for each part, for the count that decides when to ask for
+                        * interrupts */ };
 
 /* ---- the parts of a drawing ---- */
 
@@ -20,7 +21,7 @@ static bool is_wrapper(const vs_node *n) {
   return n->kind == VS_UNION || n->kind == VS_TRANSFORM || vs_node_is_wrapper(n);
 }
 
-/* The properties that a part inherits from the unions, placements and materials around it. */
+/* The placement, material and layer that a part inherits from the unions and wrappers around it. */
 typedef struct { vs_affine place; const vs_material *material; const char *layer; } context;
 typedef struct { context *at; size_t count, room; } context_stack;
 
@@ -119,7 +120,8 @@ static int by_key(const void *a, const void *b) {
   return p->key != q->key ? (p->key < q->key ? -1 : 1) : p->part < q->part ? -1 : p->part > q->part;
 }
 
-/* working memory for an assignment */
+/* Writes the keys of the unpaired parts of a drawing to out: hashes of the properties selected by the bits `by`.
+ * Returns their number. */
 static size_t keys_of(const vs_drawn_parts *p, const vs_part_match *match, unsigned by, keyed *out) {
   size_t n = 0;
   for (size_t i = 0; i < p->count; i++)
@@ -134,11 +136,11 @@ typedef struct {
   const vs_drawn_parts *a, *b;
   vs_part_match *before, *after;
   vs_bounds_memo boxes;
-  double *numbers; /* room for an assignment */
+  double *numbers; /* working memory for the pairing of several equal parts */
   size_t room;
 } matching;
 
-/* Writes the centre and the size of the part's box to out: six numbers, all 0 for unbounded parts. */
+/* Writes the centre and the size of the bounding box of part p to out: six numbers, all 0 for unbounded parts. */
 static bool box_of(matching *m, const vs_drawn_part *p, double *out, vs_error *e) {
   vs_bounds box;
   if (!vs_bounds_memo_get(&m->boxes, p->thing.node, &box, e)) return false;
@@ -152,23 +154,25 @@ static bool box_of(matching *m, const vs_drawn_part *p, double *out, vs_error *e
   return true;
 }
 
-/* Returns the distance of two boxes: the distance of their centres plus the distance of their sizes. */
+/* Returns the distance of the boxes a and b, each given by centre and size: the distance of their centres plus the
+ * distance of their sizes. */
 static double apart(const double *a, const double *b) {
   double sum[2] = { 0, 0 };
   for (int i = 0; i < 6; i++) sum[i / 3] += (a[i] - b[i]) * (a[i] - b[i]);
   return sqrt(sum[0]) + sqrt(sum[1]);
 }
 
-/* An assignment: each row gets its own column. The cost of a pair is the distance of its boxes. */
+/* A problem of assignment: each row gets a different column, at the least total cost. The cost of a pair is the
+ * distance of the two boxes. */
 typedef struct {
   size_t rows, columns;                    /* numbers of rows and columns; rows <= columns */
-  const double *row_boxes, *column_boxes;  /* six numbers for each part's box: its centre and its size */
-  double *work;                            /* working memory for 3 rows + 4 columns + 7 numbers */
-  uint32_t *row;                           /* row[j]: row of column j, counted from 1; 0: the column has no row */
+  const double *row_boxes, *column_boxes;  /* six numbers for each row or column: centre and size of its part's box */
+  double *work;                            /* working memory of 3 rows + 4 columns + 7 numbers */
+  uint32_t *row;                           /* row[j]: row that is assigned to column j, counted from 1; 0: none */
 } assignment;
 
-/* Finds the assignment with the least sum of costs (H. Kuhn's Hungarian method, by shortest augmenting paths with
- * potentials: O(rows^2 columns)). Returns false when interrupted. */
+/* Assigns a column to each row with the least sum of costs (H. Kuhn's Hungarian method, by shortest augmenting paths
+ * with potentials: O(rows^2 columns)). Returns false when interrupted. */
 static bool assign(vs_store *s, const assignment *a, vs_error *e) {
   size_t n = a->rows, m = a->columns;
   uint32_t *row = a->row;
@@ -215,7 +219,8 @@ static bool pair(matching *m, size_t rule, uint32_t p, uint32_t q, vs_error *e) 
   return true;
 }
 
-/* number of steps of an assignment; if more are needed, parts are paired in the order of drawing */
+/* greatest number of steps that the pairing of equal parts may take; if it needs more, parts are paired in the order of
+ * drawing */
 static const double MOST_STEPS = 1e8;
 
 /* The parts of a drawing that have the same key. */
@@ -226,7 +231,7 @@ typedef struct { const keyed *at; size_t count; } alike;
 static bool pair_alike(matching *m, size_t rule, alike one, alike other, vs_error *e) {
   size_t n = one.count, k = other.count;
   bool free_choice = n * k > 1 && (rules[rule].by & (BY_THING | BY_PLACE)) != (BY_THING | BY_PLACE);
-  bool turned = n > k; /* the drawing with fewer parts supplies the rows */
+  bool turned = n > k; /* the drawing with fewer parts supplies the rows of the assignment */
   const keyed *few = turned ? other.at : one.at, *many = turned ? one.at : other.at;
   size_t rows = turned ? k : n, columns = turned ? n : k, wanted = 9 * rows + 12 * columns + 16;
   if (!free_choice || (double)rows * (double)rows * (double)columns > MOST_STEPS) {
@@ -284,7 +289,7 @@ bool vs_drawn_parts_match(const vs_drawn_parts *a, const vs_drawn_parts *b, vs_p
 
 /* ---- the solids that show the differences ---- */
 
-/* References that will be operands. The list holds a reference to each node. */
+/* A list of references that will be operands of a boolean. It retains each node. */
 typedef struct { vs_store *store; vs_ref *at; size_t count, room; bool failed; } refs;
 
 static void refs_free(refs *r) {
@@ -292,7 +297,8 @@ static void refs_free(refs *r) {
   vs_store_realloc(r->store, r->at, r->room * sizeof *r->at, 0);
 }
 
-/* Adds the node and takes over its reference. NULL means that memory is out. */
+/* Adds node n to the list, which takes over its reference. If n is NULL, memory is out, and the list is marked as
+ * failed. */
 static void refs_add(refs *r, vs_node *n, const vs_origin *origin) {
   if (!n || !vs_store_grow(r->store, &r->at, &r->room, r->count + 1, sizeof *r->at)) {
     vs_node_release(n);
@@ -302,14 +308,14 @@ static void refs_add(refs *r, vs_node *n, const vs_origin *origin) {
   r->at[r->count++] = (vs_ref){ n, origin };
 }
 
-/* Adds the part at its place, without its material. */
+/* Adds part p of a drawing to the list in its placement, without its material. */
 static void refs_add_part(refs *r, const vs_drawn_part *p) {
   if (vs_affine_is_identity(&p->place)) refs_add(r, vs_node_retain(p->thing.node), p->thing.origin);
   else refs_add(r, vs_node_new(r->store, VS_TRANSFORM, &(struct vs_transform){ .matrix = p->place }, &p->thing, 1),
                 p->thing.origin);
 }
 
-/* Computes the bounds of all nodes in r. */
+/* Computes the box that contains all nodes in the list r. */
 static bool refs_bounds(const refs *r, vs_bounds_memo *memo, vs_bounds *out, vs_error *e) {
   *out = vs_bounds_empty();
   for (size_t i = 0; i < r->count; i++) {
@@ -320,7 +326,7 @@ static bool refs_bounds(const refs *r, vs_bounds_memo *memo, vs_bounds *out, vs_
   return true;
 }
 
-/* Appends the references of `from` whose bounds intersect the box or are close to it. */
+/* Appends to r the references of `from` whose bounds intersect the box or are close to it. */
 static bool refs_add_near(refs *r, const refs *from, const vs_bounds *box, vs_bounds_memo *memo, vs_error *e) {
   for (size_t i = 0; i < from->count; i++) {
     vs_bounds b;
@@ -336,7 +342,7 @@ static vs_node *set_of(refs *r, vs_kind kind) {
   return vs_node_new(r->store, kind, &(struct vs_union){ 0 }, r->at, r->count);
 }
 
-/* Appends to out the material of `whole` that is in neither `first` nor `second`. */
+/* Appends to out the solids of `whole` without the space that is in `first` or `second`. */
 static bool add_rest(refs *out, refs *whole, const refs *first, const refs *second, vs_bounds_memo *memo, vs_error *e) {
   vs_bounds box;
   if (!whole->count) return true;
@@ -349,7 +355,7 @@ static bool add_rest(refs *out, refs *whole, const refs *first, const refs *seco
   return ok;
 }
 
-/* Appends to out the material that is in both a and b. */
+/* Appends to out the space that is in solids of both a and b. */
 static bool add_common(refs *out, refs *a, refs *b, vs_bounds_memo *memo, vs_error *e) {
   vs_bounds boxes[2];
   if (!a->count || !b->count) return true;
@@ -376,7 +382,7 @@ static void sort_parts(const vs_drawn_parts *p, const vs_part_match *match, refs
   }
 }
 
-/* Copies only the solids, because other objects cannot be subtracted. */
+/* Copies to out only those references of `from` that are solids, because other objects cannot be subtracted. */
 static bool only_solids(refs *out, const refs *from) {
   for (size_t i = 0; i < from->count; i++)
     if (from->at[i].node->class_ == VS_SOLID) refs_add(out, vs_node_retain(from->at[i].node), from->at[i].origin);
@@ -425,8 +431,8 @@ static bool part_solids(vs_node *n, refs *solids, refs *rest, vs_error *e) {
   return ok && (!(solids->failed || (rest && rest->failed)) || vs_error_memory(e, NULL));
 }
 
-/* Moves every corner outwards by `by`, along the mean of its triangles' normals, weighted by area. Returns false if
- * memory is out. */
+/* Moves every corner of mesh m outwards by the length `by`, along the mean of its triangles' normals, weighted by area.
+ * Returns false if memory is out. */
 static bool push_out(vs_store *s, vs_mesh *m, double by) {
   size_t bytes = (m->vertex_count + 1) * sizeof(vs_vec3);
   vs_vec3 *out = vs_store_realloc(s, NULL, 0, bytes);
@@ -468,8 +474,8 @@ bool vs_drawn_parts_swell(vs_node *n, double tolerance, const vs_kernel_options 
   vs_bounds whole;
   bool ok = vs_node_bounds(n, &whole, e) && part_solids(n, &solids, &shown, e);
   if (ok && tolerance <= 0) facets.tolerance = vs_fineness_tolerance(&whole);
-  double reach = facets.tolerance / 2; /* the tolerance of facets is a quarter of this distance, so that the mesh is
-                                        * outside the object everywhere */
+  double reach = facets.tolerance / 2; /* The tolerance of facets is a quarter of this distance. Therefore the mesh is
+                                        * outside the object everywhere. */
   facets.tolerance /= 8;
   if (ok && solids.count) ok = vs_solid_evaluate(solids.at, solids.count, &facets, options, &solid, e);
   if (ok && solid.mesh.triangle_count) {

@@ -1,5 +1,5 @@
-/* Declares the differences between two drawings of the same store: the parts that are unchanged, moved, changed, added
- * or removed, and the solids that show the differences. */
+/* Declares the differences between two drawings of one store: parts that are unchanged, moved, changed, added or
+ * removed, and solids that show the differences. */
 #ifndef VS_SOLIDS_CHANGED_PARTS_H
 #define VS_SOLIDS_CHANGED_PARTS_H
 
@@ -9,33 +9,33 @@
 /* A part of a drawing: a node inside unions, placements, materials and layers that is itself none of these four. A node
  * with several paths to it gives a part for each path. */
 typedef struct {
-  vs_ref thing;                /* node, retained, with the origin of the reference to it */
-  vs_affine place;             /* map from the node's coordinates to the drawing's */
+  vs_ref thing;                /* node of the part, retained, with the origin of the reference to it */
+  vs_affine place;             /* map from the node's coordinates to those of the drawing */
   const vs_material *material; /* innermost material around the node, or NULL if there is none */
   const char *layer;           /* innermost layer around the node, or "" if there is none */
 } vs_drawn_part;
 typedef struct { vs_store *store; vs_drawn_part *at; size_t count, room; } vs_drawn_parts;
 
-/* Collects the parts of refs, in their order. *out begins as { .store = s }. Call vs_drawn_parts_free also after a
- * failure. Returns false if memory is out or the caller interrupts. */
+/* Collects the parts of the references `refs`, in their order. *out begins as { .store = s }. The caller frees *out
+ * with vs_drawn_parts_free, also after a failure. Returns false if memory is out or the caller interrupts. */
 bool vs_drawn_parts_take(vs_drawn_parts *out, const vs_ref *refs, size_t count, vs_error *e);
 void vs_drawn_parts_free(vs_drawn_parts *p);
 
-/* How a part differs from its partner in the other drawing. In the first three cases, the part and its partner have the
- * same shape. */
+/* How a part differs from the part with which it is paired in the other drawing. In the first three cases, the two have
+ * the same shape. */
 typedef enum {
   VS_PART_SAME,
-  VS_PART_REPAINTED, /* the partner has another material or layer */
-  VS_PART_MOVED,     /* the partner is at another place */
-  VS_PART_CHANGED,   /* the partner has the same kind and material, but other numbers */
-  VS_PART_ALONE      /* the part has no partner: it was added or removed */
+  VS_PART_REPAINTED, /* the paired part has another material or layer */
+  VS_PART_MOVED,     /* the paired part is at another place */
+  VS_PART_CHANGED,   /* the paired part has the same kind and material, but other numbers */
+  VS_PART_ALONE      /* the part is not paired: it was added or removed */
 } vs_part_fate;
-typedef struct { vs_part_fate fate; uint32_t other; /* index of the partner in the other drawing, unless fate is
-                                                     * ALONE */ } vs_part_match;
+typedef struct { vs_part_fate fate; uint32_t other; /* other: index of the paired part in the other drawing; undefined
+                                                     * if fate is VS_PART_ALONE */ } vs_part_match;
 
-/* Pairs the parts of the lists a and b. Writes the matches of a to before[] and those of b to after[], one for each
- * part. Each of several equal parts is paired once. Moved and changed parts are paired so that the sum of distances and
- * of differences in size is least, or in order if this would take long. Returns false if memory is out or the caller
+/* Pairs the parts of the lists a and b. Writes the matches of a's parts to before[] and those of b's parts to after[].
+ * Each of several equal parts is paired once. Moved and changed parts are paired so that the sum of their distances and
+ * differences in size is least, or in order if this would take long. Returns false if memory is out or the caller
  * interrupts. */
 bool vs_drawn_parts_match(const vs_drawn_parts *a, const vs_drawn_parts *b, vs_part_match *before, vs_part_match *after,
                           vs_error *e);
@@ -48,12 +48,13 @@ bool vs_drawn_parts_change(const vs_drawn_parts *a, const vs_drawn_parts *b, con
                            const vs_part_match *after,
                            vs_node *out[VS_CHANGES], vs_error *e);
 
-/* Makes a copy of the node that is visible over the original. Its solids become a mesh that is slightly outside the
+/* Makes a copy of node n that is visible over the original. Its solids become a mesh that is slightly outside the
  * original everywhere. A ray therefore reaches the copy before a translucent solid with the same wall. The caller owns
  * *out. */
 bool vs_drawn_parts_swell(vs_node *n, double tolerance, const vs_kernel_options *options, vs_node **out, vs_error *e);
 
-/* Computes the sum of the volumes of all solids among the node's parts. The volume of NULL is 0. */
+/* Sets *volume to the sum of the volumes of all solids among the parts of node n, in cubic model units. The volume of
+ * NULL is 0. */
 bool vs_drawn_parts_volume(vs_node *n, double tolerance, const vs_kernel_options *options, double *volume,
                            vs_error *e);
 

@@ -13,7 +13,9 @@
 #include "model/store/cache.h"
 #include "model/job.h"
 
-enum { BOX_LOOK = 1 << 20, KEPT_BOUNDS = 1000 /* key of kept bounds in VS_CACHED_MEASURE */ };
+enum { BOX_LOOK = 1 << 20, KEPT_BOUNDS = 1000 /* BOX_LOOK: greatest number of nodes that box_is_exact visits;
+                                               * KEPT_BOUNDS: word that marks bounds of drawn objects among the results
+                                               * of kind VS_CACHED_MEASURE */ };
 
 /* ---- a stack of nodes ---- */
 
@@ -31,15 +33,16 @@ static bool spreads(const vs_node *n) {
 
 /* ---- exact bounds by formula ---- */
 
-/* Returns true if the map transforms axis-parallel boxes to axis-parallel boxes. */
+/* Returns true if the map transforms axis-parallel boxes to axis-parallel boxes: rotations by quarter turns, scalings
+ * and translations. */
 static bool keeps_boxes(const vs_affine *a) {
   for (int i = 0; i < 3; i++)
     if ((a->m[i][0] != 0) + (a->m[i][1] != 0) + (a->m[i][2] != 0) != 1) return false;
   return true;
 }
 
-/* Sets *exact to false if bounds by formula may be larger than the object. Checks at most BOX_LOOK nodes; all further
- * nodes count as exact. */
+/* Sets *exact to false if the bounds that formulas give for n may be larger than the object. Checks at most BOX_LOOK
+ * nodes; all further nodes count as exact. */
 static bool box_is_exact(const vs_node *n, bool *exact) {
   node_stack s = { 0 };
   size_t seen = 0;
@@ -71,8 +74,8 @@ static bool box_is_exact(const vs_node *n, bool *exact) {
 
 /* ---- the cost of combining ---- */
 
-/* Returns the extra cost of facets beyond the usual 64 in a full turn. For a sphere, the number of facets increases
- * with the square of this number. */
+/* Returns the additional cost of node n, in shapes, if it has more than the usual 64 facets in a full turn. The facets
+ * of a sphere increase with the square of this number. */
 static size_t segments_cost(const vs_node *n) {
   const vs_kind_info *k = vs_kind_get((vs_kind)n->kind);
   for (size_t i = 0; i < k->field_count; i++) {
@@ -91,7 +94,8 @@ static size_t shape_cost(const vs_node *n) {
   return n->child_count > 0 ? 0 : 1;
 }
 
-/* Counts the shapes below n, and each placement as one more, up to `most`. Returns false if memory is out. */
+/* Counts the shapes below n, and each placement as one more, until the count reaches `most`. Returns false if memory is
+ * out. */
 static bool combine_cost(const vs_node *n, size_t most, size_t *cost) {
   node_stack s = { 0 };
   bool ok = true;
@@ -160,7 +164,8 @@ bool vs_drawn_bounds(const vs_ref *ref, vs_drawn_search *search, vs_bounds *out,
   if (budget) *budget -= cost;
   if (f.tolerance <= 0) f.tolerance = vs_fineness_tolerance(out);
   if (!(n->class_ == VS_SOLID ? drawn_solid(ref, &f, search->options, &drawn, e) : drawn_region(n, &f, &drawn, e))) {
-    /* A format without meshes also draws a solid that the mesher refuses. A format with meshes reports the refusal. */
+    /* If the mesher refuses a solid, the bounds by formula are used. A format without meshes can draw the solid; a
+     * format with meshes reports the refusal itself. */
     if (e->kind != VS_ERROR_MODEL) return false;
     *e = (vs_error){ VS_ERROR_NONE, NULL, "" };
     return search->at_most = true;

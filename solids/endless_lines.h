@@ -1,12 +1,12 @@
-/* Declares the replacement of lines without end. */
+/* Declares the replacement of lines without end by finite lines. */
 #ifndef VS_SOLIDS_ENDLESS_LINES_H
 #define VS_SOLIDS_ENDLESS_LINES_H
 
 #include "solids/resolve.h"
 
-/* Resolves all objects that the scene draws, at its tolerance. Lines without end become lines as long as the other
- * drawn objects, and are drawn last. With options->warns, the job receives a warning for each line outside the
- * drawing. */
+/* Resolves all objects that the scene draws (solids/resolve.h), at the scene's tolerance. Lines without end become
+ * lines as long as the other drawn objects, and are drawn last. With options->warns, the job receives a warning for
+ * each line outside the drawing. */
 bool vs_scene_resolve(vs_scene *scene, const vs_kernel_options *options, vs_error *e);
 
 #endif

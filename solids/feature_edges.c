@@ -17,8 +17,8 @@ void vs_polylines_free(vs_polylines *p) {
 }
 
 typedef struct { uint64_t key; uint32_t face; bool forward; } side;
-typedef struct { uint32_t from, to, edge; } arm; /* one end of a feature edge, from which the edge leads from the vertex
-                                                  * `from` to the vertex `to` */
+typedef struct { uint32_t from, to, edge; } arm; /* A directed feature edge: the edge `edge` leads from the vertex
+                                                  * `from` to the vertex `to`. Each edge gives two. */
 
 static int side_compare(const void *p, const void *q) {
   const side *a = p, *b = q;
@@ -29,8 +29,8 @@ static int arm_compare(const void *p, const void *q) {
   return a->from != b->from ? (a->from < b->from ? -1 : 1) : a->to < b->to ? -1 : a->to > b->to;
 }
 
-/* Returns the feature edges of m as arms, sorted by their start. place[v]: first vertex at the position of vertex v.
- * *count is the number of arms, which is twice the number of edges. Returns NULL if memory is out. */
+/* Returns the feature edges of m, each in both directions, sorted by start. place[v]: first vertex at the position of
+ * vertex v. *count: twice the number of edges. Returns NULL if memory is out. */
 static arm *feature_arms(const vs_mesh *m, const uint32_t *place, size_t *count) {
   size_t n = m->triangle_count, sides = 0;
   side *all = vs_fresh(3 * n + 1, sizeof *all);
@@ -68,7 +68,7 @@ static arm *feature_arms(const vs_mesh *m, const uint32_t *place, size_t *count)
   return ok ? arms : NULL;
 }
 
-/* Returns the number of arms at a vertex. Sets *first to the index of its first arm. */
+/* Returns the number of feature edges at a vertex. Sets *first to the index of the first in `arms`. */
 static size_t arms_at(const arm *arms, size_t count, uint32_t vertex, size_t *first) {
   size_t low = 0, high = count, n = 0;
   while (low < high) {
@@ -80,8 +80,8 @@ static size_t arms_at(const arm *arms, size_t count, uint32_t vertex, size_t *fi
   return n;
 }
 
-/* Returns true if the line continues through the vertex: the vertex has exactly two arms, with almost no angle between
- * them. *next is the other arm. */
+/* Returns true if the line of edges continues through the end of `in`: exactly two edges end there, with almost no
+ * angle between them. *next is the edge that continues. */
 static bool runs_on(const vs_mesh *m, const arm *arms, size_t count, const arm *in, const arm **next) {
   size_t first;
   if (arms_at(arms, count, in->to, &first) != 2) return false;
@@ -97,7 +97,7 @@ static bool add_point(vs_polyline *p, vs_vec3 at) {
   return true;
 }
 
-/* Follows a line from an arm to its end, or around a ring. */
+/* Appends the polyline that begins with the edge `start`, up to its end or around a ring. */
 static bool follow(const vs_mesh *m, const arm *arms, size_t count, const arm *start, bool *used, vs_polylines *out) {
   if (!VS_GROW(out->at, out->room, out->count + 1)) return false;
   vs_polyline *p = &out->at[out->count++];
@@ -130,8 +130,8 @@ bool vs_mesh_edges(const vs_mesh *m, vs_polylines *out, vs_error *e) {
   arm *arms = ok ? feature_arms(m, place, &count) : NULL;
   bool *used = vs_zeros(count / 2 + 1, sizeof *used);
   ok = arms && used;
-  for (int pass = 0; ok && pass < 2; pass++) /* the first pass follows lines from their ends, the second the remaining
-                                              * rings */
+  for (int pass = 0; ok && pass < 2; pass++) /* the first pass follows lines from their ends, the second pass follows
+                                              * the remaining closed lines */
     for (size_t i = 0; ok && i < count; i++) {
       const arm *a = &arms[i], *next, back = { a->to, a->from, a->edge };
       if (used[a->edge] || (pass == 0 && runs_on(m, arms, count, &back, &next))) continue;

@@ -23,24 +23,25 @@
 
 enum { LEAF = 4, STACK = 128, KEPT = 8 };
 
-typedef struct { double low[2], high[2], depth; } box; /* bounds in the picture; depth: the least depth of the triangles
-                                                        * below */
+typedef struct { double low[2], high[2], depth; } box; /* box of triangles. low, high: its bounds in the picture; depth:
+                                                        * least depth of the triangles in it */
 typedef struct { box b; uint32_t first, count, right; } node;
-    /* node: first and count are a range of `order`; if count is 0, the node's children are the next node and `right` */
+    /* node: first and count are a range of `order`; if count is 0, the node's children are the next node and the node
+     * `right`. span: an interval of an edge's parameter s, from 0 to 1 */
 typedef struct { double from, to; } span;
 
 typedef struct {
   const vs_sight_host *host;
   const vs_sight *s;
-  box *boxes;        /* boxes of the triangles that may hide an edge */
-  uint32_t *number;  /* number of each box's triangle */
-  uint32_t *order;   /* indices of boxes, sorted by the tree */
+  box *boxes;        /* boxes in the picture of the triangles that may hide an edge */
+  uint32_t *number;  /* number[i]: number of the triangle in boxes[i] */
+  uint32_t *order;   /* indices of boxes, in the order of the tree's leaves */
   node *nodes;
   size_t count, room, node_count, node_room;
-  span *spans;       /* hidden parts of the current edge, sorted and disjoint */
+  span *spans;       /* hidden intervals of the current edge, sorted and disjoint */
   size_t span_count, span_room;
   size_t turns;
-  uint32_t kept[KEPT]; /* indices of boxes of triangles that hid entire edges, the latest first */
+  uint32_t kept[KEPT]; /* boxes of the triangles that last hid an entire edge, the latest first */
 } sight;
 
 static bool going(sight *v) { return (++v->turns & 0xfff) != 0 || vs_job_going(v->host->job, "drawing", -1); }
@@ -73,7 +74,7 @@ static void corners_of(const vs_sight *s, uint32_t triangle, vs_vec3 out[3]) {
   for (int k = 0; k < 3; k++) out[k] = s->points[s->triangles[triangle][k]];
 }
 
-/* Returns true if the triangle can hide something: the viewer sees its front, or either side if it bounds no solid. */
+/* Returns true if triangle i can hide something: the viewer sees its front, or it bounds no solid. */
 static bool may_hide(const vs_sight *s, uint32_t i) {
   vs_vec3 c[3];
   corners_of(s, i, c);
@@ -89,8 +90,8 @@ static double middle(const sight *v, uint32_t i, int axis) {
   return axis == 2 ? b->depth : b->low[axis] + b->high[axis];
 }
 
-/* Reorders order[first, first + count) so that the boxes with the smaller centres along the axis are in the first
- * half. */
+/* Reorders order[first, first + count) so that the boxes with the smaller centres along the axis (width, height or
+ * depth) are in the first half. */
 static void split(sight *v, size_t first, size_t count, int axis) {
   size_t low = first, high = first + count - 1, want = first + count / 2;
   uint32_t *o = v->order;
@@ -110,8 +111,8 @@ static void split(sight *v, size_t first, size_t count, int axis) {
   }
 }
 
-/* Builds the nodes in the order of a walk that visits left children first. Each node has the number of its right
- * child. */
+/* Builds the tree's nodes in the order in which a walk visits them, left children first. Each node stores the number of
+ * its right child. */
 static bool build(sight *v) {
   struct { uint32_t first, count, parent; } stack[STACK];
   size_t depth = 0;
@@ -166,13 +167,14 @@ static bool gather(sight *v) {
 /* ---- an edge and a triangle ---- */
 
 typedef struct { vs_vec3 p, d; double low[2], high[2], far, length, slack; double from, to; } line;
-    /* line: from and to are the interval of the parameter s that remains after clipping */
+    /* Returns the point of line l at the parameter s. The members from and to of a line are the interval of s that
+     * remains after clipping. */
 
 static vs_vec3 place(const line *l, double s) { return vs_v3_add(l->p, vs_v3_scale(l->d, s)); }
 
-/* Keeps the part of the interval from..to where a linear function is not negative. The function is given by its values
- * at both ends of the edge. Values with an absolute value up to slack count as 0. Returns false if at most a point
- * remains. */
+/* Reduces the interval from..to of line l to the part where a linear function is not negative. at_from, at_to: values
+ * of the function at both ends of the interval. Values with an absolute value up to slack count as 0. Returns false if
+ * at most a point remains. */
 static bool keep(line *l, double at_from, double at_to, double slack) {
   if (fabs(at_from) <= slack) at_from = 0;
   if (fabs(at_to) <= slack) at_to = 0;
@@ -183,8 +185,8 @@ static bool keep(line *l, double at_from, double at_to, double slack) {
   return l->from < l->to;
 }
 
-/* Returns the distance of p from a side of the triangle's box in the picture, the line at `bound`. In a perspective
- * view the distance is multiplied by the depth. */
+/* Returns the distance of p from the line at coordinate `bound` in the picture, a side of a triangle's box. In a
+ * perspective view the distance is multiplied by the depth. */
 static double beside(const vs_sight *s, vs_vec3 p, int axis, double bound) { return (axis ? p.y :
     p.x) - bound * (s->perspective ? p.z : 1); }
 
@@ -199,16 +201,16 @@ static bool keep_in_box(const vs_sight *s, line *l, const box *b) {
   return true;
 }
 
-/* Returns the unit normal of the plane through the viewer and the side from a to b. Returns 0 if the viewer sees a and
- * b at the same point. */
+/* Returns the unit normal of the plane through the viewer and the triangle's side from a to b. Returns 0 if the viewer
+ * sees a and b at the same point. */
 static vs_vec3 side_normal(const vs_sight *s, vs_vec3 a, vs_vec3 b) {
   vs_vec3 n = s->perspective ? vs_v3_cross(a, b) : vs_v3(a.y - b.y, b.x - a.x, 0);
   double length = vs_v3_length(n);
   return length > 0 ? vs_v3_scale(n, 1 / length) : vs_v3(0, 0, 0);
 }
 
-/* Returns true if the triangle lies entirely on one side of the line from a to b in the picture. This holds for most
- * triangles whose boxes this line intersects. */
+/* Returns true if the triangle with the corners c lies entirely on one side of the line from a to b in the picture.
+ * This holds for most triangles whose boxes the line intersects. */
 static bool passes(const vs_sight *s, const vs_vec3 c[3], const double a[2], const double b[2], double slack) {
   double across = b[0] - a[0], up = b[1] - a[1], least = INFINITY, most = -INFINITY;
   for (int k = 0; k < 3; k++) {
@@ -226,7 +228,7 @@ static bool passes(const vs_sight *s, const vs_vec3 c[3], const double a[2], con
 static bool hides(const vs_sight *s, const vs_vec3 c[3], const box *b, line *l) {
   vs_vec3 n = vs_v3_unit(vs_v3_cross(vs_v3_sub(c[1], c[0]), vs_v3_sub(c[2], c[0])));
   if (vs_v3_dot(n, s->perspective ? c[0] : vs_v3(0, 0, 1)) < 0) n = vs_v3_scale(n, -1);
-      /* n points away from the viewer, so that distances behind the plane are positive */
+      /* n is the triangle's normal, turned away from the viewer, so that distances behind the plane are positive */
   double far_p = vs_v3_dot(n, vs_v3_sub(l->p, c[0])), far_q = far_p + vs_v3_dot(n, l->d);
   if (far_p <= l->slack && far_q <= l->slack) return false;
   l->from = 0, l->to = 1;
@@ -244,7 +246,7 @@ static bool hides(const vs_sight *s, const vs_vec3 c[3], const box *b, line *l) 
 
 /* ---- the hidden parts of an edge ---- */
 
-/* Adds from..to to the spans. Spans closer than `gap` are joined. */
+/* Adds the interval from..to to the sorted hidden intervals. Intervals closer than `gap` are joined. */
 static bool add_span(sight *v, double from, double to, double gap) {
   size_t first = 0, end, count = v->span_count;
   while (first < count && v->spans[first].to < from - gap) first++;
@@ -281,7 +283,8 @@ static void keep_hider(sight *v, uint32_t which) {
   v->kept[0] = which;
 }
 
-/* Computes the hidden intervals v->spans of the edge. Sets *on to false if interrupted. */
+/* Computes the hidden intervals v->spans of the edge. Joins intervals closer than `gap`. Sets *on to false if
+ * interrupted. */
 static bool look(sight *v, const vs_sight_edge *edge, double gap, bool *on) {
   const vs_sight *s = v->s;
   line l = { .p = edge->p, .d = vs_v3_sub(edge->q, edge->p), .slack = fmax(edge->slack, s->slack) };
@@ -295,7 +298,8 @@ static bool look(sight *v, const vs_sight_edge *edge, double gap, bool *on) {
   l.far = fmax(edge->p.z, edge->q.z);
   v->span_count = 0;
   if (v->node_count == 0) return true;
-  for (int i = 0; i < KEPT; i++) { /* a triangle often hides several successive edges */
+  for (int i = 0; i < KEPT; i++) { /* A triangle often hides several successive edges. Therefore the triangles that last
+                                    * hid an edge are tested first. */
     uint32_t which = v->kept[i];
     if (!meets(&l, &v->boxes[which], slack)) continue;
     corners_of(s, v->number[which], c);
@@ -336,8 +340,8 @@ static bool add_piece(sight *v, vs_sight_pieces *out, vs_sight_piece piece, doub
   return true;
 }
 
-/* Appends the parts of the edge between the spans, which are visible. with_hidden: also appends the parts in the spans.
- * Parts shorter than `least` are omitted. */
+/* Appends the visible parts of the edge, which lie between the hidden intervals. with_hidden: also appends the hidden
+ * parts. Parts shorter than `least` are omitted. */
 static bool cut_up(sight *v, uint32_t edge, bool with_hidden, double least, vs_sight_pieces *out) {
   double at = 0;
   for (size_t i = 0; i < v->span_count; i++) {

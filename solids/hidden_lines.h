@@ -11,20 +11,20 @@
 #include "model/node.h"
 
 typedef enum {
-  VS_SIGHT_CUT,     /* a line around the faces where the view's plane cuts the drawing */
-  VS_SIGHT_PARTING, /* a line between two materials in the plane of the cut */
+  VS_SIGHT_CUT,     /* a line around the faces at which the view's plane cuts the drawing */
+  VS_SIGHT_PARTING, /* a line between two materials in the plane of the view's cut */
   VS_SIGHT_OUTLINE, /* an edge beside which something farther away is visible; includes the contours of curved
                      * surfaces */
   VS_SIGHT_CREASE,  /* an edge between two visible faces */
-  VS_SIGHT_CURVE,   /* a curve that the program drew */
+  VS_SIGHT_CURVE,   /* a curve that the model draws */
   VS_SIGHT_KINDS
 } vs_sight_kind;
 
 typedef struct {
   vs_vec3 p, q;
   vs_sight_kind kind;
-  double slack; /* distance behind a face up to which the edge counts as lying in the face */
-  uint32_t owner; /* owner (see vs_sight.owners) of a triangle at the edge; 0: no triangle has an owner */
+  double slack; /* distance behind a face up to which the edge counts as lying in the face, in the view's units */
+  uint32_t owner; /* owner (see vs_sight.owners) of a triangle at the edge; 0: triangles have no owners */
 } vs_sight_edge;
 typedef struct { vs_sight_edge *at; size_t count, room; } vs_sight_edges;
 
@@ -32,26 +32,26 @@ typedef struct { vs_sight_edge *at; size_t count, room; } vs_sight_edges;
 typedef struct { uint32_t edge; double from, to; bool hidden; } vs_sight_piece;
 typedef struct { vs_sight_piece *at; size_t count, room; } vs_sight_pieces;
 
-/* The triangles that hide lines. The first `closed` triangles bound solids. Of these, triangles that face away from the
+/* The triangles that hide lines. The first `closed` triangles bound solids. Triangles of solids that face away from the
  * viewer are ignored, because the front of the same solid hides the same lines. */
 typedef struct {
   const vs_vec3 *points;
   const uint32_t (*triangles)[3];
   size_t point_count, triangle_count, closed;
-  const uint32_t *paints;   /* paint of each triangle: edges between different paints are drawn; may be NULL */
-  const uint32_t *owners;   /* owner of each triangle, a number that the edges of the triangle get; may be NULL */
-  const uint32_t *objects;  /* object of each triangle: edges between different objects are drawn; may be NULL */
-  const uint8_t *caps;      /* for each triangle: 1 if it lies in the plane of the cut; may be NULL */
+  const uint32_t *paints;   /* paints[i]: paint of triangle i; edges between different paints are drawn; may be NULL */
+  const uint32_t *owners;   /* owners[i]: owner of triangle i, a number that its edges get; may be NULL */
+  const uint32_t *objects;  /* objects[i]: object of triangle i; edges between different objects are drawn; may be
+                             * NULL */
+  const uint8_t *caps;      /* caps[i]: 1 if triangle i lies in the plane of the view's cut; may be NULL */
   bool perspective;
-  double slack;             /* lengths up to this count as zero: about 1e-7 of the size of the drawing */
+  double slack;             /* lengths up to this count as zero: about 1e-7 of the drawing's size */
 } vs_sight;
 
-typedef struct { vs_store *store; vs_job *job; /* job: the job that may interrupt the work; NULL: nothing interrupts
-                                                * it */ } vs_sight_host;
+typedef struct { vs_store *store; vs_job *job; /* job: it may stop the work; NULL: none */ } vs_sight_host;
 
-/* Appends the visible parts of the edges, in order. with_hidden: also appends the hidden parts. Parts shorter than a
- * few times the slack are omitted. An edge is tested only against triangles that it crosses in the picture, nearest
- * first, until the entire edge is hidden. */
+/* Appends to `out` the visible parts of the edges, in order. with_hidden: also appends the hidden parts. Parts shorter
+ * than a few times the slack are omitted. An edge is tested only against triangles that it crosses in the picture,
+ * nearest first, until the entire edge is hidden. */
 bool vs_sight_find_visible(const vs_sight_host *host, const vs_sight *s, const vs_sight_edges *edges, bool with_hidden,
                            vs_sight_pieces *out, vs_error *e);
 

@@ -27,7 +27,7 @@
 #include "solids/astray.h"
 #include "solids/weld.h"
 
-/* Returns true if a mesh of this kind may overlap itself. Ignores placements around the node. */
+/* Returns true if the mesh of node n may overlap itself. Ignores placements around the node. */
 static bool may_overlap(const vs_node *n) {
   if (n->class_ != VS_SOLID) return false;
   while (n->kind == VS_TRANSFORM || n->kind == VS_MATERIAL || n->kind == VS_LAYER) n = n->children[0].node;
@@ -49,9 +49,9 @@ static bool failed(const vs_kernel_error *why, vs_error *e) {
   return vs_error_set(e, VS_ERROR_MODEL, NULL, "%s", why->message);
 }
 
-/* Removes shells that are only a crack or a flake: their mean thickness is less than `thickness`. They occur where
- * faces of a mesh that overlaps itself lie on each other, because rounding separates the faces by some steps of the
- * kernel's grid. */
+/* Removes shells (connected parts of the surface) that are only cracks or flakes: their mean thickness is less than
+ * `thickness`. They occur if faces of a mesh that overlaps itself lie on each other, because rounding separates the
+ * faces by some steps of the kernel's grid. */
 static bool drop_flakes(vs_mesh *m, double thickness, vs_error *e) {
   vs_shells shells;
   bool ok = vs_shells_find(m, &shells);
@@ -67,16 +67,15 @@ static bool drop_flakes(vs_mesh *m, double thickness, vs_error *e) {
   return ok && (vs_mesh_drop_lonely(m) || vs_error_memory(e, NULL));
 }
 
-/* The work that is still allowed: the number of pairs of triangles that arrangements may still test, and whether this
- * number was too small. */
+/* Limit on the work: number of pairs of triangles that may still be tested, and whether this number was too small. */
 typedef struct {
   const vs_kernel_options *options;
   size_t pairs;
   bool too_much;
 } work;
 
-/* Replaces m by the solid of all space that it winds around more than 0 times. left: the work that is still allowed;
- * NULL: any amount. If the result is true and left->too_much is set, m is unchanged. */
+/* Replaces m by the solid of all space that it winds around more than 0 times. left: limit on the work; NULL: none. If
+ * the result is true and left->too_much is set, m is unchanged. */
 static bool resolve(vs_mesh *m, const vs_kernel_options *options, work *left, vs_error *e) {
   vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
   vs_mesh whole = { 0 };
@@ -93,8 +92,8 @@ static bool resolve(vs_mesh *m, const vs_kernel_options *options, work *left, vs
   return true;
 }
 
-/* Replaces m by the solid without overlaps. Sets *changed to true if m overlapped or touched itself. Returns false on
- * failure. */
+/* Replaces m by the solid that it winds around more than 0 times. Sets *changed to true if m overlapped or touched
+ * itself. Returns false on failure. */
 static bool free_of_overlaps(vs_mesh *m, const vs_kernel_options *options, bool *changed, vs_error *e) {
   vs_mesh_flaws flaws;
   vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
@@ -115,11 +114,11 @@ bool vs_mesh_without_overlaps(vs_mesh *m, const vs_kernel_options *options, vs_e
 
 /* ---- crowds ---- */
 
-/* CROWD: greatest number of intersecting pairs of triangles, per triangle, that are arranged at once. MOST_PAIRS: limit
- * of the number of all pairs. STEPS: number of steps of a sweep in a run. */
+/* CROWD: greatest number of intersecting pairs for each triangle with which a mesh is arranged in one step. MOST_PAIRS:
+ * limit on the number of all pairs. STEPS: number of a sweep's steps that are united first. */
 enum { CROWD = 16, MOST_PAIRS = 60000000, STEPS = 8 };
 
-/* Sets *crowd to whether m, the mesh of a sweep, overlaps so much at its bends that runs of steps must be united
+/* Sets *crowd to true if m, the mesh of a sweep, overlaps so much at its bends that groups of its steps must be united
  * separately. */
 static bool is_crowd(const vs_bends *bends, const vs_mesh *m, const vs_kernel_options *options, bool *crowd,
                      vs_error *e) {
@@ -132,7 +131,7 @@ static bool is_crowd(const vs_bends *bends, const vs_mesh *m, const vs_kernel_op
   return true;
 }
 
-/* Appends b to a, and empties b. */
+/* Appends the triangles of mesh b to mesh a, and empties b. */
 static bool add_mesh(vs_mesh *a, vs_mesh *b) {
   uint32_t first = (uint32_t)a->vertex_count;
   bool ok = a->vertex_count + b->vertex_count < UINT32_MAX / 4;
@@ -143,7 +142,7 @@ static bool add_mesh(vs_mesh *a, vs_mesh *b) {
   return ok;
 }
 
-/* Resolves the overlaps of m, and welds the needles and crumbs that remain. */
+/* Removes the overlaps of m with itself, and then details smaller than `step` that remain (weld.h). */
 static bool unite(vs_mesh *m, double step, work *left, vs_error *e) {
   return resolve(m, left->options, left, e) && (left->too_much || vs_mesh_weld(m, step) || vs_error_memory(e, NULL));
 }
@@ -169,8 +168,8 @@ static bool unite_runs(const vs_bends *bends, double step, work *left, vs_mesh *
 
 /* ---- rounding ---- */
 
-/* Sets *met to true if triangles intersect after m is rounded to the numbers of .off or .stl. *at: the first place
- * where they intersect. Returns false on failure. */
+/* Sets *met to true if triangles intersect after m is rounded to the numbers of .off or .stl files. *at: the first
+ * place where they intersect. Returns false on failure. */
 static bool find_met(const vs_mesh *m, const vs_kernel_options *options, bool *met, vs_vec3 *at, vs_error *e) {
   static const vs_numbers numbers[] = { VS_NUMBERS_DIGITS, VS_NUMBERS_LOOSE };
   bool ok = true;
@@ -188,8 +187,9 @@ static bool find_met(const vs_mesh *m, const vs_kernel_options *options, bool *m
   return ok;
 }
 
-/* Repairs m on a grid with `per` steps per unit. It treats m as for a format without indices whose numbers have single
- * precision: between 2^23 and 2^24, such numbers are the whole numbers. m stays a closed chain. */
+/* Repairs m on a grid with `per` steps per unit. It treats m as for a format without vertex numbers whose numbers have
+ * single precision: between 2^23 and 2^24, such numbers are the whole numbers. Every edge of m keeps as many triangles
+ * in one direction as in the other. */
 static bool mend(vs_mesh *m, double per, const vs_kernel_options *options, vs_error *e) {
   const double middle = 0x1.8p23;
   vs_kernel_error why = { VS_KERNEL_FINE, 0, "" };
@@ -206,14 +206,15 @@ static bool mend(vs_mesh *m, double per, const vs_kernel_options *options, vs_er
   return true;
 }
 
-/* Sets *met as find_met does. If triangles of m intersect, resolves m once more and searches again. */
+/* Sets *met to true if triangles of m intersect after rounding (find_met). In this case, removes the overlaps of m once
+ * more and searches again. */
 static bool try_out(vs_mesh *m, work *left, bool *met, vs_vec3 *at, vs_error *e) {
   if (!find_met(m, left->options, met, at, e)) return false;
   return !*met || (resolve(m, left->options, left, e) && (left->too_much || find_met(m, left->options, met, at, e)));
 }
 
-/* Repairs m on a grid (mend) and resolves the intersections there, several times. Gives up if m grows, since that does
- * not end. */
+/* Repairs m on a grid of `per` steps per unit and removes the intersections there, several times. Stops if the number
+ * of triangles grows, since that would not end. */
 static bool settle_on(vs_mesh *m, double per, work *left, bool *met, vs_vec3 *at, vs_error *e) {
   enum { ROUNDS = 4 };
   vs_bounds b = vs_mesh_bounds(m);
@@ -228,8 +229,8 @@ static bool settle_on(vs_mesh *m, double per, work *left, bool *met, vs_vec3 *at
   return ok;
 }
 
-/* Repairs m on decimal grids, each coarser than the previous grid, until no triangles intersect in any format's
- * numbers. coarsest: largest step of a grid. *met: true if all grids have failed. *at: place of an intersection. */
+/* Repairs m on decimal grids, each coarser than the one before, until no triangles intersect in any format's numbers.
+ * coarsest: largest step of a grid. *met: true if all grids have failed. *at: place of an intersection. */
 static bool settle(vs_mesh *m, double coarsest, work *left, bool *met, vs_vec3 *at, vs_error *e) {
   vs_bounds b = vs_mesh_bounds(m);
   double size = vs_bounds_diagonal(&b);
@@ -281,8 +282,8 @@ bool vs_primitive_overlaps(const vs_node *n, const vs_fineness *f, const vs_kern
   return ok;
 }
 
-/* A sweep whose overlaps are removed. outcome: how the attempt ended; at: the place of the fault; marked: true for the
- * steps with points at which the mesh differs from the sections. */
+/* A sweep whose overlaps are removed. outcome: how the attempt ended; at: place of the fault; marked[i]: true for a
+ * step with points at which the mesh differs from the sections. */
 typedef struct {
   const vs_node *node;
   const vs_fineness *fineness;
@@ -305,7 +306,7 @@ static bool free_sweep(sweep *s, vs_mesh *m, vs_error *e) {
   if (!left.too_much && !settle(m, tolerance / 8, &left, &met, &s->at, e)) return false;
   if (left.too_much || met) return s->outcome = left.too_much ? TOO_MUCH : MEETS, true;
   if (!vs_bends_turn(s->bends, &turns)) return vs_error_memory(e, NULL);
-  /* With a given number of facets the stations are as coarse as the caller has asked. */
+  /* If the caller has set the number of facets, the sections are as coarse as this demands and stay so. */
   if (!turns || s->fineness->segments > 0) return true;
   const vs_astray look = { s->node, s->bends, m, tolerance, s->options ? s->options->job : NULL };
   size_t astray;
@@ -335,7 +336,8 @@ static bool refuse(const sweep *s, vs_error *e) {
                       bend.at.x, bend.at.y, bend.at.z, remedy);
 }
 
-/* Marks steps up to `close` steps from marked ones as well: the points are few, and a step may be wrong without one. */
+/* Marks steps up to `close` steps from marked steps, too. The test points are few, and a step may be wrong without
+ * containing one. */
 static bool mark_neighbours(sweep *s, size_t close) {
   size_t steps = vs_bends_steps(s->bends), since = close + 1;
   bool *wider = vs_zeros(steps, sizeof *wider);
@@ -354,11 +356,11 @@ static bool mark_neighbours(sweep *s, size_t close) {
   return true;
 }
 
-enum { FINE = 16, FINEST = 1024 }; /* factors by which the tolerance of steps becomes smaller, first and last */
+enum { FINE = 16, FINEST = 1024 }; /* FINE, FINEST: first and last factor by which the tolerance of steps is reduced */
 
 /* Divides the steps at tight bends, makes the mesh of the sweep again, and removes its overlaps. Divides only the steps
- * at which the mesh differs from the sections, if there are any. finer: the steps are those of a tolerance that is so
- * much smaller. */
+ * at which the mesh differs from the sections, if there are any. finer: factor by which the tolerance of the steps is
+ * reduced. */
 static bool free_finer(sweep *s, double finer, vs_mesh *m, vs_error *e) {
   size_t limit = s->options ? s->options->max_triangles : 0;
   bool some = s->outcome == STRAYS;

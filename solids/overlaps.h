@@ -11,17 +11,18 @@
  * times. Any other mesh stays unchanged. options may be NULL. Returns false and sets e on failure. */
 bool vs_mesh_without_overlaps(vs_mesh *m, const vs_kernel_options *options, vs_error *e);
 
-/* Sets *overlaps to true if the mesh of n from geometry/ overlaps itself. Returns false and sets e on failure. */
+/* Sets *overlaps to true if the mesh that geometry/ makes of node n overlaps itself. Returns false and sets e on
+ * failure. */
 bool vs_primitive_overlaps(const vs_node *n, const vs_fineness *f, const vs_kernel_options *options, bool *overlaps,
                            vs_error *e);
 
-/* Makes the mesh of n from geometry/, which may overlap itself, within the limit of triangles. m must be empty. */
+/* Makes the mesh of n with geometry/, where it may overlap itself, within the limit of triangles. m must be empty. */
 bool vs_primitive_tessellated(const vs_node *n, const vs_fineness *f, const vs_kernel_options *options, vs_mesh *m,
                               vs_error *e);
 
-/* Removes the overlaps of m, the mesh of n from geometry/, as vs_mesh_without_overlaps does. After it, the mesh of a
- * sweep does not intersect itself in the numbers of any format, and agrees with the sections at its tight bends. If
- * this fails, the error contains the sweep's bend. */
+/* Removes the overlaps of m, the mesh that geometry/ made of n. The mesh of a sweep then does not intersect itself in
+ * the numbers of any format, and agrees with the sections at its tight bends. If this fails, the error names the
+ * sweep's bend. */
 bool vs_primitive_freed(const vs_node *n, const vs_fineness *f, const vs_kernel_options *options, vs_mesh *m,
                         vs_error *e);
 

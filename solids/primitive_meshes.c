@@ -1,4 +1,4 @@
-/* Makes the triangles of a primitive, without overlaps. */
+/* Makes the triangles of a primitive, without overlaps, and stores them in the cache. */
 #include "solids/primitive_meshes.h"
 #include "geometry/tessellate.h"
 
@@ -20,7 +20,7 @@ bool vs_primitive_mesh(const vs_node *n, const vs_fineness *f, const vs_kernel_o
 
 /* ---- meshes in the cache ---- */
 
-/* the vertices follow, then the corners, each at a multiple of 16 bytes (cache.c) */
+/* In a cache entry, the vertices follow, then the corners, each at a multiple of APART bytes (cache.c). */
 enum { APART = 16 };
 typedef struct { uint64_t vertices, triangles, settled; } header;
 

@@ -14,22 +14,23 @@
 bool vs_primitive_mesh(const vs_node *n, const vs_fineness *f, const vs_kernel_options *options, vs_mesh *out,
                        vs_error *e);
 
-/* The destination of a mesh, and the cache in which it is searched and stored. */
+/* The destination of a primitive's mesh, and the cache in which the mesh is searched and stored. */
 typedef struct {
   vs_cache *cache;         /* cache of meshes; NULL: there is no cache */
   vs_mesh *mesh;           /* mesh that receives the result, empty at first */
-  const vs_cached **held;  /* cache entry that contains the mesh's arrays, until the caller releases it; the mesh must
-                            * not be changed or freed. *held NULL: the caller owns the mesh. */
+  const vs_cached **held;  /* *held: cache entry that contains the mesh's arrays, until the caller releases it; the mesh
+                            * must not be changed or freed. NULL: the caller owns the mesh. */
 } vs_kept_mesh;
 
-/* Makes the mesh of a primitive as vs_primitive_mesh does, or finds it in the cache. */
+/* Makes the mesh of primitive n as vs_primitive_mesh does, or finds it in the cache. */
 bool vs_primitive_shared(const vs_kept_mesh *to, vs_node *n, const vs_fineness *f, const vs_kernel_options *options,
                          vs_error *e);
 /* The two steps of vs_primitive_shared as separate functions. vs_primitive_find searches the cache, and leaves *held
  * NULL if it has no entry. vs_primitive_keep stores a new mesh. */
 bool vs_primitive_find(const vs_kept_mesh *to, vs_node *n, const vs_fineness *f);
 void vs_primitive_keep(const vs_kept_mesh *to, vs_node *n, const vs_fineness *f);
-/* Makes, or finds in the cache, the mesh of the part of a half-space inside reach. Returns false if memory is out. */
+/* Makes the mesh of the part of half-space n inside the box `reach`, or finds it in the cache. Returns false if memory
+ * is out. */
 bool vs_half_space_shared(const vs_kept_mesh *to, vs_node *n, const vs_bounds *reach);
 
 #endif

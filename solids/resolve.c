@@ -21,8 +21,8 @@ typedef struct {
   const vs_fineness *facets;
   const vs_kernel_options *options;
   vs_error *error;
-  vs_deformer *deformer; /* deforms hexahedra; NULL: nothing has been deformed yet */
-  vs_nodemap known;    /* maps an old node to its new node, which `made` retains */
+  vs_deformer *deformer; /* deformer for nodes of kind VS_DEFORM; NULL: none was needed yet */
+  vs_nodemap known;    /* maps an old node to the node that replaces it, which `made` retains */
   vs_node **made;
   size_t made_count, made_room;
 } resolver;
@@ -35,7 +35,7 @@ static vs_node *now(const resolver *r, vs_node *n) {
   return place ? r->made[*place] : n;
 }
 
-/* Records that `new` replaces `old`, and takes over the reference to `new`. */
+/* Records that node `new` replaces node `old`, and takes over the reference to `new`. */
 static bool remember(resolver *r, const vs_node *old, vs_node *new) {
   if (!new) return vs_error_memory(r->error, NULL);
   if (!VS_GROW(r->made, r->made_room, r->made_count + 1)) return vs_node_release(new), vs_error_memory(r->error, NULL);
@@ -58,8 +58,8 @@ static vs_node *line(vs_store *s, const vs_polyline *p) {
   return n;
 }
 
-/* Makes a node of these children, and takes over their references. If `alone` is true, a single child is returned
- * without a node around it. */
+/* Makes a node of the given kind with these children, and takes over their references. If `alone` is true, a single
+ * child is returned without a node around it. */
 static vs_node *of_children(vs_store *s, vs_kind kind, vs_ref *refs, size_t count, bool alone) {
   bool ok = true;
   static const unsigned char none[8];
@@ -93,7 +93,7 @@ static bool facets_for(const resolver *r, const vs_node *n, vs_fineness *f) {
   return true;
 }
 
-/* Collects surfaces that are members of unions into a single mesh. */
+/* Collects the surfaces below `root`, members of unions too, into a single mesh. */
 static bool surfaces(const resolver *r, vs_ref root, const vs_fineness *f, vs_mesh *out) {
   typedef struct { vs_affine placed; } level;
   vs_walk *w = vs_walk_new(root.node->store, root);
@@ -152,7 +152,7 @@ static vs_node *flat_of(const resolver *r, const vs_ref *ref) {
   return made;
 }
 
-/* If the shape has a formula for its edges, makes the edges as exact circles. Otherwise sets *known to false: the
+/* Makes the edges of shape n as exact circles, if the shape has a formula for them. Otherwise sets *known to false: the
  * caller must use the mesh. */
 static vs_node *round_edges(const resolver *r, const vs_node *n, const vs_origin *origin, bool *known) {
   vs_affine placed = vs_affine_identity();
@@ -181,8 +181,8 @@ static vs_node *round_edges(const resolver *r, const vs_node *n, const vs_origin
     *known = false;
     return NULL;
   }
-  *known = segments == 0 && r->facets->segments <= 0; /* with a given number of facets, the edges are the edges of these
-                                                       * facets */
+  *known = segments == 0 && r->facets->segments <= 0; /* if the number of facets is set, the edges are those of the
+                                                       * facets, not circles */
   if (!*known) return NULL;
   vs_ref circles[2];
   size_t count = 0;
@@ -233,7 +233,7 @@ static vs_node *polyface(vs_store *s, const vs_mesh *m, bool closed) {
   return n;
 }
 
-/* Makes the hull of surfaces that all lie in the same plane, from their corners. */
+/* Makes the hull of surfaces that all lie in one plane, from their corners. */
 static vs_node *flat_hull_of(const resolver *r, const vs_ref *ref) {
   struct vs_hull d = *VS_AS(hull, ref->node);
   vs_fineness f;
@@ -250,7 +250,7 @@ static vs_node *flat_hull_of(const resolver *r, const vs_ref *ref) {
   return made;
 }
 
-/* Makes a hull. Parts that are booleans become meshes. */
+/* Makes the hull of the children. Children that are booleans become meshes first. */
 static vs_node *hull_of(const resolver *r, const vs_ref *ref) {
   const vs_node *n = ref->node;
   vs_ref *kids = vs_zeros(n->child_count + (size_t)1, sizeof *kids);
@@ -283,14 +283,14 @@ typedef struct {
   const resolver *r;
   const struct vs_slice *plane;
   const vs_origin *origin;
-  const vs_node *const *looks; /* materials and layers around the part that is being cut; the innermost is the last */
+  const vs_node *const *looks; /* materials and layers around the part that is being cut, the innermost last */
   size_t look_count;
-  vs_ref *at;                  /* pieces that remain after the cut */
+  vs_ref *at;                  /* pieces that remain after the slice */
   size_t count, room;
 } pieces;
 
-static bool keep_piece(pieces *p, vs_node *n) { /* adds a piece that remains after the cut, and takes over the reference
-                                                 * to n */
+static bool keep_piece(pieces *p, vs_node *n) { /* adds a piece that remains after the slice, and takes over the
+                                                 * reference to n */
   vs_store *s = p->r->store;
   for (size_t i = p->look_count; n && i-- > 0;) {
     vs_node *bare = n;
@@ -308,8 +308,8 @@ static bool keep_line(void *context, const vs_polyline *piece) {
   return keep_piece(p, line(p->r->store, piece));
 }
 
-/* Slices a part that is entirely a curve, region, surface or solid. placed: map from the part's coordinates to those of
- * the slice. */
+/* Slices a part that is entirely a curve, region, surface or solid, and adds the pieces. placed: map from the part's
+ * coordinates to those of the slice. */
 static bool slice_part(pieces *p, vs_ref part, const vs_affine *placed) {
   const vs_node *n = part.node;
   vs_store *s = p->r->store;
@@ -355,8 +355,9 @@ static bool slice_part(pieces *p, vs_ref part, const vs_affine *placed) {
 }
 
 static vs_node *slice_of(const resolver *r, const vs_ref *ref) {
-  typedef struct { vs_affine placed; size_t looks; } level; /* looks: number of materials and layers around this
-                                                             * level */
+  typedef struct { vs_affine placed; size_t looks; } level; /* a level of the walk. placed: map to the slice's
+                                                             * coordinates; looks: number of materials and layers around
+                                                             * it */
   vs_ref child = { now(r, ref->node->children[0].node), ref->node->children[0].origin }, at;
   pieces p = { .r = r, .plane = VS_AS(slice, ref->node), .origin = ref->origin };
   vs_walk *w = vs_walk_new(r->store, child);
@@ -394,7 +395,7 @@ static vs_node *slice_of(const resolver *r, const vs_ref *ref) {
   return made;
 }
 
-/* Thickens several curves: makes a bar around each. */
+/* Returns the node of thickened curves: makes a bar around each curve. */
 static vs_node *thickened(const resolver *r, const vs_node *n, vs_ref whole) {
   vs_ref *parts;
   size_t count;

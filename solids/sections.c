@@ -28,15 +28,14 @@ static bool chain_add(chain *c, vs_vec2 p, vs_vec2 q) {
   return true;
 }
 
-/* Returns the frame of the plane: the coordinates of outlines that geometry/ makes in this plane, with the normal
- * up. */
+/* Returns the frame of the plane, in whose coordinates geometry/ makes outlines. Its z axis is the normal. */
 static vs_affine plane_frame(vs_vec3 point, vs_vec3 normal) {
   vs_vec3 up = vs_plane_up(normal);
   return vs_frame_on_axis(vs_v3_scale(up, vs_v3_dot(up, point)), up);
 }
 
-/* Returns the vertices in the coordinates of the frame, with z as the height above the plane. Returns NULL if memory is
- * out. */
+/* Returns the vertices of m in the coordinates of the frame, where z is the height above the plane. Returns NULL if
+ * memory is out. */
 static vs_vec3 *in_frame(const vs_mesh *m, const vs_affine *frame) {
   vs_vec3 x = { frame->m[0][0], frame->m[1][0], frame->m[2][0] },
           y = { frame->m[0][1], frame->m[1][1], frame->m[2][1] },
@@ -94,7 +93,7 @@ bool vs_mesh_section(const vs_mesh *m, vs_vec3 point, vs_vec3 normal, vs_outline
       on = true;
     }
   for (int k = 0; ok && k < (on ? 2 : 1); k++) { /* If no vertex lies in the plane, the cuts just above and just below
-                                                  * it are equal, and one of them suffices. */
+                                                  * it are equal, and a single cut suffices. */
     chain c = { 0 };
     ok = cut(m, at, k == 0, &c) || vs_error_memory(e, NULL);
     ok = ok && vs_area_of_chain((const vs_vec2 (*)[2])c.at, c.count, "do-section", &parts[k], e);
@@ -154,7 +153,7 @@ bool vs_mesh_shadow(const vs_mesh *m, vs_vec3 point, vs_vec3 normal, vs_outline 
 
 /* ---- flat surfaces ---- */
 
-static vs_vec3 area_of(const vs_mesh *m, size_t i) { /* returns a vector along the triangle's normal, with twice the
+static vs_vec3 area_of(const vs_mesh *m, size_t i) { /* returns a vector along the normal of triangle i, with twice the
                                                       * triangle's area as length */
   vs_vec3 p = m->vertices[m->triangles[i][0]];
   return vs_v3_cross(vs_v3_sub(m->vertices[m->triangles[i][1]], p), vs_v3_sub(m->vertices[m->triangles[i][2]], p));

@@ -2,8 +2,7 @@
  *
  * Each side of a triangle is an element of a list, sorted by its two points. The elements with equal points are the
  * faces around an edge. A face is seen from the front, from the back, or edge-on (within 1e-7), which counts as
- * neither. Where a smooth surface turns away from the viewer, the line lies between the last visible face and the next
- * face. */
+ * neither. At the contour of a smooth surface, the line lies between the last visible face and the next face. */
 #include "solids/sight_edges.h"
 
 #include <math.h>
@@ -12,7 +11,8 @@
 #include "geometry/files/polyface.h"
 #include "model/store/patient_sort.h"
 
-static const double sharp = 0.9396926207859084; /* cosine of 20 degrees, the least angle of a crease */
+static const double sharp = 0.9396926207859084; /* cosine of 20 degrees, the least angle between faces at which their
+                                                 * edge is drawn as a crease */
 
 typedef struct { uint64_t key; uint32_t face; bool forward; } side;
 
@@ -22,8 +22,8 @@ static int side_compare(const void *p, const void *q) {
 }
 
 typedef struct { vs_vec3 normal; int8_t front; } face;
-    /* Computes the data of face i. front: 1 if the face is seen from the front, -1 from the back, 0 if it is seen
-     * edge-on or has no area. */
+    /* Computes the data of face i. Its member `front` is 1 if the face is seen from the front, -1 from the back, 0 if
+     * edge-on or without area. */
 
 static face face_of(const vs_sight *s, const uint32_t *place, size_t i) {
   const uint32_t *t = s->triangles[i];
@@ -41,13 +41,14 @@ static bool are_apart(const vs_sight *s, uint32_t a, uint32_t b) {
          (s->objects && s->objects[a] != s->objects[b]);
 }
 
-/* Returns the kind of the line at the edge between two faces, or VS_SIGHT_KINDS if the edge has no line. */
+/* Returns the kind of the line at the edge between the faces of sides a and b, or VS_SIGHT_KINDS if the edge has no
+ * line. */
 static vs_sight_kind kind_between(const vs_sight *s, const face *faces, const side *a, const side *b) {
   const face *f = &faces[a->face], *g = &faces[b->face];
   bool cap_f = s->caps && s->caps[a->face], cap_g = s->caps && s->caps[b->face];
   if (cap_f && cap_g) return are_apart(s, a->face, b->face) ? VS_SIGHT_PARTING : VS_SIGHT_KINDS;
   if (cap_f || cap_g) return VS_SIGHT_CUT;
-  /* neighbours that use the edge in the same direction have opposite orientations */
+  /* if two faces contain their common edge in the same direction, one of them is reversed */
   int turned = a->forward == b->forward ? -1 : 1;
   int p = f->front, q = g->front * turned;
   bool thin = a->face >= s->closed || b->face >= s->closed; /* true if the faces belong to a surface without thickness,
@@ -66,8 +67,8 @@ static bool add_edge(const vs_sight_host *host, vs_sight_edges *out, vs_sight_ed
   return true;
 }
 
-/* Returns the owner of the edge of these sides. If possible, it is the owner of a face that the viewer sees from the
- * front. */
+/* Returns the owner of the edge with the sides from `first` to `end`: if possible, the owner of a face that the viewer
+ * sees from the front. */
 static uint32_t owner_of(const vs_sight *s, const face *faces, const side *first, const side *end) {
   uint32_t owner = 0;
   for (const side *a = first; s->owners && a < end; a++)
@@ -111,8 +112,8 @@ bool vs_sight_find_edges(const vs_sight_host *host, const vs_sight *s, vs_sight_
   vs_store_realloc(store, all, 3 * n * sizeof *all, 0);
   vs_store_realloc(store, faces, n * sizeof *faces, 0);
   if (!ok) return vs_error_memory(e, NULL);
-  if (!going && e->kind != VS_ERROR_NONE) return false; /* the sort was interrupted or failed; vs_store_sort has set the
-                                                         * error */
+  if (!going && e->kind != VS_ERROR_NONE) return false; /* the sort was interrupted or memory is out; vs_store_sort has
+                                                         * set the error */
   return going || vs_error_set(e, VS_ERROR_INTERRUPT, NULL, "interrupted");
 }
 

@@ -1,4 +1,4 @@
-/* Divides an object into pieces whose measures can be computed separately.
+/* Divides an object into pieces whose measures (volume, area, centroid) can be computed separately.
  *
  * The list of jobs contains pieces of the object that do not overlap, each with its placement and a sign. The measure
  * of a piece with a formula is added to the sum. A union is divided into its parts; a part whose box intersects no
@@ -16,8 +16,9 @@
 #include "solids/solid_meshes.h"
 #include "model/store/array.h"
 
-enum { MOST_PARTS = 1000000, CHEAP = 60000 /* CHEAP: number of triangles up to which a mesh may be made again, for a
-                                            * better result */ };
+enum { MOST_PARTS = 1000000, CHEAP = 60000 /* MOST_PARTS: greatest number of parts of a union that are measured
+                                            * separately. CHEAP: number of triangles up to which a finer mesh may be
+                                            * made for a better result. */ };
 
 typedef struct { vs_ref ref; vs_affine placed; double sign; } job;
 typedef struct { vs_ref ref; vs_affine placed; vs_bounds box; bool cutter; } part;
@@ -27,13 +28,13 @@ typedef struct {
   vs_ask ask;
   double tolerance;
   vs_bounds_memo boxes;
-  vs_nodemap known;           /* maps a node to the number of the node's formula, plus 1 */
+  vs_nodemap known;           /* maps a node to the number of its formula in the list of formulas, plus 1 */
   VS_LIST(vs_measure) formulas;
   VS_LIST(job) jobs;
   VS_LIST(part) parts;        /* parts of the object into which the current job is divided */
-  VS_LIST(vs_ref) rest[2];    /* parts that will be meshed, added parts in [0] and subtracted parts in [1]; the lists
-                               * own these references */
-  VS_LIST(vs_node *) made;    /* nodes that were made for jobs; owned */
+  VS_LIST(vs_ref) rest[2];    /* parts to be meshed together: added parts in rest[0], subtracted parts in rest[1]; the
+                               * lists own these references */
+  VS_LIST(vs_node *) made;    /* nodes that were made for the pieces and are freed at the end */
   bool rough;                 /* true if some part overlaps itself, so that finer meshes would take long to unite */
   double volume, area;
   vs_vec3 moment;
@@ -44,11 +45,12 @@ static bool memory(measuring *m) { return vs_error_memory(m->error, NULL); }
 
 static void add(measuring *m, double volume, double area, vs_vec3 centroid, double sign) {
   m->volume += sign * volume;
-  m->area += area; /* the area of a cavity's wall is added, too, although its volume is subtracted */
+  m->area += area; /* the area of a cavity's wall is added, although the cavity's volume is subtracted */
   m->moment = vs_v3_add(m->moment, vs_v3_scale(centroid, sign * volume));
 }
 
-static vs_ref below(vs_ref at, vs_affine *placed) { /* returns the object inside placements, materials and layers */
+static vs_ref below(vs_ref at, vs_affine *placed) { /* returns the object inside all placements, materials and layers of
+                                                     * `at`; multiplies *placed by the placements */
   while (at.node->child_count == 1 &&
          (at.node->kind == VS_TRANSFORM || at.node->kind == VS_UNION || vs_node_is_wrapper(at.node))) {
     if (at.node->kind == VS_TRANSFORM) *placed = vs_affine_multiply(placed, &VS_AS(transform, at.node)->matrix);
@@ -78,7 +80,7 @@ static bool formula(measuring *m, vs_node *n, vs_measure *out) {
   return true;
 }
 
-/* Sets *done to true if a formula gives all measures. */
+/* Sets *done to true if a formula gives all measures of job j, and adds them. */
 static bool by_formula(measuring *m, const job *j, bool *done) {
   vs_measure one;
   double k;
@@ -112,14 +114,16 @@ static bool box_of(measuring *m, const part *p, vs_bounds *out) {
     *out = vs_bounds_transform(out, &p->placed);
     return true;
   }
-  vs_ref ref = p->ref; /* the box of a rotated curved object is smaller than the rotated box of the object */
+  vs_ref ref = p->ref; /* Computes the box of the rotated object itself, because it is smaller than the rotated box of
+                        * the object. */
   vs_node *n = vs_node_new(ref.node->store, VS_TRANSFORM, &(struct vs_transform){ .matrix = p->placed }, &ref, 1);
   bool ok = n ? vs_node_bounds(n, out, m->error) : memory(m);
   vs_node_release(n);
   return ok;
 }
 
-/* Appends the parts of a union, which may be nested at any depth. Sets *whole to false if there are too many parts. */
+/* Appends the parts of a union, in which unions may be nested at any depth. Sets *whole to false if there are too many
+ * parts. */
 static bool spread(measuring *m, vs_ref root, const vs_affine *placed, bool *whole) {
   VS_LIST(job) stack = { 0 };
   bool ok = VS_PUSH(&m->k, stack, ((job){ root, *placed, 1 })) || memory(m);
@@ -151,13 +155,15 @@ static bool join(void *set, uint32_t a, uint32_t b) {
   return true;
 }
 
-/* set[i]: the first part that is connected with part i by intersecting boxes */
+/* Sets set[i] to the first part that is connected with part i by intersecting boxes. */
 static bool cluster(measuring *m, uint32_t *set) {
   uint32_t n = (uint32_t)m->parts.count;
   vs_bounds all = vs_bounds_empty();
   vs_bvh bvh = { 0 };
   vs_bvh_box *boxes = vs_fresh(n + (size_t)1, sizeof *boxes);
-  int32_t slack = m->ask == VS_ASK_AREA ? -1 : 1; /* number of steps by which the boxes shrink on each side */
+  int32_t slack = m->ask == VS_ASK_AREA ? -1 : 1; /* Number of steps by which each box shrinks on each side. Boxes that
+                                                   * barely overlap count as separate for volumes, and as touching for
+                                                   * areas. */
   vs_disjoint(set, n);
   for (uint32_t i = 0; i < n; i++) vs_bounds_unite(&all, &m->parts.at[i].box);
   double low[3] = { all.min.x, all.min.y, all.min.z },
@@ -179,7 +185,8 @@ static bool cluster(measuring *m, uint32_t *set) {
   return ok;
 }
 
-/* Sets *inside to true if the boxes of all cutters lie inside this body. For areas, they must not touch its surface. */
+/* Sets *inside to true if the boxes of all cutters lie inside the convex body. For areas, they must not touch its
+ * surface. */
 static bool holds(measuring *m, const part *body, const uint32_t *set, uint32_t root, bool *inside) {
   vs_affine back;
   *inside = vs_node_has(body->ref.node, VS_IS_CONVEX) && vs_affine_invert(&body->placed, &back);
@@ -197,7 +204,7 @@ static bool holds(measuring *m, const part *body, const uint32_t *set, uint32_t 
   return true;
 }
 
-/* Measures a cluster of parts. The number of its first part is `root`. */
+/* Measures the connected parts with the numbers member[0] to member[count - 1]. root: number of the first. */
 static bool settle_cluster(measuring *m, const uint32_t *set, const uint32_t *member, uint32_t count, double sign,
                            vs_ref whole) {
   uint32_t bodies = 0, cutters = 0, body = 0;
@@ -218,7 +225,8 @@ static bool settle_cluster(measuring *m, const uint32_t *set, const uint32_t *me
       ok = left_over(m, m->parts.at[member[i]].ref, &m->parts.at[member[i]].placed, sign);
     return ok;
   }
-  vs_ref *refs = vs_zeros(count + (size_t)1, sizeof *refs); /* refs contains first the bodies, then the cutters */
+  vs_ref *refs = vs_zeros(count + (size_t)1, sizeof *refs); /* refs contains first the bodies of all differences, then
+                                                             * their cutters */
   uint32_t at[2] = { 0, bodies };
   if (!refs) return memory(m);
   for (uint32_t i = 0; ok && i < count; i++) {
@@ -250,7 +258,7 @@ static bool settle_cluster(measuring *m, const uint32_t *set, const uint32_t *me
   return ok;
 }
 
-/* Measures the parts of a job by clusters. */
+/* Measures the parts of a job, each set of connected parts together. sign: 1 or -1, with which they are added. */
 static bool settle_parts(measuring *m, double sign, vs_ref whole) {
   uint32_t n = (uint32_t)m->parts.count, *set = vs_fresh(3 * (size_t)n + 3, sizeof *set);
   if (!set) return memory(m);

@@ -8,8 +8,8 @@
 
 typedef enum { VS_ASK_VOLUME, VS_ASK_AREA, VS_ASK_CENTROID } vs_ask;
 
-/* Computes volume and centroid, and for VS_ASK_AREA also the area, of a resolved solid (solids/resolve.h). Parts that
- * touch no other part are measured by a formula if there is one. The kernel meshes all other parts with the given
+/* Computes the volume and centroid of a resolved solid (solids/resolve.h), and for VS_ASK_AREA also its area. Parts
+ * that touch no other part are measured by a formula if there is one. The kernel meshes all other parts with the given
  * tolerance. If `tolerance` is 0, it uses the drawing's tolerance, or a finer tolerance if that costs little. options
  * may be NULL. */
 bool vs_solid_measure(vs_ref ref, vs_ask ask, double tolerance, const vs_kernel_options *options, vs_measure *out,

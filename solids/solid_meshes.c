@@ -25,24 +25,24 @@ enum { NO_OBJECTS = -1 };
 typedef struct {
   vs_affine placement;
   const vs_material *material;
-  const char *layer; /* name of the layer, interned in the nodes' store */
-  size_t first;    /* index in `pending` of the operation's first operand */
-  bool difference; /* true if the operands after the first are subtracted */
-  bool off;        /* true if solids at this level make the result smaller */
-  uint32_t scope;  /* index of the innermost bounded operation around this level; half-spaces have no effect outside the
-                    * bounds of this operation. 0: the entire drawing */
-  const vs_node *scope_node; /* node of the scope; NULL: the entire drawing */
-  vs_affine local; /* map from this level to the scope */
+  const char *layer; /* name of the layer around this level, interned in the nodes' store */
+  size_t first;    /* index in `pending` of the first operand of this level's operation */
+  bool difference; /* true if this level is a difference, whose operands after the first are subtracted */
+  bool off;        /* true if solids at this level are subtracted, so that they make the result smaller */
+  uint32_t scope;  /* Number of the innermost bounded operation (scope) around this level. Half-spaces have no effect
+                    * outside of its bounds. 0: the entire drawing. */
+  const vs_node *scope_node; /* node of the innermost bounded operation around this level; NULL: the entire drawing */
+  vs_affine local; /* map from this level's coordinates to those of the scope's node */
 } level;
 typedef struct {
   const vs_node *node;
   vs_fineness facets;
   vs_mesh *mesh;
-  const vs_cached *held; /* cache entry that owns the mesh's arrays; NULL: this structure owns them */
-  size_t next;           /* index of the next mesh in the same bucket, plus 1; 0: there is none */
+  const vs_cached *held; /* cache entry that owns the arrays of the mesh; NULL: this structure owns them */
+  size_t next;           /* index, plus 1, of the next mesh in the same bucket of the hash table; 0: there is none */
   const vs_origin *origin;
-  const vs_node *scope;  /* for a half-space: the node whose bounds its mesh must cover */
-  vs_affine local;       /* placement of the half-space in the scope */
+  const vs_node *scope;  /* for the mesh of a half-space: the node whose bounds the mesh must cover */
+  vs_affine local;       /* placement of the half-space in the coordinates of `scope` */
 } meshed;
 typedef struct { uint32_t leaf, scope; } scoped;
 
@@ -51,33 +51,36 @@ typedef struct {
   const vs_fineness *facets;
   vs_error *error;
   VS_LIST(vs_kernel_leaf) leaves;
-  VS_LIST(const vs_origin *) origins; /* origins of the leaves: the calls in the source that made them */
+  VS_LIST(const vs_origin *) origins; /* origins[i]: call in the source that made leaf i */
   VS_LIST(vs_kernel_term) terms;
   VS_LIST(uint32_t) operands;
-  VS_LIST(uint32_t) pending;          /* terms that wait for their operation */
-  VS_LIST(level) levels;              /* levels of the nodes on the walk's path */
+  VS_LIST(uint32_t) pending;          /* numbers of terms that will be operands of an operation that is still open */
+  VS_LIST(level) levels;              /* stack of the walk: a level for each node on the current path */
   VS_LIST(meshed) meshes;
   VS_LIST(vs_solid_part) parts;
   VS_LIST(uint32_t) paints;           /* paints[i]: first part with the same material and layer as part i */
-  VS_LIST(uint32_t) part_table, paint_table; /* hash tables of parts with open addressing. An element is the index of a
-                                              * part + 1; 0: the slot is free */
-  VS_LIST(vs_bounds) within;          /* if there are half-spaces: for each leaf, the bounds within which it has an
-                                       * effect */
-  VS_LIST(uint32_t) scopes;           /* for each scope: index of the scope around it */
-  VS_LIST(scoped) scoped;             /* scope of every occurrence of every leaf */
-  /* hash table of meshes by their nodes' hashes. An element is the index of a mesh + 1; 0: the bucket is empty. The
-   * size is a power of two, at least the number of meshes */
+  VS_LIST(uint32_t) part_table, paint_table; /* Hash tables of parts, and of parts by paint, with open addressing. An
+                                              * element is the index of a part + 1; 0: the slot is free. */
+  VS_LIST(vs_bounds) within;          /* within[i]: bounds within which leaf i has an effect; empty if there are no
+                                       * half-spaces */
+  VS_LIST(uint32_t) scopes;           /* scopes[i]: number of the bounded operation (scope) around scope i */
+  VS_LIST(scoped) scoped;             /* for each occurrence of each leaf: the leaf and its scope, the innermost bounded
+                                       * operation around it */
+  /* Hash table of meshes by their nodes' hashes. An element is the index of a mesh + 1; 0: the bucket is empty. The
+   * size is a power of two, at least the number of meshes. */
   VS_LIST(size_t) buckets;
-  VS_LIST(uint32_t) twins;            /* hash table of leaves by mesh, placement, paint and side, with open addressing.
-                                       * An element is the index of a leaf + 1; 0: the slot is free */
-  VS_LIST(uint8_t) off;               /* for each leaf: 1 if it makes the result smaller (level.off) */
-  VS_LIST(uint32_t) mesh_numbers;     /* for each leaf: index of the leaf's mesh in `meshes` */
-  VS_LIST(uint64_t) identities;       /* for each leaf: identity of the leaf's mesh */
+  VS_LIST(uint32_t) twins;            /* Hash table of leaves by mesh, placement, paint and whether they are subtracted,
+                                       * with open addressing. An element is the index of a leaf + 1; 0: the slot is
+                                       * free. */
+  VS_LIST(uint8_t) off;               /* off[i]: 1 if leaf i is subtracted, so that it makes the result smaller */
+  VS_LIST(uint32_t) mesh_numbers;     /* mesh_numbers[i]: index in `meshes` of leaf i's mesh */
+  VS_LIST(uint64_t) identities;       /* identities[i]: serial number of leaf i's mesh, equal for equal meshes */
   VS_LIST(uint32_t) plain;            /* indices of the meshes that threads make at the end */
   _Atomic size_t made;                /* number of triangles of all meshes that have been made */
   vs_cache *cache;                    /* cache of meshes; may be NULL */
-  int depth;                          /* depth of the nodes that are objects; NO_OBJECTS: none */
-  uint32_t object;                    /* number of the current object; 0: none */
+  int depth;                          /* number of levels below a reference at which nodes count as objects
+                                       * (vs_solid_of_objects); NO_OBJECTS: none do */
+  uint32_t object;                    /* number of the object that the walk is in; 0: none */
 } builder;
 
 static bool full(builder *b) {
@@ -90,7 +93,8 @@ static bool add_term(builder *b, vs_term_kind kind, uint32_t first, size_t count
          VS_PUSH(&b->k, b->pending, (uint32_t)b->terms.count - 1);
 }
 
-/* Makes a term whose operands are the pending terms, beginning at index `first`. The new term is then pending. */
+/* Makes a term of this kind whose operands are the pending terms from index `first` on. The new term is then
+ * pending. */
 static bool close_term(builder *b, vs_term_kind kind, size_t first) {
   size_t count = b->pending.count - first, at = b->operands.count;
   if (at + count >= UINT32_MAX) return full(b);
@@ -151,7 +155,7 @@ static size_t *bucket_of(const builder *b, const vs_node *node) {
   return &b->buckets.at[(node->hash ^ node->hash >> 32) & (b->buckets.count - 1)];
 }
 
-/* Doubles the table of buckets if it has no room for one more mesh. */
+/* Doubles the hash table of meshes if it has no room for one more mesh. */
 static bool buckets_grow(builder *b) {
   if (b->meshes.count < b->buckets.count) return true;
   size_t count = b->buckets.count ? 2 * b->buckets.count : 64;
@@ -166,8 +170,8 @@ static bool buckets_grow(builder *b) {
   return true;
 }
 
-/* Adds the triangles to the sum over all shapes' meshes, and checks the limit. Cached meshes count like others: the
- * limit of an output must not depend on earlier runs. */
+/* Adds the number of triangles to the sum over all shapes' meshes, and checks the limit. Cached meshes count like
+ * others: whether the limit is exceeded must not depend on earlier runs. */
 static bool count_made(vs_kernel *k, _Atomic size_t *made, size_t triangles) {
   size_t limit = k->options->max_triangles, all = atomic_fetch_add(made, triangles) + triangles;
   return !limit || all <= limit * VS_ON_THE_WAY ||
@@ -198,7 +202,8 @@ static bool mesh_of(builder *b, const vs_ref *ref, const level *at, const vs_fin
     *number = (uint32_t)i - 1;
     return true;
   }
-  if (!vs_kernel_report(&b->k, 0)) return false; /* polls here, because a single shape may have a million triangles */
+  if (!vs_kernel_report(&b->k, 0)) return false; /* asks the caller here, because a single shape may have a million
+                                                  * triangles */
   *mesh = vs_zeros(1, sizeof **mesh);
   if (!*mesh) return vs_error_memory(b->error, NULL);
   if (!VS_PUSH(&b->k, b->meshes,
@@ -208,8 +213,8 @@ static bool mesh_of(builder *b, const vs_ref *ref, const level *at, const vs_fin
   }
   *bucket = b->meshes.count;
   *number = (uint32_t)b->meshes.count - 1;
-  if (ref->node->kind == VS_HALF_SPACE) return true; /* the mesh is made later, when the solids that it cuts are
-                                                      * known */
+  if (ref->node->kind == VS_HALF_SPACE) return true; /* the mesh of a half-space is made later, when the solids that it
+                                                      * cuts are known */
   const vs_kept_mesh to = { b->cache, *mesh, &b->meshes.at[*number].held };
   if (vs_node_has(ref->node, VS_IS_PLAIN))
     return vs_primitive_find(&to, ref->node, facets)
@@ -227,9 +232,9 @@ static bool mesh_of(builder *b, const vs_ref *ref, const level *at, const vs_fin
 
 enum {
   FEW = 64,
-  CHUNK = 8 /* CHUNK: number of meshes that a task makes, if there are many meshes */,
-  CURVED = 100 /* approximate number of triangles of a curved shape */,
-  SERIAL = 10000 /* with fewer triangles, threads cost more time than they save */
+  CHUNK = 8 /* CHUNK: number of meshes that one task makes, if there are many meshes */,
+  CURVED = 100 /* CURVED: approximate number of triangles of a curved shape */,
+  SERIAL = 10000 /* SERIAL: number of triangles below which threads cost more time than they save */
 };
 
 typedef struct { const builder *b; size_t chunk; _Atomic size_t *made; } making;
@@ -239,7 +244,8 @@ static bool make_some(vs_kernel *k, void *context, size_t index) {
   const builder *b = all->b;
   for (size_t i = index * all->chunk; i < (index + 1) * all->chunk && i < b->plain.count; i++) {
     const meshed *m = &b->meshes.at[b->plain.at[i]];
-    if (!vs_kernel_report(k, 0)) return false; /* polls here, because a single shape may have a million triangles */
+    if (!vs_kernel_report(k, 0)) return false; /* asks the caller here, because a single shape may have a million
+                                                * triangles */
     m->mesh->most = k->options->max_triangles * VS_ON_THE_WAY;
     if (!vs_tessellate(m->node, &m->facets, m->mesh, NULL))
       return m->mesh->over
@@ -268,7 +274,8 @@ static bool make_plain(builder *b) {
     ok = vs_kernel_poll(&b->k, 0);
   }
   if (ok || b->k.error->status != VS_KERNEL_OUT_OF_MEMORY) return ok;
-  const meshed *m = &b->meshes.at[b->plain.at[b->k.error->leaf]]; /* makes the mesh again, to obtain its error */
+  const meshed *m = &b->meshes.at[b->plain.at[b->k.error->leaf]]; /* makes the mesh that failed in a thread again, to
+                                                                   * obtain its error */
   vs_error why = { VS_ERROR_NONE, NULL, "" };
   if (vs_tessellate(m->node, &m->facets, m->mesh, &why)) return false;
   if (!why.origin) why.origin = m->origin;
@@ -280,7 +287,8 @@ static bool make_plain(builder *b) {
 static uint64_t leaf_hash(const builder *b, const vs_kernel_leaf *leaf, bool off) {
   uint64_t h = (uint64_t)(uintptr_t)leaf->mesh ^ ((uint64_t)b->paints.at[leaf->tag] << 1 | off) << 40;
   for (int i = 0; i < 12; i++) {
-    double x = leaf->placement.m[i / 4][i % 4] + 0.0; /* adding 0 turns -0 into 0 */
+    double x = leaf->placement.m[i / 4][i % 4] + 0.0; /* adding 0 changes -0 to 0, so that equal placements have equal
+                                                       * bits */
     uint64_t bits;
     memcpy(&bits, &x, sizeof bits);
     h = (h ^ bits) * UINT64_C(0x9E3779B97F4A7C15);
@@ -295,7 +303,7 @@ static bool leaf_same(const builder *owner, const vs_kernel_leaf *a, const vs_ke
   return a->mesh == b->mesh && owner->paints.at[a->tag] == owner->paints.at[b->tag];
 }
 
-/* Returns the slot of the leaf in `twins`, or the free slot for it. */
+/* Returns the slot of the hash table `twins` that contains an equal leaf, or the free slot for the leaf. */
 static size_t twin_slot(const builder *b, const vs_kernel_leaf *leaf, bool off) {
   size_t mask = b->twins.count - 1, i = (size_t)leaf_hash(b, leaf, off) & mask;
   for (; b->twins.at[i]; i = (i + 1) & mask) {
@@ -354,12 +362,13 @@ static bool bound_half_spaces(builder *b) {
     vs_bounds placed = vs_bounds_transform(&own[b->mesh_numbers.at[s->leaf]], &b->leaves.at[s->leaf].placement);
     vs_bounds_unite(&reach[s->scope], &placed);
   }
-  /* Outer scopes come before the scopes that they contain. */
+  /* Enlarges each scope (bounded operation) by those inside it. Outer scopes have lower numbers, so the loop runs
+   * downwards. */
   for (size_t i = b->scopes.count; ok && i-- > 1;) vs_bounds_unite(&reach[b->scopes.at[i]], &reach[i]);
   for (size_t i = 0; ok && i < b->leaves.count; i++)
     b->within.at[i] = b->meshes.at[b->mesh_numbers.at[i]].node->kind == VS_HALF_SPACE ? vs_bounds_empty()
                     : (vs_bounds){ vs_v3(-INFINITY, -INFINITY, -INFINITY), vs_v3(INFINITY, INFINITY, INFINITY) };
-  /* For a half-space, own[] is the box that it must cover, over all its occurrences. */
+  /* own[i] becomes the box that the mesh of half-space i must cover, over all its occurrences. */
   for (size_t i = 0; ok && i < b->scoped.count; i++) {
     const scoped *s = &b->scoped.at[i];
     vs_affine back;
@@ -380,8 +389,8 @@ static bool bound_half_spaces(builder *b) {
   return ok || vs_error_memory(b->error, NULL);
 }
 
-/* Returns true if the node is a single child with a look or placement, or an operation on several children. Any other
- * node is a primitive here. */
+/* Returns true if the walk visits the children of n: a wrapper or placement, or an operation on several children. Any
+ * other node is a primitive here. */
 static bool goes_in(const vs_node *n) {
   vs_role role = vs_node_role(n);
   return role == VS_ROLE_PLACED || role == VS_ROLE_SET ||
@@ -407,7 +416,8 @@ static bool enter(builder *b, vs_walk *walk, const vs_ref *ref) {
     now.placement = vs_affine_multiply(&now.placement, &VS_AS(transform, n)->matrix);
     now.local = vs_affine_multiply(&now.local, &VS_AS(transform, n)->matrix);
   }
-  if (b->scopes.count == 0 && !VS_PUSH(&b->k, b->scopes, 0u)) return false; /* scope 0 is the entire drawing */
+  if (b->scopes.count == 0 && !VS_PUSH(&b->k, b->scopes, 0u)) return false; /* scope 0, the outermost, is the entire
+                                                                             * drawing */
   if ((n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE) && !(n->flags & VS_NODE_ENDLESS)) {
     if (!VS_PUSH(&b->k, b->scopes, now.scope)) return false;
     now.scope = (uint32_t)b->scopes.count - 1;
@@ -480,10 +490,11 @@ static void tally_up(vs_tally *t, const vs_kernel_counts *c) {
   vs_tally_also(t, c->peak);
 }
 
-/* The destination of the result. Either `one` or `many` is NULL. */
-typedef struct { vs_solid *one; vs_solid_copies *many; int depth; /* see builder */ } target;
+/* The destination of the result: `one` or `many`; the other pointer is NULL. depth: see the structure builder. */
+typedef struct { vs_solid *one; vs_solid_copies *many; int depth; /* depth: level at which nodes are objects, see the
+                                                                   * structure builder */ } target;
 
-/* Adds the references to the builder as a single problem, a union. */
+/* Adds the references to the builder as a single problem for the kernel, a union. */
 static bool build(builder *b, const vs_ref *refs, size_t count) {
   bool ok = true;
   for (size_t i = 0; ok && i < count; i++) {
@@ -514,7 +525,8 @@ static bool solve(const builder *b, const vs_kernel_options *options, target to)
                 : vs_kernel_evaluate_copies(&problem, options, &to.many->meshes, b->k.error);
 }
 
-/* Warns about parts whose volume the kernel's grid has changed, with the origin of the first. */
+/* Warns about parts whose volume the kernel's grid has changed by more than a hundredth, with the origin of the first
+ * such part. */
 static void warn_coarse(const builder *b, const vs_kernel_options *options, const vs_kernel_counts *counts) {
   char message[200], more[40] = "";
   if (!counts->coarse || !options->warns) return;
@@ -527,8 +539,8 @@ static void warn_coarse(const builder *b, const vs_kernel_options *options, cons
   vs_job_warn(options->job, b->origins.at[counts->coarse_leaf], message);
 }
 
-/* Copies the kernel's error to the solid's error, with the origin of the leaf if the kernel names one. If an error was
- * already set, it remains. */
+/* Copies the kernel's error to the builder's error, with the origin of the leaf if the kernel names one. If an error
+ * was already set, it remains. */
 static void take_failure(const builder *b) {
   const vs_kernel_error *why = b->k.error;
   if (why->status == VS_KERNEL_FINE) return;

@@ -8,24 +8,26 @@
 #include "kernel/evaluate.h"
 #include "model/node.h"
 
-/* The source of a face. Coplanar faces that differ only in their leaf are merged, and the merged face has one of these
- * leaves. */
+/* The source of a face of a solid. Coplanar faces that differ only in their primitive are merged, and the merged face
+ * names one of these. */
 typedef struct {
-  const vs_material *material; /* material of the face; NULL: the model defines none */
-  const char *layer;           /* layer of the face, interned in the nodes' store; NULL: none */
-  vs_ref leaf;                 /* the first primitive with this material and layer; its origin applies to all of the
-                                * part. It exists as long as the nodes */
-  uint32_t object;             /* number of the object that the part belongs to (vs_solid_of_objects); otherwise 0 */
+  const vs_material *material; /* material of the face; NULL: the model gives it none */
+  const char *layer;           /* name of the face's layer, interned in the nodes' store; NULL: none */
+  vs_ref leaf;                 /* First primitive with this material and layer, whose origin is used for all faces of
+                                * the part. It exists as long as the nodes. */
+  uint32_t object;             /* number of the object to which the part belongs (vs_solid_of_objects); 0: objects are
+                                * not distinguished */
 } vs_solid_part;
 
 typedef struct {
-  vs_mesh mesh;         /* triangle i belongs to parts[mesh.tags[i]] */
+  vs_mesh mesh;         /* mesh of the solid; triangle i belongs to parts[mesh.tags[i]] */
   vs_solid_part *parts; /* the parts; the solid owns this array */
   size_t part_count;
-  size_t straightened;  /* number of bends removed (kernel_options.h) */
+  size_t straightened;  /* number of corners that were removed where the kernel's grid had bent a straight cut
+                         * (kernel_options.h) */
 } vs_solid;
 
-/* A solid in which clusters that are copies of each other are stored once. */
+/* A solid in which groups of touching solids that are copies of each other are stored once. */
 typedef struct {
   vs_kernel_copies meshes;
   vs_solid_part *parts;
@@ -40,15 +42,16 @@ typedef struct { const vs_ref *at; size_t count; } vs_refs;
  * solid if the cutter has none. Where solids overlap, the earlier solid has priority. */
 bool vs_solid_evaluate(const vs_ref *refs, size_t count, const vs_fineness *facets, const vs_kernel_options *options,
                        vs_solid *out, vs_error *error);
-/* As vs_solid_evaluate, but keeps faces of different objects apart: coplanar faces that touch stay two parts. An object
- * is a node at this depth below a reference; at depth 0 it is the reference's own node. */
+/* Computes the union of the solids as vs_solid_evaluate does, but keeps faces of different objects apart: coplanar
+ * faces that touch stay two parts. An object is a node `depth` levels below a reference; at depth 0 it is the
+ * reference's own node. */
 bool vs_solid_of_objects(const vs_refs *refs, int depth, const vs_fineness *facets, const vs_kernel_options *options,
                          vs_solid *out, vs_error *error);
 void vs_solid_free(vs_solid *s);
 bool vs_solid_evaluate_copies(const vs_ref *refs, size_t count, const vs_fineness *facets,
                               const vs_kernel_options *options, vs_solid_copies *out, vs_error *error);
 void vs_solid_copies_free(vs_solid_copies *s);
-/* Adds the times of the kernel's steps, in seconds, to the totals of the store's owner. */
+/* Adds the seconds of the kernel's steps to the account of the store's job. */
 void vs_solid_tally_steps(vs_store *s, const vs_kernel_counts *counts);
 
 #endif

@@ -32,15 +32,15 @@ static uint64_t mixed(uint64_t h) {
 
 typedef struct { int64_t at[3]; } cell;
 
-/* Corners that stay, in lists by their cell of a grid. A cell is several steps wide, so the corners near another corner
- * mostly lie in one or two cells. */
+/* Corners that do not move, in lists by their cell of a grid. A cell is several steps wide, so the corners near another
+ * corner mostly lie in one or two cells. */
 typedef struct {
   const vs_mesh *m;
   double step, width;
   size_t slots;
-  int64_t *first; /* for each slot: the first corner in its list, or NONE */
-  int64_t *next;  /* for each corner: the next corner in its list */
-  uint32_t *to;   /* for each corner: the corner that replaces it */
+  int64_t *first; /* first[h]: first corner in the list of slot h, or NONE */
+  int64_t *next;  /* next[v]: corner after v in its list, or NONE */
+  uint32_t *to;   /* to[v]: corner that replaces corner v */
 } stay;
 
 static cell cell_of(const stay *s, vs_vec3 p, double off) {
@@ -53,7 +53,7 @@ static size_t slot_of(const stay *s, cell c) {
   return (size_t)(mixed(h * 0x94d049bb133111ebu + (uint64_t)c.at[2]) & (s->slots - 1));
 }
 
-/* Returns the first corner that stays and is closer to v than the step, or NONE. */
+/* Returns the first unmoved corner that is closer to v than the step, or NONE. */
 static int64_t near_one(const stay *s, uint32_t v) {
   const vs_vec3 *at = s->m->vertices;
   cell low = cell_of(s, at[v], -s->step), high = cell_of(s, at[v], s->step), c;
@@ -105,7 +105,8 @@ static detour *detour_at(const detours *d, uint32_t a, uint32_t b) {
   return &d->at[i];
 }
 
-/* Returns the height of a triangle over its longest edge. Sets *longest to the corner where this edge begins. */
+/* Returns the height of triangle t over its longest edge. Sets *longest to the corner (0 to 2) where this edge
+ * begins. */
 static double height_of(const vs_mesh *m, const uint32_t t[3], int *longest) {
   const vs_vec3 *v = m->vertices;
   double most = -1;
@@ -117,8 +118,8 @@ static double height_of(const vs_mesh *m, const uint32_t t[3], int *longest) {
   return most > 0 ? vs_v3_length(n) / most : 0;
 }
 
-/* Lists the edges to reroute. If two corners qualify for an edge, chooses the nearer corner. Returns the number of
- * edges. */
+/* Lists the longest edges of low triangles, which are to be led through the third corner. If two corners qualify for an
+ * edge, chooses the nearer corner. Returns the number of edges. */
 static size_t plan_detours(const vs_mesh *m, double step, detours *d) {
   size_t count = 0;
   memset(d->at, 0, d->slots * sizeof *d->at);
@@ -138,7 +139,8 @@ static size_t plan_detours(const vs_mesh *m, double step, detours *d) {
   return count;
 }
 
-/* Adds a triangle with its rerouted edges, as a fan around one of the new corners, so that no rerouted edge remains. */
+/* Adds triangle t with those of its edges replaced that are led through another corner. The result is a fan of
+ * triangles around one of the new corners, so that no replaced edge remains. */
 static bool add_rerouted(vs_mesh *out, const detours *d, const uint32_t t[3]) {
   uint32_t round[6];
   int n = 0, from = 0;
