@@ -1,5 +1,5 @@
-/* Defines VS_ASSERT(condition). The condition is true for every model, and false only if the program itself has a
- * fault.
+/* Defines VS_ASSERT(condition). The condition must be true for every model; it is false only if the program itself has
+ * a fault.
  *
  * VS_DEBUG enables the check; the Makefile's builds for tests define it. Otherwise the condition is compiled and not
  * evaluated. A false condition prints itself with its file and line, and aborts the process. A mistake of a user, a

@@ -26,18 +26,19 @@ bool vs_character_is_control(uint32_t code);
 /* Returns true if the character is a line end or white space between words. */
 bool vs_character_is_blank(uint32_t code);
 
-/* Writes any UTF-8 character unchanged. */
+/* Writes the UTF-8 character at *at unchanged. */
 size_t vs_spell_plain(const char **at, const char *end, char out[VS_SPELLED_ROOM]);
-/* Writes the character for a text of one line: a blank in place of a tab or a line end. */
+/* Writes the character at *at for a text of one line: a blank in place of a tab or a line end. */
 size_t vs_spell_line(const char **at, const char *end, char out[VS_SPELLED_ROOM]);
-/* Writes the character for a text of one word: _ in place of a blank or a control character. */
+/* Writes the character at *at for a text of one word: _ in place of a blank or a control character. */
 size_t vs_spell_word(const char **at, const char *end, char out[VS_SPELLED_ROOM]);
-/* Writes the character for XML text between tags: < > & " become entities. */
+/* Writes the character at *at for XML text between tags: < > & " become entities. */
 size_t vs_spell_xml(const char **at, const char *end, char out[VS_SPELLED_ROOM]);
-/* Writes the character for a quoted XML value: < > & " become entities, ' and line ends become numeric entities. */
+/* Writes the character at *at for a quoted XML value: < > & " become entities, ' and line ends become numeric
+ * entities. */
 size_t vs_spell_xml_value(const char **at, const char *end, char out[VS_SPELLED_ROOM]);
-/* Writes the character for a JSON string: control characters, and characters that end a line in JavaScript, become
- * \uXXXX. */
+/* Writes the character at *at for a JSON string: control characters, and characters that end a line in JavaScript,
+ * become \uXXXX. */
 size_t vs_spell_json(const char **at, const char *end, char out[VS_SPELLED_ROOM]);
 
 #endif

@@ -1,20 +1,20 @@
 /* Declares the job: the data of one long computation, such as the write of an output, for all layers below its caller.
  *
  * It holds the limits, the clock, the account, the progress and the messages. The caller makes it, and passes its
- * address down through stages, driver, solids and kernel. `going`, `warn` and `note` are the ways back to the caller:
- * no layer calls another function above it. */
+ * address down to all code that the computation calls. `going`, `warn` and `note` are the ways back to the caller: no
+ * layer calls another function above it. */
 #ifndef VS_MODEL_JOB_H
 #define VS_MODEL_JOB_H
 
 #include "model/tally.h"
 
-/* Each member is the greatest value that is allowed; 0: no limit. */
+/* Limits of a job. Each member is the greatest value that is allowed; 0: no limit. */
 typedef struct {
-  double seconds;        /* time of the job from vs_job_start, without the time of worker programs */
-  double worker_seconds; /* time of one worker program */
+  double seconds;        /* seconds from vs_job_start to the end of the job, without the time of worker programs */
+  double worker_seconds; /* seconds that one worker program (such as POV-Ray) may run */
   uint64_t output_bytes; /* size of one output in bytes */
-  size_t mesh_bytes;     /* memory for combining solids, in bytes */
-  size_t mesh_triangles; /* number of triangles of a mesh */
+  size_t mesh_bytes;     /* memory for the union and difference of solids, in bytes */
+  size_t mesh_triangles; /* number of triangles of one mesh */
 } vs_job_limits;
 
 typedef struct vs_job {
@@ -22,46 +22,48 @@ typedef struct vs_job {
    * 0 to 1, negative if unknown. Returns false to stop the job, which then ends with VS_ERROR_INTERRUPT. If the pointer
    * is NULL, the job never stops. */
   bool (*going)(void *context, const char *stage, double fraction);
-  /* Receives a warning, once for each reason. origin may be NULL. If the pointer is NULL, warnings are dropped. */
+  /* Receives a warning with the place in the source (origin, may be NULL) to which it refers, once for each reason. If
+   * the pointer is NULL, warnings are dropped. */
   void (*warn)(void *context, const vs_origin *origin, const char *message);
-  /* Receives a line for the summary, such as the view, the scale and the sheet of a drawing. If the pointer is NULL,
-   * lines are dropped. */
+  /* Receives a line for the summary that the user sees, such as the view, scale and sheet of a drawing. If the pointer
+   * is NULL, lines are dropped. */
   void (*note)(void *context, const char *message);
-  void *context;      /* first argument of the functions going, warn and note */
+  void *context;      /* first argument of the functions `going`, `warn` and `note` */
   vs_tally *tally;    /* account of times and memory, which outlives the job; NULL: nothing is counted */
   vs_job_limits limits;
   bool late;          /* true if the time limit has stopped the job */
-  double began, worked; /* clock at vs_job_start; seconds that external programs had used until then */
-  const char *stage;  /* stage whose parts vs_job_done counts, or NULL */
-  double from, share, told; /* progress as fractions of the stage. from: beginning of the current part. share: size of
-                             * the part. told: the greatest reported fraction */
+  double began, worked; /* began: clock at vs_job_start, in seconds; worked: seconds that worker programs had used until
+                         * then */
+  const char *stage;  /* stage whose progress vs_job_done reports, such as "meshing"; NULL: none */
+  double from, share, told; /* progress as fractions of the stage, from 0 to 1. from: beginning of the current part;
+                             * share: size of the part; told: greatest fraction that was reported */
 } vs_job;
 
-/* Begins the time that limits.seconds bounds. */
+/* Begins the time that the job's limit of seconds bounds. */
 void vs_job_start(vs_job *job);
 /* Returns true if the job has used its limit of time. The time of an external program does not count: rendering a
  * picture takes longer than computing the model. */
 bool vs_job_late(vs_job *job);
-/* Reports the stage and the fraction to the caller (see `going`). Returns false if the job must end: the caller stops
- * it, or it is late. If job is NULL, returns true. */
+/* Reports the stage and the completed fraction to the caller (see `going`). Returns false if the job must end because
+ * the caller stops it or it is late. If job is NULL, returns true. */
 bool vs_job_going(vs_job *job, const char *stage, double fraction);
-/* Begins to count the parts of a stage. The first part is the entire stage. If stage is NULL, ends the count. job may
- * be NULL. */
+/* Begins to count the progress of a stage. Its first part is the entire stage. If stage is NULL, ends the count. job
+ * may be NULL. */
 void vs_job_stage(vs_job *job, const char *stage);
-/* Begins a part of the stage. The part is the fraction `share` of the stage, and begins at the fraction `from`. job may
- * be NULL. */
+/* Begins a part of the current stage. The part is the fraction `share` of the stage, and begins at the fraction `from`.
+ * job may be NULL. */
 void vs_job_part(vs_job *job, double from, double share);
-/* Calls vs_job_going with the completed fraction of the stage; done: the completed fraction of the current part.
- * Reported fractions never decrease, although each part begins at 0. */
+/* Calls vs_job_going with the completed fraction of the stage. done: completed fraction of the current part. Reported
+ * fractions never decrease, although each part begins at 0. Returns false if the job must end. */
 bool vs_job_done(vs_job *job, double done);
 /* Passes a line for the summary to the caller. job may be NULL. */
 void vs_job_note(const vs_job *job, const char *message);
 /* Passes a warning to the caller. job may be NULL. */
 void vs_job_warn(const vs_job *job, const vs_origin *origin, const char *message);
 
-/* Sets the job of all code that works on the store's nodes. Returns the previous job, or NULL if there was none. The
+/* Sets the job for all code that works on the store's nodes. Returns the previous job, or NULL if there was none. The
  * caller owns the job, and sets another job before freeing it. */
 vs_job *vs_store_set_job(vs_store *s, vs_job *job);
-vs_tally *vs_store_tally(const vs_store *s); /* Returns the account of the store's job, or NULL. */
+vs_tally *vs_store_tally(const vs_store *s); /* Returns the account of times and memory of the store's job, or NULL. */
 
 #endif

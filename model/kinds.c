@@ -14,8 +14,8 @@
 #define VS_CLASS_SOLID VS_SOLID
 #define VS_CLASS_INHERIT VS_INHERIT
 
-/* Each kind has a block in which here_ is the struct of the kind's payload, for the offsets of its fields. A row of
- * zeros ends each table of fields and is not counted. */
+/* In vs_kind_get, each kind has a block in which here_ is the struct of the kind's payload, for the offsets of its
+ * fields. A row of zeros ends each table of fields and is not counted. */
 const vs_kind_info *vs_kind_get(vs_kind kind) {
   switch (kind) {
 #define VS_KIND(upper, lower, name, class_, level, role, traits)                                                     \
@@ -65,7 +65,8 @@ static inline uint64_t hash_step(uint64_t h, double d) {
   return h ^ h >> 29;
 }
 static inline uint64_t settle_reals(uint64_t h, double *reals, size_t count) {
-  for (size_t i = 0; i < count; i++) h = hash_step(h, reals[i] += 0.0); /* adding 0.0 changes -0 to 0 */
+  for (size_t i = 0; i < count; i++) h = hash_step(h, reals[i] += 0.0); /* adding 0.0 changes -0 to 0, so that equal
+                                                                         * numbers have equal hashes */
   return h;
 }
 static inline uint64_t settle_real(uint64_t h, double *at) { return settle_reals(h, at, 1); }
@@ -153,7 +154,7 @@ bool vs_kind_within(vs_kind kind, const void *data, double most) {
   return within;
 }
 
-/* Releases the memory outside the payload to which a field refers, or counts its bytes. */
+/* The macros below release, or count the bytes of, the memory outside the payload to which a field refers. */
 #define drop_real(s, at)
 #define drop_point(s, at)
 #define drop_vector(s, at)

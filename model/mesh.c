@@ -30,7 +30,7 @@ bool vs_mesh_reserve(vs_mesh *m, size_t vertices, size_t triangles) {
     m->triangles = grown;
     if (m->tags) {
       uint32_t *tags = realloc(m->tags, triangles * sizeof *tags);
-      if (!tags) return false; /* triangle_room stays unchanged, because it is the room of both triangles and tags */
+      if (!tags) return false; /* triangle_room is not changed yet, because it is the room of both triangles and tags */
       m->tags = tags;
     }
     m->triangle_room = triangles;
@@ -55,8 +55,8 @@ bool vs_mesh_copy(const vs_mesh *from, vs_mesh *to) {
   return true;
 }
 
-/* Returns a number of elements half as large again as `room`, but at most `most` (0: no limit) unless `room` already
- * exceeds it. */
+/* Returns a new number of elements: half as many again as `room`, but at most `most` (0: no limit) unless `room`
+ * already exceeds it. */
 static size_t mesh_next_room(size_t room, size_t most) {
   size_t next = room < 16 ? 16 : room + room / 2;
   return most && room < most && next > most ? most : next;
@@ -84,8 +84,8 @@ bool vs_mesh_add_triangle(vs_mesh *m, uint32_t a, uint32_t b, uint32_t c) {
 
 double vs_mesh_volume(const vs_mesh *m) {
   if (!m->triangle_count) return 0;
-  vs_vec3 o = m->vertices[m->triangles[0][0]]; /* Volumes are computed relative to a corner of the mesh, because far
-                                                * from the origin, digits would be lost. */
+  vs_vec3 o = m->vertices[m->triangles[0][0]]; /* Volumes are computed relative to a corner of the mesh, because large
+                                                * coordinates would lose digits. */
   double six = 0;
   for (size_t i = 0; i < m->triangle_count; i++) {
     const uint32_t *t = m->triangles[i];

@@ -13,23 +13,24 @@ typedef struct {
   uint32_t (*triangles)[3]; /* corner indices, counterclockwise seen from outside */
   uint32_t *tags;           /* tags[i]: number of the part (leaf) from which triangle i came; NULL if unknown */
   size_t vertex_count, vertex_room, triangle_count, triangle_room;
-  size_t most;              /* largest permitted number of triangles; there may be three times as many vertices; 0: no
-                             * limit */
+  size_t most;              /* greatest number of triangles that may be added; there may be three times as many
+                             * vertices; 0: no limit */
   bool over;                /* true if a triangle was refused because of the limit `most` */
-  bool settled;             /* true if no triangles intersect in the numbers of any format. Who changes the mesh sets it
-                             * to false */
+  bool settled;             /* True if no triangles intersect in the numbers of any format. All code that changes the
+                             * mesh sets it to false. */
 } vs_mesh;
 
 void vs_mesh_free(vs_mesh *m); /* Frees the mesh's arrays, not m itself. m is then an empty mesh. */
-bool vs_mesh_add_vertex(vs_mesh *m, vs_vec3 v, uint32_t *index); /* Adds a vertex and sets *index (may be NULL). Returns
-                                                                  * false when memory is out. */
+bool vs_mesh_add_vertex(vs_mesh *m, vs_vec3 v, uint32_t *index); /* Adds a vertex at v and sets *index to its number
+                                                                  * (index may be NULL). Returns false when memory is
+                                                                  * out. */
 /* Adds a triangle with the vertices of index a, b and c, which may be added later. Returns false when memory is out, or
  * the triangle would exceed m->most. */
 bool vs_mesh_add_triangle(vs_mesh *m, uint32_t a, uint32_t b, uint32_t c);
 bool vs_mesh_reserve(vs_mesh *m, size_t vertices, size_t triangles); /* Makes room for `vertices` vertices and
                                                                       * `triangles` triangles in total. Returns false
-                                                                      * when memory is out, or sets m->over and returns
-                                                                      * false. */
+                                                                      * when memory is out, or when this exceeds
+                                                                      * m->most; m->over is then true. */
 bool vs_mesh_want_tags(vs_mesh *m); /* Allocates m->tags, all 0, if it is NULL. Returns false when memory is out. */
 bool vs_mesh_copy(const vs_mesh *from, vs_mesh *to); /* Copies a mesh to `to`, which must be empty. If memory is out,
                                                       * returns false and leaves `to` empty. */
@@ -39,17 +40,17 @@ vs_bounds vs_mesh_bounds(const vs_mesh *m);
 vs_bounds vs_mesh_placed_bounds(const vs_mesh *m, const vs_affine *a); /* Returns the bounds of all vertices after
                                                                         * the map a, including vertices without a
                                                                         * triangle. */
-/* Returns true if every directed edge, by vertex indices, has its reverse. If memory is out, returns false and sets *ok
- * to false. */
+/* Returns true if every directed edge of m, by vertex numbers, occurs as often as its reverse. If memory is out,
+ * returns false and sets *ok to false. */
 bool vs_mesh_closed(const vs_mesh *m, bool *ok);
-void vs_mesh_transform(vs_mesh *m, const vs_affine *a); /* Applies the map a to m. If a mirrors, also reverses the
-                                                         * triangles. */
+void vs_mesh_transform(vs_mesh *m, const vs_affine *a); /* Applies the map a to the vertices of m. If the map mirrors,
+                                                         * also reverses the triangles. */
 /* Applies the map to the vertices from first_vertex on, and reverses the triangles from first_triangle on if the map
  * mirrors. Neither number exceeds the mesh's counts. */
 void vs_mesh_transform_from(vs_mesh *m, const vs_affine *a, size_t first_vertex, size_t first_triangle);
 void vs_mesh_squeeze(vs_mesh *m, const uint8_t *gone); /* Removes each triangle i for which gone[i] is not 0, and keeps
                                                         * all vertices. */
-/* Reverses the triangles from first_triangle on. first_triangle is at most m->triangle_count. */
+/* Reverses the orientation of the triangles from first_triangle on. first_triangle is at most m->triangle_count. */
 void vs_mesh_turn(vs_mesh *m, size_t first_triangle);
 
 #endif

@@ -1,4 +1,4 @@
-/* Writes the members of errors (model_error.h). */
+/* Implements the setting of errors (model_error.h). */
 #include "model/model_error.h"
 
 #include <stdarg.h>

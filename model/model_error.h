@@ -5,13 +5,13 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* The place of a call in the user's text, linked to the call that led to it. The store owns these chains; equal ones
+/* The place of a call in the user's text, linked to the call that led to it. The store owns these places; equal places
  * have one address. */
 typedef struct vs_origin vs_origin;
 struct vs_origin {
   const char *file; /* file name, interned in the store */
   uint32_t line, column; /* line and column, both counted from 1 */
-  const vs_origin *caller; /* the call that led to this call, or NULL */
+  const vs_origin *caller; /* call in the user's text that led to this call, or NULL */
 };
 
 /* The kind of an error. An error has a kind, one message, and its place in the user's text or NULL. */

@@ -5,13 +5,13 @@
 
 #include "model/store/array.h"
 
-typedef struct { uint32_t v[3]; int32_t times; } face; /* v: corners in ascending order; times: number of occurrences
-                                                        * in this orientation minus the number in the opposite
-                                                        * orientation */
+typedef struct { uint32_t v[3]; int32_t times; } face; /* v: vertex numbers of a triangle in ascending order; times:
+                                                        * number of occurrences in this orientation minus the number in
+                                                        * the opposite orientation */
 
 static face face_of(const uint32_t t[3]) {
   face f = { { t[0], t[1], t[2] }, 1 };
-  for (int i = 0; i < 3; i++) { /* three exchanges of neighbours are enough to sort three numbers */
+  for (int i = 0; i < 3; i++) { /* three exchanges of neighbours suffice to sort three numbers */
     int j = i % 2;
     if (f.v[j] <= f.v[j + 1]) continue;
     uint32_t swap = f.v[j];
@@ -26,7 +26,7 @@ static int by_corners(const void *a, const void *b) {
   const face *p = a, *q = b;
   for (int i = 0; i < 3; i++)
     if (p->v[i] != q->v[i]) return p->v[i] < q->v[i] ? -1 : 1;
-  return 0; /* equal faces are summed, so that their order has no effect */
+  return 0; /* the order of equal triangles has no effect, because their `times` are added */
 }
 
 bool vs_mesh_net(vs_mesh *m, size_t first) {
@@ -40,8 +40,8 @@ bool vs_mesh_net(vs_mesh *m, size_t first) {
   }
   qsort(at, count, sizeof *at, by_corners);
   m->triangle_count = first;
-  for (size_t i = 0, end; i < count; i = end) { /* there are no more remaining triangles than before, so they fit into
-                                                 * the array */
+  for (size_t i = 0, end; i < count; i = end) { /* the remaining triangles are no more than before, so they fit into the
+                                                 * mesh's array */
     const uint32_t *v = at[i].v;
     int32_t times = 0;
     for (end = i; end < count && by_corners(&at[i], &at[end]) == 0; end++) times += at[end].times;

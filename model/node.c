@@ -111,10 +111,10 @@ static bool node_is_planar_area(const vs_node *n) {
   return n->class_ == VS_REGION_CLASS || (n->class_ == VS_CURVE && n->flags & VS_NODE_CLOSED);
 }
 
-/* Properties that a node's children have in common. They are collected while the children are copied, so that a million
- * children are visited only once. */
+/* Properties that a node's children have in common. They are collected while the children are copied, so that even a
+ * million children are visited only once. */
 typedef struct {
-  vs_class together; /* common class of the children, or MIXED; children that draw nothing do not count */
+  vs_class together; /* common class of the children, or VS_MIXED; children that draw nothing do not count */
   bool nothing;      /* true if at least one child draws nothing */
   uint8_t any, all;  /* any: flags of at least one child; all: flags common to all children */
 } vs_node_family;
@@ -143,8 +143,9 @@ static void node_find_end(vs_node *n, const vs_node_family *f) {
   bool cut = n->kind == VS_HALF_SPACE || f->any & VS_NODE_CUT;
   bool carved =
       (n->class_ == VS_SOLID && (n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE)) || f->any & VS_NODE_CARVED;
-  bool meshed = carved || (n->class_ == VS_REGION_CLASS && !node_holds_planar(n)); /* true if a part of the hull needs
-                                                                                    * the mesh of a solid */
+  bool meshed = carved || (n->class_ == VS_REGION_CLASS && !node_holds_planar(n)); /* true if the hull has a part whose
+                                                                                    * corners are known only from a
+                                                                                    * solid's mesh */
   bool unresolved =
       vs_node_has(n, VS_IS_UNRESOLVED) || f->any & VS_NODE_UNRESOLVED || (n->kind == VS_HULL && meshed);
   bool first = n->child_count && n->children[0].node->flags & VS_NODE_ENDLESS,
@@ -171,7 +172,8 @@ static void node_classify(vs_node *n, const vs_kind_info *info, const vs_node_fa
                   : node_is_planar_area(first)          ? VS_SOLID
                                                         : VS_SURFACE;
       break;
-    case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: { /* a section that is a single point has no class */
+    case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: { /* a section that is a single point has no class, so it
+                                                              * does not count */
       bool areas = false;
       uint32_t sections = n->kind == VS_GUIDED_LOFT ? (uint32_t)VS_AS(guided_loft, n)->section_count : n->child_count;
       for (uint32_t i = 0; i < sections && i < n->child_count; i++)
@@ -212,7 +214,7 @@ static void node_classify(vs_node *n, const vs_kind_info *info, const vs_node_fa
       n->class_ = VS_AS(hull, n)->dimension == 3 ? VS_SOLID : VS_REGION_CLASS;
       if (n->class_ == VS_REGION_CLASS) n->flags |= VS_NODE_CLOSED;
       break;
-    case VS_UNION: /* a union of closed curves remains a curve: only a region is filled */
+    case VS_UNION: /* a union of closed curves stays a curve, because only regions are filled */
       n->class_ = (uint8_t)family->together;
       if (family->together == VS_REGION_CLASS) n->flags |= VS_NODE_CLOSED;
       break;
@@ -253,7 +255,8 @@ vs_node *vs_node_new(vs_store *s, vs_kind kind, const void *data, const vs_ref *
   }
   bool same = child_count == 1 &&
               (kind == VS_TRANSFORM || kind == VS_UNION || kind == VS_INTERSECTION || kind == VS_DIFFERENCE);
-  if (same) form = kept[0].node->form; /* a placed node, or a set of one child, has the form of that child */
+  if (same) form = kept[0].node->form; /* a placed node, or a set of one child, has the `form` (hash without positions)
+                                        * of that child */
   n->refs = 1;
   n->kind = (uint16_t)kind;
   n->class_ = VS_NOTHING;
@@ -316,16 +319,17 @@ static bool pairs_resize(vs_node_pairs *p, size_t room) {
   return true;
 }
 
-/* Adds a pair to the set. Sets *new to false if the set already had it. Only nodes with several references can occur in
- * two pairs. */
+/* Adds a pair of nodes to the set of pairs. Sets *new to false if the set already had it. Only nodes with several
+ * references can occur in two pairs. */
 static bool pairs_note(vs_node_pairs *set, vs_node_pair pair, bool *new) {
   if (set->count * 3 >= set->room * 2) {
     vs_node_pairs grown = { .store = set->store };
     if (!pairs_resize(&grown, set->room ? set->room * 2 : 64)) return false;
     memset(grown.at, 0, grown.room * sizeof *grown.at);
     for (size_t i = 0; i < set->room; i++)
-      if (set->at[i].a && !pairs_note(&grown, set->at[i], new)) return false; /* the larger set has room for this pair,
-                                                                               * so this call recurses no further */
+      if (set->at[i].a && !pairs_note(&grown, set->at[i], new)) return false; /* the larger table has room for this
+                                                                               * pair, so the call recurses no
+                                                                               * further */
     pairs_resize(set, 0);
     *set = grown;
   }
@@ -339,7 +343,7 @@ static bool pairs_note(vs_node_pairs *set, vs_node_pair pair, bool *new) {
   return true;
 }
 
-/* Returns true if two nodes are equal apart from the contents of their children. */
+/* Returns true if nodes a and b are equal, apart from the contents of their children. */
 static bool node_alike(const vs_node *a, const vs_node *b) {
   return a->hash == b->hash && a->kind == b->kind && a->child_count == b->child_count && a->depth == b->depth &&
          vs_payload_equal(vs_kind_get((vs_kind)a->kind), vs_node_data(a), vs_node_data(b));

@@ -19,7 +19,7 @@ typedef struct vs_node vs_node;
 
 /* ---- shared arrays: immutable and reference-counted ---- */
 typedef struct { uint32_t refs, count; vs_vec3 at[]; } vs_points;
-/* data: count + 1 start positions, then corner_count vertex indices; hash: hash of data */
+/* data: count + 1 positions at which the faces' corners begin, then corner_count vertex indices; hash: hash of data */
 typedef struct { uint32_t refs, count, corner_count; uint64_t hash; uint32_t data[]; } vs_faces;
 static inline const uint32_t *vs_faces_starts(const vs_faces *f) { return f->data; }
 static inline const uint32_t *vs_faces_corners(const vs_faces *f) { return f->data + f->count + 1; }
@@ -37,7 +37,7 @@ typedef vs_vec3 vs_field_vector;
 typedef vs_affine vs_field_affine;
 typedef const vs_points *vs_field_points;
 typedef const vs_faces *vs_field_faces;
-typedef const char *vs_field_text; /* a text that is interned in the store */
+typedef const char *vs_field_text; /* text of a field, interned in the store */
 typedef const vs_material *vs_field_material;
 typedef const vs_ticket *vs_field_ticket;
 typedef enum {
@@ -56,7 +56,7 @@ typedef enum {
 extern const unsigned char vs_field_reals[]; /* for each field type: number of doubles that the field itself contains,
                                               * or 0 */
 
-/* defines struct vs_sphere { ... } and so on for every kind */
+/* Each kind of prims.def gets the struct of its fields: struct vs_sphere { ... } and so on. */
 #define VS_KIND(upper, lower, name, class_, level, role, traits) struct vs_##lower {
 #define VS_FIELD(type, member, argument) vs_field_##type member;
 #define VS_KIND_END(upper, lower) unsigned char end_; };
@@ -76,7 +76,7 @@ typedef enum {
   VS_REGION_CLASS,
   VS_SURFACE,
   VS_SOLID,
-  VS_MIXED /* the class of a union of objects of several classes */,
+  VS_MIXED /* class of a union of objects of several classes (solid, surface, curve ...) */,
   VS_INHERIT
 } vs_class;
 typedef enum {
@@ -99,7 +99,8 @@ typedef struct {
 } vs_kind_info;
 const vs_kind_info *vs_kind_get(vs_kind kind);
 
-/* The columns ROLE and TRAITS of prims.def, for walks through the tree (vs_node_role, vs_node_has). */
+/* Roles and traits of a kind, the columns ROLE and TRAITS of prims.def, for walks through the tree (vs_node_role,
+ * vs_node_has). */
 typedef enum { VS_ROLE_SHAPE, VS_ROLE_LEAF, VS_ROLE_MADE, VS_ROLE_PLACED, VS_ROLE_WRAPPER, VS_ROLE_SET } vs_role;
 enum {
   VS_IS_ROUND = 1,        /* the triangles of the node approximate a curved surface */
@@ -124,8 +125,9 @@ typedef struct { vs_node *node; const vs_origin *origin; } vs_ref;
 enum {
   VS_NODE_CLOSED = 1,  /* the node is a closed curve (perhaps placed or coloured) or a region */
   VS_NODE_ENDLESS = 2, /* the node is unbounded: a half-space, or a set with an unbounded result */
-  VS_NODE_CUT = 4,     /* the node or a descendant is a half-space */
-  VS_NODE_SUGAR = 8,   /* the node or a descendant has level SUGAR */
+  VS_NODE_CUT = 4,     /* the node or a descendant is a half-space, which has no bounds */
+  VS_NODE_SUGAR = 8,   /* the node or a descendant has a kind of level SUGAR in prims.def (such as ghost or
+                        * highlight) */
   VS_NODE_OPEN = 16,   /* the node or a descendant is a CUSTOM node that has no child yet */
   VS_NODE_UNRESOLVED = 32, /* solids/resolve.c must replace this node or a descendant. It is an endless line, or needs a
                             * solid's mesh: a section, a shadow, edges, a slice of a thin object, a hull of a carved
@@ -137,17 +139,17 @@ struct vs_node {
   uint32_t refs;
   uint16_t kind;   /* kind: a value of vs_kind */
   uint8_t class_;  /* class: a value of vs_class other than VS_INHERIT, set when the node is created */
-  uint8_t flags;   /* VS_NODE_... flags */
+  uint8_t flags;   /* flags of the node: bits VS_NODE_... */
   uint32_t child_count;
-  uint32_t depth;  /* number of nodes on the longest path to a leaf; 1 for a leaf. The count stays at its maximum
-                    * instead of overflowing */
-  uint32_t slot;   /* number of the node in the latest order (order.h); this is the only member that changes after
-                    * creation, except refs */
-  uint32_t form;   /* structural hash without numbers and placements: nodes of different form cannot be copies of each
-                    * other */
-  uint64_t hash;   /* structural hash of kind, payload and children */
+  uint32_t depth;  /* number of nodes on the longest path to a leaf; 1 for a leaf. The number stays at its maximum
+                    * instead of overflowing. */
+  uint32_t slot;   /* number of the node in the latest order (order.h); it changes after the node's creation, as only
+                    * refs does */
+  uint32_t form;   /* hash of the node's structure without numbers and placements: nodes of different form cannot be
+                    * copies of each other */
+  uint64_t hash;   /* hash of the node's kind, payload and children */
   vs_store *store;
-  const vs_ref children[]; /* child_count references to the children; the payload follows them */
+  const vs_ref children[]; /* references to the children, child_count of them; the node's payload follows in memory */
 };
 /* Returns the payload of n: a struct vs_<kind>. */
 static inline const void *vs_node_data(const vs_node *n) { return n->children + n->child_count; }
@@ -202,19 +204,19 @@ vs_faces *vs_faces_new(vs_store *s, const uint32_t *starts, size_t count, const 
 vs_faces *vs_faces_turned(vs_store *s, const vs_faces *f);
 vs_ticket *vs_ticket_new(vs_store *s, uint32_t id);
 void vs_ticket_release(vs_store *s, const vs_ticket *t);
-/* Adds a reference to the array and returns it. */
+/* Adds a reference to p and returns p. */
 vs_points *vs_points_retain(vs_points *p);
-/* Adds a reference to the array and returns it. */
+/* Adds a reference to f and returns f. */
 vs_faces *vs_faces_retain(vs_faces *f);
 void vs_points_release(vs_store *s, const vs_points *p);
 void vs_faces_release(vs_store *s, const vs_faces *f);
 /* Creates a node. Copies data (a struct vs_<kind>) and children, and retains the arrays and nodes to which they refer.
  * Does not check its arguments: bind/ checks them. */
 vs_node *vs_node_new(vs_store *s, vs_kind kind, const void *data, const vs_ref *children, size_t child_count);
-/* Adds a reference to the node and returns it. */
+/* Adds a reference to n and returns n. */
 vs_node *vs_node_retain(vs_node *n);
-void vs_node_release(vs_node *n); /* Releases a reference. It does not recurse, so a deep tree needs no additional
-                                   * stack. NULL is permitted. */
+void vs_node_release(vs_node *n); /* Releases a reference to a node, and frees the node after the last. It does not
+                                   * recurse, so a deep tree needs no additional stack. NULL is permitted. */
 /* Returns true if a and b are equal by value. Compares without recursion, and each pair of shared subtrees once. If
  * memory is out, returns false and sets *ok (may be NULL) to false. */
 bool vs_node_equal(const vs_node *a, const vs_node *b, bool *ok);

@@ -23,7 +23,7 @@ static bool order_grow(vs_order *o) {
   return true;
 }
 
-/* Adds a node after its children. `inner` is true if a child has a number. */
+/* Adds a node to the order, after its children. inner: true if a child has a number. */
 static bool order_add(vs_order *o, vs_ref ref, bool inner) {
   if (o->count == o->room && !order_grow(o)) return false;
   ref.node->slot = (uint32_t)o->count;
@@ -43,7 +43,8 @@ static void order_pass_by(vs_order *o, const vs_node *leaf) {
   o->lone += !empty;
 }
 
-/* Finds the next child that needs a number, and counts the lone leaves before it. Returns false if there is none. */
+/* Finds the next child of the level `top` that needs a number, and counts the lone leaves (leaves with one reference)
+ * before it. Returns false if there is none. */
 static bool order_next(vs_order *o, order_level *top, vs_ref *child) {
   const vs_node *n = top->ref.node;
   while (top->next < n->child_count) {

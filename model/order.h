@@ -13,7 +13,7 @@
 
 typedef struct {
   uint32_t uses; /* number of references to the node in the drawing */
-  bool inner;    /* true if a child has a number; otherwise all children are lone leaves */
+  bool inner;    /* true if a child has a number; false if all children are leaves with a single reference */
 } vs_order_note;
 
 typedef struct {
@@ -21,20 +21,20 @@ typedef struct {
   vs_ref *at;      /* the nodes in order, each with the origin of its first reference; not retained */
   vs_order_note *note;
   size_t count, room;
-  size_t lone;     /* number of leaves that have no number and are not EMPTY */
-  bool empty;      /* true if the drawing contains an EMPTY node */
+  size_t lone;     /* number of leaves with a single reference, which have no number, except nodes of kind VS_EMPTY */
+  bool empty;      /* true if the drawing contains a node of kind VS_EMPTY */
 } vs_order; /* initial value of an empty order: { .store = s } */
 
-enum { VS_ORDER_WORK = 1 << 8 }; /* work of visiting one node, in the unit of vs_store_going; the visit of a node by a
-                                  * pass needs much more work */
-/* Computes the order of the nodes below refs. On an interrupt, or when memory is out, returns false and makes *o
- * empty. */
+enum { VS_ORDER_WORK = 1 << 8 }; /* Work of visiting one node, in the unit of vs_store_going (about a nanosecond). A
+                                  * pass needs much more for each node. */
+/* Computes the order of the nodes below the references refs. On an interrupt, or when memory is out, returns false and
+ * makes *o empty. */
 bool vs_order_make(vs_order *o, const vs_ref *refs, size_t count, vs_error *e);
 void vs_order_free(vs_order *o);
 static inline bool vs_order_is_lone(const vs_node *n) {
   return n->child_count == 0 && n->refs == 1 && !(n->flags & VS_NODE_SUGAR);
 }
-/* Returns true if node n of the drawing has a number. */
+/* Returns true if node n of the drawing has a number in the order. */
 static inline bool vs_order_has(const vs_order *o, const vs_node *n) {
   return n->slot < o->count && o->at[n->slot].node == n;
 }
@@ -42,7 +42,7 @@ static inline bool vs_order_has(const vs_order *o, const vs_node *n) {
 static inline uint32_t vs_order_uses(const vs_order *o, const vs_node *n) {
   return vs_order_has(o, n) ? o->note[n->slot].uses : 1;
 }
-/* Returns the number of node n, which must have one. */
+/* Returns the number of node n in the order; it must have one. */
 static inline size_t vs_order_of(const vs_node *n) { return n->slot; }
 
 #endif

@@ -15,25 +15,27 @@ typedef enum {
   VS_VIEW_RIGHT,
   VS_VIEW_ISO,
   VS_VIEW_ALONG,   /* parallel projection along the direction from eye to target */
-  VS_VIEW_PANORAMA /* a panorama of all directions from eye; target is in the centre of the picture */
+  VS_VIEW_PANORAMA /* a panorama of all directions from `eye`; `target` is in the centre of the picture */
 } vs_view;
 
 /* A named view of a picture or a drawing. Lengths are in model units. */
-typedef enum { VS_CUT_OWN /* plan: the format chooses the height */, VS_CUT_NONE, VS_CUT_PLANE } vs_cut;
+typedef enum { VS_CUT_OWN /* plan: at a height that the format chooses */, VS_CUT_NONE, VS_CUT_PLANE } vs_cut;
 typedef struct {
   const char *name;          /* name of the view, interned */
   vs_view view;
   vs_vec3 eye, target;       /* position of the eye, and point at which it looks, for VS_VIEW_CAMERA, VS_VIEW_ALONG and
                               * VS_VIEW_PANORAMA */
-  double lens;               /* focal length in mm, for film of 35 mm */
+  double lens;               /* focal length in mm, converted to 35 mm film */
   bool upright;              /* for VS_VIEW_CAMERA: true if vertical lines are vertical in the picture */
   double aperture;           /* for VS_VIEW_CAMERA: f-number of the lens; 0: everything is in focus */
-  vs_vec3 focus;             /* a point at the distance that is in focus; used if aperture is not 0 */
+  vs_vec3 focus;             /* for VS_VIEW_CAMERA: a point at the distance that is in focus; used if aperture is not
+                              * 0 */
   vs_cut cut;
   vs_vec3 cut_point, cut_normal; /* for VS_CUT_PLANE: a point of the plane, and the unit normal towards the kept side */
-  double scale;              /* scale of a drawing: 100 means 1:100; 0: a round scale with which the drawing fits */
+  double scale;              /* scale of a drawing: 100 means 1:100; 0: the largest round scale with which the drawing
+                              * fits the sheet */
   const char *sheet;         /* name of the sheet from sheets.def, such as "A3"; "none": a sheet as large as the
-                              * drawing, without a frame; NULL: a sheet that fits */
+                              * drawing, without a frame; NULL: the format chooses a sheet that fits */
   bool hidden;               /* true if the drawing shows hidden edges as dashed lines */
 } vs_scene_view;
 
@@ -47,9 +49,11 @@ typedef enum {
 typedef struct {
   vs_note_kind kind;
   vs_vec3 p, q;
-  double offset;             /* distance of the dimension line from p and q; NAN: the format chooses it */
-  const char *text;          /* text of the note, interned; NULL: the length or the height is the text */
-  const char *view;          /* name of the only view that shows the note, interned; NULL: all views that can show it */
+  double offset;             /* distance of the dimension line from the points p and q, in model units; NAN: the format
+                              * chooses it */
+  const char *text;          /* text of the note, interned; NULL: the dimension's length or the level's height is the
+                              * text */
+  const char *view;          /* name of the only view that shows the note, interned; NULL: all suitable views show it */
 } vs_scene_note;
 
 /* A lamp: a point that emits light. */
@@ -58,9 +62,9 @@ typedef struct {
                               * a hanging lamp. */
   double turn;               /* rotation in degrees about the lamp's direction, anticlockwise as seen from above a
                               * hanging lamp */
-  const vs_picture *ies;     /* file of the luminous intensities by direction; NULL: the intensity is equal in all
-                              * directions */
-  double lumens;             /* luminous flux of a lamp without a file */
+  const vs_picture *ies;     /* file with the lamp's luminous intensity in each direction; NULL: the intensity is equal
+                              * in all directions */
+  double lumens;             /* luminous flux in lumens, for a lamp without a file */
   double dim;                /* fraction of the light in the lamp's file that the lamp emits */
   vs_vec3 color;             /* colour of the light: linear RGB, of luminance 1 */
 } vs_scene_lamp;
@@ -68,7 +72,7 @@ typedef struct {
 /* The kinds of sky. All but the plain sky have luminances in cd/m2 (geometry/sky_light.h). */
 typedef enum { VS_SKY_PLAIN, VS_SKY_CLEAR, VS_SKY_OVERCAST, VS_SKY_NIGHT } vs_sky_kind;
 
-/* The look of pictures. VS_STYLE_OWN: the program's own materials, sky and sun. */
+/* The look of pictures: materials, sky and sun. VS_STYLE_OWN: those that the program sets. */
 typedef enum {
   VS_STYLE_OWN,
 #define STYLE(upper, name) VS_STYLE_##upper,
@@ -82,7 +86,7 @@ typedef struct {
   const char *layer;         /* name of the layer, interned */
   bool colored;
   double color[3];           /* colour of the lines in sRGB, 0 to 1; used if `colored` is true */
-  double line;               /* width of the lines in mm; 0: the kind of line determines the width */
+  double line;               /* width of the lines in mm; 0: the kind of each line determines the width */
 } vs_scene_pen;
 
 typedef struct {
@@ -90,14 +94,15 @@ typedef struct {
   vs_ref *drawn;             /* drawn references in drawing order; their nodes are retained */
   size_t drawn_count, drawn_room;
   const char *title;         /* name of the model file without its folder, or "model"; interned */
-  bool looked;               /* true if the program set the view: by camera, view-from or zoom-extents */
+  bool looked;               /* true if the program set the camera by the procedure camera, view-from or zoom-extents */
   vs_view view;
   vs_vec3 eye, target;       /* position of the eye, and point at which it looks, for VS_VIEW_CAMERA and
                               * VS_VIEW_PANORAMA */
-  double lens;               /* focal length in mm, for film of 35 mm; 35 by default */
+  double lens;               /* focal length of the camera in mm, converted to 35 mm film; 35 by default */
   bool upright;              /* for VS_VIEW_CAMERA: true if vertical lines are vertical in the picture */
   double aperture;           /* for VS_VIEW_CAMERA: f-number of the lens; 0: everything is in focus */
-  vs_vec3 focus;             /* a point at the distance that is in focus; used if aperture is not 0 */
+  vs_vec3 focus;             /* for VS_VIEW_CAMERA: a point at the distance that is in focus; used if aperture is not
+                              * 0 */
   vs_scene_view *views;      /* named views in the order of their definitions */
   size_t view_count, view_room;
   vs_scene_note *notes;
@@ -107,29 +112,30 @@ typedef struct {
   vs_scene_lamp *lamps;
   size_t lamp_count, lamp_room;
   bool has_sun;              /* true if the program set the sun; otherwise each format chooses a default */
-  bool no_sun;               /* whether (sun #f) turned the sun off */
+  bool no_sun;               /* true if (sun #f) in the program turned the sun off */
   double sun_azimuth, sun_altitude; /* direction of the sun in degrees; azimuth clockwise from +Y, altitude above the
                                      * horizon */
   bool has_sky;
-  double sky[3];             /* sRGB colour of the sky */
+  double sky[3];             /* sRGB colour of the plain sky */
   vs_scene_style style;
-  bool sky_given;            /* whether the program called sky */
+  bool sky_given;            /* true if the program called the procedure sky */
   vs_sky_kind sky_kind;
   double turbidity;          /* turbidity of the sky (geometry/sky_light.h) if sky_kind is VS_SKY_CLEAR */
   const vs_picture *sky_image; /* picture of the entire sky, twice as wide as high; NULL: none */
   const vs_picture *sky_sunless; /* the sky picture without its sun; NULL if the sky picture shows no sun */
   vs_vec3 picture_sun, picture_sun_light; /* unit vector towards the sun of the sky picture, and the sun's light on a
                                            * surface perpendicular to it, as picture values times solid angle */
-  double fog_visibility;     /* distance at which a dark object has 5 percent of its contrast; 0: no fog */
-  double fog_height;         /* height above the ground from which the fog becomes thinner; INFINITY: it is equally
-                              * dense everywhere */
+  double fog_visibility;     /* distance in model units at which a dark object has 5 percent of its contrast in fog; 0:
+                              * no fog */
+  double fog_height;         /* height above the ground, in model units, from which the fog becomes thinner; INFINITY:
+                              * it is equally dense everywhere */
   const vs_material *fog_color; /* colour of the fog; NULL: the colour of the sky at the horizon */
   bool has_ground;
   double ground_z;
-  const vs_material *ground_material; /* material of the ground; NULL if none was set */
+  const vs_material *ground_material; /* material of the ground; NULL: the program set none */
   const char *units;         /* the model's unit: "m", "mm", "cm", "in" or "ft" */
-  double tolerance;          /* greatest deviation of facets from curves, in model units; 0: it follows from the rule of
-                              * geometry/tessellate.h */
+  double tolerance;          /* greatest deviation of facets from curves, in model units; 0: geometry/tessellate.h
+                              * computes it from the size of the object */
   int segments;              /* number of facets of a full turn, set by --segments. 0: the tolerance determines the
                               * number. Below 0: the tolerance determines it, and -segments is the minimum */
 } vs_scene;
@@ -146,18 +152,18 @@ bool vs_scene_add_lamp(vs_scene *scene, const vs_scene_lamp *lamp); /* Adds a la
 bool vs_scene_add_note(vs_scene *scene, const vs_scene_note *note); /* Adds a note. Returns false when memory is out. */
 /* Adds a pen, or replaces the pen of the same layer. Returns false when memory is out. */
 bool vs_scene_add_pen(vs_scene *scene, const vs_scene_pen *pen);
-/* Returns the pen of the layer, or NULL. */
+/* Returns the pen of the layer, or NULL if it has none. */
 const vs_scene_pen *vs_scene_find_pen(const vs_scene *scene, const char *layer);
 /* Returns the view with the name, or NULL if there is none. */
 const vs_scene_view *vs_scene_find_view(const vs_scene *scene, const char *name);
-/* Returns the default view of a picture: the first perspective, panorama or axonometry, or else the first view. Returns
- * NULL if the program set the camera or defined no view. */
+/* Returns the view that a picture shows by default: the first perspective, panorama or axonometry, or else the first
+ * view. Returns NULL if the program set the camera or defined no view. */
 const vs_scene_view *vs_scene_own_view(const vs_scene *scene);
 /* Returns the name of a look, or NULL for VS_STYLE_OWN. */
 const char *vs_scene_style_name(vs_scene_style style);
 /* Returns the look of that name; VS_STYLE_OWN if there is none. */
 vs_scene_style vs_scene_style_find(const char *name);
-/* Gives the scene a look. The look also sets the sky: a plain one, an overcast one or that of the night. */
+/* Sets the look of the scene. The look also sets the sky: a plain sky, an overcast sky or a night sky. */
 void vs_scene_set_style(vs_scene *scene, vs_scene_style style);
 /* Sets the scene's camera to that of the view. The caller applies the view's cut. */
 void vs_scene_look(vs_scene *scene, const vs_scene_view *view);

@@ -11,7 +11,7 @@
 typedef enum {
 #define VS_PHASE(upper, lower, doc) VS_WORK_##upper,
 #include "model/tally.def"
-  VS_WORK_NONE, /* no work is done, or work for which nobody waits */
+  VS_WORK_NONE, /* phase in which no work is done, or work for which nobody waits */
   VS_WORK_COUNT
 } vs_work_phase;
 
@@ -23,34 +23,36 @@ typedef enum {
 
 typedef struct {
   double seconds;
-  double growth; /* sum over all runs of the phase: bytes in use at the end of the run minus bytes in use at its
+  double growth; /* sum over all times the phase was active: bytes in use at its end minus bytes in use at its
                   * beginning */
-  size_t peak;   /* greatest number of bytes in use by all phases while this phase was active */
+  size_t peak;   /* greatest number of bytes that all phases together used while this phase was active */
 } vs_phase_use;
 
 typedef struct vs_tally {
-  const size_t *held;             /* address of the number of bytes that are currently in use */
+  const size_t *held;             /* address of the number of bytes that the program currently uses */
   vs_work_phase now;
   double since;
-  size_t peak;                    /* greatest number of bytes in use during the finished phases */
-  size_t from, high;              /* from: number of bytes in use when this phase began; high: greatest number since
-                                   * then, updated by each allocator */
+  size_t peak;                    /* greatest number of bytes that were in use during the finished phases */
+  size_t from, high;              /* from: number of bytes in use when the current phase began; high: greatest number
+                                   * since then, updated by each allocator */
   vs_phase_use of[VS_WORK_COUNT];
   uint64_t written;               /* number of bytes written to output files */
-  uint64_t clusters, combined, copied, remembered; /* numbers of groups of solids that touch (kernel/cluster.h) */
+  uint64_t clusters, combined, copied, remembered; /* clusters: number of groups of touching solids; combined, copied,
+                                                    * remembered: how many of them were evaluated, copied from equal
+                                                    * ones, or found in the cache */
   uint64_t triangles;             /* number of triangles in outputs, as their formats write them */
-  double steps[VS_STEP_COUNT];    /* seconds of each step of the phase MESH */
+  double steps[VS_STEP_COUNT];    /* steps[s]: seconds that step s of meshing took */
   /* Counts of runs of text in the world cache: searched, found, and the bytes of those found. */
   uint64_t texts, texts_found, bytes_found;
 } vs_tally;
 
 double vs_clock(void); /* returns the time in seconds of a clock that never goes back */
-/* Begins phase p and returns the previous phase, to which the caller later returns. If t is NULL, nothing is
- * counted. */
+/* Begins phase p of the account t and returns the previous phase, to which the caller later returns. If t is NULL,
+ * nothing is counted. */
 vs_work_phase vs_tally_enter(vs_tally *t, vs_work_phase p);
-void vs_tally_also(vs_tally *t, size_t bytes); /* Counts bytes that this phase used temporarily and that t->held does
-                                                * not contain. */
-size_t vs_tally_peak(const vs_tally *t);       /* Returns the greatest number of bytes in use in any phase, without the
-                                                * bytes of vs_tally_also. */
+void vs_tally_also(vs_tally *t, size_t bytes); /* Counts `bytes` bytes that the current phase used temporarily and that
+                                                * t->held does not contain. */
+size_t vs_tally_peak(const vs_tally *t);       /* Returns the greatest number of bytes that were in use in any phase,
+                                                * without the bytes counted by vs_tally_also. */
 
 #endif

@@ -7,8 +7,8 @@ static const double half_pi = 1.57079632679489661923;
 
 void vs_sincos(double angle, double *sine, double *cosine) {
   double quarters = nearbyint(angle / half_pi);
-  /* Sums and products such as 3*pi/4 + 3*pi/4 differ from the nearest multiple by one or two ulps. They count as that
-   * multiple. */
+  /* Angles such as 3*pi/4 + 3*pi/4 differ from the nearest multiple of pi/2 by one or two units in the last place. They
+   * count as that multiple. */
   if (fabs(quarters) < 1e9 && fabs(angle - quarters * half_pi) <= 4.5e-16 * fabs(angle)) {
     static const signed char sines[4] = { 0, 1, 0, -1 };
     int q = (int)fmod(quarters, 4);
@@ -23,15 +23,16 @@ void vs_sincos(double angle, double *sine, double *cosine) {
 
 void vs_turn_sincos(int index, int count, double *sine, double *cosine) {
   VS_ASSERT(count > 0);
-  /* Sines are computed in the first eighth of a turn and reflected into the others. The corners of a polygon are
+  /* Sines are computed in the first eighth of a turn and reflected into the other eighths. The corners of a polygon are
    * therefore exact mirror images of each other. */
   long long eighths, rest, n = count, i = index % n;
   if (i < 0) i += n;
   eighths = 8 * i / n;
-  rest = 8 * i - eighths * n; /* rest of the angle, in units of 1/(8 count) of a turn: 0 <= rest < n */
+  rest = 8 * i - eighths * n; /* rest of the angle after whole eighths of a turn, in units of 1/(8 count) of a turn: 0
+                               * <= rest < n */
   bool odd = eighths & 1;
-  double along = half_pi / 2 * ((double)(odd ? n - rest : rest) / (double)n); /* angle from the nearest axis, 0 to
-                                                                               * pi/4 */
+  double along = half_pi / 2 * ((double)(odd ? n - rest : rest) / (double)n); /* angle between the direction and the
+                                                                               * nearest axis, 0 to pi/4 */
   double s = sin(along), c = cos(along), swap;
   if ((odd ? n - rest : rest) == n) s = c = 0.70710678118654752440;
   switch (((eighths + 1) / 2) & 3) { /* the number of the axis that is nearest to the angle */
@@ -89,7 +90,7 @@ bool vs_affine_invert(const vs_affine *a, vs_affine *out) {
   for (int i = 0; i < 3; i++)
     for (int j = 0; j < 4; j++) {
       if (!isfinite(r.m[i][j])) return false;
-      r.m[i][j] += 0.0; /* adding 0.0 changes -0 to 0 */
+      r.m[i][j] += 0.0; /* adding 0.0 changes -0 to 0 in the product */
     }
   *out = r;
   return true;
@@ -139,8 +140,7 @@ vs_affine vs_affine_rotation(vs_vec3 point, vs_vec3 direction, double angle) {
   vs_affine r = { { { c + u.x * u.x * k, u.x * u.y * k - u.z * s, u.x * u.z * k + u.y * s, 0 },
                     { u.y * u.x * k + u.z * s, c + u.y * u.y * k, u.y * u.z * k - u.x * s, 0 },
                     { u.z * u.x * k - u.y * s, u.z * u.y * k + u.x * s, c + u.z * u.z * k, 0 } } };
-  /* c + (1 - c) may differ from 1 by one unit in the last place. For rotations about a world axis the element is
-   * exactly 1. */
+  /* c + (1 - c) may differ from 1 by one unit in the last place. A rotation about a world axis needs exactly 1. */
   if (fabs(u.x) == 1) r.m[0][0] = 1;
   if (fabs(u.y) == 1) r.m[1][1] = 1;
   if (fabs(u.z) == 1) r.m[2][2] = 1;
@@ -225,7 +225,7 @@ void vs_rotation_quaternion(const vs_vec3 c[3], double out[4]) {
   int most = 0;
   for (int i = 1; i < 4; i++)
     if (q[i] > q[most]) most = i;
-  double a[4]; /* quaternion before it is scaled to unit length */
+  double a[4]; /* unnormalised quaternion w x y z */
   switch (most) {
   case 0: a[0] = q[0]; a[1] = m[2][1] - m[1][2]; a[2] = m[0][2] - m[2][0]; a[3] = m[1][0] - m[0][1]; break;
   case 1: a[0] = m[2][1] - m[1][2]; a[1] = q[1]; a[2] = m[0][1] + m[1][0]; a[3] = m[0][2] + m[2][0]; break;

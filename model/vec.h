@@ -35,43 +35,45 @@ static inline vs_vec3 vs_affine_point(const vs_affine *a, vs_vec3 p) {
                a->m[2][0] * p.x + a->m[2][1] * p.y + a->m[2][2] * p.z + a->m[2][3]);
 }
 static inline vs_vec3 vs_affine_vector(const vs_affine *a, vs_vec3 v) { /* Returns the vector v mapped by the linear
-                                                                         * part of a. */
+                                                                         * part of a, without the translation. */
   return vs_v3(a->m[0][0] * v.x + a->m[0][1] * v.y + a->m[0][2] * v.z,
                a->m[1][0] * v.x + a->m[1][1] * v.y + a->m[1][2] * v.z,
                a->m[2][0] * v.x + a->m[2][1] * v.y + a->m[2][2] * v.z);
 }
 
-/* Returns column c of the matrix, from 0 to 3. */
+/* Returns column c of the matrix of a, from 0 to 3. */
 static inline vs_vec3 vs_affine_column(const vs_affine *a, int c) {
   VS_ASSERT(c >= 0 && c < 4);
   return vs_v3(a->m[0][c], a->m[1][c], a->m[2][c]);
 }
 /* Functions defined in vec.c follow. */
-vs_affine vs_affine_columns(vs_vec3 x, vs_vec3 y, vs_vec3 z, vs_vec3 at); /* Returns the map with these images of the
-                                                                           * three unit vectors and of the origin. */
+vs_affine vs_affine_columns(vs_vec3 x, vs_vec3 y, vs_vec3 z, vs_vec3 at); /* Returns the map that maps the three unit
+                                                                           * vectors to x, y and z, and the origin to
+                                                                           * `at`. */
 vs_affine vs_affine_multiply(const vs_affine *a, const vs_affine *b); /* Returns the map that applies the map b first,
                                                                        * and then the map a. */
-/* Returns the determinant of the linear part; it is negative if the map mirrors. */
+/* Returns the determinant of the linear part of a; it is negative if the map mirrors. */
 double vs_affine_determinant(const vs_affine *a);
 bool vs_affine_invert(const vs_affine *a, vs_affine *out);            /* Sets *out to the inverse map; returns false if
                                                                        * a is singular. */
 /* Maps a plane, which is given by a point and a normal. The new normal points to the image of the same side of the
  * plane. Returns false if the map is singular; the plane is then unchanged. */
 bool vs_affine_plane(const vs_affine *a, vs_vec3 *point, vs_vec3 *normal);
-bool vs_affine_is_translation(const vs_affine *a);                    /* Returns true if the linear part is exactly the
+bool vs_affine_is_translation(const vs_affine *a);                    /* Returns true if the linear part of a is exactly
+                                                                       * the identity. */
+bool vs_affine_is_identity(const vs_affine *a);                       /* Returns true if the map a is exactly the
                                                                        * identity. */
-bool vs_affine_is_identity(const vs_affine *a);                       /* Returns true if the map is exactly the
-                                                                       * identity. */
-bool vs_affine_even(const vs_affine *a, double *k);                   /* Returns true if the map multiplies every length
-                                                                       * by one factor, and sets *k to it. */
+bool vs_affine_even(const vs_affine *a, double *k);                   /* Returns true if the map a multiplies every
+                                                                       * length by one factor, and sets *k to this
+                                                                       * factor. */
 vs_affine vs_affine_translation(vs_vec3 v);
 /* Returns the right-handed rotation by angle about the axis through point along direction (not zero). Multiples of a
  * quarter turn about a world axis are exact. Otherwise it uses Rodrigues' formula. */
 vs_affine vs_affine_rotation(vs_vec3 point, vs_vec3 direction, double angle);
 vs_affine vs_affine_scaling(vs_vec3 center, vs_vec3 factors);
 vs_affine vs_affine_mirror(vs_vec3 point, vs_vec3 normal);
-/* Returns true if the columns of the linear part are perpendicular, to 1e-9. The map is then a scaling along x, y and
- * z, followed by a rotation (perhaps mirrored) and a translation. */
+/* Returns true if the columns of the linear part of a are perpendicular, to 1e-9. The map is then a scaling along x, y
+ * and z, followed by a rotation (perhaps mirrored) and a translation. */
 bool vs_affine_is_placement(const vs_affine *a);
 /* Splits a map for which vs_affine_is_placement is true into scale, applied first, rotation (a unit quaternion w x y z)
  * and translation. If the map mirrors, scale->x is negative. */
@@ -79,15 +81,17 @@ void vs_affine_split(const vs_affine *a, vs_vec3 *translation, double quaternion
 /* Sets the unit quaternion w x y z of the rotation with these columns. It computes the largest component first, and is
  * therefore accurate at half turns. */
 void vs_rotation_quaternion(const vs_vec3 columns[3], double quaternion[4]);
-/* Returns the unit normal n mapped by the inverse transpose, which is the matrix of cofactors up to a factor. */
+/* Returns the unit normal of a plane with normal n after the map a. It is mapped by the inverse transpose, which is the
+ * matrix of cofactors up to a factor. */
 vs_vec3 vs_affine_normal(const vs_affine *a, vs_vec3 n);
-/* Sets sine and cosine, exact at multiples of pi/2. The double nearest to k*pi/2 counts as that multiple. */
+/* Sets the sine and cosine of an angle in radians, exact at multiples of pi/2. The double nearest to k*pi/2 counts as
+ * that multiple. */
 void vs_sincos(double angle, double *sine, double *cosine);
 /* Sets sine and cosine of the angle index/count of a full turn; count is above 0. Quarter turns are exact, and mirrored
  * angles have exactly mirrored values. */
 void vs_turn_sincos(int index, int count, double *sine, double *cosine);
-double vs_single(double x); /* Returns x rounded to 32 bits. It is neither inline nor a cast, because GCC 12 omits the
-                             * rounding of two adjacent values. */
+double vs_single(double x); /* Returns x rounded to a 32-bit floating-point number. It is neither inline nor a cast,
+                             * because GCC 12 omits the rounding of two adjacent values. */
 vs_vec3 vs_v3_unit(vs_vec3 v); /* Returns v with length 1. Vectors along an axis stay exact; the zero vector stays
                                 * zero. */
 

@@ -21,7 +21,7 @@ typedef enum {
  * and y on floors. Other formats show only the material's colour. */
 typedef struct {
   vs_pattern kind;
-  double red, green, blue;     /* second colour of the pattern (joints, veins, grain): sRGB, 0 to 1 */
+  double red, green, blue;     /* second colour of the pattern (joints, veins, grain): sRGB components, 0 to 1 */
   double size;                 /* width of one unit of the pattern, or of the picture, in metres; 0: the pattern's
                                 * default */
   double angle;                /* rotation of the pattern on the face in degrees, anticlockwise seen from outside */
@@ -30,15 +30,17 @@ typedef struct {
 
 typedef struct {
   const char *name;            /* name of the material, interned; "" for a material without a name */
-  double red, green, blue;     /* colour: sRGB, 0 to 1 */
+  double red, green, blue;     /* colour of the material: sRGB components, 0 to 1 */
   double roughness, metallic, transparency; /* roughness, metallic share and transparency of the surface, each from 0 to
                                              * 1 */
   double ior;                  /* refractive index; a transparent material of index 1 is thin and does not bend light */
   vs_material_pattern pattern;
 } vs_material;
 
-extern const vs_material vs_material_default;  /* the material that make-material makes without keywords */
-extern const double vs_pattern_darkening;      /* factor from a material's colour to the second colour of its pattern */
+extern const vs_material vs_material_default;  /* the material that the procedure make-material returns without
+                                                * keywords */
+extern const double vs_pattern_darkening;      /* factor by which the second colour of a pattern is darker than the
+                                                * material's colour */
 
 uint64_t vs_material_hash(const vs_material *m);
 vs_material vs_material_of_color(double red, double green, double blue); /* Returns matt paint of an sRGB colour,
@@ -46,10 +48,11 @@ vs_material vs_material_of_color(double red, double green, double blue); /* Retu
 const char *vs_pattern_name(vs_pattern p);               /* Returns the pattern's name; "none" for VS_PATTERN_NONE. */
 bool vs_pattern_find(const char *name, vs_pattern *out); /* Sets *out to the pattern with this name. Returns false if no
                                                           * pattern has this name. */
-double vs_pattern_size(const vs_material_pattern *p);    /* Returns the width of one unit of the pattern in metres: the
-                                                          * material's width, or else the pattern's default. */
+double vs_pattern_size(const vs_material_pattern *p);    /* Returns the width of one unit of the pattern in metres:
+                                                          * the width that the material sets, or else the pattern's
+                                                          * default. */
 
-/* Returns the height in metres of the pattern's picture. */
+/* Returns the height of the pattern's picture on the surface, in metres. */
 double vs_pattern_height(const vs_material_pattern *p);
 
 #endif

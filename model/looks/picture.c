@@ -7,7 +7,8 @@
 #include <stdbool.h>
 
 static const double pi = 3.14159265358979323846;
-enum { TILTS = VS_PICTURE_STEPS / 2 }; /* TILTS: number of steps of the tilt from straight up (0) to straight down */
+enum { TILTS = VS_PICTURE_STEPS / 2 }; /* TILTS: number of steps of the tilt of a face's normal, from straight up (step
+                                        * 0) to straight down */
 
 int vs_picture_direction(double x, double y, double z) {
   const double step = 2 * pi / VS_PICTURE_STEPS;

@@ -6,9 +6,9 @@
 #include <stdint.h>
 
 /* A photograph or drawing for surfaces, as the bytes of its file. The store owns it (vs_store_picture) until the store
- * is freed. Formats use these bytes, so that the file is read only once. */
+ * is freed. Formats write these bytes, so that the file is read only once. */
 typedef struct vs_picture {
-  const char *path;            /* path of the file, interned; .pov files contain it */
+  const char *path;            /* path of the picture's file, interned; .pov files contain it */
   const char *format;          /* "png", "jpeg", "exr" or "hdr": the keywords of POV-Ray */
   const unsigned char *bytes;
   size_t size;
@@ -18,15 +18,15 @@ typedef struct vs_picture {
   const struct vs_picture *next; /* next picture in the store's list */
 } vs_picture;
 
-/* Number of steps of 22.5 degrees in a full turn. A face's direction decides how pictures lie on it. The direction is
- * rounded to such steps: of the tilt from straight up and, for a face that is not horizontal, of the azimuth. Rounding
+/* Number of steps of 22.5 degrees in a full turn. The direction of a face, which decides how pictures lie on it, is
+ * rounded to such steps: the tilt from straight up and, for a face that is not horizontal, the azimuth. Rounding
  * changes the size of a picture by at most 2 percent (cos 11.25 degrees). */
 enum { VS_PICTURE_STEPS = 16 /* steps of 22.5 degrees in a full turn */ };
-/* Returns the number of the direction of the normal (x, y, z). Pictures lie in the same plane on all faces with the
- * same number. */
+/* Returns the number of the rounded direction of the normal (x, y, z). Pictures lie in the same plane on all faces with
+ * equal numbers. */
 int vs_picture_direction(double x, double y, double z);
-/* Sets the axes of pictures on faces of a direction: `across` and `up`, as seen from outside. On horizontal faces they
- * are x, and y or -y. `direction` is a result of vs_picture_direction. */
+/* Sets the axes of pictures on faces of a direction: `across` points right and `up` points up, as seen from outside. On
+ * horizontal faces they are x, and y or -y. direction: a result of vs_picture_direction. */
 void vs_picture_axes(int direction, double across[3], double up[3]);
 /* Sets out to the position of a point (in metres) on a picture, as fractions of its width and height from the lower
  * left corner. width and height are in metres and above 0. angle is the rotation of the picture in degrees. */

@@ -7,11 +7,11 @@
 /* Returns the material of that name: a predefined material such as concrete or glass, a CSS colour, or "#rrggbb".
  * Returns NULL if the name is unknown or memory is out. */
 const vs_material *vs_store_ready_material(vs_store *s, const char *name);
-/* The table in which a material is: none, the predefined materials, the CSS colours. */
+/* The table that contains a material: none, the predefined materials, or the CSS colours. */
 typedef enum { VS_NAMED_NONE, VS_NAMED_MATERIAL, VS_NAMED_COLOR } vs_named;
-/* Returns the table that has exactly this material under its name. */
+/* Returns the table that has a material with the name and all properties of m. */
 vs_named vs_ready_material_table(const vs_material *m);
-const char *vs_ready_material_name(size_t i); /* Returns the name of predefined material i, or NULL if i is too
-                                               * large. */
+const char *vs_ready_material_name(size_t i); /* Returns the name of predefined material i, or NULL if there is none
+                                               * with this number. */
 
 #endif

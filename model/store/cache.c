@@ -8,27 +8,27 @@
 
 typedef struct entry entry;
 struct entry {
-  vs_cached result; /* must be the first member, because callers have its address */
-  entry *chain;     /* next entry of the same bucket */
+  vs_cached result; /* must be the first member, because callers hold its address instead of the entry's */
+  entry *chain;     /* next entry in the list of this bucket of the hash table */
   entry *newer, *older;
   uint64_t hash, turn;
   size_t holders;
-  size_t own, bytes; /* own: number of bytes of this entry; bytes: own plus the bytes of the key's node */
+  size_t own, bytes; /* own: bytes of this entry itself; bytes: `own` plus the bytes of the key's node */
   vs_node *node;     /* node of the key, retained; may be NULL */
   size_t count;
   uint32_t kind;
-  _Alignas(16) unsigned char block[]; /* the words of the key, followed by the result */
+  _Alignas(16) unsigned char block[]; /* the words of the key, followed by the bytes of the result */
 };
 
 struct vs_cache {
   vs_store *store;
   entry **buckets;
-  size_t room; /* number of buckets, a power of two */
+  size_t room; /* number of buckets of the hash table, a power of two */
   entry *newest, *oldest;
   size_t limit;
   uint64_t turn, serial;
-  bool keeps, busy; /* keeps: true if new results are kept in this turn; busy: true while the table or an entry is being
-                     * allocated, when no entry may be dropped */
+  bool keeps, busy; /* keeps: true if new results are kept in this turn; busy: true while the hash table or an entry is
+                     * being allocated, when no entry may be dropped */
   vs_cache_stats stats;
 };
 
@@ -133,14 +133,14 @@ bool vs_cache_shrink(vs_cache *c, size_t bytes) {
   return c->stats.bytes < before;
 }
 
-/* Makes room for more bytes: drops entries that were last used in earlier turns. Returns false if these entries do not
- * suffice. */
+/* Makes room for more bytes: drops entries that were last used in earlier turns. Returns false if that does not free
+ * enough. */
 static bool make_room(vs_cache *c, size_t bytes) {
   if (bytes > c->limit / 2) return false;
   for (entry *e = c->oldest, *next; e && c->stats.bytes > c->limit - bytes; e = next) {
     next = e->newer;
-    if (e->turn == c->turn) break; /* The list is sorted by last use. Therefore all further entries were used in this
-                                    * turn. */
+    if (e->turn == c->turn) break; /* The list is sorted by last use. Therefore all later entries were used in this
+                                    * turn, too. */
     if (e->holders) continue;
     drop(c, e);
     c->stats.evicted++;
@@ -184,7 +184,7 @@ static bool grow(vs_cache *c) {
   if (c->stats.entries < c->room) return true;
   size_t room = c->room ? c->room * 2 : LEAST;
   entry **grown = vs_store_realloc(c->store, NULL, 0, room * sizeof *grown);
-  if (!grown) return c->room > 0; /* if the table cannot be enlarged, its chains become longer */
+  if (!grown) return c->room > 0; /* if memory is out, the hash table keeps its size, and its lists become longer */
   memset(grown, 0, room * sizeof *grown);
   for (entry *e = c->oldest; e; e = e->newer) {
     e->chain = grown[e->hash & (room - 1)];

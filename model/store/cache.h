@@ -22,11 +22,14 @@ typedef enum {
   VS_CACHED_KINDS
 } vs_cached_kind;
 
-/* hash: hash of the words, or 0 if not yet computed */
+/* kind, node, words: the key of a result; count: number of words; hash: hash of the words, or 0 if it is not computed
+ * yet */
 typedef struct { vs_cached_kind kind; vs_node *node; const uint64_t *words; size_t count; uint64_t hash; } vs_cache_key;
-typedef struct { uint64_t serial; const void *data; size_t size; } vs_cached; /* data: aligned for any type */
+typedef struct { uint64_t serial; const void *data; size_t size; } vs_cached; /* A result. serial: unique number; data:
+                                                                               * its bytes, aligned for any type; size:
+                                                                               * their number */
 typedef struct { const void *at; size_t size; } vs_cache_piece;
-static inline uint64_t vs_cache_real(double d) { /* Returns the bits of a real as a word of a key. */
+static inline uint64_t vs_cache_real(double d) { /* Returns the bits of the real number d as a word of a key. */
   uint64_t bits;
   memcpy(&bits, &d, sizeof bits);
   return bits;
@@ -34,7 +37,8 @@ static inline uint64_t vs_cache_real(double d) { /* Returns the bits of a real a
 
 typedef struct {
   size_t hits[VS_CACHED_KINDS], misses[VS_CACHED_KINDS];
-  size_t entries, bytes, peak; /* entries and bytes: current numbers; peak: greatest number of bytes so far */
+  size_t entries, bytes, peak; /* entries, bytes: number of results in the cache, and their bytes; peak: greatest number
+                                * of bytes so far */
   size_t evicted, refused;     /* evicted: number of entries that were dropped to make room; refused: number of results
                                 * that were not kept, because they were too large or memory was out */
 } vs_cache_stats;
@@ -48,10 +52,10 @@ vs_cache *vs_store_cache(const vs_store *s); /* Returns the cache of the store, 
 /* Begins a new turn. If keeps is false, the cache keeps no new results in this turn, because no later turn could use
  * them. */
 void vs_cache_turn(vs_cache *c, bool keeps);
-bool vs_cache_keeps(const vs_cache *c);      /* Returns true if a new result may be kept, so that computing its key is
-                                              * worthwhile. */
-bool vs_cache_asks(const vs_cache *c);       /* Returns true if a result may be found, so that computing its key is
-                                              * worthwhile. */
+bool vs_cache_keeps(const vs_cache *c);      /* Returns true if the cache would keep a new result, so that computing its
+                                              * key is worthwhile. */
+bool vs_cache_asks(const vs_cache *c);       /* Returns true if the cache may contain a result, so that computing its
+                                              * key is worthwhile. */
 
 /* Returns the result of the key, or NULL if there is none. The result stays valid until the caller calls
  * vs_cache_let_go. */
@@ -59,10 +63,11 @@ const vs_cached *vs_cache_find(vs_cache *c, const vs_cache_key *key);
 /* Keeps the concatenated pieces as the result of the key. Returns the result, which the caller holds, or NULL if it was
  * not kept. The caller has searched for the key without success. */
 const vs_cached *vs_cache_keep(vs_cache *c, const vs_cache_key *key, const vs_cache_piece *pieces, size_t count);
-void vs_cache_let_go(vs_cache *c, const vs_cached *held); /* Ends a hold on a result. NULL is permitted. */
+void vs_cache_let_go(vs_cache *c, const vs_cached *held); /* Ends the caller's hold on a result, which may then be
+                                                           * dropped. NULL is permitted. */
 
-/* Drops results that no caller holds, from the least recently used, until `bytes` are freed or none is left. Returns
- * true if it dropped any. */
+/* Drops results that no caller holds, the least recently used first, until `bytes` bytes are freed or none is left.
+ * Returns true if it dropped any. */
 bool vs_cache_shrink(vs_cache *c, size_t bytes);
 vs_cache_stats vs_cache_count(const vs_cache *c);
 

@@ -6,8 +6,8 @@
 #include <stdatomic.h>
 #include <stdint.h>
 
-/* Makes each number a set of its own: parent[i] = i. Later, parent[i] is i for the root of a set, and a smaller member
- * for other numbers. */
+/* Makes each number a separate set: parent[i] = i. Later, parent[i] is i for the root of a set, and a smaller member of
+ * the set for other numbers. */
 static inline void vs_disjoint(uint32_t *parent, uint32_t count) {
   for (uint32_t i = 0; i < count; i++) parent[i] = i;
 }
@@ -33,7 +33,7 @@ static inline uint32_t vs_find_shared(_Atomic uint32_t *parent, uint32_t x) {
     uint32_t up = atomic_load_explicit(&parent[x], memory_order_relaxed);
     if (up == x) return x;
     uint32_t over = atomic_load_explicit(&parent[up], memory_order_relaxed);
-    /* Any ancestor is a valid parent, so that the order of these writes does not matter. */
+    /* Any ancestor is a valid parent of x. Therefore the order in which threads write parents does not matter. */
     if (over != up) atomic_store_explicit(&parent[x], over, memory_order_relaxed);
     x = over;
   }

@@ -1,4 +1,4 @@
-/* Declares the hashes by which the store finds interned values. */
+/* Declares the hashes by which the store finds interned values: texts, origins, materials and pictures. */
 #ifndef VS_MODEL_STORE_HASHES_H
 #define VS_MODEL_STORE_HASHES_H
 

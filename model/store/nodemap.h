@@ -11,7 +11,7 @@ typedef struct { vs_store *store; vs_nodemap_slot *slots; size_t count, room; } 
 void vs_nodemap_free(vs_nodemap *m); /* Frees the map's memory; the map is then empty and may be used again. */
 uint64_t *vs_nodemap_get(const vs_nodemap *m, const void *key); /* Returns the address of the value for the key, or NULL
                                                                  * if the map lacks the key. The address is valid until
-                                                                 * the next put. */
+                                                                 * the next key is added. */
 /* Adds the key with the value 0 if the map lacks it. Returns the address of the value, or NULL when memory is out. Sets
  * *found to true if the map already had the key; found may be NULL. */
 uint64_t *vs_nodemap_put(vs_nodemap *m, const void *key, bool *found);

@@ -1,5 +1,5 @@
-/* Allocates small objects of a store, mostly nodes. Objects are cut from slabs; freed objects are kept in a list for
- * each size.
+/* Allocates small objects of a store (pieces), mostly nodes. Pieces are cut from large blocks (slabs); freed pieces are
+ * kept in a list for each size.
  *
  * A drawing of a million primitives is a million pieces. Therefore a piece must cost few instructions, and has no
  * header. New slabs are larger when there are more pieces, up to SLAB_MOST. All slabs except one are freed when no
@@ -39,8 +39,8 @@ static bool slab_add(vs_store *s, size_t least) {
   size_t room = s->slab_bytes / 4;
   if (room < SLAB_LEAST) room = SLAB_LEAST;
   if (room > SLAB_MOST) room = SLAB_MOST;
-  if (room > HUGE_PAGE) room -= room % HUGE_PAGE; /* The size is rounded down to a multiple of huge pages, which the
-                                                   * operating system may use. */
+  if (room > HUGE_PAGE) room -= room % HUGE_PAGE; /* The size of a slab is rounded down to a multiple of huge pages,
+                                                   * which the operating system may use for it. */
   room -= sizeof(vs_slab);
   vs_slab *slab = s->alloc(s->context, NULL, 0, sizeof *slab + room);
   /* Little memory may be left, so a smaller slab is tried. */
@@ -65,7 +65,7 @@ void vs_store_slabs_free(vs_store *s) {
   s->slabs = NULL;
 }
 
-/* Frees all slabs but one, when no piece is in use. */
+/* Frees all slabs (blocks of small objects) except one, when no object in them is in use. */
 static void slabs_empty(vs_store *s) {
   vs_slab *kept = s->slabs;
   memset(s->given_back, 0, sizeof s->given_back);

@@ -9,6 +9,7 @@ void *vs_store_piece(vs_store *s, size_t bytes);
 /* Frees a piece of `bytes` bytes, and subtracts them from the store's count. */
 void vs_store_piece_free(vs_store *s, void *piece, size_t bytes);
 
-void vs_store_slabs_free(vs_store *s); /* Frees all slabs; defined in piece.c. */
+void vs_store_slabs_free(vs_store *s); /* Frees all slabs, the large blocks from which pieces are cut; defined in
+                                        * piece.c. */
 
 #endif

@@ -110,7 +110,7 @@ static void *store_keep(vs_store *s, size_t size) {
     if (!b) return NULL;
     b->size = room;
     b->used = 0;
-    if (room == size && s->blocks) { /* the block of a large item is inserted after the block that is currently being
+    if (room == size && s->blocks) { /* a large item gets a separate block, after the block that is currently being
                                       * filled */
       b->next = s->blocks->next;
       s->blocks->next = b;
@@ -129,8 +129,8 @@ static void *store_keep(vs_store *s, size_t size) {
 typedef uint64_t vs_intern_hash_fn(const void *item);
 typedef bool vs_intern_same_fn(const void *item, const void *key);
 
-/* Returns the slot of an equal item, or the empty slot for it; NULL when memory is out. The table's room is 0 or a
- * power of two. */
+/* Returns the slot of an equal item in the hash table t, or the empty slot for it; NULL when memory is out. The table's
+ * room is 0 or a power of two. */
 static void **intern_find(vs_store *s, vs_intern *t, uint64_t hash, const void *key, vs_intern_same_fn *same,
                           vs_intern_hash_fn *hash_of) {
   VS_ASSERT((t->room & (t->room - 1)) == 0);

@@ -8,7 +8,7 @@
 #include "model/model_error.h"
 
 typedef struct vs_store vs_store;
-typedef struct vs_cache vs_cache; /* defined in cache.h */
+typedef struct vs_cache vs_cache; /* the world cache, defined in cache.h */
 
 /* A function that reallocates memory as realloc does. If new_size is 0, it frees the memory. Returns NULL when memory
  * is out. */
@@ -19,21 +19,22 @@ vs_store *vs_store_new(vs_alloc_fn *alloc, void *context);
 /* Adds a reference to the store and returns it. */
 vs_store *vs_store_retain(vs_store *s);
 void vs_store_release(vs_store *s);
-size_t vs_store_bytes(const vs_store *s); /* Returns the number of bytes that nodes and arrays currently use. They count
-                                           * towards the interpreter's memory budget. */
+size_t vs_store_bytes(const vs_store *s); /* Returns the number of bytes that the store's nodes and arrays currently
+                                           * use. They count towards the interpreter's memory budget. */
 /* Adds `work`, in units of about a nanosecond, to a counter. Each time the counter reaches a million, calls
  * vs_job_going of the store's job (model/job.h). Returns false, with the error "interrupted" in e, if the job must end.
  * If s is NULL, returns true. */
 bool vs_store_going(vs_store *s, uint32_t work, vs_error *e);
-/* Reallocates and counts the bytes. new_size 0 frees. old_size is the size that was allocated. */
+/* Reallocates memory of the store, as realloc does, and counts the bytes. If new_size is 0, frees the memory. old_size:
+ * the size that was allocated. */
 void *vs_store_realloc(vs_store *s, void *old, size_t old_size, size_t new_size);
 /* Makes room for `need` elements of `size` bytes (above 0) in the array whose address is in *slot. *room is the number
  * of elements that fit. Returns false when memory is out, and then changes nothing. */
 bool vs_store_grow(vs_store *s, void *slot, size_t *room, size_t need, size_t size);
 /* For tests: makes the n-th allocation from now, and all later allocations, fail. If n is 0, no allocation fails. */
 void vs_store_fail_at(vs_store *s, size_t n);
-/* Returns the address of a pointer, initially NULL. In this pointer, geometry/ keeps data that is slow to create
- * (fonts) until the store is freed. let_go then frees the data. */
+/* Returns the address of a pointer, initially NULL, in which geometry/ keeps data that is slow to create (fonts). The
+ * store calls let_go with this data when the store is freed. */
 void **vs_store_kept(vs_store *s, void (*let_go)(vs_store *s, void *kept));
 /* Returns an interned, NUL-terminated copy of the text, or NULL when memory is out. */
 const char *vs_store_text(vs_store *s, const char *text, size_t length);

@@ -6,34 +6,37 @@
 #include "model/store/store.h"
 #include "model/store/hashes.h"
 
-typedef struct { void **slots; size_t count, room; } vs_intern; /* hash table with open addressing; its room is a power
-                                                                 * of two */
+typedef struct { void **slots; size_t count, room; } vs_intern; /* hash table of interned values with open addressing;
+                                                                 * room: number of slots, a power of two */
 typedef struct vs_block vs_block;
 typedef struct vs_slab vs_slab;
 typedef struct vs_piece vs_piece;
-enum { VS_PIECE_MOST = 256 }; /* greatest size of a piece in bytes; larger objects are separate allocations */
+enum { VS_PIECE_MOST = 256 }; /* greatest size of a piece (a small object cut from a slab) in bytes; larger objects are
+                               * separate allocations */
 
 struct vs_store {
-  size_t refs; /* number of references by owners and by nodes; each node counts as one */
+  size_t refs; /* number of references to the store, by its owners and by its nodes */
   size_t bytes;
   vs_alloc_fn *alloc;
   void *context;
-  size_t fail_at; /* for tests: number of allocations up to the first that fails; 0 after the first failure, or if none
-                   * is to fail */
+  size_t fail_at; /* for tests: number of allocations up to and including the first that fails; 0 after that failure, or
+                   * if none is to fail */
   bool failing;
   vs_intern texts, origins, materials;
   const vs_picture *pictures; /* list of the store's pictures, which are few */
   void *kept;           /* data that geometry/ keeps until the store is freed (fonts); let_go frees it */
   void (*let_go)(vs_store *s, void *kept);
   struct vs_job *job;   /* job in progress (job.h), or NULL; the caller owns it */
-  uint32_t work;        /* work since the last call of vs_job_going, in the unit of vs_store_going */
+  uint32_t work;        /* work since the last call of vs_job_going, in the unit of vs_store_going (about a
+                         * nanosecond) */
   vs_cache *cache;      /* world cache (cache.h), or NULL; the caller owns it and frees it before the store */
   void (*ticket_gone)(void *context, uint32_t id);
   void *ticket_context;
   vs_block *blocks; /* memory of interned values, freed with the store */
-  vs_slab *slabs;   /* memory of pieces (piece.c); new pieces are cut from the first slab */
+  vs_slab *slabs;   /* blocks from which pieces (small objects) are cut (piece.c); new pieces come from the first
+                     * slab */
   size_t slab_bytes, piece_count;
-  vs_piece *given_back[VS_PIECE_MOST / 8 + 1]; /* given_back[i]: list of freed pieces of i words */
+  vs_piece *given_back[VS_PIECE_MOST / 8 + 1]; /* given_back[i]: list of freed pieces (small objects) of i words */
 };
 
 #endif
