@@ -4,11 +4,12 @@
 
 #include "model/scene.h"
 
-/* Returns a new reference to the part of the node on the side of the plane to which the normal points. The part is not
- * resolved. The faces of the cut have the material of the solid there. Returns NULL if memory is out. */
+/* Returns a new reference to the part of ref's node on the side of the plane to which the normal points. It is not
+ * resolved yet (solids/resolve.h). The faces of the cut have the material of the solid there. Returns NULL if memory is
+ * out. */
 vs_node *vs_node_cut(vs_ref ref, vs_vec3 point, vs_vec3 normal);
-/* Replaces each drawn object by its part on the normal's side, as vs_node_cut does. Returns false if memory is out; the
- * scene is then unchanged. */
+/* Replaces each drawn object by its part on the side of the plane to which the normal points, as vs_node_cut does.
+ * Returns false if memory is out; the scene is then unchanged. */
 bool vs_scene_cut(vs_scene *scene, vs_vec3 point, vs_vec3 normal, vs_error *e);
 
 #endif

@@ -1,4 +1,4 @@
-/* Declares the pass flatten. */
+/* Declares the pass flatten, which merges nested unions, intersections and differences. */
 #ifndef VS_PASSES_FLATTEN_H
 #define VS_PASSES_FLATTEN_H
 

@@ -24,21 +24,24 @@
 #include "passes/rewrite.h"
 #include "model/store/array.h"
 
-enum { PARTS_MOST = 4000, PAIRS_MOST = 1000000 }; /* limits for a single set; if a set exceeds a limit, every part of it
+enum { PARTS_MOST = 4000, PAIRS_MOST = 1000000 }; /* PARTS_MOST, PAIRS_MOST: limits on the parts, and on the pairs of
+                                                   * parts, of a single set; if a set exceeds them, every part of it
                                                    * counts as flush */
 
-/* turned: 1 if the face's normal is opposite to the normal of the key */
+/* key: plane of a face as four whole numbers; turned: 1 if the face's normal is opposite to the key's normal; operand,
+ * part: the operand and part with this face */
 typedef struct { int64_t key[4]; uint32_t turned, operand, part; } face_plane;
 typedef struct { const vs_node *node; vs_affine placed; } place; /* a node inside a set, and its placement in the set */
 
 typedef struct {
   face_plane *planes;
   size_t count, room;
-  vs_bounds *boxes; /* bounds of the parts */
+  vs_bounds *boxes; /* boxes[i]: bounds of part i */
   size_t part_count, part_room;
   place *todo;
   size_t todo_count, todo_room;
-  double step;      /* step to which the distance of a plane from the origin is rounded */
+  double step;      /* step to which a plane's distance from the origin is rounded, so that equal planes have equal
+                     * keys */
   vs_vec3 middle;
 } flush;
 
@@ -59,8 +62,9 @@ static int compare_planes(const void *p, const void *q) {
 
 static bool same_plane(const face_plane *a, const face_plane *b) { return memcmp(a->key, b->key, sizeof a->key) == 0; }
 
-/* Adds a plane; both of its sides have the same key. The borders of the rounding steps are at numbers that no model
- * uses. Numbers that differ only by rounding errors therefore almost always have the same key. */
+/* Adds the plane through `at` with this normal to the planes of an operand. The two sides of a plane have one key. The
+ * borders of the rounding steps are at numbers that no model uses. Numbers that differ only by rounding errors
+ * therefore almost always have equal keys. */
 static bool add_plane(flush *f, vs_vec3 normal, vs_vec3 at, uint32_t operand) {
   vs_vec3 n = vs_v3_unit(normal);
   double first = fabs(n.x) > 1e-7 ? n.x : fabs(n.y) > 1e-7 ? n.y : n.z, h;
@@ -82,7 +86,7 @@ static bool add_plane(flush *f, vs_vec3 normal, vs_vec3 at, uint32_t operand) {
  * cannot be meshed. The pass skips the part, and the mesher reports the error later. */
 static bool starved(const vs_error *e) { return e->kind != VS_ERROR_NONE && e->kind != VS_ERROR_MODEL; }
 
-/* Adds each plane of a part once. Adds no plane if the part cannot be meshed here. */
+/* Adds each plane of the faces of part n once. Adds no plane if the part cannot be meshed here. */
 static bool add_part(flush *f, const vs_node *n, const vs_affine *placed, uint32_t operand) {
   static const vs_fineness coarse = { 1e300, 32 };
   vs_mesh mesh = { 0 };
@@ -91,8 +95,8 @@ static bool add_part(flush *f, const vs_node *n, const vs_affine *placed, uint32
   if (!VS_GROW(f->boxes, f->part_room, f->part_count + 1)) return false;
   vs_bounds *box = &f->boxes[f->part_count++];
   *box = vs_bounds_empty();
-  if (n->kind == VS_HALF_SPACE) { /* A normal would have to be transformed by the inverse transpose. It is simpler to
-                                   * transform two directions in the plane. */
+  if (n->kind == VS_HALF_SPACE) { /* A normal would be transformed by the inverse transpose of the placement. It is
+                                   * simpler to transform two directions in the plane. */
     vs_vec3 normal = vs_v3_unit(VS_AS(half_space, n)->normal),
             u = vs_v3_unit(vs_v3_cross(normal, fabs(normal.z) < 0.5 ? vs_v3(0, 0, 1) : vs_v3(1, 0, 0))),
             v = vs_v3_cross(normal, u);
@@ -127,7 +131,7 @@ static bool add_part(flush *f, const vs_node *n, const vs_affine *placed, uint32
   return ok;
 }
 
-/* Adds all parts of an operand, including those inside its sets. Sets *too_many if the limit is reached. */
+/* Adds the planes of all parts of an operand, including those inside its sets. Sets *too_many if a limit is reached. */
 static bool add_operand(flush *f, const vs_node *operand, uint32_t number, bool *too_many) {
   f->todo_count = 0;
   if (!VS_GROW(f->todo, f->todo_room, 1)) return false;
@@ -150,7 +154,7 @@ static bool add_operand(flush *f, const vs_node *operand, uint32_t number, bool 
 
 /* Marks the operands that share a plane with an earlier operand. In an intersection this is any operand. In a
  * difference it is each operand that is flush with the first operand. It is also each cutter that touches another
- * cutter face to face, because POV-Ray keeps a skin between the two. */
+ * cutter face to face, because POV-Ray shows a thin skin between the two. */
 static void mark(flush *f, bool difference, unsigned char *marked, size_t operands) {
   size_t pairs = 0;
   if (f->count > 0) qsort(f->planes, f->count, sizeof *f->planes, compare_planes);
@@ -175,9 +179,9 @@ static void mark(flush *f, bool difference, unsigned char *marked, size_t operan
 
 /* ---- enlarging parts ---- */
 
-/* Computes the bounding box of a part and the part's centre. The centre is that of the part's mesh if it has a mesh,
- * otherwise that of its box. Returns false if there is nothing to enlarge. Returns false with *failed set if memory is
- * out. */
+/* Computes the bounding box of part n and the point about which it is enlarged: the centre of its mesh if it has
+ * one, otherwise of its box. Returns false if there is nothing to enlarge. Returns false with *failed set if memory
+ * is out. */
 static bool middle_of(const vs_node *n, vs_bounds *b, vs_vec3 *middle, bool *failed) {
   static const vs_fineness coarse = { 1e300, 32 };
   vs_mesh mesh = { 0 };
@@ -196,8 +200,8 @@ static bool middle_of(const vs_node *n, vs_bounds *b, vs_vec3 *middle, bool *fai
   return !(*failed = starved(&ignored));
 }
 
-/* Returns the solid of ref, which is not a placement, with all its faces moved outwards by about `by`. Returns NULL if
- * memory is out. */
+/* Returns the solid of ref, which is not a placement, with all its faces moved outwards by about the length `by`.
+ * Returns NULL if memory is out. */
 static vs_node *grown_part(vs_ref ref, double by) {
   vs_node *n = ref.node;
   vs_store *s = n->store;
@@ -219,7 +223,7 @@ static double lengthens(const vs_affine *a) {
   return cbrt(fabs(vs_v3_dot(x, vs_v3_cross(y, z))));
 }
 
-/* Enlarges a part inside its placements and paint. */
+/* Returns the part, inside its placements and materials, with its faces moved outwards by about the length `by`. */
 static vs_node *grown_placed(vs_ref part, double by) {
   vs_ref at = part;
   while (vs_is_wrapper(at.node)) {
@@ -277,7 +281,8 @@ static vs_node *part_flush(vs_rewrite *w, const vs_node *n, const vs_ref *kids, 
   for (; ok && made < n->child_count; made++) {
     now[made] = kids[made];
     any = any || marked[made];
-    /* in an intersection each operand is enlarged by another amount, because operands may be flush with each other */
+    /* In an intersection each operand is enlarged by a different length, because enlarged operands may be flush with
+     * each other. */
     if (!marked[made]) vs_node_retain(kids[made].node);
     else if (!(now[made].node = grown(kids[made], diagonal * 0x1p-16 * (n->kind == VS_DIFFERENCE ? 1 : made))))
       ok = false;

@@ -14,7 +14,7 @@
 
 enum { CARRY_MOST = 8, DRESS_MOST = 4 };
 
-typedef struct { vs_nodemap shared; /* shared: set of new nodes with several references */ } fold_state;
+typedef struct { vs_nodemap shared; /* shared: new nodes with several references, which the pass keeps */ } fold_state;
 
 bool vs_fold_begin(vs_rewrite *w) {
   fold_state *f = vs_store_realloc(w->store, NULL, 0, sizeof *f);
@@ -39,13 +39,13 @@ static bool fold_is_wrapper(const vs_node *n) { return n->kind == VS_MATERIAL ||
 
 /* ---- placements ---- */
 
-typedef struct { int wrappers; bool set; } fold_way; /* wrappers: number of wrappers that the placement may still pass.
-                                                      * set: whether it may pass a set */
+typedef struct { int wrappers; bool set; } fold_way; /* wrappers: number of materials and layers through which the
+                                                      * placement may still move; set: true if it may move into a set */
 
 static vs_node *fold_carry(vs_rewrite *w, const vs_affine *a, const vs_node *n, fold_way way, bool *fits,
                            const vs_origin **origin);
 
-/* Returns n with the placement a moved into all of its children. data: the new field values of n. */
+/* Returns n with the placement a moved into each of its children. data: the new field values of n. */
 static vs_node *fold_carry_children(vs_rewrite *w, const vs_affine *a, const vs_node *n, const void *data, fold_way way,
                                     bool *fits) {
   vs_ref kids[CARRY_MOST];
@@ -79,7 +79,7 @@ static vs_node *fold_carry_placement(vs_rewrite *w, const vs_affine *a, const vs
 
 /* Returns a new reference to n under the placement a, without an additional command. Returns NULL and sets *fits to
  * false if n cannot absorb the placement. Returns NULL with *fits true if memory is out. Sets *origin if n's child
- * replaces n. The recursion is as deep as profiles, wrappers and a single set. */
+ * replaces n. The recursion is as deep as profiles, wrappers and one set are nested. */
 static vs_node *fold_carry(vs_rewrite *w, const vs_affine *a, const vs_node *n, fold_way way, bool *fits,
                            const vs_origin **origin) {
   if (n->kind == VS_TRANSFORM) {
@@ -115,7 +115,7 @@ static vs_node *fold_placed(vs_rewrite *w, const vs_node *n, const vs_ref *kids,
     return vs_node_retain(kids[0].node);
   }
   if (!vs_rewrite_lone(w, n->children[0].node) || !fold_lone(w, below)) return vs_rewrite_keep(w, n, kids);
-  /* error messages refer to the call that made the primitive */
+  /* error messages shall refer to the call that made the primitive, not the placement */
   const vs_origin *own = below->kind == VS_TRANSFORM ? NULL : kids[0].origin;
   vs_node *made = fold_carry(w, a, below, (fold_way){ DRESS_MOST, true }, &fits, &own);
   if (!fits) return vs_rewrite_keep(w, n, kids);
@@ -138,8 +138,8 @@ static bool fold_may_rise(const vs_rewrite *w, const vs_node *n) {
          (n->kind == VS_LAYER || !(VS_AS(material, n)->material->transparency > 0)) && fold_lone(w, n);
 }
 
-/* Returns the number of members from kids[at] on that have the same wrapper, if the wrapper may move outside the
- * set. */
+/* Returns the number of members from kids[at] on that have equal wrappers (material or layer), if the wrapper may move
+ * outside the set. */
 static uint32_t fold_run(const vs_rewrite *w, const vs_ref *kids, uint32_t at, uint32_t count) {
   uint32_t end = at;
   if (!fold_may_rise(w, kids[at].node)) return 0;
@@ -150,7 +150,7 @@ static uint32_t fold_run(const vs_rewrite *w, const vs_ref *kids, uint32_t at, u
 static vs_node *fold_members(vs_rewrite *w, const vs_node *set, vs_kind kind, const vs_ref *kids, uint32_t count,
                              int depth);
 
-/* Returns the common wrapper of all kids, around the set of the wrappers' children. */
+/* Returns the wrapper (material or layer) that all kids have, around the set of the nodes inside it. */
 static vs_node *fold_raise(vs_rewrite *w, const vs_node *set, vs_kind kind, const vs_ref *kids, uint32_t count,
                            int depth) {
   const vs_node *wrapper = kids[0].node;
@@ -164,16 +164,17 @@ static vs_node *fold_raise(vs_rewrite *w, const vs_node *set, vs_kind kind, cons
   return made;
 }
 
-/* Returns the set of kids, with common wrappers around runs of neighbours. New nodes in it have the origin of `set`.
- * Calls itself twice for each nested wrapper, to a depth of at most `depth`. */
+/* Returns the set of kids, with wrappers that neighbours have in common moved around them. New nodes have the origin of
+ * `set`. Calls itself twice for each nested wrapper, to a depth of at most `depth`. */
 static vs_node *fold_members(vs_rewrite *w, const vs_node *set, vs_kind kind, const vs_ref *kids, uint32_t count,
                              int depth) {
   if (depth > 0 && fold_run(w, kids, 0, count) == count) return fold_raise(w, set, kind, kids, count, depth - 1);
   if (depth == 0 || kind != VS_UNION) return vs_node_new(w->store, kind, vs_node_data(set), kids, count);
   const vs_origin *origin = w->order.at[vs_order_of(set)].origin;
   vs_ref *all = vs_store_realloc(w->store, NULL, 0, count * sizeof *all);
-  uint32_t *made = vs_store_realloc(w->store, NULL, 0, count * sizeof *made); /* indices of the new members that this
-                                                                               * function owns */
+  uint32_t *made = vs_store_realloc(w->store, NULL, 0, count * sizeof *made); /* indices of the new members whose
+                                                                               * references this function must
+                                                                               * release */
   uint32_t kept = 0, ours = 0;
   bool ok = all && made;
   for (uint32_t i = 0, run; ok && i < count; i += run > 1 ? run : 1) {
@@ -195,7 +196,7 @@ static vs_node *fold_members(vs_rewrite *w, const vs_node *set, vs_kind kind, co
 
 static vs_node *fold_set(vs_rewrite *w, const vs_node *n, const vs_ref *kids) {
   bool any = false;
-  /* If kids is the node's own array, all children are lone leaves, which have no wrapper. */
+  /* If kids is the node's own array, all children are leaves with one reference, which have no wrapper. */
   if (n->child_count < 2 || kids == n->children) return vs_rewrite_keep(w, n, kids);
   for (uint32_t i = 1; !any && n->kind == VS_UNION && i < n->child_count; i++)
     any = fold_is_wrapper(kids[i].node) && fold_same_wrapper(kids[i - 1].node, kids[i].node) &&
@@ -205,7 +206,8 @@ static vs_node *fold_set(vs_rewrite *w, const vs_node *n, const vs_ref *kids) {
   return fold_members(w, n, (vs_kind)n->kind, kids, n->child_count, DRESS_MOST);
 }
 
-/* An outer wrapper directly around a wrapper of the same kind has no effect, so the outer wrapper is removed. */
+/* An outer material directly around a material has no effect, nor has a layer around a layer. Therefore the outer
+ * wrapper is removed. */
 static vs_node *fold_wrapper(vs_rewrite *w, const vs_node *n, const vs_ref *kids, const vs_origin **origin) {
   if (kids[0].node->kind != n->kind || !fold_lone(w, kids[0].node)) return vs_rewrite_keep(w, n, kids);
   w->changed++;

@@ -1,4 +1,5 @@
-/* Declares the pass fold. */
+/* Declares the pass fold, which multiplies nested placements and moves placements, materials and layers where they save
+ * commands. */
 #ifndef VS_PASSES_FOLD_H
 #define VS_PASSES_FOLD_H
 

@@ -1,5 +1,5 @@
-/* Implements grouping: it converts sets of very many parts to trees of boxes. This is for a target program that tests
- * every part of a set for every ray.
+/* Implements grouping: it converts sets of very many parts to trees of boxes. This is for target programs, such as
+ * POV-Ray, that test every part of a set for every ray.
  *
  * The pass divides the cutters of a difference into halves by their centres, until few are left. It does the same with
  * the members of a union that is cut or intersected. Each half is the intersection of a box, slightly larger than its
@@ -39,8 +39,8 @@ static int group_by_z(const void *p, const void *q) {
 static vs_node *group_box(vs_rewrite *w, const group_part *parts, size_t count, vs_ref whole) {
   vs_bounds b = vs_bounds_empty();
   for (size_t i = 0; i < count; i++) vs_bounds_unite(&b, &parts[i].bounds);
-  double more = 2e-3 * vs_bounds_diagonal(&b); /* the bounds of curved shapes come from sample points, so they are
-                                                * enlarged */
+  double more = 2e-3 * vs_bounds_diagonal(&b); /* the bounds of curved shapes are computed from sample points, so they
+                                                * are enlarged by a little */
   struct vs_box box = { .p = { b.min.x - more, b.min.y - more, b.min.z - more },
                         .q = { b.max.x + more, b.max.y + more, b.max.z + more } };
   vs_ref both[2] = { { vs_node_new(w->store, VS_BOX, &box, NULL, 0), whole.origin }, whole };
@@ -73,7 +73,7 @@ static vs_node *group_tree(vs_rewrite *w, group_part *parts, size_t count) {
   return made;
 }
 
-/* Groups kids from `first` on, if enough of them can be grouped. Returns NULL on failure. */
+/* Replaces kids from index `first` on by trees of boxes, if enough of them can be grouped. Returns NULL on failure. */
 static vs_node *group_members(vs_rewrite *w, const vs_node *n, const vs_ref *kids, uint32_t first) {
   const group_state *g = w->state;
   size_t count = 0, kept = first;
@@ -143,7 +143,7 @@ bool vs_sets_group(vs_store *s, vs_ref *refs, size_t count, const vs_pass_option
     for (uint32_t i = 0; w.order.note[k].inner && i < n->child_count; i++)
       if (vs_order_has(&w.order, n->children[i].node)) g.painted[k] |= g.painted[vs_order_of(n->children[i].node)];
   }
-  for (size_t k = w.order.count; ok && k-- > 0;) { /* visits parents before children */
+  for (size_t k = w.order.count; ok && k-- > 0;) { /* the loop visits parents before their children */
     const vs_node *n = w.order.at[k].node;
     bool below = g.carved[k] || n->kind == VS_INTERSECTION || n->kind == VS_DIFFERENCE;
     for (uint32_t i = 0; below && w.order.note[k].inner && i < n->child_count; i++)

@@ -9,7 +9,7 @@
 #include "passes/rewrite.h"
 
 typedef struct {
-  const vs_material *ink, *slate; /* ink: dark material of curves and regions. slate: material of surfaces, less dark,
+  const vs_material *ink, *slate; /* ink: dark material for curves and regions; slate: material for surfaces, less dark,
                                    * so that their shading stays visible */
   unsigned char *painted;         /* painted[i]: whether node i contains a material */
 } ink_state;
@@ -22,7 +22,8 @@ static bool ink_is_painted(const vs_rewrite *w, const vs_node *n) {
   return vs_order_has(&w->order, n) && ((const ink_state *)w->state)->painted[vs_order_of(n)];
 }
 
-/* Returns true if the pass gives one material to all of this thin node, because the node contains no material. */
+/* Returns true if n is thin (curve, region or surface) and contains no material, so that the pass gives one material to
+ * all of it. */
 static bool ink_is_whole(const vs_rewrite *w, const vs_node *n) { return ink_is_thin(n) && !ink_is_painted(w, n); }
 
 static vs_node *ink_around(vs_rewrite *w, vs_ref thin) {
@@ -32,7 +33,7 @@ static vs_node *ink_around(vs_rewrite *w, vs_ref thin) {
   return vs_node_new(w->store, VS_MATERIAL, &paint, &thin, 1);
 }
 
-/* Returns the node with these children, and gives a material to the children that contain none. Returns NULL if memory
+/* Returns node n with these children. Children that contain no material get the dark material. Returns NULL if memory
  * is out. */
 static vs_node *ink_children(vs_rewrite *w, const vs_node *n, const vs_ref *kids) {
   size_t count = n->child_count;
@@ -54,7 +55,7 @@ static vs_node *ink_children(vs_rewrite *w, const vs_node *n, const vs_ref *kids
 static vs_node *ink_node(vs_rewrite *w, const vs_node *n, const vs_ref *kids, const vs_origin **origin) {
   (void)origin;
   bool gone_into = n->kind == VS_UNION || n->kind == VS_TRANSFORM || n->kind == VS_LAYER;
-  /* the node keeps its own children */
+  /* nothing below this node changes, so it keeps its own children */
   if (!gone_into || n->class_ == VS_SOLID || ink_is_whole(w, n)) return vs_node_retain((vs_node *)(uintptr_t)n);
   return ink_children(w, n, kids);
 }
@@ -88,8 +89,8 @@ bool vs_scene_ink(vs_scene *scene, vs_error *e) {
   size_t room = w.order.count + 1;
   if (ok) ok = (s.painted = vs_store_realloc(store, NULL, 0, room)) != NULL || vs_error_memory(e, NULL);
   if (ok) ink_look(&w, &s);
-  for (size_t i = 0; ok && i < scene->drawn_count; i++) { /* handles drawn objects that contain no material; nothing
-                                                           * below them changes */
+  for (size_t i = 0; ok && i < scene->drawn_count; i++) { /* drawn objects that contain no material get one as a whole;
+                                                           * nothing below them changes */
     vs_ref *drawn = &scene->drawn[i];
     if (!ink_is_whole(&w, drawn->node)) continue;
     vs_node *inked = ink_around(&w, *drawn);

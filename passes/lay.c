@@ -1,9 +1,10 @@
 /* Keeps bricks, boards and pictures correct on rotated objects.
  *
- * POV-Ray chooses the projection of a texture on a face by the face's normal in the scene, but rotates the texture with
- * its object. Both agree if only translations surround the material. The pass therefore moves every other placement
- * around a material down by one level at a time, until it is below all such materials. Bricks then follow the scene's
- * axes and keep their size, as on web pages. Translations stay, and so does most sharing of copies. */
+ * POV-Ray chooses the projection of a texture on a face by the face's normal in the scene, but rotates the texture
+ * with its object. Projection and texture agree if only translations surround the material. The pass therefore moves
+ * every other placement around a material down by one level at a time, until it is below all such materials. Bricks
+ * then follow the scene's axes and keep their size, as on web pages. Translations stay, and so does most sharing of
+ * copies. */
 #include "passes/lay.h"
 
 #include "passes/rewrite.h"
@@ -38,7 +39,7 @@ static bool lay_look(vs_rewrite *w) {
   return any;
 }
 
-/* Returns the node `inner` with the placement around each of its children. */
+/* Returns the node `inner`, in which the placement has been moved around each of its children. */
 static vs_node *lay_inside(vs_rewrite *w, const vs_node *placement, const vs_node *inner) {
   size_t count = inner->child_count, made = 0;
   vs_ref *kids = vs_store_realloc(w->store, NULL, 0, (count + 1) * sizeof *kids);

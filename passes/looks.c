@@ -15,21 +15,23 @@
 #include "model/store/nodemap.h"
 #include "passes/rewrite.h"
 
-/* A look: a wrapper inside the look `above`; look 0 means no look. The parts of a look form a list, linked by
- * `next`. */
+/* A look of parts: the material or layer `wrapper` inside the look `above`; look 0 means no look. first, last: list of
+ * the parts with this look, linked by `next`. */
 typedef struct { uint32_t above; const vs_node *wrapper; uint32_t first, last; } looks_look;
-typedef struct { uint32_t look, next; vs_ref ref; } looks_part;         /* a part without its looks; its node is
-                                                                         * retained */
+typedef struct { uint32_t look, next; vs_ref ref; } looks_part;         /* a part without its material and layer; its
+                                                                         * node is retained; look: number of its look;
+                                                                         * next: next part of this look */
 typedef struct { uint32_t look; vs_affine placed; vs_ref ref; } looks_step; /* an operand that must still be divided
-                                                                             * into parts */
+                                                                             * into parts; look: look around it; placed:
+                                                                             * placement around it */
 
 #define NO_PART UINT32_MAX
 
 typedef struct {
   vs_store *store;
   vs_error *error;
-  unsigned char *looked; /* looked[i]: whether old node i contains a look */
-  vs_nodemap made;        /* new nodes that contain a look, except materials and layers themselves */
+  unsigned char *looked; /* looked[i]: whether old node i contains a material or layer */
+  vs_nodemap made;        /* new nodes that contain a material or layer, except these wrappers themselves */
   looks_look *looks;
   size_t look_count, look_room;
   looks_part *parts;
@@ -46,7 +48,8 @@ static bool had_look(const vs_rewrite *w, const vs_node *old) {
   return vs_order_has(&w->order, old) && ((const looks_state *)w->state)->looked[vs_order_of(old)];
 }
 
-static bool is_outlined(const vs_node *n) { /* Returns true for an outline that is computed from other outlines. */
+static bool is_outlined(const vs_node *n) { /* Returns true if n is an outline that is computed from other outlines
+                                             * (offset, hull, filled curve). */
   return n->kind == VS_OFFSET || n->kind == VS_REGION || (n->kind == VS_HULL && n->class_ == VS_REGION_CLASS);
 }
 
@@ -54,8 +57,8 @@ static bool is_cut_region(const vs_node *n) {
   return n->class_ == VS_REGION_CLASS && (n->kind == VS_DIFFERENCE || n->kind == VS_INTERSECTION);
 }
 
-/* Returns true if the node contains a look that is drawn. The looks of a profile do not apply to the object made from
- * it. */
+/* Returns true if the node contains a material or layer that is drawn. The material or layer of a profile does not
+ * apply to the object made from the profile. */
 static bool look_within(const vs_rewrite *w, const vs_node *n) {
   if (is_look(n)) return true;
   bool first = is_outlined(n) || n->kind == VS_DIFFERENCE;
@@ -78,7 +81,8 @@ static bool same_wrapper(const vs_node *a, const vs_node *b) {
                              : VS_AS(material, a)->material == VS_AS(material, b)->material;
 }
 
-/* Finds or adds the look that consists of this wrapper inside the look `above`. Returns false if memory is out. */
+/* Sets *out to the number of the look that consists of this wrapper inside the look `above`. Adds the look if it is
+ * new. Returns false if memory is out. */
 static bool find_look(looks_state *s, uint32_t above, const vs_node *wrapper, uint32_t *out) {
   for (size_t i = s->look_count; i-- > 1;)
     if (s->looks[i].above == above && same_wrapper(s->looks[i].wrapper, wrapper)) return *out = (uint32_t)i, true;
@@ -93,7 +97,7 @@ static bool add_step(looks_state *s, looks_step step) {
   return true;
 }
 
-/* Adds the part, in its placement, after the other parts of its look. Returns false if memory is out. */
+/* Adds the part of `at`, in its placement, after the other parts with its look. Returns false if memory is out. */
 static bool add_part(looks_state *s, const looks_step *at) {
   vs_ref ref = at->ref;
   bool still = vs_affine_is_translation(&at->placed) && at->placed.m[0][3] == 0 && at->placed.m[1][3] == 0 &&
@@ -143,8 +147,8 @@ static bool take_apart(looks_state *s, vs_ref operand) {
 
 /* ---- sets with a single look ---- */
 
-/* Returns the node inside the look, and takes over the reference to the node. Returns NULL if memory is out, or if the
- * node is NULL. */
+/* Returns node n inside the materials and layers of a look, and takes over the reference to n. Returns NULL if memory
+ * is out, or if n is NULL. */
 static vs_node *within_look(looks_state *s, uint32_t look, vs_node *n, const vs_origin *origin) {
   for (; n && look; look = s->looks[look].above) {
     const vs_node *wrapper = s->looks[look].wrapper;
@@ -155,8 +159,8 @@ static vs_node *within_look(looks_state *s, uint32_t look, vs_node *n, const vs_
   return n;
 }
 
-/* Returns the parts of a look. If there are several parts, returns their union. Sets *origin to the origin of the first
- * part. */
+/* Returns the part with this look, or the union of the parts if there are several. Sets *origin to the origin of the
+ * first part. */
 static vs_node *parts_of(looks_state *s, const looks_look *look, const vs_origin **origin) {
   size_t count = 0;
   for (uint32_t i = look->first; i != NO_PART; i = s->parts[i].next) count++;
@@ -172,7 +176,7 @@ static vs_node *parts_of(looks_state *s, const looks_look *look, const vs_origin
   return made;
 }
 
-/* Returns the set n of these kids, inside a look. Kid `which` is replaced by those of its parts that have this look. */
+/* Returns the set n of these kids, inside a look. kids[which] is replaced by those of its parts that have this look. */
 static vs_node *set_of_look(looks_state *s, const vs_node *n, vs_ref *kids, uint32_t which, uint32_t look,
                             const vs_origin **origin) {
   vs_node *operand = parts_of(s, &s->looks[look], origin);
@@ -183,15 +187,15 @@ static vs_node *set_of_look(looks_state *s, const vs_node *n, vs_ref *kids, uint
   return within_look(s, look, made, *origin);
 }
 
-/* Returns the set n of these kids, divided into a set for each look. The looks are those of the parts of kid
- * `which`. */
+/* Returns the set n of these kids, divided into a set for each look of the parts of kids[which]. */
 static vs_node *spread(looks_state *s, const vs_node *n, const vs_ref *kids, uint32_t which) {
   size_t room = n->child_count, used = 0;
   vs_ref *own = vs_store_realloc(s->store, NULL, 0, room * sizeof *own);
   vs_ref *sets = vs_store_realloc(s->store, NULL, 0, s->look_count * sizeof *sets);
   bool ok = own && sets;
   for (size_t i = 0; ok && i < room; i++) own[i] = kids[i];
-  for (size_t p = 0; ok && p < s->part_count; p++) { /* visits looks in the order of their first parts */
+  for (size_t p = 0; ok && p < s->part_count; p++) { /* visits the looks in the order in which they first occur among
+                                                      * the parts */
     uint32_t look = s->parts[p].look;
     if (s->looks[look].first != p) continue;
     sets[used].node = set_of_look(s, n, own, which, look, &sets[used].origin);
@@ -209,14 +213,15 @@ static vs_node *spread(looks_state *s, const vs_node *n, const vs_ref *kids, uin
 
 /* ---- the pass ---- */
 
-/* Returns the index of the operand whose looks the set has. */
+/* Returns the index of the operand whose material and layer the result of the set has. */
 static uint32_t operand_with_look(const looks_state *s, const vs_node *n, const vs_ref *kids) {
   uint32_t i = 0;
   while (n->kind == VS_INTERSECTION && i + 1 < n->child_count && !has_look(s, kids[i].node)) i++;
   return i;
 }
 
-/* Rewrites a difference or an intersection of regions that contain looks. Returns NULL on failure. */
+/* Rewrites a difference or intersection n of regions that contain materials or layers, so that these are outside.
+ * Returns NULL on failure. */
 static vs_node *set_with_looks(vs_rewrite *w, const vs_node *n, const vs_ref *kids) {
   looks_state *s = w->state;
   uint32_t which = operand_with_look(s, n, kids);
@@ -227,7 +232,7 @@ static vs_node *set_with_looks(vs_rewrite *w, const vs_node *n, const vs_ref *ki
   return made;
 }
 
-/* Returns an outline that is computed from other outlines, inside the look of the first of these outlines. */
+/* Returns outline n, which is computed from other outlines, inside the material and layer of the first of these. */
 static vs_node *outline_with_look(vs_rewrite *w, const vs_node *n, const vs_ref *kids) {
   looks_state *s = w->state;
   vs_node *made = vs_rewrite_keep(w, n, kids);
@@ -253,7 +258,7 @@ static vs_node *looks_node(vs_rewrite *w, const vs_node *n, const vs_ref *kids, 
   return made;
 }
 
-/* Returns true if looks must be moved out of some node. */
+/* Returns true if materials or layers must be moved out of some node of the drawing. */
 static bool find_looks(vs_rewrite *w, looks_state *s) {
   bool any = false;
   for (size_t k = 0; k < w->order.count; k++) {

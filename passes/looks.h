@@ -4,10 +4,9 @@
 
 #include "model/scene.h"
 
-/* Moves materials and layers out of flat differences, intersections, offsets, hulls and filled curves, so that each
- * of these contains regions of a single look. Rewrites the scene's drawn array, which belongs to the store. For a
- * drawing of solids it only examines each drawn object. Returns false, with e set, if memory is out or the run is
- * interrupted. */
+/* Moves materials and layers out of flat differences, intersections, offsets, hulls and filled curves, so that each of
+ * these has a single material and layer. Rewrites the scene's drawn array, which belongs to the store. For a drawing of
+ * solids it only examines each drawn object. Returns false, with e set, if memory is out or the run is interrupted. */
 bool vs_scene_looks(vs_scene *scene, vs_error *e);
 
 #endif

@@ -27,7 +27,8 @@ bool vs_scene_optimise(vs_scene *scene, unsigned passes, vs_pass_stats *stats, c
   return ok;
 }
 
-/* Computes bounds for grouping. A node without bounds is not grouped; the mesher reports its error. */
+/* Computes bounds for the grouping of sets to trees of boxes. A node without bounds is not grouped; the mesher reports
+ * its error. */
 static bool group_bounds(void *context, const vs_node *n, vs_bounds *out, vs_error *e) {
   vs_error why = { VS_ERROR_NONE, NULL, "" };
   *out = vs_bounds_empty();

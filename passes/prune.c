@@ -1,6 +1,6 @@
-/* Implements the pass prune: it removes empty nodes, and cuts and intersections of parts that cannot intersect.
+/* Implements the pass prune: it removes empty nodes, and differences and intersections of parts that cannot intersect.
  *
- * Bounds of curved shapes come from sample points, so the pass enlarges both bounds by a thousandth before it compares
+ * Bounds of curved shapes come from sample points, so the pass enlarges bounds by a thousandth before it compares
  * them. */
 #include "passes/rewrite.h"
 
@@ -11,7 +11,7 @@ static vs_node *prune_to_nothing(vs_rewrite *w) {
   return vs_node_new(w->store, VS_EMPTY, NULL, NULL, 0);
 }
 
-/* Sets *apart to true if a and b certainly have no common point. Returns false on failure. */
+/* Sets *apart to true if the bounds of nodes a and b prove that they have no common point. Returns false on failure. */
 static bool prune_apart(const vs_rewrite *w, const vs_node *a, const vs_node *b, bool *apart) {
   vs_bounds p, q;
   *apart = false;
@@ -29,7 +29,7 @@ vs_node *vs_pass_prune(vs_rewrite *w, const vs_node *n, const vs_ref *kids, cons
   if (vs_node_has(n, VS_IS_OF_FIRST) && n->child_count && prune_empty(kids[0].node)) return prune_to_nothing(w);
   if (!vs_node_is_set(n)) return vs_rewrite_keep(w, n, kids);
   bool untouched = kids == n->children || !w->changed;
-  /* keeps a union if no child was empty or became empty */
+  /* keeps the union n if none of its children was or became empty */
   if (n->kind == VS_UNION && !w->order.empty && n->child_count && untouched) return vs_rewrite_keep(w, n, kids);
   size_t kept = 0;
   vs_ref *all = vs_store_realloc(w->store, NULL, 0, (n->child_count + (size_t)1) * sizeof *all);

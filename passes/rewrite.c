@@ -17,7 +17,8 @@ vs_node *vs_rewrite_keep(vs_rewrite *w, const vs_node *n, const vs_ref *kids) {
 }
 
 static vs_ref rewritten_ref(const vs_rewrite *w, const vs_rewritten *results, vs_ref old) {
-  if (!vs_order_has(&w->order, old.node)) return old; /* a lone leaf has no number, and passes do not change it */
+  if (!vs_order_has(&w->order, old.node)) return old; /* a leaf with a single reference has no number, and passes do not
+                                                       * change it */
   const vs_rewritten *new = &results[vs_order_of(old.node)];
   return (vs_ref){ new->node, new->origin ? new->origin : old.origin };
 }
@@ -33,8 +34,8 @@ static bool rewrite_node(vs_rewrite *w, vs_rewrite_fn *fn, size_t index, vs_rewr
   results[index].origin = NULL;
   w->at = at.origin;
   results[index].node = fn(w, at.node, kids, &results[index].origin);
-  if (w->order.note[index].uses > 1) results[index].origin = NULL; /* several calls refer to the node, and each
-                                                                    * reference keeps its own origin */
+  if (w->order.note[index].uses > 1) results[index].origin = NULL; /* several references refer to the new node, and each
+                                                                    * keeps its own origin */
   if (results[index].node) return true;
   if (e->kind == VS_ERROR_NONE) vs_error_memory(e, at.origin);
   if (!e->origin) e->origin = at.origin;

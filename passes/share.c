@@ -36,45 +36,47 @@ typedef struct { uint64_t a, b; } vs_share_key;
 typedef struct {
   vs_share_key key;
   vs_vec3 anchor;
-  double cost;        /* number of commands of a copy; if a part of it is a template in any case, only the use of that
-                       * part counts */
-  bool alias;         /* true if the node is only its child's shape at another place */
+  double cost;        /* number of commands of a copy of the node's shape; a part of it that is a template in any case
+                       * counts as one reference */
+  bool alias;         /* true if the node is only a placement of its child, or a set of one member */
   bool wanted;        /* true if the node's key is needed */
-  bool again;         /* true if another node has the same first key (sketch) */
-  size_t group;       /* index of the first entry with this key */
-  size_t copies;      /* number of copies in the group; valid in the group's first entry */
-  double named;       /* number of references to any node of the group; valid in the group's first entry */
-  size_t turn;        /* Valid in a first entry. Number, from 1, of the map from another group, to which this group then
-                       * belongs; 0: none */
-  vs_node *result;    /* rewritten node of the group's first entry; not retained, because the rewriting holds a
-                       * reference */
+  bool again;         /* true if another node has an equal first key, which covers only some of the points */
+  size_t group;       /* index of the first entry with an equal key, which represents all such nodes */
+  size_t copies;      /* number of nodes whose key equals this one; valid in the first such entry */
+  double named;       /* number of references to any of the nodes with this key; valid in the first such entry */
+  size_t turn;        /* Number, from 1, of the map in `turns` by which this shape equals another shape rotated or
+                       * mirrored; 0: none. Valid in the first entry with the key. */
+  vs_node *result;    /* node that replaces the shape, in the first entry with the key; not retained, because the
+                       * rewriting holds a reference */
 } vs_share_entry;
-typedef struct { size_t head; vs_affine map; } vs_share_turn; /* head: index of the first entry of the other group; map:
-                                                               * map from that entry's shape to this shape */
-typedef struct { double step, first; } vs_share_step; /* first: first number in the step; NaN: the slot is free */
-/* The data of a child that its parent needs. They are stored, except for a lone leaf (a leaf with a single reference):
- * there they are computed on request. The data of a leaf with many points are cached. */
+typedef struct { size_t head; vs_affine map; } vs_share_turn; /* head: index of the first entry of the other shape; map:
+                                                               * map from that shape to this shape */
+typedef struct { double step, first; } vs_share_step; /* step: number of a step of rounded numbers; first: first number
+                                                       * in it that was hashed; NaN: the slot is free */
+/* The key and anchor of a child, which its parent needs. Both are stored, except for leaves with a single reference:
+ * there both are computed on request. The key of a leaf with many points is cached. */
 typedef struct { vs_share_key key; vs_vec3 anchor; } vs_share_child;
 typedef struct { const vs_node *node; vs_share_child of; } vs_share_leaf;
 
-enum { SKETCHED = 16 /* number of points of an array in a first key */, LONG = 1024 /* leaves of more bytes have cached
-                                                                                     * keys */, LEAVES = 64 };
+enum { SKETCHED = 16 /* points of an array in a first key */, LONG = 1024 /* bytes above which a leaf's key is
+                                                                                     * cached */, LEAVES = 64 };
 
 typedef struct {
   vs_store *store;
   const vs_order *order;
-  vs_share_leaf leaves[LEAVES]; /* cache of the keys of long leaves, by hash; each slot contains the last such leaf */
-  bool sketches, sketched; /* sketches: true if keys cover only the first points of arrays; sketched: true if some array
-                            * had more points */
-  vs_share_entry *at; /* entries of the nodes, by the node's number */
+  vs_share_leaf leaves[LEAVES]; /* cache of the keys of leaves with many points, by hash; each slot contains the
+                                 * latest */
+  bool sketches, sketched; /* sketches: true if keys currently cover only some points of arrays; sketched: true if an
+                            * array had more points */
+  vs_share_entry *at; /* at[i]: entry of the node with the number i */
   size_t count, room;
   double quantum;
-  vs_share_step *steps; /* hash table of steps. A step is a multiple of the quantum, and has the first number in it, in
-                         * quanta */
+  vs_share_step *steps; /* Hash table of steps of rounded numbers. A step is a multiple of the quantum, and stores the
+                         * first number in it, in quanta. */
   size_t step_count, step_room;
   vs_share_turn *turns;
   size_t turn_count, turn_room;
-  bool starved;         /* true if the table could not be enlarged, because memory is out */
+  bool starved;         /* true if the hash table `steps` could not be enlarged, because memory is out */
 } vs_share;
 
 /* ---- rounding and hashing ---- */
@@ -105,15 +107,16 @@ static bool share_grow(vs_share *s) {
   return true;
 }
 
-/* Returns the number that represents x, both in quanta. It is the nearest earlier number in x's step, or within half a
- * quantum beside the step. If there is none, it is x, which then represents its step. */
+/* Returns the number that represents x in hashes; both are in quanta. It is the nearest earlier number in x's step, or
+ * within half a quantum beside the step. If there is none, it is x, which then represents its step. */
 static double share_snap(vs_share *s, double x) {
   if (!isfinite(x) || s->starved) return 0;
   double step = floor(x), best = (double)NAN, reach = 1;
-  if (s->step_room && share_find(s, step)->first == x) return x; /* this is true for nearly all numbers, because models
-                                                                  * repeat their numbers */
+  if (s->step_room && share_find(s, step)->first == x) return x; /* Nearly all numbers are equal to an earlier number,
+                                                                  * because models repeat their numbers. */
   for (int side = -1; side <= 1 && s->step_room; side++) {
-    double first = share_find(s, step + side)->first; /* comparisons with NaN are false */
+    double first = share_find(s, step + side)->first; /* if a slot is free, `first` is NaN, and the comparisons below
+                                                       * are false */
     if (fabs(first - x) < (side ? fmin(reach, 0.5) : reach)) reach = fabs(first - x), best = first;
   }
   if (!isnan(best)) return best;
@@ -153,13 +156,13 @@ static void share_mix_real(vs_share *s, vs_share_key *k, double x) {
 
 static vs_share_child share_of(vs_share *s, const vs_node *n);
 
-/* Returns the node's own first point, or the anchor of its first child. */
+/* Returns the point of n that moves with it: its first point, or the anchor of its first child. */
 static vs_vec3 share_anchor(vs_share *s, const vs_node *n, const vs_kind_info *info) {
-  /* the anchor of a sweep is that of its path */
+  /* the anchor of a sweep (the point that moves with it) is that of its path */
   if (n->kind == VS_SWEEP && n->child_count > 1) return share_of(s, n->children[1].node).anchor;
   if (n->kind == VS_TRANSFORM)
     return vs_affine_point(&VS_AS(transform, n)->matrix, share_of(s, n->children[0].node).anchor);
-  if (n->kind == VS_NATIVE) return vs_v3(0, 0, 0); /* native text cannot be moved */
+  if (n->kind == VS_NATIVE) return vs_v3(0, 0, 0); /* native text for a format cannot be moved */
   for (size_t i = 0; n->kind != VS_SWEEP && i < info->field_count; i++) {
     const void *at = (const char *)vs_node_data(n) + info->fields[i].offset;
     if (info->fields[i].type == VS_FIELD_point) return *(const vs_vec3 *)at;
@@ -170,13 +173,13 @@ static vs_vec3 share_anchor(vs_share *s, const vs_node *n, const vs_kind_info *i
 }
 
 static void share_mix_fields(vs_share *s, vs_share_key *k, const vs_node *n, const vs_kind_info *info, vs_vec3 anchor) {
-  /* the profile and the base of a sweep are compared without moving them */
+  /* the positions in the profile and base of a sweep are hashed as they are, not relative to the anchor */
   vs_vec3 from = n->kind == VS_SWEEP ? vs_v3(0, 0, 0) : anchor;
   for (size_t i = 0; i < info->field_count; i++) {
     const void *at = (const char *)vs_node_data(n) + info->fields[i].offset;
     switch (info->fields[i].type) {
       case VS_FIELD_real:
-        /* the foot of a height field is a height like any other */
+        /* the lowest height of a height field moves with the field as its other heights do */
         if (n->kind == VS_HEIGHT_FIELD) share_mix_place(s, k, *(const double *)at - from.z, s->quantum);
         else share_mix_real(s, k, *(const double *)at);
         break;
@@ -214,7 +217,8 @@ static bool share_is_alias(const vs_node *n) {
   return set && n->child_count == 1 && n->children[0].node->class_ == n->class_;
 }
 
-/* Computes the key and the anchor of a node. The keys and anchors of its children must be known. */
+/* Computes the key of node n, and its anchor (the point that moves with it). The keys and anchors of its children must
+ * be known. */
 static void share_find_key(vs_share *s, const vs_node *n, vs_share_key *key, vs_vec3 *anchor) {
   const vs_kind_info *info = vs_kind_get((vs_kind)n->kind);
   *anchor = share_anchor(s, n, info);
@@ -226,8 +230,8 @@ static void share_find_key(vs_share *s, const vs_node *n, vs_share_key *key, vs_
   share_mix(key, vs_hash_bytes(9, info->name, strlen(info->name)));
   share_mix(key, n->child_count);
   share_mix_fields(s, key, n, info, *anchor);
-  if (n->kind == VS_NATIVE) share_mix(key, n->hash); /* native text is shared only with equal text, not with moved
-                                                      * text */
+  if (n->kind == VS_NATIVE) share_mix(key, n->hash); /* native text for a format is shared only with equal text, not
+                                                      * with moved text */
   for (uint32_t i = 0; i < n->child_count; i++) {
     vs_share_child child = share_of(s, n->children[i].node);
     share_mix(key, child.key.a);
@@ -250,8 +254,8 @@ static vs_share_child share_of(vs_share *s, const vs_node *n) {
   return held->of;
 }
 
-/* Fills in all data of a node except its key. The cost is that of a copy without templates, which is the highest. The
- * data of the children must be filled in before. */
+/* Fills in the entry of node n except its key. Its cost is that of a copy without templates, the highest possible. The
+ * entries of the children must be filled in before. */
 static void share_enter(vs_share *s, const vs_node *n, bool inner) {
   bool set = vs_kind_get((vs_kind)n->kind)->level == VS_LEVEL_OPERATION;
   vs_share_entry x = { .cost = 1, .group = s->count, .alias = share_is_alias(n) };
@@ -261,11 +265,11 @@ static void share_enter(vs_share *s, const vs_node *n, bool inner) {
     const vs_node *child = n->children[i].node;
     x.cost += vs_order_has(s->order, child) ? s->at[vs_order_of(child)].cost : 1;
   }
-  if (x.cost > 1e15) x.cost = 1e15; /* the number of a DAG's paths may overflow */
+  if (x.cost > 1e15) x.cost = 1e15; /* limits the cost, because the number of a DAG's paths may overflow */
   s->at[s->count++] = x;
 }
 
-/* Returns true if a template of the node would save commands, given enough copies. */
+/* Returns true if a template of the node would save commands, if there are enough copies of it. */
 static bool share_is_worth(const vs_share_entry *x) { return !x->alias && x->cost > 2; }
 
 static int share_by_form(const void *p, const void *q) {
@@ -273,8 +277,8 @@ static int share_by_form(const void *p, const void *q) {
   return x < y ? -1 : x > y;
 }
 
-/* Marks the nodes whose form occurs several times, and all nodes below them. Sets *any to true if there are any.
- * Returns false if memory is out or the run is interrupted. */
+/* Marks the nodes whose form (hash without numbers and places) occurs several times, and all nodes below them. Sets
+ * *any to true if there are any. Returns false if memory is out or the run is interrupted. */
 static bool share_want(vs_share *s, bool *any, vs_error *e) {
   const vs_order *o = s->order;
   size_t count = 0;
@@ -327,7 +331,7 @@ static int share_compare(const void *p, const void *q) {
   return x->entry < y->entry ? -1 : x->entry > y->entry;
 }
 
-/* Returns the first entry of the shapes that equal this one, including rotated and mirrored shapes. */
+/* Returns the entry that represents all shapes equal to the one at `index`, including rotated and mirrored shapes. */
 static vs_share_entry *share_head(const vs_share *s, size_t index) {
   vs_share_entry *first = &s->at[s->at[index].group];
   return first->turn ? &s->at[s->turns[first->turn - 1].head] : first;
@@ -338,8 +342,8 @@ static bool share_pays(const vs_share_entry *first) {
   return (copies - 1) * first->cost > 2 * copies;
 }
 
-/* Returns the cost of a copy of n. If a part has more references than n has copies, the part will be a template in any
- * case. Only its uses then count. */
+/* Returns the number of commands of a copy of the node at `index`. named: number of references to the node's shape. If
+ * a part has more references than that, it will be a template in any case. Only references to it then count. */
 static double share_cost(const vs_share *s, size_t index, double named) {
   const vs_node *n = s->order->at[index].node;
   double cost = 1;
@@ -356,7 +360,7 @@ static double share_cost(const vs_share *s, size_t index, double named) {
     bool template = first->named > named && (share_pays(first) || first->named > (double)first->copies);
     cost += template ? fmin(child->cost, first->copies > 1 ? 2 : 1) : child->cost;
   }
-  return fmin(cost, 1e15); /* the number of a DAG's paths may overflow */
+  return fmin(cost, 1e15); /* limits the cost, because the number of a DAG's paths may overflow */
 }
 
 static bool share_group(vs_share *s, vs_error *e) {
@@ -378,8 +382,8 @@ static bool share_group(vs_share *s, vs_error *e) {
   return ok;
 }
 
-/* Computes the keys of all wanted nodes. If `again`, computes complete keys, only of the nodes that share their first
- * key (sketch) with another node. */
+/* Computes the keys of all nodes that need one. again: computes complete keys, only of nodes whose first key (of some
+ * points) equals that of another node. */
 static bool share_keys(vs_share *s, bool again, vs_error *e) {
   const vs_order *o = s->order;
   for (size_t i = 0; i < LEAVES; i++) s->leaves[i].node = NULL;
@@ -391,7 +395,7 @@ static bool share_keys(vs_share *s, bool again, vs_error *e) {
   return share_group(s, e);
 }
 
-/* Marks the nodes that share their first key (sketch) with another node, and all nodes below them. */
+/* Marks the nodes whose first key (of some points) equals that of another node, and all nodes below them. */
 static void share_doubt(vs_share *s) {
   const vs_order *o = s->order;
   for (size_t i = 0; i < s->count; i++)
@@ -417,9 +421,9 @@ static bool share_add_turn(vs_share *s, size_t index, size_t head, const vs_affi
   return true;
 }
 
-/* Merges groups whose shapes are equal up to rotation and reflection. The pass tries the first HEADS_MOST shapes of
- * each form. The number of points per node that it compares is limited, so many deep trees of the same form do not cost
- * a square. */
+/* Merges groups of nodes whose shapes are equal up to rotation and reflection. The pass tries the first HEADS_MOST
+ * shapes of each form. It limits the number of points that it compares for each node, so the cost does not grow with
+ * the square of the number of trees. */
 static bool share_turns(vs_share *s, vs_error *e) {
   enum { HEADS_MOST = 6 };
   size_t count = 0, heads[HEADS_MOST], head_count = 0, work = 0, most = 100000 + 50 * s->count;

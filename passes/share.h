@@ -1,4 +1,4 @@
-/* Declares the pass share, which makes templates of repeated subtrees. */
+/* Declares the pass share, which stores repeated subtrees once, as templates. */
 #ifndef VS_PASSES_SHARE_H
 #define VS_PASSES_SHARE_H
 

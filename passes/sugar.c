@@ -16,8 +16,8 @@ typedef struct {
   vs_ref ref;
   uint32_t next;
   vs_affine placed;
-  const vs_material *material; /* innermost material up to this point, or NULL */
-  bool cut; /* true if this part is subtracted, or cut by other parts */
+  const vs_material *material; /* innermost material on the path to the current node, or NULL */
+  bool cut; /* true if the current node is subtracted, or cut by other nodes */
 } sugar_level;
 
 typedef struct {
@@ -26,7 +26,7 @@ typedef struct {
   vs_error *error;
   sugar_level *levels;
   size_t depth, room;
-  vs_ref *found; /* collected nodes, each with its own reference */
+  vs_ref *found; /* collected nodes to show in addition to the drawing, each with its own reference */
   size_t count, found_room;
 } sugar_walk;
 
@@ -44,7 +44,7 @@ static bool sugar_push(sugar_walk *w, sugar_level level) {
   return true;
 }
 
-/* Adds a collected node, and takes over the reference to it. */
+/* Adds a node to show in addition to the drawing, and takes over the reference to it. */
 static bool sugar_found(sugar_walk *w, vs_node *node, const vs_origin *origin) {
   if (node && w->count == w->found_room) {
     size_t room = w->found_room ? 2 * w->found_room : 16;
@@ -61,8 +61,8 @@ static bool sugar_found(sugar_walk *w, vs_node *node, const vs_origin *origin) {
   return true;
 }
 
-/* Returns the node inside a paint and a placement, and takes over the reference to the node. Returns NULL if memory is
- * out, or if the node is NULL. */
+/* Returns the node inside a material and a placement, and takes over the reference to the node. Returns NULL if memory
+ * is out, or if the node is NULL. */
 static vs_node *sugar_around(vs_store *s, vs_node *node, const vs_origin *origin, const vs_material *material,
                               const vs_affine *placed) {
   if (node && material) {
@@ -100,8 +100,8 @@ static vs_node *sugar_strip(sugar_walk *w, vs_ref ref) {
 
 /* ---- the walk ---- */
 
-/* A highlight on a part that is cut away has the same faces as the hole. It is made a thousandth smaller, so that it is
- * fully visible. */
+/* Changes *placed so that a highlight on a part that is cut away becomes a thousandth smaller. Otherwise its faces
+ * would coincide with those of the hole and be partly hidden. */
 static bool sugar_shrink(const sugar_walk *w, const vs_node *n, vs_affine *placed) {
   vs_bounds b;
   if (!vs_node_bounds(n, &b, w->error)) return false;
@@ -119,7 +119,7 @@ static bool sugar_mark(sugar_walk *w, const sugar_level *at, bool ghost) {
   if (w->count >= MARKS_MOST) return true;
   vs_node *bare = sugar_strip(w, child);
   if (!bare) return false;
-  if (how == VS_MARKS_KEEP) { /* a ghost, shown in addition to the drawing */
+  if (how == VS_MARKS_KEEP) { /* the ghost is collected, to be shown in addition to the drawing */
     vs_node *kept = vs_node_new(w->store, VS_GHOST, NULL, &(vs_ref){ bare, child.origin }, 1);
     vs_node_release(bare);
     if (!kept) return sugar_memory(w);
@@ -128,7 +128,7 @@ static bool sugar_mark(sugar_walk *w, const sugar_level *at, bool ghost) {
   }
   vs_material look = vs_material_of_color(colors[ghost][0], colors[ghost][1], colors[ghost][2]);
   look.transparency = 0.7;
-  look.ior = 1; /* the material becomes transparent, without refraction */
+  look.ior = 1; /* the transparent material of highlights and ghosts does not bend light */
   const vs_material *m = vs_store_material(w->store, &look);
   bool ok = (m || sugar_memory(w)) && (ghost || sugar_shrink(w, bare, &placed));
   if (ok) return sugar_found(w, sugar_around(w->store, bare, child.origin, m, &placed), at->ref.origin);
@@ -136,8 +136,8 @@ static bool sugar_mark(sugar_walk *w, const sugar_level *at, bool ghost) {
   return false;
 }
 
-/* Walks below a drawn object. only: collects the children of each `only` node. Otherwise collects highlights and
- * ghosts. */
+/* Walks below the drawn object root. If `only` is true, collects the children of each node of kind VS_ONLY, otherwise
+ * highlights and ghosts. */
 static bool sugar_below(sugar_walk *w, vs_ref root, bool only) {
   size_t steps = 0;
   w->depth = 0;
@@ -154,7 +154,7 @@ static bool sugar_below(sugar_walk *w, vs_ref root, bool only) {
         vs_node_retain(inner.node);
         if (!sugar_found(w, sugar_around(w->store, inner.node, inner.origin, at.material, &at.placed), at.ref.origin))
           return false;
-        continue; /* a node `only` inside another node `only` has no effect */
+        continue; /* a node of kind VS_ONLY inside another such node has no effect */
       }
       bool ghost = n->kind == VS_GHOST,
            marked = (ghost && w->options->ghosts != VS_MARKS_DROP) ||
@@ -182,7 +182,7 @@ static bool sugar_below(sugar_walk *w, vs_ref root, bool only) {
 
 /* ---- the pass ---- */
 
-/* Returns true if this text is for the format's own program. */
+/* Returns true if n is native text for the program of the format that is written. */
 static bool sugar_speaks(const vs_sugar_options *o, const vs_node *n) {
   const char *target = VS_AS(native, n)->target;
   size_t i = 0;
@@ -201,15 +201,16 @@ static vs_node *sugar_node(vs_rewrite *w, const vs_node *n, const vs_ref *kids, 
     unwrap = (o->muted || !sugar_speaks(o, n)) && !(o->keeps_text && kids[0].node->kind == VS_EMPTY);
   if (n->kind == VS_GHOST) return vs_node_new(w->store, VS_EMPTY, NULL, NULL, 0);
   if (!unwrap) return vs_rewrite_keep(w, n, kids);
-  *origin = n->kind == VS_CUSTOM ? NULL : kids[0].origin; /* the origin of a custom object is the user's call */
+  *origin = n->kind == VS_CUSTOM ? NULL : kids[0].origin; /* the origin of an object of define-primitive is the user's
+                                                           * call, not the call inside the definition */
   return vs_node_retain(kids[0].node);
 }
 
 /* native: first native text for this program that was found */
 typedef struct { const vs_sugar_options *options; bool only; vs_ref native; } sugar_kinds;
 
-/* Handles native text for another program if the text has no alternative for this program. Warns that the output lacks
- * it, or fails if the options are strict. */
+/* Handles native text for another program if the text has no replacement for this format. Warns that the output lacks
+ * it, or fails if the option `strict` is set. */
 static bool sugar_lacks(const sugar_kinds *k, vs_ref ref, vs_error *e) {
   const vs_sugar_options *o = k->options;
   const vs_node *n = ref.node;
@@ -260,7 +261,7 @@ bool vs_scene_sugar(vs_scene *scene, const vs_sugar_options *options, vs_error *
     vs_job_warn(options->job, kinds.native.origin,
                 "native: text for other programs is switched off here; the object of #:otherwise is drawn");
   for (size_t i = 0; ok && kinds.only && i < scene->drawn_count; i++) ok = sugar_below(&w, scene->drawn[i], true);
-  if (ok && w.count) { /* a node `only` inside a ghost has no effect */
+  if (ok && w.count) { /* a node of kind VS_ONLY inside a ghost has no effect */
     vs_job_warn(options->job, w.found[0].origin, "only: nothing else of the drawing is shown");
     sugar_take(scene, &w);
   }

@@ -14,26 +14,29 @@
 #include "model/scene.h"
 
 typedef enum {
-  VS_MARKS_DROP,  /* shows neither ghosts nor the cut-away parts of highlights, for formats of solids */
-  VS_MARKS_PAINT, /* adds highlights in translucent red and ghosts in grey to the drawing */
-  VS_MARKS_KEEP   /* keeps highlights in place, and adds ghosts to the drawing, for targets that can express both */
+  VS_MARKS_DROP,  /* shows neither ghosts nor the cut-away parts of highlights; for formats of solids */
+  VS_MARKS_PAINT, /* adds highlights in translucent red and ghosts in grey to the drawing; for formats that show
+                   * previews */
+  VS_MARKS_KEEP   /* keeps highlights in place, and adds ghosts to the drawing; for programs that can mark objects as
+                   * highlights and ghosts */
 } vs_mark_style;
 
 typedef struct {
   vs_mark_style highlights, ghosts;
-  const char *target; /* target of targets.def; NULL: no native text is written */
+  const char *target; /* program of targets.def whose native text is written; NULL: no native text is written */
   const char *output; /* name of the format in messages, such as ".stl"; NULL: no warning about native text without an
                        * alternative */
-  bool keeps_text;    /* true: native text that has no alternative for other formats is kept, so that it can be
+  bool keeps_text;    /* true if native text that has no replacement for other formats is kept, so that it can be
                        * counted */
-  bool strict;        /* true: native text without an alternative for this format causes an error instead of a
+  bool strict;        /* true if native text without a replacement for this format causes an error instead of a
                        * warning */
-  bool muted;         /* true: native text is never written, and a warning is given */
-  const vs_job *job;  /* receives a warning once for each kind, with the first place; may be NULL */
+  bool muted;         /* true if native text is never written, and each such text causes a warning */
+  const vs_job *job;  /* job that receives a warning once for each kind, with the first place of such a node; may be
+                       * NULL */
 } vs_sugar_options;
 
-/* Rewrites the scene's drawn array, which belongs to the store. For a scene without nodes of level SUGAR it only
- * examines each drawn object. */
+/* Removes the nodes of level SUGAR (see above) from the scene's drawn array, which belongs to the store. For a scene
+ * without such nodes it only examines each drawn object. Returns false, with e set, on failure. */
 bool vs_scene_sugar(vs_scene *scene, const vs_sugar_options *options, vs_error *e);
 
 #endif

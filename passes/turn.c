@@ -25,8 +25,8 @@ typedef struct {
   size_t step_count, step_room;
   turn_pair *pairs;
   size_t pair_count, pair_room;
-  size_t steps_taken; /* number of visited nodes so far */
-  vs_error *error;    /* set if memory is out or the run is interrupted */
+  size_t steps_taken; /* number of nodes visited so far, which is limited */
+  vs_error *error;    /* error, set if memory is out or the run is interrupted */
 } turner;
 
 static bool turn_push(turner *t, const vs_node *a, const vs_affine *to_a, const vs_node *b, const vs_affine *to_b) {
@@ -80,8 +80,8 @@ static bool turn_is_rigid(const vs_affine *a) {
 static bool turn_frame(turner *t, const turn_step *x) {
   const vs_kind_info *info = vs_kind_get((vs_kind)x->a->kind);
   vs_vec3 at[2] = { { 0, 0, 0 }, { 0, 0, 0 } };
-  bool found = false, ok = x->a->kind != VS_HEIGHT_FIELD; /* the foot of a height field is a height, although its field
-                                                           * type is a plain number */
+  bool found = false, ok = x->a->kind != VS_HEIGHT_FIELD; /* the lowest height of a height field is a position along z,
+                                                           * although its field type is a plain number */
   for (size_t i = 0; ok && i < info->field_count; i++) {
     const char *p = (const char *)vs_node_data(x->a) + info->fields[i].offset,
                *q = (const char *)vs_node_data(x->b) + info->fields[i].offset;
@@ -128,7 +128,8 @@ static bool turn_frame(turner *t, const turn_step *x) {
 
 #define TURN_BOTH(lower) const struct vs_##lower *a = VS_AS(lower, x->a), *b = VS_AS(lower, x->b)
 
-/* Compares two primitives of the same kind. Only extruded polygons have children here. */
+/* Compares two primitives of one kind, and adds pairs of points that move with them. Only extruded polygons have
+ * children here. */
 static bool turn_leaf(turner *t, const turn_step *x) {
   bool rigid = turn_is_rigid(&x->to_a) && turn_is_rigid(&x->to_b);
   if (x->a->kind == VS_SPHERE && rigid) {
@@ -180,9 +181,10 @@ static bool turn_leaf(turner *t, const turn_step *x) {
   return x->a->child_count == 0 && turn_frame(t, x);
 }
 
-enum { TURN_WORK = 64 /* estimated work for a node, in the unit of vs_store_going */ };
+enum { TURN_WORK = 64 /* TURN_WORK: estimated work for a node, in the unit of vs_store_going (about a nanosecond) */ };
 
-/* Descends from *at through placements and sets of a single member to the shape below. Returns false if interrupted. */
+/* Descends from *at through placements and sets of a single member to the shape below. Multiplies *to by the
+ * placements. Returns false if interrupted. */
 static bool turn_strip(turner *t, const vs_node **at, vs_affine *to) {
   const vs_node *n = *at;
   for (;; t->steps_taken++) {
@@ -211,19 +213,21 @@ static bool turn_walk(turner *t) {
   return true;
 }
 
-/* Returns the index of the point farthest from the line through o along the unit vector u. */
+/* Returns the index of the pair of points that is farthest from the line through o along the unit vector u. Sets
+ * *distance. */
 static size_t turn_farthest(const turner *t, vs_vec3 o, vs_vec3 u, double *distance) {
   size_t best = 0;
   *distance = -1;
   for (size_t i = 0; i < t->pair_count; i++) {
     double d = vs_v3_length(vs_v3_cross(u, vs_v3_sub(t->pairs[i].a, o)));
-    if (d > *distance * (1 + 1e-9)) *distance = d, best = i; /* of almost equal distances the first is chosen, so that
-                                                              * the result does not depend on rounding errors */
+    if (d > *distance * (1 + 1e-9)) *distance = d, best = i; /* Of almost equal distances the first is chosen, so that
+                                                              * the result does not depend on rounding errors. */
   }
   return best;
 }
 
-/* Finds the rigid map that maps point a of each pair to point b, within the tolerance. */
+/* Finds the rigid map that maps the first point of each pair to the second, within the tolerance. Returns false if
+ * there is none. */
 static bool turn_solve(const turner *t, vs_affine *turn) {
   const turn_pair *p = t->pairs;
   if (t->pair_count < 2) return false;
@@ -234,7 +238,8 @@ static bool turn_solve(const turner *t, vs_affine *turn) {
     if (d > most * (1 + 1e-9)) most = d, one = i;
   }
   if (!(most > ldexp(t->near, 20))) return false;
-  vs_vec3 frame[2][3]; /* axes x, y, z for the points a and for the points b */
+  vs_vec3 frame[2][3]; /* frame[0]: axes x, y, z through the first points of the pairs; frame[1]: through the second
+                        * points */
   frame[0][0] = vs_v3_unit(vs_v3_sub(p[one].a, p[0].a));
   frame[1][0] = vs_v3_unit(vs_v3_sub(p[one].b, p[0].b));
   two = turn_farthest(t, p[0].a, frame[0][0], &across);
@@ -256,13 +261,13 @@ static bool turn_solve(const turner *t, vs_affine *turn) {
   }
   if (off > ldexp(most, -20) &&
       vs_v3_dot(frame[0][2], vs_v3_sub(p[four].a, p[0].a)) * vs_v3_dot(frame[1][2], vs_v3_sub(p[four].b, p[0].b)) < 0)
-    frame[1][2] = vs_v3_scale(frame[1][2], -1); /* the map mirrors, so one axis is reversed */
+    frame[1][2] = vs_v3_scale(frame[1][2], -1); /* the map mirrors, so one axis is reversed in the second frame */
   for (int i = 0; i < 3; i++) {
     const double *x = &frame[1][0].x + i, *y = &frame[1][1].x + i, *z = &frame[1][2].x + i;
     vs_vec3 row =
         vs_v3_add(vs_v3_add(vs_v3_scale(frame[0][0], *x), vs_v3_scale(frame[0][1], *y)), vs_v3_scale(frame[0][2], *z));
     double entries[3] = { row.x, row.y, row.z };
-    /* quarter turns are made exact */
+    /* Entries of the map that are nearly whole are rounded, so that quarter turns are exact. */
     for (int j = 0; j < 3; j++)
       turn->m[i][j] = fabs(entries[j] - round(entries[j])) < 1e-12 ? round(entries[j]) + 0.0 : entries[j];
     turn->m[i][3] = 0;
