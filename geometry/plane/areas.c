@@ -25,13 +25,13 @@ bool vs_area_point(vs_area *a, double x, double y) {
   return true;
 }
 
-static size_t area_ended(const vs_area *a) { /* returns the number of points in the completed loops of the area */
+static size_t area_ended(const vs_area *a) { /* returns the number of points in the completed loops of area a */
   size_t n = 0;
   for (size_t l = 0; l < a->loop_count; l++) n += a->size[l];
   return n;
 }
 
-/* Completes the loop that begins at the point `first`. first is at most a->count. */
+/* Completes the loop whose points begin at index `first` of a. first is at most a->count. */
 static bool area_close(vs_area *a, size_t first, bool hole) {
   size_t n = a->count - first;
   VS_ASSERT(first <= a->count);
@@ -71,7 +71,7 @@ typedef struct {
   VS_GEOS(X)
 #undef X
   GEOSContextHandle_t h;
-  char said[160]; /* last message of GEOS */
+  char said[160]; /* last error message of GEOS */
 } vs_geos;
 
 static void geos_hear(const char *message, void *to) {
@@ -101,7 +101,7 @@ static void geos_close(vs_geos *g) {
   if (g->h) g->GEOS_finish_r(g->h);
 }
 
-/* Returns true if the last failure was for lack of memory, or GEOS gave no reason. */
+/* Returns true if the last failure of GEOS was for lack of memory, or GEOS gave no reason. */
 static bool geos_starved(const vs_geos *g) { return !*g->said || strstr(g->said, "bad_alloc"); }
 
 static bool geos_failed(const vs_geos *g, const char *purpose, vs_error *e) {
@@ -109,7 +109,7 @@ static bool geos_failed(const vs_geos *g, const char *purpose, vs_error *e) {
   return vs_error_set(e, VS_ERROR_MODEL, NULL, "%s: the outlines cannot be combined: %s", purpose, g->said);
 }
 
-/* returns a sequence of n points; if `closes`, the first point is repeated at the end; NULL: failed */
+/* returns a GEOS sequence of n points; if `closes`, the first point is repeated at the end; NULL: failed */
 static GEOSCoordSequence *geos_sequence(vs_geos *g, const vs_vec2 *at, size_t n, bool closes) {
   size_t all = n + closes;
   GEOSCoordSequence *s = all <= INT32_MAX ? g->GEOSCoordSeq_create_r(g->h, (unsigned)all, 2) : NULL;
@@ -124,13 +124,13 @@ static void geos_drop(vs_geos *g, GEOSGeometry **all, size_t count) {
   for (size_t i = 0; all && i < count; i++) g->GEOSGeom_destroy_r(g->h, all[i]);
 }
 
-/* Returns a collection of the parts. GEOS then owns the parts, even if the call fails. */
+/* Returns a GEOS collection of `count` parts. GEOS then owns the parts, even if the call fails. */
 static GEOSGeometry *geos_collect(vs_geos *g, int type, GEOSGeometry **parts, size_t count) {
   if (count > INT32_MAX) return geos_drop(g, parts, count), NULL;
   return g->GEOSGeom_createCollection_r(g->h, type, parts, (unsigned)count);
 }
 
-/* Returns the areas as a multipolygon. Returns NULL on failure. */
+/* Returns the areas as a multipolygon of GEOS, or NULL on failure. */
 static GEOSGeometry *geos_polygons(vs_geos *g, const vs_area *areas, size_t count) {
   size_t loops = 0, done = 0, holes = 0;
   for (size_t i = 0; i < count; i++) loops += areas[i].loop_count;
@@ -146,10 +146,12 @@ static GEOSGeometry *geos_polygons(vs_geos *g, const vs_area *areas, size_t coun
       ok = ring != NULL;
       if (ok && l && a->hole[l]) inner[holes++] = ring;
       else if (ok) shell = ring;
-      if (!ok || l + 1 == a->loop_count || !a->hole[l + 1]) { /* true for the last loop of the current polygon */
+      if (!ok || l + 1 == a->loop_count || !a->hole[l + 1]) { /* if the current loop is the last of its polygon, makes
+                                                               * the polygon */
         if (ok) {
-          polygons[done] = g->GEOSGeom_createPolygon_r(g->h, shell, inner, (unsigned)holes); /* GEOS owns the rings
-                                                                                              * after this call */
+          polygons[done] = g->GEOSGeom_createPolygon_r(g->h, shell, inner, (unsigned)holes); /* after this call, GEOS
+                                                                                              * owns the rings and frees
+                                                                                              * them, even on failure */
           ok = polygons[done] != NULL;
           done += ok;
         } else {
@@ -170,15 +172,14 @@ static GEOSGeometry *geos_polygons(vs_geos *g, const vs_area *areas, size_t coun
 
 /* ---- results of GEOS ---- */
 
-/* Removes corners on the line between their neighbours from the last loop, which begins at point `first`. Repeats this
- * until no corner is removed. */
+/* Removes corners on the line between their neighbours from the last loop of area a, which begins at point `first`. */
 static void area_tidy(vs_area *a, size_t first) {
   double size = 0;
   size_t n = a->count - first, kept = 0;
   vs_vec2 *p = a->at + first;
   VS_ASSERT(first <= a->count);
   for (size_t i = 0; i < n; i++) size = fmax(size, fmax(fabs(p[i].x), fabs(p[i].y)));
-  for (size_t i = 0; i < n; i++) { /* removes this corner only if the corner before it is kept */
+  for (size_t i = 0; i < n; i++) { /* tests each corner against the last corner that was kept and the next corner */
     vs_vec2 b = p[i], c = p[(i + 1) % n], o = kept ? p[kept - 1] : p[n - 1];
     double ux = b.x - o.x, uy = b.y - o.y, vx = c.x - b.x, vy = c.y - b.y, wx = c.x - o.x, wy = c.y - o.y;
     double u = hypot(ux, uy), v = hypot(vx, vy), w = hypot(wx, wy), slack = 1e-12 * size;
@@ -207,7 +208,7 @@ static bool geos_ring(vs_geos *g, const GEOSGeometry *ring, bool hole, vs_area *
     area += ((a.x - p[0].x) * (b.y - p[0].y) - (a.y - p[0].y) * (b.x - p[0].x)) / 2;
     length += hypot(b.x - a.x, b.y - a.y);
   }
-  if (!(fabs(area) > 1e-12 * length * length)) { /* drops a sliver that rounding has produced */
+  if (!(fabs(area) > 1e-12 * length * length)) { /* drops the loop if it is a sliver that rounding has produced */
     out->count = first;
     return true;
   }
@@ -273,8 +274,8 @@ static GEOSGeometry *geos_mend(vs_geos *g, const GEOSGeometry *a) {
   return all;
 }
 
-/* Returns the union of a with itself. If GEOS rejects a, it is made valid first. This function frees a. Returns NULL on
- * failure; when memory is out, it does not try again. */
+/* Returns the union of a with itself. If GEOS rejects a as invalid, makes it valid and tries again. Frees a. Returns
+ * NULL on failure; when memory is out, it does not try again. */
 static GEOSGeometry *geos_unite(vs_geos *g, GEOSGeometry *a) {
   *g->said = 0;
   GEOSGeometry *united = g->GEOSUnaryUnion_r(g->h, a);
@@ -386,8 +387,8 @@ static int chain_winding(const vs_vec2 (*edges)[2], size_t count, double x, doub
   return turns;
 }
 
-/* The union of all edges as lines divides them at their intersections. The faces between the lines are then selected by
- * their winding number, and united. */
+/* GEOS unites all edges as lines, and so divides them at their intersections. The faces between the lines are then
+ * selected by their winding number, and united. */
 bool vs_area_of_chain(const vs_vec2 (*edges)[2], size_t count, const char *purpose, vs_area *out, vs_error *e) {
   vs_geos g;
   if (!geos_open(&g, purpose, e)) return false;
@@ -413,7 +414,8 @@ bool vs_area_of_chain(const vs_vec2 (*edges)[2], size_t count, const char *purpo
     ok = inside && g.GEOSGeomGetX_r(g.h, inside, &x) == 1 && g.GEOSGeomGetY_r(g.h, inside, &y) == 1;
     g.GEOSGeom_destroy_r(g.h, inside);
     if (!ok || chain_winding(edges, count, x, y) == 0) continue;
-    kept[keep] = g.GEOSUnaryUnion_r(g.h, face); /* the union of the face with itself is a copy */
+    kept[keep] = g.GEOSUnaryUnion_r(g.h, face); /* the union of a face with itself is a copy of it that this function
+                                                 * owns */
     ok = kept[keep] != NULL;
     keep += ok;
   }
@@ -485,7 +487,8 @@ static int compare_numbered(const void *p, const void *q) {
   return a->number < b->number ? -1 : a->number > b->number;
 }
 
-/* Finds the first point with these coordinates; GEOS keeps coordinates unchanged. */
+/* Sets *out to the number of the first point with the coordinates (x, y), which GEOS keeps unchanged. Returns false if
+ * there is none. */
 static bool number_at(const numbered *all, size_t n, double x, double y, uint32_t *out) {
   size_t low = 0, high = n;
   while (low < high) {
@@ -500,8 +503,8 @@ static bool number_at(const numbered *all, size_t n, double x, double y, uint32_
   return true;
 }
 
-/* Stores a triangle of GEOS's collection as indices, counter-clockwise. Returns false if `part` is no triangle of the
- * points. */
+/* Stores a triangle of GEOS's triangulation as indices of points, counter-clockwise. Returns false if `part` is no
+ * triangle of the points. */
 static bool delaunay_triangle(vs_geos *g, const GEOSGeometry *part, const numbered *all, size_t n, const vs_vec2 *at,
                               uint32_t out[3]) {
   const GEOSGeometry *ring = part ? g->GEOSGetExteriorRing_r(g->h, part) : NULL;

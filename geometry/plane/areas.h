@@ -1,5 +1,5 @@
-/* Declares, for use in geometry/ alone, areas: closed loops in the coordinates of a plane, and their combination by
- * GEOS. */
+/* Declares, for use in geometry/ alone, areas: closed loops in the coordinates of a plane, and their combination by the
+ * library GEOS. */
 #ifndef VS_GEOMETRY_PLANE_AREAS_H
 #define VS_GEOMETRY_PLANE_AREAS_H
 
@@ -12,21 +12,21 @@
 typedef struct {
   vs_vec2 *at;
   size_t count, room;
-  size_t *size; /* number of points of each loop */
+  size_t *size; /* size[l]: number of points of loop l */
   bool *hole;
   size_t loop_count, loop_room;
 } vs_area;
 
 void vs_area_free(vs_area *a);
-bool vs_area_point(vs_area *a, double x, double y);  /* adds a point to the loop that is being built; returns false when
-                                                      * memory is out */
-bool vs_area_loop(vs_area *a, bool hole);            /* ends the loop that is being built; drops it if it has fewer than
-                                                      * three points */
+bool vs_area_point(vs_area *a, double x, double y);  /* adds the point (x, y) to the loop that is being built; returns
+                                                      * false when memory is out */
+bool vs_area_loop(vs_area *a, bool hole);            /* ends the loop that is being built, as a hole if `hole` is true;
+                                                      * drops the loop if it has fewer than three points */
 
 typedef enum {
   VS_AREA_UNION,
   VS_AREA_INTERSECTION,
-  VS_AREA_DIFFERENCE /* the first area minus all others */
+  VS_AREA_DIFFERENCE /* the first area without all other areas */
 } vs_area_operation;
 /* Combines areas of one plane. out must be empty. purpose: the feature that needs GEOS, for the message if GEOS is
  * missing. Returns false and sets e on failure. */
@@ -34,12 +34,13 @@ bool vs_area_combine(vs_area_operation operation, const vs_area *operands, size_
                      vs_area *out, vs_error *e);
 
 /* Makes the area where the winding number of directed edges is not 0. In each point as many edges must begin as end.
- * Edges may intersect or overlap. Returns false and sets e on failure. */
+ * Edges may intersect or overlap. purpose: the feature that needs GEOS, for error messages. Returns false and sets e on
+ * failure. */
 bool vs_area_of_chain(const vs_vec2 (*edges)[2], size_t count, const char *purpose, vs_area *out, vs_error *e);
-/* Finds the centre of the largest circle within the area, to a thousandth of the area's size, and the circle's radius.
- * The radius is 0 if the area is empty. */
+/* Finds the centre *at and the radius of the largest circle within area a, to a thousandth of the area's size. The
+ * radius is 0 if the area is empty. purpose: the feature that needs GEOS, for error messages. */
 bool vs_area_middle(const vs_area *a, const char *purpose, vs_vec2 *at, double *radius, vs_error *e);
-/* Returns true if the point is inside the area, or within 1e-9 of the area's size from its border. */
+/* Returns true if the point (x, y) is inside area a, or within 1e-9 of the area's size from its border. */
 bool vs_area_holds(const vs_area *a, double x, double y);
 
 /* Makes the Delaunay triangulation of at least two points. *out: counter-clockwise triangles of the points' indices,

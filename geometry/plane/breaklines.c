@@ -1,4 +1,4 @@
-/* Inserts given edges into a triangulation, by flips of the edges that they cross. */
+/* Inserts given edges (breaklines) into a triangulation, by flips of the edges that they cross. */
 #include "geometry/plane/breaklines.h"
 
 #include <math.h>
@@ -18,12 +18,12 @@ typedef struct {
 
 typedef struct {
   const vs_vec2 *at;
-  triple *corner;   /* indices of the three points of each triangle, counter-clockwise */
+  triple *corner;   /* corner[t]: numbers of the three points of triangle t, counter-clockwise */
   triple *next;     /* next[t][k]: the neighbour of triangle t at the side opposite corner k, or NONE at the border */
   bool (*fixed)[3]; /* fixed[t][k]: true if the side of triangle t opposite corner k is one of the given edges */
   uint32_t *of;     /* of[v]: a triangle that has point v as a corner, or NONE if there is none */
   size_t count;
-  double slack;     /* three points count as collinear if twice the area of their triangle is below this value */
+  double slack;     /* three points count as collinear if twice the area of their triangle is at most this value */
   queue crossed, made, todo;
 } flipper;
 
@@ -49,7 +49,7 @@ static int corner_at(const flipper *f, uint32_t t, uint32_t v) {
 }
 
 /* Returns the next triangle after t around point v, or NONE after the last. *turned: true if the walk has reached the
- * border and continues clockwise from the first triangle. */
+ * triangulation's border and continues clockwise from the first triangle. */
 static uint32_t around(const flipper *f, uint32_t v, uint32_t t, bool *turned) {
   if (!*turned) {
     uint32_t n = f->next[t][(corner_at(f, t, v) + 1) % 3];
@@ -60,7 +60,7 @@ static uint32_t around(const flipper *f, uint32_t v, uint32_t t, bool *turned) {
   return f->next[t][(corner_at(f, t, v) + 2) % 3];
 }
 
-/* Finds a triangle that has a side between the points a and b. The side is opposite corner *k of triangle *t. */
+/* Finds a triangle that has a side between the points a and b: *t is the triangle, *k its corner opposite that side. */
 static bool find(const flipper *f, uint32_t a, uint32_t b, uint32_t *t, int *k) {
   bool turned = false;
   for (*t = f->of[a]; *t != NONE; *t = around(f, a, *t, &turned)) {
@@ -84,8 +84,7 @@ static void fix(flipper *f, uint32_t t, int k) {
   if (o != NONE) f->fixed[o][back_of(f, o, t)] = true;
 }
 
-/* Returns the point opposite the side k of triangle t, in the triangle on the other side of it, or NONE at the
- * border. */
+/* Returns the third corner of the triangle on the other side of side k of triangle t, or NONE at the border. */
 static uint32_t beyond(const flipper *f, uint32_t t, int k) {
   uint32_t o = f->next[t][k];
   return o == NONE ? NONE : f->corner[o][back_of(f, o, t)];
@@ -140,7 +139,7 @@ static vs_vec2 crossing(const flipper *f, uint32_t a, uint32_t b, uint32_t p, ui
 }
 
 /* Collects the sides of triangles that the segment from a to b crosses. *end: the first point after a that lies on the
- * segment, at the latest b. */
+ * segment, at the latest b. *where: the place of a crossing with a given edge. */
 static vs_breaklines_outcome collect(flipper *f, uint32_t a, uint32_t b, uint32_t *end, vs_vec2 *where) {
   bool turned = false;
   uint32_t t, p = NONE, q = NONE;
@@ -173,7 +172,7 @@ static vs_breaklines_outcome collect(flipper *f, uint32_t a, uint32_t b, uint32_
 }
 
 /* Flips the collected sides until the segment from a to b is a side of triangles. Returns false when memory is out, or
- * rounding errors prevent an end. */
+ * when rounding errors prevent this. */
 static bool flip_crossed(flipper *f, uint32_t a, uint32_t b) {
   size_t most = 64 + 16 * f->crossed.count * f->crossed.count;
   for (; f->crossed.first < f->crossed.count && most > 0; most--) {
@@ -194,8 +193,8 @@ static bool flip_crossed(flipper *f, uint32_t a, uint32_t b) {
   return f->crossed.first == f->crossed.count;
 }
 
-/* Flips the new sides that are not given edges until all are Delaunay. The number of passes is limited, because
- * rounding errors may prevent an end. */
+/* Flips the new sides that are not given edges until all satisfy Delaunay's condition. The number of passes is limited,
+ * because rounding errors may prevent an end. */
 static bool restore(flipper *f) {
   bool changed = true;
   for (int pass = 0; changed && pass < 100; pass++) {
@@ -244,7 +243,8 @@ static int by_ends(const void *p, const void *q) {
   return x->b < y->b ? -1 : x->b > y->b;
 }
 
-/* Finds the neighbours of all triangles, and a triangle at each point. Returns false when memory is out. */
+/* Finds the neighbours of all triangles, and a triangle at each point, for `points` points. Returns false when memory
+ * is out. */
 static bool link(flipper *f, size_t points) {
   half *h = vs_fresh(3 * f->count + 1, sizeof *h);
   if (!h) return false;
@@ -266,8 +266,8 @@ static bool link(flipper *f, size_t points) {
   return true;
 }
 
-/* Sets after[a] to b for each border side from a to b, and after[a] to NONE for all other points. Returns the lowest
- * point of the border. */
+/* Sets after[a] to b for each side from a to b on the triangulation's border, and after[a] to NONE for all other
+ * points. Returns the lowest point of the border. */
 static uint32_t find_border(const flipper *f, size_t points, uint32_t *after) {
   uint32_t lowest = NONE;
   for (size_t i = 0; i < points; i++) after[i] = NONE;
@@ -283,7 +283,7 @@ static uint32_t find_border(const flipper *f, size_t points, uint32_t *after) {
   return lowest;
 }
 
-/* Adds triangles to t where the border is concave. Records the sides of these triangles, which may not be Delaunay. */
+/* Adds triangles to t at concave corners of its border. Records their sides, which may violate Delaunay's condition. */
 static bool complete(flipper *f, vs_breakline_mesh *t) {
   uint32_t *after = vs_fresh(t->count + 1, sizeof *after), *line = vs_fresh(t->count + 2, sizeof *line);
   bool ok = after && line;
@@ -306,7 +306,8 @@ static bool complete(flipper *f, vs_breakline_mesh *t) {
   return ok;
 }
 
-/* Finds the neighbours of the triangles, adds the missing triangles at the border, and finds the neighbours again. */
+/* Finds the neighbours of the triangles, adds the missing triangles at the border, and finds the neighbours again.
+ * Returns false when memory is out. */
 static bool prepare(flipper *f, vs_breakline_mesh *t) {
   for (int pass = 0; pass < 2; pass++) {
     free(f->next), free(f->fixed);

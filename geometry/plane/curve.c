@@ -12,7 +12,8 @@
 
 enum { HALVINGS = 40 };
 static const double full_turn = 6.28318530717958647693, STANDS = 1e-9, TURNS_BACK = -.75;
-static const double SIXTEENTH = .92387953251128675613; /* the cosine of a sixteenth of a turn */
+static const double SIXTEENTH = .92387953251128675613; /* cosine of a sixteenth of a turn, by which a spline may turn
+                                                        * between samples */
 
 void vs_path_free(vs_path *p) {
   free(p->at);
@@ -97,8 +98,8 @@ static bool curve_arc(vs_path *out, vs_vec3 c, double r, double start, double en
 
 typedef struct { size_t n; /* n: number of knots */ bool closed; vs_vec3 *p, *m; double *h, *scratch; } vs_spline_work;
 
-/* Solves the tridiagonal system of n equations with the diagonals sub, diag and sup and the right sides rhs, which are
- * overwritten by the solution. scratch has room for n doubles. n is above 0. */
+/* Solves the tridiagonal system of n > 0 equations with the diagonals sub, diag and sup and the right sides rhs, which
+ * the solution overwrites. scratch has room for n doubles. */
 static void spline_tridiagonal(size_t n, const double *sub, const double *diag, const double *sup, vs_vec3 *rhs,
                                double *scratch) {
   double d = diag[0];
@@ -138,7 +139,8 @@ static void spline_solve(vs_spline_work *w, vs_vec3 start, vs_vec3 end) {
     spline_tridiagonal(n, sub, diag, sup, w->m, rest);
     return;
   }
-  /* Both corners of the cyclic matrix are h[n-1]. A = B + u v^T with u = (g, 0.., c), v = (1, 0.., c/g). */
+  /* Both corners of the cyclic matrix A are h[n-1]. It is split into A = B + u v^T with u = (g, 0.., c), v = (1, 0..,
+   * c/g), where B is tridiagonal. */
   double c = w->h[n - 1], g = -diag[0];
   diag[0] -= g;
   diag[n - 1] -= c * c / g;
@@ -151,8 +153,8 @@ static void spline_solve(vs_spline_work *w, vs_vec3 start, vs_vec3 end) {
   for (size_t i = 0; i < n; i++) w->m[i] = vs_v3_sub(w->m[i], vs_v3_scale(factor, u[i].x));
 }
 
-/* Returns the point of a span at parameter t, 0 to 1, and the directions before and after it. They are opposite at a
- * cusp, where the speed is 0 and the curve turns back. */
+/* Returns the point of span i at parameter t, 0 to 1, and the directions of the spline before and after it. They are
+ * opposite at a cusp, where the speed is 0 and the curve turns back. */
 static vs_path_point spline_at(const vs_spline_work *w, size_t i, double t) {
   size_t j = i + 1 < w->n ? i + 1 : 0;
   double h = w->h[i], b = t, a = 1 - t;
@@ -164,18 +166,19 @@ static vs_path_point spline_at(const vs_spline_work *w, size_t i, double t) {
                 vs_v3_scale(vs_v3_add(vs_v3_scale(m, 1 - 3 * a * a), vs_v3_scale(k, 3 * b * b - 1)), h / 6));
   vs_vec3 force = vs_v3_add(vs_v3_scale(m, a), vs_v3_scale(k, b)), ahead = vs_v3_unit(speed), behind = ahead;
   VS_ASSERT(i < w->n && t >= 0 && t <= 1);
-  if (vs_v3_length(speed) < STANDS) { /* the mean speed is 1, because the parameter is about the length */
+  if (vs_v3_length(speed) < STANDS) { /* STANDS: a speed that counts as 0; the mean speed is 1, because the parameter is
+                                       * about the length */
     ahead = vs_v3_unit(force), behind = vs_v3_scale(ahead, -1);
     if (vs_v3_length(force) * h < STANDS) ahead = behind = vs_v3_unit(vs_v3_sub(k, m));
   }
   return (vs_path_point){ at, behind, ahead, 0 };
 }
 
-/* Adds samples between the parameters `from` and `to`, from < to, where the direction of the spline turns by more than
- * an angle. It halves these parts repeatedly, down to a cusp. most: the cosine of the angle. */
+/* Adds samples between the parameters `from` and `to` of span i, from < to, until the direction turns by at most an
+ * angle between samples. It halves the range repeatedly, down to a cusp. most: cosine of the angle. */
 static bool spline_turn(const vs_spline_work *w, size_t i, double from, double to, double most, vs_path *out) {
-  struct { double to; int halvings; } parts[HALVINGS + 1] = { { to, 0 } }; /* stack of the parameter ranges that remain,
-                                                                            * from last to first */
+  struct { double to; int halvings; } parts[HALVINGS + 1] = { { to, 0 } }; /* stack of the parameter ranges that are
+                                                                            * still to be sampled, the first on top */
   vs_path_point p = spline_at(w, i, from);
   bool ok = true;
   VS_ASSERT(from < to);

@@ -15,22 +15,23 @@
 #include "geometry/plane/planar_evaluation.h"
 #include "model/store/array.h"
 
-/* low, high: range of x; place, last: index of the edge in its loop, and the greatest such index */
+/* An edge of a sampled curve. low, high: its range of x; place: index of the edge in its loop; last: greatest index of
+ * an edge in this loop; slack: distance that counts as 0 */
 typedef struct { vs_vec2 a, b; size_t curve, place, last; double low, high, slack; } vs_cross_edge;
 
 
-enum { TOUCHES_MOST = 64 }; /* greatest number of touching pairs of curves that are stored; regions have fewer */
+enum { TOUCHES_MOST = 64 }; /* greatest number of touching pairs of curves that are stored; the borders of a region have
+                             * fewer */
 
 typedef struct {
-  vs_polyline *loops; /* sampled curves */
-  size_t count, total; /* count: number of curves; total: number of all samples */
-  double size;        /* diagonal of the largest curve's bounds */
-  vs_affine frame;    /* frame of the curves' plane */
+  vs_polyline *loops; /* loops[i]: sampled points of curve i */
+  size_t count, total; /* count: number of curves; total: number of samples of all curves */
+  double size;        /* diagonal of the bounding box of the largest curve */
+  vs_affine frame;    /* coordinates of the plane in which the curves lie */
   vs_cross_edge *edges;
   size_t edge_count;
-  size_t *starts, *after; /* after[starts[curve] + place]: index of the edge that follows edge number `place` of the
-                           * curve */
-  struct { size_t a, b; } touches[TOUCHES_MOST]; /* pairs of curves that touch, a <= b */
+  size_t *starts, *after; /* after[starts[c] + place]: index of the edge that follows edge number `place` of curve c */
+  struct { size_t a, b; } touches[TOUCHES_MOST]; /* pairs of curves that touch each other, by their numbers, a <= b */
   size_t touch_count;
 } vs_cross_search;
 
@@ -40,14 +41,14 @@ static int cross_compare(const void *p, const void *q) {
   return a->curve != b->curve ? (a->curve < b->curve ? -1 : 1) : a->place < b->place ? -1 : a->place > b->place;
 }
 
-static double cross_side(const vs_cross_edge *e, vs_vec2 p) { /* returns the distance of p from the edge's line,
+static double cross_side(const vs_cross_edge *e, vs_vec2 p) { /* returns the distance of p from the line through edge e,
                                                                * positive on the left */
   double dx = e->b.x - e->a.x, dy = e->b.y - e->a.y;
   return (dx * (p.y - e->a.y) - dy * (p.x - e->a.x)) / hypot(dx, dy);
 }
 
-/* Returns true if the ends of each edge lie clearly on opposite sides of the other. *touch: true if they do not, but an
- * end lies on the other edge's line. */
+/* Returns true if the ends of each of the edges p and q lie clearly on opposite sides of the other. *at: the crossing.
+ * *touch: true if an end of one lies on the line of the other. */
 static bool cross_edges(const vs_cross_edge *p, const vs_cross_edge *q, vs_vec2 *at, bool *touch) {
   double slack = fmax(p->slack, q->slack), a = cross_side(p, q->a), b = cross_side(p, q->b), c = cross_side(q, p->a),
          d = cross_side(q, p->b);
@@ -62,8 +63,8 @@ static bool cross_edges(const vs_cross_edge *p, const vs_cross_edge *q, vs_vec2 
   return false;
 }
 
-/* Returns true if the direction q lies in the sector that extends from direction p counter-clockwise to r. *sure: true
- * if the answer is clear. */
+/* Returns true if the direction q lies in the sector from direction p counter-clockwise to r. *sure: true if q is not
+ * close to the sector's border. */
 static bool cross_between(vs_vec2 p, vs_vec2 r, vs_vec2 q, bool *sure) {
   const double turn = 6.28318530717958647693, near = 0.05;
   double from = atan2(p.y, p.x), to = atan2(r.y, r.x) - from, at = atan2(q.y, q.x) - from;
@@ -73,13 +74,13 @@ static bool cross_between(vs_vec2 p, vs_vec2 r, vs_vec2 q, bool *sure) {
   return at < to;
 }
 
-/* Tests the end of edge p, which lies on edge q. Returns true if the curve of p changes to the other side of q's curve
- * there. next_p, next_q: the edges after p and q. */
+/* Tests the end of edge p, which may lie on edge q. Returns true if the curve of p changes to the other side of q's
+ * curve there. next_p, next_q: the edges after p and q. */
 static bool cross_at_end(const vs_cross_edge *p, const vs_cross_edge *next_p, const vs_cross_edge *q,
                          const vs_cross_edge *next_q) {
   double slack = fmax(p->slack, q->slack), dx = q->b.x - q->a.x, dy = q->b.y - q->a.y, length = hypot(dx, dy);
   double along = ((p->b.x - q->a.x) * dx + (p->b.y - q->a.y) * dy) / length;
-  /* The start of q is not tested here. It is tested as the end of the edge before q. */
+  /* The start of q is not tested here, but as the end of the edge before q. */
   if (fabs(cross_side(q, p->b)) > slack || along <= slack || along > length + slack) return false;
   vs_vec2 v = p->b, in = { p->a.x - v.x, p->a.y - v.y }, out = { next_p->b.x - v.x, next_p->b.y - v.y };
   vs_vec2 end = along >= length - slack ? next_q->b : q->b, come = { q->a.x - v.x, q->a.y - v.y },
@@ -88,8 +89,8 @@ static bool cross_at_end(const vs_cross_edge *p, const vs_cross_edge *next_p, co
   return sure && one != other;
 }
 
-/* Returns true if one of two touching curves passes through the other. It then has points clearly inside and points
- * clearly outside the other. If neither has such points, the curves coincide. */
+/* Returns true if curve a or b, which touch, passes through the other: it has points clearly inside and points clearly
+ * outside of it. If neither has such points, the curves coincide. */
 static bool cross_through(const vs_cross_search *s, size_t a, size_t b, vs_vec2 *at) {
   const vs_cross_edge *edges = s->edges;
   size_t count = s->edge_count;
@@ -125,7 +126,7 @@ static bool cross_neighbours(const vs_cross_edge *p, const vs_cross_edge *q) {
   return high - low < 2 || (low == 0 && high == p->last);
 }
 
-/* Samples the curves. Returns false on failure. */
+/* Samples the curves of refs into s->loops. Returns false on failure. */
 static bool cross_sample(vs_cross_search *s, const vs_ref *refs, vs_error *e) {
   if (!VS_FRESH(s->loops, s->count + 1)) return vs_error_memory(e, NULL);
   for (size_t i = 0; i < s->count; i++) s->loops[i] = (vs_polyline){ 0 };
@@ -177,7 +178,7 @@ static const vs_cross_edge *cross_next(const vs_cross_search *s, const vs_cross_
   return &s->edges[s->after[s->starts[p->curve] + p->place]];
 }
 
-/* Stores a pair of curves that touch. */
+/* Stores the pair of curves a and b, which touch. */
 static void cross_note(vs_cross_search *s, size_t a, size_t b) {
   for (size_t i = 0; i < s->touch_count; i++)
     if (s->touches[i].a == a && s->touches[i].b == b) return;
@@ -207,7 +208,8 @@ static bool cross_pair(vs_cross_search *s, const vs_cross_edge *p, const vs_cros
   return false;
 }
 
-/* Compares all pairs of edges that overlap along x. Returns true if there is a crossing. */
+/* Compares all pairs of edges that overlap along x. Returns true if curves cross, and sets *out to the first
+ * crossing. */
 static bool cross_sweep(vs_cross_search *s, vs_crossing *out) {
   double widest = 0;
   for (size_t i = 0; i < s->edge_count; i++) widest = fmax(widest, s->edges[i].high - s->edges[i].low);
@@ -217,7 +219,7 @@ static bool cross_sweep(vs_cross_search *s, vs_crossing *out) {
   return false;
 }
 
-/* Compares the pairs of curves that touch. Returns true if a curve passes through another. */
+/* Compares the pairs of curves that touch. Returns true if a curve passes through another, and sets *out. */
 static bool cross_touching(const vs_cross_search *s, vs_crossing *out) {
   for (size_t i = 0; i < s->touch_count; i++) {
     vs_vec2 at = { 0, 0 };

@@ -4,9 +4,10 @@
 
 #include "model/node.h"
 
-typedef struct { size_t a, b; /* curves that cross; a == b: itself */ vs_vec3 at; bool found; } vs_crossing;
-/* Finds a crossing of closed curves in one plane with each other or with themselves. Curves may touch: a crossing that
- * is not deeper than the accuracy of the samples is ignored. Returns false and sets e on failure. */
+typedef struct { size_t a, b; /* crossing curves; a == b: itself */ vs_vec3 at; bool found; } vs_crossing;
+/* Finds a crossing of closed curves in one plane with each other or with themselves. Curves may touch: a crossing no
+ * deeper than the accuracy of the samples is ignored. out->found: true if there is a crossing. Returns false and sets e
+ * on failure. */
 bool vs_curves_cross(const vs_ref *refs, size_t count, vs_crossing *out, vs_error *e);
 
 #endif

@@ -28,29 +28,29 @@ static const size_t none = SIZE_MAX;
 
 typedef struct { uint32_t point, next, prev; } vs_corner;
 typedef struct {
-  size_t place;             /* index of the corner along the original ring */
-  size_t awaited;           /* the reflex corner within this corner's triangle that must be cut or become convex first,
-                             * or none */
-  size_t waiting;           /* the first of the corners that wait for this corner; they are linked by `later` and
+  size_t place;             /* index of this corner along the original ring */
+  size_t awaited;           /* a reflex corner within this corner's triangle, which must be cut off or become convex
+                             * before this corner can be; or none */
+  size_t waiting;           /* first of the corners whose `awaited` is this corner; they are linked by `later` and
                              * `earlier` */
   size_t later, earlier;
-  bool gone, idle;          /* gone: true if the corner is cut off; idle: true if the corner is in the list of corners
-                             * that are cut off at once */
+  bool gone, idle;          /* gone: true if the corner is cut off; idle: true if it is in the list `idle` of the
+                             * ring */
 } vs_ear;
 typedef struct {
   const vs_vec2 *at;
   vs_corner *corners;
-  vs_ear *ears; /* additional data of each corner */
+  vs_ear *ears; /* ears[c]: data of corner c beyond its position and neighbours */
   size_t count;
-  size_t *by_place;  /* corner at each index of the original ring */
-  size_t *points;    /* points[i]: the point of corner i */
-  vs_point_tree tree; /* tree of the corners; reflex corners of the ring are switched on, so that searches find only
-                       * these */
-  vs_marks open;     /* positions along the ring of corners that may be ears */
-  size_t *idle;      /* corners that are to be cut at once */
+  size_t *by_place;  /* by_place[i]: corner at index i of the original ring */
+  size_t *points;    /* points[c]: number of the point at which corner c lies */
+  vs_point_tree tree; /* tree of the corners' points; only reflex corners of the ring are switched on, so that searches
+                       * find only these */
+  vs_marks open;     /* positions along the ring of corners that must still be tested for being ears */
+  size_t *idle;      /* corners at ends of bridges of length 0, which are cut off before others */
   size_t idle_count;
   double flat; /* a triangle counts as empty if twice its area is below this value */
-  double blur; /* a line counts as passing through a corner if their distance is less than this value */
+  double blur; /* distance below which a line counts as passing through a corner */
 } vs_ring;
 
 static vs_vec2 ring_at(const vs_ring *r, size_t c) { return r->at[r->corners[c].point]; }
@@ -80,7 +80,7 @@ static void ring_wait_no_more(vs_ring *r, size_t c) {
   k->awaited = none;
 }
 
-static void ring_release(vs_ring *r, size_t c) { /* makes all corners that wait for c candidates again */
+static void ring_release(vs_ring *r, size_t c) { /* makes all corners whose `awaited` is c candidates for ears again */
   for (size_t w = r->ears[c].waiting; w != none; w = r->ears[c].waiting) {
     ring_wait_no_more(r, w);
     vs_marks_set(&r->open, r->ears[w].place, true);
@@ -91,7 +91,7 @@ static void ring_release(vs_ring *r, size_t c) { /* makes all corners that wait 
 
 static bool same_place(vs_vec2 p, vs_vec2 q) { return p.x == q.x && p.y == q.y; }
 
-/* Returns true if corner c is at an end of a bridge of length 0. */
+/* Returns true if corner c is at an end of a bridge of length 0 (between two corners at one point). */
 static bool ring_is_idle(const vs_ring *r, size_t c) {
   vs_vec2 p = ring_at(r, c);
   return same_place(p, ring_at(r, r->corners[c].prev)) || same_place(p, ring_at(r, r->corners[c].next));
@@ -103,7 +103,7 @@ static void ring_note_idle(vs_ring *r, size_t c) {
   r->idle[r->idle_count++] = c;
 }
 
-/* Returns a corner that is still to be cut at once, or none. */
+/* Returns a corner of the list `idle` that is not cut off yet, or none. */
 static size_t ring_next_idle(vs_ring *r) {
   while (r->idle_count > 0) {
     size_t c = r->idle[--r->idle_count];
@@ -113,8 +113,8 @@ static size_t ring_next_idle(vs_ring *r) {
   return none;
 }
 
-static void ring_look(vs_ring *r, size_t c) { /* updates the stored data of corner c after the corner or one of its
-                                               * neighbours has changed */
+static void ring_look(vs_ring *r, size_t c) { /* updates the stored data of corner c after it or one of its neighbours
+                                               * has changed */
   bool reflex = ring_turn(r, r->corners[c].prev, c, r->corners[c].next) <= r->flat;
   ring_wait_no_more(r, c);
   if (!reflex) ring_release(r, c);
@@ -123,7 +123,8 @@ static void ring_look(vs_ring *r, size_t c) { /* updates the stored data of corn
   ring_note_idle(r, c);
 }
 
-/* returns true if the candidate is an ear; otherwise the candidate waits for a corner in its triangle */
+/* returns true if corner b is an ear: convex, with no other corner in its triangle; otherwise b waits for a corner in
+ * its triangle */
 static bool ring_is_ear(vs_ring *r, size_t b) {
   size_t inside = vs_point_tree_in(&r->tree, ring_at(r, r->corners[b].prev), ring_at(r, b),
                                    ring_at(r, r->corners[b].next), r->flat);
@@ -131,7 +132,7 @@ static bool ring_is_ear(vs_ring *r, size_t b) {
   return inside == SIZE_MAX;
 }
 
-/* Returns the first ear along the ring after the corner `at`. Searches the entire ring, and returns none if it has no
+/* Returns the first ear along the ring after position `at`. Searches the entire ring, and returns none if it has no
  * ear. */
 static size_t ring_next_ear(vs_ring *r, size_t at) {
   size_t place = r->ears[at].place, end = none;
@@ -158,19 +159,20 @@ static void ring_cut(vs_ring *r, size_t ear) {
 
 /* ---- holes ---- */
 
-/* An index of the corners to which a hole can be joined. A binary tree divides the range of y into bands. A downward
- * edge of the ring is in the lists of those few nodes that together cover its height. Corners are also indexed by
- * position. An edge is represented by the corner where it begins, even after holes are inserted. */
-typedef struct { uint32_t edge, next; } vs_band_link; /* index of the next link of the list, from 1 on; 0 marks the
-                                                       * end */
+/* A link in a list of edges. The index of the ring's edges is a binary tree that divides the range of y into bands. A
+ * downward edge is in the lists of those few nodes that together cover its height. edge: the corner where the edge
+ * begins, even after holes are inserted. */
+typedef struct { uint32_t edge, next; } vs_band_link; /* next: index of the next link of the list, from 1 on; 0 marks
+                                                       * the end */
 typedef struct {
-  double low, scale;    /* y lies in band number (y - low) * scale */
-  size_t leaves;        /* number of bands, a power of two; node 1 is the root, and node i has the children 2 i and 2 i
-                         * + 1 */
-  uint32_t *first;      /* first link in the list of each node */
+  double low, scale;    /* the coordinate y lies in band number (y - low) * scale */
+  size_t leaves;        /* number of bands, a power of two; in the binary tree, node 1 is the root, and node i has the
+                         * children 2 i and 2 i + 1 */
+  uint32_t *first;      /* first[i]: first link in the list of edges of node i */
   vs_band_link *links;
   size_t count, room;   /* number of links, including link 0, which is unused */
-  vs_point_tree points; /* tree of the corners; corners of the ring are switched on, so that searches find only these */
+  vs_point_tree points; /* tree of the corners' points; only corners of the ring are switched on, so that searches find
+                         * only these */
   uint32_t *copies;     /* copies[i] - 1: index of the next corner at the position of corner i; 0: there is none */
 } vs_bands;
 
@@ -197,7 +199,7 @@ static size_t band_of(const vs_bands *b, double y) {
   return band >= (double)b->leaves ? b->leaves - 1 : band > 0 ? (size_t)band : 0;
 }
 
-/* adds the edge that begins at corner c */
+/* adds to the index the edge of the ring that begins at corner c */
 static bool bands_add(vs_bands *b, const vs_ring *r, size_t c) {
   double from = ring_at(r, c).y, to = ring_at(r, r->corners[c].next).y;
   if (!(from > to)) return true;
@@ -222,21 +224,22 @@ static bool bands_add_loop(vs_bands *b, const vs_ring *r, size_t first, size_t s
   return true;
 }
 
-/* Finds a corner of the ring to which the hole's leftmost corner h can be joined. A ray from h towards -x hits an edge
- * first, at `hit`. m is an end of this edge. Among m and the corners within the triangle of h, hit and m, it chooses
- * the corner at the smallest angle to the ray. If angles are equal, it chooses the nearest corner, and at one position
- * the smallest index. A bridge must not pass so close to a corner that rounding decides on which side. Therefore the
- * ray hits an edge within `blur`, and angles are equal if the lines differ by no more than that. */
+/* A search for a corner of the ring to which the hole's leftmost corner h can be joined. A ray from h towards -x hits
+ * an edge first, at `hit`. m is an end of this edge. Among m and the corners within the triangle of h, hit and m, the
+ * search chooses the corner at the smallest angle to the ray. If angles are equal, it chooses the nearest corner, and
+ * at one position the smallest index. A bridge must not pass so close to a corner that rounding decides on which side.
+ * Therefore the ray hits an edge within `blur`, and angles are equal if the lines differ by no more than that. */
 typedef struct {
   const vs_ring *ring;
   const uint32_t *copies;
   vs_vec2 h, m, hit;
-  double least, slack; /* least: smallest slope found; slack: slopes that differ by less are equal */
-  bool choosing;       /* true once the least slope is known and a corner is chosen */
+  double least, slack; /* least: smallest slope of a line from h found so far; slack: difference below which slopes are
+                        * equal */
+  bool choosing;       /* true in the second pass, when the least slope is known and a corner is chosen */
   size_t best;
 } vs_sight;
 
-/* Returns true if p lies within the triangle of s->h, s->hit and s->m, or within the slack of the side from h to m.
+/* Returns true if p lies within the triangle of s->h, s->hit and s->m, or within the slack of its side from h to m.
  * *slope: slope of the line from h to p. */
 static bool sight_has(const vs_sight *s, vs_vec2 p, double *slope) {
   double up = s->m.y < s->h.y ? s->h.y - p.y : p.y - s->h.y, side = vs_vec2_turn(s->m, s->hit, p);
@@ -246,7 +249,7 @@ static bool sight_has(const vs_sight *s, vs_vec2 p, double *slope) {
   return vs_vec2_turn(s->m, s->hit, s->h) < 0 ? side <= 0 : side >= 0;
 }
 
-/* Sets *before and *behind to the positions before and after a corner along the ring. At a bridge of length 0, it skips
+/* Sets *before and *behind to the positions before and after corner c along the ring. At a bridge of length 0, it skips
  * the corners at the same position. */
 static void ring_beside(const vs_ring *r, size_t c, vs_vec2 *before, vs_vec2 *behind) {
   size_t a = r->corners[c].prev, b = r->corners[c].next;
@@ -256,11 +259,11 @@ static void ring_beside(const vs_ring *r, size_t c, vs_vec2 *before, vs_vec2 *be
   *behind = ring_at(r, b);
 }
 
-/* Returns true if the two edges at the corner do not hide the point h. */
+/* Returns true if the two edges at the corner do not hide the point h from it. */
 static bool ring_sees(const vs_ring *r, size_t corner, vs_vec2 h) {
   vs_vec2 p = ring_at(r, corner), a, c;
   ring_beside(r, corner, &a, &c);
-  /* above 0 if h is to the left of the edge that leaves the corner */
+  /* to_after is above 0 if h is to the left of the edge that leaves the corner */
   double to_after = (c.x - p.x) * (h.y - p.y) - (c.y - p.y) * (h.x - p.x);
   double to_before = (p.x - a.x) * (h.y - a.y) - (p.y - a.y) * (h.x - a.x);
   bool convex = (p.x - a.x) * (c.y - a.y) - (p.y - a.y) * (c.x - a.x) > 0;
@@ -283,8 +286,8 @@ static void sight_look(void *context, size_t point) {
   }
 }
 
-/* Chooses among the corners of the ring at the position of a hole's corner the one whose edges enclose the hole. s->h
- * is the hole's next corner. */
+/* Chooses among the corners of the ring at the position of a hole's corner the corner whose edges enclose the hole.
+ * s->h: the hole's next corner. */
 static void touch_look(void *context, size_t point) {
   vs_sight *s = context;
   for (size_t i = point;; i = s->copies[i] - 1) {
@@ -306,10 +309,10 @@ static size_t ring_touch(const vs_ring *r, const vs_bands *b, size_t hole) {
 }
 
 /* A ray from h towards -x. edge: corner where the first edge begins that the ray hits, among those tested so far, or
- * none; x: x of the hit. */
+ * none; x: coordinate x of the hit. */
 typedef struct { vs_vec2 h; size_t edge; double x; } vs_ray;
 
-/* Tests the ray against all edges in the list of a band. */
+/* Tests the ray against all edges in the list of node `band` of the index. */
 static void band_meet(const vs_ring *r, const vs_bands *b, size_t band, vs_ray *ray) {
   vs_vec2 h = ray->h;
   double blur = r->blur;
@@ -336,7 +339,8 @@ static size_t ring_bridge(const vs_ring *r, const vs_bands *b, size_t start, siz
     last = band;
   }
   size_t edge = ray.edge;
-  if (edge == none) return start; /* The hole is outside its outer loop. The boundary is correct with any bridge. */
+  if (edge == none) return start; /* The ray hits no edge, so the hole is outside its outer loop. The boundary is
+                                   * correct with any bridge. */
   size_t next = r->corners[edge].next;
   vs_vec2 p = ring_at(r, edge), q = ring_at(r, next);
   bool at_p = fabs(p.y - h.y) <= blur && p.x <= h.x, at_q = fabs(q.y - h.y) <= blur && q.x <= h.x;
@@ -357,8 +361,8 @@ static size_t ring_bridge(const vs_ring *r, const vs_bands *b, size_t start, siz
   return s.best == none ? end : s.best;
 }
 
-/* Joins the hole at the ring's corner a and its corner b. The order becomes: the corner before a, a copy of a, b,
- * around the hole, a copy of b, a, and the corner after a. a and b differ. */
+/* Joins the hole with corner b to the ring at its corner a. The order of corners becomes: the corner before a, a copy
+ * of a, b, around the hole, a copy of b, a, and the corner after a. a and b differ. */
 static bool ring_splice(vs_ring *r, vs_bands *bands, size_t a, size_t b) {
   uint32_t a2 = (uint32_t)r->count++, b2 = (uint32_t)r->count++, before = r->corners[a].prev, last = r->corners[b].prev;
   VS_ASSERT(a != b);
@@ -384,14 +388,15 @@ static int hole_compare(const void *a, const void *b) {
   return p->at.y < q->at.y ? -1 : p->at.y > q->at.y;
 }
 
-/* The state while holes are joined to the ring. */
+/* The state of the joining of holes to the ring. */
 typedef struct {
   vs_ring *ring;
   vs_bands bands;
   vs_hole *holes;
-  vs_point_tree outside; /* tree of the holes' corners; corners that are not yet in the ring are switched on */
-  uint32_t *hole_of;     /* hole_of[i]: hole that contains point i */
-  size_t *queue, queued; /* holes in the ring that must still be tested for other holes that touch them */
+  vs_point_tree outside; /* tree of the holes' points; only corners of holes that are not joined yet are switched on */
+  uint32_t *hole_of;     /* hole_of[i]: number of the hole that contains point i */
+  size_t *queue, queued; /* queue: holes that have been joined, and must be tested for other holes that touch them;
+                          * queued: their number */
   size_t start;          /* corner with which the ring begins */
 } vs_joining;
 
@@ -402,8 +407,8 @@ static bool join_at(vs_joining *j, size_t a, size_t b) { /* joins corner a of th
   j->queue[j->queued++] = j->hole_of[b];
   for (size_t c = hole->first; c < hole->first + hole->size; c++) vs_point_tree_switch(&j->outside, c, false);
   if (!ring_splice(r, &j->bands, a, b) || !bands_add_loop(&j->bands, r, hole->first, hole->size)) return false;
-  if (a == j->start) j->start = r->corners[b].prev; /* the ring begins with the copy of a, which now precedes the
-                                                     * hole */
+  if (a == j->start) j->start = r->corners[b].prev; /* if the ring began with a, it now begins with the copy of a, which
+                                                     * precedes the hole */
   return true;
 }
 
@@ -412,7 +417,7 @@ static void least_look(void *context, size_t point) {
   if (point < *least) *least = point;
 }
 
-/* Joins all holes that touch a corner of a loop in the ring. */
+/* Joins all holes that touch a corner of a loop in the ring. first, size: range of the loop's corners. */
 static bool join_touching(vs_joining *j, size_t first, size_t size) {
   for (size_t c = first; c < first + size; c++) {
     vs_vec2 p = ring_at(j->ring, c);
@@ -427,8 +432,8 @@ static bool join_touching(vs_joining *j, size_t first, size_t size) {
   return true;
 }
 
-/* Joins all holes to the ring. First come holes that touch the ring, and holes that touch such holes. The others follow
- * from left to right, each together with the holes that touch it. */
+/* Joins all holes to the ring. First come holes that touch the ring, and holes that touch such holes. The remaining
+ * holes follow from left to right, each together with the holes that touch it. */
 static bool join_all(vs_joining *j, size_t count, size_t outer) {
   bool ok = bands_add_loop(&j->bands, j->ring, 0, outer);
   for (size_t i = 0; i < count; i++)
@@ -470,7 +475,7 @@ static bool ring_clip(vs_ring *r, size_t start, size_t left, vs_mesh *m, const u
     size_t ear = ring_next_idle(r);
     bool idle = ear != none;
     if (!idle) ear = ring_next_ear(r, at);
-    if (ear == none) { /* there is no ear, so the corner with the largest area is cut off */
+    if (ear == none) { /* no corner is an ear, so the corner with the largest area is cut off */
       double best = -INFINITY;
       size_t i = at;
       do {
@@ -481,7 +486,7 @@ static bool ring_clip(vs_ring *r, size_t start, size_t left, vs_mesh *m, const u
         }
         i = r->corners[i].next;
       } while (i != at);
-      if (ear == none) ear = at; /* all areas are NaN */
+      if (ear == none) ear = at; /* no area is a number, as the coordinates are NaN */
     }
     size_t prev = r->corners[ear].prev, next = r->corners[ear].next;
     uint32_t a = index[r->corners[prev].point], b = index[r->corners[ear].point], c = index[r->corners[next].point];
@@ -493,7 +498,7 @@ static bool ring_clip(vs_ring *r, size_t start, size_t left, vs_mesh *m, const u
   return true;
 }
 
-/* Sets each corner's index along the ring, and the set of corners that may be ears. */
+/* Sets each corner's index along the ring, and the set of corners to be tested for being ears. */
 static bool ring_begin(vs_ring *r, size_t start, size_t total, size_t size) {
   /* Corners of omitted loops have no position in the ring. */
   for (size_t i = 0; i < r->count; i++) r->points[i] = i < total ? i : r->corners[i].point;
@@ -517,7 +522,7 @@ bool vs_triangulate(const vs_vec2 *at, const size_t *sizes, size_t loop_count, v
   for (size_t i = 1; i < total; i++) extent = fmax(extent, fmax(fabs(at[i].x - at[0].x), fabs(at[i].y - at[0].y)));
   if (loop_count == 0 || sizes[0] < 3) return true;
   size_t most = total + 2 * loop_count;
-  if (most > UINT32_MAX) return false; /* a mesh cannot have more vertices */
+  if (most > UINT32_MAX) return false; /* a mesh cannot have more vertices than fit into 32 bits */
   vs_ring r = { .at = at, .flat = 1e-14 * extent * extent, .blur = 1e-12 * extent };
   r.corners = vs_fresh(most, sizeof *r.corners);
   r.ears = vs_fresh(most, sizeof *r.ears);

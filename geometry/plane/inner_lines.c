@@ -13,8 +13,8 @@ void vs_inner_lines_free(vs_inner_lines *l) {
   *l = (vs_inner_lines){ 0 };
 }
 
-/* Returns the position of the point nearest to r on the segment from p to q, as a fraction of its length. *distance:
- * distance of that point from r. */
+/* Returns the position of the point on the segment from p to q that is nearest to r, as a fraction of the segment's
+ * length. *distance: distance of that point from r. */
 static double nearest(vs_vec2 p, vs_vec2 q, vs_vec2 r, double *distance) {
   double x = q.x - p.x, y = q.y - p.y, square = x * x + y * y;
   double t = square > 0 ? fmin(1, fmax(0, ((r.x - p.x) * x + (r.y - p.y) * y) / square)) : 0;
@@ -33,8 +33,8 @@ static bool on_border(const vs_area *a, vs_vec2 p, double slack) {
 }
 
 typedef struct {
-  double *at; /* positions on the edge, as fractions of its length, of its ends and of the other area's corners that lie
-               * on it */
+  double *at; /* positions along the current edge, as fractions of its length: its ends, and the corners of the other
+               * area that lie on it */
   size_t count, room;
 } cuts;
 
@@ -55,7 +55,7 @@ static bool find_cuts(const vs_area *a, vs_vec2 p, vs_vec2 q, double slack, cuts
   return true;
 }
 
-/* The state of a line under construction, which begins at point number `first`. */
+/* The state of a line that is being traced. The line begins at point number `first`. */
 typedef struct {
   vs_inner_lines *out;
   size_t first;

@@ -4,7 +4,7 @@
 
 #include "model/node.h"
 
-/* Joins open curves whose ends coincide within 1e-9 of their size into longer or closed ones, in the order of their
+/* Joins open curves whose ends coincide within 1e-9 of their size into longer or closed curves, in the order of their
  * first parts. refs contains *count curves; closed curves are not changed. The joined curves replace those in refs, and
  * *count becomes their number. The caller releases them. Returns false and sets e on failure; the caller then releases
  * nothing. */
@@ -12,6 +12,8 @@ bool vs_curves_join(vs_store *s, vs_ref *refs, size_t *count, vs_error *e);
 bool vs_curve_ends(const vs_node *curve, vs_vec3 *start, vs_vec3 *end, double *size, vs_error *e); /* finds the ends and
                                                                                                     * the size of a
                                                                                                     * curve, which must
-                                                                                                    * be open */
+                                                                                                    * be open; returns
+                                                                                                    * false and sets e
+                                                                                                    * on failure */
 
 #endif

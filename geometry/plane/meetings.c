@@ -37,13 +37,14 @@ static bool boxes_near(const vs_bounds *a, const vs_bounds *b, double near) {
 
 static double held(double x, double high) { return x < 0 ? 0 : x > high ? high : x; }
 
-/* Returns the distance s brought into the range of the curve: modulo its length if the curve is closed, else limited to
- * it. */
+/* Returns the position s on the curve, as arc length, brought into the curve's range: modulo its length if it is
+ * closed, else limited to it. */
 static double along(const vs_stations *c, double s) {
   return c->path.closed ? s - c->length * floor(s / c->length) : held(s, c->length);
 }
 
-/* Moves the positions s and t to where the curves are nearest to each other. Returns the distance of the two points. */
+/* Moves the positions s and t to where the curves a and b are nearest to each other, by Newton's method. Returns the
+ * distance of the two points. */
 static double nearest(const vs_stations *a, const vs_stations *b, double *s, double *t, double most) {
   double best = INFINITY;
   for (int i = 0; i < STEPS; i++) {
@@ -102,15 +103,15 @@ static vs_meetings_outcome pair(search *w, size_t i, size_t j) {
   double t = w->b->along[j] + y * (w->b->along[j + 1] - w->b->along[j]);
   double s0 = s, t0 = t;
   if (nearest(w->a, w->b, &s, &t, 2 * span) > w->near) return VS_MEETINGS_DONE;
-  /* If the result has moved away from these two spans, the search from another pair of spans finds it. */
+  /* If the nearest points are far from these two spans, the search from another pair of spans finds them. */
   if (!same_place(w->a, s, s0, 3 * span) || !same_place(w->b, t, t0, 3 * span)) return VS_MEETINGS_DONE;
   double blur = fmax(w->near, 1e-7 * fmax(w->a->length, w->b->length));
   for (size_t k = 0; k < w->count; k++)
     if (same_place(w->a, w->found[k].s, s, blur) && same_place(w->b, w->found[k].t, t, blur)) return VS_MEETINGS_DONE;
   vs_station here = vs_station_at(w->a, s), there = vs_station_at(w->b, t);
   w->at = here.at;
-  if (fabs(vs_v3_dot(here.tangent, there.tangent)) > 1 - 1e-9) { /* parallel tangents: the curves touch, or coincide
-                                                                  * along a part */
+  if (fabs(vs_v3_dot(here.tangent, there.tangent)) > 1 - 1e-9) { /* if the tangents are parallel, the curves touch, or
+                                                                  * coincide along a part */
     double step = .3 * fmin(w->a->along[i + 1] - w->a->along[i], w->b->along[j + 1] - w->b->along[j]);
     int on = 0;
     for (int side = -1; side <= 1; side += 2) {

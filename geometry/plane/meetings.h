@@ -6,16 +6,16 @@
 
 typedef struct {
   vs_vec3 at;
-  double s, t; /* positions of the meeting point on the two curves, as arc lengths from their starts */
+  double s, t; /* arc lengths from the starts of the two curves to the point where they meet */
 } vs_meeting;
 
 typedef enum {
   VS_MEETINGS_DONE,
-  VS_MEETINGS_ALONG /* the curves coincide along a part near `at` */,
+  VS_MEETINGS_ALONG /* the curves coincide along a part near the point `at` */,
   VS_MEETINGS_MEMORY
 } vs_meetings_outcome;
 
-/* Finds the points where the curves are within `near` of each other, in the order of curve a. near is at least 0. The
+/* Finds the points where the curves a and b are at most `near` apart, in order along curve a. near is at least 0. The
  * caller frees *out. */
 vs_meetings_outcome vs_curves_meet(const vs_stations *a, const vs_stations *b, double near, vs_meeting **out,
                                    size_t *count, vs_vec3 *at);

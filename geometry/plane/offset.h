@@ -1,4 +1,4 @@
-/* Declares offsets in a plane. */
+/* Declares offsets in a plane: areas enlarged or reduced by a distance, and lines moved to one side. */
 #ifndef VS_GEOMETRY_PLANE_OFFSET_H
 #define VS_GEOMETRY_PLANE_OFFSET_H
 
@@ -13,7 +13,7 @@ typedef struct {
   int segments;
 } vs_offset_rule;
 
-/* An open line through at least two points; neighbours differ. ways: exact unit directions at its two ends. */
+/* An open line through at least two points, of which neighbours differ. ways: exact unit directions at its two ends. */
 typedef struct {
   const vs_vec2 *at;
   size_t count;

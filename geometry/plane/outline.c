@@ -1,4 +1,4 @@
-/* Makes outlines of loops: finds their common plane, and the nesting of holes. */
+/* Makes outlines of loops: finds the loops' common plane, and which loops are holes. */
 #include "geometry/plane/outline.h"
 
 #include <stdlib.h>
@@ -18,7 +18,7 @@ void vs_outline_free(vs_outline *o) {
   *o = (vs_outline){ 0 };
 }
 
-/* Returns the normal vector of a polygon with twice its area as length (Newell). */
+/* Returns the normal vector of a polygon, with twice the polygon's area as length (Newell). */
 static vs_vec3 polyline_area(const vs_polyline *p) {
   vs_vec3 sum = { 0, 0, 0 };
   for (size_t i = 1; i + 1 < p->count; i++)
@@ -97,8 +97,8 @@ static bool outline_nest(vs_outline *o) {
   size_t n = o->count, done = 0;
   size_t *depth = vs_zeros(n, sizeof *depth), *parent = vs_fresh(n, sizeof *parent);
   vs_polyline *sorted = vs_fresh(n, sizeof *sorted);
-  vs_loop_box *box = vs_fresh(n, sizeof *box); /* bounding boxes, because most loops of a perforated sheet are
-                                                * disjoint */
+  vs_loop_box *box = vs_fresh(n, sizeof *box); /* bounding boxes of the loops, for a quick test: most loops of a
+                                                * perforated sheet are disjoint */
   o->hole = vs_zeros(n, sizeof *o->hole);
   bool ok = depth && parent && sorted && box && o->hole;
   for (size_t i = 0; ok && i < n; i++) box[i] = outline_box(&o->frame, &o->loops[i]);
@@ -114,7 +114,7 @@ static bool outline_nest(vs_outline *o) {
   }
   for (size_t i = 0; ok && i < n; i++) {
     if (depth[i] % 2) continue;
-    for (size_t k = 0; k <= n; k++) { /* k = 0 is the outer loop itself, then come its holes */
+    for (size_t k = 0; k <= n; k++) { /* appends the outer loop itself (k = 0), then its holes */
       size_t j = k ? k - 1 : i;
       if (k && (parent[j] != i || !(depth[j] % 2))) continue;
       bool hole = k > 0, clockwise = vs_v3_dot(polyline_area(&o->loops[j]), o->normal) < 0;
@@ -123,7 +123,7 @@ static bool outline_nest(vs_outline *o) {
       sorted[done++] = o->loops[j];
     }
   }
-  if (ok) { /* every hole has an outer loop, so the new order contains all loops */
+  if (ok) { /* replaces the order only if it contains all loops, which is so because every hole has an outer loop */
     free(o->loops);
     o->loops = sorted;
     sorted = NULL;

@@ -10,20 +10,20 @@ void vs_polyline_free(vs_polyline *p);
 
 /* The loops of a region in one plane. Outer loops are counter-clockwise about the normal, and each is followed by its
  * holes, which are clockwise. The normal points up; the normal of a vertical plane points towards +Y, or along +X.
- * Columns of frame: 0 and 1 span the plane, 2 is the normal, 3 is the point of the plane nearest to the origin. An open
+ * frame: columns 0 and 1 span the plane, 2 is the normal, 3 is the point of the plane nearest to the origin. An open
  * curve, such as the profile of a surface, is a single loop that is not closed. */
 typedef struct { vs_polyline *loops; bool *hole; size_t count; vs_vec3 point, normal; vs_affine frame; } vs_outline;
 void vs_outline_free(vs_outline *o);
-/* Makes an outline of loops in one plane. The outline then owns the points, and each loop is left empty, even on
+/* Makes an outline of loops in one plane. The outline then owns the points, and the given loops are left empty, even on
  * failure. Returns false and sets e on failure. */
 bool vs_outline_of_loops(vs_polyline *loops, size_t count, vs_outline *out, vs_error *e);
-/* Finds the plane of the loops and its frame. Returns false if the loops enclose no area, or do not lie in one
+/* Finds the plane of o's loops and its frame. Returns false if the loops enclose no area, or do not lie in one
  * plane. */
 bool vs_outline_plane(vs_outline *o, vs_error *e);
-/* Orients the loops: outer loops counter-clockwise about the normal, holes clockwise. */
+/* Reverses loops so that outer loops are counter-clockwise about the normal, and holes clockwise. */
 void vs_outline_orient(vs_outline *o);
-/* Returns the area of the outline and sets its centroid. For an open outline, these are its length and the centroid of
- * the curve. */
+/* Returns the area of the outline and sets *centroid. For an open outline, these are the length and the centroid of the
+ * curve. */
 double vs_outline_measure(const vs_outline *o, vs_vec3 *centroid);
 
 #endif

@@ -14,17 +14,17 @@
 #include "model/store/array.h"
 
 typedef struct {
-  bool filled;         /* true: the value is an outline; false: it is a path */
+  bool filled;         /* true if the value is an outline (of a region); false if it is a path (of a curve) */
   vs_path path;
   vs_outline outline;
 } vs_flat_value;
 
 typedef struct {
   const vs_ref *ref;
-  uint32_t next;       /* index of the next child to evaluate */
-  size_t first;        /* index in the value stack of the result of the node's first child */
-  vs_affine map;       /* affine map to apply to the node's children */
-  vs_affine after;     /* for an offset: map that is applied to its result */
+  uint32_t next;       /* index of the node's next child to evaluate */
+  size_t first;        /* index in the value stack of the first child's result */
+  vs_affine map;       /* map to apply to the node's children: the placements above the node */
+  vs_affine after;     /* for an offset: map to apply to its result */
   vs_fineness facets;
 } vs_flat_frame;
 
@@ -58,7 +58,7 @@ static bool flat_open(vs_flat *f, const vs_ref *ref, const vs_affine *map, const
   return true;
 }
 
-/* Makes the outline of a text. Its loops are already nested. The outline is empty if the letters have no ink. */
+/* Makes the outline of text node n. Its loops are already nested. The outline is empty if the letters have no ink. */
 static bool text_outline(const vs_node *n, const vs_affine *placed, const vs_fineness *f, vs_outline *out,
                          vs_error *e) {
   if (!vs_text_loops(n, placed, f, out, e)) return false;
@@ -68,7 +68,7 @@ static bool text_outline(const vs_node *n, const vs_affine *placed, const vs_fin
   return true;
 }
 
-/* Makes the outline of a hull that lies in a plane. */
+/* Makes the outline of hull node n, which lies in a plane. */
 static bool hull_outline(const vs_node *n, const vs_affine *placed, const vs_fineness *f, vs_outline *out,
                          vs_error *e) {
   vs_fineness inner = vs_fineness_placed(f, placed);
@@ -88,7 +88,7 @@ static bool hull_outline(const vs_node *n, const vs_affine *placed, const vs_fin
 
 static bool flat_fill(vs_flat *f, const vs_ref *ref, vs_flat_value *v);
 
-/* Pushes a value for a leaf, or a frame for a node with children. */
+/* Pushes the value of a leaf onto the value stack, or pushes a frame for a node with children. */
 static bool flat_enter(vs_flat *f, const vs_ref *ref, vs_affine map, const vs_fineness *facets) {
   for (;;) {
     const vs_node *n = ref->node;
@@ -152,8 +152,8 @@ static bool flat_enter(vs_flat *f, const vs_ref *ref, vs_affine map, const vs_fi
   }
 }
 
-/* Joins the curves one after another. Reverses a curve if its end, instead of its start, lies at the end of the
- * previous curve. */
+/* Joins the paths of `count` curves end to end into *out. Reverses a curve if its end, instead of its start, lies at
+ * the end of the previous curve. */
 static bool flat_join(vs_flat *f, const vs_ref *ref, vs_flat_value *values, size_t count, vs_flat_value *out) {
   vs_path *to = &out->path;
   bool ok = true;
@@ -235,7 +235,7 @@ bool vs_outline_coplanar(const vs_outline *a, const vs_outline *b) {
 static bool flat_combine(vs_flat *f, const vs_ref *ref, vs_flat_value *values, size_t count, vs_flat_value *out) {
   vs_area *areas = vs_zeros(count, sizeof *areas), made = { 0 };
   bool ok = areas || vs_error_memory(f->error, ref->origin);
-  const vs_outline *plane = NULL; /* the first operand that is not empty, which determines the plane */
+  const vs_outline *plane = NULL; /* outline of the first operand that is not empty; the set lies in its plane */
   for (size_t i = 0; ok && i < count; i++) {
     ok = flat_fill(f, ref, &values[i]);
     if (ok && (!plane || (!plane->count && values[i].outline.count))) plane = &values[i].outline;
@@ -309,7 +309,7 @@ static bool flat_offset(vs_flat *f, const vs_flat_frame *at, vs_flat_value *in, 
     ok = ok && vs_area_offset(&area, &rule, &made, f->error);
     ok = ok && (vs_area_outline(&made, &frame, &out->outline) || vs_error_memory(f->error, at->ref->origin));
     out->filled = true;
-    /* The result of an offset of a curve is a curve again, if it has a single loop. */
+    /* The result of an offset of a curve is a curve, not a region, if it has a single loop. */
     if (ok && at->ref->node->class_ == VS_CURVE && out->outline.count == 1) {
       ok = vs_path_of_polyline(&out->outline.loops[0], &out->path) || vs_error_memory(f->error, at->ref->origin);
       vs_outline_free(&out->outline);
@@ -373,7 +373,7 @@ static bool flat_evaluate(const vs_node *n, const vs_affine *placed, const vs_fi
     if (top->next < top->ref->node->child_count) {
       const vs_ref *child = &top->ref->node->children[top->next++];
       vs_fineness inner = top->facets;
-      /* Skips an empty operand, which adds and removes nothing. */
+      /* An empty operand is skipped, because it adds and removes nothing. */
       if (child->node->class_ != VS_NOTHING) ok = flat_enter(&f, child, top->map, &inner);
     } else ok = flat_leave(&f);
   }

@@ -12,7 +12,7 @@ bool vs_plane_same(const vs_shape_plane *a, const vs_shape_plane *b) {
 }
 
 /* Points that determine a plane. The point farthest from the first point determines a line. The point farthest from
- * that line determines the plane. All points at[i] are mapped by `map`. */
+ * that line determines the plane. All points at[i] and more[i] are mapped by `map`. */
 typedef struct { const vs_vec3 *at; size_t count; vs_vec3 more[4]; size_t more_count; vs_affine map; } vs_plane_points;
 
 static vs_vec3 plane_point(const vs_plane_points *p, size_t i) {
@@ -84,7 +84,7 @@ static bool plane_spline(const vs_node *n, vs_plane_points *p, vs_shape_plane *o
   return true;
 }
 
-/* Sets the plane through three points. */
+/* Sets *out to the plane through three points. */
 static bool plane_by(vs_plane_points *p, const vs_vec3 at[3], vs_shape_plane *out, vs_plane_count *found) {
   p->more_count = 3;
   for (int i = 0; i < 3; i++) p->more[i] = at[i];
@@ -110,7 +110,7 @@ static bool plane_text(const vs_node *n, vs_plane_points *p, vs_shape_plane *out
   return plane_by(p, (const vs_vec3[]){ at, vs_v3_add(at, vs_v3(1, 0, 0)), vs_v3_add(at, vs_v3(0, 1, 0)) }, out, found);
 }
 
-/* Sets the plane through a point, perpendicular to a direction. */
+/* Sets *out to the plane through the point `at`, perpendicular to a direction. */
 static bool plane_across(vs_vec3 at, vs_vec3 normal, vs_plane_points *p, vs_shape_plane *out, vs_plane_count *found) {
   vs_affine frame = vs_frame_on_axis(at, normal);
   const vs_vec3 by[3] = { at, vs_v3_add(at, vs_v3(frame.m[0][0], frame.m[1][0], frame.m[2][0])),
@@ -139,7 +139,7 @@ static bool plane_hull(const vs_node *n, vs_plane_points *p, vs_shape_plane *out
   return true;
 }
 
-/* Finds the plane of a join by coarse samples of the curve. */
+/* Finds the plane of joined curves by coarse samples of the curve. */
 static bool plane_join(const vs_node *n, vs_plane_points *p, vs_shape_plane *out, vs_plane_count *found) {
   vs_fineness coarse = { 1, 12 };
   vs_polyline line = { 0 };
@@ -153,13 +153,14 @@ static bool plane_join(const vs_node *n, vs_plane_points *p, vs_shape_plane *out
   return true;
 }
 
-static plane_rule *const plane_rules[VS_KIND_COUNT] = { /* NULL: the kind is a primitive solid, which has no plane */
+static plane_rule *const plane_rules[VS_KIND_COUNT] = { /* plane_rules[kind]: function that finds the plane of a node of
+                                                         * this kind; NULL for primitive solids, which have none */
 #define VS_RULE(kind, plane, measure) [VS_##kind] = plane_##plane,
 #include "geometry/kind_rules.def"
 };
 
-/* A missing row makes this table fail to compile. Each kind except primitive solids must have a row in
- * kind_rules.def. */
+/* If a row of kind_rules.def is missing, this constant does not compile. Each kind except primitive solids must have a
+ * row. */
 enum {
 #define VS_RULE(kind, plane, measure) RULE_OF_##kind,
 #include "geometry/kind_rules.def"

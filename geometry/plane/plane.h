@@ -12,13 +12,13 @@ typedef enum {
 } vs_plane_count;
 typedef struct {
   vs_vec3 point, normal; /* normal: unit vector that points up, or towards +Y, or along +X */
-  double size;           /* size of the curve or region, in model units */
+  double size;           /* size of the curve or region in model units, for the tolerance of comparisons */
 } vs_shape_plane;
 
-/* Finds the plane of a node. The plane of a set is that of its first part that is not empty. The constructor of the set
+/* Finds the plane of node n. The plane of a set is that of its first part that is not empty. The constructor of the set
  * has checked that all parts lie in one plane. */
 vs_plane_count vs_node_plane(const vs_node *n, vs_shape_plane *out);
-bool vs_plane_same(const vs_shape_plane *a, const vs_shape_plane *b); /* returns true if the two planes agree within
+bool vs_plane_same(const vs_shape_plane *a, const vs_shape_plane *b); /* returns true if the planes a and b agree within
                                                                        * 1e-6 of the shapes' sizes */
 
 #endif

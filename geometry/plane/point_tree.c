@@ -7,7 +7,7 @@
 
 enum { POINT_TREE_LEAF = 8 };
 
-static uint64_t tree_spread(uint32_t x) { /* inserts a zero bit after each bit */
+static uint64_t tree_spread(uint32_t x) { /* inserts a zero bit after each bit of x, for a Morton code */
   uint64_t v = x;
   v = (v | v << 16) & UINT64_C(0x0000FFFF0000FFFF);
   v = (v | v << 8) & UINT64_C(0x00FF00FF00FF00FF);
@@ -87,26 +87,27 @@ void vs_point_tree_switch(vs_point_tree *t, size_t item, bool on) {
   VS_ASSERT(item < t->count);
   if (t->is_on[rank] == on) return;
   t->is_on[rank] = on;
-  for (size_t i = t->leaves + rank / POINT_TREE_LEAF; i > 0; i /= 2) t->boxes[i].on += on ? 1 : SIZE_MAX; /* adds 1 to
+  for (size_t i = t->leaves + rank / POINT_TREE_LEAF; i > 0; i /= 2) t->boxes[i].on += on ? 1 : SIZE_MAX; /* in the leaf
+                                                                                                           * and all
+                                                                                                           * nodes above
+                                                                                                           * it, changes
                                                                                                            * the number
                                                                                                            * of points
                                                                                                            * that are
-                                                                                                           * on, or
-                                                                                                           * subtracts 1
-                                                                                                           * if `on` is
-                                                                                                           * false */
+                                                                                                           * switched on
+                                                                                                           * by 1 */
 }
 
-/* Returns true if all of the box is clearly to the right of the line from p to q. The margin is twice that for points,
- * and exceeds rounding errors. */
+/* Returns true if all of the box is clearly to the right of the line from p to q. `flat` is the tolerance for points;
+ * the box gets twice as much, which exceeds rounding errors. */
 static bool tree_beyond(const vs_point_box *b, vs_vec2 p, vs_vec2 q, double flat) {
-  /* The corner of the box that is farthest to the left of the line. */
+  /* most: the corner of the box that is farthest to the left of the line */
   vs_vec2 most = { q.y > p.y ? b->min_x : b->max_x, q.x > p.x ? b->max_y : b->min_y };
   return vs_vec2_turn(p, q, most) < -2 * flat;
 }
 
 /* Returns a box that contains every point p that counts as inside the triangle a, b, c. The triangles of p with two of
- * the corners have areas of at least -flat. Therefore none of these areas exceeds the triangle's area by more than 2 *
+ * the corners have areas of at least -flat. Therefore none of these areas exceeds the area of a, b, c by more than 2 *
  * flat. */
 static vs_point_box tree_around(vs_vec2 a, vs_vec2 b, vs_vec2 c, double flat) {
   vs_point_box box = { fmin(a.x, fmin(b.x, c.x)), fmin(a.y, fmin(b.y, c.y)), fmax(a.x, fmax(b.x, c.x)),
@@ -123,11 +124,11 @@ static bool tree_apart(const vs_point_box *a, const vs_point_box *b) {
 
 static bool tree_same(vs_vec2 p, vs_vec2 q) { return p.x == q.x && p.y == q.y; }
 
-/* The stack of nodes that are still to be visited. */
+/* A traversal of the tree: the stack of nodes that are still to be visited. */
 typedef struct { size_t stack[2 * 64], depth; } tree_walk;
 
 /* Pushes the two children of the node and returns true. If the node is a leaf, returns false and sets *first and *end
- * to its range of ranks. */
+ * to its range of positions in `order`. */
 static bool tree_down(const vs_point_tree *t, tree_walk *w, size_t node, size_t *first, size_t *end) {
   VS_ASSERT(node > 0 && node < 2 * t->leaves);
   if (node < t->leaves) {

@@ -5,15 +5,15 @@
 
 #include "geometry/plane/ear_clipping.h"
 
-/* Points in the order of a space-filling curve, in leaves of POINT_TREE_LEAF points, below a binary tree of boxes. The
- * member `on` of a box is the number of its switched-on points. The construction takes n log n steps, and switching a
+/* A node of a binary tree of boxes. Its points, in the order of a space-filling curve, are in leaves of POINT_TREE_LEAF
+ * points. on: number of points in the box that are switched on. The construction takes n log n steps, and switching a
  * point takes as many steps as the tree is high. A search visits only boxes that intersect the triangle and have such
  * points. */
 typedef struct { double min_x, min_y, max_x, max_y; size_t on; } vs_point_box;
 typedef struct {
   const vs_vec2 *at;   /* positions, which belong to the caller; item i has the position at[point[i]] */
   size_t count, leaves;
-  size_t *order, *rank; /* order: items along the curve; rank: index of each item in `order` */
+  size_t *order, *rank; /* order: items along the space-filling curve; rank[i]: index of item i in `order` */
   const size_t *point;
   bool *is_on;          /* is_on[r]: true if the item of rank r is switched on */
   vs_point_box *boxes;  /* node 1 is the root, and node i has the children 2 i and 2 i + 1; the leaves begin at index
@@ -24,7 +24,7 @@ typedef struct {
  * tree. Returns false when memory is out. */
 bool vs_point_tree_make(vs_point_tree *t, const vs_vec2 *at, const size_t *point, size_t count);
 void vs_point_tree_free(vs_point_tree *t);
-/* Switches an item of the tree on or off. */
+/* Switches an item of the tree on or off; searches find only items that are on. */
 void vs_point_tree_switch(vs_point_tree *t, size_t item, bool on);
 /* Returns an item that is switched on, lies in the triangle, and is not at the position of a, b or c. Returns SIZE_MAX
  * if there is none. A point p is in the triangle if twice the area of each of (a, b, p), (b, c, p) and (c, a, p) is at

@@ -8,7 +8,7 @@
 #include "geometry/plane/skeleton_wave.h"
 #include "model/store/array.h"
 
-#define RESOLUTION 1e-10L /* the distance below which points coincide, relative to the outline's size */
+#define RESOLUTION 1e-10L /* distance below which points coincide, as a fraction of the outline's size */
 
 void vs_skeleton_free(vs_skeleton *s) {
   free(s->at), free(s->corner), free(s->face);
@@ -17,7 +17,8 @@ void vs_skeleton_free(vs_skeleton *s) {
 
 /* ---- the outline ---- */
 
-/* The corners of all loops: next[i] and last[i] are the neighbours of corner i in its loop, loop[i] the loop. */
+/* The corners of all loops. next[i], last[i]: the corners after and before corner i in its loop; loop[i]: number of the
+ * loop. */
 typedef struct {
   uint32_t *next, *last, *loop;
   size_t count;
@@ -45,20 +46,20 @@ static long double side(vs_vec2 a, vs_vec2 b, vs_vec2 c) {
   return vs_wave_cross(vs_wave_sub(wide(b), wide(a)), vs_wave_sub(wide(c), wide(a)));
 }
 
-/* Returns the distance between a point and a segment. */
+/* Returns the distance of the point p from the segment from a to b. */
 static long double distance(vs_vec2 p, vs_vec2 a, vs_vec2 b) {
   vs_wave_point d = vs_wave_sub(wide(b), wide(a)), v = vs_wave_sub(wide(p), wide(a));
   long double along = fminl(1, fmaxl(0, vs_wave_dot(v, d) / vs_wave_dot(d, d)));
   return hypotl(v.x - along * d.x, v.y - along * d.y);
 }
 
-/* Returns true if the edges i and j touch elsewhere than at a common corner. */
+/* Returns true if the edges i and j of the outline touch elsewhere than at a common corner. */
 static bool touch(const vs_skeleton_outline *o, const rings *r, uint32_t i, uint32_t j, long double least) {
   vs_vec2 a = o->at[i], b = o->at[r->next[i]], c = o->at[j], d = o->at[r->next[j]];
   if (fmax(a.x, b.x) + least < fmin(c.x, d.x) || fmax(c.x, d.x) + least < fmin(a.x, b.x)) return false;
   if (fmax(a.y, b.y) + least < fmin(c.y, d.y) || fmax(c.y, d.y) + least < fmin(a.y, b.y)) return false;
   bool follows = r->next[i] == j, leads = r->next[j] == i;
-  if (follows || leads) /* neighbours touch if one turns back along the other */
+  if (follows || leads) /* neighbouring edges touch if one turns back along the other */
     return (follows && (distance(d, a, b) <= least || distance(a, c, d) <= least)) ||
            (leads && (distance(c, a, b) <= least || distance(b, c, d) <= least));
   if (distance(a, c, d) <= least || distance(b, c, d) <= least || distance(c, a, b) <= least ||
@@ -102,8 +103,8 @@ static long double extent(const vs_skeleton_outline *o, size_t n) {
   return n ? hypotl((long double)x[1] - x[0], (long double)y[1] - y[0]) : 0;
 }
 
-/* Makes the lines and nodes of the edges. next[i] becomes the edge after edge i. All edges then have the inside on the
- * left. edge_of[i]: the index in the outline of the edge of line i. */
+/* Makes the moving lines and the start nodes of the outline's edges. next[i] becomes the edge after edge i. All edges
+ * then have the inside on the left. edge_of[i]: index in the outline of the edge of line i. */
 static bool start_wave(const vs_skeleton_outline *o, const rings *r, vs_wave *w, uint32_t *next, uint32_t *edge_of) {
   size_t n = r->count;
   if (!VS_GROW(w->line, w->line_room, n) || !VS_GROW(w->node, w->node_room, n)) return false;
@@ -135,13 +136,14 @@ static int compare_halves(const void *p, const void *q) {
   return a->to < b->to ? -1 : a->to > b->to;
 }
 
-/* Returns the direction of a half-edge in the plane of its face: along the line, and up. */
+/* Returns the direction of half-edge h in the plane of its face: x along the face's line, y upwards. */
 static vs_wave_point direction(const vs_wave *w, const vs_wave_half *h) {
   const vs_wave_node *a = &w->node[h->from], *b = &w->node[h->to];
   return (vs_wave_point){ vs_wave_dot(w->line[h->line].along, vs_wave_sub(b->at, a->at)), b->time - a->time };
 }
 
-/* Returns the half-edge that follows h around its face, among halves [first, end), or end if there is none. */
+/* Returns the half-edge that follows half-edge h around its face, among the half-edges [first, end), or end if there is
+ * none. */
 static size_t follower(const vs_wave *w, size_t h, size_t first, size_t end, const bool *used) {
   size_t found = end;
   long double least = INFINITY;
@@ -160,7 +162,8 @@ static bool in_plane(const vs_wave *w, uint32_t line, uint32_t node, long double
   return fabsl(vs_wave_dot(l->normal, n->at) - l->offset - l->speed * n->time) <= tolerance;
 }
 
-/* Adds the loop that begins with half h. Fails if it does not close, leaves its plane or is a hole. */
+/* Adds the face whose border begins with half-edge h. Fails if the border does not close, leaves its plane or encloses
+ * a hole. */
 static vs_skeleton_outcome add_face(const vs_wave *w, size_t h, const size_t range[2], bool *used, vs_skeleton *s) {
   vs_skeleton_face face = { .first = s->corner_count };
   long double tolerance = 1e4L * w->least, area = 0, reach = 0;

@@ -1,6 +1,6 @@
-/* Moves the wave front of a straight skeleton (skeleton_wave.h) from event to event. At an event, vertices meet, or a
- * vertex meets a segment. However many meet at one time, the front is made anew there. Points within w->least of each
- * other become one place. Segments are cut at the places on them. Pieces of opposite directions between two places
+/* Moves the wave front of a straight skeleton (skeleton_wave.h) from event to event. At an event, vertices of the front
+ * meet each other or a segment. However many meet at one time, the front is made anew there. Points within w->least of
+ * each other become one place. Segments are cut at the places on them. Pieces of opposite directions between two places
  * cancel: they are a ridge. The ways of vertices end at their places. At each place, a piece that arrives continues
  * with the piece that leaves next to it, clockwise. Thus no case of simultaneous events is special. */
 #include "geometry/plane/skeleton_wave.h"
@@ -10,11 +10,12 @@
 
 #include "model/store/array.h"
 
-#define PARALLEL 1e-9L  /* sine of the angle below which two lines count as parallel */
-#define STILL 1e-14L    /* a speed that counts as 0, relative to the other speeds */
+#define PARALLEL 1e-9L  /* sine of the angle below which two moving lines count as parallel */
+#define STILL 1e-14L    /* speed that counts as 0, as a fraction of the other speeds */
 #define NONE UINT32_MAX
 
-/* A part of a segment between two places. */
+/* A part of a segment of the front between two places. line: number of its moving line; from, to: places at its ends;
+ * link: the piece that continues it. */
 typedef struct { uint32_t segment, line, from, to, link; bool first, gone, merged, taken, stepped; } piece;
 typedef struct { long double along; uint32_t place; } cut;
 
@@ -23,14 +24,14 @@ typedef struct vs_wave_work {
   size_t piece_count, piece_room;
   cut *cut;
   size_t cut_count, cut_room;
-  vs_wave_segment *fresh; /* the next front */
+  vs_wave_segment *fresh; /* segments of the front after the current event */
   size_t fresh_count, fresh_room;
-  /* of each vertex or place; places have the index of their first vertex */
+  /* position of each vertex or place; a place has the index of its first vertex */
   vs_wave_point *at;
   uint32_t *place, *node, *first;
   bool *touched;
   size_t rooms[5], start_room;
-  uint32_t *start; /* of each piece: its segment of the next front */
+  uint32_t *start; /* start[p]: segment of the next front that begins with piece p */
 } work;
 
 void vs_wave_free(vs_wave *w) {
@@ -64,7 +65,7 @@ static bool parallel(const vs_wave_line *a, const vs_wave_line *b) {
   return fabsl(vs_wave_cross(a->normal, b->normal)) < PARALLEL;
 }
 
-/* Sets the way of the vertex between two lines, which is at p now. */
+/* Sets the way on which the vertex between two lines moves. The vertex is at p now. */
 static void set_way(const vs_wave *w, uint32_t in, uint32_t out, vs_wave_point p, vs_wave_segment *s) {
   const vs_wave_line *a = &w->line[in], *b = &w->line[out];
   long double d = vs_wave_cross(a->normal, b->normal);
@@ -81,7 +82,7 @@ static void set_way(const vs_wave *w, uint32_t in, uint32_t out, vs_wave_point p
 
 /* ---- the time of the next event ---- */
 
-/* Returns the time until a segment has no length, or infinity. */
+/* Returns the time until the segment s has shrunk to no length, or infinity. */
 static long double until_short(const vs_wave *w, const vs_wave_segment *s) {
   const vs_wave_segment *n = &w->segment[s->next];
   vs_wave_point d = w->line[s->line].along;
@@ -90,8 +91,8 @@ static long double until_short(const vs_wave *w, const vs_wave_segment *s) {
   return fmaxl(0, vs_wave_dot(d, vs_wave_sub(position(n, w->time), position(s, w->time))) / -rate);
 }
 
-/* Returns the time until the vertex at the start of v meets the segment s, or infinity; times above `best` do not
- * matter. */
+/* Returns the time until the vertex at the start of v reaches the segment s, or infinity. Times above `best` need not
+ * be exact. */
 static long double until_met(const vs_wave *w, const vs_wave_segment *v, const vs_wave_segment *s, long double best) {
   const vs_wave_line *l = &w->line[s->line];
   long double rate = vs_wave_dot(l->normal, v->way) - l->speed;
@@ -111,7 +112,7 @@ static long double until_event(const vs_wave *w) {
   for (size_t i = 0; i < w->count; i++) best = fminl(best, until_short(w, &w->segment[i]));
   for (uint32_t i = 0; i < w->count; i++) {
     const vs_wave_segment *v = &w->segment[i];
-    /* only reflex and straight vertices meet segments */
+    /* only vertices at reflex and straight corners can reach segments */
     if (vs_wave_cross(w->line[w->segment[v->last].line].along, w->line[v->line].along) > PARALLEL) continue;
     for (uint32_t j = 0; j < w->count; j++)
       if (j != i && j != v->last) best = fminl(best, until_met(w, v, &w->segment[j], best));
@@ -121,7 +122,7 @@ static long double until_event(const vs_wave *w) {
 
 /* ---- the front made anew ---- */
 
-/* Returns the node of a place, made on first use; NONE when memory is out. */
+/* Returns the node at a place. Makes it when it is first needed. Returns NONE when memory is out. */
 static uint32_t node_of(vs_wave *w, uint32_t place) {
   work *k = w->work;
   if (k->node[place] != NONE) return k->node[place];
@@ -135,7 +136,7 @@ static bool rooms(work *k, size_t n) {
          VS_GROW(k->first, k->rooms[3], n) && VS_GROW(k->touched, k->rooms[4], n);
 }
 
-/* Finds the places of all vertices. A place is touched if several vertices are there. */
+/* Finds the places of all vertices of the front. A place is marked as touched if several vertices are there. */
 static bool find_places(vs_wave *w) {
   work *k = w->work;
   if (!rooms(k, w->count)) return false;
@@ -163,7 +164,7 @@ static bool add_piece(work *k, piece p) {
   return true;
 }
 
-/* Cuts segment i at the places on it. */
+/* Cuts segment i of the front at the places on it. */
 static bool cut_segment(vs_wave *w, uint32_t i) {
   work *k = w->work;
   const vs_wave_segment *s = &w->segment[i];
@@ -191,7 +192,7 @@ static bool cut_segment(vs_wave *w, uint32_t i) {
   return add_piece(k, p);
 }
 
-/* Cancels pieces of opposite directions between the same places, and records the ridges. */
+/* Cancels pieces of opposite directions between equal places, and records them as ridges between faces. */
 static bool cancel(vs_wave *w) {
   work *k = w->work;
   for (size_t i = 0; i < k->piece_count; i++) {
@@ -210,7 +211,7 @@ static bool cancel(vs_wave *w) {
   return true;
 }
 
-/* Records the ways of the vertices that end at touched places. */
+/* Records the ways of the vertices that end at touched places, where several vertices are. */
 static bool end_ways(vs_wave *w) {
   work *k = w->work;
   for (uint32_t i = 0; i < w->count; i++) {
@@ -224,7 +225,7 @@ static bool end_ways(vs_wave *w) {
   return true;
 }
 
-/* Links each piece to the one that continues it. Returns false if the pieces do not form loops. */
+/* Links each piece of the front to the piece that continues it. Returns false if the pieces do not form loops. */
 static bool link_pieces(vs_wave *w) {
   work *k = w->work;
   for (size_t i = 0; i < k->piece_count; i++)
@@ -254,7 +255,8 @@ static bool add_segment(work *k, vs_wave_segment s, uint32_t *index) {
   return true;
 }
 
-/* Adds the line across two lines of one direction and different speeds: the vertical step between their faces. */
+/* Adds a line across two lines of one direction and different speeds, for the vertical step between their faces. Sets
+ * *line to its number. */
 static bool add_step(vs_wave *w, uint32_t in, uint32_t out, vs_wave_point at, uint32_t *line) {
   if (w->line_count >= NONE || !VS_GROW(w->line, w->line_room, w->line_count + 1)) return false;
   vs_wave_point n = w->line[in].normal;
@@ -271,7 +273,7 @@ static bool needs_step(const vs_wave_line *a, const vs_wave_line *b) {
          fabsl(a->speed - b->speed) > PARALLEL * fmaxl(a->speed, b->speed);
 }
 
-/* Starts the segments of the next front with the vertex between the pieces in and out. */
+/* Starts the segments of the next front that begin with the vertex between the pieces in and out. */
 static bool add_vertex(vs_wave *w, const piece *in, uint32_t out_index) {
   work *k = w->work;
   const piece *out = &k->piece[out_index];
@@ -286,7 +288,7 @@ static bool add_vertex(vs_wave *w, const piece *in, uint32_t out_index) {
       set_way(w, in->line, step, k->at[out->from], &across);
       set_way(w, step, out->line, k->at[out->from], &s);
       if (!add_segment(k, across, &made)) return false;
-      k->fresh[made].next = made + 1; /* the segment of out follows at once */
+      k->fresh[made].next = made + 1; /* the segment of piece `out` follows directly */
       k->piece[out_index].stepped = true;
     } else set_way(w, in->line, out->line, k->at[out->from], &s);
   }
@@ -307,7 +309,9 @@ static bool make_front(vs_wave *w) {
     for (size_t turns = 0; k->piece[k->piece[end].link].merged && turns < k->piece_count; turns++)
       end = k->piece[end].link;
     end = k->piece[end].link;
-    k->fresh[k->start[i]].next = k->start[end] - (k->piece[end].stepped ? 1 : 0); /* a step comes first */
+    k->fresh[k->start[i]].next = k->start[end] - (k->piece[end].stepped ? 1 : 0); /* if a vertical step precedes the
+                                                                                   * segment of the next piece, the step
+                                                                                   * comes first */
   }
   for (uint32_t i = 0; i < k->fresh_count; i++) k->fresh[k->fresh[i].next].last = i;
   vs_wave_segment *segment = w->segment;
@@ -317,7 +321,7 @@ static bool make_front(vs_wave *w) {
   return true;
 }
 
-/* Makes the front anew at the present time. */
+/* Makes the front anew at the present time, after an event. */
 static vs_skeleton_outcome renew(vs_wave *w) {
   work *k = w->work;
   k->piece_count = 0;
@@ -328,7 +332,7 @@ static vs_skeleton_outcome renew(vs_wave *w) {
   return make_front(w) ? VS_SKELETON_DONE : VS_SKELETON_MEMORY;
 }
 
-/* Makes the first front: each edge is a segment, each corner a node and a touched place. */
+/* Makes the first front from the outline: each edge becomes a segment, each corner a node and a touched place. */
 static bool begin(vs_wave *w, const uint32_t *next) {
   size_t n = w->line_count;
   work *k = w->work = vs_zeros(1, sizeof *k);
@@ -345,7 +349,8 @@ static bool begin(vs_wave *w, const uint32_t *next) {
 }
 
 vs_skeleton_outcome vs_wave_run(vs_wave *w, const uint32_t *next, vs_long_work going) {
-  size_t most = 40 * w->line_count + 100; /* each event removes or adds an edge of the front */
+  size_t most = 40 * w->line_count + 100; /* most: limit on the number of events; each event removes or adds an edge of
+                                           * the front */
   if (!begin(w, next)) return VS_SKELETON_MEMORY;
   for (size_t events = 0; w->count; events++) {
     long double wait = until_event(w);

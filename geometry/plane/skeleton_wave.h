@@ -12,10 +12,10 @@ typedef struct {
   long double offset, speed;
 } vs_wave_line;
 
-/* A segment of the front. Its start is a vertex that moves on a straight way: at + time * way. */
+/* A segment of the front. Its start is a vertex that moves on a straight way: its position is at + time * way. */
 typedef struct {
   uint32_t line, last, next; /* last, next: the neighbouring segments of the front */
-  uint32_t born;             /* the node where the vertex began */
+  uint32_t born;             /* node of the skeleton where the way of the vertex began */
   vs_wave_point at, way;
 } vs_wave_segment;
 
@@ -36,16 +36,18 @@ typedef struct {
   size_t node_count, node_room;
   vs_wave_half *half;
   size_t half_count, half_room;
-  long double time, least; /* least: points within this distance coincide */
+  long double time, least; /* time: present time of the front; least: distance within which points coincide */
   struct vs_wave_work *work;
 } vs_wave;
 
-/* Moves the front until it vanishes, and records the borders of all faces. line[i] is the line of edge i, node[i] its
- * start, next[i] the edge after it, for the given number of edges. */
+/* Moves the front until it vanishes, and records the borders of all faces. For each edge i of the outline: line[i] is
+ * its moving line, node[i] its start, next[i] the edge after it. */
 vs_skeleton_outcome vs_wave_run(vs_wave *w, const uint32_t *next, vs_long_work going);
 void vs_wave_free(vs_wave *w);
 
-bool vs_wave_half_add(vs_wave *w, uint32_t line, uint32_t from, uint32_t to); /* returns false when memory is out */
+bool vs_wave_half_add(vs_wave *w, uint32_t line, uint32_t from, uint32_t to); /* adds a half-edge of the face of a line,
+                                                                               * between two nodes; returns false when
+                                                                               * memory is out */
 
 static inline long double vs_wave_dot(vs_wave_point a, vs_wave_point b) { return a.x * b.x + a.y * b.y; }
 static inline long double vs_wave_cross(vs_wave_point a, vs_wave_point b) { return a.x * b.y - a.y * b.x; }
@@ -53,8 +55,8 @@ static inline vs_wave_point vs_wave_sub(vs_wave_point a, vs_wave_point b) {
   return (vs_wave_point){ a.x - b.x, a.y - b.y };
 }
 
-/* Returns the angle on the left of a way that arrives in direction in and leaves in direction out, above 0 and up to
- * two pi. */
+/* Returns the angle on the left of a path that arrives in direction `in` and leaves in direction `out`, above 0 and up
+ * to two pi. */
 long double vs_wave_turn(vs_wave_point in, vs_wave_point out);
 
 #endif

@@ -32,7 +32,8 @@ bool vs_slice_polyline(const vs_polyline *p, vs_vec3 point, vs_vec3 normal,
   vs_bounds b = vs_bounds_empty();
   for (size_t i = 0; i < p->count; i++) vs_bounds_add(&b, p->at[i]);
   double nothing = 1e-13 * vs_bounds_diagonal(&b);
-  size_t outside = p->count; /* begins at a removed point, so that no piece of a closed line extends across its start */
+  size_t outside = p->count; /* begins at a point on the removed side, so that no piece of a closed line extends across
+                              * its start */
   for (size_t i = p->count; i-- > 0;)
     if (slice_side(p->at[i], point, normal, nothing) < 0) outside = i;
   if (outside == p->count) return put(context, p);
@@ -88,7 +89,7 @@ vs_node *vs_slice_region(vs_ref region, const vs_shape_plane *flat, const vs_bou
   vs_store *s = region.node->store;
   vs_vec3 middle = vs_v3_scale(vs_v3_add(b->min, b->max), 0.5), n = vs_v3_unit(normal), f = vs_v3_unit(flat->normal);
   middle = vs_v3_sub(middle, vs_v3_scale(f, vs_v3_dot(f, vs_v3_sub(middle, flat->point))));
-  vs_vec3 in = vs_v3_sub(n, vs_v3_scale(f, vs_v3_dot(n, f))); /* direction in the region's plane towards the kept
+  vs_vec3 in = vs_v3_sub(n, vs_v3_scale(f, vs_v3_dot(n, f))); /* in: direction in the region's plane towards the kept
                                                                * side */
   double steep = vs_v3_length(in), height = vs_v3_dot(n, vs_v3_sub(middle, point)), reach = vs_bounds_diagonal(b);
   if (steep < 1e-12 || fabs(height) > steep * reach)

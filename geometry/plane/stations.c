@@ -15,7 +15,7 @@ void vs_stations_close(vs_stations *s) {
 }
 
 static size_t span_count(const vs_stations *s) { return s->path.count - (s->path.closed ? 0 : 1); }
-/* Returns the sample at the end of span i. i is below s->path.count. */
+/* Returns the sample at the end of span i (the curve between samples i and i + 1). i is below s->path.count. */
 static const vs_path_point *span_end(const vs_stations *s, size_t i) {
   VS_ASSERT(i < s->path.count);
   return &s->path.at[i + 1 < s->path.count ? i + 1 : 0];
@@ -23,7 +23,8 @@ static const vs_path_point *span_end(const vs_stations *s, size_t i) {
 
 static double angle_between(vs_vec3 a, vs_vec3 b) { return atan2(vs_v3_length(vs_v3_cross(a, b)), vs_v3_dot(a, b)); }
 
-/* Returns the arc length of a span. An arc that turns by the angle d is (d/2) / sin(d/2) times as long as its chord. */
+/* Returns the arc length of the span from p to q. An arc that turns by the angle d is (d/2) / sin(d/2) times as long as
+ * its chord. */
 static double span_length(const vs_path_point *p, const vs_path_point *q) {
   double half = angle_between(p->leaving, q->arriving) / 2, chord = vs_v3_length(vs_v3_sub(q->at, p->at));
   return half > 1e-8 ? chord * half / sin(half) : chord;
@@ -52,7 +53,7 @@ bool vs_stations_open(const vs_node *curve, const vs_fineness *f, vs_stations *o
 vs_station vs_station_at(const vs_stations *s, double distance) {
   size_t low = 0, high = span_count(s);
   distance = distance > 0 ? distance < s->length ? distance : s->length : 0;
-  while (high - low > 1) { /* binary search with along[low] <= distance */
+  while (high - low > 1) { /* binary search for the span that contains the distance: along[low] <= distance */
     size_t middle = (low + high) / 2;
     if (s->along[middle] <= distance)
       low = middle;
@@ -67,7 +68,7 @@ vs_station vs_station_at(const vs_stations *s, double distance) {
   if (turn <= 1e-9) {
     r.at = vs_v3_add(p->at, vs_v3_scale(chord, t));
     r.tangent = p->leaving;
-  } else { /* between two samples with different directions: the cubic curve that best approximates the arc */
+  } else { /* between two samples with different directions, computes the cubic curve that best approximates an arc */
     double speed = vs_v3_length(chord) / (quarter * quarter), u = 1 - t;
     vs_vec3 a = vs_v3_scale(p->leaving, speed), b = vs_v3_scale(q->arriving, speed);
     r.at = vs_v3_add(vs_v3_add(vs_v3_scale(p->at, u * u * (1 + 2 * t)), vs_v3_scale(q->at, t * t * (3 - 2 * t))),

@@ -9,22 +9,25 @@
  * of samples. */
 typedef struct {
   vs_path path;
-  double *along;   /* arc length at each sample; the last element is the length of the whole curve */
-  vs_vec3 *across; /* first direction of the rotation-minimizing frame at each sample, perpendicular to
+  double *along;   /* along[i]: arc length from the curve's start to sample i; the last element is the length of the
+                    * whole curve */
+  vs_vec3 *across; /* across[i]: first direction of the rotation-minimizing frame at sample i, perpendicular to
                     * path.at[i].leaving */
   double length;
 } vs_stations;
 
 typedef struct {
-  vs_vec3 at, tangent, across; /* tangent, across: perpendicular unit vectors */
+  vs_vec3 at, tangent, across; /* at: the point; tangent: unit direction of the curve; across: unit vector of the frame,
+                                * perpendicular to the tangent */
   double curvature;            /* 1 / radius of curvature; 0 on straight parts and at corners */
 } vs_station;
 
-/* Samples the curve with the fineness f. Returns false and sets *e on failure; also for a curve of length 0. */
+/* Samples the curve with the fineness f. Returns false and sets *e on failure, for example if the curve has the length
+ * 0. */
 bool vs_stations_open(const vs_node *curve, const vs_fineness *f, vs_stations *out, vs_error *e);
 void vs_stations_close(vs_stations *s);
-/* Returns the station at a distance from the start of the curve; the distance is limited to the range 0 to
- * s->length. */
+/* Returns point, direction and frame at a distance from the start of the curve. The distance is limited to the range 0
+ * to s->length. */
 vs_station vs_station_at(const vs_stations *s, double distance);
 
 #endif

@@ -23,15 +23,15 @@ static int compare_links(const void *p, const void *q) {
   return a->to < b->to ? -1 : a->to > b->to;
 }
 
-static int compare_along(const void *p, const void *q) { /* orders points by x, then by y */
+static int compare_along(const void *p, const void *q) { /* orders points for qsort by x, then by y */
   const vs_vec3 *a = p, *b = q;
   if (a->x != b->x) return a->x < b->x ? -1 : 1;
   if (a->y != b->y) return a->y < b->y ? -1 : 1;
   return a->z < b->z ? -1 : a->z > b->z;
 }
 
-/* Links each point of a line to the next one along it: points on one line have no triangles. z of a sorted point is its
- * index. */
+/* Links each point to the next point along their common line, if all points lie on one line and so have no
+ * triangles. */
 static bool links_along(const vs_vec2 *points, size_t n, link *links, size_t *count) {
   vs_vec3 *sorted = NULL;
   if (!VS_FRESH(sorted, n + 1)) return false;
@@ -49,8 +49,8 @@ static bool links_along(const vs_vec2 *points, size_t n, link *links, size_t *co
   return true;
 }
 
-/* Cuts a convex polygon to the part that is nearer to p than to q. Returns its number of corners; out has room for n +
- * 1. p and q differ. */
+/* Reduces a convex polygon of n corners to the part that is nearer to p than to q. Returns its number of corners; out
+ * has room for n + 1. p and q differ. */
 static size_t cut(const vs_vec2 *at, size_t n, vs_vec2 p, vs_vec2 q, vs_vec2 *out) {
   double nx = q.x - p.x, ny = q.y - p.y, mx = (p.x + q.x) / 2, my = (p.y + q.y) / 2;
   size_t count = 0;
@@ -88,7 +88,7 @@ bool vs_voronoi_make(const vs_vec2 *points, size_t n, const vs_vec2 box[2], vs_v
   if (ok && !triangle_count) ok = links_along(points, n, links, &link_count);
   if (ok) qsort(links, link_count, sizeof *links, compare_links);
   for (size_t i = 0; i < link_count; i++) known[links[i].from] = 1;
-  if (ok && !link_count) known[0] = 1; /* there are no links, because all points have the same position */
+  if (ok && !link_count) known[0] = 1; /* all points have one position, so only the first has a cell */
   ok = ok && VS_FRESH(cell, link_count + 8) && VS_FRESH(next, link_count + 8);
   size_t at = 0;
   for (uint32_t i = 0; ok && i < n; i++) {

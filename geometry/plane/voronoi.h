@@ -1,4 +1,5 @@
-/* Declares Voronoi cells. The cell of a point contains all places that are nearer to it than to any other point. */
+/* Declares Voronoi cells. The cell of a point contains all places that are nearer to this point than to any other
+ * point. */
 #ifndef VS_GEOMETRY_PLANE_VORONOI_H
 #define VS_GEOMETRY_PLANE_VORONOI_H
 

@@ -488,7 +488,8 @@ static void add_place(piece *p, float x, float y, float z) {
   }
 }
 
-/* Adds to the piece the point where the edge from corner i to corner j crosses the plane at `height` over the other run. */
+/* Adds to the piece the point where the edge from corner i to corner j crosses the plane at `height` over the other
+ * run. */
 static void add_through(piece *p, const corners *four, const float *h, uint32_t i, uint32_t j, float height) {
   const corners *a = &four[i / 4], *b = &four[j / 4];
   uint32_t x = i % 4, y = j % 4;
