@@ -1,5 +1,5 @@
 /* Implements the loading of libraries at run time (dlopen, dlsym). */
-#define _GNU_SOURCE /* declares RTLD_NODELETE */
+#define _GNU_SOURCE /* needed so that dlfcn.h declares RTLD_NODELETE */
 #include "geometry/dynamic.h"
 
 #include <dlfcn.h>
@@ -28,6 +28,6 @@ bool vs_dynamic_load(const vs_dynamic_library *library, const vs_dynamic_name *n
       ok = vs_error_set(e, VS_ERROR_WORKER, NULL, "%s: the library %s is too old: it has no %s", library->purpose,
                         library->files[0], names[i].symbol);
   }
-  dlclose(handle); /* the library stays loaded because of RTLD_NODELETE */
+  dlclose(handle); /* closes only the handle: because of RTLD_NODELETE, the library stays loaded */
   return ok;
 }

@@ -1,5 +1,5 @@
-/* Declares the loading of libraries at their first use. If they were linked in, they would delay every start of the
- * program by milliseconds.
+/* Declares the loading of shared libraries at their first use. If they were linked in, they would delay every start of
+ * the program by milliseconds.
  *
  * The caller keeps a struct of function pointers and a table of their names. There is no global state; loading a
  * library again takes some microseconds. */
@@ -16,8 +16,8 @@ typedef struct {
   const char *purpose;      /* the feature that needs the library, such as "offsets"; it is the subject of error
                              * messages */
 } vs_dynamic_library;
-typedef struct { const char *symbol; size_t offset; /* offset: position of the function's pointer in the struct
-                                                     * `functions`, in bytes */ } vs_dynamic_name;
+typedef struct { const char *symbol; size_t offset; /* symbol: name of a function; offset: position of its pointer in
+                                                     * the caller's struct, in bytes */ } vs_dynamic_name;
 
 /* Defines the struct `dynamic_functions` and its table `dynamic_names`, from a macro LIST(F) that consists of rows
  * F(member, symbol, result, parameters). */
@@ -27,10 +27,10 @@ typedef struct { const char *symbol; size_t offset; /* offset: position of the f
 #define VS_DYNAMIC_MEMBER(member, symbol, result, parameters) result (*member) parameters;
 #define VS_DYNAMIC_ROW(member, symbol, result, parameters) { #symbol, offsetof(dynamic_functions, member) },
 
-extern const vs_dynamic_library vs_json_library; /* jansson, which reads JSON in bind/ and cli/ */
+extern const vs_dynamic_library vs_json_library; /* the library jansson, which reads JSON in bind/ and cli/ */
 
-/* Loads the library, and sets the function pointers in the struct `functions`. The library stays loaded. Returns false
- * if the library or a function is missing; e is then VS_ERROR_WORKER with the package's name. */
+/* Loads the library, and sets the `count` function pointers of `names` in the caller's struct. The library stays
+ * loaded. Returns false if the library or a function is missing; e is then VS_ERROR_WORKER with the package's name. */
 bool vs_dynamic_load(const vs_dynamic_library *library, const vs_dynamic_name *names, size_t count, void *functions,
                      vs_error *e);
 

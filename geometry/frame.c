@@ -4,11 +4,11 @@
 
 vs_affine vs_frame_on_axis(vs_vec3 at, vs_vec3 direction) {
   vs_vec3 d = vs_v3_unit(direction);
-  double across = d.x * d.x + d.y * d.y, k; /* k is 1 / (1 + d.z); the second form avoids cancellation near -Z */
+  double across = d.x * d.x + d.y * d.y, k; /* k: 1 / (1 + d.z), in two forms; the second form avoids cancellation near
+                                             * -Z */
   vs_vec3 x, y;
   VS_ASSERT(direction.x != 0 || direction.y != 0 || direction.z != 0);
-  if (d.z < 0 && across < 1e-24) { /* d is -Z, or differs from it only by rounding errors: the rotation is half a turn
-                                    * about X */
+  if (d.z < 0 && across < 1e-24) { /* if d is -Z within rounding errors, the rotation is half a turn about X */
     x = vs_v3(1, 0, 0);
     y = vs_v3(0, -1, 0);
   } else {
@@ -40,9 +40,9 @@ vs_affine vs_frame_turn(vs_vec3 a, vs_vec3 b) {
                         { v.x * v.z * k - v.y, v.y * v.z * k + v.x, c + v.z * v.z * k, 0 } } };
 }
 
-/* Returns the vector x moved from point p with tangent t to point q with tangent u. It is reflected in the bisecting
- * plane of p and q. Then it is reflected in the plane that maps the reflected t to u. Where p and q differ only by
- * rounding, x turns with t. */
+/* Returns the vector x moved from point p with tangent t to point q with tangent u, by double reflection. First it is
+ * reflected in the bisecting plane of p and q. Then it is reflected in the plane that maps the reflected t to u. If p
+ * and q differ only by rounding, x turns with t. */
 static vs_vec3 frame_reflect_twice(vs_vec3 p, vs_vec3 t, vs_vec3 q, vs_vec3 u, vs_vec3 x) {
   vs_vec3 v = vs_v3_sub(q, p);
   double c = vs_v3_dot(v, v), large = fmax(vs_v3_dot(p, p), vs_v3_dot(q, q));

@@ -10,22 +10,22 @@
  * not zero. If direction is -Z, it is half a turn about X. */
 vs_affine vs_frame_on_axis(vs_vec3 at, vs_vec3 direction);
 
-/* Returns the smallest rotation that turns the unit vector a into the unit vector b. If they are opposite, it is half a
- * turn about an axis perpendicular to a. */
+/* Returns the smallest rotation that turns the unit vector a into the unit vector b. If a and b are opposite, it is
+ * half a turn about an axis perpendicular to a. */
 vs_affine vs_frame_turn(vs_vec3 a, vs_vec3 b);
 
-/* A point of a path with rotation-minimizing frames (double reflection; Wang, Juettler, Zheng, Liu 2008). At a corner
- * of the path the arriving tangent differs from the leaving one. The frame turns from the first to the second by the
- * smallest rotation. */
-typedef struct { vs_vec3 at, arriving, leaving; double along; /* arc length from the path's start */ } vs_path_point;
-/* Moves x along the n points of the path, n > 0. x is a unit vector perpendicular to path[0].leaving; x_out[i] is the
- * result at point i, perpendicular to path[i].leaving. On a closed path, x returns turned by some angle; this turn is
- * undone in proportion to `along`. length: length of the path including its closing segment. Returns the angle in
- * radians, or 0 if the path is open. */
+/* A sample of a path. at: the point; arriving, leaving: unit tangents before and after it, which differ at a corner.
+ * Along the path, rotation-minimizing frames are computed (double reflection; Wang, Juettler, Zheng, Liu 2008); at a
+ * corner, the frame turns by the smallest rotation. */
+typedef struct { vs_vec3 at, arriving, leaving; double along; /* along: arc length from the start */ } vs_path_point;
+/* Moves the vector x along the n > 0 points of the path. x is a unit vector perpendicular to path[0].leaving; x_out[i]
+ * is the result at point i, perpendicular to path[i].leaving. On a closed path, x returns turned by some angle; this
+ * turn is undone in proportion to `along`. length: length of the path including its closing segment. Returns the angle
+ * in radians, or 0 if the path is open. */
 double vs_frame_transport(const vs_path_point *path, size_t n, bool closed, double length, vs_vec3 x, vs_vec3 *x_out);
 
-/* Returns the normal, or its opposite, as a unit vector that points up. A horizontal vector points towards +Y, or to +X
- * if it is parallel to X. */
+/* Returns the unit vector of the normal or of its opposite, whichever points up. A horizontal vector points towards +Y,
+ * or to +X if it is parallel to X. */
 vs_vec3 vs_plane_up(vs_vec3 normal);
 
 #endif

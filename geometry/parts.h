@@ -12,8 +12,8 @@ bool vs_is_several(const vs_node *n);
 bool vs_several_parts(vs_ref whole, vs_ref **out, size_t *count);
 /* Returns true if n is a placement, a material or a layer. */
 bool vs_is_wrapper(const vs_node *n);
-/* Returns inner wrapped in the placements, materials and layers of whole, as a new reference. Returns NULL when memory
- * is out. */
+/* Returns the node of `inner` wrapped in the placements, materials and layers of `whole`, as a new reference. Returns
+ * NULL when memory is out. */
 vs_node *vs_parts_within(vs_ref whole, vs_ref inner);
 void vs_several_free(vs_ref *parts, size_t count);
 

@@ -21,8 +21,8 @@ static double distribution(const vs_sky_light *s, int i, double cos_zenith, doub
          (1 + s->of[i].c * exp(s->of[i].d * gamma) + s->of[i].e * cos_sun * cos_sun);
 }
 
-/* Returns a chromaticity of the zenith. The rows of k belong to the square of the turbidity, the turbidity and 1. The
- * columns belong to the powers of the angle from 3 to 0. */
+/* Returns a chromaticity (x or y) of the zenith. The rows of k belong to the square of the turbidity, the turbidity and
+ * 1. The columns belong to the powers of the sun's angle from the zenith, from 3 to 0. */
 static double zenith_chromaticity(const double k[3][4], double turbidity, double angle) {
   double sum = 0;
   for (int row = 0; row < 3; row++)
@@ -30,8 +30,8 @@ static double zenith_chromaticity(const double k[3][4], double turbidity, double
   return sum;
 }
 
-/* The logarithm of the illuminance in lx is a polynomial of the altitude in units of 90 degrees, for each of four
- * ranges of altitude (Circular 171). */
+/* Returns the illuminance in lx for the sun's altitude in degrees. Its logarithm is a polynomial of the altitude in
+ * units of 90 degrees, for each of four ranges of altitude (Circular 171). */
 static double twilight_illuminance(double altitude) {
   static const struct { double from, of[4]; } ranges[] = {
     { -0.8, { 2.88, 22.26, -207.64, 1034.30 } }, { -5, { 2.88, 21.81, -258.11, -858.36 } },
@@ -50,7 +50,8 @@ double vs_sky_light_twilight(double altitude) {
 
 static double altitude_of(vs_vec3 sun) { return asin(fmax(-1, fmin(1, sun.z))) * 180 / pi; }
 
-/* Sets quantity i of the sky to the given value at the zenith, with the gradation 1 + a exp(b / cos theta). */
+/* Sets quantity i of the sky (Y, x or y) to the value `zenith` at the zenith, with the gradation 1 + a exp(b / cos
+ * theta). */
 static void gradation(vs_sky_light *s, int i, double zenith, double a, double b) {
   s->of[i].scale = zenith / (1 + a * exp(b)), s->of[i].a = a, s->of[i].b = b;
 }
@@ -65,8 +66,9 @@ static void set_illuminance(vs_sky_light *s, double illuminance) {
   s->of[0].scale *= illuminance / illuminance_of(s);
 }
 
-/* Darkens the sky of sunrise to that of twilight. The model's sunrise is brighter than the measured one, so the sky
- * approaches the measured illuminance gradually: at -6 degrees, the end of civil twilight, both are equal. */
+/* Darkens the sky of sunrise to that of twilight, for the sun's altitude in degrees. The model's sunrise is brighter
+ * than the measured one, so the sky approaches the measured illuminance gradually: at -6 degrees, the end of civil
+ * twilight, both are equal. */
 static void darken(vs_sky_light *s, double altitude) {
   double excess = twilight_illuminance(0) / illuminance_of(s);
   s->of[0].scale *= vs_sky_light_twilight(altitude) * pow(excess, fmin(1, -altitude / 6));
@@ -89,7 +91,8 @@ vs_sky_light vs_sky_light_of(double turbidity, vs_vec3 sun) {
   vs_sky_light s = { .sun = sun };
   VS_ASSERT(turbidity >= VS_TURBIDITY_LEAST && turbidity <= VS_TURBIDITY_MOST);
   if (sun.z < 0) s.sun = vs_v3_unit(vs_v3(sun.x, sun.y, 0));
-  if (!(vs_v3_length(s.sun) > 0)) s.sun = vs_v3(1, 0, 0); /* a sun straight below has no azimuth, so +X is used */
+  if (!(vs_v3_length(s.sun) > 0)) s.sun = vs_v3(1, 0, 0); /* a sun straight below has no azimuth, so the direction +X is
+                                                           * used */
   double angle = acos(fmin(1, s.sun.z)), chi = (4. / 9 - t / 120) * (pi - 2 * angle);
   double zenith[] = { 1000 * ((4.0453 * t - 4.9710) * tan(chi) - 0.2155 * t + 2.4192),
                       zenith_chromaticity(x_zenith, t, angle), zenith_chromaticity(y_zenith, t, angle) };
@@ -103,8 +106,9 @@ vs_sky_light vs_sky_light_of(double turbidity, vs_vec3 sun) {
   return s;
 }
 
-/* The gradation is that of ISO 15469, sky type 1: a = 4, b = -0.7. The colour is the standard illuminant D65. The
- * illuminance is that of J. Krochmann, Lichttechnik 15 (1963). Below the horizon, it falls as in twilight. */
+/* In this function, the gradation is that of ISO 15469, sky type 1: a = 4, b = -0.7. The colour is the standard
+ * illuminant D65. The illuminance is that of J. Krochmann, Lichttechnik 15 (1963). Below the horizon, it falls as in
+ * twilight. */
 vs_sky_light vs_sky_light_overcast(vs_vec3 sun) {
   vs_sky_light s = { .sun = vs_v3(0, 0, 1) };
   gradation(&s, 0, 1, 4, -0.7);
@@ -114,8 +118,8 @@ vs_sky_light vs_sky_light_overcast(vs_vec3 sun) {
   return s;
 }
 
-/* The gradation is that of the clear skies of ISO 15469: a = -1, b = -0.32. The chromaticities change in the same way,
- * from a blue zenith to the light of lamps at the horizon. */
+/* In this function, the gradation is that of the clear skies of ISO 15469: a = -1, b = -0.32. The chromaticities change
+ * in the same way, from a blue zenith to the light of lamps at the horizon. */
 vs_sky_light vs_sky_light_night(void) {
   vs_sky_light s = { .sun = vs_v3(0, 0, 1) };
   gradation(&s, 0, 1, -1, -0.32);
@@ -133,7 +137,7 @@ vs_sky_light vs_sky_light_of_scene(const vs_scene *scene, vs_vec3 sun) {
 }
 
 vs_vec3 vs_sky_light_sun_of_scene(const vs_scene *scene, vs_vec3 sun) {
-  const vs_vec3 moon = { 0.23, 0.25, 0.31 }; /* the full moon in clear air: 0.25 lx */
+  const vs_vec3 moon = { 0.23, 0.25, 0.31 }; /* linear sRGB of the light of the full moon in clear air: 0.25 lx */
   VS_ASSERT(scene->sky_kind != VS_SKY_PLAIN);
   if (scene->no_sun || scene->sky_kind == VS_SKY_OVERCAST) return vs_v3(0, 0, 0);
   if (scene->sky_kind == VS_SKY_NIGHT) return sun.z > 0 ? moon : vs_v3(0, 0, 0);
@@ -152,7 +156,8 @@ vs_vec3 vs_sky_light_at(const vs_sky_light *s, vs_vec3 direction) {
   return linear_srgb(c.x * c.y / c.z, c.x, c.x * (1 - c.y - c.z) / c.z);
 }
 
-/* Integrates by the midpoint rule. All steps have the same size in sin^2 of the zenith angle, and in azimuth. */
+/* In this function, the light is integrated over the sky by the midpoint rule. All steps have equal sizes in sin^2 of
+ * the zenith angle, and in azimuth. */
 vs_vec3 vs_sky_light_level(const vs_sky_light *s) {
   enum { RINGS = 48, SECTORS = 96 };
   vs_vec3 sum = vs_v3(0, 0, 0);
@@ -167,8 +172,8 @@ vs_vec3 vs_sky_light_level(const vs_sky_light *s) {
 
 /* ---- the sun: appendix A.1 of the paper, table 2 ---- */
 
-/* Each row is a wavelength, from 380 nm in steps of 10 nm. Columns: the sun's radiance outside the atmosphere in W/(cm2
- * um sr), the absorption of ozone and of water in 1/cm, and the CIE 1931 observer. Other gases absorb only above 750
+/* Table of wavelengths: row i is 380 nm + 10 nm * i. Columns: the sun's radiance outside the atmosphere in W/(cm2 um
+ * sr), the absorption of ozone and of water in 1/cm, and the CIE 1931 observer. Other gases absorb only above 750
  * nm. */
 static const struct { double radiance, ozone, water, x, y, z; } wave[] = {
   { 1655.9, 0, 0, 0.001368, 0.000039, 0.006450 },       { 1623.37, 0, 0, 0.004243, 0.000120, 0.020050 },
@@ -203,9 +208,9 @@ vs_vec3 vs_sky_light_sun(double turbidity, double altitude) {
     double um = 0.38 + 0.01 * (double)i, wet = wave[i].water * water_cm * air;
     double through = exp(-0.008735 * pow(um, -4.08) * air - aerosol * pow(um, -1.3) * air -
                          wave[i].ozone * ozone_cm * air - 0.2385 * wet / pow(1 + 20.07 * wet, 0.45));
-    double w = 1e4 * wave[i].radiance * through * disc * lumens * 0.01; /* illuminance in lx of this wavelength step of
-                                                                         * 0.01 um, before the weights of the CIE
-                                                                         * observer */
+    double w = 1e4 * wave[i].radiance * through * disc * lumens * 0.01; /* illuminance in lx of the wavelengths of this
+                                                                         * row, 0.01 um wide, before the weights of the
+                                                                         * CIE observer */
     sum[0] += w * wave[i].x, sum[1] += w * wave[i].y, sum[2] += w * wave[i].z;
   }
   return linear_srgb(sum[0], sum[1], sum[2]);

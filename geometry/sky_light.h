@@ -7,7 +7,8 @@
 #include "model/scene.h"
 #include "model/vec.h"
 
-/* Range of turbidities for which the model's polynomials describe a sky: 2 is a very clear sky, 10 is haze. */
+/* Range of turbidities (haze of the air) for which the model's polynomials describe a sky: 2 is a very clear sky, 10 is
+ * haze. */
 #define VS_TURBIDITY_LEAST 2
 #define VS_TURBIDITY_MOST 10
 
@@ -17,7 +18,7 @@
  * 1993. */
 typedef struct {
   vs_vec3 sun;                                   /* unit vector towards the sun, not below the horizon */
-  struct { double scale, a, b, c, d, e; } of[3]; /* coefficients of Y, x and y, in this order */
+  struct { double scale, a, b, c, d, e; } of[3]; /* coefficients of Y, x and y, in this order, in the formula above */
 } vs_sky_light;
 
 /* Returns the clear sky for a turbidity within VS_TURBIDITY_LEAST and VS_TURBIDITY_MOST and a unit vector towards the
@@ -31,17 +32,17 @@ vs_sky_light vs_sky_light_overcast(vs_vec3 sun);
 /* Returns the night sky: blue overhead, with the light of a city at the horizon. A horizontal surface has 0.5 lx, as
  * under a clear sky over a large city. */
 vs_sky_light vs_sky_light_night(void);
-/* Returns the illuminance in twilight as a fraction of that at sunrise: 1 for an altitude of the sun of 0 degrees or
- * more. The illuminance no longer falls below -18 degrees. */
+/* Returns the illuminance in twilight as a fraction of that at sunrise, for the sun's altitude in degrees: 1 from 0
+ * degrees on. The illuminance no longer falls below -18 degrees. */
 double vs_sky_light_twilight(double altitude);
 /* Returns the sky of a scene whose sky_kind is not VS_SKY_PLAIN, for a unit vector towards the scene's sun. */
 vs_sky_light vs_sky_light_of_scene(const vs_scene *scene, vs_vec3 sun);
-/* Returns the illuminance by the sun of the same scene, or at night by the moon, of a surface perpendicular to the
- * rays, as linear sRGB in lx. Returns 0 if the sun is hidden by clouds, below the horizon, or turned off by (sun #f).
- * */
+/* Returns the illuminance of a surface perpendicular to the rays of the scene's sun, or at night of the moon, as linear
+ * sRGB in lx. sun: unit vector towards the sun. Returns 0 if the sun is hidden by clouds, below the horizon, or turned
+ * off by (sun #f). */
 vs_vec3 vs_sky_light_sun_of_scene(const vs_scene *scene, vs_vec3 sun);
-/* Returns luminance Y and chromaticities x and y of the sky in a direction of length 1. Below the horizon, they are
- * those at the horizon. */
+/* Returns the luminance Y in cd/m2 and the chromaticities x and y of the sky in a direction of length 1. Directions
+ * below the horizon have the values of the horizon. */
 vs_vec3 vs_sky_light_xyy(const vs_sky_light *sky, vs_vec3 direction);
 /* Returns the light of the sky in a direction of length 1, as linear sRGB in cd/m2. Negative components, of a colour
  * outside the gamut, become 0. */

@@ -15,8 +15,8 @@
 
 #include <stdlib.h>
 
-/* Returns the child of a placement or an appearance, and adds the placement to *placed. Returns NULL for any other
- * node. An appearance does not change the shape. */
+/* Returns the child of a placement, material or layer, and multiplies *placed by the placement. Returns NULL for any
+ * other node. */
 static const vs_ref *tessellate_below(const vs_node *n, vs_affine *placed) {
   switch (vs_node_role(n)) {
     case VS_ROLE_PLACED: *placed = vs_affine_multiply(placed, &VS_AS(transform, n)->matrix); return &n->children[0];
@@ -66,7 +66,7 @@ static bool tessellate_leaf(const vs_node *n, const vs_fineness *f, vs_mesh *out
     case VS_THICKEN:
       if (n->children[0].node->class_ == VS_SURFACE) {
         vs_mesh surface = { 0 };
-        /* The recursion is only one level deep, because a surface is no thickening. */
+        /* The recursion is only one level deep, because the child, a surface, is never a thickening. */
         if (!vs_tessellate(n->children[0].node, f, &surface, e)) return vs_mesh_free(&surface), false;
         double half = VS_AS(thicken, n)->width / 2;
         ok = vs_thicken_surface(&surface, half, half, out, NULL, NULL);
@@ -134,8 +134,8 @@ bool vs_tessellate(const vs_node *n, const vs_fineness *f, vs_mesh *out, vs_erro
 
 struct vs_bends {
   vs_swept plan;
-  vs_affine placed; /* map from the plan's coordinates to those above the placements */
-  double scale;     /* factor from a tolerance above the placements to one below them */
+  vs_affine placed; /* map from the coordinates of the sections' plan to those above the placements */
+  double scale;     /* factor that converts a tolerance above the placements to one below them */
 };
 
 vs_bends *vs_bends_new(const vs_node *n, const vs_fineness *f, vs_error *e) {

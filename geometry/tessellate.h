@@ -1,4 +1,4 @@
-/* Declares the tessellation of nodes: all back-ends get the same triangles. */
+/* Declares the tessellation of nodes, from which all back-ends get equal triangles. */
 #ifndef VS_GEOMETRY_TESSELLATE_H
 #define VS_GEOMETRY_TESSELLATE_H
 
@@ -16,33 +16,35 @@ bool vs_tessellate(const vs_node *n, const vs_fineness *f, vs_mesh *out, vs_erro
 
 /* ---- the bends of sweeps, and of pipes along a curve; placements are followed ---- */
 
-typedef struct vs_bends vs_bends; /* the sections of a sweep or pipe */
+typedef struct vs_bends vs_bends; /* the sections of a sweep or pipe, as they are planned for its mesh */
 /* Plans the sections of n, a sweep, or a pipe along a curve. Returns NULL, with e set, on failure. The caller frees the
  * result with vs_bends_free. */
 vs_bends *vs_bends_new(const vs_node *n, const vs_fineness *f, vs_error *e);
 void vs_bends_free(vs_bends *b);
-size_t vs_bends_steps(const vs_bends *b); /* Returns the number of steps between sections. */
-/* Divides the steps r at tight bends with marked[r], or all of them if marked is NULL, as for this smaller tolerance.
- * Returns false when memory is out. */
+size_t vs_bends_steps(const vs_bends *b); /* Returns the number of steps, the parts between neighbouring sections. */
+/* Divides steps at tight bends as far as a smaller tolerance requires: those with marked[r], or all steps if marked is
+ * NULL. Returns false when memory is out. */
 bool vs_bends_refine(vs_bends *b, const bool *marked, double tolerance);
 /* Sets *turns to true if a bend of the path turns part of the profile backwards. Returns false when memory is out. */
 bool vs_bends_turn(const vs_bends *b, bool *turns);
-/* Appends the triangles, as vs_tessellate does. Returns false when memory is out, or with out->over set. */
+/* Appends the triangles of the sweep or pipe to out, as vs_tessellate does. Returns false when memory is out, or with
+ * out->over set. */
 bool vs_bends_mesh(const vs_bends *b, vs_mesh *out);
-/* Makes closed meshes, each of the given number of steps. Their union is the solid (swept_mesh.h). The caller frees the
+/* Makes closed meshes, each of the given number of steps, whose union is the solid (swept_mesh.h). The caller frees the
  * meshes and their array. Returns false when memory is out. */
 bool vs_bends_runs(const vs_bends *b, size_t steps, vs_mesh **runs, size_t *count);
-/* Writes chance points from the steps in which a part of the profile goes backwards, at most `most`, to out; *count:
+/* Writes at most `most` random points from the steps in which a part of the profile goes backwards to out; *count:
  * their number. A point may lie beside the sweep, because a step is filled with tetrahedra. The same sweep gives the
  * same points. Returns false when memory is out. */
 bool vs_bends_samples(const vs_bends *b, vs_step_point *out, size_t most, size_t *count);
-/* The tightest bend of a path. fits: factor by which the profile must be scaled to fit into the bend. */
+/* The tightest bend of a path. fits: factor by which the profile must be scaled down to fit into the bend, 1 if it
+ * fits. */
 typedef struct {
   vs_vec3 at;
   double fits;
 } vs_bend;
-/* Finds the tightest bend of the path. If near is not NULL, finds the bend that is nearest to it instead. If no bend is
- * too tight, out->fits is 1. */
+/* Finds the tightest bend of the path, or if `near` is not NULL, the bend nearest to that point. If no bend is too
+ * tight, out->fits is 1. */
 void vs_bends_tightest(const vs_bends *b, const vs_vec3 *near, vs_bend *out);
 
 /* ---- hulls ---- */

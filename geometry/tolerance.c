@@ -1,4 +1,4 @@
-/* Computes the number of facets of a curve. */
+/* Computes the number of facets of a curve from its radius and tolerance. */
 #include "geometry/tolerance.h"
 
 enum { LEAST_TURN = 32, MOST_TURN = 4096 };

@@ -6,16 +6,16 @@
 
 typedef struct {
   double tolerance; /* largest distance of a chord from its arc, in model units; above 0 */
-  int segments;     /* above 0: number of facets of a full turn, for every node whose own field `segments` is 0. Below
-                     * 0: the tolerance determines this number, and -segments is its minimum. 0: as below 0, with the
-                     * minimum 32 */
+  int segments;     /* Number of facets of a full turn, or a minimum. Above 0: the number for every node whose field
+                     * `segments` is 0. Below 0: the tolerance determines the number, and -segments is its minimum. 0:
+                     * the minimum is 32. */
 } vs_fineness;
 
 /* Returns the default tolerance of a drawing: the power of two nearest to 1/4000 of the diagonal of its bounds. */
 double vs_fineness_tolerance(const vs_bounds *drawing);
-/* Returns the number of facets of a full turn with radius r. It is `segments` if `segments` is above 0. Otherwise it is
- * f->segments if that is above 0. Otherwise it follows from f->tolerance, and is a multiple of 4, because quarter turns
- * must be vertices. */
+/* Returns the number of facets of a full turn with radius r. If `segments` (of the node) is above 0, it is the result.
+ * Otherwise f->segments is, if above 0. Otherwise the number follows from f->tolerance and is a multiple of 4, because
+ * quarter turns must be vertices. */
 int vs_fineness_turn(const vs_fineness *f, double r, int segments);
 /* Returns the minimum number of facets of a full turn if the tolerance determines their number. */
 int vs_fineness_least(const vs_fineness *f);

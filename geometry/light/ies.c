@@ -1,4 +1,4 @@
-/* Reads lamps' files: IES LM-63, Standard File Format for the Electronic Transfer of Photometric Data. It accepts the
+/* Reads files of lamps: IES LM-63, Standard File Format for the Electronic Transfer of Photometric Data. It accepts the
  * editions of 1986 (which has no line for the edition), 1991, 1995 and 2002. */
 #include "geometry/light/ies.h"
 
@@ -19,7 +19,7 @@ static bool ies_wrong(const ies_text *t, const char *what) {
   return vs_error_set(t->error, VS_ERROR_MODEL, NULL, "%.100s:%u: %s", t->name, t->line, what);
 }
 
-/* Reads the next line without its line end. Returns false at the end of the text. */
+/* Sets *from and *count to the next line without its line end. Returns false at the end of the text. */
 static bool ies_line(ies_text *t, const char **from, size_t *count) {
   if (t->at == t->end) return false;
   const char *stop = memchr(t->at, '\n', (size_t)(t->end - t->at));
@@ -30,7 +30,7 @@ static bool ies_line(ies_text *t, const char **from, size_t *count) {
   return true;
 }
 
-/* Reads labels up to the line TILT=, whose value must be NONE. */
+/* Reads label lines up to the line TILT=, whose value must be NONE. Returns false on failure. */
 static bool ies_labels(ies_text *t) {
   const char *from;
   size_t count;
@@ -46,14 +46,15 @@ static bool ies_labels(ies_text *t) {
 
 static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == ',' || c == '\f'; }
 
-/* Reads the next number, on the current line or a later one. Commas also separate numbers. */
+/* Reads the next number, on the current line or a later one. Commas also separate numbers. Returns false, with an
+ * error, if the number is not from least to most. */
 static bool ies_number(ies_text *t, const char *what, double least, double most, double *out) {
   char word[WORD_MOST], *rest;
   size_t count = 0;
   for (; t->at < t->end && is_blank(*t->at); t->at++) t->line += *t->at == '\n';
   while (t->at < t->end && !is_blank(*t->at) && count + 1 < WORD_MOST) word[count++] = *t->at++;
   word[count] = 0;
-  bool plain = strspn(word, "0123456789+-.eE") == count; /* rejects "nan", "inf" and hexadecimal numbers */
+  bool plain = strspn(word, "0123456789+-.eE") == count; /* `plain` rejects "nan", "inf" and hexadecimal numbers */
   *out = plain ? strtod(word, &rest) : 0;
   if (count > 0 && plain && *rest == 0 && isfinite(*out) && *out >= least && *out <= most) return true;
   return vs_error_set(t->error, VS_ERROR_MODEL, NULL,
@@ -78,14 +79,14 @@ static bool ies_angles(ies_text *t, const char *what, double most, double *at, u
 }
 
 static const double *horizontals_of(const vs_ies *x) { return x->at + x->verticals; }
-/* Returns the row of candelas for the horizontal angle i, an index below x->horizontals. */
+/* Returns the candelas of horizontal angle number i, one for each vertical angle. */
 static const double *row_of(const vs_ies *x, uint32_t i) {
   VS_ASSERT(i < x->horizontals);
   return x->at + x->verticals + x->horizontals + (size_t)i * x->verticals;
 }
 
-/* Returns true if the range of horizontal angles is allowed by the format: a full turn, or a part that symmetry extends
- * to a full turn. */
+/* Returns true if the format allows the range of horizontal angles: a full turn, or a part that symmetry extends to a
+ * full turn. */
 static bool ies_is_round(const ies_text *t, const vs_ies *x) {
   const double *h = horizontals_of(x), last = h[x->horizontals - 1];
   if (h[0] == 0 && (last == 0 || last == 90 || last == 180 || last == 360)) return true;
@@ -143,8 +144,8 @@ void vs_ies_free(vs_ies *ies) {
   *ies = (vs_ies){ .store = ies->store };
 }
 
-/* Finds the angles before and after `angle`, at the indices *i and *i + 1. *share: position between them, 0 to 1.
- * Returns false if the angle is outside the range. count is at least 1. */
+/* Finds the angles before and after `angle` in the ascending array `at`: indices *i and *i + 1. *share: position
+ * between these two, 0 to 1. Returns false if the angle is outside the range. count is at least 1. */
 static bool between(const double *at, uint32_t count, double angle, uint32_t *i, double *share) {
   uint32_t low = 0, high = count - 1;
   VS_ASSERT(count > 0);

@@ -1,14 +1,14 @@
-/* Declares the luminous intensity of a lamp by direction, which is read from its maker's file: IES LM-63. */
+/* Declares the luminous intensity of a lamp in each direction, read from its maker's file: IES LM-63. */
 #ifndef VS_GEOMETRY_LIGHT_IES_H
 #define VS_GEOMETRY_LIGHT_IES_H
 
 #include "model/node.h"
 
-/* Luminous intensity by direction (photometry of type C). Angles are in degrees and ascend. Vertical angles are 0
- * straight down and 180 straight up. Horizontal angles count from the lamp's own zero direction. */
+/* Luminous intensity of a lamp by direction (photometry of type C). Angles are in degrees and ascend. Vertical angles
+ * are 0 straight down and 180 straight up. Horizontal angles count from the lamp's zero direction. */
 typedef struct {
-  double *at;                    /* the vertical angles, then the horizontal angles, then a row of candelas for each
-                                  * horizontal angle */
+  double *at;                    /* the vertical angles, then the horizontal angles, then for each horizontal angle a
+                                  * candela value for each vertical angle */
   size_t room;
   uint32_t verticals, horizontals;
   double most;                   /* largest intensity, in candelas */
@@ -20,8 +20,8 @@ typedef struct {
  * values; e then contains the line number. out needs no initialisation, and is empty after a failure. */
 bool vs_ies_read(vs_store *store, const char *name, const char *text, size_t size, vs_ies *out, vs_error *e);
 void vs_ies_free(vs_ies *ies);
-/* Returns the intensity in a direction in candelas, interpolated linearly between the file's angles, or 0 outside their
- * range. The angles are in degrees. A file for a quarter or half turn is extended by symmetry. */
+/* Returns the intensity in candelas in a direction, given by its angles in degrees. Interpolates linearly between the
+ * file's angles; outside their range, it is 0. A file for a quarter or half turn is extended by symmetry. */
 double vs_ies_candelas(const vs_ies *ies, double vertical, double horizontal);
 
 #endif

@@ -9,9 +9,10 @@
 #include <math.h>
 
 static const double pi = 3.14159265358979323846;
-static const double reach = 2.5, ring = 4; /* angles from the sun's centre in degrees */
-static const double times = 20;            /* least ratio of the brightest pixel to the mean of the ring; below it the
-                                            * picture has no sun */
+static const double reach = 2.5, ring = 4; /* reach: greatest angle from the sun's centre, in degrees, of light that
+                                            * belongs to the sun; ring: outer angle of the ring of sky around it */
+static const double times = 20;            /* least ratio of the brightest pixel to the mean of the ring around it;
+                                            * below this, the picture has no sun */
 
 typedef struct { const float *plane[3]; uint32_t columns, rows; } panorama;
 
@@ -26,7 +27,7 @@ static vs_vec3 direction_of(const panorama *p, uint32_t row, uint32_t column) {
   double up = height_of(p, row), east = ((column + 0.5) / p->columns - 0.5) * 2 * pi;
   return vs_v3(cos(up) * sin(east), cos(up) * cos(east), sin(up));
 }
-/* Returns the solid angle of a pixel in the row, in sr. It lies between two altitudes and two meridians. row must be
+/* Returns the solid angle, in sr, of a pixel in the row. It lies between two altitudes and two meridians. row must be
  * below p->rows. */
 static double angle_of(const panorama *p, uint32_t row) {
   double top = pi / 2 - row * pi / p->rows, bottom = pi / 2 - (row + 1) * pi / p->rows;
@@ -46,7 +47,7 @@ static bool brightest(const panorama *p, uint32_t *row, uint32_t *column) {
 
 typedef void each_fn(void *to, const panorama *p, size_t pixel, double angle, vs_vec3 direction);
 
-/* Calls `each` for each pixel whose angle from the direction `middle` is between `from` and `end` degrees. from <= end.
+/* Calls `each` for each pixel whose angle from the direction `middle` is between `from` and `end` degrees, from <= end.
  * Skips rows that cannot contain such a pixel. */
 static void within(const panorama *p, vs_vec3 middle, double from, double end, each_fn *each, void *to) {
   double high = asin(fmax(-1, fmin(1, middle.z)));
@@ -97,7 +98,7 @@ bool vs_panorama_take_sun(vs_exr *x, vs_panorama_sun *sun) {
   double peak = luminance_at(&p, (size_t)row * x->columns + column);
   vs_vec3 middle = direction_of(&p, row, column);
   for (int turn = 0; turn < 2; turn++) { /* the first pass collects light around the brightest pixel, the second around
-                                          * the centroid of the light */
+                                          * the centroid of the light found in the first */
     g.angle = 0, g.weight = 0, g.middle = vs_v3(0, 0, 0);
     for (int k = 0; k < 3; k++) g.light[k] = 0;
     within(&p, middle, reach, ring, add_light, &g);

@@ -13,8 +13,8 @@ static bool wrong(vs_error *e, const char *name, const char *what) {
   return vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: %s", name, what);
 }
 
-/* Reads the lines up to an empty line, and then the line with the size. Accepts only pictures with rows from the top
- * and columns from the left. */
+/* Reads the text lines up to an empty line, and then the line with the picture's size. Accepts only pictures with rows
+ * from the top and columns from the left. */
 static bool read_head(radiance_bytes *b, unsigned long *columns, unsigned long *rows) {
   char line[128];
   bool empty = false, rgbe = false;
@@ -34,8 +34,8 @@ static bool read_head(radiance_bytes *b, unsigned long *columns, unsigned long *
   return false;
 }
 
-/* Reads the bytes of a row into `to`, one component after another. Returns false if the file ends too early or a run
- * exceeds the row. */
+/* Reads a row of pixels into `to`, one colour component after another. Returns false if the file ends too early or a
+ * run of equal bytes exceeds the row. */
 static bool read_row(radiance_bytes *b, unsigned char *to, size_t columns) {
   const unsigned char *at = b->at;
   bool packed = columns >= 8 && columns < 32768 && b->end - at >= 4 && at[0] == 2 && at[1] == 2 &&

@@ -4,7 +4,7 @@
 
 #include "geometry/files/exr.h"
 
-/* Reads a Radiance file that is in memory, as channels R, G and B. Returns false on an error. out needs no
+/* Reads a Radiance file that is in memory into the channels R, G and B of out. Returns false on an error. out needs no
  * initialisation, and is empty after a failure. */
 bool vs_radiance_read(vs_store *store, const vs_file_bytes *file, vs_exr *out, vs_error *e);
 

@@ -5,7 +5,7 @@
 #include "geometry/primitives/shape_map.h"
 
 static vs_node *cone_moved(vs_store *s, const vs_node *n, const vs_affine *a, const vs_shape_map *map, bool *fits) {
-  double k = map->scale; /* k: factor by which the map scales discs */
+  double k = map->scale; /* k: factor by which the map scales the radius */
   VS_MOVED(cone, d.segments ? map->upright : map->even || vs_shape_map_keeps_discs(a, vs_v3_sub(d.apex, d.base), &k));
   d.base = vs_affine_point(a, d.base);
   d.apex = vs_affine_point(a, d.apex);

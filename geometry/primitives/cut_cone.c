@@ -1,9 +1,9 @@
-/* Implements the cut cone, a truncated cone; one of its radii may be 0. */
+/* Implements the cut cone, a truncated cone; the radius of its base or top may be 0. */
 #include "geometry/primitives/round_formulas.h"
 #include "geometry/primitives/shape_map.h"
 
 static vs_node *cut_cone_moved(vs_store *s, const vs_node *n, const vs_affine *a, const vs_shape_map *map, bool *fits) {
-  double k = map->scale; /* k: factor by which the map scales discs */
+  double k = map->scale; /* k: factor by which the map scales the radii */
   VS_MOVED(cut_cone,
            d.segments ? map->upright : map->even || vs_shape_map_keeps_discs(a, vs_v3_sub(d.top, d.base), &k));
   d.base = vs_affine_point(a, d.base);

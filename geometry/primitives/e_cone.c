@@ -7,7 +7,7 @@
 #include "geometry/primitives/shape.h"
 #include "geometry/primitives/solid_triangles.h"
 
-/* Returns the radius of the top along Y of the axis's frame. */
+/* Returns the radius of the top along Y of the axis's frame (top_radius is that along X). */
 static double top_across(const struct vs_e_cone *x) { return x->top_radius * (x->base_across / x->base_radius); }
 
 static bool e_cone_bounds(const vs_node *n, const vs_affine *a, vs_bounds *b, vs_error *e) {
@@ -27,9 +27,9 @@ static bool e_cone_triangles(const vs_node *n, const vs_fineness *f, vs_mesh *ou
   return vs_solid_oval_frustum(out, base, top, turn, true) || vs_error_memory(e, NULL);
 }
 
-/* The lateral area is (1 + k) / 2 times the circumference of an ellipse. The base has the half axes a and b, and the
- * top has k times these. At the scale w from 1 to k the element of area is w sqrt(h^2 (b^2 cos^2 + a^2 sin^2) + (k -
- * 1)^2 a^2 b^2). */
+/* In this function, the lateral area is (1 + k) / 2 times the circumference of an ellipse. The base has the half axes a
+ * and b, and the top has k times these. The reason is that at the scale w from 1 to k the element of area is w sqrt(h^2
+ * (b^2 cos^2 + a^2 sin^2) + (k - 1)^2 a^2 b^2). */
 static bool e_cone_measure(const vs_node *n, bool area, vs_measure *m, vs_error *e) {
   const struct vs_e_cone *x = VS_AS(e_cone, n);
   (void)area, (void)e;
@@ -52,8 +52,8 @@ static bool e_cone_holds(const vs_node *n, vs_vec3 p, vs_vec3 q, double height) 
 
 static vs_node *e_cone_moved(vs_store *s, const vs_node *n, const vs_affine *a, const vs_shape_map *map, bool *fits) {
   struct vs_e_cone d = *VS_AS(e_cone, n);
-  bool stands = d.top.x == d.base.x && d.top.y == d.base.y && d.top.z > d.base.z; /* true if the axis is vertical, so
-                                                                                   * that the ellipse lies along X
+  bool stands = d.top.x == d.base.x && d.top.y == d.base.y && d.top.z > d.base.z; /* true if the axis points up, so that
+                                                                                   * the ellipse's half axes lie along X
                                                                                    * and Y */
   *fits = map->upright || (map->plain && stands);
   if (!*fits) return NULL;

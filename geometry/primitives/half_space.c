@@ -1,4 +1,4 @@
-/* Implements the half-space. It is infinite, so its triangles are those of a part within a given box. */
+/* Implements the half-space. It is infinite, so triangles exist only for a part of it within a given box. */
 #include "geometry/primitives/half_space.h"
 
 #include <math.h>
@@ -17,8 +17,8 @@ void vs_half_space_bounds(vs_bounds *b, const vs_affine *a, vs_vec3 at, vs_vec3 
   if (n.z < 0) b->max.z = at.z;
 }
 
-/* Makes a box if the plane is perpendicular to an axis. Otherwise makes a triangular prism: rounding keeps the three
- * corners in one plane. */
+/* Makes a box if the plane is perpendicular to an axis. Otherwise makes a triangular prism, because three corners stay
+ * in one plane when they are rounded. */
 bool vs_half_space_triangles(vs_mesh *out, vs_vec3 point, vs_vec3 normal, const vs_bounds *reach) {
   vs_vec3 n = vs_v3_unit(normal);
   if (vs_bounds_is_empty(reach)) return true;

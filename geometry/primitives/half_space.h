@@ -4,12 +4,12 @@
 
 #include "model/mesh.h"
 
-/* Sets *b to the bounds of the half-space mapped by a. They are infinite, except where the mapped plane is
- * perpendicular to an axis. */
+/* Sets *b to the bounds of a half-space, given by a point and the normal of its plane, after the map a. The bounds are
+ * infinite, except on one side if the mapped plane is perpendicular to an axis. */
 void vs_half_space_bounds(vs_bounds *b, const vs_affine *a, vs_vec3 point, vs_vec3 normal);
 /* Appends the triangles of a finite part of the half-space. The part contains the intersection of the half-space with
- * `reach`, and one face lies exactly in the plane. Appends nothing if `reach` is entirely outside. Returns false when
- * memory is out. */
+ * the box `reach`, and one of its faces lies exactly in the plane. Appends nothing if `reach` is entirely outside.
+ * Returns false when memory is out. */
 bool vs_half_space_triangles(vs_mesh *out, vs_vec3 point, vs_vec3 normal, const vs_bounds *reach);
 
 #endif

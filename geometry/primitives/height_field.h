@@ -5,9 +5,9 @@
 #include "model/mesh.h"
 #include "model/node.h"
 
-/* Appends the mesh of the height field: two triangles for each cell, walls, and a floor at height h->low. Each cell is
- * divided along the diagonal from its least corner to its greatest. Triangles with three samples on the floor are
- * omitted. Returns false when memory is out. */
+/* Appends the mesh of height field h: two triangles for each cell of the grid, walls, and a floor at the height h->low.
+ * Each cell is divided along the diagonal from its least corner to its greatest. Triangles with three samples on the
+ * floor are omitted. Returns false when memory is out. */
 bool vs_height_field_mesh(vs_mesh *out, const struct vs_height_field *h);
 
 #endif

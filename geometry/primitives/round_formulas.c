@@ -30,7 +30,7 @@ typedef struct {
   int segments;
 } frustum;
 
-/* Returns a cylinder, cone or cut cone as a cut cone. */
+/* Returns the axis and radii of n, a cylinder, cone or cut cone, as those of a cut cone. */
 static frustum frustum_of(const vs_node *n) {
   VS_ASSERT(n->kind == VS_CYLINDER || n->kind == VS_CONE || n->kind == VS_CUT_CONE);
   if (n->kind == VS_CYLINDER) {
@@ -79,8 +79,8 @@ void vs_round_axis(const vs_node *n, vs_vec3 *base, vs_vec3 *top) {
   *base = x.base, *top = x.top;
 }
 
-/* Computes the circumference of an ellipse by the arithmetic-geometric mean: 2 pi (a^2 - sum of 2^(k-1) c_k^2) / agm(a,
- * b). */
+/* Computes the circumference of the ellipse with half axes a and b by the arithmetic-geometric mean: 2 pi (a^2 - sum of
+ * 2^(k-1) c_k^2) / agm(a, b). */
 double vs_ellipse_length(double a, double b) {
   double x = fmax(a, b), y = fmin(a, b), sum = 0, weight = 0.5;
   VS_ASSERT(a >= 0 && b >= 0);

@@ -5,21 +5,21 @@
 #include "geometry/measure/measure.h"
 #include "geometry/primitives/shape.h"
 
-/* Sets volume, area and centroid of a cut cone with the radius r at the base and s at the top. Either may be 0. */
+/* Sets volume, area and centroid of a cut cone with the radius r at the base and s at the top; a radius may be 0. */
 void vs_frustum_measure(vs_measure *m, vs_vec3 base, double r, vs_vec3 top, double s);
-/* Returns true if q is in the cut cone from z = 0 to z = height. q is in the axis's frame. */
+/* Returns true if q is in the cut cone from z = 0 (base) to z = height. q is in the frame of the cone's axis. */
 bool vs_frustum_holds(vs_vec3 q, double height, double base_radius, double top_radius);
 
-/* The functions of vs_shape for the cylinder, the cone and the cut cone. All three are cut cones, with equal radii or a
- * radius of 0. */
+/* The functions of vs_shape for the cylinder, cone and cut cone. All three are cut cones, with equal radii or a radius
+ * of 0. */
 bool vs_round_bounds(const vs_node *n, const vs_affine *a, vs_bounds *b, vs_error *e);
 bool vs_round_triangles(const vs_node *n, const vs_fineness *f, vs_mesh *out, vs_error *e);
 bool vs_round_measure(const vs_node *n, bool area, vs_measure *m, vs_error *e);
 bool vs_round_holds(const vs_node *n, vs_vec3 p, vs_vec3 q, double height);
 void vs_round_axis(const vs_node *n, vs_vec3 *base, vs_vec3 *top);
 
-/* Defines the vs_shape of one of these three kinds, as VS_SHAPE does. The file must define the functions NAME_moved and
- * NAME_grown. */
+/* Defines the vs_shape of a cylinder, cone or cut cone, as VS_SHAPE does. The file must define the functions NAME_moved
+ * and NAME_grown. */
 #define VS_ROUND_SHAPE(lower)                                           \
   const vs_shape vs_shape_##lower = { .bounds = vs_round_bounds,        \
                                       .triangles = vs_round_triangles,  \

@@ -15,7 +15,7 @@
 #include "model/node.h"
 
 typedef struct {
-  /* Enlarges b by the exact bounds of n mapped by a. Returns false on failure. */
+  /* Enlarges the box b by the exact bounds of n mapped by a. Returns false on failure. */
   bool (*bounds)(const vs_node *n, const vs_affine *a, vs_bounds *b, vs_error *e);
   /* Appends the triangles of n to out: a closed mesh that faces outwards. Returns false on failure. */
   bool (*triangles)(const vs_node *n, const vs_fineness *f, vs_mesh *out, vs_error *e);
@@ -28,7 +28,7 @@ typedef struct {
   /* Returns n mapped by a, as a node of the same kind in store s. Returns NULL and sets *fits to false if the result is
    * not of this kind. Returns NULL with *fits true when memory is out. */
   vs_node *(*moved)(vs_store *s, const vs_node *n, const vs_affine *a, const vs_shape_map *map, bool *fits);
-  /* Sets the two ends of the axis. The function is NULL if the kind has no axis. */
+  /* Sets *base and *top to the two ends of the shape's axis. The function is NULL if the kind has no axis. */
   void (*axis)(const vs_node *n, vs_vec3 *base, vs_vec3 *top);
   /* Returns n with its faces moved outwards by about `by`, or NULL when memory is out. The function is NULL if the kind
    * has no formula for it. */
@@ -49,7 +49,8 @@ typedef struct {
                                       .grown = grown_,                                                                 \
                                       .parts = parts_ }
 
-const vs_shape *vs_shape_of(const vs_node *n); /* returns NULL if the kind of n has another role than SHAPE */
+const vs_shape *vs_shape_of(const vs_node *n); /* returns the functions of the kind of n, or NULL if its role is not
+                                                * VS_ROLE_SHAPE */
 
 #define VS_SHAPE_SHAPE(lower) extern const vs_shape vs_shape_##lower;
 #define VS_SHAPE_LEAF(lower)

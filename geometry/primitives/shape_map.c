@@ -1,4 +1,5 @@
-/* Determines which properties of a shape an affine map preserves, and maps arrays of points. */
+/* Determines which properties of a shape, such as circles or right angles, an affine map preserves, and maps arrays of
+ * points. */
 #include "geometry/primitives/shape_map.h"
 
 #include <math.h>

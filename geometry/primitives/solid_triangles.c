@@ -50,7 +50,7 @@ bool vs_solid_fits(int around, int across, const char *what, vs_error *e) {
 
 /* ---- rings and bands ---- */
 
-/* Appends an ellipse of n corners along X and Y of the frame; n >= 3. */
+/* Appends n >= 3 corners of an ellipse with half axes along X and Y of the frame. */
 static bool solid_oval(vs_mesh *out, const vs_affine *frame, vs_oval oval, int n) {
   bool ok = true;
   VS_ASSERT(n >= 3);
@@ -88,8 +88,9 @@ bool vs_solid_fan(vs_mesh *out, uint32_t ring, uint32_t n, uint32_t tip, bool ba
   return ok;
 }
 
-/* Closes a ring with a disc. If `hub`, the disc is a fan of triangles about the centre. Otherwise its triangles use
- * only the ring's corners, and cut off every second corner repeatedly. */
+/* Closes a ring of n corners with a disc. If `hub`, the disc is a fan of triangles about the centre. Otherwise its
+ * triangles use only the ring's corners, and cut off every second corner repeatedly. back: true if the disc faces
+ * against the axis. */
 static bool solid_disc(vs_mesh *out, vs_vec3 center, uint32_t ring, uint32_t n, bool back, bool hub) {
   uint32_t tip;
   if (hub) return vs_mesh_add_vertex(out, center, &tip) && vs_solid_fan(out, ring, n, tip, back);
@@ -134,7 +135,7 @@ bool vs_solid_sphere(vs_mesh *out, vs_vec3 center, double radius, int n) {
   bool ok = vs_mesh_reserve(out, out->vertex_count + (size_t)n * (size_t)(rings - 1) + 2,
                             out->triangle_count + 2 * (size_t)n * (size_t)(rings - 1));
   VS_ASSERT(n >= 3);
-  for (int j = 1; ok && j < rings; j++) { /* rings from the south pole upwards */
+  for (int j = 1; ok && j < rings; j++) { /* makes the rings of corners from the south pole upwards */
     double s, c;
     vs_turn_sincos(j, 2 * rings, &s, &c);
     ok = vs_solid_ring(out, &level, vs_v3(center.x, center.y, center.z - radius * c), radius * s, n);
@@ -147,8 +148,8 @@ bool vs_solid_sphere(vs_mesh *out, vs_vec3 center, double radius, int n) {
          vs_solid_fan(out, first + (uint32_t)(rings - 2) * around, around, north, false);
 }
 
-/* A tube that is wider than its path's radius would intersect itself on the axis. Then only the outer surface is built,
- * from pole to pole. around and tube_turn are at least 3. */
+/* A tube with a larger radius than its path would intersect itself on the axis. In this case only the outer surface is
+ * built, from pole to pole. around and tube_turn are at least 3. */
 bool vs_solid_torus(vs_mesh *out, vs_vec3 center, double radius, double tube, int around, int tube_turn) {
   uint32_t first = (uint32_t)out->vertex_count, n = (uint32_t)around, south, north;
   vs_affine level = vs_affine_identity();
@@ -202,8 +203,7 @@ bool vs_solid_polyface_merged(vs_mesh *out, const vs_points *points, const vs_fa
   bool ok = flat && ring && vs_mesh_reserve(out, out->vertex_count + points->count, out->triangle_count + triangles);
   uint32_t next = base;
   for (uint32_t i = 0; ok && i < points->count;
-       i++) { /* place[i] is at first the index of the earliest point equal to point i, and then the vertex of point
-               * i */
+       i++) { /* place[i] is first the index of the earliest point equal to point i, and later the vertex of point i */
     if (place[i] == i) {
       ok = vs_mesh_add_vertex(out, points->at[i], NULL);
       place[i] = next++;
@@ -211,8 +211,8 @@ bool vs_solid_polyface_merged(vs_mesh *out, const vs_points *points, const vs_fa
   }
   size_t tagged = out->triangle_count;
   for (uint32_t f = 0; ok && f <= faces->count; f++) {
-    for (; out->tags && tagged < out->triangle_count; tagged++) out->tags[tagged] = f - 1; /* tags the triangles of the
-                                                                                            * previous face */
+    for (; out->tags && tagged < out->triangle_count; tagged++) out->tags[tagged] = f - 1; /* sets the tags of the
+                                                                                            * triangles of face f - 1 */
     if (f == faces->count) break;
     size_t n = 0;
     vs_vec3 normal = vs_v3(0, 0, 0);
@@ -231,8 +231,8 @@ bool vs_solid_polyface_merged(vs_mesh *out, const vs_points *points, const vs_fa
     for (size_t i = 0; i < n; i++)
       normal = vs_v3_add(
           normal, vs_v3_cross(vs_v3_sub(out->vertices[ring[i]], o), vs_v3_sub(out->vertices[ring[(i + 1) % n]], o)));
-    if (n == 4) { /* divides a quadrilateral along the diagonal from its first corner, or along the other one if it is
-                   * concave at the second or fourth corner */
+    if (n == 4) { /* divides a quadrilateral along the diagonal from its first corner, or along the other diagonal if it
+                   * is concave at the second or fourth corner */
       vs_vec3 a = vs_v3_sub(out->vertices[ring[1]], o), b = vs_v3_sub(out->vertices[ring[2]], o),
               c = vs_v3_sub(out->vertices[ring[3]], o);
       bool convex = vs_v3_dot(vs_v3_cross(a, b), normal) > 0 && vs_v3_dot(vs_v3_cross(b, c), normal) > 0;

@@ -25,7 +25,7 @@ static bool torus_measure(const vs_node *n, bool area, vs_measure *m, vs_error *
   (void)area, (void)e;
   m->volume = 2 * pi * pi * r * t * t;
   m->area = 4 * pi * pi * r * t;
-  if (t > r) { /* The tube extends beyond the axis. Only the part of the tube's disc on one side of the axis counts,
+  if (t > r) { /* If the tube extends beyond the axis, only the part of the tube's disc on one side of the axis counts,
                 * because the remaining part rotates within it. */
     double a = acos(-r / t), s = sin(a);
     m->volume = 2 * pi * (r * t * t * (a - s * cos(a)) + 2.0 / 3 * t * t * t * s * s * s);
