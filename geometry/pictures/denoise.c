@@ -16,13 +16,14 @@ enum { REACH = 5, LAYERS = 6 };
 typedef struct {
   uint32_t columns, rows;
   const float *color[3];
-  const float *layer[LAYERS]; /* the layers of albedo and normal; either all are present or none */
-  const float *light;         /* logarithm of each pixel's luminance */
+  const float *layer[LAYERS]; /* channels of albedo (colour of surfaces) and normal; either all are present or all are
+                               * NULL */
+  const float *light;         /* light[i]: logarithm of the luminance of pixel i */
   bool guided;
 } guide;
 
-/* Returns the dissimilarity of the pixels a and b: the sum of squared differences, each divided by twice its
- * variance. */
+/* Returns the dissimilarity of the pixels a and b: the sum over the channels of squared differences, each divided by
+ * twice the channel's variance. */
 static double unlike(const guide *g, size_t a, size_t b) {
   const double albedo = 1 / (2 * 0.05 * 0.05), normal = 1 / (2 * 0.15 * 0.15), light = g->guided ? 0.6 : 0.25;
   double d = (double)g->light[a] - (double)g->light[b], sum = d * d / (2 * light * light);
@@ -60,8 +61,8 @@ bool vs_exr_smooth(vs_exr *x, bool *layers, vs_error *e) {
   for (size_t k = 0; k < 3; k++) {
     g.color[k] = memcpy(was + k * n, to[k], n * sizeof(float));
     for (size_t i = 0; i < n; i++)
-      if (!isfinite(was[k * n + i])) was[k * n + i] = 0; /* sets an infinity or NaN to 0, because it would spread to all
-                                                          * pixels within the window */
+      if (!isfinite(was[k * n + i])) was[k * n + i] = 0; /* sets a component that is infinite or NaN to 0, because it
+                                                          * would spread to all pixels within the filter's window */
   }
   for (int k = 0; k < LAYERS; k++) g.guided = (g.layer[k] = vs_exr_find(x, names[k])) != NULL && g.guided;
   for (size_t i = 0; i < n; i++) {

@@ -1,11 +1,11 @@
-/* Declares the removal of noise from pictures. */
+/* Declares the removal of noise from rendered pictures. */
 #ifndef VS_GEOMETRY_PICTURES_DENOISE_H
 #define VS_GEOMETRY_PICTURES_DENOISE_H
 
 #include "geometry/files/exr.h"
 
-/* Smooths the channels R, G and B of the picture in place; other channels do not change. *layers: true if the picture
- * had albedo and normal layers, and the filter used them. Returns false if the picture has no colours, or memory is
+/* Smooths the channels R, G and B of picture x in place; other channels do not change. *layers: true if the picture had
+ * channels of albedo and normal, which the filter then used. Returns false if the picture has no colours, or memory is
  * out. */
 bool vs_exr_smooth(vs_exr *x, bool *layers, vs_error *e);
 

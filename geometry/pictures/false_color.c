@@ -15,7 +15,7 @@ static int by_value(const void *a, const void *b) {
   return (x > y) - (x < y);
 }
 
-/* Number of pixels, sampled evenly, from which the quantiles are computed. */
+/* greatest number of pixels, evenly distributed, from which the range of the scale is computed */
 enum { SAMPLES = 16384 };
 
 vs_color_scale vs_color_scale_of(const float *at, size_t count, bool logarithmic, const char *unit) {
@@ -91,7 +91,8 @@ static void write_number(const vs_pixels *c, uint32_t x, uint32_t y, double valu
   vs_picture_text(c, x, y, text);
 }
 
-/* Draws the bar from bottom to top, the unit above it, and round numbers beside it where there is room for them. */
+/* Draws the legend: the bar from bottom to top, the unit above it, and round numbers beside it where there is room for
+ * them. left: column where it begins. */
 static void draw_legend(const vs_pixels *c, const vs_color_scale *s, uint32_t left) {
   uint32_t top = LETTER_HIGH + 2 * MARGIN, bottom = c->rows - MARGIN - LETTER_HIGH / 2, length = bottom - top;
   static const unsigned char ink[3] = { 32, 32, 32 };
@@ -123,7 +124,8 @@ static void draw_legend(const vs_pixels *c, const vs_color_scale *s, uint32_t le
 bool vs_false_color_picture(vs_store *store, const vs_pixel_numbers *numbers, const vs_color_scale *s, vs_pixels *out,
                             vs_error *e) {
   uint32_t columns = numbers->columns, rows = numbers->rows;
-  *out = (vs_pixels){ NULL, columns + STRIP, rows > 64 ? rows : 64 }; /* the legend needs at least 64 rows */
+  *out = (vs_pixels){ NULL, columns + STRIP, rows > 64 ? rows : 64 }; /* the legend needs at least 64 rows, so a lower
+                                                                       * picture gets blank rows */
   size_t bytes = (size_t)out->columns * out->rows * 3;
   out->rgb = vs_store_realloc(store, NULL, 0, bytes);
   if (!out->rgb) return vs_error_memory(e, NULL);

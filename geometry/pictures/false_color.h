@@ -11,11 +11,11 @@ typedef struct {
   double least, most;
   bool logarithmic;
   int steps;
-  const char *unit; /* text of the unit; only digits and the letters of "cd/m2 h lx" can be drawn */
+  const char *unit; /* text of the unit, such as "lx"; only digits and the letters of "cd/m2 h lx" can be drawn */
 } vs_color_scale;
 
-/* Returns a scale for the numbers, which ignores a hundredth of them at either end. If logarithmic, it covers the
- * numbers above 0, and at most six powers of ten. */
+/* Returns a scale for `count` numbers at `at`, which ignores a hundredth of them at either end of the range. If
+ * logarithmic, it covers the numbers above 0, and at most six powers of ten. */
 vs_color_scale vs_color_scale_of(const float *at, size_t count, bool logarithmic, const char *unit);
 /* Sets rgb to the colour of the number x as sRGB bytes, by Anton Mikhailov's colour map Turbo (Google AI Blog,
  * 2019). */
@@ -28,7 +28,7 @@ typedef struct { const float *at; uint32_t columns, rows; } vs_pixel_numbers;
 bool vs_false_color_picture(vs_store *store, const vs_pixel_numbers *numbers, const vs_color_scale *s, vs_pixels *out,
                             vs_error *e);
 
-/* Draws dark text into a picture, with the legend's digits and letters. (x, y) is the upper left corner of the text. */
+/* Draws dark text into a picture, with the letters of the legend. (x, y): upper left corner of the text, in pixels. */
 void vs_picture_text(const vs_pixels *picture, uint32_t x, uint32_t y, const char *text);
 
 #endif

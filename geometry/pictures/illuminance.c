@@ -1,4 +1,4 @@
-/* Computes illuminance, and recognizes floors. */
+/* Computes the illuminance of surfaces, and recognizes floors, in rendered pictures. */
 #include "geometry/pictures/illuminance.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
-/* Declares the computation of illuminance from a picture. The light that reaches a surface follows from the light that
- * the surface reflects and from its reflectance. */
+/* Declares the computation of illuminance from a picture: the light that reaches a surface is computed from the light
+ * that it reflects and its reflectance. */
 #ifndef VS_GEOMETRY_PICTURES_ILLUMINANCE_H
 #define VS_GEOMETRY_PICTURES_ILLUMINANCE_H
 
@@ -7,7 +7,8 @@
 
 /* Pointers to the channels of a picture from which illuminance is computed. If the picture lacks a channel, at least
  * one of the pointers is NULL. */
-typedef struct { const float *light[3], *albedo[3], *upward; /* upward: the channel N.Z, the vertical component of the
+typedef struct { const float *light[3], *albedo[3], *upward; /* light, albedo: channels of light and of surface colour;
+                                                              * upward: channel N.Z, the vertical component of the
                                                               * surface's normal */ } vs_lit_surfaces;
 
 vs_lit_surfaces vs_lit_surfaces_of(const vs_exr *x);

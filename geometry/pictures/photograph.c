@@ -8,7 +8,7 @@
 #include "geometry/files/jpeg_read.h"
 #include "geometry/files/png_read.h"
 
-/* returns the linear light of an sRGB number by IEC 61966-2-1 */
+/* returns the linear light, 0 to 1, of an sRGB component x, 0 to 1, by IEC 61966-2-1 */
 static double light_of(double x) { return x <= 0.04045 ? x / 12.92 : pow((x + 0.055) / 1.055, 2.4); }
 static double screen_of(double x) { return x <= 0.0031308 ? 12.92 * x : 1.055 * pow(x, 1 / 2.4) - 0.055; }
 

@@ -6,7 +6,7 @@
 #include "model/node.h"
 
 typedef struct {
-  const char *format; /* "png" or "jpeg" */
+  const char *format; /* format of the file: "png" or "jpeg" */
   uint32_t columns, rows;
   double mean[3];     /* mean of the picture's linear light, converted to sRGB: its colour as seen from far away */
 } vs_photograph;

@@ -16,7 +16,8 @@ typedef struct { double *at, *scratch; uint32_t columns, rows; const double *win
 
 static uint32_t within(int64_t x, uint32_t count) { return x < 0 ? 0 : x >= count ? count - 1 : (uint32_t)x; }
 
-/* Blurs the plane, first along its rows and then along its columns. */
+/* Blurs the plane (one component of a picture) with the Gaussian window, first along its rows and then along its
+ * columns. */
 static void blur(const plane *p) {
   for (uint32_t y = 0; y < p->rows; y++)
     for (uint32_t x = 0; x < p->columns; x++) {
@@ -43,8 +44,8 @@ static void develop(const vs_light *light, double stops, unsigned char *rgb, dou
   }
 }
 
-/* Returns the structural similarity of a and b, which have the same number of pixels. work: memory for six planes; rgb:
- * memory for the bytes of a picture. */
+/* Returns the structural similarity of the pictures a and b, which have equal sizes; 1 if they are equal. work: memory
+ * for six planes; rgb: memory for the bytes of a picture. */
 static double similarity(const vs_light *a, const vs_light *b, double *work, unsigned char *rgb) {
   const double c1 = 0.01 * 255 * 0.01 * 255, c2 = 0.03 * 255 * 0.03 * 255;
   double window[2 * REACH + 1], sum = 0, *of[6];

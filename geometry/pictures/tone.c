@@ -15,7 +15,7 @@ static double luminance(const vs_light *l, size_t i) {
          vs_raster_share[2] * (double)l->blue[i];
 }
 
-/* Returns the logarithm to base 2 of the luminance below which `count` pixels of the histogram lie. */
+/* Returns the logarithm to base 2 of the luminance below which `count` of the pixels in the histogram lie. */
 static double quantile(const size_t bins[BINS], double count) {
   size_t sum = 0;
   int i = 0;
@@ -23,14 +23,15 @@ static double quantile(const size_t bins[BINS], double count) {
   return LEAST_STOP + (i + 0.5) / BINS_A_STOP;
 }
 
-/* For each tone curve, the input value to which the exposure scales the 99th percentile of the picture. The curve is a
- * little below white there. */
+/* For each tone curve: the input value to which the exposure scales the picture's 99th percentile. The curve's output
+ * is a little below white there. */
 static const double bright_end[] = {
     [VS_TONE_NEUTRAL] = 1.1, [VS_TONE_AGX] = 3.8, [VS_TONE_FILMIC] = 4, [VS_TONE_LINEAR] = 0.9 };
 
-/* Returns by how many stops a picture of this mean luminance is darker than one of the day: 0 from 3 cd/m2. It is the
- * key of G. Krawczyk, K. Myszkowski and H.-P. Seidel (Perceptual Effects in Real-Time Tone Mapping, SCCG 2005), which
- * they fitted to photographs, relative to its value at 3 cd/m2. The number 1 means 10,000 cd/m2. */
+/* Returns by how many stops (factors of two) a picture of this mean luminance should look darker than one of the day: 0
+ * from 3 cd/m2. It is the key of G. Krawczyk, K. Myszkowski and H.-P. Seidel (Perceptual Effects in Real-Time Tone
+ * Mapping, SCCG 2005), which they fitted to photographs, relative to its value at 3 cd/m2. The number 1 of the mean
+ * stands for 10,000 cd/m2. */
 static double night_stops(double mean) {
   const double least = 3;
   double y = 1e4 * mean, key = 1.03 - 2 / (2 + log10(fmin(y, least) + 1));
@@ -55,22 +56,23 @@ double vs_tone_exposure(const vs_light *light, vs_tone_curve curve) {
    * room with a bright window. Therefore the key here is never more than half a stop below .18. */
   double least = quantile(bins, 0.01 * (double)count), most = quantile(bins, 0.99 * (double)count);
   double average = fmin(fmax(sum / (double)count, least), most), range = most - least;
-  double place = range > 0 ? (2 * average - least - most) / range : 0; /* position of the average in the range, -1 to
-                                                                        * 1 */
+  double place = range > 0 ? (2 * average - least - most) / range : 0; /* position of the average in the range of
+                                                                        * luminances, from -1 at the dark end to 1 at
+                                                                        * the bright end */
   double key = log2(0.18) + 2 * fmax(place, -0.25);
-  /* By Reinhard's key alone, a white building in the sun would be grey. If nothing is brighter, the second number makes
-   * the building white. */
+  /* white: exposure with which the brightest part just becomes white. By Reinhard's key alone, a white building in the
+   * sun would be grey; if nothing is brighter, `white` makes it white. */
   double dark = night_stops(exp2(average)), white = log2(bright_end[curve]) - most, lit = key + dark - average;
-  /* At night, the lit parts of the picture stay below white, and the rest is dark. The two rules are blended over a
-   * stop, so that the exposure has no step. */
+  /* night: weight, from 0 to 1, of the rule for night. At night, the lit parts of the picture stay below white, and
+   * everything else is dark. The rules of day and night are blended over a stop, so that the exposure has no step. */
   double night = fmin(1, -dark);
   return (1 - night) * fmax(lit, white) + night * fmin(lit, white);
 }
 
 /* ---- tone curves: from linear light to linear light of a screen, 0 to 1 ---- */
 
-/* Minimum and maximum of numbers that are not NaN. They are faster than fmin and fmax, which check for NaN and are
- * function calls. */
+/* lesser and greater return the minimum and maximum of numbers that are not NaN. They are faster than fmin and fmax,
+ * which check for NaN and are function calls. */
 static inline double lesser(double a, double b) { return a < b ? a : b; }
 static inline double greater(double a, double b) { return a > b ? a : b; }
 
@@ -143,8 +145,8 @@ static void agx(const double in[3], double out[3]) {
 /* ---- conversion of a picture ---- */
 
 /* A table for sRGB bytes by IEC 61966-2-1, which avoids a power function for each pixel. at[i] is the least light for
- * which byte i is the nearest. The range from 0 to 1 has COARSE equal parts. The search for the byte in part k begins
- * with first[k]. */
+ * which byte i is the nearest. The range of light from 0 to 1 has COARSE equal parts. The search for the byte in part k
+ * begins with first[k]. */
 enum { COARSE = 4096 };
 typedef struct { double at[256]; unsigned char first[COARSE + 1]; } screen_steps;
 
@@ -167,8 +169,8 @@ static unsigned char screen(const screen_steps *s, double x) { /* returns the sR
   return (unsigned char)b;
 }
 
-/* Returns the number of a pixel in the dither matrix of B. E. Bayer, An Optimum Method for Two-Level Rendition of
- * Continuous-Tone Pictures (IEEE ICC 1973), of 8 by 8 pixels: each number from 0 to 63 once. */
+/* Returns the element, from 0 to 63, of the 8 by 8 dither matrix of B. E. Bayer (An Optimum Method for Two-Level
+ * Rendition of Continuous-Tone Pictures, IEEE ICC 1973) for a pixel. Each number occurs once in the matrix. */
 static unsigned bayer(uint32_t column, uint32_t row) {
   unsigned n = 0, mixed = column ^ row;
   for (unsigned bit = 0; bit < 3; bit++)
@@ -176,12 +178,12 @@ static unsigned bayer(uint32_t column, uint32_t row) {
   return n;
 }
 
-/* Returns the sRGB byte of x, rounded up for some pixels. Their share is the fraction of a step by which x exceeds the
- * lower byte. x: linear light, 0 to 1; n: number of the pixel in the dither matrix. */
+/* Returns the sRGB byte of the linear light x, 0 to 1, rounded up for some pixels. The share of these pixels is the
+ * fraction of a step by which x exceeds the lower byte. n: element of the dither matrix for the pixel. */
 static unsigned char dithered(const screen_steps *s, double x, unsigned n) {
   unsigned b = screen(s, x);
   if (b == 0 || b == 255) return (unsigned char)b;
-  /* The steps end half a byte above and below b. */
+  /* above: position of x between the byte b and the next; the table's steps end half a byte above and below b. */
   double above = (x - s->at[b]) / (s->at[b + 1] - s->at[b]) - 0.5, threshold = (n + 0.5) / 64;
   return (unsigned char)(above > 0 ? b + (above > threshold) : b - (-above > threshold));
 }

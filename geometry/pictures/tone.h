@@ -1,4 +1,4 @@
-/* Declares the conversion of linear light to values for a screen: exposure, tone curve, sRGB. */
+/* Declares the conversion of linear light to values for a screen: exposure, tone curve, and sRGB bytes. */
 #ifndef VS_GEOMETRY_PICTURES_TONE_H
 #define VS_GEOMETRY_PICTURES_TONE_H
 
@@ -16,11 +16,12 @@ typedef enum {
 
 typedef struct {
   vs_tone_curve curve;
-  bool fixed;      /* true: the exposure `stops` is relative to the picture's own light; false: relative to the exposure
-                    * of vs_tone_exposure */
+  bool fixed;      /* true: `stops` is relative to the light of the picture itself; false: relative to the exposure that
+                    * vs_tone_exposure computes */
   double stops;
-  bool dither;     /* whether neighbouring pixels are rounded differently to bytes, so that a gradient has no bands */
-  uint32_t left, top; /* column and row of the picture's first pixel in the whole picture, for the alternation */
+  bool dither;     /* true if neighbouring pixels are rounded differently to bytes, so that a gradient shows no bands */
+  uint32_t left, top; /* column and row of the first pixel within a larger picture, so that the dithering of its parts
+                       * fits together */
 } vs_tone;
 
 /* A picture in linear light: three planes of linear sRGB numbers, in rows. */

@@ -1,8 +1,8 @@
 /* Implements the bending of objects (bending.h).
  *
  * Whether an edge is cut depends only on its ends and its midpoint. Therefore both triangles at an edge agree, and a
- * closed mesh stays closed. In each round, the images of all midpoints that are not known yet are requested, and then
- * edges are cut. */
+ * closed mesh stays closed. In each round, the caller computes the images (positions after the bending) of all new
+ * midpoints, and then edges are cut. */
 #include "geometry/shapes/bending.h"
 
 #include <stdlib.h>
@@ -28,17 +28,17 @@ void vs_bend_drop(vs_bend_leaves *leaves) {
 
 static const uint32_t STAYS = UINT32_MAX, ASKED = UINT32_MAX - 1;
 typedef struct {
-  uint64_t edge;   /* key of the edge (edge_key); 0: the slot is free */
-  uint32_t middle; /* vertex in the middle of the edge; STAYS: the edge is not cut; ASKED: the midpoint's image was
-                    * requested in this round */
+  uint64_t edge;   /* number made of the edge's two vertices (edge_key); 0: the slot of the hash table is free */
+  uint32_t middle; /* vertex in the middle of the edge; STAYS: the edge is not cut; ASKED: the caller shall compute the
+                    * midpoint's image in this round */
 } half;
 typedef struct {
   uint32_t a, b;
 } asked_edge;
 
 struct vs_bending {
-  vs_mesh mesh;   /* the leaf's mesh, with positions before the bending */
-  vs_vec3 *image; /* image of each vertex, its position after the bending */
+  vs_mesh mesh;   /* mesh of the leaf, with positions before the bending */
+  vs_vec3 *image; /* image[v]: position of vertex v after the bending */
   size_t image_count, image_room;
   uint32_t *line; /* indices of a curve's vertices in order; unused for a mesh with triangles */
   size_t line_count, line_room;
@@ -47,9 +47,9 @@ struct vs_bending {
   int rounds;
   half *table;
   size_t size, used;
-  vs_vec3 *wanted; /* points whose images are requested: first the vertices, later midpoints of edges */
+  vs_vec3 *wanted; /* points whose images the caller shall compute: first the vertices, later midpoints of edges */
   size_t wanted_count, wanted_room, edge_room;
-  asked_edge *edges; /* the edge of each requested midpoint */
+  asked_edge *edges; /* edges[i]: edge whose midpoint is wanted[i] */
 };
 
 void vs_bending_free(vs_bending *b) {
@@ -81,11 +81,13 @@ vs_bending *vs_bending_new(const vs_bend_leaf *leaf, double tolerance, double lo
 
 const vs_vec3 *vs_bending_wanted(const vs_bending *b, size_t *count) { return *count = b->wanted_count, b->wanted; }
 
-static uint64_t edge_key(uint32_t a, uint32_t b) { /* the key is never 0, because a and b differ */
+static uint64_t edge_key(uint32_t a, uint32_t b) { /* the key of the edge from a to b is never 0, because a and b
+                                                    * differ */
   return a < b ? (uint64_t)a << 32 | b : (uint64_t)b << 32 | a;
 }
 
-/* Returns the slot of the edge in the table, or a free slot if the edge is not there. size is a power of two. */
+/* Returns the slot of the edge in the hash table, or a free slot if it does not contain the edge. size is a power of
+ * two. */
 static half *half_of(half *table, size_t size, uint64_t edge) {
   size_t k = (size_t)((edge * UINT64_C(0x9E3779B97F4A7C15)) >> 20) & (size - 1);
   VS_ASSERT(size > 0 && (size & (size - 1)) == 0);
@@ -106,7 +108,8 @@ static bool table_room(vs_bending *b) {
   return true;
 }
 
-/* Requests the midpoint of the edge from p to q if the edge is not in the table yet. */
+/* Adds the midpoint of the edge from vertex p to q to the wanted points, if the edge is not in the table yet. Returns
+ * false when memory is out. */
 static bool ask(vs_bending *b, uint32_t p, uint32_t q) {
   if (p == q) return true;
   if (!table_room(b)) return false;
@@ -125,7 +128,8 @@ static uint32_t middle_of(const vs_bending *b, uint32_t p, uint32_t q) {
   return p == q ? STAYS : half_of(b->table, b->size, edge_key(p, q))->middle;
 }
 
-/* Performs the cuts of a round: a triangle with one, two or three cut edges becomes two, three or four triangles. */
+/* Cuts the triangles of a round: a triangle with one, two or three cut edges becomes two, three or four triangles.
+ * Returns false when memory is out. */
 static bool cut_triangles(vs_bending *b) {
   vs_mesh *m = &b->mesh;
   size_t n = m->triangle_count;
@@ -136,8 +140,8 @@ static bool cut_triangles(vs_bending *b) {
     for (int k = 0; k < 3; k++) e[k] = middle_of(b, t[k], t[(k + 1) % 3]);
     int cuts = (e[0] != STAYS) + (e[1] != STAYS) + (e[2] != STAYS);
     if (!cuts) continue;
-    while ((cuts == 1 && e[0] == STAYS) || (cuts == 2 && e[2] != STAYS)) { /* rotates the triangle's corners so that a
-                                                                            * single cut edge gets index 0, and two cut
+    while ((cuts == 1 && e[0] == STAYS) || (cuts == 2 && e[2] != STAYS)) { /* rotates the triangle's corners so that the
+                                                                            * only cut edge gets index 0, or the two cut
                                                                             * edges get 0 and 1 */
       uint32_t t0 = t[0], e0 = e[0];
       t[0] = t[1], t[1] = t[2], t[2] = t0;
@@ -174,7 +178,8 @@ static bool cut_line(vs_bending *b) {
   return true;
 }
 
-/* Requests the midpoints of the edges that the last cuts have made. */
+/* Adds the midpoints of all edges that the last cuts have made to the wanted points. Returns false when memory is
+ * out. */
 static bool next_round(vs_bending *b) {
   bool ok = true;
   b->wanted_count = 0;
@@ -218,7 +223,7 @@ bool vs_bending_give(vs_bending *b, const vs_vec3 *images) {
 }
 
 vs_mesh *vs_bending_mesh(vs_bending *b) {
-  if (!b->bent) { /* replaces the vertices by their images, at the first call only */
+  if (!b->bent) { /* at the first call, replaces the mesh's vertices by their positions after the bending */
     if (b->image_count > 0) memcpy(b->mesh.vertices, b->image, b->image_count * sizeof *b->image);
     for (size_t i = 0; b->curve && i < b->line_count; i++) b->mesh.vertices[i] = b->image[b->line[i]];
     if (b->curve) b->mesh.vertex_count = b->line_count;

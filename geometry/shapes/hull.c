@@ -32,8 +32,9 @@ bool vs_cloud_add(vs_cloud *c, vs_vec3 p) {
 
 /* ---- dimension and extent of the points ---- */
 
-/* Returns the dimension of the points, or -1 if there are none. Sets corner[0] to the point farthest from the middle.
- * Sets corner[k], for k up to the dimension, to the point farthest from the span of the corners before it. */
+/* Returns the dimension of the points (0 to 3), or -1 if there are none. Sets corner[0] to the point farthest from the
+ * middle. Sets corner[k], for k up to the dimension, to the point farthest from the point, line or plane through the
+ * corners before it. */
 static int cloud_span(const vs_cloud *c, uint32_t corner[4]) {
   if (!c->count) return -1;
   vs_bounds b = vs_bounds_empty();
@@ -71,8 +72,8 @@ static vs_step *cloud_steps(const vs_cloud *c) {
   for (size_t i = 0; i < c->count; i++) vs_bounds_add(&b, c->at[i]);
   vs_vec3 o = vs_v3_scale(vs_v3_add(b.min, b.max), 0.5), d = vs_v3_sub(b.max, b.min);
   int exponent;
-  frexp(fmax(d.x, fmax(d.y, d.z)), &exponent); /* exponent: the extent is below 2^exponent, and becomes steps from -2^39
-                                                * to 2^39 */
+  frexp(fmax(d.x, fmax(d.y, d.z)), &exponent); /* exponent: the extent d is below 2^exponent, and becomes steps from
+                                                * -2^39 to 2^39 */
   for (size_t i = 0; s && i < c->count; i++) {
     vs_vec3 p = vs_v3_sub(c->at[i], o);
     s[i] = (vs_step){ (int64_t)nearbyint(ldexp(p.x, 40 - exponent)), (int64_t)nearbyint(ldexp(p.y, 40 - exponent)),
@@ -96,9 +97,10 @@ static vs_wide steps_volume(const vs_step *s, const uint32_t v[3], uint32_t d) {
 #define NOBODY UINT32_MAX
 
 typedef struct {
-  uint32_t v[3], next[3]; /* v: the corners; next[k]: the face on the other side of the edge from v[k] */
-  uint32_t above, mark;   /* above: the first point in the list of points above the face; mark: number of the search
-                           * step that visited the face */
+  uint32_t v[3], next[3]; /* v: point numbers of the face's corners; next[k]: face on the other side of the edge that
+                           * begins at v[k] */
+  uint32_t above, mark;   /* above: first point in the list of points above the face; mark: number of the last step that
+                           * visited the face */
   bool dead;
 } vs_hull_face;
 
@@ -106,13 +108,14 @@ typedef struct {
   const vs_step *steps;
   vs_hull_face *faces;
   size_t count, room;
-  uint32_t *next_above;            /* next_above[p]: the point after p in the list that contains p */
-  uint32_t *waiting, *horizon;     /* waiting: faces still to visit; horizon: pairs of a face and an edge */
+  uint32_t *next_above;            /* next_above[p]: point after p in the list of points above a face that contains p */
+  uint32_t *waiting, *horizon;     /* waiting: faces that a step must still visit; horizon: pairs of a face and an edge
+                                    * around the removed faces */
   size_t waiting_room, horizon_room;
-  uint32_t *leaving;               /* leaving[p]: the new face whose horizon edge starts at point p */
+  uint32_t *leaving;               /* leaving[p]: the new face whose edge on the horizon starts at point p */
 } vs_quickhull;
 
-/* Adds the face with the corners a, b and c, which differ. */
+/* Adds the face with the different corners a, b and c, and sets *out to its number. */
 static bool hull_face_new(vs_quickhull *h, uint32_t a, uint32_t b, uint32_t c, uint32_t *out) {
   VS_ASSERT(a != b && b != c && c != a);
   if (!VS_GROW(h->faces, h->room, h->count + 1)) return false;
@@ -121,8 +124,7 @@ static bool hull_face_new(vs_quickhull *h, uint32_t a, uint32_t b, uint32_t c, u
   return true;
 }
 
-/* Adds p to the list of the first face, among those numbered from `from` to `to` - 1, that p lies above. from <= to <=
- * h->count. */
+/* Adds point p to the list of the first of the faces `from` to `to` - 1 that p lies above. from <= to <= h->count. */
 static void hull_assign(vs_quickhull *h, uint32_t p, uint32_t from, uint32_t to) {
   VS_ASSERT(from <= to && to <= h->count);
   for (uint32_t f = from; f < to; f++) {
@@ -150,7 +152,8 @@ static bool hull_start(vs_quickhull *h, const uint32_t corner[4], size_t points)
   return true;
 }
 
-/* Collects in `waiting` the faces that p removes, and in `horizon` the edges around them. */
+/* Collects in `waiting` the faces that point p removes, because it lies above them, and in `horizon` the edges around
+ * these faces. first: one of the faces. */
 static bool hull_take(vs_quickhull *h, uint32_t first, uint32_t p, uint32_t step, size_t *taken, size_t *edges) {
   *taken = *edges = 0;
   if (!VS_GROW(h->waiting, h->waiting_room, 1)) return false;
@@ -216,8 +219,8 @@ static bool hull_add(vs_quickhull *h, uint32_t face, uint32_t step) {
 
 static bool hull_write(const vs_quickhull *h, const vs_cloud *c, vs_mesh *out) {
   bool ok = true;
-  for (size_t i = 0; i < c->count; i++) h->leaving[i] = NOBODY; /* reuses leaving: leaving[p] becomes the vertex number
-                                                                 * of point p */
+  for (size_t i = 0; i < c->count; i++) h->leaving[i] = NOBODY; /* from here on, leaving[p] is the vertex number of
+                                                                 * point p */
   for (size_t f = 0; ok && f < h->count; f++) {
     const vs_hull_face *face = &h->faces[f];
     if (face->dead) continue;
@@ -237,9 +240,10 @@ bool vs_cloud_hull(const vs_cloud *c, vs_mesh *out) {
                      .leaving = vs_fresh(c->count, sizeof *h.leaving) };
   bool ok = steps && h.next_above && h.leaving && hull_start(&h, corner, c->count);
   for (uint32_t f = 0, step = 0; ok && f < h.count; f++)
-    if (!h.faces[f].dead && h.faces[f].above != NOBODY) ok = hull_add(&h, f, ++step); /* adds the farthest point above
-                                                                                       * face f, which removes f; new
-                                                                                       * faces follow in the array */
+    if (!h.faces[f].dead && h.faces[f].above != NOBODY) ok = hull_add(&h, f, ++step); /* adds to the hull the farthest
+                                                                                       * point above face f, which
+                                                                                       * removes f; its new faces follow
+                                                                                       * in the array */
   ok = ok && hull_write(&h, c, out);
   free(steps);
   free(h.next_above);
@@ -276,7 +280,8 @@ bool vs_cloud_polygon(const vs_cloud *c, vs_polyline *out) {
   vs_vec3 n = { 0, 0, 0 };
   if (dimension > 1)
     n = vs_v3_cross(vs_v3_sub(c->at[corner[1]], c->at[corner[0]]), vs_v3_sub(c->at[corner[2]], c->at[corner[0]]));
-  else { /* any plane through the line is suitable, unless it is perpendicular to the projection */
+  else { /* the points lie on a line, so any plane through it is suitable, unless it is perpendicular to the
+          * projection */
     vs_vec3 d = vs_v3_sub(c->at[corner[1]], c->at[corner[0]]);
     n = fabs(d.x) <= fabs(d.y) && fabs(d.x) <= fabs(d.z) ? vs_v3(1, 0, 0)
         : fabs(d.y) <= fabs(d.z)                         ? vs_v3(0, 1, 0)
@@ -308,7 +313,7 @@ bool vs_cloud_polygon(const vs_cloud *c, vs_polyline *out) {
       if (count > first && chain[count - 1].u == p->u && chain[count - 1].v == p->v) continue;
       chain[count++] = *p;
     }
-    count--; /* removes the last point of this chain, because the other chain begins with it */
+    count--; /* removes the last point of the chain, because the other chain begins with it */
   }
   out->at = ok ? vs_fresh(count, sizeof *out->at) : NULL;
   ok = out->at != NULL;

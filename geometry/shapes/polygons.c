@@ -1,7 +1,7 @@
 /* Passes the faces of polyface meshes, grid meshes and boxes to a function, one at a time.
  *
- * The node's map is applied to the corners of a face, in an array that is reused. A reflection would turn the faces
- * inside out, so their corners are reversed then. */
+ * The map that the caller gives is applied to the corners of a face, in an array that is reused. A reflection would
+ * turn the faces inside out, so their corners are reversed then. */
 #include "geometry/shapes/polygons.h"
 
 #include <stdlib.h>

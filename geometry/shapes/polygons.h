@@ -9,9 +9,9 @@
 typedef bool vs_polygon_taker(void *context, const vs_vec3 *corner, uint32_t count);
 
 typedef enum {
-  VS_POLYGONS_NONE,    /* the node is of another kind, so no face was passed */
+  VS_POLYGONS_NONE,    /* the node is not of a kind that consists of polygons, so no face was passed */
   VS_POLYGONS_GIVEN,   /* all faces were passed to the function */
-  VS_POLYGONS_STOPPED, /* the function returned false */
+  VS_POLYGONS_STOPPED, /* the function returned false, so no further face was passed */
   VS_POLYGONS_MEMORY   /* memory is out */
 } vs_polygons_result;
 

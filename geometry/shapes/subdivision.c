@@ -19,7 +19,7 @@ typedef struct {
   const vs_face_list *l;
   edge *edges;
   size_t edge_count, room;
-  uint32_t *of_corner; /* for each corner of a face: the edge to the face's next corner */
+  uint32_t *of_corner; /* of_corner[c]: edge from corner c of a face to the face's next corner */
   uint32_t *slots;     /* hash table with the index of an edge plus 1 in each slot; 0 marks a free slot */
   size_t size;
 } topology;
@@ -29,8 +29,8 @@ static void topology_free(topology *t) {
   *t = (topology){ 0 };
 }
 
-/* Returns the slot of the edge between the points a and b, or a free slot if there is no such edge. t->size is a power
- * of two. */
+/* Returns the slot of the edge between the points a and b in the hash table, or a free slot if there is no such edge.
+ * t->size is a power of two. */
 static uint32_t *slot_of(const topology *t, uint32_t a, uint32_t b) {
   uint64_t key = a < b ? (uint64_t)a << 32 | b : (uint64_t)b << 32 | a;
   size_t k = (size_t)((key * UINT64_C(0x9E3779B97F4A7C15)) >> 20) & (t->size - 1);
@@ -71,13 +71,13 @@ static bool topology_of(const vs_face_list *l, const vs_crease *creases, size_t 
   return true;
 }
 
-/* Sums over the edges and faces at a point. */
+/* Sums over the edges and faces at a point, from which its new position is computed. */
 typedef struct {
   uint32_t edges, faces, sharp;
-  double sharpness;                  /* sum of the sharpness of the sharp edges at the point */
-  vs_vec3 neighbours, across, along; /* neighbours: sum of the positions of the other ends of all edges; across: sum
-                                      * over the faces; along: sum of the positions of the other ends of the sharp
-                                      * edges */
+  double sharpness;                  /* sum of the sharpness (number of subdivisions) of the sharp edges at the point */
+  vs_vec3 neighbours, across, along; /* neighbours: sum of the positions of the other ends of all edges at the point;
+                                      * across: sum over the faces at the point; along: sum of the positions of the
+                                      * other ends of its sharp edges */
 } gathered;
 
 static void gather_edges(const topology *t, gathered *g) {
@@ -98,7 +98,8 @@ static void gather_edges(const topology *t, gathered *g) {
 
 static vs_vec3 mix(vs_vec3 a, vs_vec3 b, double t) { return vs_v3_add(vs_v3_scale(a, 1 - t), vs_v3_scale(b, t)); }
 
-/* Returns the position of point p after one subdivision. smooth: its position if it had no creases. */
+/* Returns the position of point p after one subdivision, by the sharp edges at it. smooth: its position if it had no
+ * sharp edges. */
 static vs_vec3 creased(const gathered *g, vs_vec3 p, vs_vec3 smooth) {
   if (g->sharp < 2) return smooth;
   vs_vec3 sharp = g->sharp > 2 ? p : vs_v3_scale(vs_v3_add(vs_v3_scale(p, 6), g->along), 1.0 / 8);
@@ -147,7 +148,8 @@ static bool step(const vs_face_list *l, const crease_list *creases, bool loop, v
     if (n > 0 && loop) {
       double beta = loop_beta(n);
       smooth = vs_v3_add(vs_v3_scale(p, 1 - n * beta), vs_v3_scale(g[i].neighbours, beta));
-    } else if (n > 0) { /* the formula is (F + 2 R + (n - 3) P) / n, where R is the mean of the edges' midpoints */
+    } else if (n > 0) { /* The new position is (F + 2 R + (n - 3) P) / n, where P is the point, F the mean of the n
+                         * faces' centroids, and R the mean of the edges' midpoints. */
       vs_vec3 r = vs_v3_scale(vs_v3_add(vs_v3_scale(p, n), g[i].neighbours), 1 / (2 * n));
       vs_vec3 f = vs_v3_scale(g[i].across, 1.0 / g[i].faces);
       smooth = vs_v3_scale(vs_v3_add(vs_v3_add(f, vs_v3_scale(r, 2)), vs_v3_scale(p, n - 3)), 1 / n);
@@ -160,8 +162,8 @@ static bool step(const vs_face_list *l, const crease_list *creases, bool loop, v
     vs_vec3 a = l->points[e->a], b = l->points[e->b], straight = vs_v3_scale(vs_v3_add(a, b), .5), smooth = straight;
     if (e->faces == 2 && !loop) {
       smooth = vs_v3_scale(vs_v3_add(vs_v3_add(a, b), vs_v3_add(middle[e->face[0]], middle[e->face[1]])), .25);
-    } else if (e->faces == 2) { /* the sum of the corners opposite the edge is three times the sum of the centroids
-                                 * minus twice the ends of the edge */
+    } else if (e->faces == 2) { /* The corners opposite the edge are not stored. Their sum is three times the sum of the
+                                 * two centroids minus twice the sum of the edge's ends. */
       vs_vec3 c = vs_v3_scale(vs_v3_add(middle[e->face[0]], middle[e->face[1]]), 3);
       vs_vec3 both = vs_v3_sub(c, vs_v3_scale(vs_v3_add(a, b), 2));
       smooth = vs_v3_add(vs_v3_scale(vs_v3_add(a, b), 3.0 / 8), vs_v3_scale(both, 1.0 / 8));
@@ -206,7 +208,8 @@ static bool to_limit(vs_face_list *l, const crease_list *creases, bool loop) {
   if (!topology_of(l, creases->at, creases->count, &t)) return false;
   bool ok = VS_FRESH(g, l->point_count + 1) && VS_FRESH(moved, l->point_count + 1);
   if (ok) memset(g, 0, (l->point_count + 1) * sizeof *g), gather_edges(&t, g);
-  for (size_t f = 0; ok && !loop && f < l->face_count; f++) { /* adds the opposite corners of quadrilaterals */
+  for (size_t f = 0; ok && !loop && f < l->face_count; f++) { /* adds, for each corner of a quadrilateral, the opposite
+                                                               * corner to the corner's sum */
     const uint32_t *c = l->corners + l->starts[f];
     for (int k = 0; k < 4; k++) g[c[k]].across = vs_v3_add(g[c[k]].across, l->points[c[(k + 2) % 4]]);
   }
@@ -231,7 +234,7 @@ static bool to_limit(vs_face_list *l, const crease_list *creases, bool loop) {
   return ok;
 }
 
-/* Divides each polygon into a fan of triangles. */
+/* Divides each polygon of l into a fan of triangles. Returns false when memory is out. */
 static bool fans(vs_face_list *l) {
   vs_face_list out = { 0 };
   bool ok = true;

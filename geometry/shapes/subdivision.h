@@ -9,7 +9,7 @@
 #include "model/long_work.h"
 
 typedef struct {
-  uint32_t a, b;    /* indices of the crease's two points */
+  uint32_t a, b;    /* indices of the two points at the ends of the crease */
   double sharpness; /* number of subdivisions in which the edge stays sharp; INFINITY: it stays sharp in all */
 } vs_crease;
 
@@ -25,7 +25,7 @@ typedef struct {
   bool limit;
 } vs_subdivision;
 
-/* Replaces the faces of l by subdivided ones. Faces with a common corner must share its point. The Loop scheme first
+/* Replaces the faces of l by subdivided faces. Faces with a common corner must share its point. The Loop scheme first
  * divides polygons into fans of triangles. how->levels is at least 0. Returns false when memory is out, or the caller
  * interrupts. */
 bool vs_subdivide(vs_face_list *l, const vs_subdivision *how, vs_long_work work);

@@ -1,4 +1,4 @@
-/* Recognizes nodes that are placed copies of a unit form (unit_forms.h). */
+/* Recognizes nodes that are placed copies of a unit form, such as a box of size 2 (unit_forms.h). */
 #include "geometry/shapes/unit_forms.h"
 
 #include "geometry/frame.h"

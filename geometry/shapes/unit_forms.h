@@ -7,19 +7,20 @@
 #include "model/mesh.h"
 #include "model/node.h"
 
-/* Each unit form lies within -1 to 1 in x, y and z. The axis of the cylinder and the cone is Z. */
+/* The unit forms. Each lies within -1 to 1 in x, y and z. The axis of the cylinder and the cone is Z. */
 typedef enum { VS_UNIT_BOX, VS_UNIT_WEDGE, VS_UNIT_SPHERE, VS_UNIT_CYLINDER, VS_UNIT_CONE, VS_UNIT_COUNT } vs_unit;
 
 typedef struct {
   vs_unit unit;
-  int turn;        /* number of facets of a full turn by the current fineness; 0 for the box and the wedge */
-  bool faceted;    /* true if the node itself defines the number of facets */
+  int turn;        /* number of facets of a full turn, by the fineness that vs_unit_of received; 0 for the box and the
+                    * wedge */
+  bool faceted;    /* true if the node's field `segments` defines the number of facets */
   vs_affine place; /* map from the unit form to the node's own coordinates */
 } vs_unit_copy;
 
-/* Finds the unit form and the placement of which the node is a copy. Returns false if it is no such copy. */
+/* Finds the unit form and the placement that give node n. Returns false if n is not a placed copy of a unit form. */
 bool vs_unit_of(const vs_node *n, const vs_fineness *f, vs_unit_copy *out);
-bool vs_unit_mesh(vs_unit unit, int turn, vs_mesh *out); /* appends the mesh of the unit form to out; returns false when
-                                                          * memory is out */
+bool vs_unit_mesh(vs_unit unit, int turn, vs_mesh *out); /* appends the mesh of the unit form with `turn` facets in a
+                                                          * full turn to out; returns false when memory is out */
 
 #endif

@@ -36,8 +36,8 @@ static void plain_name(const char *text, size_t length, char out[NAME_ROOM]) {
 
 static int by_name(const struct dirent **a, const struct dirent **b) { return strcmp((*a)->d_name, (*b)->d_name); }
 
-/* Searches a folder and its subfolders, with an explicit stack. Sets *stop to true if fn ended the search. Returns
- * false when memory is out. */
+/* Searches the folder `root` and its subfolders for font files, and calls fn for each. Sets *stop to true if fn ended
+ * the search. Returns false when memory is out. */
 static bool search_below(const char *root, font_file_fn *fn, void *context, bool *stop) {
   size_t count = 1, room = 16;
   font_folder *todo = vs_fresh(room, sizeof *todo);
@@ -123,7 +123,7 @@ bool vs_font_file(const char *family, char *path, size_t room, vs_error *e) {
 
 typedef struct { char *text; size_t room, used; } font_list;
 
-/* converts a file name such as "DejaVuSans-Bold.ttf" to "DejaVu Sans Bold" */
+/* Adds a family's name to the list, converted from a file name: "DejaVuSans-Bold.ttf" becomes "DejaVu Sans Bold". */
 static bool list_look(void *context, const char *path, const char *plain) {
   font_list *l = context;
   char shown[NAME_ROOM];
@@ -140,7 +140,8 @@ static bool list_look(void *context, const char *path, const char *plain) {
     shown[n++] = *c;
   }
   shown[n] = '\0';
-  if (!strcmp(shown, "DejaVu Sans")) return false; /* the default family is already at the beginning of the list */
+  if (!strcmp(shown, "DejaVu Sans")) return false; /* the default family is skipped, because it is already at the
+                                                    * beginning of the list */
   int wrote = snprintf(l->text + l->used, l->room - l->used, "%s%s", l->used ? ", " : "", shown);
   if (wrote < 0 || (size_t)wrote >= l->room - l->used) {
     l->text[l->used] = '\0';
@@ -150,7 +151,8 @@ static bool list_look(void *context, const char *path, const char *plain) {
   return false;
 }
 
-/* If the default font is installed, it comes first. Messages then begin with the same text on every machine. */
+/* In the function, the default font comes first if it is installed. Messages then begin with the same text on every
+ * machine. */
 void vs_font_families(char *text, size_t room) {
   static const char usual[] = "DejaVu Sans";
   char path[PATH_ROOM];

@@ -53,14 +53,14 @@ static size_t bits(uint32_t format) {
   return count;
 }
 
-/* Returns the member XAdvance of a value record, or 0. Each bit of the format states whether a member exists. The first
- * members are XPlacement, YPlacement and XAdvance. */
+/* Returns the horizontal advance (XAdvance) in a value record, or 0 if it has none. Each bit of the format states
+ * whether a member exists. The first members are XPlacement, YPlacement and XAdvance. */
 static int32_t advance(const table *t, size_t record, uint32_t format) {
   return format & 4 ? s16(t, record + 2 * bits(format & 3)) : 0;
 }
 
-/* Sets *by to the value for the pair of glyphs. Returns false if the subtable at offset `at` has no entry for the
- * pair. */
+/* Sets *by to the kerning of the pair of glyphs left and right. Returns false if the subtable at offset `at` has no
+ * entry for the pair. */
 static bool pair(const table *t, size_t at, uint32_t left, uint32_t right, double *by) {
   uint32_t first = u16(t, at + 4), second = u16(t, at + 6);
   size_t record = 2 * (bits(first) + bits(second));
@@ -95,7 +95,7 @@ static double lookup(const table *t, size_t at, uint32_t left, uint32_t right) {
     size_t sub = at + u16(t, at + 6 + 2 * (size_t)i);
     uint32_t kind = type;
     double by;
-    if (type == 9) { /* an extension subtable: the actual type, and a 32-bit offset */
+    if (type == 9) { /* type 9 is an extension subtable, which contains the actual type and a 32-bit offset */
       kind = u16(t, sub + 2);
       sub += u32(t, sub + 4);
     }
@@ -109,11 +109,11 @@ double vs_kerning_pair(const unsigned char *bytes, size_t size, uint32_t left, u
   size_t features = u16(&t, 6), lookups = u16(&t, 8);
   uint32_t feature_count = u16(&t, features), lookup_count = u16(&t, lookups);
   double sum = 0;
-  bool seen[256] = { false }; /* marks lookups that were read already, because several scripts refer to the same
-                               * lookups; fonts have fewer than 256 lookups */
+  bool seen[256] = { false }; /* seen[i]: true if lookup i was already read, because several scripts refer to the same
+                               * lookups; fonts have fewer than 256 */
   for (uint32_t i = 0; i < feature_count; i++) {
     size_t row = features + 2 + 6 * (size_t)i;
-    if (u32(&t, row) != 0x6B65726E) continue; /* the tag 'kern' */
+    if (u32(&t, row) != 0x6B65726E) continue; /* 0x6B65726E: the four letters 'kern', name of the feature */
     size_t feature = features + u16(&t, row + 4);
     uint32_t count = u16(&t, feature + 2);
     for (uint32_t k = 0; k < count; k++) {

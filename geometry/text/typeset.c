@@ -39,7 +39,7 @@ static bool text_is_silent(uint32_t c) {
 
 typedef struct { vs_font *font; vs_text_plan *plan; double spacing, x, y; uint32_t before; bool any; } text_pen;
 
-/* Adds a letter at the pen. pen->x and pen->y are in font units. */
+/* Adds the glyph of character c at the pen, and moves the pen. pen->x and pen->y are in font units. */
 static bool text_letter(text_pen *pen, uint32_t c, vs_error *e) {
   uint32_t index = vs_font_index(pen->font, c == '\t' ? ' ' : c);
   if (!index && text_is_silent(c) && c != '\t') return true;
@@ -56,9 +56,10 @@ static bool text_letter(text_pen *pen, uint32_t c, vs_error *e) {
 
 static double text_share(const char *align) { return !strcmp(align, "center") ? 0.5 : !strcmp(align, "right") ? 1 : 0; }
 
-/* Returns the distance of the first base line below the text's point p, in font units. */
+/* Returns the distance of the first base line below the text's point p, in font units, for the vertical alignment
+ * `valign` and a number of lines. */
 static double text_drop(const vs_font *f, const char *valign, double lines) {
-  double below = (lines - 1) * vs_font_line(f); /* distance from the first base line to the last, in font units */
+  double below = (lines - 1) * vs_font_line(f); /* distance between the first and the last base line, in font units */
   if (!strcmp(valign, "top")) return vs_font_capital(f);
   if (!strcmp(valign, "center")) return (vs_font_capital(f) - below) / 2;
   if (!strcmp(valign, "bottom")) return -below - vs_font_descent(f);
@@ -76,12 +77,12 @@ bool vs_text_lay(vs_store *s, const struct vs_letters *t, vs_text_plan *out, vs_
   if (bytes < 0) return vs_error_set(e, VS_ERROR_MODEL, NULL, "the text is not UTF-8");
   text_pen pen = { .font = font, .plan = out, .spacing = t->spacing };
   double lines = 1, widest = 0, share = text_share(t->align);
-  size_t line = 0; /* index of the first letter of the current line */
+  size_t line = 0; /* index of the first glyph of the current line */
   bool ok = true;
   for (utf8proc_ssize_t i = 0; ok && i <= bytes;) {
     utf8proc_int32_t c = '\n';
     if (i < bytes) i += utf8proc_iterate(composed + i, bytes - i, &c);
-    else i++; /* the end of the text also ends a line */
+    else i++; /* at the end of the text, the last line ends, too */
     if (c != '\n' && c != 0x2028) {
       ok = text_letter(&pen, (uint32_t)c, e);
       continue;
@@ -111,9 +112,8 @@ bool vs_text_lay(vs_store *s, const struct vs_letters *t, vs_text_plan *out, vs_
 
 /* ---- sampling of curves ---- */
 
-static double text_turn(vs_font_point a, vs_font_point b, vs_font_point c) { /* returns the angle in radians between
-                                                                              * the directions from a to b and from b
-                                                                              * to c */
+static double text_turn(vs_font_point a, vs_font_point b, vs_font_point c) { /* returns the angle in radians by which a
+                                                                              * path from a over b to c turns at b */
   double x = b.x - a.x, y = b.y - a.y, u = c.x - b.x, v = c.y - b.y;
   return fabs(atan2(x * v - y * u, x * u + y * v));
 }
@@ -148,8 +148,8 @@ static vs_font_point text_at(vs_font_point p, const vs_glyph_step *s, double t) 
                           w[0] * p.y + w[1] * s->a.y + w[2] * s->b.y + w[3] * s->to.y };
 }
 
-/* Appends the contours of one glyph to `all`, in model units relative to the text's point. tolerance: largest distance
- * of a chord from its curve, in font units. */
+/* Appends the contours of one glyph to the loops, in model units relative to the text's point. tolerance: largest
+ * distance of a chord from its curve, in font units. */
 static bool text_glyph_loops(const vs_text_glyph *at, double scale, double tolerance, int segments,
                              vs_flat_loops *all) {
   const vs_glyph *g = at->glyph;
@@ -214,12 +214,12 @@ static vs_vec3 text_lift(const vs_text_glyph *g, double scale, vs_vec3 p, const 
   return vs_affine_point(placed, vs_v3(p.x + g->x + at.x * scale, p.y + g->y + at.y * scale, p.z));
 }
 
-/* Finds the parameters between 0 and 1 at which a coordinate of a Bezier curve is extreme: the zeros of its derivative.
- * c: this coordinate of the 3 or 4 control points. Returns the number of parameters. */
+/* Finds the parameters between 0 and 1 at which a coordinate of a Bezier curve is greatest or least: the zeros of its
+ * derivative. c: this coordinate of the 3 or 4 control points. Returns the number of parameters in t. */
 static int text_turns(const double *c, bool cubic, double t[2]) {
   double a = cubic ? c[3] - 3 * c[2] + 3 * c[1] - c[0] : 0,
          b = cubic ? 2 * (c[2] - 2 * c[1] + c[0]) : c[2] - 2 * c[1] + c[0], d = c[1] - c[0];
-  if (fabs(a) < 1e-12 * (fabs(b) + fabs(d))) { /* the derivative is linear: b t + d = 0 */
+  if (fabs(a) < 1e-12 * (fabs(b) + fabs(d))) { /* the derivative is linear, so its zero solves b t + d = 0 */
     if (b == 0) return 0;
     t[0] = -d / b;
     return 1;

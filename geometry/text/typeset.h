@@ -1,4 +1,4 @@
-/* Declares text in space: the arrangement of its letters, and their outlines as loops.
+/* Declares text in space: the positions of its glyphs, and their outlines as loops.
  *
  * A letter and a following accent become one glyph if the font has such a glyph. Letters are kerned and go from left to
  * right. A line break begins a new line below; a tab is four spaces. Lengths are in model units, relative to the text's
@@ -10,14 +10,15 @@
 #include "geometry/plane/outline.h"
 #include "geometry/tolerance.h"
 
-typedef struct { const vs_glyph *glyph; double x, y; /* x, y: origin of the glyph in model units */ } vs_text_glyph;
+typedef struct { const vs_glyph *glyph; double x, y; /* x, y: origin of the glyph in model units, relative to the text's
+                                                      * point */ } vs_text_glyph;
 typedef struct {
   vs_text_glyph *at; /* the glyphs of the text that have ink */
   size_t count, room;
-  double scale;      /* factor from font units to model units */
+  double scale;      /* factor that converts font units to model units */
   double width;      /* length of the longest line in model units, up to the position where another letter would
                       * follow */
-  uint32_t missing;  /* the first character for which the font has no glyph, or 0 */
+  uint32_t missing;  /* first character of the text for which the font has no glyph, or 0 */
 } vs_text_plan;
 
 void vs_text_plan_free(vs_text_plan *p);
