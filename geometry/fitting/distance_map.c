@@ -1,4 +1,5 @@
-/* Writes a scan whose colours show distances (distance_map.h). Points keep the coordinates of the scan. */
+/* Writes a scan (measured points) whose colours show distances from a model (distance_map.h). Points keep the
+ * coordinates of the scan. */
 #include "geometry/fitting/distance_map.h"
 
 #include <math.h>
@@ -28,8 +29,8 @@ static void put(sink *s, const char *format, ...) {
   if (n > 0) s->used += (size_t)(n < LONGEST ? n : LONGEST - 1);
 }
 
-/* The colours are blue, pale grey and red, with equal lightness on both sides, which people without red vision can
- * distinguish. */
+/* In the function, the colours are blue, pale grey and red, with equal lightness on both sides, which people without
+ * red vision can distinguish. */
 void vs_distance_colour(double share, double rgb[3]) {
   static const double ends[3][3] = { { .13, .31, .66 }, { .90, .89, .87 }, { .70, .09, .11 } };
   double t = fmin(fmax(share, -1), 1), k = fabs(t);
@@ -45,7 +46,7 @@ static bool face_shown(const vs_distance_map *m, size_t f) {
   return true;
 }
 
-/* Calls `each` for every visible point, then for every visible face. Indices of points count only visible ones. */
+/* Returns the number of points that the map shows: those with a position. */
 static size_t count_points(const vs_distance_map *m) {
   size_t n = 0;
   for (size_t i = 0; i < m->scan->point_count; i++) n += shown(m, i);
@@ -87,7 +88,7 @@ bool vs_distance_map_ply(const vs_distance_map *m, vs_map_write *write, void *co
   return s.ok;
 }
 
-/* Appends a bar of colours beside the box, with the ends of the range as text. */
+/* Appends to the file a bar of colours beside the box b, with the ends of the range as text. */
 static void put_legend(sink *s, const vs_distance_map *m, const vs_bounds *b) {
   enum { STEPS = 16 };
   double height = b->max.z - b->min.z, size = vs_bounds_diagonal(b), x = b->max.x + .08 * size, w = .03 * size;
@@ -129,8 +130,8 @@ bool vs_distance_map_x3d(const vs_distance_map *m, vs_map_write *write, void *co
       "info='"
       "\"signed distance from the fitted model: blue %.6g, grey 0, red %.6g\"'/>\n",
       -m->range, m->range);
-  if (!vs_bounds_is_empty(&b)) { /* adds a view from the front, and rotates the scan: Y is up in X3D, and Z is up in the
-                                  * scan */
+  if (!vs_bounds_is_empty(&b)) { /* adds a view from the front, and a rotation of the scan: Y is up in X3D, and Z is up
+                                  * in the scan */
     vs_vec3 c = vs_v3_scale(vs_v3_add(b.min, b.max), .5);
     double away = 1.5 * vs_bounds_diagonal(&b);
     put(&s, "<Background skyColor='.16 .18 .2'/>\n<Viewpoint description='front' position='%.9g %.9g %.9g' ", c.x + 0.,

@@ -1,4 +1,4 @@
-/* Declares a map of distances: the scan with a colour at each point, written as .ply and .x3d. */
+/* Declares a map of distances: a scan (measured points) with a colour at each point, written as .ply and .x3d. */
 #ifndef VS_GEOMETRY_FITTING_DISTANCE_MAP_H
 #define VS_GEOMETRY_FITTING_DISTANCE_MAP_H
 
@@ -14,13 +14,14 @@ typedef struct {
 
 typedef bool vs_map_write(void *context, const char *text, size_t length);
 
-/* Writes the map as PLY, without faces that have an omitted point. m->range is above 0. Returns false if `write`
+/* Writes the map as a PLY file, without faces that have an omitted point. m->range is above 0. Returns false if `write`
  * returned false. */
 bool vs_distance_map_ply(const vs_distance_map *m, vs_map_write *write, void *context);
-/* Writes the map as X3D. m->range is above 0. Returns false if `write` returned false. */
+/* Writes the map as an X3D file. m->range is above 0. Returns false if `write` returned false. */
 bool vs_distance_map_x3d(const vs_distance_map *m, vs_map_write *write, void *context);
 
-/* Sets rgb to the colour of a distance; its components are 0 to 1. share: the distance divided by the range. */
+/* Sets rgb to the colour of a distance; its components are 0 to 1. share: distance divided by the range of the map, -1
+ * to 1. */
 void vs_distance_colour(double share, double rgb[3]);
 
 #endif

@@ -5,14 +5,14 @@
 #include <math.h>
 #include <stdlib.h>
 
-#define DOUBTED .16 /* a candidate with a higher cost is fitted again with changed numbers; this cost means that about a
+#define DOUBTED .16 /* cost above which a candidate is fitted again with changed numbers; it means that about a
                      * twentieth of the points are outliers */
-#define MOVED .08   /* the fraction by which a number is changed */
+#define MOVED .08   /* fraction by which one of the model's numbers is changed before the fit is repeated */
 
 static const vs_fit_effort little = { VS_FIT_FIRST / 2, 3, 12, 1e-3 }, more = { VS_FIT_FIRST, 3, 25, 1e-4 };
 
 /* Returns the mean of Tukey's loss over the candidate's distances, scaled to 0 to 1. It is about the fraction of points
- * that do not belong to the model. */
+ * that do not belong to the model. spread: unit of the distances. */
 static double score(const vs_fit_candidate *c, double spread) {
   double sum = 0, slope, most = VS_TUKEY_REACH * VS_TUKEY_REACH / 3;
   for (size_t i = 0; i < c->known; i++) {
@@ -22,7 +22,7 @@ static double score(const vs_fit_candidate *c, double spread) {
   return c->known ? sum / (double)c->known : 1;
 }
 
-/* Computes the cost of each candidate, relative to the least spread of all candidates. */
+/* Computes the cost of each of `count` candidates, relative to the least spread of all candidates. */
 static void rate(const vs_fit_search *f, vs_fit_candidate *all, size_t count) {
   double spread = INFINITY;
   for (size_t i = 0; i < count; i++) spread = fmin(spread, all[i].spread);
@@ -30,7 +30,7 @@ static void rate(const vs_fit_search *f, vs_fit_candidate *all, size_t count) {
   for (size_t i = 0; i < count; i++) all[i].cost = score(&all[i], spread);
 }
 
-/* Returns true if the candidates differ in a number by more than a twentieth. */
+/* Returns true if one of the model's numbers differs between candidates a and b by more than a twentieth. */
 static bool apart(const vs_fit_search *f, const vs_fit_candidate *a, const vs_fit_candidate *b) {
   for (size_t j = 0; j < f->numbers; j++) {
     const vs_fit_number *n = &f->p->numbers[j];
@@ -40,7 +40,7 @@ static bool apart(const vs_fit_search *f, const vs_fit_candidate *a, const vs_fi
   return false;
 }
 
-/* Returns the distance of the candidate's numbers from the start numbers, in units of their scales. */
+/* Returns the distance of candidate c's numbers from the start numbers, in units of their scales. */
 static double from_start(const vs_fit_search *f, const vs_fit_candidate *c) {
   double sum = 0;
   for (size_t j = 0; j < f->numbers; j++) {
@@ -51,8 +51,8 @@ static double from_start(const vs_fit_search *f, const vs_fit_candidate *c) {
   return sum;
 }
 
-/* Returns true if at least one point in twenty has clearly different distances from the two candidates' shapes.
- * Otherwise the shapes are equal. */
+/* Returns true if the models of candidates a and b have different shapes: at least one point in twenty has clearly
+ * different distances from the two. */
 static bool unlike(const vs_fit_search *f, const vs_fit_candidate *a, const vs_fit_candidate *b) {
   double spread = fmax(fmax(a->spread, b->spread), f->tolerance);
   size_t off = 0;
@@ -61,7 +61,7 @@ static bool unlike(const vs_fit_search *f, const vs_fit_candidate *a, const vs_f
 }
 
 /* Sets *best to the candidate with the least cost. If other candidates with different numbers have about the same cost,
- * *best is the candidate with numbers nearest to the start numbers, and *second is another of these candidates. */
+ * *best is the one with numbers nearest to the start numbers, and *second is another one. */
 static void choose(vs_fit_search *f, vs_fit_candidate *all, size_t count, vs_fit_candidate *best,
                    vs_fit_candidate *second) {
   rate(f, all, count);
@@ -78,7 +78,7 @@ static void choose(vs_fit_search *f, vs_fit_candidate *all, size_t count, vs_fit
   *best = *second, *second = held;
 }
 
-/* Fits all unknowns, starting from those of the candidate. Returns false on failure. An interruption is no failure; it
+/* Fits all unknowns, starting from those of candidate c. Returns false on failure. An interruption is no failure; it
  * leaves the candidate unchanged or improved. */
 static bool advance(vs_fit_search *f, vs_fit_candidate *c, const vs_fit_effort *effort) {
   bool refused;
@@ -103,7 +103,7 @@ static int compare_candidates(const void *p, const void *q) {
   return a < b ? -1 : a > b;
 }
 
-/* Returns true if the candidates have the same numbers, and all points have the same distances. */
+/* Returns true if candidates a and b have equal numbers, and all points have equal distances. */
 static bool same_candidate(const vs_fit_search *f, const vs_fit_candidate *a, const vs_fit_candidate *b) {
   size_t count = f->p->count < VS_FIT_FIRST / 2 ? f->p->count : VS_FIT_FIRST / 2;
   double off = 0;
@@ -111,7 +111,7 @@ static bool same_candidate(const vs_fit_search *f, const vs_fit_candidate *a, co
   return !apart(f, a, b) && off < .1 * (double)count * fmax(fmin(a->spread, b->spread), f->tolerance);
 }
 
-/* Fits again from the best candidate with one number larger or smaller. This is done if many points are outliers. A
+/* Fits again from the best candidate with one of its numbers larger or smaller, if many points are outliers. A
  * number may then be in a local minimum, such as a row of windows that was fitted to the next row. Returns false on
  * failure. */
 static bool from_numbers(vs_fit_search *f, vs_fit_candidate *best, vs_fit_candidate *second) {

@@ -1,10 +1,10 @@
-/* Declares, for use in fitting/ alone, step 2 of a fit: it fits all unknowns from the best places. */
+/* Declares, for use in fitting/ alone, step 2 of a fit: it fits all unknowns from the best places of the scan. */
 #ifndef VS_GEOMETRY_FITTING_FIT_CANDIDATES_H
 #define VS_GEOMETRY_FITTING_FIT_CANDIDATES_H
 
 #include "geometry/fitting/fit_places.h"
 
-/* The values of the unknowns after a fit from one start. */
+/* A candidate: the values of the unknowns after a fit from one start. */
 typedef struct {
   vs_rigid_motion motion;
   double unknowns[VS_FIT_UNKNOWNS_MOST + VS_RIGID_UNKNOWNS], cost, spread;
@@ -13,9 +13,9 @@ typedef struct {
   bool core;
 } vs_fit_candidate;
 
-/* Fits all unknowns from each place with a few iterations. Then fits the better half of the different results until
- * they converge. *second: the best result with other numbers; its cost is INFINITY if there is none. Returns false on
- * failure; an interruption is no failure. */
+/* Fits all unknowns from each place of the scan with a few iterations. Then fits the better half of the different
+ * results until they converge. *second: best result with other numbers; its cost is INFINITY if there is none. Returns
+ * false on failure; an interruption is no failure. */
 bool vs_fit_from_places(vs_fit_search *f, const vs_fit_place *places, size_t count, vs_fit_candidate *best,
                         vs_fit_candidate *second);
 

@@ -1,4 +1,5 @@
-/* Declares, for use in fitting/ alone, the judgement of a fit's result: intervals, outliers, and doubts. */
+/* Declares, for use in fitting/ alone, the judgement of a fit's result: intervals of the numbers, outliers, and reasons
+ * for doubt. */
 #ifndef VS_GEOMETRY_FITTING_FIT_JUDGEMENT_H
 #define VS_GEOMETRY_FITTING_FIT_JUDGEMENT_H
 
@@ -7,14 +8,14 @@
 /* Sets error, interval and verdict of each number, from the derivatives at the given unknowns. Returns false on
  * failure. */
 bool vs_fit_judge(vs_fit_search *f, const double *unknowns);
-/* Sets spread, outliers and the correlation of neighbouring points, from the distances of all points. Returns false
- * when memory is out. */
+/* Sets the result's spread, outliers and the correlation of neighbouring points, from the distances of all points.
+ * Returns false when memory is out. */
 bool vs_fit_summarise(vs_fit_search *f);
 /* Returns the reason why the result cannot be trusted, or VS_FIT_DOUBT_NONE. */
 vs_fit_doubt vs_fit_doubt_of(const vs_fit_search *f);
 
-/* Returns the two-sided quantile of Student's distribution. freedom: degrees of freedom; confidence is between 0 and
- * 1. */
+/* Returns the two-sided quantile of Student's distribution for a confidence between 0 and 1. freedom: degrees of
+ * freedom. */
 double vs_student_quantile(double confidence, double freedom);
 
 #endif

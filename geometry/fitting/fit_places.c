@@ -6,17 +6,17 @@
 #include <string.h>
 
 enum {
-  STARTS = VS_FIT_STARTS_MOST / 2, /* number of starts that are found with all points, and number of starts that are
-                                    * found with the core points */
-  PLACES = 24,                     /* number of placements of the scan that a fit of the motion improves */
+  STARTS = VS_FIT_STARTS_MOST / 2, /* half of the starts of a fit are found with all points, and half with the core
+                                    * points (without stray points) */
+  PLACES = 24,                     /* number of placements of the scan that are improved by a fit of the motion alone */
   AXES_TURNS = 48,
   PLAN_TURNS = 12,
   SHIFTS = 4
 };
 _Static_assert(1 + SHIFTS * (1 + AXES_TURNS + PLAN_TURNS) == VS_FIT_PLACES_TRIED, "all that are tried have room");
 #define COARSE (1. / 2000) /* facet tolerance in steps 1 and 2 of the fit, as a fraction of the model's diagonal */
-#define NEAR .1 /* distance beyond which the cost of a point no longer grows, in sizes of the scan */
-#define CORE 2.5 /* square radius of the core (the scan without stray points), in units of the square radius that
+#define NEAR .1 /* distance beyond which the cost of a point no longer grows, as a fraction of the scan's size */
+#define CORE 2.5 /* square radius of the core (the scan without stray points), as a multiple of the square radius that
                   * contains three quarters of the points */
 
 /* ---- the core of a scan ----
@@ -26,7 +26,8 @@ _Static_assert(1 + SHIFTS * (1 + AXES_TURNS + PLAN_TURNS) == VS_FIT_PLACES_TRIED
  * points that are nearest as measured by the ellipsoid of the kept points. Then all points within CORE times its square
  * radius are added again. */
 
-/* Returns the square of p's distance from the centre, in units of the spreads along the axes. */
+/* Returns the square of p's distance from the centre, where the unit of length along each axis is the spread of the
+ * points. */
 static double ellipsoid_square(vs_vec3 p, vs_vec3 centre, double axes[3][3], const double square[3]) {
   vs_vec3 d = vs_v3_sub(p, centre);
   double sum = 0;
@@ -83,15 +84,15 @@ static int compare_places(const void *p, const void *q) {
   return a < b ? -1 : a > b;
 }
 
-/* Returns true if every point has equal distances from the model in both places. A model with rotational symmetry has
- * many such places. */
+/* Returns true if every point has equal distances from the model in places a and b. A model with rotational symmetry
+ * has many such places. */
 static bool same_place(const vs_fit_search *f, const vs_fit_place *a, const vs_fit_place *b) {
   double apart = 0;
   for (size_t i = 0; i < f->count; i++) apart += fabs((double)a->distances[i] - (double)b->distances[i]);
   return apart < .1 * (double)f->count * fmin(a->cost, b->cost);
 }
 
-/* Sorts the places by cost, and removes equal ones. */
+/* Sorts the places of the scan by cost, and removes equal ones. */
 static void distinct_places(const vs_fit_search *f, vs_fit_place *places, size_t *count) {
   size_t kept = 0;
   if (*count) qsort(places, *count, sizeof *places, compare_places);
@@ -103,7 +104,7 @@ static void distinct_places(const vs_fit_search *f, vs_fit_place *places, size_t
   *count = kept;
 }
 
-/* Computes the points' distances from the model, and the cost, for a placement of the scan. Returns false when
+/* Computes the points' distances from the model, and the cost, for the placement `at` of the scan. Returns false when
  * interrupted. */
 static bool cost_of(vs_fit_search *f, vs_fit_place *at) {
   for (size_t i = 0; i < f->count; i++) f->places[i] = vs_rigid_point(&at->motion, f->points[i]);
@@ -127,8 +128,8 @@ static void axes_turned(int k, double model[3][3], double scan[3][3], double out
   const int *order = orders[k % 24 / 4];
   int signs = k % 4;
   double sign[3] = { signs & 1 ? -1 : 1, signs & 2 ? -1 : 1, 1 };
-  sign[2] = (k % 24 / 4 < 3 ? 1 : -1) * sign[0] * sign[1]; /* the third sign makes the map a rotation instead of a
-                                                            * reflection */
+  sign[2] = (k % 24 / 4 < 3 ? 1 : -1) * sign[0] * sign[1]; /* the sign of the third axis makes the map a rotation
+                                                            * instead of a reflection */
   for (int i = 0; i < 3; i++)
     for (int c = 0; c < 3; c++) turned[i][c] = sign[i] * scan[order[i]][c];
   if (k >= 24)
@@ -141,7 +142,7 @@ static void axes_turned(int k, double model[3][3], double scan[3][3], double out
       for (int r = 0; r < 3; r++) out[i][c] += model[r][i] * turned[r][c];
 }
 
-/* Returns the horizontal direction in which the points have the greatest spread, as an angle. */
+/* Returns the horizontal direction in which the points have the greatest spread, as an angle in radians from +X. */
 static double plan_angle(const vs_point_moments *s) {
   double x = s->sum.x / s->weight, y = s->sum.y / s->weight, xx = s->square[0][0] / s->weight - x * x,
          xy = s->square[0][1] / s->weight - x * y, yy = s->square[1][1] / s->weight - y * y;
@@ -168,12 +169,12 @@ typedef struct {
   vs_point_moments moments;
   vs_vec3 centre;
   double axes[3][3], size, span[3][2];
-  const vs_vec3 *points; /* points of the scan; the first of them span the scan's bounding box */
+  const vs_vec3 *points; /* points of the scan, of which the first ones span the scan's bounding box */
   size_t count;
 } shape;
 
-/* Adds the places with the rotation `turn`. Along the model's first axis, the boxes are aligned by their middles, ends,
- * starts or centres. */
+/* Adds the places of the scan with the rotation `turn`. Along the model's first axis, the boxes of scan and model are
+ * aligned by their middles, ends, starts or centres. */
 static void add_turn(const vs_fit_search *f, const shape *model, const shape *scan, double turn[3][3],
                      vs_fit_place *places, size_t *count) {
   for (int s = 0; s < SHIFTS; s++) {
@@ -192,8 +193,8 @@ static void add_turn(const vs_fit_search *f, const shape *model, const shape *sc
   }
 }
 
-/* Adds the places that align the axes of the scan's points with the model's axes, and places that are rotated about the
- * vertical axis. Unless any pose is allowed, the upward direction of the scan must be that of the model. */
+/* Adds the places that align the axes of the scan's points with the model's axes, and places rotated about the vertical
+ * axis. Unless any pose is allowed, the upward direction of the scan must be that of the model. */
 static void add_turns(const vs_fit_search *f, shape *model, shape *scan, vs_fit_place *places, size_t *count) {
   double turn[3][3], angle = plan_angle(&model->moments) - plan_angle(&scan->moments);
   for (int k = 0; k < AXES_TURNS; k++) {
@@ -221,14 +222,15 @@ static void model_shape(const vs_mesh *mesh, shape *out) {
   for (int a = 0; a < 3; a++) span_along(out->axes[a], mesh->vertices, mesh->vertex_count, NULL, out->span[a]);
 }
 
-/* Computes the moments of a set of points of the scan. The first `spanned` points span its box. */
+/* Computes the moments (centre and axes) of a set of points of the scan. The first `spanned` points span its box. */
 static void scan_shape(const vs_vec3 *points, size_t count, size_t spanned, shape *out) {
   *out = (shape){ .points = points, .count = count < spanned ? count : spanned };
   for (size_t i = 0; i < count; i++) vs_point_moments_add(&out->moments, points[i], 1);
   vs_point_moments_axes(&out->moments, &out->centre, out->axes, &out->size);
 }
 
-/* Collects the places to evaluate. The first is the place where the scan already is. */
+/* Collects the places of the scan to evaluate. The first is the place where the scan already is. Returns false on
+ * failure. */
 static bool try_places(vs_fit_search *f, const vs_mesh *mesh, vs_fit_place *places, size_t *count) {
   shape model, scan;
   model_shape(mesh, &model);
@@ -285,7 +287,7 @@ static bool find_places(vs_fit_search *f, bool scaled, vs_fit_place *places, siz
     if (!cost_of(f, &places[i])) return false;
   }
   if (f->p->placed) return true;
-  size_t kept = 1; /* keeps the first place, and for each rotation the best shift */
+  size_t kept = 1; /* keeps the scan's own place, which is the first, and for each rotation the best shift */
   for (size_t i = 1; i < *count; i += SHIFTS) {
     size_t best = i;
     for (size_t k = i + 1; k < i + SHIFTS; k++)
@@ -311,7 +313,7 @@ static bool motion_residuals(void *context, const double *unknowns, double *out,
   return true;
 }
 
-/* Improves a place by a fit of the motion. Returns false when interrupted or failed. */
+/* Improves a place of the scan by a fit of the motion. Returns false when interrupted or failed. */
 static bool improve(vs_fit_search *f, vs_fit_place *at) {
   double unknowns[VS_RIGID_UNKNOWNS] = { 0 }, mean;
   vs_robust_end end;
@@ -334,11 +336,12 @@ static bool improve(vs_fit_search *f, vs_fit_place *at) {
 
 /* ---- step 1 ---- */
 
-/* Runs step 1 with the start numbers, or with the numbers scaled by the scan's size. Appends places, of which the best
- * are improved. Returns false on failure. */
+/* Runs step 1 of the fit with the start numbers, or with the numbers scaled by the scan's size. Appends places of the
+ * scan, of which the best are improved. Returns false on failure. */
 static bool step_one(vs_fit_search *f, bool scaled, vs_fit_place *places, size_t *count) {
   size_t found;
-  if (!find_places(f, scaled, places, &found)) return !f->failed; /* interrupted: no place was evaluated completely */
+  if (!find_places(f, scaled, places, &found)) return !f->failed; /* if the search was interrupted, no place was
+                                                                   * evaluated completely, which is no failure */
   if (found > PLACES) found = PLACES;
   for (size_t i = 0; !f->p->placed && i < found && !f->out->stopped; i++)
     if (!improve(f, &places[i]) && f->failed) return false;
@@ -347,8 +350,8 @@ static bool step_one(vs_fit_search *f, bool scaled, vs_fit_place *places, size_t
   return true;
 }
 
-/* Multiplies the numbers by the ratio of the scan's size to the model's. Returns false if there are no numbers, or both
- * sizes are about equal. */
+/* Multiplies the model's numbers by the ratio of the scan's size to the model's. Returns false if there are no numbers,
+ * or both sizes are about equal. */
 static bool scale_numbers(vs_fit_search *f) {
   double ratio = f->out->size / f->out->model_size;
   for (size_t j = 0; j < f->numbers; j++) {

@@ -8,21 +8,22 @@
 enum {
   VS_FIT_TRIED = 300,        /* number of scan points in step 1 of the fit */
   VS_FIT_STARTS_MOST = 10,   /* greatest number of places from which step 2 starts */
-  VS_FIT_PLACES_TRIED = 245  /* greatest number of places that are evaluated in one run */
+  VS_FIT_PLACES_TRIED = 245  /* greatest number of places of the scan that are evaluated in one run of step 1 */
 };
 
 typedef struct {
   vs_rigid_motion motion;
-  double cost; /* mean of the distances' absolute values, each limited to a tenth of the scan's size */
+  double cost; /* mean of the points' distances from the model (absolute values), each limited to a tenth of the scan's
+                * size */
   bool scaled; /* true if the place belongs to the model with scaled numbers, vs_fit_search.begin[1] */
   bool core;   /* true if the placement was found with the core points, without stray points */
   float distances[VS_FIT_TRIED];
 } vs_fit_place;
 
-/* Finds the core of the scan: its points without stray points. */
+/* Finds the core of the scan: its points without stray points. Stores it in f->core. */
 void vs_fit_find_core(vs_fit_search *f);
-/* Runs step 1 with the current points, both with the start numbers and with the numbers scaled by the scan's size.
- * Appends the best places of both runs, improved. places: has room for VS_FIT_PLACES_TRIED more elements after
+/* Runs step 1 of the fit with the current points, both with the start numbers and with the numbers scaled by the scan's
+ * size. Appends the best places of both runs, improved. places: has room for VS_FIT_PLACES_TRIED more elements after
  * VS_FIT_STARTS_MOST. Returns false on failure. */
 bool vs_fit_find_starts(vs_fit_search *f, vs_fit_place *places, size_t *count);
 

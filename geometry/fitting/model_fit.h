@@ -28,16 +28,17 @@
 #include <stdint.h>
 
 typedef struct {
-  double start, low, high; /* start: value to begin with; low, high: bounds; -INFINITY, INFINITY: no bound */
+  double start, low, high; /* A number of the model. start: value to begin with; low, high: bounds; -INFINITY, INFINITY:
+                            * no bound */
 } vs_fit_number;
 
 typedef struct {
   void *context;
-  /* Makes the solid with these numbers as a mesh, with facets within the tolerance; 0: the drawing's own tolerance.
+  /* Makes the solid with these numbers as a mesh, with facets within the tolerance; 0: the tolerance of drawings.
    * Returns false with VS_ERROR_MODEL if these numbers do not make a solid; the fit then takes a shorter step. Any
    * other error ends the fit. */
   bool (*make)(void *context, const double *numbers, double tolerance, vs_mesh *out, vs_error *e);
-  bool (*going)(void *context); /* returns false to stop the fit and keep its result so far */
+  bool (*going)(void *context); /* returns false to stop the fit, which keeps its result so far */
   void (*progress)(void *context, unsigned iteration, double spread);
 } vs_fit_model;
 
@@ -56,39 +57,40 @@ typedef struct {
 
 typedef enum {
   VS_FIT_NUMBER_FITTED,
-  VS_FIT_NUMBER_LOOSE /* the scan does not determine the number */,
-  VS_FIT_NUMBER_BOUND /* the number is at one of its bounds */
+  VS_FIT_NUMBER_LOOSE /* the points of the scan do not determine the number */,
+  VS_FIT_NUMBER_BOUND /* the fitted number is at one of its bounds */
 } vs_fit_verdict;
 
 /* The reason why the result of a fit cannot be trusted. */
 typedef enum {
   VS_FIT_DOUBT_NONE,
-  VS_FIT_DOUBT_FAR,    /* half of the points lie far from the model */
+  VS_FIT_DOUBT_FAR,    /* half of the scan's points lie far from the model */
   VS_FIT_DOUBT_TILTED, /* the fitted model lies on its side or upside down, although any_pose is false */
-  VS_FIT_DOUBT_STRAYS, /* more than a fifth of the points are outliers */
+  VS_FIT_DOUBT_STRAYS, /* more than a fifth of the scan's points are outliers */
   VS_FIT_DOUBT_SHAPE,  /* the distances of neighbouring points are correlated, so the model has another shape */
   VS_FIT_DOUBT_RIVAL   /* another start led to an equally good fit with another shape */
 } vs_fit_doubt;
 
 typedef struct {
-  double value, error, low, high; /* error: standard error; low, high: interval at the requested confidence; INFINITY if
-                                   * the number is not determined */
+  double value, error, low, high; /* value: the fitted number; error: its standard error; low, high: its interval at the
+                                   * requested confidence; INFINITY if the number is not determined */
   double rival;                   /* value of the number in the second best fit (vs_model_fit.rival) */
   vs_fit_verdict verdict;
 } vs_fitted_number;
 
 typedef struct {
   vs_fitted_number *numbers;
-  vs_rigid_motion motion;  /* motion from the scan to the model */
-  vs_mesh_distance *field; /* field of distances from the fitted model */
-  double *distances;       /* signed distances of all points */
+  vs_rigid_motion motion;  /* rigid motion from the scan's coordinates to the model's */
+  vs_mesh_distance *field; /* data for computing distances from the fitted model */
+  double *distances;       /* distances[i]: signed distance of point i of the scan from the fitted model */
   size_t used;             /* number of scan points in the last step of the fit */
   double spread; /* spread of the distances: 1.4826 times the median of their absolute values, which is the standard
                   * deviation for a normal distribution */
   double root_mean_square, median;
   double correlation;      /* correlation of the distances of neighbouring points, without outliers; near 0 for pure
                             * noise */
-  size_t outliers;         /* number of points beyond Tukey's limit */
+  size_t outliers;         /* number of the scan's points whose distance has no influence on the fit (beyond Tukey's
+                            * limit) */
   double size;             /* size of the scan: root of the mean square distance from its centre */
   double model_size;       /* size of the model at the start: root of the mean square distance from its centre */
   bool converged, stopped; /* converged: the last step converged; stopped: the caller's `going` ended the fit */

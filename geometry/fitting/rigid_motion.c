@@ -3,14 +3,14 @@
 
 #include <string.h>
 
-/* Sets out to the product of the 3 by 3 matrices a and b, stored row by row. out differs from both. */
+/* Sets out to the product of the 3 by 3 matrices a and b, stored row by row. out is neither a nor b. */
 static void multiply(const double *a, const double *b, double *out) {
   VS_ASSERT(out != a && out != b);
   for (int i = 0; i < 3; i++)
     for (int k = 0; k < 3; k++) out[3 * i + k] = a[3 * i] * b[k] + a[3 * i + 1] * b[3 + k] + a[3 * i + 2] * b[6 + k];
 }
 
-/* Sets out = I + a W + b W W, where W x = w cross x. */
+/* Sets out to the matrix I + a W + b W W, where W x = w cross x. */
 static void series(const double w[3], double a, double b, double out[3][3]) {
   const double cross[3][3] = { { 0, -w[2], w[1] }, { w[2], 0, -w[0] }, { -w[1], w[0], 0 } };
   double square[3][3];
@@ -65,7 +65,8 @@ vs_affine vs_rigid_inverse(const vs_rigid_motion *m) {
 
 /* ---- eigenvectors of symmetric matrices ---- */
 
-/* Rotates the axes i and k, which differ, so that m[i][k] becomes 0. */
+/* Rotates the axes i and k of the symmetric matrix m, which differ, so that m[i][k] becomes 0. Rotates the columns of v
+ * alike. */
 static void rotate_pair(double *m, double *v, size_t n, size_t i, size_t k) {
   double off = m[i * n + k];
   VS_ASSERT(i != k);
@@ -97,7 +98,7 @@ void vs_symmetric_eigen(double *m, double *v, double *values, size_t n) {
       for (size_t k = i + 1; k < n; k++) rotate_pair(m, v, n, i, k);
   }
   for (size_t i = 0; i < n; i++) values[i] = m[i * n + i];
-  for (size_t i = 0; i < n; i++) { /* sorts the eigenvalues in descending order */
+  for (size_t i = 0; i < n; i++) { /* sorts the eigenvalues in descending order, with their eigenvectors */
     size_t best = i;
     for (size_t k = i + 1; k < n; k++)
       if (values[k] > values[best]) best = k;

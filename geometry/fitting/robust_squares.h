@@ -1,4 +1,5 @@
-/* Declares least squares with a robust loss: a residual of many spreads has less influence, or none. */
+/* Declares least squares with a robust loss: residuals of many times the usual size (spread) have less influence, or
+ * none. */
 #ifndef VS_GEOMETRY_FITTING_ROBUST_SQUARES_H
 #define VS_GEOMETRY_FITTING_ROBUST_SQUARES_H
 
@@ -6,20 +7,21 @@
 
 #include <stddef.h>
 
-/* HUBER: quadratic up to 1.345 spreads, and linear beyond. It is convex, and leads to the vicinity of the solution.
- * TUKEY: the biweight with 4.685 spreads, beyond which a residual has no influence. It determines the solution itself.
- * Both have 95 % of the efficiency of least squares if errors are normal. */
+/* The loss functions. HUBER: quadratic up to 1.345 spreads, and linear beyond. It is convex, and leads to the vicinity
+ * of the solution. TUKEY: the biweight with 4.685 spreads, beyond which a residual has no influence. It determines the
+ * solution itself. Both have 95 % of the efficiency of least squares if errors are normal. */
 typedef enum { VS_LOSS_HUBER, VS_LOSS_TUKEY } vs_loss;
 #define VS_TUKEY_REACH 4.685
 
-/* Returns f for a residual r, in spreads; the loss is f * f / 2. *slope: df/dr; *weight: psi(r) / r; weight may be
- * NULL. */
+/* Returns f, the root of twice the loss, for a residual r in units of the spread. *slope: df/dr; *weight: psi(r) / r,
+ * where psi is the loss's derivative; weight may be NULL. */
 double vs_loss_root(vs_loss loss, double r, double *slope, double *weight);
-/* Returns psi'(r), which Huber's covariance needs. */
+/* Returns the second derivative psi'(r) of the loss, which Huber's covariance needs. */
 double vs_loss_curvature(vs_loss loss, double r);
 
-/* Computes count residuals. If slopes is not NULL, computes their derivatives instead: slopes[j * count + i] of
- * residual i by unknown j. The residuals for the same unknowns have been requested before. Returns false to stop. */
+/* Computes `count` residuals. If slopes is not NULL, computes their derivatives instead: slopes[j * count + i] of
+ * residual i by unknown j. The residuals for these unknowns have been requested before. Returns false to stop the
+ * solver. */
 typedef bool vs_residuals_fn(void *context, const double *unknowns, double *residuals, double *slopes);
 
 typedef struct {
@@ -28,17 +30,17 @@ typedef struct {
   void *context;
   vs_loss loss;
   double spread;    /* spread of the residuals, the unit of the loss; above 0 */
-  unsigned most;    /* greatest number of evaluations of the residuals */
-  double tolerance; /* the solver ends when loss or unknowns change by less than this fraction */
+  unsigned most;    /* greatest number of evaluations of the residuals that the solver may make */
+  double tolerance; /* the solver ends when the loss or the unknowns change by less than this fraction */
 } vs_robust_problem;
 typedef enum {
   VS_ROBUST_DONE /* the solver has converged */,
-  VS_ROBUST_SPENT /* the solver has used up its evaluations */,
+  VS_ROBUST_SPENT /* the solver has used all its evaluations without converging */,
   VS_ROBUST_STOPPED
 } vs_robust_end;
 
-/* Improves the unknowns in place; after a stop they are the best so far. *loss: the mean loss for them. p->spread is
- * above 0. Returns false when memory is out, or the solver is not installed (VS_ERROR_WORKER). */
+/* Improves the unknowns in place; if stopped, they are the best so far. *loss: mean loss for them. p->spread is above
+ * 0. Returns false when memory is out, or the solver is not installed (VS_ERROR_WORKER). */
 bool vs_robust_solve(const vs_robust_problem *p, double *unknowns, double *loss, vs_robust_end *end, vs_error *e);
 
 #endif

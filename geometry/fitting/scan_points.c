@@ -12,7 +12,8 @@ void vs_scan_points_free(vs_scan_points *s) {
   *s = (vs_scan_points){ 0 };
 }
 
-/* G. Marsaglia's xorshift generator, with a fixed seed: a scan is always fitted with the same points. */
+/* Returns the next number of G. Marsaglia's xorshift generator. The seed is fixed, so a scan is always fitted with the
+ * same points. */
 static uint64_t next_random(uint64_t *state) {
   *state ^= *state << 13, *state ^= *state >> 7, *state ^= *state << 17;
   return *state;
@@ -29,8 +30,8 @@ static void shuffle(vs_vec3 *at, size_t count, uint64_t *state) {
   }
 }
 
-/* Distributes samples over the faces, which are divided into triangles, in proportion to their area. Each sample lies
- * in its equal part of the total area. */
+/* Distributes `count` samples over the faces, in proportion to their area. Faces are divided into triangles, and each
+ * sample lies in its equal part of the total area. Returns false when memory is out. */
 static bool spread_samples(const vs_face_list *l, size_t count, vs_scan_points *out, uint64_t *state) {
   double *sums = NULL, area = 0;
   size_t room = 0, sample_room = 0, triangles = 0, at = 0;
@@ -69,7 +70,7 @@ bool vs_scan_points_take(vs_face_list *file, size_t least, vs_scan_points *out, 
   for (size_t i = 0; i < out->file.point_count; i++) out->nowhere += !somewhere(out->file.points[i]);
   bool ok = true;
   if (out->file.face_count) ok = spread_samples(&out->file, least, out, &state);
-  if (ok && !out->sample_count) { /* the file has no faces, or no face with an area */
+  if (ok && !out->sample_count) { /* the file has no faces with an area, so its points are the samples */
     free(out->samples);
     out->samples = NULL;
     ok = VS_GROW(out->samples, room, out->file.point_count + 1);

@@ -1,13 +1,14 @@
-/* Declares a scan: the points of a file, and the samples to which a model is fitted. */
+/* Declares a scan (measured points): the points of a file, and the samples to which a model is fitted. */
 #ifndef VS_GEOMETRY_FITTING_SCAN_POINTS_H
 #define VS_GEOMETRY_FITTING_SCAN_POINTS_H
 
 #include "geometry/files/meshfile.h"
 
 typedef struct {
-  vs_face_list file; /* points and faces as read; coordinates of points without a position are NaN */
-  vs_vec3 *samples;  /* points in a random order that is reproducible for the same file; they are the file's points, or
-                      * for a mesh positions that are evenly distributed over its faces */
+  vs_face_list file; /* points and faces of the file; coordinates of points without a position are NaN */
+  vs_vec3 *samples;  /* Points to which the model is fitted, in a random order that is reproducible for equal files.
+                      * They are the file's points, or for a mesh positions that are evenly distributed over its
+                      * faces. */
   size_t sample_count;
   size_t nowhere; /* number of points in the file without a finite position */
 } vs_scan_points;

@@ -20,7 +20,7 @@ static bool is_crossed(const contours *c, uint32_t edge) {
   return is_up(c, c->edges.edges[edge].a) != is_up(c, c->edges.edges[edge].b);
 }
 
-/* Returns the point where the plane cuts an edge. If a corner of the edge lies in the plane, it is this corner. */
+/* Returns the point where the plane cuts an edge. If an end of the edge lies in the plane, the point is this end. */
 static vs_vec3 place(const contours *c, uint32_t edge) {
   uint32_t a = c->edges.edges[edge].a, b = c->edges.edges[edge].b;
   double p = c->height[a], q = c->height[b];
@@ -37,7 +37,8 @@ static bool add_place(vs_polyline *p, vs_vec3 at) {
   return true;
 }
 
-/* Follows the contour line that crosses `edge` into triangle t, to a border of the mesh or back to its beginning. */
+/* Follows the contour line that crosses `edge` into triangle t, to a border of the mesh or back to its beginning, and
+ * passes its points to `put`. Returns false if `put` returned false, or memory is out. */
 static bool follow(contours *c, uint32_t edge, uint32_t t, const vs_line_put *put) {
   vs_polyline line = { 0 };
   bool ok = add_place(&line, place(c, edge));
@@ -48,7 +49,7 @@ static bool follow(contours *c, uint32_t edge, uint32_t t, const vs_line_put *pu
       uint32_t other = c->edges.of[t][k];
       if (other != edge && other != VS_MESH_NONE && is_crossed(c, other)) next = other;
     }
-    if (next == edge) break; /* the triangle has no area, because two of its corners are equal */
+    if (next == edge) break; /* triangle t has no area, because two of its corners are equal, so the line ends here */
     ok = add_place(&line, place(c, next));
     edge = next;
     t = c->edges.edges[edge].side[c->edges.edges[edge].side[0] == t];
@@ -71,8 +72,8 @@ bool vs_mesh_contour(const vs_mesh *m, vs_vec3 point, vs_vec3 normal, const vs_l
     c.height[i] = vs_v3_dot(up, vs_v3_sub(m->vertices[i], point));
     if (fabs(c.height[i]) <= slack) c.height[i] = 0;
   }
-  for (int border = 1; border >= 0; border--) /* the first pass follows lines that begin at a border, the second lines
-                                               * that are closed */
+  for (int border = 1; border >= 0; border--) /* the first pass follows contour lines that begin at a border of the
+                                               * mesh, the second pass closed lines */
     for (size_t i = 0; ok && i < c.edges.edge_count; i++) {
       const vs_mesh_edge *edge = &c.edges.edges[i];
       if (border && edge->side[1] != VS_MESH_NONE) continue;

@@ -1,4 +1,4 @@
-/* Declares the functions of contour_lines.c: the lines in which a plane cuts an open mesh. */
+/* Declares contour lines: the lines in which a plane cuts an open mesh. */
 #ifndef VS_GEOMETRY_NETS_CONTOUR_LINES_H
 #define VS_GEOMETRY_NETS_CONTOUR_LINES_H
 
@@ -11,8 +11,8 @@ typedef struct {
   void *context;
 } vs_line_put;
 
-/* Computes the contour lines in which the plane through `point` cuts an open mesh, and calls `put` for each. The lines
- * are the border of the part above the plane, without the mesh's own border. Equal points count as one vertex. Returns
+/* Computes the contour lines in which the plane through `point` cuts mesh m, and calls `put` for each. The lines are
+ * the border of the part above the plane, without the mesh's border. Vertices at equal points count as one. Returns
  * false if `put` returned false, or memory is out. */
 bool vs_mesh_contour(const vs_mesh *m, vs_vec3 point, vs_vec3 normal, const vs_line_put *put);
 

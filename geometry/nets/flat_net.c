@@ -44,8 +44,8 @@ static bool is_flat(const vs_flat_net *s, uint32_t e) {
   return vs_v3_dot(n, m) > 0 && fabs(vs_v3_dot(q, n)) <= s->slack * ln && fabs(vs_v3_dot(p, m)) <= s->slack * lm;
 }
 
-/* Sets of[t] to the index of the part of triangle t. A part consists of triangles that are connected by edges for which
- * `through` returns true. Returns the number of parts, or SIZE_MAX when memory is out. */
+/* Sets of[t] to the number of the part to which triangle t belongs. A part consists of triangles that are connected by
+ * edges e for which through(s, e) returns true. Returns the number of parts, or SIZE_MAX when memory is out. */
 static size_t parts(const vs_flat_net *s, bool (*through)(const vs_flat_net *, uint32_t), uint32_t *of) {
   size_t n = s->edges.m->triangle_count, count = 0, open = 0;
   uint32_t *stack = vs_fresh(n + 1, sizeof *stack);
@@ -143,7 +143,7 @@ void vs_flat_net_join(vs_flat_net *s, double slack) {
 }
 
 /* Lays all triangles into the plane. It completes a flat face before it continues with the next face. A face is entered
- * across a single edge, so that its triangles stay beside each other. */
+ * across a single edge, so that its triangles stay beside each other. Returns false when memory is out. */
 static bool lay_all(vs_flat_net *s) {
   size_t n = s->edges.m->triangle_count;
   uint32_t *queue = vs_fresh(n + 1, sizeof *queue), *near = vs_fresh(n + 1, sizeof *near);
@@ -174,7 +174,7 @@ static bool lay_all(vs_flat_net *s) {
   return ok;
 }
 
-/* Sums the angles of the triangles at each vertex. The sum for a vertex at a border is NAN. */
+/* Sets angle[v] to the sum of the triangles' angles at vertex v, in radians, or to NAN for a vertex at a border. */
 static void add_angles(const vs_flat_net *s, double *angle) {
   const vs_mesh *m = s->edges.m;
   for (size_t i = 0; i < m->vertex_count; i++) angle[i] = 0;
@@ -190,7 +190,8 @@ static void add_angles(const vs_flat_net *s, double *angle) {
       angle[s->edges.edges[e].a] = angle[s->edges.edges[e].b] = NAN;
 }
 
-/* Returns the fraction by which the triangles 2i and 2i+1, laid flat, are wider halfway along them than in space. */
+/* Returns the fraction by which triangle t and the triangle after it (t is even), laid flat, are wider halfway along
+ * them than in space. */
 static double twist_of(const vs_flat_net *s, uint32_t t) {
   for (int k = 0; k < 3; k++) {
     uint32_t e = s->edges.of[t][k];
@@ -218,8 +219,8 @@ bool vs_flat_net_unroll(vs_flat_net *s, vs_flatness *out) {
   if (!angle || s->pieces == SIZE_MAX || !lay_all(s)) return free(angle), false;
   add_angles(s, angle);
   for (size_t i = 0; i < s->edges.m->vertex_count; i++) {
-    double off = angle[i] > 0 ? fabs(angle[i] - 2 * acos(-1)) : 0; /* this comparison is false for NAN, the sum at a
-                                                                    * border */
+    double off = angle[i] > 0 ? fabs(angle[i] - 2 * acos(-1)) : 0; /* for NAN, the sum of the angles at a border, the
+                                                                    * comparison is false */
     out->worst = fmax(out->worst, off), out->curvature += off;
   }
   for (uint32_t e = 0; e < s->edges.edge_count; e++) {
@@ -235,7 +236,7 @@ bool vs_flat_net_unroll(vs_flat_net *s, vs_flatness *out) {
   return true;
 }
 
-/* Returns true if the triangle is counter-clockwise in the plane. */
+/* Returns true if the corners `at` of a triangle are counter-clockwise in the plane. */
 static bool is_left(const vs_vec2 at[3]) {
   vs_vec2 u = less(at[1], at[0]), w = less(at[2], at[0]);
   return u.x * w.y - u.y * w.x >= 0;
@@ -256,7 +257,8 @@ bool vs_flat_net_borders(const vs_flat_net *s, uint32_t piece, vs_flat_border *e
         const vs_vec2 ends[2] = { s->at[t][from], s->at[t][to] };
         done[t][c] = true;
         ok = edge(context, t, s->edges.of[t][c], ends);
-        /* the next border edge begins at the end `to`: turns about this end through joined edges */
+        /* The next border edge begins at the end `to` of this one. Finds it by turning about this end through joined
+         * edges. */
         uint32_t v = vs_mesh_edges_corner(&s->edges, t, to), next = s->edges.of[t][from];
         for (size_t turn = 0; s->joined[next] && turn < 3 * n; turn++) {
           const vs_mesh_edge *g = &s->edges.edges[next];

@@ -8,9 +8,9 @@
 typedef struct {
   vs_mesh_edges edges;
   vs_vec2 (*at)[3];    /* at[t][k]: corner k of triangle t in the plane, counter-clockwise */
-  uint32_t *face;      /* face[t]: index of the flat face to which triangle t belongs */
-  uint32_t *piece;     /* piece[t]: index of the piece to which triangle t belongs */
-  bool *joined;        /* joined[e]: whether the two triangles at edge e are also neighbours in the plane */
+  uint32_t *face;      /* face[t]: number of the flat face (coplanar triangles) to which triangle t belongs */
+  uint32_t *piece;     /* piece[t]: number of the piece of the flat net to which triangle t belongs */
+  bool *joined;        /* joined[e]: true if the two triangles at edge e are neighbours in the plane, too */
   size_t faces, pieces;
   double size, slack;  /* size: size of the mesh; slack: distance below which two points count as equal; both in model
                         * units */
@@ -22,10 +22,10 @@ typedef struct {
 bool vs_flat_net_make(vs_flat_net *s, const vs_mesh *m, bool *several);
 void vs_flat_net_free(vs_flat_net *s);
 
-/* Returns the position in the plane of the corner of triangle t opposite to edge e, if the ends of the edge are at
- * `ends`. The parameter `side` is 1 if the corner lies to the left of the edge, -1 if to the right. */
+/* Returns the position in the plane of the corner of triangle t opposite to edge e, if the ends of the edge lie at
+ * ends[0] and ends[1]. side: 1 if the corner lies to the left of the edge, -1 if to the right. */
 vs_vec2 vs_flat_net_apex(const vs_flat_net *s, uint32_t t, uint32_t e, const vs_vec2 ends[2], double side);
-/* Sets ends to the positions in the plane of the ends a and b of edge e, as triangle t is laid. */
+/* Sets ends to the positions in the plane of the ends a and b of edge e of triangle t. */
 void vs_flat_net_ends(const vs_flat_net *s, uint32_t t, uint32_t e, vs_vec2 ends[2]);
 /* Lays triangle `to` into the plane beside triangle `from`, so that both share the edge e. */
 void vs_flat_net_lay(vs_flat_net *s, uint32_t from, uint32_t to, uint32_t e);
@@ -42,17 +42,17 @@ typedef struct {
                      * full turn, in radians */
   double gap;       /* largest distance between two positions of one corner after the mesh is laid flat, in model
                      * units */
-  double twist;     /* the largest fraction by which a pair of triangles 2i and 2i+1, laid flat, is wider halfway along
-                     * than a ruled surface through its four corners */
+  double twist;     /* largest fraction by which a pair of triangles 2i and 2i+1, laid flat, is wider halfway along than
+                     * a ruled surface through its four corners */
 } vs_flatness;
 /* Lays each part of the mesh flat, beginning with its first triangle and completing each flat face first. Measures the
  * error. Each part becomes a piece. Returns false when memory is out. */
 bool vs_flat_net_unroll(vs_flat_net *s, vs_flatness *out);
 
-/* A function that receives the next border edge e of triangle t, from ends[0] to ends[1]. Returns false when memory is
- * out. */
+/* A function that receives a border edge e of triangle t, which goes from ends[0] to ends[1] in the plane. Returns
+ * false when memory is out. */
 typedef bool vs_flat_border(void *context, uint32_t t, uint32_t e, const vs_vec2 ends[2]);
-/* Follows the borders of the triangles of a piece, and calls `edge` for each border edge. Calls `ended` after each
+/* Follows the borders of a piece of the flat net, and calls `edge` for each border edge. Calls `ended` after each
  * closed loop. Returns false when memory is out, or a function returns false. */
 bool vs_flat_net_borders(const vs_flat_net *s, uint32_t piece, vs_flat_border *edge, bool (*ended)(void *),
                          void *context);

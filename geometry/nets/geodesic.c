@@ -16,13 +16,13 @@
 #include "model/store/array.h"
 
 #define PI 3.14159265358979323846
-#define NONE VS_MESH_NONE /* value for no point, no edge or no triangle */
+#define NONE VS_MESH_NONE /* marks that there is no point, no edge or no triangle */
 enum { STOPS = 3, SWEEPS = 4000, SWEEPS_TO_COMPARE = 60, TURNS = 200 };
 
 /* ---- Dijkstra's algorithm ---- */
 
 typedef struct {
-  uint32_t *first, *to; /* the neighbours of point i are to[first[i]] to to[first[i + 1] - 1] */
+  uint32_t *first, *to; /* to[first[i]] to to[first[i + 1] - 1]: numbers of the neighbours of point i */
   double *length;
 } links;
 
@@ -121,9 +121,9 @@ static vs_vec3 stop_at(const surface *s, uint32_t stop) {
   return vs_v3_add(at(s, e->a), vs_v3_scale(vs_v3_sub(at(s, e->b), at(s, e->a)), share));
 }
 
-/* Finds the first path from p to q. Edge e has the STOPS + 2 points of the graph from (STOPS + 2) e on, including its
- * two ends. Links of length 0 connect the points at the same corner. p and q are the last two points. Returns false
- * when memory is out. */
+/* Finds the first path from p to q, over the points of a graph (stops). Edge e has the STOPS + 2 points from number
+ * (STOPS + 2) e on, including its two ends. Links of length 0 connect the points at the same corner. p and q are the
+ * last two points. Returns false when memory is out. */
 static bool first_way(const surface *s, const place *p, const place *q, uint32_t **out, size_t *count) {
   enum { EACH = STOPS + 2 };
   size_t points = EACH * s->edge_count + 2, n = 0, room = 0;
@@ -170,7 +170,7 @@ typedef struct {
   uint32_t *edge; /* the crossed edges, in the order in which the path crosses them */
   double *share;  /* position of each crossing on its edge: 0 at the edge's end a, 1 at b */
   size_t count, edge_room, share_room;
-  place p, q; /* the ends of the path */
+  place p, q; /* p, q: ends of the path, with the triangles that contain them */
 } row;
 
 static void row_free(row *r) { free(r->edge), free(r->share); }
@@ -181,7 +181,7 @@ static bool row_put(row *r, uint32_t e, double share) {
   return true;
 }
 
-/* Returns the point where the path crosses its edge number i. The row has an edge i. */
+/* Returns the point where the path r crosses its edge number i. */
 static vs_vec3 crossing_at(const surface *s, const row *r, size_t i) {
   const vs_mesh_edge *e = &s->edges[r->edge[i]];
   VS_ASSERT(i < r->count);
@@ -198,8 +198,8 @@ static double row_length(const surface *s, const row *r) {
   return sum + vs_v3_length(vs_v3_sub(r->q.at, last));
 }
 
-/* Moves each crossing to the point where the path between the crossings before and after it is straight, in the
- * unfolded triangles. */
+/* Moves each crossing of path r to the point where the path between the crossings before and after it is straight, in
+ * the unfolded triangles. Repeats this `sweeps` times. */
 static void straighten(const surface *s, row *r, int sweeps) {
   for (int sweep = 0; sweep < sweeps; sweep++) {
     double moved = 0;
@@ -226,7 +226,7 @@ static void straighten(const surface *s, row *r, int sweeps) {
   }
 }
 
-/* Returns the triangle between edges e and f, which the path crosses one after the other. Returns NONE if there is
+/* Returns the triangle between the edges e and f, which a path crosses one after the other. Returns NONE if there is
  * none. */
 static uint32_t between(const surface *s, uint32_t e, uint32_t f) {
   for (int i = 0; i < 2; i++)
@@ -235,14 +235,14 @@ static uint32_t between(const surface *s, uint32_t e, uint32_t f) {
   return NONE;
 }
 
-/* Returns the corner of the mesh at which crossing i is, or NONE if it is between corners. The row has an edge i. */
+/* Returns the corner of the mesh at which crossing i of path r is, or NONE if it is between the ends of its edge. */
 static uint32_t ends_in(const surface *s, const row *r, size_t i) {
   const vs_mesh_edge *e = &s->edges[r->edge[i]];
   VS_ASSERT(i < r->count);
   return r->share[i] < 1e-7 ? e->a : r->share[i] > 1 - 1e-7 ? e->b : NONE;
 }
 
-/* Returns the edge of triangle t that ends at the corner and is not e. */
+/* Returns the edge of triangle t that ends at the corner and is not edge e. */
 static uint32_t turn_in(const surface *s, uint32_t t, uint32_t corner, uint32_t e) {
   for (int k = 0; k < 3; k++) {
     uint32_t f = s->of[t][k];
@@ -256,12 +256,12 @@ static double angle_at(vs_vec3 corner, vs_vec3 p, vs_vec3 q) {
   return atan2(vs_v3_length(vs_v3_cross(a, b)), vs_v3_dot(a, b));
 }
 
-/* The crossings `first` to `stop` - 1 of a row, which are all at one corner of the mesh. before, after: triangles from
+/* The crossings `first` to `stop` - 1 of a path, which are all at one corner of the mesh. before, after: triangles from
  * which the path comes and in which it continues. */
 typedef struct { size_t first, stop; uint32_t corner, before, after; } touch;
 
-/* Makes the row of edges on the other side of the corner. *there: true if there is such a row, and the angle on that
- * side allows a shorter path. Returns false when memory is out. */
+/* Makes the list of edges that the path crosses if it passes the corner on the other side. *there: true if there is
+ * such a list, and the angle on that side allows a shorter path. Returns false when memory is out. */
 static bool other_side(const surface *s, const row *r, const touch *c, row *out, bool *there) {
   size_t i = c->first, j = c->stop;
   uint32_t corner = c->corner;
@@ -289,8 +289,8 @@ static bool other_side(const surface *s, const row *r, const touch *c, row *out,
   return true;
 }
 
-/* Tests the other sides of all corners on the path. *better: true if one of them was shorter, and has replaced r.
- * Returns false when memory is out. */
+/* Tests whether the path r becomes shorter if it passes a corner of the mesh on the other side. *better: true if it
+ * did, and r is the shorter path. Returns false when memory is out. */
 static bool go_round(const surface *s, row *r, bool *better) {
   double length = row_length(s, r);
   *better = false;
@@ -325,8 +325,8 @@ static bool go_round(const surface *s, row *r, bool *better) {
   return true;
 }
 
-/* Makes the row of edges that a path over stops crosses, between the row's ends. The path passes a corner on the side
- * that is found first. *whole: false if no row was found. */
+/* Sets r to the list of edges that a path over the given stops crosses. The path passes a corner on the side that is
+ * found first. *whole: false if no list was found. Returns false when memory is out. */
 static bool row_of_way(const surface *s, const uint32_t *way, size_t count, row *r, bool *whole) {
   enum { EACH = STOPS + 2 };
   uint32_t t = r->p.triangle;
@@ -336,14 +336,14 @@ static bool row_of_way(const surface *s, const uint32_t *way, size_t count, row 
     double share = (double)stop / (EACH - 1);
     bool corner = stop == 0 || stop == EACH - 1;
     uint32_t v = stop == 0 ? s->edges[e].a : s->edges[e].b;
-    /* Sets `next` to the triangle in which the path continues. It contains this stop and also the next stop, or the end
-     * of the path. */
+    /* next: the triangle in which the path continues. It contains this stop and also the next stop, or the end of the
+     * path. */
     uint32_t next = r->q.triangle;
     if (i + 2 < count) {
       uint32_t f = way[i + 1] / EACH;
-      if (f == e) continue; /* the path goes along this edge, and crosses the mesh only from the next stop on */
+      if (f == e) continue; /* the path goes along edge f, and crosses the mesh only from the next stop on */
       next = between(s, e, f);
-      if (next == NONE) { /* the stop is a corner of the mesh, and has another number as a point of another edge */
+      if (next == NONE) { /* the stop is a corner of the mesh, where other edges have points with other numbers */
         if (!corner) return *whole = false, true;
         continue;
       }
@@ -355,7 +355,7 @@ static bool row_of_way(const surface *s, const uint32_t *way, size_t count, row 
       t = next;
       continue;
     }
-    /* Walks around the corner from triangle t until the triangle `next`, in one direction and then in the other. */
+    /* Walks around the corner from triangle t to the triangle `next`, in one direction and then in the other. */
     for (int way_round = 0; way_round < 2 && t != next; way_round++) {
       row part = { 0 };
       uint32_t at_triangle = t, out = NONE;
@@ -407,9 +407,8 @@ bool vs_mesh_geodesic(const vs_mesh *m, vs_vec3 p, vs_vec3 q, vs_vec3 **out, siz
       (*out)[(*count)++] = i == 0            ? r.p.at
                            : i == points - 1 ? r.q.at
                            : whole           ? crossing_at(&s, &r, i - 1)
-                                             : stop_at(&s, way[i]); /* if no row of edges was found, the path consists
-                                                                     * of the stops themselves, such as corners at
-                                                                     * borders */
+                                             : stop_at(&s, way[i]); /* if no list of edges was found, the path goes from
+                                                                     * stop to stop, such as corners at borders */
   }
   vs_mesh_edges_free(&s);
   row_free(&r);

@@ -1,10 +1,10 @@
-/* Declares the computation of shortest paths over the triangles of a mesh, and along the members of a net. */
+/* Declares the computation of shortest paths over the triangles of a mesh, and along the members of a net of points. */
 #ifndef VS_GEOMETRY_NETS_GEODESIC_H
 #define VS_GEOMETRY_NETS_GEODESIC_H
 
 #include "model/mesh.h"
 
-/* A member of a net: the indices of its two end points, and its length. */
+/* A member of a net: the numbers of the two points that it connects, and its length. */
 typedef struct {
   uint32_t a, b;
   double length;
@@ -16,13 +16,14 @@ typedef struct {
   size_t way_count, point_count;
 } vs_way_net;
 
-/* Finds the shortest path from point `from` to point `to`; both are indices of the net's points. *out becomes the array
- * of the points' indices, which the caller frees. *count 0: there is no path. Returns false when memory is out. */
+/* Finds the shortest path along members from point `from` to point `to`. *out: array of the numbers of the path's
+ * points, which the caller frees; *count: their number, 0 if there is no path. Returns false when memory is out. */
 bool vs_ways_shortest(const vs_way_net *net, uint32_t from, uint32_t to, uint32_t **out, size_t *count);
 
-/* Finds a shortest path over the mesh, between the points of the mesh that are nearest to p and q. The path is a
- * polyline that bends where it crosses edges. No path close to it is shorter. Vertices with equal positions are one
- * corner. The caller frees *out. *count 0: the mesh does not connect the points. Returns false when memory is out. */
+/* Finds a shortest path over mesh m, between the points of the mesh that are nearest to p and q. The path is a polyline
+ * that bends where it crosses edges. No path close to it is shorter. Vertices with equal positions are one corner. The
+ * caller frees *out. *count: number of points, 0 if the mesh does not connect the two points. Returns false when memory
+ * is out. */
 bool vs_mesh_geodesic(const vs_mesh *m, vs_vec3 p, vs_vec3 q, vs_vec3 **out, size_t *count);
 
 #endif

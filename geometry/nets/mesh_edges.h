@@ -1,13 +1,13 @@
-/* Declares the edges of a mesh with the triangles beside them, for walks over the mesh. */
+/* Declares the edges of a mesh with the triangles beside them, for algorithms that walk over the mesh. */
 #ifndef VS_GEOMETRY_NETS_MESH_EDGES_H
 #define VS_GEOMETRY_NETS_MESH_EDGES_H
 
 #include "model/mesh.h"
 
-#define VS_MESH_NONE UINT32_MAX /* value for no edge or no triangle */
+#define VS_MESH_NONE UINT32_MAX /* marks that there is no edge or no triangle */
 
 typedef struct {
-  uint32_t a, b;    /* corners of the edge, a < b */
+  uint32_t a, b;    /* corners (vertex numbers) at the ends of the edge, a < b */
   uint32_t side[2]; /* triangles beside the edge; VS_MESH_NONE at a border of the mesh */
 } vs_mesh_edge;
 
@@ -24,7 +24,7 @@ typedef struct {
 /* Finds the edges of m. Returns false when memory is out. The caller frees s with vs_mesh_edges_free in either case. */
 bool vs_mesh_edges_make(vs_mesh_edges *s, const vs_mesh *m);
 void vs_mesh_edges_free(vs_mesh_edges *s);
-/* Returns corner k (0, 1 or 2) of the triangle, as the first vertex with the corner's position. */
+/* Returns corner k (0, 1 or 2) of the triangle, as the number of the first vertex at the corner's position. */
 static inline uint32_t vs_mesh_edges_corner(const vs_mesh_edges *s, uint32_t triangle, int k) {
   VS_ASSERT(triangle < s->m->triangle_count && k >= 0 && k < 3);
   return s->corner[s->m->triangles[triangle][k]];
@@ -32,8 +32,8 @@ static inline uint32_t vs_mesh_edges_corner(const vs_mesh_edges *s, uint32_t tri
 static inline vs_vec3 vs_mesh_edges_place(const vs_mesh_edges *s, uint32_t triangle, int k) {
   return s->m->vertices[vs_mesh_edges_corner(s, triangle, k)];
 }
-/* Returns the triangle nearest to p. *place: the point of this triangle nearest to p. The mesh has at least one
- * triangle. */
+/* Returns the number of the triangle nearest to p. *place: point of this triangle nearest to p. The mesh has at least
+ * one triangle. */
 uint32_t vs_mesh_edges_nearest(const vs_mesh_edges *s, vs_vec3 p, vs_vec3 *place);
 
 #endif

@@ -1,13 +1,13 @@
 /* Nests flat parts on sheets (nesting.h).
  *
- * Each part is divided into convex pieces. Let p be a piece of the part, and q a piece that lies on the sheet. The move
- * t brings p nearer to q than the gap if t is inside the sum of q and -p, grown by the gap. This sum is convex. On a
- * line of constant y the sums leave intervals of x, exactly. A part goes to the place that is furthest left on any of
- * the lines. There are lines where the part's box touches the sheet's or another part's box, and others at equal
- * distances. Then finer lines next to the best line improve the place.
+ * Each part is divided into convex pieces. Let p be a piece of the part, and q a piece that lies on the sheet. A move
+ * by the vector t brings p nearer to q than the gap if t is inside the sum of q and -p, grown by the gap. This sum is
+ * convex. On a line of constant y the sums leave intervals of x, exactly. A part goes to the place that is furthest
+ * left on any of the lines. There are lines where the part's box touches the sheet's or another part's box, and others
+ * at equal distances. Then finer lines next to the best line improve the place.
  *
- * Parts are placed one after the other, each on the first sheet where it fits. The order is then changed at random,
- * and a change is kept if the last sheet is filled less far. Numbers follow from the parts alone. */
+ * Parts are placed one after another, each on the first sheet where it fits. The order is then changed at random, and a
+ * change is kept if the last sheet is filled less far. The random numbers depend only on the parts. */
 #include "geometry/nets/nesting.h"
 
 #include <math.h>
@@ -19,38 +19,39 @@
 #include "model/vec.h"
 
 enum {
-  EVEN_LINES = 40,   /* lines at equal distances */
+  EVEN_LINES = 40,   /* number of lines at equal distances that are searched for a place */
   MOST_LINES = 200,
-  FINE_LINES = 6,    /* lines on each side of the best, when it is made better */
-  FINER = 2,         /* how often */
-  MOST_CORNERS = 24, /* parts of more corners get a simpler outline */
-  LATE = 30,         /* see improve */
-  IDLE = 2000,       /* changes without an improvement that end the search */
-  LONG_SIDES = 4     /* sides that are laid along the sheet's sides */
+  FINE_LINES = 6,    /* number of finer lines on each side of the best line that are searched to improve the place */
+  FINER = 2,         /* number of times that the place is improved by finer lines */
+  MOST_CORNERS = 24, /* number of corners above which a part gets a simpler outline */
+  LATE = 30,         /* number of changes with whose result a new order is compared, see improve */
+  IDLE = 2000,       /* number of changes without an improvement after which the search ends */
+  LONG_SIDES = 4     /* number of long sides of a part that are laid along the sheet's sides */
 };
 
 static const double pi = 3.14159265358979323846;
 
 typedef struct { double x0, y0, x1, y1; } box;
 
-/* A convex piece of a turned part: `first` in the points of both arrays, its own and those of -p. */
+/* A convex piece of a part turned by one of the allowed angles. first: index of its first point in two arrays, of its
+ * points and of those of -p. */
 typedef struct {
   size_t first, count;
   box box;
 } piece;
 
-/* A kind of part, turned. */
+/* A form: a part of one kind, turned by one of the allowed angles. */
 typedef struct {
-  size_t first, count; /* its pieces */
+  size_t first, count; /* range of the form's convex pieces */
   box box;
   double angle;
 } form;
 
-/* Equal parts are of one kind. */
+/* A kind: parts with equal shape. */
 typedef struct {
-  size_t first, count; /* its forms */
-  double area, extent; /* extent: the longer side of its box */
-  uint32_t part;       /* the first part of the kind */
+  size_t first, count; /* range of the kind's forms (allowed angles) */
+  double area, extent; /* area: area of the part; extent: longer side of its bounding box */
+  uint32_t part;       /* number of the first part of this kind */
 } kind;
 
 typedef struct {
@@ -61,10 +62,10 @@ typedef struct {
 typedef struct {
   laid_piece *at;
   size_t count, room;
-  box *parts; /* boxes of the parts */
+  box *parts; /* bounding boxes of the parts on the sheet */
   size_t part_count, part_room;
   double width, free, reach;
-  bool *full; /* full[k]: a part of kind k does not fit any more */
+  bool *full; /* full[k]: true if a part of kind k no longer fits on this sheet */
 } sheet;
 
 typedef struct { double from, to; } span;
@@ -74,9 +75,10 @@ typedef struct {
   size_t count, room;
 } spans;
 
-/* The sums of a form and the pieces on a sheet. */
+/* The sum of a form's piece and a piece on a sheet: the moves by which the two would overlap. */
 typedef struct {
-  size_t first, count, low, high; /* low, high: the points of least and greatest y */
+  size_t first, count, low, high; /* first, count: range of the sum's points; low, high: indices of its points of least
+                                   * and greatest y */
   double y0, y1;
 } sum;
 
@@ -86,17 +88,17 @@ typedef struct {
   vs_vec2 move;
 } laid;
 
-/* A remembered order, where its parts lie, by which wish, and its cost. */
+/* A stored order of the parts, the places that follow from it, and its cost. */
 typedef struct {
   uint32_t *order;
   laid *laid;
   int wish;
-  double cost, reach; /* reach: of the endless sheet, or infinity */
+  double cost, reach; /* cost: see place_all; reach: length to which the endless sheet is filled, or infinity */
 } memory;
 
 typedef struct {
   const vs_nest_rule *rule;
-  double slack; /* lengths below count as 0 */
+  double slack; /* lengths below this count as 0 */
   vs_vec2 *at, *mirrored;
   size_t points, point_room, mirrored_room;
   piece *pieces;
@@ -105,26 +107,26 @@ typedef struct {
   size_t form_count, form_room;
   kind *kinds;
   size_t kind_count, kind_room;
-  uint32_t *kind_of; /* of each part */
+  uint32_t *kind_of; /* kind_of[i]: number of part i's kind */
   size_t parts;
   sheet *sheets;
-  size_t sheet_count, sheet_room, used; /* used: sheets of the parts that are laid */
+  size_t sheet_count, sheet_room, used; /* used: number of sheets that contain parts */
   sum *sums;
   size_t sum_count, sum_room;
   vs_vec2 *sum_at;
   size_t sum_points, sum_point_room;
-  vs_vec2 *draft; /* room for one sum */
+  vs_vec2 *draft; /* memory for the points of one sum of two pieces */
   size_t draft_room;
   double lines[MOST_LINES];
   size_t line_count;
   spans spans[MOST_LINES];
-  uint32_t *order; /* the parts in the order in which they are placed */
-  laid *laid;      /* where each part lies */
+  uint32_t *order; /* numbers of the parts in the order in which they are placed */
+  laid *laid;      /* laid[i]: sheet and place of part i */
   memory best, now;
   uint64_t steps, most_steps;
   uint32_t chance;
-  int wish;       /* which of the places on a sheet is best: see `wanted` */
-  size_t endless; /* the index of a sheet without an end, or SIZE_MAX */
+  int wish;       /* number of the rule by which the best place on a sheet is chosen, see `wanted` */
+  size_t endless; /* index of the sheet that is treated as endless, or SIZE_MAX if there is none */
   vs_long_work work;
   bool stopped;
 } nest;
@@ -137,7 +139,7 @@ static void widen(box *b, vs_vec2 p) {
 }
 static vs_vec2 turned(vs_vec2 p, double s, double c) { return (vs_vec2){ c * p.x - s * p.y, s * p.x + c * p.y }; }
 
-/* Copies n points in their order, so that the leftmost of the lowest is the first. */
+/* Copies the n points of a convex polygon, so that the leftmost of its lowest points comes first. */
 static void from_lowest(const vs_vec2 *in, size_t n, vs_vec2 *out) {
   size_t low = 0;
   for (size_t i = 1; i < n; i++)
@@ -145,7 +147,8 @@ static void from_lowest(const vs_vec2 *in, size_t n, vs_vec2 *out) {
   for (size_t i = 0; i < n; i++) out[i] = in[(low + i) % n];
 }
 
-/* Adds the form of these pieces, turned, unless the sheet is too small for it. */
+/* Adds the form that consists of these pieces turned by the angle, unless the sheet is too small for it. Returns false
+ * when memory is out. */
 static bool add_form(nest *w, const vs_convex_pieces *c, double angle) {
   double s, co;
   form f = { .first = w->piece_count, .box = no_box(), .angle = angle };
@@ -175,7 +178,8 @@ static bool add_form(nest *w, const vs_convex_pieces *c, double angle) {
   return true;
 }
 
-/* Writes the turns of a part without given turns, at most MOST: eighths, and those that lay long sides level. */
+/* Writes the angles of a part for which the user allows all, at most MOST: eighths of a turn, and those that lay its
+ * long sides level. Returns their number. */
 static size_t own_angles(const vs_area *a, double *out) {
   double longest[LONG_SIDES] = { 0 }, angle[LONG_SIDES];
   size_t count = 8;
@@ -209,7 +213,8 @@ static bool equal_areas(const vs_area *a, const vs_area *b, double slack) {
   return same;
 }
 
-/* Adds the forms of a part, its own kind. The part's first corner is at the origin of its forms. */
+/* Adds a new kind with the forms of a part. The part's first corner is at the origin of its forms. Returns false when
+ * memory is out. */
 static bool add_kind(nest *w, const vs_area *a, uint32_t part) {
   double angles[8 + 4 * LONG_SIDES];
   const vs_nest_rule *r = w->rule;
@@ -261,7 +266,8 @@ static bool add_sum(nest *w, const piece *q, vs_vec2 at, const piece *p) {
   return true;
 }
 
-/* Makes the sums of a form and the pieces on a sheet that can matter to a part whose reference lies within `room`. */
+/* Makes the sums of form f with those pieces on sheet s that can limit its place within the box `room`. Returns false
+ * when memory is out. */
 static bool make_sums(nest *w, const sheet *s, const form *f, box room) {
   double gap = w->rule->gap;
   w->sum_count = w->sum_points = 0;
@@ -289,7 +295,7 @@ static void add_line(nest *w, double y, box room) {
   if (w->line_count < MOST_LINES && y >= room.y0 && y <= room.y1) w->lines[w->line_count++] = y;
 }
 
-/* Sorts the lines, and removes those that are equal. */
+/* Sorts the lines by y, and removes repeated ones. */
 static void sort_lines(nest *w) {
   size_t kept = 0;
   qsort(w->lines, w->line_count, sizeof *w->lines, by_number);
@@ -319,7 +325,7 @@ static void fine_lines(nest *w, double low, double y, double high, box room) {
   sort_lines(w);
 }
 
-/* Adds the interval in which the sum forbids x on each of the lines. */
+/* Adds to each line the interval of x in which the sum s forbids the part. Returns false when memory is out. */
 static bool add_spans(nest *w, const sum *s) {
   const vs_vec2 *at = w->sum_at + s->first;
   size_t n = s->count, right = s->low, left = s->low, i = 0, high = w->line_count;
@@ -349,7 +355,7 @@ static int by_start(const void *a, const void *b) {
   return p->from < q->from ? -1 : p->from > q->from;
 }
 
-/* Returns the least x from x0 to x1 that no interval of the line contains, or infinity. */
+/* Returns the least x from x0 to x1 that lies in no interval of the line, or infinity. */
 static double leftmost(nest *w, spans *l, double x0, double x1) {
   double x = x0;
   size_t kept = 0;
@@ -358,7 +364,8 @@ static double leftmost(nest *w, spans *l, double x0, double x1) {
   if (kept > 1) qsort(l->at, kept, sizeof *l->at, by_start);
   w->steps += 6 * kept;
   for (size_t i = 0; i < kept && l->at[i].from < x - w->slack; i++) x = fmax(x, l->at[i].to);
-  for (bool again = true; again;) { /* an interval may begin just before x and be skipped by the slack */
+  for (bool again = true; again;) { /* repeats the search, because an interval that begins just before x may have been
+                                     * skipped within the slack */
     again = false;
     for (size_t i = 0; i < kept; i++)
       if (l->at[i].from < x - w->slack && l->at[i].to > x + w->slack) x = l->at[i].to, again = true;
@@ -368,7 +375,7 @@ static double leftmost(nest *w, spans *l, double x0, double x1) {
 
 /* ---- places ---- */
 
-/* A place on a sheet, and how unwanted it is. */
+/* A possible place on a sheet. cost: how unfavourable it is; form: index of the form that is placed. */
 typedef struct { double cost, x, y; size_t form; } spot;
 
 static double wanted(const nest *w, const form *f, double x, double y) {
@@ -381,7 +388,8 @@ static double wanted(const nest *w, const form *f, double x, double y) {
   }
 }
 
-/* Improves *best by places on the lines. Sets *line to the index of the line that was best. */
+/* Replaces *best by the best place of a form on the lines, if that place is better. Sets *line to the index of its
+ * line. Returns false when memory is out. */
 static bool look_on_lines(nest *w, size_t form_index, box room, spot *best, size_t *line) {
   const form *f = &w->forms[form_index];
   for (size_t i = 0; i < w->line_count; i++) w->spans[i].count = 0;
@@ -395,7 +403,8 @@ static bool look_on_lines(nest *w, size_t form_index, box room, spot *best, size
   return true;
 }
 
-/* Improves *best by the best place of one form on a sheet. */
+/* Replaces *best by the best place of one form on sheet s, if that place is better. Returns false when memory is
+ * out. */
 static bool look_for_form(nest *w, const sheet *s, size_t form_index, spot *best) {
   const form *f = &w->forms[form_index];
   const vs_nest_rule *r = w->rule;
@@ -431,7 +440,8 @@ static bool lay(nest *w, sheet *s, uint32_t part, size_t form_index, vs_vec2 mov
   return true;
 }
 
-/* Makes the sheet with this index, or empties it. */
+/* Makes the sheet with this index if it does not exist, or removes all parts from it. Returns false when memory is
+ * out. */
 static bool empty_sheet(nest *w, size_t index) {
   if (!VS_GROW(w->sheets, w->sheet_room, index + 1)) return false;
   if (index == w->sheet_count) {
@@ -446,7 +456,8 @@ static bool empty_sheet(nest *w, size_t index) {
   return true;
 }
 
-/* Places a part on the first sheet where it fits. *used: number of sheets so far. */
+/* Places a part on the first sheet where it fits. *used: number of sheets so far, which increases if a new sheet is
+ * needed. */
 static bool place_part(nest *w, uint32_t part, size_t *used) {
   uint32_t k = w->kind_of[part];
   const kind *of = &w->kinds[k];
@@ -465,19 +476,20 @@ static bool place_part(nest *w, uint32_t part, size_t *used) {
       return lay(w, s, part, best.form, w->laid[part].move);
     }
     s->full[k] = true;
-    if (!s->part_count) return false; /* cannot be: each kind fits on an empty sheet */
+    if (!s->part_count) return false; /* cannot occur, because each kind fits on an empty sheet */
   }
 }
 
-/* Returns how far a sheet is filled: the mean of its rightmost part's end and of the length that its parts' area
- * takes. */
+/* Returns the length to which a sheet is filled: the mean of its rightmost part's end and of the length that the area
+ * of its parts requires. */
 static double filled(const nest *w, const sheet *s) {
   double m = w->rule->margin, whole = (w->rule->width - 2 * m) * (w->rule->height - 2 * m);
   return (s->reach + w->rule->width * (whole - s->free) / whole) / 2;
 }
 
-/* Places the parts of `order` from index `from` on; those before are where they were. Sets *cost: the sheets that are
- * filled, and the part of the last one. Returns false when memory is out or the caller interrupts. */
+/* Places the parts of `order` from index `from` on; earlier parts keep their places. Sets *cost: the number of
+ * filled sheets, plus the fraction to which the last one is filled. Returns false when memory is out or the caller
+ * interrupts. */
 static bool place_all(nest *w, size_t from, double *cost) {
   size_t used = 0;
   for (size_t i = 0; i < from; i++) {
@@ -493,7 +505,7 @@ static bool place_all(nest *w, size_t from, double *cost) {
   }
   w->used = used;
   *cost = INFINITY;
-  for (size_t i = 0; i < used; i++) /* without an endless sheet, the one that is filled least counts as the last */
+  for (size_t i = 0; i < used; i++) /* if no sheet is endless, the sheet that is filled least counts as the last one */
     if (i == w->endless || w->endless >= used) *cost = fmin(*cost, filled(w, &w->sheets[i]));
   *cost += (double)(used - 1) * w->rule->width;
   return true;
@@ -514,13 +526,14 @@ static int by_key(const void *a, const void *b) {
   return p->part < q->part ? -1 : p->part > q->part;
 }
 
-/* Sorts the order: by area, by extent, or by both; the largest first. */
+/* Sorts `order`, the largest parts first. by: selects area, extent, or both as the measure. */
 static bool rank_parts(nest *w, int by) {
   ranked *r = vs_fresh(w->parts, sizeof *r);
   for (uint32_t i = 0; r && i < w->parts; i++) {
     const kind *k = &w->kinds[w->kind_of[i]];
     r[i] = (ranked){ by == 0 ? k->area : by == 1 ? k->extent : k->area * k->extent, i };
-    r[i].key += 1e-9 * (double)(w->kind_count - w->kind_of[i]) * r[i].key; /* equal parts follow each other */
+    r[i].key += 1e-9 * (double)(w->kind_count - w->kind_of[i]) * r[i].key; /* the small addition keeps parts of one kind
+                                                                            * together */
   }
   if (!r) return false;
   qsort(r, w->parts, sizeof *r, by_key);
@@ -529,7 +542,7 @@ static bool rank_parts(nest *w, int by) {
   return true;
 }
 
-/* Stores the laid parts and their order in one of two memories: the best so far, and the one that is being changed. */
+/* Stores the places of the parts and their order in m: the best so far, or the one that is being changed. */
 static void remember(nest *w, memory *m, double cost) {
   m->cost = cost, m->wish = w->wish;
   m->reach = w->endless == SIZE_MAX ? INFINITY : w->endless < w->used ? w->sheets[w->endless].reach : 0;
@@ -543,7 +556,7 @@ static void recall(nest *w, const memory *m) {
   memcpy(w->order, m->order, w->parts * sizeof *m->order);
 }
 
-/* Changes the order: two parts change places, or one goes elsewhere. Returns the first index that is changed. */
+/* Changes `order`: exchanges two parts, or moves one part. Returns the first index that has changed. */
 static size_t change_order(nest *w) {
   uint32_t n = (uint32_t)w->parts, i = 0, j = 0;
   for (int k = 0; k < 20 && w->kind_of[w->order[i]] == w->kind_of[w->order[j]]; k++) i = chance(w, n), j = chance(w, n);
@@ -558,8 +571,9 @@ static size_t change_order(nest *w) {
   return i < j ? i : j;
 }
 
-/* Changes the order again and again, until the work reaches most_steps or the endless sheet has an end. A change is
- * kept if its cost is at most that of the order LATE changes before. */
+/* Changes the order repeatedly, until the work reaches most_steps, or the parts on the endless sheet fit within its
+ * real size. Also ends after IDLE changes without an improvement. A change is kept if its cost is at most that of the
+ * order LATE changes before. */
 static bool improve(nest *w, uint64_t most_steps) {
   double cost, late[LATE];
   recall(w, &w->best);
@@ -579,8 +593,8 @@ static bool improve(nest *w, uint64_t most_steps) {
   return true;
 }
 
-/* The last of the sheets that the parts need at least is first without an end. If it gets none, the parts beyond it go
- * to more sheets. */
+/* Finds an order. At first the last of the sheets that are needed at least is endless. If the search cannot avoid that,
+ * parts beyond its end go to further sheets. */
 static bool search(nest *w) {
   double cost, area = 0, whole = (w->rule->width - 2 * w->rule->margin) * (w->rule->height - 2 * w->rule->margin);
   for (size_t i = 0; i < w->parts; i++) area += w->kinds[w->kind_of[i]].area;
@@ -599,7 +613,7 @@ static bool search(nest *w) {
   return improve(w, w->most_steps);
 }
 
-/* Finds the kinds of the parts. Sets *unfit to the first part that no sheet holds. */
+/* Finds the kinds of parts with equal shape. Sets *unfit to the first part that is too large for the sheet. */
 static bool find_kinds(nest *w, const vs_area *parts, size_t *unfit) {
   *unfit = w->parts;
   for (size_t i = 0; i < w->parts; i++) {

@@ -1,14 +1,15 @@
-/* Declares the nesting of flat parts on sheets: parts of any shape, turned and moved, apart from each other. */
+/* Declares the nesting of flat parts on sheets: parts of any shape are turned and moved so that they lie apart from
+ * each other. */
 #ifndef VS_GEOMETRY_NETS_NESTING_H
 #define VS_GEOMETRY_NETS_NESTING_H
 
 #include "geometry/plane/areas.h"
 #include "model/long_work.h"
 
-/* Sheets of one size, and how parts lie on them. `angles` are the turns that are allowed, in radians; without angles
- * (count 0) each part has eighths of a turn, and those that lay its longest edges along the sheet's sides. Parts are
- * `gap` apart, and `margin` from the sheet's border. The search tries orders of the parts until its work exceeds
- * `effort`, about seconds; it always finishes one order. */
+/* The size of the sheets, and the rules for parts on them. angles: allowed rotations in radians; if count is 0, each
+ * part has eighths of a turn, and the rotations that lay its longest edges along the sheet's sides. gap: distance
+ * between parts; margin: distance from the sheet's border. The search tries orders of the parts until its work exceeds
+ * `effort`, in about seconds; it always finishes one order. */
 typedef struct {
   double width, height, gap, margin;
   const double *angles;
@@ -16,7 +17,7 @@ typedef struct {
   double effort;
 } vs_nest_rule;
 
-/* The sheet of a part, from 0, and how the part gets there: turned about the origin, then moved. */
+/* The place of a part. It lies on sheet number `sheet`, from 0, after a rotation about the origin and then a move. */
 typedef struct {
   uint32_t sheet;
   double angle;
@@ -24,8 +25,8 @@ typedef struct {
 } vs_nest_place;
 
 /* Places all parts. `places` has room for one element for each part. *unfit becomes the index of a part that is larger
- * than the sheet in every allowed turn, or `count` if there is none; then all places are set, and *sheets is the number
- * of sheets. Returns false when memory is out or the caller interrupts; *stopped is true in the second case. */
+ * than the sheet in every allowed rotation, or `count` if there is none; then all places are set, and *sheets is the
+ * number of sheets. Returns false when memory is out or the caller interrupts; *stopped is true in the second case. */
 bool vs_areas_nest(const vs_area *parts, size_t count, const vs_nest_rule *rule, vs_long_work work,
                    vs_nest_place *places, size_t *sheets, size_t *unfit, bool *stopped);
 

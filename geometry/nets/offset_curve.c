@@ -13,15 +13,15 @@
 
 #include "model/store/array.h"
 
-enum { MOST_TRIANGLES = 1000000 }; /* greatest number of triangles of one walk */
-#define BEYOND .01 /* a point that is farther beyond a border of the mesh than this fraction of the distance is
+enum { MOST_TRIANGLES = 1000000 }; /* greatest number of triangles over which one walk goes */
+#define BEYOND .01 /* fraction of the distance: a point that is farther than this beyond a border of the mesh is
                     * omitted */
 
 /* ---- a straight walk over triangles ---- */
 
 typedef struct {
   uint32_t triangle;
-  vs_vec3 at, way; /* way: unit vector of the walk's direction, in the plane of the triangle */
+  vs_vec3 at, way; /* at: position of the walker; way: unit vector of its direction, in the plane of its triangle */
 } walker;
 
 static vs_vec3 normal_of(const vs_mesh_edges *s, uint32_t t) {
@@ -33,7 +33,7 @@ static vs_vec3 normal_of(const vs_mesh_edges *s, uint32_t t) {
 static vs_vec3 across(vs_vec3 v, vs_vec3 along) { return vs_v3_sub(v, vs_v3_scale(along, vs_v3_dot(v, along))); }
 
 /* Returns the edge (0, 1 or 2) at which the walker leaves its triangle, other than the edge `came` over which it
- * entered. *far: distance to that edge. Returns 3 if there is none. */
+ * entered. *far: distance to that edge along the walk. Returns 3 if there is none. */
 static int edge_ahead(const vs_mesh_edges *s, const walker *w, uint32_t came, double *far) {
   vs_vec3 up = normal_of(s, w->triangle);
   int best = 3;
@@ -50,8 +50,8 @@ static int edge_ahead(const vs_mesh_edges *s, const walker *w, uint32_t came, do
   return best;
 }
 
-/* Moves the walker across edge k (0, 1 or 2) of its triangle into the next triangle. Returns false if the edge is a
- * border. */
+/* Moves the walker across edge k (0, 1 or 2) of its triangle into the neighbouring triangle. Sets *came to the edge's
+ * number there. Returns false if the edge is a border. */
 static bool cross_edge(const vs_mesh_edges *s, walker *w, int k, uint32_t *came) {
   uint32_t e = s->of[w->triangle][k];
   const vs_mesh_edge *edge = &s->edges[e];
@@ -63,15 +63,16 @@ static bool cross_edge(const vs_mesh_edges *s, walker *w, int k, uint32_t *came)
   int third = 0;
   while (third < 2 && s->of[next][third] != e) third++;
   vs_vec3 into = across(vs_v3_sub(vs_mesh_edges_place(s, next, third), a), along);
-  into = vs_v3_length(into) > 0 ? vs_v3_unit(into) : vs_v3_unit(across(w->way, along)); /* a triangle without height
-                                                                                         * has no direction across
-                                                                                         * the edge */
+  into = vs_v3_length(into) > 0 ? vs_v3_unit(into) : vs_v3_unit(across(w->way, along)); /* in a triangle without height,
+                                                                                         * the direction across the edge
+                                                                                         * is undefined, so the old
+                                                                                         * direction is used */
   w->way = vs_v3_unit(vs_v3_add(vs_v3_scale(along, vs_v3_dot(w->way, along)), vs_v3_scale(into, ahead)));
   w->triangle = next, *came = e;
   return true;
 }
 
-/* Walks straight ahead for the given length. Returns false at a border of the mesh. */
+/* Moves the walker straight ahead by the given length. Returns false at a border of the mesh. */
 static bool walk(const vs_mesh_edges *s, walker *w, double length) {
   uint32_t came = VS_MESH_NONE;
   for (int i = 0; i < MOST_TRIANGLES; i++) {
@@ -101,25 +102,26 @@ static bool beyond_border(const vs_mesh_edges *s, uint32_t t, vs_vec3 place, vs_
 /* ---- loops of the offset ---- */
 
 typedef struct {
-  vs_vec3 at, tangent, up; /* tangent: direction of the curve, which was transported along the walk */
+  vs_vec3 at, tangent, up; /* at: end of a walk; tangent: direction of the original curve, transported along the walk;
+                            * up: normal of the mesh there */
   bool there;
 } reached;
 
 typedef struct {
   reached *at;
-  size_t count; /* number of points of a run, in which every point is joined to the next */
+  size_t count; /* number of points of a run, a part of the offset curve in which every point is joined to the next */
   bool closed;
 } run;
 
 static size_t after(const run *r, size_t i) { return i + 1 < r->count ? i + 1 : 0; }
-/* Returns true if segment i of the run goes against the direction of the curve. The run has a segment i. */
+/* Returns true if segment i of the run goes against the direction of the original curve. */
 static bool goes_back(const run *r, size_t i) {
   VS_ASSERT(i < r->count);
   return vs_v3_dot(vs_v3_sub(r->at[after(r, i)].at, r->at[i].at), r->at[i].tangent) < 0;
 }
 
-/* Returns true if segments i and j intersect as seen along the normal at i, and their distance along it is less than
- * their lengths. *place: their intersection. */
+/* Returns true if segments i and j of the run intersect as seen along the normal at i, and their distance along it is
+ * less than their lengths. *place: their intersection. */
 static bool cross_at(const run *r, size_t i, size_t j, vs_vec3 *place) {
   vs_vec3 p = r->at[i].at, u = vs_v3_sub(r->at[after(r, i)].at, p), q = r->at[j].at;
   vs_vec3 v = vs_v3_sub(r->at[after(r, j)].at, q), up = r->at[i].up, d = vs_v3_sub(q, p);
@@ -133,21 +135,21 @@ static bool cross_at(const run *r, size_t i, size_t j, vs_vec3 *place) {
   return true;
 }
 
-/* Returns the number of segments between i and j that go against the direction of the curve. */
+/* Returns the number of segments of the run between i and j that go against the direction of the original curve. */
 static size_t backward(const run *r, size_t i, size_t j) {
   size_t n = 0;
   for (size_t k = after(r, i); k != j; k = after(r, k)) n += goes_back(r, k);
   return n;
 }
 
-/* Cuts off the loop between the intersecting segments i and j of the run: the points after i up to j become the one
- * point `place`. */
+/* Cuts off the loop between the intersecting segments i and j of the run: the points after i up to j are replaced by
+ * the point `place`. */
 static void cut_loop(run *r, size_t i, size_t j, vs_vec3 place) {
   size_t n = 0, stop = after(r, j);
   reached corner = r->at[i];
   VS_ASSERT(i < r->count && j < r->count);
   corner.at = place;
-  if (i < j) { /* the loop is in the middle of the array */
+  if (i < j) { /* the loop does not contain the end of the array */
     r->at[i + 1] = corner;
     memmove(r->at + i + 2, r->at + j + 1, (r->count - j - 1) * sizeof *r->at);
     r->count -= j - i - 1;
@@ -158,8 +160,8 @@ static void cut_loop(run *r, size_t i, size_t j, vs_vec3 place) {
   r->count = n;
 }
 
-/* Cuts off every loop that contains a backward segment and is shorter than the remaining curve. Returns false if
- * interrupted. */
+/* Cuts off every loop of the run that contains a backward segment and is shorter than the remaining curve. Returns
+ * false if interrupted. */
 static bool cut_loops(run *r, vs_poller poll) {
   size_t segments = r->closed ? r->count : r->count - 1;
   for (size_t i = 0; i + 2 < segments; i++) {
@@ -185,8 +187,8 @@ static bool put_run(run *r, vs_offset_points *out, vs_poller poll) {
   if (!cut_loops(r, poll)) return false;
   size_t back = 0, segments = r->closed ? r->count : r->count - 1;
   for (size_t i = 0; i < segments; i++) back += goes_back(r, i);
-  if (2 * back > segments) return true; /* If most segments go backwards, the distance exceeds the curve's radius
-                                         * everywhere, and no offset remains. */
+  if (2 * back > segments) return true; /* If most segments go backwards, the distance exceeds the curve's radius of
+                                         * curvature everywhere, and no offset remains. */
   if (!VS_GROW(out->at, out->room, out->count + r->count + 1)) return false;
   for (size_t i = 0; i < r->count; i++) out->at[out->count++] = (vs_offset_point){ r->at[i].at, i == 0 };
   if (r->closed) out->at[out->count++] = (vs_offset_point){ r->at[0].at, false };
@@ -218,8 +220,8 @@ bool vs_mesh_offset_curve(const vs_mesh_edges *s, const vs_offset_row *from, dou
     run whole = { ends, count, true };
     ok = put_run(&whole, out, poll);
   } else if (ok) {
-    /* The points of a closed curve are processed from a gap on, so that no run of points extends across the array's
-     * end. */
+    /* The points of a closed curve are processed from a gap between two runs on, so that no run extends across the
+     * array's end. */
     size_t first = closed ? gap : 0;
     memcpy(ends + count, ends, count * sizeof *ends);
     for (size_t i = 0; ok && i < count;) {

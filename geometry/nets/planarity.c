@@ -1,5 +1,5 @@
-/* Makes faces planar (planarity.h). Each corner moves to the mean of its projections onto the planes of all its faces,
- * repeatedly and with over-relaxation (S. Bouaziz and others, Shape-Up, 2012). */
+/* Makes faces of a net planar (planarity.h). Each corner moves to the mean of its projections onto the planes of all
+ * its faces, repeatedly and with over-relaxation (S. Bouaziz and others, Shape-Up, 2012). */
 #include "geometry/nets/planarity.h"
 
 #include <math.h>

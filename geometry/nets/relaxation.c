@@ -12,17 +12,19 @@
 
 #include "model/store/array.h"
 
-/* STIFFER: stiffness of a cable for a strain of 1, in units of its greatest force. Stiffer springs need more steps but
- * fewer rounds. After SOFT rounds springs become stiffer, which only nets with many load paths need. */
+/* ROUNDS: greatest number of rounds in which unstrained lengths are adjusted; POLL: steps between two questions to the
+ * caller; STIFFER: stiffness of a cable for a strain of 1, in units of its greatest force. Stiffer springs need more
+ * steps but fewer rounds. After SOFT rounds springs become stiffer, which only nets with many load paths need. */
 enum { ROUNDS = 24, SOFT = 8, POLL = 64, STIFFER = 10 };
 
 typedef struct {
   vs_net *net;
-  double *rest; /* rest[k]: unstrained length of member k */
+  double *rest; /* rest[k]: length of member k without load */
   vs_vec3 *force, *speed;
   double *mass;
   size_t rest_room, force_room, speed_room, mass_room;
-  double stiffness, greatest; /* greatest: greatest force in a member at the last evaluation */
+  double stiffness, greatest; /* stiffness: force in a cable per unit of strain; greatest: greatest force in a member at
+                               * the last evaluation */
 } relaxation;
 
 /* ---- connection of points to fixed points ---- */
@@ -32,8 +34,8 @@ static uint32_t root_of(uint32_t *parent, uint32_t i) {
   return i;
 }
 
-/* Checks that every part of the net with a load is connected to a fixed point. *where: a point of a part that is not
- * connected. */
+/* Checks that every part of the net with a load is connected to a fixed point. *where: a point of a part that is
+ * not. */
 static vs_relax_outcome held(const vs_net *n, size_t *where) {
   uint32_t *parent = NULL;
   bool *has = NULL;
@@ -60,7 +62,7 @@ static vs_relax_outcome held(const vs_net *n, size_t *where) {
 
 /* ---- forces ---- */
 
-/* Computes, from the positions of the points, the force on each point, its mass, and the force in each member. */
+/* Computes, from the positions of the net's points, the force on each point, its mass, and the force in each member. */
 static void look(relaxation *r) {
   vs_net *n = r->net;
   r->greatest = 0;
@@ -102,7 +104,7 @@ static void halt(relaxation *r) {
   for (size_t i = 0; i < r->net->count; i++) r->speed[i] = (vs_vec3){ 0, 0, 0 };
 }
 
-/* Moves the points until the forces are balanced. Adds the number of steps to *out. */
+/* Moves the points of the net until the forces are balanced within `tolerance`. Adds the number of steps to *out. */
 static vs_relax_outcome settle(relaxation *r, double tolerance, vs_long_work work, vs_relax_report *out) {
   vs_net *n = r->net;
   double before = 0;
@@ -131,8 +133,8 @@ static vs_relax_outcome settle(relaxation *r, double tolerance, vs_long_work wor
   }
 }
 
-/* Returns true if all taut cables have the required lengths, with a relative error of at most `share`. Sets the
- * unstrained lengths for the next round. */
+/* Returns true if all taut cables have the required lengths, with a relative error of at most `share`. Otherwise
+ * adjusts their lengths without load for the next round. */
 static bool lengths_hold(relaxation *r, double share) {
   bool hold = true;
   for (size_t k = 0; k < r->net->member_count; k++) {
@@ -146,7 +148,7 @@ static bool lengths_hold(relaxation *r, double share) {
 }
 
 /* Moves the points until forces are balanced and cables of fixed length have these lengths. Each round calls settle
- * with springs of other unstrained lengths. */
+ * with other lengths of the cables without load. */
 static vs_relax_outcome settle_lengths(relaxation *r, double tolerance, vs_long_work work, vs_relax_report *out) {
   double share = fmax(1e-9, 10 * tolerance), rough = 1e-2;
   for (int round = 0; round < ROUNDS; round++) {

@@ -1,4 +1,4 @@
-/* Declares dynamic relaxation: it finds the equilibrium of points under cables and forces. */
+/* Declares dynamic relaxation, which finds the equilibrium of points under cables and forces. */
 #ifndef VS_GEOMETRY_NETS_RELAXATION_H
 #define VS_GEOMETRY_NETS_RELAXATION_H
 
@@ -9,12 +9,12 @@
 #include "model/long_work.h"
 #include "model/vec.h"
 
-/* A member of the net. A cable has a fixed length, which it keeps when taut; it may be slack. A force density pulls
- * with `density` times the distance of its ends. */
+/* A member of the net, which connects two points. A cable has a fixed length, which it keeps when taut; it may be
+ * slack. A member with a force density pulls with `density` times the distance of its ends. */
 typedef struct {
   uint32_t a, b;
-  double length;  /* length of a cable; 0: the member is a force density */
-  double density; /* force density: force per length */
+  double length;  /* length of a cable in model units; 0: the member has a force density instead */
+  double density; /* force density of a member: its force divided by its length */
   double force;   /* result: force in the member at equilibrium, positive for tension */
 } vs_net_member;
 
@@ -22,7 +22,7 @@ typedef struct {
   vs_vec3 *at; /* positions of the points, which are moved to equilibrium */
   size_t count;
   const bool *fixed;
-  const vs_vec3 *load; /* load[i]: force on point i */
+  const vs_vec3 *load; /* load[i]: force on point i of the net */
   vs_net_member *members;
   size_t member_count;
   vs_vec3 weight;   /* weight of a member per unit of its length; half of it acts at each end */
@@ -31,8 +31,8 @@ typedef struct {
 
 typedef enum {
   VS_RELAX_DONE,
-  VS_RELAX_LOOSE,   /* point `where` has a load, and no members connect it to a fixed point */
-  VS_RELAX_SHORT,   /* cable `where` cannot shorten to its length, because fixed points hold its ends apart */
+  VS_RELAX_LOOSE,   /* point number `where` has a load, and no members connect it to a fixed point */
+  VS_RELAX_SHORT,   /* cable number `where` cannot shorten to its length, because fixed points hold its ends apart */
   VS_RELAX_FAR,     /* the net has no equilibrium after VS_RELAX_STEPS steps; `residual` is the remaining imbalance */
   VS_RELAX_STOPPED, /* the caller has interrupted */
   VS_RELAX_MEMORY
@@ -45,7 +45,8 @@ typedef struct {
   size_t steps, where;
 } vs_relax_report;
 
-/* Moves the free points of the net until the residual is at most `tolerance`, which is above 0. */
+/* Moves the free points of the net until the greatest unbalanced force, as a fraction (residual), is at most
+ * `tolerance`, which is above 0. */
 vs_relax_outcome vs_net_relax(vs_net *n, double tolerance, vs_long_work work, vs_relax_report *out);
 
 #endif

@@ -18,8 +18,8 @@ enum {
   PATIENCE = 300000000   /* number of comparisons of triangles after which no further order of the edges is tried */
 };
 
-/* Returns true if the triangles overlap by more than the slack, so that no side of either separates them. Either
- * triangle may be clockwise. */
+/* Returns true if the triangles a and b overlap by more than the slack, so that no side of a or b separates them. Each
+ * may be clockwise. */
 static bool overlap(const vs_vec2 a[3], const vs_vec2 b[3], double slack) {
   for (int pass = 0; pass < 2; pass++) {
     const vs_vec2 *p = pass ? b : a, *q = pass ? a : b;
@@ -52,18 +52,20 @@ static bool boxes_meet(const box *a, const box *b, double slack) {
   return a->x0 < b->x1 - slack && b->x0 < a->x1 - slack && a->y0 < b->y1 - slack && b->y0 < a->y1 - slack;
 }
 
-/* The state of a run. The triangles of a piece form a circular list, in which next[t] follows triangle t. */
+/* The state of a run, which joins pieces in one order of the edges. The triangles of a piece form a circular list, in
+ * which next[t] follows triangle t. */
 typedef struct {
   vs_flat_net *s;
   uint32_t *next, *count;  /* count[p]: number of triangles of piece p */
-  uint32_t *order;         /* the edges in the order of the run */
-  double *weight;          /* weights of the edges; an edge with a smaller weight is processed earlier */
+  uint32_t *order;         /* numbers of the edges in the order in which the run processes them */
+  double *weight;          /* weight[e]: weight of edge e; an edge with a smaller weight is processed earlier */
   uint32_t *steepest;      /* steepest[v]: the steepest edge at vertex v, which is processed last */
   vs_vec2 (*best)[3];      /* best[t]: positions of the corners of triangle t in the plane, in the best run so far */
   uint32_t *best_piece;
   uint32_t *near;          /* triangles of the larger piece that lie in the bounding box of the smaller piece */
-  vs_vec2 (*moved)[3];     /* positions of the smaller piece's triangles after it was moved beside the larger piece */
-  uint32_t *who;           /* who[i]: the triangle whose positions are moved[i] */
+  vs_vec2 (*moved)[3];     /* moved[i]: position of triangle who[i] of the smaller piece after it was moved beside the
+                            * larger piece */
+  uint32_t *who;           /* who[i]: number of the triangle whose position is moved[i] */
   double tried;            /* number of comparisons of triangles so far */
 } run;
 
@@ -98,7 +100,7 @@ static motion between(const vs_vec2 from[2], const vs_vec2 to[2]) {
   return m;
 }
 
-/* Joins the two pieces at edge e if they then do not overlap. Returns true if it joined them. */
+/* Joins the two pieces at edge e if they then do not overlap in the plane. Returns true if it joined them. */
 static bool merge(run *r, uint32_t e) {
   vs_flat_net *s = r->s;
   const vs_mesh_edge *g = &s->edges.edges[e];
@@ -187,7 +189,7 @@ static void weigh(run *r, int number) {
       if (r->steepest[v] != VS_MESH_NONE) r->weight[r->steepest[v]] = 1;
 }
 
-/* Sorts the edges by weight. Returns false when memory is out. */
+/* Sorts the edges by weight into `order`. Returns false when memory is out. */
 static bool sort_edges(run *r) {
   size_t n = r->s->edges.edge_count;
   weighed *w = vs_fresh(n + 1, sizeof *w);
@@ -199,12 +201,12 @@ static bool sort_edges(run *r) {
   return true;
 }
 
-/* Makes each face a piece of its own, at the beginning of a run. vs_flat_net_unroll has laid the triangles of a face
+/* Makes each flat face a separate piece, at the beginning of a run. vs_flat_net_unroll has laid the triangles of a face
  * beside each other. */
 static void separate(run *r) {
   vs_flat_net *s = r->s;
   size_t n = s->edges.m->triangle_count;
-  uint32_t *first = r->near; /* the first triangle of each face */
+  uint32_t *first = r->near; /* first[p]: first triangle of flat face p; the array `near` is reused */
   for (size_t f = 0; f < s->faces; f++) first[f] = VS_MESH_NONE, r->count[f] = 0;
   for (uint32_t t = 0; t < n; t++) {
     uint32_t f = s->piece[t] = s->face[t];
@@ -254,8 +256,8 @@ bool vs_flat_net_unfold(vs_flat_net *s, vs_long_work work) {
 
 typedef struct {
   const vs_flat_net *s;
-  vs_vec2 (*taken)[3]; /* the triangles of the tabs that are already placed, two for each tab */
-  uint32_t *piece;     /* piece[i]: the piece to which the triangle taken[i] belongs */
+  vs_vec2 (*taken)[3]; /* taken: triangles of the glue tabs that are already placed, two for each tab */
+  uint32_t *piece;     /* piece[i]: number of the piece to which the triangle taken[i] belongs */
   size_t count;
 } tab_field;
 
@@ -275,8 +277,7 @@ static bool is_free(const tab_field *f, const vs_vec2 at[3], uint32_t piece) {
   return true;
 }
 
-/* Sets ends to the ends of the border edge e of triangle t, in the direction in which the inside of the triangle lies
- * to the left. */
+/* Sets ends to the ends of the border edge e of triangle t, in the direction in which the triangle lies to the left. */
 static void border_ends(const vs_flat_net *s, uint32_t t, uint32_t e, vs_vec2 ends[2]) {
   vs_flat_net_ends(s, t, e, ends);
   vs_vec2 w = s->at[t][vs_flat_net_corner(s, t, e)];
@@ -286,8 +287,8 @@ static void border_ends(const vs_flat_net *s, uint32_t t, uint32_t e, vs_vec2 en
   }
 }
 
-/* Finds the widest tab that fits at the edge. Tries `width`, then 0.75 times the last width each time, down to a fifth
- * of `width`. Returns the tab's width, or 0 if none fits. */
+/* Finds the widest glue tab that fits at edge e of triangle t. Tries `width`, then 0.75 times the last width each time,
+ * down to a fifth of `width`. Returns the tab's width, or 0 if none fits. out: its outer corners. */
 static double widest(const tab_field *f, uint32_t t, uint32_t e, double width, vs_vec2 out[2]) {
   vs_vec2 p[2];
   border_ends(f->s, t, e, p);

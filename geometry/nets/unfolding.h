@@ -1,13 +1,12 @@
-/* Declares the unfolding of closed meshes: flat pieces that do not overlap, with glue tabs. */
+/* Declares the unfolding of closed meshes to flat pieces that do not overlap, with glue tabs. */
 #ifndef VS_GEOMETRY_NETS_UNFOLDING_H
 #define VS_GEOMETRY_NETS_UNFOLDING_H
 
 #include "geometry/nets/flat_net.h"
 #include "model/long_work.h"
 
-/* Joins the faces of the net into as few pieces as it can. No two triangles of a piece overlap in the plane. Tries
- * several orders of the edges, and keeps the best result. Returns false when memory is out, or the caller
- * interrupts. */
+/* Joins the flat faces of the net into few pieces, in which no two triangles overlap in the plane. Tries several orders
+ * of the edges, and keeps the best result. Returns false when memory is out, or the caller interrupts. */
 bool vs_flat_net_unfold(vs_flat_net *s, vs_long_work work);
 
 /* A glue tab at a cut edge: a flap that is glued to another part of the paper model. */

@@ -30,8 +30,8 @@ static const double bright_end[] = {
 
 /* Returns by how many stops (factors of two) a picture of this mean luminance should look darker than one of the day: 0
  * from 3 cd/m2. It is the key of G. Krawczyk, K. Myszkowski and H.-P. Seidel (Perceptual Effects in Real-Time Tone
- * Mapping, SCCG 2005), which they fitted to photographs, relative to its value at 3 cd/m2. The number 1 of the mean
- * stands for 10,000 cd/m2. */
+ * Mapping, SCCG 2005), which they fitted to photographs, relative to its value at 3 cd/m2. A mean of 1 is
+ * 10,000 cd/m2. */
 static double night_stops(double mean) {
   const double least = 3;
   double y = 1e4 * mean, key = 1.03 - 2 / (2 + log10(fmin(y, least) + 1));

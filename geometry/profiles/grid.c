@@ -1,4 +1,4 @@
-/* Makes meshes of grids of points. */
+/* Makes triangle meshes of grids of points. */
 #include "geometry/profiles/grid.h"
 
 #include <stdlib.h>
@@ -20,8 +20,8 @@ bool vs_grid_cap(const vs_cap_loops *loops, const uint32_t *row, vs_mesh *out, b
   return ok;
 }
 
-/* Projects the points of a row to the plane of its first loop, in which this loop is counter-clockwise. Returns NULL
- * and sets *ok to false when memory is out. Returns NULL with *ok true if the row has no area. */
+/* Projects the points of a row to the plane of the row's first loop, so that this loop is counter-clockwise. Returns
+ * NULL and sets *ok to false when memory is out. Returns NULL with *ok true if the row has no area. */
 static vs_vec2 *grid_flatten(const vs_quad_grid *g, const vs_vec3 *row, bool *ok) {
   vs_vec3 area = { 0, 0, 0 };
   *ok = true;
@@ -43,7 +43,7 @@ static bool grid_fill(const vs_quad_grid *g, const vs_vec3 *at, const uint32_t *
   bool ok = true;
   vs_cap_loops loops = { g->flat, g->sizes, g->hole, g->loop_count };
   if (g->flat) {
-    bool point = true; /* true for a section with scale 0, whose points coincide */
+    bool point = true; /* true if all points of the row coincide, as in a section with scale 0 */
     for (size_t i = 1; point && i < g->columns; i++) point = vs_v3_equal(at[i], at[0]);
     return point || vs_grid_cap(&loops, row, out, turned);
   }
@@ -54,7 +54,7 @@ static bool grid_fill(const vs_quad_grid *g, const vs_vec3 *at, const uint32_t *
   return ok;
 }
 
-/* Makes the vertices of one row. before, below: points and vertices of the row before it, or NULL. */
+/* Makes the vertices of one row. before, below: points and vertices of the previous row, or NULL for the first row. */
 static bool grid_row(const vs_quad_grid *g, const vs_vec3 *at, const vs_vec3 *before, const uint32_t *below,
                      uint32_t *row, vs_mesh *out) {
   bool ok = true;
@@ -85,14 +85,16 @@ bool vs_grid_mesh(const vs_quad_grid *g, vs_mesh *out) {
   bool ok = index != NULL;
   VS_ASSERT(!g->joined || !g->seam);
   for (size_t r = 0; ok && r < rows; r++) {
-    bool back = r == g->rows; /* true when the first row is needed again as the last, because the grid is closed */
+    bool back = r == g->rows; /* true for the step after the last row of a closed grid, which joins it to the first
+                               * row */
     const vs_vec3 *at = g->at + (back ? 0 : r) * n;
     if (back) for (size_t i = 0; i < n; i++) high[i] = start[i];
     else if (g->seam && r && r + 1 == rows) for (size_t i = 0; i < n; i++) high[i] = start[g->seam[i]];
     else ok = grid_row(g, at, r ? at - n : NULL, r ? low : NULL, high, out);
     if (ok && !r) for (size_t i = 0; i < n; i++) start[i] = high[i];
-    if (ok && g->joined && !back && r + 1 == g->rows) /* makes points of the last row equal to the first row's vertices
-                                                       * at the poles */
+    if (ok && g->joined && !back && r + 1 == g->rows) /* where the last row of a closed grid shares poles (single
+                                                       * points) with the first row, its points become the first row's
+                                                       * vertices */
       for (size_t i = 0; i < n; i++)
         if (vs_v3_equal(at[i], g->at[i])) high[i] = start[i];
     for (size_t i = 0; ok && g->numbers && i < n; i++) g->numbers[r * n + i] = high[i];

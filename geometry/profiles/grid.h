@@ -1,29 +1,29 @@
-/* Declares, for use in geometry/ alone, meshes of grids of points: the common form of sweeps, revolutions, lofts and
- * surfaces. */
+/* Declares, for use in geometry/ alone, meshes of grids of points: the common representation of sweeps, revolutions,
+ * lofts and surfaces. */
 #ifndef VS_GEOMETRY_PROFILES_GRID_H
 #define VS_GEOMETRY_PROFILES_GRID_H
 
 #include "geometry/plane/ear_clipping.h"
 
-/* Rows of `columns` points each, one after another; the array belongs to the caller. A row consists of loops, each hole
- * after the outer loop that contains it. Two triangles fill each cell between neighbouring rows. */
+/* A grid: rows of `columns` points each, one after another; the array belongs to the caller. A row consists of loops,
+ * each hole after the outer loop that contains it. Two triangles fill each cell between neighbouring rows. */
 typedef struct {
   const vs_vec3 *at;
   size_t rows, columns;
-  const size_t *sizes; /* number of points in each loop of a row */
+  const size_t *sizes; /* sizes[l]: number of points of loop l in a row */
   const bool *hole;
   size_t loop_count;
   bool round;          /* true if the loops are closed; false if they are open strips */
   bool joined;         /* true if the last row of points is joined to the first row */
-  const size_t *seam;  /* if not NULL: the last row lies at the position of the first row, and its point i coincides
-                        * with point seam[i] of the first row */
+  const size_t *seam;  /* If not NULL: the last row lies at the position of the first row. Its point i coincides with
+                        * point seam[i] of the first row. */
   bool capped;         /* true if the first and the last row are filled with triangles */
-  const vs_vec2 *flat; /* points of each row in the row's own plane, for the caps; NULL: this plane is computed from the
-                        * points of the row */
-  const bool *by_number; /* if not NULL, for each row: true if the diagonals of the cells to the next row go from the
-                          * lower column to the higher one */
-  uint32_t *numbers;   /* if not NULL: receives the index of the vertex at each point, row by row; if the grid is
-                        * joined, the vertices of the first row follow again at the end */
+  const vs_vec2 *flat; /* points of each row in the plane of that row, for the triangles that fill it; NULL: this plane
+                        * is computed from the points of the row */
+  const bool *by_number; /* if not NULL: by_number[r] is true if the diagonals of the cells from row r to the next go
+                          * from the lower column to the higher one */
+  uint32_t *numbers;   /* If not NULL: receives the index of the vertex at each point, row by row. If the grid is
+                        * joined, the vertices of the first row follow again at the end. */
 } vs_quad_grid;
 
 /* Appends the triangles of the grid. They face away from the side from which the loops of a row are counter-clockwise.
@@ -35,8 +35,8 @@ bool vs_grid_mesh(const vs_quad_grid *g, vs_mesh *out);
  * outer loop that contains it. */
 typedef struct { const vs_vec2 *at; const size_t *sizes; const bool *hole; size_t count; } vs_cap_loops;
 
-/* Fills loops with triangles. row[i]: vertex of point i. If `turned`, the triangles face the opposite direction. The
- * first loop is an outer loop. Returns false when memory is out. */
+/* Fills loops with triangles, with the vertex row[i] at point i. If `turned`, the triangles face the opposite
+ * direction. The first loop is an outer loop. Returns false when memory is out. */
 bool vs_grid_cap(const vs_cap_loops *loops, const uint32_t *row, vs_mesh *out, bool turned);
 
 #endif

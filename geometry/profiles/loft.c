@@ -20,7 +20,7 @@
 #include "model/store/array.h"
 
 typedef struct {
-  vs_outline outline; /* the section's loops, in the order of the matching loops of the previous section */
+  vs_outline outline; /* loops of the section, in the order of the matching loops of the section before it */
   bool point, open;
   vs_vec3 center, normal;
 } loft_section;
@@ -61,7 +61,7 @@ static bool loft_read(const vs_node *n, const vs_fineness *f, loft_section *s, v
     s->center = vs_affine_point(&placed, VS_AS(line, bare)->points->at[0]);
     return true;
   }
-  if (n->class_ == VS_CURVE && !(n->flags & VS_NODE_CLOSED)) { /* an open curve, which needs no plane */
+  if (n->class_ == VS_CURVE && !(n->flags & VS_NODE_CLOSED)) { /* an open curve needs no plane, so it is only sampled */
     s->open = true;
     s->outline =
         (vs_outline){ .loops = vs_zeros(1, sizeof(vs_polyline)), .hole = vs_zeros(1, sizeof(bool)), .count = 1 };
@@ -84,8 +84,8 @@ static size_t loft_points(const loft_section *s) {
   return n;
 }
 
-/* Reads all sections. All circles of the sections get the same number of facets, which is the largest number that any
- * of them needs. */
+/* Reads all sections of the loft n. All circles of the sections get equal numbers of facets: the largest number that
+ * any of them needs. */
 static bool loft_read_all(const vs_node *n, size_t count, const vs_fineness *f, loft_section *s, vs_error *e) {
   size_t most = 0;
   bool ok = true;
@@ -107,7 +107,8 @@ static bool loft_read_all(const vs_node *n, size_t count, const vs_fineness *f, 
   return ok;
 }
 
-/* Checks that the sections are compatible. *first: the first section that is no point. */
+/* Checks that the sections are compatible, such as all closed or all open. *first: the first section that is no
+ * point. */
 static bool loft_agree(const loft_section *s, size_t count, size_t *first, vs_error *e) {
   *first = count;
   for (size_t i = 0; i < count; i++) {
@@ -152,8 +153,8 @@ static void loft_turn(loft_section *s) {
   for (size_t l = 0; l < s->outline.count; l++) loft_reverse(&s->outline.loops[l]);
 }
 
-/* Turns each section's normal into the loft's direction. If the loft's direction lies in the section's plane, turns the
- * normal into the direction of the neighbouring section's normal. */
+/* Turns each section's normal into the loft's direction. If the loft's direction lies in the section's plane, uses the
+ * direction of the neighbouring section's normal instead. */
 static void loft_direct(loft_section *s, size_t count, bool joined) {
   bool sure = false;
   for (size_t pass = 0; pass < 2; pass++)
@@ -190,16 +191,16 @@ static vs_vec3 loft_loop_center(const vs_polyline *p) {
   return length > 0 ? vs_v3_scale(sum, 1 / length) : p->at[0];
 }
 
-/* Orders the loops of section b like the matching loops of the previous section a. Outer loops are matched by distance,
- * then the holes within each outer loop. Both sections have the same number of loops. Returns false and sets e on
- * failure. */
+/* Orders the loops of section b like the matching loops of the section a before it. Outer loops are matched by
+ * distance, then the holes within each outer loop. The sections have equal numbers of loops. number: index of b for
+ * messages. Returns false and sets e on failure. */
 static bool loft_pair(const loft_section *a, loft_section *b, size_t number, vs_error *e) {
   size_t n = b->outline.count, done = 0;
   VS_ASSERT(a->outline.count == b->outline.count);
   if (n == 1) return true;
   vs_polyline *sorted = vs_fresh(n, sizeof *sorted);
   bool *taken = vs_zeros(n, sizeof *taken), ok = sorted && taken;
-  size_t outer = 0; /* the outer loop of b that contains the holes to match */
+  size_t outer = 0; /* index of the outer loop of b whose holes are being matched */
   if (!ok) vs_error_memory(e, NULL);
   for (size_t l = 0; ok && l < n; l++) {
     double least = INFINITY;
@@ -207,7 +208,7 @@ static bool loft_pair(const loft_section *a, loft_section *b, size_t number, vs_
     vs_vec3 want = vs_v3_sub(loft_loop_center(&a->outline.loops[l]), a->center);
     for (size_t k = 0; k < n; k++) {
       if (taken[k] || b->outline.hole[k] != a->outline.hole[l]) continue;
-      if (a->outline.hole[l]) { /* a hole of the outer loop that was matched last */
+      if (a->outline.hole[l]) { /* loop l is a hole of the outer loop that was matched last */
         size_t holder = k;
         while (b->outline.hole[holder]) holder--;
         if (holder != outer) continue;
@@ -236,8 +237,9 @@ static bool loft_pair(const loft_section *a, loft_section *b, size_t number, vs_
 /* ---- starting points of loops ---- */
 
 typedef struct {
-  vs_vec3 *at;      /* points relative to the loop's centre, rotated into the plane of the previous section's loop */
-  double *along;    /* position of each point along the loop, as a fraction of its length */
+  vs_vec3 *at;      /* points of the loop relative to its centre, rotated into the plane of the previous section's
+                     * loop */
+  double *along;    /* along[i]: position of point i along the loop, as a fraction of the loop's length */
   size_t count;
   bool closed;
 } loft_line;
@@ -264,11 +266,12 @@ static bool loft_line_make(const vs_polyline *p, const vs_affine *turn, loft_lin
 }
 
 /* Returns the place at the parameter u on the line through the points `at`, which have the parameters `along`. If u is
- * within `near` of a point's parameter, it is exactly that point. If closed, any u is allowed. count > 0. */
+ * within `near` of a point's parameter, the result is exactly that point. If the line is closed, any u is allowed.
+ * count > 0. */
 static vs_vec3 loft_line_at(const vs_vec3 *at, const double *along, size_t count, bool closed, double u, double near) {
   VS_ASSERT(count > 0);
   if (closed) u -= floor(u);
-  size_t low = 0, high = count; /* binary search with along[low] <= u < along[high] */
+  size_t low = 0, high = count; /* binary search for the edge that contains u: along[low] <= u < along[high] */
   while (high - low > 1) {
     size_t middle = (low + high) / 2;
     if (along[middle] <= u) low = middle;
@@ -291,8 +294,9 @@ static double loft_score(const vs_vec3 *a, const loft_line *b, double shift) {
   return sum;
 }
 
-static size_t loft_corners(const loft_line *l, double *out) { /* finds the corners, where the line turns by more than
-                                                               * 0.3 radians */
+static size_t loft_corners(const loft_line *l, double *out) { /* Writes the parameters of the corners, where the line
+                                                               * turns by more than 0.3 radians, to out. Returns their
+                                                               * number. */
   size_t found = 0;
   for (size_t i = 0; i < l->count && found < LOFT_CORNERS; i++) {
     vs_vec3 a = vs_v3_sub(l->at[i], l->at[i ? i - 1 : l->count - 1]),
@@ -302,8 +306,9 @@ static size_t loft_corners(const loft_line *l, double *out) { /* finds the corne
   return found;
 }
 
-/* Returns the shift of the start of loop b, as a fraction of its length, for which loops a and b are twisted least.
- * Loop a starts at `from`. A start that matches corners with corners is preferred to a slightly better start. */
+/* Returns the shift of the start of loop b, as a fraction of its length, for which the wall between loops a and b is
+ * twisted least. Loop a starts at `from`. A start that matches corners with corners is preferred to a slightly better
+ * start. */
 static double loft_least_twist(const loft_line *a, double from, const loft_line *b) {
   vs_vec3 samples[LOFT_SAMPLES];
   double aa = 0, bb = 0, best = -INFINITY, shift = 0, corner_best = -INFINITY, corner_shift = 0;
@@ -333,13 +338,13 @@ static double loft_least_twist(const loft_line *a, double from, const loft_line 
     else high = q;
   }
   double fine = (low + high) / 2;
-  if (loft_score(samples, b, fine) <= best + 1e-9 * scale) fine = shift; /* prefers a round number if it is equally
-                                                                          * good */
+  if (loft_score(samples, b, fine) <= best + 1e-9 * scale) fine = shift; /* prefers a round number (shift) if it is as
+                                                                          * good as the exact optimum (fine) */
   return fine - floor(fine);
 }
 
-/* For loops that are matched point by point: finds the index in b of the point that matches point `from` of a. The
- * loops a and b have equally many points. Returns false when interrupted. */
+/* Finds the index in loop b of the point that matches point `from` of loop a, so that the wall is twisted least. The
+ * loops have equal numbers of points, which are matched one by one. Returns false when interrupted. */
 static bool loft_least_twist_index(const loft_line *a, size_t from, const loft_line *b, vs_store *s, size_t *best,
                                    vs_error *e) {
   size_t n = b->count, stride = n / 512 + 1;
@@ -349,7 +354,7 @@ static bool loft_least_twist_index(const loft_line *a, size_t from, const loft_l
   for (size_t j = 0; j < n; j += stride) scale += vs_v3_dot(a->at[j], a->at[j]) + vs_v3_dot(b->at[j], b->at[j]);
   for (size_t t = 0; t < n; t++) {
     if (!vs_store_going(s, (uint32_t)(4 * n / stride), e)) return false;
-    size_t k = (from + t) % n; /* begins with the original order */
+    size_t k = (from + t) % n; /* begins with the original start, which is kept if no other is better */
     double sum = 0;
     for (size_t j = 0; j < n; j += stride) sum += vs_v3_dot(a->at[(from + j) % n], b->at[(k + j) % n]);
     if (sum > most + 1e-9 * scale) most = sum, *best = k;
@@ -364,11 +369,12 @@ static int loft_compare(const void *a, const void *b) {
   return p < q ? -1 : p > q;
 }
 
-#define LOFT_NEAR 1e-5 /* parameters that differ by less than this fraction of a loop's length are equal */
+#define LOFT_NEAR 1e-5 /* difference, as a fraction of a loop's length, below which parameters of points count as
+                        * equal */
 
-/* Makes the sorted list of the parameters that all sections need, beginning with 0. These are the parameters of every
- * point of every section. If there are too many, they are the corners, and as many equal steps as the finest section
- * has. Returns their number, or 0 when memory is out. */
+/* Makes the sorted list of the parameters at which all sections need points, beginning with 0. These are the parameters
+ * of every point of every section. If there are too many, they are the corners, and as many equal steps as the finest
+ * section has. Returns their number, or 0 when memory is out. */
 static size_t loft_places(const loft_line *lines, const double *shift, size_t count, double **out) {
   size_t total = 2, most = 0, kept = 0;
   for (size_t i = 0; i < count; i++) {
@@ -406,13 +412,14 @@ static size_t loft_places(const loft_line *lines, const double *shift, size_t co
 
 typedef struct { loft_line *lines; double *shift; size_t *start; double *places; size_t count; } loft_match;
 
-enum { TWISTS = 1 << 18 }; /* estimated time of one search for the least twist, in nanoseconds, for vs_store_going */
+enum { TWISTS = 1 << 18 }; /* estimated time, in nanoseconds, of one search for the least twist between two loops, for
+                            * vs_store_going */
 
 /* The sections of a loft. first: index of the first section that is no point. */
 typedef struct { loft_section *at; size_t count, first; } loft_sections;
 
-/* Matches loop l of all sections. matched[i] becomes the loop of section i; all have equally many points. Returns false
- * and sets e on failure. */
+/* Matches the points of loop l of all sections. matched[i] becomes the loop of section i; all have equally many points.
+ * Returns false and sets e on failure. */
 static bool loft_match_loop(vs_store *store, const loft_sections *all, size_t l, loft_match *m, vs_polyline *matched,
                             vs_error *e) {
   loft_section *s = all->at;
@@ -422,7 +429,8 @@ static bool loft_match_loop(vs_store *store, const loft_sections *all, size_t l,
   for (size_t i = first; ok && i < rows; i++) {
     if (s[i].point) continue;
     vs_polyline *p = &s[i].outline.loops[l];
-    if (s[i].open && i > first) { /* the open line gets the direction of the previous section's line */
+    if (s[i].open && i > first) { /* an open section is reversed if its line runs against that of the section before
+                                   * it */
       const vs_polyline *q = &s[last].outline.loops[l];
       vs_vec3 a = q->at[0], b = q->at[q->count - 1], c = p->at[0], d = p->at[p->count - 1];
       if (vs_v3_length(vs_v3_sub(a, d)) + vs_v3_length(vs_v3_sub(b, c)) <
@@ -439,7 +447,8 @@ static bool loft_match_loop(vs_store *store, const loft_sections *all, size_t l,
     m->shift[i] = 0;
     m->start[i] = 0;
     if (s[i].point || s[i].open || i == first) continue;
-    /* Line `last` was rotated into the plane of the previous section's line. Here it is needed in its own plane. */
+    /* The points of line `last` are rotated into the plane of the section before it. `before` has them in their own
+     * plane. */
     loft_line before;
     vs_affine identity = vs_affine_identity();
     ok = (loft_line_make(&s[last].outline.loops[l], &identity, &before) || vs_error_memory(e, NULL)) &&
@@ -484,7 +493,7 @@ static bool loft_room(vs_loft *out, size_t rows, size_t loops) {
   return out->center && out->normal && out->point && out->sizes && out->hole;
 }
 
-/* Makes one table of all loops of all sections. Returns false and sets e on failure. */
+/* Makes one table of the matched points of all loops of all sections. Returns false and sets e on failure. */
 static bool loft_tabulate(vs_store *store, const loft_sections *all, vs_loft *out, vs_error *e) {
   const loft_section *s = all->at;
   size_t rows = all->count, first = all->first;
@@ -499,8 +508,8 @@ static bool loft_tabulate(vs_store *store, const loft_sections *all, vs_loft *ou
     out->sizes[l] = m.count;
     out->hole[l] = s[first].outline.hole[l];
     out->columns += m.count;
-    /* Fills the rows of the sections before section `first`. Each of these sections is a point, which all points of its
-     * row get. */
+    /* Fills the rows of the sections before section `first`. Each of these sections is a point, so all points of its
+     * row coincide. */
     for (size_t i = 0; ok && i < first; i++) {
       matched[l * rows + i] = (vs_polyline){ .at = vs_fresh(m.count + 1, sizeof(vs_vec3)), .count = m.count };
       ok = matched[l * rows + i].at || vs_error_memory(e, NULL);
@@ -525,7 +534,7 @@ static bool loft_tabulate(vs_store *store, const loft_sections *all, vs_loft *ou
   return ok;
 }
 
-/* Returns true if section b equals section a and has the same position. */
+/* Returns true if section b is section a again, at the same position, within the distance `near`. */
 static bool loft_again(const loft_section *a, const loft_section *b, double near) {
   if (a->point || b->point || a->outline.count != b->outline.count) return false;
   for (size_t l = 0; l < a->outline.count; l++) {

@@ -6,17 +6,19 @@
 #include "model/mesh.h"
 #include "model/node.h"
 
-/* Sections with matched points: column c of all rows forms one line of the wall. */
+/* Sections of a loft with matched points: column c of all rows forms one line of the wall. */
 typedef struct {
   size_t rows, columns, loop_count;
-  vs_vec3 *at;          /* points of the rows, one row after another: rows * columns points */
-  vs_vec3 *center;      /* centre of each row */
-  vs_vec3 *normal;      /* for each row: unit normal in the loft's direction; zero for a point or an open curve */
-  bool *point;          /* for each row: true if all points of the row coincide */
-  size_t *sizes;        /* number of points in each loop of a row; outer loops are counter-clockwise about the normal */
+  vs_vec3 *at;          /* points of the sections, one row for each: rows * columns points */
+  vs_vec3 *center;      /* center[r]: centre of the section of row r */
+  vs_vec3 *normal;      /* normal[r]: unit normal of the section of row r in the loft's direction; zero for a point or
+                         * an open curve */
+  bool *point;          /* point[r]: true if all points of row r coincide */
+  size_t *sizes;        /* sizes[l]: number of points of loop l in each row; outer loops are counter-clockwise about the
+                         * normal */
   bool *hole;
-  bool round;           /* true if the loops are closed */
-  bool joined;          /* true if the last row is joined to the first */
+  bool round;           /* true if the loops of the sections are closed */
+  bool joined;          /* true if the last section is joined to the first */
   double size;          /* size of the entire loft, in model units */
 } vs_loft;
 
@@ -28,9 +30,10 @@ bool vs_loft_match(const vs_node *n, size_t count, const vs_fineness *f, vs_loft
 /* -- declarations for loft_guided.c and loft_mesh.c alone -- */
 
 typedef struct { vs_vec3 *at; size_t rows, room, columns; } vs_loft_rows;
-/* Appends the rows of a loft without guides between section i and the next. */
-/* A piece is the part of the wall between two rows. slope_out: derivative of each point of a row where a piece begins;
- * slope_in: derivative where a piece ends at the row. The parameter goes from 0 to 1 over the piece. */
+/* Appends the rows of a loft without guides between section i and the next section. */
+/* The slopes of a smooth loft at its sections. A piece is the part of the wall between two rows, over which the
+ * parameter goes from 0 to 1. slope_out: derivative at each point of a row for the piece that begins there; slope_in:
+ * for the piece that ends there. */
 typedef struct { const vs_loft *loft; vs_vec3 *slope_in, *slope_out; } vs_loft_smooth;
 
 #endif

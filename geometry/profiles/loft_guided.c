@@ -28,13 +28,13 @@ typedef struct { vs_vec3 at, x, y, z; } guided_frame;
 /* The path, and the positions of the sections on it. */
 typedef struct {
   vs_path path;
-  vs_vec3 *x;       /* x direction of the frame at each sample of the path */
+  vs_vec3 *x;       /* x[i]: x direction of the moving frame at sample i of the path */
   size_t stations;  /* number of sections; on a closed path, the first section counts again at the end */
-  double *s;        /* arc length of the path at each section */
-  vs_vec3 *local;   /* description of each section, by guided_describe */
+  double *s;        /* s[i]: arc length from the path's start to section i */
+  vs_vec3 *local;   /* description of each section in the moving frame: points, centre and tilt, by guided_describe */
 } guided_way;
 
-/* Returns the frame at the arc length s, interpolated between samples. */
+/* Returns the moving frame at the arc length s of the path, interpolated between samples. */
 static guided_frame guided_frame_at(const guided_way *way, double s) {
   const vs_path *p = &way->path;
   const vs_vec3 *x = way->x;
@@ -55,7 +55,7 @@ static guided_frame guided_frame_at(const guided_way *way, double s) {
   return (guided_frame){ vs_v3_add(a->at, vs_v3_scale(vs_v3_sub(b->at, a->at), t)), across, vs_v3_cross(z, across), z };
 }
 
-/* Returns the arc length, at least `least`, at which the path is nearest to the point c. */
+/* Returns the arc length s >= `least` at which the path is nearest to the point c. */
 static double guided_nearest(const vs_path *p, vs_vec3 c, double least) {
   double best = INFINITY, at = least;
   size_t n = p->closed ? p->count : p->count - 1;
@@ -70,13 +70,15 @@ static double guided_nearest(const vs_path *p, vs_vec3 c, double least) {
   return at;
 }
 
-/* Finds the arc length of each section on the path. Reverses the path if the sections follow the opposite direction. */
+/* Finds the arc length of each section on the path p. Reverses the path if the sections follow it in the opposite
+ * direction. Returns false and sets e on failure. */
 static bool guided_stations(const vs_loft *l, vs_path *p, double *s, vs_error *e) {
   size_t n = l->rows + l->joined;
   s[0] = 0;
   if (!p->closed && guided_nearest(p, l->center[0], 0) > guided_nearest(p, l->center[l->rows - 1], 0))
     vs_path_reverse(p);
-  if (p->closed) { /* chooses the direction of the closed path in which the second section comes before the others */
+  if (p->closed) { /* chooses the direction of the closed path in which the second section comes before the third and
+                    * later ones */
     double a = guided_nearest(p, l->center[0], 0), b = guided_nearest(p, l->center[1], a),
            c = guided_nearest(p, l->center[l->rows - 1], a);
     if (l->rows > 2 && c < b) vs_path_reverse(p);
@@ -92,7 +94,7 @@ static bool guided_stations(const vs_loft *l, vs_path *p, double *s, vs_error *e
   return true;
 }
 
-/* Indices of the vectors that follow the columns in a section's description. */
+/* Indices of the vectors that follow the points in a section's description: its centre, its tilt, and their number. */
 enum { GUIDED_MIDDLE, GUIDED_LEAN, GUIDED_EXTRA };
 
 static vs_vec3 guided_out(const guided_frame *f, vs_vec3 v) {
@@ -111,11 +113,12 @@ static vs_vec3 guided_turned(vs_vec3 w, vs_vec3 v) {
   return vs_v3_add(vs_v3_add(vs_v3_scale(v, cos(angle)), vs_v3_scale(vs_v3_cross(k, v), sin(angle))), along);
 }
 
-/* Computes the description of a section in the frame f. The section is a row of n points with its middle and its
- * normal. A section without a normal has the normal zero. */
+/* Computes the description of a section in the moving frame f: its points, centre and tilt. The section is a row of n
+ * points with its middle and its normal. A section without a normal has the normal zero. */
 static void guided_describe(const guided_frame *f, const vs_vec3 *row, size_t n, vs_vec3 middle, vs_vec3 normal,
                             vs_vec3 *local) {
-  vs_vec3 z = guided_in(f, normal), axis = vs_v3(-z.y, z.x, 0); /* cross product of +Z and z */
+  vs_vec3 z = guided_in(f, normal), axis = vs_v3(-z.y, z.x, 0); /* axis: cross product of +Z and z, about which the
+                                                                 * section is tilted */
   double sine = vs_v3_length(axis);
   vs_vec3 lean = sine > 1e-12 ? vs_v3_scale(axis, atan2(sine, z.z) / sine) : vs_v3(0, 0, 0),
           back = vs_v3_scale(lean, -1);
@@ -164,7 +167,7 @@ static bool guided_rows(const vs_loft *l, const guided_way *way, const vs_finene
     for (size_t c = 0; c < wide; c++) {
       vs_vec3 m = vs_v3_scale(guided_slope(way, wide, i, c), to - from),
               k = vs_v3_scale(guided_slope(way, wide, i + 1, c), to - from);
-      if (c == n + GUIDED_LEAN) { /* the points of the section move along arcs of this angle */
+      if (c == n + GUIDED_LEAN) { /* the tilt is an angle, along whose arcs the points of the section move */
         double turn = vs_v3_length(vs_v3_sub(local[(i + 1) * wide + c], local[i * wide + c])), far = 0;
         for (size_t q = 0; q < n; q++) far = fmax(far, vs_v3_length(local[i * wide + q]));
         steps = fmax(steps, (double)vs_fineness_turn(f, far, 0) * turn / 6.283185307179586);
@@ -173,7 +176,7 @@ static bool guided_rows(const vs_loft *l, const guided_way *way, const vs_finene
       }
     }
     steps = ceil(steps);
-    /* The number of rows follows from the change of the sections and from the samples of the path. */
+    /* The number of rows between two sections depends on how the sections differ and on the samples of the path. */
     size_t sample = 0, turns = p->closed ? 3 : 1;
     double at = from, next = 1;
     while (ok && at < to) {
@@ -245,13 +248,13 @@ bool vs_loft_along_path(const vs_node *n, const vs_loft *l, const vs_fineness *f
 
 typedef struct {
   vs_path path;
-  double *s;      /* arc length of the guide at each section */
-  size_t loop;    /* the loop of the sections that the guide touches */
-  double *column; /* column of that loop, with a fraction, that the guide touches in each section */
+  double *s;      /* s[i]: arc length of the guide at section i */
+  size_t loop;    /* index of the loop of the sections that the guide touches */
+  double *column; /* column[i]: column of that loop, with a fraction, that the guide touches in section i */
 } guided_line;
 
-/* Finds the point of a row's loop that is nearest to the guide p. *s: arc length of the guide there; *column: column of
- * the loop, with a fraction. Returns their distance. */
+/* Finds the point of a loop in a row of l that is nearest to the guide p. *s: arc length of the guide there; *column:
+ * column of the loop, with a fraction. Returns the distance of guide and loop. */
 static double guided_touch(const vs_loft *l, size_t row, const vs_path *p, size_t loop, double *s, double *column) {
   size_t first = row * l->columns, size = l->sizes[loop], pieces = l->round ? size : size - 1,
          stretches = p->closed ? p->count : p->count - 1;
@@ -263,7 +266,7 @@ static double guided_touch(const vs_loft *l, size_t row, const vs_path *p, size_
     vs_vec3 a = p->at[i].at, d = vs_v3_sub(p->at[i + 1 < p->count ? i + 1 : 0].at, a);
     double dd = vs_v3_dot(d, d);
     for (size_t c = 0; c < pieces; c++) {
-      /* Nearest points of the two segments a + t d and b + u g, including their ends (Ericson). */
+      /* Finds the nearest points of the two segments a + t d and b + u g, including their ends (Ericson). */
       vs_vec3 b = l->at[first + c], g = vs_v3_sub(l->at[first + (c + 1) % size], b), r = vs_v3_sub(a, b);
       double gg = vs_v3_dot(g, g), dg = vs_v3_dot(d, g), dr = vs_v3_dot(d, r), gr = vs_v3_dot(g, r),
              det = dd * gg - dg * dg;
@@ -291,7 +294,8 @@ static bool guided_line_make(const vs_node *n, size_t number, const vs_loft *l, 
   if (!vs_curve_path(n, &identity, f, &g->path, e)) return false;
   if (g->path.count < 2) return vs_error_set(e, VS_ERROR_MODEL, NULL, "guide %zu is a point", number);
   double least = INFINITY, slack = fmax(1e-3 * l->size, 2 * f->tolerance);
-  for (size_t loop = 0; loop < l->loop_count; loop++) { /* finds the loop that the guide touches in all sections */
+  for (size_t loop = 0; loop < l->loop_count; loop++) { /* finds the loop that the guide touches in all sections, if
+                                                         * there is one */
     double worst = 0, s, column;
     for (size_t i = 0; i < l->rows; i++) worst = fmax(worst, guided_touch(l, i, &g->path, loop, &s, &column));
     if (worst < least) least = worst, g->loop = loop;
@@ -302,7 +306,7 @@ static bool guided_line_make(const vs_node *n, size_t number, const vs_loft *l, 
       return vs_error_set(e, VS_ERROR_MODEL, NULL,
                           "guide %zu must meet every section; it passes section %zu at a distance of %.6g", number,
                           i + 1, far);
-    if (l->point[i]) g->column[i] = -1; /* the section is a point, where a guide touches all lines of the wall at
+    if (l->point[i]) g->column[i] = -1; /* -1: the section is a point, where a guide touches all lines of the wall at
                                          * once */
   }
   if (g->s[0] > g->s[l->rows - 1]) {
@@ -331,7 +335,7 @@ static vs_vec3 guided_point(const vs_path *p, double s) {
                    vs_v3_scale(vs_v3_sub(p->at[high].at, p->at[low].at), to > from ? (s - from) / (to - from) : 0));
 }
 
-/* Returns the first column of a loop. For loop == l->loop_count, returns the number of columns. */
+/* Returns the first column of a loop in a row. For loop == l->loop_count, returns the number of columns. */
 static size_t guided_first(const vs_loft *l, size_t loop) {
   size_t first = 0;
   VS_ASSERT(loop <= l->loop_count);
@@ -339,8 +343,9 @@ static size_t guided_first(const vs_loft *l, size_t loop) {
   return first;
 }
 
-static double guided_column(const vs_loft *l, const guided_line *g, size_t i, double t) { /* interpolates the column
-                                                                                           * from section i to the next,
+static double guided_column(const vs_loft *l, const guided_line *g, size_t i, double t) { /* returns the column of guide
+                                                                                           * g between section i and the
+                                                                                           * next, at the fraction t,
                                                                                            * the shorter way around the
                                                                                            * loop */
   double a = g->column[i], b = g->column[i + 1], size = (double)l->sizes[g->loop];
@@ -350,9 +355,9 @@ static double guided_column(const vs_loft *l, const guided_line *g, size_t i, do
   return l->round ? c - size * floor(c / size) : c;
 }
 
-/* Computes the affine map x -> c + m (x - b) that maps the points b_j to g_j best, n >= 1. *b and *c are the means of
- * the points. For one pair of points the map is a shift. For two pairs it is a rotation with a uniform scale. For three
- * or more that are not collinear it is any map of their plane, by least squares. */
+/* Computes the affine map x -> c + m (x - b) that maps the n >= 1 points b_j best to the points g_j. *b and *c are the
+ * means of the points. For one pair of points the map is a shift. For two pairs it is a rotation with a uniform scale.
+ * For three or more that are not collinear it is any map of their plane, by least squares. */
 static void guided_fit(const vs_vec3 *from, const vs_vec3 *to, size_t n, vs_vec3 *b, vs_vec3 *c, double m[3][3]) {
   VS_ASSERT(n > 0);
   *b = *c = vs_v3(0, 0, 0);
@@ -376,7 +381,8 @@ static void guided_fit(const vs_vec3 *from, const vs_vec3 *to, size_t n, vs_vec3
   }
   vs_vec3 normal = vs_v3_unit(area), x = vs_v3_unit(axis), y = vs_v3_cross(normal, x);
   bool planar = n > 2 && vs_v3_length(area) > 0.05 * vs_v3_dot(axis, axis);
-  if (!planar) { /* a uniform scale, and the rotation from the line of the points to the line of their images */
+  if (!planar) { /* two pairs: a uniform scale, and the rotation from the line of the points to the line of their
+                  * images */
     vs_vec3 way = { 0, 0, 0 };
     for (size_t j = 0; j < n; j++)
       way = vs_v3_add(way, vs_v3_scale(vs_v3_sub(to[j], *c), vs_v3_dot(vs_v3_sub(from[j], *b), x)));
@@ -414,7 +420,7 @@ static int guided_pin_compare(const void *a, const void *b) {
   return p < q ? -1 : p > q;
 }
 
-/* All guides of a loft. pins, from, to: working memory with an element for each guide. */
+/* All guides of a loft. pins, from, to: working memory with one element for each guide. */
 typedef struct {
   guided_line *lines;
   size_t count;
@@ -467,7 +473,7 @@ static void guided_lead(const vs_loft *l, const guided_lines *by, size_t i, doub
   }
 }
 
-/* Returns the number of steps between section i and the next that the guide's samples require. */
+/* Returns the number of steps between section i and the next section that the guide's samples require. */
 static double guided_line_steps(const guided_line *g, size_t i) {
   size_t n = 1;
   for (size_t k = 0; k < g->path.count; k++) n += g->path.at[k].along > g->s[i] && g->path.at[k].along < g->s[i + 1];

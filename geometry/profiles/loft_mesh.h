@@ -1,4 +1,4 @@
-/* Declares the walls of lofts. */
+/* Declares the making of the walls of lofts. */
 #ifndef VS_GEOMETRY_PROFILES_LOFT_MESH_H
 #define VS_GEOMETRY_PROFILES_LOFT_MESH_H
 
@@ -7,24 +7,24 @@
 /* Appends the triangles of a loft, ruled loft or guided loft. The mesh is closed if the sections are regions. Returns
  * false and sets e on failure. */
 bool vs_loft_mesh(const vs_node *n, const vs_fineness *f, vs_mesh *out, vs_error *e);
-vs_vec3 *vs_loft_rows_add(vs_loft_rows *r); /* makes room for another row and returns its points; returns NULL when
+vs_vec3 *vs_loft_rows_add(vs_loft_rows *r); /* makes room for another row of points and returns it; returns NULL when
                                              * memory is out */
-/* Returns the slope at a point between two pieces with the mean slopes a and b, over the lengths h and k. If a and b
- * are equal, the slope equals them. If the curve turns, the slope is that of a circle. The slope is zero if a or b is
- * zero or they are opposite. Thus the curve never overshoots its ends. */
+/* Returns the slope at a point between two pieces of a curve with the mean slopes a and b, over the lengths h and k. If
+ * a and b are equal, the slope equals them. If the curve turns, the slope is that of a circle. The slope is zero if a
+ * or b is zero or they are opposite. Thus the curve never overshoots its ends. */
 vs_vec3 vs_loft_slope(vs_vec3 a, vs_vec3 b, double h, double k);
-/* Returns the slope at the free end of a piece: the slope of a parabola with the mean slope a and the slope m at the
- * other end. */
+/* Returns the slope at the free end of a piece of a curve: that of a parabola with the mean slope a and the slope m at
+ * the other end. */
 vs_vec3 vs_loft_end_slope(vs_vec3 a, vs_vec3 m);
 /* Returns the point at t, 0 to 1, of the cubic from p to q. m and k are its derivatives by t at p and q. */
 vs_vec3 vs_loft_hermite(vs_vec3 p, vs_vec3 q, vs_vec3 m, vs_vec3 k, double t);
-/* Returns the number of steps that keep the chords of the cubic of vs_loft_hermite, and the rotation of its direction,
- * within the tolerance. */
+/* Returns the number of equal steps that keep the chords of the cubic of vs_loft_hermite, and the rotation of its
+ * direction, within the tolerance. */
 double vs_loft_hermite_steps(vs_vec3 p, vs_vec3 q, vs_vec3 m, vs_vec3 k, const vs_fineness *f);
-bool vs_loft_smooth_make(const vs_loft *l, vs_loft_smooth *out); /* computes the slopes at all points of the loft;
-                                                                  * returns false when memory is out */
+bool vs_loft_smooth_make(const vs_loft *l, vs_loft_smooth *out); /* computes the slopes at all points of the loft's
+                                                                  * sections; returns false when memory is out */
 void vs_loft_smooth_free(vs_loft_smooth *s);
-/* Computes a row of points between section i and the next. t: position between them, 0 to 1. */
+/* Computes the row of points at the position t, 0 to 1, between section i and the next section. */
 void vs_loft_smooth_row(const vs_loft_smooth *s, size_t i, double t, vs_vec3 *row);
 double vs_loft_smooth_steps(const vs_loft_smooth *s, size_t i, const vs_fineness *f);
 

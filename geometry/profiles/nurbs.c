@@ -25,8 +25,8 @@ vs_nurbs_fault vs_nurbs_check(const vs_nurbs_knots *k, size_t *at) {
   return vs_nurbs_low(k) < vs_nurbs_high(k) ? VS_NURBS_GOOD : VS_NURBS_NOTHING;
 }
 
-/* Returns the index of the knot span that contains t: knots[span] <= t < knots[span + 1]. At the end of the
- * parameter's range, returns the last span. The degree is 1 to VS_NURBS_DEGREE, and there are more control points
+/* Returns the index of the knot span that contains the parameter t: knots[span] <= t < knots[span + 1]. At the end of
+ * the parameter's range, returns the last span. The degree is 1 to VS_NURBS_DEGREE, and there are more control points
  * than the degree. */
 static size_t span_of(const vs_nurbs_knots *k, double t) {
   size_t low = (size_t)k->degree, high = k->count;
@@ -38,13 +38,13 @@ static size_t span_of(const vs_nurbs_knots *k, double t) {
     else
       high = middle;
   }
-  while (low > (size_t)k->degree && k->knots[low] == k->knots[low + 1]) low--; /* at the end of the range, goes back
-                                                                                * over spans of length 0 */
+  while (low > (size_t)k->degree && k->knots[low] == k->knots[low + 1]) low--; /* at the end of the parameter's range,
+                                                                                * goes back over spans of length 0 */
   return low;
 }
 
-/* Computes the basis functions that are not 0 in the span, and their derivatives (The NURBS Book, algorithm A2.3 for
- * the first derivative). The span lies in the parameter's range. */
+/* Computes the basis functions that are not 0 in the span, at the parameter t, and their derivatives (The NURBS Book,
+ * algorithm A2.3 for the first derivative). The span lies in the parameter's range. */
 static void basis(const vs_nurbs_knots *k, size_t span, double t, double *value, double *slope) {
   double left[TERMS + 1], right[TERMS + 1], before[TERMS] = { 1 };
   int p = k->degree;
@@ -63,7 +63,7 @@ static void basis(const vs_nurbs_knots *k, size_t span, double t, double *value,
     }
     value[j] = saved;
   }
-  for (int r = 0; r <= p; r++) { /* before: basis functions of degree p - 1 */
+  for (int r = 0; r <= p; r++) { /* the loop uses `before`, the basis functions of degree p - 1 */
     size_t i = span - (size_t)p + (size_t)r;
     double low = k->knots[i + (size_t)p] - k->knots[i], high = k->knots[i + (size_t)p + 1] - k->knots[i + 1];
     slope[r] = (r > 0 && low > 0 ? p * before[r - 1] / low : 0) - (r < p && high > 0 ? p * before[r] / high : 0);
@@ -116,7 +116,7 @@ vs_vec3 vs_nurbs_point(const vs_nurbs *n, double u, double v, vs_vec3 *slope_u, 
 
 /* ---- parameters for sampling ---- */
 
-/* Stores the ends of the knot spans in ascending order. Returns their number. */
+/* Writes the different knots within the parameter's range to out, in ascending order. Returns their number. */
 static size_t break_points(const vs_nurbs_knots *k, double *out) {
   size_t count = 0;
   for (size_t i = (size_t)k->degree; i <= k->count; i++)
@@ -125,7 +125,7 @@ static size_t break_points(const vs_nurbs_knots *k, double *out) {
 }
 
 /* Returns the distance of the curve from its chord, at the middle of the parameter range [a, b]. For a surface, it is
- * the largest distance over its lines in the other direction. */
+ * the largest distance over its lines, at `lines` parameters `across` in the other direction. */
 static double sagitta(const vs_nurbs *n, bool along_v, const double *across, size_t lines, double a, double b) {
   double most = 0;
   for (size_t i = 0; i < lines; i++) {
@@ -135,7 +135,8 @@ static double sagitta(const vs_nurbs *n, bool along_v, const double *across, siz
       at[k] = along_v ? vs_nurbs_point(n, across[i], t, NULL, NULL) : vs_nurbs_point(n, t, across[i], NULL, NULL);
     }
     vs_vec3 chord = vs_v3_sub(at[4], at[0]), way = vs_v3_unit(chord);
-    for (int k = 1; k < 4; k++) { /* distance from the line through the chord; the position along it does not matter */
+    for (int k = 1; k < 4; k++) { /* measures the distance from the line through the chord; the position along this line
+                                   * does not matter */
       vs_vec3 d = vs_v3_sub(at[k], at[0]);
       most = fmax(most, vs_v3_length(vs_v3_sub(d, vs_v3_scale(way, vs_v3_dot(d, way)))));
     }
@@ -199,7 +200,7 @@ static sample sample_in(const vs_nurbs *n, size_t span, double t) {
   return r;
 }
 
-/* Returns true if the samples a and b are too far apart. This is so if the cubic through them with their directions
+/* Returns true if the samples a and b of a curve are too far apart: the cubic through them with their directions
  * deviates from the sample in the middle, or the curve turns by more than a 64th of a turn. */
 static bool is_coarse(sample a, sample b, sample middle, double slack) {
   double turn = atan2(vs_v3_length(vs_v3_cross(a.slope, b.slope)), vs_v3_dot(a.slope, b.slope));
@@ -212,11 +213,12 @@ static bool is_coarse(sample a, sample b, sample middle, double slack) {
   return vs_v3_length(vs_v3_sub(d, vs_v3_scale(way, vs_v3_dot(d, way)))) > slack;
 }
 
-/* Appends the samples of a knot span, including its start but not its end. */
+/* Appends the samples of a knot span from parameter a to b, including its start but not its end. slack: allowed
+ * deviation. */
 static bool sample_span(const vs_nurbs *n, size_t span, double a, double b, double slack, samples *out) {
   enum { START = 4 };
-  double to[START + SPLITS + 1]; /* ends of the parameter ranges that are still to be sampled; the nearest end is the
-                                  * last element */
+  double to[START + SPLITS + 1]; /* stack of the ends of parameter ranges that are still to be sampled; the nearest end
+                                  * is on top */
   int depth[START + SPLITS + 1], todo = 0;
   for (int i = 0; i < START; i++) to[todo] = b + (a - b) * i / START, depth[todo++] = 0;
   double from = a;
@@ -293,8 +295,8 @@ vs_node *vs_nurbs_curve_node(vs_store *s, const vs_nurbs *n) {
     double a = n->u.knots[span], z = n->u.knots[span + 1];
     next = span + 1;
     if (!(z > a)) continue;
-    while (next < n->u.count && n->u.knots[next + 1] == n->u.knots[next]) next++; /* finds the next span whose length is
-                                                                                   * not 0 */
+    while (next < n->u.count && n->u.knots[next + 1] == n->u.knots[next]) next++; /* finds the next knot span whose
+                                                                                   * length is not 0 */
     ok = sample_span(n, span, a, z, 1e-7 * size, &piece);
     if (!ok) break;
     sample end = sample_in(n, span, z);
@@ -305,8 +307,8 @@ vs_node *vs_nurbs_curve_node(vs_store *s, const vs_nurbs *n) {
     if (!last && !is_corner(end.slope, sample_in(n, next, z).slope)) continue;
     if (!smooth) ok = append(&piece, end);
     size_t half = piece.count / 2;
-    bool halved = last && closed && !count && !smooth && half > 0; /* a closed curve with a corner only at its ends must
-                                                                    * be divided into two pieces */
+    bool halved = last && closed && !count && !smooth && half > 0; /* a closed curve whose only corner is at its ends
+                                                                    * must be divided into two splines */
     ok = ok && VS_GROW(pieces, room, count + 2);
     if (ok && halved) {
       pieces[count] = (vs_ref){ spline_node(s, piece.at, half + 1, false), NULL };

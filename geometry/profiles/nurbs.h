@@ -17,20 +17,20 @@ typedef struct {
 
 typedef struct {
   vs_nurbs_knots u, v;   /* knots in the two directions; a curve has only u, and v.count is 0 */
-  const vs_vec3 *points; /* control points; of a surface u.count rows with v.count points each */
-  const double *weights; /* weight of each control point; NULL: all weights are 1 */
+  const vs_vec3 *points; /* control points: of a curve u.count points; of a surface u.count rows of v.count points */
+  const double *weights; /* weights[i]: weight of control point i; NULL: all weights are 1 */
 } vs_nurbs;
 
 typedef enum { VS_NURBS_GOOD, VS_NURBS_FALLS, VS_NURBS_BREAKS, VS_NURBS_NOTHING } vs_nurbs_fault;
 /* Checks the knots of a direction. There are three faults: a knot that is less than the previous knot; an inner knot
  * with a multiplicity above `degree`, where a curve is discontinuous; an empty range of the parameter. *at: index of
- * the knot at fault. */
+ * the faulty knot. */
 vs_nurbs_fault vs_nurbs_check(const vs_nurbs_knots *k, size_t *at);
 
 double vs_nurbs_low(const vs_nurbs_knots *k);
 double vs_nurbs_high(const vs_nurbs_knots *k);
-/* Returns the point of a curve at u, or of a surface at (u, v), and its derivatives. slope_u and slope_v may be NULL.
- * Parameters are clamped to their ranges. */
+/* Returns the point of a curve at u, or of a surface at (u, v). *slope_u and *slope_v become its derivatives by u and
+ * v; the pointers may be NULL. Parameters are clamped to their ranges. */
 vs_vec3 vs_nurbs_point(const vs_nurbs *n, double u, double v, vs_vec3 *slope_u, vs_vec3 *slope_v);
 
 /* Computes the parameters at which one direction is sampled, in ascending order, including both ends and all knots. The
@@ -38,8 +38,8 @@ vs_vec3 vs_nurbs_point(const vs_nurbs *n, double u, double v, vs_vec3 *slope_u, 
  * chord > 0. Returns the number of parameters, or 0 when memory is out. The caller frees *out. */
 size_t vs_nurbs_parameters(const vs_nurbs *n, bool along_v, double chord, double **out);
 
-/* Returns a node for a curve: splines through points of the curve, within 1e-7 of its size, joined at corners. With
- * degree 1 it is a polyline. If all points are equal, it is the empty node. Returns NULL when memory is out. */
+/* Returns a node for a curve: splines through points of the curve, within 1e-7 of its size, joined at corners. A curve
+ * of degree 1 becomes a polyline. If all points are equal, the node is empty. Returns NULL when memory is out. */
 vs_node *vs_nurbs_curve_node(vs_store *s, const vs_nurbs *n);
 
 #endif

@@ -20,8 +20,8 @@
 #include "model/net.h"
 #include "model/store/array.h"
 
-static vs_vec3 way_of(const vs_swept *s, size_t step) { /* returns the direction of the step, from the normals of its
-                                                         * two sections; an apex has no normal */
+static vs_vec3 way_of(const vs_swept *s, size_t step) { /* returns the direction of the step, the sum of the normals of
+                                                         * its two sections; an apex has no normal */
   const vs_section *p = &s->sections[step], *q = &s->sections[(step + 1) % s->section_count];
   return vs_v3_unit(vs_v3_add(vs_v3_unit(vs_v3_cross(p->x, p->y)), vs_v3_unit(vs_v3_cross(q->x, q->y))));
 }
@@ -31,7 +31,7 @@ bool vs_overturns(const vs_swept *s, const vs_vec3 *at, size_t step, double size
   vs_vec3 way = way_of(s, step);
   for (size_t i = 0; i < n; i++)
     if (vs_v3_dot(vs_v3_sub(at[(step + 1) * n + i], at[step * n + i]), way) < -1e-7 * size)
-      return true; /* smaller backward steps are rounding errors */
+      return true; /* a smaller step backwards is only a rounding error */
   return false;
 }
 
@@ -50,7 +50,8 @@ static double rises_differ(const vs_swept *s, size_t step, double tolerance) {
   return least < -tolerance / 4 && most > 0 ? most - least : 0;
 }
 
-/* Returns the factor, at most 1, by which the profile must be scaled so that no point goes backwards in this step. */
+/* Returns the factor, at most 1, by which the profile must be scaled down so that no point goes backwards in this
+ * step. */
 static double fits_in(const vs_swept *s, size_t step) {
   const vs_section *a = &s->sections[step], *b = &s->sections[(step + 1) % s->section_count];
   vs_vec3 way = way_of(s, step);
@@ -77,16 +78,16 @@ void vs_overturn_tightest(const vs_swept *s, const vs_vec3 *near, vs_vec3 *at, d
   }
 }
 
-/* Constants of the division of a step into finer steps. The division is stored as the ends of the finer steps except
- * the last, as fractions of the step. At an end of the sweep and at a corner, each step is half as long as the step
- * before it. A tetrahedron extends beyond its step by a quarter of `differ`; only at ends and corners does no other
- * step cover this part. */
+/* MOST: greatest number of finer steps into which a step is divided. HALVES: greatest number of halvings of a step at
+ * an end of the sweep and at a corner, where each step is half as long as the step before it. A tetrahedron extends
+ * beyond its step by a quarter of `differ`; only at ends and corners does no other step cover this part. */
 enum { MOST = 64, HALVES = 16 };
 typedef struct { double at[MOST + 2 * HALVES]; size_t count; } parts;
 
 static parts parts_of(double differ, double tolerance, bool begins, bool ends) {
-  enum { SHOWS = 256 }; /* Most of the deviation lies inside the union. At the surface of the union, a thirty-second of
-                         * the deviation was measured. */
+  enum { SHOWS = 256 }; /* SHOWS: factor by which the deviation of tetrahedra may exceed the tolerance. Most of the
+                         * deviation lies inside the union; at the union's surface, a thirty-second of it was
+                         * measured. */
   parts p = { .count = 0 };
   double n = fmax(1, fmin(MOST, ceil(differ / (SHOWS * tolerance)))), halves = ceil(log2(differ / n / (4 * tolerance)));
   int fine = halves > 0 ? (int)fmin(HALVES, halves) : 0;
@@ -97,14 +98,15 @@ static parts parts_of(double differ, double tolerance, bool begins, bool ends) {
   return p;
 }
 
-/* Returns true if the sweep begins or ends where this step begins, or turns there by more than a smooth path does. */
+/* Returns true if the sweep begins or ends at the start of this step, or turns there by more than a smooth path
+ * does. */
 static bool turns_sharply(const vs_swept *s, size_t step) {
   size_t rows = s->section_count, before = (step + rows - 1) % rows;
   if (!s->joined && (step == 0 || step + 1 == rows)) return true;
   return s->sections[before].ends || s->sections[step].ends || vs_v3_dot(way_of(s, before), way_of(s, step)) < 0.95;
 }
 
-/* Divides step r as the parts in divided[r] say. */
+/* Divides each step r of the sweep at the fractions in divided[r]. */
 static bool divide(vs_swept *s, const parts *divided) {
   vs_section *fine = NULL;
   size_t count = 0, room = 0;
@@ -124,7 +126,7 @@ static bool divide(vs_swept *s, const parts *divided) {
   return true;
 }
 
-static bool goes_on(const vs_swept *s, size_t step) { /* returns true if a step follows the section */
+static bool goes_on(const vs_swept *s, size_t step) { /* returns true if the section `step` is followed by a step */
   return !s->sections[step].ends && (s->joined || step + 1 < s->section_count);
 }
 
@@ -155,7 +157,7 @@ static double six_volumes(const vs_mesh *m, const uint32_t t[4]) {
  * numbers + 3 in the second row. */
 static const uint8_t corner[3][4] = { { 0, 1, 2, 5 }, { 0, 1, 5, 4 }, { 0, 3, 4, 5 } };
 
-/* Sorts the three numbers. Returns 1, or -1 if the order was reversed. */
+/* Sorts the three numbers of c. Returns 1 if their orientation is unchanged, -1 if it is reversed. */
 static int sort_cell(uint32_t c[3]) {
   int even = 1;
   for (int i = 0; i < 3; i++) {
@@ -169,8 +171,8 @@ static int sort_cell(uint32_t c[3]) {
   return even;
 }
 
-/* For each tetrahedron of a prism with a negative volume, appends its faces twice, facing outwards. low, high: vertices
- * of the two rows; cell: corners of the triangle; hand: 1, or -1 if the triangle is clockwise in its row. */
+/* Appends twice, facing outwards, the faces of each tetrahedron of a prism that has a negative volume. low, high:
+ * vertices of the two rows; cell: corners of the triangle; hand: 1, or -1 if the triangle is clockwise in its row. */
 static bool add_prism(vs_mesh *m, const uint32_t *low, const uint32_t *high, const uint32_t cell[3], int hand) {
   uint32_t c[3] = { cell[0], cell[1], cell[2] };
   int even = sort_cell(c);
@@ -179,8 +181,9 @@ static bool add_prism(vs_mesh *m, const uint32_t *low, const uint32_t *high, con
     uint32_t t[4];
     for (int j = 0; j < 4; j++) t[j] = corner[i][j] < 3 ? low[c[corner[i][j]]] : high[c[corner[i][j] - 3]];
     if (!(six_volumes(m, t) * even * hand < 0)) continue;
-    uint32_t p = t[0], q = t[even > 0 ? 1 : 2], r = t[even > 0 ? 2 : 1], s = t[3]; /* the faces of the tetrahedron, with
-                                                                                    * reversed orientation */
+    uint32_t p = t[0], q = t[even > 0 ? 1 : 2], r = t[even > 0 ? 2 : 1], s = t[3]; /* the corners of the tetrahedron,
+                                                                                    * ordered so that its faces are
+                                                                                    * reversed */
     for (int times = 0; ok && times < 2; times++)
       ok = vs_mesh_add_triangle(m, p, q, r) && vs_mesh_add_triangle(m, p, s, q) && vs_mesh_add_triangle(m, q, s, r) &&
            vs_mesh_add_triangle(m, p, r, s);
@@ -188,7 +191,7 @@ static bool add_prism(vs_mesh *m, const uint32_t *low, const uint32_t *high, con
   return ok;
 }
 
-/* Divides the profile into triangles of its points' indices. Returns false when memory is out. */
+/* Divides the profile into triangles, whose corners are the indices of its points. Returns false when memory is out. */
 static bool make_cells(const vs_swept *s, vs_mesh *cells) {
   uint32_t *row = vs_fresh(s->profile_count, sizeof *row);
   bool ok = row != NULL;
@@ -224,24 +227,26 @@ bool vs_overturn_fill(const vs_overturn_rows *rows, size_t first, vs_mesh *out) 
 
 /* ---- chance points ---- */
 
-/* chance: state of the generator (SplitMix64: Steele, Lea, Flood, 2014). passed: volume of the tetrahedra so far. next:
- * volume at which the next point follows. every: volume between two points; 0: only `passed` is computed. */
+/* State of the choice of random points. chance: state of the generator (SplitMix64: Steele, Lea, Flood, 2014); passed:
+ * volume of the tetrahedra so far; next: volume at which the next point follows; every: volume between two points; 0:
+ * only `passed` is computed. */
 typedef struct {
   uint64_t chance;
   double passed, next, every;
-  size_t step; /* step of the prisms that follow */
+  size_t step; /* number of the step to which the next prisms belong */
   vs_step_point *out;
   size_t most, count;
 } sampling;
 
-static double chance(sampling *s) { /* returns a number from 0 to 1 */
+static double chance(sampling *s) { /* returns a random number from 0 to 1 */
   uint64_t z = s->chance += 0x9e3779b97f4a7c15u;
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
   z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
   return (double)((z ^ (z >> 31)) >> 11) * 0x1p-53;
 }
 
-/* Returns a chance point of the tetrahedron. Three cuts of an interval into four parts are evenly spread weights. */
+/* Returns a random point of the tetrahedron t. Three random cuts of an interval into four parts are evenly distributed
+ * weights of its corners. */
 static vs_vec3 point_within(sampling *s, const vs_vec3 t[4]) {
   double cut[5] = { 0, chance(s), chance(s), chance(s), 1 };
   for (int i = 0; i < 3; i++) {
@@ -272,7 +277,8 @@ bool vs_overturn_samples(const vs_overturn_steps *steps, vs_step_point *out, siz
   vs_mesh cells = { 0 };
   sampling s = { .out = out, .most = most };
   bool ok = make_cells(steps->s, &cells);
-  for (int pass = 0; ok && pass < 2; pass++) { /* the first pass computes the volume */
+  for (int pass = 0; ok && pass < 2; pass++) { /* the first pass computes the total volume, the second pass chooses the
+                                                * points */
     s.every = s.passed / (double)(most ? most : 1);
     s.next = s.every / 2;
     s.passed = 0;

@@ -4,7 +4,7 @@
 
 #include "geometry/plane/stations.h"
 
-/* The positions of the rings of a pipe along a curve. */
+/* The positions of the rings (circular sections) of a pipe along a curve. */
 typedef struct {
   vs_stations stations;
   double *at; /* positions of the rings as distances from the start of the curve, ascending; the end of a closed curve
@@ -12,12 +12,13 @@ typedef struct {
   size_t count;
 } vs_pipe;
 
-/* Chooses the positions of the rings. There is a ring at each sample of the curve. More rings lie between the samples,
- * so that the distance of neighbours is at most a 64th of the length. Returns false and sets e on failure. */
+/* Chooses the positions of a pipe's rings (circular sections). There is a ring at each sample of the curve. More rings
+ * lie between the samples, so that the distance of neighbours is at most a 64th of the length. Returns false and sets e
+ * on failure. */
 bool vs_pipe_open(const vs_node *curve, int segments, double tolerance, vs_pipe *out, vs_error *e);
 void vs_pipe_close(vs_pipe *p);
 /* Fills grid with p->count rings of `around` points. radius[i]: radius of ring i. Rings at corners of the curve are
- * mitred. Returns false if the curve turns back on itself; *at is then the point. */
+ * mitred. Returns false if the curve turns back on itself; *at is then the point where it does. */
 bool vs_pipe_rings(const vs_pipe *p, const double *radius, size_t around, vs_vec3 *grid, vs_vec3 *at);
 
 #endif

@@ -22,12 +22,12 @@ void vs_revolve_free(vs_revolve *r) {
   *r = (vs_revolve){ 0 };
 }
 
-/* Computes the points of the profile in a half-plane at the axis. The point farthest from the axis determines the
- * half-plane. */
+/* Converts the outline o to points of a profile in a half-plane bounded by the axis. The point farthest from the axis
+ * determines the half-plane. Returns false and sets e on failure. */
 static bool revolve_place(vs_revolve *r, const vs_outline *o, vs_error *e) {
   vs_vec3 far = { 0, 0, 0 };
   double size = 0, most = 0;
-  if (!o->count) return true; /* an empty region has no loops */
+  if (!o->count) return true; /* the outline of an empty region has no loops, and needs no half-plane */
   for (size_t l = 0; l < o->count; l++)
     for (size_t i = 0; i < o->loops[l].count; i++) {
       vs_vec3 d = vs_v3_sub(o->loops[l].at[i], r->at),
@@ -42,8 +42,8 @@ static bool revolve_place(vs_revolve *r, const vs_outline *o, vs_error *e) {
   if (!(r->reach > 1e-9 * size)) return vs_error_set(e, VS_ERROR_MODEL, NULL, "the profile lies on the axis");
   r->out = vs_v3_unit(far);
   r->side = vs_v3_cross(r->axis, r->out);
-  double low = INFINITY, high = -INFINITY, beside = 0; /* low, high: range along the axis; beside: largest distance from
-                                                        * the half-plane */
+  double low = INFINITY, high = -INFINITY, beside = 0; /* low, high: range of the outline along the axis; beside:
+                                                        * largest distance of its points from the half-plane */
   for (size_t l = 0; l < o->count; l++)
     for (size_t i = 0; i < o->loops[l].count; i++) {
       vs_vec3 d = vs_v3_sub(o->loops[l].at[i], r->at);
@@ -143,7 +143,8 @@ bool vs_revolve_mesh(const vs_revolve *r, size_t steps, vs_mesh *out) {
   return true;
 }
 
-/* Each point of the profile moves on an arc about the axis. Its coordinate i is c + r (A cos t + B sin t). */
+/* In the function, each point of the profile moves on an arc about the axis. Its coordinate i is c + r (A cos t + B sin
+ * t). */
 void vs_revolve_bounds(const vs_revolve *r, const vs_affine *a, vs_bounds *b) {
   double low = fmin(r->start, r->start + r->angle), high = fmax(r->start, r->start + r->angle),
          angles[8] = { low, high };
@@ -188,7 +189,8 @@ bool vs_revolve_holds(const vs_revolve *r, vs_vec3 p) {
 
 /* ---- measures of revolutions ---- */
 
-typedef struct { double whole, r, rr, rz; } revolve_moments; /* integrals over the profile of 1, r, r^2 and r z */
+typedef struct { double whole, r, rr, rz; } revolve_moments; /* integrals over the profile of 1, r, r^2 and r z, where r
+                                                              * is the distance from the axis and z the height */
 
 static void revolve_area_moments(const vs_revolve *p, revolve_moments *m) {
   for (size_t l = 0, first = 0; l < p->loop_count; first += p->sizes[l], l++)
@@ -237,7 +239,8 @@ bool vs_revolve_measure(const vs_node *n, const vs_fineness *f, vs_measure *m, v
   if (area.whole < 0) area = (revolve_moments){ -area.whole, -area.r, -area.rr, -area.rz };
   double angle = fabs(r.angle), radius = vs_profile_circle(n->children[0].node), half = angle / 2,
          middle = r.start + r.angle / 2, sine, cosine;
-  if (radius > 0) { /* by symmetry, the centroid of a regular polygon is that of its circle */
+  if (radius > 0) { /* the profile is a circle: the centroid of the regular polygon that replaces it is that of the
+                     * circle */
     double k = turn / 2 * radius * radius / area.whole, l = turn * radius / line.whole;
     area = (revolve_moments){ area.whole * k, area.r * k, area.rr * k, area.rz * k };
     line = (revolve_moments){ line.whole * l, line.r * l, line.rr * l, line.rz * l };
@@ -245,7 +248,8 @@ bool vs_revolve_measure(const vs_node *n, const vs_fineness *f, vs_measure *m, v
   const revolve_moments *mass = r.filled ? &area : &line;
   m->volume = r.filled ? angle * area.r : 0;
   m->area = angle * line.r + (r.filled && !r.full ? 2 * area.whole : 0);
-  /* For a partial turn, the centroid is in the direction of the middle angle, at r sin(half)/half from the axis. */
+  /* far: distance of the centroid from the axis, r sin(half)/half for a partial turn; it is in the direction of the
+   * middle angle. */
   double far = mass->r > 0 && !r.full ? mass->rr / mass->r * sin(half) / half : 0;
   vs_sincos(middle, &sine, &cosine);
   m->centroid = revolve_point(&r, (vs_vec2){ far, mass->r > 0 ? mass->rz / mass->r : 0 }, cosine, sine);

@@ -10,30 +10,31 @@
 #include "geometry/plane/ear_clipping.h"
 
 typedef struct {
-  vs_vec2 *profile;     /* points of the profile's loops, one loop after another, as in an outline. x: distance from the
-                         * axis, at least 0, and exactly 0 on the axis; y: height along the axis */
+  vs_vec2 *profile;     /* Points of the profile's loops, one loop after another, as in an outline. x: distance from the
+                         * axis, at least 0, and exactly 0 on the axis; y: height along the axis. */
   size_t *sizes;
   bool *hole;
   size_t loop_count, count;
   bool filled;          /* true for a solid; false if the profile is open, so that it sweeps a surface */
-  vs_vec3 at, axis, out, side; /* at: a point of the axis; axis, out, side: unit vectors along the axis, towards the
-                                * profile, and a quarter turn further */
-  double start, angle;  /* start: angle at which the profile begins; angle: angle of the rotation, with a sign, at most
-                         * a full turn; both in radians */
+  vs_vec3 at, axis, out, side; /* at: a point of the axis; axis, out, side: unit vectors along the axis, from the axis
+                                * towards the profile, and a quarter turn further */
+  double start, angle;  /* start: angle at which the profile begins; angle: angle by which it is turned, with a sign, at
+                         * most a full turn; in radians */
   bool full;
-  double reach;         /* largest distance of the profile from the axis */
+  double reach;         /* largest distance of the profile's points from the axis */
 } vs_revolve;
 
 void vs_revolve_free(vs_revolve *r);
-/* Plans a revolution. Returns false and sets e if the profile's plane does not contain the axis, or the profile crosses
- * the axis. */
+/* Computes the data of the revolution n. Returns false and sets e if the profile's plane does not contain the axis, or
+ * the profile crosses the axis. */
 bool vs_revolve_plan(const vs_node *n, const vs_fineness *f, vs_revolve *out, vs_error *e);
-size_t vs_revolve_steps(const vs_revolve *r, const vs_fineness *f, int segments); /* returns the number of steps of the
-                                                                                   * angle */
+size_t vs_revolve_steps(const vs_revolve *r, const vs_fineness *f, int segments); /* returns the number of steps into
+                                                                                   * which the revolution's angle is
+                                                                                   * divided */
 /* Appends the triangles of the revolution. steps > 0. Returns false when memory is out. */
 bool vs_revolve_mesh(const vs_revolve *r, size_t steps, vs_mesh *out);
 void vs_revolve_bounds(const vs_revolve *r, const vs_affine *a, vs_bounds *b);
-/* Returns true if the solid contains p. r->filled must be true. */
+/* Returns true if the solid of revolution contains p. r->filled must be true. */
 bool vs_revolve_holds(const vs_revolve *r, vs_vec3 p);
 /* Measures the revolution by Pappus's theorem, with the moments of the profile's polygon. If the profile is a circle,
  * the result is exact. Returns false and sets e on failure. */

@@ -1,4 +1,4 @@
-/* Declares nodes of grids of points. Borders of the grid that coincide are joined, and may close the surface. */
+/* Declares nodes made of grids of points. Borders of the grid that coincide are joined, and may close the surface. */
 #ifndef VS_GEOMETRY_PROFILES_SURFACE_H
 #define VS_GEOMETRY_PROFILES_SURFACE_H
 
@@ -18,8 +18,8 @@ typedef struct {
  * one border, and a border that has shrunk to a point becomes that point. A surface that is closed in this way is a
  * solid. If all points are collinear, returns the empty node. Returns NULL and sets e on failure. */
 vs_node *vs_surface_make(vs_store *s, vs_kind kind, const vs_point_grid *grid, vs_error *e);
-/* Appends the triangles. They face in the direction (next row - row) x (next column - column); those of a solid face
- * outwards. Returns false when memory is out. */
+/* Appends the triangles of grid node n to out. They face in the direction (next row - row) x (next column - column);
+ * those of a solid face outwards. Returns false when memory is out. */
 bool vs_surface_mesh(const vs_node *n, vs_mesh *out);
 
 #endif

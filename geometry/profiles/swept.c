@@ -48,7 +48,7 @@ vs_section vs_section_between(const vs_section *a, const vs_section *b, double t
 typedef struct {
   vs_vec3 x, y, normal, origin;
   vs_vec2 base;
-  double reach; /* greatest distance of the profile from `base` */
+  double reach; /* greatest distance of the profile's points from `base`, the point that moves along the path */
 } vs_profile_plane;
 
 static vs_vec2 profile_flat(const vs_profile_plane *p, vs_vec3 at) {
@@ -57,7 +57,8 @@ static vs_vec2 profile_flat(const vs_profile_plane *p, vs_vec3 at) {
 }
 
 static bool swept_room(vs_swept *s, size_t points, size_t loops) {
-  s->profile = malloc((points ? points : 1) * sizeof *s->profile); /* an empty region has no points */
+  s->profile = malloc((points ? points : 1) * sizeof *s->profile); /* at least one element: an empty region has no
+                                                                    * points, and malloc(0) may return NULL */
   s->sizes = malloc((loops ? loops : 1) * sizeof *s->sizes);
   s->hole = malloc((loops ? loops : 1) * sizeof *s->hole);
   return s->profile && s->sizes && s->hole;
@@ -110,13 +111,14 @@ static bool swept_disc(vs_swept *s, double radius, int n) {
 
 /* ---- sections along a path ---- */
 
-static size_t swept_count(double n, size_t most) { /* returns n rounded up, at least 1 and at most `most` */
+static size_t swept_count(double n, size_t most) { /* returns n rounded up to a whole number, at least 1 and at most
+                                                    * `most` */
   n = ceil(n - 1e-9);
   return n > (double)most ? most : n > 1 ? (size_t)n : 1;
 }
 
-/* Divides the edge from point i of the profile to the next point into pieces[i] equal pieces. Returns false when memory
- * is out. */
+/* Divides the edge from point i of the profile to the next point into pieces[i] equal pieces, for all i. Returns false
+ * when memory is out. */
 static bool swept_split(vs_swept *s, const size_t *pieces) {
   size_t total = 0, end = 0;
   vs_vec2 *fine = NULL;
@@ -126,8 +128,8 @@ static bool swept_split(vs_swept *s, const size_t *pieces) {
     size_t size = s->sizes[l], begin = end;
     for (size_t i = 0; i < size; i++) {
       vs_vec2 p = s->profile[first + i], q = s->profile[first + (i + 1) % size];
-      size_t k = !s->filled && i + 1 == size ? 1 : pieces[first + i]; /* the last edge of an open profile does not
-                                                                       * exist */
+      size_t k = !s->filled && i + 1 == size ? 1 : pieces[first + i]; /* k: number of pieces; an open profile has no
+                                                                       * edge after its last point */
       for (size_t j = 0; j < k; j++) {
         double t = (double)j / (double)k;
         fine[end++] = (vs_vec2){ p.x + (q.x - p.x) * t, p.y + (q.y - p.y) * t };
@@ -144,11 +146,11 @@ static bool swept_split(vs_swept *s, const size_t *pieces) {
 
 enum { MOST_STEPS = 200000 };
 
-/* A twist turns a straight edge of length l by an angle da in a step, so that its wall is a saddle. Two triangles
- * deviate from the saddle by l da / 4 in its middle. Therefore the path is divided into n steps and each edge into k
- * pieces, so that l/k twist/n / 4 is within the tolerance, with n and k about equal. There are at least as many steps
- * as facets in an equal turn. If the node's segments are given, the edges are not divided. Returns n, which is 1
- * without a twist, or 0 when memory is out. */
+/* Computes the steps of a twist. It turns a straight edge of length l by an angle da in a step, so that its wall is a
+ * saddle. Two triangles deviate from the saddle by l da / 4 in its middle. Therefore the path is divided into n steps
+ * and each edge into k pieces, so that l/k twist/n / 4 is within the tolerance, with n and k about equal. There are at
+ * least as many steps as facets in an equal turn. If the node's segments are given, the edges are not divided. Returns
+ * n, which is 1 without a twist, or 0 when memory is out. */
 static size_t swept_refine(vs_swept *s, double twist, double scale, double reach, const vs_fineness *f) {
   enum { MOST = 2000, MOST_POINTS = 10000000 };
   double widest = fmax(1, fabs(scale)), longest = 0;
@@ -175,7 +177,7 @@ static size_t swept_refine(vs_swept *s, double twist, double scale, double reach
   return ok ? (size_t)n : 0;
 }
 
-/* Returns the number of steps for a part of the path with the fraction `share` of its length, at least 1. */
+/* Returns the number of steps, at least 1, for a part of the path that is the fraction `share` of its length. */
 static size_t swept_share(size_t steps, double share) {
   double n = ceil((double)steps * share - 1e-9);
   return n < 1 ? 1 : (size_t)n;
@@ -183,19 +185,19 @@ static size_t swept_share(size_t steps, double share) {
 
 static bool swept_turns_back(const vs_path_point *p) { return 1 + vs_v3_dot(p->arriving, p->leaving) <= 0.005; }
 
-/* Returns the vector by which a section leans at a corner, for `way`, one of the corner's two directions. A point of
- * the profile is moved backwards along `way` by its component along this vector. */
+/* Returns the vector (lean) by which a section at a corner of the path is inclined, for `way`, one of the corner's two
+ * directions. A point of the profile is moved backwards along `way` by its component along this vector. */
 static vs_vec3 swept_lean(const vs_path_point *p, vs_vec3 way) {
   vs_vec3 m = vs_v3_add(p->arriving, p->leaving);
   if (vs_v3_equal(p->arriving, p->leaving) || swept_turns_back(p)) return vs_v3(0, 0, 0);
   return vs_v3_sub(vs_v3_scale(m, 1 / vs_v3_dot(way, m)), way);
 }
 
-/* Returns the lean of a section between the path points p and q, at the fraction t of the stretch from p to q, 0 < t <
- * 1. The lean decreases from the mitre at each end. It is 0 at a distance from the corner that is twice the mitre's
- * extent along the path. On a stretch that is shorter, the lean changes linearly from one mitre to the other. In either
- * case, each point of the profile moves in one direction between the mitres. Without a lean, sections perpendicular to
- * the path would pass the mitre on the inner side of the corner. */
+/* Returns the lean (inclination vector) of a section between the path points p and q, at the fraction t, 0 < t < 1. It
+ * decreases from the mitre at each end, and is 0 at a distance from the corner that is twice the mitre's extent along
+ * the path. If p and q are nearer, the lean changes linearly from one mitre to the other. In either case, each point of
+ * the profile moves in one direction between the mitres. Without a lean, sections perpendicular to the path would pass
+ * the mitre on the inner side of the corner. */
 static vs_vec3 swept_lean_between(const vs_path_point *p, const vs_path_point *q, double t, double reach) {
   vs_vec3 a = swept_lean(p, p->leaving), b = swept_lean(q, q->arriving);
   double length = vs_v3_length(vs_v3_sub(q->at, p->at)), from = 2 * reach * vs_v3_length(a) / length,
@@ -204,8 +206,8 @@ static vs_vec3 swept_lean_between(const vs_path_point *p, const vs_path_point *q
   return vs_v3_add(vs_v3_scale(a, t < from ? 1 - t / from : 0), vs_v3_scale(b, 1 - t < to ? 1 - (1 - t) / to : 0));
 }
 
-/* Returns the section at a point of the path. x is the first direction of the profile before it turns and leans; the
- * second is perpendicular to it and to the path. */
+/* Returns the section at point p of the path. x: first direction of the profile before it is turned by `angle` and
+ * inclined by `lean`; its second direction is perpendicular to x and to the path. */
 static vs_section swept_section(const vs_path_point *p, vs_vec3 lean, vs_vec3 x, double angle, double scale,
                                 vs_vec2 base) {
   double sine, cosine;
@@ -219,8 +221,8 @@ static vs_section swept_section(const vs_path_point *p, vs_vec3 lean, vs_vec3 x,
   return (vs_section){ u, v, at, false };
 }
 
-/* Tests whether the profile coincides with itself when it is turned by `angle` about base. If it does, sets s->seam:
- * point i moves to point seam[i]. Returns false when memory is out. */
+/* Tests whether the profile coincides with itself when it is turned by `angle` about base, as a square does. If it
+ * does, sets s->seam: point i moves to point seam[i]. Returns false when memory is out. */
 static bool swept_seam(vs_swept *s, vs_vec2 base, double angle, double reach) {
   size_t *seam = malloc(s->profile_count * sizeof *seam);
   double sine, cosine, near = 1e-9 * reach;
@@ -248,15 +250,15 @@ static bool swept_seam(vs_swept *s, vs_vec2 base, double angle, double reach) {
   return ok;
 }
 
-/* Keeps a profile upright. up: the direction in space; side: unit vector in the profile's coordinates that points as
- * far towards `up` as the path allows. */
+/* Data that keep a profile upright along a path. up: the upward direction in space; side: unit vector in the profile's
+ * coordinates that points as far towards `up` as the path allows. */
 typedef struct {
   vs_vec3 up;
   vs_vec2 side;
 } vs_upright;
 
-/* Returns the upper side of a profile: the direction of `up` in the profile's plane as it is drawn. If `up` is
- * perpendicular to that plane, the side is the plane's Y. */
+/* Returns the data that keep the profile upright. Its upper side is the direction of `up` in the profile's plane as it
+ * is drawn. If `up` is perpendicular to that plane, it is the plane's Y. */
 static vs_upright swept_upright(const vs_profile_plane *plane, vs_vec3 up) {
   up = vs_v3_unit(up);
   bool flat = fabs(vs_v3_dot(up, plane->normal)) > 1 - 1e-9;
@@ -265,8 +267,8 @@ static vs_upright swept_upright(const vs_profile_plane *plane, vs_vec3 up) {
   return (vs_upright){ up, { x / length, y / length } };
 }
 
-/* Returns the first direction of the upright profile where the path has the direction `way`, or the zero vector if
- * `way` is parallel to `up`. */
+/* Returns the first direction of the upright profile at a point where the path has the direction `way`, or the zero
+ * vector if `way` is parallel to `up`. */
 static vs_vec3 swept_stood(const vs_upright *u, vs_vec3 way) {
   vs_vec3 up = vs_v3_sub(u->up, vs_v3_scale(way, vs_v3_dot(u->up, way)));
   if (vs_v3_length(up) < 1e-6) return vs_v3(0, 0, 0);
@@ -275,7 +277,7 @@ static vs_vec3 swept_stood(const vs_upright *u, vs_vec3 way) {
 }
 
 /* Sets x[i] to the first direction of the upright profile at point i of the path. Returns false if the path is parallel
- * to `up` somewhere; e then contains the place. */
+ * to `up` at some point; e then names the point. */
 static bool swept_stand(const vs_upright *u, const vs_path *path, vs_vec3 *x, vs_error *e) {
   for (size_t i = 0; i < path->count; i++) {
     vs_vec3 at = path->at[i].at;
@@ -288,9 +290,9 @@ static bool swept_stand(const vs_upright *u, const vs_path *path, vs_vec3 *x, vs
   return true;
 }
 
-/* Returns an angle in radians for a corner of the path. A profile that is upright after the corner is not upright
- * before it: if it is mirrored in the mitre plane, it is turned by this angle. Therefore the profile turns evenly by
- * this angle along the arm before the corner. */
+/* Returns the angle in radians by which an upright profile turns at a corner of the path. Mirrored in the mitre plane,
+ * a profile that is upright after the corner is not upright before it, but turned by this angle. Therefore it turns
+ * evenly along the arm before the corner. */
 static double swept_spin(const vs_upright *u, const vs_path_point *corner) {
   if (vs_v3_equal(corner->arriving, corner->leaving) || swept_turns_back(corner)) return 0;
   vs_vec3 a = corner->arriving, m = vs_v3_add(a, corner->leaving), before = swept_stood(u, a),
@@ -299,8 +301,8 @@ static double swept_spin(const vs_upright *u, const vs_path_point *corner) {
   return atan2(vs_v3_dot(a, vs_v3_cross(before, x)), vs_v3_dot(before, x));
 }
 
-/* Returns the deviation of two triangles from the surface that an edge of the profile sweeps from section a to section
- * b. It is a quarter of the distance by which the four corners differ from a plane. */
+/* Returns the deviation of two triangles from the surface that the edge from p to q of the profile sweeps from section
+ * a to section b. It is a quarter of the distance by which the four corners differ from a plane. */
 static double swept_saddle(const vs_section *a, const vs_section *b, vs_vec2 p, vs_vec2 q) {
   vs_vec3 at[2][2], most = { 0, 0, 0 };
   for (int i = 0; i < 2; i++) {
@@ -308,7 +310,7 @@ static double swept_saddle(const vs_section *a, const vs_section *b, vs_vec2 p, 
     at[i][0] = vs_v3_add(vs_v3_add(vs_v3_scale(s->x, p.x), vs_v3_scale(s->y, p.y)), s->at);
     at[i][1] = vs_v3_add(vs_v3_add(vs_v3_scale(s->x, q.x), vs_v3_scale(s->y, q.y)), s->at);
   }
-  for (int c = 0; c < 4; c++) { /* uses the longest of the normals at the four corners */
+  for (int c = 0; c < 4; c++) { /* of the normals at the four corners, uses the longest */
     int i = c / 2, j = c % 2;
     vs_vec3 n = vs_v3_cross(vs_v3_sub(at[1][j], at[0][j]), vs_v3_sub(at[i][1], at[i][0]));
     if (vs_v3_length(n) > vs_v3_length(most)) most = n;
@@ -318,10 +320,10 @@ static double swept_saddle(const vs_section *a, const vs_section *b, vs_vec2 p, 
   return length > 0 ? fabs(vs_v3_dot(bend, most)) / length / 4 : 0;
 }
 
-/* Divides stretches whose walls are not planar. An upright profile turns where its path climbs out of a bend. A profile
- * that grows or shrinks between two mitres has curved walls, too. As for a twist, such stretches are divided into n
- * steps and the edges into k pieces. The deviation of the triangles, which decreases with n k, is then within the
- * tolerance. If the sweep has a seam, the edges are not divided. */
+/* Divides the parts of a path between neighbouring sections whose walls are not planar. An upright profile turns where
+ * its path climbs out of a bend. A profile that grows or shrinks between two mitres has curved walls, too. Such parts
+ * are divided into n steps and the edges into k pieces. The deviation of the triangles, which decreases with n k, is
+ * then within the tolerance. If the sweep has a seam, the edges are not divided. */
 static bool swept_flatten(vs_swept *s, const vs_fineness *f) {
   enum { MOST = 200 };
   size_t count = s->section_count, total = 0, *pieces = NULL, *steps = NULL;
@@ -331,8 +333,8 @@ static bool swept_flatten(vs_swept *s, const vs_fineness *f) {
   for (size_t r = 0; ok && r < count; r++) {
     const vs_section *a = &s->sections[r], *b = &s->sections[r + 1 == count ? 0 : r + 1];
     bool goes = !a->ends && (s->joined || r + 1 < count);
-    for (int pass = 0; pass < 2; pass++) { /* the first pass computes the steps by the edge with the largest deviation,
-                                            * the second the pieces of each edge */
+    for (int pass = 0; pass < 2; pass++) { /* the first pass computes the steps, by the edge with the largest deviation;
+                                            * the second pass the pieces of each edge */
       double most = 0;
       for (size_t l = 0, first = 0; goes && l < s->loop_count; first += s->sizes[l], l++)
         for (size_t i = 0; i + !s->filled < s->sizes[l]; i++) {
@@ -369,22 +371,23 @@ static bool swept_flatten(vs_swept *s, const vs_fineness *f) {
   return ok;
 }
 
-/* The position of the profile at a point of the path, apart from the moving frame: the lean of its section, and the
- * angle by which it is turned. */
+/* How the profile is placed at a point of the path, relative to the moving frame. lean: inclination of its section;
+ * spin: angle in radians by which it is turned. */
 typedef struct { vs_vec3 lean; double spin; } swept_stance;
 
-/* The motion of a profile along a path. */
+/* How a profile moves along a path. */
 typedef struct {
   vs_vec3 x;                 /* first direction of the profile at the start of the path; unused if `upright` is not
                               * NULL */
-  const vs_upright *upright; /* if not NULL: determines the first direction of the profile along the entire path */
-  double twist, scale;       /* rotation in radians and scale of the profile at the end of the path */
-  vs_vec2 base;              /* point of the profile that follows the path */
+  const vs_upright *upright; /* if not NULL: the data that keep the profile upright along the entire path */
+  double twist, scale;       /* twist: rotation of the profile at the end of the path, in radians; scale: its scale
+                              * there */
+  vs_vec2 base;              /* point of the profile that moves along the path */
   double reach;              /* greatest distance of the profile's points from the base */
 } swept_way;
 
-/* Sets *closing to the angle by which a profile must turn, evenly, along a closed path so that its end coincides with
- * its start. Returns false when memory is out. */
+/* Sets *closing to the angle by which a profile must turn, evenly along a closed path, so that its end coincides with
+ * its start. x: first direction of the profile at the start. Returns false when memory is out. */
 static bool swept_closing(const vs_path *path, vs_vec3 x, double *closing) {
   vs_vec3 *carried = vs_fresh(path->count, sizeof *carried);
   if (carried) *closing = -vs_frame_transport(path->at, path->count, true, path->length, x, carried);
@@ -401,7 +404,7 @@ static bool swept_along(vs_swept *s, vs_path *path, const swept_way *way, const 
   vs_vec2 base = way->base;
   vs_path fine = { 0 };
   vs_vec3 *carried = NULL;
-  swept_stance *stance = NULL; /* position of the profile at each point of `fine` */
+  swept_stance *stance = NULL; /* stance[i]: how the profile is placed at point i of `fine` */
   size_t stances = 0;
   bool ok = true;
   double widest = fmax(1, fabs(scale)), rest = twist - full_turn * nearbyint(twist / full_turn), closing = 0;
@@ -413,7 +416,7 @@ static bool swept_along(vs_swept *s, vs_path *path, const swept_way *way, const 
   for (size_t i = 0; i < path->count; i++) meets = meets && !swept_turns_back(&path->at[i]);
   if (ok && meets && !joins && s->filled) ok = swept_seam(s, base, rest, reach);
   bool seam = s->seam != NULL; /* true if the turned profile coincides with itself, such as a square after a quarter
-                                * turn, so that start and end of the sweep fit */
+                                * turn, so that the start and end of the sweep can be joined */
   if (!path->closed) { /* the ends of an open path are perpendicular to it */
     path->at[0].arriving = path->at[0].leaving;
     path->at[path->count - 1].leaving = path->at[path->count - 1].arriving;
@@ -435,8 +438,8 @@ static bool swept_along(vs_swept *s, vs_path *path, const swept_way *way, const 
     }
   }
   const vs_path_point *last = path->closed ? &path->at[0] : &path->at[path->count - 1];
-  bool ends = !joins; /* true if start and end of a closed path do not fit, so that the first point of the path is
-                       * repeated */
+  bool ends = !joins; /* true if start and end of a closed path cannot be joined, so that the first point of the path is
+                       * repeated as the last */
   if (ends) {
     ok = ok && vs_path_add(&fine, last->at, last->arriving, last->leaving);
     if (ok) stance[fine.count - 1] = (swept_stance){ swept_lean(last, last->leaving), 0 };
@@ -450,7 +453,8 @@ static bool swept_along(vs_swept *s, vs_path *path, const swept_way *way, const 
   if (ok && seam) carried[fine.count - 1] = carried[0];
   bool broken = false;
   for (size_t i = 0; ok && stands && i < fine.count + broken; i++) {
-    bool round = i == fine.count; /* the last piece of a closed path ends where the first piece begins */
+    bool round = i == fine.count; /* true for the last piece of a closed path, which ends where the first piece
+                                   * begins */
     vs_path_point p = fine.at[round ? 0 : i];
     double t = round ? 1 : fine.length > 0 ? fine.at[i].along / fine.length : 0;
     if (joins && i == 0) for (size_t k = 0; k < fine.count; k++) broken = broken || swept_turns_back(&fine.at[k]);
@@ -479,8 +483,9 @@ static bool swept_along(vs_swept *s, vs_path *path, const swept_way *way, const 
 
 /* ---- the three kinds: extrude, sweep and thicken ---- */
 
-/* Divides a filled extrusion along a path without turning into pieces, each of which moves to one side of the profile's
- * plane. Returns false and sets e if the profile moves within its plane, because it then fills no volume. */
+/* Divides a filled extrusion, along a path on which the profile does not turn, into pieces. Each piece moves to one
+ * side of the profile's plane. Returns false and sets e if the profile moves within its plane, because it then fills no
+ * volume. */
 static bool swept_pieces(vs_swept *s, const vs_profile_plane *plane, const vs_path *path, vs_error *e) {
   double side = 0;
   size_t stretches = path->closed ? path->count : path->count - 1;
@@ -504,7 +509,7 @@ static bool swept_pieces(vs_swept *s, const vs_profile_plane *plane, const vs_pa
                       plane->normal.x, plane->normal.y, plane->normal.z);
 }
 
-/* extrudes along a vector, or along a path without turning */
+/* Makes the sections of an extrusion along a vector, or along a path on which the profile does not turn. */
 static bool swept_extrude(vs_swept *s, const vs_node *n, const vs_fineness *f, vs_error *e) {
   const struct vs_extrude *x = VS_AS(extrude, n);
   vs_profile_plane plane = { 0 };
@@ -526,7 +531,7 @@ static bool swept_extrude(vs_swept *s, const vs_node *n, const vs_fineness *f, v
   vs_vec3 middle =
       vs_v3_add(plane.origin, vs_v3_add(vs_v3_scale(plane.x, plane.base.x), vs_v3_scale(plane.y, plane.base.y)));
   vs_vec3 way = ok ? vs_v3_sub(path.at[path.count - 1].at, path.at[0].at) : none;
-  /* The twist is about the direction of travel. */
+  /* hand: sign of a twist, which is about the direction in which the profile moves */
   double rises = vs_v3_dot(vs_v3_unit(way), plane.normal), hand = rises < 0 ? -1 : 1;
   if (ok && !curve && s->filled && fabs(rises) < 1e-9)
     ok = vs_error_set(e, VS_ERROR_MODEL, NULL,
@@ -574,7 +579,7 @@ static bool swept_sweep(vs_swept *s, const vs_node *n, const vs_fineness *f, vs_
     vs_affine turn = vs_frame_turn(plane.normal, path.at[0].leaving);
     const vs_node *c = n->children[0].node;
     while (c->child_count == 1) c = c->children[0].node;
-    /* A circle that is swept along a circle has the same shape with any twist. */
+    /* round: true for a circle that is swept along a circle, whose shape does not depend on a twist */
     bool round = path.closed && !w->has_base && vs_profile_circle(n->children[0].node) > 0 && c->kind == VS_CIRCLE &&
                  VS_AS(circle, c)->segments <= 0;
     vs_upright upright = { 0 };

@@ -17,14 +17,15 @@ static vs_vec3 between(vs_vec3 a, vs_vec3 b, double t) {
 
 static double angle_of(vs_vec3 a, vs_vec3 b) { return atan2(vs_v3_length(vs_v3_cross(a, b)), vs_v3_dot(a, b)); }
 
-/* Returns the direction at the fraction t of a rotation from a to b with constant speed; d is the angle between a and
- * b. */
+/* Returns the direction at the fraction t of a rotation with constant speed from direction a to b; d is the angle
+ * between them. */
 static vs_vec3 turned(vs_vec3 a, vs_vec3 b, double d, double t) {
   if (d < 1e-6) return vs_v3_unit(between(a, b, t));
   return vs_v3_unit(vs_v3_add(vs_v3_scale(a, sin((1 - t) * d)), vs_v3_scale(b, sin(t * d))));
 }
 
-/* Returns the number of parts into which the stretch from p to q is divided, a power of two. */
+/* Returns the number of parts, a power of two, into which the path between the samples p and q is divided. reach:
+ * greatest distance of the profile from the path. */
 static size_t parts_of(const vs_path_point *p, const vs_path_point *q, double tolerance, double reach) {
   enum { MOST = 256 };
   double d = angle_of(p->leaving, q->arriving), chord = vs_v3_length(vs_v3_sub(q->at, p->at)),
@@ -34,8 +35,8 @@ static size_t parts_of(const vs_path_point *p, const vs_path_point *q, double to
   return n;
 }
 
-/* Adds the points between p and q that divide the stretch into n parts. The cubic curve differs from the arc of a
- * circle by at most a millionth of the arc's radius. */
+/* Adds the points between p and q that divide the path into n parts. The cubic curve on which they lie differs from the
+ * arc of a circle by at most a millionth of the arc's radius. */
 static bool cut(const vs_path_point *p, const vs_path_point *q, size_t n, vs_path *out) {
   double d = angle_of(p->leaving, q->arriving), half = cos(d / 4),
          handle = vs_v3_length(vs_v3_sub(q->at, p->at)) / (3 * half * half);
@@ -51,7 +52,7 @@ static bool cut(const vs_path_point *p, const vs_path_point *q, size_t n, vs_pat
   return ok;
 }
 
-/* Sets *chosen to true if a part of the curve has its own number of segments. Returns false when memory is out. */
+/* Sets *chosen to true if a part of the curve sets its number of segments. Returns false when memory is out. */
 static bool has_segments(const vs_node *curve, bool *chosen) {
   vs_walk *w = vs_walk_new(curve->store, (vs_ref){ (vs_node *)(uintptr_t)curve, NULL });
   vs_walk_event event = w ? VS_WALK_ENTER : VS_WALK_FAILED;

@@ -5,9 +5,9 @@
 #include "geometry/plane/curve.h"
 #include "geometry/tolerance.h"
 
-/* Samples the path of a profile that extends by `reach` from the path. Profiles with a reach of at most the radius of a
- * bend have the same stations there. Returns false and sets e if `curve` is not a single curve. The caller frees path
- * (vs_path_free). */
+/* Samples the curve as the path of a profile whose points are at most `reach` away from the path. Two profiles with a
+ * reach of at most the radius of a bend have equal samples there. Returns false and sets e if `curve` is not a single
+ * curve. The caller frees path (vs_path_free). */
 bool vs_swept_path(const vs_node *curve, const vs_fineness *f, double reach, vs_path *path, vs_error *e);
 
 #endif

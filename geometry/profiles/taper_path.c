@@ -1,6 +1,6 @@
-/* Makes extrusions with a taper along a bent curve. The straight extrusion of the same height is cut at the heights of
- * the curve's corners. Then every vertex is moved to the curve's position at its height. By Cavalieri's principle the
- * volume does not change. */
+/* Makes extrusions with inclined walls along a bent curve. The straight extrusion of equal height is cut at the heights
+ * of the curve's corners. Then every vertex is moved to the curve's position at its height. By Cavalieri's principle
+ * the volume does not change. */
 #include "geometry/profiles/taper_path.h"
 
 #include <stdlib.h>
@@ -11,12 +11,12 @@
 #include "geometry/profiles/taper.h"
 #include "model/store/array.h"
 
-/* A vertex on an edge where the edge was cut, in a hash table with open addressing. a, b: ends of the edge; at: the
- * vertex. */
+/* An entry of the hash table of cut edges. a, b: vertices at the edge's ends; at: vertex where the edge was cut. */
 typedef struct { uint32_t a, b, at; } cut_point;
 typedef struct { cut_point *slots; size_t room, count; } cut_table;
 
-/* Returns the slot of the edge from a to b, or a free slot if it is not in the table. t->room is a power of two. */
+/* Returns the slot of the edge from a to b in the hash table, or a free slot if it is not there. t->room is a power of
+ * two. */
 static cut_point *cut_slot(const cut_table *t, uint32_t a, uint32_t b) {
   size_t i = (size_t)((((uint64_t)a << 32 | b) * UINT64_C(0x9E3779B97F4A7C15)) >> 20) & (t->room - 1);
   VS_ASSERT(t->room > 0 && (t->room & (t->room - 1)) == 0);
@@ -42,7 +42,7 @@ typedef struct {
   vs_mesh *m;
   size_t first_vertex, first; /* index in m of the solid's first vertex and first triangle */
   vs_vec3 origin, normal;
-  double near;                /* a vertex within this distance of a cut's height lies on the cut */
+  double near;                /* distance from a cut's height below which a vertex lies on the cut */
   cut_table table;
 } cut_solid;
 
@@ -51,8 +51,8 @@ static double cut_height(const cut_solid *s, vs_vec3 p) { return vs_v3_dot(vs_v3
 /* A vertex and its height. */
 typedef struct { uint32_t vertex; double height; } cut_end;
 
-/* Sets *at to the vertex where an edge crosses the height. The edge's ends lie below and above this height. Both
- * triangles at the edge share the vertex. Returns false when memory is out. */
+/* Sets *at to the vertex where an edge crosses the height, between its ends below and above. Both triangles at the edge
+ * share the vertex. Returns false when memory is out. */
 static bool cut_edge(cut_solid *s, cut_end from, cut_end to, double height, uint32_t *at) {
   uint32_t a = from.vertex, b = to.vertex;
   cut_point *p = a < b ? cut_slot(&s->table, a, b) : cut_slot(&s->table, b, a);
@@ -67,7 +67,7 @@ static bool cut_edge(cut_solid *s, cut_end from, cut_end to, double height, uint
   return true;
 }
 
-/* Cuts all triangles at one height. Returns false when memory is out. */
+/* Cuts all triangles of the solid at one height. Returns false when memory is out. */
 static bool cut_at(cut_solid *s, double height) {
   vs_mesh *m = s->m;
   size_t end = m->triangle_count;
@@ -82,7 +82,7 @@ static bool cut_at(cut_solid *s, double height) {
     int sum = side[0] + side[1] + side[2], product = side[0] * side[1] * side[2];
     bool passes = product != 0 ? sum != 3 && sum != -3 : sum == 0 && (side[0] || side[1] || side[2]);
     if (!passes) continue;
-    /* Finds the corner that is alone on its side, or a corner exactly at the height. */
+    /* Finds the corner of the triangle that is alone on its side of the height, or a corner exactly at the height. */
     for (int k = 0; k < 3; k++)
       if (product != 0 ? side[k] != side[(k + 1) % 3] && side[k] != side[(k + 2) % 3] : side[k] == 0) up = k;
     int next = (up + 1) % 3, last = (up + 2) % 3;

@@ -1,4 +1,4 @@
-/* Declares extrusions with a taper along a bent curve. */
+/* Declares extrusions with inclined walls along a bent curve. */
 #ifndef VS_GEOMETRY_PROFILES_TAPER_PATH_H
 #define VS_GEOMETRY_PROFILES_TAPER_PATH_H
 
