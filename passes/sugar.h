@@ -35,8 +35,9 @@ typedef struct {
                        * NULL */
 } vs_sugar_options;
 
-/* Removes the nodes of level SUGAR (see above) from the scene's drawn array, which belongs to the store. For a scene
- * without such nodes it only examines each drawn object. Returns false, with e set, on failure. */
+/* Removes ghosts, highlights, native texts and other nodes of level SUGAR from the scene's drawn array, which belongs
+ * to the store. For a scene without such nodes it only examines each drawn object. Returns false, with e set, on
+ * failure. */
 bool vs_scene_sugar(vs_scene *scene, const vs_sugar_options *options, vs_error *e);
 
 #endif

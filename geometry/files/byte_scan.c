@@ -60,7 +60,8 @@ void vs_scan_word(vs_byte_scan *s, bool lines, char comment, char word[VS_SCAN_W
   word[n] = 0;
 }
 
-/* Sets an error that contains the expected text and the found word, in printable form. Returns false. */
+/* Sets an error that contains the expected text and the word that was found instead, in printable form. Returns
+ * false. */
 static bool scan_refuse(const vs_byte_scan *s, const char *expected, const char *word) {
   char shown[VS_SCAN_WORD];
   size_t n = 0;

@@ -106,7 +106,8 @@ VS_DYNAMIC_FUNCTIONS(EXR_FUNCTIONS);
 
 typedef struct { vs_store *store; vs_made_bytes made; bool full; } exr_file;
 
-/* Writes `count` bytes at the offset `from` of the file in memory. The buffer grows by half of its size. */
+/* Writes `count` bytes at the offset `from` of the file in memory, for the library. The buffer grows by half of its
+ * size. */
 static int64_t exr_put(exr_const_context_t c, void *to, const void *bytes, uint64_t count, uint64_t from,
                        exr_stream_error_func_ptr_t error) {
   (void)c, (void)error;
@@ -176,7 +177,7 @@ bool vs_exr_write(const vs_exr *x, vs_made_bytes *out, vs_error *e) {
   exr_result_t result = call.start(&c, "picture", EXR_WRITE_FILE_DIRECTLY, &how);
   if (result == EXR_ERR_SUCCESS) result = exr_put_header(&call, c, x);
   if (result == EXR_ERR_SUCCESS) result = exr_put_lines(&call, c, x);
-  if (c) { /* Closes the file. The library writes the file's table of chunks only when the file is closed. */
+  if (c) { /* closes the file, because the library writes the file's table of chunks only then */
     exr_result_t last = call.finish(&c);
     if (result == EXR_ERR_SUCCESS) result = last;
   }

@@ -10,8 +10,9 @@ enum { VS_EXR_CHANNELS = 64, /* greatest number of channels that are read from o
        VS_EXR_NAME = 64 /* size of a channel's name in bytes, including its NUL */ };
 /* The texts of a picture. Each is an attribute of the EXR file. */
 typedef enum {
-  VS_EXR_SOURCES,   /* places in the model, one on each line; the channel id refers to them by numbers from 1 */
-  VS_EXR_MATERIALS, /* names of materials, one on each line; the channel material refers to them by numbers from 1 */
+  VS_EXR_SOURCES,   /* places in the model, one on each line; the channel `id` refers to the lines by numbers from 1 */
+  VS_EXR_MATERIALS, /* names of materials, one on each line; the channel `material` refers to the lines by numbers from
+                     * 1 */
   VS_EXR_CAMERA, VS_EXR_SUN,
   VS_EXR_TEXTS
 } vs_exr_text;
@@ -19,13 +20,13 @@ extern const char *const vs_exr_text_names[VS_EXR_TEXTS];
 
 typedef enum {
   VS_EXR_HALF, VS_EXR_FLOAT,
-  VS_EXR_WHOLE /* 32-bit integers; as floats in memory, they are exact up to 2^24 */
+  VS_EXR_WHOLE /* 32-bit integers in the file; in memory they are floats, which are exact up to 2^24 */
 } vs_exr_type;
 
-typedef struct { char name[VS_EXR_NAME]; vs_exr_type type; float *at; /* at: the channel's numbers, in rows from the
-                                                                       * top */ } vs_exr_channel;
+typedef struct { char name[VS_EXR_NAME]; vs_exr_type type; float *at; /* at: numbers of the channel's pixels, in rows
+                                                                       * from the top */ } vs_exr_channel;
 typedef struct {
-  vs_store *store; /* the store that owns the memory */
+  vs_store *store; /* store whose memory the arrays use */
   uint32_t columns, rows;
   vs_exr_channel channels[VS_EXR_CHANNELS];
   size_t count;
@@ -41,11 +42,11 @@ float *vs_exr_find(const vs_exr *x, const char *channel);
 float *vs_exr_add(vs_exr *x, const char *channel, vs_exr_type type, vs_error *e);
 /* Appends `length` bytes to one of the picture's texts. The bytes are copied. Returns false when memory is out. */
 bool vs_exr_add_text(vs_exr *x, vs_exr_text text, const char *at, size_t length, vs_error *e);
-/* Crops all channels to a rectangle, which lies within the picture. Returns false when memory is out; the picture is
- * then unchanged. */
+/* Crops all channels to a rectangle of the picture, given in pixels from its upper left corner. Returns false when
+ * memory is out; the picture is then unchanged. */
 bool vs_exr_crop(vs_exr *x, uint32_t left, uint32_t top, uint32_t columns, uint32_t rows, vs_error *e);
-/* Makes the bytes of an EXR file. Equal pictures become equal bytes. Returns false and leaves *out unchanged on
- * failure. */
+/* Makes the bytes of an EXR file for the picture x. Equal pictures become equal bytes. Returns false and leaves *out
+ * unchanged on failure. */
 bool vs_exr_write(const vs_exr *x, vs_made_bytes *out, vs_error *e);
 
 #endif

@@ -1,4 +1,4 @@
-/* Declares the use of OpenEXR's C library by the reader and the writer of EXR files. */
+/* Declares how the reader and the writer of EXR files use OpenEXR's C library. */
 #ifndef VS_GEOMETRY_FILES_EXR_LIBRARY_H
 #define VS_GEOMETRY_FILES_EXR_LIBRARY_H
 
@@ -8,7 +8,7 @@
 
 extern const vs_dynamic_library vs_exr_library;
 
-/* Discards a message of the library, because the library's result codes contain the same information. */
+/* Receives and discards a message of the library, whose result codes contain the same information. */
 void vs_exr_quiet(exr_const_context_t c, exr_result_t code, const char *message);
 
 #endif

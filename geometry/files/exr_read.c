@@ -57,8 +57,8 @@ static int64_t exr_size(exr_const_context_t c, void *memory) {
 static double exr_half(unsigned bits) {
   uint32_t exponent = bits >> 10 & 31, fraction = bits & 1023, sign = (uint32_t)(bits & 0x8000) << 16;
   if (exponent == 0) return (bits & 0x8000 ? -0x1p-24 : 0x1p-24) * fraction;
-  /* Converts a half-precision number to single precision. The exponent's bias grows by 112, and the fraction by 13
-   * bits. Both formats encode infinity and NaN by the greatest exponent. */
+  /* Converts a half-precision number to single precision: the exponent's bias grows by 112, and the fraction by 13
+   * bits. Infinity and NaN have the greatest exponent in both formats. */
   uint32_t wide = sign | (exponent == 31 ? 255 : exponent + 112) << 23 | fraction << 13;
   float value;
   memcpy(&value, &wide, sizeof value);
@@ -89,14 +89,14 @@ typedef struct {
   bool tiled;
   int64_t wide, high;       /* width and height of a chunk in pixels */
   int64_t columns, rows;    /* size of the picture in pixels */
-  exr_place part;           /* the requested rectangle of the picture */
-  size_t stride;            /* numbers from one row of a target to the next */
+  exr_place part;           /* rectangle of the picture that the caller wants to read */
+  size_t stride;            /* distance between two rows of a target (array that receives a channel), in numbers */
   vs_exr_target targets[VS_EXR_CHANNELS];
   size_t count;
 } exr_reader;
 
-/* Copies `columns` numbers of a channel's line, from column `skip` on, to the target. first: index in the target of the
- * first number. */
+/* Copies `columns` numbers of a channel's line, from column `skip` on, to the channel's target (array that receives
+ * it). first: index in the target of the first number. */
 static exr_result_t exr_take_line(const exr_coding_channel_info_t *info, const unsigned char *at,
                                   const vs_exr_target *t, size_t first, int64_t skip, int64_t columns) {
   if (info->x_samples != 1 || info->y_samples != 1) return EXR_ERR_FEATURE_NOT_IMPLEMENTED;
@@ -110,8 +110,8 @@ static exr_result_t exr_take_line(const exr_coding_channel_info_t *info, const u
   return EXR_ERR_SUCCESS;
 }
 
-/* Copies the numbers of a chunk to the targets. top: y of its first line in the coordinates of the file, which
- * determine sub-sampling. */
+/* Copies the numbers of a chunk to the targets (arrays that receive the channels). top: y of its first line in the
+ * coordinates of the file, which determine sub-sampling. */
 static exr_result_t exr_unpack(exr_reader *r, const exr_decode_pipeline_t *d, exr_place place, int64_t top) {
   const unsigned char *at = d->unpacked_buffer ? d->unpacked_buffer : d->packed_buffer;
   uint64_t left = at ? d->chunk.unpacked_size : 0;
@@ -123,7 +123,8 @@ static exr_result_t exr_unpack(exr_reader *r, const exr_decode_pipeline_t *d, ex
       const exr_coding_channel_info_t *info = &d->channels[c];
       if (info->x_samples < 1 || info->y_samples < 1 || info->width < 0 || info->bytes_per_element < 1)
         return EXR_ERR_CORRUPT_CHUNK;
-      if ((top + line) % info->y_samples != 0) continue; /* a sub-sampled channel has no numbers in this line */
+      if ((top + line) % info->y_samples != 0) continue; /* a sub-sampled channel has numbers only in some lines, and
+                                                          * none in this line */
       uint64_t bytes = (uint64_t)info->width * (uint64_t)info->bytes_per_element;
       if (bytes > left) return EXR_ERR_CORRUPT_CHUNK;
       int64_t row = place.y + line - part->y;
@@ -143,7 +144,7 @@ static exr_result_t exr_unpack(exr_reader *r, const exr_decode_pipeline_t *d, ex
  * function tries to allocate more memory than zlib needs. If that fails, memory is out; otherwise it decompresses once
  * more. */
 static exr_result_t exr_run(exr_reader *r, exr_decode_pipeline_t *d) {
-  enum { WORK = 1 << 16 }; /* size of a trial allocation in bytes; zlib needs less */
+  enum { WORK = 1 << 16 }; /* size of a trial allocation in bytes, which is more than zlib needs */
   exr_result_t result = r->call.run(r->c, 0, d);
   if (result != EXR_ERR_CORRUPT_CHUNK) return result;
   void *volatile probe = malloc(WORK);
@@ -152,8 +153,8 @@ static exr_result_t exr_run(exr_reader *r, exr_decode_pipeline_t *d) {
   return r->call.run(r->c, 0, d);
 }
 
-/* Reads all chunks. A chunk of scan lines is as wide as the picture and has a fixed number of lines. A tile has a fixed
- * size. Polls after each chunk. */
+/* Reads all chunks of the picture. A chunk of scan lines is as wide as the picture and has a fixed number of lines. A
+ * tile has a fixed size. Asks the caller after each chunk whether to continue. */
 static exr_result_t exr_decode(exr_reader *r, vs_error *e) {
   const dynamic_functions *call = &r->call;
   exr_context_t c = r->c;
@@ -176,8 +177,8 @@ static exr_result_t exr_decode(exr_reader *r, vs_error *e) {
         result = begun ? call->update(c, 0, &chunk, &decoder) : call->begin(c, 0, &chunk, &decoder);
       if (!begun && result == EXR_ERR_SUCCESS) {
         begun = true;
-        result = call->choose(c, 0, &decoder); /* lets the library choose how to read and decompress; no channel has a
-                                                * target yet */
+        result = call->choose(c, 0, &decoder); /* lets the library choose how to decompress; no channel has a target
+                                                * yet, so it copies nothing */
         decoder.unpack_and_convert_fn = NULL;
       }
       if (result == EXR_ERR_SUCCESS) result = exr_run(r, &decoder);
@@ -213,8 +214,8 @@ static bool exr_measure(exr_reader *r, const vs_file_bytes *file, exr_result_t *
   }
   r->columns = (int64_t)r->box.max.x - r->box.min.x + 1, r->rows = (int64_t)r->box.max.y - r->box.min.y + 1;
   r->wide = r->tiled ? (int64_t)tile_wide : r->columns, r->high = r->tiled ? (int64_t)tile_high : per_chunk;
-  /* The file's table has eight bytes for each chunk. If the file is too short for the table of a picture of this size,
-   * the size is invalid, and no memory is allocated for it. */
+  /* The file has a table of eight bytes for each chunk. If the file is too short for the table of a picture of this
+   * size, the size is invalid, and no memory is allocated for it. */
   bool sized = r->columns > 0 && r->rows > 0 && r->rows <= VS_RASTER_MOST / r->columns;
   if (sized && (uint64_t)((r->rows - 1) / r->high + 1) > file->size / 8)
     return vs_error_set(e, VS_ERROR_MODEL, NULL,
@@ -242,7 +243,7 @@ static bool exr_choose(exr_reader *r, vs_exr_choose *choose, void *context, vs_e
   return choose(context, &view, r->targets, &r->count, e);
 }
 
-/* Sets the requested rectangle of the picture; w may be NULL for the whole picture. */
+/* Sets the rectangle of the picture to read; w may be NULL for the whole picture. */
 static void exr_cut(exr_reader *r, const vs_exr_window *w) {
   r->part = (exr_place){ 0, 0, r->columns, r->rows };
   if (w) r->part = (exr_place){ w->part.left, w->part.top, w->part.columns, w->part.rows };

@@ -6,7 +6,7 @@
 #include "geometry/files/file_bytes.h"
 
 /* Reads an EXR file that is in memory. wanted: names of the channels to read, with NULL at the end; a missing channel
- * is no error. NULL: all channels. out needs no initialisation, and is empty after a failure. */
+ * is no error. If wanted is NULL, reads all channels. out needs no initialisation, and is empty after a failure. */
 bool vs_exr_read(vs_store *store, const vs_file_bytes *file, const char *const *wanted, vs_exr *out, vs_error *e);
 
 /* A rectangle of a picture, in pixels from the upper left corner. */
@@ -17,14 +17,14 @@ typedef struct {
   uint32_t left, top;     /* position of the rectangle's upper left corner in the picture that receives the numbers, in
                            * pixels */
 } vs_exr_cut;
-/* Reads a rectangle of a file's picture into the picture `into`, with all channels that `into` has. Returns false if
- * the file is damaged, its picture has another size or lacks a channel, or the rectangle does not fit. */
+/* Reads the rectangle `cut` of a file's picture into the picture `into`, with all channels that `into` has. Returns
+ * false if the file is damaged, its picture has another size or lacks a channel, or the rectangle does not fit. */
 bool vs_exr_read_cut(const vs_file_bytes *file, const vs_exr_cut *cut, vs_exr *into, vs_error *e);
 
 /* ---- declarations for the other readers of EXR files ---- */
 
-/* The destination of a channel. If sum is not NULL, `share` times each number is added to it. Otherwise the numbers are
- * stored in plane. */
+/* The destination of a channel's numbers. If sum is not NULL, `share` times each number is added to it. Otherwise the
+ * numbers are stored in plane. */
 typedef struct { const char *name; double share; double *sum; float *plane; } vs_exr_target;
 typedef struct { const char *name; vs_exr_type type; } vs_exr_seen;
 typedef struct {
@@ -35,11 +35,10 @@ typedef struct {
   struct { const char *at; size_t length; } texts[VS_EXR_TEXTS]; /* at: contents of the text, or NULL if the file lacks
                                                                   * this text */
 } vs_exr_view;
-/* Receives the header of a file, allocates memory, and sets the destination of each requested channel. *used: number of
+/* Receives the header of a file, allocates memory, and sets the destination of each channel to read. *used: number of
  * destinations. Returns false and sets e on failure. */
 typedef bool vs_exr_choose(void *context, const vs_exr_view *view, vs_exr_target *targets, size_t *used, vs_error *e);
-/* The rectangle of the picture to decode, which lies within the picture. stride: numbers from one row of a target to
- * the next. */
+/* The rectangle of the picture to decode. stride: distance between two rows of a destination, in numbers. */
 typedef struct { vs_exr_part part; size_t stride; } vs_exr_window;
 /* Decodes a picture into the targets that `choose` sets. window NULL: the whole picture. Returns false and sets e on
  * failure. */

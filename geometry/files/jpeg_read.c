@@ -14,8 +14,8 @@
 #include "geometry/dynamic.h"
 #include "geometry/files/raster.h"
 
-enum { SCANS_MOST = 200, CODE_MOST = 1024 /* SCANS_MOST: greatest number of scans; CODE_MOST: greatest number of pixels
-                                           * for each byte of the file */ };
+enum { SCANS_MOST = 200, CODE_MOST = 1024 /* SCANS_MOST: greatest number of scans (passes over the picture) in a file;
+                                           * CODE_MOST: greatest number of pixels for each byte of the file */ };
 
 typedef struct {
   struct jpeg_error_mgr *(*errors)(struct jpeg_error_mgr *);
@@ -45,9 +45,10 @@ static const char *const jpeg_files[] = { "libjpeg.so.62", "libjpeg.so", NULL };
 #endif
 static const vs_dynamic_library jpeg_library = { jpeg_files, "libjpeg62-turbo", "JPEG pictures" };
 
-/* libjpeg reports an error by longjmp. After a warning it continues; a complete file causes no warning. */
+/* How errors of libjpeg are handled: libjpeg reports an error by longjmp. After a warning it continues; a complete file
+ * causes no warning. */
 typedef struct {
-  struct jpeg_error_mgr errors; /* must be the first member, because libjpeg only has a pointer to it */
+  struct jpeg_error_mgr errors; /* must be the first member, because libjpeg passes only a pointer to it */
   struct jpeg_progress_mgr progress;
   jmp_buf out;
   char said[JMSG_LENGTH_MAX];
@@ -61,7 +62,8 @@ static void jpeg_fail(j_common_ptr j) {
 static void jpeg_say(j_common_ptr j, int level) {
   if (level < 0) jpeg_fail(j);
 }
-/* Refuses a picture with too many scans: in many scans, a small file may describe a very large picture. */
+/* Refuses a picture with too many scans (passes over the picture), in which a small file may describe a very large
+ * picture. */
 static void jpeg_progress(j_common_ptr j) {
   jpeg_run *run = (jpeg_run *)j->err;
   if (((j_decompress_ptr)j)->input_scan_number <= SCANS_MOST) return;
@@ -69,11 +71,11 @@ static void jpeg_progress(j_common_ptr j) {
   longjmp(run->out, 1);
 }
 
-/* Memory for a line of the reduced picture. If at is NULL, only the header is read. */
+/* Memory for a line of the picture, reduced to an eighth. If at is NULL, only the header is read. */
 typedef struct { unsigned char *at; size_t room; } jpeg_line;
 
-/* Calls setjmp. This is a separate function, because longjmp makes changed local variables of the function that calls
- * setjmp indeterminate. */
+/* Reads the picture after a call of setjmp. This is a separate function, because longjmp makes changed local variables
+ * of the function that calls setjmp indeterminate. */
 static bool jpeg_decode(const jpeg_functions *call, struct jpeg_decompress_struct *j, const vs_file_bytes *file,
                         jpeg_line line, vs_jpeg_bytes *out) {
   if (setjmp(((jpeg_run *)j->err)->out)) return false;
@@ -100,7 +102,8 @@ bool vs_jpeg_read(vs_store *store, const vs_file_bytes *file, vs_jpeg_bytes *out
   if (!vs_dynamic_load(&jpeg_library, jpeg_names, sizeof jpeg_names / sizeof *jpeg_names, &call, e)) return false;
   *out = (vs_jpeg_bytes){ 0 };
   bool ok = true;
-  for (int pass = 0; ok && pass < 2; pass++) { /* the first pass reads only the header, the second the whole file */
+  for (int pass = 0; ok && pass < 2; pass++) { /* the first pass reads only the header, to check the size; the second
+                                                * the whole file */
     struct jpeg_decompress_struct j;
     jpeg_run run = { .said = "" };
     memset(&j, 0, sizeof j);

@@ -51,7 +51,8 @@ static float little_float(const unsigned char *b) {
 
 static bool read_stl_bytes(vs_byte_scan *s, uint32_t count, vs_face_list *out) {
   for (uint32_t i = 0; i < count; i++) {
-    const unsigned char *b = s->bytes + 84 + (size_t)50 * i + 12; /* skips the normal, which follows from the corners */
+    const unsigned char *b = s->bytes + 84 + (size_t)50 * i + 12; /* skips the triangle's normal, which follows from its
+                                                                   * corners */
     for (int k = 0; k < 3; k++, b += 12) {
       vs_vec3 p = { (double)little_float(b), (double)little_float(b + 4), (double)little_float(b + 8) };
       s->at = (size_t)(b - s->bytes);
@@ -83,8 +84,8 @@ static bool read_stl_words(vs_byte_scan *s, vs_face_list *out) {
       if (open < 3) return vs_scan_fail(s, "the facet has %zu corners, not three", open);
       if (!face_list_memory(s, vs_face_list_close(out)) || !vs_scan_poll(s)) return false;
     } else if (!strcmp(word, "normal")) {
-      for (int i = 0; i < 3; i++) vs_scan_word(s, true, 0, word); /* skips the normal, whose words may be anything,
-                                                                   * often nan */
+      for (int i = 0; i < 3; i++) vs_scan_word(s, true, 0, word); /* skips the triangle's normal, whose words may be
+                                                                   * anything, often nan */
     } else if (strcmp(word, "facet") && strcmp(word, "outer") && strcmp(word, "loop") && strcmp(word, "endloop")) {
       return vs_scan_fail(s, "expected \"facet\", \"vertex\" or another word of STL, got \"%.32s\"", word);
     }
@@ -106,8 +107,8 @@ static bool read_stl(vs_byte_scan *s, vs_face_list *out) {
   if (s->size - start >= 5 && !memcmp(s->bytes + start, "solid", 5) &&
       !memchr(s->bytes, 0, s->size < 512 ? s->size : 512))
     return read_stl_words(s, out);
-  if (s->size >= 84 && s->size > need) return read_stl_bytes(s, count, out); /* a binary file may have more bytes at the
-                                                                              * end */
+  if (s->size >= 84 && s->size > need) return read_stl_bytes(s, count, out); /* a binary file may have more bytes after
+                                                                              * the last triangle */
   if (s->size < 84)
     return vs_error_set(s->error, VS_ERROR_MODEL, NULL, "%.100s: this is no STL file: it has %zu bytes", s->name,
                         s->size);
@@ -121,7 +122,7 @@ static bool read_stl(vs_byte_scan *s, vs_face_list *out) {
 static bool read_obj_face(vs_byte_scan *s, vs_face_list *out) {
   char word[VS_SCAN_WORD], *end;
   while (!vs_scan_line_end(s) && s->bytes[s->at] != '#') {
-    if (s->bytes[s->at] == '\\') { /* a backslash continues the face on the next line */
+    if (s->bytes[s->at] == '\\') { /* a backslash at the end of a line continues the face on the next line */
       vs_scan_next_line(s);
       continue;
     }
@@ -149,7 +150,7 @@ static bool read_obj(vs_byte_scan *s, vs_face_list *out) {
       if (!vs_scan_point(s, false, '#', &p) || !face_list_memory(s, vs_face_list_point(out, p))) return false;
     } else if (!strcmp(word, "f")) {
       if (!read_obj_face(s, out)) return false;
-    } /* ignores normals, textures, groups, materials and curves */
+    } /* other lines, with normals, textures, groups, materials and curves, are ignored */
     if (!vs_scan_poll(s)) return false;
   }
   return true;
@@ -157,8 +158,8 @@ static bool read_obj(vs_byte_scan *s, vs_face_list *out) {
 
 /* ---- OFF ---- */
 
-/* The file has the words [ST][C][N]OFF, the numbers of points, faces and edges, then the points and the faces. Colours
- * and other numbers may follow each point. */
+/* Reads an OFF file: the words [ST][C][N]OFF, the numbers of points, faces and edges, then the points and the faces.
+ * Colours and other numbers may follow each point. */
 static bool read_off(vs_byte_scan *s, vs_face_list *out) {
   char word[VS_SCAN_WORD];
   int64_t points, faces, edges, corners, index;
@@ -192,7 +193,7 @@ static bool read_off(vs_byte_scan *s, vs_face_list *out) {
                             (long long)index, (long long)points);
       if (!face_list_memory(s, vs_face_list_corner(out, (uint32_t)index))) return false;
     }
-    vs_scan_next_line(s); /* skips a colour after the face */
+    vs_scan_next_line(s); /* skips the rest of the line, a colour of the face */
     if (!face_list_memory(s, vs_face_list_close(out)) || !vs_scan_poll(s)) return false;
   }
   return true;

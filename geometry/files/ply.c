@@ -90,7 +90,7 @@ static bool ply_header(vs_byte_scan *s, ply_form *form, ply_element *elements, s
       ++*count;
     } else if (!strcmp(word, "property")) {
       if (!ply_header_property(s, *count ? &elements[*count - 1] : NULL)) return false;
-    } /* ignores comment and obj_info, texts by the file's author */
+    } /* comment and obj_info lines are ignored: they contain texts by the file's author */
   }
   if (!formed) return vs_scan_fail(s, "the header names no format");
   vs_scan_next_line(s);
@@ -127,13 +127,15 @@ static bool ply_value(vs_byte_scan *s, ply_form form, ply_type type, double *out
   return true;
 }
 
-/* State of a strip of triangles: its last two corners, and the number of corners so far. */
+/* State of the reading of a strip of triangles: its last two corners, and the number of corners so far. */
 typedef struct { uint32_t last[2]; uint64_t count; } ply_strip;
 
-/* Adds a corner to a strip. Strips may repeat a corner to change direction. The triangles with a repeated corner have
- * no area and are omitted. */
+/* Adds a corner to a strip of triangles. Strips may repeat a corner to change direction. The triangles with a repeated
+ * corner have no area and are omitted. */
 static bool ply_strip_corner(ply_strip *s, uint32_t corner, vs_face_list *out) {
-  uint32_t a = s->last[s->count % 2], b = s->last[1 - s->count % 2]; /* every second triangle is reversed */
+  uint32_t a = s->last[s->count % 2], b = s->last[1 - s->count % 2]; /* a, b: the last two corners in the order of the
+                                                                      * triangle; every second triangle of a strip is
+                                                                      * reversed */
   bool ok = true;
   if (s->count >= 2 && a != b && a != corner && b != corner)
     ok = vs_face_list_corner(out, a) && vs_face_list_corner(out, b) && vs_face_list_corner(out, corner) &&
@@ -204,7 +206,8 @@ bool vs_ply_read(vs_byte_scan *s, vs_face_list *out) {
     if (least && e->count > (s->size - s->at) / least + 1)
       return vs_scan_fail(s, "the file is cut off: it is too short for %llu of element %s",
                           (unsigned long long)e->count, e->name);
-    if (form != PLY_WORDS) s->line = 0; /* from now on, messages state the byte of the file instead of the line */
+    if (form != PLY_WORDS) s->line = 0; /* the file is binary, so messages about its data name the byte instead of the
+                                         * line */
     for (uint64_t n = 0; least && n < e->count; n++)
       if (!ply_one(s, form, e, n, points, out)) return false;
   }

@@ -35,8 +35,8 @@ static uint32_t png_number(const unsigned char *b) {
   return (uint32_t)b[0] << 24 | (uint32_t)b[1] << 16 | (uint32_t)b[2] << 8 | (uint32_t)b[3];
 }
 
-/* Copies the signature and the critical chunks, whose names begin with a capital letter, to `to`. Returns the number of
- * copied bytes; 0: the file is truncated or does not begin with its header chunk. */
+/* Copies the file's signature and its critical chunks, whose names begin with a capital letter, to `to`. Returns the
+ * number of copied bytes; 0: the file is truncated or does not begin with its header chunk. */
 static size_t png_bare(const unsigned char *bytes, size_t size, unsigned char *to) {
   size_t at = 8, kept = 8;
   memcpy(to, bytes, 8);
@@ -87,7 +87,7 @@ bool vs_png_read(vs_store *store, const vs_file_bytes *file, vs_png_pixels *out,
                  (out->deep ? PNG_FORMAT_FLAG_LINEAR : 0u);
   read = read && image.width == out->columns && image.height == out->high && call.finish(&image, NULL, out->rows, 0,
                                                                                          NULL);
-  /* When memory is out, the messages of libpng are "out of memory" and "insufficient memory". */
+  /* libpng reports that memory is out by the messages "out of memory" and "insufficient memory". */
   if (ok && !read && strstr(image.message, "memory")) ok = vs_error_memory(e, NULL);
   else if (ok && !read)
     ok = vs_error_set(e, VS_ERROR_MODEL, NULL, "%.100s: %s", file->name,

@@ -43,9 +43,9 @@ typedef struct {
   jmp_buf failed;
 } png_sink;
 
-/* Returns the sink that was passed to the library. A callback gets only the library's own structure, and this file has
- * no global variables. Therefore this function loads the library again, which takes some microseconds; a picture has
- * some tens of blocks. */
+/* Returns the sink to which libpng writes. A callback gets only libpng's structure, and this file has no global
+ * variables. Therefore this function loads the library again to find the sink, which takes some microseconds; a picture
+ * has some tens of blocks. */
 static png_sink *png_sink_of(png_structp png) {
   struct { void *(*sink)(png_const_structp); } call = { NULL };
   static const vs_dynamic_name name = { "png_get_error_ptr", 0 };

@@ -6,8 +6,8 @@
 #include "geometry/files/pixels.h"
 #include "model/node.h"
 
-/* Makes the bytes of a PNG file. Equal pictures become equal bytes. Returns false and leaves *out unchanged on
- * failure. */
+/* Makes the bytes of a PNG file for a picture. Equal pictures become equal bytes. Returns false and leaves *out
+ * unchanged on failure. */
 bool vs_png_write(vs_store *store, const vs_pixels *picture, vs_made_bytes *out, vs_error *e);
 
 #endif

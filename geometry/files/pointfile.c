@@ -27,10 +27,10 @@ bool vs_point_file_is(const char *name) { return is_text(name) || ends_in(name, 
 
 /* ---- text ---- */
 
-enum { LINE_NUMBER = 64 }; /* bytes of a number with its NUL */
+enum { LINE_NUMBER = 64 }; /* greatest length in bytes of a number in a line, with its NUL */
 
-/* Reads a number at *at, before end, and the separator after it: blanks, a comma or a semicolon. Returns false if
- * there is none. */
+/* Reads a number at *at, before end, and the separator after it: blanks, a comma or a semicolon. Moves *at past both.
+ * Returns false if there is no number. */
 static bool text_number(const unsigned char **at, const unsigned char *end, double *out) {
   char t[LINE_NUMBER];
   size_t n = 0;
@@ -46,8 +46,8 @@ static bool text_number(const unsigned char **at, const unsigned char *end, doub
   return true;
 }
 
-/* Reads x, y and z of each line, and ignores the rest of it, such as intensities. Skips empty lines, those that begin
- * with #, and a first line without numbers, a head. */
+/* Reads x, y and z of each line as a point, and ignores further columns, such as intensities. Skips empty lines, lines
+ * that begin with #, and a first line of headings. */
 static bool read_text(vs_byte_scan *s, vs_face_list *out) {
   const unsigned char *end = s->bytes + s->size;
   for (s->line = 1; s->at < s->size; s->line++) {
@@ -82,7 +82,7 @@ static double las_real(const unsigned char *at) {
   return d;
 }
 
-/* The header of the format's versions 1.0 to 1.4. Offsets are in bytes from the file's beginning. */
+/* Positions of members in the header of the format's versions 1.0 to 1.4, in bytes from the file's beginning. */
 enum { LAS_MINOR = 25, LAS_HEADER_SIZE = 94, LAS_DATA = 96, LAS_FORMAT = 104, LAS_RECORD = 105, LAS_COUNT = 107,
        LAS_SCALE = 131, LAS_OFFSET = 155, LAS_LEAST = 227, LAS_LONG_COUNT = 247, LAS_LONG_LEAST = 375 };
 

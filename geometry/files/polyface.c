@@ -1,8 +1,8 @@
 /* Checks whether faces over points close, orients them, and makes a node of them.
  *
- * The edges of all faces are sorted by their two ends. Where an edge has exactly two faces, they are neighbours. The
- * faces of a component are turned to agree with its first face, breadth first. A component closes if each of its edges
- * is used twice, once in each direction. The time is linear, unless many edges share a point. */
+ * The edges of all faces are sorted by their two ends. If an edge has exactly two faces, they are neighbours. The faces
+ * of a component are turned to agree with its first face, breadth first. A component closes if each of its edges occurs
+ * twice, once in each direction. The time is linear, unless many edges share a point. */
 #include "geometry/files/polyface.h"
 
 #include <stdlib.h>
@@ -43,10 +43,11 @@ bool vs_polyface_merge(const vs_vec3 *points, size_t count, uint32_t *place) {
 
 /* ---- orientation of neighbouring faces ---- */
 
-typedef struct { uint32_t low, high, face; bool forward; } vs_side; /* forward: true if the face runs along the edge
+typedef struct { uint32_t low, high, face; bool forward; } vs_side; /* low, high: points at the ends of the side;
+                                                                     * forward: true if the face runs along the side
                                                                      * from low to high */
 
-static int side_compare(const void *a, const void *b) { /* compares sides that have the same low end */
+static int side_compare(const void *a, const void *b) { /* compares sides with one low end, for qsort */
   const vs_side *p = a, *q = b;
   if (p->high != q->high) return p->high < q->high ? -1 : 1;
   if (p->face != q->face) return p->face < q->face ? -1 : 1;
@@ -70,8 +71,8 @@ static bool sides_sort(vs_store *s, vs_side *sides, const vs_polygons *faces, vs
     for (size_t i = 2; !pass && i < points + 2; i++) at[i] += at[i - 1];
   }
   bool ok = true;
-  for (size_t p = 0; ok && p < points; p++) { /* at[p] is now the index of p's first side: counting has moved at[p + 1]
-                                               * to the end of p's sides */
+  for (size_t p = 0; ok && p < points; p++) { /* the elements of `at` have moved during counting, so that at[p] is now
+                                               * the index of point p's first side */
     uint32_t low = at[p], count = at[p + 1] - low;
     enum { FEW = 16 };
     if (count > FEW) qsort(sides + low, count, sizeof *sides, side_compare);
@@ -88,9 +89,9 @@ static bool sides_sort(vs_store *s, vs_side *sides, const vs_polygons *faces, vs
 }
 
 typedef struct {
-  vs_side *sides;      /* the sides of all faces, sorted by edge */
-  uint32_t *mate;      /* mate[i]: the side of the neighbouring face on the same edge as side i, or UINT32_MAX */
-  uint32_t *of_face;   /* indices of the sides of each face, in order of faces */
+  vs_side *sides;      /* sides of all faces, sorted by their ends */
+  uint32_t *mate;      /* mate[i]: side of the neighbouring face at the edge of side i, or UINT32_MAX */
+  uint32_t *of_face;   /* of_face[starts[f]] to of_face[starts[f + 1] - 1]: indices of the sides of face f */
   uint32_t *starts;    /* starts[f]: index in of_face of face f's first side */
   uint32_t *queue;
   unsigned char *turned, *seen;
@@ -106,17 +107,17 @@ static void agreement_free(vs_agreement *g) {
   free(g->seen);
 }
 
-/* A quick test that suffices for most meshes. Sets *agreed to true if each edge has two faces that use it once in each
- * direction. The orientation then needs no further check. For each low end, sorts the other ends of its edges with
- * their directions, and expects pairs of opposite directions. *agreed may be false although the faces agree. Returns
- * false when memory is out or the run is interrupted. */
+/* Sets *agreed to true if each edge has two faces that contain it once in each direction. The orientation then needs no
+ * further check. For each low end, it sorts the other ends of the edges with their directions, and expects pairs of
+ * opposite directions. The test is quick and suffices for most meshes; *agreed may be false although the faces agree.
+ * Returns false when memory is out or the run is interrupted. */
 static bool polyface_agreed(vs_store *s, const vs_polygons *faces, bool *agreed, vs_error *e) {
   enum { FEW = 32 };
   const uint32_t *starts = faces->starts, *corners = faces->corners;
   size_t points = faces->point_count, n = starts[faces->face_count];
   *agreed = false;
   if (n == 0 || points > UINT32_MAX / 2) return true;
-  /* each element is 2 * high, plus 1 if the side runs from high to low */
+  /* ends: for each side, 2 * its high end, plus 1 if the side runs from high to low */
   uint32_t *at = vs_zeros(points + 2, sizeof *at), *ends = vs_fresh(n, sizeof *ends);
   bool ok = (at && ends) || vs_error_memory(e, NULL);
   for (int pass = 0; ok && pass < 2; pass++) {
@@ -171,7 +172,7 @@ static bool polyface_agree(vs_store *s, vs_agreement *g, const vs_polygons *face
     size_t end = i + 1;
     while (end < n && g->sides[end].low == g->sides[i].low && g->sides[end].high == g->sides[i].high) end++;
     for (size_t k = i; k < end; k++) g->mate[k] = end - i == 2 ? (uint32_t)(k == i ? i + 1 : i) : UINT32_MAX;
-    if (end - i != 2) { /* an edge with more faces may belong to a closed chain, if all faces already agree */
+    if (end - i != 2) { /* an edge of more than two faces may belong to a closed mesh, if all faces already agree */
       size_t forward = 0;
       for (size_t k = i; k < end; k++) forward += g->sides[k].forward;
       if (forward * 2 != end - i) *closed = false;
@@ -197,7 +198,8 @@ static bool polyface_agree(vs_store *s, vs_agreement *g, const vs_polygons *face
         const vs_side *mine = &g->sides[g->of_face[k]], *other = &g->sides[mate];
         bool agree = (mine->forward ^ g->turned[f]) != (other->forward ^ g->turned[other->face]);
         if (g->seen[other->face]) {
-          if (!agree) *closed = false; /* the surface has only one side, like a Moebius strip */
+          if (!agree) *closed = false; /* two neighbours can never agree: the surface has only one side, like a Moebius
+                                        * strip */
           continue;
         }
         g->seen[other->face] = 1;
@@ -209,8 +211,8 @@ static bool polyface_agree(vs_store *s, vs_agreement *g, const vs_polygons *face
   return true;
 }
 
-/* Sets *flat to true if no shell of the mesh encloses a volume above `least`: the mesh consists of sheets back to back.
- * It is also true if the volumes of shells cancel. Returns false when memory is out. */
+/* Sets *flat to true if no shell of the mesh encloses a volume above `least`: the mesh consists of pairs of coincident
+ * faces. It is also true if the volumes of shells cancel. Returns false when memory is out. */
 static bool mesh_is_flat(const vs_mesh *m, double least, bool *flat) {
   uint32_t n = (uint32_t)m->vertex_count, *shell = vs_fresh((size_t)n + 1, sizeof *shell);
   double *volume = vs_zeros((size_t)n + 1, sizeof *volume);
@@ -280,7 +282,7 @@ vs_node *vs_polyface_make_mesh(vs_store *s, const vs_polygons *given, vs_mesh *o
   }
   ok = polyface_agree(s, &g, &(vs_polygons){ NULL, count, new_starts, merged, kept_faces }, &closed, &why);
   if (!ok) goto done;
-  for (int pass = 0; pass < 2; pass++) { /* a second pass turns all faces if the solid is inside out */
+  for (int pass = 0; pass < 2; pass++) { /* if the solid is inside out, a second pass turns all faces */
     for (size_t f = 0; f < kept_faces; f++) {
       if (!pass && !g.turned[f]) continue;
       for (uint32_t a = new_starts[f], b = new_starts[f + 1] - 1; a < b; a++, b--) {

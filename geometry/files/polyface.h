@@ -24,18 +24,18 @@ static inline vs_polygons vs_polygons_of(const vs_face_list *l) {
 bool vs_polyface_merge(const vs_vec3 *points, size_t count, uint32_t *place);
 
 /* Sets turned[f] to 1 for faces that must be turned to agree with the first face of their shell. The caller has set all
- * elements to 0. *closed: true if each edge is then used as often in one direction as in the other. Equal points must
+ * elements to 0. *closed: true if each edge then occurs as often in one direction as in the other. Equal points must
  * have one index, because coordinates are not compared. s: the store whose caller may interrupt the work, or NULL.
  * Returns false when memory is out or the run is interrupted. */
 bool vs_polyface_orient(vs_store *s, const vs_polygons *faces, unsigned char *turned, bool *closed, vs_error *e);
 
 /* Makes a node of the faces. Equal points become one point. Drops faces with fewer than three different corners, and
- * turns faces that disagree with their neighbours. If the faces close inside out, turns all. Without faces, returns the
- * empty node. Returns NULL and sets e on failure. */
+ * turns faces that disagree with their neighbours. If the solid is inside out, turns all faces. Without faces, returns
+ * the empty node. Returns NULL and sets e on failure. */
 vs_node *vs_polyface_make(vs_store *s, const vs_polygons *faces, vs_error *e);
 
-/* Makes a node as vs_polyface_make does. If it computes the triangles, mesh receives them, with the face's index as
- * tag; otherwise mesh stays empty. mesh must be empty at the call. */
+/* Makes a node as vs_polyface_make does. If it computes the node's triangles, appends them to mesh, with the index of
+ * the face as tag; otherwise mesh stays empty. mesh must be empty at the call. */
 vs_node *vs_polyface_make_mesh(vs_store *s, const vs_polygons *faces, vs_mesh *mesh, vs_error *e);
 
 #endif

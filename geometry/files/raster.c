@@ -1,4 +1,4 @@
-/* Contains the code that the readers of pictures share, and chooses the reader by the file. */
+/* Chooses the reader of a picture by the file's first bytes, and contains the code that the readers share. */
 #include "geometry/files/raster.h"
 
 #include <string.h>

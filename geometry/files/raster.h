@@ -9,26 +9,27 @@
 enum { VS_RASTER_MOST = 1 << 26 }; /* greatest number of pixels of a picture */
 
 typedef struct {
-  double *at; /* numbers in rows from the top: of a PNG file 0 (black) to 1 (white), of an EXR file the stored
-               * numbers */
+  double *at; /* numbers of the pixels, in rows from the top: of a PNG file 0 (black) to 1 (white), of an EXR file the
+               * stored numbers */
   uint32_t columns, rows;
-  vs_store *store; /* the store that owns the memory */
+  vs_store *store; /* store whose memory `at` uses */
 } vs_raster;
 void vs_raster_free(vs_raster *r);
 
-/* Reads a picture that is in memory; the first bytes determine the format. The number of a pixel is its grey value, or
+/* Reads a picture that is in memory; its first bytes determine the format. The number of a pixel is its grey value, or
  * for colours the luminance (Rec. 709) of the stored numbers. In an EXR file it is the channel Y, else the only
  * channel, else the luminance of R, G and B. *out needs no initialisation, and is empty after a failure. The libraries
  * are loaded at their first use. */
 bool vs_raster_read(vs_store *store, const vs_file_bytes *file, vs_raster *out, vs_error *e);
 
-/* Returns true if a picture of this size can be read. Otherwise sets e, with the greatest number of pixels. */
+/* Returns true if a picture of this size can be read. Otherwise sets e to a message with the greatest number of
+ * pixels. */
 bool vs_raster_size(const char *name, uint64_t columns, uint64_t rows, vs_error *e);
-/* Allocates the numbers of a picture, for the two readers. Returns false and sets e on failure. */
+/* Allocates the numbers of a picture, for the readers of PNG and EXR files. Returns false and sets e on failure. */
 bool vs_raster_room(vs_raster *r, const char *name, uint64_t columns, uint64_t rows, vs_error *e);
 /* weights of red, green and blue in the luminance (Rec. 709) */
 static const double vs_raster_share[3] = { 0.2126, 0.7152, 0.0722 };
 
-extern const vs_dynamic_library vs_png_library; /* description of the library libpng */
+extern const vs_dynamic_library vs_png_library; /* libpng: its file names and its package, for loading it at run time */
 
 #endif

@@ -1,4 +1,4 @@
-/* Declares the reading of EXR pictures as numbers. */
+/* Declares the reading of EXR pictures as one number for each pixel. */
 #ifndef VS_GEOMETRY_FILES_RASTER_EXR_H
 #define VS_GEOMETRY_FILES_RASTER_EXR_H
 

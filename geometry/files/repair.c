@@ -1,6 +1,6 @@
-/* Repairs faces over points until they close.
+/* Repairs faces over points until they bound a solid.
  *
- * In a closed chain each edge is used as often in one direction as in the other. If an edge is not, opposite sides are
+ * In a closed mesh each edge occurs as often in one direction as in the other. If an edge does not, opposite sides are
  * missing there. In any mesh, as many missing sides leave a point as arrive at it. Therefore the missing sides form
  * loops, and triangles can cover each loop. */
 #include "geometry/files/repair.h"
@@ -20,7 +20,8 @@ bool vs_face_list_compact(vs_face_list *l) {
   bool ok = place && number && vs_polyface_merge(l->points, l->point_count, place);
   if (ok) memset(number, 0xFF, (l->point_count + 1) * sizeof *number);
   for (size_t c = 0; ok && c < l->corner_count; c++) number[place[l->corners[c]]] = 0;
-  for (uint32_t i = 0; ok && i < l->point_count; i++) /* keeps the points in their order */
+  for (uint32_t i = 0; ok && i < l->point_count; i++) /* removes the points that no face has; the others keep their
+                                                       * order */
     if (number[i] != UINT32_MAX) {
       l->points[count] = l->points[i];
       number[i] = count++;
@@ -41,7 +42,8 @@ static int side_compare(const void *a, const void *b) {
   return p->face < q->face ? -1 : p->face > q->face;
 }
 
-/* Returns the sides of all faces, sorted by edge. Omits sides of length 0. */
+/* Returns the sides of all faces, sorted by their ends. Omits sides of length 0. *count: their number. Returns NULL
+ * when memory is out. */
 static repair_side *list_sides(const vs_face_list *l, size_t *count) {
   repair_side *sides = vs_fresh(l->corner_count + 1, sizeof *sides);
   *count = 0;
@@ -54,8 +56,8 @@ static repair_side *list_sides(const vs_face_list *l, size_t *count) {
   return sides;
 }
 
-/* Returns the index after the last side of the edge to which side number `at` belongs. *over: number of its sides that
- * run forward less those that run backward. */
+/* Returns the index after the last side of the edge to which side number `at` belongs. *over: number of the edge's
+ * sides that run forward minus the number of those that run backward. */
 static size_t edge_end(const repair_side *sides, size_t count, size_t at, long *over) {
   size_t end = at;
   VS_ASSERT(at < count);
@@ -73,7 +75,7 @@ bool vs_face_list_open(vs_store *s, const vs_face_list *l, vs_open_edges *out, v
   bool closed, ok = place && number && turned && vs_polyface_merge(l->points, l->point_count, place);
   *out = (vs_open_edges){ 0 };
   vs_error why = { VS_ERROR_NONE, NULL, "" };
-  /* Prepares the faces as vs_polyface_make does: equal points become one, and neighbours agree. */
+  /* The faces are prepared as vs_polyface_make does: equal points become one, and neighbours agree. */
   for (uint32_t f = 0; ok && f < l->face_count; f++) {
     for (uint32_t c = l->starts[f]; ok && c < l->starts[f + 1]; c++)
       ok = vs_face_list_corner(&own, place[l->corners[c]]);
@@ -106,7 +108,8 @@ bool vs_face_list_open(vs_store *s, const vs_face_list *l, vs_open_edges *out, v
 
 typedef struct { int64_t x, y, z; } weld_cell;
 
-/* Returns the slot of cell c, or a free slot if it has none. mask is the number of slots, a power of two, minus 1. */
+/* Returns the slot of cell c of the grid in the hash table, or a free slot if it has none. mask: number of slots, a
+ * power of two, minus 1. */
 static size_t weld_slot(const uint32_t *slots, size_t mask, const weld_cell *cells, weld_cell c) {
   uint64_t h = (uint64_t)c.x * UINT64_C(0x9E3779B97F4A7C15) ^ (uint64_t)c.y * UINT64_C(0xC2B2AE3D27D4EB4F) ^
                (uint64_t)c.z * UINT64_C(0x165667B19E3779F9);
@@ -116,12 +119,13 @@ static size_t weld_slot(const uint32_t *slots, size_t mask, const weld_cell *cel
   return at;
 }
 
-/* Sets place[i] to the first point within `reach` of point i, or to i. Cells are twice as wide as `reach`, so such a
- * point is in one of at most eight cells. */
+/* Sets place[i] to the first point within `reach` of point i, or to i if there is none. Cells of the grid are twice
+ * as wide as `reach`, so such a point is in one of at most eight cells. *welded: number of points with an earlier
+ * point. */
 static bool weld(const vs_face_list *l, double reach, uint32_t *place, size_t *welded) {
   size_t room = 16;
   while (room < l->point_count * 2) room *= 2;
-  /* next[i]: the next point in the cell of point i. */
+  /* next[i]: the next point in the grid cell of point i. */
   uint32_t *slots = vs_fresh(room, sizeof *slots), *next = vs_fresh(l->point_count + 1, sizeof *next);
   weld_cell *cells = vs_fresh(l->point_count + 1, sizeof *cells);
   bool ok = slots && next && cells;
@@ -155,7 +159,7 @@ static bool weld(const vs_face_list *l, double reach, uint32_t *place, size_t *w
 
 /* ---- removal of faces ---- */
 
-/* Removes repeated neighbours from the corners of a face. Returns the number of remaining corners. With fewer than
+/* Removes corners of a face that repeat their neighbour. Returns the number of remaining corners. With fewer than
  * three, the face vanishes. */
 static uint32_t squeeze(uint32_t *at, uint32_t count) {
   uint32_t n = 0;
@@ -180,8 +184,8 @@ static int key_compare(const void *a, const void *b) {
   return p->face < q->face ? -1 : p->face > q->face;
 }
 
-/* Returns 1 if the rings a and b have equal corners in the same order, -1 if b is a reversed, and 0 otherwise. n is
- * above 0. */
+/* Returns 1 if the polygons a and b have equal corners in the same order, -1 if b is a reversed, and 0 otherwise. n >
+ * 0: number of corners. */
 static int same_ring(const uint32_t *a, const uint32_t *b, uint32_t n) {
   uint32_t shift = 0;
   VS_ASSERT(n > 0);
@@ -195,7 +199,8 @@ static int same_ring(const uint32_t *a, const uint32_t *b, uint32_t n) {
   return same ? 1 : back ? -1 : 0;
 }
 
-/* Keeps the faces f with keep[f], and removes repeated corners from each. */
+/* Keeps only the faces f with keep[f], and removes repeated corners from each. Adds the number of removed faces to
+ * *dropped. */
 static void keep_faces(vs_face_list *l, const unsigned char *keep, size_t *dropped) {
   uint32_t corners = 0, faces = 0, from = l->face_count ? l->starts[0] : 0;
   for (uint32_t f = 0; f < l->face_count; f++) {
@@ -231,7 +236,7 @@ static bool drop_faces(vs_face_list *l, size_t *dropped) {
         if (!keep[keys[j].face]) continue;
         int same = same_ring(l->corners + l->starts[keys[i].face], l->corners + l->starts[keys[j].face], keys[i].count);
         if (same) keep[keys[j].face] = 0;
-        if (same < 0) { /* two faces back to back are a sheet without thickness, so both are removed */
+        if (same < 0) { /* two faces with opposite orientation are a sheet without thickness, so both are removed */
           keep[keys[i].face] = 0;
           break;
         }
@@ -246,8 +251,8 @@ static bool drop_faces(vs_face_list *l, size_t *dropped) {
 
 /* ---- closing of holes ---- */
 
-/* Covers the loop `ring` of n points with triangles; n >= 3. The triangles' outer edges have the direction of the
- * ring. */
+/* Covers the loop `ring` of n >= 3 points with triangles. Their outer edges have the direction of the ring. Returns
+ * false when memory is out. */
 static bool cover(vs_face_list *l, const uint32_t *ring, size_t n) {
   vs_mesh m = { 0 };
   vs_vec2 *flat = vs_fresh(n, sizeof *flat);
@@ -299,8 +304,8 @@ static bool close_holes(vs_face_list *l, vs_repair_notes *notes) {
     for (size_t i = 0; i <= l->point_count; i++) first[i + 1] += first[i];
     memset(seen, 0xFF, (l->point_count + 1) * sizeof *seen);
   }
-  /* Follows missing sides. When it reaches a point again, the sides since the first visit form a loop. first[p]
-   * increases as the sides that leave p are used. */
+  /* Follows missing sides. When the walk reaches a point again, the sides since the first visit form a loop. first[p]
+   * is the index of the next unused side that leaves point p. */
   size_t length = 0;
   for (size_t start = 0; ok && start < missing; start++) {
     uint32_t p = at[start].from;
@@ -317,8 +322,8 @@ static bool close_holes(vs_face_list *l, vs_repair_notes *notes) {
         if (!ok) break;
       }
       uint32_t next = first[p];
-      if (next >= missing || at[next].from != p) break; /* no unused side leaves the point, so the walk is at its
-                                                         * start */
+      if (next >= missing || at[next].from != p) break; /* no unused side leaves this point, so the walk has returned to
+                                                         * its start */
       first[p]++;
       seen[p] = (uint32_t)length;
       ring[length++] = p;
@@ -337,7 +342,7 @@ static bool close_holes(vs_face_list *l, vs_repair_notes *notes) {
 
 /* ---- turning of faces ---- */
 
-/* Reverses the corners of face f. */
+/* Reverses the order of the corners of face f. */
 static void turn_face(vs_face_list *l, uint32_t f) {
   VS_ASSERT(f < l->face_count);
   for (uint32_t a = l->starts[f], b = l->starts[f + 1]; a + 1 < b; a++) {
@@ -357,8 +362,8 @@ static bool agree(vs_store *s, vs_face_list *l, size_t *turned, vs_error *e) {
   return ok;
 }
 
-/* Returns six times the volume between the point o and the triangle fan of face f. *angle: half of the solid angle at o
- * of the face. f is the index of a face. */
+/* Returns six times the volume between the point o and the triangles into which face f is divided. *angle: half of the
+ * solid angle of the face, seen from o. */
 static double face_volume(const vs_face_list *l, uint32_t f, vs_vec3 o, double *angle) {
   double six = 0;
   vs_vec3 a = vs_v3_sub(l->points[l->corners[l->starts[f]]], o);
@@ -373,7 +378,8 @@ static double face_volume(const vs_face_list *l, uint32_t f, vs_vec3 o, double *
   return six;
 }
 
-/* Turns shells with a negative volume outwards, except cavities, which lie inside another shell. */
+/* Turns shells (connected faces) with a negative volume outwards, except cavities, which lie inside another shell.
+ * *turned: number of turned faces. Returns false when memory is out or the run is interrupted. */
 static bool turn_shells(vs_store *store, vs_face_list *l, size_t *turned, vs_error *e) {
   size_t count, n = l->face_count;
   repair_side *sides = list_sides(l, &count);
@@ -398,8 +404,8 @@ static bool turn_shells(vs_store *store, vs_face_list *l, size_t *turned, vs_err
       if (!ok) break;
       if (other == s) continue;
       face_volume(l, f, o, &part);
-      angle += volume[other] < 0 ? -part : part; /* adds the solid angle of the other shell as if that shell faced
-                                                  * outwards */
+      angle += volume[other] < 0 ? -part : part; /* adds the solid angle of the other shell, with the sign that it has
+                                                  * if that shell faces outwards */
     }
     turn[s] = !(angle > 3.14159265358979323846);
   }
@@ -422,7 +428,8 @@ bool vs_face_list_repair(vs_store *s, vs_face_list *l, vs_repair_notes *notes, v
   double reach = fmax(vs_bounds_diagonal(&b) * 1e-6, 1e-300),
          size = fmax(fmax(fabs(b.min.x), fabs(b.max.x)),
                      fmax(fmax(fabs(b.min.y), fabs(b.max.y)), fmax(fabs(b.min.z), fabs(b.max.z))));
-  reach = fmax(reach, size * 1e-15); /* far from the origin, the spacing of doubles is wider than the given distance */
+  reach = fmax(reach, size * 1e-15); /* far from the origin, the spacing of doubles may be wider than the given
+                                      * distance, so it is increased */
   bool ok = place && weld(l, reach, place, &notes->welded);
   for (size_t i = 0; ok && i < l->corner_count; i++) l->corners[i] = place[l->corners[i]];
   free(place);

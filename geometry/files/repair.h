@@ -1,4 +1,4 @@
-/* Declares the repair of faces that do not close, and the report of the edges where they do not. */
+/* Declares the repair of faces that do not bound a solid, and the search for the edges where they do not. */
 #ifndef VS_GEOMETRY_FILES_REPAIR_H
 #define VS_GEOMETRY_FILES_REPAIR_H
 
@@ -8,27 +8,27 @@
 bool vs_face_list_compact(vs_face_list *l);
 
 typedef struct {
-  size_t count;      /* number of edges that are used more often in one direction than in the other, after equal points
+  size_t count;      /* number of edges that occur more often in one direction than in the other, after equal points
                       * have become one */
-  size_t face;       /* index, from 0, of a face at the first edge that is used more often in one direction */
+  size_t face;       /* index, from 0, of a face at the first edge that occurs more often in one direction */
   vs_vec3 from, to;
 } vs_open_edges;
-/* Finds the edges that faces use more often in one direction than in the other. s may be NULL. Returns false when
- * memory is out or the run is interrupted. */
+/* Finds the edges that occur in faces more often in one direction than in the other. s: the store whose caller may
+ * interrupt the work, or NULL. Returns false when memory is out or the run is interrupted. */
 bool vs_face_list_open(vs_store *s, const vs_face_list *l, vs_open_edges *out, vs_error *e);
 
 typedef struct {
   size_t welded;     /* number of points that were merged with a nearby point */
-  size_t dropped;    /* number of removed faces: faces without area, repetitions of a face, and both of two faces back
-                      * to back */
-  size_t turned;     /* number of faces that were turned */
-  size_t holes;      /* number of holes that were closed */
-  size_t largest;    /* number of edges of the largest hole */
+  size_t dropped;    /* number of removed faces: faces without area, repetitions of a face, and pairs of coincident
+                      * faces with opposite orientation */
+  size_t turned;     /* number of faces whose orientation was reversed */
+  size_t holes;      /* number of holes that were closed with triangles */
+  size_t largest;    /* number of edges around the largest hole */
 } vs_repair_notes;
-/* Repairs the faces in place. It welds points within a millionth of the extent, removes faces, and turns faces to agree
- * with their neighbours. It then turns each shell outwards, and closes holes with triangles. A shell inside another
- * that faces inwards is a cavity, and is not turned. The result is closed, but may intersect itself. s: the store whose
- * caller may interrupt the work, or NULL. Returns false when memory is out or the run is interrupted. */
+/* Repairs the faces in place. It unites points within a millionth of the extent, removes faces, and turns faces to
+ * agree with their neighbours. It then turns each shell outwards, and closes holes with triangles. A shell inside
+ * another that faces inwards is a cavity, and is not turned. The result is closed, but may intersect itself. s: the
+ * store whose caller may interrupt the work, or NULL. Returns false when memory is out or the run is interrupted. */
 bool vs_face_list_repair(vs_store *s, vs_face_list *l, vs_repair_notes *notes, vs_error *e);
 
 #endif

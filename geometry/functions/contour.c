@@ -31,44 +31,47 @@
 #include "geometry/functions/sampling.h"
 #include "model/store/array.h"
 
-/* Points that deviate less than this fraction of a cell from a plane lie in it. */
+/* FLAT: a point whose distance from a plane is less than this fraction of a cell lies in the plane. */
 #define FLAT 1e-4
 
 enum { BLOCK = 8, CORNERS = (BLOCK + 1) * (BLOCK + 1) * (BLOCK + 1), NONE = -1, TURNS = 40 };
 
 typedef struct {
   int32_t at[3];
-  uint8_t below;   /* bit c: the value at corner c is below 0 */
-  uint8_t flips;   /* bit f: the crossings in face f are joined in the second way (step 3 of the plan) */
+  uint8_t below;   /* signs at the cell's corners: bit c is set if the value at corner c is below 0 */
+  uint8_t flips;   /* bit f: the crossings in face f of the cell are joined in the second way (step 3 of the plan) */
   bool sharp;      /* true if the cell contains an edge or corner of the surface */
   uint32_t rings;  /* two bits for each edge of the cell: the number of the ring that contains the edge's crossing */
-  uint32_t first;  /* index of the point of the cell's ring 0; the points of its other rings follow */
-  int32_t edge[3]; /* the crossed edges at the cell's lowest corner, by axis; NONE: the edge is not crossed */
+  uint32_t first;  /* index of the point of the cell's first ring (piece of the surface); the points of its other rings
+                    * follow */
+  int32_t edge[3]; /* edge[a]: index of the crossed edge along axis a at the cell's lowest corner; NONE: the surface
+                    * does not cross it */
 } cell;
 
 typedef struct {
   uint32_t cell;
   uint8_t axis;
-  bool rises; /* true if the value changes from below 0 to above 0 along the axis */
+  bool rises; /* true if the function's value rises from below 0 to above 0 along the edge */
   double v0, v1;
 } crossing;
 
 typedef struct {
-  const vs_tape *t; /* a tape whose value is the larger of the function and the distance to the box's inside */
+  const vs_tape *t; /* tape whose value is the larger of the function's value and of the distance to the box's inside */
   vs_sampler *values, *slopes;
   double origin[3], size;
-  int32_t n[3]; /* number of cells along each axis */
+  int32_t n[3]; /* number of cells of the grid along each axis */
   double p[3], q[3];
   cell *cells;
   size_t cell_count, cell_room;
-  uint32_t *index; /* hash table that maps the position of a cell to the index of the cell, plus 1 */
+  uint32_t *index; /* hash table that maps the position of a cell to its index plus 1 */
   size_t slots, slot_room;
   crossing *edges;
   size_t edge_count, edge_room;
-  vs_vec3 *roots, *normals; /* root and normal of each crossed edge */
+  vs_vec3 *roots, *normals; /* roots[i], normals[i]: point where the surface crosses edge i, and the surface's normal
+                             * there */
   size_t root_room, normal_room;
-  uint32_t (*around)[4]; /* the four points around each edge, counter-clockwise as seen from the side of values above
-                          * 0 */
+  uint32_t (*around)[4]; /* around[i]: the four points around edge i, counter-clockwise as seen from the side of values
+                          * above 0 */
   size_t around_room;
   vs_enclosure *work;
   size_t work_room;
@@ -140,8 +143,9 @@ static vs_contour_outcome block(contour *c, const int32_t *from) {
                         .edge = { NONE, NONE, NONE } };
         for (int a = 0; a < 3; a++) {
           if ((below & 1) == (below >> (1 << a) & 1)) continue;
-          if (c->out->most && 2 * (c->edge_count + 1) > c->out->most) return VS_CONTOUR_MANY; /* a crossed edge becomes
-                                                                                               * two triangles */
+          if (c->out->most && 2 * (c->edge_count + 1) > c->out->most) return VS_CONTOUR_MANY; /* each crossed edge
+                                                                                               * becomes two triangles
+                                                                                               * of the mesh */
           if (!VS_GROW(c->edges, c->edge_room, c->edge_count + 1)) return VS_CONTOUR_MEMORY;
           made->edge[a] = (int32_t)c->edge_count;
           c->edges[c->edge_count++] =
@@ -153,10 +157,10 @@ static vs_contour_outcome block(contour *c, const int32_t *from) {
 
 typedef struct {
   int32_t from[3], to[3];
-} span; /* a box of blocks, as ranges of block numbers */
+} span; /* a box of blocks of cells, as ranges of block numbers along the axes */
 
-/* Visits all blocks that may contain a crossing. It divides the grid into smaller and smaller boxes, and skips boxes
- * without one. */
+/* Visits all blocks of cells that may contain a crossing of the surface. It divides the grid into smaller and smaller
+ * boxes, and skips boxes without a crossing. */
 static vs_contour_outcome blocks(contour *c) {
   span *todo = NULL;
   size_t count = 1, room = 0, looked = 0;
@@ -207,8 +211,8 @@ typedef struct {
   int8_t side;
 } search;
 
-/* Returns the larger size of the values at both ends of the edge. Beside a pole one of them may be infinite, and is
- * ignored. */
+/* Returns the larger absolute value of the function at the two ends of the edge. Beside a pole one of them may be
+ * infinite, and is ignored. */
 static double finite_size(const crossing *e) {
   double a = fabs(e->v0), b = fabs(e->v1);
   return isfinite(a) && isfinite(b) ? fmax(a, b) : fmin(a, b);
@@ -218,9 +222,9 @@ static bool in_box(const contour *c, double x, double y, double z) {
   return x >= c->p[0] && x <= c->q[0] && y >= c->p[1] && y <= c->q[1] && z >= c->p[2] && z <= c->q[2];
 }
 
-/* Finds the root on every crossed edge, with the Illinois method of false position. Each iteration evaluates all edges
- * together. Every third iteration and all late ones bisect, which also finds jumps. Then computes the gradients at the
- * roots. */
+/* Finds the root on every edge that the surface crosses, with the Illinois method of false position. Each iteration
+ * evaluates all edges together. Every third iteration and all late ones bisect, which also finds jumps. Then computes
+ * the gradients at the roots. */
 static vs_contour_outcome roots(contour *c) {
   size_t n = c->edge_count, room = 0, x_room[3] = { 0, 0, 0 }, v_room = 0, s_room[3] = { 0, 0, 0 };
   search *s = NULL;
@@ -252,7 +256,7 @@ static vs_contour_outcome roots(contour *c) {
     size_t kept = 0;
     for (size_t i = 0; i < left; i++) {
       search e = s[i];
-      if (v[i] != v[i]) { /* a value that is no number is allowed only outside of the box */
+      if (v[i] != v[i]) { /* the value may be NaN only outside of the box */
         if (in_box(c, x[0][i], x[1][i], x[2][i])) {
           c->out->at = vs_v3(x[0][i], x[1][i], x[2][i]), outcome = VS_CONTOUR_NO_NUMBER;
           break;
@@ -335,15 +339,14 @@ static cell *cell_at(const contour *c, int32_t i, int32_t j, int32_t k) {
 
 /* ---- rings ---- */
 
-/* Returns the number of the cell's edge between corners a and b, which differ in one bit. */
+/* Returns the number of the cell's edge between its corners a and b, which differ in one bit. */
 static int edge_between(int a, int b) {
   int bit = a ^ b, axis = bit == 1 ? 0 : bit == 2 ? 1 : 2, low = a & b;
   VS_ASSERT(bit == 1 || bit == 2 || bit == 4);
   return 4 * axis + (low >> (axis + 1) % 3 & 1) + 2 * (low >> (axis + 2) % 3 & 1);
 }
 
-/* Sets at[0] to at[3] to the corners of a face, 0 to 5, in order around it. Its edges connect neighbours in this
- * order. */
+/* Sets at[0] to at[3] to the corners of a face of a cell, in order around it. face: 0 to 5. */
 static void face_corners(int face, int *at) {
   int axis = face / 2, b = 1 << (axis + 1) % 3, c = 1 << (axis + 2) % 3, low = face & 1 ? 1 << axis : 0;
   VS_ASSERT(face >= 0 && face < 6);
@@ -362,8 +365,8 @@ static int root_of(const int8_t *parent, int e) {
   return e;
 }
 
-/* Finds the pairs of crossed edges that the surface connects in a face, and returns their number. With four crossings,
- * the two edges at a corner below 0 form a pair; in a flipped face, the two edges at a corner above 0. */
+/* Finds the pairs of crossed edges that the surface connects in a face of cell c, and returns their number. With four
+ * crossings, the two edges at a corner below 0 form a pair; in a flipped face, the two edges at a corner above 0. */
 static int face_pairs(const cell *c, int face, int (*pair)[2]) {
   int k[4], crossed[4], count = 0;
   face_corners(face, k);
@@ -378,7 +381,7 @@ static int face_pairs(const cell *c, int face, int (*pair)[2]) {
   return 2;
 }
 
-/* Joins the crossed edges of a cell into rings, and numbers the rings. Returns their number. */
+/* Joins the crossed edges of a cell into rings (pieces of the surface), and numbers the rings. Returns their number. */
 static int join_rings(cell *c) {
   int8_t parent[12];
   uint32_t used = 0;
@@ -405,14 +408,14 @@ static int join_rings(cell *c) {
 
 static unsigned ring_of(const cell *c, int edge) { return c->rings >> 2 * edge & 3; }
 
-/* Returns true if both pairs of crossings in the face belong to one ring. */
+/* Returns true if both pairs of crossed edges in a face of cell c belong to one ring (piece of the surface). */
 static bool on_one_ring(const cell *c, int face) {
   int pair[2][2];
   return face_pairs(c, face, pair) == 2 && ring_of(c, pair[0][0]) == ring_of(c, pair[1][0]);
 }
 
-/* Flips faces to separate rings. A flipped face separates the rings of both its cells, and affects no other ring.
- * Therefore one pass suffices. */
+/* Joins the crossings in some faces the other way (flips them), to separate rings. A flipped face separates the rings
+ * of the two cells at it, and affects no other ring. Therefore one pass suffices. */
 static void part_sheets(contour *c) {
   for (size_t i = 0; i < c->cell_count; i++) join_rings(&c->cells[i]);
   for (size_t i = 0; i < c->cell_count; i++)
@@ -429,8 +432,8 @@ static void part_sheets(contour *c) {
 
 /* ---- points of rings ---- */
 
-/* Computes the eigenvalues of a symmetric matrix by Jacobi's rotations; they replace the diagonal of m. The columns of
- * v become the eigenvectors. */
+/* Computes the eigenvalues of the symmetric matrix m by Jacobi's rotations; they replace the diagonal of m. The columns
+ * of v become the eigenvectors. */
 static void eigen(double m[3][3], double v[3][3]) {
   memset(v, 0, 9 * sizeof **v);
   v[0][0] = v[1][1] = v[2][2] = 1;
@@ -459,7 +462,7 @@ static void eigen(double m[3][3], double v[3][3]) {
 
 /* Two normals with a scalar product below SHARP belong to an edge of the surface. A normal whose component
  * perpendicular to the plane of the others exceeds CORNER belongs to a corner. Smaller differences are the curvature of
- * a smooth surface. The two numbers are the cosine and sine of some 25 degrees. */
+ * a smooth surface. SHARP and CORNER are the cosine and sine of some 25 degrees. */
 #define SHARP .9
 #define CORNER .42
 
@@ -514,7 +517,7 @@ static vs_vec3 best_point(const vs_vec3 *place, const vs_vec3 *normal, int n, vs
   return vs_v3_add(from, vs_v3(x[0], x[1], x[2]));
 }
 
-/* A ring during the search for its point, and the limits of the point. */
+/* The search for the point of a ring (piece of the surface in a cell), and the limits of the point. */
 typedef struct {
   double low[3], high[3];
   uint32_t point;
@@ -528,8 +531,8 @@ static vs_vec3 held_in(const ring_point *r, vs_vec3 p) {
   return vs_v3(held(p.x, r->low[0], r->high[0]), held(p.y, r->low[1], r->high[1]), held(p.z, r->low[2], r->high[2]));
 }
 
-/* Returns the best point within the ring's cell. If the best point is beyond a side of the cell, it is computed again
- * within that side. */
+/* Returns the point within the ring's cell that best fits the planes through the n places with the given normals. If
+ * the best point is beyond a side of the cell, it is computed again within that side. */
 static vs_vec3 best_within(const ring_point *r, const vs_vec3 *place, const vs_vec3 *normal, int n, vs_vec3 from,
                            int rank) {
   vs_vec3 p = from;
@@ -549,9 +552,9 @@ static vs_vec3 best_within(const ring_point *r, const vs_vec3 *place, const vs_v
   return held_in(r, p);
 }
 
-/* Samples the surface near the points of n rings, and moves the points. If the surface is smooth, the point moves onto
- * it. If it is sharp, the point moves to the intersection of the planes on its two sides. The samples are first at a
- * larger distance and then at smaller ones. */
+/* Samples the surface near the points of n rings (pieces of the surface), and moves the points. If the surface is
+ * smooth, the point moves onto it. If it is sharp, the point moves to the intersection of the planes on its two sides.
+ * The samples are first at a larger distance and then at smaller ones. Returns false on failure. */
 static bool refine(contour *c, ring_point *rings, size_t n) {
   enum { LOOKS = 24, TURNS_OF_LOOKS = 3 };
   static const double reach[TURNS_OF_LOOKS] = { .4, .15, .05 };
@@ -596,7 +599,7 @@ static bool refine(contour *c, ring_point *rings, size_t n) {
 
 enum { AT_ONCE = 512 };
 
-/* The crossings of a cell's edges, grouped by ring. */
+/* The points where the surface crosses a cell's edges, and the normals there, grouped by ring. */
 typedef struct {
   vs_vec3 root[4][12], normal[4][12];
   int count[4], rings;
@@ -619,7 +622,7 @@ static void collect(const contour *c, const cell *here, crossings *out) {
   }
 }
 
-/* Returns the mean of n places, n >= 1. */
+/* Returns the mean of the n >= 1 points `at`. */
 static vs_vec3 middle_of(const vs_vec3 *at, int n) {
   vs_vec3 middle = { 0, 0, 0 };
   VS_ASSERT(n > 0);
@@ -627,9 +630,9 @@ static vs_vec3 middle_of(const vs_vec3 *at, int n) {
   return middle;
 }
 
-/* A sharp edge of the surface may pass through a cell between the crossings, which then all lie on one side of it. If a
- * neighbouring cell contains an edge, and its planes intersect this cell's planes within this cell, the edge continues
- * there. Sets *p to the intersection and returns true. */
+/* Returns true if a sharp edge of the surface passes through a cell between the crossings, which all lie on one side of
+ * it. This is assumed if a neighbouring cell contains an edge, and its planes intersect this cell's planes within this
+ * cell. *p: the intersection. */
 static bool goes_on(const contour *c, const cell *here, const crossings *own, ring_point *r, vs_vec3 *p) {
   for (int face = 0; face < 6; face++) {
     int axis = face / 2, way = face & 1 ? 1 : -1;
@@ -658,7 +661,7 @@ static bool goes_on(const contour *c, const cell *here, const crossings *own, ri
 
 static bool points(contour *c) {
   vs_contour *out = c->out;
-  ring_point *some[2] = { NULL, NULL }; /* batches of rings that are refined together: [0] smooth rings, [1] sharp
+  ring_point *some[2] = { NULL, NULL }; /* rings whose points are refined together: some[0] smooth rings, some[1] sharp
                                          * rings */
   size_t room[2] = { 0, 0 }, count_of[2] = { 0, 0 };
   bool ok = VS_GROW(some[0], room[0], AT_ONCE) && VS_GROW(some[1], room[1], AT_ONCE);
@@ -680,8 +683,8 @@ static bool points(contour *c) {
     for (int r = 0; ok && r < own.rings; r++) {
       int n = own.count[r];
       ring_point made = { .point = (uint32_t)out->point_count, .count = n, .rank = rank_of(own.normal[r], n) };
-      double inset = 1e-4 * c->size; /* keeps points away from the cell's sides, so that points of two cells are never
-                                      * equal */
+      double inset = 1e-4 * c->size; /* smallest distance of a ring's point from the sides of its cell, so that points
+                                      * of two cells are never equal */
       for (int a = 0; a < 3; a++)
         made.low[a] = place(c, a, here->at[a]) + inset, made.high[a] = place(c, a, here->at[a] + 1) - inset;
       memcpy(made.normal, own.normal[r], (size_t)n * sizeof *made.normal);
@@ -704,8 +707,8 @@ static bool points(contour *c) {
 
 /* ---- faces ---- */
 
-/* Returns how far p is from the triangle: the square of its height above the plane, plus the square of its largest
- * distance beyond a side. Returns INFINITY if the triangle has no area. */
+/* Returns a measure of the distance of p from the triangle a b c: the square of its height above the plane, plus the
+ * square of its largest distance beyond a side. Returns INFINITY if the triangle has no area. */
 static double apart(vs_vec3 p, vs_vec3 a, vs_vec3 b, vs_vec3 c) {
   vs_vec3 n = vs_v3_cross(vs_v3_sub(b, a), vs_v3_sub(c, a));
   double length = vs_v3_length(n);
@@ -720,7 +723,8 @@ static double apart(vs_vec3 p, vs_vec3 a, vs_vec3 b, vs_vec3 c) {
   return height * height + out * out;
 }
 
-/* Finds the four points around each edge. The first is in the cell to which the edge belongs. */
+/* Finds the four points around each crossed edge. The first is in the cell to which the edge belongs. Returns false
+ * when memory is out. */
 static bool find_around(contour *c) {
   if (!VS_GROW(c->around, c->around_room, c->edge_count + 1)) return false;
   for (size_t i = 0; i < c->edge_count; i++) {
@@ -728,12 +732,12 @@ static bool find_around(contour *c) {
     const cell *owner = &c->cells[e->cell];
     int b = (e->axis + 1) % 3, d = (e->axis + 2) % 3;
     uint32_t *corner = c->around[i];
-    for (int k = 0; k < 4; k++) { /* the four cells around the axis, in the order (+ +) (- +) (- -) (+ -) */
+    for (int k = 0; k < 4; k++) { /* visits the four cells around the axis, in the order (+ +) (- +) (- -) (+ -) */
       int back = k == 1 || k == 2, down = k >= 2;
       int32_t at[3] = { owner->at[0], owner->at[1], owner->at[2] };
       at[b] -= back, at[d] -= down;
-      const cell *there = cell_at(c, at[0], at[1], at[2]); /* the cell exists, because the edge crosses the surface in
-                                                            * all four cells */
+      const cell *there = cell_at(c, at[0], at[1], at[2]); /* the cell is stored, because the surface crosses the edge,
+                                                            * which belongs to all four cells */
       corner[k] = there ? there->first + ring_of(there, 4 * e->axis + back + 2 * down) : owner->first;
     }
     if (!e->rises) {
@@ -750,15 +754,16 @@ static vs_vec3 face_normal(const vs_vec3 *p, uint32_t a, uint32_t b, uint32_t c)
   return length > 0 ? vs_v3_scale(n, 1 / length) : n;
 }
 
-/* Returns true if the diagonal from corner `from` (0 or 1) would fold one of the two triangles back over the other. */
+/* Returns true if the diagonal from corner `from` (0 or 1) of a quadrilateral would fold one of its two triangles back
+ * over the other. */
 static bool folds(const vs_vec3 *p, const uint32_t *corner, int from) {
   vs_vec3 first = face_normal(p, corner[from], corner[from + 1], corner[from + 2]);
   VS_ASSERT(from == 0 || from == 1);
   return vs_v3_dot(first, face_normal(p, corner[from], corner[from + 2], corner[(from + 3) % 4])) < -.9;
 }
 
-/* Makes the two triangles around each edge. stands_for[r]: the ring whose point ring r uses; NULL: each uses its
- * own. */
+/* Makes the two triangles around each crossed edge. stands_for[r]: ring whose point replaces that of ring r; NULL: each
+ * ring uses its own. Returns false when memory is out. */
 static bool faces(contour *c, const uint32_t *stands_for) {
   vs_contour *out = c->out;
   const vs_vec3 *p = out->points;
@@ -772,7 +777,7 @@ static bool faces(contour *c, const uint32_t *stands_for) {
       if (!n || at != corner[n - 1]) corner[n++] = at;
     }
     if (n > 1 && corner[n - 1] == corner[0]) n--;
-    int from = 0; /* the corner at which the diagonal begins */
+    int from = 0; /* from: number of the corner (0 or 1) at which the diagonal begins */
     if (n == 4) {
       vs_vec3 root = c->roots[i];
       double first = fmin(apart(root, p[corner[0]], p[corner[1]], p[corner[2]]),
@@ -790,8 +795,8 @@ static bool faces(contour *c, const uint32_t *stands_for) {
   return true;
 }
 
-/* Measures the distance of the triangles' centres from the surface, to first order. Checks whether a side of the box is
- * a part of the mesh. */
+/* Measures the distance of the triangles' centres from the surface, to first order. Finds out whether sides of the box
+ * are parts of the mesh. */
 static vs_contour_outcome judge(contour *c) {
   enum { BATCH = VS_SAMPLE_BATCH };
   double x[3][BATCH], v[BATCH], slope[3][BATCH];
@@ -819,7 +824,7 @@ static vs_contour_outcome judge(contour *c) {
 
 /* ---- merging of cells ---- */
 
-/* Removes the points that no triangle uses. */
+/* Removes the points of the mesh that no triangle has. */
 static bool drop_points(contour *c) {
   vs_contour *out = c->out;
   uint32_t *to = NULL, count = 0;
@@ -843,8 +848,8 @@ static bool has_ambiguous_side(const cell *c) {
   return false;
 }
 
-/* Merges cells in which the surface is flat within the tolerance, as long as the centres of triangles also stay within
- * it. Tolerance 0: flat within rounding errors. */
+/* Merges cells in which the surface is flat within the tolerance, as long as the centres of the new triangles also stay
+ * within it. Tolerance 0: flat within rounding errors. */
 static vs_contour_outcome merge_cells(contour *c, double tolerance) {
   enum { TURNS_OF_MERGING = 4 };
   vs_contour *out = c->out;
@@ -886,8 +891,9 @@ static vs_contour_outcome merge_cells(contour *c, double tolerance) {
     out->deviation = 0;
     outcome = judge(c);
     if (out->deviation <= tolerance) break;
-    if (turn == TURNS_OF_MERGING - 1) ok = faces(c, NULL), out->deviation = before; /* no merging was good enough, so
-                                                                                     * the unmerged mesh is restored */
+    if (turn == TURNS_OF_MERGING - 1) ok = faces(c, NULL), out->deviation = before; /* no merging kept the triangles
+                                                                                     * within the tolerance, so the
+                                                                                     * unmerged mesh is restored */
   }
   ok = ok && drop_points(c);
   free(place), free(barred), free(axis), free(stands_for);

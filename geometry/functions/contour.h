@@ -1,4 +1,5 @@
-/* Declares the meshing of functions: a closed mesh of the region of a box in which a tape's value is below 0. */
+/* Declares the meshing of functions: a closed mesh of the region of a box in which a function, given as a tape, is
+ * below 0. */
 #ifndef VS_GEOMETRY_FUNCTIONS_CONTOUR_H
 #define VS_GEOMETRY_FUNCTIONS_CONTOUR_H
 
@@ -10,11 +11,11 @@ enum { VS_CONTOUR_CELLS = 1024 }; /* greatest number of cells along the longest 
 
 typedef enum {
   VS_CONTOUR_DONE,
-  VS_CONTOUR_EMPTY,     /* the value is nowhere below 0 in the box */
-  VS_CONTOUR_NO_NUMBER, /* the tape has no value at `at` */
-  VS_CONTOUR_POLE,      /* the value changes its sign through infinity, near the point `at` */
+  VS_CONTOUR_EMPTY,     /* the function is nowhere below 0 in the box */
+  VS_CONTOUR_NO_NUMBER, /* the function has no value at the point `at` */
+  VS_CONTOUR_POLE,      /* the function changes its sign through infinity, near the point `at` */
   VS_CONTOUR_STOPPED,   /* the caller interrupted */
-  VS_CONTOUR_MANY,      /* the cells' mesh has more triangles than out->most */
+  VS_CONTOUR_MANY,      /* the mesh before merging has more triangles than out->most */
   VS_CONTOUR_MEMORY
 } vs_contour_outcome;
 
@@ -23,8 +24,8 @@ typedef struct {
   uint32_t (*triangles)[3]; /* corners of the triangles, counter-clockwise as seen from the side of values above 0 */
   size_t point_count, triangle_count;
   size_t point_room, triangle_room;
-  vs_vec3 at;       /* place of the fault, for outcomes with one */
-  size_t most;      /* input: greatest number of triangles of the cells before merging; 0: no limit */
+  vs_vec3 at;       /* place of the fault, for VS_CONTOUR_NO_NUMBER and VS_CONTOUR_POLE */
+  size_t most;      /* input: greatest number of triangles of the mesh before cells are merged; 0: no limit */
   bool capped;      /* true if the box cuts the region, so that sides of the box close the mesh */
   double deviation; /* largest distance of a triangle's centre from the surface, to first order */
 } vs_contour;
@@ -33,9 +34,9 @@ typedef struct {
  * side. Cubes are merged where the surface is flat within the tolerance, a length; 0: within rounding errors. */
 typedef struct { vs_vec3 p, q; int cells; double tolerance; } vs_contour_grid;
 
-/* Makes the mesh of t(x, y, z) < 0 in the grid's box. If the deviation without merging is above the tolerance, no cubes
- * are merged. The mesh is a closed manifold: each edge has two triangles, and the triangles at each point form one fan.
- * The caller frees it with vs_contour_free after any outcome. cells is 1 to VS_CONTOUR_CELLS. */
+/* Makes the mesh of the region in the grid's box where t(x, y, z) < 0. If the deviation without merging is above the
+ * tolerance, no cubes are merged. The mesh is a closed manifold: each edge has two triangles, and the triangles at each
+ * point form one fan. The caller frees it with vs_contour_free after any outcome. cells is 1 to VS_CONTOUR_CELLS. */
 vs_contour_outcome vs_contour_make(const vs_tape *t, const vs_contour_grid *grid, vs_long_work work, vs_contour *out);
 void vs_contour_free(vs_contour *c);
 

@@ -17,7 +17,8 @@ static double above(double d, double units) {
 static const vs_enclosure all = { -INFINITY, INFINITY, true }, none = { NAN, NAN, true };
 
 static vs_enclosure bounds(double low, double high, double units, bool partial) {
-  if (low != low || high != high) return all; /* an operation such as inf - inf has no result */
+  if (low != low || high != high) return all; /* an operation such as inf - inf has no result, so any number is
+                                               * possible */
   return (vs_enclosure){ below(low, units), above(high, units), partial };
 }
 
@@ -50,8 +51,8 @@ static vs_enclosure rising(double (*f)(double), vs_enclosure a, bool partial) {
   return bounds(f(a.low), f(a.high), 4, partial);
 }
 
-/* Returns true if a contains an angle phase + k * 2 pi for some integer k. The margin exceeds any rounding error of the
- * angle. */
+/* Returns true if the interval a contains an angle phase + k * 2 pi for some integer k. The margin exceeds any rounding
+ * error of the angle. */
 static bool holds_turn(vs_enclosure a, double phase) {
   const double turn = 6.283185307179586;
   double margin = 1e-9 + 1e-15 * most(fabs(a.low), fabs(a.high));
@@ -74,7 +75,8 @@ static vs_enclosure clipped(vs_enclosure a, double low, double high) { /* return
 }
 
 static vs_enclosure power(vs_enclosure a, vs_enclosure b, bool partial) {
-  if (b.low == b.high && b.low == floor(b.low) && fabs(b.low) < 1e6) { /* an integer power is a product */
+  if (b.low == b.high && b.low == floor(b.low) && fabs(b.low) < 1e6) { /* a power with an integer exponent is computed
+                                                                        * as a product */
     double n = fabs(b.low), p = pow(a.low, n), q = pow(a.high, n);
     bool even = fmod(n, 2) == 0;
     vs_enclosure r = bounds(even && a.low <= 0 && a.high >= 0 ? 0 : least(p, q), most(p, q), 4, partial);
@@ -88,7 +90,8 @@ static vs_enclosure power(vs_enclosure a, vs_enclosure b, bool partial) {
   return bounds(least(least(p, q), least(r, s)), most(most(p, q), most(r, s)), 4, partial || base.partial);
 }
 
-static vs_enclosure angle(vs_enclosure y, vs_enclosure x, bool partial) { /* returns the bounds of atan2(y, x) */
+static vs_enclosure angle(vs_enclosure y, vs_enclosure x, bool partial) { /* returns the bounds of atan2(y, x) for y and
+                                                                           * x in the given intervals */
   if (x.low <= 0 && y.low <= 0 && y.high >= 0) /* the box contains a part of the negative x axis, where the angle jumps,
                                                 * or the origin */
     return (vs_enclosure){ -3.1415926535897936, 3.1415926535897936, partial || (x.high >= 0) };
@@ -168,7 +171,7 @@ vs_enclosure vs_enclose(vs_tape_operator op, vs_enclosure a, vs_enclosure b, vs_
     if (b.low != b.low) return c.partial = true, c;
     if (c.low != c.low) return b.partial = true, b;
     return (vs_enclosure){ least(b.low, c.low), most(b.high, c.high), a.partial || b.partial || c.partial };
-  case VS_TAPE_FIELD: /* vs_enclose_tape handles fields */
+  case VS_TAPE_FIELD: /* fields are handled by vs_enclose_tape */
   case VS_TAPE_CONSTANT:
   case VS_TAPE_INPUT:
   case VS_TAPE_OPERATORS: break;
@@ -176,7 +179,8 @@ vs_enclosure vs_enclose(vs_tape_operator op, vs_enclosure a, vs_enclosure b, vs_
   return all;
 }
 
-/* Returns the bounds of a field over a box: its value at the centre, plus and minus the distance to a corner. */
+/* Returns the bounds of a field over the box x, y, z: its value at the centre, plus and minus the distance to a
+ * corner. */
 static vs_enclosure enclose_field(const vs_tape_field *f, vs_enclosure x, vs_enclosure y, vs_enclosure z) {
   bool partial = x.partial || y.partial || z.partial;
   if (x.low != x.low || y.low != y.low || z.low != z.low) return none;

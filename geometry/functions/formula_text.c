@@ -22,8 +22,8 @@ static const struct {
 typedef struct {
   const char *text;
   uint32_t step;
-} piece; /* A piece of text with `step` characters. If the text is NULL, the piece is the formula of the tape's step
-          * number `step`. */
+} piece; /* A piece of the text that is still to be written: `step` characters of a text, or if the text is NULL, the
+          * formula of the tape's step number `step`. */
 
 typedef struct {
   const vs_tape *t;
@@ -62,7 +62,8 @@ static bool put_number(writer *w, double d) {
   return (!negative || put(w, "(", 1)) && put(w, text, strlen(text)) && (!negative || put(w, ")", 1));
 }
 
-/* Divides the template of a step's operator into pieces, and pushes them from the last to the first. */
+/* Divides the template of a step's operator into pieces of text and operands, and pushes them from the last to the
+ * first. Returns false when memory is out. */
 static bool push_form(writer *w, const vs_tape_step *s) {
   const char *form = forms[s->op].text[w->language];
   int mine = forms[s->op].binds;
@@ -72,8 +73,8 @@ static bool push_form(writer *w, const vs_tape_step *s) {
   for (size_t end = n; ok && end > 0;) {
     size_t at = end;
     while (at > 0 && form[at - 1] != '$') at--;
-    /* form[at] is the name of an operand, and form[at + 1] to form[end - 1] is plain text. at == 0: no operand
-     * remains. */
+    /* plain: the text after the operand's name. form[at] is the name of an operand, and form[at + 1] to form[end - 1]
+     * is plain text; at == 0: no operand remains. */
     const char *plain = form + (at ? at + 1 : 0);
     size_t length = (size_t)(form + end - plain);
     if (length) ok = push(w, plain, (uint32_t)length);

@@ -23,10 +23,11 @@
 enum { LEVELS = 16, EDGES = 12 };
 #define NONE UINT32_MAX
 
-/* Limit on the distance of merged points from the planes, as a fraction of a node's size. A surface with more curvature
- * is not merged. */
+/* BEND: limit on the distance of merged points from the planes, as a fraction of a node's size. A surface with more
+ * curvature is not merged. */
 #define BEND .1
-/* Weight of the distance from the part's middle. It decides between points that are equally near to the planes. */
+/* TO_MIDDLE: weight of the distance from the part's middle, which decides between points that are equally near to the
+ * planes. */
 #define TO_MIDDLE 1e-7
 
 typedef struct {
@@ -34,15 +35,15 @@ typedef struct {
   bool whole; /* true if all children of the node are merged, so that the node itself may be merged */
 } node;
 
-/* A connected part of the surface that had its own point on the level below. */
+/* A connected part of the surface within a node of the octree that had its own point on the level below. */
 typedef struct {
   uint32_t ring, node;
   uint32_t up;            /* union-find parent: a part with which this part is joined, or the part itself */
-  uint32_t link;          /* index of the next part that is joined with this part, in a circular list */
-  uint32_t count;         /* number of parts that are joined; valid in the first of them */
-  uint32_t best;          /* the ring whose point all joined parts may share; valid in the first of the parts */
+  uint32_t link;          /* index of the next part in the circular list of the parts that are joined with this part */
+  uint32_t count;         /* number of parts that are joined with this part; valid in the first of them */
+  uint32_t best;          /* ring whose point all joined parts may share; valid in the first of these parts */
   int32_t sides, inside;  /* sides: twice the number of cell sides between the rings of the joined parts; inside: number
-                           * of quads within the parts; valid in the first of the parts */
+                           * of quads within these parts; valid in the first of them */
   uint8_t rim[EDGES];     /* number of crossings of the surface with each edge of the node; valid in the first of the
                            * joined parts */
 } part;
@@ -51,21 +52,21 @@ typedef struct {
   const vs_octree_leaves *l;
   double tolerance;
   int level;
-  uint32_t *of;     /* union-find parent of each ring; the root is the first ring of the merged part */
-  uint32_t *next;   /* for each ring: the next ring of its part, in a circular list */
-  uint32_t *rep;    /* for the first ring of each part: the ring whose point represents the part */
-  uint32_t *number; /* for the first ring of each part: the part's index in `parts`, or NONE if the part's node is not
-                     * merged */
-  uint32_t *start, *list; /* the quads of ring r are list[start[r]] to list[start[r + 1] - 1] */
+  uint32_t *of;     /* of[r]: union-find parent of ring r; the root is the first ring of the merged part */
+  uint32_t *next;   /* next[r]: next ring in the circular list of the rings of ring r's part */
+  uint32_t *rep;    /* rep[r]: for the first ring r of a part, the ring whose point represents the part */
+  uint32_t *number; /* number[r]: for the first ring r of a part, the part's index in `parts`, or NONE if the part's
+                     * node is not merged */
+  uint32_t *start, *list; /* list[start[r]] to list[start[r + 1] - 1]: numbers of the quads of ring r */
   part *parts;
   size_t part_count, part_room;
-  uint32_t *quads; /* quads whose rings may still belong to different parts */
+  uint32_t *quads; /* numbers of the quads whose rings may still belong to different parts */
   size_t quad_count;
   node *nodes;
   size_t node_count, node_room;
-  uint32_t *table; /* hash table that maps a position to the index of the node there, plus 1 */
+  uint32_t *table; /* hash table that maps the position of a node to its index plus 1 */
   size_t slots, table_room;
-  int32_t (*spoilt)[3]; /* positions of nodes of the level below that are not merged */
+  int32_t (*spoilt)[3]; /* positions of nodes of the level below that could not be merged */
   size_t spoilt_count, spoilt_room;
 } octree;
 
@@ -78,8 +79,8 @@ static uint64_t hash_place(const int32_t *at) {
   return h ^ h >> 31;
 }
 
-/* Returns the index of the node at this position. Makes the node if there is none. Returns NONE when memory is out. The
- * number of slots is a power of two, and exceeds the number of nodes. */
+/* Returns the index of the octree's node at this position. Makes the node if there is none. Returns NONE when memory is
+ * out. The number of slots is a power of two, and exceeds the number of nodes. */
 static uint32_t node_at(octree *o, const int32_t *at) {
   size_t h = hash_place(at) & (o->slots - 1);
   VS_ASSERT(o->slots > 0 && (o->slots & (o->slots - 1)) == 0);
@@ -91,7 +92,8 @@ static uint32_t node_at(octree *o, const int32_t *at) {
   return o->table[h] - 1;
 }
 
-/* Makes the nodes of the current level. A node with a child that is not merged is not `whole`. */
+/* Makes the octree's nodes of the current level. A node with a child that is not merged gets `whole` false. Returns
+ * false when memory is out. */
 static bool make_nodes(octree *o) {
   for (o->slots = 64; o->slots < 2 * (o->part_count + o->spoilt_count);) o->slots *= 2;
   if (!VS_GROW(o->table, o->table_room, o->slots)) return false;
@@ -115,7 +117,7 @@ static bool make_nodes(octree *o) {
 
 /* ---- parts that are joined ---- */
 
-/* Returns the first ring of the part to which the ring belongs. */
+/* Returns the first ring of the part of the surface to which the ring belongs. */
 static uint32_t first_ring(octree *o, uint32_t ring) {
   VS_ASSERT(ring < o->l->rings);
   while (o->of[ring] != ring) ring = o->of[ring] = o->of[o->of[ring]];
@@ -132,7 +134,8 @@ static void swap(uint32_t *a, uint32_t *b) {
   *a = *b, *b = t;
 }
 
-/* Sets p[0] to p[3] to the parts of the four rings of a quad; NONE if the node of a ring is not whole. */
+/* Sets p[0] to p[3] to the parts of the surface to which the four rings of a quad belong; NONE if a ring's node is not
+ * whole. */
 static void parts_around(octree *o, uint32_t quad, uint32_t *p) {
   for (int k = 0; k < 4; k++) {
     p[k] = o->number[first_ring(o, o->l->around[quad][k])];
@@ -191,7 +194,8 @@ static bool is_disc(const part *p) {
   }
   for (int face = 0; face < 6; face++) {
     int b = (face / 2 + 1) % 3, d = (face / 2 + 2) % 3, side = face & 1;
-    /* The position of an edge along b on this face is bit 1 of its number, and that of an edge along d is bit 0. */
+    /* lines: number of lines in which the part crosses this face. The position of an edge along b on the face is bit 1
+     * of its number, that of an edge along d is bit 0. */
     int lines =
         p->rim[4 * b + 2 * side] + p->rim[4 * b + 2 * side + 1] + p->rim[4 * d + side] + p->rim[4 * d + side + 2];
     if (lines != 0 && lines != 2) return false;
@@ -199,12 +203,13 @@ static bool is_disc(const part *p) {
   return all > 0;
 }
 
-/* Runs the statement that follows for each ring r of all parts joined with part p. */
+/* EACH_RING runs the statement that follows it for each ring r of all parts joined with part p. */
 #define EACH_RING(o, p, r)                                                                                             \
   for (uint32_t q_ = (p), once_ = 1; once_ || q_ != (p); q_ = (o)->parts[q_].link, once_ = 0)                          \
     for (uint32_t r = (o)->parts[q_].ring, first_ = 1; first_ || r != (o)->parts[q_].ring; r = (o)->next[r], first_ = 0)
 
-/* Returns the ring whose point all parts joined with p may share, or NONE if no point is near enough. */
+/* Returns the ring whose point all parts joined with part p may share, or NONE if no ring's point is near enough to the
+ * planes. */
 static uint32_t best_ring(const octree *o, uint32_t p) {
   const vs_octree_leaves *l = o->l;
   double limit = fmin(o->tolerance, BEND * l->size * (1 << o->level));
@@ -257,8 +262,8 @@ static bool judge(octree *o) {
 
 /* ---- levels of the octree ---- */
 
-/* Merges all nodes of the current level that fulfil the conditions. Their joined parts become the parts of the next
- * level. */
+/* Merges all nodes of the current level whose parts fulfil the conditions for merging. Their joined parts become the
+ * parts of the next level. Returns false when memory is out. */
 static bool merge(octree *o) {
   size_t parts = 0, quads = 0;
   o->spoilt_count = 0;
@@ -281,7 +286,8 @@ static bool merge(octree *o) {
     if (!o->nodes[p.node].whole || p.up != i) continue;
     o->rep[p.ring] = p.best;
     o->number[p.ring] = (uint32_t)parts;
-    o->parts[parts++].ring = p.ring; /* elements before p were already read, so they can be overwritten */
+    o->parts[parts++].ring = p.ring; /* elements of `parts` before index p were already read, so they can be
+                                      * overwritten */
   }
   o->part_count = parts;
   for (size_t i = 0; i < o->quad_count; i++) {

@@ -15,8 +15,9 @@
 
 enum { BATCH = VS_SAMPLE_BATCH };
 
-/* On processors with AVX2, four numbers are processed at a time instead of two, with identical results. This is not
- * used with a sanitizer, because the loader selects the function before the sanitizer is initialised. */
+/* WIDE marks functions that are compiled twice. On processors with AVX2, four numbers are processed at a time instead
+ * of two, with identical results. It is empty with a sanitizer, because the loader selects the function before the
+ * sanitizer is initialised. */
 #if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
     !defined(__SANITIZE_THREAD__)
 #define WIDE __attribute__((target_clones("avx2", "default")))
@@ -27,10 +28,10 @@ enum { BATCH = VS_SAMPLE_BATCH };
 struct vs_sampler {
   const vs_tape *t;
   int slopes;
-  uint32_t *lane;      /* lane of each step */
-  const double **from; /* address of each step's values for the current batch of points */
+  uint32_t *lane;      /* lane[i]: lane (array of numbers) of step i */
+  const double **from; /* from[i]: address of step i's values for the current batch of points */
   double *at;          /* memory of all lanes */
-  size_t width;        /* number of doubles in a lane */
+  size_t width;        /* number of doubles in a lane: the values of a batch, and their slopes */
 };
 
 void vs_sampler_free(vs_sampler *s) {
@@ -41,7 +42,7 @@ void vs_sampler_free(vs_sampler *s) {
   free(s);
 }
 
-/* Assigns a lane to each step. Returns the number of lanes, or 0 when memory is out. */
+/* Assigns a lane (array of numbers) to each step. Returns the number of lanes, or 0 when memory is out. */
 static size_t assign_lanes(vs_sampler *s) {
   const vs_tape *t = s->t;
   uint32_t *last = NULL, *idle = NULL, idle_count = 0, lanes = 0;
@@ -58,7 +59,7 @@ static size_t assign_lanes(vs_sampler *s) {
   for (size_t i = 0; i < t->count; i++) {
     const vs_tape_step *step = &t->step[i];
     bool used_before = idle_count && step->op != VS_TAPE_CONSTANT;
-    /* The lane is assigned before the lanes of the operands become free. Therefore no step writes to a lane that it
+    /* The step gets its lane before the lanes of its operands become free. Therefore no step writes to a lane that it
      * reads. */
     s->lane[i] = used_before ? idle[--idle_count] : lanes++;
     int n = vs_tape_operands((vs_tape_operator)step->op);
@@ -131,7 +132,7 @@ WIDE static void values(const vs_tape_step *step, double *restrict r, const doub
   }
 }
 
-/* Computes the partial derivatives of a step with the value r: p by its operand a, and q by its operand b. */
+/* Computes the partial derivatives of a step whose values are r: p by its operand a, and q by its operand b. */
 static void partials(const vs_tape_step *step, const double *r, const double *a, const double *b, double *p,
                      double *q) {
 #define BOTH(by_a, by_b)                                                                                               \
@@ -176,7 +177,7 @@ static void partials(const vs_tape_step *step, const double *r, const double *a,
   }
 }
 
-/* Computes the slopes of a step from the slopes of its operands. */
+/* Computes the slopes (derivatives by the inputs) of a step from the slopes of its operands. */
 static void slopes(int count, const vs_tape_step *step, double *r, const double *a, const double *b, const double *c) {
   double p[BATCH], q[BATCH];
   int operands = vs_tape_operands((vs_tape_operator)step->op);
@@ -192,8 +193,8 @@ static void slopes(int count, const vs_tape_step *step, double *r, const double 
     if (step->op == VS_TAPE_CHOOSE)
       for (int i = 0; i < BATCH; i++) to[i] = a[i] != 0 ? db[i] : dc[i];
     else if (operands == 1)
-      for (int i = 0; i < BATCH; i++) to[i] = da[i] == 0 ? 0 : p[i] * da[i]; /* avoids 0 * inf, for example at 0 for a
-                                                                              * square root */
+      for (int i = 0; i < BATCH; i++) to[i] = da[i] == 0 ? 0 : p[i] * da[i]; /* avoids the product 0 * inf, for example
+                                                                              * of a square root at 0 */
     else
       for (int i = 0; i < BATCH; i++) to[i] = (da[i] == 0 ? 0 : p[i] * da[i]) + (db[i] == 0 ? 0 : q[i] * db[i]);
   }
@@ -258,7 +259,7 @@ void vs_sample_slopes(vs_sampler *s, const double *const *in, size_t n, double *
 
 /* ---- grids ---- */
 
-/* Returns value number `at` of a range of equally spaced numbers. Both ends are exact. at is below r->n. */
+/* Returns number `at` of a range of equally spaced numbers. Its two ends are exact. at is below r->n. */
 static double computed(const vs_sample_range *r, int64_t at) {
   VS_ASSERT(at >= 0 && at < r->n);
   return at == 0 ? r->a : at == r->n - 1 ? r->b : r->a + (r->b - r->a) * (double)at / (double)(r->n - 1);
@@ -268,7 +269,7 @@ static double range_value(const vs_sample_range *r, int64_t at) {
   return at < VS_SAMPLE_KNOWN ? r->known[at] : computed(r, at);
 }
 
-/* Fills points as vs_sample_points does, but at most to the end of the innermost range. Returns the number of
+/* Fills points as vs_sample_points does, but not beyond the end of the innermost range. Returns the number of
  * points. */
 static int row(vs_sample_range *r, uint32_t inputs, double (*in)[VS_SAMPLE_BATCH], int k, int count) {
   vs_sample_range *last = &r[inputs - 1];

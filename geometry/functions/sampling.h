@@ -1,5 +1,5 @@
-/* Declares the evaluation of tapes in doubles, for many points at a time. Slopes along some inputs can be computed,
- * too. */
+/* Declares the evaluation of tapes (numerical expressions) in doubles, for many points at a time. Derivatives by some
+ * inputs (slopes) can be computed, too. */
 #ifndef VS_GEOMETRY_FUNCTIONS_SAMPLING_H
 #define VS_GEOMETRY_FUNCTIONS_SAMPLING_H
 
@@ -16,14 +16,15 @@ typedef struct vs_sampler vs_sampler;
 vs_sampler *vs_sampler_new(const vs_tape *t, int slopes);
 void vs_sampler_free(vs_sampler *s);
 
-/* Evaluates n points. in[k][i] is input k of point i, and out[k][i] becomes its output k. It is NaN if the point has no
- * value. */
+/* Evaluates the tape at n points. in[k][i]: input k of point i; out[k][i] becomes output k of point i, or NaN if it has
+ * no value. */
 void vs_sample(vs_sampler *s, const double *const *in, size_t n, double *const *out);
-/* Evaluates n points as vs_sample does, and computes slopes of the first output: slope[j][i] becomes the derivative at
- * point i by input j. At a kink it is the derivative on one side. */
+/* Evaluates n points as vs_sample does, and computes the slopes of the first output: slope[j][i] becomes its derivative
+ * by input j at point i. At a kink it is the derivative on one side. */
 void vs_sample_slopes(vs_sampler *s, const double *const *in, size_t n, double *const *out, double *const *slope);
 
-/* The values of one parameter in a grid: n numbers from a to b, both included. at: index of the current number. */
+/* The values of one parameter in a grid of points: n numbers from a to b, both included. at: index of the current
+ * number. */
 enum { VS_SAMPLE_KNOWN = 256 };
 typedef struct {
   double a, b;
@@ -36,7 +37,7 @@ void vs_sample_begin(vs_sample_range *r);
 /* Fills in[i][0] to in[i][count - 1] with the parameters of the next points of the grid, and advances. The last range
  * changes fastest. There is at least one range, and count is at most VS_SAMPLE_BATCH. */
 void vs_sample_points(vs_sample_range *r, uint32_t inputs, double (*in)[VS_SAMPLE_BATCH], int count);
-/* Returns true if one of the numbers is NaN. */
+/* Returns true if one of the `count` numbers is NaN. */
 bool vs_sample_nan(const double *at, int count);
 
 #endif

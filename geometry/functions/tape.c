@@ -1,4 +1,4 @@
-/* Builds tapes (tape.h). */
+/* Builds tapes, numerical expressions as lists of operations (tape.h). */
 #include "geometry/functions/tape.h"
 
 #include <math.h>
@@ -82,7 +82,7 @@ double vs_tape_apply(vs_tape_operator op, double a, double b, double c) {
   case VS_TAPE_CHOOSE: return a != 0 ? b : c;
   case VS_TAPE_CONSTANT:
   case VS_TAPE_INPUT:
-  case VS_TAPE_FIELD: /* cannot happen, because the value of a field depends on the tape */
+  case VS_TAPE_FIELD: /* cannot occur, because fields are not computed from numbers alone */
   case VS_TAPE_OPERATORS: break;
   }
   return NAN;
@@ -162,13 +162,13 @@ uint32_t vs_tape_add(vs_tape *t, vs_tape_operator op, uint32_t a, uint32_t b, ui
     else
       v[i] = t->step[s.of[i]].value;
   if (constant) return vs_tape_constant(t, vs_tape_apply(op, v[0], v[1], v[2]));
-  /* Simplifications that do not change any result. x * 0 is not simplified, because x may be NaN. */
+  /* These simplifications do not change any result. x * 0 is not simplified, because x may be NaN. */
   if (op == VS_TAPE_ADD && is_constant(t, a, 0)) return b;
   if ((op == VS_TAPE_ADD || op == VS_TAPE_SUB) && is_constant(t, b, 0)) return a;
   if (op == VS_TAPE_MUL && is_constant(t, a, 1)) return b;
   if ((op == VS_TAPE_MUL || op == VS_TAPE_DIV) && is_constant(t, b, 1)) return a;
   if (op == VS_TAPE_CHOOSE && t->step[a].op == VS_TAPE_CONSTANT) return t->step[a].value != 0 ? b : c;
-  /* The bounds of a square are tighter than those of x * x or a power, so these become squares. */
+  /* The bounds of a square are tighter than those of x * x or a power. Therefore x * x and x ^ 2 become squares. */
   if (op == VS_TAPE_MUL && a == b) return vs_tape_add(t, VS_TAPE_SQUARE, a, 0, 0);
   if (op == VS_TAPE_POW && is_constant(t, b, 2)) return vs_tape_add(t, VS_TAPE_SQUARE, a, 0, 0);
   if (op == VS_TAPE_POW && is_constant(t, b, 1)) return a;

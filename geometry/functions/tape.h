@@ -29,16 +29,16 @@ struct vs_tape_field {
   double (*value)(const vs_tape_field *f, const double at[3], double slope[3]); /* returns the value at a point and sets
                                                                                  * slope to the gradient; slope may be
                                                                                  * NULL */
-  void (*release)(vs_tape_field *f);                                            /* called when the last reference is
-                                                                                 * released */
+  void (*release)(vs_tape_field *f);                                            /* frees the field; called when the last
+                                                                                 * reference to f is released */
 };
-void vs_tape_field_release(vs_tape_field *f); /* releases one reference to f */
+void vs_tape_field_release(vs_tape_field *f); /* releases one reference to the field f */
 
 typedef struct {
   uint32_t op;
   uint32_t of[3]; /* indices of the operands, which are earlier steps; for an input, of[0] is its number; unused
                    * elements are 0 */
-  double value;   /* value of a constant; for a field, its index in the tape's list */
+  double value;   /* for a constant: its value; for a field: its index in the tape's list of fields */
 } vs_tape_step;
 
 typedef struct vs_tape {
@@ -47,31 +47,32 @@ typedef struct vs_tape {
   uint32_t *index; /* hash table with the index of a step + 1 in each slot; 0 marks a free slot; the number of slots is
                     * a power of two */
   size_t slots;
-  vs_tape_field **field; /* the fields that the steps use; the tape has a reference to each field */
+  vs_tape_field **field; /* fields that the steps use; the tape has a reference to each */
   size_t field_count, field_room;
   uint32_t inputs, outputs, output[VS_TAPE_OUTPUTS];
 } vs_tape;
 
 /* Returns a new tape with `inputs` inputs, at most VS_TAPE_INPUTS, or NULL when memory is out. */
 vs_tape *vs_tape_new(uint32_t inputs);
-void vs_tape_free(vs_tape *t);         /* t may be NULL */
+void vs_tape_free(vs_tape *t);         /* frees the tape t, which may be NULL */
 
-/* The next functions return the index of the step that they add or find. They return UINT32_MAX when memory is out or
- * the tape has VS_TAPE_STEPS steps. */
+/* vs_tape_constant, vs_tape_input, vs_tape_add and vs_tape_add_field return the index of the step that they add or
+ * find. They return UINT32_MAX when memory is out or the tape has VS_TAPE_STEPS steps. */
 uint32_t vs_tape_constant(vs_tape *t, double value);
-uint32_t vs_tape_input(vs_tape *t, uint32_t number); /* number is below the number of inputs */
-/* Adds the operator op of operators.def with the operands a, b and c. */
+uint32_t vs_tape_input(vs_tape *t, uint32_t number); /* adds a step for the input with this number, which is below the
+                                                      * number of inputs */
+/* Adds a step with the operator op of operators.def and the operands a, b and c, which are indices of steps. */
 uint32_t vs_tape_add(vs_tape *t, vs_tape_operator op, uint32_t a, uint32_t b,
                      uint32_t c); /* operands that the operator op does not have must be 0 */
 
 uint32_t vs_tape_add_field(vs_tape *t, vs_tape_field *f, uint32_t x, uint32_t y, uint32_t z);
 
-/* Returns the number of operands of op. */
+/* Returns the number of operands of the operator op. */
 int vs_tape_operands(vs_tape_operator op);
 /* Returns the operator with this name and number of operands, or VS_TAPE_CONSTANT if there is none. */
 vs_tape_operator vs_tape_named(const char *name, int operands);
-double vs_tape_apply(vs_tape_operator op, double a, double b, double c); /* returns the result of an operator on
-                                                                          * doubles */
+double vs_tape_apply(vs_tape_operator op, double a, double b, double c); /* returns the result of the operator op for
+                                                                          * operands with these values */
 
 /* Returns a copy of t without the steps that no output needs, or NULL when memory is out. */
 vs_tape *vs_tape_compact(const vs_tape *t);

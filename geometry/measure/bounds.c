@@ -33,15 +33,15 @@ static void bounds_add_arc(vs_bounds *b, const vs_affine *a, const struct vs_arc
   }
 }
 
-/* returns the tolerance for shapes that are sampled; it is finer than the default tolerance of drawings of these
- * shapes */
+/* Returns the tolerance for shapes that are sampled, from their approximate bounds. It is finer than the default
+ * tolerance of drawings of these shapes. */
 static double bounds_fineness(const vs_bounds *b) {
   double d = vs_bounds_diagonal(b);
   return d > 0 && isfinite(d) ? d / 65536 : 1e-6;
 }
 
-/* Enlarges b by the bounds of a swept solid. The bounds of an upright extrusion follow exactly from its profile; others
- * are sampled. children: bounds of all children together. */
+/* Enlarges b by the bounds of the swept solid n mapped by a. The bounds of an upright extrusion follow exactly from its
+ * profile; others are sampled. children: bounds of all children together. Returns false on failure. */
 static bool bounds_add_swept(vs_bounds *b, const vs_affine *a, const vs_node *n, const vs_bounds *children,
                              vs_error *e) {
   vs_fineness f = { bounds_fineness(children), 0 };
@@ -53,7 +53,7 @@ static bool bounds_add_swept(vs_bounds *b, const vs_affine *a, const vs_node *n,
     vs_mesh_free(&m);
     return ok;
   }
-  f.tolerance *= 4; /* twisted sweeps are costly to sample finely */
+  f.tolerance *= 4; /* sweeps with a twist are costly to sample, so the tolerance is coarser */
   if (!vs_swept_plan(n, &f, &plan, e)) return false;
   vs_bounds straight = vs_bounds_empty();
   for (size_t i = 0; i < plan.section_count; i++) {
@@ -65,8 +65,8 @@ static bool bounds_add_swept(vs_bounds *b, const vs_affine *a, const vs_node *n,
     }
   }
   vs_swept_free(&plan);
-  /* A solid that tapers inwards stays within the straight extrusion. The bounds of the extrusion are safe even if the
-   * solid intersects itself. */
+  /* A solid whose walls lean inwards stays within the straight extrusion. The extrusion's bounds contain it even if it
+   * intersects itself. */
   if (n->kind == VS_EXTRUDE && VS_AS(extrude, n)->taper != 0) {
     vs_bounds leaning = vs_bounds_empty();
     vs_mesh m = { 0 };
@@ -91,7 +91,8 @@ static bool bounds_add_revolve(vs_bounds *b, const vs_affine *a, const vs_node *
   return true;
 }
 
-/* Enlarges b by the bounds of a fine mesh, for shapes without a formula. */
+/* Enlarges b by the bounds of a fine mesh of n mapped by a, for shapes without a formula. children: bounds of all
+ * children together. Returns false on failure. */
 static bool bounds_add_facets(vs_bounds *b, const vs_affine *a, const vs_node *n, const vs_bounds *children,
                               vs_error *e) {
   vs_fineness f = { bounds_fineness(children) * 8, 0 };
@@ -138,8 +139,8 @@ static bool bounds_spline(vs_bounds *b, const vs_affine *a, const vs_node *n, vs
   return ok;
 }
 
-/* Enlarges b by the bounds of a leaf mapped by a. children: bounds of its children in their own coordinates, for swept
- * solids. Sets *leaf to false if n is no leaf. Returns false with *leaf true on failure. */
+/* Enlarges b by the bounds of a leaf n mapped by a. children: bounds of its children in their own coordinates, for
+ * swept solids. Sets *leaf to false if n is no leaf. Returns false with *leaf true on failure. */
 static bool bounds_leaf(const vs_node *n, const vs_affine *a, const vs_bounds *children, vs_bounds *b, bool *leaf,
                         vs_error *e) {
   *leaf = true;
@@ -162,8 +163,8 @@ static bool bounds_leaf(const vs_node *n, const vs_affine *a, const vs_bounds *c
     case VS_POLYFACE_MESH:
       vs_reach_points(b, a, VS_AS(polyface_mesh, n)->points->at, VS_AS(polyface_mesh, n)->points->count);
       return true;
-    case VS_XLINE: case VS_RAY: return true; /* infinite lines are drawn as far as the other objects extend, so they
-                                              * have no bounds of their own */
+    case VS_XLINE: case VS_RAY: return true; /* infinite lines are drawn as far as the other objects extend, so they do
+                                              * not enlarge the bounds */
     case VS_OFFSET: return n->class_ == VS_NOTHING || bounds_add_offset(b, a, n, children, e);
     case VS_EXTRUDE: case VS_SWEEP: case VS_THICKEN:
       return n->class_ == VS_NOTHING || bounds_add_swept(b, a, n, children, e);
@@ -181,7 +182,7 @@ static bool bounds_leaf(const vs_node *n, const vs_affine *a, const vs_bounds *c
     case VS_REGION:
 #include "model/cases/passed_cases.def"
       break;
-    case VS_HULL: /* a hull of points; if the hull also has parts, their bounds are added */
+    case VS_HULL: /* the hull's points; if the hull also has parts, their bounds are added elsewhere */
       if (n->child_count) break;
       vs_reach_points(b, a, VS_AS(hull, n)->points->at, VS_AS(hull, n)->points->count);
       return true;
@@ -219,8 +220,8 @@ static const vs_bounds *bounds_memo_known(const vs_bounds_memo *m, const vs_node
   return place ? &m->at[*place] : NULL;
 }
 
-/* Intersects the bounds with the node's plane. A section lies in the plane and in the bounds of its solid. A projection
- * lies in the projection of these bounds. */
+/* Reduces the bounds b of the children of n, a section or projection, to those of n. A section lies in its plane and in
+ * the bounds of its solid. A projection lies in the projection of these bounds. */
 static void bounds_on_plane(vs_bounds *b, const vs_node *n) {
   vs_bounds solid = *b, shadow = vs_bounds_empty();
   vs_vec3 at = n->kind == VS_SECTION ? VS_AS(section, n)->point : VS_AS(project, n)->point;
@@ -239,8 +240,8 @@ static void bounds_on_plane(vs_bounds *b, const vs_node *n) {
  * needs them. To store a million of them would cost more time than their formulas. */
 static bool bounds_is_lone_leaf(const vs_node *n) { return n->child_count == 0 && n->refs == 1; }
 
-/* Sets *b to the bounds of a node of the commonest primitive kinds, in its own coordinates. Returns false for other
- * kinds. It is a fast version of the formulas in bounds_leaf: a drawing may contain a million such nodes. */
+/* Sets *b to the bounds of node n in its own coordinates if it is of one of the commonest primitive kinds. Returns
+ * false for other kinds. It is faster than bounds_leaf: a drawing may contain a million such nodes. */
 static bool bounds_plain(const vs_node *n, vs_bounds *b) {
   vs_vec3 at[2], reach[2];
   switch ((int)n->kind) {
@@ -261,7 +262,7 @@ static bool bounds_plain(const vs_node *n, vs_bounds *b) {
       double r = cut ? VS_AS(cut_cone, n)->base_radius : cone ? VS_AS(cone, n)->radius : VS_AS(cylinder, n)->radius;
       double far = cut ? VS_AS(cut_cone, n)->top_radius : cone ? 0 : r;
       vs_vec3 d = vs_v3_sub(at[1], at[0]), across = vs_v3(1, 1, 0);
-      if (d.x != 0 || d.y != 0) { /* a leaning axis; an upright one has a shorter formula with the same result */
+      if (d.x != 0 || d.y != 0) { /* the axis is inclined; an upright axis has a shorter formula with equal results */
         vs_vec3 u = vs_v3_unit(d);
         across = vs_v3(sqrt(u.z * u.z + u.y * u.y), sqrt(u.z * u.z + u.x * u.x), sqrt(u.y * u.y + u.x * u.x));
       }
@@ -290,14 +291,15 @@ static bool bounds_child(const vs_bounds_memo *m, const vs_node *n, vs_bounds *b
   return known || bounds_leaf(n, &here, &none, b, &leaf, e);
 }
 
-static bool bounds_is_axial(const vs_affine *a) { /* returns true if the map changes boxes to boxes */
+static bool bounds_is_axial(const vs_affine *a) { /* returns true if the map maps axis-parallel boxes to axis-parallel
+                                                   * boxes */
   for (int i = 0; i < 3; i++)
     if ((a->m[i][0] != 0) + (a->m[i][1] != 0) + (a->m[i][2] != 0) > 1) return false;
   return true;
 }
 
-static bool bounds_is_swept(const vs_node *n) { /* returns true for kinds whose formula is costlier than the bounds of a
-                                                 * mapped box */
+static bool bounds_is_swept(const vs_node *n) { /* returns true if the formula for the kind of n is costlier than the
+                                                 * bounds of a mapped box */
   if (n->kind == VS_EXTRUDE && n->child_count == 1) {
     const vs_node *profile = n->children[0].node;
     while (profile->kind == VS_REGION && profile->child_count == 1) profile = profile->children[0].node;
@@ -306,9 +308,9 @@ static bool bounds_is_swept(const vs_node *n) { /* returns true for kinds whose 
   return vs_node_has(n, VS_IS_SAMPLED);
 }
 
-/* Enlarges *out by the bounds of a set under a map with a rotation, computed part by part. Thus the result does not
- * depend on whether the rotation is applied to the whole set or to each part. All nodes of the set are in the memo.
- * *done: false if the set is too deep or takes too many steps; a memo performs at most TURNED_MOST such steps. */
+/* TURNED_DEEP: greatest depth of sets, TURNED_EACH: greatest number of steps for one set, TURNED_MOST: for a memo, in
+ * computing bounds under a rotation part by part. Thus the result does not depend on whether the rotation is applied to
+ * the whole set or to each part. All nodes of the set are in the memo. *done: false if a limit is exceeded. */
 enum { TURNED_DEEP = 32, TURNED_EACH = 2048, TURNED_MOST = 1 << 20 };
 static bool bounds_turned(vs_bounds_memo *m, const vs_node *n, const vs_affine *map, vs_bounds *out, bool *done,
                           vs_error *e) {
@@ -324,7 +326,7 @@ static bool bounds_turned(vs_bounds_memo *m, const vs_node *n, const vs_affine *
     const vs_node *at = level[top].node;
     bool down =
         vs_node_is_set(at) && level[top].next < at->child_count && !(at->kind == VS_DIFFERENCE && level[top].next > 0);
-    if (vs_node_is_set(at) && level[top].next) { /* b contains the bounds of the previous member */
+    if (vs_node_is_set(at) && level[top].next) { /* b contains the bounds of the set's previous member */
       if (at->kind == VS_INTERSECTION && level[top].next > 1) vs_bounds_meet(&level[top].all, &b);
       else vs_bounds_unite(&level[top].all, &b);
     }
@@ -354,15 +356,15 @@ static bool bounds_turned(vs_bounds_memo *m, const vs_node *n, const vs_affine *
   return true;
 }
 
-/* Sets *b to the bounds of a node. Each child is in the memo, or is a leaf with a single parent. children: bounds of
- * all children together. */
+/* Sets *b to the bounds of node n. Each child is in the memo, or is a leaf with a single parent. children: bounds of
+ * all children together. Returns false on failure. */
 static bool bounds_of(vs_bounds_memo *m, const vs_node *n, vs_bounds children, vs_bounds *b, vs_error *e) {
   vs_affine placed = vs_affine_identity();
   vs_bounds child;
   bool leaf;
   *b = vs_bounds_empty();
-  if (n->kind == VS_TRANSFORM) { /* a placed primitive has a formula; only a few nodes down a chain are tested, because
-                                  * long chains would take quadratic time */
+  if (n->kind == VS_TRANSFORM) { /* A placed primitive has a formula. Only a few placements in sequence are followed,
+                                  * because long sequences would take quadratic time. */
     const vs_node *below = n;
     for (int steps = 0; steps < 16 && (below->kind == VS_TRANSFORM || vs_node_is_wrapper(below)); steps++) {
       if (below->kind == VS_TRANSFORM) placed = vs_affine_multiply(&placed, &VS_AS(transform, below)->matrix);
@@ -403,12 +405,13 @@ static bool bounds_of(vs_bounds_memo *m, const vs_node *n, vs_bounds children, v
   return true;
 }
 
-typedef struct { vs_ref ref; uint32_t next; vs_bounds children; /* children: bounds of the children before number
-                                                                 * `next` */ } vs_bounds_step;
+typedef struct { vs_ref ref; uint32_t next; vs_bounds children; /* children: bounds of those children of ref that come
+                                                                 * before child number `next` */ } vs_bounds_step;
 
 bool vs_bounds_memo_get(vs_bounds_memo *m, const vs_node *n, vs_bounds *out, vs_error *e) {
   vs_store *s = m->places.store;
-  if (n->child_count == 0 && bounds_plain(n, out)) return true; /* the formula is faster than a search in the memo */
+  if (n->child_count == 0 && bounds_plain(n, out)) return true; /* the formula is faster than a search in the memo, so
+                                                                 * it is tried first */
   const vs_bounds *known = bounds_memo_known(m, n);
   if (known) {
     *out = *known;

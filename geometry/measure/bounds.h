@@ -10,7 +10,7 @@
  * for sets of these under rotations. For very large sets they may be larger than necessary. For sweeps and splines they
  * are the bounds of fine samples. Does not recurse; visits each shared node once. */
 bool vs_node_bounds(const vs_node *n, vs_bounds *out, vs_error *e);
-/* A memo of the bounds of many nodes of one model, which keeps results between the calls. */
+/* A memo stores the bounds of many nodes of one model, so that later calls find them. */
 /* initial value of an empty memo: { .places.store = s } */
 typedef struct { vs_nodemap places; vs_bounds *at; size_t count, room, turned; } vs_bounds_memo;
 bool vs_bounds_memo_get(vs_bounds_memo *m, const vs_node *n, vs_bounds *out, vs_error *e);

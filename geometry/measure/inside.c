@@ -29,13 +29,13 @@
 typedef struct {
   const vs_node *node;
   vs_bounds bounds;
-  vs_affine inverse;  /* map of points: for a transform into the child's coordinates, for a solid with an axis into the
+  vs_affine inverse;  /* for a placement: map into the child's coordinates; for a solid with an axis: map into the
                        * axis's frame */
-  double height;      /* height of a solid with an axis, along the axis */
-  size_t *children;   /* indices of the parts that belong to the children */
+  double height;      /* length of the axis of a solid with an axis */
+  size_t *children;   /* children[i]: index of the part that was prepared for child i */
   vs_swept *plan;
   vs_revolve *turned;
-  vs_bounds *between; /* between[i]: bounds of the solid between sections i and i + 1 */
+  vs_bounds *between; /* between[i]: bounds of the space that the sweep fills between sections i and i + 1 */
   vs_facet_index *facets;
 } vs_inside_part;
 
@@ -53,8 +53,8 @@ struct vs_inside {
 
 static double cubic_at(const double c[4], double t) { return ((c[3] * t + c[2]) * t + c[1]) * t + c[0]; }
 
-/* Finds the roots of the cubic c in [0, 1], by bisection between the places where its slope changes sign. Returns their
- * number. */
+/* Finds the roots in [0, 1] of the cubic with the coefficients c, by bisection between the places where its slope
+ * changes sign. Returns their number. */
 static int cubic_roots(const double c[4], double roots[4]) {
   double ends[4] = { 0 }, a = 3 * c[3], b = 2 * c[2], d = b * b - 4 * a * c[1];
   int n = 1, found = 0;
@@ -97,7 +97,7 @@ static bool inside_between(const vs_swept *s, const vs_section *a, const vs_sect
     vs_section at = vs_section_between(a, b, roots[i]);
     vs_vec3 d = vs_v3_sub(p, at.at);
     double xx = vs_v3_dot(at.x, at.x), xy = vs_v3_dot(at.x, at.y), yy = vs_v3_dot(at.y, at.y), det = xx * yy - xy * xy;
-    if (!(det > 1e-24 * (xx + yy) * (xx + yy))) continue; /* the section has shrunk to the apex */
+    if (!(det > 1e-24 * (xx + yy) * (xx + yy))) continue; /* the section has shrunk to a point, the apex */
     double dx_ = vs_v3_dot(d, at.x), dy_ = vs_v3_dot(d, at.y);
     if (vs_loops_hold(s->profile, s->sizes, s->loop_count, (dx_ * yy - dy_ * xy) / det, (dy_ * xx - dx_ * xy) / det))
       return true;
@@ -208,19 +208,19 @@ static bool inside_prepare_axis(vs_inside_part *part) {
   return vs_affine_invert(&frame, &part->inverse);
 }
 
-/* Prepares the part of node n. The parts of its children are already prepared. */
+/* Prepares the test for node n. The parts of its children are already prepared. Returns false on failure. */
 static bool inside_prepare(vs_inside_part *part, const vs_nodemap *places, double tolerance, vs_error *e) {
   const vs_node *n = part->node;
   part->inverse = vs_affine_identity();
   switch ((vs_kind)n->kind) {
     case VS_JOIN: case VS_XLINE: case VS_RAY: case VS_OFFSET: case VS_SECTION: case VS_PROJECT: case VS_EDGES:
     case VS_EMPTY: case VS_GHOST: case VS_SLICE: case VS_DEFORM: return true;
-    /* Curves and regions contain no point; they occur as profiles. */
+    /* Curves and regions, which occur as profiles, contain no point. */
     case VS_LINE: case VS_ARC: case VS_CIRCLE: case VS_SPLINE: case VS_REGION: case VS_TEXT: return true;
 #include "model/cases/shape_cases.def"
       return inside_prepare_axis(part);
     case VS_EXTRUDE: case VS_SWEEP:
-      /* a tapered extrusion is tested by its mesh, because its walls are planar */
+      /* An extrusion with inclined walls is tested by its mesh, which is exact because its walls are planar. */
       if (n->kind == VS_EXTRUDE && VS_AS(extrude, n)->taper != 0) return inside_prepare_facets(part, tolerance, e);
       return n->class_ != VS_SOLID || inside_prepare_swept(part, tolerance, e);
     case VS_THICKEN:
@@ -232,7 +232,7 @@ static bool inside_prepare(vs_inside_part *part, const vs_nodemap *places, doubl
     case VS_LOFT: case VS_RULED_LOFT: case VS_GUIDED_LOFT: case VS_GRID_MESH: case VS_GRID_SURFACE:
       return n->class_ != VS_SOLID || inside_prepare_facets(part, tolerance, e);
     case VS_TRANSFORM:
-      /* If a placement flattens its child, the result contains no point. */
+      /* If a placement flattens its child, the result contains no point, so its bounds are empty. */
       if (!vs_affine_invert(&VS_AS(transform, n)->matrix, &part->inverse)) part->bounds = vs_bounds_empty();
       break;
     case VS_MATERIAL: case VS_LAYER: case VS_UNION: case VS_INTERSECTION: case VS_DIFFERENCE: case VS_KIND_COUNT:
@@ -346,7 +346,7 @@ bool vs_inside_test(vs_inside *v, vs_vec3 p) {
       else if (kind == VS_DIFFERENCE) {
         decided = first ? !answer : answer;
         if (!first) answer = !answer; /* in a difference, a point inside a subtracted operand is outside the result */
-      } else decided = true; /* the answer for a node with one child is that of the child */
+      } else decided = true; /* a node with one child contains the point if the child does */
       if (decided || top->next == above->node->child_count) {
         depth--;
         continue;

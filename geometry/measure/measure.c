@@ -1,4 +1,4 @@
-/* Measures a closed mesh. */
+/* Computes volume, area and centroid of a closed mesh. */
 #include "geometry/measure/measure.h"
 
 void vs_mesh_measure(const vs_mesh *mesh, vs_measure *out) {

@@ -5,15 +5,17 @@
 #include "model/mesh.h"
 
 typedef struct {
-  bool known;      /* false if there is no formula; the caller must then measure the kernel's mesh */
-  double volume;   /* volume of a solid */
+  bool known;      /* true if the measures are known by a formula; if false, the caller must measure the kernel's
+                    * mesh */
+  double volume;   /* volume of a solid, in cubic model units */
   double area;     /* area of a solid's surface, or of a region */
-  bool area_known; /* false if there is a formula for the volume but none for the area, as for a sphere with different
+  bool area_known; /* true if the area is known; false if only the volume has a formula, as for a sphere with different
                     * scales along its axes */
   double length;   /* length of a curve */
   vs_vec3 centroid;
 } vs_measure;
 
-void vs_mesh_measure(const vs_mesh *mesh, vs_measure *out); /* measures a closed mesh */
+void vs_mesh_measure(const vs_mesh *mesh, vs_measure *out); /* computes the volume, area and centroid of a closed
+                                                             * mesh */
 
 #endif

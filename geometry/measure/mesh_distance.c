@@ -10,13 +10,14 @@
 enum { LEAF = 4, DEPTH = 64 };
 
 typedef struct {
-  vs_vec3 corner[3], face, edge[3], point[3]; /* normals of the face, of each edge and of each corner; edge[k] goes from
-                                               * corner k to the next corner */
+  vs_vec3 corner[3], face, edge[3], point[3]; /* point: corners of the facet; face, edge, corner: normals of the face,
+                                               * of each edge and at each corner; edge[k] goes from corner k to the next
+                                               * corner */
 } facet;
 typedef struct {
   vs_bounds bounds;
-  uint32_t first, count; /* range of facets in a leaf; count 0: the node is no leaf, and its children are the nodes
-                          * first and first + 1 */
+  uint32_t first, count; /* first, count: range of facets in a leaf of the tree; count 0: the node is no leaf, and its
+                          * children are the nodes first and first + 1 */
 } box;
 
 struct vs_mesh_distance {
@@ -105,8 +106,8 @@ vs_mesh_distance *vs_mesh_distance_new(const vs_mesh *m) {
       VS_FRESH(d->facets, m->triangle_count + 1) && VS_FRESH(d->boxes, 2 * m->triangle_count + 2) && normals(m, d);
   if (!ok) return vs_mesh_distance_free(d), NULL;
   d->boxes[d->box_count++] = (box){ bounds_of(d->facets, d->count), 0, (uint32_t)d->count };
-  for (size_t i = 0; i < d->box_count; i++) { /* divides each box at the middle of its longest side, until it contains
-                                               * few facets */
+  for (size_t i = 0; i < d->box_count; i++) { /* divides each box of the tree at the middle of its longest side, until
+                                               * it contains few facets */
     box *b = &d->boxes[i];
     uint32_t first = b->first, n = b->count;
     if (n <= LEAF) continue;
@@ -143,8 +144,8 @@ static vs_vec3 nearest(const facet *f, vs_vec3 p, const vs_vec3 **normal) {
   return vs_v3_add(a, vs_v3_add(vs_v3_scale(ab, vb / sum), vs_v3_scale(ac, vc / sum)));
 }
 
-/* Returns the distance of `at` from the interval from low to high, or 0 inside it. Does not use fmax, which is a
- * function call. */
+/* Returns the distance of `at` from the interval from low to high, or 0 if it lies inside. Does not use fmax, which is
+ * a function call. */
 static inline double outside(double low, double high, double at) {
   double below = low - at, above = at - high, off = below > above ? below : above;
   return off > 0 ? off : 0;
@@ -160,8 +161,8 @@ double vs_mesh_distance_at(const vs_mesh_distance *d, vs_vec3 p, vs_vec3 *slope)
   struct {
     uint32_t box;
     double away;
-  } stack[DEPTH]; /* The depth suffices. The tree has at most as many levels as the number of facets has bits, and each
-                   * level needs one entry. */
+  } stack[DEPTH]; /* DEPTH suffices for the stack: the tree has at most as many levels as the number of facets has bits,
+                   * and each level needs one entry. */
   int todo = 0;
   double best = INFINITY;
   vs_vec3 at = p, normal = { 0, 0, 1 };

@@ -1,17 +1,17 @@
-/* Declares the signed distance from a closed mesh. */
+/* Declares the signed distance of points from a closed mesh. */
 #ifndef VS_GEOMETRY_MEASURE_MESH_DISTANCE_H
 #define VS_GEOMETRY_MEASURE_MESH_DISTANCE_H
 
 #include "model/mesh.h"
 
-/* A closed mesh that is prepared for queries. It has a bounding volume hierarchy. The normals of faces, edges and
- * points distinguish inside from outside (J. Baerentzen, H. Aanaes, 2005). */
+/* A closed mesh that is prepared for queries of distances. It has a bounding volume hierarchy. The normals of faces,
+ * edges and points distinguish inside from outside (J. Baerentzen, H. Aanaes, 2005). */
 typedef struct vs_mesh_distance vs_mesh_distance;
 
-/* Prepares the mesh; the necessary data are copied. Facets that share a point must use the same index for it. Returns
- * NULL when memory is out. */
+/* Prepares mesh m for queries, and copies the data it needs. Facets that share a point must use one index for it.
+ * Returns NULL when memory is out. */
 vs_mesh_distance *vs_mesh_distance_new(const vs_mesh *m);
-void vs_mesh_distance_free(vs_mesh_distance *d); /* d may be NULL */
+void vs_mesh_distance_free(vs_mesh_distance *d); /* frees d, which may be NULL */
 /* Returns the distance of p from the mesh, negative inside, or 0 if the mesh has no triangle. *slope: the gradient of
  * the distance; slope may be NULL. */
 double vs_mesh_distance_at(const vs_mesh_distance *d, vs_vec3 p, vs_vec3 *slope);

@@ -67,7 +67,8 @@ static bool measure_outline(const vs_node *n, vs_measure *m, vs_error *e) {
   return ok;
 }
 
-/* Sets m->length to the sum of the lengths of a set's curves. Each leaf has its own placement. */
+/* Sets m->length to the sum of the lengths of a set's curves. Each curve has its own placement. Returns false on
+ * failure. */
 static bool measure_curves(const vs_node *n, vs_measure *m, vs_error *e) {
   vs_walk *w = vs_walk_new(n->store, (vs_ref){ (vs_node *)(uintptr_t)n, NULL });
   vs_affine *placed = NULL;
@@ -141,8 +142,8 @@ static bool measure_extrusion(const vs_node *n, vs_measure *m, bool *known, vs_e
   double area = radius > 0 ? pi * radius * radius : m->area, inwards = x->taper != 0 ? height * tan(x->taper) : 0;
   vs_vec3 base = x->center && n->child_count == 1 ? vs_v3_sub(m->centroid, vs_v3_scale(along, 0.5)) : m->centroid;
   if (radius > 0) border = 2 * pi * radius;
-  if (x->taper != 0) { /* a tapered circle is a truncated cone, possibly oblique; its volume depends only on the
-                        * height */
+  if (x->taper != 0) { /* if the walls are inclined (taper), the extrusion of a circle is a truncated cone, possibly
+                        * oblique; its volume depends only on the height */
     double top = fmax(radius - inwards, 0), part = inwards > radius ? radius / inwards : 1;
     vs_frustum_measure(m, base, radius, vs_v3_add(base, vs_v3_scale(along, part)), top);
     m->volume = pi * height * part * (radius * radius + radius * top + top * top) / 3;
@@ -155,7 +156,7 @@ static bool measure_extrusion(const vs_node *n, vs_measure *m, bool *known, vs_e
   return true;
 }
 
-/* The path of a sweep: its length, whether it is closed, and whether it turns back at some point. */
+/* The path of a sweep. length: its length; closed: true if it is closed; back: true if it turns back at some point. */
 typedef struct { double length; bool closed, back; } vs_way;
 
 static bool measure_way(const vs_node *curve, vs_way *way, vs_error *e) {
@@ -176,9 +177,9 @@ static bool measure_way(const vs_node *curve, vs_way *way, vs_error *e) {
   return ok;
 }
 
-/* By Pappus's theorem, for every smooth path and every mitred corner, the volume is the profile's area times the path's
- * length, with the square of the scale along the path. The area of the wall is the border's length times the path's
- * length, if the centroid of the border is also on the path. */
+/* In the function, Pappus's theorem applies to every smooth path and every mitred corner. The volume is the profile's
+ * area times the path's length, with the square of the scale along the path. The area of the wall is the border's
+ * length times the path's length, if the centroid of the border is also on the path. */
 bool vs_sweep_measure(const vs_node *n, vs_measure *m, vs_error *e) {
   bool bar = n->kind == VS_THICKEN;
   const vs_node *profile = n->children[0].node;
@@ -189,7 +190,8 @@ bool vs_sweep_measure(const vs_node *n, vs_measure *m, vs_error *e) {
     return true;
   if (!measure_way(bar ? profile : n->children[1].node, &way, e)) return false;
   double twist = bar ? 0 : VS_AS(sweep, n)->twist, scale = bar ? 1 : VS_AS(sweep, n)->scale, border = 0;
-  bool upright = !bar && vs_v3_length(VS_AS(sweep, n)->up) > 0; /* true if the profile turns about the path */
+  bool upright = !bar && vs_v3_length(VS_AS(sweep, n)->up) > 0; /* true if the profile is kept upright, so that it turns
+                                                                 * about the path */
   if (way.back || !(way.length > 0)) return true;
   double radius = bar ? VS_AS(thicken, n)->width / 2 : vs_profile_circle(profile);
   bool even = true;
@@ -226,10 +228,10 @@ bool vs_sweep_measure(const vs_node *n, vs_measure *m, vs_error *e) {
 /* The object to be measured. n: node without its placements and wrappers; whole: the node with them. */
 typedef struct {
   const vs_node *whole, *n;
-  vs_affine placed; /* the affine map that all placements around n make together */
+  vs_affine placed; /* product of all placements around n */
 } measured;
 
-/* A function that sets the members of m, whose `known` is true at the call. Returns false on failure. */
+/* A function that sets the members of m for the node of->n. m->known is true at the call. Returns false on failure. */
 typedef bool measure_rule(const measured *of, vs_measure *m, vs_error *e);
 
 static bool measure_zero(const measured *of, vs_measure *m, vs_error *e) {
@@ -248,7 +250,7 @@ static bool measure_endless(const measured *of, vs_measure *m, vs_error *e) {
   return vs_error_set(e, VS_ERROR_MODEL, NULL, "the object has no end and cannot be measured");
 }
 
-/* Maps a measure from the node's own coordinates by its placement. */
+/* Converts the measures m of a node from its own coordinates to those around its placements. */
 static bool measure_place(const measured *of, vs_measure *m) {
   double k;
   m->volume *= fabs(vs_affine_determinant(&of->placed));
@@ -269,7 +271,8 @@ static bool measure_curve(const measured *of, vs_measure *m, vs_error *e) {
   return measure_samples(of->whole, &identity, m, e);
 }
 
-/* Measures an exact offset of a curve. The result is exact if the placement preserves circles. */
+/* Measures an exact offset of a circle or arc. The result is exact if the placement preserves circles. Returns false on
+ * failure. */
 static bool measure_round(const measured *of, const vs_offset_exact *exact, vs_measure *m, vs_error *e) {
   const struct vs_arc *a = &exact->arc;
   double k, angle = fabs(a->end - a->start);
@@ -326,8 +329,9 @@ static bool measure_set(const measured *of, vs_measure *m, vs_error *e) {
   return measure_hull(of, m, e);
 }
 
-static measure_rule *const measure_rules[VS_KIND_COUNT] = { /* NULL: the kind is a primitive solid, or there is no
-                                                             * formula for its measures */
+static measure_rule *const measure_rules[VS_KIND_COUNT] = { /* measure_rules[kind]: function that measures a node of
+                                                             * this kind; NULL: the kind is a primitive solid, or there
+                                                             * is no formula */
 #define VS_RULE(kind, plane, measure) [VS_##kind] = measure_##measure,
 #include "geometry/kind_rules.def"
 };

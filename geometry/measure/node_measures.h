@@ -1,4 +1,4 @@
-/* Declares measures of nodes by formula. */
+/* Declares measures of nodes (volume, area, length, centroid) by formula. */
 #ifndef VS_GEOMETRY_MEASURE_NODE_MEASURES_H
 #define VS_GEOMETRY_MEASURE_NODE_MEASURES_H
 
@@ -7,11 +7,11 @@
 #include "geometry/measure/measure.h"
 #include "model/node.h"
 
-/* Measures a node by formula if there is one: primitives and their placements, curves, regions. Splines and curved
+/* Measures node n by formula if there is one: primitives and their placements, curves, regions. Splines and curved
  * outlines are measured by fine samples. Returns false on failure. */
 bool vs_node_measure(const vs_node *n, vs_measure *out, vs_error *e);
-/* Measures a sweep or a round bar as if it did not overlap itself. Sets out->known to false if there is no formula.
- * Sets no centroid. Returns false on failure. */
+/* Measures a sweep or a round bar n by formula, as if it did not overlap itself. Sets out->known to false if there is
+ * no formula. Sets no centroid. Returns false on failure. */
 bool vs_sweep_measure(const vs_node *n, vs_measure *out, vs_error *e);
 
 #endif

@@ -1,16 +1,17 @@
-/* Declares ambient occlusion: the openness of a point, determined by rays from it. */
+/* Declares ambient occlusion: the fraction of the hemisphere around a point from which light reaches it, computed with
+ * rays. */
 #ifndef VS_GEOMETRY_MEASURE_OPENNESS_H
 #define VS_GEOMETRY_MEASURE_OPENNESS_H
 
 #include "geometry/measure/ray_tree.h"
 
 /* The obstacles for rays: the triangles of the tree, and an infinite horizontal ground at the height `ground`;
- * -INFINITY: no ground. Obstacles farther than `far` are ignored. */
+ * -INFINITY: no ground. far: distance beyond which obstacles are ignored. */
 typedef struct { const vs_ray_tree *tree; double ground, far; } vs_surrounding;
 
-/* Returns the fraction of the hemisphere over a surface that is unobstructed, weighted by the cosine to the surface's
- * unit normal: 1 on an open field, 0 in a crack. `from` lies slightly above the surface. `seed` shifts the pattern of
- * the rays, so that neighbours have different errors. Equal seeds give equal results. */
+/* Returns the unobstructed fraction of the hemisphere over a surface, weighted by the cosine to the surface's unit
+ * normal: 1 on an open field, 0 in a crack. `from` lies slightly above the surface. `seed` shifts the pattern of the
+ * rays, so that neighbours have different errors. Equal seeds give equal results. */
 double vs_openness(const vs_surrounding *s, vs_vec3 from, vs_vec3 normal, uint32_t seed);
 
 #endif

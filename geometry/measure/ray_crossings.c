@@ -23,7 +23,7 @@ size_t vs_facet_index_bytes(const vs_facet_index *x) {
          (x->starts ? (x->cells * x->cells + 1 + x->starts[x->cells * x->cells]) * sizeof(uint32_t) : 0);
 }
 
-/* Returns the index of the cell that contains `at`, among `cells` equal cells from min to max. cells >= 1. */
+/* Returns the index of the cell that contains `at`, among `cells` >= 1 equal cells from min to max. */
 static size_t facet_cell(double at, double min, double max, size_t cells) {
   double k = max > min ? floor((at - min) / (max - min) * (double)cells) : 0;
   VS_ASSERT(cells > 0);
@@ -73,8 +73,8 @@ bool vs_facet_index_make(vs_facet_index *x) {
   return true;
 }
 
-/* Tests the horizontal ray from p to +X, as seen from above. Returns 1 if it crosses the edge from a to b upwards
- * (towards +Y), -1 if downwards, 0 if it does not cross it. */
+/* Tests, as seen from above, the horizontal ray from p to +X against the edge from a to b. Returns 1 if it crosses the
+ * edge upwards (the edge goes towards +Y), -1 if downwards, 0 if it does not cross it. */
 static int facet_crosses(vs_vec3 a, vs_vec3 b, vs_vec3 p) {
   if ((a.y > p.y) == (b.y > p.y)) return 0;
   bool up = b.y > a.y;

@@ -6,10 +6,11 @@
 
 /* An index of the triangles of a mesh: they are listed by the cells of a horizontal grid. */
 typedef struct {
-  vs_mesh mesh;       /* the mesh, which the index owns */
+  vs_mesh mesh;       /* the mesh; the index frees it */
   vs_bounds bounds;
   size_t cells;       /* number of cells along X and also along Y */
-  uint32_t *starts;   /* first entry of each cell: cells * cells + 1 elements */
+  uint32_t *starts;   /* starts[c]: index of cell c's first entry in the list of triangles: cells * cells + 1
+                       * elements */
   uint32_t *triangles;
 } vs_facet_index;
 

@@ -1,5 +1,5 @@
-/* Builds a bounding volume hierarchy, which divides each box at the middle of its longest side, and traverses it for
- * rays. */
+/* Builds a bounding volume hierarchy of a mesh's triangles, in which each box is divided at the middle of its longest
+ * side, and traverses it for rays. */
 #include "geometry/measure/ray_tree.h"
 
 #include <math.h>
@@ -20,7 +20,7 @@ bool vs_ray_meets_box(const vs_bounds *b, vs_vec3 from, vs_vec3 direction, doubl
   const double at[3] = { from.x, from.y, from.z }, d[3] = { direction.x, direction.y, direction.z };
   double near = 0;
   for (int i = 0; i < 3; i++) {
-    if (d[i] == 0) { /* the ray is parallel to two sides of the box; in the plane of a side, the ray counts as inside */
+    if (d[i] == 0) { /* the ray is parallel to two sides of the box; a ray in the plane of a side counts as inside */
       if (at[i] < low[i] || at[i] > high[i]) return false;
       continue;
     }
@@ -46,8 +46,8 @@ static vs_vec3 middle_of(const vs_mesh *m, uint32_t triangle) {
   return vs_v3_scale(vs_v3_add(p[0], vs_v3_add(p[1], p[2])), 1. / 3);
 }
 
-/* Divides the triangles of a node into two halves by their centres. Returns the number in the first half, which is
- * neither 0 nor count. count is at least 2. */
+/* Divides the triangles of a node into two halves by their centres, and reorders them. Returns the number of triangles
+ * in the first half, which is neither 0 nor count. count is at least 2. */
 static uint32_t part(const vs_mesh *m, uint32_t *order, uint32_t count) {
   vs_vec3 low = middle_of(m, order[0]), high = low;
   VS_ASSERT(count > 1);
@@ -103,7 +103,7 @@ bool vs_ray_tree_make(vs_ray_tree *t, vs_store *store, const vs_mesh *mesh, vs_e
     t->nodes[self] = (vs_ray_node){ bounds_of(mesh, t->order + r.first, r.count), r.first, r.count };
     if (r.count <= LEAF) continue;
     uint32_t half = depth + 2 < DEPTH ? part(mesh, t->order + r.first, r.count) : 0;
-    if (!half) continue; /* at the greatest depth of the traversal, all triangles remain in one leaf */
+    if (!half) continue; /* at the greatest depth that a traversal can handle, all triangles remain in one leaf */
     t->nodes[self].count = 0;
     stack[depth++] = (range){ r.first + half, r.count - half, self, true };
     stack[depth++] = (range){ r.first, half, self, false };
