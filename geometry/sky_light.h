@@ -32,8 +32,8 @@ vs_sky_light vs_sky_light_overcast(vs_vec3 sun);
 /* Returns the night sky: blue overhead, with the light of a city at the horizon. A horizontal surface has 0.5 lx, as
  * under a clear sky over a large city. */
 vs_sky_light vs_sky_light_night(void);
-/* Returns the illuminance in twilight as a fraction of that at sunrise, for the sun's altitude in degrees: 1 from 0
- * degrees on. The illuminance no longer falls below -18 degrees. */
+/* Returns the illuminance in twilight as a fraction of that at sunrise, for the sun's altitude in degrees: 1 if the
+ * altitude is at least 0. The illuminance no longer falls below -18 degrees. */
 double vs_sky_light_twilight(double altitude);
 /* Returns the sky of a scene whose sky_kind is not VS_SKY_PLAIN, for a unit vector towards the scene's sun. */
 vs_sky_light vs_sky_light_of_scene(const vs_scene *scene, vs_vec3 sun);

@@ -56,7 +56,7 @@ typedef enum {
 extern const unsigned char vs_field_reals[]; /* for each field type: number of doubles that the field itself contains,
                                               * or 0 */
 
-/* Each kind of prims.def gets the struct of its fields: struct vs_sphere { ... } and so on. */
+/* Each kind of prims.def gets the struct of its fields: for example struct vs_sphere { ... }. */
 #define VS_KIND(upper, lower, name, class_, level, role, traits) struct vs_##lower {
 #define VS_FIELD(type, member, argument) vs_field_##type member;
 #define VS_KIND_END(upper, lower) unsigned char end_; };

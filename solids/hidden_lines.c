@@ -26,7 +26,7 @@ enum { LEAF = 4, STACK = 128, KEPT = 8 };
 typedef struct { double low[2], high[2], depth; } box; /* box of triangles. low, high: its bounds in the picture; depth:
                                                         * least depth of the triangles in it */
 typedef struct { box b; uint32_t first, count, right; } node;
-    /* node: first and count are a range of `order`; if count is 0, the node's children are the next node and the node
+    /* node: first and count are a range of `order`. If count is 0, the node's children are the next node and the node
      * `right`. span: an interval of an edge's parameter s, from 0 to 1 */
 typedef struct { double from, to; } span;
 

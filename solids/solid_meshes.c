@@ -93,7 +93,7 @@ static bool add_term(builder *b, vs_term_kind kind, uint32_t first, size_t count
          VS_PUSH(&b->k, b->pending, (uint32_t)b->terms.count - 1);
 }
 
-/* Makes a term of this kind whose operands are the pending terms from index `first` on. The new term is then
+/* Makes a term of this kind whose operands are the pending terms, beginning with index `first`. The new term is then
  * pending. */
 static bool close_term(builder *b, vs_term_kind kind, size_t first) {
   size_t count = b->pending.count - first, at = b->operands.count;

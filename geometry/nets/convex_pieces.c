@@ -158,8 +158,8 @@ static double beyond(vs_vec2 a, vs_vec2 b, vs_vec2 c, vs_vec2 d, vs_vec2 *meet) 
   return to_line(*meet, b, c);
 }
 
-/* Removes corners of a loop of n corners, with the material on its left, as long as the new loop contains the old one
- * and deviates from it by at most `most`. used[i]: distance by which the loop has moved outwards at corner i so far.
+/* Removes corners of a loop of n corners, which has the material on its left. The new loop contains the old one and
+ * deviates from it by at most `most`. used[i]: distance by which the loop has moved outwards at corner i so far.
  * Returns the number of remaining corners. */
 static size_t fewer(vs_vec2 *at, double *used, size_t n, double most) {
   memset(used, 0, n * sizeof *used);

@@ -22,8 +22,8 @@ typedef struct {
 bool vs_flat_net_make(vs_flat_net *s, const vs_mesh *m, bool *several);
 void vs_flat_net_free(vs_flat_net *s);
 
-/* Returns the position in the plane of the corner of triangle t opposite to edge e, if the ends of the edge lie at
- * ends[0] and ends[1]. side: 1 if the corner lies to the left of the edge, -1 if to the right. */
+/* Returns the position in the plane of the corner of triangle t opposite to edge e, whose ends lie at ends[0] and
+ * ends[1]. The parameter `side` is 1 if the corner lies to the left of the edge, -1 if to the right. */
 vs_vec2 vs_flat_net_apex(const vs_flat_net *s, uint32_t t, uint32_t e, const vs_vec2 ends[2], double side);
 /* Sets ends to the positions in the plane of the ends a and b of edge e of triangle t. */
 void vs_flat_net_ends(const vs_flat_net *s, uint32_t t, uint32_t e, vs_vec2 ends[2]);

@@ -6,10 +6,10 @@
 #include "geometry/plane/areas.h"
 #include "model/long_work.h"
 
-/* The size of the sheets, and the rules for parts on them. angles: allowed rotations in radians; if count is 0, each
- * part has eighths of a turn, and the rotations that lay its longest edges along the sheet's sides. gap: distance
- * between parts; margin: distance from the sheet's border. The search tries orders of the parts until its work exceeds
- * `effort`, in about seconds; it always finishes one order. */
+/* The size of the sheets, and the rules for parts on them. The allowed rotations are `angles`, in radians. If
+ * angle_count is 0, each part has eighths of a turn, and the rotations that lay its longest edges along the sheet's
+ * sides. gap: distance between parts; margin: distance from the sheet's border. The search tries orders of the parts
+ * until its work exceeds `effort`, in about seconds; it always finishes one order. */
 typedef struct {
   double width, height, gap, margin;
   const double *angles;

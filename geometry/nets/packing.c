@@ -48,8 +48,8 @@ static double within(const vs_area *a, vs_vec2 p) {
   return in ? d : -d;
 }
 
-/* Returns the largest radius of a circle about p that does not overlap the placed circles from index `from` on. The
- * result is at most so_far. */
+/* Returns the largest radius of a circle about p that does not overlap the placed circles with the index `from` or a
+ * greater one. The result is at most so_far. */
 static double room_for(const packing *w, vs_vec2 p, double so_far, size_t from) {
   VS_ASSERT(from <= w->count);
   for (size_t i = from; i < w->count; i++)

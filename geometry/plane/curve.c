@@ -166,8 +166,8 @@ static vs_path_point spline_at(const vs_spline_work *w, size_t i, double t) {
                 vs_v3_scale(vs_v3_add(vs_v3_scale(m, 1 - 3 * a * a), vs_v3_scale(k, 3 * b * b - 1)), h / 6));
   vs_vec3 force = vs_v3_add(vs_v3_scale(m, a), vs_v3_scale(k, b)), ahead = vs_v3_unit(speed), behind = ahead;
   VS_ASSERT(i < w->n && t >= 0 && t <= 1);
-  if (vs_v3_length(speed) < STANDS) { /* STANDS: a speed that counts as 0; the mean speed is 1, because the parameter is
-                                       * about the length */
+  if (vs_v3_length(speed) < STANDS) { /* true if the speed is practically 0; the mean speed is 1, because the parameter
+                                       * is about the length */
     ahead = vs_v3_unit(force), behind = vs_v3_scale(ahead, -1);
     if (vs_v3_length(force) * h < STANDS) ahead = behind = vs_v3_unit(vs_v3_sub(k, m));
   }

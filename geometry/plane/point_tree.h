@@ -5,10 +5,10 @@
 
 #include "geometry/plane/ear_clipping.h"
 
-/* A node of a binary tree of boxes. Its points, in the order of a space-filling curve, are in leaves of POINT_TREE_LEAF
- * points. on: number of points in the box that are switched on. The construction takes n log n steps, and switching a
- * point takes as many steps as the tree is high. A search visits only boxes that intersect the triangle and have such
- * points. */
+/* A node of a binary tree of boxes. Its points, in the order of a space-filling curve, are in leaves of
+ * POINT_TREE_LEAF points. on: number of switched-on points in the box. The construction takes n log n steps, and
+ * switching a point takes as many steps as the tree is high. A search visits only boxes that intersect the triangle
+ * and have such points. */
 typedef struct { double min_x, min_y, max_x, max_y; size_t on; } vs_point_box;
 typedef struct {
   const vs_vec2 *at;   /* positions, which belong to the caller; item i has the position at[point[i]] */
@@ -24,7 +24,7 @@ typedef struct {
  * tree. Returns false when memory is out. */
 bool vs_point_tree_make(vs_point_tree *t, const vs_vec2 *at, const size_t *point, size_t count);
 void vs_point_tree_free(vs_point_tree *t);
-/* Switches an item of the tree on or off; searches find only items that are on. */
+/* Switches an item of the tree on or off; searches find only switched-on items. */
 void vs_point_tree_switch(vs_point_tree *t, size_t item, bool on);
 /* Returns an item that is switched on, lies in the triangle, and is not at the position of a, b or c. Returns SIZE_MAX
  * if there is none. A point p is in the triangle if twice the area of each of (a, b, p), (b, c, p) and (c, a, p) is at

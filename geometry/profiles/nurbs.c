@@ -200,8 +200,8 @@ static sample sample_in(const vs_nurbs *n, size_t span, double t) {
   return r;
 }
 
-/* Returns true if the samples a and b of a curve are too far apart: the cubic through them with their directions
- * deviates from the sample in the middle, or the curve turns by more than a 64th of a turn. */
+/* Returns true if the samples a and b of a curve are too far apart. This is so if the cubic through them with their
+ * directions deviates from the sample in the middle, or the curve turns by more than a 64th of a turn. */
 static bool is_coarse(sample a, sample b, sample middle, double slack) {
   double turn = atan2(vs_v3_length(vs_v3_cross(a.slope, b.slope)), vs_v3_dot(a.slope, b.slope));
   double chord = vs_v3_length(vs_v3_sub(b.at, a.at)), quarter = cos(turn / 4);

@@ -171,8 +171,9 @@ static int sort_cell(uint32_t c[3]) {
   return even;
 }
 
-/* Appends twice, facing outwards, the faces of each tetrahedron of a prism that has a negative volume. low, high:
- * vertices of the two rows; cell: corners of the triangle; hand: 1, or -1 if the triangle is clockwise in its row. */
+/* Appends twice, facing outwards, the faces of each tetrahedron of a prism that has a negative volume. The vertices of
+ * the two rows are `low` and `high`, the corners of the triangle `cell`. The parameter `hand` is 1, or -1 if the
+ * triangle is clockwise in its row. */
 static bool add_prism(vs_mesh *m, const uint32_t *low, const uint32_t *high, const uint32_t cell[3], int hand) {
   uint32_t c[3] = { cell[0], cell[1], cell[2] };
   int even = sort_cell(c);
@@ -227,9 +228,9 @@ bool vs_overturn_fill(const vs_overturn_rows *rows, size_t first, vs_mesh *out) 
 
 /* ---- chance points ---- */
 
-/* State of the choice of random points. chance: state of the generator (SplitMix64: Steele, Lea, Flood, 2014); passed:
- * volume of the tetrahedra so far; next: volume at which the next point follows; every: volume between two points; 0:
- * only `passed` is computed. */
+/* State of the choice of random points. The state of the generator (SplitMix64: Steele, Lea, Flood, 2014) is `chance`.
+ * The volume of the tetrahedra so far is `passed`, the volume at which the next point follows is `next`, and the volume
+ * between two points `every`. If it is 0, only `passed` is computed. */
 typedef struct {
   uint64_t chance;
   double passed, next, every;

@@ -4,9 +4,9 @@
 
 #include "geometry/profiles/swept.h"
 
-/* Returns true if a part of the profile goes backwards from section `step` to the next section. at: points of all
- * sections, one section after another; if the sweep is joined, the points of the first section follow again. size: size
- * of the sweep. The x and y of a section are right-handed about the path's direction. */
+/* Returns true if a part of the profile goes backwards from section `step` to the next section. The array `at` has the
+ * points of all sections, one section after another. If the sweep is joined, the points of the first section follow
+ * again. The size of the sweep is `size`. The x and y of a section are right-handed about the path's direction. */
 bool vs_overturns(const vs_swept *s, const vs_vec3 *at, size_t step, double size);
 
 /* Divides steps in which a part of the profile goes backwards into as many steps as the tolerance requires: the steps r
@@ -19,9 +19,9 @@ bool vs_overturn_refine(vs_swept *s, const bool *marked, double tolerance);
  * too tight, *at and *fits are not changed. */
 void vs_overturn_tightest(const vs_swept *s, const vs_vec3 *near, vs_vec3 *at, double *fits);
 
-/* The vertices of a sweep's mesh. numbers[r * n + i]: vertex of point i in row r. turns[r]: true if a part of the
- * profile goes backwards in the step from row r to the next; the walls of this step are then cut by number (grid.h).
- * inside_out: true if the triangles have been reversed. */
+/* The vertices of a sweep's mesh. numbers[r * n + i]: vertex of point i in row r. The element turns[r] is true if a
+ * part of the profile goes backwards in the step from row r to the next. The walls of this step are then cut by number
+ * (grid.h). The member inside_out is true if the triangles have been reversed. */
 typedef struct {
   const vs_swept *s;
   const uint32_t *numbers;
@@ -39,8 +39,9 @@ typedef struct {
   vs_vec3 at;
   size_t step;
 } vs_step_point;
-/* All steps of a sweep. at: points of all sections, one section after another, and those of the first again; turns[r]:
- * true if a part of the profile goes backwards in the step from section r to the next. */
+/* All steps of a sweep. The array `at` has the points of all sections, one section after another, and those of the
+ * first again. The element turns[r] is true if a part of the profile goes backwards in the step from section r to the
+ * next. */
 typedef struct {
   const vs_swept *s;
   const vs_vec3 *at;

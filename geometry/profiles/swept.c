@@ -206,8 +206,8 @@ static vs_vec3 swept_lean_between(const vs_path_point *p, const vs_path_point *q
   return vs_v3_add(vs_v3_scale(a, t < from ? 1 - t / from : 0), vs_v3_scale(b, 1 - t < to ? 1 - (1 - t) / to : 0));
 }
 
-/* Returns the section at point p of the path. x: first direction of the profile before it is turned by `angle` and
- * inclined by `lean`; its second direction is perpendicular to x and to the path. */
+/* Returns the section at point p of the path. The first direction of the profile, before it is turned by `angle` and
+ * inclined by `lean`, is x. Its second direction is perpendicular to x and to the path. */
 static vs_section swept_section(const vs_path_point *p, vs_vec3 lean, vs_vec3 x, double angle, double scale,
                                 vs_vec2 base) {
   double sine, cosine;

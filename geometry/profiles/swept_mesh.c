@@ -7,9 +7,9 @@
 #include "geometry/profiles/overturn.h"
 #include "model/store/array.h"
 
-/* Points of a sweep's sections. at: points of all sections, one section after another, and then those of the first
- * section again; turns[i]: true if a part of the profile goes backwards from section i to the next; numbers: room for
- * the vertices of all points. */
+/* Points of a sweep's sections. The array `at` has the points of all sections, one section after another, and then
+ * those of the first section again. The element turns[i] is true if a part of the profile goes backwards from section i
+ * to the next. The array `numbers` has room for the vertices of all points. */
 typedef struct {
   vs_vec3 *at;
   bool *turns;

@@ -75,9 +75,8 @@ static bool topology_of(const vs_face_list *l, const vs_crease *creases, size_t 
 typedef struct {
   uint32_t edges, faces, sharp;
   double sharpness;                  /* sum of the sharpness (number of subdivisions) of the sharp edges at the point */
-  vs_vec3 neighbours, across, along; /* neighbours: sum of the positions of the other ends of all edges at the point;
-                                      * across: sum over the faces at the point; along: sum of the positions of the
-                                      * other ends of its sharp edges */
+  vs_vec3 neighbours, across, along; /* sums of positions. neighbours: the other ends of all edges at the point; across:
+                                      * sum over the faces at the point; along: the other ends of its sharp edges */
 } gathered;
 
 static void gather_edges(const topology *t, gathered *g) {
@@ -148,8 +147,8 @@ static bool step(const vs_face_list *l, const crease_list *creases, bool loop, v
     if (n > 0 && loop) {
       double beta = loop_beta(n);
       smooth = vs_v3_add(vs_v3_scale(p, 1 - n * beta), vs_v3_scale(g[i].neighbours, beta));
-    } else if (n > 0) { /* The new position is (F + 2 R + (n - 3) P) / n, where P is the point, F the mean of the n
-                         * faces' centroids, and R the mean of the edges' midpoints. */
+    } else if (n > 0) { /* The new position is (F + 2 R + (n - 3) P) / n. P is the point, F the mean of the n faces'
+                         * centroids, and R the mean of the edges' midpoints. */
       vs_vec3 r = vs_v3_scale(vs_v3_add(vs_v3_scale(p, n), g[i].neighbours), 1 / (2 * n));
       vs_vec3 f = vs_v3_scale(g[i].across, 1.0 / g[i].faces);
       smooth = vs_v3_scale(vs_v3_add(vs_v3_add(f, vs_v3_scale(r, 2)), vs_v3_scale(p, n - 3)), 1 / n);

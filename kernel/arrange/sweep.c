@@ -101,8 +101,8 @@ static void insert_between(vs_sweep *s, uint32_t e, uint32_t below, uint32_t abo
   if (above != VS_NONE) n[above].previous = e;
   if (below != VS_NONE && n[below].right == VS_NONE) n[below].right = e, n[e].parent = below;
   else if (above != VS_NONE) n[above].left = e, n[e].parent = above; /* A new edge lies between two neighbours in order.
-                                                                      * One of them has no child on the side of the new
-                                                                      * edge. */
+                                                                      * At least one of these has no child on the side
+                                                                      * of the new edge. */
   else s->root = e;
   while (n[e].parent != VS_NONE && priority(n[e].parent) < priority(e)) rotate_up(s, e);
 }

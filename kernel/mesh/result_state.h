@@ -1,5 +1,5 @@
 /* Defines the state in which make_result.c makes the mesh of a result. straighten.c also uses it, to decide which bends
- * (corners where a cut passes between facets that the grid has split) the result may lose. */
+ * the result may lose. A bend is a corner where a cut passes between facets that the grid has split. */
 #ifndef VS_KERNEL_MESH_RESULT_STATE_H
 #define VS_KERNEL_MESH_RESULT_STATE_H
 

@@ -267,9 +267,9 @@ static bool replace(vs_rounding *s, uint32_t t, const corners *by) {
   return true;
 }
 
-/* Removes triangles that are lower than `units` units of the last place, near intersecting triangles: leads their
- * longest edges through their third corners. all: true for all such triangles, false only for triangles whose direction
- * rounding changes. *count: number of removed triangles. Returns false when memory is out. */
+/* Removes triangles that are lower than `units` units of the last place, near intersecting triangles. Leads their
+ * longest edges through their third corners. If `all` is false, removes only triangles whose direction rounding
+ * changes. *count: number of removed triangles. Returns false when memory is out. */
 static bool reroute(vs_rounding *s, double units, bool all, vs_rounded *out, size_t *count) {
   vs_mesh *m = s->m;
   caps found = { 0 };
