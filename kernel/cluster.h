@@ -112,8 +112,8 @@ typedef struct {
   size_t first_triangle; /* index of the leaf's first triangle in `fate` */
   bool searched;      /* true if the kernel searches this leaf for untouched triangles */
   vs_bvh_box box;         /* bounding box of the leaf, in grid steps */
-  vs_affine to_local; /* map from grid steps to the coordinates of the leaf's part; set only if the leaf is a lid (see
-                       * `lid`) */
+  vs_affine to_local; /* map from grid steps to the coordinates of the leaf's part; set only if the member `lid` is
+                       * true */
   double margin;      /* length of two grid steps in the coordinates of the leaf's part */
   double middle[3];   /* middle of the leaf's part, in grid steps; well_inside and outside are squared distances from
                        * it */
@@ -147,7 +147,7 @@ typedef struct {
   vs_bvh leaf_bvh;        /* tree of the bounding boxes of all leaves */
   VS_LIST(vs_bvh_box) leaf_boxes;
   VS_LIST(uint32_t) lids; /* for each leaf in turn: the indices of the lids (convex, deciding leaves) near it */
-  VS_LIST(vs_pack) lid_boxes; /* bounding boxes of `lids`, in packs of four */
+  VS_LIST(vs_pack) lid_boxes; /* bounding boxes of the leaves in `lids`, in packs of four */
   VS_LIST(_Atomic uint8_t) fate; /* fate[t]: VS_ARRANGED, VS_CULLED or VS_PLAIN for triangle t, counted over all leaves'
                                   * meshes; if empty, all triangles are arranged */
   size_t plain_count;
@@ -243,8 +243,9 @@ typedef struct {
 } vs_outlines;
 void vs_cluster_free(vs_kernel *k, vs_cluster *c);
 
-/* Number of bits of masks[vertex] that stand for lids. Bit b is set if the vertex is at least two steps inside lid b of
- * its leaf. The last six bits are set if the vertex lies beyond the corresponding side of the gate's bounds. */
+/* Number of bits in masks[vertex] for the convex leaves (lids) near the vertex's leaf. Bit b is set if the vertex is at
+ * least two steps inside lid b. The last six bits are set if the vertex lies beyond the corresponding side of the
+ * gate's bounds. */
 enum { VS_LIDS = 48 };
 
 /* A face in the cyclic order of faces around an edge. x, y: two coordinates of the face's normal; classify.c chooses

@@ -15,7 +15,7 @@ typedef struct {
   vs_vec3 middle;       /* mean of the mesh's vertices */
   bool star;            /* true if every ray from the middle crosses the surface exactly once, from inside to outside;
                          * such a mesh does not intersect itself */
-  bool convex;          /* true if the part is a star that is convex up to rounding errors; valid only if `joined` is
+  bool convex;          /* true if the part is convex up to rounding errors; valid only if `star` and `joined` are
                          * true */
   uint32_t *starts;     /* For convex parts: starts[cell] is a triangle near the one that a ray from the middle in a
                          * direction of this cell crosses. Cells divide the sides of a cube (distinct_meshes.c). */
@@ -24,11 +24,11 @@ typedef struct {
                          * a search may begin at any of them */
   double inner, outer;  /* for convex parts: radius of a ball about the middle inside the part, and of a ball that
                          * contains the part */
-  /* for a part that is not a star: whether it was inspected, and whether the kernel may copy it unchanged if no other
-   * leaf touches it */
+  /* for a part that is not star-shaped: whether it was inspected, and whether the kernel may copy it unchanged if no
+   * other leaf touches it */
   enum { VS_UNASKED, VS_GOOD, VS_DOUBTFUL } alone;
-  bool joined;          /* True if a leaf with this mesh touches another leaf. A star that touches none has no `twins`,
-                         * and `convex` is unknown: the kernel copies it unchanged. */
+  bool joined;          /* True if a leaf with this mesh touches another leaf. A part with `star` that touches none has
+                         * no `twins`, and `convex` is unknown: the kernel copies it unchanged. */
 } vs_part;
 
 typedef struct {
@@ -52,9 +52,9 @@ typedef struct {
   size_t id_count;      /* number that exceeds all values of id */
 } vs_twins_input;
 
-/* Fills twins, which has three elements per triangle: the opposite edge of each edge, or VS_NONE if no edge runs in the
- * opposite direction. *open: a triangle with an edge without partner, or VS_NONE. Returns false when memory is out or
- * the caller interrupts. */
+/* Sets twins[3 * t + j] to the edge opposite to edge j of triangle t, or to VS_NONE if no edge runs in the opposite
+ * direction. *open: a triangle with an edge without partner, or VS_NONE. Returns false when memory is out or the caller
+ * interrupts. */
 bool vs_twins_find(vs_kernel *k, const vs_twins_input *in, uint32_t *twins, uint32_t *open);
 
 /* Returns true if q is inside the convex part and farther than `margin` from its surface. May return false for a place

@@ -168,8 +168,8 @@ typedef struct {
   const vs_kernel_problem *problem;
   vs_parts parts;
   vs_expression expression;
-  vs_bounds gate; /* bounds in world coordinates outside of which the expression is false because of a gate; empty if
-                   * there is no gate */
+  vs_bounds gate; /* bounds in world coordinates outside of which the expression is false, because an operand limits the
+                   * result (a gate); empty if there is none */
   vs_bounds *bounds; /* bounds of each leaf; NULL once they are no longer needed */
   vs_remember remember;
   vs_placing placing;
@@ -300,8 +300,9 @@ static bool find_gate(vs_kernel *k, whole *w, const vs_bounds *leaves) {
 /* Returns true if the cluster extends beyond the bounds outside of which the result is empty. */
 static bool gate_cuts(const whole *w, vs_group leaves) {
   if (!w->expression.gate_count) return false;
-  if (w->problem->within) return true; /* The leaves' bounds were already reduced to the bounds of the gates. Therefore
-                                        * a comparison would not show that the cluster extends beyond them. */
+  if (w->problem->within) return true; /* The leaves' bounds were already reduced to the bounds outside of which the
+                                        * result is empty. Therefore a comparison would not show that the cluster
+                                        * extends beyond them. */
   vs_bounds all = w->gate;
   for (uint32_t i = 0; i < leaves.count; i++) vs_bounds_unite(&all, &w->bounds[leaves.at[i]]);
   return memcmp(&all, &w->gate, sizeof all) != 0;
@@ -369,9 +370,9 @@ static bool make_cluster(vs_kernel *k, whole *w, vs_copies *copies, vs_group lea
   if (asked && !(vs_kernel_report(k, 0) && vs_remember_find(k, &w->remember, out, &found) && vs_kernel_report(k, 0)))
     return false;
   ++*(found ? &w->counts.remembered : &w->counts.combined);
-  w->counts.straightened += found && k->options->straight; /* The cache does not store the number of removed bends.
-                                                            * Therefore the count increases by 1 for each cached
-                                                            * cluster. */
+  w->counts.straightened += found && k->options->straight; /* The cache does not store how many bends (corners in a cut)
+                                                            * were removed. Therefore the count increases by 1 for each
+                                                            * cached cluster. */
   return found || (run_cluster(k, w, leaves, out) &&
                    (!asked || vs_remember_keep(k, &w->remember, out, vertices, triangles)));
 }

@@ -41,8 +41,8 @@ bool vs_expression_add(vs_kernel *k, vs_expression *e, uint32_t leaf, int32_t de
                                                                                        * returns false when memory is
                                                                                        * out */
 bool vs_expression_value(const vs_expression *e);
-bool vs_expression_gated(const vs_expression *e); /* returns true if a gate, an operand outside of which the result is
-                                                   * empty, is false */
+bool vs_expression_gated(const vs_expression *e); /* returns true if one of e->gates is false, so that the result is
+                                                   * false */
 /* Sets *answer to true if the leaf makes the result true. This is so if a sequence of true terms leads from the leaf to
  * the root, in which no term subtracts the term before it. The leaf's winding number must be positive. Returns false
  * when memory is out. */

@@ -21,8 +21,8 @@ typedef struct {
   uint32_t coarse_leaf; /* number of the first leaf whose volume the grid has changed by more than a hundredth */
   double coarse_step, coarse_by; /* coarse_step: width of a grid step at leaf coarse_leaf; coarse_by: change of the
                                   * leaf's volume, as a fraction of its exact volume */
-  size_t straightened; /* number of bends that were removed from the result (see the option `straight` of
-                        * vs_kernel_options) */
+  size_t straightened; /* number of corners (bends) that were removed from cuts in the result (see the option `straight`
+                        * of vs_kernel_options) */
   double seconds[VS_STEP_COUNT]; /* seconds[s]: time that step s of the kernel took */
 } vs_kernel_counts;
 
@@ -41,8 +41,8 @@ typedef struct {
                              * the greater of the two values. */
   bool in_levels;       /* for tests: true if the solids of every cluster are united two by two (arrange/levels.c) where
                          * possible */
-  bool straight;        /* True if the kernel may remove bends from cuts through a sheet, a planar facet that the grid
-                         * has split into several planes. The caller must then search the result for contacts
+  bool straight;        /* True if the kernel may straighten cuts through a planar facet that its grid has split into
+                         * several planes, so that they bend. The caller must then search the result for contacts
                          * (round/rounding.h). If there are contacts, it must evaluate again with straight == false. */
   uint32_t threads;     /* Number of threads; 0: one for each processor. The result does not depend on it. Only the
                          * caller's thread calls vs_job_done. */

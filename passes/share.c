@@ -41,9 +41,10 @@ typedef struct {
   bool alias;         /* true if the node is only a placement of its child, or a set of one member */
   bool wanted;        /* true if the node's key is needed */
   bool again;         /* true if another node has an equal first key, which covers only some of the points */
-  size_t group;       /* index of the first entry with an equal key, which represents all such nodes */
-  size_t copies;      /* number of nodes whose key equals this one; valid in the first such entry */
-  double named;       /* number of references to any of the nodes with this key; valid in the first such entry */
+  size_t group;       /* index of the first entry with an equal key, which represents all nodes with this key */
+  size_t copies;      /* number of nodes that have this entry's key; valid in the first entry with the key */
+  double named;       /* number of references to all nodes that have this entry's key; valid in the first entry with the
+                       * key */
   size_t turn;        /* Number, from 1, of the map in `turns` by which this shape equals another shape rotated or
                        * mirrored; 0: none. Valid in the first entry with the key. */
   vs_node *result;    /* node that replaces the shape, in the first entry with the key; not retained, because the

@@ -208,8 +208,8 @@ static bool assign(vs_store *s, const assignment *a, vs_error *e) {
   return true;
 }
 
-/* Pairs part p of the first drawing with part q of the second drawing, unless they are two different shapes with the
- * same hash. */
+/* Pairs part p of the first drawing with part q of the second drawing, unless p and q are different shapes with equal
+ * hashes. */
 static bool pair(matching *m, size_t rule, uint32_t p, uint32_t q, vs_error *e) {
   bool memory = true;
   if (rules[rule].by & BY_THING && !vs_node_equal(m->a->at[p].thing.node, m->b->at[q].thing.node, &memory))
@@ -223,7 +223,7 @@ static bool pair(matching *m, size_t rule, uint32_t p, uint32_t q, vs_error *e) 
  * drawing */
 static const double MOST_STEPS = 1e8;
 
-/* The parts of a drawing that have the same key. */
+/* The parts of a drawing that have one key (hash of properties). */
 typedef struct { const keyed *at; size_t count; } alike;
 
 /* Pairs the parts of the first and of the second drawing that have the same key. If several pairings are possible, it

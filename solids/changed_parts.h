@@ -21,8 +21,8 @@ typedef struct { vs_store *store; vs_drawn_part *at; size_t count, room; } vs_dr
 bool vs_drawn_parts_take(vs_drawn_parts *out, const vs_ref *refs, size_t count, vs_error *e);
 void vs_drawn_parts_free(vs_drawn_parts *p);
 
-/* How a part differs from the part with which it is paired in the other drawing. In the first three cases, the two have
- * the same shape. */
+/* How a part differs from the part with which it is paired in the other drawing. In the first three cases, the shapes
+ * of the two are equal. */
 typedef enum {
   VS_PART_SAME,
   VS_PART_REPAINTED, /* the paired part has another material or layer */

@@ -29,8 +29,8 @@ typedef struct {
   size_t first;    /* index in `pending` of the first operand of this level's operation */
   bool difference; /* true if this level is a difference, whose operands after the first are subtracted */
   bool off;        /* true if solids at this level are subtracted, so that they make the result smaller */
-  uint32_t scope;  /* Number of the innermost bounded operation (scope) around this level. Half-spaces have no effect
-                    * outside of its bounds. 0: the entire drawing. */
+  uint32_t scope;  /* Number of the scope of this level: the innermost operation with finite bounds around it, outside
+                    * of which half-spaces have no effect. 0: the entire drawing. */
   const vs_node *scope_node; /* node of the innermost bounded operation around this level; NULL: the entire drawing */
   vs_affine local; /* map from this level's coordinates to those of the scope's node */
 } level;
@@ -63,7 +63,7 @@ typedef struct {
                                               * element is the index of a part + 1; 0: the slot is free. */
   VS_LIST(vs_bounds) within;          /* within[i]: bounds within which leaf i has an effect; empty if there are no
                                        * half-spaces */
-  VS_LIST(uint32_t) scopes;           /* scopes[i]: number of the bounded operation (scope) around scope i */
+  VS_LIST(uint32_t) scopes;           /* scopes[i]: number of the scope (operation with finite bounds) around scope i */
   VS_LIST(scoped) scoped;             /* for each occurrence of each leaf: the leaf and its scope, the innermost bounded
                                        * operation around it */
   /* Hash table of meshes by their nodes' hashes. An element is the index of a mesh + 1; 0: the bucket is empty. The

@@ -25,8 +25,8 @@ static bool note(void *context, uint32_t a, uint32_t b) {
   finding *f = context;
   const vs_placed *p = &f->c->placed.at[a], *q = &f->c->placed.at[b];
   if (!vs_kernel_poll(f->k, 0)) return false;
-  if (p->lid && q->lid) { /* Leaf and lid are both convex. Therefore not only their boxes but also the balls within them
-                           * must intersect. */
+  if (p->lid && q->lid) { /* Leaf and lid are convex. Therefore the lid counts as near only if the boxes and the
+                           * inscribed balls of the two intersect. */
     double x = p->middle[0] - q->middle[0], y = p->middle[1] - q->middle[1], z = p->middle[2] - q->middle[2];
     if (sqrt(x * x + y * y + z * z) > sqrt(p->outside) + sqrt(q->outside)) return true;
   }
@@ -93,14 +93,16 @@ bool vs_cull_prepare(vs_kernel *k, vs_cluster *c, const vs_affine *to_frame) {
   for (uint32_t i = 0; ok && i < n; i++) {
     vs_placed *p = &c->placed.at[i];
     p->lids_first = (uint32_t)sum;
-    sum += p->lids_count < VS_LIDS ? (p->lids_count + 3) / 4 * 4 : VS_LIDS; /* The boxes of the lids near a leaf are
+    sum += p->lids_count < VS_LIDS ? (p->lids_count + 3) / 4 * 4 : VS_LIDS; /* The boxes of the lids (convex leaves
+                                                                             * whose inside is decided) near a leaf are
                                                                              * stored in packs of four. */
     p->lids_count = 0;
   }
   ok = ok && VS_ROOM(k, c->lids.at, c->lids.room, sum + 1) &&
        VS_ROOM(k, c->lid_boxes.at, c->lid_boxes.room, sum / 4 + 1);
-  for (size_t i = 0; ok && i < f.pairs.count; i += 2) { /* keeps the largest lids near each leaf, in descending order;
-                                                         * lids of equal size are in order of their indices */
+  for (size_t i = 0; ok && i < f.pairs.count; i += 2) { /* keeps the largest lids (convex leaves whose inside is
+                                                         * decided) near each leaf, in descending order of size, then in
+                                                         * order of index */
     vs_placed *p = &c->placed.at[f.pairs.at[i]];
     uint32_t lid = f.pairs.at[i + 1], *list = c->lids.at + p->lids_first, at = p->lids_count;
     double size = box_size(&c->placed.at[lid].box);
@@ -151,8 +153,8 @@ static bool in_box(const vs_bvh_box *b, const double p[3]) {
          p[2] < b->max[2];
 }
 
-/* Returns true if point p is more than two steps inside the lid. square: squared distance of p from the lid's middle,
- * which decides nearly all cases. */
+/* Returns true if point p is more than two grid steps inside the convex leaf `lid`. square: squared distance of p from
+ * the leaf's middle, which decides nearly all cases. */
 static bool in_lid_at(const vs_placed *lid, double square, const double p[3]) {
   if (square > lid->outside) return false;
   if (square < lid->well_inside) return true;
@@ -222,7 +224,7 @@ bool vs_cull_point(const vs_cluster *c, uint32_t place, const double p[3]) {
 
 bool vs_cull_segment(const vs_cluster *c, uint32_t place, uint32_t other, const double p[3], const double q[3]) {
   const vs_placed *leaf = &c->placed.at[place];
-  vs_bvh_box box; /* a point two steps inside a lid is at least one step inside the lid's box */
+  vs_bvh_box box; /* a point two grid steps inside a leaf is at least one step inside the leaf's box */
   for (int a = 0; a < 3 && leaf->lids_count; a++)
     box.min[a] = (int32_t)floor(p[a] < q[a] ? p[a] : q[a]), box.max[a] = (int32_t)ceil(p[a] > q[a] ? p[a] : q[a]);
   for (uint32_t i = 0; i < leaf->lids_count; i += 4)
@@ -280,8 +282,8 @@ void vs_cull_box(const vs_cluster *c, uint32_t place, const vs_patch_corner *cor
       size = fmax(size, (double)box->max[a] - box->min[a]);
       other = fmax(other, (double)lid->box.max[a] - lid->box.min[a]);
     }
-    if (size < other / 2) continue; /* the patch's box is less than half as large as the lid's box, so a reduction saves
-                                     * little work */
+    if (size < other / 2) continue; /* the box of the patch is less than half as large as the box of the lid, so a
+                                     * reduction saves little work */
     for (uint32_t j = 0; !begun && j < count; j++)
       for (int a = 0; a < 3; a++) at[j][a] = corners[j].at[a];
     begun = true;

@@ -8,18 +8,20 @@ bool vs_cull_prepare(vs_kernel *k, vs_cluster *c, const vs_affine *to_frame); /*
                                                                                * leaves whose inside is decided.
                                                                                * vs_snap_to_grid calls this function.
                                                                                * Returns false on an error. */
-/* Sets masks[v], for the vertices v from `begin` to `end` - 1 of a leaf, to the set of lids that contain the vertex.
- * place: index of the leaf in the cluster. Returns false if interrupted. */
+/* Sets masks[v], for the vertices v from `begin` to `end` - 1 of a leaf, to the set of lids (convex leaves whose inside
+ * is decided) that contain the vertex. place: index of the leaf in the cluster. Returns false if interrupted. */
 bool vs_cull_vertices(vs_kernel *k, const vs_cluster *c, uint32_t place, size_t begin, size_t end, uint64_t *masks);
-bool vs_cull_needed(const vs_cluster *c, uint32_t place); /* returns false if no lid or gate can contain a vertex of the
-                                                           * leaf, so that all its masks would be 0 */
-/* Reduces the box of a leaf's patch to the part that lies outside of the lids' inscribed balls. place: index of the
- * leaf in the cluster. */
+bool vs_cull_needed(const vs_cluster *c, uint32_t place); /* returns false if vs_cull_vertices would set all masks of
+                                                           * the leaf to 0, because no other leaf can hide its
+                                                           * vertices */
+/* Reduces the box of a patch to the part that may be visible: outside of the balls inscribed in lids, convex leaves
+ * whose inside is decided. place: index of the patch's leaf in the cluster. */
 void vs_cull_box(const vs_cluster *c, uint32_t place, const vs_patch_corner *corners, uint32_t count, vs_bvh_box *box);
-/* Returns true if the point p, in steps, is at least two steps inside a lid near the leaf `place`. */
+/* Returns true if the point p, in steps, is at least two steps inside a lid (convex leaf whose inside is decided) near
+ * the leaf `place`. */
 bool vs_cull_point(const vs_cluster *c, uint32_t place, const double p[3]);
-/* Returns true if the segment from p to q, in steps, is at least two steps inside a lid near the leaf `place`. The lid
- * with the index `other` does not count. */
+/* Returns true if the segment from p to q, in steps, is at least two grid steps inside a lid (convex leaf whose inside
+ * is decided) near the leaf with the index `place`. The lid with the index `other` does not count. */
 bool vs_cull_segment(const vs_cluster *c, uint32_t place, uint32_t other, const double p[3], const double q[3]);
 
 #endif

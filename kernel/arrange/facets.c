@@ -28,13 +28,13 @@ typedef struct {
 typedef struct {
   uint32_t place, first, end; /* place: index of the leaf in the cluster; first, end: range of the leaf's triangles that
                                * one task handles */
-  uint32_t base;              /* number in the batch of the first triangle of this span */
+  uint32_t base;              /* number in the current batch of the first triangle of this range */
   VS_LIST(found_triangle) found;
 } span;
 typedef struct {
   const uint32_t *twins;
   uint32_t triangles; /* index in the array `number` of the first triangle of the leaf */
-  uint32_t span;      /* index of the first span of the leaf's triangles */
+  uint32_t span;      /* index of the first range (span) of the leaf's triangles */
   bool mirrored;
 } batch_leaf;
 
@@ -48,7 +48,8 @@ typedef struct {
                                  * FLAT or GONE */
   VS_LIST(_Atomic uint32_t) sets; /* union-find structure over the kept triangles; a set is a facet: connected triangles
                                    * in one plane */
-  bool straight;                  /* true if facets that the grid has split are to be collected to sheets */
+  bool straight;                  /* true if the facets into which the grid has split a planar facet are to be collected
+                                   * (to sheets) */
   VS_LIST(_Atomic uint32_t) sheets; /* union-find structure over the kept triangles, if `straight`; a set is a sheet:
                                      * connected triangles nearly in one plane */
   VS_LIST(uint32_t) facet;      /* facet[i]: facet that begins with the kept triangle i */
@@ -64,8 +65,7 @@ static uint32_t turned(bool mirrored, uint32_t j) { return mirrored ? 2 - j : j;
  * mirrored. Also converts back. */
 static uint32_t turned_edge(bool mirrored, uint32_t j) { return mirrored ? (4 - j) % 3 : j; }
 
-/* Finds the twins of a leaf on the grid: pairs of corners with opposite edges, see vs_twins_find. place: index of the
- * leaf. */
+/* Finds the pairs of opposite edges (twins) of a leaf on the grid, see vs_twins_find. place: index of the leaf. */
 static bool find_twins(vs_kernel *k, facets *f, uint32_t place) {
   vs_cluster *c = f->c;
   const vs_mesh *m = c->placed.at[place].part->mesh;

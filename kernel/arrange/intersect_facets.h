@@ -4,8 +4,8 @@
 
 #include "kernel/cluster.h"
 
-/* Makes c->cuts and the groups of touching facets, as vs_meet_patches does, for facets that are given by their border
- * edges. Returns false on an error. */
+/* Makes c->cuts and unites coplanar facets that touch to groups, as vs_meet_patches does, for facets that are given by
+ * their border edges. Returns false on an error. */
 bool vs_meet_facets(vs_kernel *k, vs_cluster *c);
 
 #endif

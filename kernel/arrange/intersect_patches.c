@@ -53,9 +53,10 @@ typedef struct {
   VS_LIST(contact) contacts;
   VS_LIST(vs_fresh_point) fresh;
   VS_LIST(vs_edge) edges;         /* edges[i]: an input edge that contains the new point i of the chunk */
-  size_t asked;                   /* number of segments for which the thread tested whether they are inside a lid */
-  size_t left, looked, hidden;    /* left: number of segments that no lid contains entirely; looked: number of these
-                                   * whose middle was tested; hidden: number of tested middles inside a lid */
+  size_t asked;                   /* number of segments that the thread tested for being hidden inside a convex leaf */
+  size_t left, looked, hidden;    /* left: number of segments that no single convex leaf hides entirely; looked:
+                                   * number of these whose middle was tested; hidden: number of tested middles that
+                                   * are hidden */
 } chunk;
 
 static const vs_patch_corner *corners(const vs_cluster *c, const vs_patch *p) { return c->patch_corners.at + p->first; }
@@ -221,8 +222,8 @@ static int axis_of(const vs_plane *p, const vs_plane *q) {
   return best;
 }
 
-/* Computes the position of end e in steps. Returns false if its error is too large to decide whether a lid contains
- * it. */
+/* Computes the position of end e in steps. Returns false if its error is too large to decide whether a convex leaf
+ * hides it. */
 static bool end_at(const vs_cluster *c, const end *e, double at[3]) {
   const vs_patch_corner *x = corners(c, e->f->of);
   const double *h = e->f->height;
@@ -371,7 +372,7 @@ static bool add_contact(chunk *m, const facing f[2], uint32_t p, uint32_t q) {
 
 static uint32_t corner_point(const vs_cluster *c, const end *e) { return corners(c, e->f->of)[e->corner].point; }
 
-/* Tests for every 16th cut whether its middle is inside a lid, and so hidden in the result. */
+/* Tests for every 16th cut whether its middle is inside a convex leaf, and so hidden in the result. */
 static void look_whether_hidden(chunk *m, uint32_t place, const double p[3], const double q[3]) {
   enum { ONE_IN = 16 };
   if (++m->left % ONE_IN) return;
@@ -447,7 +448,7 @@ static bool meet(void *context, uint32_t first, uint32_t second) {
 typedef struct {
   vs_kernel *k;
   vs_cluster *c;
-  uint32_t *group; /* group[f]: parent of facet f in a union-find structure */
+  uint32_t *group; /* group[f]: parent of facet f in a union-find structure of coplanar facets that touch */
   VS_LIST(uint32_t) ids;  /* ids[i]: number in the cluster of the new point i of a chunk */
   chunk chunks[VS_PIPELINE_WINDOW];
   working *works; /* memory of each thread, an array with one element for each */

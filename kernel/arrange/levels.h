@@ -4,8 +4,8 @@
 
 #include "kernel/cluster.h"
 
-/* Makes facets, sides, cuts and groups of a cluster with too many cuts, by uniting its solids two by two. Returns false
- * on an error. */
+/* Makes the facets, border edges and cuts of a cluster with too many cuts, by uniting its solids two by two. Returns
+ * false on an error. */
 bool vs_unite_levels(vs_kernel *k, vs_cluster *c, vs_expression *e);
 
 #endif

@@ -183,8 +183,9 @@ bool vs_patches_build(vs_kernel *k, vs_cluster *c) {
   ok = ok && vs_kernel_pipeline(k, (c->facets.count + CHUNK - 1) / CHUNK, make_chunk, take_chunk, &p) &&
        VS_ROOM(k, families, family_room, c->patches.count + 1);
   for (size_t i = 0; ok && i < c->patches.count; i++) { /* Patches of one family are not tested against each other. The
-                                                         * triangles of a star on the grid do not intersect, so its
-                                                         * patches form one family. */
+                                                         * triangles of a star (a mesh whose middle sees every triangle
+                                                         * from inside) do not intersect. Therefore its patches form one
+                                                         * family. */
     uint32_t place = c->patches.at[i].place;
     families[i] = c->placed.at[place].star ? place : UINT32_MAX;
   }

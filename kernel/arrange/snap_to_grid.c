@@ -212,7 +212,8 @@ static bool weld(vs_kernel *k, vs_cluster *c, snapping *s) {
   return true;
 }
 
-/* Computes the bounding box of each leaf in steps. Determines whether each star is still a star on the grid. */
+/* Computes the bounding box of each leaf in steps. Determines whether each star (a mesh whose middle sees every
+ * triangle from inside) is still one on the grid. */
 static bool find_shape(vs_kernel *k, void *context, size_t index) {
   const snapping *s = context;
   const vs_cluster *c = s->c;

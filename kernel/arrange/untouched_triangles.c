@@ -44,7 +44,8 @@ typedef struct { uint32_t place, first, hub; vs_pack packs[PACKS]; } block;
 typedef struct {
   vs_cluster *c;
   VS_LIST(span) spans;
-  VS_LIST(uint64_t) masks;      /* masks[v]: set of the lids that contain vertex v, as bits; see VS_LIDS in cluster.h */
+  VS_LIST(uint64_t) masks;      /* masks[v]: set of the convex leaves that hide vertex v, as bits; see VS_LIDS in
+                                 * cluster.h */
   VS_LIST(block) blocks;
   VS_LIST(vs_bvh_box) boxes;        /* boxes[i]: bounding box of block i of triangles */
   vs_bvh bvh;
@@ -85,8 +86,8 @@ static uint32_t next_of(uint32_t corner) { return corner % 3 == 2 ? corner - 2 :
 
 /* ---- culled triangles ---- */
 
-/* Computes the masks (sets of lids) of a range of a leaf's vertices. The vertices are divided among the spans of the
- * leaf. */
+/* Computes the masks (sets of convex leaves that hide a vertex) of a range of a leaf's vertices. The vertices are
+ * divided among the leaf's ranges of triangles (spans). */
 static bool mask_span(vs_kernel *k, void *context, size_t index) {
   plain *p = context;
   const span *s = &p->spans.at[index];
@@ -265,8 +266,8 @@ static bool index_blocks(vs_kernel *k, plain *p, bool *few) {
   bool ok = VS_ROOM(k, p->blocks.at, p->blocks.room, (size_t)sum + 1) &&
             VS_ROOM(k, p->boxes.at, p->boxes.room, (size_t)sum + 1) && VS_ROOM(k, families, room, (size_t)sum + 1) &&
             vs_kernel_run(k, p->spans.count, fill_blocks, p);
-  /* Triangles of one family are not tested against each other. A star does not intersect itself, and triangles of one
-   * hub do not intersect each other. */
+  /* Triangles of one family are not tested against each other. A star-shaped leaf does not intersect itself, and
+   * triangles around one hub (corner) do not intersect each other. */
   for (uint32_t i = 0; ok && i < sum; i++) {
     const block *b = &p->blocks.at[i];
     const vs_placed *l = &c->placed.at[b->place];

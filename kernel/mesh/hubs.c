@@ -29,8 +29,8 @@ typedef struct {
   const vs_fans *m;
   VS_LIST(uint32_t) count; /* count[v]: number of triangles at vertex v */
   VS_LIST(spoke) spokes;
-  VS_LIST(uint32_t) order, scratch; /* indices of the spokes, sorted by hub and then by next corner; scratch: memory for
-                                     * the sort */
+  VS_LIST(uint32_t) order, scratch; /* indices of the spokes (triangles at hubs), sorted by hub and then by the
+                                     * triangle's next corner; scratch: memory for the sort */
 } search;
 
 static bool before(const void *context, uint32_t a, uint32_t b) {
@@ -88,7 +88,7 @@ static bool goes_round_once(const search *c, size_t first, size_t end) {
   return fabs(sum - 6.283185307179586) < 1;
 }
 
-/* Makes a spoke for each triangle corner that is a hub (a corner of very many triangles). */
+/* Makes a list entry (spoke) for each triangle corner at a hub, a vertex of very many triangles. */
 static bool find_spokes(vs_kernel *k, search *c) {
   const vs_fans *m = c->m;
   for (uint32_t t = 0; t < m->triangle_count; t++)
@@ -103,8 +103,8 @@ static bool find_spokes(vs_kernel *k, search *c) {
   return vs_kernel_report(k, k->part);
 }
 
-/* Returns the number of edges that two triangles of one hub share. The search for pairs of boxes omits pairs of one
- * hub, so these edges are counted here. */
+/* Returns the number of edges that two triangles around one hub (a vertex of very many triangles) share. The search for
+ * pairs of boxes omits pairs of one hub, so these edges are counted here. */
 static size_t edges_within(const search *c, const vs_hubs *hubs, size_t first, size_t end) {
   size_t edges = 0;
   for (size_t i = first; i < end; i++) {
@@ -124,13 +124,15 @@ static size_t end_of_hub(const search *c, size_t i) {
 
 /* ---- hubs within the cones of other hubs ---- */
 
-enum { NESTED = 64 }; /* greatest number of hubs whose cones are tested against each other */
+enum { NESTED = 64 }; /* greatest number of hubs (vertices of very many triangles) whose cones are tested against each
+                       * other */
 
-/* A hub and the edges of the cone that its triangles bound, in order and relative to the hub. */
+/* A hub (vertex of very many triangles) and the cone that its triangles bound. The cone's edges are in order and
+ * relative to the hub. */
 typedef struct {
   vs_vec3 hub, d, u, v; /* hub: position of the cone's tip; d: its axis, a unit vector; u, v: unit vectors perpendicular
                          * to d */
-  double side;          /* 1 if the cone opens in the direction d from the hub, -1 if it opens in the opposite
+  double side;          /* 1 if the cone opens from its tip in the direction d, -1 if it opens in the opposite
                          * direction */
   size_t first, count;  /* first, count: range of the cone's edges in the arrays of edges and of their angles */
   bool convex;
@@ -152,8 +154,8 @@ static bool under(const cones *c, const cone *w, size_t i, vs_vec3 x) {
 
 static double angle_of(const cone *w, vs_vec3 x) { return atan2(vs_v3_dot(x, w->v), vs_v3_dot(x, w->u)); }
 
-/* Adds the cone of the hub whose triangles [first, end) surround it once. Sets the cone's member `convex`. Returns
- * false when memory is out. */
+/* Adds the cone around the hub (vertex) whose triangles [first, end) surround it once. Sets the cone's member `convex`.
+ * Returns false when memory is out. */
 static bool make_cone(vs_kernel *k, const search *s, size_t first, size_t end, cones *c) {
   cone w = { .hub = s->m->corner(s->m->context, at(s, first)->hub), .first = c->edges.count };
   for (size_t i = first; i < end; i++)
@@ -215,8 +217,8 @@ static bool holds(const cones *c, const cone *a, const cone *b) {
   return true;
 }
 
-/* Joins hubs whose triangles lie within each other's cones to one family, named after the first hub. Pairs of one
- * family need no test. */
+/* Joins hubs (vertices of very many triangles) whose triangles lie within each other's cones to one family, named after
+ * the first hub. Pairs of one family need no test. */
 static bool join_nested(vs_kernel *k, const search *s, vs_hubs *out) {
   size_t count = out->corners.count;
   cones c = { .cones = { 0 } };

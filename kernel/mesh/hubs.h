@@ -6,7 +6,8 @@
 #include "model/mesh.h"
 #include "kernel/memory.h"
 
-/* A mesh in which hubs are searched: its triangles, and a function that returns the positions of their corners. */
+/* A mesh in which hubs (vertices of very many triangles) are searched: its triangles, and a function that returns the
+ * positions of their corners. */
 typedef struct {
   const uint32_t (*triangles)[3];
   size_t triangle_count, vertex_count;
@@ -15,17 +16,17 @@ typedef struct {
   const void *context;
 } vs_fans;
 
-/* The hubs whose triangles were proven to share only their common edges. If a hub lies in another hub's convex cone,
- * `of` may name that other hub for its triangles. */
+/* The hubs (vertices of very many triangles) whose triangles were proven to share only their common edges. If a hub
+ * lies in another hub's convex cone, `of` may name that other hub for its triangles. */
 typedef struct {
   VS_LIST(uint32_t) of;      /* of[t]: hub at which triangle t ends, or UINT32_MAX if there is none. Empty: the mesh has
                               * no hubs. */
-  VS_LIST(uint32_t) corners; /* vertex numbers of the hubs */
-  size_t edges;              /* number of edges between two triangles with the same hub in `of` */
+  VS_LIST(uint32_t) corners; /* vertex numbers of the hubs, the corners of very many triangles */
+  size_t edges;              /* number of edges between two triangles t and u with of[t] == of[u] */
 } vs_hubs;
 
-/* Finds the hubs of a mesh. Returns false if memory is out or the caller interrupts; the caller frees `out` in either
- * case. */
+/* Finds the hubs of a mesh, the vertices of very many triangles. Returns false if memory is out or the caller
+ * interrupts; the caller frees `out` in either case. */
 bool vs_hubs_find(vs_kernel *k, const vs_fans *mesh, vs_hubs *out);
 void vs_hubs_free(vs_kernel *k, vs_hubs *hubs);
 

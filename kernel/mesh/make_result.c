@@ -145,7 +145,8 @@ static bool drop_some_corners(vs_kernel *k, void *context, size_t chunk) {
     if (w->degree.at[p] != 2 || !same_faces(w, w->edges.at[2 * p], w->edges.at[2 * p + 1], &flat, &bent)) continue;
     const vs_use *a = vs_result_use(w, w->edge_first.at[w->edges.at[2 * p]]),
                  *b = vs_result_use(w, w->edge_first.at[w->edges.at[2 * p + 1]]);
-    if (bent) { /* at a bend, a merged face changes its plane; straighten.c decides whether the corner can be dropped */
+    if (bent) { /* a face beside this corner changes its plane here; straighten.c decides whether the corner can be
+                 * dropped */
       if (flat || w->stays.at[p] || !are_two(w, w->edges.at[2 * p])) continue;
       w->bent.at[p] = 1;
     }
@@ -482,7 +483,7 @@ bool vs_output_faces(vs_kernel *k, vs_cluster *c, vs_mesh *out) {
     bool failed = !ok && w.sheets && k->error->status == VS_KERNEL_INTERNAL;
     if (ok && !vs_sheets_spoiled(&w)) break;
     if (!ok && !failed) break;
-    if (failed) { /* makes the result again with all bends, which needs no check */
+    if (failed) { /* makes the result again with all corners, which needs no check */
       k->error->status = VS_KERNEL_FINE;
       atomic_store(&k->stop, false);
     }

@@ -6,11 +6,11 @@
 #include "kernel/cluster.h"
 #include "kernel/mesh/triangulate.h"
 
-typedef struct { VS_LIST(uint32_t) uses, firsts, seams; } vs_found_edges; /* edges that a task found in its range.
-                                                                           * uses: boundary edges of faces; firsts:
-                                                                           * position in uses of each edge's first
-                                                                           * one; seams: indices in firsts of edges
-                                                                           * inside a sheet */
+typedef struct { VS_LIST(uint32_t) uses, firsts, seams; } vs_found_edges; /* edges that a task found in its range. uses:
+                                                                           * boundary edges of faces; firsts: position
+                                                                           * in uses of each edge's first one; seams:
+                                                                           * indices in firsts of edges at which the
+                                                                           * grid has split a planar facet */
 typedef struct { uint32_t v[3], tag, look; } vs_cut_triangle; /* v: point numbers of the triangle's corners; look: 2 *
                                                                * plane, plus 1 if the triangle faces against the plane's
                                                                * normal */
@@ -49,16 +49,18 @@ typedef struct {
   VS_LIST(vs_triangulation) cutters; /* working memory of the triangulation, with an element for each thread */
   vs_mesh *mesh;
   size_t first_vertex;               /* index in the result's mesh of this cluster's first vertex */
-  /* The members below are used only if bends may be removed (straighten.c). Otherwise they are empty. */
+  /* The members below are used only if corners may be removed where the grid has bent a straight cut (straighten.c).
+   * Otherwise they are empty. */
   VS_LIST(uint32_t) lone;            /* lone[p]: the only facet in plane p, or VS_NONE if the plane does not have
                                       * exactly one */
   VS_LIST(uint32_t) seams;           /* edges of edge_first between two facets of a sheet (a planar facet that the grid
                                       * has split) */
-  VS_LIST(uint8_t) gone;             /* gone[e]: 1 if the faces on both sides of edge e, a seam of a sheet, are merged
-                                      * over it */
-  VS_LIST(uint8_t) bent;             /* bent[p]: 1 if point p is a bend that is dropped; it lies off the line of the
-                                      * remaining edges */
-  VS_LIST(uint8_t) stays;            /* stays[p]: 1 if point p is a bend that must not be dropped */
+  VS_LIST(uint8_t) gone;             /* gone[e]: 1 if edge e, at which the grid has split a planar facet, vanishes
+                                      * because the faces on its two sides are merged */
+  VS_LIST(uint8_t) bent;             /* bent[p]: 1 if the corner at point p is dropped although it lies off the line of
+                                      * the remaining edges */
+  VS_LIST(uint8_t) stays;            /* stays[p]: 1 if the corner at point p must not be dropped, although the grid has
+                                      * bent a straight cut there */
   vs_sheets *sheets;
 } vs_result_state;
 

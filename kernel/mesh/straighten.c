@@ -32,17 +32,18 @@
 static const double OFF = 1, ALIKE = 0.999, WEDGE = -0.98, SHALLOW = 0.97, FAR = 8, BESIDE = 0.5;
 
 typedef struct {
-  double n[3], at[3]; /* middle plane of the sheet. n: its unit normal, outwards; at: a point of the plane, in steps */
+  double n[3], at[3]; /* middle plane of the sheet (the facets into which the grid has split a planar facet). n: its
+                       * unit normal, outwards; at: a point of the plane, in steps */
   uint32_t corners, bends;
-  bool merged, fresh;       /* merged: the sheet's faces are merged; fresh: the sheet was given up after the bands
-                             * around cuts were last checked */
+  bool merged, fresh;       /* merged: true if the sheet's faces are merged; fresh: true if the merging was given up
+                             * since the last check of cuts */
   _Atomic bool given_up;
 } sheet;
 
 typedef struct {
-  uint32_t p, q, edge, keys[2], sheets[2]; /* A cut from point p to point q whose bends are dropped. edge: its first
-                                            * edge, at p; keys: representative planes of the faces on its two sides;
-                                            * sheets: the sheets there. */
+  uint32_t p, q, edge, keys[2], sheets[2]; /* A cut from point p to point q whose corners in between (bends) are
+                                            * dropped. edge: its first edge, at p; keys: representative planes of the
+                                            * faces on its two sides; sheets: the sheets there. */
   double wide;
 } cut;
 typedef struct { double at; uint32_t point; } placed;
@@ -50,12 +51,15 @@ typedef struct { uint32_t near, point; } corner;
 
 struct vs_sheets {
   VS_LIST(sheet) all;
-  VS_LIST(uint32_t) of;       /* of[f]: sheet that contains facet f, or VS_NONE */
-  VS_LIST(uint32_t) of_face;  /* of_face[f]: sheet that contains face f, or VS_NONE */
-  VS_LIST(uint32_t) face_key; /* face_key[f]: representative plane of face f's sheet or plane, or VS_NONE */
+  VS_LIST(uint32_t) of;       /* of[f]: number of the sheet (planar facet that the grid has split) that contains facet
+                               * f, or VS_NONE */
+  VS_LIST(uint32_t) of_face;  /* of_face[f]: number of the sheet (planar facet that the grid has split) that contains
+                               * face f, or VS_NONE */
+  VS_LIST(uint32_t) face_key; /* face_key[f]: plane that represents the plane of face f and those that the grid has
+                               * split from it, or VS_NONE */
   VS_LIST(cut) cuts;
-  VS_LIST(uint32_t) cut_of;   /* cut_of[p]: cut that contains the bend at point p */
-  VS_LIST(uint32_t) key;      /* key[p]: plane that represents plane p, for instance all planes of a sheet */
+  VS_LIST(uint32_t) cut_of;   /* cut_of[p]: index of the cut in which point p is a corner to be dropped */
+  VS_LIST(uint32_t) key;      /* key[p]: plane that represents plane p and all planes that the grid has split from it */
   VS_LIST(uint32_t) near;     /* near[p]: for a representative plane p with cuts: its index in `first`; for other
                                * planes: VS_NONE */
   VS_LIST(uint32_t) first;    /* first[i]: for representative plane i in `near`, position in `corners` of its first
@@ -65,9 +69,9 @@ struct vs_sheets {
   VS_LIST(uint8_t) free;      /* free[i]: 1 if the band around cut i contains no other corner */
   size_t near_count, room;  /* near_count: number of representative planes with cuts; room: size of this structure in
                              * bytes */
-  bool kept;                /* true if the current round of checks found bends that must stay */
-  bool looked;              /* true if the bands around all cuts have been checked; later rounds check only bands beside
-                             * sheets that were given up since */
+  bool kept;                /* true if the current round of checks found corners (bends) that must stay */
+  bool looked;              /* true if the bands around all cuts have been checked; later rounds check only the bands
+                             * beside faces that are no longer merged */
   _Atomic bool spoiled;
 };
 
@@ -143,7 +147,8 @@ static void normal_of(double at[3][3], double n[3]) {
   cross(a, b, n);
 }
 
-/* Computes the middle plane of each sheet. Gives up sheets with corners more than a step away from it. */
+/* Computes the middle plane of each sheet (planar facet that the grid has split). Gives up the merging of sheets with
+ * corners more than a step away from it. */
 static bool measure(vs_result_state *w) {
   const vs_cluster *c = w->c;
   vs_sheets *s = w->sheets;
@@ -216,8 +221,8 @@ bool vs_sheets_plan(vs_result_state *w) {
     *of = (uint32_t)s->all.count;
     if (!vs_kernel_poll(w->k, 0.9) || !VS_PUSH(w->k, s->all, ((sheet){ .corners = 0 }))) return false;
   }
-  for (uint32_t f = 0; f < facets; f++) s->of.at[f] = s->of.at[c->sheets.at[f]]; /* The first facet of a sheet has the
-                                                                                  * lowest number of its facets.
+  for (uint32_t f = 0; f < facets; f++) s->of.at[f] = s->of.at[c->sheets.at[f]]; /* c->sheets.at[f] is the first facet
+                                                                                  * of f's sheet and at most f.
                                                                                   * Therefore its sheet is already
                                                                                   * known. */
   for (uint32_t p = 0; p < planes; p++) s->key.at[p] = p;
@@ -284,8 +289,8 @@ static bool is_fresh(const vs_result_state *w, uint32_t face) {
   return s != VS_NONE && w->sheets->all.at[s].fresh;
 }
 
-/* Sets n to a unit normal: the outward normal of the face's sheet if the sheet is merged, else the normal of the face's
- * plane. */
+/* Sets n to the unit normal of a face: the outward normal of the facet that the grid has split if its faces are merged,
+ * else the normal of the face's plane. */
 static void look(const vs_result_state *w, uint32_t face, double n[3]) {
   uint32_t s = merged_sheet_of(w, face);
   const vs_plane *p = &w->c->planes.all.at[w->c->faces.at[face].plane];
@@ -400,7 +405,7 @@ static int by_place(const void *a, const void *b) {
   return x->at < y->at ? -1 : x->at > y->at ? 1 : x->point < y->point ? -1 : x->point > y->point;
 }
 
-/* Collects the corners of faces in all planes and sheets with cuts that have bends. */
+/* Collects the corners of faces in all planes that have cuts with corners to be dropped. */
 static bool find_near(vs_result_state *w) {
   vs_sheets *s = w->sheets;
   size_t planes = w->c->planes.all.count;
@@ -444,8 +449,8 @@ static bool find_near(vs_result_state *w) {
   return true;
 }
 
-/* Returns true if the band around a cut contains no other corner of the plane or sheet on one of its sides. number:
- * index of the cut; side: 0 or 1. */
+/* Returns true if the band around a cut contains no other corner of the faces on one of its sides. number: index of the
+ * cut; side: 0 or 1. */
 static bool is_free(const vs_result_state *w, uint32_t number, int side) {
   const vs_sheets *s = w->sheets;
   const cut *c = &s->cuts.at[number];
@@ -484,7 +489,8 @@ static bool find_free(vs_kernel *k, void *context, size_t index) {
   return true;
 }
 
-/* Gives up the merging of sheets that lose no bends by it. Returns true if one of them was merged. */
+/* Gives up the merging of faces in sheets (split facets) from which it removes no corner. Returns true if a sheet's
+ * faces had been merged. */
 static bool give_up_idle(vs_result_state *w) {
   bool any = false;
   for (size_t i = 0; i < w->sheets->all.count; i++) {
@@ -584,7 +590,7 @@ bool vs_sheets_simple(const vs_result_state *w, uint32_t face, vs_kernel *k, vs_
   return true;
 }
 
-/* Returns true if the triangle with the point numbers v faces in the direction of its sheet's normal. */
+/* Returns true if the triangle with the point numbers v faces in the direction of the normal of sheet s. */
 static bool holds(const vs_result_state *w, const sheet *s, const uint32_t v[3]) {
   double at[3][3], n[3];
   for (int j = 0; j < 3; j++) place(w, v[j], at[j]);

@@ -13,21 +13,22 @@ bool vs_sheets_seam(const vs_result_state *w, const vs_use *a, const vs_use *b);
 /* Finds the sheets (planar facets that the grid has split) whose cuts may lose bends; w->sheets stays NULL if there are
  * none. Returns false on failure. */
 bool vs_sheets_plan(vs_result_state *w);
-/* Merges faces over the edges between facets of a sheet. Sets w->gone, parent and whole. *any: true if there is such an
- * edge. Returns false on failure. */
+/* Merges faces over the edges at which the grid has split a planar facet. Sets w->gone, parent and whole. *any: true if
+ * there is such an edge. Returns false on failure. */
 bool vs_sheets_merge(vs_result_state *w, bool *any);
-/* Checks the result after corners have been dropped. Gives up the merging of sheets that is unsafe or has dropped no
+/* Checks the result after corners have been dropped. Gives up the merging of faces where it is unsafe or has dropped no
  * corner. *again: true if the caller must merge faces and drop corners again. Returns false on failure. */
 bool vs_sheets_check(vs_result_state *w, bool *again);
 /* Sets *simple to true if the border of a merged face, in t, intersects or touches itself only at the ends of its
- * sides. Tests only faces of sheets. If *simple is false, the merging of the sheet is given up, and the caller makes
- * the result again. Several threads may call this function at the same time. */
+ * sides. Tests only faces of facets that the grid has split. If *simple is false, the merging of these faces is given
+ * up, and the caller makes the result again. Several threads may call this function at the same time. */
 bool vs_sheets_simple(const vs_result_state *w, uint32_t face, vs_kernel *k, vs_triangulation *t, bool *simple);
-/* Exchanges diagonals of the face's triangles until each triangle faces the same way as the sheet. If this is
- * impossible, marks the result as invalid. */
+/* Exchanges diagonals of the face's triangles until each triangle faces in the direction of the facet that the grid has
+ * split. If this is impossible, marks the result as invalid. */
 void vs_sheets_mend(const vs_result_state *w, uint32_t face, vs_triangulation *t);
 bool vs_sheets_spoiled(const vs_result_state *w);
-void vs_sheets_give_up(vs_result_state *w); /* gives up the merging of faces in all sheets */
+void vs_sheets_give_up(vs_result_state *w); /* gives up all merging of faces over edges at which the grid has split a
+                                             * planar facet */
 void vs_sheets_free(vs_kernel *k, vs_result_state *w);
 
 #endif

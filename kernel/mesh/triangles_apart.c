@@ -216,8 +216,9 @@ bool vs_mesh_is_apart(vs_kernel *k, const vs_mesh *m, bool *apart, size_t *edges
   vs_fans fans = { (const uint32_t (*)[3])m->triangles, m->triangle_count, m->vertex_count, NULL, corner_at, m };
   vs_hubs hubs = { .edges = 0 };
   bool ok = m->triangle_count < UINT32_MAX && vs_hubs_find(k, &fans, &hubs);
-  s.bvh.families = hubs.of.count ? hubs.of.at : NULL; /* the search for pairs of boxes skips triangles at one hub, which
-                                                       * are proven to be apart */
+  s.bvh.families = hubs.of.count ? hubs.of.at : NULL; /* the search for pairs of boxes skips triangles around one hub
+                                                       * (vertex of very many triangles), which are proven to be
+                                                       * apart */
   ok = ok && VS_ROOM(k, s.boxes.at, s.boxes.room, m->triangle_count + 1) &&
        vs_kernel_run(k, (m->triangle_count + TRIANGLES - 1) / TRIANGLES, box_some, &s) &&
        vs_bvh_build(k, &s.bvh, s.boxes.at, (uint32_t)m->triangle_count) &&

@@ -135,8 +135,8 @@ static bool step(cutter *c, const vs_sweep_event *e) {
     if (over && !extend_head(c, &t->chains.at[last], v)) return false;
     if (n) t->chains.at[e->rights[n - 1]] = t->chains.at[last];
     else if (under != over) return VS_BROKEN(c->k, "a face has no border");
-    else if (under) { /* vertex v joins two intervals inside the polygon: it ends the lower chain and begins the upper
-                       * chain */
+    else if (under) { /* two intervals inside the polygon meet at vertex v: it ends the chain of the lower interval and
+                       * begins that of the upper one */
       vs_chain *x = &t->chains.at[e->below], *y = &t->chains.at[last];
       vs_chain_node *nodes = t->nodes.at;
       uint32_t second = nodes[y->head].next;

@@ -111,7 +111,8 @@ typedef struct {
   VS_LIST(vs_bvh_box) busy_boxes;
   VS_LIST(reach) reaches;        /* reaches[i]: coordinates of busy run i along each axis */
   vs_hubs around;                /* corners of very many triangles, in the mesh with rounded corners */
-  VS_LIST(uint32_t) hubs;        /* hubs[i]: `hub` of run i of those that are not perpendicular to an axis */
+  VS_LIST(uint32_t) hubs;        /* hubs[i]: member `hub` of run number i, counting only runs that are not perpendicular
+                                  * to an axis */
   vs_bvh bvh, busy_bvh;          /* bvh: boxes of all runs that are not perpendicular to an axis; busy_bvh: boxes of
                                   * those in `busy` */
   made found[VS_PIPELINE_WINDOW];
@@ -706,7 +707,7 @@ static bool take(vs_kernel *k, void *context, size_t index) {
 }
 
 /* Counts as intersecting the triangles that have no area after rounding, because they lie on edges of other triangles.
- * Such a triangle is a run alone. */
+ * Such a triangle always forms a run (group of triangles) alone. */
 static bool count_flat(vs_kernel *k, const search *c) {
   const runs *open = &c->all.kinds[OPEN];
   for (size_t i = 0; i < open->at.count; i++) {
