@@ -40,7 +40,7 @@ void vs_marks_set(vs_marks *m, size_t i, bool in) {
 
 static int marks_first(uint64_t word) { return __builtin_ctzll(word); }
 
-/* In the function, the index i is valid in every level, because each level has one word more than it needs. */
+/* In vs_marks_next, the index i is valid in every level, because each level has one word more than it needs. */
 size_t vs_marks_next(const vs_marks *m, size_t from) {
   size_t i = from;
   for (int k = 0; k < m->levels; k++, i = i / 64 + 1) { /* goes up to the first level in which the word of index i has a

@@ -18,7 +18,8 @@
  * 1993. */
 typedef struct {
   vs_vec3 sun;                                   /* unit vector towards the sun, not below the horizon */
-  struct { double scale, a, b, c, d, e; } of[3]; /* coefficients of Y, x and y, in this order, in the formula above */
+  struct { double scale, a, b, c, d, e; } of[3]; /* coefficients for the luminance Y (of[0]) and the chromaticities x
+                                                  * and y (of[1], of[2]) in the formula of Perez */
 } vs_sky_light;
 
 /* Returns the clear sky for a turbidity within VS_TURBIDITY_LEAST and VS_TURBIDITY_MOST and a unit vector towards the

@@ -134,8 +134,10 @@ bool vs_tessellate(const vs_node *n, const vs_fineness *f, vs_mesh *out, vs_erro
 
 struct vs_bends {
   vs_swept plan;
-  vs_affine placed; /* map from the coordinates of the sections' plan to those above the placements */
-  double scale;     /* factor that converts a tolerance above the placements to one below them */
+  vs_affine placed; /* map from the coordinates of the planned sections to the coordinates outside of all placements
+                     * around the sweep */
+  double scale;     /* factor that converts a tolerance outside of the placements around the sweep to a tolerance inside
+                     * them */
 };
 
 vs_bends *vs_bends_new(const vs_node *n, const vs_fineness *f, vs_error *e) {

@@ -304,8 +304,8 @@ static bool close_holes(vs_face_list *l, vs_repair_notes *notes) {
     for (size_t i = 0; i <= l->point_count; i++) first[i + 1] += first[i];
     memset(seen, 0xFF, (l->point_count + 1) * sizeof *seen);
   }
-  /* Follows missing sides. When the walk reaches a point again, the sides since the first visit form a loop. first[p]
-   * is the index of the next unused side that leaves point p. */
+  /* Follows missing sides. When the walk reaches a point again, the sides since the first visit to this point form a
+   * loop. first[p] is the index of the next unused side that leaves point p. */
   size_t length = 0;
   for (size_t start = 0; ok && start < missing; start++) {
     uint32_t p = at[start].from;

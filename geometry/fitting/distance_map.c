@@ -29,8 +29,8 @@ static void put(sink *s, const char *format, ...) {
   if (n > 0) s->used += (size_t)(n < LONGEST ? n : LONGEST - 1);
 }
 
-/* In the function, the colours are blue, pale grey and red, with equal lightness on both sides, which people without
- * red vision can distinguish. */
+/* In vs_distance_colour, the colours are blue, pale grey and red, with equal lightness on both sides, which people
+ * without red vision can distinguish. */
 void vs_distance_colour(double share, double rgb[3]) {
   static const double ends[3][3] = { { .13, .31, .66 }, { .90, .89, .87 }, { .70, .09, .11 } };
   double t = fmin(fmax(share, -1), 1), k = fabs(t);

@@ -15,8 +15,8 @@
 /* ---- confidence intervals ---- */
 
 double vs_student_quantile(double confidence, double freedom) {
-  /* In the function, the quantile of the normal distribution is computed by bisection of erf. Then the terms of the
-   * Cornish-Fisher expansion for Student's distribution are added. */
+  /* In vs_student_quantile, the quantile of the normal distribution is computed by bisection of erf. Then the terms of
+   * the Cornish-Fisher expansion for Student's distribution are added. */
   double low = 0, high = 40;
   VS_ASSERT(confidence > 0 && confidence < 1);
   for (int i = 0; i < 100; i++) {

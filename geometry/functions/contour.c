@@ -41,7 +41,8 @@ typedef struct {
   uint8_t below;   /* signs at the cell's corners: bit c is set if the value at corner c is below 0 */
   uint8_t flips;   /* bit f: the crossings in face f of the cell are joined in the second way (step 3 of the plan) */
   bool sharp;      /* true if the cell contains an edge or corner of the surface */
-  uint32_t rings;  /* two bits for each edge of the cell: the number of the ring that contains the edge's crossing */
+  uint32_t rings;  /* two bits for each edge of the cell: the number of the ring (piece of the surface) that contains
+                    * the edge's crossing */
   uint32_t first;  /* index of the point of the cell's first ring (piece of the surface); the points of its other rings
                     * follow */
   int32_t edge[3]; /* edge[a]: index of the crossed edge along axis a at the cell's lowest corner; NONE: the surface
@@ -661,8 +662,8 @@ static bool goes_on(const contour *c, const cell *here, const crossings *own, ri
 
 static bool points(contour *c) {
   vs_contour *out = c->out;
-  ring_point *some[2] = { NULL, NULL }; /* rings whose points are refined together: some[0] smooth rings, some[1] sharp
-                                         * rings */
+  ring_point *some[2] = { NULL, NULL }; /* rings (pieces of the surface in cells) whose points are refined together:
+                                         * some[0] smooth ones, some[1] those with sharp edges */
   size_t room[2] = { 0, 0 }, count_of[2] = { 0, 0 };
   bool ok = VS_GROW(some[0], room[0], AT_ONCE) && VS_GROW(some[1], room[1], AT_ONCE);
   crossings own;

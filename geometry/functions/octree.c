@@ -38,12 +38,16 @@ typedef struct {
 /* A connected part of the surface within a node of the octree that had its own point on the level below. */
 typedef struct {
   uint32_t ring, node;
-  uint32_t up;            /* union-find parent: a part with which this part is joined, or the part itself */
-  uint32_t link;          /* index of the next part in the circular list of the parts that are joined with this part */
-  uint32_t count;         /* number of parts that are joined with this part; valid in the first of them */
-  uint32_t best;          /* ring whose point all joined parts may share; valid in the first of these parts */
-  int32_t sides, inside;  /* sides: twice the number of cell sides between the rings of the joined parts; inside: number
-                           * of quads within these parts; valid in the first of them */
+  uint32_t up;            /* union-find parent of this part of the surface: a part with which it is joined, or the part
+                           * itself */
+  uint32_t link;          /* index of the next part of the surface in the circular list of parts that are joined with
+                           * this part */
+  uint32_t count;         /* number of parts of the surface that are joined to one; valid in the first of the joined
+                           * parts */
+  uint32_t best;          /* ring (piece of the surface in a cell) whose point all joined parts may share; valid in the
+                           * first of the joined parts */
+  int32_t sides, inside;  /* valid in the first of several joined parts. sides: twice the number of cell sides between
+                           * their rings; inside: number of quads within the parts */
   uint8_t rim[EDGES];     /* number of crossings of the surface with each edge of the node; valid in the first of the
                            * joined parts */
 } part;
@@ -52,15 +56,20 @@ typedef struct {
   const vs_octree_leaves *l;
   double tolerance;
   int level;
-  uint32_t *of;     /* of[r]: union-find parent of ring r; the root is the first ring of the merged part */
-  uint32_t *next;   /* next[r]: next ring in the circular list of the rings of ring r's part */
-  uint32_t *rep;    /* rep[r]: for the first ring r of a part, the ring whose point represents the part */
+  uint32_t *of;     /* of[r]: union-find parent of ring r (a piece of the surface in a cell); the root is the first ring
+                     * of the merged part */
+  uint32_t *next;   /* next[r]: next ring in the circular list of those rings (pieces of the surface in cells) whose
+                     * parts are joined with that of ring r */
+  uint32_t *rep;    /* rep[r]: for the first ring r of a part of the surface, the ring whose point represents the
+                     * part */
   uint32_t *number; /* number[r]: for the first ring r of a part, the part's index in `parts`, or NONE if the part's
                      * node is not merged */
-  uint32_t *start, *list; /* list[start[r]] to list[start[r + 1] - 1]: numbers of the quads of ring r */
+  uint32_t *start, *list; /* list[start[r]] to list[start[r + 1] - 1]: numbers of the quads (faces around crossed edges)
+                           * that contain the point of ring r */
   part *parts;
   size_t part_count, part_room;
-  uint32_t *quads; /* numbers of the quads whose rings may still belong to different parts */
+  uint32_t *quads; /* numbers of the quads (faces around crossed edges) whose four rings may still belong to different
+                    * parts */
   size_t quad_count;
   node *nodes;
   size_t node_count, node_room;
@@ -117,7 +126,8 @@ static bool make_nodes(octree *o) {
 
 /* ---- parts that are joined ---- */
 
-/* Returns the first ring of the part of the surface to which the ring belongs. */
+/* Returns the first ring (piece of the surface in a cell) of the part of the surface to which the given ring
+ * belongs. */
 static uint32_t first_ring(octree *o, uint32_t ring) {
   VS_ASSERT(ring < o->l->rings);
   while (o->of[ring] != ring) ring = o->of[ring] = o->of[o->of[ring]];
@@ -304,7 +314,8 @@ static bool merge(octree *o) {
   return true;
 }
 
-/* Makes the lists of the quads at each ring. */
+/* Makes, for each ring (piece of the surface in a cell), the list of the quads that contain its point. Returns false
+ * when memory is out. */
 static bool list_quads(octree *o) {
   const vs_octree_leaves *l = o->l;
   size_t room[2] = { 0, 0 };

@@ -15,14 +15,17 @@
  * first ring of the quad lies in this cell. */
 typedef struct {
   size_t rings, quads;
-  const vs_vec3 *point;           /* point[r]: point of ring r, on the surface and within the ring's cell */
-  const int32_t (*place)[3];      /* place[r]: position in the grid of ring r's cell */
+  const vs_vec3 *point;           /* point[r]: point of ring r (a piece of the surface within a cell), on the surface
+                                   * and within the cell */
+  const int32_t (*place)[3];      /* place[r]: position in the grid of the cell that contains ring r, a piece of the
+                                   * surface */
   const bool *barred;             /* barred[r]: true if ring r's cell must not be merged, because another sheet of the
                                    * surface passes through a side of this cell */
-  const uint32_t (*around)[4];    /* around[q]: the four rings of quad q, in order around its edge */
-  const uint8_t *axis;            /* axis[q]: axis (0 to 2) of quad q's edge */
-  const vs_vec3 *root, *normal;   /* root[q], normal[q]: point where the surface crosses quad q's edge, and the
-                                   * surface's unit normal there */
+  const uint32_t (*around)[4];    /* around[q]: the four rings (pieces of the surface in cells) that quad q connects, in
+                                   * order around a crossed edge of the grid */
+  const uint8_t *axis;            /* axis[q]: axis (0 to 2) of the grid's edge that quad q surrounds */
+  const vs_vec3 *root, *normal;   /* root[q], normal[q]: point where the surface crosses the edge that quad q surrounds,
+                                   * and the surface's unit normal there */
   double size;                    /* side length of a cell */
   vs_long_work work;
 } vs_octree_leaves;

@@ -46,7 +46,7 @@ struct vs_inside {
   vs_inside_part *parts;
   size_t count, room, first;
   vs_inside_level *stack;
-  size_t cost; /* approximate size of this part in bytes */
+  size_t cost; /* approximate number of bytes of memory that this prepared node takes */
 };
 
 /* ---- formulas ---- */
@@ -387,7 +387,7 @@ void vs_inside_cache_free(vs_inside_cache *c) {
 bool vs_inside_cached(vs_inside_cache **cache, const vs_node *n, vs_vec3 p, bool *inside, vs_error *e) {
   if (!*cache && !(*cache = vs_zeros(1, sizeof **cache))) return vs_error_memory(e, NULL);
   vs_inside_cache *c = *cache;
-  /* Equal nodes have the same shape. Therefore the prepared data of a node can be used for any equal node. */
+  /* Nodes with equal values have equal shapes. Therefore the prepared data of a node can be used for any equal node. */
   vs_inside **slot = &c->at[(n->hash ^ n->hash >> 32) % CACHE_SLOTS];
   if (!*slot || ((*slot)->root != n && !((*slot)->root->hash == n->hash && vs_node_equal((*slot)->root, n, NULL)))) {
     vs_inside *new = vs_inside_new(n, e);

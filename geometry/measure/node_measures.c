@@ -177,9 +177,9 @@ static bool measure_way(const vs_node *curve, vs_way *way, vs_error *e) {
   return ok;
 }
 
-/* In the function, Pappus's theorem applies to every smooth path and every mitred corner. The volume is the profile's
- * area times the path's length, with the square of the scale along the path. The area of the wall is the border's
- * length times the path's length, if the centroid of the border is also on the path. */
+/* In vs_sweep_measure, Pappus's theorem applies to every smooth path and every mitred corner. The volume is the
+ * profile's area times the path's length, with the square of the scale along the path. The area of the wall is the
+ * border's length times the path's length, if the centroid of the border is also on the path. */
 bool vs_sweep_measure(const vs_node *n, vs_measure *m, vs_error *e) {
   bool bar = n->kind == VS_THICKEN;
   const vs_node *profile = n->children[0].node;

@@ -199,7 +199,8 @@ static double twist_of(const vs_flat_net *s, uint32_t t) {
     if (g->side[1] == VS_MESH_NONE || (g->side[0] ^ 1U) != g->side[1] || is_flat(s, e)) continue;
     vs_vec3 a = place(s, g->a), b = place(s, g->b), p = place(s, apex_vertex(s, g->side[0], e)),
             q = place(s, apex_vertex(s, g->side[1], e));
-    double most = 0; /* tests both pairs of opposite sides, because either pair may run across the rulings */
+    double most = 0; /* tests the two pairs of opposite sides, because each may run across the straight lines of the
+                      * surface */
     const vs_vec3 side[2][4] = { { a, p, q, b }, { p, b, a, q } };
     for (int i = 0; i < 2; i++) {
       const vs_vec3 *c = side[i];

@@ -27,12 +27,12 @@ void vs_flat_net_free(vs_flat_net *s);
 vs_vec2 vs_flat_net_apex(const vs_flat_net *s, uint32_t t, uint32_t e, const vs_vec2 ends[2], double side);
 /* Sets ends to the positions in the plane of the ends a and b of edge e of triangle t. */
 void vs_flat_net_ends(const vs_flat_net *s, uint32_t t, uint32_t e, vs_vec2 ends[2]);
-/* Lays triangle `to` into the plane beside triangle `from`, so that both share the edge e. */
+/* Lays triangle `to` into the plane beside triangle `from`, so that the two have the edge e in common. */
 void vs_flat_net_lay(vs_flat_net *s, uint32_t from, uint32_t to, uint32_t e);
 /* Returns the index of the corner of triangle t that is opposite to edge e. */
 int vs_flat_net_corner(const vs_flat_net *s, uint32_t t, uint32_t e);
-/* Marks each edge as joined if its two triangles belong to one piece, and its ends have the same positions in both,
- * within `slack`. */
+/* Marks each edge as joined if its two triangles belong to one piece, and the ends of the edge have equal positions in
+ * the two triangles, within `slack`. */
 void vs_flat_net_join(vs_flat_net *s, double slack);
 
 /* The deviation of a mesh from a developable surface, which can be laid flat without distortion. */

@@ -28,7 +28,7 @@ static const size_t none = SIZE_MAX;
 
 typedef struct { uint32_t point, next, prev; } vs_corner;
 typedef struct {
-  size_t place;             /* index of this corner along the original ring */
+  size_t place;             /* index of this corner along the polygon's ring of corners, before any is cut off */
   size_t awaited;           /* a reflex corner within this corner's triangle, which must be cut off or become convex
                              * before this corner can be; or none */
   size_t waiting;           /* first of the corners whose `awaited` is this corner; they are linked by `later` and
@@ -42,11 +42,12 @@ typedef struct {
   vs_corner *corners;
   vs_ear *ears; /* ears[c]: data of corner c beyond its position and neighbours */
   size_t count;
-  size_t *by_place;  /* by_place[i]: corner at index i of the original ring */
+  size_t *by_place;  /* by_place[i]: corner at index i of the polygon's ring of corners, before any is cut off */
   size_t *points;    /* points[c]: number of the point at which corner c lies */
-  vs_point_tree tree; /* tree of the corners' points; only reflex corners of the ring are switched on, so that searches
-                       * find only these */
-  vs_marks open;     /* positions along the ring of corners that must still be tested for being ears */
+  vs_point_tree tree; /* tree of the corners' points; only reflex corners of the remaining polygon are switched on, so
+                       * that searches find only these */
+  vs_marks open;     /* positions along the ring of those corners that must still be tested for being ears (corners that
+                      * can be cut off) */
   size_t *idle;      /* corners at ends of bridges of length 0, which are cut off before others */
   size_t idle_count;
   double flat; /* a triangle counts as empty if twice its area is below this value */
@@ -132,8 +133,8 @@ static bool ring_is_ear(vs_ring *r, size_t b) {
   return inside == SIZE_MAX;
 }
 
-/* Returns the first ear along the ring after position `at`. Searches the entire ring, and returns none if it has no
- * ear. */
+/* Returns the first ear (corner that can be cut off) along the ring after position `at`. Searches the entire ring, and
+ * returns none if it has no ear. */
 static size_t ring_next_ear(vs_ring *r, size_t at) {
   size_t place = r->ears[at].place, end = none;
   for (int turn = 0; turn < 2; turn++, end = place) {
@@ -171,8 +172,8 @@ typedef struct {
   uint32_t *first;      /* first[i]: first link in the list of edges of node i */
   vs_band_link *links;
   size_t count, room;   /* number of links, including link 0, which is unused */
-  vs_point_tree points; /* tree of the corners' points; only corners of the ring are switched on, so that searches find
-                         * only these */
+  vs_point_tree points; /* tree of the corners' points; only corners that belong to the ring (the polygon with joined
+                         * holes) are switched on, so that searches find only these */
   uint32_t *copies;     /* copies[i] - 1: index of the next corner at the position of corner i; 0: there is none */
 } vs_bands;
 
@@ -296,14 +297,15 @@ static void touch_look(void *context, size_t point) {
   }
 }
 
-/* Returns a corner of the ring at the position p from which h is visible, or none. */
+/* Returns a corner, at the position p, of the ring (polygon with joined holes) from which the point h is visible, or
+ * none. */
 static size_t ring_seeing(const vs_ring *r, const vs_bands *b, vs_vec2 p, vs_vec2 h) {
   vs_sight s = { .ring = r, .copies = b->copies, .h = h, .best = none };
   vs_point_tree_each(&b->points, &(vs_point_box){ p.x, p.y, p.x, p.y, 0 }, touch_look, &s);
   return s.best;
 }
 
-/* Returns a corner of the ring at the position of the hole's corner, or none. */
+/* Returns a corner of the ring (polygon with joined holes) at the position of the corner `hole` of a hole, or none. */
 static size_t ring_touch(const vs_ring *r, const vs_bands *b, size_t hole) {
   return ring_seeing(r, b, ring_at(r, hole), ring_at(r, r->corners[hole].next));
 }
@@ -500,7 +502,7 @@ static bool ring_clip(vs_ring *r, size_t start, size_t left, vs_mesh *m, const u
 
 /* Sets each corner's index along the ring, and the set of corners to be tested for being ears. */
 static bool ring_begin(vs_ring *r, size_t start, size_t total, size_t size) {
-  /* Corners of omitted loops have no position in the ring. */
+  /* Corners of loops with fewer than three corners are not part of the ring, so they have no position in it. */
   for (size_t i = 0; i < r->count; i++) r->points[i] = i < total ? i : r->corners[i].point;
   if (!vs_point_tree_make(&r->tree, r->at, r->points, r->count) || !vs_marks_make(&r->open, size)) return false;
   size_t c = start;

@@ -4,7 +4,7 @@
 
 #include "geometry/plane/areas.h"
 
-/* Lines one after the other in one array of points. Line i has size[i] points. */
+/* Polylines, one after another, in one array of points. Line i has size[i] points. */
 typedef struct {
   vs_vec2 *at;
   size_t count, room;

@@ -79,7 +79,7 @@ static bool crosses(const vs_skeleton_outline *o, const rings *r, long double le
   return false;
 }
 
-/* Returns true if loop l runs clockwise although it is no hole, or the other way round. */
+/* Returns true if loop l runs clockwise although it is no hole, or counter-clockwise although it is one. */
 static bool backwards(const vs_skeleton_outline *o, const rings *r, uint32_t l) {
   size_t first = 0;
   while (r->loop[first] != l) first++;

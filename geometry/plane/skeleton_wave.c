@@ -122,7 +122,8 @@ static long double until_event(const vs_wave *w) {
 
 /* ---- the front made anew ---- */
 
-/* Returns the node at a place. Makes it when it is first needed. Returns NONE when memory is out. */
+/* Returns the skeleton's node at a place (point where parts of the front meet). Makes it when it is first needed.
+ * Returns NONE when memory is out. */
 static uint32_t node_of(vs_wave *w, uint32_t place) {
   work *k = w->work;
   if (k->node[place] != NONE) return k->node[place];
@@ -136,7 +137,8 @@ static bool rooms(work *k, size_t n) {
          VS_GROW(k->first, k->rooms[3], n) && VS_GROW(k->touched, k->rooms[4], n);
 }
 
-/* Finds the places of all vertices of the front. A place is marked as touched if several vertices are there. */
+/* Finds the places (coinciding positions) of all vertices of the front. A place is marked as touched if several
+ * vertices are there. */
 static bool find_places(vs_wave *w) {
   work *k = w->work;
   if (!rooms(k, w->count)) return false;
@@ -192,7 +194,7 @@ static bool cut_segment(vs_wave *w, uint32_t i) {
   return add_piece(k, p);
 }
 
-/* Cancels pieces of opposite directions between equal places, and records them as ridges between faces. */
+/* Removes pairs of pieces with opposite directions between two places, and records them as ridges between faces. */
 static bool cancel(vs_wave *w) {
   work *k = w->work;
   for (size_t i = 0; i < k->piece_count; i++) {

@@ -30,8 +30,8 @@ typedef struct {
   bool inside_out;
 } vs_overturn_rows;
 /* Appends twice, facing outwards, the faces of all tetrahedra that go backwards. The triangles of out from index
- * `first` on must be the walls and caps of these rows. Afterwards the winding number of the mesh is above 0 exactly in
- * the places through which the profile passes. Returns false when memory is out. */
+ * `first` on must be the walls and caps of a sweep with these rows. Afterwards the winding number of the mesh is above
+ * 0 exactly in the places through which the profile passes. Returns false when memory is out. */
 bool vs_overturn_fill(const vs_overturn_rows *rows, size_t first, vs_mesh *out);
 
 /* A point in the step from section `step` of a sweep to the next section. */

@@ -25,8 +25,8 @@ bool vs_pipe_open(const vs_node *curve, int segments, double tolerance, vs_pipe 
   for (size_t i = 0; i < spans; i++) {
     double from = s->along[i], length = s->along[i + 1] - from;
     int pieces = (int)ceil(length / s->length * LEAST_RINGS - 1e-9);
-    if (pieces < 1) pieces = 1; /* pieces: number of rings for this span; the total over all spans is at most spans +
-                                 * LEAST_RINGS */
+    if (pieces < 1) pieces = 1; /* pieces: number of parts into which rings divide this span of the curve; the total
+                                 * over all spans is at most spans + LEAST_RINGS */
     for (int k = 0; k < pieces; k++) out->at[out->count++] = from + length * k / pieces;
   }
   if (!s->path.closed) out->at[out->count++] = s->length;

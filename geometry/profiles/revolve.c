@@ -143,8 +143,8 @@ bool vs_revolve_mesh(const vs_revolve *r, size_t steps, vs_mesh *out) {
   return true;
 }
 
-/* In the function, each point of the profile moves on an arc about the axis. Its coordinate i is c + r (A cos t + B sin
- * t). */
+/* In vs_revolve_bounds, each point of the profile moves on an arc about the axis. Its coordinate i is c + r (A cos t +
+ * B sin t). */
 void vs_revolve_bounds(const vs_revolve *r, const vs_affine *a, vs_bounds *b) {
   double low = fmin(r->start, r->start + r->angle), high = fmax(r->start, r->start + r->angle),
          angles[8] = { low, high };

@@ -391,7 +391,7 @@ static bool taper_loop(taper *t, const vs_vec2 *p, size_t n, uint32_t *below) {
     if (i && q.x == before.x && q.y == before.y) v = t->edges[e->before].right.at[0];
     else {
       ok = taper_vertex(t, q, 0, &v);
-      below[shown++] = v; /* below[0] is the vertex of p[1], and the last one that of p[0] */
+      below[shown++] = v; /* below[0] is the vertex of p[1]; the last element is the vertex of p[0] */
     }
     ok = ok && taper_push(&e->right, v);
   }

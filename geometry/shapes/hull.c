@@ -137,7 +137,7 @@ static void hull_assign(vs_quickhull *h, uint32_t p, uint32_t from, uint32_t to)
 
 static bool hull_start(vs_quickhull *h, const uint32_t corner[4], size_t points) {
   uint32_t v[4] = { corner[0], corner[1], corner[2], corner[3] }, f;
-  /* Orients the first three corners so that the fourth lies below their face. */
+  /* Orders the first three corners of the tetrahedron so that the fourth lies below the face of these three. */
   if (steps_volume(h->steps, v, v[3]) > 0) v[1] = corner[2], v[2] = corner[1];
   static const unsigned char faces[4][3] = { { 0, 1, 2 }, { 0, 3, 1 }, { 1, 3, 2 }, { 2, 3, 0 } };
   for (int i = 0; i < 4; i++)

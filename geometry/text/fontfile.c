@@ -151,8 +151,8 @@ static bool list_look(void *context, const char *path, const char *plain) {
   return false;
 }
 
-/* In the function, the default font comes first if it is installed. Messages then begin with the same text on every
- * machine. */
+/* In the list that this function writes, the default font comes first if it is installed. Messages then begin with the
+ * same text on every machine. */
 void vs_font_families(char *text, size_t room) {
   static const char usual[] = "DejaVu Sans";
   char path[PATH_ROOM];

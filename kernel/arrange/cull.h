@@ -8,8 +8,8 @@ bool vs_cull_prepare(vs_kernel *k, vs_cluster *c, const vs_affine *to_frame); /*
                                                                                * leaves whose inside is decided.
                                                                                * vs_snap_to_grid calls this function.
                                                                                * Returns false on an error. */
-/* Sets masks[v], for the vertices v from `begin` to `end` - 1 of a leaf, to the set of lids (convex leaves whose inside
- * is decided) that contain the vertex. place: index of the leaf in the cluster. Returns false if interrupted. */
+/* Sets masks[v] to the set of lids that contain vertex v, for the vertices from `begin` to `end` - 1 of a leaf. A lid
+ * is a convex leaf whose inside is decided. place: index of the leaf in the cluster. Returns false if interrupted. */
 bool vs_cull_vertices(vs_kernel *k, const vs_cluster *c, uint32_t place, size_t begin, size_t end, uint64_t *masks);
 bool vs_cull_needed(const vs_cluster *c, uint32_t place); /* returns false if vs_cull_vertices would set all masks of
                                                            * the leaf to 0, because no other leaf can hide its

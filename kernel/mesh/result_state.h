@@ -6,11 +6,12 @@
 #include "kernel/cluster.h"
 #include "kernel/mesh/triangulate.h"
 
-typedef struct { VS_LIST(uint32_t) uses, firsts, seams; } vs_found_edges; /* edges that a task found in its range. uses:
-                                                                           * boundary edges of faces; firsts: position
-                                                                           * in uses of each edge's first one; seams:
-                                                                           * indices in firsts of edges at which the
-                                                                           * grid has split a planar facet */
+typedef struct { VS_LIST(uint32_t) uses, firsts, seams; } vs_found_edges; /* Edges that a task found in its range.
+                                                                           * uses: boundary edges of faces; firsts:
+                                                                           * position in uses of each edge's first
+                                                                           * one. The list `seams` has the indices in
+                                                                           * firsts of edges at which the grid has
+                                                                           * split a planar facet. */
 typedef struct { uint32_t v[3], tag, look; } vs_cut_triangle; /* v: point numbers of the triangle's corners; look: 2 *
                                                                * plane, plus 1 if the triangle faces against the plane's
                                                                * normal */
