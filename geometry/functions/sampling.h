@@ -29,7 +29,7 @@ enum { VS_SAMPLE_KNOWN = 256 };
 typedef struct {
   double a, b;
   int64_t n, at;
-  double known[VS_SAMPLE_KNOWN]; /* the range's first values, computed in advance */
+  double known[VS_SAMPLE_KNOWN]; /* the first VS_SAMPLE_KNOWN values of the range, computed in advance */
 } vs_sample_range;
 /* Starts a range at its first value. a, b and n must be set, and n > 0. */
 void vs_sample_begin(vs_sample_range *r);

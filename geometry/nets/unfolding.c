@@ -66,7 +66,7 @@ typedef struct {
   vs_vec2 (*moved)[3];     /* moved[i]: position of triangle who[i] of the smaller piece after it was moved beside the
                             * larger piece */
   uint32_t *who;           /* who[i]: number of the triangle whose position is moved[i] */
-  double tried;            /* number of comparisons of triangles so far */
+  double tried;            /* number of pairs of triangles that were compared so far, which limits the search */
 } run;
 
 static void run_free(run *r) {

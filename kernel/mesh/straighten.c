@@ -43,7 +43,8 @@ typedef struct {
 typedef struct {
   uint32_t p, q, edge, keys[2], sheets[2]; /* A cut from point p to point q whose corners in between (bends) are
                                             * dropped. edge: its first edge, at p; keys: representative planes of the
-                                            * faces on its two sides; sheets: the sheets there. */
+                                            * faces on its two sides; sheets: numbers of the sheets (split planar
+                                            * facets) that contain these faces. */
   double wide;
 } cut;
 typedef struct { double at; uint32_t point; } placed;
@@ -318,7 +319,7 @@ static double away(const double p[3], const double along[3], const double x[3], 
   return sqrt(dot(off, off));
 }
 
-/* Marks all bends on the line that begins with `edge` at point p as bends that must not be dropped. */
+/* Marks all corners on the line that begins with `edge` at point p as corners that must not be dropped. */
 static void keep_bends(vs_result_state *w, uint32_t edge, uint32_t p) {
   uint32_t at = vs_result_other_end(vs_result_use(w, w->edge_first.at[edge]), p);
   for (; w->degree.at[at] == 4; at = vs_result_other_end(vs_result_use(w, w->edge_first.at[edge]), at)) {
@@ -329,7 +330,7 @@ static void keep_bends(vs_result_state *w, uint32_t edge, uint32_t p) {
 }
 
 /* Follows the line from corner p along `edge` to the next corner that stays. Checks that the line is straight except
- * for bends, and adds the number of its bends to *bends. */
+ * for corners at which the grid has bent a cut. Adds their number to *bends. */
 static bool check_line(vs_result_state *w, uint32_t edge, uint32_t p, size_t *bends) {
   vs_sheets *s = w->sheets;
   uint32_t begin = w->edge_first.at[edge],
@@ -512,8 +513,8 @@ bool vs_sheets_check(vs_result_state *w, bool *again) {
   if (!vs_kernel_report(w->k, 0.9)) return false;
   w->c->straightened = dropped;
   if (!check_lines(w, &bends)) return false;
-  if (bends != dropped) vs_sheets_give_up(w); /* If bends and dropped bends differ in number, a closed border consists
-                                               * of bends alone. None of these belongs to a cut. */
+  if (bends != dropped) vs_sheets_give_up(w); /* If the lines have fewer bends than corners were dropped, some closed
+                                               * border consists of bends alone. None of these belongs to a cut. */
   *again = give_up_idle(w) || s->kept;
   if (*again) return true; /* the cuts change in the next round, so the bands around them are checked then */
   if (!find_near(w)) return false;

@@ -84,9 +84,10 @@ typedef struct {
 
 /* The range of a run's coordinates along each axis. near_low, near_high: whether a second corner is within the margin
  * of the range's low or high end. */
-typedef struct { double low[3], high[3]; bool near_low[3], near_high[3], any; /* any: true if the run is one low or
-                                                                               * changed triangle, which is tested
-                                                                               * against all planes */ } reach;
+typedef struct { double low[3], high[3]; bool near_low[3], near_high[3], any; /* any: true if the run is a single
+                                                                               * triangle that is low or has changed,
+                                                                               * which is tested against all planes of
+                                                                               * runs */ } reach;
 
 typedef struct { VS_LIST(run) at; VS_LIST(vs_bvh_box) boxes; } runs;
 typedef struct { runs kinds[2]; VS_LIST(corners) fours; VS_LIST(uint8_t) places; } made; /* kinds: the runs that a task
