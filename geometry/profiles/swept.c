@@ -57,8 +57,9 @@ static vs_vec2 profile_flat(const vs_profile_plane *p, vs_vec3 at) {
 }
 
 static bool swept_room(vs_swept *s, size_t points, size_t loops) {
-  s->profile = malloc((points ? points : 1) * sizeof *s->profile); /* at least one element: an empty region has no
-                                                                    * points, and malloc(0) may return NULL */
+  s->profile = malloc((points ? points : 1) * sizeof *s->profile); /* at least one element, although an empty region has
+                                                                    * no points: an allocation of 0 bytes may return
+                                                                    * NULL */
   s->sizes = malloc((loops ? loops : 1) * sizeof *s->sizes);
   s->hole = malloc((loops ? loops : 1) * sizeof *s->hole);
   return s->profile && s->sizes && s->hole;

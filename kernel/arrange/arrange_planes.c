@@ -713,7 +713,7 @@ static bool arrange_group(plane_work *w, const arranging *a, uint32_t root) {
   size_t left = c->cuts.count - a->cut_first.at[root];
   for (uint32_t j = 0; j < cut_count; j++) {
     const vs_facet_cut *cut = &c->cuts.at[cuts[j]];
-    if (j + AHEAD < left) { /* also prefetches the facets and cuts of the next group */
+    if (j + AHEAD < left) { /* prefetches the next cuts, also those of the next group, and their points */
       __builtin_prefetch(&c->cuts.at[cuts[j + AHEAD]]);
       const vs_facet_cut *near = &c->cuts.at[cuts[j + NEAR]];
       __builtin_prefetch(&c->points.all.at[near->p]);
