@@ -17,8 +17,8 @@
 
 enum { CANDIDATES = 64 };
 
-/* A possible frame. Its directions are r, with the inverse `back`. unit: length of a step along each axis; votes:
- * number of leaves with this frame; plates: total area of the thin plates whose faces lie on its grid. */
+/* A possible frame. Its directions are r, with the inverse `back`, and the length of a step along each axis is `unit`.
+ * votes: number of leaves with this frame; plates: total area of the thin plates whose faces lie on its grid. */
 typedef struct { double r[3][3], back[3][3], unit[3]; double plates; uint32_t votes; } candidate;
 
 /* Splits the linear part of a placement into the lengths of its columns (scale) and their directions (r). Returns false

@@ -42,9 +42,9 @@ typedef struct {
 
 typedef struct {
   uint32_t p, q, edge, keys[2], sheets[2]; /* A cut from point p to point q whose corners in between (bends) are
-                                            * dropped. edge: its first edge, at p; The faces on its two sides have the
-                                            * representative planes `keys`, and lie in the sheets (split planar facets)
-                                            * `sheets`. */
+                                            * dropped. Its first edge is `edge`, at p. The faces on its two sides have
+                                            * the representative planes `keys`, and lie in the sheets (split planar
+                                            * facets) `sheets`. */
   double wide;
 } cut;
 typedef struct { double at; uint32_t point; } placed;
