@@ -57,7 +57,8 @@ static vs_vec3 frame_reflect_twice(vs_vec3 p, vs_vec3 t, vs_vec3 q, vs_vec3 u, v
   return c > 0 ? vs_v3_sub(xl, vs_v3_scale(w, 2 / c * vs_v3_dot(w, xl))) : xl;
 }
 
-/* Returns x made perpendicular to t and of length 1 again, so that errors do not accumulate along a path. */
+/* Returns the direction x, made perpendicular to the tangent t and of length 1 again, so that errors do not accumulate
+ * along a path. */
 static vs_vec3 frame_square(vs_vec3 x, vs_vec3 t) {
   vs_vec3 r = vs_v3_sub(x, vs_v3_scale(t, vs_v3_dot(x, t)));
   return vs_v3_length(r) > 1e-9 ? vs_v3_unit(r) : frame_across(t);

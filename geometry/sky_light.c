@@ -202,8 +202,10 @@ vs_vec3 vs_sky_light_sun(double turbidity, double altitude) {
   const double lumens = 683, ozone_cm = 0.35, water_cm = 2, aerosol = 0.04608 * turbidity - 0.04586;
   double sum[3] = { 0 };
   if (!(altitude > 0)) return vs_v3(0, 0, 0);
-  double air = 1 / (sin(altitude * pi / 180) + 0.15 * pow(3.885 + altitude, -1.253)); /* relative air mass by Kasten's
-                                                                                       * formula */
+  double air = 1 / (sin(altitude * pi / 180) + 0.15 * pow(3.885 + altitude, -1.253)); /* length of the sun's path
+                                                                                       * through the air, relative to
+                                                                                       * that from the zenith, by
+                                                                                       * Kasten's formula */
   for (size_t i = 0; i < sizeof wave / sizeof *wave; i++) {
     double um = 0.38 + 0.01 * (double)i, wet = wave[i].water * water_cm * air;
     double through = exp(-0.008735 * pow(um, -4.08) * air - aerosol * pow(um, -1.3) * air -

@@ -7,9 +7,9 @@
 #include "kernel/problem.h"
 #include "kernel/memory.h"
 
-typedef struct { size_t vertex, triangle, vertices, triangles; } vs_range; /* a part of a mesh: indices of its first
-                                                                            * vertex and triangle, and the numbers of
-                                                                            * its vertices and triangles */
+typedef struct { size_t vertex, triangle, vertices, triangles; } vs_range; /* a range of a mesh. vertex, triangle:
+                                                                            * indices of its first vertex and triangle;
+                                                                            * vertices, triangles: how many it has */
 
 typedef struct {
   const vs_mesh *mesh;       /* mesh to copy completely; NULL: copy the range `from` of the result `into` instead */

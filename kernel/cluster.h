@@ -105,7 +105,7 @@ typedef struct {
   double offset[3];   /* position of the grid's origin, in whole steps */
 } vs_grid;
 
-/* A leaf of the cluster. placed[i] belongs to the leaf with the problem's number leaves[i]. */
+/* A leaf (placed mesh) of the cluster. placed[i] belongs to the leaf with the number leaves[i] in the problem. */
 typedef struct {
   const vs_part *part;
   uint32_t first;     /* index of the leaf's first vertex in `corners` */
@@ -238,7 +238,7 @@ static inline bool vs_too_hidden(const vs_cluster *c, size_t cuts, size_t crosse
 /* A list of facets with their border edges. They refer to points by the cluster's numbers. The `leaf` of each facet is
  * the tag of its face. */
 typedef struct {
-  VS_LIST(vs_facet) facets; /* the last element only marks the end of the sides of the facet before it */
+  VS_LIST(vs_facet) facets; /* facets; the last element only marks the end of the border edges of the facet before it */
   VS_LIST(vs_facet_side) sides;
 } vs_outlines;
 void vs_cluster_free(vs_kernel *k, vs_cluster *c);

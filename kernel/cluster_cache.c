@@ -72,8 +72,8 @@ bool vs_remember_find(vs_kernel *k, vs_remember *r, vs_mesh *out, bool *found) {
   if (!known) return true;
   header h;
   memcpy(&h, known->data, sizeof h);
-  const unsigned char *from = (const unsigned char *)known->data + 16; /* the arrays begin at multiples of 16 bytes
-                                                                        * (cache.c) */
+  const unsigned char *from = (const unsigned char *)known->data + 16; /* the arrays of a cached result begin at
+                                                                        * multiples of 16 bytes (cache.c) */
   size_t vertices = out->vertex_count, triangles = out->triangle_count, limit = k->options->max_triangles;
   bool ok = (!limit || triangles + h.triangles <= limit) ||
             vs_kernel_fail(k, VS_KERNEL_LIMIT, 0, "the result has more than %zu triangles, the limit", limit);

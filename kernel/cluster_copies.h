@@ -7,7 +7,7 @@
 #include "kernel/expression.h"
 #include "kernel/distinct_meshes.h"
 
-/* The leaves of a cluster, as numbers in the problem. The array belongs to the caller. */
+/* The leaves of a cluster: an array with their numbers in the problem, which the caller owns. */
 typedef struct { const uint32_t *at; uint32_t count; } vs_group;
 
 /* A cluster that equals no earlier cluster. key, length: start and length of its key in `keys`. next: index of the next

@@ -43,7 +43,7 @@ bool vs_parts_prepare(vs_kernel *k, vs_parts *p, const vs_kernel_problem *proble
                       const uint32_t *cluster, uint32_t count);
 void vs_parts_free(vs_kernel *k, vs_parts *p);
 
-/* The input of vs_twins_find: triangles whose edges are paired. */
+/* The input of vs_twins_find: triangles, of whose edges it finds the pairs with opposite directions. */
 typedef struct {
   const uint32_t (*triangles)[3];
   size_t count;

@@ -174,7 +174,7 @@ typedef struct {
   vs_remember remember;
   vs_placing placing;
   vs_kernel_counts counts;
-  size_t triangles; /* number of triangles in all meshes of the result */
+  size_t triangles; /* number of triangles so far in all meshes of the result */
 } whole;
 
 /* Frees the arrays of patches and their boxes after the patches are intersected, because the next steps need as much
@@ -264,7 +264,7 @@ static bool run_cluster(vs_kernel *k, whole *w, vs_group group, vs_mesh *out) {
   w->counts.straightened += c.straightened;
   VS_ASSERT(!ok || vs_holds_result(out, first));
   k->threads = threads;
-  if (!ok && k->error->status == VS_KERNEL_INTERNAL) k->error->leaf = leaves[0]; /* the leaf at fault is unknown, so the
+  if (!ok && k->error->status == VS_KERNEL_INTERNAL) k->error->leaf = leaves[0]; /* the faulty leaf is unknown, so the
                                                                                   * error names the first leaf of the
                                                                                   * cluster */
   vs_check_free(k, &check);

@@ -32,7 +32,7 @@ enum { VS_ON_THE_WAY = 8 };
 typedef struct {
   vs_job *job;          /* job that the kernel calls some hundred times a second (vs_job_done) to learn whether it must
                          * stop; NULL: it never stops */
-  size_t max_bytes;     /* limit on the kernel's memory in bytes; 0: no limit */
+  size_t max_bytes;     /* greatest number of bytes that the kernel may allocate; 0: no limit */
   size_t max_triangles; /* Limit on the triangles of the result; 0: no limit. Intermediate steps may have VS_ON_THE_WAY
                          * times as many triangles and pieces of triangles. */
   vs_cache *cache;      /* cache of evaluated clusters (model/store/cache.h); NULL: nothing is cached */

@@ -15,7 +15,7 @@ typedef struct vs_kernel {
   struct vs_kernel *owner; /* in another thread: the context of the caller's thread, whose `bytes` and `stop` all
                             * threads use; in the caller's thread: NULL */
   uint32_t worker;         /* number of the thread; 0 is the caller's thread */
-  uint32_t threads;        /* number of threads that may work at a time, including this one */
+  uint32_t threads;        /* number of threads that may work at one time, including the caller's */
   _Atomic size_t bytes;    /* number of bytes that are allocated for arrays */
   _Atomic size_t peak;     /* largest value of `bytes` so far */
   _Atomic bool stop;       /* true if a thread has failed or the caller has interrupted the kernel; all threads then
@@ -53,8 +53,9 @@ void vs_kernel_free(vs_kernel *k, void *slot, size_t *room, size_t size);
   (VS_ROOM(k, (list).at, (list).room, (list).count + 1) && ((list).at[(list).count++] = (value), true))
 #define VS_DROP(k, list) ((list).count = 0, VS_FREE(k, (list).at, (list).room))
 
-bool vs_kernel_report(vs_kernel *k, double part); /* sets the progress within the cluster to `part`, 0 to 1; returns
-                                                   * false if the caller interrupts */
+bool vs_kernel_report(vs_kernel *k, double part); /* reports to the caller that the fraction `part`, 0 to 1, of the
+                                                   * cluster's work is finished; returns false if the caller
+                                                   * interrupts */
 static inline bool vs_kernel_poll(vs_kernel *k, double part) {
   return (++k->ticks & 1023) != 0 || vs_kernel_report(k, part);
 }

@@ -57,7 +57,8 @@ const unsigned char vs_field_reals[] = {
 
 /* ---- hashing, comparing, retaining and releasing one field of each type ---- */
 
-/* Adds a number to the hash with one multiplication. The caller mixes the bits of the hash once more at the end. */
+/* Returns the hash h combined with the number d, by one multiplication. The caller mixes the bits of the hash once more
+ * at the end. */
 static inline uint64_t hash_step(uint64_t h, double d) {
   uint64_t v;
   memcpy(&v, &d, sizeof v);

@@ -31,7 +31,8 @@ bool vs_mesh_reserve(vs_mesh *m, size_t vertices, size_t triangles); /* Makes ro
                                                                       * `triangles` triangles in total. Returns false
                                                                       * when memory is out, or when this exceeds
                                                                       * m->most; m->over is then true. */
-bool vs_mesh_want_tags(vs_mesh *m); /* Allocates m->tags, all 0, if it is NULL. Returns false when memory is out. */
+bool vs_mesh_want_tags(vs_mesh *m); /* Allocates m->tags if it is NULL, with the tag 0 for each triangle. Returns false
+                                     * when memory is out. */
 bool vs_mesh_copy(const vs_mesh *from, vs_mesh *to); /* Copies a mesh to `to`, which must be empty. If memory is out,
                                                       * returns false and leaves `to` empty. */
 double vs_mesh_volume(const vs_mesh *m); /* Returns the signed volume of a closed mesh, by the divergence theorem. */

@@ -17,7 +17,7 @@ struct vs_origin {
 /* The kind of an error. An error has a kind, one message, and its place in the user's text or NULL. */
 typedef enum {
   VS_ERROR_NONE,
-  VS_ERROR_MODEL /* an error in the model; exit status 1 */,
+  VS_ERROR_MODEL /* the user's model is wrong; exit status of vs: 1 */,
   VS_ERROR_FILE /* a file cannot be read or written; exit status 2 */,
   VS_ERROR_WORKER /* an external program failed; exit status 3 */,
   VS_ERROR_MEMORY /* memory is out; exit status 4 */,

@@ -115,7 +115,7 @@ static bool node_is_planar_area(const vs_node *n) {
  * million children are visited only once. */
 typedef struct {
   vs_class together; /* common class of the children, or VS_MIXED; children that draw nothing do not count */
-  bool nothing;      /* true if at least one child draws nothing */
+  bool nothing;      /* true if at least one child is empty or otherwise draws nothing */
   uint8_t any, all;  /* any: flags of at least one child; all: flags common to all children */
 } vs_node_family;
 

@@ -104,7 +104,7 @@ const vs_kind_info *vs_kind_get(vs_kind kind);
 typedef enum { VS_ROLE_SHAPE, VS_ROLE_LEAF, VS_ROLE_MADE, VS_ROLE_PLACED, VS_ROLE_WRAPPER, VS_ROLE_SET } vs_role;
 enum {
   VS_IS_ROUND = 1,        /* the triangles of the node approximate a curved surface */
-  VS_IS_SHORT = 2,        /* every format writes the node in a few words */
+  VS_IS_SHORT = 2,        /* every format writes a node of this kind in a few words */
   VS_IS_PLAIN = 4,        /* geometry/tessellate.c computes the triangles from the payload alone, so that any thread may
                            * do it */
   VS_IS_CONVEX = 8,
@@ -137,8 +137,9 @@ enum {
 
 struct vs_node {
   uint32_t refs;
-  uint16_t kind;   /* kind: a value of vs_kind */
-  uint8_t class_;  /* class: a value of vs_class other than VS_INHERIT, set when the node is created */
+  uint16_t kind;   /* kind of the node: a value of vs_kind */
+  uint8_t class_;  /* class of the node (solid, surface, curve ...): a value of vs_class other than VS_INHERIT, set when
+                    * the node is created */
   uint8_t flags;   /* flags of the node: bits VS_NODE_... */
   uint32_t child_count;
   uint32_t depth;  /* number of nodes on the longest path to a leaf; 1 for a leaf. The number stays at its maximum

@@ -41,10 +41,10 @@ typedef struct {
 
 /* The notes that drawings show in addition to the model. */
 typedef enum {
-  VS_NOTE_DIMENSION /* a dimension: the distance from p to q */,
-  VS_NOTE_LABEL /* a label: a text at p */,
-  VS_NOTE_LEVEL /* level mark of the height p.z */,
-  VS_NOTE_AXIS /* a grid axis from p to q */
+  VS_NOTE_DIMENSION /* a dimension, which shows the distance from point p to point q */,
+  VS_NOTE_LABEL /* a label: a text at the point p */,
+  VS_NOTE_LEVEL /* a level mark, which shows the height p.z at the point p */,
+  VS_NOTE_AXIS /* an axis of the building's grid, from point p to point q */
 } vs_note_kind;
 typedef struct {
   vs_note_kind kind;
@@ -159,9 +159,9 @@ const vs_scene_view *vs_scene_find_view(const vs_scene *scene, const char *name)
 /* Returns the view that a picture shows by default: the first perspective, panorama or axonometry, or else the first
  * view. Returns NULL if the program set the camera or defined no view. */
 const vs_scene_view *vs_scene_own_view(const vs_scene *scene);
-/* Returns the name of a look, or NULL for VS_STYLE_OWN. */
+/* Returns the name of a look of pictures, or NULL for VS_STYLE_OWN. */
 const char *vs_scene_style_name(vs_scene_style style);
-/* Returns the look of that name; VS_STYLE_OWN if there is none. */
+/* Returns the look of pictures with this name; VS_STYLE_OWN if there is none. */
 vs_scene_style vs_scene_style_find(const char *name);
 /* Sets the look of the scene. The look also sets the sky: a plain sky, an overcast sky or a night sky. */
 void vs_scene_set_style(vs_scene *scene, vs_scene_style style);

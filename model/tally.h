@@ -42,7 +42,8 @@ typedef struct vs_tally {
                                                     * ones, or found in the cache */
   uint64_t triangles;             /* number of triangles in outputs, as their formats write them */
   double steps[VS_STEP_COUNT];    /* steps[s]: seconds that step s of meshing took */
-  /* Counts of runs of text in the world cache: searched, found, and the bytes of those found. */
+  /* Counts of pieces of output text in the world cache: how many were searched, how many were found, and the bytes of
+   * the found ones. */
   uint64_t texts, texts_found, bytes_found;
 } vs_tally;
 

@@ -92,8 +92,8 @@ void vs_sincos(double angle, double *sine, double *cosine);
 void vs_turn_sincos(int index, int count, double *sine, double *cosine);
 double vs_single(double x); /* Returns x rounded to a 32-bit floating-point number. It is neither inline nor a cast,
                              * because GCC 12 omits the rounding of two adjacent values. */
-vs_vec3 vs_v3_unit(vs_vec3 v); /* Returns v with length 1. Vectors along an axis stay exact; the zero vector stays
-                                * zero. */
+vs_vec3 vs_v3_unit(vs_vec3 v); /* Returns the direction of v as a vector of length 1. Vectors along an axis stay exact;
+                                * the zero vector stays zero. */
 
 static inline bool vs_bounds_is_empty(const vs_bounds *b) { return b->min.x > b->max.x; }
 static inline vs_bounds vs_bounds_empty(void) {

@@ -15,8 +15,8 @@
 
 typedef struct {
   vs_store *store;
-  uint64_t *above;      /* above[i]: the kinds of set that are dissolved if they replace old node i, as bits 1 <<
-                         * kind */
+  uint64_t *above;      /* above[i]: kinds of set, as bits 1 << kind, that can be dissolved into the set around node i
+                         * of the old tree */
   size_t count;
   vs_nodemap dissolves; /* set of new nodes that the rewriting of their parent must dissolve into it */
 } vs_flatten;

@@ -31,7 +31,8 @@ enum { PARTS_MOST = 4000, PAIRS_MOST = 1000000 }; /* PARTS_MOST, PAIRS_MOST: lim
 /* key: plane of a face as four whole numbers; turned: 1 if the face's normal is opposite to the key's normal; operand,
  * part: the operand and part with this face */
 typedef struct { int64_t key[4]; uint32_t turned, operand, part; } face_plane;
-typedef struct { const vs_node *node; vs_affine placed; } place; /* a node inside a set, and its placement in the set */
+typedef struct { const vs_node *node; vs_affine placed; } place; /* a node inside a set, and its placement in the set's
+                                                                  * coordinates */
 
 typedef struct {
   face_plane *planes;

@@ -20,7 +20,7 @@ static bool lies_on_faces(const vs_material *m) {
   return false;
 }
 
-/* Returns true if node n contains a material that is laid on faces, such as bricks. state[i]: whether node i contains
+/* Returns true if node n contains a material with a pattern on faces, such as bricks. state[i]: whether node i contains
  * such a material. */
 static bool lay_is_laid(const vs_rewrite *w, const vs_node *n) {
   return vs_order_has(&w->order, n) && ((const unsigned char *)w->state)[vs_order_of(n)];

@@ -120,7 +120,8 @@ static void forget_parts(looks_state *s) {
   s->part_count = s->step_count = 0;
 }
 
-/* Divides the operand into parts, in order. Returns false if memory is out or the run is interrupted. */
+/* Divides an operand into parts, each with its material and layer, in order. Returns false if memory is out or the run
+ * is interrupted. */
 static bool take_apart(looks_state *s, vs_ref operand) {
   forget_parts(s);
   s->look_count = 0;

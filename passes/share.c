@@ -39,7 +39,7 @@ typedef struct {
   double cost;        /* number of commands of a copy of the node's shape; a part of it that is a template in any case
                        * counts as one reference */
   bool alias;         /* true if the node is only a placement of its child, or a set of one member */
-  bool wanted;        /* true if the node's key is needed */
+  bool wanted;        /* true if the node's key (hash of its shape) must be computed */
   bool again;         /* true if another node has an equal first key, which covers only some of the points */
   size_t group;       /* index of the first entry with an equal key, which represents all nodes with this key */
   size_t copies;      /* number of nodes that have this entry's key; valid in the first entry with the key */
@@ -188,7 +188,7 @@ static void share_mix_fields(vs_share *s, vs_share_key *k, const vs_node *n, con
       case VS_FIELD_boolean: share_mix(k, *(const bool *)at); break;
       case VS_FIELD_point: share_mix_vector(s, k, vs_v3_sub(*(const vs_vec3 *)at, from)); break;
       case VS_FIELD_vector: share_mix_vector(s, k, *(const vs_vec3 *)at); break;
-      case VS_FIELD_affine: /* hashes only the linear part, because the translation is in the anchor */
+      case VS_FIELD_affine: /* hashes only the linear part of the map, because the anchor contains its translation */
         for (int r = 0; r < 3; r++)
           for (int c = 0; c < 3; c++) share_mix_place(s, k, ((const vs_affine *)at)->m[r][c], ldexp(1, -40));
         break;

@@ -206,7 +206,7 @@ static vs_node *sugar_node(vs_rewrite *w, const vs_node *n, const vs_ref *kids, 
   return vs_node_retain(kids[0].node);
 }
 
-/* native: first native text for this program that was found */
+/* The kinds of nodes that a drawing contains. native: the first native text for the program of the format */
 typedef struct { const vs_sugar_options *options; bool only; vs_ref native; } sugar_kinds;
 
 /* Handles native text for another program if the text has no replacement for this format. Warns that the output lacks

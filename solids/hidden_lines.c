@@ -270,7 +270,7 @@ static bool meets(const line *l, const box *b, double slack) {
   return b->depth < l->far;
 }
 
-/* Returns true if the line from a to b, an edge in the picture, intersects the box. */
+/* Returns true if the segment from a to b, an edge in the picture, intersects the box x of a triangle. */
 static bool crosses(const double a[2], const double b[2], const box *x, double slack) {
   double across = b[0] - a[0], up = b[1] - a[1];
   double mx = (x->low[0] + x->high[0]) / 2 - a[0], my = (x->low[1] + x->high[1]) / 2 - a[1];

@@ -28,7 +28,8 @@ typedef struct {
 } vs_sight_edge;
 typedef struct { vs_sight_edge *at; size_t count, room; } vs_sight_edges;
 
-/* The part of an edge between two fractions of its length from p to q. */
+/* A part of an edge, between the fractions `from` and `to` of its length from p to q. hidden: true if triangles hide
+ * it. */
 typedef struct { uint32_t edge; double from, to; bool hidden; } vs_sight_piece;
 typedef struct { vs_sight_piece *at; size_t count, room; } vs_sight_pieces;
 

@@ -294,7 +294,8 @@ typedef struct {
   bool *marked;
 } sweep;
 
-/* Removes the overlaps of m, the mesh of s->bends. Sets s->outcome. */
+/* Removes the overlaps of m, the mesh of the sweep s->bends. Sets s->outcome to the result. Returns false on
+ * failure. */
 static bool free_sweep(sweep *s, vs_mesh *m, vs_error *e) {
   vs_bounds b = vs_mesh_bounds(m);
   double tolerance = s->fineness->tolerance, step = fmax(tolerance / 16, vs_bounds_diagonal(&b) * 0x1p-20);

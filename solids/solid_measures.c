@@ -31,11 +31,12 @@ typedef struct {
   vs_nodemap known;           /* maps a node to the number of its formula in the list of formulas, plus 1 */
   VS_LIST(vs_measure) formulas;
   VS_LIST(job) jobs;
-  VS_LIST(part) parts;        /* parts of the object into which the current job is divided */
+  VS_LIST(part) parts;        /* parts into which the piece that is being measured is divided */
   VS_LIST(vs_ref) rest[2];    /* parts to be meshed together: added parts in rest[0], subtracted parts in rest[1]; the
                                * lists own these references */
   VS_LIST(vs_node *) made;    /* nodes that were made for the pieces and are freed at the end */
-  bool rough;                 /* true if some part overlaps itself, so that finer meshes would take long to unite */
+  bool rough;                 /* true if the mesh of some part overlaps itself, so that a finer mesh would take long to
+                               * compute */
   double volume, area;
   vs_vec3 moment;
   vs_error *error;

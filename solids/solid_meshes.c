@@ -75,7 +75,7 @@ typedef struct {
   VS_LIST(uint8_t) off;               /* off[i]: 1 if leaf i is subtracted, so that it makes the result smaller */
   VS_LIST(uint32_t) mesh_numbers;     /* mesh_numbers[i]: index in `meshes` of leaf i's mesh */
   VS_LIST(uint64_t) identities;       /* identities[i]: serial number of leaf i's mesh, equal for equal meshes */
-  VS_LIST(uint32_t) plain;            /* indices of the meshes that threads make at the end */
+  VS_LIST(uint32_t) plain;            /* indices in `meshes` of the meshes that threads make after the walk */
   _Atomic size_t made;                /* number of triangles of all meshes that have been made */
   vs_cache *cache;                    /* cache of meshes; may be NULL */
   int depth;                          /* number of levels below a reference at which nodes count as objects

@@ -21,7 +21,7 @@ typedef struct {
 
 typedef struct {
   vs_mesh mesh;         /* mesh of the solid; triangle i belongs to parts[mesh.tags[i]] */
-  vs_solid_part *parts; /* the parts; the solid owns this array */
+  vs_solid_part *parts; /* materials and layers of the solid's faces; the solid owns this array */
   size_t part_count;
   size_t straightened;  /* number of corners that were removed where the kernel's grid had bent a straight cut
                          * (kernel_options.h) */

@@ -39,7 +39,7 @@ typedef struct {
   double step, width;
   size_t slots;
   int64_t *first; /* first[h]: first corner in the list of slot h, or NONE */
-  int64_t *next;  /* next[v]: corner after v in its list, or NONE */
+  int64_t *next;  /* next[v]: corner after v in the list of its cell of the grid, or NONE */
   uint32_t *to;   /* to[v]: corner that replaces corner v */
 } stay;
 

@@ -7,7 +7,7 @@
 #include "model/node.h"
 
 typedef struct {
-  const char *name;           /* name of the file without its folders */
+  const char *name;           /* name of the scanned file without its folders, for messages */
   const unsigned char *bytes;
   size_t size, at;
   uint32_t line, ticks;

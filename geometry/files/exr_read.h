@@ -31,7 +31,8 @@ typedef struct {
   uint64_t columns, rows; /* size of the picture as the file states it; the caller must check it */
   vs_exr_seen channels[VS_EXR_CHANNELS];
   size_t count;
-  bool more;              /* true if the file has more channels than VS_EXR_CHANNELS */
+  bool more;              /* true if the file has more than VS_EXR_CHANNELS channels, of which only so many are
+                           * listed */
   struct { const char *at; size_t length; } texts[VS_EXR_TEXTS]; /* at: contents of the text, or NULL if the file lacks
                                                                   * this text */
 } vs_exr_view;
@@ -40,8 +41,8 @@ typedef struct {
 typedef bool vs_exr_choose(void *context, const vs_exr_view *view, vs_exr_target *targets, size_t *used, vs_error *e);
 /* The rectangle of the picture to decode. stride: distance between two rows of a destination, in numbers. */
 typedef struct { vs_exr_part part; size_t stride; } vs_exr_window;
-/* Decodes a picture into the targets that `choose` sets. window NULL: the whole picture. Returns false and sets e on
- * failure. */
+/* Decodes a picture. The callback `choose` sets the arrays that receive the channels. window: rectangle to decode;
+ * NULL: the whole picture. Returns false and sets e on failure. */
 bool vs_exr_decode(vs_store *store, const vs_file_bytes *file, const vs_exr_window *window, vs_exr_choose *choose,
                    void *context, vs_error *e);
 

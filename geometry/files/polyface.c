@@ -54,8 +54,8 @@ static int side_compare(const void *a, const void *b) { /* compares sides with o
   return p->forward - q->forward;
 }
 
-/* Sorts the sides by low end, and then the few sides of each low end. Returns false when memory is out or the run is
- * interrupted. */
+/* Sorts the sides of faces by their end with the lower point number, and then those with equal low ends by the other
+ * end. Returns false when memory is out or the run is interrupted. */
 static bool sides_sort(vs_store *s, vs_side *sides, const vs_polygons *faces, vs_error *e) {
   const uint32_t *starts = faces->starts, *corners = faces->corners;
   size_t points = faces->point_count;
@@ -149,8 +149,9 @@ static bool polyface_agreed(vs_store *s, const vs_polygons *faces, bool *agreed,
   return ok;
 }
 
-/* Fills g for faces over merged points. *closed: true if each edge has exactly two faces that agree or can be turned to
- * agree. turned[f]: 1 if face f must be turned. Returns false when memory is out or the run is interrupted. */
+/* Finds the neighbours of the faces (g), whose equal points have been merged. *closed: true if each edge has exactly
+ * two faces whose orientations agree or can be made to agree. turned[f]: 1 if face f must be reversed for that. Returns
+ * false when memory is out or the run is interrupted. */
 static bool polyface_agree(vs_store *s, vs_agreement *g, const vs_polygons *faces, bool *closed, vs_error *e) {
   size_t face_count = faces->face_count, n = faces->starts[face_count];
   size_t room = n ? n : 1, face_room = face_count ? face_count : 1;

@@ -165,7 +165,8 @@ static uint32_t squeeze(uint32_t *at, uint32_t count) {
   uint32_t n = 0;
   for (uint32_t i = 0; i < count; i++) {
     if (n && at[n - 1] == at[i]) continue;
-    if (n > 1 && at[n - 2] == at[i]) { /* removes an edge that is followed by its reverse */
+    if (n > 1 && at[n - 2] == at[i]) { /* removes two successive edges of the face if the second is the reverse of the
+                                        * first */
       n--;
       continue;
     }

@@ -9,7 +9,7 @@ typedef struct {
   vs_rigid_motion motion;
   double unknowns[VS_FIT_UNKNOWNS_MOST + VS_RIGID_UNKNOWNS], cost, spread;
   float distances[VS_FIT_FIRST / 2];
-  size_t known; /* number of points whose distances were computed */
+  size_t known; /* number of the scan's points whose distances from this candidate's model were computed */
   bool core;
 } vs_fit_candidate;
 

@@ -164,7 +164,8 @@ static void span_along(const double axis[3], const vs_vec3 *points, size_t count
   }
 }
 
-/* The scan or the model in step 1: its moments, axes and centre. The model also has its extent along its axes. */
+/* The shape of the scan or of the model in step 1 of the fit: its moments, axes and centre, and for the model its
+ * extent along its axes. */
 typedef struct {
   vs_point_moments moments;
   vs_vec3 centre;

@@ -7,7 +7,8 @@
 
 enum {
   VS_FIT_TRIED = 300,        /* number of scan points in step 1 of the fit */
-  VS_FIT_STARTS_MOST = 10,   /* greatest number of places from which step 2 starts */
+  VS_FIT_STARTS_MOST = 10,   /* greatest number of places of the scan in the model from which step 2 of the fit
+                              * starts */
   VS_FIT_PLACES_TRIED = 245  /* greatest number of places of the scan that are evaluated in one run of step 1 */
 };
 
@@ -15,8 +16,8 @@ typedef struct {
   vs_rigid_motion motion;
   double cost; /* mean of the points' distances from the model (absolute values), each limited to a tenth of the scan's
                 * size */
-  bool scaled; /* true if the place belongs to the model with scaled numbers, vs_fit_search.begin[1] */
-  bool core;   /* true if the placement was found with the core points, without stray points */
+  bool scaled; /* true if the place was found for the model with the scaled start numbers, vs_fit_search.begin[1] */
+  bool core;   /* true if the place was found with the core of the scan, without its stray points */
   float distances[VS_FIT_TRIED];
 } vs_fit_place;
 

@@ -51,8 +51,8 @@ typedef struct {
   bool placed;       /* true if the scan already has the model's coordinates, so that the fit does not move the scan */
   bool near;         /* true if the scan is already near its place, so that no other place is evaluated */
   bool any_pose;     /* true if the scan's upward direction may differ from the model's */
-  size_t most;       /* greatest number of scan points in the last steps of the fit */
-  double confidence; /* confidence of the intervals, between 0 and 1 */
+  size_t most;       /* greatest number of scan points that the last steps of the fit use */
+  double confidence; /* confidence (between 0 and 1) of the intervals that the fit computes for the model's numbers */
 } vs_fit_problem;
 
 typedef enum {
@@ -93,12 +93,13 @@ typedef struct {
                             * limit) */
   double size;             /* size of the scan: root of the mean square distance from its centre */
   double model_size;       /* size of the model at the start: root of the mean square distance from its centre */
-  bool converged, stopped; /* converged: the last step converged; stopped: the caller's `going` ended the fit */
+  bool converged, stopped; /* converged: true if the last step of the fit converged; stopped: true if the caller's
+                            * function `going` ended the fit */
   bool rival;              /* true if another start led to an equally good fit with other numbers */
   bool rival_unlike;       /* true if the equally good fit from another start also has another shape */
   vs_fit_doubt doubt;
-  unsigned iterations, models; /* iterations: number of evaluations of the distances; models: number of models that were
-                                * made */
+  unsigned iterations, models; /* iterations: number of times that the distances of all points were computed; models:
+                                * number of solids that were made from numbers */
 } vs_model_fit;
 
 /* Fits the model, and fills *out, which the caller frees, also after a failure. Returns false if nothing was fitted:

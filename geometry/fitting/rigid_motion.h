@@ -34,8 +34,8 @@ vs_affine vs_rigid_inverse(const vs_rigid_motion *m);
 /* Computes the eigenvalues of the symmetric n by n matrix m in descending order, and unit eigenvectors in the columns
  * of v (Jacobi's method). Both matrices are stored row by row; m is overwritten. */
 void vs_symmetric_eigen(double *m, double *v, double *values, size_t n);
-/* Sums over weighted points. They determine the centre of the points, and their axes in descending order of spread as
- * the rows of a rotation. */
+/* Sums over weighted points, from which the centre of the points is computed, and their axes in descending order of
+ * spread as the rows of a rotation. */
 typedef struct {
   double weight;
   vs_vec3 sum;

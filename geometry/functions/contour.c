@@ -40,7 +40,7 @@ typedef struct {
   int32_t at[3];
   uint8_t below;   /* signs at the cell's corners: bit c is set if the value at corner c is below 0 */
   uint8_t flips;   /* bit f: the crossings in face f of the cell are joined in the second way (step 3 of the plan) */
-  bool sharp;      /* true if the cell contains an edge or corner of the surface */
+  bool sharp;      /* true if the cell contains a sharp edge or corner of the surface */
   uint32_t rings;  /* two bits for each edge of the cell: the number of the ring (piece of the surface) that contains
                     * the edge's crossing */
   uint32_t first;  /* index of the point of the cell's first ring (piece of the surface); the points of its other rings
@@ -376,7 +376,8 @@ static int face_pairs(const cell *c, int face, int (*pair)[2]) {
       crossed[count++] = edge_between(k[i], k[(i + 1) % 4]);
   if (count == 2) return pair[0][0] = crossed[0], pair[0][1] = crossed[1], 1;
   if (count == 0) return 0;
-  /* crossed[i] lies between corners i and i + 1, so the edges at corner i are i - 1 and i */
+  /* Crossing crossed[i] lies on the face's edge between its corners i and i + 1. Therefore the edges at corner i have
+   * the numbers i - 1 and i. */
   int corner = ((c->below >> k[0] & 1) != (c->flips >> face & 1)) ? 0 : 1;
   for (int i = 0; i < 2; i++) pair[i][0] = crossed[(corner + 2 * i + 3) % 4], pair[i][1] = crossed[corner + 2 * i];
   return 2;
@@ -467,8 +468,8 @@ static void eigen(double m[3][3], double v[3][3]) {
 #define SHARP .9
 #define CORNER .42
 
-/* Returns the number of independent directions of n normals: 1 in a smooth surface, 2 at an edge, 3 at a corner. n >
- * 0. */
+/* Returns the number of independent directions among the n normals of a piece of the surface: 1 in a smooth surface, 2
+ * at an edge, 3 at a corner. n > 0. */
 static int rank_of(const vs_vec3 *normal, int n) {
   double m[3][3] = { { 0 } }, v[3][3], alike = 1, leans = 0;
   VS_ASSERT(n > 0);

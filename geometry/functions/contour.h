@@ -21,12 +21,13 @@ typedef enum {
 
 typedef struct {
   vs_vec3 *points;
-  uint32_t (*triangles)[3]; /* corners of the triangles, counter-clockwise as seen from the side of values above 0 */
+  uint32_t (*triangles)[3]; /* corners of the mesh's triangles, counter-clockwise as seen from outside, where the
+                             * function is above 0 */
   size_t point_count, triangle_count;
   size_t point_room, triangle_room;
   vs_vec3 at;       /* place of the fault, for VS_CONTOUR_NO_NUMBER and VS_CONTOUR_POLE */
   size_t most;      /* input: greatest number of triangles of the mesh before cells are merged; 0: no limit */
-  bool capped;      /* true if the box cuts the region, so that sides of the box close the mesh */
+  bool capped;      /* true if the region extends beyond the box, so that sides of the box close the mesh */
   double deviation; /* largest distance of a triangle's centre from the surface, to first order */
 } vs_contour;
 

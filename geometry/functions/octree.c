@@ -48,8 +48,8 @@ typedef struct {
                            * first of the joined parts */
   int32_t sides, inside;  /* valid in the first of several joined parts. sides: twice the number of cell sides between
                            * their rings; inside: number of quads within the parts */
-  uint8_t rim[EDGES];     /* number of crossings of the surface with each edge of the node; valid in the first of the
-                           * joined parts */
+  uint8_t rim[EDGES];     /* rim[i]: number of points in which the surface crosses edge i of the node; valid in the
+                           * first of several joined parts */
 } part;
 
 typedef struct {

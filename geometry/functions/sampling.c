@@ -30,7 +30,7 @@ struct vs_sampler {
   int slopes;
   uint32_t *lane;      /* lane[i]: lane (array of numbers) of step i */
   const double **from; /* from[i]: address of step i's values for the current batch of points */
-  double *at;          /* memory of all lanes */
+  double *at;          /* memory of all lanes (arrays with the numbers of a step) */
   size_t width;        /* number of doubles in a lane: the values of a batch, and their slopes */
 };
 
@@ -200,8 +200,8 @@ static void slopes(int count, const vs_tape_step *step, double *r, const double 
   }
 }
 
-/* Computes the values of a field for n points, whose coordinates are the operands of[0] to of[2], and the slopes.
- * Elements after the first n get the value of the first point. */
+/* Computes the values of field f (a function of space) and their slopes for n points, whose coordinates are the
+ * operands of[0] to of[2]. Elements after the first n get the value of the first point. */
 static void field(const vs_tape_field *f, int count, size_t n, double *r, const double *const of[3]) {
   const double *a = of[0], *b = of[1], *c = of[2];
   for (size_t i = 0; i < BATCH; i++) {
@@ -213,7 +213,7 @@ static void field(const vs_tape_field *f, int count, size_t n, double *r, const 
   }
 }
 
-/* Evaluates the batch of n points that begins at index `from`. n is at most BATCH. */
+/* Evaluates the tape for a batch of n <= BATCH points, which begins at index `from` of the caller's arrays. */
 static void batch(vs_sampler *s, const double *const *in, size_t from, size_t n, double *const *out,
                   double *const *slope) {
   const vs_tape *t = s->t;

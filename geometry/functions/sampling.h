@@ -31,7 +31,7 @@ typedef struct {
   int64_t n, at;
   double known[VS_SAMPLE_KNOWN]; /* the first VS_SAMPLE_KNOWN values of the range, computed in advance */
 } vs_sample_range;
-/* Starts a range at its first value. a, b and n must be set, and n > 0. */
+/* Moves the range r to its first value. r->a, b and n must be set, and n > 0. */
 void vs_sample_begin(vs_sample_range *r);
 
 /* Fills in[i][0] to in[i][count - 1] with the parameters of the next points of the grid, and advances. The last range

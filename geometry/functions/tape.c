@@ -156,7 +156,7 @@ uint32_t vs_tape_add(vs_tape *t, vs_tape_operator op, uint32_t a, uint32_t b, ui
   VS_ASSERT(op > VS_TAPE_INPUT && op < VS_TAPE_OPERATORS);
   for (int i = 0; i < n; i++)
     if (s.of[i] >= t->count)
-      return UINT32_MAX; /* an operand is UINT32_MAX, because there was no memory for it */
+      return UINT32_MAX; /* an operand has the number UINT32_MAX, because memory was out when it was added */
     else if (t->step[s.of[i]].op != VS_TAPE_CONSTANT)
       constant = false;
     else
@@ -180,12 +180,14 @@ uint32_t vs_tape_add(vs_tape *t, vs_tape_operator op, uint32_t a, uint32_t b, ui
     uint32_t square = vs_tape_add(t, VS_TAPE_SQUARE, a, 0, 0);
     return vs_tape_add(t, VS_TAPE_MUL, square, a, 0);
   }
-  if ((op == VS_TAPE_ADD || op == VS_TAPE_MUL) && a > b) s.of[0] = b, s.of[1] = a; /* orders the operands, so that a + b
-                                                                                    * and b + a become one step */
+  if ((op == VS_TAPE_ADD || op == VS_TAPE_MUL) && a > b) s.of[0] = b, s.of[1] = a; /* orders the operands of sums and
+                                                                                    * products, so that a + b and b + a
+                                                                                    * become one step */
   return step_number(t, &s);
 }
 
-/* Returns the index of the field in the tape's list, or UINT32_MAX when memory is out. */
+/* Returns the index of field f in the tape's list of fields, to which it is added if necessary, or UINT32_MAX when
+ * memory is out. */
 static uint32_t field_number(vs_tape *t, vs_tape_field *f) {
   for (size_t i = 0; i < t->field_count; i++)
     if (t->field[i] == f) return (uint32_t)i;

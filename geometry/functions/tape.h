@@ -36,8 +36,8 @@ void vs_tape_field_release(vs_tape_field *f); /* releases one reference to the f
 
 typedef struct {
   uint32_t op;
-  uint32_t of[3]; /* indices of the operands, which are earlier steps; for an input, of[0] is its number; unused
-                   * elements are 0 */
+  uint32_t of[3]; /* indices of the step's operands, which are earlier steps; if the step is an input, of[0] is the
+                   * input's number; unused elements are 0 */
   double value;   /* for a constant: its value; for a field: its index in the tape's list of fields */
 } vs_tape_step;
 

@@ -11,8 +11,8 @@ typedef struct {
                                   * candela value for each vertical angle */
   size_t room;
   uint32_t verticals, horizontals;
-  double most;                   /* largest intensity, in candelas */
-  vs_store *store;               /* the store that owns the memory */
+  double most;                   /* greatest intensity of the lamp in any direction, in candelas */
+  vs_store *store;               /* store whose memory `at` uses */
 } vs_ies;
 
 /* Reads an IES file that is in memory. Accepts the editions of 1986, 1991, 1995 and 2002, with TILT=NONE and photometry

@@ -279,7 +279,8 @@ static bool bounds_plain(const vs_node *n, vs_bounds *b) {
   return true;
 }
 
-/* Sets *b to the bounds of a node that is in the memo, or is a leaf that needs no children's bounds. */
+/* Sets *b to the bounds of node n, which are in the memo, or are computed if n is a leaf whose formula needs no
+ * children. Returns false on failure. */
 static bool bounds_child(const vs_bounds_memo *m, const vs_node *n, vs_bounds *b, vs_error *e) {
   bool lone = bounds_is_lone_leaf(n);
   if (lone && bounds_plain(n, b)) return true;
@@ -456,8 +457,8 @@ bool vs_bounds_memo_get(vs_bounds_memo *m, const vs_node *n, vs_bounds *out, vs_
   return ok;
 }
 
-/* Reduces *b, the box of the operands of an intersection or difference of regions, to the bounds of the result's
- * outline. */
+/* Reduces *b to the bounds of n, an intersection or difference of regions, by its outline. At the call, *b contains the
+ * bounds of the operands. Returns false on failure. */
 static bool bounds_of_set(const vs_node *n, vs_bounds *b, vs_error *e) {
   vs_fineness f = { bounds_fineness(b), 0 };
   vs_outline o;

@@ -335,7 +335,7 @@ bool vs_inside_test(vs_inside *v, vs_vec3 p) {
       part = x->children[0];
       continue;
     }
-    for (;;) { /* passes the answer up to the first ancestor whose answer is still open */
+    for (;;) { /* passes the answer from node to parent, until an ancestor needs the answers of further children */
       if (!depth) return answer;
       vs_inside_level *top = &v->stack[depth - 1];
       const vs_inside_part *above = &v->parts[top->part];

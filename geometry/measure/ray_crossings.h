@@ -8,7 +8,7 @@
 typedef struct {
   vs_mesh mesh;       /* the mesh; the index frees it */
   vs_bounds bounds;
-  size_t cells;       /* number of cells along X and also along Y */
+  size_t cells;       /* number of cells of the horizontal grid along X, and also along Y */
   uint32_t *starts;   /* starts[c]: index of cell c's first entry in the list of triangles: cells * cells + 1
                        * elements */
   uint32_t *triangles;

@@ -32,7 +32,7 @@ bool vs_ray_meets_box(const vs_bounds *b, vs_vec3 from, vs_vec3 direction, doubl
   return near <= far * (1 + 1e-12);
 }
 
-/* Sets p to the corners of a triangle of the mesh. */
+/* Sets p to the positions of the three corners of a triangle of the mesh. */
 static void corners_of(const vs_mesh *m, uint32_t triangle, vs_vec3 p[3]) {
   VS_ASSERT(triangle < m->triangle_count);
   for (int k = 0; k < 3; k++) p[k] = m->vertices[m->triangles[triangle][k]];

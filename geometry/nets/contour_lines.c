@@ -11,7 +11,7 @@ typedef struct {
   const vs_mesh *m;
   vs_mesh_edges edges;
   double *height; /* height[i]: height of vertex i above the plane */
-  bool *used;     /* used[t]: whether a line has already crossed triangle t */
+  bool *used;     /* used[t]: true if a contour line has already crossed triangle t */
 } contours;
 
 static bool is_up(const contours *c, uint32_t vertex) { return c->height[c->edges.corner[vertex]] > 0; }

@@ -168,7 +168,7 @@ static bool first_way(const surface *s, const place *p, const place *q, uint32_t
 
 typedef struct {
   uint32_t *edge; /* numbers of the edges that the path crosses, in order along the path */
-  double *share;  /* position of each crossing on its edge: 0 at the edge's end a, 1 at b */
+  double *share;  /* share[i]: position of the path's crossing i on its edge: 0 at the edge's end a, 1 at its end b */
   size_t count, edge_room, share_room;
   place p, q; /* p, q: ends of the path, with the triangles that contain them */
 } row;

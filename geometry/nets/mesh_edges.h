@@ -8,7 +8,8 @@
 
 typedef struct {
   uint32_t a, b;    /* corners (vertex numbers) at the ends of the edge, a < b */
-  uint32_t side[2]; /* triangles beside the edge; VS_MESH_NONE at a border of the mesh */
+  uint32_t side[2]; /* numbers of the two triangles beside the edge; VS_MESH_NONE instead of a missing triangle at a
+                     * border of the mesh */
 } vs_mesh_edge;
 
 /* The edges of a mesh. If an edge has more than two triangles, it is stored several times, with at most two triangles

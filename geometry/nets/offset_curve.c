@@ -155,7 +155,7 @@ static void cut_loop(run *r, size_t i, size_t j, vs_vec3 place) {
     r->count -= j - i - 1;
     return;
   }
-  for (size_t k = stop; k <= i; k++) r->at[n++] = r->at[k]; /* the loop contains the end of the array */
+  for (size_t k = stop; k <= i; k++) r->at[n++] = r->at[k]; /* the loop that is cut off contains the end of the array */
   r->at[n++] = corner;
   r->count = n;
 }

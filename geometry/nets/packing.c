@@ -34,8 +34,8 @@ static double to_segment(vs_vec2 p, vs_vec2 a, vs_vec2 b) {
   return hypot(p.x - a.x - t * dx, p.y - a.y - t * dy);
 }
 
-/* Returns the distance of p from the border of the area, which is the largest radius of a circle about p. Returns a
- * negative number if p is outside. */
+/* Returns the distance of p from the border of area a, which is the greatest radius of a circle about p in the area.
+ * Returns a negative number if p is outside. */
 static double within(const vs_area *a, vs_vec2 p) {
   double d = INFINITY;
   bool in = false;

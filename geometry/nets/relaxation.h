@@ -15,7 +15,7 @@ typedef struct {
   uint32_t a, b;
   double length;  /* length of a cable in model units; 0: the member has a force density instead */
   double density; /* force density of a member: its force divided by its length */
-  double force;   /* result: force in the member at equilibrium, positive for tension */
+  double force;   /* result: force in the member when all forces are balanced, positive for tension */
 } vs_net_member;
 
 typedef struct {
@@ -33,7 +33,7 @@ typedef enum {
   VS_RELAX_DONE,
   VS_RELAX_LOOSE,   /* point number `where` has a load, and no members connect it to a fixed point */
   VS_RELAX_SHORT,   /* cable number `where` cannot shorten to its length, because fixed points hold its ends apart */
-  VS_RELAX_FAR,     /* the net has no equilibrium after VS_RELAX_STEPS steps; `residual` is the remaining imbalance */
+  VS_RELAX_FAR,     /* the forces are not balanced after VS_RELAX_STEPS steps; `residual` is the remaining imbalance */
   VS_RELAX_STOPPED, /* the caller has interrupted */
   VS_RELAX_MEMORY
 } vs_relax_outcome;

@@ -56,11 +56,13 @@ static bool boxes_meet(const box *a, const box *b, double slack) {
  * which next[t] follows triangle t. */
 typedef struct {
   vs_flat_net *s;
-  uint32_t *next, *count;  /* count[p]: number of triangles of piece p */
+  uint32_t *next, *count;  /* next[t]: triangle after t in the list of its piece; count[p]: number of triangles of piece
+                            * p */
   uint32_t *order;         /* numbers of the edges in the order in which the run processes them */
   double *weight;          /* weight[e]: weight of edge e; an edge with a smaller weight is processed earlier */
   uint32_t *steepest;      /* steepest[v]: the steepest edge at vertex v, which is processed last */
-  vs_vec2 (*best)[3];      /* best[t]: positions of the corners of triangle t in the plane, in the best run so far */
+  vs_vec2 (*best)[3];      /* best[t]: positions in the plane of the corners of triangle t, as the run with the fewest
+                            * pieces so far has laid it */
   uint32_t *best_piece;
   uint32_t *near;          /* triangles of the larger piece that lie in the bounding box of the smaller piece */
   vs_vec2 (*moved)[3];     /* moved[i]: position of triangle who[i] of the smaller piece after it was moved beside the
@@ -156,8 +158,8 @@ static double next_random(uint64_t *state) { /* returns a pseudo-random number f
   return (double)(*state >> 11) / 4503599627370496.0 - 1;
 }
 
-/* Sets the weights of the edges for run `number`: by length, by the steepest edge at each vertex, or by random
- * numbers. */
+/* Sets the weights of the edges, which determine their order, for run `number`: by length, by the steepest edge at each
+ * vertex, or by random numbers. */
 static void weigh(run *r, int number) {
   vs_flat_net *s = r->s;
   const vs_mesh *m = s->edges.m;

@@ -12,8 +12,7 @@ bool vs_flat_net_unfold(vs_flat_net *s, vs_long_work work);
 /* A glue tab at a cut edge: a flap that is glued to another part of the paper model. */
 typedef struct {
   uint32_t triangle, edge; /* the triangle that has the tab, and the index of the cut edge */
-  vs_vec2 at[2];           /* outer corners of the tab, in the direction of the border, from the start of the edge to
-                            * its end */
+  vs_vec2 at[2];           /* the two outer corners of the tab, in the order of the ends of its edge along the border */
 } vs_glue_tab;
 /* Finds a tab of at most `width` for each cut edge, beside one of the edge's two triangles. The tab overlaps neither
  * triangles nor other tabs. *tabs: array that the caller frees. *missing: number of cut edges without room for a tab.

@@ -8,7 +8,7 @@
 typedef struct {
   double most, mean, root; /* differences of all colour components in linear light: the largest, the mean, and the root
                             * mean square */
-  size_t worst;            /* index of the pixel with the largest difference */
+  size_t worst;            /* index of the pixel at which the two pictures differ most */
   double peak_ratio;       /* peak signal-to-noise ratio in dB, for a peak of 1; INFINITY if the pictures are equal */
   double similarity;       /* structural similarity of the developed pictures; 1 if they are equal */
 } vs_picture_gap;

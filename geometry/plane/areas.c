@@ -224,7 +224,8 @@ static bool geos_ring(vs_geos *g, const GEOSGeometry *ring, bool hole, vs_area *
 static bool geos_polygon(vs_geos *g, const GEOSGeometry *polygon, vs_area *out) {
   size_t loops = out->loop_count;
   if (!geos_ring(g, g->GEOSGetExteriorRing_r(g->h, polygon), false, out)) return false;
-  if (out->loop_count == loops) return true; /* the polygon's outer loop was dropped, so its holes are dropped, too */
+  if (out->loop_count == loops) return true; /* the polygon's outer loop was a sliver and was dropped, so its holes are
+                                              * dropped, too */
   int holes = g->GEOSGetNumInteriorRings_r(g->h, polygon);
   for (int i = 0; i < holes; i++)
     if (!geos_ring(g, g->GEOSGetInteriorRingN_r(g->h, polygon, i), true, out)) return false;

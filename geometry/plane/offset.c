@@ -18,7 +18,8 @@
 #include "geometry/plane/plane.h"
 #include "model/store/array.h"
 
-enum { MITRE_MOST = 100 }; /* greatest length of a mitre, in units of the distance; a sharper corner is cut square */
+enum { MITRE_MOST = 100 }; /* greatest length of a mitre, as a multiple of the offset's distance; a sharper corner is
+                            * cut square */
 
 typedef struct {
   vs_area *strips;

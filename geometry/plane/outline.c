@@ -47,7 +47,8 @@ static bool outline_loop_holds(const vs_affine *frame, const vs_polyline *p, vs_
   return inside;
 }
 
-typedef struct { double low[2], high[2]; } vs_loop_box; /* bounds of a loop in the coordinates of the plane */
+typedef struct { double low[2], high[2]; } vs_loop_box; /* bounding box of a loop in the coordinates of the outline's
+                                                         * plane */
 
 static vs_loop_box outline_box(const vs_affine *frame, const vs_polyline *p) {
   vs_loop_box b = { { INFINITY, INFINITY }, { -INFINITY, -INFINITY } };

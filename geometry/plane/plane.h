@@ -11,7 +11,8 @@ typedef enum {
   VS_PLANE_ONE
 } vs_plane_count;
 typedef struct {
-  vs_vec3 point, normal; /* normal: unit vector that points up, or towards +Y, or along +X */
+  vs_vec3 point, normal; /* point: a point of the plane; normal: unit vector that points up, for a vertical plane
+                          * towards +Y, or along +X */
   double size;           /* size of the curve or region in model units, for the tolerance of comparisons */
 } vs_shape_plane;
 

@@ -15,7 +15,7 @@ typedef struct {
   size_t count, leaves;
   size_t *order, *rank; /* order: items along the space-filling curve; rank[i]: index of item i in `order` */
   const size_t *point;
-  bool *is_on;          /* is_on[r]: true if the item of rank r is switched on */
+  bool *is_on;          /* is_on[r]: true if the item with the index r in `order` is switched on */
   vs_point_box *boxes;  /* node 1 is the root, and node i has the children 2 i and 2 i + 1; the leaves begin at index
                          * `leaves`, a power of two */
 } vs_point_tree;

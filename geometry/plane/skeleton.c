@@ -155,7 +155,7 @@ static size_t follower(const vs_wave *w, size_t h, size_t first, size_t end, con
   return found;
 }
 
-/* Returns true if the node lies in the plane of the line's face. */
+/* Returns true if the skeleton's node lies in the plane of the roof face that belongs to the line. */
 static bool in_plane(const vs_wave *w, uint32_t line, uint32_t node, long double tolerance) {
   const vs_wave_line *l = &w->line[line];
   const vs_wave_node *n = &w->node[node];

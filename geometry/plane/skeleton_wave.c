@@ -297,7 +297,7 @@ static bool add_vertex(vs_wave *w, const piece *in, uint32_t out_index) {
   return add_segment(k, s, &k->start[out_index]);
 }
 
-/* Makes the next front from the linked pieces. */
+/* Makes the front after an event from the linked pieces of the old front. Returns false when memory is out. */
 static bool make_front(vs_wave *w) {
   work *k = w->work;
   k->fresh_count = 0;

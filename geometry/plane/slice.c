@@ -14,7 +14,7 @@ static vs_vec3 slice_crossing(vs_vec3 kept, double a, vs_vec3 lost, double b) {
   return vs_v3_add(kept, vs_v3_scale(vs_v3_sub(lost, kept), a / (a - b)));
 }
 
-/* Returns the height of a point above the plane; 0 if it is within the rounding error `nothing`. */
+/* Returns the height of a point above the plane; 0 if its absolute value is at most `nothing`, the rounding error. */
 static double slice_side(vs_vec3 p, vs_vec3 point, vs_vec3 normal, double nothing) {
   double d = vs_v3_dot(normal, vs_v3_sub(p, point));
   return fabs(d) <= nothing ? 0 : d;

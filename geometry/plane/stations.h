@@ -19,7 +19,8 @@ typedef struct {
 typedef struct {
   vs_vec3 at, tangent, across; /* at: the point; tangent: unit direction of the curve; across: unit vector of the frame,
                                 * perpendicular to the tangent */
-  double curvature;            /* 1 / radius of curvature; 0 on straight parts and at corners */
+  double curvature;            /* curvature of the curve at this point: 1 / radius; 0 on straight parts and at
+                                * corners */
 } vs_station;
 
 /* Samples the curve with the fineness f. Returns false and sets *e on failure, for example if the curve has the length

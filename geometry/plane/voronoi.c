@@ -72,8 +72,8 @@ bool vs_voronoi_make(const vs_vec2 *points, size_t n, const vs_vec2 box[2], vs_v
   size_t triangle_count = 0, link_count = 0;
   link *links = NULL;
   vs_vec2 *cell = NULL, *next = NULL;
-  uint8_t *known = NULL; /* known[i]: 1 if point i has a link; a point without a link has the position of an earlier
-                          * point */
+  uint8_t *known = NULL; /* known[i]: 1 if point i has a neighbour; a point without neighbours has the position of an
+                          * earlier point */
   *out = (vs_voronoi){ 0 };
   if (n > 1 && !vs_points_delaunay(points, n, &triangles, &triangle_count, e)) return false;
   size_t most = 6 * triangle_count + 2 * n;

@@ -13,7 +13,7 @@ typedef struct {
   const size_t *sizes; /* sizes[l]: number of points of loop l in a row */
   const bool *hole;
   size_t loop_count;
-  bool round;          /* true if the loops are closed; false if they are open strips */
+  bool round;          /* true if the loops of each row are closed; false if they are open lines */
   bool joined;         /* true if the last row of points is joined to the first row */
   const size_t *seam;  /* If not NULL: the last row lies at the position of the first row. Its point i coincides with
                         * point seam[i] of the first row. */

@@ -29,7 +29,7 @@ typedef struct { vs_vec3 at, x, y, z; } guided_frame;
 typedef struct {
   vs_path path;
   vs_vec3 *x;       /* x[i]: x direction of the moving frame at sample i of the path */
-  size_t stations;  /* number of sections; on a closed path, the first section counts again at the end */
+  size_t stations;  /* number of sections along the path; on a closed path, the first section counts again at the end */
   double *s;        /* s[i]: arc length from the path's start to section i */
   vs_vec3 *local;   /* description of each section in the moving frame: points, centre and tilt, by guided_describe */
 } guided_way;
@@ -133,8 +133,8 @@ static void guided_row(const guided_frame *f, const vs_vec3 *local, size_t n, vs
         f->at, guided_out(f, vs_v3_add(local[n + GUIDED_MIDDLE], guided_turned(local[n + GUIDED_LEAN], local[c]))));
 }
 
-/* Returns the slope of vector c of the sections' descriptions at section i. There are at least two sections. n: number
- * of columns. */
+/* Returns the derivative, at section i, of the vector with the index c in the sections' descriptions, by the arc length
+ * of the path. There are at least two sections. n: number of columns. */
 static vs_vec3 guided_slope(const guided_way *way, size_t n, size_t i, size_t c) {
   const vs_vec3 *local = way->local;
   const double *s = way->s;
@@ -428,8 +428,8 @@ typedef struct {
   vs_vec3 *from, *to;
 } guided_lines;
 
-/* Moves a row of the free loft so that it touches the guides. The row is at the fraction t between section i and the
- * next. */
+/* Moves a row of points of the loft without guides so that it touches the guides. The row is at the fraction t between
+ * section i and the next. */
 static void guided_lead(const vs_loft *l, const guided_lines *by, size_t i, double t, vs_vec3 *row) {
   const guided_line *g = by->lines;
   guided_pin *pins = by->pins;

@@ -7,8 +7,8 @@
 /* The positions of the rings (circular sections) of a pipe along a curve. */
 typedef struct {
   vs_stations stations;
-  double *at; /* positions of the rings as distances from the start of the curve, ascending; the end of a closed curve
-               * is not repeated */
+  double *at; /* at[i]: distance of ring i (a circular section) from the start of the curve, ascending; a closed curve
+               * has no ring at its end */
   size_t count;
 } vs_pipe;
 

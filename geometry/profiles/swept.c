@@ -378,13 +378,14 @@ typedef struct { vs_vec3 lean; double spin; } swept_stance;
 
 /* How a profile moves along a path. */
 typedef struct {
-  vs_vec3 x;                 /* first direction of the profile at the start of the path; unused if `upright` is not
-                              * NULL */
+  vs_vec3 x;                 /* first direction (X) of the profile at the start of the path, a unit vector in space;
+                              * unused if `upright` is not NULL */
   const vs_upright *upright; /* if not NULL: the data that keep the profile upright along the entire path */
   double twist, scale;       /* twist: rotation of the profile at the end of the path, in radians; scale: its scale
                               * there */
   vs_vec2 base;              /* point of the profile that moves along the path */
-  double reach;              /* greatest distance of the profile's points from the base */
+  double reach;              /* greatest distance of the profile's points from `base`, the point that moves along the
+                              * path */
 } swept_way;
 
 /* Sets *closing to the angle by which a profile must turn, evenly along a closed path, so that its end coincides with
@@ -393,7 +394,7 @@ static bool swept_closing(const vs_path *path, vs_vec3 x, double *closing) {
   vs_vec3 *carried = vs_fresh(path->count, sizeof *carried);
   if (carried) *closing = -vs_frame_transport(path->at, path->count, true, path->length, x, carried);
   free(carried);
-  if (fabs(*closing) < 1e-9) *closing = 0; /* a smaller angle is a rounding error */
+  if (fabs(*closing) < 1e-9) *closing = 0; /* an angle below 1e-9 is only a rounding error */
   return carried != NULL;
 }
 
@@ -418,7 +419,7 @@ static bool swept_along(vs_swept *s, vs_path *path, const swept_way *way, const 
   if (ok && meets && !joins && s->filled) ok = swept_seam(s, base, rest, reach);
   bool seam = s->seam != NULL; /* true if the turned profile coincides with itself, such as a square after a quarter
                                 * turn, so that the start and end of the sweep can be joined */
-  if (!path->closed) { /* the ends of an open path are perpendicular to it */
+  if (!path->closed) { /* the first and the last section of an open path are perpendicular to it */
     path->at[0].arriving = path->at[0].leaving;
     path->at[path->count - 1].leaving = path->at[path->count - 1].arriving;
   }

@@ -37,10 +37,11 @@ static bool cut_begin(cut_table *t, size_t edges) {
   return true;
 }
 
-/* The straight extrusion that is cut. Heights are distances from the origin along the normal. */
+/* The mesh of a straight extrusion that is cut at heights, which are distances from the origin along the profile's
+ * normal. */
 typedef struct {
   vs_mesh *m;
-  size_t first_vertex, first; /* index in m of the solid's first vertex and first triangle */
+  size_t first_vertex, first; /* indices in mesh m of the extrusion's first vertex and first triangle */
   vs_vec3 origin, normal;
   double near;                /* distance from a cut's height below which a vertex lies on the cut */
   cut_table table;
@@ -100,8 +101,8 @@ static bool cut_at(cut_solid *s, double height) {
   return true;
 }
 
-/* Moves every vertex by the displacement of the curve at its height. path: at least two corners of the curve; heights:
- * their heights, ascending. */
+/* Moves every vertex of the extrusion sideways by as much as the curve is displaced at the vertex's height. path: at
+ * least two corners of the curve; heights: their heights, ascending. */
 static void move_along(const cut_solid *s, const vs_polyline *path, const double *heights) {
   vs_mesh *m = s->m;
   VS_ASSERT(s->first_vertex <= m->vertex_count && path->count >= 2);

@@ -39,7 +39,7 @@ void vs_bending_free(vs_bending *b); /* frees the state b, which may be NULL */
 const vs_vec3 *vs_bending_wanted(const vs_bending *b, size_t *count);
 /* Receives the images of the points that vs_bending_wanted returned, in their order. */
 bool vs_bending_give(vs_bending *b, const vs_vec3 *images); /* returns false when memory is out */
-/* Returns the bent mesh, which b owns. */
+/* Returns the mesh after the bending; b owns it. */
 vs_mesh *vs_bending_mesh(vs_bending *b);
 
 #endif

@@ -10,13 +10,13 @@
 
 typedef struct {
   uint32_t a, b;    /* indices of the two points at the ends of the crease */
-  double sharpness; /* number of subdivisions in which the edge stays sharp; INFINITY: it stays sharp in all */
+  double sharpness; /* number of subdivisions in which the crease stays sharp; INFINITY: it stays sharp in all */
 } vs_crease;
 
 typedef enum { VS_SUBDIVIDE_CATMULL_CLARK, VS_SUBDIVIDE_LOOP } vs_subdivision_scheme;
 
-/* The number of subdivisions, the scheme, and the creases. limit: true if the points then move to their limit positions
- * on the smooth surface. */
+/* How a surface is subdivided: the number of subdivisions, the scheme, and the creases. limit: true if the points then
+ * move to their limit positions on the smooth surface. */
 typedef struct {
   const vs_crease *creases;
   size_t crease_count;

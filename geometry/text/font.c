@@ -53,7 +53,7 @@ struct vs_font {
   vs_font *next;
   const char *name;
   FT_Face face;
-  void *bytes; /* copy of the font's file; NULL if FreeType itself reads the file */
+  void *bytes; /* copy of the bytes of the font's file; NULL if FreeType reads the file itself */
   size_t size;
   double capital;
   vs_nodemap glyphs; /* maps the index of a glyph, plus 1, to the address of its vs_glyph */

@@ -39,7 +39,8 @@ typedef struct {
   struct { uint32_t cell, next, face; } *stack;
   size_t stack_room;
   VS_LIST(vs_cover) found;  /* winding numbers of the leaves at the place that a ray through a face has tested */
-  VS_LIST(uint32_t) active; /* active: leaves that contain the current cell; place: index of each leaf in `active` */
+  VS_LIST(uint32_t) active; /* active: numbers of the leaves that contain the current cell; place[i]: index of leaf i in
+                             * `active` */
   VS_LIST(uint32_t) place;
   VS_LIST(uint32_t) owner;  /* owner[c]: for a cell inside the result, the earliest leaf that makes the expression true
                              * there */
@@ -558,7 +559,7 @@ static bool walk_from(walk *w, uint32_t cell) {
 }
 
 /* Returns twice the approximate area of the face, as seen along the main axis of its plane, in squares of fixed-point
- * units. Returns infinity for a region, whose chosen triangle is large. */
+ * units. Returns infinity for a region of untouched triangles, of which a large one is chosen. */
 static double about_area(const walk *w, uint32_t face) {
   const vs_cluster *c = w->c;
   if (c->faces.at[face].plane == VS_NONE) return INFINITY;

@@ -20,7 +20,7 @@ enum { SPAN = 1 << 12, BATCH = 1 << 17 /* SPAN: number of triangles that one tas
 
 typedef struct {
   vs_plane plane;
-  uint64_t hash;   /* hash of the triangle's plane */
+  uint64_t hash;   /* hash of the equation of the triangle's plane */
   uint32_t source; /* index of this triangle in the mesh of its leaf */
   bool flip;
   uint8_t inner;

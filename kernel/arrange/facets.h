@@ -4,7 +4,8 @@
 
 #include "kernel/cluster.h"
 
-bool vs_facets_build(vs_kernel *k, vs_cluster *c);                     /* makes c->triangles and c->facets; returns
-                                                                        * false on an error */
+bool vs_facets_build(vs_kernel *k, vs_cluster *c);                     /* makes c->triangles, and c->facets of
+                                                                        * connected coplanar triangles; returns false
+                                                                        * on an error */
 
 #endif

@@ -86,7 +86,7 @@ static uint32_t edge_of(const vs_cluster *c, const vs_patch *x, uint32_t p, uint
 
 /* ---- a pair of patches, within a chunk ---- */
 
-/* A patch, and its position relative to the plane of another patch. */
+/* A patch (convex facet or triangle), and its position relative to the plane of another patch. */
 typedef struct {
   const vs_patch *of, *other;
   double *height;                /* height[i]: height of the patch's corner i over the other patch's plane; its sign is
@@ -516,7 +516,7 @@ static bool meet_chunk(vs_kernel *k, void *context, size_t index) {
   size_t crossings = 64;
   while (crossings < CROSSINGS && crossings < 32 * (size_t)blocks) crossings *= 2;
   if (!VS_ROOM(k, m->w->crossings.at, m->w->crossings.room, crossings)) return false;
-  /* Clears the hash table, so that the results of a chunk depend only on the chunk. */
+  /* Clears the thread's cache of crossings, so that the results of a chunk depend only on the chunk. */
   memset(m->w->crossings.at, 0xff, crossings * sizeof *m->w->crossings.at);
   m->w->crossings.count = crossings;
   return vs_bvh_pairs(&all->c->bvh, first, first + CHUNK, meet, m) && vs_kernel_report(k, 0.1);

@@ -276,7 +276,9 @@ static bool find_order(levels *l) {
   if (!VS_ROOM(k, l->facet_first.at, l->facet_first.room, (size_t)c->leaf_count + 2)) return false;
   uint32_t *first = l->facet_first.at;
   memset(first, 0, ((size_t)c->leaf_count + 2) * sizeof *first);
-  for (size_t i = 0; i < c->facets.count; i++) first[c->facets.at[i].place + 1]++; /* facets are sorted by leaf */
+  for (size_t i = 0; i < c->facets.count; i++) first[c->facets.at[i].place + 1]++; /* the facets of the cluster are
+                                                                                    * sorted by leaf, so counts give the
+                                                                                    * range of each leaf */
   for (uint32_t i = 0; i <= c->leaf_count; i++) first[i + 1] += first[i];
   for (uint32_t i = 0; i < c->leaf_count; i++)
     if (c->layered[c->leaves[i]] && !VS_PUSH(k, l->order, i)) return false;

@@ -164,7 +164,7 @@ int vs_orient3d(const int32_t a[3], const int32_t b[3], const int32_t c[3], cons
                     (vs_i128)(p[0] * q[1] - p[1] * q[0]) * r[2]);
 }
 
-/* Computes r += a * b. */
+/* Computes r = r + a * b on wide integers. */
 static inline void add_product(uint64_t r[4], vs_i128 a, vs_i128 b) {
   uint64_t a0 = (uint64_t)a, a1 = (uint64_t)(a >> 64), b0 = (uint64_t)b, b1 = (uint64_t)(b >> 64);
   vs_u128 low = (vs_u128)a0 * b0, one = (vs_u128)a0 * b1, two = (vs_u128)a1 * b0;

@@ -47,7 +47,7 @@ static inline uint32_t slots_next(const vs_slots *s, uint32_t tag, size_t *at) {
     if (s->at[*at].item == VS_NONE || s->at[*at].tag == tag) return s->at[*at].item;
 }
 
-/* A point to find or to add. */
+/* A point to find in the table or to add to it. */
 typedef struct {
   uint64_t hash;           /* hash of `fixed`, the fixed-point coordinates */
   const int64_t *fixed;    /* three coordinates of the point, as fixed-point numbers */

@@ -25,7 +25,7 @@ typedef struct {
   vs_slots slots; /* hash table of the points, by their fixed-point numbers */
 } vs_points_table;
 
-/* A point that has no number in a table yet. */
+/* A computed point that has no number in a table of points yet. */
 typedef struct {
   vs_homogeneous at;
   int64_t fixed[3];

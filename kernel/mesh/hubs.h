@@ -11,7 +11,7 @@
 typedef struct {
   const uint32_t (*triangles)[3];
   size_t triangle_count, vertex_count;
-  const uint8_t *gone; /* gone[t]: 1 if triangle t is to be ignored; NULL: no triangle is ignored */
+  const uint8_t *gone; /* gone[t]: 1 if the search ignores triangle t; NULL: it ignores none */
   vs_vec3 (*corner)(const void *context, uint32_t vertex);
   const void *context;
 } vs_fans;

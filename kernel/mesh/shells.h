@@ -7,7 +7,7 @@
 typedef struct {
   double volume;   /* volume that the shell encloses, in cubic units; negative if the shell is the wall of a cavity */
   double area;
-  double reach;    /* the largest absolute coordinate of the shell's corners */
+  double reach;    /* largest absolute value of a coordinate of the shell's corners */
   vs_vec3 from;    /* position of the shell's first corner */
 } vs_shell;
 

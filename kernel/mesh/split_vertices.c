@@ -229,7 +229,7 @@ static bool find_fans(splitter *s) {
     s->taken.at[v] = 1;
     do {
       s->to.at[at] = to;
-      at = next_of(s->twins.at[at]); /* moves to the corner at the same vertex in the next triangle */
+      at = next_of(s->twins.at[at]); /* moves to the corner at this vertex in the next triangle around it */
     } while (at != corner);
   }
   return true;

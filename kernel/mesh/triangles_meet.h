@@ -11,7 +11,7 @@ typedef enum {
   VS_MEET_CROSS  /* the triangles cross, or overlap along an edge or in an area */
 } vs_triangle_meeting;
 
-/* Returns true if the triangle with these three corners has no area. */
+/* Returns true if the triangle with the three corners `corners` has no area: all lie on one line. */
 bool vs_triangle_is_flat(const vs_vec3 *corners);
 
 /* Returns whether triangles a and b cross, touch, or do neither. Each triangle has an area. */

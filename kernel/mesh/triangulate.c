@@ -174,7 +174,7 @@ static bool find_loop(const vs_triangulation *t, uint32_t loop[SMALL], uint32_t 
     loop[i] = sides[at].from;
     for (uint32_t j = 0; j < n; j++) {
       if (sides[j].from != sides[at].to) continue;
-      if (next != n) return false; /* the border touches itself at this corner */
+      if (next != n) return false; /* two sides lead away from this corner, so the border touches itself there */
       next = j;
     }
     if (next == n || (next == first) != (i == n - 1)) return false;

@@ -578,8 +578,9 @@ static bool try_triangles(looking *l, const sheet *x, const sheet *y) {
   bool before = !apart(&p, &q) && (p.flat || q.flat || vs_triangles_meet(p.at, q.at) != VS_MEET_NOT);
   if (before && meeting == VS_MEET_TOUCH && !vs_triangles_cross_level(x->at, y->at)) return true; /* the triangles
                                                                                                    * touched before
-                                                                                                   * rounding, and still
-                                                                                                   * only touch */
+                                                                                                   * rounding, and after
+                                                                                                   * it they still only
+                                                                                                   * touch */
   return VS_PUSH(l->k, l->c->met[l->at].at, ((pair){ x->triangle, y->triangle, before }));
 }
 

@@ -43,8 +43,9 @@ extern const double vs_pattern_darkening;      /* factor by which the second col
                                                 * material's colour */
 
 uint64_t vs_material_hash(const vs_material *m);
-vs_material vs_material_of_color(double red, double green, double blue); /* Returns matt paint of an sRGB colour,
-                                                                          * without name and pattern. */
+vs_material vs_material_of_color(double red, double green, double blue); /* Returns a matt material of an sRGB colour
+                                                                          * (components 0 to 1), without name and
+                                                                          * pattern. */
 const char *vs_pattern_name(vs_pattern p);               /* Returns the pattern's name; "none" for VS_PATTERN_NONE. */
 bool vs_pattern_find(const char *name, vs_pattern *out); /* Sets *out to the pattern with this name. Returns false if no
                                                           * pattern has this name. */

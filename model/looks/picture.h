@@ -9,11 +9,11 @@
  * is freed. Formats write these bytes, so that the file is read only once. */
 typedef struct vs_picture {
   const char *path;            /* path of the picture's file, interned; .pov files contain it */
-  const char *format;          /* "png", "jpeg", "exr" or "hdr": the keywords of POV-Ray */
+  const char *format;          /* format of the file, "png", "jpeg", "exr" or "hdr": keywords of POV-Ray */
   const unsigned char *bytes;
   size_t size;
   uint32_t columns, rows;
-  uint64_t hash;               /* hash of path and bytes; set by the store */
+  uint64_t hash;               /* hash of the path and the file's bytes, which the store computes */
   double mean[3];              /* mean colour of a material's picture: sRGB, 0 to 1 */
   const struct vs_picture *next; /* next picture in the store's list */
 } vs_picture;
