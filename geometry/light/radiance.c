@@ -71,8 +71,8 @@ bool vs_radiance_read(vs_store *store, const vs_file_bytes *file, vs_exr *out, v
   *out = (vs_exr){ .store = store };
   if (!read_head(&b, &columns, &rows)) return wrong(e, name, "this is no Radiance picture from the upper left");
   if (!vs_raster_size(name, columns, rows, e)) return false;
-  /* A row takes at least one byte for 64 pixels. This check prevents the allocation of more memory than the file can
-   * fill. */
+  /* Even the shortest coding takes more than one byte for 32 pixels. This check prevents the allocation of more memory
+   * than the file can fill. */
   if ((size_t)(b.end - b.at) < (size_t)columns * rows / 32) return wrong(e, name, "the Radiance file is cut off");
   out->columns = (uint32_t)columns, out->rows = (uint32_t)rows;
   unsigned char *row = vs_store_realloc(store, NULL, 0, 4 * columns);

@@ -134,7 +134,7 @@ static void guided_row(const guided_frame *f, const vs_vec3 *local, size_t n, vs
 }
 
 /* Returns the derivative, at section i, of the vector with the index c in the sections' descriptions, by the arc length
- * of the path. There are at least two sections. n: number of columns. */
+ * of the path. There are at least two sections. n: number of vectors in a description. */
 static vs_vec3 guided_slope(const guided_way *way, size_t n, size_t i, size_t c) {
   const vs_vec3 *local = way->local;
   const double *s = way->s;
