@@ -1,5 +1,5 @@
-/* Contains the condition under which a test program may replace the C library's allocator: with glibc, unless a
- * sanitizer has replaced it. The replacing functions call the names below. */
+/* Defines VS_OWN_ALLOCATOR if a test program may replace the C library's malloc, realloc and free: the library must be
+ * glibc, and no sanitizer may have replaced them. The program's own functions call the __libc_ names below. */
 #ifndef VS_TEST_ALLOCATOR_H
 #define VS_TEST_ALLOCATOR_H
 

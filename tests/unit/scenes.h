@@ -1,5 +1,5 @@
-/* Contains small drawings that the tests of several layers build in C. A parent takes over the only reference to a
- * node. */
+/* Contains small drawings that the tests of several layers build in C. A parent node takes over the only reference to
+ * each child. */
 #ifndef VS_TESTS_SCENES_H
 #define VS_TESTS_SCENES_H
 
@@ -19,7 +19,7 @@ static inline void test_model_close(test_model *m) {
   vs_scene_free(&m->scene);
   vs_store_release(m->store);
 }
-/* Returns a node with its origin. line: line number of the origin. */
+/* Returns a node that records `line` as the line of the program that made it. */
 static inline vs_ref test_node(test_model *m, uint32_t line, vs_kind kind, const void *data, const vs_ref *children, size_t count) {
   vs_ref made = { vs_node_new(m->store, kind, data, children, count), vs_store_origin(m->store, "house.vs", line, 3, NULL) };
   for (size_t i = 0; i < count; i++) vs_node_release(children[i].node);
@@ -37,8 +37,8 @@ static inline vs_ref test_cylinder(test_model *m, vs_vec3 base, vs_vec3 top, dou
 static inline vs_ref test_move(test_model *m, double x, double y, double z, vs_ref what) {
   return test_node(m, 4, VS_TRANSFORM, &(struct vs_transform){ .matrix = vs_affine_translation(vs_v3(x, y, z)) }, &what, 1);
 }
-/* Returns a material node around an object. Uses struct vs_material, since prims.def would give the node's data the
- * same name; their layouts are equal. */
+/* Returns a node that gives the object `what` the material `name`. Uses struct vs_material, since prims.def would give
+ * the node's data the same name; their layouts are equal. */
 static inline vs_ref test_paint(test_model *m, const char *name, vs_ref what) {
   struct { vs_field_material material; unsigned char end; } data = { vs_store_ready_material(m->store, name), 0 };
   return test_node(m, 5, VS_MATERIAL, &data, &what, 1);
@@ -53,8 +53,8 @@ static inline void test_draw(test_model *m, vs_ref what) {
   vs_node_release(what.node);
 }
 
-/* Returns a node of the kind, with children if the kind has any. The golden file of the tree dump, and the test that
- * reads it back, use every kind once. */
+/* Returns a sample node of the kind, with children if the kind has any. Two tests use every kind once: the golden file
+ * of the tree dump, and the test that reads the dump back. */
 static inline vs_ref test_any(test_model *m, vs_kind kind) {
   unsigned char data[256] = { 0 };
   const vs_kind_info *info = vs_kind_get(kind);

@@ -12,11 +12,12 @@
 
 #include <cmocka.h>
 
-/* from: first seed. to: last seed. whole: whether LONG or SEEDS requests more than the usual sample. asked: whether
- * SEEDS does. A variable that is set but empty counts as not set. */
+/* from: first seed. to: last seed. whole: true if the environment variable LONG or SEEDS requests more than the usual
+ * sample. asked: true if SEEDS does. A variable that is set but empty counts as not set. */
 typedef struct { unsigned long long from, to; bool whole, asked; } seed_range;
 
-/* Returns the seeds of SEEDS=FROM-TO. Without SEEDS, returns 1 to `most` with LONG=1, otherwise 1 to `usual`. */
+/* Returns the seeds FROM to TO of the environment variable SEEDS=FROM-TO. Without SEEDS, returns 1 to `most` with
+ * LONG=1, otherwise 1 to `usual`. */
 static inline seed_range seeds_asked(unsigned long long usual, unsigned long long most) {
   const char *longer = getenv("LONG"), *asked = getenv("SEEDS");
   seed_range r = { 1, longer && *longer ? most : usual, (longer && *longer) || (asked && *asked), asked && *asked };

@@ -1,6 +1,5 @@
-/* Tests backends/ that need no interpreter: numbers, the tree dump and its reader, each format's words,
- * files that appear whole or not at all, and the workers: POV-Ray's pictures and messages, and OpenSCAD reading our
- * programs. */
+/* Tests the files of backends/ that need no interpreter: numbers, the tree dump and its reader, each format's words. A
+ * file appears whole or not at all. POV-Ray draws our pictures, and OpenSCAD reads our programs. */
 #define _XOPEN_SOURCE 700
 #include <locale.h>
 #include <setjmp.h>
@@ -26,7 +25,7 @@
 #include "tests/unit/scenes.h"
 #include "tests/unit/skip.h"
 
-/* ---- a sink into memory ---- */
+/* ---- a sink that writes into memory ---- */
 
 typedef struct { char *text; size_t used, room; } memory;
 
@@ -83,7 +82,8 @@ static void assert_lacks(const char *text, const char *part) {
 
 /* ---- numbers ---- */
 
-/* Checks that the number is printed as by %.12g, without the plus sign and the zeros of exponents, and never as -0. */
+/* Checks that vs prints the number as printf's %.12g does, but without the exponent's plus sign and leading zeros, and
+ * never as -0. */
 static void assert_as_printed(double x) {
   char text[VS_NUMBER_ROOM], wide[64];
   size_t length = vs_number_text(x, text);
@@ -111,8 +111,8 @@ static void test_numbers(void **state) {
     assert_int_equal(length, strlen(text));
     assert_string_equal(text, cases[i].text);
   }
-  /* The text of a number equals printf's twelve digits for every number: for random bits, and for numbers as in
-   * models. */
+  /* For every number, vs writes the twelve digits that printf writes: for random bits, and for numbers that are usual
+   * in models. */
   uint64_t seed = 12345;
   const char *longer = getenv("LONG");
   for (int i = 0, most = longer && *longer ? 1500000 : 300000; i < most; i++) {
@@ -120,14 +120,13 @@ static void test_numbers(void **state) {
     uint64_t bits = seed ^ seed >> 29;
     double x;
     memcpy(&x, &bits, sizeof x);
-    if (i % 8 > 0) x = (double)(int64_t)seed / (double)(UINT64_C(1) << (20 + i % 44)); /* coordinates, large and
-                                                                                        * small */
+    /* coordinates of models, large and small */
+    if (i % 8 > 0) x = (double)(int64_t)seed / (double)(UINT64_C(1) << (20 + i % 44));
     if (i % 8 == 2) x = round(x * 1000) / 1000;
     if (i % 8 == 3) x *= 1e-12;
-    if (i % 8 == 4) x = ldexp((double)(seed >> 40), -(i % 40)); /* ties in rounding */
-    if (i % 8 == 5) x = (999999999999.0 + (double)(seed >> 54) / 512) / pow(10, i % 23); /* numbers whose rounding carries
-                                                                                          * into a further digit, or just
-                                                                                          * does not */
+    if (i % 8 == 4) x = ldexp((double)(seed >> 40), -(i % 40)); /* numbers half-way between two roundings */
+    /* numbers near a power of ten, some of which round up to one digit more */
+    if (i % 8 == 5) x = (999999999999.0 + (double)(seed >> 54) / 512) / pow(10, i % 23);
     if (i % 8 == 6) x = nextafter(pow(10, i % 33 - 16), i % 3 - 1);
     assert_as_printed(x);
   }
@@ -245,8 +244,8 @@ static void test_deflate(void **state) {
   uint32_t seed = 1;
   for (size_t i = 0; i < room; i++) bytes[i] = (unsigned char)((seed = seed * 1664525u + 1013904223u) >> 24);
   for (size_t n = 0; n < 40; n++) deflate_and_back(m.store, bytes, n, 3);
-  assert_true(deflate_and_back(m.store, bytes, room, 70000) < room + room / 100); /* noise, which cannot be compressed,
-                                                                                   * does not become much longer */
+  /* the deflated form of noise, which cannot be compressed, is not much longer than the noise */
+  assert_true(deflate_and_back(m.store, bytes, room, 70000) < room + room / 100);
   for (size_t i = 1000; i < room; i++) bytes[i] = bytes[i - 1000];
   assert_true(deflate_and_back(m.store, bytes, room, 4097) < room / 50);
   free(bytes);
@@ -269,16 +268,17 @@ static void test_povray_words(void **state) {
   assert_holds(text, "sphere { <1, 2, 3>, 4 }\n");
   assert_holds(text, "cylinder { <0, 0, 0>, <0, 0, 2>, 0.5 }\n");
   assert_holds(text, "cone { <0, 0, 0>, 2, <0, 0, 1>, 0 }\n");
-  assert_holds(text, "cylinder { <0, 0, 0>, <0, 0, 1>, 1 }\n"); /* POV-Ray's cone refuses equal radii */
+  assert_holds(text, "cylinder { <0, 0, 0>, <0, 0, 1>, 1 }\n"); /* POV-Ray's cone refuses equal radii, so a cylinder is
+                                                                 * written */
   assert_holds(text, "torus { 3, 1 rotate 90*x translate <1, 1, 1> }\n");
   assert_holds(text, "object {\n  difference {\n    box { <0, 0, 0>, <1, 1, 1> }\n    sphere { <0, 0, 0>, 0.5 }\n  }\n  material { M1_red }\n}\n");
   free(text);
   test_model_close(&m);
 }
 
-/* POV-Ray keeps a skin between two cutters that touch face to face, and where a cutter's face is flush with a face
- * of the minuend. The later cutter therefore grows. Cutters side by side, or with only a common plane below, do not
- * grow. */
+/* POV-Ray keeps a thin skin of material between two cutters that touch face to face. It also keeps a skin where a face
+ * of a cutter lies in a face of the object that it cuts. The writer therefore enlarges the later cutter. It does not
+ * enlarge cutters side by side, or cutters that only share the plane of their bottoms. */
 static void test_povray_skins(void **state) {
   (void)state;
   test_model m;
@@ -336,8 +336,8 @@ static size_t times_in(const char *text, const char *part) {
   return count;
 }
 
-/* An operation that would take POV-Ray long is a single mesh in a picture, with smooth shading at the openings. In a
- * .pov it stays an operation. */
+/* A boolean operation that POV-Ray would draw slowly becomes one mesh in a picture, with smooth shading at the
+ * openings. In a .pov file it remains an operation. */
 static void test_povray_solids(void **state) {
   (void)state;
   test_model m;
@@ -359,8 +359,8 @@ static void test_povray_solids(void **state) {
   test_model_close(&m);
 }
 
-/* Operations that stay operations: few parts, glass around or inside, a pattern that was moved with its part, an
- * operand of another operation. */
+/* Boolean operations that are not replaced by a mesh: few parts, glass around or inside, a pattern that was moved with
+ * its part, an operand of another operation. */
 static void test_povray_solids_left(void **state) {
   (void)state;
   test_model m;
@@ -443,8 +443,8 @@ static vs_ref open_surface(test_model *m) {
   return ref;
 }
 
-/* A format writes no operation without operands. This is tested for an object that is a single operand, or empty, or of
- * a class that the format omits. */
+/* A format writes no boolean operation without operands, whether the object is a single operand, or empty, or of a
+ * class that the format omits. */
 static void test_left_out(void **state) {
   (void)state;
   test_model m;
@@ -480,7 +480,7 @@ static void test_left_out(void **state) {
   assert_int_equal(e.kind, VS_ERROR_MODEL);
   test_model_close(&m);
 
-  test_model_open(&m); /* the format gives a curve some thickness, with a warning */
+  test_model_open(&m); /* OpenSCAD's format draws a curve as thin rods, with a warning */
   test_draw(&m, test_any(&m, VS_LINE));
   warnings = 0;
   text = written(&m, "scad");
@@ -546,7 +546,7 @@ static void test_deep(void **state) {
   static const char *const formats[] = { "tree", "pov", "scad" };
   for (size_t i = 0; i < sizeof formats / sizeof *formats; i++) {
     char *text = written(&m, formats[i]);
-    /* The indentation of each line is at most the limit for nested subtrees. */
+    /* Deeply nested subtrees must not be indented further than a fixed limit. */
     size_t deepest = 0, indent = 0;
     bool start = true;
     for (const char *c = text; *c != '\0'; c++) {
@@ -633,7 +633,7 @@ static void test_files(void **state) {
   assert_true(vs_export(&m.scene, NULL, p.path, NULL, &e));
   assert_int_equal(place_files(&p), 1);
 
-  /* A failure keeps the old file, and leaves no other file. */
+  /* An export that fails keeps the old file, and leaves no other file in the folder. */
   struct stat before, after;
   assert_int_equal(stat(p.path, &before), 0);
   vs_ref box = test_box(&m, 0, 0, 0, 1, 1, 1);
@@ -673,8 +673,8 @@ static void test_formats(void **state) {
   assert_string_equal(vs_export_format_find("openscad")->suffix, "scad");
   for (size_t i = 0; i < vs_export_format_count(); i++)
     for (size_t k = 0; k < i; k++) assert_string_not_equal(vs_export_format_at(i)->name, vs_export_format_at(k)->name);
-  assert_string_equal(vs_export_format_find("x.stl")->name, "stl"); /* returns the first of two notations with the same
-                                                                     * suffix */
+  assert_string_equal(vs_export_format_find("x.stl")->name, "stl"); /* vs_export_format_find returns the first of the
+                                                                     * two formats with the suffix .stl */
   assert_string_equal(vs_export_format_find("stl-ascii")->suffix, "stl");
 }
 
@@ -720,8 +720,8 @@ static void test_povray_complains(void **state) {
   test_model m;
   test_model_open(&m);
   test_draw(&m, test_box(&m, 0, 0, 0, 1, 1, 1));
-  vs_ref thin = test_node(&m, 123, VS_CYLINDER, &(struct vs_cylinder){ .top = { 0, 0, 1e-13 }, .radius = 1 }, NULL, 0); /* a cylinder that is too thin
-                                                                                                                         * for POV-Ray */
+  /* a cylinder whose radius or height is too small for POV-Ray */
+  vs_ref thin = test_node(&m, 123, VS_CYLINDER, &(struct vs_cylinder){ .top = { 0, 0, 1e-13 }, .radius = 1 }, NULL, 0);
   test_draw(&m, test_pair(&m, VS_UNION, test_sphere(&m, 0, 0, 0, 1), thin));
   place p;
   place_open(&p, "out.png");
@@ -762,8 +762,9 @@ static void test_povray_stops(void **state) {
   test_model_close(&m);
 }
 
-/* The strips of a picture lie one below the other. They depend on its size and triangles, not on the number of
- * processors. A part of a picture uses the strips of the whole picture that it intersects. */
+/* Several POV-Ray processes draw one picture, each a horizontal strip of it. The number of strips depends on the
+ * picture's size and triangles, not on the number of processors. A part of a picture is drawn in the strips of the
+ * whole picture that contain it. */
 static void test_povray_plan(void **state) {
   (void)state;
   static const int sizes[][2] = { { 1, 1 }, { 64, 48 }, { 3, 4000 }, { 4000, 3 }, { 640, 480 }, { 1024, 768 }, { 1023, 997 }, { 4800, 3600 }, { 32768, 32768 } };
@@ -840,8 +841,8 @@ static void test_povray_picture(void **state) {
   test_model_close(&m);
 }
 
-/* Tests every kind that POV-Ray receives, alone and inside a subtraction, rotated and squeezed. POV-Ray must parse and
- * draw each without a message. */
+/* Tests that POV-Ray parses and draws every kind of node without a message: alone, and inside a subtraction, rotated
+ * and scaled unequally. */
 static void test_povray_takes_all(void **state) {
   (void)state;
   if (!installed("povray")) SKIP_TEST("no povray (package povray)");
@@ -904,7 +905,7 @@ static void test_openscad_takes_all(void **state) {
   test_model_close(&m);
 }
 
-/* A format that contains only the union of the solids must warn about each other class that it omits. */
+/* A format that contains only the union of the solids must warn about each other class of objects that it omits. */
 static void test_tells_what_is_left_out(void **state) {
   (void)state;
   static const struct { const char *name; const vs_backend *backend; } all[] = {

@@ -22,9 +22,9 @@ typedef struct {
   vs_bind bind;
   vs_store *store;
   vs_value names[NAMES], procedures[NAMES];
-  struct vs_roots kept[2]; /* two roots of the garbage collector */
+  struct vs_roots kept[2]; /* two blocks of values that the garbage collector keeps */
   size_t count;
-  char text[512]; /* written form of the last value or condition */
+  char text[512]; /* text of the last result or error */
   char warning[512];
   int warnings;
 } world;
@@ -36,7 +36,7 @@ static bool define(vs_scheme *vm, void *context, vs_value symbol, vs_value proce
   return w->count < NAMES;
 }
 static void warn(void *context, const vs_origin *origin, const char *message) {
-  world *w = (world *)(void *)((char *)context - offsetof(world, bind)); /* the context is bind's own */
+  world *w = (world *)(void *)((char *)context - offsetof(world, bind)); /* `context` is the member `bind` of a world */
   (void)origin;
   w->warnings++;
   snprintf(w->warning, sizeof w->warning, "%s", message);

@@ -1,5 +1,5 @@
-/* Tests the world cache: it compares values, never only hashes; it removes the least recently used entry
- * first; it keeps its bound, and gives its memory up when an allocation is refused. */
+/* Tests the cache of computed results. It compares whole values, not only their hashes. It removes the least recently
+ * used entry first. It stays within its limit of bytes, and gives up its memory when an allocation is refused. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -14,7 +14,7 @@
 #include "model/store/cache.h"
 #include "visualscheme.h"
 
-/* ---- the cache without an interpreter ---- */
+/* ---- the cache alone, without an interpreter ---- */
 
 static vs_node *sphere(vs_store *s, double radius) {
   vs_node *n = vs_node_new(s, VS_SPHERE, &(struct vs_sphere){ .radius = radius }, NULL, 0);
@@ -44,10 +44,10 @@ static void test_equality(void **state) {
   vs_cache *c = vs_cache_new(s, 1 << 20);
   vs_node *a = sphere(s, 1), *b = sphere(s, 1), *other = sphere(s, 2);
   vs_cache_let_go(c, keep(c, a, 7, 100));
-  assert_true(holds(c, b, 7)); /* another node of equal value */
+  assert_true(holds(c, b, 7)); /* a sphere at another address, equal in value */
   assert_false(holds(c, b, 8));
   assert_false(holds(c, NULL, 7));
-  other->hash = a->hash; /* gives both equal hashes: the cache must not find a different value */
+  other->hash = a->hash; /* gives two different spheres equal hashes: the cache must distinguish them */
   assert_false(holds(c, other, 7));
   uint64_t words[] = { 7, 0 };
   assert_null(vs_cache_find(c, &(vs_cache_key){ VS_CACHED_PRIMITIVE, b, words, 2, 0 }));
@@ -75,17 +75,18 @@ static void test_bound(void **state) {
     vs_cache_let_go(c, keep(c, n, i, ONE));
     vs_node_release(n);
     assert_true(vs_cache_count(c).bytes <= LIMIT);
-    assert_true(vs_store_bytes(s) < LIMIT + 4096); /* nodes that only the cache keeps count in the bound too */
+    assert_true(vs_store_bytes(s) < LIMIT + 4096); /* the limit includes nodes that only the cache still refers to */
     if (i > 0) {
       vs_node *again = sphere(s, 1);
-      assert_true(holds(c, again, 0)); /* every turn requests this value, so the others are removed */
+      assert_true(holds(c, again, 0)); /* every turn requests the value of `again`, so the cache removes other
+                                        * entries */
       vs_node_release(again);
     }
   }
   assert_true(vs_cache_count(c).evicted > 35);
   assert_true(vs_cache_count(c).entries >= 8);
-  vs_cache_turn(c, true); /* within a turn the cache does not remove requested entries, and keeps no entries beyond its
-                           * limit */
+  vs_cache_turn(c, true); /* within a turn the cache removes no entry that was requested, and stores no new entry beyond
+                           * its limit */
   size_t kept = 0;
   for (uint64_t i = 100; i < 150; i++) {
     const vs_cached *r = keep(c, NULL, i, ONE);
@@ -96,11 +97,11 @@ static void test_bound(void **state) {
   for (uint64_t i = 100; i < 100 + kept; i++) assert_true(holds(c, NULL, i));
   assert_null(keep(c, NULL, 999, LIMIT));
   const vs_cached *held = vs_cache_find(c, &(vs_cache_key){ VS_CACHED_PRIMITIVE, NULL, (uint64_t[]){ 101 }, 1, 0 });
-  assert_true(vs_cache_shrink(c, SIZE_MAX)); /* a shrink removes every entry that is not in use */
+  assert_true(vs_cache_shrink(c, SIZE_MAX)); /* vs_cache_shrink removes every entry that no caller holds */
   assert_int_equal(vs_cache_count(c).entries, 1);
   assert_false(vs_cache_shrink(c, SIZE_MAX));
   vs_cache_let_go(c, held);
-  vs_cache_turn(c, false); /* this turn may use entries, but keeps none */
+  vs_cache_turn(c, false); /* in this turn the cache finds entries, but stores no new entries */
   assert_true(holds(c, NULL, 101));
   assert_null(keep(c, NULL, 5000, 16));
   vs_cache_free(c);
@@ -112,7 +113,8 @@ static void test_refused(void **state) {
   vs_store *s = vs_store_new(NULL, NULL);
   vs_cache *c = vs_cache_new(s, 1 << 20);
   vs_node *leaf = sphere(s, 1), *n = leaf;
-  for (int i = 0; i < 200; i++) { /* a deep node, so that counting its bytes polls too */
+  for (int i = 0; i < 200; i++) { /* a node 200 levels deep: while the cache counts its bytes, it polls for an
+                                   * interrupt */
     vs_ref both[] = { { n, NULL }, { leaf, NULL } };
     vs_node *up = vs_node_new(s, VS_UNION, &(struct vs_union){ 0 }, both, 2);
     if (n != leaf) vs_node_release(n);
@@ -138,8 +140,8 @@ static void test_refused(void **state) {
   vs_store_release(s);
 }
 
-/* ---- through the interpreter: after a change, only changed parts are tessellated and combined, and the bytes are
- * those of a new process ---- */
+/* ---- through the interpreter: after a change of the model, only changed parts are computed again, and the written
+ * bytes equal those of a new process ---- */
 
 typedef struct { char *at; size_t count; } bytes;
 
@@ -212,14 +214,14 @@ static void test_incremental(void **state) {
       assert_true(statistic(s, "cache.clusters.misses") - combined <= 1);
       assert_true(statistic(s, "cache.primitives.misses") - meshed <= 1);
     }
-    run(s, "(model 7 2)"); /* the change is undone: nothing is computed */
+    run(s, "(model 7 2)"); /* changes the part back: nothing is computed again */
     double before = statistic(s, "cache.clusters.misses"), was = statistic(s, "cache.primitives.misses");
     bytes third = written(s, formats[f], false);
     assert_true(statistic(s, "cache.clusters.misses") == before && statistic(s, "cache.primitives.misses") == was);
     assert_int_equal(third.count, first.count);
     assert_memory_equal(third.at, first.at, first.count);
     vs_free(s);
-    vs_scheme *fresh = session(SIZE_MAX); /* without a cache */
+    vs_scheme *fresh = session(SIZE_MAX); /* an interpreter whose cache stores nothing */
     run(fresh, parts);
     run(fresh, "(model 7 3)");
     bytes other = written(fresh, formats[f], true);
@@ -231,7 +233,7 @@ static void test_incremental(void **state) {
   }
 }
 
-/* Measures and checks are cached too, and only for equal objects. */
+/* The cache stores results of measures and checks, and finds them only for an equal object. */
 static void test_measures(void **state) {
   (void)state;
   static const char define[] =
@@ -252,8 +254,8 @@ static void test_measures(void **state) {
   vs_free(s);
 }
 
-/* Parts in another order, other colours and other layers use the cached results: tags belong to the problem, and paints
- * to the cluster. */
+/* Parts in another order, with other colours or in other layers use the cached results: neither order nor colour nor
+ * layer is part of a result's key. */
 static void test_tags(void **state) {
   (void)state;
   static const char *const programs[] = {
@@ -286,7 +288,7 @@ static void test_tags(void **state) {
   }
 }
 
-/* Tests that after a restart an interpreter keeps parameters and meshes, and nothing else. */
+/* Tests that after a restart an interpreter keeps parameters and meshes, and loses everything else. */
 static void test_restart(void **state) {
   (void)state;
   static const char model[] =
@@ -311,8 +313,8 @@ static void test_restart(void **state) {
   bytes b = written(s, "stl", false);
   assert_true(statistic(s, "cache.clusters.misses") - clusters <= 2); /* of thirteen clusters, only the two changed
                                                                        * clusters */
-  bytes pov = written(s, "povray", false); /* the camera of POV-Ray needs the bounds of each part, whose mesh is
-                                            * computed as a separate cluster */
+  bytes pov = written(s, "povray", false); /* POV-Ray's camera needs the bounds of each part, so each part's mesh is
+                                            * computed separately */
   assert_true(vs_parameter_set(fresh, "k", "4"));
   run(fresh, model);
   bytes c = written(fresh, "stl", true), pov_too = written(fresh, "povray", true);
@@ -326,7 +328,7 @@ static void test_restart(void **state) {
   vs_free(fresh);
 }
 
-/* A refused allocation leaves an interpreter unchanged. */
+/* left: number of allocations until one is refused. on: true while allocations are counted. */
 typedef struct { long left; bool on; } refusal;
 
 static void *refusing(void *context, void *old, size_t old_size, size_t new_size) {
@@ -364,7 +366,7 @@ static void test_restart_refused(void **state) {
   vs_free(s);
 }
 
-/* A memory limit is for the program: cached results are removed to make room. */
+/* The user's memory limit is for the program alone: the cache removes results to make room. */
 static void test_limit(void **state) {
   (void)state;
   vs_options o = vs_options_default();
@@ -388,7 +390,7 @@ static void test_limit(void **state) {
   vs_free(s);
 }
 
-/* ---- text that is reused ---- */
+/* ---- cached text of the written formats ---- */
 
 typedef struct { char text[4096]; size_t count; } heard;
 
@@ -407,9 +409,10 @@ static vs_scheme *hearing(heard *h, size_t cache) {
   return s;
 }
 
-/* Shapes alone and in a difference, painted and not, templates, thin parts for which formats warn, a half-space, a
- * mesh. a: a shape in the middle. b: an object before all others, with a separate paint and template. c: the size of
- * the drawing, and with it the tolerance and the thickness of lines. d: the paint of the first row. */
+/* A drawing with shapes alone and in a difference, painted and unpainted, templates, thin parts, a half-space and a
+ * mesh. Each parameter changes one thing. a: a shape in the middle. b: an object before all others, with its own paint
+ * and template. c: the size of the drawing, and with it the tolerance and the thickness of lines. d: the paint of the
+ * first row. */
 static const char model[] =
     "(define (bolt h) (unite (make-cylinder (xyz 0 0 0) h 0.3) (make-box (xyz -1 -1 h) (xyz 1 1 (+ h 0.4))) (make-regular-polygon (xyz 0 0 0) 1 6)))\n"
     "(define (nut h) (subtract (make-box (xyz -1 -1 0) (xyz 1 1 h)) (make-cylinder (xyz 0 0 -1) 9 0.5) (make-torus (xyz 0 0 0) 1 0.2)))\n"
@@ -449,7 +452,8 @@ static void test_texts(void **state) {
       if (strcmp(formats[f], "x3d") != 0) {
         assert_true(texts >= 5);
         if (i == 0) assert_true(emitted == texts);
-        if (steps[i].most) assert_true(2 * emitted <= texts + 1); /* a tree has five or six runs */
+        if (steps[i].most) assert_true(2 * emitted <= texts + 1); /* after a change, at most half of the pieces of text
+                                                                   * are written anew */
       }
       free(b.at), free(c.at);
       vs_free(fresh);
@@ -458,7 +462,8 @@ static void test_texts(void **state) {
   }
 }
 
-/* A refused allocation may lose cached text, or the output. An output that is reported as complete has every byte. */
+/* When an allocation is refused, the cached text or the whole output may be lost. An output that is reported as
+ * complete has every byte. */
 static void test_texts_refused(void **state) {
   (void)state;
   static const char drawn[] = "(define (bolt i) (unite (make-box (xyz i 0 0) (xyz (+ i 1) 1 2)) (make-sphere (xyz i 0 0) 0.7) (make-cylinder (xyz i 0 0) 5 0.2)))"
@@ -472,15 +477,15 @@ static void test_texts_refused(void **state) {
   vs_free(plain);
   size_t done = 0, failed = 0;
   const char *longer = getenv("LONG");
-  long early = longer && *longer ? 1 : 11, late = 97; /* The camera of a picture needs meshes, and meshes make hundreds
-                                                       * of requests. Only a sample of these requests is refused */
+  long early = longer && *longer ? 1 : 11, late = 97; /* POV-Ray's camera needs meshes, which take hundreds of
+                                                       * allocations. Only a sample of these allocations is refused */
   for (long left = 0; left < 6000 && done < 40; left += left < 300 ? early : late) {
     vs_scheme *s = vs_new(&o);
     assert_non_null(s);
     run(s, drawn);
     vs_output_options w = vs_output_options_default();
-    for (int again = 0; again < 2; again++) { /* the first pass stores the text, the second finds it at the same
-                                               * place */
+    for (int again = 0; again < 2; again++) { /* the first turn stores text in the cache, the second turn finds it
+                                               * there */
       bytes b = { NULL, 0 };
       r = (refusal){ left, again == 0 };
       vs_outcome outcome = vs_write_drawing_to(s, "povray", &w, collect, &b);
@@ -498,8 +503,8 @@ static void test_texts_refused(void **state) {
   free(want.at);
 }
 
-/* Tests that an array of any length leaves enough room in the cache's key for the fields after it: the tangents of a
- * spline follow its points. */
+/* The cache's key of a spline has its points first, then its tangents and other fields. Tests that a list of points of
+ * any length leaves enough room for these fields. */
 static void test_payload_room(void **state) {
   (void)state;
   vs_store *s = vs_store_new(NULL, NULL);
@@ -512,7 +517,8 @@ static void test_payload_room(void **state) {
     for (int i = 0; i < 3; i++) {
       vs_reuse_put_payload(&r, vs_kind_get(VS_SPLINE), &spline);
       assert_true(r.count <= r.room);
-      assert_int_equal(r.count, (size_t)(i + 1) * (1 + 3 * (size_t)count + 1 + 6 + 1)); /* points, closed, tangents, segments */
+      /* 1 + 3 * count numbers of points, 1 for closed, 6 of tangents, 1 of segments */
+      assert_int_equal(r.count, (size_t)(i + 1) * (1 + 3 * (size_t)count + 1 + 6 + 1));
     }
     assert_false(r.unfit);
     vs_reuse_free(&r);

@@ -1,5 +1,5 @@
-/* Tests large numbers: crowds of solids in one place, vertices with very many triangles, and tables of very
- * many meshes. */
+/* Tests large numbers of things: many solids in one place, vertices with very many triangles, and tables of very many
+ * meshes. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -37,8 +37,8 @@ static double area_of(const vs_mesh *m, uint32_t tag) {
   return sum;
 }
 
-/* Evaluates the expression in a single arrangement, and level by level with one thread and with three. The volume and
- * each leaf's part of the surface must be equal. The number of threads must not change any byte. */
+/* Evaluates the expression in a single step, then level by level of the tree with one thread and with three. Volumes,
+ * and the area of each leaf's part of the surface, must be equal. The number of threads must not change any byte. */
 static void check_levels(const char *text) {
   sx_problem p;
   assert_true(sx_parse(text, &p));
@@ -62,7 +62,7 @@ static void check_levels(const char *text) {
   sx_free(&p);
 }
 
-/* Returns a text of `count` solids, rotated about a common centre. The form contains two numbers. */
+/* Returns a text of `count` copies of the solid `form`, each rotated differently about a common centre. */
 static char *turned(const char *before, const char *form, int count, double by, const char *after) {
   char *text = malloc(200 * (size_t)count + 400), *to = text;
   assert_non_null(text);
@@ -81,15 +81,16 @@ static void test_levels(void **state) {
     { "(union", "(cbox 10 10 10)", ")", 12, 9 },                                            /* far apart, so that much of
                                                                                              * each solid is visible */
     { "(union", "(translate 0 0 -10 (cyl 20 0.3 0.3 8))", " (translate 3 3 3 (sphere 1 12)))", 12, 13 },
-    /* the holes are united before they are subtracted */
+    /* a box minus many cylinders: the cylinders are united first */
     { "(difference (cbox 8 8 8)", "(translate 0 0 -10 (cyl 20 0.3 0.3 8))", ")", 12, 13 },
-    /* no leaf can be settled early: one arrangement */
+    /* no leaf can be computed early, so all leaves are computed in one step */
     { "(intersection (cbox 9.5 9.5 9.5) (union", "(cbox 10 10 9)", "))", 10, 3 },
-    /* a leaf that is not settled early, beside leaves that are */
+    /* a leaf that cannot be computed early, beside leaves that can */
     { "(union (difference (cbox 12 12 12) (cbox 11 11 30))", "(cbox 10 10 10)", ")", 8, 5 },
     /* coplanar faces throughout */
     { "(union", "(cbox 10 10 10)", ")", 5, 90 },
-    /* so many facets that several threads intersect them; their new points make the table of points grow repeatedly */
+    /* the spheres have so many facets that several threads intersect them; the table of new points must grow
+     * repeatedly */
     { "(union", "(sphere 10 64)", ")", 4, 0.05 },
   };
   for (size_t i = 0; i < sizeof crowds / sizeof *crowds; i++) {
@@ -99,8 +100,8 @@ static void test_levels(void **state) {
   }
 }
 
-/* Tests a hundred and sixty boxes at the same place, all of whose faces intersect. A single arrangement would contain
- * millions of crossings of their cuts, several gigabytes. */
+/* Tests a hundred and sixty boxes at the same place, whose faces all intersect. Computed in a single step, millions of
+ * lines of intersection would cross each other, which needs several gigabytes. */
 static void test_crowd_is_found(void **state) {
   (void)state;
   char *text = turned("(union", "(cbox 10 10 10)", 160, 0.00071, ")");
@@ -116,15 +117,15 @@ static void test_crowd_is_found(void **state) {
   free(text);
 }
 
-/* ---- hubs ---- */
+/* ---- hubs: vertices with very many triangles ---- */
 
 enum { CONE, FOLDED, TWICE, SADDLE, OPEN };
 
 static vs_vec3 corner_of(const void *mesh, uint32_t vertex) { return ((const vs_mesh *)mesh)->vertices[vertex]; }
 
-/* Tests triangles around one vertex, the first of the mesh: a cone of n sides; a cone with a side that folds back over
+/* Tests triangles around vertex 0 of a mesh, called a hub: a cone of n sides; a cone with a side that folds back over
  * its neighbour; a cone that goes around twice; a cone whose rim goes up and down; a cone with a gap. Returns true if
- * all of them are proven disjoint. */
+ * the kernel proves that all triangles are disjoint. */
 static bool is_proven(int what, uint32_t n) {
   vs_mesh m = { 0 };
   uint32_t id;
@@ -164,11 +165,12 @@ static void test_hubs(void **state) {
     assert_true(is_proven(SADDLE, n));
     assert_false(is_proven(OPEN, n));
   }
-  assert_false(is_proven(CONE, 60)); /* a hub with so few triangles is not proven; its triangles are tested in pairs */
+  assert_false(is_proven(CONE, 60)); /* a hub with as few as 60 triangles is not proven; its triangles are tested in
+                                      * pairs */
 }
 
-/* Adds a cone with the hub `tip`, and a rim of n vertices around `middle`. The radius varies by `waves` times
- * itself. */
+/* Adds a cone with the apex `tip`, and a rim of n vertices around `middle`. The rim's radius varies by the fraction
+ * `waves` of itself. */
 static void add_cone(vs_mesh *m, vs_vec3 tip, vs_vec3 middle, double radius, double waves, uint32_t n, bool inwards) {
   uint32_t hub, first = (uint32_t)m->vertex_count + 1, id;
   assert_true(vs_mesh_add_vertex(m, tip, &hub));
@@ -182,8 +184,8 @@ static void add_cone(vs_mesh *m, vs_vec3 tip, vs_vec3 middle, double radius, dou
   }
 }
 
-/* Returns the number of families of the mesh's triangles, or 0 if some triangle belongs to no hub. Any two triangles of
- * a family share an edge or are proven disjoint. */
+/* Returns the number of families of the mesh's triangles, or 0 if some triangle belongs to no hub (a vertex with very
+ * many triangles). Any two triangles of a family share an edge or are proven disjoint. */
 static size_t families_in(vs_mesh *m) {
   vs_kernel_options options = { .threads = 1 };
   vs_kernel_error e = { 0 };
@@ -221,26 +223,31 @@ static size_t two_cones(vs_vec3 tip, vs_vec3 middle, double radius, double waves
 static void test_hubs_in_hubs(void **state) {
   (void)state;
   for (int inwards = 0; inwards < 2; inwards++) {
-    assert_int_equal(two_cones(vs_v3(0, 0, 1.99), vs_v3(0, 0, 0), 0.99, 0, inwards), 1); /* a thin shell */
+    /* two cones that form a thin shell */
+    assert_int_equal(two_cones(vs_v3(0, 0, 1.99), vs_v3(0, 0, 0), 0.99, 0, inwards), 1);
     assert_int_equal(two_cones(vs_v3(0.1, 0.2, 1), vs_v3(0.1, 0, 0.2), 0.5, 0, inwards), 1);
-    assert_int_equal(two_cones(vs_v3(0, 0, -3), vs_v3(0, 0, -1), 1.3, 0, inwards), 1);        /* below the rim */
-    assert_int_equal(two_cones(vs_v3(0, 0, 2.01), vs_v3(0, 0, 0), 0.5, 0, inwards), 2);       /* the wall passes through the
-                                                                                               * tip */
-    assert_int_equal(two_cones(vs_v3(0, 0, 1.9), vs_v3(0.3, 0, 0), 0.75, 0, inwards), 2);     /* the wall passes through a
-                                                                                               * side */
-    assert_int_equal(two_cones(vs_v3(0, 0, 2), vs_v3(0, 0, 0), 0.5, 0, inwards), 2);          /* the wall touches the tip */
-    assert_int_equal(two_cones(vs_v3(0, 0, 1.5), vs_v3(0, 0, 0), 0.5, 0.3, inwards), 2);      /* the rim is not convex */
-    assert_int_equal(two_cones(vs_v3(0, 0, -9), vs_v3(0, 0, -10), 9, 0.3, inwards), 2);       /* the larger cone is not around
-                                                                                               * the smaller */
-    assert_int_equal(two_cones(vs_v3(0, 0, -9), vs_v3(0, 0, -1), 9, 0.3, inwards), 1);        /* the larger cone is around the
-                                                                                               * smaller */
+    /* the second cone's tip is below the first cone's rim */
+    assert_int_equal(two_cones(vs_v3(0, 0, -3), vs_v3(0, 0, -1), 1.3, 0, inwards), 1);
+    /* the inner cone's wall passes through the outer cone's tip */
+    assert_int_equal(two_cones(vs_v3(0, 0, 2.01), vs_v3(0, 0, 0), 0.5, 0, inwards), 2);
+    /* the inner cone's wall passes through a side of the outer cone */
+    assert_int_equal(two_cones(vs_v3(0, 0, 1.9), vs_v3(0.3, 0, 0), 0.75, 0, inwards), 2);
+    /* the inner cone's wall touches the outer cone's tip */
+    assert_int_equal(two_cones(vs_v3(0, 0, 2), vs_v3(0, 0, 0), 0.5, 0, inwards), 2);
+    /* the second cone's rim is not convex */
+    assert_int_equal(two_cones(vs_v3(0, 0, 1.5), vs_v3(0, 0, 0), 0.5, 0.3, inwards), 2);
+    /* the larger cone is not around the smaller cone */
+    assert_int_equal(two_cones(vs_v3(0, 0, -9), vs_v3(0, 0, -10), 9, 0.3, inwards), 2);
+    /* the larger cone is around the smaller cone */
+    assert_int_equal(two_cones(vs_v3(0, 0, -9), vs_v3(0, 0, -1), 9, 0.3, inwards), 1);
   }
   vs_mesh m = { 0 };
   for (int i = 0; i < 4; i++) add_cone(&m, vs_v3(1e3, 0, 2 - 0.01 * i), vs_v3(1e3, 0, 0), 1 - 0.02 * i, 0, 80, i % 2);
-  add_cone(&m, vs_v3(1e3 + 0.9, 0, 1.5), vs_v3(1e3 + 0.9, 0, 0), 0.5, 0, 80, false); /* their walls intersect */
+  /* the walls of the two cones intersect */
+  add_cone(&m, vs_v3(1e3 + 0.9, 0, 1.5), vs_v3(1e3 + 0.9, 0, 0), 0.5, 0, 80, false);
   assert_int_equal(families_in(&m), 2);
   size_t within = 0, apart = 0;
-  for (uint32_t i = 0; i < 300; i++) { /* random cones: no proof may be false */
+  for (uint32_t i = 0; i < 300; i++) { /* random cones: the kernel must never prove cones disjoint that intersect */
     double at[6];
     for (int j = 0; j < 6; j++) at[j] = (double)((i * 6 + (uint32_t)j + 1) * 2654435761u % 1000) / 1000;
     vs_vec3 tip = vs_v3(at[0] - 0.5, at[1] - 0.5, 2 * at[2]), middle = vs_v3(at[3] - 0.5, at[4] - 0.5, 0);
@@ -250,8 +257,8 @@ static void test_hubs_in_hubs(void **state) {
   assert_true(within > 20 && apart > 20);
 }
 
-/* Makes a cup: fans about the centres of its two bottoms, which are hubs, and walls between four rings. The cup is not
- * star-shaped about its centre, so the search tests it pair by pair. */
+/* Makes a cup of 2 fans and 4 rings. The fans have their hubs at the centres of the cup's inner and outer bottom; walls
+ * join the rings. The cup is not star-shaped about its centre, so the search tests its triangles pair by pair. */
 static void make_cup(vs_mesh *m, uint32_t n) {
   static const double radius[4] = { 5, 5, 4, 4 }, height[4] = { 0, 10, 10, 1 };
   uint32_t id;
@@ -278,8 +285,8 @@ static bool is_good(const vs_mesh *m) {
   return flaws.wound_count == 0;
 }
 
-/* The search still tests triangles of two hubs against each other and against the walls. A fan that folds is not a
- * hub. */
+/* The search for self-intersections still tests triangles of one hub against those of another hub and against the
+ * walls. A fan that folds over itself is not a hub. */
 static void test_meshes_with_hubs(void **state) {
   (void)state;
   enum { SIDES = 400 };
@@ -289,7 +296,7 @@ static void test_meshes_with_hubs(void **state) {
   vs_vec3 was = m.vertices[1];
   m.vertices[1] = vs_v3(0, 0, -1); /* moves the inner bottom through the outer bottom */
   assert_false(is_good(&m));
-  m.vertices[1] = vs_v3(0, 6, 3); /* moves the vertex through the walls */
+  m.vertices[1] = vs_v3(0, 6, 3); /* moves the inner bottom's centre through the walls */
   assert_false(is_good(&m));
   m.vertices[1] = was;
   assert_true(is_good(&m));
@@ -298,7 +305,7 @@ static void test_meshes_with_hubs(void **state) {
   vs_mesh_free(&m);
 }
 
-/* A box is subtracted from a wall of the cup: most of the cup is copied unchanged, with its hubs. */
+/* Subtracts a box from a wall of the cup. The kernel copies most of the cup unchanged, with its hubs. */
 static void test_combined_with_hubs(void **state) {
   (void)state;
   vs_mesh cup = { 0 }, out = { 0 };
@@ -325,10 +332,10 @@ static void test_combined_with_hubs(void **state) {
   vs_mesh_free(&again);
 }
 
-/* ---- families ---- */
+/* ---- families: boxes that are not tested against each other ---- */
 
-typedef struct { uint32_t family, alone; } met; /* numbers of pairs with a box of the family, and with a box of no
-                                                 * family */
+typedef struct { uint32_t family, alone; } met; /* family: number of pairs with a box of the family. alone: number of
+                                                 * pairs with a box of no family */
 enum { OF_ONE = 200000, ALONE = 40 };
 
 static bool count_pair(void *context, uint32_t a, uint32_t b) {
@@ -339,8 +346,8 @@ static bool count_pair(void *context, uint32_t a, uint32_t b) {
   return true;
 }
 
-/* Tests 200,000 boxes of a family that all overlap, and some boxes of no family. The search reports only the pairs with
- * the latter. It does not visit the other pairs, which would be some 10^9 blocks. */
+/* Tests 200,000 overlapping boxes of one family, and a few boxes of no family. The search reports only pairs that
+ * include a box of no family. It does not even visit pairs within the family, which would be some 10^9 blocks. */
 static void test_families(void **state) {
   (void)state;
   vs_kernel_options options = { .threads = 1 };
@@ -355,7 +362,8 @@ static void test_families(void **state) {
     boxes[i] = (vs_bvh_box){ { x < 0 ? x : 0, y < 0 ? y : 0, 0 }, { x > 0 ? x : 0, y > 0 ? y : 0, 1000 } };
     families[i] = 7;
   }
-  for (int32_t i = OF_ONE; i < OF_ONE + ALONE; i++) { /* boxes around the origin, through all others */
+  for (int32_t i = OF_ONE; i < OF_ONE + ALONE; i++) { /* boxes around the origin, each of which overlaps all boxes of
+                                                       * the family */
     boxes[i] = (vs_bvh_box){ { -i, -i, -i }, { i, i, i } };
     families[i] = UINT32_MAX;
   }
@@ -373,10 +381,10 @@ static void test_families(void **state) {
   free(families);
 }
 
-/* ---- tables ---- */
+/* ---- tables of meshes ---- */
 
-/* Tests boxes of different sizes, apart from each other. Each is a separate mesh in the table, which grows several
- * times. Every tenth box equals the first. */
+/* Tests separate boxes of different sizes. Each adds a mesh to the table, which grows several times. Only every tenth
+ * box equals the first box. */
 static void test_many_meshes(void **state) {
   (void)state;
   static const char model[] = "(do ((i 0 (+ i 1))) ((= i 3000)) "

@@ -1,5 +1,5 @@
-/* Tests that memory may run out anywhere: the n-th allocation of a whole session is refused, for every n in
- * turn. Nothing crashes, an outcome reports the failure, and all memory is freed. */
+/* Tests that memory may run out anywhere: the n-th allocation of a whole session is refused, for every n in turn. The
+ * library does not crash, reports the failure to its caller, and frees all memory. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -12,7 +12,7 @@
 #include "visualscheme.h"
 #include "vm/machine/vs.h"
 
-typedef struct { long left; /* left: number of allocations until a refusal; negative: no refusal */ size_t live, blocks; int told; } budget;
+typedef struct { long left; /* left: number of allocations until one is refused; negative: none is refused */ size_t live, blocks; int told; } budget;
 
 static void *take(void *context, void *old, size_t old_size, size_t new_size) {
   budget *b = context;
@@ -63,7 +63,7 @@ static bool session(budget *b) {
   }
   vs_summary summary;
   if (ok) ok = vs_drawing_summary(s, &summary) == VS_OUTCOME_DONE;
-  for (int twice = 0; ok && twice < 2; twice++) { /* the first write must leave the drawing unchanged */
+  for (int twice = 0; ok && twice < 2; twice++) { /* writing the drawing the first time must leave it unchanged */
     vs_outcome outcome = vs_write_drawing_to(s, twice ? "tree" : "povray", NULL, drop, b);
     assert_true(outcome == VS_OUTCOME_DONE || outcome == VS_OUTCOME_MACHINE);
     ok = outcome == VS_OUTCOME_DONE;
@@ -80,7 +80,7 @@ static void test_refusals(void **state) {
     bool ok = session(&b);
     assert_int_equal(b.live, 0);
     assert_int_equal(b.blocks, 0);
-    if (b.left >= 0) { /* no allocation was refused, because the program makes fewer */
+    if (b.left >= 0) { /* the program made fewer than n allocations: none was refused */
       assert_true(ok);
       break;
     }
@@ -89,7 +89,8 @@ static void test_refusals(void **state) {
   assert_true(n > 20);
 }
 
-static void test_limit(void **state) { /* the limit includes the model, and the interpreter works afterwards */
+static void test_limit(void **state) { /* the memory limit includes the drawing; the interpreter works after it was
+                                        * reached */
   (void)state;
   budget b = { .left = -1 };
   vs_options o = vs_options_default();
@@ -135,8 +136,8 @@ static void test_stops(void **state) {
   assert_false(vs_stop_get(s, &stop));
   assert_int_equal(vs_resume(s, VS_RESUME_CONTINUE), VS_OUTCOME_USAGE);
   assert_int_equal(run(s, stepped, 0), VS_OUTCOME_DONE);
-  assert_int_equal(run(s, "(wall 3)", STOP & ~VS_EVAL_STOP), VS_OUTCOME_DONE); /* without VS_EVAL_STOP, (break) only
-                                                                                * warns */
+  assert_int_equal(run(s, "(wall 3)", STOP & ~VS_EVAL_STOP), VS_OUTCOME_DONE); /* without VS_EVAL_STOP, the procedure
+                                                                                * (break) only warns */
   assert_string_equal(last, "(6 7 3)");
   assert_int_equal(run(s, "(wall 4)", STOP), VS_OUTCOME_STOPPED);
   assert_true(vs_stop_get(s, &stop));
@@ -145,8 +146,8 @@ static void test_stops(void **state) {
   assert_int_equal(stop.at.line, 2);
   assert_true(vs_call_get(s, 0, &call));
   assert_string_equal(call.variables, "n = 4, a = 8, b = 9");
-  /* text that is evaluated at a stop can use the variables; a collection moves the stopped frames; a second stop is
-   * above the first on the stack */
+  /* expressions that are evaluated while the program is stopped can use its variables; a garbage collection moves the
+   * stopped frames; a second stop lies above the first on the stack */
   assert_int_equal(run(s, "(list b a)", STOP), VS_OUTCOME_DONE);
   assert_string_equal(last, "(9 8)");
   assert_int_equal(run(s, "(deep 100000)", STOP), VS_OUTCOME_STOPPED);
@@ -157,7 +158,7 @@ static void test_stops(void **state) {
   assert_string_equal(last, "2000000");
   assert_int_equal(run(s, "(car 5)", STOP), VS_OUTCOME_MODEL); /* an error at a stop does not end the stop */
   assert_int_equal(vs_stop_depth(s), 2);
-  /* steps out of one call of 100,000: the next stop is in the procedure's caller */
+  /* steps out of one of 100,000 nested calls: the next stop is in its caller */
   assert_int_equal(vs_resume(s, VS_RESUME_OUT), VS_OUTCOME_STOPPED);
   assert_true(vs_stop_get(s, &stop));
   assert_int_equal(stop.kind, VS_STOPPED_VALUE);
@@ -171,7 +172,7 @@ static void test_stops(void **state) {
   assert_int_equal(vs_stop_depth(s), 1);
   assert_int_equal(vs_resume(s, VS_RESUME_CONTINUE), VS_OUTCOME_DONE);
   assert_string_equal(last, "(8 9 4)");
-  /* an abandoned stop is forgotten after a restart */
+  /* a stop that the host dropped, and the stop after it, are gone after a restart */
   assert_int_equal(run(s, "(wall 5)", STOP), VS_OUTCOME_STOPPED);
   vs_stop_drop(s);
   assert_int_equal(vs_stop_depth(s), 0);
@@ -214,8 +215,8 @@ static void test_stops_refused(void **state) {
   }
 }
 
-/* A test of an old fault. A restart subtracted the bytes of the old heap from those of the new heap. The count fell
- * below 0, and an empty heap exceeded the limit. */
+/* Tests a fault that is corrected. A restart subtracted the bytes of the old heap from those of the new heap. The count
+ * fell below 0, so an empty heap seemed to exceed the limit. */
 static void test_restarts_under_a_limit(void **state) {
   (void)state;
   budget b = { .left = -1 };
@@ -229,7 +230,8 @@ static void test_restarts_under_a_limit(void **state) {
     assert_int_equal(run(s, "(define (f x) (if (< x 2) x (* x (f (- x 1))))) (f 20)", 0), VS_OUTCOME_DONE);
     assert_int_equal(run(s, "(lambda (x) (if))", 0), VS_OUTCOME_MODEL);
     assert_int_equal(vs_restart(s), VS_OUTCOME_DONE);
-    /* A second restart, since the heap image is mapped, and not counted, every second time. */
+    /* A second restart, since only every other restart maps the image of the heap from its file, and mapped memory is
+     * not counted. */
     assert_int_equal(vs_restart(s), VS_OUTCOME_DONE);
     if (i == 0) anew = s->bytes;
     assert_int_equal(s->bytes, anew);
@@ -242,7 +244,7 @@ static void test_restarts_under_a_limit(void **state) {
   vs_free(s);
 }
 
-/* A host checks a long text while nothing runs. The limits of the evaluation before must not apply. */
+/* A host checks the syntax of a long text while no program runs. The limits of the last evaluation must not apply. */
 static void test_reading_after_a_limit(void **state) {
   (void)state;
   enum { LONG = 1 << 20 };

@@ -1,7 +1,7 @@
-/* Tests fits of a facade that was scanned from one side. Some points of the scan, the strays, are not on the facade.
- * There are several kinds of strays, and several poses. A fit is right if each number is within a hundredth of its true
- * value; a wrong fit must report a doubt. LONG=1: 100 seeds for each cell of the table; otherwise a sample; FITS=N: N
- * seeds. SHOW=1 prints the table, and each fit that is wrong or in doubt. */
+/* Tests fits of a model of a facade to points that were scanned from one side. Some of the points, called strays, are
+ * not on the facade. The table has several kinds of strays, and several poses of the facade. A fit is right if each
+ * number is within a hundredth of its true value; a wrong fit must report a doubt. LONG=1: 100 seeds for each cell of
+ * the table; otherwise a sample; FITS=N: N seeds. SHOW=1 prints the table, and each fit that is wrong or in doubt. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -26,10 +26,11 @@ static double between(uint64_t *seed, double a, double b) { return a + (b - a) *
 /* Returns a normally distributed random number (G. Box, M. Muller, 1958). */
 static double normal(uint64_t *seed) { return sqrt(-2 * log(1 - share(seed))) * cos(2 * acos(-1) * share(seed)); }
 
-/* ---- the facade ----
+/* ---- the facade: a wall of cells ----
  *
- * A wall of cells: the positions of the divisions along each axis, and whether each cell is full. Three windows in two
- * rows are set back, the plinth and the cornice project. Its numbers: width, height, and the width of a window. */
+ * The tables below contain the positions of the divisions along each axis, and whether each cell is full. Three windows
+ * in two rows are set back; the plinth and the cornice project. The model has three numbers: width, height, and the
+ * width of a window. */
 
 enum { NUMBERS = 3, ALONG = 7, DEEP = 4, UP = 7 };
 
@@ -118,7 +119,7 @@ typedef struct {
   size_t count;
 } seen_sides;
 
-/* Keeps a side if the scanner can see it. */
+/* Stores a side of a cell if the scanner can see it. */
 static void see(void *context, int axis, bool low, const int at[3]) {
   seen_sides *s = context;
   int past[3] = { at[0], at[1], at[2] };
@@ -135,8 +136,8 @@ static void see(void *context, int axis, bool low, const int at[3]) {
 
 typedef enum { ANYWHERE, TREE, GROUND, STRAY_KINDS } stray_kind;
 
-/* Returns a point that is not on the facade. By kind, it is anywhere around the facade, in a tree in front of it, or on
- * the ground or in the tree. */
+/* Returns a point that is not on the facade. Depending on the kind, the point is anywhere around the facade, in a tree
+ * in front of it, or on the ground or in the tree. */
 static vs_vec3 stray(stray_kind kind, const double *n, uint64_t *seed) {
   if (kind == ANYWHERE)
     return vs_v3(between(seed, -.25 * n[0], 1.25 * n[0]), between(seed, -6, 1), between(seed, -.5, 1.3 * n[1]));
@@ -244,7 +245,7 @@ static void table(void **state) {
       wrong += c.wrong, few += five <= 3 && c.right * 100 < 95 * seeds;
     }
   assert_int_equal(wrong, 0);
-  assert_int_equal(few, 0); /* number of table cells that failed */
+  assert_int_equal(few, 0); /* few: number of table cells with too few right fits */
 }
 
 int main(void) {

@@ -1,4 +1,4 @@
-/* Tests geometry/fitting/: losses, motions, quantiles, and fits of a box that needs no interpreter. */
+/* Tests geometry/fitting/: loss functions, rigid motions, quantiles, and fits of a box that need no interpreter. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -19,8 +19,8 @@ static void near(double a, double b, double off) {
   if (!(fabs(a - b) <= off)) fail_msg("%.12g is not %.12g, give or take %g", a, b, off);
 }
 
-/* Tests that the slope is the derivative of the square root, and that weight times residual is the derivative of the
- * loss. */
+/* Tests the loss functions. The slope must be the derivative of the loss's square root, and weight times residual the
+ * derivative of the loss. */
 static void losses(void **state) {
   (void)state;
   for (int loss = VS_LOSS_HUBER; loss <= VS_LOSS_TUKEY; loss++)
@@ -88,7 +88,7 @@ static void quantiles(void **state) {
   near(vs_student_quantile(.99, 10), 3.1693, 2e-2);
 }
 
-/* ---- a box of three sides ---- */
+/* ---- fits of a box with three unknown sides ---- */
 
 typedef struct {
   unsigned made, asked, stop_at;
@@ -118,8 +118,8 @@ static void ignore(void *context, unsigned iteration, double spread) { (void)con
 
 enum { POINTS = 1500 };
 
-/* Computes points on the first `faces` sides of a moved box; the sixth side has z = 0. The last `far` points are
- * scattered far outside. */
+/* Computes points on the first `faces` sides of a box that has been moved; before the motion, the sixth side has z = 0.
+ * The last `far` points are scattered far outside the box. */
 static void scan_box(const double side[3], int faces, size_t far, vs_vec3 *out) {
   vs_rigid_motion m = some_motion();
   const double unknowns[VS_RIGID_UNKNOWNS] = { .4, .3, -.5 };
@@ -175,7 +175,8 @@ static void fits(void **state) {
   expect_sides(&f, 1e-3);
   assert_int_equal(f.models, b.made);
   vs_model_fit_free(&f);
-  scan_box(truth, 6, POINTS / 10, points); /* a tenth of the points are not on the box */
+  scan_box(truth, 6, POINTS / 10, points); /* all six sides of the box have points, but a tenth of the points lie far
+                                            * outside */
   assert_true(vs_model_fit_solve(&p, &f, &e));
   expect_sides(&f, 5e-3);
   assert_true(f.outliers >= POINTS / 12 && f.outliers <= POINTS / 8);
@@ -192,8 +193,8 @@ static double normal_number(uint64_t *seed) {
   return sqrt(-2 * log(u[0])) * cos(2 * 3.14159265358979323846 * u[1]);
 }
 
-/* Of 90 intervals of 95 %, about 85 must contain the true side, with a deviation of 2. Their width must correspond to
- * the errors. */
+/* Tests the confidence intervals of the fitted sides. Of 90 intervals of 95 %, about 85 must contain the true side,
+ * with a standard deviation of 2. Their width must correspond to the actual errors. */
 static void intervals(void **state) {
   (void)state;
   enum { SCANS = 30 };
@@ -231,7 +232,7 @@ static void intervals(void **state) {
   near(sqrt(widths / squares), 1, .2);
 }
 
-/* A side without points could be anywhere further out, so it must be reported. */
+/* If a side of the box has no points, it could be anywhere further out, so the fit must report it. */
 static void open_boxes(void **state) {
   (void)state;
   static vs_vec3 points[POINTS];
@@ -254,7 +255,7 @@ static void open_boxes(void **state) {
   vs_model_fit_free(&f);
 }
 
-/* A number for which no model can be made does not end the fit. */
+/* If no model can be built for a trial value of the parameters, the fit continues. */
 static void refused_models(void **state) {
   (void)state;
   static vs_vec3 points[POINTS];
@@ -269,7 +270,7 @@ static void refused_models(void **state) {
   vs_model_fit_free(&f);
 }
 
-/* A fit that is interrupted anywhere has a result, or reports that it has none. */
+/* A fit that is interrupted at any moment returns a result, or reports that it has none. */
 static void stopped_fits(void **state) {
   (void)state;
   static vs_vec3 points[POINTS];
@@ -294,7 +295,7 @@ static void stopped_fits(void **state) {
   assert_true(whole > 3 && nothing > 0);
 }
 
-/* ---- scans ---- */
+/* ---- files of scanned points ---- */
 
 static void clouds(void **state) {
   (void)state;
@@ -341,7 +342,7 @@ static void samples(void **state) {
     near(scan.samples[i].z, 0, 1e-12);
     above += scan.samples[i].y > 0;
   }
-  near((double)above, 1000, 2); /* areas 1.5 and 4.5 */
+  near((double)above, 1000, 2); /* the upper faces' area is 1.5, the lower faces' 4.5: a quarter of 4,000 samples */
   vs_scan_points_free(&scan);
 }
 

@@ -1,5 +1,5 @@
-/* Tests fonts. Kerning from the table GPOS must equal FreeType's kerning from the table kern, for a font that has both
- * tables. No bytes may make the reader read outside the table. */
+/* Tests kerning. For a font that has both tables, kerning from the table GPOS must equal FreeType's kerning from the
+ * table kern. With damaged bytes, the reader must not read outside the table. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -16,7 +16,7 @@
 
 static uint32_t number(const unsigned char *at) { return (uint32_t)at[0] << 24 | (uint32_t)at[1] << 16 | (uint32_t)at[2] << 8 | at[3]; }
 
-/* Returns a copy of the table GPOS of a font file, or NULL if it has none. */
+/* Returns a copy of the table GPOS of a font file, or NULL if the file has no such table. */
 static unsigned char *gpos_of(const char *path, size_t *size) {
   FILE *f = fopen(path, "rb");
   static unsigned char bytes[4 << 20];
@@ -55,8 +55,8 @@ static void kerning(void **state) {
   }
   assert_true(vs_kerning_pair(table, size, vs_font_index(f, 'T'), vs_font_index(f, 'o')) < 0);
   srand(7);
-  for (int k = 0; k < 300; k++) { /* shortened tables, and tables with wrong bytes, mostly in the offsets: the reader
-                                   * must end, and stay within the table */
+  for (int k = 0; k < 300; k++) { /* cuts the table short, or changes random bytes, mostly among the offsets: the reader
+                                   * must end, and read only within the table */
     size_t kept = k % 3 ? size : (size_t)rand() % size;
     unsigned char *wrong = malloc(kept + 1);
     assert_non_null(wrong);

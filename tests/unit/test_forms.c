@@ -1,7 +1,8 @@
-/* Tests that the table of shapes (tests/cross/shapes.vs) calls every constructor in each of its forms, with each
- * optional argument and each keyword. The suite cross then compares their objects in every format.
+/* Tests that the table of shapes (tests/cross/shapes.vs) calls every constructor in each form of its arguments, with
+ * each optional argument and each keyword. The tests of tests/cross then compare the resulting objects in every format.
  *
- * The linker puts a recorder in front of vs_bind_call (--wrap), so the form is the one that the call itself chose. */
+ * The linker replaces vs_bind_call by a function of this file (--wrap), which records the form that the call has
+ * chosen. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -22,11 +23,12 @@
 enum { ROWS = 1024 };
 static const char shapes[] = "(define-syntax shape (syntax-rules () ((_ name object . options) object)))"
                              "(load \"tests/cross/shapes.vs\")";
-/* Names of constructors that begin otherwise than with make- or do-; and values that are no objects. */
+/* others: constructors whose names do not begin with make- or do-. values: constructors whose results are not
+ * objects. */
 static const char others[] = " hull load-mesh unite intersect subtract cylinder-from-to scale rotate translate ";
 static const char values[] = " make-axis make-plane make-matrix make-material ";
 
-static const vs_bind_columns *real; /* the columns of the interpreter's own table */
+static const vs_bind_columns *real; /* the interpreter's own table of procedures */
 static struct { bool form[VS_MAX_FORMS], argument[VS_MAX_FORMS][VS_MAX_ARGUMENTS], key[VS_MAX_KEYS]; } seen[ROWS];
 
 static vs_status record(vs_args *f, vs_value *out) {

@@ -1,5 +1,6 @@
-/* Tests tapes: the effect of adding a step, batches against single values, slopes against difference
- * quotients, valid bounds; and contours, which are closed manifolds for every function and every merging of cells. */
+/* Tests tapes, the compiled form of a function. Checks the effect of adding a step, batches against single values,
+ * slopes against difference quotients, and bounds against sampled values. Also tests contours, which must be closed
+ * manifolds for every function and every merging of cells. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -37,7 +38,7 @@ static void steps_are_kept_once(void **state) {
   assert_int_equal(add(t, VS_TAPE_MUL, x, one), x);
   assert_int_equal(add(t, VS_TAPE_MUL, x, x), add(t, VS_TAPE_SQUARE, x, 0));
   assert_int_equal(add(t, VS_TAPE_ADD, one, one), vs_tape_constant(t, 2));
-  assert_int_equal(add(t, VS_TAPE_ADD, x, 1000), UINT32_MAX); /* a failed step makes all later steps that use it fail */
+  assert_int_equal(add(t, VS_TAPE_ADD, x, 1000), UINT32_MAX); /* a step that uses a failed step fails too */
   size_t before = t->count;
   t->outputs = 1, t->output[0] = add(t, VS_TAPE_SIN, x, 0);
   vs_tape *c = vs_tape_compact(t);
@@ -45,8 +46,8 @@ static void steps_are_kept_once(void **state) {
   vs_tape_free(c), vs_tape_free(t);
 }
 
-/* Returns a tape of three inputs with every operator, except operators with jumps and poles at the numbers drawn
- * below. */
+/* Returns a tape with three inputs that uses every operator, except operators that jump or have a pole at the numbers
+ * which the test draws. */
 static vs_tape *of_all(void) {
   vs_tape *t = vs_tape_new(3);
   uint32_t x = vs_tape_input(t, 0), y = vs_tape_input(t, 1), z = vs_tape_input(t, 2), sum = vs_tape_constant(t, .25);
@@ -90,14 +91,16 @@ static void batches_give_what_single_points_give(void **state) {
   for (int i = 0; i < POINTS; i++)
     for (int k = 0; k < 3; k++) in[k][i] = drawn(&seed, -1, 1);
   vs_sampler *values = vs_sampler_new(t, 0), *slopes = vs_sampler_new(t, 3);
-  for (int run = 0; run < 2; run++) /* values that a run leaves in the lanes do not affect the next run */
+  for (int run = 0; run < 2; run++) /* runs the batch twice: values left in memory by the first run must not affect the
+                                     * second */
     vs_sample(values, (const double *const[]){ in[0], in[1], in[2] }, POINTS, (double *const[]){ out });
   vs_sample_slopes(slopes, (const double *const[]){ in[0], in[1], in[2] }, POINTS, (double *const[]){ again },
                    (double *const[]){ slope[0], slope[1], slope[2] });
   for (int i = 0; i < POINTS; i++) {
     double at[3] = { in[0][i], in[1][i], in[2][i] }, v = value_at(t, at);
     assert_true(fabs(out[i] - v) <= 1e-13 * fabs(v) && out[i] == again[i]);
-    if (fabs(at[0] - at[1]) < 1e-3) continue; /* the condition of the choice changes near here */
+    if (fabs(at[0] - at[1]) < 1e-3) continue; /* near here, the condition of the tape's choice between two values
+                                               * changes */
     for (int k = 0; k < 3; k++) {
       double up[3] = { at[0], at[1], at[2] }, down[3] = { at[0], at[1], at[2] }, h = 1e-5;
       up[k] += h, down[k] -= h;
@@ -131,7 +134,7 @@ static void bounds_hold_all_values(void **state) {
 
 static void ranges_walk_through_grids(void **state) {
   (void)state;
-  /* asks for more values than are precomputed */
+  /* requests more values than vs_sample_begin computes in advance */
   vs_sample_range r[2] = { { .a = 0, .b = 1, .n = 3 }, { .a = 5, .b = 7, .n = 500 } };
   static double in[2][VS_SAMPLE_BATCH];
   vs_sample_begin(&r[0]), vs_sample_begin(&r[1]);
@@ -229,8 +232,8 @@ static uint32_t waves(vs_tape *t, uint64_t *seed) {
   return product;
 }
 
-/* Returns unions, intersections and differences of slabs, balls and waves. They have edges, corners, thin walls, and
- * sheets that touch. */
+/* Returns a random solid: a union, intersection or difference of slabs, balls and waves. It has edges, corners, thin
+ * walls, and sheets that touch. */
 static vs_tape *random_solid(uint64_t *seed) {
   vs_tape *t = vs_tape_new(3);
   uint32_t all = ball(t, seed);
@@ -285,7 +288,7 @@ static void flat_sides_are_few_triangles(void **state) {
   vs_contour_free(&c), vs_tape_free(t);
 }
 
-/* Tests that the surface decides the size of cells. For a ball with a narrow groove, the cells on the ball must be
+/* Tests that only detail makes cells small. For a ball with a narrow groove, the cells away from the groove must be
  * large. */
 static void round_sides_follow_the_tolerance(void **state) {
   (void)state;

@@ -1,6 +1,6 @@
-/* Tests geometry/ when memory runs out: each of its calls to the C library's allocator fails in turn. The
- * result is an error of kind memory, and no memory is lost. This program replaces the allocator; if a sanitizer has
- * already replaced it, the test is skipped. */
+/* Tests geometry/ when memory runs out: each of its calls of malloc or realloc fails in turn. The result is an error of
+ * kind memory, and no memory is lost. This program replaces the C library's allocator; if a sanitizer has already
+ * replaced it, the test is skipped. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -15,8 +15,8 @@
 #include "tests/unit/allocator.h"
 #include "tests/unit/skip.h"
 
-static size_t fail_at, held; /* fail_at: 1 + number of requests before a failure; 0: none fails. held: number of blocks
-                              * in use, counted only while fail_at is set */
+static size_t fail_at, held; /* fail_at: 1 + number of requests until one fails; 0: none fails. held: number of blocks
+                              * in use, counted only while fail_at is not 0 */
 
 #if REPLACED
 static bool refused(void) {
@@ -28,7 +28,7 @@ void *malloc(size_t n) { return refused() ? NULL : __libc_malloc(n); }
 void *calloc(size_t n, size_t size) { return refused() ? NULL : __libc_calloc(n, size); }
 void *realloc(void *p, size_t n) {
   if (!refused()) {
-    if (fail_at && p) held--; /* realloc has replaced a block */
+    if (fail_at && p) held--; /* realloc releases the block p */
     return __libc_realloc(p, n);
   }
   return NULL;
@@ -138,7 +138,7 @@ static void making_a_skeleton_fails_in_turn(void **state) {
   (void)state;
   if (!REPLACED) SKIP_TEST("a sanitizer has replaced the allocator");
   vs_vec2 at[] = { { 0, 0 }, { 5, 0 }, { 9, 0 }, { 9, 6 }, { 0, 6 }, { 4, 2 }, { 5, 2 }, { 4, 3 } };
-  double speed[] = { 1, 2, 1, 1, 0, 1, 1, 1 }; /* with a step, a gable and a hole */
+  double speed[] = { 1, 2, 1, 1, 0, 1, 1, 1 }; /* a profile with a step, a gable and a hole */
   size_t size[] = { 5, 3 }, where[2], tries = 1;
   vs_skeleton_outcome outcome = VS_SKELETON_MEMORY;
   for (; outcome == VS_SKELETON_MEMORY; tries++) {

@@ -1,4 +1,4 @@
-/* Tests hidden lines against closed forms: the visible length of edges beside, behind, in and through
+/* Tests the removal of hidden lines against formulas: the visible length of edges beside, behind, in and through
  * triangles, in parallel and perspective views. */
 #include <math.h>
 #include <setjmp.h>
@@ -15,7 +15,7 @@
 enum { MOST = 4000 };
 typedef struct { vs_vec3 points[MOST]; uint32_t triangles[MOST][3]; size_t point_count, triangle_count; } model;
 
-/* Adds a box from p to q, with its corners multiplied by `turn` (three rows). Faces are counter-clockwise as seen from
+/* Adds a box from p to q, with its corners multiplied by the matrix `turn`. Faces are counter-clockwise as seen from
  * outside. The viewer's axes x, y, z are left-handed. */
 static void add_box(model *m, vs_vec3 p, vs_vec3 q, const double turn[3][3]) {
   static const int faces[6][4] = { { 0, 2, 3, 1 }, { 4, 5, 7, 6 }, { 0, 1, 5, 4 }, { 2, 6, 7, 3 }, { 0, 4, 6, 2 }, { 1, 3, 7, 5 } };
@@ -42,7 +42,7 @@ static vs_sight sight_of(const model *m, bool perspective) {
 
 typedef struct { size_t pieces; double seen, hidden; } result;
 
-/* Returns the visible and hidden lengths in the picture. own: edges to test; NULL: the model's edges. */
+/* Returns the lengths of visible and hidden edges in the picture. own: edges to test; NULL: the model's edges. */
 static result look(const model *m, bool perspective, const vs_sight_edges *own) {
   vs_store *store = vs_store_new(NULL, NULL);
   vs_sight_host host = { store, NULL };
@@ -78,7 +78,7 @@ static result look_at_line(const model *m, bool perspective, vs_vec3 p, vs_vec3 
   return look(m, perspective, &(vs_sight_edges){ &edge, 1, 1 });
 }
 
-/* Isometric: the cube's diagonal is parallel to the view. */
+/* An isometric view: rotates the cube so that its diagonal is parallel to the direction of view. */
 static const double isometric[3][3] = { { 0.70710678118654752, 0, -0.70710678118654752 },
                                         { 0.40824829046386302, 0.81649658092772603, 0.40824829046386302 },
                                         { -0.57735026918962576, 0.57735026918962576, -0.57735026918962576 } };
@@ -89,8 +89,8 @@ static void a_cube_in_isometric_has_nine_edges(void **state) {
   add_box(&m, vs_v3(0, 0, 0), vs_v3(2, 2, 2), isometric);
   result r = look(&m, false, NULL);
   assert_int_equal(r.pieces, 9);
-  assert_true(fabs(r.seen - 9 * 2 * sqrt(2. / 3)) < 1e-9); /* the other three edges lead to a common point behind the
-                                                            * nearest corner, along the faces' diagonals */
+  assert_true(fabs(r.seen - 9 * 2 * sqrt(2. / 3)) < 1e-9); /* nine edges are visible; the three hidden edges end at the
+                                                            * corner behind the nearest corner */
 }
 
 static void a_box_seen_from_the_front_is_a_rectangle(void **state) {
@@ -98,21 +98,23 @@ static void a_box_seen_from_the_front_is_a_rectangle(void **state) {
   model m = { .point_count = 0 };
   add_box(&m, vs_v3(1, 2, 3), vs_v3(4, 4, 9), NULL);
   result r = look(&m, false, NULL);
-  assert_true(fabs(r.seen - 10) < 1e-9); /* the back edges lie behind the front edges, and edges parallel to the view
-                                          * are points */
+  assert_true(fabs(r.seen - 10) < 1e-9); /* the back face's edges lie behind the front face's edges; edges parallel to
+                                          * the view appear as points */
 }
 
 static void a_box_behind_a_box(void **state) {
   (void)state;
   model m = { .point_count = 0 };
   add_box(&m, vs_v3(0, 0, 0), vs_v3(4, 4, 1), NULL);
-  add_box(&m, vs_v3(2, 1, 5), vs_v3(6, 3, 6), NULL); /* a face of 4 by 2, whose left half is behind the other box */
+  add_box(&m, vs_v3(2, 1, 5), vs_v3(6, 3, 6), NULL); /* the second box's face is 4 wide and 2 high; its left half is
+                                                      * behind the first box */
   assert_true(fabs(look(&m, false, NULL).seen - (16 + 2 + 2 + 2)) < 1e-9);
-  model touching = { .point_count = 0 }; /* two boxes face to face: coplanar faces do not hide each other */
+  model touching = { .point_count = 0 }; /* two boxes side by side with their front faces in one plane: neither face
+                                          * hides the other */
   add_box(&touching, vs_v3(0, 0, 0), vs_v3(4, 4, 1), NULL);
   add_box(&touching, vs_v3(4, 0, 0), vs_v3(6, 4, 1), NULL);
-  assert_true(fabs(look(&touching, false, NULL).seen - (16 + 12 - 4)) < 1e-9); /* the common edge of the two faces
-                                                                                * counts once */
+  /* the front faces have an edge of length 4 in common, which counts once */
+  assert_true(fabs(look(&touching, false, NULL).seen - (16 + 12 - 4)) < 1e-9);
 }
 
 static void lines_beside_behind_and_through(void **state) {
@@ -125,16 +127,16 @@ static void lines_beside_behind_and_through(void **state) {
   assert_true(r.hidden == 0 && r.pieces == 1);
   r = look_at_line(&m, false, vs_v3(-1, 1, 0), vs_v3(5, 1, 0)); /* a line in the front face of the box */
   assert_true(r.hidden == 0 && r.pieces == 1);
-  r = look_at_line(&m, false, vs_v3(0.5, 1, -1), vs_v3(1.5, 1, 1)); /* a line into the box, through the front at its
-                                                                     * midpoint */
+  r = look_at_line(&m, false, vs_v3(0.5, 1, -1), vs_v3(1.5, 1, 1)); /* a line that enters the box through the front face
+                                                                     * at the line's midpoint */
   assert_true(fabs(r.hidden - 0.5) < 1e-6 && fabs(r.seen - 0.5) < 1e-6);
-  r = look_at_line(&m, false, vs_v3(0, 0, 3), vs_v3(2, 2, 3)); /* a line along the diagonal that divides the face into
-                                                                * triangles */
+  r = look_at_line(&m, false, vs_v3(0, 0, 3), vs_v3(2, 2, 3)); /* a line behind the front face, along the diagonal that
+                                                                * divides this face into triangles */
   assert_true(r.pieces == 0 && fabs(r.hidden - sqrt(8)) < 1e-9);
-  r = look_at_line(&m, false, vs_v3(0, -1, 3), vs_v3(0, 3, 3)); /* a line along the border of the face, further back, is
-                                                                 * hidden there */
+  r = look_at_line(&m, false, vs_v3(0, -1, 3), vs_v3(0, 3, 3)); /* a line behind the border of the front face: the part
+                                                                 * behind the border is hidden */
   assert_true(fabs(r.hidden - 2) < 1e-9 && r.pieces == 2);
-  r = look_at_line(&m, false, vs_v3(2, 1, 5), vs_v3(4, 3, 5)); /* a line that begins at the border */
+  r = look_at_line(&m, false, vs_v3(2, 1, 5), vs_v3(4, 3, 5)); /* a line that begins at the border of a face */
   assert_true(r.hidden == 0 && r.pieces == 1);
 }
 
@@ -142,13 +144,14 @@ static void in_perspective(void **state) {
   (void)state;
   model m = { .point_count = 0 };
   add_box(&m, vs_v3(-1, -1, 4), vs_v3(1, 1, 6), NULL);
-  result r = look(&m, true, NULL); /* the front appears at 1/4 of the picture, and the back at 1/6, behind the front */
+  result r = look(&m, true, NULL); /* the front face's half width in the picture is 1/4; that of the back face, behind
+                                    * it, is 1/6 */
   assert_true(fabs(r.seen - 8 * 0.25) < 1e-9);
-  r = look_at_line(&m, true, vs_v3(-4, 0, 8), vs_v3(4, 0, 8)); /* a line from -1/2 to 1/2 in the picture, hidden from
-                                                                * -1/4 to 1/4 */
+  r = look_at_line(&m, true, vs_v3(-4, 0, 8), vs_v3(4, 0, 8)); /* in the picture, the line goes from -1/2 to 1/2; the
+                                                                * box hides it from -1/4 to 1/4 */
   assert_true(fabs(r.hidden - 0.5) < 1e-9 && fabs(r.seen - 0.5) < 1e-9);
-  r = look_at_line(&m, true, vs_v3(-4, 0, 8), vs_v3(4, 0, 16)); /* an oblique line: from -1/2 to 1/4 in the picture,
-                                                                 * hidden from -1/4 on */
+  r = look_at_line(&m, true, vs_v3(-4, 0, 8), vs_v3(4, 0, 16)); /* an oblique line: in the picture, it goes from -1/2 to
+                                                                 * 1/4; the box hides it from -1/4 on */
   assert_true(fabs(r.hidden - 0.5) < 1e-9 && fabs(r.seen - 0.25) < 1e-9);
 }
 
@@ -156,21 +159,22 @@ static void faces_seen_edge_on_hide_nothing(void **state) {
   (void)state;
   model m = { .point_count = 0 };
   static const double nearly[3][3] = { { 1, 0, 1e-9 }, { 0, 1, 0 }, { -1e-9, 0, 1 } };
-  add_box(&m, vs_v3(0, 0, 0), vs_v3(2, 2, 1000), nearly); /* a tunnel turned by a billionth */
+  add_box(&m, vs_v3(0, 0, 0), vs_v3(2, 2, 1000), nearly); /* a long box, rotated by a billionth of a radian from the
+                                                           * direction of view */
   result r = look_at_line(&m, false, vs_v3(2.001, 0, 2000), vs_v3(2.001, 2, 2000));
   assert_true(r.hidden == 0 && r.pieces == 1);
   assert_true(fabs(look(&m, false, NULL).seen - 8) < 1e-5);
 }
 
-/* Tests a wall of boxes, each of which hides the next. Time and memory must not grow too fast, and only the first box
- * and the rims are visible. */
+/* Tests a row of boxes, each of which hides the next. Time and memory must not grow too fast, and only the first box
+ * and the edges that project beyond it are visible. */
 static void many_boxes(void **state) {
   (void)state;
   model m = { .point_count = 0 };
   for (int i = 0; i < 300; i++) add_box(&m, vs_v3(0, 0, 2 * i), vs_v3(4 + 0.001 * i, 4, 2 * i + 1), NULL);
   result r = look(&m, false, NULL);
-  assert_true(fabs(r.seen - (16 + 299 * (4 + 0.001 * 2))) < 1e-6); /* of each later box, its right edge and 0.001 of the
-                                                                    * edges at both ends of it are visible */
+  assert_true(fabs(r.seen - (16 + 299 * (4 + 0.001 * 2))) < 1e-6); /* of each later box, the right edge is visible, and
+                                                                    * 0.001 of each of the two edges at its ends */
 }
 
 static void stopping_and_failing(void **state) {
@@ -193,7 +197,7 @@ static void stopping_and_failing(void **state) {
   assert_int_equal(e.kind, VS_ERROR_INTERRUPT);
   host.job = NULL;
   vs_sight_pieces_free(&host, &pieces);
-  for (size_t n = 1; n < 12; n++) { /* the n-th request for memory is refused: the result is an error, and no memory is
+  for (size_t n = 1; n < 12; n++) { /* refuses the n-th request for memory: the result is an error, and no memory is
                                      * lost */
     vs_store_fail_at(store, n);
     if (!vs_sight_find_visible(&host, &s, &edges, false, &pieces, &e)) assert_int_equal(e.kind, VS_ERROR_MEMORY);
