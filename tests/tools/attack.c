@@ -1,6 +1,6 @@
-/* Runs tests/limits/attacks.txt: `attack VS ATTACKS FOLDER [sample] [ONLY]` runs each program under its
- * limits, and checks its outcome, its time and the largest memory of the process. Prints `ok limits/NAME` or `not ok
- * limits/NAME: why`. If other load on the machine made a program late, it runs again. */
+/* Runs the programs of tests/limits/attacks.txt: `attack VS ATTACKS FOLDER [sample] [ONLY]` runs each program under its
+ * limits. Checks its outcome, its time, and the largest memory of the process. Prints `ok limits/NAME` or `not ok
+ * limits/NAME: why`. If other load on the machine made a program late, the program is run again. */
 #define _GNU_SOURCE /* for wait4 */
 #include <errno.h>
 #include <fcntl.h>
@@ -16,10 +16,10 @@
 #include <unistd.h>
 
 enum { LINE = 1 << 16, WORDS = 40, TRIES = 3, KILL_AFTER = 30 };
-#define MOST_ADDRESSES ((rlim_t)8 << 30) /* limit of address space, which protects the machine if a limit of the program
-                                          * fails */
+#define MOST_ADDRESSES ((rlim_t)8 << 30) /* limit of address space in bytes, which protects the machine if a memory
+                                          * limit fails */
 #define SLACK_TIME 0.5
-#define SLACK_MEMORY 16.0 /* megabytes by which a process may exceed its memory limit, in addition to a tenth of the
+#define SLACK_MEMORY 16.0 /* megabytes by which a process may exceed its memory limit, in addition to a tenth of this
                            * limit */
 
 typedef struct { char name[80], out[16], args[400]; double time, memory; int exit; bool sample; } attack;
@@ -52,8 +52,8 @@ static bool parse(const char *line, attack *a) {
   return *a->name != 0;
 }
 
-/* Returns the seconds in which the process was ready to run, but the machine had no free processor. They do not count
- * against the program. */
+/* Returns the seconds in which the process was ready to run, but the machine had no free processor. These seconds do
+ * not count against the program. */
 static double waited(pid_t process) {
   char path[60];
   unsigned long long ran, waits = 0;
@@ -103,8 +103,8 @@ static result run(const char *vs, const attack *a, const char *program, const ch
   return r;
 }
 
-/* Returns true if the run kept its limits. An evaluation has the time limit once. A program that is also written has
- * twice the limit. */
+/* Returns true if the run kept its limits. An evaluation may use the time limit once; a program whose drawing is also
+ * written may use twice the limit. */
 static bool judge(const attack *a, const result *r, char *why, size_t room) {
   double most = a->time * (*a->out ? 2 : 1) + SLACK_TIME, large = a->memory * 1.1 + SLACK_MEMORY;
   *why = 0;

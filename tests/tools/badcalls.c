@@ -1,9 +1,8 @@
-/* Tests that every procedure of the geometry keeps its contracts: `badcalls TABLE`. From the table of
- * procedures it makes a call with a single bad argument, for each parameter of each form and for each way to break the
- * parameter's contract. It evaluates all calls in one interpreter. Each must fail at the call's line and column, with a
- * message that begins with the procedure's name and names the parameter and the value. Before, the same call with a
- * good argument must succeed; otherwise the bad call would prove nothing. Then it checks the lines of TABLE
- * (tests/bad/calls.txt).
+/* Tests that every procedure of the geometry checks its arguments: `badcalls TABLE`. For each parameter of each form of
+ * a procedure, and for each way to break the parameter's contract, it makes a call with a single bad argument. It
+ * evaluates all calls in one interpreter. Each must fail at the call's line and column, with a message that begins with
+ * the procedure's name and names the parameter and the value. Before, the same call with a good argument must succeed;
+ * otherwise the bad call would prove nothing. Then it checks the lines of TABLE (tests/bad/calls.txt).
  *
  * The good and bad arguments of each contract are listed below; `special` lists those of single procedures. The output
  * has the words that tests/run.sh reads. */
@@ -17,11 +16,11 @@
 
 enum { BAD_MOST = 24, TEXT_MOST = 8000 };
 
-/* ---- arguments ---- */
+/* ---- good and bad arguments ---- */
 
 typedef struct {
-  const char *good[4];      /* good arguments: entry i for the i-th argument of this contract in a call; the last entry
-                             * for all later arguments */
+  const char *good[4];      /* good arguments: good[i] for the i-th argument with this contract in a call; the last
+                             * element for all later arguments */
   const char *bad[BAD_MOST];
 } samples;
 
@@ -128,7 +127,7 @@ static const char *first_definitions =
   "(define far-vector (* 1e300 (* 1e300 (vxyz 1 0 0))))"
   "(define far-point (+ origin far-vector))";
 
-/* ---- evaluating ---- */
+/* ---- evaluating a text ---- */
 
 typedef struct {
   char error[TEXT_MOST], warning[TEXT_MOST];
@@ -162,8 +161,8 @@ static void fresh(void) {
   }
 }
 
-/* Evaluates the text. Definitions remain, drawn objects are erased. Each text has a separate line, so that warnings
- * which appear once per place all appear. */
+/* Evaluates the text. Earlier definitions remain, and earlier drawn objects are erased. Each text has a line number of
+ * its own, so that warnings which appear once per place all appear. */
 static vs_outcome evaluate(const char *text) {
   heard = (said){ .at = { NULL, 0, 0, 0, 0 } };
   vs_drawing_clear(scheme);
@@ -196,8 +195,8 @@ static void append(char *text, const char *more) {
   snprintf(text + used, TEXT_MOST - used, "%s", more);
 }
 
-/* Writes the call (name argument ... #:key argument), with `bad` for positional parameter `at`, or for keyword
- * `key`. */
+/* Writes the call (name argument ... #:key argument). Positional parameter number `at`, or keyword number `key`, gets
+ * the argument `bad`. */
 static void make_call(char *text, const char *name, const vs_procedure *p, const vs_form *form, int at, int key, const char *bad) {
   int met[sizeof contracts / sizeof *contracts] = { 0 };
   *text = 0;
@@ -239,7 +238,7 @@ static bool names_parameter(const vs_procedure *p, const vs_bind_param *meant, i
   return strstr(heard.error, ": takes (") != NULL && p->form[1].used;
 }
 
-/* Returns the written value of an expression, which it reads from an error message. */
+/* Evaluates an expression and returns its written value, which it reads from an error message. */
 static const char *written_as(const char *expression) {
   static char text[2 * TEXT_MOST];
   snprintf(text, sizeof text, "(error (call-with-output-string (lambda (p) (write %s p))))", expression);
@@ -248,21 +247,21 @@ static const char *written_as(const char *expression) {
   return text;
 }
 
-/* Returns true if the message ends in "..., got VALUE". A long value may end in dots; for a list, the message may name
- * the bad element. For a missing value the message says that it is missing. */
+/* Returns true if the message ends in "..., got VALUE". A long value may be cut short with dots. For a list, the
+ * message may name the bad element. For a missing value, it says that the value is missing. */
 static bool names_value(const char *value, const char *error) {
   const char *got = strstr(error, "got ");
   if (!got) return strcmp(value, "#<void>") == 0 && strstr(error, "gave no value");
   size_t same = 0;
   got += 4;
-  /* Text "...; call it: (NAME parameters)" of the message. */
+  /* removes "; call it: (NAME parameters)" from the end of the message */
   if (strncmp(value, "#<procedure ", 12) == 0 && strncmp(got, "the procedure ", 14) == 0) {
     size_t name = strlen(value) - 13;
     return strncmp(got + 14, value + 12, name) == 0 && strncmp(got + 14 + name, "; call it: (", 12) == 0;
   }
   while (got[same] && got[same] == value[same]) same++;
   if (!value[same] || (same >= 12 && strncmp(got + same, "...", 3) == 0)) return true;
-  char one[300]; /* the element that the message names, without the advice after it */
+  char one[300]; /* the list's element that the message names, without the advice that follows */
   snprintf(one, sizeof one, "%.*s", (int)strcspn(got, ";"), got);
   const char *element = value[0] == '(' ? strstr(value, one) : NULL;
   return element && (element[-1] == ' ' || element[-1] == '(') && strchr(" )", element[strlen(one)]);

@@ -1,10 +1,10 @@
-/* Contains the exact search for self-intersections of a mesh, independent of the program that made it.
+/* Contains an exact search for self-intersections of a mesh, independent of the program that made the mesh.
  *
- * Two triangles may share nothing, a corner, or an edge, compared by coordinates. Any other common point is a fault.
- * They cross; or lie in one plane and overlap: beside a shared edge (folded), with all three corners in common
- * (doubled) or otherwise (coplanar); or touch: a corner in a face, or an edge on an edge. A triangle without area is a
- * fault too (flat). Coordinates are exact doubles. A sign is computed in double if the error is known to be smaller
- * than the result, otherwise in integers with a common power of two as factor (GMP). */
+ * Two triangles may share nothing, a corner, or an edge, identified by coordinates. Any other common point is a fault.
+ * Triangles may cross. They may lie in one plane and overlap: beside a shared edge (folded), with all three corners in
+ * common (doubled) or otherwise (coplanar). They may touch: a corner in a face, or an edge on an edge. A triangle
+ * without area is a fault too (flat). Coordinates are exact doubles. A sign is computed in double if the error is known
+ * to be smaller than the result, otherwise in integers with a common power of two as factor (GMP). */
 #ifndef TESTS_TOOLS_CROSSINGS_H
 #define TESTS_TOOLS_CROSSINGS_H
 
@@ -28,14 +28,14 @@ typedef struct {
 } crossings_found;
 
 typedef struct {
-  const crossings_point *at;    /* corners by coordinates: equal corners have the same number */
+  const crossings_point *at;    /* coordinates of the corners, each different point once */
   crossings_triangle *triangles;
   uint8_t *axis;                /* for each triangle: the axis along which its projection has an area; 3: there is
                                  * none */
   mpz_t x[12], t[8];
 } crossings;
 
-/* ---- signs ---- */
+/* ---- exact signs ---- */
 
 static inline void crossings_exact(crossings *c, mpz_t *to, const double *from, int count) { /* multiplies all
                                                                                               * numbers by the same
@@ -68,7 +68,8 @@ static inline int crossings_side(crossings *c, uint32_t ia, uint32_t ib, uint32_
   }
   if (fabs(det) > 1e-14 * size && size > 1e-250) return det > 0 ? 1 : -1; /* the error is below Shewchuk's bound,
                                                                            * 7.8e-16 of size */
-  if (size == 0) { /* every product contains a factor 0, unless its value was too small for a double */
+  if (size == 0) { /* if every product contains a factor 0, the sign is 0; otherwise a product was too small for a
+                    * double */
     bool small = false;
     for (int i = 0; i < 9; i++) small = small || (e[i / 3][i % 3] != 0 && fabs(e[i / 3][i % 3]) < 1e-100);
     if (!small) return 0;
@@ -111,15 +112,16 @@ static inline bool crossings_holds(crossings *c, uint32_t t, uint32_t p) { /* p 
   return true;
 }
 
-/* Returns how a segment in the triangle's plane intersects the triangle: a single common point is a touch, a common
- * piece is more. */
+/* Returns how the segment from p to q, which lies in the triangle's plane, intersects the triangle t. A single common
+ * point is a touch; a longer common part is more. */
 static inline crossings_kind crossings_in_plane(crossings *c, uint32_t t, uint32_t p, uint32_t q) {
   const uint32_t *v = c->triangles[t];
   int axis = c->axis[t], way = crossings_turn(c, axis, v[0], v[1], v[2]), left = 0, right = 0;
   for (int end = 0; end < 2; end++) {
     uint32_t from = end ? q : p, to = end ? p : q;
     if (!crossings_holds(c, t, from)) continue;
-    for (int i = 0; i < 3; i++) /* the segment begins on this side of the triangle, and runs away from the triangle */
+    for (int i = 0; i < 3; i++) /* the segment begins outside this side of the triangle, and runs away from the
+                                 * triangle */
       if (crossings_turn(c, axis, v[i], v[(i + 1) % 3], from) == 0 &&
           crossings_turn(c, axis, v[i], v[(i + 1) % 3], to) == -way)
         return CROSSINGS_TOUCHING;
@@ -140,8 +142,8 @@ static inline crossings_kind crossings_in_plane(crossings *c, uint32_t t, uint32
   return CROSSINGS_NONE;
 }
 
-/* Returns how the closed segment intersects the closed triangle: not at all, in an inner point of both, or by a touch
- * (or a piece of a common plane). sp, sq: sides of the segment's ends. */
+/* Returns how the closed segment from p to q intersects the closed triangle t: not at all, in an inner point of both,
+ * or by a touch (or in a longer part if they are coplanar). sp, sq: sides of the plane where p and q lie. */
 static inline crossings_kind crossings_segment(crossings *c, uint32_t t, uint32_t p, uint32_t q, int sp, int sq) {
   const uint32_t *v = c->triangles[t];
   if (sp * sq > 0) return CROSSINGS_NONE;
@@ -164,8 +166,9 @@ static inline crossings_kind crossings_worse(crossings_kind a, crossings_kind b)
 
 static inline crossings_kind crossings_pair(crossings *c, uint32_t a, uint32_t b) {
   const uint32_t *v = c->triangles[a], *w = c->triangles[b];
-  if (c->axis[a] == 3 || c->axis[b] == 3) return CROSSINGS_NONE; /* such triangles are counted as flat */
-  int in_v[3], in_w[3], shared = 0; /* positions of the common corners */
+  if (c->axis[a] == 3 || c->axis[b] == 3) return CROSSINGS_NONE; /* triangles without area are counted as flat, not
+                                                                  * here */
+  int in_v[3], in_w[3], shared = 0; /* in_v, in_w: positions of the common corners in the triangles v and w */
   for (int i = 0; i < 3; i++)
     for (int j = 0; j < 3; j++)
       if (v[i] == w[j]) in_v[shared] = i, in_w[shared++] = j;
@@ -182,7 +185,8 @@ static inline crossings_kind crossings_pair(crossings *c, uint32_t a, uint32_t b
   if (shared == 0 && above_v[0] && above_v[0] == above_v[1] && above_v[0] == above_v[2]) return CROSSINGS_NONE;
   for (int i = 0; i < 3; i++)
     if (shared < 1 || i != in_v[0]) above_w[i] = crossings_side(c, w[0], w[1], w[2], v[i]);
-  if (shared == 1) { /* the common part reaches from the corner to the far edge of v or w */
+  if (shared == 1) { /* with one common corner: if v and w have more points in common, these reach from the corner to
+                      * the opposite edge of v or w */
     int i = (in_v[0] + 1) % 3, j = (in_v[0] + 2) % 3, k = (in_w[0] + 1) % 3, l = (in_w[0] + 2) % 3;
     return crossings_worse(crossings_segment(c, b, v[i], v[j], above_w[i], above_w[j]), crossings_segment(c, a, w[k], w[l], above_v[k], above_v[l]));
   }
@@ -211,7 +215,7 @@ static inline double crossings_middle(const crossings *c, uint32_t t, int axis) 
   return least + (most - least) / 2;
 }
 
-/* Moves the `half` triangles with the smallest centres to the front (quickselect). */
+/* Partly sorts the triangles: moves the `half` triangles with the smallest centres to the front (quickselect). */
 static inline void crossings_halve(const crossings *c, uint32_t *at, size_t count, size_t half, int axis) {
   size_t low = 0, high = count - 1;
   while (low < high) {
@@ -252,7 +256,7 @@ static inline uint32_t crossings_tree(const crossings *c, crossings_node *nodes,
     for (int k = 1; k < 3; k++)
       if (o->max[k] - o->min[k] > o->max[axis] - o->min[axis]) axis = k;
     crossings_halve(c, order + first, n, n / 2, axis);
-    /* Pushes the right child on the stack, to be divided later. */
+    /* Pushes the right half on the stack, to be divided later. */
     stack[depth].first = first + n / 2, stack[depth].count = n - n / 2, stack[depth++].parent = me;
     stack[depth].first = first, stack[depth].count = n / 2, stack[depth++].parent = me;
   }
@@ -315,7 +319,7 @@ static inline int crossings_order(const void *a, const void *b) {
   return x->number < y->number ? -1 : x->number > y->number;
 }
 
-/* Finds all faults. Returns false if memory is out. */
+/* Finds all faults of a mesh. Returns false if memory is exhausted. */
 static inline bool crossings_find(const crossings_point *points, size_t point_count, const crossings_triangle *triangles, size_t count, crossings_found *out) {
   *out = (crossings_found){ .count = { 0 } };
   if (count == 0) return true;

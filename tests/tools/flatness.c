@@ -1,7 +1,7 @@
-/* Measures the evenness of a plain wall in a picture: `flatness FILE X Y WIDTH HEIGHT` prints `RMS WORST
- * MEAN` of that part. It fits smooth shading, a polynomial of degree 3 in x and y, to the grey levels (0 to 255). RMS
- * is the root mean square of the distances from it, WORST the distance that 1 % of the pixels exceed, MEAN the mean
- * grey level. */
+/* Measures how evenly a plain wall is lit in a picture: `flatness FILE X Y WIDTH HEIGHT` prints `RMS WORST MEAN` of
+ * that part of the picture. It fits smooth shading, a polynomial of degree 3 in x and y, to the grey levels (0 to 255).
+ * RMS is the root mean square of the differences from this polynomial, WORST the difference that 1 % of the pixels
+ * exceed, MEAN the mean grey level. */
 #include <math.h>
 #include <png.h>
 #include <stdio.h>
@@ -10,8 +10,8 @@
 enum { TERMS = 10, LEVELS = 256 };
 
 static void terms_at(double x, double y, double t[TERMS]) {
-  double px = (3 * x * x - 1) / 2, py = (3 * y * y - 1) / 2; /* Legendre polynomials, which keep the equations well
-                                                              * conditioned */
+  double px = (3 * x * x - 1) / 2, py = (3 * y * y - 1) / 2; /* px, py: Legendre polynomials, which keep the equations
+                                                              * well conditioned */
   const double all[TERMS] = { 1, x, y, px, x * y, py, (5 * x * x * x - 3 * x) / 2, px * y, x * py, (5 * y * y * y - 3 * y) / 2 };
   for (int i = 0; i < TERMS; i++) t[i] = all[i];
 }

@@ -1,9 +1,9 @@
-/* Measures the time between polls: `gaps [-v] FILE FORMAT...` runs a program and writes its drawing in each of the
- * formats, discarding the bytes.
+/* Measures the longest time between two polls for an interrupt: `gaps [-v] FILE FORMAT...` runs a program and writes
+ * its drawing in each of the formats, discarding the bytes.
  *
- * For each format it prints the longest time between two polls for an interrupt. This is processor time of all threads,
- * so that other load on the machine does not count. -v also prints the program's call stacks in that time, a line of
- * addresses for each hundredth of a second, for addr2line -f -e gaps (link it with -no-pie). */
+ * For each format it prints that time, as processor time of all threads, so that other load on the machine does not
+ * count. -v also prints the program's call stacks in that time, a line of addresses for each hundredth of a second, for
+ * addr2line -f -e gaps (link it with -no-pie). */
 #define _GNU_SOURCE
 #include "visualscheme.h"
 
@@ -18,8 +18,9 @@
 enum { DEEP = 12, SAMPLES = 200 }; /* number of samples; a sample is taken each hundredth of a second */
 static struct {
   double last, longest;
-  void *frames[SAMPLES][DEEP], *longest_frames[SAMPLES][DEEP]; /* frames: samples of the current gap. longest_frames:
-                                                                * samples of the longest gap */
+  void *frames[SAMPLES][DEEP], *longest_frames[SAMPLES][DEEP]; /* frames: call stacks since the last poll.
+                                                                * longest_frames: call stacks of the longest time
+                                                                * between two polls */
   int count, longest_count;
 } seen;
 
@@ -58,7 +59,8 @@ static bool drop(void *context, const void *bytes, size_t count) { return (void)
 static void print(const char *what, bool where) {
   printf("%.0f ms %s\n", 1e3 * seen.longest, what);
   for (int i = 0; where && i < seen.longest_count; i++) {
-    for (int j = 2; j < DEEP && seen.longest_frames[i][j]; j++) printf(" %p", seen.longest_frames[i][j]); /* the first two frames belong to the signal handler */
+    /* the first two addresses belong to the signal handler */
+    for (int j = 2; j < DEEP && seen.longest_frames[i][j]; j++) printf(" %p", seen.longest_frames[i][j]);
     printf("\n");
   }
   seen.longest = 0;

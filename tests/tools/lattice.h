@@ -1,5 +1,5 @@
-/* Reads the output of `tests/cross/sheet.vs -D task=table`: the lattice of a sheet, and the expected figures of each
- * cell. */
+/* Reads the output of `tests/cross/sheet.vs -D task=table`: the regular grid of shapes on a sheet, and the expected
+ * figures of each cell. */
 #ifndef TESTS_TOOLS_LATTICE_H
 #define TESTS_TOOLS_LATTICE_H
 
@@ -8,12 +8,12 @@
 enum { CELLS_MOST = 2000 };
 
 typedef struct {
-  long index;            /* number of the cell: column + row * columns */
+  long index;            /* number of the cell: its column + its row * number of columns */
   char name[120], class[16]; /* class of the object: solid, region, surface, curve or mixed */
   double volume, area;   /* expected figures; NAN: not known */
-  vec least, most;       /* corners of the bounding box that the program returns */
-  double within, loose;  /* within: relative tolerance of the volume. loose: tolerance of a side of the box, as a
-                          * fraction of the diagonal */
+  vec least, most;       /* least, most: corners of the bounding box that the program returns */
+  double within, loose;  /* within: relative tolerance of the volume. loose: tolerance of a side of the bounding box, as
+                          * a fraction of its diagonal */
 } cell;
 
 typedef struct {
@@ -45,8 +45,8 @@ static inline bool lattice_read(const char *path, lattice *out) {
   return good && out->count > 0;
 }
 
-/* Returns the number of the cell that contains p, or -1 if p is outside all cells. The centres of cells are the
- * lattice's points. */
+/* Returns the number of the cell that contains p, or -1 if p is outside all cells. The grid's points are the centres of
+ * the cells. */
 static inline long lattice_cell(const lattice *l, vec p) {
   double column = floor(vec_dot(p, l->across) / vec_dot(l->across, l->across) + 0.5), row = floor(vec_dot(p, l->upwards) / vec_dot(l->upwards, l->upwards) + 0.5);
   return column < 0 || column >= l->columns || row < 0 || row > 1e6 ? -1 : (long)column + (long)row * l->columns;

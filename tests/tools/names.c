@@ -1,5 +1,5 @@
-/* Prints the list of the names that a program can use when it begins, one a line, as the prompt completes them. The
- * test of the manual's reference compares them with the names that the manual describes. */
+/* Prints the names that a program can use when it begins, each on a line, as the prompt completes them. A test compares
+ * them with the names that the manual's reference describes. */
 #include "visualscheme.h"
 
 #include <stdio.h>

@@ -55,7 +55,7 @@ int main(int argc, char **argv) {
     clipped += p[0] == 255 || p[1] == 255 || p[2] == 255;
     int lightest = p[0] > p[1] ? p[0] : p[1];
     if (p[2] > lightest) lightest = p[2];
-    ink += lightest > 190 ? 0 : 1 - pow(lightest / 190., 2.2); /* adds the part of the pixel that black covers, in
+    ink += lightest > 190 ? 0 : 1 - pow(lightest / 190., 2.2); /* adds the fraction of the pixel that black covers, in
                                                                 * linear light */
     if (beside) edges += (size_t)apart(p, beside + 3 * i);
     else if (i % image.width) edges += (size_t)apart(p, p - 3);

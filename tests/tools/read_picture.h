@@ -7,7 +7,7 @@
 
 #include "geometry/files/raster.h"
 
-/* Reads the file, of at most 64 MB. Returns false after a message that begins with the tool's name. */
+/* Reads the file, of at most 64 MB. On failure prints a message that begins with the tool's name, and returns false. */
 static inline bool read_picture(vs_store *s, const char *tool, const char *path, vs_raster *r) {
   enum { MOST = 1 << 26 };
   vs_error e = { VS_ERROR_NONE, NULL, "" };

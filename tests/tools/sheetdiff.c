@@ -7,8 +7,8 @@
  * edge's midpoint or a centroid. */
 #include "stl.h"
 
-/* Returns the squared distance of p from a triangle: the nearest point by its regions (Ericson, Real-Time Collision
- * Detection, 5.1.5). */
+/* Returns the squared distance of p from a triangle. The nearest point is found by the region where p lies (Ericson,
+ * Real-Time Collision Detection, 5.1.5). */
 static double distance2(vec p, vec a, vec b, vec c) {
   vec ab = vec_sub(b, a), ac = vec_sub(c, a), ap = vec_sub(p, a), near;
   double d1 = vec_dot(ab, ap), d2 = vec_dot(ac, ap);
@@ -28,7 +28,7 @@ static double distance2(vec p, vec a, vec b, vec c) {
 
 typedef struct { vec middle; double radius; } ball;
 
-/* Returns the largest distance of a sample point of `from` from `to`. */
+/* Returns the largest distance of a sample point of the mesh `from` to the mesh `to`. */
 static double furthest(const stl *from, const stl *to, const ball *balls) {
   double worst = 0;
   for (size_t i = 0; i < from->count; i++) {
@@ -63,8 +63,8 @@ static bool corner_near(const judge *j, vec p, size_t number) {
   return distance2(p, vec_of(v[0]), vec_of(v[1]), vec_of(v[2])) <= j->limit * j->limit;
 }
 
-/* Returns true if the whole triangle t is within the limit of the listed triangles. The recursion ends when t is small,
- * after at most about fifteen levels. */
+/* Returns true if every point of the triangle t is within the limit of one of the listed triangles. The recursion ends
+ * when t is small, after at most about fifteen levels. */
 static bool near_all(const judge *j, const vec *t, const uint32_t *listed, size_t count) {
   ball b = ball_of(t);
   uint32_t *left = malloc((count + 1) * sizeof *left);

@@ -1,9 +1,9 @@
-/* Compares the mesh of a sheet of shapes with its table: `sheetmesh TABLE FILE.stl` judges each cell, in
- * the words that tests/run.sh reads.
+/* Compares the mesh of a sheet of shapes with its table: `sheetmesh TABLE FILE.stl` judges each cell, in the words that
+ * tests/run.sh reads.
  *
- * A cell's mesh must be closed and oriented. Its volume must equal the closed form within the table's tolerance, its
- * area within 1 %. It must fill the bounding box that the program returns: it exceeds no side by more than facets
- * differ from round shapes, and comes as near to each side. */
+ * A cell's mesh must be closed and oriented. Its volume must equal the volume by formula within the table's tolerance,
+ * its area within 1 %. It must fill the bounding box that the program returns: at each side, the difference may be at
+ * most that between facets and round shapes. */
 #include "lattice.h"
 
 static int judge(const cell *c, const triangle *at, size_t count) {
@@ -37,7 +37,7 @@ static int judge(const cell *c, const triangle *at, size_t count) {
   return used != 0;
 }
 
-static const lattice *order_lattice; /* the lattice, for the comparison function of the sort */
+static const lattice *order_lattice; /* the grid of cells, for the comparison function of qsort */
 static int compare_cells(const void *a, const void *b) {
   const triangle *s = a, *t = b;
   vec p = vec_add(vec_add(vec_of(s->v[0]), vec_of(s->v[1])), vec_of(s->v[2])), q = vec_add(vec_add(vec_of(t->v[0]), vec_of(t->v[1])), vec_of(t->v[2]));

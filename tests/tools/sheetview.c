@@ -1,23 +1,23 @@
-/* Compares a picture of a sheet of shapes with the mesh of the same sheet, seen by the same camera:
- * `sheetview TABLE FILE.stl SCENE PICTURE.png WHAT SHEET.png` judges each cell, in the words that tests/run.sh reads,
- * and writes a contact sheet.
+/* Compares a picture of a sheet of shapes with the mesh of the same sheet, seen by the same camera: `sheetview TABLE
+ * FILE.stl SCENE PICTURE.png WHAT SHEET.png` judges each cell, in the words that tests/run.sh reads, and writes a
+ * contact sheet.
  *
  * SCENE is the .pov or the page from which the picture was made; the tool reads the camera from it, as POV-Ray or a
  * browser does. The picture of a .pov has an alpha channel, that of a page is dark on white. A pixel belongs to a
  * silhouette if its centre does. In each cell, picture and mesh may differ in fewer than 1 % of the pixels of the
  * mesh's silhouette; a pixel whose centre is within a quarter of a pixel of the outline may belong to either. Curves
- * have almost no silhouette: the mesh contains thin rods for them. No pixel on a rod may be further than two pixels
- * from the picture, and no pixel of the picture further than two from a rod, plus the radius of the rods that POV-Ray
- * draws for curves (half of 1/450 of the picture's width, or a pixel). In SHEET.png, grey pixels belong to both, red
- * ones to the picture alone, blue ones to the mesh alone. */
+ * have almost no silhouette, so the mesh contains thin rods for them. No pixel on a rod may be further than two pixels
+ * from the shape's pixels in the picture. No pixel of a shape in the picture may be further than two pixels from a rod,
+ * plus the radius of the rods that POV-Ray draws for curves (half of 1/450 of the picture's width, or a pixel). In
+ * SHEET.png, grey pixels belong to both, red pixels to the picture alone, blue pixels to the mesh alone. */
 #include <png.h>
 
 #include "lattice.h"
 
 typedef struct {
   bool parallel;
-  vec eye, right, up, forward; /* right and up: of length 1 / (half the picture's width), at distance 1 for a
-                                * perspective camera. forward: of length 1 */
+  vec eye, right, up, forward; /* right, up: axes of the picture, of length 1 / (half the picture's width), at distance
+                                * 1 for a perspective camera. forward: direction of view, of length 1 */
   int width, height;
 } camera;
 
@@ -39,8 +39,8 @@ static bool camera_povray(const char *text, camera *c) {
   c->forward = unit(vec_sub(target, c->eye));
   vec across = unit(vec_cross(c->forward, sky));
   c->right = vec_scale(across, 2 / width);
-  c->up = vec_scale(vec_cross(across, c->forward), 2 / width); /* scaled by the width, so that the picture shows
-                                                                * height/width of it */
+  c->up = vec_scale(vec_cross(across, c->forward), 2 / width); /* scaled by the width, so that the picture's height
+                                                                * covers height/width of it */
   return true;
 }
 
@@ -73,7 +73,8 @@ static void project(const camera *c, vec p, double *x, double *y) {
   *y = c->height * 0.5 - c->width * 0.5 * vec_dot(d, c->up) / depth;
 }
 
-/* Returns the cell where a pixel's line of sight intersects the lattice's plane, which contains the origin. */
+/* Returns the number of the cell where a pixel's line of sight intersects the plane of the sheet, which contains the
+ * origin. */
 static long pixel_cell(const camera *c, const lattice *l, int x, int y) {
   double a = (x + 0.5) / c->width * 2 - 1, b = (c->height * 0.5 - (y + 0.5)) / (c->width * 0.5);
   vec side = vec_add(vec_scale(c->right, a / vec_dot(c->right, c->right)), vec_scale(c->up, b / vec_dot(c->up, c->up)));
@@ -82,7 +83,7 @@ static long pixel_cell(const camera *c, const lattice *l, int x, int y) {
   return lattice_cell(l, vec_sub(from, vec_scale(along, vec_dot(from, normal) / vec_dot(along, normal))));
 }
 
-/* Sets the bit of every pixel whose sample point (dx, dy) the triangle covers. */
+/* Sets the bit in the mask of every pixel whose sample point (dx, dy) the triangle covers. */
 static void fill(const camera *c, const triangle *t, double dx, double dy, uint16_t bit, uint16_t *mask) {
   double x[3], y[3];
   for (int k = 0; k < 3; k++) project(c, vec_of(t->v[k]), &x[k], &y[k]);
@@ -106,8 +107,8 @@ static bool near_any(const camera *c, const unsigned char *mask, int x, int y, i
   return false;
 }
 
-/* Returns true for a pixel of a shape. Such a pixel is dark, or translucent and not part of a smoothed edge, which is
- * one pixel wide. */
+/* Returns true if pixel i shows a shape: it is dark, or it is translucent and not part of a smoothed edge, which is one
+ * pixel wide. */
 static bool page_seen(const unsigned char *picture, size_t i, size_t width, size_t pixels) {
   if (picture[4 * i + 1] < 160) return true;
   const size_t round[] = {i, i - 1, i + 1, i - width, i + width};
@@ -119,7 +120,7 @@ static bool page_seen(const unsigned char *picture, size_t i, size_t width, size
 
 static char *read_text(const char *path) {
   FILE *f = fopen(path, "rb");
-  size_t room = 1 << 20, used = 0, got; /* the camera is near the top of the file */
+  size_t room = 1 << 20, used = 0, got; /* the text of the camera is near the top of the file */
   char *text = malloc(room + 1);
   while (f && text && used < room && (got = fread(text + used, 1, room - used, f)) > 0) used += got;
   if (f) fclose(f);
@@ -150,14 +151,13 @@ int main(int argc, char **argv) {
     return 2;
   }
   for (size_t i = 0; i < pixels; i++) seen[i] = povray ? picture[4 * i + 3] > 25 : page_seen(picture, i, image.width, pixels);
-  /* Sample points: the centre, points halfway to the corners, and points near the corners. A pixel is on the mesh if
-   * all of them are, and off the mesh if none is. */
+  /* Sample points within a pixel: the centre, points halfway to the corners, and points near the corners. A pixel is on
+   * the mesh if all of them are, and off the mesh if none is. */
   static const double places[9][2] = {{0.5, 0.5}, {0.25, 0.25}, {0.75, 0.25}, {0.25, 0.75}, {0.75, 0.75}, {0.02, 0.02}, {0.98, 0.02}, {0.02, 0.98}, {0.98, 0.98}};
   for (size_t i = 0; i < mesh.count; i++)
     for (int k = 0; k < 9; k++) fill(&c, &mesh.at[i], places[k][0], places[k][1], (uint16_t)(1 << k), mask);
-  for (size_t i = 0; i < pixels; i++) touched[i] = mask[i] != 0, mask[i] = mask[i] == 0 ? 0 : mask[i] == 511 ? 1 : seen[i]; /* the outline passes through
-                                                                                                                             * the pixel, so the pixel of
-                                                                                                                             * the picture decides */
+  /* pixels through which the outline passes have some of their 9 bits set; for these, the picture's pixel decides */
+  for (size_t i = 0; i < pixels; i++) touched[i] = mask[i] != 0, mask[i] = mask[i] == 0 ? 0 : mask[i] == 511 ? 1 : seen[i];
   int rod = povray ? (int)ceil(fmax(1, c.width / 900.)) : 0;
 
   static long whole[CELLS_MOST], rods[CELLS_MOST], only_picture[CELLS_MOST], only_mesh[CELLS_MOST], far[CELLS_MOST];

@@ -1,5 +1,5 @@
-/* Reads binary STL files for the tests, independent of the program that made them: triangles of 32-bit vertices, and
- * whether they form a closed, oriented chain. */
+/* Reads binary STL files for the tests, independent of the program that made the files. Checks whether the triangles,
+ * with vertices of 32-bit numbers, form a closed, oriented surface. */
 #ifndef TESTS_TOOLS_STL_H
 #define TESTS_TOOLS_STL_H
 
@@ -75,13 +75,13 @@ static inline bool stl_read(const char *path, stl *out, char why[128]) {
   return good;
 }
 
-/* Returns a vector along the triangle's normal, with twice the triangle's area as length. */
+/* Returns the normal of the triangle; its length is twice the triangle's area. */
 static inline vec stl_normal(const triangle *t) {
   return vec_cross(vec_sub(vec_of(t->v[1]), vec_of(t->v[0])), vec_sub(vec_of(t->v[2]), vec_of(t->v[0])));
 }
 
-/* Returns the enclosed volume. The origin is the centroid of the first triangle, so no digits are lost for a mesh far
- * from 0. */
+/* Returns the enclosed volume. The centroid of the first triangle serves as origin, so no digits are lost for a mesh
+ * far from 0. */
 static inline double stl_volume(const triangle *at, size_t count) {
   double volume = 0;
   for (size_t i = 0; i < count; i++) volume += vec_dot(stl_normal(&at[i]), vec_sub(vec_of(at[i].v[0]), vec_of(at[0].v[0]))) / 6;
@@ -110,8 +110,8 @@ static inline int stl_compare_edges(const void *a, const void *b) {
   return order ? order : stl_compare_vertices(&e->high, &f->high);
 }
 
-/* Counts the edges that occur more often in one direction than in the other, and the edges of length 0. The file `tell`
- * receives the first three edges of the first kind. Returns false if memory is out. */
+/* Counts the edges that occur more often in one direction than in the other (*open), and the edges of length 0
+ * (*degenerate). Prints the first three open edges to `tell`. Returns false if memory is exhausted. */
 static inline bool stl_check(const triangle *at, size_t count, size_t *open, size_t *degenerate, FILE *tell) {
   stl_edge *edges = malloc((count * 3 + 1) * sizeof *edges);
   size_t used = 0;

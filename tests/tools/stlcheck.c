@@ -1,8 +1,8 @@
-/* Checks a binary STL file: whether it is closed and oriented, and its volume.
+/* Checks whether a binary STL file is closed and oriented, and prints its volume.
  *
- * `stlcheck FILE` prints `triangles N volume V area A`, and exits with 0 if the mesh is a closed, oriented chain
- * without degenerate triangles. Vertices with equal float32 coordinates are one vertex, and every directed edge must
- * occur as often as its opposite. Otherwise it prints the reason. */
+ * `stlcheck FILE` prints `triangles N volume V area A`, and exits with 0 if the mesh is closed and oriented, without
+ * degenerate triangles. Vertices with equal float32 coordinates are one vertex, and every directed edge must occur as
+ * often as its opposite. Otherwise it prints the reason. */
 #include "stl.h"
 
 int main(int argc, char **argv) {

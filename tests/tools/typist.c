@@ -1,9 +1,9 @@
-/* Types at a program on a pseudo-terminal: `typist PROGRAM ARGS... < KEYS > SCREEN`.
+/* Types lines into a program on a pseudo-terminal: `typist PROGRAM ARGS... < KEYS > SCREEN`.
  *
- * It types each line of KEYS once the program has been silent for most of a second, or for less when it shows its
- * prompt again. In a line, \n \t \e \\ and \xHH mean keys (\x03 is ctrl-C), and \w waits up to 60 seconds for the next
- * prompt. It prints the program's output without cursor movements; with --escapes before PROGRAM it prints all of it,
- * ESC as \e and a backspace as \b. Exits with the program's code. */
+ * It types each line of KEYS once the program has been silent for most of a second, or for less when the program shows
+ * its prompt again. In a line, \n \t \e \\ and \xHH mean keys (\x03 is ctrl-C), and \w waits up to 60 seconds for the
+ * next prompt. It prints the program's output without cursor movements; with --escapes before PROGRAM it prints all of
+ * the output, ESC as \e and a backspace as \b. Exits with the program's code. */
 #define _GNU_SOURCE /* for posix_openpt and related functions, and TIOCSCTTY */
 #include <fcntl.h>
 #include <poll.h>
@@ -17,12 +17,12 @@
 
 enum { PATIENCE = 700, /* milliseconds of silence after which the next line is typed; on a busy machine a program may be
                         * silent for several hundred milliseconds */
-       AT_PROMPT = 150 /* milliseconds of silence after a prompt, after which no more output is expected */ };
+       AT_PROMPT = 150 /* milliseconds of silence after a prompt until the next line is typed */ };
 
 /* Copies the program's output to standard output until it is silent for `patience` ms, or for less if the output ends
  * in a new line with a prompt. Returns false once the program has closed the terminal. */
 static int listen_to(int terminal, int patience, int escapes) {
-  static int escape; /* whether the output is inside a sequence ESC [ ... letter */
+  static int escape; /* whether the output is inside an escape sequence: ESC [ ... letter */
   int lines = 0, width = 0;
   char last[2] = {0, 0};
   struct pollfd p = {.fd = terminal, .events = POLLIN};
@@ -53,7 +53,7 @@ static size_t unescape(char *line, int *patience) {
   for (char *from = line; *from && *from != '\n'; from++) {
     if (*from != '\\' || !from[1]) { *to++ = *from; continue; }
     switch (*++from) {
-    case 'n': *to++ = '\r'; break; /* the Enter key */
+    case 'n': *to++ = '\r'; break; /* \n is the Enter key, which sends a carriage return */
     case 't': *to++ = '\t'; break;
     case 'e': *to++ = 27; break;
     case 'w': *patience = 60000; break;
@@ -87,7 +87,8 @@ int main(int argc, char **argv) {
     ioctl(own, TIOCSWINSZ, &size);
     dup2(own, 0), dup2(own, 1), dup2(own, 2);
     close(terminal);
-    signal(SIGINT, SIG_DFL); /* a test run in the background ignores SIGINT, and the program would inherit this */
+    signal(SIGINT, SIG_DFL); /* a test run in the background ignores SIGINT; without this line, the program would
+                              * inherit that */
     execvp(argv[1], argv + 1);
     _exit(127);
   }
@@ -100,7 +101,7 @@ int main(int argc, char **argv) {
     open_still = listen_to(terminal, patience, escapes);
   }
   if (open_still) listen_to(terminal, 500, escapes);
-  close(terminal); /* a program that still waits receives a hangup */
+  close(terminal); /* closing the terminal sends a hangup to a program that still waits */
   int status = 0;
   waitpid(child, &status, 0);
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);

@@ -61,8 +61,8 @@ static inline bool read_stl(const char *path, written_mesh *out) {
   return ok;
 }
 
-/* Reads a PLY file. A corner has three doubles. A face has a byte 3, three numbers, and further bytes up to
- * `stride`. */
+/* Reads a PLY file. A corner has three doubles. A face has a byte 3, then three corner numbers; the header says how
+ * many bytes follow. */
 static inline bool read_ply(const char *path, written_mesh *out) {
   FILE *f = fopen(path, "rb");
   char line[200] = "";
@@ -94,20 +94,20 @@ static inline size_t written_number(const json_t *of, const char *name) {
   return (size_t)json_integer_value(json_object_get(of, name));
 }
 
-/* Returns the start of an accessor's numbers, in bytes of `binary`. */
+/* Returns the position, in the .glb's binary part, of the first number of an accessor (a typed array of glTF). */
 static inline size_t written_offset(const json_t *root, const json_t *accessor) {
   const json_t *view = json_array_get(json_object_get(root, "bufferViews"), written_number(accessor, "bufferView"));
   return written_number(view, "byteOffset") + written_number(accessor, "byteOffset");
 }
 
-/* Appends the triangles of a primitive of a mesh. */
+/* Appends the triangles of a glTF primitive, which is a part of a mesh with one material. */
 static inline bool written_primitive(const json_t *root, const json_t *primitive, const unsigned char *binary,
                                      size_t size, written_mesh *out) {
   const json_t *accessors = json_object_get(root, "accessors");
   const json_t *corners =
       json_array_get(accessors, written_number(json_object_get(primitive, "attributes"), "POSITION"));
   const json_t *indices = json_array_get(accessors, written_number(primitive, "indices"));
-  if (json_object_get(primitive, "mode")) return true; /* the primitive consists of lines */
+  if (json_object_get(primitive, "mode")) return true; /* a primitive with a mode consists of lines, so it is skipped */
   size_t points = written_number(corners, "count"), count = written_number(indices, "count"),
          wide = written_number(indices, "componentType") == 5125 ? 4 : 2;
   size_t from = written_offset(root, corners), index_from = written_offset(root, indices), base = out->point_count;

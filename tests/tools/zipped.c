@@ -1,4 +1,4 @@
-/* Prints the contents of a .3mf: `zipped FILE` prints all its parts, one after another. */
+/* Prints the contents of a .3mf file, which is a zip archive: `zipped FILE` prints all its parts, one after another. */
 #include <stdio.h>
 #include <zip.h>
 

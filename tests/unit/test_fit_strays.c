@@ -146,7 +146,7 @@ static vs_vec3 stray(stray_kind kind, const double *n, uint64_t *seed) {
   return vs_v3(.6 * n[0] + normal(seed), -3 + .8 * normal(seed), 2.6 + normal(seed));
 }
 
-/* Returns the rotation about an axis by an angle in degrees. */
+/* Returns the rotation about the axis (x y z) by an angle in degrees, followed by the translation `to`. */
 static vs_rigid_motion turned(double x, double y, double z, double degrees, vs_vec3 to) {
   vs_rigid_motion m = { .size = 1, .to = to };
   double w[VS_RIGID_UNKNOWNS] = { 0 }, length = sqrt(x * x + y * y + z * z), angle = degrees * acos(-1) / 180;

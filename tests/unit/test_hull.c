@@ -30,7 +30,8 @@ static double check_hull(vs_cloud *c) {
   double size = vs_bounds_diagonal(&b), volume = vs_mesh_volume(&m);
   for (size_t t = 0; t < m.triangle_count && c->count < 3000; t++) {
     vs_vec3 a = m.vertices[m.triangles[t][0]], u = vs_v3_sub(m.vertices[m.triangles[t][1]], a), v = vs_v3_sub(m.vertices[m.triangles[t][2]], a), n = vs_v3_cross(u, v);
-    for (size_t i = 0; i < c->count; i++) /* distance times area, because the plane of a thin triangle is less exact */
+    for (size_t i = 0; i < c->count; i++) /* compares distance times twice the triangle's area, because the plane of a
+                                           * thin triangle is less exact */
       if (vs_v3_dot(n, vs_v3_sub(c->at[i], a)) > 1e-11 * size * size * size) fail_msg("point %zu lies outside face %zu", i, t);
   }
   vs_mesh_free(&m);
@@ -41,8 +42,8 @@ static double check_hull(vs_cloud *c) {
 static void hulls_of_points(void **state) {
   (void)state;
   uint64_t seed = 88172645463325252u;
-  for (int round = 0; round < 200; round++) { /* points in a box, on a ball, on a coarse lattice (where most points are
-                                               * coplanar with many others), all far away and rotated */
+  for (int round = 0; round < 200; round++) { /* points in a box, on a ball, or on a coarse lattice (where many points
+                                               * are coplanar); all are rotated, and far from the origin */
     vs_cloud c = { 0 };
     int kind = round % 4, n = 4 + (int)(drawn(&seed) * (round < 190 ? 60 : 2000));
     vs_affine turn = vs_affine_rotation(vs_v3(1, 2, 3), vs_v3(drawn(&seed), 1, drawn(&seed)), drawn(&seed) * 6);
@@ -95,7 +96,8 @@ static void flat_hulls(void **state) {
   vs_cloud_free(&c);
 }
 
-/* A frustum of a pyramid with a border of one cell, an island that touches the floor, and a plain. */
+/* Tests height fields: a frustum of a pyramid with a border of one cell, an island that touches the floor, and a level
+ * plain. */
 static void height_fields(void **state) {
   (void)state;
   vs_store *s = vs_store_new(NULL, NULL);

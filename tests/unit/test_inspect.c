@@ -1,5 +1,5 @@
-/* Tests the checks whether a mesh is a solid, of making a self-intersecting mesh simple, and of
- * rounding. */
+/* Tests three functions for meshes: the check whether a mesh is a solid, the repair of self-intersections, and the
+ * rounding of coordinates. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -15,8 +15,8 @@
 #include "tests/oracle/sx.c"
 #include "tests/tools/crossings.h"
 
-/* Joins the leaves of the .sx text into a single mesh, each at its place. Leaves from number `turned` on are inside
- * out. */
+/* Joins the solids of the .sx text into a single mesh, each at its place. From solid number `turned` on, they are
+ * inside out. */
 static void join(vs_mesh *m, const char *text, uint32_t turned) {
   sx_problem p;
   assert_true(sx_parse(text, &p));
@@ -63,7 +63,8 @@ static void test_simple(void **state) {
     vs_mesh_flaws f = inspect(good[i], 9, -1);
     if (!vs_mesh_flawless(&f) || f.least != 0 || f.most != 1) fail_msg("%s: %zu open, %zu wound %d..%d", good[i], f.open_count, f.wound_count, f.least, f.most);
   }
-  vs_mesh_flaws f = inspect("(union (box 3 3 3) (translate 1 1 1 (box 1 1 1)))", 1, 26); /* the second box is a cavity */
+  /* the second box is inside out, and therefore a cavity */
+  vs_mesh_flaws f = inspect("(union (box 3 3 3) (translate 1 1 1 (box 1 1 1)))", 1, 26);
   assert_true(vs_mesh_flawless(&f));
 }
 
@@ -74,11 +75,11 @@ static void test_wound(void **state) {
   assert_int_equal(f.most, 2);
   for (size_t i = 0; i < f.wound_count && i < VS_FLAWS_LISTED; i++) {
     assert_true(i == 0 || f.wound[i - 1].triangle < f.wound[i].triangle);
-    vs_vec3 at = f.wound[i].at; /* the fault is on the small cube, which both solids contain */
+    vs_vec3 at = f.wound[i].at; /* a point on the small cube, which lies inside both solids */
     assert_true(at.x >= 1 && at.y >= 1 && at.z >= 1 && at.x <= 2 && at.y <= 2 && at.z <= 2);
     assert_int_equal(f.wound[i].winding, 2);
   }
-  f = inspect("(union (box 2 2 2) (box 2 2 2))", 9, 8); /* the same faces twice: nothing crosses, but the mesh is not a
+  f = inspect("(union (box 2 2 2) (box 2 2 2))", 9, 8); /* the same box twice: no faces cross, but the mesh is not a
                                                          * solid */
   assert_int_equal(f.most, 2);
   assert_true(f.wound_count > 0);
@@ -89,8 +90,8 @@ static void test_wound(void **state) {
   assert_int_equal(f.least, -1);
   assert_int_equal(f.wound_count, 6);
   assert_true(f.volume < 0);
-  f = inspect("(union (box 2 2 2) (translate 5 0 0 (box 1 1 1)))", 1, 8); /* a shell that is inside out, outside the
-                                                                           * other */
+  f = inspect("(union (box 2 2 2) (translate 5 0 0 (box 1 1 1)))", 1, 8); /* a box that is inside out, and lies outside
+                                                                           * the other box */
   assert_int_equal(f.least, -1);
   assert_int_equal(f.wound_count, 6);
   f = inspect("(union (rotate 12 34 56 (sphere 2 32)) (translate 1.5 0 0 (sphere 1 32)))", 9, -1);
@@ -113,7 +114,7 @@ static void test_open(void **state) {
   m.triangle_count++;
   uint32_t swap = m.triangles[3][0];
   m.triangles[3][0] = m.triangles[3][1];
-  m.triangles[3][1] = swap; /* a single reversed face */
+  m.triangles[3][1] = swap; /* reverses the orientation of a single face */
   assert_true(vs_kernel_inspect(&m, NULL, &f, &e));
   assert_int_equal(f.open_count, 3);
   m.vertices[2].x = NAN;
@@ -125,9 +126,9 @@ static void test_open(void **state) {
 
 static bool count_polls(void *context, const char *stage, double done) { return (void)stage, (void)done, ++*(size_t *)context, true; }
 
-/* Returns the number of polls for boxes that form a stair, with very many storeys, or that are all at the same place,
- * with six storeys. Both have equally many triangles, so only the sorting of storeys differs. The faces of each side
- * are consecutive. */
+/* Returns the number of polls while boxes are sorted into storeys (levels of nesting). The boxes form a stair with very
+ * many storeys, or lie at the same place with six storeys. Both arrangements have equally many triangles, so the polls
+ * differ only by the sorting. The faces of each side are consecutive. */
 static size_t polls_of_stair(size_t boxes, double step) {
   vs_mesh m = { 0 };
   size_t polls = 0;
@@ -151,14 +152,15 @@ static size_t polls_of_stair(size_t boxes, double step) {
   return polls;
 }
 
-/* The sorting of storeys polls: with more storeys, it polls more often. */
+/* Sorting shells into storeys (levels of nesting) polls for an interrupt: with more storeys, it polls more often. */
 static void test_storeys_are_interrupted(void **state) {
   (void)state;
   size_t few = polls_of_stair(40000, 0), many = polls_of_stair(40000, 3);
   if (many < few + 8) fail_msg("%zu polls, and %zu where there is nothing to sort", many, few);
 }
 
-/* Tests vertices closer than the format's precision: they are merged, and the mesh stays closed and the same solid. */
+/* Tests a mesh with vertices closer than the file format's precision. Rounding merges them, and the mesh stays closed
+ * and encloses the same solid. */
 static void test_settle(void **state) {
   (void)state;
   vs_mesh m = { 0 };
@@ -170,14 +172,14 @@ static void test_settle(void **state) {
   assert_true(vs_mesh_round(&m, VS_NUMBERS_SINGLE, NULL, &s, NULL));
   assert_int_equal(s.collapsed + s.flipped + s.met, 0);
   assert_int_equal(m.triangle_count, triangles);
-  for (uint32_t t = 0; t < triangles; t += 211) { /* an edge of some triangles shrinks to almost nothing: its vertex
-                                                   * moves to the edge's other end */
+  for (uint32_t t = 0; t < triangles; t += 211) { /* moves a vertex of every 211th triangle almost onto another vertex
+                                                   * of the triangle */
     uint32_t *v = m.triangles[t];
     m.vertices[v[1]] = vs_v3_add(m.vertices[v[0]], vs_v3(1e-9, 0, -1e-9));
   }
   double pulled = vs_mesh_volume(&m);
   assert_true(vs_mesh_round(&m, VS_NUMBERS_DIGITS, NULL, &s, NULL));
-  assert_int_equal(s.collapsed, 0); /* 12 digits distinguish the vertices */
+  assert_int_equal(s.collapsed, 0); /* in 12 digits the moved vertices are still different */
   assert_true(vs_mesh_round(&m, VS_NUMBERS_SINGLE, NULL, &s, NULL));
   assert_int_equal(s.collapsed, 5);
   assert_int_equal(m.triangle_count, triangles - 2 * s.collapsed);
@@ -185,8 +187,8 @@ static void test_settle(void **state) {
   assert_true(vs_mesh_closed(&m, &sure));
   assert_true(fabs(vs_mesh_volume(&m) - pulled) < 1e-6 && pulled < volume);
   vs_mesh_free(&m);
-  join(&m, "(cyl 1 1 0 3)", 9); /* a tetrahedron smaller than the format's precision is kept, since only sheets would
-                                 * remain of it */
+  join(&m, "(cyl 1 1 0 3)", 9); /* a tetrahedron smaller than the file format's precision is kept, since rounding would
+                                 * flatten it to sheets */
   for (size_t i = 0; i < m.vertex_count; i++) m.vertices[i] = vs_v3_add(vs_v3(1000, 1000, 1000), vs_v3_scale(m.vertices[i], 1e-6));
   assert_true(vs_mesh_round(&m, VS_NUMBERS_SINGLE, NULL, &s, NULL));
   assert_int_equal(m.triangle_count, 4);
@@ -194,8 +196,8 @@ static void test_settle(void **state) {
   vs_mesh_free(&m);
 }
 
-/* Two turned cubes with a gap that 32 bits cannot represent, shifted along each other: no triangle is thin, but in 32
- * bits they intersect. */
+/* Tests two rotated cubes with a gap between them that 32-bit numbers cannot represent. The cubes are shifted along the
+ * gap, so no triangle is thin, but in 32 bits they intersect. */
 static void test_between(void **state) {
   (void)state;
   static const double gaps[] = { 1e-9, 1e-3 };
@@ -218,9 +220,9 @@ static void test_between(void **state) {
   }
 }
 
-/* Tests a ring with a gap between its two ends. The gap is below the precision, and the ends are far from each other
- * along the shell. If the ring is rotated, rounding makes the ends intersect. If it is parallel to the axes, this
- * cannot happen unless both ends are rounded to the same plane. */
+/* Tests a bent bar whose two ends nearly meet, with a gap below the precision. Along the surface, the ends are far from
+ * each other. If the bar is rotated, rounding makes the ends intersect. If it is parallel to the axes, they intersect
+ * only if both ends are rounded to the same plane. */
 static void test_ends(void **state) {
   (void)state;
   static const char ring[] = "(union (box 5 1 1) (box 1 1 5) (translate 0 0 4 (box 5 1 1)) (translate 4 0 0 (box 1 1 2)) (translate 4.31 0.23 2.5 (box 0.5 0.5 2)))";
@@ -248,10 +250,10 @@ static void test_ends(void **state) {
   }
 }
 
-/* Returns the number of triangles that intersect in two cones, base to base, over a ring of `steps` steps of a seventh
- * of a turn. With `turns` 2 the ring goes round twice: its second turn begins further out than the first and ends
- * further in. Seen from the centre, all triangles face outwards. The triangles of step `first` come first in the mesh.
- * The ring is closed or open. */
+/* Makes two cones, base to base, on a ring of `steps` steps; each step is a seventh of a turn. Returns the number of
+ * triangles that intersect. With `turns` 2 the ring goes round twice: its second turn begins further out than the first
+ * and ends further in. Seen from the centre, all triangles face outwards. The triangles of step `first` come first in
+ * the mesh. The ring is closed or open. */
 static size_t met_by_turns(int turns, int steps, int first, bool closed) {
   vs_mesh m = { 0 };
   vs_rounded s;
@@ -274,31 +276,32 @@ static size_t met_by(const char *parts, double pull) {
   vs_mesh m = { 0 };
   vs_rounded s;
   join(&m, parts, 9);
-  m.vertices[0] = vs_v3_scale(m.vertices[0], 1 - pull); /* a ball about the origin: the vertex moves towards the
-                                                         * opposite side, and past it */
+  m.vertices[0] = vs_v3_scale(m.vertices[0], 1 - pull); /* moves a vertex of a ball about the origin towards the
+                                                         * opposite side; with pull above 1, past the centre */
   assert_true(vs_mesh_round(&m, VS_NUMBERS_SINGLE, NULL, &s, NULL));
   vs_mesh_free(&m);
   return s.met;
 }
 
-/* The search skips shells that are separate and star-shaped about their centre. It tests shells that only appear to
- * be. */
+/* The search for self-intersections skips shells that are separate and star-shaped about their centre. It must test
+ * shells that only appear to be star-shaped. */
 static void test_stars(void **state) {
   (void)state;
   assert_int_equal(met_by_turns(1, 7, 0, true), 0);
-  assert_true(met_by_turns(2, 14, 0, true) > 0);   /* each direction intersects the ring twice */
-  assert_true(met_by_turns(2, 11, 5, false) > 0);  /* an open ring: the direction of its first triangle intersects it
-                                                    * once */
+  assert_true(met_by_turns(2, 14, 0, true) > 0);   /* a ray from the centre in any direction intersects the ring of two
+                                                    * turns twice */
+  assert_true(met_by_turns(2, 11, 5, false) > 0);  /* an open ring: a ray from the centre in the direction of its first
+                                                    * triangle intersects it once */
   assert_int_equal(met_by("(sphere 2 32)", 0), 0);
-  assert_int_equal(met_by("(sphere 2 32)", 0.7), 0); /* a dent makes the mesh not star-shaped, but without
+  assert_int_equal(met_by("(sphere 2 32)", 0.7), 0); /* a dent: the mesh is no longer star-shaped, but has no
                                                       * self-intersections */
   assert_true(met_by("(sphere 2 32)", 2.5) > 0);
   assert_int_equal(met_by("(union (sphere 2 32) (translate 9 0 0 (sphere 2 16)))", 0), 0);
   assert_true(met_by("(union (sphere 2 32) (translate 3 0 0 (sphere 2 16)))", 0) > 0);
 }
 
-/* Triangles that the test in doubles reports as disjoint are disjoint: random triangles with vertices at few points,
- * and near them, against exact signs. */
+/* If the test in doubles reports two triangles as disjoint, they must be disjoint. Compares random triangles, with
+ * vertices at and near few points, with exact signs. */
 static void test_apart(void **state) {
   (void)state;
   uint64_t seed = 88172645463325252u;
@@ -325,9 +328,11 @@ static void test_apart(void **state) {
     met += faults > 0;
     missed += !apart && faults == 0;
   }
-  assert_true(said > 40000 && met > 40000); /* the test reports both answers often */
-  assert_true(missed * 5 < said);           /* the test rarely fails to decide, although many triangles touch */
-  const vs_vec3 opposed[6] = { { 0, 0, 0 }, { 3, 1, 1 }, { 3, -1, 1 }, { 0, 0, 0 }, { -3, -1, -1 }, { -3, 1, -1 } }; /* as at the centre of a torus without a hole */
+  assert_true(said > 40000 && met > 40000); /* the random triangles are often disjoint, and often intersect */
+  assert_true(missed * 5 < said);           /* the test in doubles rarely fails to recognize disjoint triangles,
+                                             * although many triangles touch */
+  /* two triangles with one common vertex, on opposite sides of it, as at the centre of a torus without a hole */
+  const vs_vec3 opposed[6] = { { 0, 0, 0 }, { 3, 1, 1 }, { 3, -1, 1 }, { 0, 0, 0 }, { -3, -1, -1 }, { -3, 1, -1 } };
   int shared;
   assert_true(vs_triangles_apart(opposed, opposed + 3, &shared));
 }

@@ -1,5 +1,5 @@
-/* Tests the mesh kernel: exact numbers against GMP, booleans against the rational oracle, degenerate cases, errors and
- * limits. */
+/* Tests the mesh kernel: exact numbers against GMP; boolean operations against another implementation in rational
+ * numbers; degenerate cases, errors and limits. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -27,10 +27,10 @@ static uint64_t random_bits(void) {
 }
 static int32_t span(int32_t low, int32_t high) { return (int32_t)(low + (int64_t)((random_bits() >> 11) % (uint64_t)((int64_t)high - low + 1))); }
 
-/* ---- doubles, exactly ---- */
+/* ---- doubles, converted exactly ---- */
 
-/* Returns a coordinate near a few positions, so that corners are often on edges and planes: integers, some of them off
- * by the last bit, or thirds, or any number. */
+/* Returns a coordinate near one of a few numbers, so that corners are often on edges and planes. The numbers are
+ * integers, integers changed in the last bit, thirds, or random. */
 static double place_near(int round) {
   double x = span(-2, 2);
   switch (round % 4) {
@@ -71,7 +71,7 @@ static void test_doubles(void **state) {
   assert_true(zeros > 400 && kinds[VS_MEET_NOT] > 400 && kinds[VS_MEET_TOUCH] > 400 && kinds[VS_MEET_CROSS] > 400);
 }
 
-/* ---- exact numbers ---- */
+/* ---- exact integers of several words ---- */
 
 static void set_wide(mpz_t z, const uint64_t *limbs, size_t n) {
   mpz_import(z, n, -1, 8, 0, 0, limbs);
@@ -103,8 +103,8 @@ static void test_planes_meet(void **state) {
   int inside = 0;
   for (int i = 0; i < 3; i++) mpz_inits(d[i], n[i][0], n[i][1], n[i][2], NULL);
   for (int round = 0; round < 3000; round++) {
-    int32_t most = round % 3 == 0 ? 5 : round % 3 == 1 ? INT32_MAX : 1 << 25; /* numbers of the whole grid, and numbers
-                                                                               * small enough for the fast path */
+    /* coordinates of the whole grid, and coordinates small enough for the faster arithmetic */
+    int32_t most = round % 3 == 0 ? 5 : round % 3 == 1 ? INT32_MAX : 1 << 25;
     vs_plane p[3];
     vs_homogeneous h;
     for (int i = 0; i < 3; i++) random_plane(&p[i], most);
@@ -122,7 +122,8 @@ static void test_planes_meet(void **state) {
       assert_int_equal(mpz_sgn(sum), 0);
       assert_int_equal(vs_homogeneous_side(&p[i], &h), 0);
     }
-    bool far = false, remainders = false; /* outside the grid, where the kernel never uses the function */
+    bool far = false, remainders = false; /* far: whether the point is outside the grid, where the kernel never calls
+                                           * vs_homogeneous_fix */
     int64_t fixed[3], want[3];
     for (int a = 0; a < 3; a++) {
       set_wide(x, h.x[a], VS_LIMBS);
@@ -142,7 +143,8 @@ static void test_planes_meet(void **state) {
   for (int i = 0; i < 3; i++) mpz_clears(d[i], n[i][0], n[i][1], n[i][2], NULL);
 }
 
-/* Tests predicates on points with and without remainders, many of them next to a plane or a line. */
+/* Tests exact comparisons of points, many of them next to a plane or a line. Some points have remainders, because they
+ * are not on the grid. */
 static void test_predicates(void **state) {
   (void)state;
   mpq_t c[3][3], s, t, u;
@@ -175,7 +177,7 @@ static void test_predicates(void **state) {
       int want = mpq_cmp(c[0][axis], c[1][axis]);
       assert_int_equal(vs_compare(view, 0, 1, axis), (want > 0) - (want < 0));
     }
-    mpq_set_ui(s, 0, 1); /* the determinant is that of (1 - 0) x (2 - 0), in x and y */
+    mpq_set_ui(s, 0, 1); /* the determinant of (point 1 - point 0) and (point 2 - point 0), in x and y */
     mpq_sub(t, c[1][0], c[0][0]);
     mpq_sub(u, c[2][1], c[0][1]);
     mpq_mul(s, t, u);
@@ -200,7 +202,7 @@ static void test_predicates(void **state) {
   for (int i = 0; i < 9; i++) mpq_clear(c[i / 3][i % 3]);
 }
 
-/* ---- booleans ---- */
+/* ---- boolean operations ---- */
 
 static void check_mesh(const vs_mesh *m) {
   bool sure;
@@ -271,8 +273,8 @@ static void test_against_oracle(void **state) {
       leaves[i] = (vs_kernel_leaf){ &meshes[i], vs_affine_identity(), i, false };
       terms[i] = (vs_kernel_term){ VS_TERM_LEAF, i, 0 };
     }
-    for (int i = 0; i < 4; i++) { /* each operation has two or three random earlier terms as operands; the last
-                                   * operation is the root */
+    for (int i = 0; i < 4; i++) { /* each operation has as operands two or three terms that were made before it; the
+                                   * last operation is the root */
       uint32_t n = (uint32_t)span(2, 3);
       terms[term] = (vs_kernel_term){ (vs_term_kind)span(1, 3), operand, n };
       for (uint32_t j = 0; j < n; j++) operands[operand++] = j == 0 ? term - 1 : (uint32_t)span(0, (int32_t)term - 1);
@@ -300,7 +302,7 @@ static void test_equal_turns_written_differently(void **state) {
   assert_int_equal(triangles, 12);
 }
 
-/* Leaves with a common shear touch as they did without the shear. */
+/* Tests that solids which touch still touch after all of them are rotated and scaled unequally. */
 static void test_sheared_alike(void **state) {
   (void)state;
   size_t triangles;
@@ -311,8 +313,8 @@ static void test_sheared_alike(void **state) {
   assert_int_equal(sheared, triangles);
 }
 
-/* Checks by index that every edge has two triangles, and every vertex a single fan: the kernel splits vertices where
- * the solid touches itself. */
+/* Checks that every edge belongs to two triangles, and that the triangles of every vertex form a single fan. The kernel
+ * splits a vertex where the solid touches itself. */
 static void check_manifold(const vs_mesh *m) {
   check_mesh(m);
   size_t corners = 3 * m->triangle_count;
@@ -327,8 +329,8 @@ static void check_manifold(const vs_mesh *m) {
     degree[a]++;
   }
   for (size_t i = 0; i < corners; i++)
-    for (size_t j = i + 1; j < corners; j++) assert_false(edges[i][0] == edges[j][0] && edges[i][1] == edges[j][1]); /* each direction of an edge
-                                                                                                                      * occurs once */
+    /* each direction of an edge occurs once */
+    for (size_t j = i + 1; j < corners; j++) assert_false(edges[i][0] == edges[j][0] && edges[i][1] == edges[j][1]);
   for (uint32_t v = 0; v < m->vertex_count; v++) { /* a walk around v visits all of its triangles */
     size_t start = corners, at, count = 0;
     for (size_t i = 0; i < corners && start == corners; i++)
@@ -355,9 +357,10 @@ static void test_cubes_become_one(void **state) {
   enum { BOX, ELL, HALVES, SHAPES };
   static const struct { double volume; size_t triangles, vertices, tagged[2]; } want[SHAPES] = {
     [BOX] = { 4096, 12, 8, { 12, 0 } },
-    [ELL] = { 3072, 20, 12, { 20, 0 } },      /* an L with 6 corners: 2 ends of 6 - 2 triangles, 6 sides of 2 */
-    [HALVES] = { 4096, 20, 12, { 10, 10 } },  /* each half has an end and 4 sides of 2 triangles; their common face is
-                                               * inside */
+    [ELL] = { 3072, 20, 12, { 20, 0 } },      /* an L-shaped prism: each end has 6 corners, thus 4 triangles; each of 6
+                                               * sides has 2 triangles */
+    [HALVES] = { 4096, 20, 12, { 10, 10 } },  /* each half has one end and 4 sides of 2 triangles; the halves' common
+                                               * face is inside the solid */
   };
   const vs_affine turns[] = { vs_affine_identity(), vs_affine_rotation(vs_v3(0, 0, 0), vs_v3(0, 0, 1), .5), vs_affine_rotation(vs_v3(.3, -7, 2), vs_v3(1, 2.3, -.7), .6180339) };
   vs_mesh cube = { 0 };
@@ -394,9 +397,8 @@ static void test_cubes_become_one(void **state) {
         double longest = 0;
         for (int k = 0; k < 3; k++) v[k] = m.vertices[m.triangles[i][k]];
         for (int k = 0; k < 3; k++) longest = fmax(longest, vs_v3_length(vs_v3_sub(v[k], v[(k + 1) % 3])));
-        assert_true(vs_v3_length(vs_v3_cross(vs_v3_sub(v[1], v[0]), vs_v3_sub(v[2], v[0]))) > 2 * longest); /* the height is above 2, so
-                                                                                                             * the triangle is not a
-                                                                                                             * sliver */
+        /* the triangle's height is above 2 grid units, so it is not a sliver */
+        assert_true(vs_v3_length(vs_v3_cross(vs_v3_sub(v[1], v[0]), vs_v3_sub(v[2], v[0]))) > 2 * longest);
         assert_true(m.tags[i] < 2);
         tagged[m.tags[i]]++;
       }
@@ -469,8 +471,8 @@ static void test_thin_and_nested(void **state) {
   near(volume_of("(union (box 1 1 1) (translate 1 1 0 (box 1 1 1)) (translate 1 1 1 (scale -1 -1 -1 (box .5 .5 .5))))", &triangles), 2, 1e-12);
 }
 
-/* If no other leaf touches a large leaf, the kernel copies its triangles. If the leaf occurs twice, the kernel arranges
- * all of them. The results must be equal. */
+/* Tests two ways to compute a result. If no other leaf touches a large leaf, the kernel copies its triangles. If the
+ * leaf occurs twice, the kernel intersects all of its triangles with the others. The results must be equal. */
 static void test_plain(void **state) {
   (void)state;
 #define RING "(torus 10 3 32 16)"
@@ -480,7 +482,7 @@ static void test_plain(void **state) {
 #define WITHIN "(rotate 3 2 1 (torus 10 1 32 16))"
 #define LINK "(translate 10 0 0 (rotate 90 0 0 (torus 10 3 32 16)))"
 #define TWICE(x) "(union " x x ")"
-  static const char *const cases[][2] = { /* each case has each operand once, and then twice */
+  static const char *const cases[][2] = { /* text of each case with each operand once, then with each operand twice */
     { "(difference " RING OTHER ")", "(difference " TWICE(RING) TWICE(OTHER) ")" },
     { "(scale -1 1 1 (intersection " RING OTHER "))", "(scale -1 1 1 (intersection " TWICE(RING) TWICE(OTHER) "))" },
     { "(union " RING "(scale -1 1 1 " BALL ") " BALL ")", "(union " TWICE(RING) "(scale -1 1 1 " BALL ") " BALL BALL "(scale -1 1 1 " BALL "))" },
@@ -489,8 +491,8 @@ static void test_plain(void **state) {
     { SPINDLE, TWICE(SPINDLE) },                                                        /* a solid that intersects
                                                                                          * itself */
     { "(difference (box 20 20 3) " SPINDLE ")", "(difference (box 20 20 3) " TWICE(SPINDLE) ")" },
-    { "(difference " RING WITHIN ")", "(difference " TWICE(RING) TWICE(WITHIN) ")" },   /* surfaces that no other surface
-                                                                                         * intersects */
+    /* rings whose surfaces do not intersect */
+    { "(difference " RING WITHIN ")", "(difference " TWICE(RING) TWICE(WITHIN) ")" },
     { "(difference (scale 1 -1 1 " RING ") " WITHIN ")", "(difference " TWICE("(scale 1 -1 1 " RING ")") TWICE(WITHIN) ")" },
     { "(union (difference " RING WITHIN ") " LINK ")", "(union (difference " TWICE(RING) TWICE(WITHIN) ") " TWICE(LINK) ")" },
   };
@@ -512,8 +514,8 @@ static void test_plain(void **state) {
   }
 }
 
-/* A part that touches no other part is not rounded to a grid, star-shaped or not. The test uses a horseshoe with
- * coordinates in thirds, twice. */
+/* A part that touches no other part is not rounded to a grid, star-shaped or not. The test uses two horseshoes with
+ * coordinates that are thirds. */
 static void test_alone(void **state) {
   (void)state;
   static const double at[8][2] = { { 0, 0 }, { 3, 0 }, { 3, 3 }, { 2, 3 }, { 2, 1 }, { 1, 1 }, { 1, 3 }, { 0, 3 } };
@@ -571,9 +573,8 @@ static void test_edge_on_diagonal(void **state) {
   assert_true(sx_parse("(union (box 1 1 1) (box 2 2 2))", &p));
   vs_mesh *t = p.meshes[1];
   t->vertex_count = t->triangle_count = 0;
-  vertex(t, 0, 0, 1), vertex(t, 1, 1, 1), vertex(t, 1, 0, 2), vertex(t, 1, 0, 0); /* the tetrahedron goes through the
-                                                                                   * top of the box, with an edge on its
-                                                                                   * diagonal */
+  /* the tetrahedron passes through the top of the box; one of its edges lies on the diagonal of the box's top */
+  vertex(t, 0, 0, 1), vertex(t, 1, 1, 1), vertex(t, 1, 0, 2), vertex(t, 1, 0, 0);
   face(t, 0, 2, 1), face(t, 0, 1, 3), face(t, 1, 2, 3), face(t, 0, 3, 2);
   if (!vs_kernel_evaluate(&p.problem, NULL, &m, &e)) fail_msg("%s", e.message);
   check_mesh(&m);
@@ -582,16 +583,16 @@ static void test_edge_on_diagonal(void **state) {
   sx_free(&p);
 }
 
-/* An operand far larger than the place where it has an effect is clipped first. A grid for the whole operand would be
- * too coarse for the other operand. */
+/* Tests an operand that is far larger than the region where it has an effect. The kernel clips it first, because a grid
+ * for the whole operand would be too coarse for the other operand. */
 static void test_far_larger(void **state) {
   (void)state;
   static const struct { const char *text; double volume; } cases[] = {
     { "(intersection (translate -5e5 -5e5 -1 (box 1e6 1e6 1)) (translate .1 .2 -.005 (box .01 .01 .01)))", 5e-7 },
     { "(difference (translate .1 .2 -.005 (box .01 .01 .01)) (translate -5e5 -5e5 -1 (box 1e6 1e6 1)))", 5e-7 },
     { "(rotate 33 21 17 (difference (translate .1 .2 -.005 (box .01 .01 .01)) (translate -5e5 -5e5 -1 (box 1e6 1e6 1))))", 5e-7 },
-    { "(difference (translate .1 .2 -.005 (box .01 .01 .01)) (rotate 33 21 17 (translate -5e5 -5e5 -5e5 (box 1e6 1e6 1e6))))", 0 }, /* the other operand is inside
-                                                                                                                                     * the large operand */
+    /* the small operand is inside the large operand */
+    { "(difference (translate .1 .2 -.005 (box .01 .01 .01)) (rotate 33 21 17 (translate -5e5 -5e5 -5e5 (box 1e6 1e6 1e6))))", 0 },
     { "(union (translate 3 0 0 (box .01 .01 .01)) (difference (translate .1 .2 -.005 (box .01 .01 .01)) (translate -5e5 -5e5 -1 (box 1e6 1e6 1))))", 1.5e-6 },
     { "(difference (translate .1 .2 -.005 (box .01 .01 .01)) (difference (cbox 1e6 1e6 2) (translate 0 0 -2 (box 1e6 1e6 4))))", 1e-6 },
   };
@@ -601,8 +602,8 @@ static void test_far_larger(void **state) {
   }
   static const char *const large[] = { "(translate 0 0 -1e4 (sphere 1e4 64))", "(rotate 10 20 30 (translate 3e3 0 0 (torus 3e3 1e3 40 20)))", "(rotate 5 5 5 (translate 0 0 -9e5 (cyl 9e5 5e5 1 31)))",
                                        "(difference (rotate 3 4 5 (cbox 1e5 1e5 1e5)) (rotate 1 1 1 (box 1e5 1e5 1e5)))" };
-  for (size_t i = 0; i < sizeof large / sizeof *large; i++) { /* difference and intersection together are the whole
-                                                               * operand */
+  for (size_t i = 0; i < sizeof large / sizeof *large; i++) { /* the volumes of difference and intersection add up to
+                                                               * the volume of the first operand */
     char text[400];
     static const char detail[] = "(translate .002 .003 0 (rotate 40 30 20 (cbox .02 .01 .03)))";
     snprintf(text, sizeof text, "(difference %s %s)", detail, large[i]);
@@ -613,7 +614,8 @@ static void test_far_larger(void **state) {
   }
 }
 
-/* Tests the kernel's check of its result. It accepts right results, and reports a lost, doubled or reversed part. */
+/* Tests the kernel's check of its own result. The check must accept right results, and report a lost, doubled or
+ * reversed part. */
 static void test_self_check(void **state) {
   (void)state;
   static const char *const texts[] = {
@@ -656,7 +658,7 @@ static void test_self_check(void **state) {
     vs_mesh_free(&m);
     sx_free(&p);
   }
-  sx_problem p; /* a part that the grid of the solid it touches would change */
+  sx_problem p; /* a thin peg in a huge plate, whose coarse grid changes the peg */
   vs_mesh m = { 0 };
   vs_kernel_error e;
   vs_kernel_counts counts = { 0 };
@@ -713,7 +715,7 @@ static void test_wide_and_deep(void **state) {
   assert_true(vs_kernel_evaluate(&wide, NULL, &m, &e));
   assert_int_equal(m.triangle_count, 12 * WIDE);
   vs_mesh_free(&m);
-  /* ((a - b) u a) - b ..., as deep as the loop */
+  /* nests DEEP operations: ((a - b) union a) - b ... */
   for (uint32_t i = 0; i < 2; i++) terms[i] = (vs_kernel_term){ VS_TERM_LEAF, i, 0 };
   leaves[1].placement = vs_affine_translation(vs_v3(0.5, 0.5, 0.5));
   for (uint32_t i = 0; i < DEEP; i++) {
@@ -731,7 +733,8 @@ static void test_wide_and_deep(void **state) {
   free(operands);
 }
 
-/* Clusters that are copies are stored once, including rotated, mirrored and differently painted copies. */
+/* Clusters (groups of touching solids) that are copies of each other are stored once, including rotated, mirrored and
+ * differently painted copies. */
 static void test_copies(void **state) {
   (void)state;
   static const char one[] = "(difference (box 4 2 2) (translate 1 1 -1 (cyl 5 .5 .5 16)))";
@@ -755,13 +758,13 @@ static void test_copies(void **state) {
     sum += vs_mesh_volume(from) * fabs(vs_affine_determinant(&c.copies[i].place));
   }
   near(sum, vs_mesh_volume(&m), 1e-9);
-  vs_vec3 at = vs_affine_point(&c.copies[2].place, c.meshes[0].vertices[0]); /* first vertex of the third copy, which is
-                                                                              * a corner of its box */
+  /* the first vertex of the stored mesh, moved to the place of its third copy; it must be a vertex of the result */
+  vs_vec3 at = vs_affine_point(&c.copies[2].place, c.meshes[0].vertices[0]);
   bool found = false;
   for (size_t i = 0; i < m.vertex_count; i++) found = found || vs_v3_length(vs_v3_sub(m.vertices[i], at)) < 1e-9;
   assert_true(found);
-  for (uint32_t i = 0; i < p.problem.leaf_count; i++) p.leaves[i].tag = i; /* all tags mean the same paint: the clusters
-                                                                            * are still copies, with separate tags */
+  /* gives each leaf a tag of its own; all tags have the same paint, so the clusters remain copies of each other */
+  for (uint32_t i = 0; i < p.problem.leaf_count; i++) p.leaves[i].tag = i;
   uint32_t paints[9] = { 0 };
   p.problem.paints = paints;
   m.vertex_count = m.triangle_count = 0;
@@ -778,7 +781,7 @@ static bool stop(void *context, const char *stage, double done) {
   return --*(int *)context > 0;
 }
 
-/* Checks that any number of threads gives the same bytes. Returns the number of triangles. */
+/* Checks that the result has the same bytes for any number of threads. Returns the number of triangles. */
 static size_t by_threads(const vs_kernel_problem *problem) {
   vs_mesh m[3] = { { 0 } };
   for (uint32_t i = 0; i < 3; i++) {
@@ -797,13 +800,13 @@ static size_t by_threads(const vs_kernel_problem *problem) {
   return triangles;
 }
 
-/* Threads copy a part that touches no other part to its place. They also place copies. Clusters that must be combined
- * lie between them. */
+/* Threads copy parts that touch no other part to their places, and place copies of clusters. Clusters that must be
+ * combined lie between these parts. */
 static void test_places(void **state) {
   (void)state;
   char text[8000] = "(union";
-  for (int i = 0; i < 20; i++) { /* different spheres, equal spheres that are rotated, and pairs that overlap; every
-                                  * second pair is equal */
+  for (int i = 0; i < 20; i++) { /* twenty rows of three parts: a sphere of another size, a rotated sphere of the same
+                                  * size, and a pair of boxes that overlap; every second pair is the same */
     sprintf(text + strlen(text), " (translate %d 0 0 (sphere %g 48)) (translate %d 9 0 (rotate 0 0 %d (sphere 2 48)))", 9 * i, 2 + i * 0.0625, 9 * i, 90 * i);
     sprintf(text + strlen(text), " (translate %d 18 0 (rotate 0 0 %d (union (cbox 2 2 2) (translate 1 1 %g (cbox 2 2 2)))))", 9 * i, 90 * i, i % 2 ? 1.0 : 1 + i * 0.03125);
   }
@@ -859,7 +862,7 @@ static void test_errors(void **state) {
   assert_int_equal(e.status, VS_KERNEL_INSIDE_OUT);
   assert_int_equal(e.leaf, 0);
   vs_mesh_turn(p.meshes[0], 0);
-  p.leaves[0].placement.m[0][0] = -1; /* a mirror image is not a solid inside out */
+  p.leaves[0].placement.m[0][0] = -1; /* mirrors a leaf: the kernel must not report its faces as inside out */
   assert_true(vs_kernel_evaluate(&p.problem, NULL, &m, &e));
   p.leaves[0].placement.m[0][3] = NAN;
   size_t before = m.triangle_count;
@@ -872,8 +875,8 @@ static void test_errors(void **state) {
   vs_kernel_options limits = { .max_triangles = 10 };
   assert_false(vs_kernel_evaluate(&p.problem, &limits, &m, &e));
   assert_int_equal(e.status, VS_KERNEL_LIMIT);
-  for (size_t bytes = 1000; bytes < 3000000; bytes *= 3) { /* the run fails at another point each time, and must free
-                                                            * all memory */
+  for (size_t bytes = 1000; bytes < 3000000; bytes *= 3) { /* limits the memory, so that the run fails at another point
+                                                            * each time, and must free all memory */
     limits = (vs_kernel_options){ .max_bytes = bytes };
     if (!vs_kernel_evaluate(&p.problem, &limits, &m, &e)) assert_int_equal(e.status, VS_KERNEL_LIMIT);
     else assert_true(bytes > 200000);
@@ -889,7 +892,7 @@ static void test_errors(void **state) {
   sx_free(&p);
 }
 
-/* Returns two crossed layers of `bars` bars: some 8 faces for each crossing. */
+/* Returns two layers of `bars` crossed bars; each crossing adds some 8 faces to the result. */
 static char *lattice(int bars) {
   size_t room = 64 + 128 * (size_t)bars, used = 0;
   char *text = malloc(room);
@@ -903,8 +906,8 @@ static char *lattice(int bars) {
   return text;
 }
 
-/* The kernel checks the limit on triangles while it cuts solids, not at the end: the limit, not the size of the result,
- * bounds the memory. */
+/* The kernel checks the limit on triangles during its work, not only at the end. The limit therefore bounds the memory
+ * for any result. */
 static void test_limit_on_the_way(void **state) {
   (void)state;
   enum { FEW = 500, MORE = 2000 };
@@ -930,13 +933,14 @@ static void test_limit_on_the_way(void **state) {
   free(text);
 }
 
-/* Without bends a result has only the corners of its solids and of their intersections; Euler's formula gives the
- * number of triangles. With bends it has more, and the same volume. */
+/* Tests the kernel's option `straight`, which removes unnecessary vertices from edges. With it, a result has only the
+ * corners of its solids and of their intersections; Euler's formula gives the number of triangles. Without it, a result
+ * has more triangles, and the same volume. */
 static void test_facets_stay_whole(void **state) {
   (void)state;
   static const struct {
     const char *text;
-    size_t triangles; /* number of triangles without bends; 0: not known */
+    size_t triangles; /* number of triangles with the option `straight`; 0: not known */
   } cases[] = {
     { "(difference (box 4 4 4) (translate 2 2 2 (rotate 33 21 17 (cbox 1 1 9))))", 32 },
     { "(difference (rotate 33 21 17 (box 4 4 4)) (translate 0 0 1 (box 1 1 9)) (rotate 33 21 17 (translate 9 0 0 (box 1 1 1))))", 0 },

@@ -1,6 +1,6 @@
-/* Tests that memory may run out anywhere in the kernel, in any of its threads. Each request in turn is refused: once,
- * or with all later requests. Each run succeeds or returns a named error; none hangs, and all memory is freed. Tests a
- * sample of the requests; LONG=1: every request of four threads. */
+/* Tests that memory may run out anywhere in the kernel, in any of its threads. Each request for memory is refused in
+ * turn: once, or with all later requests. Each run must succeed or return a named error, must not hang, and must free
+ * all memory. Tests a sample of the requests; LONG=1: every request of four threads. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdatomic.h>
@@ -16,8 +16,8 @@
 #include "tests/unit/allocator.h"
 #include "tests/unit/skip.h"
 
-static _Atomic long left = -1, live; /* left: number of requests until a refusal; negative: no refusal. live: number of
-                                      * blocks in use */
+static _Atomic long left = -1, live; /* left: number of requests until one is refused; negative: none is refused. live:
+                                      * number of blocks in use */
 static _Atomic bool refused, for_good;
 
 #if REPLACED
@@ -69,7 +69,7 @@ static void test_refused(void **state) {
   for (uint32_t threads = 1; threads <= 4; threads += 3)
     for (int good = 0; good < 2; good++) {
       long n = 0;
-      assert_true(perform(&p, threads, &why)); /* a thread's cached blocks serve the next thread */
+      assert_true(perform(&p, threads, &why)); /* blocks of memory that one thread freed are used by the next thread */
       for (;; n += (all && threads > 1) || n < 150 ? 1 : 1 + n / 8) {
         long before = live;
         refused = false;

@@ -1,5 +1,5 @@
-/* Tests files of lamps, and the sun in panoramas: intensities and symmetries in closed form, randomly damaged files,
- * and suns that the test paints into skies. */
+/* Tests files of lamps, and the search for the sun in panoramas. Intensities and symmetries are compared with formulas,
+ * files are damaged at random, and the test paints suns into skies. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -38,7 +38,8 @@ static void test_intensities(void **state) {
   near_to(vs_ies_candelas(&x, 91, 0), 0, 0);
   near_to(x.most, 1000, 0);
   vs_ies_free(&x);
-  /* a quarter, a half that begins at 90 degrees, and a lamp with equal intensity in all horizontal directions */
+  /* three lamps: with data for a quarter turn, for a half turn that begins at 90 degrees, and for one direction that
+   * applies to all */
   assert_true(reads(s, "TILT=NONE\n1 1 1 2 2 1 1 0 0 0 1 1 1 0 90 0 90 8 6 8 2", &x, &e));
   near_to(vs_ies_candelas(&x, 90, 135), 4, 1e-9);
   near_to(vs_ies_candelas(&x, 90, 180), 6, 1e-9);
@@ -79,7 +80,7 @@ static void test_wrong_files(void **state) {
     assert_false(reads(s, rows[i].text, &x, &e));
     assert_string_equal(e.message, rows[i].said);
   }
-  /* bytes changed, removed and cut off at random: the result is an error or a lamp, and no memory is lost */
+  /* changes, removes or cuts off random bytes: reading must return an error or a lamp, and lose no memory */
   uint32_t seed = 1;
   for (int i = 0; i < 20000; i++) {
     char text[sizeof asymmetric];
@@ -100,14 +101,14 @@ static void test_wrong_files(void **state) {
   vs_store_release(s);
 }
 
-/* ---- suns ---- */
+/* ---- suns in panoramas ---- */
 
 static vs_vec3 towards(double azimuth, double altitude) {
   double a = azimuth * pi / 180, h = altitude * pi / 180;
   return vs_v3(sin(a) * cos(h), cos(a) * cos(h), sin(h));
 }
 
-/* Paints a sky that is bluer at the top, with a disc of half a degree in it. Each pixel is the mean of SUB x SUB of its
+/* Paints a sky that is bluer at the top, with a solar disc of half a degree in it. Each pixel is the mean of SUB x SUB
  * points. */
 static void paint(vs_exr *x, vs_vec3 sun, double bright) {
   enum { SUB = 8 };
@@ -142,14 +143,15 @@ static void test_suns(void **state) {
     double bright = 40000, angle = 2 * pi * (1 - cos(0.266 * pi / 180));
     paint(&x, where, bright);
     assert_true(vs_panorama_take_sun(&x, &sun));
-    assert_true(vs_v3_dot(sun.direction, where) > cos(0.1 * pi / 180)); /* the requirement is half a degree */
+    /* the direction that was found is within 0.1 degrees of the painted sun; half a degree is required */
+    assert_true(vs_v3_dot(sun.direction, where) > cos(0.1 * pi / 180));
     near_to(sun.light.x, bright * angle, 0.02 * bright * angle);
     near_to(sun.light.y, 0.9 * bright * angle, 0.02 * bright * angle);
     near_to(sun.light.z, 0.7 * bright * angle, 0.02 * bright * angle);
     float most = 0;
     for (size_t k = 0; k < (size_t)x.columns * x.rows; k++) most = fmaxf(most, vs_exr_find(&x, "B")[k]);
-    assert_true(most < 1.3); /* the sky has the value 0.9, and more below the horizon; no larger value remains after the
-                              * sun is removed */
+    assert_true(most < 1.3); /* the sky's brightness is 0.9, and slightly more below the horizon, so no pixel of the sun
+                              * remains */
     assert_false(vs_panorama_take_sun(&x, &sun));
     vs_exr_free(&x);
     assert_int_equal(vs_store_bytes(s), 0);
@@ -157,7 +159,8 @@ static void test_suns(void **state) {
   }
 }
 
-/* Tests a file with runs and with plain rows. A file that is cut off at any byte must be an error. */
+/* Tests a Radiance file (.hdr) with run-length coded rows and with plain rows. A file that is cut off at any byte must
+ * be an error. */
 static void test_radiance(void **state) {
   (void)state;
   unsigned char file[256];

@@ -1,6 +1,6 @@
-/* Tests the library's C procedures. Each row is an expression of nested calls, and the text that it prints, or its
- * error. A small evaluator in this file replaces the compiler, so that these tests need only reader, natives and
- * printer. */
+/* Tests the library's C procedures. Each row of the tables contains an expression of nested calls, and the text that it
+ * prints, or its error. A small evaluator in this file replaces the compiler, so that these tests need only reader, C
+ * procedures and printer. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -23,7 +23,7 @@ static vs_value names, input;        /* names: table from name to procedure. inp
 
 static bool define(vs_scheme *vm, void *table, vs_value symbol, vs_value procedure) { return vs_table_put(vm, *(vs_value *)table, symbol, procedure); }
 
-/* Evaluates a form. The recursion is as deep as the nesting of this file's rows. */
+/* Evaluates a form. The recursion is only as deep as the nesting of the rows in this file. */
 static bool eval(vs_scheme *vm, vs_value form, vs_value *out) {
   if (vs_is_symbol(form)) return vs_table_get(vm, names, form, out);
   if (!vs_is_pair(form)) return *out = form, true;
@@ -307,13 +307,13 @@ static uint64_t next(uint64_t *s) {
   return *s;
 }
 
-/* Tests that random doubles are read back unchanged, and that a text with one digit less is not. */
+/* Tests that random doubles are read back unchanged, and that a text with a digit less gives another double. */
 static void round_trips(vs_scheme *vm) {
   uint64_t s = 88172645463325252u;
   for (int i = 0; i < 20000; i++) {
     uint64_t bits = next(&s);
-    if (i % 4 == 0) bits &= ~((UINT64_C(1) << 52) - 1);            /* powers of two: their neighbours are at different
-                                                                    * distances */
+    if (i % 4 == 0) bits &= ~((UINT64_C(1) << 52) - 1);            /* powers of two: the distance to the next double
+                                                                    * below is half of that to the next above */
     double d, back;
     memcpy(&d, &bits, 8);
     if (d != d || d - d != 0) continue;
@@ -355,7 +355,8 @@ static void division(vs_scheme *vm) {
   }
 }
 
-/* Tests a table against a plain array: keys by address that move, removals in between, growth. */
+/* Compares a hash table with a plain array. Keys are hashed by address, objects move, keys are removed in between, and
+ * the table grows. */
 static void tables(vs_scheme *vm) {
   enum { KEYS = 500 };
   bool in[KEYS] = {false};
@@ -368,7 +369,7 @@ static void tables(vs_scheme *vm) {
   }
   for (int i = 0; i < 20000; i++) {
     size_t k = (size_t)(next(&s) % KEYS);
-    if (i % 7 == 0) {                              /* a new key, in the young generation again */
+    if (i % 7 == 0) {                              /* replaces a key by a new object, which the collector will move */
       if (in[k]) assert_true(vs_table_remove(vm, r[0], vs_as_vector(r[1])->at[k]));
       in[k] = false;
       assert_true(vs_cons(vm, vs_fix((int64_t)k), VS_NIL, &r[2]));
@@ -399,7 +400,7 @@ static void print_of(vs_scheme *vm, vs_value v, vs_print_mode mode, const char *
 static void cycles(vs_scheme *vm) {
   VS_ROOTS(vm, r, 4);
   bool same;
-  /* two circular lists of different length with the same unfolding */
+  /* two circular lists of different length, both equal to the endless list (1 1 1 ...) */
   for (int k = 0; k < 2; k++) {
     assert_true(vs_cons(vm, vs_fix(1), VS_NIL, &r[k]));
     r[2] = r[k];
@@ -409,7 +410,7 @@ static void cycles(vs_scheme *vm) {
   print_of(vm, r[0], VS_PRINT_WRITE, "#0=(1 1 . #0#)");
   print_of(vm, r[0], VS_PRINT_DISPLAY, "#0=(1 1 . #0#)");
   assert_true(vs_equal(vm, r[0], r[1], &same) && same);
-  /* shared but not circular, so only write-shared prints labels */
+  /* a list that contains the same list twice but is not circular, so only write-shared prints labels */
   assert_true(vs_cons(vm, vs_fix(7), VS_NIL, &r[2]) && vs_cons(vm, r[2], VS_NIL, &r[3]) && vs_cons(vm, r[2], r[3], &r[3]));
   print_of(vm, r[3], VS_PRINT_WRITE, "((7) (7))");
   print_of(vm, r[3], VS_PRINT_SHARED, "(#0=(7) #0#)");
@@ -417,7 +418,7 @@ static void cycles(vs_scheme *vm) {
   assert_true(vs_make_vector(vm, 2, vs_fix(3), &r[2]));
   vs_gc_store(vm, vs_as_vector(r[2]), &vs_as_vector(r[2])->at[1], r[2]);
   print_of(vm, r[2], VS_PRINT_WRITE, "#0=#(3 #0#)");
-  /* shared structure that doubles 60 times represents a tree of 2^60 nodes */
+  /* makes a pair of the same value twice, 60 times: as a tree it has 2^60 nodes */
   r[2] = r[3] = VS_NIL;
   for (int i = 0; i < 60; i++) assert_true(vs_cons(vm, r[3], r[3], &r[3]) && vs_cons(vm, r[2], r[2], &r[2]));
   assert_true(vs_equal(vm, r[2], r[3], &same) && same);
@@ -439,8 +440,8 @@ static void depth(vs_scheme *vm) {
   }
 }
 
-/* Evaluates each row with its n-th allocation refused, for every n: the result is an error or the usual one. Afterwards
- * all rows work again. */
+/* Evaluates each row with its n-th allocation refused, for every n. The result must be an error or the usual result.
+ * Afterwards all rows work again. */
 static void starve(vs_scheme *vm, const row *rows) {
   for (const row *p = rows; p->expression; p++) {
     VS_ROOTS(vm, r, 1);

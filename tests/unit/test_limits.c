@@ -1,6 +1,6 @@
-/* Tests that limits and interrupts end every long operation: builtins, reading, expanding, compiling. Each
- * ends soon after the request, with an error that names the right limit and has a place; the interpreter works
- * afterwards. */
+/* Tests that limits and interrupts end every long operation: builtins, reading, expanding, compiling. Each operation
+ * ends soon after the interrupt, with an error that names the limit and has a place in the program. The interpreter
+ * works afterwards. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -16,16 +16,15 @@
 #include "visualscheme.h"
 #include "vm/values/debug.h"
 
-/* Returns processor time of the program, so that a busy machine does not matter. */
+/* Returns the processor time of the program in seconds, so that a busy machine does not matter. */
 static double now(void) {
   struct timespec t;
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
   return (double)t.tv_sec + (double)t.tv_nsec * 1e-9;
 }
 
-typedef struct { double ask_at, asked; char said[300]; unsigned line; } watch; /* ask_at: time of the interrupt; 0: no
-                                                                                * interrupt. asked: time at which the
-                                                                                * interpreter first noticed it */
+/* ask_at: time of the interrupt; 0: no interrupt. asked: time at which the interpreter first polled after ask_at */
+typedef struct { double ask_at, asked; char said[300]; unsigned line; } watch;
 
 static bool poll_watch(void *context) {
   watch *w = context;
@@ -57,8 +56,8 @@ static void goes_on(vs_scheme *s, watch *w, const char *after) {
   if (eval(s, w, "(define after (+ 1 2))") != VS_OUTCOME_DONE) fail_msg("after %s: %s", after, w->said);
 }
 
-/* Work that repeats until it is interrupted, on prepared data. The sizes make one repetition take some tens of
- * milliseconds or more. */
+/* Programs that are repeated until they are interrupted. made: definitions; done: the work. Each repetition takes some
+ * tens of milliseconds or more. */
 static const struct { const char *made, *done; } busy[] = {
   { "(define x (expt 3 100000))", "(expt x 20)" },
   { "(define x (expt 7/3 50000))", "(expt x 10)" },
@@ -122,7 +121,7 @@ static const struct { const char *made, *done; } busy[] = {
 };
 enum { BUSY = sizeof busy / sizeof *busy };
 
-/* Returns the seconds from the request to the end of a run that continues until it is interrupted. */
+/* Repeats the work until it is interrupted. Returns the seconds from the interrupt to the end. */
 static double time_to_end(vs_scheme *s, watch *w, const char *made, const char *done) {
   char text[400];
   if (eval(s, w, made) != VS_OUTCOME_DONE) fail_msg("%s: %s", made, w->said);
@@ -137,9 +136,9 @@ static double time_to_end(vs_scheme *s, watch *w, const char *made, const char *
   return took;
 }
 
-/* By design each operation ends within 50 ms of an interrupt. The test allows half a second, because sanitizers and a
- * garbage collection in between take time. A virtual machine counts some of the time that it did not receive as the
- * process's time. The best of eight runs is therefore the time of the code. */
+/* By design each operation ends within 50 ms of an interrupt. The test allows half a second, because sanitizers and
+ * garbage collections take time. A virtual machine counts as the process's time some time in which the process did not
+ * run. Therefore the best of eight runs is compared. */
 static void test_interrupts(void **state) {
   (void)state;
   watch w;
@@ -157,7 +156,7 @@ static void test_interrupts(void **state) {
   vs_free(s);
 }
 
-/* Tests the same work under a limit of time. The limit may also be reached while the data is prepared. */
+/* Tests the same programs under a limit of time, which may be reached while the definitions are still evaluated. */
 static void test_time(void **state) {
   (void)state;
   watch w;
@@ -210,13 +209,13 @@ static void test_memory(void **state) {
   vs_scheme *s = open_with(&w, (vs_options){ .limit_memory = 24u << 20 });
   for (size_t i = 0; i < sizeof hungry / sizeof *hungry; i++) {
     vs_outcome outcome = eval(s, &w, hungry[i]);
-    bool digits = outcome == VS_OUTCOME_MODEL && strstr(w.said, "million digits"); /* a number may reach the limit of
-                                                                                    * digits first */
+    /* a number with too many digits may end the program before its time limit */
+    bool digits = outcome == VS_OUTCOME_MODEL && strstr(w.said, "million digits");
     if ((outcome != VS_OUTCOME_MACHINE || !strstr(w.said, "memory")) && !digits) fail_msg("%s: ended with %d: %s", hungry[i], (int)outcome, w.said);
     if (w.line != 1) fail_msg("%s: no place: %s", hungry[i], w.said);
     goes_on(s, &w, hungry[i]);
   }
-  /* Endless recursion reaches its own limit, half of the memory limit, and the message names the procedure. */
+  /* Endless recursion reaches a separate limit, half of the memory limit. The error names the procedure. */
   assert_int_equal(eval(s, &w, "(define (f) (+ 1 (f))) (f)"), VS_OUTCOME_MODEL);
   assert_non_null(strstr(w.said, "f calls itself without end here"));
   goes_on(s, &w, "(f)");
@@ -225,8 +224,8 @@ static void test_memory(void **state) {
 
 /* ---- outputs ---- */
 
-/* Drawings with much work in the language, the passes and the writers, or in the mesh kernel; %u is the number of
- * parts. turn differs each time, so that no cache answers. */
+/* Drawings with much work in the language, the passes and the writers, or in the mesh kernel. %u is the number of
+ * parts. The variable `turn` differs each time, so that no cached result is used. */
 static const struct { const char *made; unsigned parts, many; } drawn[] = {
   { "(erase-all) (draw (unite (map (lambda (i) (make-box (xyz (* 2 i) 0 0) 1 1 (+ 1 (* i 1e-6) turn))) (iota %u))))", 5000,
     200000 },
@@ -248,8 +247,8 @@ static vs_outcome put_out(vs_scheme *s, const vs_format_info *format) {
   return vs_write_drawing_to(s, format->name, NULL, swallow, NULL);
 }
 
-/* The summary and every format that needs no other program end soon after an interrupt, which comes at a tenth, a half
- * and nine tenths of their time. */
+/* The summary, and every format that needs no other program, end soon after an interrupt. The interrupt comes at a
+ * tenth, a half and nine tenths of the time for the whole output. */
 static void test_outputs(void **state) {
   (void)state;
   const char *longer = getenv("LONG");

@@ -1,4 +1,4 @@
-/* Tests bounds, contains? and measures: each against the others and against closed forms. */
+/* Tests bounds, contains? and measures of volume and area: they must agree with each other and with formulas. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -32,8 +32,8 @@ static double drawn(uint64_t *seed) { /* returns a number by xorshift, the same 
   return (double)(*seed >> 11) / 9007199254740992.0;
 }
 
-/* Returns the volume by 60,000 random points of the bounds, as the fraction that is inside. *deviation is four standard
- * deviations. */
+/* Estimates the volume: the fraction of 60,000 random points of the bounding box that are inside. *deviation is four
+ * standard deviations. */
 static double sampled_volume(const vs_node *n, double *deviation) {
   enum { POINTS = 60000 };
   vs_error e = { 0 };
@@ -51,7 +51,8 @@ static double sampled_volume(const vs_node *n, double *deviation) {
   return share * box;
 }
 
-/* Checks that mesh, formula, sample points and bounds of a solid agree. Releases n. */
+/* Checks that a solid's mesh, formula, sample points and bounds agree. formula: whether the solid has a formula.
+ * Releases n. */
 static void agree(vs_node *n, bool formula) {
   vs_mesh m = { 0 };
   vs_error e = { 0 };

@@ -1,5 +1,5 @@
-/* Tests the command's large blocks: contents survive growing, shrinking, and moving from the C library's
- * blocks to mapped ones and back. */
+/* Tests the large blocks of memory that the command vs allocates. Their contents must survive growing, shrinking, and
+ * moving from the C library's blocks to mapped blocks and back. */
 #include "cli/large_blocks.c"
 
 #include <setjmp.h>
@@ -10,7 +10,8 @@
 enum { BLOCKS = 12, TURNS = 3000 };
 typedef struct { unsigned char *at; size_t size; unsigned char mark; } block;
 
-/* Returns the distance between marked bytes. The test marks a block at both ends and at some places in between. */
+/* Returns the distance between the bytes that the test marks in a block of this size. The first and last bytes are
+ * marked too. */
 static size_t step_of(size_t size) { return size / 61 + 1; }
 static void mark(block *b) {
   for (size_t i = 0; i < b->size; i += step_of(b->size)) b->at[i] = b->mark;
@@ -35,8 +36,8 @@ static void test_blocks(void **state) {
     block *b = &at[(random >> 16) % BLOCKS];
     random = random * 1664525 + 1013904223;
     static const size_t most[] = { 100, 1 << 16, HUGE_PAGE + 100, 9 << 20 };
-    resize(b, random >> 30 ? (random >> 4) % most[random >> 30] : b->size + (random >> 16) % 5000); /* a random size, or slightly
-                                                                                                     * more than the old size */
+    /* a random size, or up to 4999 bytes more than the old size */
+    resize(b, random >> 30 ? (random >> 4) % most[random >> 30] : b->size + (random >> 16) % 5000);
   }
   for (int i = 0; i < BLOCKS; i++) resize(&at[i], 0);
 }
@@ -50,7 +51,7 @@ static void test_refused(void **state) {
   p[HUGE_PAGE - 1] = 5;
   assert_null(cli_memory(NULL, p, HUGE_PAGE, (size_t)1 << 62));
   assert_null(cli_memory(NULL, p, HUGE_PAGE, SIZE_MAX));
-  assert_int_equal(p[HUGE_PAGE - 1], 5); /* after a refusal the contents are unchanged */
+  assert_int_equal(p[HUGE_PAGE - 1], 5); /* the refused request has not changed the block's contents */
   assert_null(cli_memory(NULL, p, HUGE_PAGE, 0));
 }
 

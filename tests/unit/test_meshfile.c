@@ -33,15 +33,16 @@ static void put(sample *s, const void *bytes, size_t size) {
 static void say(sample *s, const char *text) { put(s, text, strlen(text)); }
 static void put_float(sample *s, double x) {
   float f = (float)x;
-  put(s, &f, sizeof f); /* the tests run on little-endian machines */
+  put(s, &f, sizeof f); /* writes four bytes as they are in memory: the formats are little-endian, as the machines of
+                         * the tests are */
 }
 
 static const unsigned char quads[6][4] = { { 0, 2, 3, 1 }, { 4, 5, 7, 6 }, { 0, 1, 5, 4 }, { 2, 6, 7, 3 }, { 0, 4, 6, 2 }, { 1, 3, 7, 5 } };
 
 enum { SAMPLES = 9, WORD_STRIPS = 7, BYTE_STRIPS };
 
-/* Writes the cube as three strips of two sides each. A repeated corner reverses the strip's orientation, and -1 begins
- * another strip. */
+/* Writes the cube as three triangle strips, each of two opposite sides. A repeated corner reverses the strip's
+ * orientation, and -1 begins another strip. */
 static void put_strips(sample *s, bool bytes) {
   int32_t corners[32];
   size_t count = 0;
@@ -157,7 +158,7 @@ static void damaged_files(void **state) {
           case 3: memmove(s.bytes + at, s.bytes + at + 1, s.size - at - 1), s.size -= s.size > 1; break;
           case 4: s.bytes[at] = (unsigned char)"0123456789-. \nef"[drawn(&seed) % 16]; break;
           case 5: if (at + 4 < s.size) memset(s.bytes + at, drawn(&seed) % 2 ? 0xff : 0x7f, 4); break;
-          default: { /* repeats a piece of the file at another place */
+          default: { /* copies a random piece of the file over another place of the file */
             size_t from = (size_t)(drawn(&seed) % s.size), size = (size_t)(drawn(&seed) % 40);
             if (from + size < s.size && at + size < s.size) memmove(s.bytes + at, s.bytes + from, size);
           }
@@ -194,8 +195,8 @@ static vs_face_list list_of(const vs_mesh *m) {
   return l;
 }
 
-/* Tests balls with missing, reversed and duplicated faces, and with split vertices. After the repair, the volume must
- * be nearly that of the ball. */
+/* Tests balls with missing, reversed and duplicated faces, and with vertices that are split in two. After the repair,
+ * the volume must be nearly that of the ball. */
 static void broken_solids(void **state) {
   (void)state;
   uint64_t seed = 5;
@@ -216,7 +217,8 @@ static void broken_solids(void **state) {
     size_t dropped = 0;
     bool first = true;
     for (size_t f = 0; f < whole.face_count; f++) {
-      uint64_t fate = first || f == ball.triangle_count ? 99 : drawn(&seed) % 60; /* the first face of a shell decides its orientation */
+      /* the first face of each shell is never damaged, because the repair orients the shell by it */
+      uint64_t fate = first || f == ball.triangle_count ? 99 : drawn(&seed) % 60;
       first = false;
       if (fate == 0 && dropped < 20) {
         dropped++;

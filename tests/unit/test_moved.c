@@ -1,7 +1,8 @@
-/* Tests the property that a placed object is the same whether the pass fold moves the placement into its nodes or not.
- * Every distinct node of the table of shapes (tests/cross/shapes.vs) is placed by every map below, so a new kind, whose
- * samples the table must have, joins by itself. Compared are, with the fold and without it: inside or outside at random
- * points, bounds, volume, area, length, and for a given number of facets the corners of the mesh. */
+/* Tests that the pass fold keeps objects. This pass replaces a placed node by a node whose own fields contain the
+ * placement. Every distinct node of the table of shapes (tests/cross/shapes.vs) is placed by every map below. The table
+ * must have a sample of each kind, so a new kind is tested too. The test compares each placed node before and after the
+ * pass: inside or outside at random points, bounds, volume, area, length, and the corners of the mesh for a given
+ * number of facets. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -28,7 +29,7 @@
 static const char shapes[] = "(define-syntax shape (syntax-rules () ((_ name object . options) (draw object))))"
                              "(load \"tests/cross/shapes.vs\")";
 
-/* The maps, as rows of the matrix. */
+/* The maps of placement, as rows of their matrices. */
 static const struct { const char *name; double m[3][4]; } maps[] = {
   { "translation", { { 1, 0, 0, 3 }, { 0, 1, 0, -2 }, { 0, 0, 1, 5 } } },
   { "quarter turn about z", { { 0, -1, 0, 1 }, { 1, 0, 0, 0 }, { 0, 0, 1, 2 } } },
@@ -55,7 +56,8 @@ static const struct { const char *name; double m[3][4]; } maps[] = {
 };
 enum { MAPS = sizeof maps / sizeof *maps, POINTS = 60, KINDS = 64, NODES = 1 << 14 };
 
-static size_t tried[KINDS], folded[KINDS]; /* by kind: pairs of a node and a map; those that the pass has folded */
+static size_t tried[KINDS], folded[KINDS]; /* tried[k]: number of pairs of a node of kind k and a map. folded[k]: number
+                                            * of such pairs that the pass has changed */
 static size_t compared_points, compared_meshes, wrong_count;
 static uint64_t chance;
 
@@ -92,7 +94,7 @@ static void wrong(const vs_node *n, size_t map, const char *format, ...) {
 
 static bool differ(double a, double b, double slack) { return !(fabs(a - b) <= slack); }
 
-/* Compares inside and outside at random points. Points at which the object itself ends within `slack` do not count. */
+/* Compares inside and outside at random points. Points closer than `slack` to the object's surface do not count. */
 static void compare_points(const vs_node *n, const vs_node *t, const vs_node *r, size_t map, const vs_bounds *b,
                            double slack) {
   vs_error e = { 0 };
@@ -117,7 +119,8 @@ static void compare_points(const vs_node *n, const vs_node *t, const vs_node *r,
   vs_inside_free(without), vs_inside_free(with);
 }
 
-/* Compares the corners of the meshes of a leaf whose facets the tolerance does not change. */
+/* Compares the corners of two meshes of a leaf. The tolerance of the drawing does not change the number of its
+ * facets. */
 static void compare_corners(const vs_node *n, const vs_node *t, const vs_node *r, size_t map, double slack) {
   vs_error e = { 0 };
   vs_mesh a = { 0 }, b = { 0 };
@@ -193,7 +196,7 @@ static void compare(vs_store *s, vs_node *n, size_t map) {
   if (r != t && vs_node_bounds(t, &a, &e) && vs_node_bounds(r, &b, &e)) {
     double size = is_empty(&a) ? 0 : vs_bounds_diagonal(&a);
     bool finite = size > 0 && isfinite(size) && size < 1e6;
-    /* the bounds of sampled kinds are those of a rotated box; those of a spline are the bounds of fine samples */
+    /* relative difference allowed for bounds: a spline's bounds are those of fine samples, other bounds are exact */
     double sampled = n->class_ == VS_CURVE && !flat && !vs_node_has(n, VS_IS_SHORT) ? 1e-3 : 1e-9;
     if (finite && !vs_node_has(n, VS_IS_SAMPLED) && vs_node_role(n) != VS_ROLE_SET)
       compare_bounds(n, map, &a, &b, sampled * size);
@@ -212,7 +215,8 @@ static void hear(void *context, const vs_diagnostic *d) {
   if (d->severity == VS_SEVERITY_ERROR) fprintf(stderr, "%s\n", d->message);
 }
 
-/* Collects the distinct nodes of the drawing, and for those with a number of facets also one that requires it. */
+/* Collects the distinct nodes of the drawing. For a node with a field for the number of facets, also adds a copy that
+ * requires 12 facets. Returns the number of nodes. */
 static size_t gather(vs_bind *bind, vs_node *all[NODES]) {
   size_t count = 0, depth;
   vs_ref ref;

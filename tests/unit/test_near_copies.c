@@ -1,8 +1,8 @@
-/* Tests the property that a written mesh that meets itself is never silent: each sample of the table of shapes, made a
- * solid, is combined with a copy of itself that is turned by 1e-2 to 1e-9 radians, moved or scaled by as little. In
- * .stl, with its numbers of 32 bits, and in .off, the mesh is closed, and no triangle crosses or lies on another unless
- * a warning gives the count and the first place. A sample of 150 programs, with LONG=1 four thousand, or those of
- * SEEDS=FROM-TO. SHOW=1 prints each, TELL=1 the counts. */
+/* Tests that vs never writes a self-intersecting mesh without a warning. Each sample of the table of shapes, made a
+ * solid, is combined with a nearly equal copy of itself: rotated by 1e-2 to 1e-9 radians, or moved or scaled as
+ * slightly. In .stl (32-bit numbers) and in .off, the mesh is closed. No triangle crosses or lies on another unless a
+ * warning gives the number of such triangles and the first place. Runs a sample of 150 programs, with LONG=1 four
+ * thousand, or those of SEEDS=FROM-TO. SHOW=1 prints each program, TELL=1 the counts. */
 #include "tests/unit/trials.h"
 #include "tests/unit/seeds.h"
 
@@ -13,7 +13,7 @@ static size_t written_count, met_count, refused_count;
 
 static double tiny(maker *m) { return pow(10, -2 - any(m, 71) / 10.0); }
 
-/* Writes the program of the seed, which takes each sample in turn. */
+/* Writes the program of the seed. Successive seeds use successive samples of the table. */
 static void make_near(uint64_t seed, char text[MODEL_ROOM]) {
   static const char *const tools[] = { "unite", "subtract", "intersect" }, *const axes[] = { "ux", "uy", "uz",
                                                                                              "(vxyz 1 2 3)" };
@@ -28,7 +28,7 @@ static void make_near(uint64_t seed, char text[MODEL_ROOM]) {
       any(&m, 2) ? 0.3 : 0, far, far / 3);
 }
 
-/* Returns true if the mesh in the format is open, or meets itself without a warning. */
+/* Returns true if the mesh in the format is open, or intersects itself without a warning. */
 static bool silent(trial *t, const char *suffix) {
   written w = { .volume = 0 };
   crossings_found found;
@@ -72,7 +72,8 @@ static void near_copies_are_never_silent(void **state) {
   begin(&t, 0);
   t.file = samples_file;
   for (unsigned long long seed = seeds.from; seed <= seeds.to; seed++) {
-    make_near(seed * (seeds.whole ? 1 : 5), text); /* the sample takes rows from the whole table */
+    make_near(seed * (seeds.whole ? 1 : 5), text); /* with few seeds, uses every fifth program, so that rows of the
+                                                    * whole table occur */
     if (getenv("SHOW")) fprintf(stderr, "seed %llu: %s\n", seed, text);
     if (!is_silent(&t, text)) continue;
     bad++;

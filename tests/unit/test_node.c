@@ -1,4 +1,4 @@
-/* Tests model/'s nodes: hashes, equality, deep trees, wide DAGs, materials, and a failure of each
+/* Tests the nodes of model/: hashes, equality, deep trees, graphs with shared nodes, materials, and a failure of each
  * allocation. */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -103,7 +103,8 @@ static void two_hundred_thousand_deep(void **state) {
   vs_store_release(s);
 }
 
-/* Tests 2^60 paths through 60 nodes. The comparison of two separately built graphs must compare each node once. */
+/* Tests a graph of 60 nodes with 2^60 paths. The comparison of two such graphs, built separately, must compare each
+ * node once. */
 static void wide_dags_compare_by_node(void **state) {
   (void)state;
   vs_store *s = vs_store_new(NULL, NULL);
@@ -164,9 +165,9 @@ static void long_messages_are_cut_at_a_character(void **state) {
   assert_int_equal(strlen(e.message), 511);
 }
 
-/* Tests the directions of pictures. A face deviates from the plane of its direction by at most 11.25 degrees in each
- * direction. The axes of the plane are perpendicular. Seen from outside, the first axis points right when the second
- * points up. */
+/* Tests how pictures are placed on faces by the face's direction. The plane of a picture differs from its face by at
+ * most 11.25 degrees in each direction. The axes of the plane are perpendicular. Seen from outside, the first axis
+ * points right when the second points up. */
 static void pictures_lie_by_directions(void **state) {
   (void)state;
   uint32_t seed = 7;

@@ -1,4 +1,4 @@
-/* Tests the passes: random drawings stay the same solids, and each pass has its intended effect. */
+/* Tests the passes: they keep random drawings the same solids, and each pass has its intended effect. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -32,8 +32,8 @@ static vs_pass_stats run(vs_store *s, vs_ref *ref, unsigned passes) {
   return stats;
 }
 
-static vs_node *over(vs_store *s, vs_kind kind, const void *data, vs_node **kids, size_t count) { /* takes over the references to
-                                                                                                   * the kids */
+/* takes over the references to the children `kids` */
+static vs_node *over(vs_store *s, vs_kind kind, const void *data, vs_node **kids, size_t count) {
   vs_ref *refs = malloc((count + 1) * sizeof *refs);
   assert_non_null(refs);
   for (size_t i = 0; i < count; i++) refs[i] = (vs_ref){ kids[i], NULL };
@@ -72,7 +72,7 @@ static bool never(void *asked, const char *stage, double done) {
   return ++*(size_t *)asked, false;
 }
 
-/* Numbering a large drawing polls, and frees all memory after an interrupt. */
+/* The numbering of a large drawing's nodes polls for an interrupt, and frees all memory after an interrupt. */
 static void numbering_is_interrupted(void **state) {
   (void)state;
   vs_store *s = vs_store_new(NULL, NULL);
@@ -130,15 +130,16 @@ static void placements_fold(void **state) {
   assert_int_equal(r.node->kind, VS_CYLINDER);
   assert_true(VS_AS(cylinder, r.node)->radius == 1);
   vs_node_release(r.node);
-  r = (vs_ref){ moved(s, tilt, NODE(cylinder, CYLINDER, { 0, 0, 0 }, { 0, 0, 2 }, 1, 6)), NULL }; /* six facets that the user chose */
+  /* six facets, a number that the program sets, so a mere rotation of the facets is not allowed */
+  r = (vs_ref){ moved(s, tilt, NODE(cylinder, CYLINDER, { 0, 0, 0 }, { 0, 0, 2 }, 1, 6)), NULL };
   run(s, &r, 1 << VS_PASS_FOLD);
   assert_int_equal(r.node->kind, VS_TRANSFORM);
   vs_node_release(r.node);
   vs_store_release(s);
 }
 
-/* Checks the kind to which a moved node is folded, for maps under which a kind is closed, and for other maps. Releases
- * n. */
+/* Checks that the pass replaces the node n, moved by the map a, by a node of this kind. VS_TRANSFORM: the node remains
+ * moved. Releases n. */
 static void folds_to(vs_store *s, vs_affine a, vs_node *n, vs_kind kind) {
   vs_ref r = { moved(s, a, n), NULL };
   vs_bounds before, after;
@@ -175,8 +176,8 @@ static void kinds_fold_under_what_they_are_closed_under(void **state) {
   folds_to(s, vs_affine_translation(vs_v3(1, 0, 0)), NODE(superellipsoid, SUPERELLIPSOID, 0.5, 0.5, 2, 0), VS_TRANSFORM);
   folds_to(s, larger, NODE(pyramid, PYRAMID, { 1, 2, 3 }, 2, 5, { 1, 4, 5 }, 1), VS_PYRAMID);
   folds_to(s, turn, NODE(arc, ARC, { 1, 2, 3 }, 2, 0.5, 2, 0), VS_ARC);
-  folds_to(s, turn, NODE(circle, CIRCLE, { 1, 2, 3 }, 2, 0), VS_TRANSFORM); /* the circle would begin at another point,
-                                                                             * which changes a sweep along it */
+  /* not replaced: a rotated circle would begin at another point, which would change a sweep along it */
+  folds_to(s, turn, NODE(circle, CIRCLE, { 1, 2, 3 }, 2, 0), VS_TRANSFORM);
   vs_points *points = vs_points_new(s, heights, 4);
   folds_to(s, mirror, NODE(line, LINE, points, false), VS_LINE);
   folds_to(s, tilt, NODE(spline, SPLINE, points, false, { 0, 0, 0 }, { 0, 0, 0 }, 0), VS_SPLINE);
@@ -215,13 +216,13 @@ static void placements_go_through_what_takes_them_in(void **state) {
   assert_int_equal(r.node->kind, VS_DIFFERENCE);
   assert_true(stats.commands_after == 3 && VS_AS(torus, r.node->children[1].node)->center.z == 4);
   vs_node_release(r.node);
-  /* a rotation is not folded into a box, since this would save nothing */
+  /* a rotation of a box is not moved into the box's fields, since this would save nothing */
   vs_affine turn = vs_affine_rotation(vs_v3(0, 0, 0), vs_v3(0, 0, 1), 0.3);
   r = (vs_ref){ moved(s, turn, two(s, VS_UNION, NODE(sphere, SPHERE, { 0, 0, 0 }, 2, 0), NODE(box, BOX, { 0, 0, 0 }, { 1, 1, 1 }))), NULL };
   run(s, &r, 1 << VS_PASS_FOLD);
   assert_int_equal(r.node->kind, VS_TRANSFORM);
   vs_node_release(r.node);
-  /* a moved union between unions becomes one union with them */
+  /* a moved union inside a union: the pass makes one union of their members */
   r = (vs_ref){ two(s, VS_UNION, NODE(sphere, SPHERE, { 9, 0, 0 }, 2, 0), shifted(s, 1, 0, 0, two(s, VS_UNION, NODE(sphere, SPHERE, { 0, 0, 0 }, 2, 0), NODE(sphere, SPHERE, { 4, 0, 0 }, 1, 0)))), NULL };
   stats = run(s, &r, ALL);
   assert_true(r.node->child_count == 3 && stats.commands_before == 6 && stats.commands_after == 5);
@@ -236,20 +237,20 @@ static void paint_rises(void **state) {
   for (int i = 0; i < 6; i++) kids[i] = painted(s, "red", layered(s, i < 4 ? "roof" : "wall", NODE(sphere, SPHERE, { i, 0, 0 }, 1, 0)));
   vs_ref r = { over(s, VS_UNION, NULL, kids, 6), NULL };
   vs_pass_stats stats = run(s, &r, 1 << VS_PASS_FOLD);
-  assert_int_equal(r.node->kind, VS_MATERIAL); /* a single material around all six objects */
+  assert_int_equal(r.node->kind, VS_MATERIAL); /* the pass has placed a single material around all six objects */
   assert_true(stats.commands_before == 23 && stats.commands_after == 14);
   vs_node_release(r.node);
   for (int i = 0; i < 6; i++) kids[i] = painted(s, i == 2 ? "green" : "red", NODE(sphere, SPHERE, { i, 0, 0 }, 1, 0));
   r = (vs_ref){ over(s, VS_UNION, NULL, kids, 6), NULL };
   run(s, &r, 1 << VS_PASS_FOLD);
-  assert_true(r.node->kind == VS_UNION && r.node->child_count == 3); /* red, green, red: their order shows where they
-                                                                      * overlap */
+  /* three objects in red, green and red stay in order, because later objects hide earlier objects where they overlap */
+  assert_true(r.node->kind == VS_UNION && r.node->child_count == 3);
   assert_int_equal(r.node->children[0].node->children[0].node->child_count, 2);
   assert_int_equal(r.node->children[2].node->children[0].node->child_count, 3);
   vs_node_release(r.node);
   r = (vs_ref){ two(s, VS_UNION, painted(s, "glass", NODE(sphere, SPHERE, { 0, 0, 0 }, 1, 0)), painted(s, "glass", NODE(sphere, SPHERE, { 1, 0, 0 }, 1, 0))), NULL };
   run(s, &r, 1 << VS_PASS_FOLD);
-  assert_int_equal(r.node->kind, VS_UNION); /* panes that touch stay separate */
+  assert_int_equal(r.node->kind, VS_UNION); /* panes of glass that touch remain separate solids */
   vs_node_release(r.node);
   r = (vs_ref){ painted(s, "red", painted(s, "green", NODE(sphere, SPHERE, { 0, 0, 0 }, 1, 0))), NULL };
   run(s, &r, 1 << VS_PASS_FOLD);
@@ -292,16 +293,16 @@ static void copies_become_a_template(void **state) {
   vs_pass_stats stats = run(s, &r, 1 << VS_PASS_SHARE);
   assert_int_equal(stats.changed[VS_PASS_SHARE], 48);
   assert_true(stats.commands_before == 49 * 5 + 48);
-  assert_true(stats.commands_after == 5 + 1 + 49 + 48 + 48); /* commands of a column, its template, its uses, their
-                                                              * placements, the union */
+  assert_true(stats.commands_after == 5 + 1 + 49 + 48 + 48); /* 5 commands of a column, 1 of its template, 49 uses, 48
+                                                              * placements of the uses, 48 unions */
   assert_true(vs_node_bounds(r.node, &after, NULL));
   assert_true(vs_v3_length(vs_v3_sub(before.max, after.max)) < 1e-9 && vs_v3_length(vs_v3_sub(before.min, after.min)) < 1e-9);
   vs_node_release(r.node);
   vs_store_release(s);
 }
 
-/* A tree that is written again at other places differs in the last bits of its numbers. Some of them fall on different
- * sides of any rounding step. */
+/* The next tests use trees that are written several times at different places. Copies of a tree differ in the last bits
+ * of their numbers. For any rounding step, some of these numbers fall on different sides. */
 /* Returns a strip of 40 points with two holes. The last point is displaced by `off`. */
 static vs_node *strip(vs_store *s, double x, double off) {
   enum { POINTS = 40 };
@@ -343,7 +344,8 @@ static void copies_survive_rounding_and_flattening(void **state) {
       rods[i] = NODE(cylinder, CYLINDER, { x, sin(a), 11 + a }, { x + 18.47 * cos(a), 3 * sin(7 * a), 25.5 + sin(3 * a) }, 0.12, 12);
     }
     trees[t] = over(s, VS_UNION, NULL, rods, 150);
-    if (t == 7) trees[t] = shifted(s, 0, 0, 0.1, over(s, VS_UNION, NULL, &trees[t], 1)); /* a shape that is only moved is the same shape */
+    /* this strip is moved by a placement, so its nodes equal those of the unmoved strip */
+    if (t == 7) trees[t] = shifted(s, 0, 0, 0.1, over(s, VS_UNION, NULL, &trees[t], 1));
   }
   vs_ref r = { over(s, VS_UNION, NULL, trees, 12), NULL };
   vs_bounds before, after;
@@ -362,8 +364,8 @@ static void copies_survive_rounding_and_flattening(void **state) {
   vs_store_release(s);
 }
 
-/* Returns a brace at an angle about Z through x, with the numbers that a program would compute; optionally mirrored in
- * the plane of X and Z. */
+/* Returns a brace (a part of a scaffold) at the distance x from the axis, rotated by the angle about Z, with the
+ * numbers that a program would compute. mirrored: in the plane of X and Z. */
 static vs_node *brace(vs_store *s, double x, double angle, bool mirrored, double radius) {
   vs_affine turn = vs_affine_rotation(vs_v3(x, 1, 0), vs_v3(0, 0, 1), angle), flip = vs_affine_mirror(vs_v3(0, 0, 0), vs_v3(0, 1, 0));
   if (mirrored) turn = vs_affine_multiply(&turn, &flip);
@@ -383,14 +385,16 @@ static void turned_copies_become_a_template(void **state) {
   vs_store *s = vs_store_new(NULL, NULL);
   vs_node *all[14];
   for (int i = 0; i < 12; i++) all[i] = brace(s, 3, 6.283185307179586 / 12 * i, i % 3 == 2, 0.3);
-  all[12] = brace(s, 3, 1, false, 0.3001); /* different parts: another radius, a mirrored part */
+  all[12] = brace(s, 3, 1, false, 0.3001); /* parts that are not copies: a brace with another radius, and a mirrored
+                                            * brace */
   all[13] = two(s, VS_UNION, brace(s, 3, 2, false, 0.3), NODE(sphere, SPHERE, { 0, 0, 0 }, 1, 0));
   vs_ref r = { over(s, VS_UNION, NULL, all, 14), NULL };
   vs_bounds before, after;
   assert_true(vs_node_bounds(r.node, &before, NULL));
   vs_inside *was = vs_inside_new(r.node, NULL);
   vs_pass_stats stats = run(s, &r, 1 << VS_PASS_SHARE);
-  assert_int_equal(stats.changed[VS_PASS_SHARE], 12); /* the eleven parts, and the part inside the last */
+  assert_int_equal(stats.changed[VS_PASS_SHARE], 12); /* the pass share changes the eleven parts, and a part inside the
+                                                       * last */
   const vs_node *first = r.node->children[0].node;
   for (int i = 1; i < 12; i++) {
     const vs_node *n = r.node->children[i].node;
@@ -399,9 +403,11 @@ static void turned_copies_become_a_template(void **state) {
     assert_true((vs_affine_determinant(&VS_AS(transform, n)->matrix) < 0) == (i % 3 == 2));
   }
   const vs_affine *quarter = &VS_AS(transform, r.node->children[3].node)->matrix;
-  assert_true(quarter->m[0][0] == 0 && quarter->m[0][1] == -1 && quarter->m[1][0] == 1 && quarter->m[2][2] == 1); /* a quarter turn is exact */
+  /* the matrix of a quarter turn is exact */
+  assert_true(quarter->m[0][0] == 0 && quarter->m[0][1] == -1 && quarter->m[1][0] == 1 && quarter->m[2][2] == 1);
   assert_int_equal(r.node->children[12].node->kind, VS_UNION);
-  assert_true(vs_node_bounds(r.node, &after, NULL)); /* a turned set has the bounds of its parts, not of a turned box */
+  assert_true(vs_node_bounds(r.node, &after, NULL)); /* the bounds of the rotated union are those of its rotated parts,
+                                                      * not those of a rotated box */
   assert_true(vs_v3_length(vs_v3_sub(before.max, after.max)) < 1e-9 && vs_v3_length(vs_v3_sub(before.min, after.min)) < 1e-9);
   vs_inside *is = vs_inside_new(r.node, NULL);
   uint64_t seed = 11;
@@ -418,7 +424,7 @@ static void turned_copies_become_a_template(void **state) {
   vs_node_release(r.node);
   /* every allocation fails in turn */
   vs_node *beside[] = { brace(s, 3, 0, false, 0.3), brace(s, 3, 1, false, 0.3), brace(s, 4, 1, false, 0.3), brace(s, 3, 2, true, 0.3), brace(s, -1, 2, true, 0.3) };
-  r.node = over(s, VS_UNION, NULL, beside, 5); /* the parts turned, and turned and moved */
+  r.node = over(s, VS_UNION, NULL, beside, 5); /* the same brace four more times: rotated, or rotated and moved */
   assert_true(vs_node_bounds(r.node, &before, NULL));
   run(s, &r, 1 << VS_PASS_SHARE);
   assert_true(vs_node_bounds(r.node, &after, NULL));
@@ -442,7 +448,8 @@ static void turned_copies_become_a_template(void **state) {
   vs_store_release(s);
 }
 
-/* Large sets become trees of boxes, for POV-Ray: the same solid, and no set has many members. */
+/* For POV-Ray, the pass changes large unions to trees of boxes. The solid stays the same, and no union has many
+ * members. */
 static void large_sets_become_trees_of_boxes(void **state) {
   (void)state;
   vs_store *s = vs_store_new(NULL, NULL);
@@ -460,7 +467,8 @@ static void large_sets_become_trees_of_boxes(void **state) {
   assert_true(vs_sets_group(s, &r, 1, &o, NULL));
   const vs_node *cut = r.node->children[0].node;
   assert_int_equal(cut->kind, VS_DIFFERENCE);
-  assert_int_equal(cut->child_count, 3); /* the minuend, the painted cutter, and all other cutters as one */
+  assert_int_equal(cut->child_count, 3); /* three children: the solid that is cut, the painted cutter, and one union of
+                                          * all other cutters */
   assert_int_equal(cut->children[1].node->kind, VS_MATERIAL);
   vs_ref level[64] = { cut->children[2] };
   size_t open = 1, leaves = 0;
@@ -505,7 +513,7 @@ static void large_sets_become_trees_of_boxes(void **state) {
   vs_store_release(s);
 }
 
-/* ---- at random ---- */
+/* ---- random drawings ---- */
 
 static uint64_t draw(uint64_t *seed) {
   *seed ^= *seed << 13;
@@ -559,7 +567,8 @@ static void random_solids_stay_what_they_are(void **state) {
     run(s, &r, round % 2 ? ALL : 1u << (round / 2 % VS_PASS_COUNT));
     vs_inside *after = vs_inside_new(r.node, NULL);
     assert_true(before && after);
-    for (int i = 0; i < 400; i++) { /* points that are not at common corners of the solids, where rounding decides */
+    for (int i = 0; i < 400; i++) { /* compares at random points, not at corners that solids have in common, where
+                                     * rounding decides */
       vs_vec3 p = { real(&seed) * 1.3 + 0.0137, real(&seed) * 1.3 + 0.0171, real(&seed) * 1.3 + 0.0113 };
       bool was = vs_inside_test(before, p);
       inside += was;

@@ -1,5 +1,5 @@
-/* Tests geometry/pictures and EXR files: tone curves against the published values, exposure by the histogram, measures
- * of difference against closed forms, noise and edges, and files that are cut short or changed. */
+/* Tests geometry/pictures and EXR files. Tone curves are compared with published values, and measures of difference
+ * with formulas. Also tests exposure by the histogram, noise and edges, and files that are cut short or changed. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -33,7 +33,8 @@ static int grey(vs_tone_curve curve, double stops, float x) {
   return rgb[1];
 }
 
-/* IEC 61966-2-1: middle grey is 118 (0.4613 of 255), and .0031308 is the end of the straight part. */
+/* By IEC 61966-2-1, middle grey (.18) has the screen value 118 of 255; .0031308 is the end of the curve's straight
+ * part. */
 static void test_linear(void **state) {
   (void)state;
   assert_int_equal(grey(VS_TONE_LINEAR, 0, 0.18f), 118);
@@ -55,20 +56,20 @@ static void test_screen(void **state) {
   }
 }
 
-/* The curve of Khronos. A value below .76 decreases only by .04, the reflection of dielectrics. A peak of 1.72 above
- * that is compressed to 1 - .24^2 / (1.72 + .24 - .76) = .952. */
+/* The tone curve PBR Neutral of Khronos. Values below .76 only decrease by .04, the reflection of dielectrics. A peak
+ * of 1.72, which is above .76, becomes 1 - .24^2 / (1.72 + .24 - .76) = .952. */
 static void test_neutral(void **state) {
   (void)state;
   unsigned char rgb[3];
-  assert_int_equal(grey(VS_TONE_NEUTRAL, 0, 0.54f), 188); /* the value .5 */
+  assert_int_equal(grey(VS_TONE_NEUTRAL, 0, 0.54f), 188); /* .54 decreases by .04 to .5, which is 188 on the screen */
   assert_int_equal(grey(VS_TONE_NEUTRAL, 0, 1.76f), 250);
   screen(VS_TONE_NEUTRAL, 0, 0.5f, 0.08f, 0.08f, rgb);
-  assert_int_equal(rgb[0], 181); /* the value .46 */
-  assert_int_equal(rgb[1], 56);  /* the value .04 */
+  assert_int_equal(rgb[0], 181); /* the linear value .46 on the screen */
+  assert_int_equal(rgb[1], 56);  /* the linear value .04 on the screen */
   assert_in_range(grey(VS_TONE_NEUTRAL, 0, 1000), 254, 255);
 }
 
-/* Hable's constants at 2 * .18 and white 11.2. */
+/* Expected value: Hable's curve with his constants at 2 * .18, with white at 11.2. */
 static void test_filmic(void **state) {
   (void)state;
   double x = 0.36, w = 11.2;
@@ -79,7 +80,8 @@ static void test_filmic(void **state) {
   assert_int_equal(grey(VS_TONE_FILMIC, 0, 0), 0);
 }
 
-/* AgX covers ten stops below middle grey and 6.5 above. Values outside are black and white. */
+/* The tone curve AgX covers ten stops below middle grey and 6.5 above. Values below and above become black and
+ * white. */
 static void test_agx(void **state) {
   (void)state;
   int last = -1;
@@ -93,7 +95,8 @@ static void test_agx(void **state) {
   assert_in_range(grey(VS_TONE_AGX, 0, 0.18f), 90, 120);
 }
 
-/* Tests that the exposure compensates a gain of light, for every curve, so that the picture does not change. */
+/* Tests that the automatic exposure compensates a gain of light, for every curve, so that the picture does not
+ * change. */
 static void test_exposure(void **state) {
   (void)state;
   enum { COUNT = 1000 };
@@ -109,8 +112,8 @@ static void test_exposure(void **state) {
   }
 }
 
-/* Tests that a gradient over few bytes has no band wider than 8 pixels, that its mean is kept, that white and black
- * stay, and that a part of the picture equals that part of the whole. */
+/* Tests dithering. A gradient over few screen values has no band wider than 8 pixels, and keeps its mean. White and
+ * black stay. A part of the picture equals that part of the whole picture. */
 static void test_dither(void **state) {
   (void)state;
   enum { WIDE = 512, HIGH = 16, LEFT = 37, TOP = 5 };
@@ -122,7 +125,7 @@ static void test_dither(void **state) {
   vs_tone_apply(&light, &tone, rgb);
   double sum = 0, wanted = 0;
   for (int x = 0, band = 0; x < WIDE; x++) {
-    bool flat = true; /* whether the column has one byte, which is also that of the column before */
+    bool flat = true; /* whether all pixels of the column have the same value as the column before */
     for (int y = 0; y < HIGH; y++) {
       unsigned char here = rgb[3 * (y * WIDE + x)];
       flat = flat && here == rgb[3 * (x ? x - 1 : 0)];
@@ -144,7 +147,7 @@ static void test_dither(void **state) {
   for (int i = 0; i < WIDE * HIGH; i++) assert_int_equal(rgb[3 * i], i < WIDE ? 0 : 255);
 }
 
-/* Tests light without pixels, with NaN and with infinities. */
+/* Tests pictures of light without pixels, with NaN and with infinities. */
 static void test_odd_light(void **state) {
   (void)state;
   float at[3] = { NAN, INFINITY, -INFINITY };
@@ -164,7 +167,7 @@ static void test_odd_light(void **state) {
 
 enum { WIDE = 40, HIGH = 37, PIXELS = WIDE * HIGH };
 
-/* Returns random numbers from 0 to 1, the same on every machine. */
+/* Returns a random number from 0 to 1, the same in every run and on every machine. */
 static double chance(uint32_t *seed) {
   *seed = *seed * 1664525u + 1013904223u;
   return (*seed >> 8) / 16777216.0;
@@ -298,7 +301,7 @@ static double spread(const float *at, uint32_t from, uint32_t to) {
   return sqrt(fmax(squares / n - sum / n * (sum / n), 0)) / (sum / n);
 }
 
-/* Tests that noise decreases to a quarter or less, and that the edge of the paint stays in place. */
+/* Tests that denoising reduces noise to a quarter or less, and that the edge between two paints stays in place. */
 static void test_denoise(void **state) {
   (void)state;
   vs_store *store = vs_store_new(NULL, NULL);
@@ -321,8 +324,8 @@ static void test_denoise(void **state) {
   vs_store_release(store);
 }
 
-/* Tests that a constant difference of .1 is 20 dB, that equal pictures are reported as equal, and that noise lowers the
- * similarity. */
+/* Tests the measures of difference: a constant difference of .1 is 20 dB, equal pictures are reported as equal, and
+ * noise lowers the similarity. */
 static void test_gap(void **state) {
   (void)state;
   vs_store *store = vs_store_new(NULL, NULL);
@@ -345,7 +348,7 @@ static void test_gap(void **state) {
   vs_store_release(store);
 }
 
-/* Tests the ends of the scale, its steps, and numbers outside the scale. */
+/* Tests false colours: the ends of the scale, its steps, and numbers outside the scale. */
 static void test_false_color(void **state) {
   (void)state;
   float at[1000];
@@ -373,8 +376,8 @@ static void test_false_color(void **state) {
 
 /* ---- rays ---- */
 
-/* Tests that a ray in the plane of a box's side hits the box if it runs along that side, and that a ray beside it does
- * not. */
+/* Tests a ray in the plane of a box's side: it hits the box if it runs along that side, but not if it passes beside
+ * it. */
 static void test_ray_box(void **state) {
   (void)state;
   vs_bounds b = { vs_v3(0, 0, 0), vs_v3(1, 2, 3) };
@@ -389,8 +392,8 @@ static void test_ray_box(void **state) {
   }
 }
 
-/* Tests that the tree finds the hits that a test of every triangle finds, for triangles of all sizes and for many at
- * the same place. */
+/* Compares the intersections that the tree of boxes finds for a ray with those of a test of every triangle, for
+ * triangles of all sizes and for many triangles at the same place. */
 static void test_ray_tree(void **state) {
   (void)state;
   vs_store *store = vs_store_new(NULL, NULL);
@@ -433,12 +436,12 @@ static void test_ray_tree(void **state) {
   vs_store_release(store);
 }
 
-/* The reference values of openness.
+/* Tests openness: the fraction of directions, weighted by the cosine, that hit no surface within the distance `far`.
  *
- * Beside a wall at the distance d that extends beyond `far`, a direction hits the wall within `far` if its component
- * towards the wall is more than c = d / far. Seen from above, these directions are a segment of the unit disc with the
- * area acos c - c sqrt(1 - c c). Beside a wall of the height h without `far`, the hidden fraction is half of 1 - d /
- * sqrt(d d + h h). */
+ * Beside a wall at the distance d, whose edges are further away than `far`, a direction hits the wall within `far` if
+ * its component towards the wall is more than c = d / far. Seen from above, these directions are a segment of the unit
+ * disc with the area acos c - c sqrt(1 - c c). Beside a wall of the height h, without `far`, the hidden fraction is
+ * half of 1 - d / sqrt(d d + h h). */
 static void test_openness(void **state) {
   (void)state;
   vs_store *store = vs_store_new(NULL, NULL);
@@ -455,12 +458,14 @@ static void test_openness(void **state) {
   assert_true(vs_ray_tree_make(&t, store, &m, &e) && vs_ray_tree_make(&none, store, &empty, &e));
   const struct { vs_surrounding round; vs_vec3 from, normal; double open; } cases[] = {
     { { &none, -INFINITY, 1 }, vs_v3(0, 0, 0), vs_v3(0, 0, 1), 1 },
-    { { &none, 0, 1e9 }, vs_v3(0, 0, 1), vs_v3(1, 0, 0), 0.5 },        /* a wall on an infinite ground */
-    { { &none, 0, 1e9 }, vs_v3(0, 0, 1), vs_v3(0, 0, -1), 0 },         /* the underside of a wall on an infinite
-                                                                        * ground */
+    { { &none, 0, 1e9 }, vs_v3(0, 0, 1), vs_v3(1, 0, 0), 0.5 },        /* on a wall, the infinite ground hides half of
+                                                                        * the directions */
+    { { &none, 0, 1e9 }, vs_v3(0, 0, 1), vs_v3(0, 0, -1), 0 },         /* below a ceiling, the infinite ground hides all
+                                                                        * directions */
     { { &t, -INFINITY, 2 }, vs_v3(0, 0, 0), vs_v3(0, 0, 1), 1 - (acos(0.5) - 0.5 * sqrt(0.75)) / acos(-1) },
     { { &t, -INFINITY, 1e9 }, vs_v3(-1, 0, 0), vs_v3(0, 0, 1), 1 - 0.5 * (1 - 2 / sqrt(8)) },
-    { { &t, -INFINITY, 0.9 }, vs_v3(0, 0, 0), vs_v3(0, 0, 1), 1 },     /* a surface too far away to have an effect */
+    { { &t, -INFINITY, 0.9 }, vs_v3(0, 0, 0), vs_v3(0, 0, 1), 1 },     /* the surface is further away than `far`, so it
+                                                                        * hides no direction */
   };
   for (size_t c = 0; c < sizeof cases / sizeof *cases; c++) {
     double sum = 0;

@@ -1,5 +1,5 @@
-/* Tests areas in a plane: sets, offsets, open lines, chains, triangulated sheets with holes. Also tests shapes that are
- * derived from meshes: sections, shadows, edges. */
+/* Tests areas in a plane: unions and differences, offsets, open lines, chains of edges, triangulated sheets with holes.
+ * Also tests shapes that are computed from meshes: sections, shadows, edges. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -26,8 +26,7 @@ static vs_area rectangle(double x0, double y0, double x1, double y1) {
   return a;
 }
 
-static double content(const vs_area *a) { /* returns the signed area of all loops; holes have the opposite
-                                           * orientation */
+static double content(const vs_area *a) { /* returns the signed area of all loops; holes count as negative */
   double sum = 0;
   for (size_t l = 0, first = 0; l < a->loop_count; first += a->size[l++])
     for (size_t i = 0; i < a->size[l]; i++) {
@@ -42,7 +41,7 @@ static void sets_of_areas(void **state) {
   vs_area in[2] = { rectangle(0, 0, 4, 4), rectangle(1, 1, 3, 3) }, out = { 0 };
   vs_error e = { 0 };
   assert_true(vs_area_combine(VS_AREA_DIFFERENCE, in, 2, "test", &out, &e));
-  assert_int_equal(out.loop_count, 2); /* the loop and its hole, without unnecessary corners */
+  assert_int_equal(out.loop_count, 2); /* the outer loop and its hole, without unnecessary corners */
   assert_int_equal(out.count, 8);
   assert_true(!out.hole[0] && out.hole[1] && content(&out) == 12);
   assert_true(vs_area_holds(&out, 0.5, 0.5) && vs_area_holds(&out, 1, 2) && !vs_area_holds(&out, 2, 2) && !vs_area_holds(&out, 5, 2));
@@ -75,14 +74,15 @@ static void offsets(void **state) {
   vs_open_line open = { bent, 3, { { 1, 0 }, { 0, 1 } } };
   vs_polyline line = { 0 };
   assert_true(vs_line_offset(&open, &(vs_offset_rule){ 1, VS_OFFSET_MITRE, &fine, 0 }, &line, NULL));
-  assert_int_equal(line.count, 3); /* the offset is to the left, inside the bend, in the direction of the line */
+  assert_int_equal(line.count, 3); /* the parallel line runs to the left of the given line, inside its bend, in the same
+                                    * direction */
   assert_true(line.at[0].x == 0 && line.at[0].y == 1 && line.at[1].x == 3 && line.at[1].y == 1 && line.at[2].y == 4);
   vs_polyline_free(&line);
 }
 
 static void chains_wind(void **state) {
   (void)state;
-  const vs_vec2 edges[][2] = { /* two closed squares; a corner of one lies over the other */
+  const vs_vec2 edges[][2] = { /* the edges of two overlapping squares */
     { { 0, 0 }, { 2, 0 } }, { { 2, 0 }, { 2, 2 } }, { { 2, 2 }, { 0, 2 } }, { { 0, 2 }, { 0, 0 } },
     { { 1, 1 }, { 3, 1 } }, { { 3, 1 }, { 3, 3 } }, { { 3, 3 }, { 1, 3 } }, { { 1, 3 }, { 1, 1 } },
   };
@@ -98,7 +98,8 @@ static void read_off_meshes(void **state) {
   vs_outline o;
   vs_vec3 c;
   assert_true(vs_solid_box(&box, vs_v3(0, 0, 0), vs_v3(4, 4, 4)));
-  const double heights[] = { 0, 1, 4 }; /* faces in the plane belong to the section */
+  const double heights[] = { 0, 1, 4 }; /* heights of three planes that cut the box: at its bottom, through it, and at
+                                         * its top, where the section is the face */
   for (int i = 0; i < 3; i++) {
     assert_true(vs_mesh_section(&box, vs_v3(0, 0, heights[i]), vs_v3(0, 0, 1), &o, NULL));
     assert_true(o.count == 1 && fabs(vs_outline_measure(&o, &c) - 16) < 1e-12 && fabs(c.x - 2) < 1e-12);
@@ -115,8 +116,8 @@ static void read_off_meshes(void **state) {
   vs_mesh_free(&box);
 }
 
-/* Tests a sheet of 22,500 holes, which takes a second. Walking around the ring for each hole would take half a minute,
- * and testing corners where holes touch would take minutes. The holes are diamonds and squares, in level and staggered
+/* Tests a sheet with 22,500 holes, which takes a second. It would take half a minute to walk around the ring for each
+ * hole, and minutes to test all corners for touching holes. The holes are diamonds and squares, in level and staggered
  * rows, and some touch in a corner. */
 static void sheets_of_holes(void **state) {
   (void)state;
@@ -132,7 +133,7 @@ static void sheets_of_holes(void **state) {
     int row = i / ROWS, column = i % ROWS;
     double r = row % 3 == 0 ? 0.5 : 0.25, x = column + 1, y = row + 1 + (row % 3 == 1 ? 0.2 * (column % 2) : 0);
     bool square = row % 3 == 2;
-    for (int k = 0; k < 4; k++) { /* corners in clockwise order */
+    for (int k = 0; k < 4; k++) { /* the corners of a hole, in clockwise order */
       double dx = square ? (k == 0 || k == 1 ? -r : r) : k == 0 ? -r : k == 2 ? r : 0, dy = square ? (k == 1 || k == 2 ? r : -r) : k == 1 ? r : k == 3 ? -r : 0;
       at[4 + 4 * i + k] = (vs_vec2){ x + dx, y + dy };
     }
@@ -161,14 +162,14 @@ static double chance(uint64_t *state) { /* returns a random number of [0, 1) */
 
 static vs_vec2 polar(double radius, double angle) { return (vs_vec2){ radius * cos(angle), radius * sin(angle) }; }
 
-static double turns_of(const vs_vec2 *at, size_t n) { /* returns twice the signed area */
+static double turns_of(const vs_vec2 *at, size_t n) { /* returns twice the signed area of a polygon of n corners */
   double sum = 0;
   for (size_t i = 0; i < n; i++) sum += at[i].x * at[(i + 1) % n].y - at[i].y * at[(i + 1) % n].x;
   return sum;
 }
 
-/* Tests stars with wedges that touch their corners, and wedges further inside that touch those wedges. No triangle may
- * overlap another. */
+/* Tests stars with wedge-shaped holes that touch the star's corners. Further inside, more wedges touch those wedges. No
+ * triangle of the sheet may overlap another. */
 static void holes_touch_corners(void **state) {
   (void)state;
   enum { MOST = 8, CORNERS = 7 * MOST };
@@ -218,8 +219,8 @@ static void holes_touch_corners(void **state) {
   }
 }
 
-/* Tests sheets at any angle with holes in rows, so that many corners lie on a line, which rounding bends. A bridge
- * along the line passes corners at a distance below a rounding error. */
+/* Tests sheets, rotated by any angle, with holes in rows. Many corners lie on one line, up to rounding. An edge that
+ * joins two holes along this line passes other corners at a distance below a rounding error. */
 static void holes_in_rows(void **state) {
   (void)state;
   enum { ROWS = 9, MOST = ROWS * ROWS * 9 + 4 };
@@ -243,7 +244,7 @@ static void holes_in_rows(void **state) {
         double dx = wide * 0.8 / (double)columns, dy = high * 0.8 / (double)rows, tilt = 1e-16 * high * chance(&random);
         size_t begin = n;
         switch (seed % 4) {
-        case 0: /* adds a notch in the upper side */
+        case 0: /* a hole with a notch in its upper side */
           PUT(x, y + tilt), PUT(x, y + dy), PUT(x + dx / 2, y + dy / 2), PUT(x + dx, y + dy + tilt), PUT(x + dx, y);
           break;
         case 1: {
@@ -254,7 +255,7 @@ static void holes_in_rows(void **state) {
           }
           break;
         }
-        default: /* makes rows of the same height, or of two heights */
+        default: /* a row of holes of equal height, or of two heights */
           if (seed % 4 == 3 && chance(&random) < 0.5) x += dx / 4, dx -= dx / 4;
           if (seed % 4 == 3 && chance(&random) < 0.5) dy *= 0.6;
           PUT(x, y + tilt), PUT(x, y + dy), PUT(x + dx, y + dy + tilt), PUT(x + dx, y);

@@ -1,6 +1,6 @@
-/* Tests the property that every pass keeps a drawing: each pass alone, each set of passes and all of them keep the
- * drawn points, the place of each part, its paint, and its origin. A sample of random drawings, or with LONG=1 five
- * thousand. The test shrinks a drawing as long as it fails, and prints it. SEED=n runs that one alone. */
+/* Tests that every pass keeps a random drawing: the drawn points, the place of each part, its paint, and its origin in
+ * the program. Runs each pass alone, each set of passes, and all passes. A sample of drawings, or with LONG=1 five
+ * thousand. The test shrinks a failing drawing as long as it fails, and prints it. SEED=n runs drawing n alone. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -48,7 +48,7 @@ static bool mesh_volume(const drawing *d, double *volume, double *area) {
   return true;
 }
 
-/* Returns true if d differs after t->passes, with the reason in t->why. Counts the comparisons. */
+/* Returns true if the passes t->passes change the drawing d, with the reason in t->why. Counts the comparisons. */
 static bool differs(void *context, const drawing *d) {
   trial *t = context;
   bool bad = true, less = t->passes >> VS_PASS_PRUNE & 1;
@@ -89,14 +89,14 @@ static bool differs(void *context, const drawing *d) {
     t->close += close;
   }
   double v[2], area[2];
-  if (t->volume && mesh_volume(d, &v[0], &area[0])) { /* a drawing without a mesh (an xline, a section) has no mesh
-                                                       * before and after the passes */
+  if (t->volume && mesh_volume(d, &v[0], &area[0])) { /* a drawing without a mesh, such as an endless line or a section,
+                                                       * has no mesh before and after the passes */
     t->volumes++;
     if (!mesh_volume(&after, &v[1], &area[1])) {
       snprintf(t->why, sizeof t->why, "it has no mesh any more");
       goto done;
     }
-    /* the facets of round parts may turn: the volume changes at most by the chord height on the whole surface */
+    /* the passes may rotate the facets of round parts: the volume may change by the chord height times the area */
     if (fabs(v[0] - v[1]) > 1e-9 * v[0] + 0.02 * (area[0] + area[1])) {
       snprintf(t->why, sizeof t->why, "the mesh had a volume of %.9g, and has %.9g", v[0], v[1]);
       goto done;
@@ -117,7 +117,7 @@ static void print_passes(unsigned passes) {
     if (passes >> k & 1) fprintf(stderr, " %s", vs_pass_get((vs_pass_kind)k)->name);
 }
 
-/* Returns false after a failure, which it prints. */
+/* Returns false if a pass changes the drawing, and prints the reason. */
 static bool holds(trial *t, uint64_t seed, bool every) {
   vs_store *s = vs_store_new(NULL, NULL);
   drawing d = drawing_make(s, seed);
@@ -161,7 +161,7 @@ static void passes_keep_what_is_drawn(void **state) {
             t.changed[0], t.changed[1], t.changed[2], t.changed[3]);
   assert_int_equal(bad, 0);
   if (count == 1) return;
-  /* checks that the run has compared enough */
+  /* checks that the run has made enough comparisons */
   assert_true(t.looked > 5 * t.drawings && t.inside * 10 > t.points && t.close * 2000 < t.points && t.volumes * 40 > t.drawings);
   for (int k = 0; k < VS_PASS_COUNT; k++) assert_true(t.changed[k] > count / 2);
 }

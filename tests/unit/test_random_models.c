@@ -1,14 +1,16 @@
-/* Tests the property that solids keep for any program: a model of any kinds (tests/oracle/models.h), placed, nearly
- * copied and combined, ends with an error of the model, or has all of these:
- *   - a closed mesh without self-intersections, as doubles (.off has 12 digits) and as 32-bit numbers (.stl), unless the
- *     writer warns;
- *   - volumes of operands and results that agree: |a u b| + |a n b| = |a| + |b|, |a - b| + |a n b| = |a|;
- *   - agreement of (contains? o p) with the mesh's winding number at random points which are not next to the surface, and
- *     of (volume o) with the mesh's volume.
- * Models whose parts are turned by 1e-5 to 1e-7 degrees must keep the first of these in four formats, doubles (.ply)
- * and the shapes of .glb among them. A sample of 500 models, and 300 of the others, with LONG=1 ten thousand of each,
- * or those of SEEDS=FROM-TO. The test shrinks a failing program as long as it fails, and prints it. TELL=1 prints the
- * counts. */
+/* Tests the solids of random programs. A model of any kinds (tests/oracle/models.h), placed, nearly copied and
+ * combined, ends with an error of the model, or has all of these properties:
+ *
+ * - The mesh is closed and does not intersect itself, as doubles (.off has 12 digits) and as 32-bit numbers (.stl),
+ * unless the writer warns.
+ * - Volumes of operands and results agree: |a u b| + |a n b| = |a| + |b|, |a - b| + |a n b| = |a|.
+ * - (contains? o p) agrees with the mesh's winding number at random points that are not next to the surface, and
+ * (volume o) agrees with the mesh's volume.
+ *
+ * Models whose parts are rotated by 1e-5 to 1e-7 degrees must have the first property in four formats, with doubles
+ * (.ply) and the shapes of .glb among them. A sample of 500 models, and 300 of the rotated models, with LONG=1 ten
+ * thousand of each, or those of SEEDS=FROM-TO. The test shrinks a failing program as long as it fails, and prints it.
+ * TELL=1 prints the counts. */
 #include "tests/unit/trials.h"
 #include "tests/unit/seeds.h"
 
@@ -16,7 +18,7 @@ enum { POINTS = 12 };
 
 static size_t models, refused, empty, solids, warned, asked_points, inside_points, made_of[64], silent[4], told[4];
 
-/* ---- checks ---- */
+/* ---- checks of a model ---- */
 
 static bool bad_part(trial *t, const char *suffix, size_t which, written *w, bool *more) {
   crossings_found found;
@@ -36,7 +38,7 @@ static bool bad_part(trial *t, const char *suffix, size_t which, written *w, boo
   return true;
 }
 
-/* Checks every mesh of a .glb; other formats have a single mesh. */
+/* Checks every mesh of a .glb file, or the single mesh of another format. */
 static bool bad_mesh(trial *t, const char *suffix, written *w) {
   bool more, bad = bad_part(t, suffix, 0, w, &more);
   for (size_t which = 1; !bad && more; which++) {
@@ -46,14 +48,15 @@ static bool bad_mesh(trial *t, const char *suffix, written *w) {
   return bad;
 }
 
-/* Facets of a full turn: FINER where FINE takes too long, FINEST where FINE is not enough: a plane that cuts a round
- * part at a low angle removes a wide, shallow piece. */
+/* Numbers of facets of a full turn. The test tries FINER where FINE takes too long, and FINEST where FINE is not
+ * enough: a plane that cuts a round part at a low angle removes a wide, shallow piece. */
 enum { USUAL = 24, FINE = 96, FINER = 48, FINEST = 384 };
 
 typedef enum { RIGHT, WRONG, UNTOLD } verdict;
 
-/* Returns the largest possible step of the kernel's grid for the model: all its leaves fit 2^32 steps, and the step is
- * 1, 2 or 5 times a power of ten, or the next larger one if a normal would be too long. 0: the bounds are not known. */
+/* Returns an upper bound of the step of the kernel's grid for the model. All leaves fit 2^32 steps, and the step is 1,
+ * 2 or 5 times a power of ten. It may be the next larger step if a normal would be too long. Returns 0 if the bounds
+ * are not known. */
 static double widest_step(trial *t) {
   double diagonal;
   if (!number_of(t, "(let ((b (bounding-box leaves))) (distance (car b) (cadr b)))", &diagonal)) return 0;
@@ -61,22 +64,23 @@ static double widest_step(trial *t) {
   return 5 * diagonal / 0x1p32;
 }
 
-/* Returns the possible difference between the volumes of a, b and their combinations, because each is made on a
- * separate grid. A corner moves by at most half a step along an axis, so a volume changes by at most half a step times
- * the area, as seen along three axes. Called only when volumes differ: the areas take as long as the volumes. */
+/* Returns the rounding error of the volumes of a, b and their combinations. Each mesh is made on a grid of its own. A
+ * corner moves by at most half a step along an axis. A volume therefore changes by at most half a step times the area,
+ * as seen along three axes. Called only when volumes differ: the areas take as long as the volumes. */
 static double grid_slack(trial *t, const char *text, const char *end, int facets) {
   static const char *const whose[] = { "(area (unite a))", "(area (unite b))", "(area (unite a b))",
                                        "(area (intersect a b))", "(area (subtract a b))" };
   static char all[MODEL_ROOM];
-  /* the box of the other solids' bounds in the axes of a rotated half-space, enlarged by a thirty-second, and the
-   * bounds of this box in world axes */
+  /* ENLARGED: the text computes the other solids' bounding box in the axes of a rotated half-space, enlarges it by a
+   * thirty-second, and adds the bounds of this box in world axes */
   enum { ENLARGED = 4 };
   double sum = 0, area;
   bool halves = false;
   size_t n = 0;
-  for (const char *from = text; from < end && n + 16 < sizeof all;) { /* sets become unions, so that all leaves count */
-    if (strncmp(from, "(make-half-space ", 17) == 0) { /* the kernel makes a half-space as large as the other solids in
-                                                        * its set require */
+  for (const char *from = text; from < end && n + 16 < sizeof all;) { /* changes each set operation to a union, so that
+                                                                       * all leaves count */
+    if (strncmp(from, "(make-half-space ", 17) == 0) { /* the kernel makes a half-space only as large as the other
+                                                        * solids in the operation require */
       n += (size_t)snprintf(all + n, sizeof all - n, "(unite)");
       from = end_of(from), halves = true;
       continue;
@@ -93,7 +97,8 @@ static double grid_slack(trial *t, const char *text, const char *end, int facets
   return step / 2 * sqrt(3) * sum;
 }
 
-/* Returns the text without the facets that parts set themselves, so that a finer model is finer in all its parts. */
+/* Returns the text without the numbers of facets that its parts set themselves, so that the test can set the facets of
+ * all parts. */
 static const char *unfaceted(const char *text) {
   static char copy[TEXT];
   snprintf(copy, sizeof copy, "%s", text);
@@ -105,7 +110,8 @@ static const char *unfaceted(const char *text) {
   return copy;
 }
 
-/* Compares the volumes of the set's first two operands and of their combinations. Round parts have `facets` facets. */
+/* Compares the volumes of two solids and of their combinations. The solids are the first two operands of the model's
+ * set operation. Round parts have `facets` facets. */
 static verdict volumes_of(trial *t, const char *text, int facets) {
   if (strncmp(text, "(unite ", 7) != 0 && strncmp(text, "(subtract ", 10) != 0 && strncmp(text, "(intersect ", 11) != 0)
     return UNTOLD;
@@ -127,8 +133,8 @@ static verdict volumes_of(trial *t, const char *text, int facets) {
     snprintf(t->why, sizeof t->why, "%s", t->heard.error);
     return WRONG;
   }
-  /* formulas and facets: a lone part is measured by its formula, a cut part by its facets, and a sphere of 24 facets
-   * has 2 % less; with more facets this difference decreases at least in proportion */
+  /* `slack` allows for facets: a part alone is measured by its formula, a cut part by its facets. A sphere of 24 facets
+   * has 2 % less volume than its formula. With more facets the difference decreases at least in proportion */
   double slack = 0.03 * USUAL / facets * (va + vb), most = fmax(fabs(both + common - va - vb), fabs(less + common - va));
   most = fmax(most, fmax(fmax(va, vb) - both, common - fmin(va, vb)));
   if (most <= slack || most <= slack + grid_slack(t, text, end, facets)) return RIGHT;
@@ -137,8 +143,8 @@ static verdict volumes_of(trial *t, const char *text, int facets) {
   return WRONG;
 }
 
-/* A lone part is measured by its formula, a cut part by its facets: such a difference vanishes with finer facets. If
- * finer models take too long, the difference counts as a fault. */
+/* Returns true if the volumes disagree. A part alone is measured by its formula, a cut part by its facets, but this
+ * difference vanishes with finer facets. If finer models take too long, the difference counts as a fault. */
 static bool bad_volumes(trial *t, const char *text) {
   static char why[sizeof t->why];
   if (volumes_of(t, text, USUAL) != WRONG) return false;
@@ -150,8 +156,8 @@ static bool bad_volumes(trial *t, const char *text) {
   return finer != RIGHT;
 }
 
-/* Returns the winding number of the model with so many facets at the point; NAN: it cannot be made or written in
- * time. */
+/* Returns the winding number of the model's mesh at the point; round parts have `facets` facets. Returns NAN if the
+ * mesh cannot be made or written in time. */
 static double winding_at(trial *t, const char *text, const double at[3], int facets) {
   bool more;
   written fine;
@@ -187,8 +193,8 @@ static bool bad_inside(trial *t, const char *text, const written *w, uint64_t se
     double finer = winding_at(t, text, at[i], FINE);
     if (isnan(finer)) finer = winding_at(t, text, at[i], FINER);
     else if ((finer > 0.5) != (answers[i] == '1')) finer = winding_at(t, text, at[i], FINEST);
-    /* The facets were too coarse for a part cut from round solids. If a finer model has no result, the difference
-     * counts as a fault. */
+    /* If a mesh with finer facets gives the other answer, the facets were too coarse. If it cannot be made, the
+     * difference counts as a fault. */
     if ((finer > 0.5) == (answers[i] == '1') && !isnan(finer)) continue;
     snprintf(t->why, sizeof t->why, "at (xyz %.17g %.17g %.17g) the mesh winds %g times, and contains? says %c", at[i][0], at[i][1], at[i][2], turns, answers[i]);
     return true;
@@ -196,7 +202,8 @@ static bool bad_inside(trial *t, const char *text, const written *w, uint64_t se
   return false;
 }
 
-/* Returns true if the model is wrong, with the reason in t->why. Shrinking follows only models that are wrong. */
+/* Returns true if the model is wrong, with the reason in t->why. While a failing program is shrunk, only programs that
+ * are still wrong are kept. */
 static bool fails(void *context, const char *text) {
   trial *t = context;
   written off = { .volume = 0 }, single = { .volume = 0 };
@@ -209,8 +216,8 @@ static bool fails(void *context, const char *text) {
     snprintf(t->why, sizeof t->why, "%s", t->heard.error);
     return true;
   }
-  bool solid = number_of(t, "(if (solid? o) 1 0)", &v) && v > 0; /* unless the object is a solid, the .off contains open
-                                                                  * faces as well */
+  bool solid = number_of(t, "(if (solid? o) 1 0)", &v) && v > 0; /* if the object is not a solid, its .off file also
+                                                                  * contains surfaces that are not closed */
   bool bad = (solid && bad_mesh(t, ".off", &off)) || bad_mesh(t, ".stl", &single);
   static const char *const others[] = { ".ply", ".glb" };
   for (int i = 0; i < 2 && solid && !bad && t->volumes; i++) {
@@ -225,8 +232,9 @@ static bool fails(void *context, const char *text) {
     double size = 0;
     for (int k = 0; k < 3; k++) size = fmax(size, off.high[k] - off.low[k]);
     if (!measured && strstr(t->heard.error, "fault of vs")) snprintf(t->why, sizeof t->why, "%s", t->heard.error), bad = true;
-    /* (volume o) comes from a formula, or from a finer mesh. The written mesh is within a chord of it, .0086 of a
-     * radius. A solid as thin as this may be mostly missing in the coarser mesh: the area is that of the larger one. */
+    /* (volume o) comes from a formula, or from a finer mesh. The written mesh is within a chord height of it, .0086 of
+     * a radius. If a solid is thinner than that, most of it may be missing in the coarser mesh: the larger of the two
+     * areas counts. */
     double chord = 0.01 * size, area = off.area;
     if (measured && fabs(v - off.volume) > chord * area + 1e-9 && number_of(t, "(area o)", &area)) area = fmax(area, off.area);
     if (measured && fabs(v - off.volume) > chord * area + 1e-9)
@@ -266,17 +274,18 @@ static void models_are_right(void **state) {
             inside_points, bad);
   assert_int_equal(bad, 0);
   if (seeds.to - seeds.from < 400) return;
-  assert_true(solids * 4 > models && inside_points * 10 > asked_points); /* the run has tested enough */
+  assert_true(solids * 4 > models && inside_points * 10 > asked_points); /* checks that the run has tested enough solids
+                                                                          * and points */
   for (size_t i = 0; i < model_kinds() && i < 64; i++)
     if (!made_of[i])
       fail_msg("no solid was made of the kind %s: it wants a line in tests/oracle/models.c", model_kind(i));
 }
 
-/* Models that were once written wrong without a warning: a hole of the profile that touches the outline in a corner;
- * thin triangles with the same direction beside a place where the surface touches itself; a sweep that overlaps itself
- * completely, whose inner walls coincide; needles so thin that rounding left too little volume for the check of bounds;
- * a low triangle beside a sharp edge, which rounding tilts by more than the edge's angle; quads that are not flat,
- * mirrored. */
+/* Models that vs once wrote wrong without a warning. Their difficulties: a hole of the profile that touches the outline
+ * in a corner; thin triangles with one direction beside a place where the surface touches itself; a sweep that overlaps
+ * itself completely, whose inner walls coincide; needles so thin that rounding left too little volume for the check of
+ * bounds; a low triangle beside a sharp edge, which rounding tilts by more than the edge's angle; mirrored quads that
+ * are not flat. */
 static void wrong_examples_are_right(void **state) {
   (void)state;
   static const char *const texts[] = {
@@ -301,8 +310,8 @@ static void wrong_examples_are_right(void **state) {
     "(intersect (do-loft (list (make-circle origin 1) (do-move (make-polygon (xy 3 0) (xy 2 .5) (xy 2 2)) (vxyz 0 0 "
     "2)))) (do-sweep (make-polygon (xy 0 0) (xy 2 1) (xy 0 1)) (make-spline (list (xy 1 0) (xy 3 0) (xyz 2 0 0) (xy 1 "
     "0))) 0.8))",
-    /* right, and recognized as right: the remainder is about as thin as a step of the grid, and each set has another
-     * grid */
+    /* a correct mesh that vs must also report as correct: the remaining solid is about as thin as a step of the grid,
+     * and each set operation has another grid */
     "(subtract (subtract (make-pyramid (xyz -0.8 0.8 0) 2 16 (xyz -3 2 0.8) 1.9) (make-pyramid (xyz -0.8 0.8 0) 2 16 "
     "(xyz -3 2 0.8) 2)) (do-slice (subtract (make-pyramid (xyz -0.8 0.8 0) 2 16 (xyz -3 2 0.8) 2) (make-pyramid (xyz "
     "-0.8 0.8 0) 2 16 (xyz -3 2 0.8) 2) (do-scale (make-box (xyz -1 0.2 1) 2 0.5 1) (list 1 1 100))) 'yz))",
@@ -317,7 +326,7 @@ static void wrong_examples_are_right(void **state) {
     /* a folded hexahedron that nearly touches its floor, and touches it in 32-bit floats */
     "(scope-place (make-ffd-scope (xyz -2 2 0) (xyz 2 2 0) (xyz -1 1 0.375) (xyz 1 1 3) (xyz -2 -2 0) (xyz 2 -2 0) "
     "(xyz -1 -1 3) (xyz -0.5 1 0)) (make-box (xyz -2 -1 -1) 4 2 0.05))",
-    /* in .glb an edge of a narrow slit moves past the other, and the floors beside it come to overlap */
+    /* in .glb, rounding moves an edge of a narrow slit past the opposite edge, so the floors beside the slit overlap */
     "(subtract (unite (do-extrude (do-project (do-sweep (make-circle (xy 3 0) 0.25) (make-polygon (xy 1 0) (xy 3 0) "
     "(xy 2 1.5)) (* 8 1/4 pi)) 'xy) 1) (make-box (xyz -0.5 -2 -0.125) 0.5 0.5 2.05) (make-box (xyz -0.5 -1.625 0) "
     "1.5 1.5 0.05)) (do-scale (make-box (xyz -2 -0.875 -0.035149951465427876) 1.5 0.5 1.05) (list 1 1 .01)))",
@@ -332,9 +341,9 @@ static void wrong_examples_are_right(void **state) {
   vs_free(t.vm);
 }
 
-/* ---- models whose parts are turned by very little ---- */
+/* ---- models whose parts are rotated by a very small angle ---- */
 
-/* Returns true if the mesh in one of the formats intersects itself without a warning. */
+/* Returns true if the model's mesh in one of the formats intersects itself without a warning. */
 static bool is_silent(void *context, const char *text) {
   static const char *const suffixes[] = { ".off", ".stl", ".ply", ".glb" };
   trial *t = context;
@@ -355,9 +364,9 @@ static bool is_silent(void *context, const char *text) {
   return why[0];
 }
 
-/* Kinds of contacts, each of which was once written wrong without a warning: folds beside a collapsed part, a triangle
- * that turns over between two with the same direction, a corner that crosses an edge within a plane perpendicular to an
- * axis, edges of three units. */
+/* Models that vs once wrote wrong without a warning. Their difficulties: folds beside a collapsed part; a triangle that
+ * turns over between two triangles with one direction; a corner that crosses an edge within a plane perpendicular to an
+ * axis; edges of three units. */
 static void turned_examples_are_right(void **state) {
   (void)state;
   static const char *const texts[] = {
@@ -371,20 +380,20 @@ static void turned_examples_are_right(void **state) {
     "(do-rotate (unite (unite (make-box (xyz 0 0 -1) (xyz 1 4 1)) (do-rotate (make-prism (xyz 2 1 -1) 2 16 (xyz 2 1 "
     "1)) 'z (degrees->radians 3e-5)) (do-rotate (make-prism (xyz -1 2 -1) 1 12 "
     "(xyz -1 2 0)) 'y (degrees->radians 8e-7))) (make-box (xyz 2 -1 -2) (xyz 5 1 2))) 'z .5)",
-    /* needle-shaped cells: a thirtieth of a step long, and too thin for any line */
+    /* needle-shaped cells: a thirtieth of a grid step long, and too thin to contain any line */
     "(intersect (intersect (make-box (xyz -2 0 -3) (xyz 1 2 -2)) (make-prism (xyz 0 2 -3) 2 16 (xyz 0 2 0))) "
     "(do-rotate (intersect (make-box (xyz -2 0 -3) (xyz 1 2 -2)) (make-prism (xyz 0 2 -3) 2 16 (xyz 0 2 0))) 'x "
     "(degrees->radians -2e-7)) (do-rotate (unite (make-box (xyz 0 2 -1) (xyz 3 4 0)) (do-rotate (make-box (xyz 2 -1 0) "
     "(xyz 4 2 2)) 'y (degrees->radians 7e-5)) (do-rotate (make-box (xyz -1 -1 -4) (xyz 2 3 -3)) 'y (degrees->radians "
     "6e-6))) (vxyz 2 -1 1) (degrees->radians 3e-5)))",
-    /* a triangle so low that rounding to doubles reverses it, but not rounding to 12 digits */
+    /* a triangle so low that rounding to doubles reverses it, although rounding to 12 digits does not */
     "(unite (make-prism (xyz 1 -2 -3) 1 15 (xyz 1 -2 0)) (do-rotate (make-prism (xyz 1 -2 -3) 1 15 (xyz 1 -2 0)) (vxyz "
     "2 2 1) (degrees->radians -2e-7)) (make-pyramid (xyz -1 -1 -3) 2 8 (xyz -1 -1 1) 2))",
     /* a wedge whose two planes coincide once their corners are doubles */
     "(subtract (subtract (make-box (xyz 1 -1 -4) (xyz 3 3 -2)) (do-rotate (make-box (xyz 1 -1 -4) (xyz 3 3 -2)) 'z "
     "(degrees->radians -7e-6))) (do-rotate (subtract (make-box (xyz 1 -1 -4) (xyz 3 3 -2)) (do-rotate (make-box (xyz 1 "
     "-1 -4) (xyz 3 3 -2)) 'z (degrees->radians -7e-6))) 'y (degrees->radians 3e-7)))",
-    /* as the model before, with two neighbouring triangles and no other contact */
+    /* two neighbouring triangles whose planes coincide once their corners are doubles, without any other contact */
     "(unite (subtract (make-prism (xyz 1 -2 -1) 2 9 (xyz 1 -2 2)) (do-rotate (make-prism (xyz 1 -2 -1) 2 9 (xyz 1 -2 "
     "2)) (vxyz 0 1 1) (degrees->radians 5e-7)) (make-box (xyz 2 -1 -4) (xyz 5 2 -1))) (do-rotate (make-box (xyz 0 -1 "
     "-1) (xyz 3 0 3)) 'z (degrees->radians 4e-6)))",
@@ -399,7 +408,7 @@ static void turned_examples_are_right(void **state) {
   vs_free(t.vm);
 }
 
-/* A sample of 300, with LONG=1 ten thousand, or those of SEEDS=FROM-TO. */
+/* Tests a sample of 300 seeds, with LONG=1 ten thousand, or those of SEEDS=FROM-TO. */
 static void turned_models_are_right(void **state) {
   (void)state;
   static char text[MODEL_ROOM];

@@ -1,14 +1,14 @@
-/* Tests the property that an object is the same for every way to inspect it. The programs place the samples of every
- * kind and of every constructor (tests/oracle/paths.h) in every way and on both sides of every set:
+/* Tests that vs gives the same figures of an object in every way to inspect it. The programs place samples of every
+ * kind and every constructor (tests/oracle/paths.h) in every way, and as each operand of every set operation:
  *
- *   - (volume o), the volume of the written mesh, the volume of the mesh written without passes, (contains? o p) and
- *     (bounding-box o) agree;
- *   - the answers and the bytes are the same whether o is measured before or after it is drawn, and in an interpreter
- *     without a cache.
+ * - (volume o), the volume of the written mesh, the volume of the mesh written without passes, (contains? o p) and
+ * (bounding-box o) agree.
+ * - The answers and the bytes are the same whether o is measured before or after it is drawn, and in an interpreter
+ * without a cache.
  *
  * If all faces are planar, volumes are equal to 1e-9. Otherwise the chord height bounds their difference: the written
- * mesh and the measured one lie within it of the exact surface. 500 programs; with LONG=1 ten thousand, or those of
- * SEEDS=FROM-TO. SHOW=1 prints each, TELL=1 the counts. */
+ * mesh and the measured mesh lie within it of the exact surface. Runs 500 programs; with LONG=1 ten thousand, or those
+ * of SEEDS=FROM-TO. SHOW=1 prints each program, TELL=1 the counts. */
 #include "tests/unit/trials.h"
 #include "tests/unit/seeds.h"
 
@@ -18,11 +18,11 @@ enum { PLACES = 12 };
 static const char samples_file[] = "tests/cross/shapes.vs";
 
 typedef struct {
-  bool solid, drawn;            /* solid: whether o is a solid. drawn: whether its mesh was written */
-  double volume;                /* volume of o; NAN: it has none */
-  double low[3], high[3], size; /* low, high: corners of the bounds. size: their diagonal */
-  char told[TEXT];              /* all answers as text */
-  char error[600];              /* reason why nothing was written */
+  bool solid, drawn;            /* solid: whether the object is a solid. drawn: whether its mesh was written */
+  double volume;                /* volume of the object; NAN: the object has no volume */
+  double low[3], high[3], size; /* low, high: corners of the bounding box. size: length of its diagonal */
+  char told[TEXT];              /* text of all answers */
+  char error[600];              /* reason why no mesh was written */
   written mesh;
 } looks;
 
@@ -38,9 +38,9 @@ static const char asking[] =
     "(lambda (p) (for-each (lambda (c) (write (c p)) (display \" \")) (list cx cy cz))) box) (display \"no box \")) "
     "(write (list (solid? o) (asked area) (asked centroid))))";
 
-/* Evaluates the text, and asks and writes in one of two orders. Before the first question the interpreter collects
- * garbage. The values from which the program made the object are then freed, so that nothing else refers to its parts.
- * Returns false if the program is refused. */
+/* Evaluates the text, then asks for the figures before or after writing the mesh. Before the first question the
+ * interpreter collects garbage. The values from which the program made the object are then freed, so that nothing else
+ * refers to its parts. Returns false if the program is refused. */
 static bool look(trial *t, const char *text, bool asks_first, unsigned passes, looks *out) {
   vs_output_options o = vs_output_options_default();
   bool more;
@@ -86,7 +86,8 @@ static bool same_mesh(const written_mesh *a, const written_mesh *b) {
 
 typedef struct { const char *name; bool flat; } flatness;
 static const flatness flat_kinds[] = {
-/* the levels of faces, of placements and sets, and of wrappers; round kinds have another level */
+/* Levels of the kinds whose faces may be planar: faces, placements, sets and wrappers. Round kinds have another
+ * level. */
 #define VS_KIND(upper, lower, name, class, level, role, traits) { name, VS_LEVEL_IS_##level },
 #define VS_LEVEL_IS_SUGAR true
 #define VS_LEVEL_IS_OPERATION true
@@ -108,8 +109,8 @@ static bool gather(void *context, const void *bytes, size_t count) {
   return true;
 }
 
-/* Returns true if all faces are planar, by the kinds in the drawn tree; an extrusion has planar faces if it is straight
- * and its profile is polygonal. */
+/* Returns true if all faces are planar, judging by the kinds of nodes in the drawn tree. An extrusion has planar faces
+ * if it is straight and its profile is polygonal. */
 static bool is_flat(trial *t) {
   static char tree[TEXT];
   tree[0] = 0;
@@ -128,14 +129,14 @@ static bool is_flat(trial *t) {
   return true;
 }
 
-/* Returns the chord height of a drawing of that size: the power of two nearest to a 4000th of it. */
+/* Returns the chord height of a drawing whose diagonal is `size`: the power of two nearest to size / 4000. */
 static double chord(double size) {
   return size > 0 && isfinite(size) ? ldexp(1, (int)nearbyint(log2(size / 4000))) : 0;
 }
 
-/* Returns the chord height of facets that are coarser than the drawing's: those with a number for a full turn in the
- * text, and those of bent objects in a hexahedron, which are made for the 200th part of its diagonal
- * (solids/deformed.c). */
+/* Returns the chord height of facets that are coarser than those of the drawing. Such facets come from a number of
+ * facets in the text, or from an object that is deformed by a hexahedron: these are made for a 200th part of its
+ * diagonal (solids/deformed.c). */
 static double coarser_chord(const char *text, double size) {
   static const char *const counts[] = { "#:segments ", "#:nu ", "#:nv " };
   static const char *const bent[] = { "make-ffd-scope", "to-frustum", "rules/hexahedron" };
@@ -150,21 +151,21 @@ static double coarser_chord(const char *text, double size) {
   return most;
 }
 
-/* Tolerances for the answers: the distance by which a point of the surface may be off, and the difference of
- * volumes. */
+/* step, chord: distances by which a point of the surface may be off, due to rounding and to facets. volume: allowed
+ * difference of volumes. */
 typedef struct { double step, chord, volume; } allowance;
 
-/* Returns the tolerances. The grid has 2^32 steps for all that the program combines; a step is 1, 2 or 5 times a power
- * of ten, and a point moves by at most half a step. The chord height is that of the drawing, twice it for surfaces that
- * bend in both directions, once for the written mesh and once for the measured one. */
+/* Returns the tolerances. The kernel's grid has 2^32 steps for all that the program combines; a step is 1, 2 or 5 times
+ * a power of ten, and a point moves by at most half a step. The allowed chord height is that of the drawing, doubled
+ * for surfaces that bend in both directions. It counts once for the written mesh and once for the measured mesh. */
 static allowance allow(const char *text, double size, double result, double area, bool flat) {
   allowance s = { .step = 5 * size / 0x1p32, .chord = flat ? 0 : fmax(chord(result), coarser_chord(text, size)) };
   s.volume = (s.step + 4 * s.chord) * area;
   return s;
 }
 
-/* Returns the tolerances by the size and the area of all that the program combines, with its sets as unions. Called
- * when the tolerances of the result alone are exceeded. */
+/* Returns the tolerances by the size and the area of all that the program combines, with its set operations as unions.
+ * Called when the tolerances by the result alone are exceeded. */
 static allowance allow_wider(paths *p, const char *text, const looks *a, bool flat) {
   static char all[MODEL_ROOM];
   size_t n = 0;
@@ -182,7 +183,7 @@ static allowance allow_wider(paths *p, const char *text, const looks *a, bool fl
   return allow(text, fmax(size, a->size), fmax(size, a->size), fmax(area, a->mesh.area), flat);
 }
 
-/* ---- checks ---- */
+/* ---- checks of an object ---- */
 
 static bool wrong(paths *p, const char *format, ...) {
   va_list rest;
@@ -192,13 +193,15 @@ static bool wrong(paths *p, const char *format, ...) {
   return true;
 }
 
-/* Returns the volume of the mesh's part beyond the level along axis k, on the side of `sign`: the flux of the field
- * (0, 0, z - level), whose divergence is 1, through the triangles, each cut at the level (the theorem of Gauss). */
+/* Returns the volume of the mesh's part beyond the plane where coordinate k is `level`, on the side of `sign`. By
+ * Gauss's theorem, this is the flux of the field (0, 0, z - level), whose divergence is 1, through the triangles, each
+ * cut at the plane. */
 static double volume_beyond(const written_mesh *m, int k, double level, int sign) {
   double sum = 0;
   int u = (k + 1) % 3, v = (k + 2) % 3;
   for (size_t i = 0; i < m->count; i++) {
-    double part[4][3]; /* coordinates u and v of the triangle's corners, and their height above the level */
+    double part[4][3]; /* for each corner of the cut triangle: its coordinates u and v in the plane, and its height
+                        * above the plane */
     int n = 0;
     for (int c = 0; c < 3; c++) {
       const double *a = m->points[m->triangles[i][c]], *b = m->points[m->triangles[i][(c + 1) % 3]];
@@ -216,9 +219,9 @@ static double volume_beyond(const written_mesh *m, int k, double level, int sign
   return sum;
 }
 
-/* Returns true if the bounds do not contain the mesh. The bounds of a round shape are those of fine facets. Rounding
- * may leave a fin where faces that lie in one plane were turned: its volume is below the area times 1e-12 of the size,
- * so the solid ends before it. */
+/* Returns true if the bounding box does not contain the mesh. The bounding box of a round shape is that of fine facets.
+ * Rounding may leave a fin outside the box where coplanar faces were rotated. Fins whose volume is below 1e-12 of area
+ * times size do not count. */
 static bool bad_bounds(paths *p, const looks *a, double slack) {
   for (int k = 0; k < 3; k++)
     for (int side = 0; side < 2; side++) {
@@ -262,7 +265,7 @@ static bool bad_places(paths *p, const looks *a, double slack) {
   return false;
 }
 
-/* Returns true if the answers or the meshes differ. */
+/* Returns true if the answers or the meshes of two ways differ. how: text that describes the second way. */
 static bool differ(paths *p, const looks *a, const looks *b, const char *how) {
   if (strcmp(a->told, b->told) != 0) return wrong(p, "answers differ %s: %.300s and %.300s", how, a->told, b->told);
   if (a->drawn != b->drawn)
@@ -274,7 +277,7 @@ static bool off_by(double a, double b, double slack) { return !(fabs(a - b) <= s
 
 /* Returns true if an answer differs from the mesh by more than the tolerances. */
 static bool bad_answers(paths *p, const looks *a, allowance s, bool flat) {
-  /* a plane that cuts a round part at a low angle moves the edge by more than the chord */
+  /* a plane that cuts a round part at a low angle: facets move the edge of the cut by more than the chord height */
   if (bad_bounds(p, a, s.step + (flat ? 0 : a->size / 4096 + 4 * s.chord))) return true;
   if (a->solid && off_by(a->volume, a->mesh.volume, s.volume))
     return wrong(p, "(volume o) is %.12g, the mesh encloses %.12g, and %.3g is allowed%s", a->volume, a->mesh.volume,
@@ -318,7 +321,7 @@ static bool disagrees(paths *p, const char *text) {
                s.volume);
 }
 
-/* A program that did not end in time on a busy machine does not count. */
+/* Returns true if the program fails. A program that a busy machine did not finish in time does not count. */
 static bool fails(void *context, const char *text) {
   paths *p = context;
   bool bad = disagrees(p, text), late = bad && strstr(p->why, "stopped after");

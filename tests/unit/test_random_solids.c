@@ -1,4 +1,4 @@
-/* Runs the kernel's random trees (tests/oracle/fuzz.c): a sample, with LONG=1 some thousands, or those of
+/* Runs the random operations of tests/oracle/fuzz.c in the kernel: a sample, with LONG=1 some thousands, or those of
  * SEEDS=FROM-TO. */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -28,8 +28,8 @@ static void test_random_trees(void **unused) {
   assert_true(results > 7 * (seeds.to - seeds.from + 1) && (said == 0 || said * FEW <= results));
 }
 
-/* The results of these seeds have triangles, far apart along a shell, that rounding makes intersect. The result of the
- * last seed has triangles that touch, because one was repaired. This must be reported. */
+/* The results of these seeds have triangles, far apart along the surface, that rounding makes intersect. In the result
+ * of the last seed, triangles touch because the kernel repaired a triangle. The kernel must report these contacts. */
 static void test_far_apart(void **unused) {
   (void)unused;
   static const uint64_t seeds[] = { 5374, 5871, 200547, 300336, 300545, 405310, 501912, 722672 };

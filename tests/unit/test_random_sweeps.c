@@ -1,15 +1,14 @@
-/* Tests that a sweep is the union of all positions of its profile, for all bends, twists and overlaps with
- * itself.
+/* Tests that a sweep is the union of all positions of its profile, for all bends, twists and overlaps with itself.
  *
- * Random profiles move along random paths, with random twists, scales and base points; most of them overlap. The
- * reference is the formula of one station (geometry/measure/inside.c), which uses no mesh: a point that lies between
- * two sections is inside. The solid's mesh must agree at random points, except within some tolerances of its surface.
- * Its volume must equal the measured one. It is closed, and after rounding to the numbers of .off and .stl no two of
- * its triangles intersect. A sweep that does not overlap is never refused; of the overlapping ones at most one in
- * twenty is, by an error that names the bend.
+ * Random profiles move along random paths, with random twists, scales and base points; most sweeps overlap themselves.
+ * The test compares each sweep with a formula that uses no mesh (geometry/measure/inside.c): a point between two
+ * sections is inside. The solid's mesh must agree at random points, except within some tolerances of its surface. The
+ * mesh's volume must equal the measured volume. The mesh is closed, and after rounding to the numbers of .off and .stl
+ * no two of its triangles intersect. A sweep that does not overlap itself is never refused. At most one in twenty
+ * sweeps that overlap is refused, by an error that names the bend.
  *
- * A sample of some 45 small ones, with LONG=1 two thousand of any size, or those of SEEDS=FROM-TO; TELL=1 prints the
- * results. */
+ * Tests a sample of some 45 small sweeps, with LONG=1 two thousand of any size, or those of SEEDS=FROM-TO; TELL=1
+ * prints the results. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -105,7 +104,7 @@ static vs_node *sweep(vs_store *s, uint64_t seed) {
   dice d = { seed * 7919 };
   struct vs_sweep data = { .scale = any(&d, 3) ? 1 : between(&d, 0, 2), .twist = any(&d, 2) ? 0 : any(&d, 4) ? between(&d, -6, 6) : pi / 2 * any(&d, 5) };
   double r = between(&d, 0, 1);
-  r = .05 + r * r * 1.2; /* includes thin profiles */
+  r = .05 + r * r * 1.2; /* squares the random number, so that thin profiles are frequent */
   vs_ref children[2] = { { profile(s, &d, r), NULL }, { NULL, NULL } };
   children[1].node = path(s, &d);
   if (any(&d, 6) == 0) data.has_base = true, data.base = vs_v3(between(&d, -r, r), between(&d, -r, r), 0);
@@ -139,12 +138,13 @@ static double from_surface(const vs_mesh *m, vs_vec3 p) {
   return best;
 }
 
-/* ---- the trial ---- */
+/* ---- test of a sweep ---- */
 
-/* most: sweeps with more triangles are skipped; 0: no sweep is skipped */
+/* most: sweeps with more triangles are skipped; 0: no sweep is skipped. The other members count sweeps or points.
+ * furthest: distance of the worst wrong point from the surface. */
 typedef struct { size_t most, sweeps, overlapping, points, inside, met, refused, wrong; double furthest; } tally;
 
-/* Returns the number of triangles that intersect after rounding to these numbers. */
+/* Returns the number of triangles that intersect after their coordinates are rounded to `numbers`. */
 static size_t met(const vs_mesh *m, vs_numbers numbers) {
   vs_mesh copy = { 0 };
   vs_rounded r = { 0 };
@@ -181,7 +181,7 @@ static size_t triangles(const vs_node *n, const vs_fineness *f) {
   return count;
 }
 
-/* Tests the sweep of this seed. Writes the fault to why, "" if there is none. */
+/* Tests the sweep of this seed. Writes the fault to `why`, or "" if there is none. */
 static void look(vs_store *s, uint64_t seed, tally *t, char why[600]) {
   double begun = now();
   vs_error e = { 0 };
@@ -245,7 +245,7 @@ static void sweeps_are_where_the_profile_was(void **state) {
   for (uint64_t seed = seeds.from; seed <= seeds.to; seed++) {
     char why[600];
     vs_store *s = vs_store_new(NULL, NULL);
-    vs_cache *cache = vs_cache_new(s, (size_t)1 << 28); /* the mesh is requested again, for measuring */
+    vs_cache *cache = vs_cache_new(s, (size_t)1 << 28); /* measuring requests the mesh a second time, so it is cached */
     assert_non_null(cache);
     look(s, seed, &t, why);
     if (why[0]) t.wrong++, fprintf(stderr, "sweep %llu: %s\n", (unsigned long long)seed, why);
@@ -257,8 +257,8 @@ static void sweeps_are_where_the_profile_was(void **state) {
             t.furthest, t.wrong, t.refused, t.met);
   assert_int_equal(t.wrong, 0);
   assert_true(t.refused * 20 <= t.overlapping || seeds.to - seeds.from < 20);
-  if (seeds.to - seeds.from > 20) assert_true(t.overlapping * 3 > t.sweeps && t.inside * 40 > t.points); /* checks that the run has tested
-                                                                                                          * enough */
+  /* checks that the run has tested enough sweeps and points */
+  if (seeds.to - seeds.from > 20) assert_true(t.overlapping * 3 > t.sweeps && t.inside * 40 > t.points);
 }
 
 int main(void) {

@@ -1,8 +1,9 @@
 /* Tests that every request for memory may be refused, in some forty programs: every kind of object, every form of the
  * language, every format. Each request in turn is refused, once, or with all later requests; of later requests only a
- * sample. These are objects of the heap, requests of the interpreter to its host, and requests of geometry and the
- * libraries below it (GEOS, FreeType, libzip) to the C library. The run ends with an error, or writes the same bytes as
- * without a refusal. The interpreter works afterwards, and all memory is freed. */
+ * sample. Requests are of three kinds: objects of the interpreter's heap, requests of the interpreter to its host, and
+ * requests to the C library by geometry and the libraries that it uses (GEOS, FreeType, libzip). A refused run ends
+ * with an error, or writes the bytes that it writes without a refusal. The interpreter works afterwards, and all memory
+ * is freed. */
 #define _DEFAULT_SOURCE /* for mkdtemp */
 #include <setjmp.h>
 #include <stdarg.h>
@@ -22,7 +23,8 @@
 #include "tests/unit/allocator.h"
 #include "vm/values/gc.h"
 
-/* left: counts down to the refused request. good: whether all later requests are refused too */
+/* left: number of requests until one is refused. on: whether requests are counted. good: whether all later requests are
+ * refused too. refused: whether one was */
 typedef struct { long left; bool on, good, refused; } refusal;
 static refusal host, library; /* host: requests to the host's callback. library: requests to the C library's
                                * allocator */
@@ -36,7 +38,8 @@ static bool refuse(refusal *r) {
 
 #if REPLACED
 extern void *volatile refused_for;
-void *volatile refused_for; /* the caller that was refused, for a debugger: info symbol refused_for */
+void *volatile refused_for; /* address of the caller whose request was refused; in a debugger: info symbol
+                             * refused_for */
 #define REFUSE (refuse(&library) && (refused_for = __builtin_return_address(0), true))
 void *malloc(size_t n) { return REFUSE ? NULL : __libc_malloc(n); }
 void *calloc(size_t n, size_t size) { return REFUSE ? NULL : __libc_calloc(n, size); }
@@ -56,7 +59,8 @@ static void *take(void *context, void *old, size_t old_size, size_t new_size) {
     return NULL;
   }
   if (new_size > old_size && refuse(&host)) return NULL;
-  void *p = __libc_realloc(old, new_size); /* not the replaced function, because the request is counted as the host's */
+  void *p = __libc_realloc(old, new_size); /* calls the C library itself: the host's request must not be counted a
+                                            * second time as the library's */
   assert_non_null(p);
   if (!old) b->blocks++;
   b->live += new_size - old_size;
@@ -69,7 +73,8 @@ static void told(void *context, const vs_diagnostic *d) {
   if (d->severity == VS_SEVERITY_ERROR) snprintf(b->said, sizeof b->said, "%s", d->message);
 }
 static bool drop(void *context, const char *text, size_t length) { return (void)context, (void)text, (void)length, true; }
-static bool sum_bytes(void *context, const void *bytes, size_t count) { /* the hash FNV-1a */
+static bool sum_bytes(void *context, const void *bytes, size_t count) { /* adds the bytes to the hash FNV-1a of the
+                                                                         * output */
   uint64_t *sum = context;
   for (size_t i = 0; i < count; i++) *sum = (*sum ^ ((const unsigned char *)bytes)[i]) * UINT64_C(0x100000001B3);
   return true;
@@ -136,7 +141,7 @@ enum { HEAP, HOST_ONCE, HOST_GOOD, LIBRARY_ONCE, LIBRARY_GOOD, WAYS };
 
 static const char *const way_names[] = { "an object of the heap", "a request of the host once", "the host for good", "a request of the C library once", "the C library for good" };
 
-/* *sum: a checksum of the output, which a refusal must not change. */
+/* Runs the program. *sum: a checksum of its output, which a refusal must not change. */
 static vs_outcome perform(vs_scheme *s, const program *p, uint64_t *sum) {
   *sum = UINT64_C(0xCBF29CE484222325);
   vs_drawing_clear(s);
@@ -147,7 +152,7 @@ static vs_outcome perform(vs_scheme *s, const program *p, uint64_t *sum) {
   return outcome == VS_OUTCOME_DONE ? vs_write_drawing_to(s, p->format, NULL, sum_bytes, sum) : outcome;
 }
 
-/* The result of a program without a refusal. */
+/* How a program ends without a refusal. sum: checksum of its output. said: its last message. */
 typedef struct { vs_outcome outcome; uint64_t sum; char said[200]; } ending;
 
 static void refuse_in(vs_scheme *s, account *b, size_t which, int way, const ending *w) {
@@ -155,7 +160,8 @@ static void refuse_in(vs_scheme *s, account *b, size_t which, int way, const end
   uint64_t wanted_sum = w->sum;
   uint64_t sum;
   const program *p = &programs[which];
-  long most = which % 4 == 0 ? 40 : 12; /* tests each of the first requests, then fewer and fewer */
+  long most = which % 4 == 0 ? 40 : 12; /* refuses each of the first requests, then a smaller and smaller fraction of
+                                         * them */
   for (long n = 0;; n += n < most ? 1 : 1 + n / 5) {
     b->said[0] = 0;
     int before = b->told;
@@ -189,7 +195,7 @@ static void test_programs(void **state) {
     vs_scheme *s = vs_new(&o);
     assert_non_null(s);
     ending plain = { 0 };
-    /* Libraries that are loaded at first use are loaded by this run, before any request is refused. */
+    /* Runs the program without a refusal first: this also loads libraries that are loaded at first use. */
     vs_outcome wanted = plain.outcome = perform(s, &programs[i], &plain.sum);
     if (wanted == VS_OUTCOME_MACHINE || wanted == VS_OUTCOME_USAGE) fail_msg("%s: %s", programs[i].text, b.said);
     if (wanted == VS_OUTCOME_MODEL && programs[i].format) fail_msg("%s: %s", programs[i].text, b.said);
@@ -202,7 +208,7 @@ static void test_programs(void **state) {
   }
 }
 
-/* Tests opening, checking whether a text is complete, completing, and parameters. */
+/* Tests refusals in opening an interpreter, checking whether a text is complete, completing names, and parameters. */
 static void test_around(void **state) {
   (void)state;
   for (int good = 0; good < 2; good++)
@@ -243,7 +249,8 @@ static bool keep(const char *name, const unsigned char *bytes, size_t size) {
   return (!f || fclose(f) == 0) && ok;
 }
 
-/* Makes pictures for the height fields, in a folder that becomes the current one: several chunks of packed numbers. */
+/* Makes pictures for the height fields, with several chunks of compressed data, in a folder that becomes the current
+ * folder. */
 static int make_pictures(void **state) {
   static char folder[] = "/tmp/refusals-XXXXXX";
   (void)state;

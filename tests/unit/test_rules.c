@@ -1,4 +1,4 @@
-/* Tests the C part of rules: scopes, their flags and paths, and objects deformed by hexahedra. */
+/* Tests the C part of the language GML's rules: scopes, their flags and paths, and objects deformed by hexahedra. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -38,7 +38,7 @@ static void one_deep_path(vs_store *s) {
   vs_scope_release(last);
 }
 
-/* A path of any depth is freed without recursion, and its memory is used again. */
+/* A path of any depth is freed without recursion, and the freed memory is used again. */
 static void deep_paths(void **state) {
   (void)state;
   vs_store *s = vs_store_new(NULL, NULL);
@@ -71,8 +71,8 @@ static void corners_and_loops(void **state) {
   vs_vec3 p = vs_scope_corner(b, 1, 1, 1);
   assert_true(p.x == 4 && p.y == -2 && p.z == 3);
   vs_scope_release(b);
-  /* a triangle in an oblique plane: its first edge is the x axis of its frame, and its size is that of the box around
-   * it */
+  /* the scope of a triangle in an oblique plane: its x axis is the first edge, and its size is that of the bounding
+   * box */
   const vs_vec3 at[3] = { { 0, 0, 0 }, { 3, 0, 4 }, { 0, 2, 0 } };
   vs_scope *t = vs_scope_fresh(s, VS_SCOPE_TRIANGLE);
   t->loops = vs_scope_loops_new(s, at, (const uint32_t[]){ 0, 3 }, 1);
@@ -98,7 +98,7 @@ static const struct vs_deform frustum = {
   .c000 = { -2, -2, 0 }, .c100 = { 2, -2, 0 }, .c010 = { -2, 2, 0 }, .c110 = { 2, 2, 0 },
   .c001 = { -1, -1, 3 }, .c101 = { 1, -1, 3 }, .c011 = { -1, 1, 3 }, .c111 = { 1, 1, 3 } };
 
-/* Returns the volume of the placed mesh. Sets *mesh to the mesh. */
+/* Returns the volume of the node `placed`, a mesh at a place. *mesh is the mesh node. */
 static double volume_below(const vs_node *placed, const vs_node **mesh) {
   assert_int_equal(placed->kind, VS_TRANSFORM);
   *mesh = placed->children[0].node;
@@ -124,7 +124,8 @@ static void deformed_objects(void **state) {
   vs_ref cube = { vs_node_new(s, VS_BOX, &unit, NULL, 0), NULL };
   vs_deformer *d = vs_deformer_new(s, &facets, &options);
   const vs_node *mesh[3];
-  /* a hexahedron, its copy elsewhere, and a rotated copy share a mesh, whose volume is that of a frustum */
+  /* a hexahedron, the same hexahedron elsewhere, and a rotated copy share one mesh, whose volume is that of a
+   * frustum */
   vs_affine away = vs_affine_translation(vs_v3(7, -3, 100));
   vs_affine turn = vs_affine_rotation(vs_v3(1, 2, 3), vs_v3(1, 1, 0), 0.7);
   const struct vs_deform shape[3] = { frustum, moved(frustum, &away), moved(frustum, &turn) };
@@ -136,12 +137,12 @@ static void deformed_objects(void **state) {
   }
   assert_ptr_equal(mesh[0], mesh[1]);
   assert_ptr_equal(mesh[0], mesh[2]);
-  /* a mirrored copy also has the right orientation */
+  /* the mesh of a mirrored copy also faces outwards */
   vs_affine mirror = vs_affine_mirror(vs_v3(0, 0, 0), vs_v3(1, 0, 0));
   struct vs_deform other = moved(frustum, &mirror);
   vs_node *turned = vs_deformer_apply(d, &other, cube, &e);
   assert_true(fabs(volume_below(turned, &mesh[1]) - 28) < 1e-6);
-  /* for a parallelepiped, the object itself is placed, not a mesh */
+  /* if the hexahedron is a parallelepiped, the result is the placed object itself, not a mesh */
   struct vs_deform slanting = frustum;
   slanting.c001 = vs_v3(-1, -2, 3), slanting.c101 = vs_v3(3, -2, 3);
   slanting.c011 = vs_v3(-1, 2, 3), slanting.c111 = vs_v3(3, 2, 3);
@@ -151,7 +152,7 @@ static void deformed_objects(void **state) {
   for (int i = 0; i < 3; i++) vs_node_release(made[i]);
   vs_node_release(turned), vs_node_release(placed);
   vs_deformer_free(d);
-  /* the node's bounds contain the corners */
+  /* the bounds of the deformed object contain the hexahedron's corners */
   vs_bounds b;
   vs_node *n = vs_node_new(s, VS_DEFORM, &frustum, &cube, 1);
   assert_true(n->class_ == VS_SOLID && n->flags & VS_NODE_UNRESOLVED);
@@ -160,7 +161,7 @@ static void deformed_objects(void **state) {
   vs_store_release(s);
 }
 
-/* Tests that leaves keep the innermost paint and layer, and their origin. */
+/* Tests that objects keep the innermost paint and layer, and their origin in the program. */
 static void leaves_keep_their_looks(void **state) {
   (void)state;
   vs_store *s = vs_store_new(NULL, NULL);

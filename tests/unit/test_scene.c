@@ -1,5 +1,5 @@
-/* Tests a host's use of a scene: rays against closed forms; random sequences of calls with good and bad
- * handles; and refused memory while a program in GML runs, while nodes are made and while meshes are handed over. */
+/* Tests a host's use of a scene. Rays are compared with formulas. Random sequences of calls get good and bad handles.
+ * Memory is refused while a GML program runs, while nodes are made, and while meshes are handed over. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -30,7 +30,8 @@ static bool take_first(void *context, vs_scheme *s, const vs_hit *hit) {
   return false;
 }
 
-/* Tests a ball in a node that is moved, rotated and scaled. A ray hits it at a root of a quadratic equation. */
+/* Tests rays that hit a ball in a node that is moved, rotated and scaled. The expected distance is a root of a
+ * quadratic equation. */
 static void test_rays(void **unused) {
   (void)unused;
   vs_scheme *s = vs_new(NULL);
@@ -54,7 +55,7 @@ static void test_rays(void **unused) {
     for (int k = 0; k < 3; k++) away += pow(from[k] + along * way[k] - centre[k], 2);
     double outside = 0;
     for (int k = 0; k < 3; k++) outside += pow(from[k] - centre[k], 2);
-    /* skips rays that begin inside, or pass too close to the rim to decide */
+    /* skips rays that begin inside the ball, or pass so close to its rim that rounding decides */
     if (sqrt(outside) < radius * 1.01 || fabs(sqrt(away) - radius) < 0.05) continue;
     vs_hit hit = { .distance = -1 };
     assert_int_equal(vs_pick(s, from, way, take_first, &hit), VS_OUTCOME_DONE);
@@ -147,10 +148,10 @@ static void test_random_calls(void **unused) {
   vs_free(s);
 }
 
-/* ---- memory ---- */
+/* ---- refused memory ---- */
 
 typedef struct {
-  long left; /* number of allocations until a refusal; negative: no refusal */
+  long left; /* number of allocations until one is refused; negative: none is refused */
   size_t blocks, bytes;
 } budget;
 static void *take(void *context, void *old, size_t old_size, size_t new_size) {
@@ -194,8 +195,8 @@ static bool session(budget *b) {
   return ok;
 }
 
-/* Every session begins with the allocations that test_embedding.c tests. This test refuses later allocations, a sample
- * of some hundred. */
+/* Refuses a sample of some hundred allocations of a session with a scene. test_embedding.c tests those with which every
+ * session begins. */
 static void test_refused_memory(void **unused) {
   (void)unused;
   budget whole = { .left = 1000000 };
@@ -203,13 +204,13 @@ static void test_refused_memory(void **unused) {
   long count = 1000000 - whole.left, step = count / 150 + 1;
   for (long n = 0; n < count; n += step) {
     budget b = { .left = n };
-    session(&b); /* the session may succeed: a cache works without memory */
+    session(&b); /* the session may succeed although a request is refused: a cache works without memory */
     assert_int_equal(b.blocks, 0);
   }
 }
 
-/* Tests that the host's allocator provides all arrays of a mesh, including normals, so that limits include them. The
- * next call frees them. */
+/* Tests that the host's allocator provides all arrays of a mesh, including normals, so the memory limit includes these
+ * arrays. The next call of the library frees them. */
 static void test_counted_meshes(void **unused) {
   (void)unused;
   budget b = { .left = -1 };

@@ -1,13 +1,13 @@
-/* Tests that two sweeps along one path, whose profiles share an edge, share the wall of this edge.
+/* Tests that two sweeps along one path, whose profiles share an edge, share the wall that this edge sweeps.
  *
- * A road and its kerb must neither overlap nor leave a gap. Random pairs of profiles with a common edge move along random
- * paths: plain, upright, growing, and twisted. Both have the same base point, and the fineness of one drawing. The volume
- * of the union is the sum of the volumes, the common part is empty, and the difference is the first solid. This holds
- * within the kernel's grid. Where a profile turns about the path, by a twist or to stay upright, the number of
- * steps depends on the profile's size. There the walls may differ, by a fraction of the tolerance. Pairs that overlap elsewhere are
- * skipped.
+ * For example, a road and its kerb must neither overlap nor leave a gap. Random pairs of profiles with a common edge
+ * move along random paths: plain, upright, growing, and twisted. Both sweeps have the same base point, and the fineness
+ * of one drawing. The volume of their union is the sum of their volumes, their intersection is empty, and their
+ * difference is the first solid, up to the kernel's grid. Where a profile turns about the path, by a twist or to stay
+ * upright, the number of steps depends on the profile's size. There the walls may differ, by a fraction of the
+ * tolerance. Pairs that overlap elsewhere are skipped.
  *
- * A sample, with LONG=1 a thousand pairs, or those of SEEDS=FROM-TO; TELL=1 prints the results. */
+ * Tests a sample of pairs, with LONG=1 a thousand, or those of SEEDS=FROM-TO; TELL=1 prints the results. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -37,7 +37,7 @@ static vs_node *through(vs_store *s, vs_kind kind, const vs_vec3 *at, size_t n, 
   return curve;
 }
 
-/* A path that does not bend much: its profiles seldom overlap. */
+/* Returns a path that does not bend much, so that sweeps along it seldom overlap themselves. */
 static vs_node *path(vs_store *s, dice *d, bool *upright) {
   vs_vec3 at[6];
   int n = 3 + any(d, 3), which = any(d, 6);
@@ -58,7 +58,7 @@ static vs_node *path(vs_store *s, dice *d, bool *upright) {
 
 typedef struct { vs_node *left, *right, *whole; } profiles;
 
-/* Two profiles to the left and the right of an edge from p to q, and their union. */
+/* Returns two profiles to the left and the right of an edge from p to q, and their union. */
 static profiles pair_of(vs_store *s, dice *d) {
   double size = between(d, .05, .5), turn = any(d, 3) ? pi / 2 * any(d, 4) : between(d, 0, 2 * pi), left = size * between(d, .2, 3), right = size * between(d, .05, 1);
   vs_vec3 p = { size * between(d, -1, 1), size * between(d, -1, 1), 0 }, way = { cos(turn), sin(turn), 0 }, across = { -sin(turn), cos(turn), 0 }, q = vs_v3_add(p, vs_v3_scale(way, size * between(d, .2, 1)));
@@ -72,7 +72,7 @@ static vs_node *swept(vs_store *s, const struct vs_sweep *way, vs_node *profile,
   return vs_node_new(s, VS_SWEEP, way, children, 2);
 }
 
-/* the part of tolerance times area by which volumes may differ if the profiles turn */
+/* volumes may differ by this part of tolerance times area if the profiles turn about the path */
 #define TURNED .05
 
 typedef struct { size_t pairs, skipped, wrong; double most, most_turned; } tally;

@@ -1,6 +1,6 @@
-/* Tests straight skeletons: closed forms, and random outlines with holes. For each random outline, the faces lie in
- * their planes, and GEOS finds that their union is the outline and that the sum of their areas is its area. LONG=1
- * tests 1,000 outlines of each family, else 50. */
+/* Tests straight skeletons (roofs) of outlines with a known solution, and of random outlines with holes. For each
+ * random outline, every face lies in its plane. By GEOS, the union of the faces is the outline, and the sum of their
+ * areas is the outline's area. LONG=1 tests 1,000 outlines of each family, else 50. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -20,7 +20,7 @@ enum { MOST = 400, LOOPS = 40, CELLS = 6 };
 typedef struct {
   vs_vec2 at[MOST];
   double speed[MOST];
-  size_t size[LOOPS], loops, count, from[MOST], to[MOST]; /* from, to: corners of each edge */
+  size_t size[LOOPS], loops, count, from[MOST], to[MOST]; /* from[e], to[e]: numbers of the corners of edge e */
 } shape;
 
 static uint64_t seed;
@@ -64,7 +64,8 @@ static void combine(vs_area_operation operation, const vs_area *operands, size_t
   if (!vs_area_combine(operation, operands, n, "tests", out, &e)) fail_msg("%s", e.message);
 }
 
-/* Returns the area of a shape by the winding number of its edges; loops may run in any direction. */
+/* Returns the area of a shape; the winding number of its edges decides what is inside. Loops may run in either
+ * direction. */
 static void shape_area(const shape *s, vs_area *out) {
   *out = (vs_area){ 0 };
   for (size_t l = 0, first = 0; l < s->loops; first += s->size[l++]) {
@@ -87,7 +88,7 @@ static void shape_area(const shape *s, vs_area *out) {
   }
 }
 
-/* The height of a face of edge e above p, by the edge's line. */
+/* Checks that the height of p is that of the roof's plane through edge e. */
 static void in_plane(const shape *s, size_t e, bool left, vs_vec3 p, double size) {
   vs_vec2 a = s->at[s->from[e]], b = s->at[s->to[e]];
   double dx = b.x - a.x, dy = b.y - a.y, length = hypot(dx, dy);
@@ -101,7 +102,7 @@ static bool inside_left(const shape *s, const vs_area *whole, size_t e) {
   return vs_area_holds(whole, (a.x + b.x) / 2 - 1e-4 * dy, (a.y + b.y) / 2 + 1e-4 * dx);
 }
 
-/* Tests that no face leaves the outline, and that no two overlap. */
+/* Tests that no face leaves the outline, and that no two faces overlap. */
 static void apart(const vs_area *whole, const vs_area *faces, size_t n) {
   double most = 1e-6 * size_of(whole);
   for (size_t i = 0; i < n; i++) {
@@ -118,7 +119,7 @@ static void apart(const vs_area *whole, const vs_area *faces, size_t n) {
   }
 }
 
-/* Tests the faces of a shape. Returns false if the speeds leave it open. */
+/* Tests the faces of a shape's roof. Returns false if the speeds of the edges do not close the roof. */
 static bool judge(const shape *s) {
   vs_skeleton k;
   size_t where[2], areas = 0;
@@ -147,7 +148,7 @@ static bool judge(const shape *s) {
   combine(VS_AREA_UNION, faces, areas, &joined);
   double got = size_of(&joined);
   if (fabs(sum - all) > 1e-7 * all) fail_msg("faces %g, outline %g", sum, all);
-  /* GEOS may lose a face that touches the rest of the union in corners: then each pair of faces is tested */
+  /* GEOS may omit from the union a face that touches it only in corners: then each pair of faces is tested */
   if (fabs(got - all) > 1e-6 * all) apart(&whole, faces, areas);
   for (size_t f = 0; f < areas; f++) vs_area_free(&faces[f]);
   vs_area_free(&whole), vs_area_free(&joined), vs_skeleton_free(&k), free(faces);
@@ -165,7 +166,7 @@ static void star(shape *s, double radius, vs_vec2 middle, size_t n, bool back) {
   add_loop(s, at, n, back);
 }
 
-/* A star, with a hole or two within its smallest radius. */
+/* Makes a star, with a hole or two within the circle through its inner corners. */
 static void random_stars(shape *s) {
   star(s, 10, (vs_vec2){ 0, 0 }, 4 + pick(40), pick(2));
   if (s->size[0] < 8) return;
@@ -174,7 +175,7 @@ static void random_stars(shape *s) {
   if (holes > 1) star(s, 1.0, (vs_vec2){ -1.3, 0.2 }, 3 + pick(8), pick(2));
 }
 
-/* Fills cells until no two touch in a corner alone. */
+/* Fills cells until no two cells touch in a corner alone. */
 static void fill_corners(bool on[CELLS][CELLS]) {
   bool again = true;
   while (again) {
@@ -186,7 +187,7 @@ static void fill_corners(bool on[CELLS][CELLS]) {
   }
 }
 
-/* The cells of a grid at random: full of events at one time. */
+/* Makes an outline of random cells of a grid: many edges of its roof meet at the same time. */
 static void random_cells(shape *s) {
   vs_area cells[CELLS * CELLS] = { { 0 } }, joined;
   size_t n = 0;
@@ -254,7 +255,7 @@ FAMILY(test_cells_of_few_speeds, random_cells, few_speeds)
 FAMILY(test_stars_with_gables, random_stars, gables)
 FAMILY(test_cells_with_gables, random_cells, gables)
 
-/* ---- closed forms ---- */
+/* ---- roofs with a known height ---- */
 
 static double top(const shape *s) {
   vs_skeleton k;
@@ -271,23 +272,26 @@ static void test_closed_forms(void **state) {
   shape s = { .count = 0 };
   vs_vec2 box[] = { { 0, 0 }, { 6, 0 }, { 6, 4 }, { 0, 4 } }, hole[] = { { 1, 1 }, { 5, 1 }, { 5, 3 }, { 1, 3 } };
   add_loop(&s, box, 4, false);
-  assert_true(fabs(top(&s) - 2) < 1e-12); /* hipped: half the width */
+  assert_true(fabs(top(&s) - 2) < 1e-12); /* hipped roof: its height is half the rectangle's width */
   s.speed[1] = s.speed[3] = 0;
-  assert_true(fabs(top(&s) - 2) < 1e-12 && judge(&s)); /* gables change no ridge */
+  assert_true(fabs(top(&s) - 2) < 1e-12 && judge(&s)); /* vertical gables at two ends do not change the height of the
+                                                        * ridge */
   s.speed[0] = 3;
-  assert_true(fabs(top(&s) - 1) < 1e-12 && judge(&s)); /* 3 t + t = 4 */
+  assert_true(fabs(top(&s) - 1) < 1e-12 && judge(&s)); /* slopes with the speeds 3 and 1 meet at the time t = 1, since 3
+                                                        * t + t is the width 4 */
   s.speed[0] = s.speed[2] = 0, s.speed[1] = 2;
-  assert_true(fabs(top(&s) - 3) < 1e-12 && judge(&s)); /* a shed roof */
+  assert_true(fabs(top(&s) - 3) < 1e-12 && judge(&s)); /* a shed roof: a single sloping side */
   s.speed[1] = 0;
   vs_skeleton k;
   size_t where[2];
   assert_int_equal(make(&s, &k, where), VS_SKELETON_OPEN);
   for (int i = 0; i < 4; i++) s.speed[i] = 1;
   add_loop(&s, hole, 4, false);
-  assert_true(fabs(top(&s) - 0.5) < 1e-12 && judge(&s)); /* a ring of width 1 */
+  assert_true(fabs(top(&s) - 0.5) < 1e-12 && judge(&s)); /* a ring of width 1 has a roof of height 1/2 */
 }
 
-static void test_steps(void **state) { /* edges of one line and two speeds: a vertical step */
+static void test_steps(void **state) { /* two edges on one line with different speeds: a vertical step is between their
+                                        * faces */
   (void)state;
   shape s = { .count = 0 };
   vs_vec2 box[] = { { 0, 0 }, { 3, 0 }, { 6, 0 }, { 6, 4 }, { 0, 4 } };

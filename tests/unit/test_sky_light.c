@@ -1,6 +1,7 @@
-/* Tests the physical skies: luminance and colour against the paper's formulas, evaluated by another program (numpy, in
- * double precision), daylight against the clear skies of the Illuminating Engineering Society, the overcast sky against
- * the formulas of Moon and Spencer and of Krochmann, and twilight against the definitions of astronomers. */
+/* Tests the physical skies. Luminance and colour are compared with the paper's formulas, evaluated by another program
+ * (numpy, in double precision). Daylight is compared with the clear skies of the Illuminating Engineering Society, the
+ * overcast sky with the formulas of Moon and Spencer and of Krochmann, and twilight with the definitions of
+ * astronomers. */
 #include <math.h>
 #include <setjmp.h>
 #include <stdarg.h>
@@ -46,10 +47,10 @@ static void test_formulas(void **state) {
   }
 }
 
-/* The Society's clear day (Lighting Handbook, 8th edition) has 127.5 klx exp(-0.21 / sin a) perpendicular to the sun,
- * which a turbidity of 2 matches. From the sky on a horizontal surface it has 0.8 + 15.5 sqrt(sin a) klx, which the
- * model is known to exceed (G. Zotti, A. Wilkie and W. Purgathofer, A Critical Review of the Preetham Skylight Model,
- * WSCG 2007). */
+/* On a clear day of the Society (Lighting Handbook, 8th edition), the sun gives 127.5 klx exp(-0.21 / sin a) on a
+ * surface that faces it, where a is its altitude. A turbidity of 2 matches this. The sky gives 0.8 + 15.5 sqrt(sin a)
+ * klx on a horizontal surface, which the model is known to exceed (G. Zotti, A. Wilkie and W. Purgathofer, A Critical
+ * Review of the Preetham Skylight Model, WSCG 2007). */
 static void test_daylight(void **state) {
   (void)state;
   for (double altitude = 15; altitude <= 75; altitude += 10) {
@@ -72,8 +73,8 @@ static void test_colours(void **state) {
   assert_true(luminance(vs_sky_light_sun(8, 45)) < 0.6 * luminance(vs_sky_light_sun(2, 45)));
 }
 
-/* The sky of P. Moon and D. E. Spencer (1942), the first standard of the CIE, has (1 + 2 sin h) / 3 of the zenith's
- * luminance at the height h. Type 1 of ISO 15469 differs by at most a tenth of the zenith's. */
+/* In the overcast sky of P. Moon and D. E. Spencer (1942), the first standard of the CIE, the luminance at the height h
+ * is (1 + 2 sin h) / 3 of the zenith's. Type 1 of ISO 15469 differs by at most a tenth of the zenith's luminance. */
 static void test_overcast(void **state) {
   (void)state;
   for (double altitude = 0; altitude <= 90; altitude += 15) {
@@ -87,7 +88,7 @@ static void test_overcast(void **state) {
   }
 }
 
-/* Civil twilight ends with 3.4 lx, nautical twilight with 0.008 lx, and 760 lx are the light of sunrise (Circular
+/* Civil twilight ends when daylight is 3.4 lx, nautical twilight at 0.008 lx; at sunrise it is 760 lx (Circular
  * 171). */
 static void test_twilight(void **state) {
   (void)state;
@@ -119,7 +120,8 @@ static void test_night(void **state) {
   assert_true(luminance(vs_sky_light_sun_of_scene(&scene, towards(50, 0))) == 0);
 }
 
-/* Below the horizon, at the limits, and straight up and down all values are finite, and the night has no sun. */
+/* Below the horizon, at the limits of the parameters, and straight up and down all values are finite. The night has no
+ * sun. */
 static void test_limits(void **state) {
   (void)state;
   assert_true(luminance(vs_sky_light_sun(3, 0)) == 0 && luminance(vs_sky_light_sun(3, -20)) == 0);

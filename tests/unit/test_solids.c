@@ -1,4 +1,4 @@
-/* Tests geometry/'s solids: closed, facing outwards, without splinters, and with the volume by formula. */
+/* Tests geometry/'s solids: closed, facing outwards, without splinters, and with the volume that a formula gives. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -15,7 +15,7 @@ static const vs_fineness fine = { 1e-4, 0 };
 
 #define NODE(lower, upper, ...) vs_node_new(s, VS_##upper, &(struct vs_##lower){ __VA_ARGS__, 0 }, NULL, 0)
 
-/* Checks the mesh of n and its volume. Releases n. */
+/* Checks the mesh of n, and its volume within a relative tolerance. Releases n. */
 static void check(vs_node *n, const vs_fineness *f, double volume, double relative) {
   vs_mesh m = { 0 };
   vs_error e = { 0 };
@@ -51,8 +51,8 @@ static void volumes(void **state) {
   check(NODE(pyramid, PYRAMID, p, 2, 5, q, 2), &fine, 2.5 * 4 * sin(2 * pi / 5) * length, 1e-14);
   check(NODE(torus, TORUS, p, 3, 1, 0), &fine, 2 * pi * pi * 3, 5e-4);
   check(NODE(torus, TORUS, p, 1, 1, 0), &fine, 2 * pi * pi, 5e-4); /* the torus touches itself in a single point */
-  double a = acos(-0.5); /* the torus is wider than its path: the solid is the part of the disc beyond the axis,
-                          * revolved about the axis (Pappus) */
+  double a = acos(-0.5); /* a torus whose tube is thicker than the radius of its ring: the solid is the part of the disc
+                          * on one side of the axis, revolved about the axis (Pappus) */
   check(NODE(torus, TORUS, p, 1, 2, 0), &fine, 2 * pi * (4 * a - 4 * sin(a) * cos(a) + 2.0 / 3 * 8 * pow(sin(a), 3)), 6e-4);
   vs_store_release(s);
 }
@@ -124,8 +124,8 @@ static void on_the_axis(void **state) {
   f = vs_frame_on_axis(vs_v3(0, 0, 0), vs_v3(0.1, 0, 0));
   assert_true(vs_v3_equal(vs_affine_vector(&f, vs_v3(1, 0, 0)), vs_v3(0, 0, -1)));
   assert_true(vs_v3_equal(vs_affine_vector(&f, vs_v3(0, 0, 1)), vs_v3(1, 0, 0)));
-  for (int i = 0; i < 500; i++) { /* frames must be orthonormal, right-handed, with the given Z, even very close to
-                                   * -Z */
+  for (int i = 0; i < 500; i++) { /* coordinate frames are orthonormal, right-handed, and have the given Z axis, even
+                                   * very close to -Z */
     double w = pow(10, -(i % 14)), phi = i;
     vs_vec3 d = vs_v3_unit(vs_v3(w * cos(phi), w * sin(phi), i & 1 ? -1 : 0.3));
     f = vs_frame_on_axis(vs_v3(0, 0, 0), d);
@@ -150,7 +150,7 @@ static void polyfaces_are_put_right(void **state) {
   n = vs_polyface_make(s, &(vs_polygons){ cube, 8, starts, inward, 5 }, NULL);
   assert_int_equal(n->class_, VS_SURFACE);
   vs_node_release(n);
-  vs_vec3 own_corners[24]; /* copies corners as in an STL file, where no two faces share a point */
+  vs_vec3 own_corners[24]; /* gives each face its own copies of its corners, as in an STL file */
   uint32_t own[24];
   for (uint32_t i = 0; i < 24; i++) {
     own_corners[i] = cube[inward[i]];
@@ -161,7 +161,7 @@ static void polyfaces_are_put_right(void **state) {
   n = vs_polyface_make(s, &(vs_polygons){ cube, 8, one, thin, 1 }, NULL);
   assert_int_equal(n->kind, VS_EMPTY);
   vs_node_release(n);
-  /* an L-shaped prism: its caps are not convex, and a corner lies in the middle of a straight edge */
+  /* an L-shaped prism: its ends are not convex, and its corner (0, 1) lies in the middle of a straight edge */
   double l[7][2] = { { 0, 0 }, { 2, 0 }, { 2, 1 }, { 1, 1 }, { 1, 2 }, { 0, 2 }, { 0, 1 } };
   vs_vec3 at[14];
   uint32_t prism[14 + 28], prism_starts[10] = { 0, 7, 14 };

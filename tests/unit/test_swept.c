@@ -1,5 +1,5 @@
-/* Tests curves, regions and objects made from them: extrusions, sweeps, thickened curves, plates and
- * surfaces. */
+/* Tests curves and regions, and objects that are made from curves and regions: extrusions, sweeps, thickened curves,
+ * plates and surfaces. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -63,12 +63,13 @@ static void extrusions(void **state) {
   struct vs_extrude tower = { .along = { 0, 0, 3 }, .scale = 0.5, .twist = pi }, spire = { .along = { 0, 0, 3 }, .scale = 0 };
   check(over(s, VS_EXTRUDE, &tower, square_at(s, 1, 2, 5, 2), NULL), 4 * 3 * (1 + 0.5 + 0.25) / 3, 2e-3);
   check(over(s, VS_EXTRUDE, &spire, square_at(s, 1, 2, 5, 2), NULL), 4, 1e-14);
-  /* a ring with a square hole and, in it, an island */
+  /* the loops of a ring with a square hole, and of an island in the hole */
   vs_ref bounds[] = { { square_at(s, 0, 0, 0, 10), NULL }, { square_at(s, 2, 2, 0, 5), NULL }, { square_at(s, 3, 3, 0, 1), NULL }, { square_at(s, 8, 8, 0, 1), NULL } };
   vs_node *region = vs_node_new(s, VS_REGION, NULL, bounds, 4);
   for (int i = 0; i < 4; i++) vs_node_release(bounds[i].node);
   check(over(s, VS_EXTRUDE, &up, region, NULL), 3 * (100 - 25 + 1 - 1), 1e-14);
-  /* along a curve without rotation, the solid is sheared, and by Cavalieri's principle its height gives the volume */
+  /* extruded along a curve without rotation, a solid is sheared: by Cavalieri's principle, its volume is area times
+   * height */
   struct vs_extrude follow = { .scale = 1 };
   vs_vec3 bent[] = { { 0, 0, 0 }, { 1, 0, 2 }, { -2, 1, 5 } };
   check(over(s, VS_EXTRUDE, &follow, square_at(s, 1, 2, 5, 2), polyline(s, bent, 3, false)), 20, 1e-14);
@@ -87,7 +88,7 @@ static void sweeps(void **state) {
   vs_store *s = vs_store_new(NULL, NULL);
   struct vs_sweep plain = { .scale = 1 }, half = { .scale = 0.5 }, none = { .scale = 0 }, turned = { .scale = 1, .twist = 2 * pi };
   vs_vec3 corner[] = { { 0, 0, 0 }, { 10, 0, 0 }, { 10, 10, 0 }, { 10, 10, 10 } }, straight[] = { { 1, 1, 1 }, { 4, 5, 1 } };
-  /* the centroid moves on the path: mitred corners keep area times length, wherever the profile is */
+  /* the centroid moves on the path: with mitred corners, the volume is area times length, wherever the profile lies */
   check(over(s, VS_SWEEP, &plain, square_at(s, 7, 8, 9, 1), polyline(s, corner, 4, false)), 30, 1e-13);
   check(over(s, VS_SWEEP, &plain, square_at(s, 7, 8, 9, 1), square_at(s, 0, 0, 0, 10)), 40, 1e-13);
   check(over(s, VS_SWEEP, &half, square_at(s, 7, 8, 9, 2), polyline(s, straight, 2, false)), 5 * 4 * 1.75 / 3, 1e-13);
@@ -96,7 +97,7 @@ static void sweeps(void **state) {
   check(over(s, VS_SWEEP, &plain, NODE(circle, CIRCLE, { 1, 2, 3 }, 1, 0), NODE(circle, CIRCLE, { 1, 2, 3 }, 5, 0)), 2 * pi * pi * 5, 1e-3);
   check(over(s, VS_SWEEP, &turned, square_at(s, 0, 0, 0, 1), NODE(circle, CIRCLE, { 1, 2, 3 }, 5, 0)), 2 * pi * 5, 1e-3);
   check(over(s, VS_SWEEP, &half, square_at(s, 0, 0, 0, 1), NODE(circle, CIRCLE, { 1, 2, 3 }, 5, 0)), 2 * pi * 5 * 1.75 / 3, 2e-3);
-  /* along a closed path that is not planar, the profile rotates, but the ends must join */
+  /* along a closed path that is not planar, the profile rotates, but the last section must equal the first */
   vs_vec3 knot[24];
   for (int i = 0; i < 24; i++) knot[i] = vs_v3((4 + cos(3 * pi * i / 12)) * cos(2 * pi * i / 12), (4 + cos(3 * pi * i / 12)) * sin(2 * pi * i / 12), sin(3 * pi * i / 12));
   vs_points *p = vs_points_new(s, knot, 24);
@@ -147,12 +148,12 @@ static void splines_pass_through_their_points(void **state) {
       sharpest = fmax(sharpest, acos(fmin(1, vs_v3_dot(a, b))));
     }
     assert_int_equal(found, 4);
-    assert_true(line.closed == closed && sharpest < 0.3); /* smooth at the knots, and also at the ends if the curve is
-                                                           * closed */
+    assert_true(line.closed == closed && sharpest < 0.3); /* the spline has no sharp angle at its points; a closed
+                                                           * spline has none at its ends either */
     vs_polyline_free(&line);
     vs_node_release(n);
   }
-  /* with the tangents of a circle the cubic follows the circle closely */
+  /* a cubic spline with the tangents of a circle is close to the circle */
   vs_vec3 quarter[] = { { 1, 0, 0 }, { sqrt(0.5), sqrt(0.5), 0 }, { 0, 1, 0 } };
   vs_points *p = vs_points_new(s, quarter, 3);
   vs_node *n = NODE(spline, SPLINE, p, false, { 0, 7, 0 }, { -1, 0, 0 }, 0);
@@ -170,7 +171,8 @@ static bool never(void *asked, const char *stage, double done) {
   return ++*(size_t *)asked, false;
 }
 
-/* Tests that lofts poll while they search for the least twist, about once per point, and while they fill rows. */
+/* Tests that lofts poll for an interrupt: while they search for the least twist, about once per point, and while they
+ * fill rows. */
 static void lofts_are_interrupted(void **state) {
   (void)state;
   static const int segments[3][2] = { { 4000, 4000 }, { 300, 301 }, { 40000, 40001 } };
@@ -187,7 +189,7 @@ static void lofts_are_interrupted(void **state) {
     vs_job job = { .going = never, .context = &asked };
     vs_store_set_job(s, &job);
     bool made = vs_tessellate(n, &f, &m, &e);
-    assert_true(made == (i == 1)); /* a small loft ends before its first poll */
+    assert_true(made == (i == 1)); /* only the small loft ends before its first poll */
     assert_int_equal(asked, !made);
     if (!made) assert_int_equal(e.kind, VS_ERROR_INTERRUPT);
     vs_store_set_job(s, NULL);

@@ -154,7 +154,7 @@ static void test_whole(void **state) {
   vs_close_vm(vm);
 }
 
-/* Tests places of pairs and atoms, and depth far beyond the C stack. */
+/* Tests the recorded places of pairs and atoms, and nesting far deeper than the C stack allows. */
 static void check_places(vs_scheme *vm) {
   VS_ROOTS(vm, r, 2);
   const char *text = "\n (a \xC3\xA4 (b\n  c))";
@@ -163,7 +163,8 @@ static void check_places(vs_scheme *vm) {
               vs_read_all(vm, &(vs_passage){ text, strlen(text), 1 }, file, false, &r[0]));
   vs_value form = vs_car(r[0]);
   assert_true(vs_pair_pos(form) == vs_pos_make(file, 2, 2));
-  assert_true(vs_pair_pos(vs_cdr(vs_cdr(form))) == vs_pos_make(file, 2, 7));          /* columns count characters */
+  /* columns count characters, not bytes */
+  assert_true(vs_pair_pos(vs_cdr(vs_cdr(form))) == vs_pos_make(file, 2, 7));
   assert_true(vs_pair_pos(vs_cdr(vs_car(vs_cdr(vs_cdr(form))))) == vs_pos_make(file, 3, 3));
   enum { DEPTH = 300000 };
   char *deep = malloc(2 * DEPTH + 16);

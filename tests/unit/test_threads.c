@@ -1,6 +1,6 @@
-/* Tests threads. Interpreters share nothing: several threads, each with an interpreter, make the bytes that a single
- * thread makes, while another thread interrupts one of them. No thread that the library starts receives a signal of the
- * host. `make tsan` runs it under the thread sanitizer. */
+/* Tests threads. Interpreters share nothing: several threads, each with an interpreter, write the bytes that a single
+ * thread writes, while another thread interrupts one of them. No thread that the library starts receives a signal of
+ * the host. `make tsan` runs it under the thread sanitizer. */
 #define _GNU_SOURCE /* for gettid, pthread_tryjoin_np */
 #include <dirent.h>
 #include <pthread.h>
@@ -29,7 +29,7 @@ typedef struct {
   print of[32];
   vs_outcome outcome;
   size_t formats;
-  size_t hits, meshes, gizmos, changes; /* numbers of events of the scene */
+  size_t hits, meshes, gizmos, changes; /* numbers of the scene's events that the host has received */
   double distance, width;
 } result;
 
@@ -132,7 +132,8 @@ static void test_apart(void **state) {
   assert_in_range(alone.formats, 8, 32);
   assert_int_equal(alone.hits, 3);
   assert_int_equal(alone.gizmos, 1);
-  assert_int_equal(alone.changes, 21); /* values from 4 to 4.0 in steps of a quarter, and the posted changes */
+  assert_int_equal(alone.changes, 21); /* changes of value: from 4 to 4.0 in steps of a quarter, and those that the host
+                                        * posted */
   assert_true(alone.width == 1 && alone.meshes == 6);
   for (int i = 0; i < THREADS; i++) assert_int_equal(pthread_create(&threads[i], NULL, make, &together[i]), 0);
   for (int i = 0; i < THREADS; i++) assert_int_equal(pthread_join(threads[i], NULL), 0);
@@ -169,11 +170,11 @@ static void *evaluate(void *s) {
   return vs_eval_text(s, "solids", 1, solids, sizeof solids - 1, 0) == VS_OUTCOME_DONE ? s : NULL;
 }
 
-/* Returns true if this thread of the process receives the signal. A thread that has ended receives none. */
+/* Returns true if this thread of the process does not block the signal. A thread that has ended receives none. */
 static bool hears(const char *thread, int signal_number) {
   char path[300], line[200];
   unsigned long long held = ~0ull;
-  int threads = 0; /* the number is 0 in the status of a thread that has just ended */
+  int threads = 0; /* number of threads by the status file; 0 for a thread that has just ended */
   snprintf(path, sizeof path, "/proc/self/task/%s/status", thread);
   FILE *f = fopen(path, "r");
   while (f && fgets(line, sizeof line, f)) sscanf(line, "Threads: %d", &threads), sscanf(line, "SigBlk: %llx", &held);
@@ -181,7 +182,7 @@ static bool hears(const char *thread, int signal_number) {
   return threads > 0 && !(held >> (signal_number - 1) & 1);
 }
 
-/* Signals reach the host's threads, and no thread that the library has started. */
+/* Tests that signals reach the host's threads, and no thread that the library has started. */
 static void test_signals(void **state) {
   (void)state;
   pthread_t thread;

@@ -1,5 +1,5 @@
-/* Tests the VM's core: the collector, compiler and run loop on texts, limits, and a failure of each
- * allocation. */
+/* Tests the core of the virtual machine: the garbage collector, compiler and run loop on texts, limits, and a failure
+ * of each allocation. */
 #include <setjmp.h>
 #include <stdarg.h>
 #include <stddef.h>
@@ -25,7 +25,7 @@ static vs_scheme *open_with(vs_config config) {
 
 static vs_scheme *open_plain(void) { return open_with((vs_config){0}); }
 
-/* returns the written value of a text, or "error: " and the message */
+/* evaluates a text; returns its value as written, or "error: " and the message */
 static const char *run(vs_scheme *vm, const char *text) {
   static char out[4096];
   vs_value v = VS_FALSE;
@@ -40,20 +40,20 @@ static const char *run(vs_scheme *vm, const char *text) {
   return out;
 }
 
-/* ---- heap ---- */
+/* ---- the heap ---- */
 static void objects_survive_and_move(void **state) {
   (void)state;
   vs_scheme *vm = open_plain();
   {
     VS_ROOTS(vm, r, 3);
     r[0] = VS_NIL;
-    for (int i = 0; i < 100000; i++) assert_true(vs_cons(vm, vs_fix(i), r[0], &r[0]));      /* allocates more than a nursery
-                                                                                             * contains */
+    /* allocates more than the nursery (the heap of young objects) contains */
+    for (int i = 0; i < 100000; i++) assert_true(vs_cons(vm, vs_fix(i), r[0], &r[0]));
     assert_true(vm->collections > 0);
     int64_t i = 100000;
     for (vs_value l = r[0]; l != VS_NIL; l = vs_cdr(l)) assert_int_equal(vs_fixnum(vs_car(l)), --i);
     assert_int_equal(i, 0);
-    /* an old object that points to a young one */
+    /* stores a young object in an old vector */
     assert_true(vs_make_vector(vm, 10, VS_FALSE, &r[1]));
     vs_gc_major(vm);
     vs_value pair;
@@ -86,7 +86,8 @@ static void foreign_objects_are_released_once(void **state) {
   {
     VS_ROOTS(vm, r, 1);
     for (int i = 0; i < 1000; i++) assert_true(vs_make_foreign(vm, &thing, &object, 1 << 20, &r[0]));
-    assert_true(released > 900);                        /* the bytes of these objects alone caused collections */
+    assert_true(released > 900);                        /* the bytes that the foreign objects report were enough to
+                                                         * cause collections */
     int soon = released;
     vs_gc_major(vm);
     assert_int_equal(released, 999);

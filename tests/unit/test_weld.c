@@ -1,7 +1,7 @@
-/* Tests that welding removes details smaller than a step from a mesh, and changes nothing else.
+/* Tests that welding removes details smaller than a grid step from a mesh, and changes nothing else.
  *
  * The test splits the edges of a cube again and again, near their ends and in their middles, and displaces every new
- * corner. The mesh then has hundreds of needles, crumbs and folds. After welding it must be a closed chain without
+ * corner slightly. The mesh then has hundreds of needles, crumbs and folds. After welding it must be closed, without
  * short edges and low triangles. Its winding number at each point must be as before, except within some steps of its
  * surface. */
 #include <setjmp.h>
@@ -95,7 +95,7 @@ static void welded_meshes_have_no_details(void **state) {
   }
 }
 
-/* Tests that details larger than a step stay, corner by corner. */
+/* Tests that welding keeps details larger than a step, corner by corner. */
 static void welding_keeps_the_rest(void **state) {
   (void)state;
   vs_mesh m = cube(), w = cube();
@@ -110,8 +110,8 @@ static void welding_keeps_the_rest(void **state) {
 static void sheets_cancel(void **state) {
   (void)state;
   vs_mesh m = cube();
-  assert_true(vs_mesh_add_triangle(&m, 0, 1, 2)); /* the first triangle, reversed */
-  assert_true(vs_mesh_add_triangle(&m, 5, 6, 4)); /* the third triangle, repeated */
+  assert_true(vs_mesh_add_triangle(&m, 0, 1, 2)); /* adds the first triangle again, reversed */
+  assert_true(vs_mesh_add_triangle(&m, 5, 6, 4)); /* adds the third triangle again, in the same orientation */
   assert_true(vs_mesh_add_triangle(&m, 3, 3, 4));
   assert_true(vs_mesh_net(&m, 0));
   assert_int_equal(m.triangle_count, 12);

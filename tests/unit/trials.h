@@ -1,5 +1,5 @@
-/* Contains the trial of a random program: an interpreter that records messages, runs texts, writes the drawing, reads
- * it back as a mesh, and measures that. */
+/* Contains `trial`, the test of a random program. Its interpreter records messages and runs texts. The trial writes the
+ * drawing, reads it back as a mesh, and measures the mesh. */
 #ifndef VS_TESTS_TRIALS_H
 #define VS_TESTS_TRIALS_H
 
@@ -14,7 +14,7 @@
 #include <cmocka.h>
 
 #include "visualscheme.h"
-#include "tests/oracle/models.c" /* this file uses the static functions of models.c */
+#include "tests/oracle/models.c" /* this file calls static functions of models.c */
 #include "tests/tools/written_mesh.h"
 
 enum { TEXT = 4 * MODEL_ROOM };
@@ -28,8 +28,8 @@ typedef struct {
   said heard;
   char why[900];
   unsigned line;
-  const char *file;                /* name of the texts' file; NULL: model */
-  bool volumes;                    /* Whether to measure volumes and to write two more formats. This takes most of the
+  const char *file;                /* file name that error messages show for the texts; NULL: model */
+  bool volumes;                    /* whether to measure volumes and to write two more formats, which takes most of the
                                     * time */
   const vs_output_options *output; /* options for writing; NULL: the defaults */
 } trial;
@@ -62,7 +62,7 @@ static vs_outcome run(trial *t, const char *format, ...) {
   return vs_eval_text(t->vm, t->file ? t->file : "model", ++t->line, text, strlen(text), 0);
 }
 
-/* ---- meshes ---- */
+/* ---- written meshes ---- */
 
 typedef struct {
   crossings_point low, high;
@@ -115,8 +115,8 @@ static bool write_as(trial *t, const char *suffix, size_t which, written *out, b
   return ok;
 }
 
-/* Returns the winding number: the sum of the triangles' solid angles divided by 4 pi. *nearest is the distance of the
- * nearest triangle. */
+/* Returns the winding number of the mesh at p: the sum of the triangles' solid angles divided by 4 pi. *nearest is a
+ * lower bound of the distance to the nearest triangle. */
 static inline double winding(const written_mesh *s, const double p[3], double *nearest) {
   double sum = 0;
   *nearest = INFINITY;
@@ -137,8 +137,8 @@ static inline double winding(const written_mesh *s, const double p[3], double *n
       dots[j] = v[j][0] * v[(j + 1) % 3][0] + v[j][1] * v[(j + 1) % 3][1] + v[j][2] * v[(j + 1) % 3][2];
     sum += 2 * atan2(det, length[0] * length[1] * length[2] + dots[0] * length[2] + dots[1] * length[0] +
                               dots[2] * length[1]);
-    /* For a triangle that appears large: its plane's distance from the point. Otherwise a bound computed from its
-     * corners. Neither exceeds the true distance. */
+    /* For a triangle that appears large from p, the distance of its plane. Otherwise a bound computed from its corners.
+     * Neither exceeds the true distance. */
     double plane = size > 0 ? fabs(det) / sqrt(size) : 0, longest = 0;
     for (int k = 0; k < 3; k++) longest = fmax(longest, fmax(fabs(e[k]), fabs(f[k])));
     *nearest = fmin(*nearest, fmax(plane, fmin(length[0], fmin(length[1], length[2])) - 2 * longest));
@@ -152,7 +152,7 @@ static inline bool number_of(trial *t, const char *expression, double *out) {
   return true;
 }
 
-/* Begins a trial. cache: bytes of cached results, as in vs_options. */
+/* Begins a trial. cache: limit of cached results in bytes, as in vs_options. */
 static void begin(trial *t, size_t cache) {
   vs_options o = vs_options_default();
   *t = (trial){ .vm = NULL };
@@ -166,8 +166,9 @@ static void begin(trial *t, size_t cache) {
   assert_non_null(t->vm);
 }
 
-/* Prints the program of a seed for which `fails` returned true, and then the smallest part of it for which `fails` still
- * returns true. `why` is the reason, which `fails` writes; label stands before the seed. NOSHRINK=1: the program alone. */
+/* Prints the program of a seed for which `fails` returned true, and then the smallest part of it for which `fails`
+ * still returns true. `why` is the reason, which `fails` writes; label is printed before the seed. With NOSHRINK=1,
+ * prints the program alone. */
 static void report_seed(const char *label, unsigned long long seed, char text[MODEL_ROOM],
                         bool (*fails)(void *context, const char *text), void *context, const char *why) {
   fprintf(stderr, "%sseed %llu: %s\n%s\n", label, seed, why, text);
