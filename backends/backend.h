@@ -1,14 +1,14 @@
-/* Declares a back-end: the functions that a format's folder gives the driver. emitter.h declares the functions that
- * the driver gives the format.
+/* Declares a back-end: the functions by which a format's folder writes a drawing. The driver (tree_walk.c) calls them.
+ * emitter.h declares the functions that they may call in turn.
  *
- * The driver (tree_walk.c) walks the drawing without recursion. It calls the emit function of a node's kind for every
- * node that the format draws. If the driver does not visit a node's children (a primitive, or a profile with its
- * sweep), it calls that function once, with phase VS_PHASE_LEAF. For an operation it calls the function twice:
- * VS_PHASE_ENTER before the children and VS_PHASE_LEAVE after them.
+ * The driver walks the drawing without recursion. It calls the emit function of a node's kind for every node that the
+ * format draws. If the driver does not visit a node's children (a primitive, or a profile with its sweep), it calls
+ * that function once, with phase VS_PHASE_LEAF. For an operation it calls the function twice: VS_PHASE_ENTER before the
+ * children and VS_PHASE_LEAVE after them.
  *
- * If a kind has no emit function, or the function returns VS_LOWER before it has written anything, the driver replaces
- * the node by simpler kinds and tries again. It lowers a shared node once. The simpler kinds may form a tree, which the
- * driver walks in place of the node.
+ * If a kind has no emit function, or the function returns VS_LOWER before it has written anything, the driver lowers
+ * the node: it replaces the node by simpler kinds and tries again. It lowers a shared node once. The simpler kinds may
+ * form a tree, which the driver walks in place of the node.
  *
  * An emit function never receives nodes that draw nothing: empty nodes, and nodes of a class that the format omits. The
  * driver replaces a union or difference with a single remaining operand by that operand.
@@ -32,13 +32,13 @@
 
 enum {
   VS_DEPTH_MAX = 150
-}; /* greatest depth of nesting in one subtree of the output, because POV-Ray and OpenSCAD crash at some thousand
-    * levels */
+}; /* VS_DEPTH_MAX: greatest depth of nesting in one subtree of the output, because POV-Ray and OpenSCAD crash at some
+    * thousand levels */
 
 typedef enum {
   VS_EMITTED,
-  VS_WHOLE,  /* result of an emit function at VS_PHASE_ENTER: it has written the node with its children, and the driver
-              * does not visit them */
+  VS_WHOLE,  /* result of an emit function at VS_PHASE_ENTER: the function has written the node with its children, and
+              * the driver does not visit the children */
   VS_LOWER,
   VS_FAILED
 } vs_emit_status;
@@ -48,44 +48,46 @@ typedef vs_emit_status vs_emit_fn(vs_emitter *e, const vs_ref *ref, vs_phase pha
 
 /* Traits of a format: needs and abilities of its program. */
 typedef enum {
-  VS_SHOWS_GHOSTS_IN_DRAFTS = 1 << 0, /* the format shows ghosts in pictures of draft quality only */
-  VS_KEEPS_ORIGINS = 1 << 1, /* the emitter records the origin of each line of the text */
+  VS_SHOWS_GHOSTS_IN_DRAFTS = 1 << 0, /* the format shows objects marked as `ghost` only in pictures of draft quality */
+  VS_KEEPS_ORIGINS = 1 << 1, /* the emitter records, for each line of the text, the place in the user's program from
+                              * which the line comes */
   VS_PARTS_FLUSH = 1 << 2,   /* a pass first separates faces that lie in one plane (flush.h): the format's program
                               * leaves thin skins when it cuts such solids */
   VS_SHOWS_HULLS = 1 << 3,   /* the format shows hulls of solids as operations, and every other hull as one shape */
-  VS_DRAWS = 1 << 4,         /* the format makes drawings. It selects the scene's views and cuts the solids itself
-                              * (vs_lower_drawing); its function `solid` receives no solids */
-  VS_FRAMES = 1 << 5,        /* the format shows the drawing through a camera that frames it */
+  VS_DRAWS = 1 << 4,         /* the format makes drawings on sheets. It selects the scene's views and cuts the solids
+                              * itself (vs_lower_drawing); its function `solid` receives no solids */
+  VS_FRAMES = 1 << 5,        /* the format shows the model through a camera that is placed to show all of it */
   VS_LOOSE = 1 << 6,         /* for a format with `solid` or `copies`: the driver first walks the objects that are not
-                              * solid, and calls their rows of `emit` */
+                              * solids, and calls their functions in `emit` */
   VS_INKS = 1 << 7,          /* a pass makes thin objects without a material dark (ink.h) */
   VS_LAYS = 1 << 8,          /* the format's patterns are correct only on faces that no placement rotates (lay.h) */
-  VS_GROUPS = 1 << 9,        /* the format receives large sets as trees of boxes (vs_sets_group) */
-  VS_AREA_SETS = 1 << 10,    /* the format's emit function receives sets of regions before they are lowered to one
-                              * region */
-  VS_KEEPS_TEXT = 1 << 11,   /* the text of a node depends only on the values that drive_key puts into a key, not on
-                              * earlier output */
-  VS_VERBATIM = 1 << 12      /* the driver emits every node, including empty nodes, and visits the children of all
-                              * kinds */
+  VS_GROUPS = 1 << 9,        /* the driver first divides large unions into trees of boxes (vs_sets_group) */
+  VS_AREA_SETS = 1 << 10,    /* the format's emit function receives unions and differences of regions; for other formats
+                              * the driver first computes a single region */
+  VS_KEEPS_TEXT = 1 << 11,   /* the text of a node depends only on the values in its cache key, not on earlier output;
+                              * so the text can be cached for the next output */
+  VS_VERBATIM = 1 << 12      /* the driver emits every node as it is, including empty nodes, and visits the children of
+                              * all kinds */
 } vs_backend_trait;
 
 struct vs_backend {
   bool (*begin)(vs_emitter *e);
-  bool (*item)(vs_emitter *e, size_t index, bool end); /* called before and after each drawn object; may be NULL */
+  bool (*item)(vs_emitter *e, size_t index, bool end); /* called before and after the drawn object number `index`; may
+                                                        * be NULL */
   bool (*end)(vs_emitter *e);
   void (*close)(vs_emitter *e); /* frees `state`, also after a failure; may be NULL */
   /* Writes the beginning (open) or the end (!open) of template `id`, which counts from 1. A back-end has both `define`
    * and `use`, or neither. */
   bool (*define)(vs_emitter *e, uint32_t id, const vs_ref *ref, bool open);
   bool (*use)(vs_emitter *e, uint32_t id, const vs_ref *ref);
-  /* Writes the union of the drawing's solids, for formats that contain only triangles. For such a format, the driver
-   * does not walk the drawing. The mesh is rounded to the format's numbers (kernel/round/rounding.h). */
+  /* Writes the union of the drawing's solids, for formats that contain only triangles; the driver then does not walk
+   * the drawing. The mesh is rounded to the numbers that the format can store (kernel/round/rounding.h). */
   bool (*solid)(vs_emitter *e, const vs_solid *solid);
-  bool (*copies)(vs_emitter *e, const vs_solid_copies *copies); /* Writes the union of the drawing's solids, each group
-                                                                 * of equal parts once. A back-end has `copies` or
-                                                                 * `solid`, not both. */
+  bool (*copies)(vs_emitter *e, const vs_solid_copies *copies); /* Writes the union of the drawing's solids, in which
+                                                                 * each group of equal parts is stored once. A back-end
+                                                                 * has `copies` or `solid`, not both. */
   vs_numbers numbers;
-  bool objects; /* whether faces of different objects stay apart in the mesh of all solids */
+  bool objects; /* true if the mesh of all solids keeps the faces of different objects separate */
   /* Runs a worker program on the written text. NULL: the text itself is the output. */
   bool (*render)(vs_emitter *e, const char *text_path, const char *output_path);
   /* Writes the files beside e->path (such as an .mtl) after the text. NULL: the format has no such files. */
@@ -98,15 +100,16 @@ struct vs_backend {
   unsigned traits;      /* traits of the format: values of vs_backend_trait, joined by | */
   const char *omit[VS_MIXED]; /* omit[c]: warning, given once, that the format omits objects of class c; NULL: the
                                * format shows them */
-  vs_emit_fn *shape;    /* emits the primitive solids that have no row in `emit`; NULL: the driver lowers them */
-  struct { vs_emit_fn *fn; const char *lossy; } emit[VS_KIND_COUNT]; /* lossy: warning, given once, that the format
-                                                                      * shows this kind incompletely or inexactly; NULL:
-                                                                      * there is no loss */
+  vs_emit_fn *shape;    /* emits the primitive solids that have no function in `emit`; NULL: the driver replaces them by
+                         * simpler kinds */
+  /* fn: function that writes this kind. lossy: warning, given once, that the format shows this kind incompletely or
+   * inexactly; NULL: there is no loss */
+  struct { vs_emit_fn *fn; const char *lossy; } emit[VS_KIND_COUNT];
 };
 
 static inline bool vs_backend_has(const vs_backend *b, vs_backend_trait trait) { return (b->traits & trait) != 0; }
 
-/* Returns the function that writes n. Returns NULL if n must be lowered. */
+/* Returns the function that writes n. Returns NULL if the driver must replace n by simpler kinds. */
 static inline vs_emit_fn *vs_backend_writes(const vs_backend *b, const vs_node *n) {
   vs_emit_fn *fn = b->emit[n->kind].fn;
   return fn || vs_node_role(n) != VS_ROLE_SHAPE || n->flags & VS_NODE_ENDLESS ? fn : b->shape;
@@ -115,9 +118,9 @@ static inline vs_emit_fn *vs_backend_writes(const vs_backend *b, const vs_node *
 #define VS_FORMAT(suffix, backend, name, worker, binary, doc) extern const vs_backend vs_backend_##backend;
 #include "backends/backends.def"
 
-/* The rows of formats that show triangles and lines at their places. `leaf` writes triangles of solids and thin
- * objects, `line` writes polylines, `through` writes placements and paint, `boolean` calls the kernel. A kind without a
- * row is lowered by the driver: curves become polylines. */
+/* The functions by kind for formats that show triangles and lines at their places. `leaf` writes triangles of solids
+ * and thin objects, `line` writes polylines, `through` writes placements and paint, `boolean` lets the kernel combine
+ * solids. The driver replaces all other kinds by simpler kinds: curves become polylines. */
 #define VS_EMIT_SHAPES(leaf, line, through, boolean)                                                                   \
   .shape = (leaf),                                                                                                     \
   .emit = { [VS_LINE] = { line, NULL },                                                                                \

@@ -1,4 +1,5 @@
-/* Implements the bounds of a drawing: those that determine its fineness, and those that its camera frames. */
+/* Computes the bounds of a drawing: those that determine its fineness (the size of facets), and those that its camera
+ * shows. */
 #include "backends/camera_boxes.h"
 
 #include <math.h>
@@ -22,8 +23,8 @@ static bool drive_has_native(const vs_emitter *e) {
 }
 
 /* Adds the bounds of a drawn object to e->boxes and to *all. For a union it adds the bounds of each part, up to `most`
- * boxes in total. Separate boxes of parts are tighter: two boxes frame a cross of two beams better than one box. If
- * budget is not NULL, the bounds are those of the material that remains after cuts, as far as the budget allows
+ * boxes in total. Separate boxes of parts fit better: two boxes enclose a cross of two beams better than one box. If
+ * budget is not NULL, the bounds are those of the material that remains after cuts; *budget limits the work for this
  * (drawn_bounds.h). */
 static bool drive_boxes(vs_emitter *e, const vs_ref *ref, vs_bounds_memo *memo, size_t *budget, vs_bounds *all) {
   enum { most = 4096 };
@@ -65,14 +66,14 @@ bool vs_drive_frame(vs_emitter *e) {
         !drive_boxes(e, &e->scene->drawn[i], &e->drive->bounds, &budget, &e->framed))
       return false;
   if (e->box_count > 0) return true;
-  e->box_count = wide > 0; /* nothing of the drawing remains, so the camera frames the operands */
+  e->box_count = wide > 0; /* cuts remove the whole drawing, so the camera shows the bounds of the operands */
   e->boxes[0] = e->framed = e->bounds;
   return true;
 }
 
 bool vs_drive_nothing(vs_emitter *e) {
-  const vs_ref *empty = NULL; /* Every format shows solids. Therefore, if the drawing contains solids at this point,
-                               * they are empty. */
+  const vs_ref *empty = NULL; /* Every format shows solids. If no bounds were found although the drawing contains
+                               * solids, these solids are empty. */
   bool other = false;
   for (size_t i = 0; i < e->scene->drawn_count; i++) {
     const vs_ref *ref = &e->scene->drawn[i];
@@ -95,7 +96,7 @@ bool vs_drive_bounds(vs_emitter *e) {
     if (ref->node->flags & VS_NODE_ENDLESS) return vs_emit_fail(e, ref, VS_ENDLESS_MESSAGE);
     if (!drive_boxes(e, ref, &e->drive->bounds, NULL, &e->bounds)) return false;
   }
-  /* The size of native text is unknown. The camera frames a box of size 2 around the origin. */
+  /* The size of native text is unknown. The camera shows a box of size 2 around the origin. */
   if (e->box_count == 0 && drive_has_native(e)) {
     if (!vs_emit_grow(e, &e->boxes, &e->box_room, 1, sizeof *e->boxes)) return false;
     e->bounds = e->boxes[e->box_count++] = (vs_bounds){ vs_v3(-1, -1, -1), vs_v3(1, 1, 1) };

@@ -1,8 +1,8 @@
-/* Implements the plan of a drawing's text: a pass over the distinct nodes, children first.
+/* Plans a drawing's text: visits the distinct nodes, children first.
  *
- * It finds the nodes that draw nothing (`vain`). The pass also counts the references to each node in the text (`uses`)
- * and the levels of nesting in its text (`height`). A leaf with a single reference has no entry, so a million boxes
- * need no memory here. Templates are the entries with several uses, and the entries at which the text reaches the depth
+ * The plan finds the nodes that draw nothing (`vain`). It counts the references to each node in the text (`uses`) and
+ * the levels of nesting in its text (`height`). A leaf with a single reference has no entry, so a million boxes need no
+ * memory here. Templates are the entries with several uses, and the entries at which the text reaches the depth
  * VS_DEPTH_MAX. Templates keep the order of the plan, so each template follows the templates that it uses. */
 #include "backends/drawing_plan.h"
 
@@ -40,8 +40,8 @@ static bool drive_op_vain(const vs_emitter *e, const drive_entry *entry) {
   return one && (n->child_count == 0 || entry->first_vain);
 }
 
-/* Adds the data of a child to its parent's entry. The data of the child's own children must already be added. child
- * NULL: the child has no entry. */
+/* Adds the data of a child to its parent's entry in the plan, after the child's own children. child NULL: the child has
+ * no entry. vain: the child draws nothing. first: it is the first child. */
 static void drive_plan_add(drive_entry *parent, const drive_entry *child, bool vain, bool first) {
   uint32_t height = child == NULL || child->cut ? 1 : child->height;
   if (height > parent->height) parent->height = height;
@@ -60,8 +60,8 @@ static bool drive_plan_omitted(vs_emitter *e, const vs_ref *ref) {
   return vs_emit_warn_once(e, ref, e->backend->omit[n->class_]);
 }
 
-/* Plans a reference: counts a use of its entry. A new entry is pushed on the stack, and is added to its parent when it
- * is popped. */
+/* Plans a reference to a node: counts a use of its entry. A new entry is pushed on the stack, and is added to its
+ * parent when it is popped. */
 static bool drive_plan_meet(vs_emitter *e, const vs_ref *ref, bool operation, size_t parent, bool first) {
   vs_drive *d = e->drive;
   bool found;
@@ -154,8 +154,8 @@ static void drive_plan_carved(vs_emitter *e) {
   for (size_t i = d->order_count; i-- > 0;) {
     const drive_entry *entry = &d->entries[d->order[i]];
     const vs_node *n = entry->ref.node;
-    if (!drive_is_operation(e, n) || !(n->flags & VS_NODE_CARVED)) continue; /* no emit function reads the mark `carved`
-                                                                              * of nodes below such a node */
+    /* emit functions read the mark `carved` only of operations and their operands, so other nodes are skipped */
+    if (!drive_is_operation(e, n) || !(n->flags & VS_NODE_CARVED)) continue;
     if (!entry->carved && n->kind != VS_INTERSECTION && n->kind != VS_DIFFERENCE) continue;
     for (uint32_t k = 0; k < n->child_count; k++) {
       drive_entry *child = drive_find(e, n->children[k].node);

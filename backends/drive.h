@@ -16,14 +16,14 @@ typedef struct {
                           * operation whose children are being visited, the greatest height of a child so far */
   uint32_t shown;       /* number of children of an operation that draw something */
   uint32_t definition;  /* number of the node's template, from 1; 0: the node has no template */
-  uint32_t weight;      /* approximate length of the node's text, counted in shapes. The use of a template counts as 1.
-                         * The value is at most HEAVY of text_runs.c. It is set only if runs are used. */
+  uint32_t weight;      /* approximate length of the node's text, counted in shapes; the use of a template counts as 1.
+                         * At most HEAVY (text_runs.c). Set only if parts of the text are cached. */
   bool vain, cut;
   bool first_vain, some_vain; /* first_vain: the first child draws nothing. some_vain: some child draws nothing */
-  bool bare, painted;   /* bare: true if some part has no material of its own. painted: true if some part has a material
-                         * of its own */
+  bool bare, painted;   /* bare: true if some part of the node has no material of its own. painted: true if some part
+                         * has a material of its own */
   bool layered;         /* true if some part of the node has a layer of its own */
-  bool carved;          /* true if the node occurs in an intersection or a difference */
+  bool carved;          /* true if the node occurs inside an intersection or a difference */
   vs_node *lowered;     /* simpler kinds that replace the node, retained, or NULL */
   vs_solid *mesh;
 } drive_entry;
@@ -34,7 +34,7 @@ typedef struct { size_t entry; uint32_t next; } drive_step;
 typedef struct {
   vs_ref ref;
   size_t next, shown;   /* next: index of the next child to visit. shown: number of children passed to the emitter */
-  size_t asked;         /* children before this index need no further search for runs */
+  size_t asked;         /* children before this index need no further search for cached text */
   const vs_material *material;
   vs_affine placement;
   vs_bounds reach;
@@ -70,11 +70,11 @@ struct vs_drive {
   vs_bounds_memo bounds;
   vs_solid scratch; /* mesh of a node without an entry, valid until the next call */
   uint32_t ticks;
-  vs_reuse reuse;       /* kept text of runs (text_runs.c) */
-  size_t run_frames, run_until; /* data of the run that is being written. run_frames: number of open frames at its
-                                 * beginning. run_until: index of the child before which it ends */
-  size_t run_line, run_first;   /* more data of the run that is being written. run_line: its first line. run_first:
-                                 * number of line origins before it */
+  vs_reuse reuse;       /* cache of the text of earlier outputs (reuse.h) */
+  size_t run_frames, run_until; /* the cached sequence of shapes that is being written. run_frames: number of open
+                                 * frames at its beginning. run_until: index of the child before which it ends */
+  size_t run_line, run_first;   /* run_line: first line of the cached sequence that is being written. run_first: number
+                                 * of recorded line origins before it */
 };
 
 /* ---- entries ---- */
@@ -94,7 +94,8 @@ static inline bool drive_is_operation(const vs_emitter *e, const vs_node *n) {
   return e->drive->operation[n->kind];
 }
 
-/* Data of a node that are equal at all its places. A leaf with a single reference has no entry. */
+/* Data of a node that are equal at all its places. entry: NULL for a leaf with a single reference. operation: the
+ * driver visits the node's children. vain: the node draws nothing. */
 typedef struct { drive_entry *entry; bool operation, vain; } drive_view;
 
 static inline bool drive_leaf_vain(const vs_emitter *e, const vs_node *n) {
@@ -113,7 +114,8 @@ static inline bool drive_is_brief(const vs_drive *d, const vs_node *n) {
   return facets == 0;
 }
 
-/* Returns the data of node n. For a brief leaf it does not search for an entry, because the entry would add nothing. */
+/* Returns the data of node n. A leaf whose text is as short as the use of a template has no entry, so none is
+ * searched. */
 static inline drive_view drive_look(const vs_emitter *e, const vs_node *n) {
   const vs_drive *d = e->drive;
   drive_view v = { NULL, drive_is_operation(e, n), false };

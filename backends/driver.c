@@ -13,8 +13,9 @@
 #include "model/job.h"
 #include "model/store/cache.h"
 
-/* Searches for a run of text that begins at index `from` of the row. If the run's text was kept, writes the text and
- * sets *next to the index after the run. Sets *asked to the index before which no further search is needed. */
+/* Searches the cache for the text of a sequence of objects that begins at index `from` of the row. If the text is
+ * cached, writes it and sets *next to the index after the sequence. Sets *asked to the index before which no further
+ * search is needed. */
 static bool drive_root(vs_emitter *e, const vs_run_row *row, size_t from, size_t *asked, size_t *next) {
   vs_run run;
   if (e->drive->reuse.cache == NULL || e->drive->reuse.open || from < *asked) return true;
@@ -143,7 +144,8 @@ const vs_solid *vs_emit_mesh(vs_emitter *e, const vs_ref *ref) {
       return entry->mesh;
     }
   }
-  vs_solid_free(&e->drive->scratch); /* This also happens if the mesh could not be kept, which costs only time. */
+  vs_solid_free(&e->drive->scratch); /* frees the mesh here, also if it could not be stored in the cache, which would
+                                      * cost only time */
   e->drive->scratch = made;
   return &e->drive->scratch;
 }

@@ -1,5 +1,5 @@
-/* Implements the functions that emit functions may call: for memory, messages, progress, and the data of nodes,
- * materials and lines that the plan has computed. */
+/* Implements the functions that a format's emit functions may call: for memory, messages, progress, and the data of
+ * nodes, materials and lines that the plan has computed. */
 #include "backends/emitter.h"
 
 #include "backends/backend.h"
@@ -56,7 +56,8 @@ void vs_emit_watch(vs_emitter *e, vs_writer *w) {
 
 const vs_origin *vs_emit_line_origin(const vs_emitter *e, uint32_t line) {
   const vs_drive *d = e->drive;
-  size_t low = 0, high = d->line_count; /* low becomes the index of the last entry at or before the line */
+  size_t low = 0, high = d->line_count; /* binary search: `low` becomes the index of the last recorded line at or before
+                                         * `line` */
   while (low < high) {
     size_t middle = low + (high - low) / 2;
     if (d->lines[middle].line <= line) low = middle + 1; else high = middle;
@@ -96,7 +97,7 @@ bool vs_emit_put_material_number(vs_emitter *e, const vs_material *m) {
 
 bool vs_drive_mark(vs_emitter *e, uint32_t line, const vs_origin *origin) {
   vs_drive *d = e->drive;
-  /* the origin of an entry is valid up to the next entry */
+  /* the origin of a recorded line is valid for all lines up to the next recorded line */
   if (d->line_count > 0 && d->lines[d->line_count - 1].origin == origin) return true;
   if (d->line_count > 0 && d->lines[d->line_count - 1].line == line) {
     d->lines[d->line_count - 1].origin = origin;

@@ -12,7 +12,7 @@
 typedef struct vs_emitter vs_emitter;
 typedef struct vs_drive vs_drive; /* private to the driver (drive.h) */
 
-/* The numbers with which a curve has a constant thickness in the picture, both near and far, in model units. The radius
+/* The numbers by which a curve has a constant thickness in the picture, both near and far, in model units. The radius
  * at a point is `share` times the depth of the point from `eye` along `forward`, but at least `least`. In a parallel
  * view `forward` is 0 0 0, and the radius is `least`. */
 typedef struct { vs_vec3 eye, forward; double share, least; } vs_pen;
@@ -21,24 +21,27 @@ struct vs_emitter {
   vs_writer *out;
   const vs_scene *scene;
   const vs_export_options *options;
-  vs_job *job;         /* job of the options, or a job without limits */
+  vs_job *job;         /* limits, messages and progress of the output, from the caller's options; without options, a job
+                        * without limits */
   const vs_backend *backend;
   vs_error *error;
-  vs_error flaw;       /* a flaw of a file that is complete, reported after the file is in its place */
+  vs_error flaw;       /* fault of an output file that is nevertheless complete; it is reported after the file is in its
+                        * place */
   const char *path;    /* path of the output file, from which the names of files beside it are formed; NULL: there is no
                         * output file */
   const char *folder;  /* folder of the worker program, for files that the text refers to; NULL: there is no such
                         * folder */
   void *state;         /* data of the back-end, made by its `begin` and freed by its `close` */
-  vs_fineness drawing_facets; /* fineness of objects outside all placements */
-  vs_fineness facets;    /* fineness in the coordinates of the current output: finer inside a placement that enlarges */
+  vs_fineness drawing_facets; /* fineness (size of facets) of objects outside all placements */
+  vs_fineness facets;    /* fineness (size of facets) in the coordinates of the current output: finer inside a placement
+                          * that enlarges */
   vs_bounds bounds;    /* bounds of the entire drawing; never empty */
   vs_pen pen;          /* thickness of curves in POV-Ray */
   double chord;        /* greatest distance of a chord from its arc, as a fraction of the drawing's tolerance: 1, or
                         * less in a picture */
   double unit;         /* length of a model unit in POV-Ray's scene; see povray_scene.c */
-  vs_bounds framed;    /* bounds that a camera frames: bounds of the drawing without the material that is cut away */
-  vs_bounds *boxes;    /* bounds of the drawing's parts, which the camera frames; together they are tighter than
+  vs_bounds framed;    /* bounds that a camera shows: bounds of the drawing without the material that is cut away */
+  vs_bounds *boxes;    /* bounds of the drawing's parts, which the camera shows; together they fit better than
                         * `framed` */
   size_t box_count, box_room;
   size_t depth;        /* current depth of nesting, for indentation */
@@ -51,10 +54,10 @@ struct vs_emitter {
   bool in_boolean;     /* true if this node is inside an intersection or a difference */
   bool carved;         /* at VS_PHASE_ENTER: true if the node occurs in an intersection or difference anywhere in the
                         * drawing */
-  /* Material and placement of this node, computed from all operations above it. */
+  /* Material and placement of the current node, computed from all operations above it. */
   const vs_material *material; /* material of the node, or NULL */
   vs_affine placement;
-  vs_bounds reach;     /* space in which a half-space must be exact, in the coordinates of the current output */
+  vs_bounds reach;     /* space outside which a half-space has no effect, in the coordinates of the current output */
   vs_drive *drive;
   uint64_t triangles;  /* number of triangles written up to now, counted by vs_emit_triangles */
 };
@@ -64,8 +67,8 @@ struct vs_emitter {
 bool vs_emit_fail(vs_emitter *e, const vs_ref *ref,
                   const char *message); /* Reports a fault of the model at the reference; returns false. */
 bool vs_emit_warn_once(vs_emitter *e, const vs_ref *ref,
-                       const char *message); /* Gives a warning once for each message; messages are compared by
-                                              * address. */
+                       const char *message); /* Gives a warning about the reference, once for each message; messages are
+                                              * compared by address. */
 bool vs_emit_no_memory(vs_emitter *e);
 bool vs_emit_progress(vs_emitter *e, const char *stage,
                       double fraction); /* Returns false if the user interrupts; e's error is then set. */
@@ -77,9 +80,9 @@ void vs_emit_watch(vs_emitter *e, vs_writer *w); /* Makes w check for an interru
 static inline bool vs_emit_going(vs_emitter *e, size_t turn) {
   return (turn & 0x3fff) != 0 || vs_emit_progress(e, "writing", -1);
 }
-/* Returns the triangles of any node of solids and surfaces, in the node's own coordinates. The kernel computes
- * booleans, geometry/ all other nodes. The driver keeps the triangles of nodes that occur at several places; the
- * triangles of other nodes are valid until the next call. Returns NULL on failure. */
+/* Returns the triangles of any solid or surface, in the node's own coordinates. The kernel computes booleans, geometry/
+ * all other nodes. If a node occurs at several places, the driver keeps its triangles; those of other nodes are valid
+ * until the next call. Returns NULL on failure. */
 const vs_solid *vs_emit_mesh(vs_emitter *e, const vs_ref *ref);
 /* Flags for the materials and layers inside a node. BARE: some part has no material of its own. PAINTED: some part has
  * a material of its own. LAYERED: some part has a layer of its own. Writers use the flags to decide whether the text
@@ -97,14 +100,15 @@ static inline bool vs_emit_is_painted(const vs_emitter *e, const vs_node *n) {
 size_t vs_emit_material_count(const vs_emitter *e);
 const vs_material *vs_emit_material_at(const vs_emitter *e, size_t number);
 size_t vs_emit_material_number(const vs_emitter *e, const vs_material *m);
-/* Writes the number of a template or of a material. The driver changes these numbers in text that it keeps and writes
- * again. Every such number inside the walk must therefore be written by these two functions. */
+/* Both vs_emit_put_template_number and vs_emit_put_material_number write a number that may change: the driver replaces
+ * it in cached text that it writes again. Inside the walk, every number of a template or material must therefore be
+ * written by one of them. */
 bool vs_emit_put_template_number(vs_emitter *e, uint32_t id);
 bool vs_emit_put_material_number(vs_emitter *e, const vs_material *m);
 /* Returns the origin of the objects on a line of the text, or NULL. For formats with VS_KEEPS_ORIGINS. */
 const vs_origin *vs_emit_line_origin(const vs_emitter *e, uint32_t line);
-/* Grows an array of the emitter's state by half, in memory from the store's allocator. `size` is the size of an item in
- * bytes. Returns false, and sets the error, if memory is out. */
+/* Grows an array of the emitter's state to at least `need` items, and by at least half, in memory from the store's
+ * allocator. `size` is the size of an item in bytes. Returns false, and sets the error, if memory is out. */
 bool vs_emit_grow(vs_emitter *e, void *array, size_t *room, size_t need, size_t size);
 void vs_emit_release(vs_emitter *e, void *array, size_t room, size_t size);
 

@@ -1,8 +1,9 @@
-/* Implements the writing of a file: it finds the format's row, opens a temporary file beside the target, writes with
- * checks, and renames the file.
+/* Writes a drawing to a file: finds the format, opens a temporary file beside the target, writes the text, checks for
+ * failures, and renames the file.
  *
  * A file appears completely or not at all (publish.c): it is flushed to disk, and receives its name last. For a
- * rendered format, the text goes to a private folder (povray/povray_worker.c), and the picture goes to such a file. */
+ * rendered format, the text goes to a private folder (povray/povray_worker.c), and the picture goes to such a temporary
+ * file. */
 #define _XOPEN_SOURCE 700
 #include "backends/export.h"
 
@@ -159,7 +160,8 @@ static bool export_render(vs_emitter *e, const char *output) {
   vs_publish_sweep(base, "visualscheme-work-", "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789");
   char *folder = export_join(base, "/visualscheme-work-XXXXXX", 0);
   char *text = NULL;
-  int lock = -1; /* the locked file shows to other processes that this process still runs */
+  int lock = -1; /* lock: descriptor of the folder, which is locked while the process runs, so that other processes do
+                  * not remove it */
   bool made = false, ok = false;
   if (folder == NULL) {
     vs_emit_no_memory(e);
@@ -271,7 +273,7 @@ typedef struct {
   vs_error unread;
 } export_run;
 
-/* Sets up an emitter, which holds addresses in the run. options and e may be NULL. */
+/* Sets up an emitter that refers to data in *run, so *run must remain at its address. options and e may be NULL. */
 static vs_emitter *export_begin(export_run *run, const vs_scene *scene, const vs_format *format,
                                 const vs_export_options *options, vs_error *e) {
   vs_export_options_init(&run->defaults);
@@ -286,7 +288,7 @@ static vs_emitter *export_begin(export_run *run, const vs_scene *scene, const vs
   return &run->emitter;
 }
 
-/* Returns ok. If the file that was made has a flaw, sets the error and returns false. */
+/* Returns ok. If the completed file has a fault (e->flaw), sets the error and returns false. */
 static bool export_tell_flaw(vs_emitter *e, bool ok) {
   if (!ok || e->flaw.kind == VS_ERROR_NONE) return ok;
   *e->error = e->flaw;

@@ -24,7 +24,7 @@ typedef struct {
   bool layers;        /* true if an .exr also contains depth, normal, albedo, id, material and ambient occlusion */
   const char *view;   /* name of the view of a drawing; "*": all views; NULL: the view that the file's name ends with */
   unsigned threads;   /* number of processors that a worker program may use; 0: all processors */
-  const void *given;  /* text that vs_backend_given writes in place of a drawing */
+  const void *given;  /* finished text that vs_backend_given writes instead of a drawing */
   size_t given_size;
   bool strict;        /* true if a warning that a format omits or changes an object becomes an error */
   bool safe;          /* true if limits are set, so that no text of the user reaches a target program as directives */
@@ -55,8 +55,8 @@ const vs_format *vs_export_format_find(const char *text); /* Returns the format 
 const char *vs_export_family(const vs_format *format); /* Returns the name that the format has in common with others
                                                         * ("povray" for .png), or NULL if it has only its own names. */
 
-/* Replaces the kinds only, ghost, highlight, native and the user-defined kinds by their meaning for this format
- * (passes/sugar.h). Call it before the passes. */
+/* Replaces the kinds only, ghost, highlight, native and the user-defined kinds by simpler kinds that have their meaning
+ * in this format (passes/sugar.h). Call it before the passes. */
 bool vs_export_sugar(vs_scene *scene, const vs_format *format, const vs_export_options *options, vs_error *e);
 
 /* Writes the drawing to a file, which appears completely or not at all. The path "-" is standard output. format NULL:

@@ -70,7 +70,7 @@ static char *number_scaled(char *to, uint64_t k, int first) {
   return number_whole(to, (uint64_t)-first);
 }
 
-/* Writes x with the C library's printf. */
+/* Writes x with the C library's printf, for numbers that are too large or too small for the fast method. */
 static char *number_printed(char *to, double x) {
   char text[64];
   int length = snprintf(text, sizeof text, "%.12g", x);

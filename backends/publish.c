@@ -1,6 +1,6 @@
-/* Implements the two ways to make a file that appears completely or not at all. If the system allows it (O_TMPFILE of
- * Linux), the file has no name until it is complete. Otherwise the file is NAME.tmp-PID beside its target. A file
- * without a name leaves nothing on disk even if the process is killed. */
+/* Implements files that appear completely or not at all, in two ways. If the system allows it (O_TMPFILE of Linux), the
+ * file has no name until it is complete. Otherwise the file is NAME.tmp-PID beside its target. A file without a name
+ * leaves nothing on disk even if the process is killed. */
 #define _GNU_SOURCE /* declares O_TMPFILE */
 #include "backends/publish.h"
 #include "model/signals.h"
@@ -38,16 +38,16 @@ static int open_nameless(const char *target) {
   return -1;
 }
 
-/* Gives the file a name: the target's name if no file has it, otherwise p->name. *done: true if the file now has the
- * target's name. */
+/* Gives the nameless file a name: the target's name if no file has that name, otherwise p->name. *done: true if the
+ * file now has the target's name. */
 static bool give_name(vs_publish *p, bool *done) {
   char from[NUMBER_ROOM];
   link_name(p->file, from);
   *done = linkat(AT_FDCWD, from, AT_FDCWD, p->target, AT_SYMLINK_FOLLOW) == 0;
   if (*done || errno != EEXIST) return *done;
   if (linkat(AT_FDCWD, from, AT_FDCWD, p->name, AT_SYMLINK_FOLLOW) == 0) return true;
-  if (errno != EEXIST || unlink(p->name) != 0) return false; /* the existing file is from a killed process that had the
-                                                              * same process number */
+  if (errno != EEXIST || unlink(p->name) != 0) return false; /* a file with the name p->name is from a killed process
+                                                              * that had the same process number, so it is removed */
   return linkat(AT_FDCWD, from, AT_FDCWD, p->name, AT_SYMLINK_FOLLOW) == 0;
 }
 #else
@@ -103,7 +103,7 @@ void vs_publish_clear(const char *folder) {
   rmdir(folder);
 }
 
-enum { YOUNG = 10 /* age in seconds up to which a file is new */ };
+enum { YOUNG = 10 /* age in seconds up to which a file counts as new, and is not removed */ };
 
 /* Removes the entry of the folder if the process that made it has ended. */
 static void sweep_one(DIR *d, const char *folder, const char *name) {
@@ -159,9 +159,9 @@ bool vs_publish_begin(vs_publish *p, const char *path, bool named) {
   return false;
 }
 
-/* Gives a nameless file the name p->name, and renames it at once to the target, so that a process killed in between
- * very rarely leaves p->name. Returns 0, or the errno of the call that failed. Nameless files are on local disks, so
- * closing them later reports no new error. */
+/* Gives a nameless file the name p->name, and renames it at once to the target. Only if the process is killed between
+ * the two calls does p->name remain. Returns 0, or the errno of the call that failed. Nameless files are on local
+ * disks, so closing them later reports no new error. */
 static int place_nameless(vs_publish *p) {
   bool done = false;
   if (!give_name(p, &done)) return errno;
@@ -174,7 +174,7 @@ static int place_nameless(vs_publish *p) {
 bool vs_publish_end(vs_publish *p, bool whole) {
   int problem = 0;
   sigset_t was;
-  vs_signals_hold(&was); /* no signal can end the process between naming and renaming */
+  vs_signals_hold(&was); /* blocks signals, so that none can end the process between naming and renaming */
   if (whole && p->nameless) problem = place_nameless(p);
   if (close(p->file) != 0 && !problem) problem = errno;
   if (!p->nameless && whole && !problem && rename(p->name, p->target) != 0) problem = errno;

@@ -11,17 +11,17 @@ typedef struct {
   bool nameless;  /* true if the file has no name yet, so that it vanishes when the process ends */
 } vs_publish;
 
-/* Begins a file that will appear at path. If path is a symbolic link, the file appears at the link's end, and the link
- * remains. named: another program will write the file, under the name p->name. Returns false, with the reason in errno
- * and nothing open, on failure. */
+/* Begins a file that will appear at path when it is complete. If path is a symbolic link, the link's target is
+ * replaced, and the link remains. named: true if another program will write the file, under the name p->name. On
+ * failure returns false, with the reason in errno and nothing open. */
 bool vs_publish_begin(vs_publish *p, const char *path, bool named);
 /* Ends the file. If `whole`, the file replaces the target in a single step; otherwise the file is removed. Returns
- * false if closing or renaming fails, with the first failure in errno; the target is then unchanged. */
+ * false if closing or renaming fails, with the errno of the first failure; the target is then unchanged. */
 bool vs_publish_end(vs_publish *p, bool whole);
 
-/* Removes files that killed processes left in a folder. It removes this user's files, and folders that contain only
- * files, if the name is `beginning` followed only by characters of `end`. A running process locks its own entries with
- * flock. Entries that are a few seconds old may not be locked yet, and remain. */
+/* Removes files that killed processes left in a folder. It removes only files of this user, and folders that contain
+ * only files. Their name must be `beginning` followed only by characters of `end`. A running process locks its own
+ * entries with flock. Entries that are a few seconds old may not be locked yet, and are kept. */
 void vs_publish_sweep(const char *folder, const char *beginning, const char *end);
 /* Removes a folder that contains only files. */
 void vs_publish_clear(const char *folder);

@@ -25,7 +25,7 @@ static void cut_section(const vs_emitter *e, vs_scene_view *v) {
   v->eye = middle, v->target = vs_v3_add(middle, v->cut_normal);
 }
 
-/* The views that every model has. whole: true if the view is on the sheet of all views. */
+/* The views that every model has. whole: true if the sheet of all views contains the view. */
 static const struct { const char *name; vs_view view; vs_cut cut; bool whole; } own[] = {
   { "plan", VS_VIEW_TOP, VS_CUT_OWN, true },       { "section", VS_VIEW_ALONG, VS_CUT_PLANE, true },
   { "front", VS_VIEW_FRONT, VS_CUT_NONE, true },   { "right", VS_VIEW_RIGHT, VS_CUT_NONE, true },
@@ -67,7 +67,8 @@ static void stem(const char *path, char *out, size_t room) {
   snprintf(out, room, "%.*s", (int)(length < room ? length : room - 1), base);
 }
 
-/* Finds the view whose name ends the file's name, after a blank, a line or a dot: "house-section A". */
+/* Finds the view whose name ends the file's name, after a blank, a hyphen, an underscore or a dot: "house-section
+ * A". */
 static bool find_at_end(const vs_emitter *e, const char *base, vs_scene_view *out) {
   for (const char *at = base; *at; at++)
     if (strchr("-_. ", *at) && at[1] && find(e, at + 1, out)) return true;

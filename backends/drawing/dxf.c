@@ -1,8 +1,8 @@
 /* Writes .dxf (AutoCAD 2000, as text). Debian has no C library that writes this format.
  *
- * A drawing is in model units. A point of the first view has its coordinates in the view's plane, so a plan's points
- * have the model's coordinates. The first view's scale determines the size of the paper around it and of other views.
- * Every object has a handle. The file contains only the tables and dictionaries that readers require. */
+ * Lengths are in model units. A point of the first view has its coordinates in the view's plane, so a plan's points
+ * have the model's coordinates. The first view's scale determines the size of the paper and of the other views. Every
+ * object has a handle. The file contains only the tables and dictionaries that readers require. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -38,10 +38,10 @@ static void code_handle(vs_writer *w, int number, unsigned handle) { vs_putf(w, 
 enum { DXF_CHARACTER = 12, DXF_LINE = 250 /* greatest number of bytes of text on a line; a longer text is an MTEXT */ };
 
 /* Writes the character at *text into `as`, as this DXF version spells it. A character outside ASCII becomes \U+00E9,
- * with room for four digits. A caret is escaped. A backslash is escaped before U+ or M+, where it would begin an
+ * with four hexadecimal digits. A caret is escaped. A backslash is escaped before U+ or M+, where it would begin an
  * escape. Returns the number of bytes; *text moves to the next character. */
 static size_t text_character(const char **text, char as[DXF_CHARACTER]) {
-  enum { ENOUGH = 16 }; /* number of bytes that suffices for any character */
+  enum { ENOUGH = 16 }; /* number of bytes that suffices for any escaped character */
   char spelled[VS_SPELLED_ROOM + 1];
   uint32_t point = 0xFFFD;
   size_t count = vs_spell_line(text, *text + strnlen(*text, ENOUGH), spelled);
@@ -125,7 +125,7 @@ static const vs_scene_pen *own_pen(const writing *out, uint32_t own) {
   return vs_scene_find_pen(out->scene, out->s->layers[own - 1]);
 }
 
-/* Returns the pen of the drawing's layer i, which the program sets by a layer of the same name, or NULL. */
+/* Returns the pen of the drawing's layer i: the pen that the program sets for a layer with this name, or NULL. */
 static const vs_scene_pen *drawn_pen(const writing *out, unsigned i) {
   char name[NAME];
   const vs_scene_pen *pen = NULL;
@@ -141,13 +141,13 @@ static int colour_index(const double rgb[3]) {
                                      { 1, 0, 1 }, { 1, 1, 1 }, { .5, .5, .5 }, { .75, .75, .75 } };
   static const double shades[5] = { 1, 0.65, 0.5, 0.3, 0.15 };
   int best = 7;
-  double least = rgb[0] * rgb[0] + rgb[1] * rgb[1] + rgb[2] * rgb[2]; /* black has index 7, too, because index 7 is
-                                                                       * drawn black on white paper */
+  double least = rgb[0] * rgb[0] + rgb[1] * rgb[1] + rgb[2] * rgb[2]; /* black also has index 7, because readers show
+                                                                       * index 7 as black on white paper */
   for (int i = 1; i < 256; i++) {
     double c[3];
     for (int k = 0; k < 3; k++) {
-      double hue = fmod((i / 10 - 1) * 15 / 60. - 2 * k + 9, 6) - 3; /* 0: the component k has its full value in this
-                                                                      * hue */
+      double hue = fmod((i / 10 - 1) * 15 / 60. - 2 * k + 9, 6) - 3; /* distance of the hue from the hue of component k;
+                                                                      * 0: the component has its full value */
       double full = fmin(1, fmax(0, 2 - fabs(hue))), shade = shades[i % 10 / 2];
       c[k] = i < 10 ? pure[i - 1][k] : i >= 250 ? 0.2 + 0.16 * (i - 250) : shade * (i % 2 ? (1 + full) / 2 : full);
     }
@@ -313,7 +313,7 @@ static void block(vs_writer *w, const char *name, unsigned record, unsigned hand
   code(w, 100, "AcDbBlockEnd");
 }
 
-/* ---- marks ---- */
+/* ---- marks: lines, fills and texts of the sheet ---- */
 
 static double across(const writing *out, double x) { return (x + out->shift.x) / out->mm; }
 static double up(const writing *out, double y) { return (y + out->shift.y) / out->mm; }

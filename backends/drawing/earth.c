@@ -1,7 +1,7 @@
-/* Finds where the earth hides a view, and the earth that a section cuts. See earth.h.
+/* Computes where the earth hides a view, and the earth that a section cuts. See earth.h.
  *
- * Heights decide exactly: a corner at the height of the ground counts as above it. A house on the ground therefore
- * displaces nothing. */
+ * Heights are compared exactly: a corner at the height of the ground counts as above it. A house on the ground
+ * therefore displaces no earth. */
 #include "backends/drawing/earth.h"
 
 #include <math.h>
@@ -13,7 +13,8 @@
 typedef vs_vec2 directed[2]; /* a directed edge */
 typedef struct { directed *at; size_t count, room; } edge_list;
 
-/* Adds the triangles of an area of a plane. The area's x and y are coordinates along the axes from `at`. */
+/* Adds the triangles of a plane area to the mesh. `axes` are the directions of the area's x and y, `at` is the
+ * origin. */
 static bool add_area(vs_emitter *e, const vs_area *a, const vs_vec3 axes[2], vs_vec3 at, vs_mesh *out) {
   bool ok = true;
   for (size_t l = 0, first = 0, end; ok && l < a->loop_count; l = end) {
@@ -62,8 +63,8 @@ static bool add_earth_fill(vs_emitter *e, vs_flat_view *v, const vs_area *a) {
   return ok;
 }
 
-/* Finds the earth in the plane of a section, or of a plan that is cut below the ground. The earth reaches beyond the
- * model by a part of the model's size. */
+/* Computes the earth in the plane of a section, or of a plan that is cut below the ground. The earth reaches beyond the
+ * model by a fraction of the model's size. */
 static bool earth_in_section(vs_emitter *e, vs_flat_view *v, const vs_earth_model *m, double ground, vs_area *out) {
   static const double border = 0.06;
   vs_vec2 box[2] = { { INFINITY, INFINITY }, { -INFINITY, -INFINITY } };
@@ -136,7 +137,7 @@ static bool footprint(vs_emitter *e, const vs_flat_view *v, const vs_earth_model
   return ok;
 }
 
-/* Keeps the part of the mesh on the normal's side of a plane. */
+/* Keeps the part of the mesh on the side of a plane to which the normal points. */
 static bool keep_side(vs_emitter *e, vs_mesh *mesh, vs_vec3 point, vs_vec3 normal) {
   vs_mesh kept = { 0 };
   bool ok = vs_slice_mesh(mesh, point, normal, &kept);
@@ -155,7 +156,8 @@ static void ground_box(const vs_emitter *e, const vs_flat_view *v, vs_vec2 box[2
   box[0] = (vs_vec2){ b.min.x - more, b.min.y - more }, box[1] = (vs_vec2){ b.max.x + more, b.max.y + more };
 }
 
-/* Keeps the part of the edge from p to q on the normal's side of a plane. Returns false if nothing remains. */
+/* Keeps the part of the edge from p to q on the side of a plane to which the normal points. Returns false if nothing
+ * remains. */
 static bool clip(vs_vec3 *p, vs_vec3 *q, vs_vec3 point, vs_vec3 normal) {
   double a = vs_v3_dot(vs_v3_sub(*p, point), normal), b = vs_v3_dot(vs_v3_sub(*q, point), normal);
   if (a < 0 && b < 0) return false;
@@ -165,7 +167,8 @@ static bool clip(vs_vec3 *p, vs_vec3 *q, vs_vec3 point, vs_vec3 normal) {
   return true;
 }
 
-/* Adds the edges where walls rise from the ground: the borders of the earth that are not those of its box. */
+/* Adds the edges where walls rise from the ground: the borders of the area `a` of earth, except the sides of the box on
+ * the ground. */
 static bool add_feet(vs_emitter *e, const vs_flat_view *v, const vs_earth_model *m, const vs_area *a,
                      vs_sight_edges *out) {
   const vs_look *l = &v->look;
@@ -209,7 +212,7 @@ static bool from_above(vs_emitter *e, vs_flat_view *v, const vs_earth_model *m, 
 
 /* ---- elevations ---- */
 
-/* Adds a rectangle before the model, below the ground. */
+/* Adds to `veil` a rectangle in front of the model, below the ground, which hides everything behind it. */
 static bool elevation(vs_emitter *e, const vs_flat_view *v, const vs_earth_model *m, vs_mesh *veil) {
   double far = vs_bounds_diagonal(&e->bounds), front = INFINITY;
   double ground = vs_look_to_view(&v->look, vs_v3(0, 0, e->scene->ground_z)).y;

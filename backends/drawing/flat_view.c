@@ -1,8 +1,8 @@
 /* Makes a flat view of the model: cuts the model, projects it, joins its lines and outlines its cut faces.
  *
- * The kernel cuts: it subtracts a half-space without a material from the model, so the cut faces have the material of
- * the cut solid (passes/cut_away.h). The cut faces are the triangles of the result that lie in the plane and face the
- * viewer. They include faces of the model that already lay in the plane. */
+ * The kernel makes the cut: it subtracts a half-space without a material from the model, so the cut faces have the
+ * material of the cut solid (passes/cut_away.h). The cut faces are the triangles of the result that lie in the plane of
+ * the cut and face the viewer. They include faces of the model that already lay in the plane. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -79,9 +79,10 @@ static bool add_triangles(seen *s, const vs_mesh *m, const vs_solid *solid, cons
     const uint32_t *t = m->triangles[i];
     uint32_t tag = m->tags ? m->tags[i] : 0;
     size_t at = s->triangle_count;
-    bool lid = !s->v->look.parallel; /* true if the triangle is a face of the cut by the plane in front of the eye */
+    bool lid = !s->v->look.parallel; /* lid: true if the triangle lies in the plane just in front of the eye, by which a
+                                      * perspective view is clipped */
     for (int k = 0; k < 3; k++) s->triangles[at][k] = (uint32_t)base + t[2 - k];
-        /* The view's axes x, y, z are left-handed. */
+        /* The view's coordinates are left-handed, so the triangle's corners are reversed. */
     for (int k = 0; k < 3; k++) lid = lid && s->points[base + t[k]].z <= s->nearest + 4 * s->slack;
     if (lid) continue;
     s->triangle_count++;
@@ -106,8 +107,8 @@ static bool add_curve_edge(seen *s, vs_vec3 p, vs_vec3 q) { /* adds an edge of t
       s->edges.count + 1, sizeof *s->edges.at))
     return vs_emit_no_memory(s->e);
   double slack = fmax(s->slack, 4 * s->e->facets.tolerance);
-      /* A curve that is drawn on a round surface lies on the surface, but its chords do not. Therefore the edge gets a
-       * slack. */
+      /* A curve on a round surface: its chords lie slightly inside the surface. Therefore the edge has a slack, within
+       * which the surface does not hide it. */
   s->edges.at[s->edges.count++] = (vs_sight_edge){ vs_look_to_view(&s->v->look, p), vs_look_to_view(&s->v->look, q),
       VS_SIGHT_CURVE, slack, s->curve_owner };
   return true;
@@ -123,15 +124,15 @@ static bool put_piece(void *context, const vs_polyline *p) {
 
 static double nearest_of(const vs_emitter *e) { return 1e-3 * vs_bounds_diagonal(&e->bounds); }
 
-/* Computes the plane that clips everything in addition to the cut: a plane just in front of the eye of a perspective
- * view. */
+/* Computes the clipping plane of a perspective view, just in front of the eye. Nothing in front of this plane is
+ * shown. */
 static bool near_plane(const vs_flat_view *v, const vs_emitter *e, vs_vec3 *point, vs_vec3 *normal) {
   *normal = v->look.forward;
   *point = vs_v3_add(v->look.eye, vs_v3_scale(*normal, nearest_of(e)));
   return !v->look.parallel;
 }
 
-/* Adds the curves and open faces that the walk of loose.h has gathered, and clips them. */
+/* Adds the curves and open faces of the drawing, and clips them. */
 static bool add_loose(seen *s, const vs_loose *l) {
   vs_vec3 point, normal;
   const vs_scene_view *spec = &s->v->spec;
@@ -168,7 +169,7 @@ static bool add_loose(seen *s, const vs_loose *l) {
 
 enum { CUT_DEPTH = 2 }; /* depth of the drawn objects below the node of cut_node */
 
-/* Makes a node for all solids minus the half-spaces beyond the planes. */
+/* Makes a node for all solids of the drawing minus the half-spaces beyond the planes. */
 static vs_node *cut_node(vs_emitter *e, const vs_vec3 (*planes)[2], size_t count) {
   const vs_scene *scene = e->scene;
   vs_ref operands[3];
@@ -193,8 +194,8 @@ static bool has_solids(const vs_scene *scene) {
   return any;
 }
 
-/* Adds the solids. For a view with a cut, it does not make the uncut solids, because those of a city take longer than
- * its plan. */
+/* Adds the solids. For a view with a cut, only the cut solids are made, because making the uncut solids of a city would
+ * take longer than its plan. */
 static bool add_solids(seen *s, vs_flat_whole *whole) {
   vs_vec3 planes[2][2];
   size_t count = 0;
@@ -243,12 +244,12 @@ static bool same_place(const tip *tips, size_t count, size_t a, size_t b) {
       tips[a].at.y == tips[b].at.y;
 }
 
-/* All segments, and their ends sorted by layer and position. */
+/* All visible segments, and their ends sorted by layer and position. */
 typedef struct {
   const stretch *all;
   size_t count;             /* number of segments; the list of ends has twice as many elements */
   tip *tips;
-  uint32_t *slot;           /* slot[2 * i + k]: index of end k of segment i in the sorted list of ends */
+  uint32_t *slot;           /* slot[2 * i + k]: index in the sorted list of ends, where end k of segment i is found */
   bool *used;               /* used[i]: whether segment i is part of a line */
   double slack;             /* greatest distance of a point from a straight line through its neighbours, in the view's
                              * units */
@@ -261,9 +262,9 @@ static vs_sheet_point place_of(const stretches *s, stretch_end x) {
   return x.end ? s->all[x.stretch].b : s->all[x.stretch].a;
 }
 
-/* Finds the end that continues the line at end x: the only other end of the same layer at this position. Returns false
- * if there is no such end, or if there are several. For the first end in the list, i - 1 wraps to a number above the
- * last index, which the comparison also rejects. */
+/* Finds the end of a segment that continues the line at end x: the only other end of the same layer at this position.
+ * Returns false if there is no such end, or if there are several. For the first end in the list, i - 1 wraps to a
+ * number above the last index, which the comparison also rejects. */
 static bool next_of(const stretches *s, stretch_end x, stretch_end *next) {
   size_t i = s->slot[2 * x.stretch + (uint32_t)x.end], count = 2 * s->count;
   bool before = same_place(s->tips, count, i - 1, i), after = same_place(s->tips, count, i + 1, i);
@@ -374,7 +375,7 @@ static bool add_lines(seen *s) {
   return ok;
 }
 
-/* ---- fills: the borders of the cut faces of each material, as loops ---- */
+/* ---- fills: the borders of the cut faces of each material, joined to loops ---- */
 
 typedef struct { vs_sheet_point a, b; uint32_t paint; bool used; } border;
 static int border_compare(const void *p, const void *q) {
@@ -428,7 +429,8 @@ static bool take_loop(seen *s, border *all, size_t count, size_t i, double slack
   return true;
 }
 
-enum { SEARCH_WORK = 200 }; /* estimated time of a search in nanoseconds, for vs_store_going */
+enum { SEARCH_WORK = 200 }; /* estimated time of a search for a border in nanoseconds, for the check whether the user
+                             * interrupts (vs_store_going) */
 
 static bool add_fills(seen *s) {
   vs_store *store = s->host.store;
@@ -483,9 +485,9 @@ static bool is_covered(const seen *s, vs_vec3 p) {
   return false;
 }
 
-/* Finds the labels of the view. A cut removes the labels that lie in the removed part. Elevations and sections show
- * only labels whose position is visible, unless the label names its view. A room's name therefore does not appear on
- * the front of the house. */
+/* Finds the labels of the view. A cut removes the labels in the removed part. Elevations and sections show only labels
+ * whose position is visible. Therefore a room's name does not appear on the front of the house. A label that names its
+ * view always appears there. */
 static bool find_labels(seen *s) {
   const vs_scene *scene = s->e->scene;
   vs_flat_view *v = s->v;
@@ -505,7 +507,7 @@ static bool find_labels(seen *s) {
 
 /* ---- the earth ---- */
 
-/* Appends the triangles behind which the earth hides the model. They have no lines. */
+/* Appends the triangles behind which the earth hides the model. These triangles have no visible edges. */
 static bool add_veil(seen *s) {
   vs_emitter *e = s->e;
   vs_mesh veil = { 0 };
@@ -557,7 +559,8 @@ bool vs_flat_view_make(vs_emitter *e, vs_flat_view *v, const vs_loose *loose, vs
   vs_scene scene = *e->scene;
   vs_scene_look(&scene, &v->spec);
   v->look = vs_look_find(&scene, &e->bounds, &e->bounds, 1, 1);
-  if (v->spec.upright && !v->look.parallel) { /* in an upright perspective view, the picture plane is vertical */
+  if (v->spec.upright && !v->look.parallel) { /* in an upright perspective view, the picture plane is vertical, so the
+                                               * line of sight is not perpendicular to it */
     v->look.forward = vs_v3_unit(vs_v3(v->look.forward.x, v->look.forward.y, 0));
     v->look.up = vs_v3(0, 0, 1);
   }

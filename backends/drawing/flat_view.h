@@ -16,18 +16,19 @@ typedef enum {
 typedef struct { const char *name; double width, dash, gap, dot, grey; int colour, weight; } vs_layer_row;
 extern const vs_layer_row vs_drawn_rows[VS_DRAWN_LAYERS];
 
-/* Space around a view, in millimetres. */
+/* Space that notes need around a view, in millimetres on paper. */
 typedef struct { double left, right, below, above; } vs_sheet_room;
 
 /* ---- a flat view: in model units, in the view's own plane ---- */
 
 typedef struct {
-  uint32_t first, count; /* index of the line's first point, and number of its points */
+  uint32_t first, count; /* first: index of the line's first point. count: number of its points */
   bool closed;
   vs_drawn_layer layer;
   uint32_t own; /* number of the program's layer that the line belongs to; 0: none */
 } vs_flat_line;
-/* Loops that bound a fill by the even-odd rule. earth: true if the fill is earth, which has no material. */
+/* Loops that bound a fill; the even-odd rule decides which points are inside. earth: true if the fill is earth, which
+ * has no material. */
 typedef struct { uint32_t first_loop, loop_count; const vs_material *material; bool earth; } vs_flat_fill;
 
 typedef struct {
@@ -39,19 +40,20 @@ typedef struct {
   vs_flat_fill *fills;
   struct { uint32_t first, count; } *loops;
   size_t point_count, point_room, line_count, line_room, fill_count, fill_room, loop_count, loop_room;
-  vs_sheet_point low, high; /* corners of the view's bounds */
+  vs_sheet_point low, high; /* low, high: corners of the view's bounding box */
   double cut_area;        /* total area of the fills, in square model units */
   bool *labelled;         /* labelled[i]: whether the scene's note i is a label whose position is visible in the view;
                            * NULL: there are no such labels */
-  /* Position on the sheet, set by sheet.c: millimetres = at + (point - low) * mm. */
+  /* Position on the sheet, set by sheet.c: a point of the view has the position at + (point - low) * mm, in
+   * millimetres. scale: number n of the scale 1:n. */
   double mm, scale;
   vs_sheet_point at;
   double title;           /* height of the title's base line on the sheet, in mm */
-  vs_sheet_room room;     /* space of the notes around the view at this size */
-  double room_mm;         /* the size, as `mm`, for which `room` is measured; 0: none */
+  vs_sheet_room room;     /* space of the notes around the view, measured when mm had the value room_mm */
+  double room_mm;         /* value of `mm` for which `room` was measured; 0: it was not measured */
 } vs_flat_view;
 
-/* Data that all views of a drawing use. These are the solids, which are made for the first view without a cut, and the
+/* Data that all views of a drawing use: the uncut solids, which are made for the first view without a cut, and the
  * layers of the program. The caller frees both. */
 typedef struct {
   vs_solid solid;

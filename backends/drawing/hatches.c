@@ -25,15 +25,15 @@ static int compare(const void *p, const void *q) {
   return a < b ? -1 : a > b;
 }
 
-/* Parallel lines that hatch loops of the sheet. The function `across` returns a point's distance from line 0, in
- * spacings. The function `along` returns its position on its line, in mm. */
+/* Parallel lines that hatch an area of the sheet. The function `across` returns a point's distance from line 0, divided
+ * by the spacing of the lines. The function `along` returns the position of the point along its line, in mm. */
 typedef struct {
   const vs_sheet_pen *pen;
   vs_drawn_layer layer;
   uint32_t first_loop, loop_count;
   double cosine, sine;      /* cosine and sine of the lines' angle */
   double spacing;           /* distance between neighbouring lines in mm */
-  double begin;             /* number of the first line that intersects the loops */
+  double begin;             /* number of the first line that intersects the area's border */
   crossings *lines;
   size_t count;
 } hatching;
@@ -41,9 +41,9 @@ typedef struct {
 static double across(const hatching *h, vs_sheet_point p) { return (p.y * h->cosine - p.x * h->sine) / h->spacing; }
 static double along(const hatching *h, vs_sheet_point p) { return p.x * h->cosine + p.y * h->sine; }
 
-/* Adds the points at which the side from p to q crosses hatch lines. A side includes only one of its two ends. A corner
- * on a hatch line therefore counts once if the border crosses the line there. If the border turns back at the corner,
- * it counts twice or not at all. */
+/* Adds the points at which the side from p to q of the border crosses hatch lines. A side includes only one of its two
+ * ends. A corner on a hatch line therefore counts once if the border crosses the line there. If the border turns back
+ * at the corner, it counts twice or not at all. */
 static bool cross_side(const hatching *h, vs_sheet_point p, vs_sheet_point q) {
   double a = across(h, p), b = across(h, q), u = along(h, p), w = along(h, q);
   for (double k = ceil(fmin(a, b)); k < fmax(a, b); k++) {
@@ -64,8 +64,8 @@ static bool cross_loops(const hatching *h) {
   return ok;
 }
 
-/* Draws the parts of hatch line i inside the loops: from each odd crossing to the next crossing. Omits very short
- * parts. */
+/* Draws the parts of hatch line i inside the area: from each odd crossing with the border to the next crossing. Omits
+ * very short parts. */
 static bool draw_line(const hatching *h, size_t i) {
   const crossings *row = &h->lines[i];
   double c = h->cosine, n = h->sine, off = (h->begin + (double)i) * h->spacing;
@@ -107,7 +107,8 @@ static bool draw_lines(hatching *h) {
   return ok;
 }
 
-/* Hatches the loops from first_loop to the sheet's last loop. The angle of the lines is in radians. */
+/* Draws hatch lines in the area bounded by the loops from first_loop to the sheet's last loop. The angle of the lines
+ * is in radians. */
 static bool lines_across(const vs_sheet_pen *pen, vs_drawn_layer layer, uint32_t first_loop, double angle,
                          double spacing) {
   hatching h = { .pen = pen,

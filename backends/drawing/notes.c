@@ -1,9 +1,10 @@
-/* Draws the notes of a drawing: dimensions, labels, levels, axes, and the ground line in elevations and sections.
+/* Draws the notes of a drawing: dimensions, labels, levels (marks of heights), axes, and the ground line in elevations
+ * and sections.
  *
- * A note appears only in the views in which it is true. A dimension needs a view that shows its length unshortened; a
- * level dimension needs a plan, or a section through both of its ends. A level needs a view with heights. An axis
- * appears on plans, and as a vertical line in views along it. Dimensions are next to the model. Outside them are the
- * levels on the left and the circles of axes below. */
+ * A note appears only in views that show its length or height correctly. A dimension needs a view that shows its length
+ * unshortened; a level dimension needs a plan, or a section through both of its ends. A level needs a view that shows
+ * heights. An axis appears on plans, and as a vertical line in views along it. Dimensions are next to the model.
+ * Outside the dimensions are the levels on the left and the circles of axes below. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -16,7 +17,7 @@ static const double bubble = 4, cap = 2.2, level_cap = 1.8; /* bubble: radius of
 static const double away = 9; /* distance from the model to a dimension, in mm */
 
 static bool is_upright(const vs_flat_view *v) { return v->look.parallel && fabs(v->look.forward.z) < 1e-6;
-    } /* otherwise the view is an elevation or a section */
+    } /* true for elevations and sections, which look horizontally */
 static bool shows(const vs_flat_view *v, const vs_scene_note *n) { return v->look.parallel &&
     (!n->view || strcmp(n->view, v->spec.name) == 0); }
 
@@ -34,9 +35,9 @@ static bool is_in_cut(const vs_flat_view *v, const vs_scene_note *n, double slac
          fabs(vs_v3_dot(vs_v3_sub(n->q, s->cut_point), s->cut_normal)) <= slack;
 }
 
-/* Returns true if the view shows this dimension, which it shows unshortened. A dimension with #:view is in that view
- * alone. A level dimension belongs to plans, and to the sections in whose plane it lies. Other dimensions belong to
- * elevations and sections. No view shows a dimension of the removed part. */
+/* Returns true if the view v shows the dimension n, whose length the view does not shorten. A dimension with #:view
+ * appears in that view alone. A level dimension appears on plans, and in sections in whose plane it lies. Other
+ * dimensions appear in elevations and sections. No view shows a dimension whose ends were cut away. */
 static bool shows_dimension(const vs_flat_view *v, const vs_scene_note *n) {
   vs_vec3 d = vs_v3_sub(n->q, n->p);
   double slack = 1e-6 * vs_v3_length(d);
@@ -73,7 +74,7 @@ static void level_text(const vs_emitter *e, const vs_scene_note *n, char *text, 
       (int)vs_character_cut(own, 100), own);
 }
 
-/* Returns the approximate width of a text whose capitals have the height `size`, in the same unit. */
+/* Returns the approximate width of a text. `size` is the height of its capitals; the width is in the same unit. */
 static double about_width(const char *text, double size) {
   size_t letters = 0;
   for (; *text; text++) letters += ((unsigned char)*text & 0xc0) != 0x80;
@@ -117,7 +118,7 @@ static bool stroke(const vs_sheet_pen *pen, vs_sheet_point a, vs_sheet_point b) 
   return vs_sheet_stroke(pen, VS_DRAWN_DIMENSION, a, b);
 }
 
-/* Draws a tick at the end of a dimension; t is half the tick. */
+/* Draws a tick at an end of a dimension line; t is half of the tick, as a vector. */
 static bool tick(const vs_sheet_pen *pen, vs_sheet_point at, vs_sheet_point t) {
   return vs_sheet_stroke(pen, VS_DRAWN_CUT, (vs_sheet_point){ at.x - t.x, at.y - t.y },
                          (vs_sheet_point){ at.x + t.x, at.y + t.y });
@@ -126,8 +127,8 @@ static bool tick(const vs_sheet_pen *pen, vs_sheet_point at, vs_sheet_point t) {
 static vs_sheet_point seen_at(const vs_flat_view *v, vs_vec3 p) { return vs_sheet_place(v, vs_flat_view_project(v,
     p)); }
 
-/* Draws a dimension. Its line runs beside p and q, away from the view's centre. The distance from p and q is that of
- * the note, or 10 mm. Ticks cross the line at 45 degrees. */
+/* Draws a dimension. Its line runs parallel to the segment from p to q, on the side away from the view's centre. The
+ * note's distance, or 10 mm, separates the two. Ticks cross the line at 45 degrees. */
 static bool dimension(const vs_sheet_pen *pen, const vs_scene_note *n) {
   const vs_flat_view *v = view_of(pen);
   vs_sheet_point p = seen_at(v, n->p), q = seen_at(v, n->q);
@@ -153,7 +154,8 @@ static bool dimension(const vs_sheet_pen *pen, const vs_scene_note *n) {
     return false;
   char text[40];
   length_text(pen->e, vs_v3_length(vs_v3_sub(n->q, n->p)), text, sizeof text);
-  bool back = dx < -1e-9 || (fabs(dx) <= 1e-9 && dy < 0); /* the text can be read from below or from the right */
+  bool back = dx < -1e-9 || (fabs(dx) <= 1e-9 && dy < 0); /* back: true if the text must be reversed, so that it can be
+                                                           * read from below or from the right */
   double ux = back ? -dx : dx, uy = back ? -dy : dy, angle = atan2(uy, ux) * (180 / 3.14159265358979323846);
   vs_sheet_point at = { (a.x + b.x) / 2 - uy * 1, (a.y + b.y) / 2 + ux * 1 };
   return vs_sheet_text(pen, &(vs_sheet_words){ n->text ? n->text : text, at, cap, angle, 0.5 });
@@ -242,14 +244,15 @@ bool vs_sheet_notes(const vs_sheet_pen *pen) {
   return ok;
 }
 
-/* Extends the room to a point in millimetres from the view's lower left corner; wide and high: size of the view. */
+/* Extends the room around a view so that it contains the point p, in millimetres from the view's lower left corner.
+ * wide, high: size of the view. */
 static void include(vs_sheet_room *room, vs_sheet_point p, double wide, double high) {
   room->left = fmax(room->left, -p.x), room->right = fmax(room->right, p.x - wide);
   room->below = fmax(room->below, -p.y), room->above = fmax(room->above, p.y - high);
 }
 
-/* Extends the room to a text; descenders reach below the base line. A text longer than LONGEST_TEXT millimetres may
- * leave the frame, because otherwise no sheet would hold the drawing. */
+/* Extends the room around a view so that it contains a text; descenders reach below the base line. A text longer than
+ * LONGEST_TEXT millimetres may extend beyond the sheet's frame, because otherwise no sheet would be large enough. */
 enum { LONGEST_TEXT = 150 };
 
 static void include_text(vs_sheet_room *room, const vs_mark *m, double wide, double high) {

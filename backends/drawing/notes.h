@@ -7,8 +7,9 @@
 /* Adds the program's notes to the pen's view, and the ground line. Returns false if memory is out, with the emitter's
  * error set. */
 bool vs_sheet_notes(const vs_sheet_pen *pen);
-/* Sets the room of the sheet's view `index` at the view's present size. Draws the notes on a sheet of their own and
- * measures how far they reach beyond the view's lines. Returns false if memory is out, with the emitter's error set. */
+/* Computes the room that the notes of the sheet's view `index` need at the view's present size. Draws the notes on a
+ * temporary sheet and measures how far they extend beyond the view's lines. Returns false if memory is out, with the
+ * emitter's error set. */
 bool vs_sheet_notes_room(vs_emitter *e, const vs_sheet *s, uint32_t index);
 
 #endif

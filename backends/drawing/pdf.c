@@ -62,8 +62,8 @@ static void outline(const writing *w, uint32_t first, uint32_t count, bool close
   if (closed) w->lib->HPDF_Page_ClosePath(w->page);
 }
 
-/* Draws each dash as a line. The lengths of libharu's own dashes are whole points in one version and other units in the
- * next. */
+/* Draws each dash as a separate line. libharu can dash lines itself, but the unit of its dash lengths differs between
+ * its versions. */
 static void dashes(const writing *w, const vs_mark *m, const vs_layer_row *r) {
   const double lengths[4] = { r->dash, r->gap, r->dot, r->gap };
   const int turns = r->dot > 0 ? 4 : 2;
@@ -91,7 +91,8 @@ static void dashes(const writing *w, const vs_mark *m, const vs_layer_row *r) {
 static void text(const writing *w, const vs_mark *m) {
   double angle = m->angle * (3.14159265358979323846 / 180), c = cos(angle), n = sin(angle);
   w->lib->HPDF_Page_SetFontAndSize(w->page, w->font, (HPDF_REAL)(m->size / 0.729 * point));
-      /* 0.729 is the height of DejaVu's capitals, as a fraction of the font's size */
+      /* x: left end of the text, by its alignment. The font size is the height of the capitals divided by 0.729, which
+       * is the ratio of the two in DejaVu. */
   double wide = (double)w->lib->HPDF_Page_TextWidth(w->page, m->text) * m->align, x = m->at.x * point - wide * c,
       y = m->at.y * point - wide * n;
   w->lib->HPDF_Page_BeginText(w->page);
@@ -134,10 +135,10 @@ static bool put_all(vs_emitter *e, const writing *w) {
   return true;
 }
 
-/* Repairs the table with which a reader of the .pdf converts letters to Unicode. In its place libharu writes a table of
+/* Repairs the table by which a reader of the .pdf converts letters to Unicode. Instead of it, libharu writes a table of
  * glyphs (operators `cidrange`), which readers ignore with a warning. The letters are stored as Unicode, so the correct
- * table is one line. It is stored uncompressed in the place of libharu's table, so no position in the file changes. If
- * another version of libharu writes the table in another form, the file is not changed. */
+ * table is one line. It overwrites libharu's table without compression, so no position in the file changes. If another
+ * version of libharu writes the table in another form, the file is not changed. */
 static void mend_unicode(char *file, size_t size) {
   static const char table[] = "/CIDInit /ProcSet findresource begin\n12 dict begin\nbegincmap\n"
                               "/CMapName /UTF-8 def\n/CMapType 2 def\n"

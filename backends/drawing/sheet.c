@@ -1,8 +1,8 @@
 /* Lays out the sheet: scale, size, and the positions of views, frame, title block, scale bar and north arrow.
  *
  * Scale: a drawing is 1:100 if it then fits a sheet and is not too small on the smallest sheet. Otherwise it has the
- * largest round scale at which it fits. The views are in rows, in the order of their names, on the smallest sheet that
- * has room for them. */
+ * largest round scale at which it fits a sheet. The views are placed in rows, in the order of their names, on the
+ * smallest sheet that has room for them. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -64,8 +64,8 @@ static double millimetres(const vs_emitter *e, const vs_sheet *s, const vs_flat_
 
 static double wide_of(const vs_flat_view *v) { return (v->high.x - v->low.x) * v->mm + v->room.left + v->room.right; }
 
-/* Sets the size of view i at this scale, and the room of its notes. Returns false if memory is out, with the emitter's
- * error set. */
+/* Sets the size of view i at this scale, and computes the room that its notes need. Returns false if memory is out,
+ * with the emitter's error set. */
 static bool size_view(vs_emitter *e, vs_sheet *s, size_t i, double scale) {
   vs_flat_view *v = &s->views[i];
   v->scale = is_flat(v) ? (v->spec.scale > 0 ? v->spec.scale : scale) : 0;
@@ -73,8 +73,8 @@ static bool size_view(vs_emitter *e, vs_sheet *s, size_t i, double scale) {
   return vs_sheet_notes_room(e, s, (uint32_t)i);
 }
 
-/* Places the views from `first` to `end` - 1 in a row below `top`, centred. The views have a common base line, and
- * their titles another one, below the notes of all. Returns the lower edge of the row. */
+/* Places the views from `first` to `end` - 1 in a centred row below `top`. The views have a common base line. Their
+ * titles have another common base line, below the notes of all views. Returns the lower edge of the row. */
 static double place_row(vs_sheet *s, size_t first, size_t end, double top) {
   double above = 0, below = 0, wide = gap * (double)(end - first - 1), free = s->right - s->left - 2 * gap;
   for (size_t i = first; i < end; i++) {
@@ -119,8 +119,8 @@ static void take_paper(vs_sheet *s, size_t i) {
   s->left = binding, s->right = s->width - margin, s->bottom = margin, s->top = s->height - margin;
 }
 
-/* Sets *sheet to the sheet of the first view that sets a sheet, and *scale to the scale of the first view that sets a
- * scale. */
+/* Sets *sheet to the name of the sheet in the first view that has such a name. Sets *scale to the scale of the first
+ * view that has a scale. */
 static void asked(const vs_sheet *s, const char **sheet, double *scale) {
   *sheet = NULL, *scale = 0;
   for (size_t i = 0; i < s->view_count; i++) {
@@ -151,8 +151,8 @@ static bool place_bare(vs_emitter *e, vs_sheet *s, double scale) {
   return true;
 }
 
-/* Takes the first sheet from papers[low] to papers[high - 1] that the views fit at this scale. Sets *fits to whether
- * there is one. Returns false if memory is out, with the emitter's error set. */
+/* Chooses the smallest sheet among papers[low] to papers[high - 1] on which the views fit at this scale. Sets *fits to
+ * whether there is such a sheet. Returns false if memory is out, with the emitter's error set. */
 static bool try_papers(vs_emitter *e, vs_sheet *s, size_t low, size_t high, double scale, bool *fits) {
   *fits = false;
   for (size_t i = low; i < high && !*fits; i++)
@@ -168,7 +168,8 @@ static bool choose(vs_emitter *e, vs_sheet *s) {
   size_t low = 0, high = PAPERS;
   for (size_t i = 0; sheet && i < PAPERS; i++)
     if (strcmp(papers[i].name, sheet) == 0) low = i, high = i + 1;
-  bool large = false; /* if the drawing is too small on the paper at 1:100, larger scales are tried first */
+  bool large = false; /* large: true if the drawing is too small on the smallest sheet at 1:100; larger scales are then
+                       * tried first */
   if (scale == 0) {
     double across = 0;
     for (size_t i = 0; i < s->view_count; i++) {

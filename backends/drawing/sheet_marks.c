@@ -1,4 +1,4 @@
-/* Implements the functions that add marks to a sheet. */
+/* Implements the functions that add marks (lines, fills and texts) to a sheet. */
 #include "backends/drawing/sheet_marks.h"
 
 #include <string.h>
@@ -7,7 +7,7 @@ vs_sheet_point vs_sheet_place(const vs_flat_view *v, vs_sheet_point p) {
   return (vs_sheet_point){ (p.x - v->low.x) * v->mm + v->at.x, (p.y - v->low.y) * v->mm + v->at.y };
 }
 
-/* Adds a mark. */
+/* Adds a mark to the pen's sheet. */
 static bool add(const vs_sheet_pen *pen, vs_mark mark) {
   vs_sheet *s = pen->sheet;
   if (!vs_emit_grow(pen->e, &s->marks, &s->mark_room, s->mark_count + 1, sizeof *s->marks)) return false;

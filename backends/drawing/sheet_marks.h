@@ -1,5 +1,5 @@
-/* Declares the marks of a drawing: the sheet that contains them, and the functions that add lines and texts to it.
- * Positions are in millimetres from the sheet's lower left corner. */
+/* Declares the marks (lines, fills and texts) of a drawing, the sheet that contains them, and the functions that add
+ * them. Positions are in millimetres from the sheet's lower left corner. */
 #ifndef VS_BACKENDS_DRAWING_SHEET_MARKS_H
 #define VS_BACKENDS_DRAWING_SHEET_MARKS_H
 
@@ -11,11 +11,13 @@ typedef struct {
   vs_drawn_layer layer;
   uint32_t own;             /* number of the program's layer that the mark belongs to; 0: none */
   uint32_t view;            /* index of the mark's view; equal to the number of views for a mark of the sheet itself */
-  uint32_t first, count;    /* for a LINE: range of its points; for a FILL: range of its loops */
+  uint32_t first, count;    /* for a LINE: first index and number of its points; for a FILL: first index and number of
+                             * its loops */
   bool closed;
   double grey;              /* for a FILL: its grey, from 0 (black) to 1 (white) */
   const char *text;         /* for a TEXT: the text, interned */
-  vs_sheet_point at;        /* point on the text's base line that `align` selects */
+  vs_sheet_point at;        /* the point where the text begins, has its middle or ends, as `align` says, on its base
+                             * line */
   /* Size: height of a capital in mm. Angle: in degrees. Align: `at` is the text's beginning (0), middle (0.5) or end
    * (1). */
   double size, angle, align;
@@ -24,7 +26,7 @@ typedef struct {
 typedef struct {
   double width, height;     /* size of the paper in mm */
   const char *name;         /* name of the paper, such as "A3" */
-  bool bare;                /* true if there is no paper, but only the views and the space that they need */
+  bool bare;                /* true if there is no sheet of paper: the page is as large as the views and their notes */
   double left, right, bottom, top; /* edges of the frame in mm */
   vs_mark *marks;
   vs_sheet_point *points;
@@ -36,22 +38,22 @@ typedef struct {
   size_t layer_count;
 } vs_sheet;
 
-/* Adds marks of a single view to a sheet. */
+/* Data for the functions that add marks: the sheet, and the view to which new marks belong. */
 typedef struct {
   vs_emitter *e;
   vs_sheet *sheet;
   uint32_t view;            /* index of the view; equal to the number of views for marks of the sheet itself */
 } vs_sheet_pen;
 
-/* A line of text. The members have the meaning of those of a mark. */
+/* A line of text: position, size in mm, angle and alignment have the meaning that they have in a mark. */
 typedef struct {
   const char *text;
   vs_sheet_point at;
   double size, angle, align;
 } vs_sheet_words;
 
-/* Each function adds a mark. It returns false if memory is out, with the emitter's error set. Points are in mm. The
- * points a and b are the ends of a line, or opposite corners of a rectangle. */
+/* The functions of this group add a mark, and return false if memory is out, with the emitter's error set. Points are
+ * in mm. The points a and b are the ends of a line, or opposite corners of a rectangle. */
 bool vs_sheet_line(const vs_sheet_pen *pen, vs_drawn_layer layer, const vs_sheet_point *at, size_t count, bool closed);
 bool vs_sheet_stroke(const vs_sheet_pen *pen, vs_drawn_layer layer, vs_sheet_point a, vs_sheet_point b);
 bool vs_sheet_rectangle(const vs_sheet_pen *pen, vs_drawn_layer layer, vs_sheet_point a, vs_sheet_point b);

@@ -34,7 +34,8 @@ static void text(vs_writer *w, const vs_sheet *s, const vs_mark *m) {
   vs_puts(w, "\" y=\"");
   number(w, s->height - m->at.y);
   vs_puts(w, "\" font-size=\"");
-  number(w, m->size / 0.729); /* 0.729 is the height of DejaVu's capitals, as a fraction of the font's size */
+  number(w, m->size / 0.729); /* font size: the height of the capitals divided by 0.729, which is the ratio of the two
+                               * in DejaVu */
   vs_putf(w, "\" text-anchor=\"%s\"", anchors[m->align < 0.25 ? 0 : m->align < 0.75 ? 1 : 2]);
   if (m->angle != 0) {
     vs_puts(w, " transform=\"rotate(");
@@ -48,8 +49,8 @@ static void text(vs_writer *w, const vs_sheet *s, const vs_mark *m) {
   vs_puts(w, "</text>\n");
 }
 
-/* Writes the marks of a layer that belong to a single view. Lines are paths, which are divided so that none is too long
- * for a program. */
+/* Writes the marks of a layer that belong to a single view. Lines are joined in paths of some 2000 points at most,
+ * because programs limit the length of a path. */
 static void group(vs_writer *w, const vs_sheet *s, const uint32_t *order, size_t from, size_t to) {
   size_t open = 0;
   for (size_t i = from; i < to && !w->failed; i++) {
@@ -120,13 +121,13 @@ static void each_view(vs_writer *w, const vs_sheet *s, const chosen *c) {
   }
 }
 
-/* Writes all marks of a kind of line that are in a layer of the program. own: number of the layer; 0: marks in no
- * layer. The first group in such a layer opens the layer's own group. */
+/* Writes all marks of one kind of line that are in one layer of the program. own: number of the program's layer; 0:
+ * marks in no layer. The first group in such a layer opens the layer's own group. */
 static bool layer(vs_emitter *e, const vs_sheet *s, uint32_t *order, vs_drawn_layer which, uint32_t own, bool *open) {
   vs_writer *w = e->out;
   chosen c = { order, 0, 0 };
-  for (uint32_t view = 0; view <= s->view_count; view++) /* there are few views, so a pass over the marks is made for
-                                                          * each */
+  for (uint32_t view = 0; view <= s->view_count; view++) /* visits all marks again for each view, because there are few
+                                                          * views */
     for (size_t i = 0; i < s->mark_count; i++)
       if (s->marks[i].layer == which && s->marks[i].own == own && s->marks[i].view == view)
         order[c.to++] = (uint32_t)i;

@@ -1,7 +1,7 @@
 /* Contains the declarations for the files of the glTF back-end: gltf_collect.c makes meshes and nodes from the drawing,
  * gltf_file.c writes them to the file.
  *
- * A geometry consists of triangles or lines in their own coordinates, and is written once. A mesh is a geometry with a
+ * A geometry consists of triangles or lines in coordinates of its own, and is written once. A mesh is a geometry with a
  * colour, because glTF's nodes cannot set colours. A node places a mesh. A million copies of a part are therefore a
  * million nodes and a single mesh. */
 #ifndef VS_BACKENDS_GLTF_GLTF_H
@@ -11,7 +11,7 @@
 
 typedef struct { unsigned char *at; size_t count, room; } vs_gltf_bytes;
 
-/* The part of a geometry that has a single colour. */
+/* A primitive: the part of a geometry that has a single colour. */
 typedef struct {
   uint32_t paint;              /* material number from 1; 0: the part has the colour of the place where it is used */
   bool lines;
@@ -20,15 +20,16 @@ typedef struct {
   uint32_t pictured;           /* number of the primitive, from 1, among the primitives whose vertices have texture
                                 * coordinates; 0: its vertices have none */
   size_t places;               /* offset of the texture coordinates in the array `places` */
-  size_t vertices, indices;    /* offsets in bytes. vertices: in the arrays of positions and of normals; indices: in the
-                                * array of indices of this width */
+  size_t vertices, indices;    /* vertices: offset in bytes in the arrays of positions and of normals. indices: offset
+                                * in bytes in the array of indices of this width */
   float min[3], max[3];        /* bounds of the primitive's positions */
 } vs_gltf_primitive;
 typedef struct {
   uint32_t first, count; /* range of the geometry's primitives */
   uint32_t mesh;         /* index of the first mesh of this geometry + 1; 0: there is none */
 } vs_gltf_geometry;
-typedef struct { uint32_t geometry, paint, next; /* next: the geometry's next mesh + 1; 0: none */ } vs_gltf_mesh;
+typedef struct { uint32_t geometry, paint, next; /* geometry: index of the mesh's geometry. paint: material number.
+                                                  * next: index of the next mesh with this geometry + 1; 0: none */ } vs_gltf_mesh;
 typedef struct { uint32_t mesh, layer; vs_affine place; } vs_gltf_node;
 
 typedef struct {
@@ -46,7 +47,7 @@ typedef struct {
   size_t layer_count, layer_room;
   uint32_t *open_layers;       /* numbers of the layers around the current node */
   size_t open_count, open_room;
-  vs_shared_shapes shapes;     /* numbers of the geometries that have several places */
+  vs_shared_shapes shapes;     /* numbers of the geometries that are used at several places */
   vs_rounded settled; /* changes that rounding to 32 bits made to shapes, for the warning */
 } vs_gltf;
 

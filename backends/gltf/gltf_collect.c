@@ -1,8 +1,8 @@
 /* Converts the drawing to glTF's meshes and nodes.
  *
- * Two kinds of places share a geometry: copies of a unit form with the same number of facets, and places of the same
- * model node. (The share pass makes equal parts one node.) A glTF node cannot express a placement that shears. The
- * triangles are then made for that place alone. */
+ * A geometry is used at several places in two cases: copies of a unit form (such as a sphere of radius 1) with the same
+ * number of facets, and places of the same node of the model. (The share pass makes equal parts one node.) A glTF node
+ * cannot express a placement that shears. The triangles are then made for that place alone. */
 #include "backends/gltf/gltf_collect.h"
 
 #include <float.h>
@@ -72,7 +72,8 @@ static bool gltf_vertex(vs_emitter *e, vs_gltf_primitive *p, vs_vec3 at, vs_vec3
     p->max[i] = fmaxf(p->max[i], xyz[i] + 0.0f);
   }
   p->vertex_count++;
-  /* Lines have normals, too, although no reader uses them. Thus the same offset is valid for positions and normals. */
+  /* Lines get normals, although no reader uses these. As a result, an offset in the positions is also valid in the
+   * normals. */
   return gltf_vector(e, &g->positions, at) && gltf_vector(e, &g->normals, normal);
 }
 
@@ -108,8 +109,8 @@ static uint32_t gltf_paint_of(const vs_emitter *e, const vs_solid *m, size_t tri
   return tag < m->part_count ? (uint32_t)vs_emit_material_number(e, m->parts[tag].material) : 0;
 }
 
-/* Returns true if two corners of the triangle are equal in 32 bits. The triangle is then only an edge, and omitting it
- * opens no gap. */
+/* Returns true if two corners of the triangle are equal when rounded to 32 bits. The triangle is then only an edge, and
+ * omitting it opens no gap. */
 static bool gltf_is_edge(const vs_affine *place, const vs_mesh *m, const uint32_t v[3]) {
   float at[3][3];
   for (int i = 0; i < 3; i++) {
@@ -120,9 +121,9 @@ static bool gltf_is_edge(const vs_affine *place, const vs_mesh *m, const uint32_
          memcmp(at[2], at[0], sizeof at[0]) == 0;
 }
 
-/* Adds a triangle with texture coordinates. The triangle has its own vertices, because the picture may end at its
- * edges. there: map from the vertices to the drawing, whose axes place pictures. The first triangle of a primitive
- * begins the primitive's texture coordinates. */
+/* Adds a triangle with texture coordinates. It has vertices of its own, because the picture may end at its edges.
+ * there: map from the vertices to the drawing, whose axes place pictures. The first triangle of a primitive begins the
+ * primitive's texture coordinates. */
 static bool gltf_pictured(vs_emitter *e, vs_gltf_primitive *p, const vs_vec3 at[3], const vs_vec3 normals[3],
                           const vs_affine *there, const vs_material *m) {
   vs_gltf *g = e->state;
@@ -144,7 +145,7 @@ static bool gltf_pictured(vs_emitter *e, vs_gltf_primitive *p, const vs_vec3 at[
   return true;
 }
 
-/* The state while a solid becomes a geometry. */
+/* Data that are used while a solid is converted to a geometry. */
 typedef struct {
   vs_shaded_solid shaded;
   const vs_affine *there;      /* map from the geometry to the drawing, whose axes place pictures; NULL: the solid has
@@ -203,8 +204,8 @@ static bool gltf_add_part(vs_emitter *e, gltf_making *from, uint32_t paint) {
   return p == NULL || (vs_emit_triangles(e, count / 3) && gltf_indices(e, p, from->index, count));
 }
 
-/* Adds a solid as a geometry and sets its number. there: map from the geometry to the drawing, whose axes place
- * pictures; NULL: the solid has no picture. */
+/* Adds a solid as a geometry and sets the geometry's number. there: map from the geometry to the drawing, whose axes
+ * place pictures; NULL: the solid has no picture. */
 static bool gltf_add_solid(vs_emitter *e, const vs_solid *m, const vs_affine *place, const vs_affine *there,
                            double crease, uint32_t *number) {
   vs_gltf *g = e->state;
@@ -229,7 +230,7 @@ static bool gltf_add_solid(vs_emitter *e, const vs_solid *m, const vs_affine *pl
   return ok;
 }
 
-/* Adds a unit form as a geometry, in its own coordinates. */
+/* Adds a unit form (such as a sphere of radius 1) as a geometry, in its own coordinates. */
 static bool gltf_add_form(vs_emitter *e, const vs_solid *form, double crease, uint32_t *number) {
   vs_affine here = vs_affine_identity();
   return gltf_add_solid(e, form, &here, NULL, crease, number);
@@ -253,9 +254,9 @@ static bool gltf_place(vs_emitter *e, uint32_t geometry, const vs_affine *place)
   return true;
 }
 
-/* Adds a copy of a solid as gltf_add_solid does, but first places the copy and rounds it to 32-bit numbers. there: map
- * from this place to the drawing, for warnings. A vertex appears once for each of its normals, so no reader can expect
- * a manifold by index. */
+/* Adds a solid as gltf_add_solid does, but first moves it to its place and rounds it to 32-bit numbers. there: map from
+ * this place to the drawing, for warnings. A vertex is written once for each of its normals, so readers cannot tell
+ * from the indices that the mesh is closed. */
 static bool gltf_add_settled(vs_emitter *e, const vs_solid *m, const vs_affine *place, const vs_affine *there,
                              double crease, uint32_t *number) {
   vs_gltf *g = e->state;
@@ -283,7 +284,7 @@ static bool gltf_has_picture(const vs_emitter *e, const vs_node *n) {
   return false;
 }
 
-/* Adds the triangles of a node, placed by e->placement. */
+/* Adds the triangles of the referenced node at the current placement. */
 static bool gltf_shape(vs_emitter *e, const vs_ref *ref, double crease) {
   vs_gltf *g = e->state;
   bool shared = vs_affine_is_placement(&e->placement) && !gltf_has_picture(e, ref->node);

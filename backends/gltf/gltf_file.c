@@ -1,8 +1,8 @@
 /* Writes the .glb file: a header, the scene as JSON, and the numbers as bytes (glTF 2.0, sections 3 and 4).
  *
- * The file contains the JSON's length before the JSON. The JSON is therefore made twice: once to measure it, and once
- * to write it. In glTF, Y is up and lengths are in metres: the root node rotates and scales. Colours are linear in glTF
- * and sRGB in VisualScheme. */
+ * The file has the JSON's length before the JSON. The JSON is therefore made twice: once to measure its length, and
+ * once to write it. In glTF, Y is up and lengths are in metres: the root node rotates and scales. Colours are linear in
+ * glTF and sRGB in VisualScheme. */
 #include "backends/gltf/gltf_file.h"
 
 #include <math.h>
@@ -17,8 +17,8 @@ typedef struct {
   vs_emitter *e;
   const uint32_t *order; /* indices of the nodes, sorted by layer */
   const size_t *starts;
-  size_t views[5], view_count; /* offsets of the buffer views; the first VIEW_COUNT are written here, and the views of
-                                * pictures follow */
+  size_t views[5], view_count; /* views: offsets in bytes of the first VIEW_COUNT buffer views. view_count: number of
+                                * all buffer views, including those of pictures */
 } gltf_file;
 
 enum { VIEW_POSITIONS, VIEW_NORMALS, VIEW_PLACES, VIEW_NARROW, VIEW_WIDE, VIEW_COUNT };
@@ -74,8 +74,8 @@ static size_t gltf_picture_bytes(const vs_emitter *e) {
   return bytes;
 }
 
-/* Writes the material with this number. The list ends with a copy of each material for lines, because light cannot show
- * the shape of a line. */
+/* Writes the material with this number. lines: writes the copy of the material for lines. The file has such a copy of
+ * each material after all materials, because light cannot show the shape of a line. */
 static void gltf_material(vs_emitter *e, vs_writer *w, size_t number, bool lines) {
   const vs_material *m = number > 0 ? vs_emit_material_at(e, number) : NULL;
   vs_vec3 color = m != NULL ? vs_v3(m->red, m->green, m->blue)
@@ -118,7 +118,7 @@ static void gltf_pictures(vs_writer *w, const gltf_file *f) {
   vs_puts(w, "]");
 }
 
-/* A range of a buffer view. */
+/* A range of numbers in a buffer view, which an accessor of glTF describes. */
 typedef struct {
   size_t view, offset, count;      /* offset is in bytes; count is the number of items */
   const vs_gltf_primitive *bounds; /* the primitive whose positions the range contains; NULL: the range contains other
@@ -373,6 +373,7 @@ bool vs_gltf_write(vs_emitter *e) {
   return ok;
 }
 
-/* The row has no .numbers: each shape is rounded separately, relative to its own centre. */
+/* The back-end has no .numbers, which would round all shapes together: each shape is rounded separately, relative to
+ * its own centre. */
 const vs_backend vs_backend_glb = { .begin = vs_gltf_open, .end = vs_gltf_write, .close = vs_gltf_close,
                                     VS_EMIT_SHAPES(vs_gltf_leaf, vs_gltf_line, vs_gltf_through, vs_gltf_boolean) };

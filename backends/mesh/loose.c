@@ -1,4 +1,5 @@
-/* Gathers lines and open faces in a walk. The walk skips solids, because the kernel makes their union. */
+/* Collects the lines and open faces of a drawing in a walk. The walk skips solids, because the kernel makes their
+ * union. */
 #include <string.h>
 
 #include "backends/mesh/loose.h"
@@ -22,7 +23,8 @@ void vs_loose_close(vs_emitter *e) {
   e->state = NULL;
 }
 
-/* Allocates memory for points and corners, and begins a run of them. The points are already placed by e->placement. */
+/* Allocates memory for points and corners, and begins a run: a line, or a list of triangles. The caller has moved the
+ * points by e->placement. */
 static bool loose_add(vs_emitter *e, bool line, const vs_vec3 *points, size_t point_count, size_t corner_count) {
   vs_loose *l = e->state;
   if (l->point_count + point_count > UINT32_MAX)

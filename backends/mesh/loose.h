@@ -5,10 +5,11 @@
 
 #include "backends/backend.h"
 
-/* A line through its corners, or a list of triangles with three corners each. */
+/* A run: a line through its corners, or a list of triangles with three corners each. */
 typedef struct {
   bool line;
-  size_t first, count;         /* range of the run's corners in the array `corners` */
+  size_t first, count;         /* first: index of the run's first corner in the array `corners`; count: number of its
+                                * corners */
   const vs_material *material; /* material of the run, or NULL */
   const char *layer;           /* layer of the run, or NULL */
 } vs_loose_run;
@@ -29,8 +30,8 @@ vs_emit_fn vs_loose_leaf, vs_loose_line, vs_loose_through, vs_loose_boolean;
 size_t vs_loose_triangles(const vs_loose *l); /* returns the number of triangles of all open faces */
 size_t vs_loose_pieces(const vs_loose *l);    /* returns the number of segments of all lines */
 
-/* VS_LOOSE_SHAPES contains the rows of a back-end that writes lines and open faces. more: other traits of the back-end,
- * or 0. The second macro contains the rows of a back-end that writes only open faces. */
+/* VS_LOOSE_SHAPES(more) contains the emit functions of a back-end that writes lines and open faces. more: other traits
+ * of the back-end, or 0. The second macro is for a back-end that writes only open faces. */
 #define VS_LOOSE_SHAPES(more)                                                                                          \
   .traits = VS_LOOSE | (more), .close = vs_loose_close,                                                                \
   VS_EMIT_SHAPES(vs_loose_leaf, vs_loose_line, vs_loose_through, vs_loose_boolean)

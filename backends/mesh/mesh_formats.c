@@ -1,5 +1,6 @@
-/* Writes the formats of triangles: STL binary and ASCII, OFF, PLY, OBJ with its .mtl. Each receives the union of the
- * drawing's solids from the kernel. PLY, OBJ and OFF also contain open faces, and PLY and OBJ also lines (loose.h).
+/* Writes the formats of triangles: STL binary and ASCII, OFF, PLY, OBJ with its .mtl. Each contains the union of the
+ * drawing's solids, which the kernel computes. PLY, OBJ and OFF also contain open faces; PLY and OBJ also contain lines
+ * (loose.h).
  *
  * STL's numbers have 32 bits. Triangles whose corners become equal are omitted, which keeps a closed surface closed. */
 #include <stdlib.h>
@@ -19,7 +20,8 @@ static bool mesh_end(vs_emitter *e) { return !e->out->failed; }
             [VS_REGION_CLASS] = format " holds solids: flat regions are omitted", \
             [VS_SURFACE] = format " holds solids: open surfaces are omitted" }
 
-/* Returns the index of the triangle's part, or part_count if the triangle has no part. */
+/* Returns the index of the solid's part to which the triangle belongs, or part_count if the triangle belongs to
+ * none. */
 static size_t mesh_part(const vs_solid *solid, size_t triangle) {
   size_t tag = solid->mesh.tags != NULL ? solid->mesh.tags[triangle] : 0;
   return tag < solid->part_count ? tag : solid->part_count;
@@ -87,7 +89,7 @@ static char *stl_records(const void *context, size_t begin, size_t end, char *at
     if (stl_needle(m, t)) continue;
     to = stl_vector(to, stl_normal(m, t));
     for (int k = 0; k < 3; k++) to = stl_vector(to, m->vertices[t[k]]);
-    *to++ = 0; /* number of attribute bytes: 0 */
+    *to++ = 0; /* writes the number of attribute bytes, which is 0 */
     *to++ = 0;
   }
   return (char *)to;
@@ -159,7 +161,7 @@ static char *off_faces(const void *context, size_t begin, size_t end, char *to) 
   return to;
 }
 
-/* Writes the faces of solids, then open faces. OFF does not require that a face has neighbours. */
+/* Writes the faces of solids, then open faces. OFF also allows faces without neighbours. */
 static bool off_solid(vs_emitter *e, const vs_solid *solid) {
   const vs_mesh *m = &solid->mesh;
   const vs_loose *l = e->state;
@@ -229,8 +231,8 @@ static char *ply_faces(const void *context, size_t begin, size_t end, char *at) 
   return (char *)to;
 }
 
-/* Writes the open faces after the faces of solids. Writes the segments of lines as edges. Each has a colour of three
- * bytes. */
+/* Writes the open faces after the faces of solids. Writes the segments of lines as edges. Each face and edge has a
+ * colour of three bytes. */
 static bool ply_loose(vs_emitter *e, uint32_t base, bool lines) {
   const vs_loose *l = e->state;
   for (size_t i = 0; i < l->run_count && !e->out->failed; i++) {
@@ -328,9 +330,9 @@ static void obj_group(vs_writer *w, const char *layer) {
 typedef struct {
   const char **layers; /* names of the layers; the first is NULL and means that there is no layer */
   size_t layer_count, layer_room;
-  uint32_t *keys, *order;  /* keys: key of each part. order: indices of the triangles in their new order */
-  size_t *starts;      /* starts[k]: position in `order` of the first triangle with key k. The key is layer * (materials
-                        * + 1) + material number */
+  uint32_t *keys, *order;  /* keys[p]: key of part p. order: indices of the triangles, sorted by key */
+  size_t *starts;      /* starts[k]: position in `order` of the first triangle with key k. A key is layer * (materials +
+                        * 1) + material number */
   size_t key_count;
 } obj_groups;
 

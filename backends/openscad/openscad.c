@@ -1,10 +1,10 @@
 /* Writes OpenSCAD programs that people can read: booleans as operations, modules for repeated parts, polyhedra for all
  * other shapes.
  *
- * Facts about OpenSCAD: its polyhedra are clockwise seen from outside. Objects of two and of three dimensions must not
- * be mixed, so only solids are written. In OpenSCAD the outermost color() determines the colour, but here the innermost
- * material does. Colours are therefore written at the highest subtrees without paint of their own. A module that is
- * painted in part receives the colour for its other parts as $paint. */
+ * OpenSCAD's polyhedra are clockwise seen from outside. Objects of two and of three dimensions must not be mixed, so
+ * only solids are written. In OpenSCAD the outermost color() determines the colour, but here the innermost material
+ * does. Therefore color() is written around the largest subtrees that contain no other paint. A module that is painted
+ * in part receives the colour for its other parts as $paint. */
 #include <math.h>
 
 #include "backends/lower.h"
@@ -54,7 +54,8 @@ static void scad_color(vs_emitter *e, const vs_material *m) {
 
 static bool scad_is_mixed(vs_emitter *e, const vs_node *n) { return vs_emit_is_painted(e, n) && vs_emit_is_bare(e, n); }
 
-/* Begins a statement: indentation, and the colour if this is the highest node that has a single colour. */
+/* Begins a statement: writes the indentation, and color() if n is the highest node of a subtree with a single
+ * colour. */
 static void scad_open(vs_emitter *e, const vs_node *n) {
   vs_put_spaces(e->out, 2 * (e->depth < 40 ? e->depth : 40));
   bool covered = e->parent != NULL && e->parent->kind != VS_MATERIAL && !vs_emit_is_painted(e, e->parent);
@@ -87,8 +88,8 @@ static vs_emit_status scad_box(vs_emitter *e, const vs_ref *ref, vs_phase phase)
 static vs_emit_status scad_sphere(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   const struct vs_sphere *s = VS_AS(sphere, ref->node);
-  if (s->segments > 0) return VS_LOWER; /* OpenSCAD places the facets of spheres differently, so a sphere with a given
-                                         * number of facets becomes a mesh */
+  if (s->segments > 0) return VS_LOWER; /* OpenSCAD does not place a sphere's facets as VisualScheme does, so a sphere
+                                         * with a given number of facets becomes a mesh */
   scad_open(e, ref->node);
   scad_translate(e, s->center);
   scad_number(e, "sphere(r = ", s->radius);
@@ -96,12 +97,12 @@ static vs_emit_status scad_sphere(vs_emitter *e, const vs_ref *ref, vs_phase pha
   return scad_done(e);
 }
 
-/* A solid that is round or regular about an axis. The axis runs from the centre of its base to the centre of its
- * top. */
+/* A solid of revolution, or a solid with a regular polygon as its base. Its axis runs from the centre of the base to
+ * the centre of the top. */
 typedef struct {
   vs_vec3 base, top;
-  double base_radius, top_radius; /* radii of the round ends, or distances of the corners from the axis of a regular
-                                   * solid */
+  double base_radius, top_radius; /* radii of base and top, or distances from the axis to the corners of a regular
+                                   * polygon */
   int facets;                     /* number of facets in a full turn */
 } scad_frustum;
 
@@ -172,10 +173,10 @@ static vs_emit_status scad_half_space(vs_emitter *e, const vs_ref *ref, vs_phase
   const struct vs_half_space *h = VS_AS(half_space, ref->node);
   vs_vec3 n = vs_v3_unit(h->normal), middle = vs_v3_scale(vs_v3_add(e->reach.min, e->reach.max), 0.5);
   double height = vs_v3_dot(n, vs_v3_sub(middle, h->point)), half = vs_bounds_diagonal(&e->reach) * 0.5625;
-  if (height < -half) height = -half; /* the plane is beyond everything that can be cut */
+  if (height < -half) height = -half; /* the plane does not cut anything that the cube must contain */
   if (height > half) height = half;
   vs_affine place = vs_frame_on_axis(vs_v3_sub(middle, vs_v3_scale(n, height)), n);
-  /* The face in a plane perpendicular to a coordinate axis is exact to the last digit. */
+  /* A face perpendicular to a coordinate axis gets exactly the coordinate of the half-space's point. */
   if (fabs(height) < half)
     for (int i = 0; i < 3; i++)
       if (fabs(place.m[i][2]) == 1) place.m[i][3] = (&h->point.x)[i];
@@ -334,7 +335,7 @@ static bool scad_pinches(const vs_revolve *r) {
 }
 
 /* rotate_extrude rotates from +X, but begins a full turn at -X, which makes no difference with an even number of
- * facets. For a part of a turn it makes floor($fn angle/360) facets. */
+ * facets. For a part of a turn, rotate_extrude makes floor($fn angle/360) facets. */
 static vs_emit_status scad_revolve(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   vs_revolve r;
@@ -368,11 +369,11 @@ static vs_emit_status scad_revolve(vs_emitter *e, const vs_ref *ref, vs_phase ph
   return nothing || !odd ? scad_done(e) : VS_LOWER;
 }
 
-/* ---- sets of horizontal regions, written as OpenSCAD's two-dimensional objects ---- */
+/* ---- operations on horizontal regions, written as OpenSCAD's two-dimensional objects ---- */
 
 
-/* Returns true if root is a set of regions that is parallel to XY, even after its placements, and is small enough to be
- * readable. Sets *z to the height of the set. */
+/* Returns true if root is an operation on regions that lies parallel to XY, even after its placements, and is small
+ * enough to be readable. Sets *z to its height. */
 static bool scad_is_level(vs_emitter *e, const vs_ref *root, double *z) {
   enum { MOST = 2000, DEEPEST = 60 };
   vs_shape_plane plane;
@@ -417,8 +418,8 @@ static bool scad_flat_leaf(vs_emitter *e, const vs_node *n) {
   return !e->out->failed;
 }
 
-/* Writes the set as two-dimensional objects on the current line. It walks the set itself, because templates are defined
- * as solids. */
+/* Writes the operation as two-dimensional objects on the current line. It walks the operation itself, because templates
+ * are defined as solids. */
 static bool scad_flat(vs_emitter *e, const vs_ref *root) {
   vs_walk *w = vs_walk_new(root->node->store, *root);
   vs_ref at;
@@ -578,8 +579,8 @@ static vs_emit_status scad_transform(vs_emitter *e, const vs_ref *ref, vs_phase 
   return scad_done(e);
 }
 
-/* Writes nothing: the node's children write the paint (scad_open), and OpenSCAD has no layers. The children have the
- * node's indentation. */
+/* Writes nothing for a material or layer: the node's children write the paint (scad_open), and OpenSCAD has no layers.
+ * The children have the node's indentation. */
 static vs_emit_status scad_through(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)ref;
   e->depth += phase == VS_PHASE_ENTER ? SIZE_MAX : 1;
@@ -638,7 +639,7 @@ static vs_emit_status scad_hull(vs_emitter *e, const vs_ref *ref, vs_phase phase
 
 static bool scad_define(vs_emitter *e, uint32_t id, const vs_ref *ref, bool open) {
   if (open && e->state == NULL && scad_is_mixed(e, ref->node)) {
-    e->state = e; /* e->state is not NULL after the mark was written */
+    e->state = e; /* e->state marks, by not being NULL, that the modifier was written */
     vs_puts(e->out, "$paint = [0.86, 0.85, 0.83]; // for objects without a colour\n\n");
   }
   return open ? vs_putf(e->out, "module part%lu() {\n", (unsigned long)id) : vs_puts(e->out, "}\n\n");

@@ -1,11 +1,12 @@
-/* Separates corners at which a solid touches itself. A corner in this file is a corner of a single face. A fan is the
+/* Separates points at which a solid touches itself. A corner in this file is a corner of a single face. A fan is the
  * set of all corners at a point that are connected by edges. If a point has several fans, the solid touches itself
- * there, as two cones with a common apex do. Each fan then gets its own point, a step towards its neighbours. If one
- * fan lies inside another, the narrower fan moves farther, so they do not cross.
+ * there, as two cones with a common apex do. Each fan then gets a point of its own, moved a step towards the fan's
+ * neighbours. If one fan lies inside another, the narrower fan moves farther, so they do not cross.
  *
- * Two faces at an edge are connected. If four or more faces have an edge in common, they are sorted around the edge,
- * and two are connected if they bound a wedge of solid. The corners move in doubles, because only OpenSCAD's tolerance
- * matters. If the separation fails, the mesh stays unchanged. Cost: n log n. */
+ * Two faces with a common edge are connected. If four or more faces have an edge in common, they are sorted around
+ * the edge, and two are connected if a wedge of solid lies between them. The points move in doubles, because only
+ * OpenSCAD's tolerance matters. If the separation fails, the mesh stays unchanged. The time is proportional to n log
+ * n. */
 #include "backends/openscad/touching_corners.h"
 
 #include <math.h>
@@ -69,8 +70,9 @@ static vs_vec3 face_normal(const apart *a, uint32_t face) {
   return vs_v3_unit(sum);
 }
 
-/* Connects the faces around an edge. Seen along the edge, the faces are sorted counter-clockwise. Air follows a face
- * that uses the edge forwards; solid follows a face that uses it backwards. */
+/* Connects the faces around an edge that more than two faces have in common. Seen along the edge, the faces are sorted
+ * counter-clockwise. Empty space follows a face that uses the edge forwards; solid follows a face that uses it
+ * backwards. */
 static bool join_many(apart *a, side *s, size_t count) {
   vs_vec3 along = vs_v3_unit(vs_v3_sub(a->points[s->high], a->points[s->low]));
   vs_vec3 x = vs_v3_unit(vs_v3_cross(along, fabs(along.z) < 0.5 ? vs_v3(0, 0, 1) : vs_v3(1, 0, 0))),
@@ -107,11 +109,12 @@ static bool join_all(apart *a) {
   return true;
 }
 
-/* Lists the fans by point, with the flattest fan of a point first, and returns their number. Sets *touches to true if
- * some point has two fans. A nearly flat fan is moved inwards. */
+/* Lists the fans by point, with the flattest fan of a point first, and returns the number of fans. Sets *touches to
+ * true if some point has two fans. A nearly flat fan is moved inwards. */
 static size_t list_fans(apart *a, bool *touches) {
   size_t count = 0;
-  for (uint32_t c = 0; c < a->corner_count; c++) { /* the first corner of a group is its smallest number */
+  for (uint32_t c = 0; c < a->corner_count; c++) { /* a group has the number of its first corner, which is its
+                                                    * smallest */
     uint32_t first = vs_find(a->group, c);
     if (first == c)
       a->of[c] = (uint32_t)count, a->fans[count++] = (fan){ place_of(a, c), c, 0, vs_v3(0, 0, 0), vs_v3(0, 0, 0), 0 };

@@ -1,5 +1,5 @@
-/* Confines POV-Ray's process. POV-Ray does not enforce its own restrictions of files, and a scene may contain text of
- * the program (`native`) that writes files. Landlock prevents writing outside POV-Ray's private folder; a seccomp
+/* Confines POV-Ray's process, because POV-Ray does not enforce its own restrictions on files, and a scene may contain
+ * text of the user (`native`) that writes files. Landlock prevents writing outside POV-Ray's private folder; a seccomp
  * filter prevents the use of the network. POV-Ray may read every file that vs may read, because the text may include
  * files.
  *
@@ -57,10 +57,11 @@ static void confine_network(void) {
     BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, ARCHITECTURE, 1, 0),
     BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_KILL_PROCESS),
     BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(struct seccomp_data, nr)),
-    BPF_JUMP(BPF_JMP | BPF_JGE | BPF_K, 0x40000000, 2, 0), /* numbers of system calls of the x32 interface */
+    BPF_JUMP(BPF_JMP | BPF_JGE | BPF_K, 0x40000000, 2, 0), /* a number from 0x40000000 is a system call of the x32
+                                                            * interface */
     BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, SYS_socket, 1, 0),
     BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW),
-    BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | 1 /* error number EPERM */),
+    BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | 1 /* the refused system call returns the error EPERM */),
   };
   struct sock_fprog program = { sizeof code / sizeof *code, code };
   prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program);

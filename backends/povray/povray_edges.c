@@ -1,8 +1,8 @@
-/* Writes the lines of the look 'technical.
+/* Writes the lines of the look 'technical (a picture with black outlines).
  *
- * The lines are those of a drawing of the view: outlines and creases, without their hidden parts. Each visible piece is
- * a cone between two spheres, moved towards the eye by some radii. The lines' width in the picture falls with the
- * distance: from a thick line at the nearest point of the drawing to a thin line at the farthest point. */
+ * The lines are the visible outlines and creases of the drawing in this view. Each visible piece is a cone between two
+ * spheres, moved towards the eye by some radii. The lines' width in the picture falls with the distance: from a thick
+ * line at the nearest point of the drawing to a thin line at the farthest point. */
 #include "backends/povray/povray_edges.h"
 
 #include <math.h>
@@ -12,11 +12,12 @@
 #include "solids/sight_edges.h"
 #include "solids/solid_meshes.h"
 
-/* The lines in the making. */
+/* The data that are used while the lines are made. */
 typedef struct {
   vs_emitter *e;
   vs_look look;
-  double near, far;  /* distances of the drawing's box from the eye along the line of sight */
+  double near, far;  /* nearest and farthest distance of the drawing's bounding box from the eye, along the line of
+                      * sight */
   vs_vec3 *points;   /* the corners of the mesh in coordinates of the view */
   uint32_t (*triangles)[3]; /* the triangles that are in front of the eye */
   size_t triangle_count;
@@ -39,7 +40,8 @@ static double radius_at(const edges *d, double depth) {
 }
 
 static void put_joint(const edges *d, vs_vec3 v, double radius) {
-  const double ahead = 3 * radius; /* a round surface bulges past the facets from which its lines are computed */
+  const double ahead = 3 * radius; /* ahead: distance by which a line is moved towards the eye. A round surface bulges
+                                    * past the facets from which its lines are computed, and must not hide them */
   vs_vec3 moved = d->look.parallel ? vs_v3(v.x, v.y, v.z - ahead) : vs_v3_scale(v, (v.z - ahead) / v.z);
   vs_put_triple(d->e->out, "<", vs_v3_scale(vs_look_from_view(&d->look, moved), d->e->unit), ", ", ">, ");
   vs_put_number(d->e->out, radius * d->e->unit);

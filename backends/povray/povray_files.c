@@ -59,8 +59,8 @@ bool vs_povray_put_picture(vs_emitter *e, const vs_picture *p, size_t number) {
   }
   char *whole = realpath(p->path, NULL);
   put_string(e->out, whole != NULL ? whole : p->path);
-  vs_putf(e->out, " /* %016llx */", (unsigned long long)p->hash); /* the comment contains the hash, so that the text
-                                                                   * changes with the file's contents */
+  /* the comment contains the hash of the picture, so that the text of the scene changes with the picture's contents */
+  vs_putf(e->out, " /* %016llx */", (unsigned long long)p->hash);
   free(whole);
   return true;
 }

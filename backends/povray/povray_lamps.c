@@ -7,9 +7,9 @@
  * between entries, as the file's format requires. Thus the scene itself contains the light, and a .pov needs no file
  * beside it.
  *
- * A white surface perpendicular to a light of 1 has the number 1. Its luminance is the illuminance over pi. POV-Ray's
- * light fades as 2 / (1 + (distance / fade_distance)^2), which differs from the inverse square by one in ten thousand
- * at a metre. */
+ * Brightness: a white surface that faces a light of strength 1 has the brightness 1. Its luminance is the illuminance
+ * divided by pi. POV-Ray's light fades as 2 / (1 + (distance / fade_distance)^2), which differs from the inverse square
+ * by one in ten thousand at a metre. */
 #include "backends/povray/povray_lamps.h"
 
 #include <math.h>
@@ -20,7 +20,7 @@
 
 enum { ENTRIES = 254 };
 static const double pi = 3.14159265358979323846, globe = 0.01 /* radius of a globe, and fade_distance, in metres */,
-                    margin = 0.001 /* margin that a pattern's values keep from 0 and 1 */;
+                    margin = 0.001 /* margin: distance that a pattern's values keep from 0 and 1 */;
 
 static void put_number(vs_writer *w, const char *before, double x, const char *after) {
   vs_puts(w, before);
@@ -34,7 +34,8 @@ typedef struct { vs_vec3 down, first, second; } lamp_axes;
 
 static lamp_axes axes_of(const vs_scene_lamp *l) {
   vs_vec3 down = vs_v3_unit(vs_v3_sub(l->to, l->at)), back = vs_v3_scale(down, -1);
-  /* The smallest rotation from straight down to the lamp's central direction also rotates x and y. */
+  /* The smallest rotation from straight down to the lamp's central direction is also applied to the horizontal
+   * directions x and y. */
   vs_vec3 x = vs_v3(1, 0, 0), y = vs_v3(0, 1, 0);
   if (fabs(back.z) < 1 - 1e-12) {
     vs_vec3 axis = vs_v3_unit(vs_v3_cross(vs_v3(0, 0, 1), back));
@@ -47,8 +48,8 @@ static lamp_axes axes_of(const vs_scene_lamp *l) {
                       vs_v3_sub(vs_v3_scale(y, cos(t)), vs_v3_scale(x, sin(t))) };
 }
 
-/* The angles at which a globe's maps have entries, ascending. POV-Ray allows at most 256. A file with more angles gets
- * equal steps. */
+/* The angles at which a globe's maps have entries, ascending. POV-Ray allows at most 256 entries. If the lamp's file
+ * has more angles, equal steps replace them. */
 typedef struct { double at[ENTRIES]; uint32_t count; } globe_angles;
 
 static globe_angles verticals_of(const vs_ies *ies) {
@@ -65,8 +66,8 @@ static int ascending(const void *a, const void *b) {
   return (x > y) - (x < y);
 }
 
-/* Returns the file's horizontal angles with their mirror images by its symmetry, from 0 to 360 degrees. A single angle
- * means that the lamp shines equally in all horizontal directions. */
+/* Returns the horizontal angles of the lamp's file, from 0 to 360 degrees, with those that follow from its symmetry. A
+ * single angle means that the lamp shines equally in all horizontal directions. */
 static globe_angles horizontals_of(const vs_ies *ies) {
   globe_angles a = { .count = 0 };
   const double *file = ies->at + ies->verticals;
@@ -113,7 +114,8 @@ static void put_meridian(vs_writer *w, const vs_ies *ies, const globe_angles *ve
   vs_puts(w, " }");
 }
 
-/* Writes a globe. In its own coordinates x is the lamp's first direction, y the second, and z points down. */
+/* Writes the globe around a lamp. In the globe's coordinates x is the lamp's first horizontal direction, y the second,
+ * and z points down. */
 static void put_globe(vs_emitter *e, const vs_scene_lamp *l, const vs_ies *ies, double radius) {
   vs_writer *w = e->out;
   vs_vec3 at = vs_v3_scale(l->at, e->unit);

@@ -21,11 +21,13 @@ typedef struct {
   vs_look look;
   vs_solid solid;
   vs_ray_tree tree;
-  uint32_t *id, *material; /* numbers of the origin and the material of each part; 0: the part has none */
+  uint32_t *id, *material; /* id[p], material[p]: numbers of the origin and the material of part p; 0: the part has
+                            * none */
   uint32_t ground_material;
-  vs_surrounding round; /* objects that shade a point; round.ground: height of the ground, or -INFINITY if there is
-                         * none */
-  double hair;          /* distance above a surface at which a ray does not intersect the surface's own facets */
+  vs_surrounding round; /* objects that shade a point, for ambient occlusion; round.ground: height of the ground, or
+                         * -INFINITY if there is none */
+  double hair;          /* distance above a surface at which a ray begins, so that it does not intersect the facet from
+                         * which it starts */
   vs_exr *x;
   float *at[LAYERS];
   uint32_t columns, rows; /* size of the whole picture in pixels */
@@ -41,9 +43,8 @@ static void put(const layers *l, size_t i, vs_vec3 n, const double paint[3],
 }
 
 static void look_at(const layers *l, uint32_t column, uint32_t row) {
-  static const double bare[3] = { 0.86, 0.85, 0.83 }, earth[3] = { 0.77, 0.76, 0.73 }; /* colours of parts without a
-                                                                                        * material and of the ground, as
-                                                                                        * in povray_scene.c */
+  /* bare: colour of parts without a material; earth: colour of the ground; as in povray_scene.c */
+  static const double bare[3] = { 0.86, 0.85, 0.83 }, earth[3] = { 0.77, 0.76, 0.73 };
   const double earth_diffuse = 0.8;
   const vs_scene *scene = l->e->scene;
   const vs_mesh *m = &l->solid.mesh;
@@ -91,7 +92,7 @@ static bool look_along(vs_kernel *k, void *context, size_t row) {
   return vs_kernel_report(k, (double)row / l->x->rows);
 }
 
-/* A text of the picture that a writer fills. */
+/* A text in the header of the EXR picture, for a writer that appends to it. */
 typedef struct { vs_exr *x; vs_exr_text kind; vs_error *e; } words;
 
 static bool say_more(void *to, const void *bytes, size_t count) {
@@ -99,8 +100,8 @@ static bool say_more(void *to, const void *bytes, size_t count) {
   return vs_exr_add_text(t->x, t->kind, bytes, count, t->e);
 }
 
-/* An entry of a hash table of origins or materials. They are interned, so their addresses identify them. The number of
- * entries is a power of two, at least twice the number of stored items. */
+/* An entry of a hash table that maps an origin or a material to its number. Origins and materials are interned, so
+ * their addresses identify them. The number of entries is a power of two, at least twice the number of stored items. */
 typedef struct { const void *what; uint32_t number; } entry;
 typedef struct { entry *at; size_t room; uint32_t count; words to; vs_writer text; } list;
 
@@ -173,7 +174,7 @@ static bool number_parts(layers *l) {
   return ok && ((listed && told) || vs_emit_no_memory(l->e));
 }
 
-/* ---- the picture's texts ---- */
+/* ---- texts in the picture's header ---- */
 
 static void say_place(vs_writer *w, const char *what, vs_vec3 v) {
   vs_puts(w, what);

@@ -1,10 +1,10 @@
 /* Writes materials as POV-Ray textures: colour, finish, interior, and the patterns of patterns.def at their real size.
  *
- * A pattern is solid (noise through space, for patterns without direction) or lies on faces. The second kind is a
- * pigment in the plane of x and z, which is laid on each face by its normal: on floors along x and y, on walls upright.
- * It distinguishes eight directions of walls. On walls between these directions, the width of a unit is wrong by at
- * most 8 percent (cos 22.5 degrees). A picture is in the plane of x and y. It is laid on faces by the directions of
- * model/looks/picture.h. */
+ * A pattern either fills space (noise, for patterns without direction) or lies on faces. A pattern on faces is a
+ * pigment in the plane of x and z, which is rotated to each face by the face's normal: on floors along x and y, on
+ * walls upright. Walls are rounded to eight directions. On walls between these directions, the width of a unit is wrong
+ * by at most 8 percent (cos 22.5 degrees). A picture is in the plane of x and y. It is laid on faces by the directions
+ * of model/looks/picture.h. */
 #include <math.h>
 
 #include "backends/povray/povray.h"
@@ -96,7 +96,8 @@ static shade between(shade a, shade b, double t) {
   return a;
 }
 
-/* Light through the material is tinted in "filter" and not tinted in "transmit". */
+/* In POV-Ray, "filter" is light that passes through the material and takes its colour; "transmit" is light that keeps
+ * its colour. */
 static void put_color(vs_writer *w, shade s) {
   vs_puts(w, "color srgbft <");
   for (int i = 0; i < 3; i++) put_word(w, "", s.rgb[i], ", ");
@@ -122,13 +123,14 @@ static void put_map(vs_writer *w, const stop *stops, size_t count) {
 
 /* ---- patterns on faces ---- */
 
-/* The parts of a pattern of courses, as functions of POV-Ray. They follow the constants W (width of a unit), H (height
- * of a course) and J (joint), in metres. `odd` is 1 in every second course, `along` is the position in a course in
- * units of `length`, and `cell` numbers the units. */
+/* The parts of a masonry pattern, as functions of POV-Ray. Its units are bricks or stones, and its courses are the rows
+ * of units. The functions follow the constants W (width of a unit), H (height of a course) and J (width of a joint), in
+ * metres. `odd` is 1 in every second course, `along` is the position in a course in units of `length`, and `cell`
+ * numbers the units. */
 typedef struct {
   const char *along, *cell, *length;
   double height, joint; /* height of a course and width of a joint, as fractions of the unit's width */
-  double vary;          /* difference in colour among units; 1 is the difference among bricks */
+  double vary;          /* how much the units differ in colour; 1 is the difference among bricks */
 } courses;
 
 static const courses courses_of[VS_PATTERN_COUNT] = {
@@ -143,9 +145,9 @@ static const courses courses_of[VS_PATTERN_COUNT] = {
                           0.03, 0.6 },
 };
 
-/* Macros of POV-Ray. VS_Odd is 1 in every second course. VS_Bond alternates stretchers and headers: the stretcher of a
- * pair has half of [n, n+1), and the header the other half. VS_Half distinguishes the halves. VS_Faces lays a pigment
- * on faces by their normal. */
+/* Macros of POV-Ray for masonry. VS_Odd is 1 in every second course. VS_Bond alternates long bricks (stretchers) and
+ * short bricks (headers): the stretcher of a pair takes half of the interval [n, n+1), and the header the other half.
+ * VS_Half distinguishes the halves. VS_Faces lays a pigment on faces by their normal. */
 static const char helpers[] =
     "#ifndef (VS_Cells)\n"
     "#declare VS_Cells = function { pattern { cells } }\n"
@@ -175,7 +177,7 @@ static void put_courses(vs_emitter *e, const vs_material *m, const courses *c) {
   put_word(w, "#declare VS_J = ", size * c->joint, ";\n");
   put_word(w, "#declare VS_V = ", 0.25 * v, ";\n");
   if (m->pattern.kind ==
-      VS_PATTERN_ENGLISH) { /* in English bond, the length of bricks depends only on the course */
+      VS_PATTERN_ENGLISH) { /* in English bond, all bricks of a course have one length, so only the course decides it */
     vs_puts(w, "#declare VS_L = function(x,y,z) { ");
     vs_puts(w, c->length);
     vs_puts(w, " }\n#declare VS_A = function(x,y,z) { ");
@@ -198,7 +200,8 @@ static void put_courses(vs_emitter *e, const vs_material *m, const courses *c) {
   vs_puts(w, "))) }\n ");
   PUT_MAP(w, { 0, joint }, { 0.05, joint }, { 0.05, times(first, 1 - 0.2 * v) }, { 0.45, first },
           { 0.82, times(first, 1 + 0.1 * v) }, { 1, times(first, 1 - 0.26 * v) });
-  put_word(w, "\n  rotate y*", -m->pattern.angle, ""); /* rotates anticlockwise, as seen from -y */
+  put_word(w, "\n  rotate y*", -m->pattern.angle, ""); /* rotates the pattern anticlockwise by its angle, as seen from
+                                                        * -y */
   put_word(w, " scale ", metre_of(e), "\n}\n");
   vs_puts(w, "#undef VS_A\n#undef VS_L\n#undef VS_C\n"); /* POV-Ray does not allow a second declaration of a function */
 }
@@ -209,7 +212,8 @@ static void put_grain(vs_emitter *e, const vs_material *m, const char *function,
   vs_puts(w, function);
   vs_puts(w, " }\n ");
   put_map(w, stops, count);
-  put_word(w, "\n  rotate y*", -m->pattern.angle, ""); /* rotates anticlockwise, as seen from -y */
+  put_word(w, "\n  rotate y*", -m->pattern.angle, ""); /* rotates the pattern anticlockwise by its angle, as seen from
+                                                        * -y */
   put_word(w, " scale ", metre_of(e), "\n}\n");
 }
 
@@ -217,7 +221,7 @@ static bool lies_on_faces(vs_pattern p) {
   return courses_of[p].along != NULL || p == VS_PATTERN_GRAIN || p == VS_PATTERN_RIBBED || p == VS_PATTERN_BRUSHED;
 }
 
-/* Declares VS_P, the pigment in the plane of x and z. */
+/* Declares VS_P, the pigment of the material's pattern in the plane of x and z. */
 static void put_face_pigment(vs_emitter *e, const vs_material *m) {
   shade a = first_of(m), b = second_of(m);
   vs_puts(e->out, helpers);
@@ -246,8 +250,8 @@ static void put_face_pigment(vs_emitter *e, const vs_material *m) {
 /* ---- pictures ---- */
 
 /* VS_Laid rotates the picture P to the faces of a tilt and an azimuth. VS_Side distinguishes the azimuths of a half
- * turn. S is 1 for azimuths north of it and -1 for the others. VS_Picture distinguishes the tilts. A slope is given as
- * (1 + cosine) / 2. Each macro distinguishes half the steps of a turn, as in model/looks/picture.c. */
+ * turn; S is 1 for azimuths to the north and -1 for azimuths to the south. VS_Picture distinguishes the tilts. A slope
+ * is given as (1 + cosine) / 2. Each macro distinguishes half the steps of a turn, as in model/looks/picture.c. */
 static const char picture_helpers[] =
     "#ifndef (VS_Step)\n"
     "#declare VS_Step = 22.5;\n"
@@ -343,7 +347,8 @@ bool vs_povray_is_white(const vs_scene *s) {
   return s->style == VS_STYLE_ARCTIC || s->style == VS_STYLE_TECHNICAL;
 }
 
-/* Returns the material that a look shows in place of m: white, or card. Glass stays glass. */
+/* Returns the material that the scene's look shows in place of m: in some looks white, or cardboard. Glass stays
+ * glass. */
 static const vs_material *shown(const vs_emitter *e, const vs_material *m) {
   static const vs_material white = { "", .93, .93, .93, 1, 0, 0, 1.5, { 0 } };
   static const vs_material card = { "", .9, .875, .82, 1, 0, 0, 1.5, { 0 } };

@@ -1,5 +1,6 @@
-/* Declares materials as POV-Ray's textures. `pixel` is the width of a pixel in the scene at the nearest point of the
- * model. A pattern with a smaller unit is omitted, and only the material's colour is shown. */
+/* Declares materials as POV-Ray's textures. A parameter `pixel` is the width of a pixel in the scene at the nearest
+ * point of the model. A pattern whose units are smaller than a pixel is omitted, and only the material's colour is
+ * shown. */
 #ifndef VS_BACKENDS_POVRAY_POVRAY_MATERIALS_H
 #define VS_BACKENDS_POVRAY_POVRAY_MATERIALS_H
 
@@ -9,8 +10,8 @@
 bool vs_povray_paint(vs_emitter *e, const vs_material *m);
 /* Declares the material under a name such as M_3_steel, after the functions that its pattern needs. */
 bool vs_povray_declare_material(vs_emitter *e, const vs_material *m, double pixel);
-/* vs_povray_prepare_texture writes the declarations to which vs_povray_texture refers. vs_povray_texture writes
- * pigment, normal and finish for use inside a texture. */
+/* vs_povray_prepare_texture writes the declarations that vs_povray_texture needs. vs_povray_texture writes pigment,
+ * normal and finish, to be used inside a texture. */
 void vs_povray_prepare_texture(vs_emitter *e, const vs_material *m, double pixel);
 void vs_povray_texture(vs_emitter *e, const vs_material *m, double pixel);
 void vs_povray_interior(vs_emitter *e, const vs_material *m);

@@ -1,12 +1,12 @@
-/* Writes triangles as POV-Ray's text: meshes, and the solids that are triangles in pictures.
+/* Writes triangles as POV-Ray's text: meshes, and boolean operations that are replaced by triangles in pictures.
  *
  * POV-Ray intersects a ray with each operand of a difference or an intersection. For each point where the ray enters or
  * leaves an operand, it tests whether the point lies in all other operands. A wall with many openings, or a hall under
  * vaults, therefore takes most of a picture's time. A mesh is faster, because POV-Ray builds a tree of boxes for it.
- * For pictures, the kernel therefore combines such a solid. For a .pov, which people read and change, it does not. The
- * mesh is as fine as the picture shows, with smooth shading if its parts are round. vs_povray_solid chooses the solids.
- * It does not choose glass, which refracts light; patterns that were moved with their parts; text of the user; and
- * solids of few parts, most of which a ray misses.
+ * For pictures, the kernel therefore combines such a solid to a mesh. For a .pov, which people read and change, it does
+ * not. The mesh is as fine as the picture shows, with smooth shading if its parts are round. vs_povray_solid chooses
+ * the solids. It does not choose glass, which refracts light; patterns that were moved with their parts; text of the
+ * user; and solids of few parts, most of which a ray misses.
  *
  * POV-Ray uses a mesh in booleans only if the mesh has an inside_vector. */
 #include <math.h>
@@ -60,8 +60,8 @@ static void pov_points(vs_emitter *e, const char *word, const vs_vec3 *at, size_
   vs_puts(e->out, "}\n");
 }
 
-/* POV-Ray stores the corners of meshes in single precision. If a mesh is far from the origin in relation to its size,
- * returns its first corner, relative to which the other corners are written. Otherwise returns 0 0 0. */
+/* POV-Ray stores the corners of meshes in single precision. If a mesh is far from the origin compared with its size,
+ * returns its first corner: the other corners are then written relative to it. Otherwise returns 0 0 0. */
 static vs_vec3 pov_far(const vs_vec3 *v, size_t count) {
   vs_bounds b = vs_bounds_empty();
   for (size_t i = 0; i < count; i++) vs_bounds_add(&b, v[i]);
@@ -149,8 +149,8 @@ static bool pov_paint_stays(const vs_material *m, bool moved) {
   return m->transparency == 0 && (!moved || m->pattern.kind == VS_PATTERN_NONE);
 }
 
-/* Examines a node and queues its operands. Returns false if the node cannot be part of a mesh, or if memory is out,
- * with e's error set. */
+/* Examines a node of a solid and queues its operands. Returns false if the node cannot be part of a mesh, or if memory
+ * is out, with e's error set. */
 static bool pov_census_node(vs_emitter *e, pov_census *c, pov_step s) {
   const vs_node *n = s.node;
   if (n->class_ != VS_SOLID || n->kind == VS_NATIVE) return false;
@@ -164,7 +164,8 @@ static bool pov_census_node(vs_emitter *e, pov_census *c, pov_step s) {
   return true;
 }
 
-/* Returns true if POV-Ray draws the solid faster as a mesh, and the picture is the same in both cases. */
+/* Returns true if POV-Ray would need long for the solid n, so that a mesh is faster, and if both give the same
+ * picture. */
 static bool pov_is_dear(vs_emitter *e, const vs_node *n) {
   pov_census c = { .count = 0 };
   if (n->class_ != VS_SOLID || n->flags & VS_NODE_ENDLESS || e->carved) return false;
@@ -175,8 +176,8 @@ static bool pov_is_dear(vs_emitter *e, const vs_node *n) {
   return fits && c.parts >= PARTS_LEAST;
 }
 
-/* Makes the kernel's solid, without its warnings, which concern files of triangles. On an error except an interrupt,
- * sets *fits to false: POV-Ray must then combine the solid itself. */
+/* Lets the kernel combine the solid. Drops the kernel's warnings, which concern files of triangles. On an error except
+ * an interrupt, sets *fits to false: POV-Ray must then combine the solid itself. */
 static bool pov_combine(vs_emitter *e, const vs_ref *ref, vs_solid *out, bool *fits) {
   vs_error why = { VS_ERROR_NONE, NULL, "" }, *was = e->error;
   e->error = &why;
@@ -189,7 +190,7 @@ static bool pov_combine(vs_emitter *e, const vs_ref *ref, vs_solid *out, bool *f
   return false;
 }
 
-/* The triangles of a solid that have the same paint. */
+/* The triangles of a solid that have one paint. */
 typedef struct {
   vs_vec3 *v;
   uint32_t (*t)[3];
@@ -264,8 +265,8 @@ static bool pov_paint_met(const vs_solid *s, size_t part) {
   return false;
 }
 
-/* Returns true if a triangle of this paint, which the solid's part is the first to have, is visible. All triangles of a
- * paint may be inside other parts. */
+/* Returns true if the part is the first part of the solid with its paint, and some triangle of this paint is visible.
+ * All triangles of a paint may be inside other parts. */
 static bool pov_paint_shows(const vs_solid *s, size_t part) {
   if (pov_paint_met(s, part)) return false;
   for (size_t i = 0; i < s->mesh.triangle_count; i++)
@@ -281,8 +282,8 @@ static size_t pov_paints(const vs_solid *s) {
   return paints;
 }
 
-/* Writes the meshes of a solid. Several meshes are written as a union; POV-Ray warns about a union of a single
- * object. */
+/* Writes the meshes of a solid, one for each paint. Several meshes are written as a union; POV-Ray warns about a union
+ * of a single object. */
 static vs_emit_status pov_pieces(vs_emitter *e, const vs_solid *s, size_t paints) {
   pov_piece p = { .vertex_room = 2 * s->mesh.vertex_count, .triangle_room = 2 * s->mesh.triangle_count };
   size_t room[4] = { 0 };

@@ -4,7 +4,7 @@
 
 #include "backends/povray/povray_plan.h"
 
-/* The folder with the pictures of all runs, the plan, and the conversion of light to the numbers of a .png. */
+/* folder: folder with the pictures of all runs of POV-Ray. tone: conversion of light to the numbers of a .png. */
 typedef struct { const char *folder; const vs_povray_plan *plan; const vs_tone *tone; } vs_povray_result;
 
 /* Joins the plan's picture and writes it as an EXR to an existing file, without a date, with the layers that the

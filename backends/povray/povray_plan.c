@@ -1,18 +1,18 @@
-/* Divides a picture among runs of POV-Ray so that equal models give equal bytes.
+/* Divides a picture among runs (processes) of POV-Ray so that equal models give equal bytes.
  *
  * Several threads of a run gather bounced light in a random order, and each sample of a thread changes the next sample
  * of another thread. A run with a single thread has a fixed order. A picture with bounced light is therefore made in
- * two steps. The first pass, a small picture, gathers the light: its left and its right half are runs of one thread,
- * whose samples are joined in that order. In the second step each strip is a run of one thread that reads these
- * samples. The number and place of the strips do not depend on the number of processors. As many runs work at a time as
- * there are processors, which changes the time, but not the picture. A part of a picture is cut out of the strips that
- * it intersects.
+ * two steps. The first pass, a small picture, gathers the light: the left and the right half of this picture are runs
+ * of one thread, whose samples are joined in that order. In the second step each strip of the picture is a run of one
+ * thread that reads these samples. The number and place of the strips do not depend on the number of processors. As
+ * many runs work at a time as there are processors, which changes the time, but not the picture. A part of a picture is
+ * cut out of the strips that it intersects.
  *
  * The exposure is computed from the first pass, so that a part has the exposure of the whole picture. A draft has no
  * bounced light, and each of its pixels is independent of all others. A single run of many threads makes the wanted
- * part.
+ * part of a draft.
  *
- * For a small picture, starting several runs would take longer than drawing. It is a single run of one thread. */
+ * For a small picture, starting several runs would take longer than drawing. A single run of one thread makes it. */
 #include "backends/povray/povray_plan.h"
 
 #include <math.h>
@@ -22,9 +22,10 @@
 
 #include "kernel/threads.h"
 
-/* STRIP: approximate height of a strip in pixels. SMALL: number of pixels of a small picture. The other three bound the
- * longer side of the first pass, which is half of the picture's. The main picture takes the samples that the first pass
- * missed: a `final` picture, whose samples are closer, needs a larger first pass. */
+/* STRIP: approximate height of a strip in pixels. SMALL: number of pixels of a small picture. PASS_LEAST, PASS_MOST,
+ * PASS_MOST_FINAL: bounds of the longer side of the first pass in pixels, which is otherwise half of the picture's. The
+ * second step computes the samples of light that the first pass missed. The samples of a `final` picture are closer, so
+ * its first pass is larger. */
 enum { STRIP = 120, SMALL = 1 << 15, PASS_LEAST = 200, PASS_MOST = 400, PASS_MOST_FINAL = 800 };
 
 static uint32_t between(uint32_t least, uint32_t x, uint32_t most) { return x < least ? least : x > most ? most : x; }
@@ -46,9 +47,9 @@ static void plan_passes(vs_povray_plan *p, vs_render_quality quality) {
   }
 }
 
-/* Returns the number of strips, which is even, because many machines have two processors. Each run reads the scene
- * again: reading four triangles takes about as long as drawing a pixel. A quarter of the drawing's time may be spent on
- * reading. */
+/* Returns the number of strips, which is even, because many machines have two processors. Every run of POV-Ray reads
+ * the whole scene, and reading four triangles takes about as long as drawing a pixel. Reading may take at most a
+ * quarter of the time for drawing. */
 static uint32_t strips_of(const vs_povray_plan *p, uint64_t triangles) {
   uint32_t most = between(p->columns >= 2 * STRIP ? 2 : 1, p->rows / STRIP, VS_POVRAY_STRIPS);
   uint64_t count = 1 + (uint64_t)p->columns * p->rows / (triangles + 1);
@@ -57,8 +58,8 @@ static uint32_t strips_of(const vs_povray_plan *p, uint64_t triangles) {
   return count > 2 ? (uint32_t)count / 2 * 2 : (uint32_t)count;
 }
 
-/* Plans the strips that the wanted part intersects. If there are two strips, they lie side by side, because the sky
- * takes less time than the ground. */
+/* Plans the strips that the wanted part of the picture intersects. Two strips lie side by side, not one above the
+ * other, because the sky takes less time than the ground. */
 static void plan_strips(vs_povray_plan *p, uint64_t triangles) {
   uint32_t count = strips_of(p, triangles), side = count == 2 ? p->columns : p->rows;
   uint32_t begin = count == 2 ? p->wanted.left : p->wanted.top;

@@ -1,17 +1,17 @@
-/* Declares the division of a picture among runs of POV-Ray. */
+/* Declares the division of a picture among runs (processes) of POV-Ray. */
 #ifndef VS_BACKENDS_POVRAY_POVRAY_PLAN_H
 #define VS_BACKENDS_POVRAY_POVRAY_PLAN_H
 
 #include "backends/backend.h"
 #include "geometry/files/exr_read.h"
 
-enum { VS_POVRAY_STRIPS = 32 /* most strips of a picture */, VS_POVRAY_PASSES = 2 /* parts of the first
-                                                                                                 * pass */ };
+enum { VS_POVRAY_STRIPS = 32 /* most strips of a picture */, VS_POVRAY_PASSES = 2 /* number of parts of the first pass,
+                                                                                   * which gathers bounced light */ };
 
 /* How a run treats samples of bounced light: it ignores them, keeps them in a file, or reads them from a file. */
 typedef enum { VS_SAMPLES_OWN, VS_SAMPLES_KEPT, VS_SAMPLES_GIVEN } vs_povray_samples;
 
-/* A run of POV-Ray: a part of a picture of this many columns and rows. */
+/* A job: a run of POV-Ray that makes a part of a picture. */
 typedef struct {
   uint32_t columns, rows;
   vs_exr_part part;
@@ -25,21 +25,21 @@ typedef struct {
   uint32_t columns, rows; /* size of the entire picture in pixels */
   vs_exr_part wanted;     /* part of the picture to make */
   bool bounced;           /* true if the picture has bounced light */
-  bool metered;           /* true if the exposure is computed from the picture */
+  bool metered;           /* true if the exposure is computed from the picture, not set by the user */
   size_t pass_count, count; /* number of jobs; the first pass_count of them are the first pass */
   vs_povray_job jobs[VS_POVRAY_PASSES + VS_POVRAY_STRIPS];
 } vs_povray_plan;
 
 /* Returns the plan of a picture. triangles: number of triangles in its scene. metered: true if its exposure is computed
- * from the picture. alone: true if a single run makes the entire picture. */
+ * from the picture. alone: true if a single run of POV-Ray makes the entire picture. */
 vs_povray_plan vs_povray_plan_of(const vs_export_options *o, uint64_t triangles, bool metered, bool alone);
 /* Returns how many of the jobs may run at a time: as many as there are processors, or fewer if that many would need
  * more than half of the machine's memory. scene: size of the scene's text in bytes. */
 size_t vs_povray_at_once(const vs_export_options *o, const vs_povray_job *job, uint64_t scene);
-/* Returns the size of a run's picture in megabytes. */
+/* Returns the size, in megabytes, of the picture that a job computes. */
 double vs_povray_megabytes(const vs_povray_job *job);
-/* Returns true if a run's picture fits into memory: it needs at most a quarter of the machine's memory. Otherwise
- * POV-Ray keeps it in a file. */
+/* Returns true if the job's picture fits into memory: it needs at most a quarter of the machine's memory. Otherwise
+ * POV-Ray keeps the picture in a file. */
 bool vs_povray_fits(const vs_povray_job *job);
 
 #endif

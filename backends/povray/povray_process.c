@@ -4,9 +4,9 @@
  * look like
  *   File '/tmp/.../scene.pov' line 12: Parse Error: ...
  * They are wrapped at 80 columns, with one space before each continuation. POV-Ray exits with 0 after warnings that
- * mean a wrong picture. Any warning that povray_warnings.def does not list is therefore a flaw of the picture: vs keeps
- * the picture, reports the warning and fails. The table of the driver maps the line of a message to the place in the
- * user's model. POV-Ray and the processes that it starts form a process group. On Linux the group ends when vs is
+ * mean a wrong picture. Any warning that povray_warnings.def does not list is therefore a fault of the picture: vs
+ * keeps the picture, reports the warning and fails. A table of the driver maps the line of a message to the place in
+ * the user's model. POV-Ray and the processes that it starts form a process group. On Linux the group ends when vs is
  * killed. */
 #define _GNU_SOURCE /* declares prlimit, execvpe, pipe2 */
 #include "backends/povray/povray_process.h"
@@ -68,10 +68,12 @@ static void run_unwrap(char *text) {
   *to = '\0';
 }
 
-/* A message of POV-Ray about a line of the scene. */
+/* A message of POV-Ray about a line of the scene. line: number of that line. warning: whether the message is only a
+ * warning. */
 typedef struct { const char *text; int length; unsigned long line; bool warning; } run_message;
 
-/* Reads the next message of the text after *at, and moves *at behind the message. Returns false if there is none. */
+/* Reads the next message of the text after *at, and moves *at behind the message. Returns false if there is no further
+ * message. */
 static bool run_next(const char **at, run_message *m) {
   for (const char *from = *at; (from = strstr(from, "File '")) != NULL; from++) {
     const char *end = from + strcspn(from, "\n"), *number = strstr(from, "' line ");
@@ -103,7 +105,7 @@ static bool run_is_harmless(const run_message *m) {
   return false;
 }
 
-/* Finds the first error, or the first warning that is not harmless. Returns false if there is none. */
+/* Finds the first error, or with `warning` the first warning that is not harmless. Returns false if there is none. */
 static bool run_complaint(const char *text, bool warning, run_message *m) {
   while (run_next(&text, m))
     if (m->warning == warning && !run_is_harmless(m)) return true;
@@ -119,8 +121,8 @@ static const char *run_last_line(char *text) {
 
 /* ---- the process ---- */
 
-/* Raises the soft limit of the process's memory to the hard limit. The soft limit of vs is for the model, not for a
- * worker. */
+/* Raises the limit of the process's memory from the soft to the hard limit. The soft limit of vs applies to the model,
+ * not to a worker. */
 static void run_give_memory(pid_t process) {
 #ifdef __linux__
   struct rlimit own;
@@ -132,14 +134,14 @@ static void run_give_memory(pid_t process) {
 #endif
 }
 
-/* The child's part of starting POV-Ray: sets its input and permissions and calls exec. Uses only calls that are safe in
- * a child of a process with threads. */
+/* Runs in the child process: sets input and permissions and replaces the child by POV-Ray (exec). Uses only calls that
+ * are safe in a child of a process with threads. */
 static void run_become(const char *folder, const int errors[2], char *const *arguments, char *const *environment) {
   static const int usual[] = { SIGINT, SIGPIPE, SIGTERM, SIGHUP };
   sigset_t none;
   int nothing = open("/dev/null", O_RDWR);
 #ifdef __linux__
-  prctl(PR_SET_PDEATHSIG, SIGKILL); /* if vs is killed, this call alone ends POV-Ray */
+  prctl(PR_SET_PDEATHSIG, SIGKILL); /* asks the kernel to end POV-Ray if vs is killed; nothing else does this */
 #endif
   setpgid(0, 0); /* makes a process group for POV-Ray, so that the processes that it starts end with it */
   for (size_t i = 0; i < sizeof usual / sizeof *usual; i++) signal(usual[i], SIG_DFL);
@@ -186,7 +188,7 @@ bool vs_povray_start(vs_emitter *e, vs_povray_process *r, const char *folder, ch
   snprintf(home, sizeof home, "HOME=%s", folder);
   snprintf(ini, sizeof ini, "POVINI=%s/povray.ini", folder);
   snprintf(path, sizeof path, "PATH=%s", where != NULL ? where : "/usr/local/bin:/usr/bin:/bin");
-  /* The folder receives the file of a picture that is too large for memory, because the confinement forbids the folder
+  /* If a picture is too large for memory, POV-Ray keeps it in a file in this folder. The confinement forbids the folder
    * that POV-Ray would choose. */
   snprintf(large, sizeof large, "POV_TEMP_DIR=%s", folder);
   char *environment[] = { home, ini, path, large, "LC_ALL=C", NULL };
@@ -217,7 +219,8 @@ void vs_povray_hear(vs_povray_process *r) {
 bool vs_povray_ended(vs_povray_process *r, int *status) {
   siginfo_t how = { .si_pid = 0 };
   if (waitid(P_PID, (id_t)r->process, &how, WEXITED | WNOHANG | WNOWAIT) == 0 && how.si_pid == 0) return false;
-  kill(-r->process, SIGKILL); /* This is safe as long as the process number is not reused. */
+  kill(-r->process, SIGKILL); /* The number of the process group cannot be reused before waitpid, so this ends only
+                               * processes of POV-Ray. */
   while (waitpid(r->process, status, 0) < 0 && errno == EINTR) continue;
   r->process = 0;
   if (r->errors >= 0) close(r->errors);

@@ -17,9 +17,10 @@ typedef struct {
   char piece[256];            /* progress text since the last carriage return */
   size_t piece_used;
   bool in_piece;
-  struct {                    /* memory and disk space that the process needs for its picture */
+  struct {                    /* memory or disk space that the process needs for its picture */
     double megabytes;
-    const char *folder;       /* folder of the file that contains the picture; NULL: the picture is in memory */
+    const char *folder;       /* folder of the file in which POV-Ray keeps the picture; NULL: the picture is in
+                               * memory */
   } room;
   double fraction;            /* completed fraction of the process's pixels; it never decreases */
 } vs_povray_process;
@@ -29,8 +30,8 @@ typedef struct {
 bool vs_povray_start(vs_emitter *e, vs_povray_process *p, const char *folder, char *const *arguments);
 /* Reads POV-Ray's output up to now. Call it when p->errors is readable. */
 void vs_povray_hear(vs_povray_process *p);
-/* Returns true if the process has ended. It then ends the processes that it left, and sets *status to its exit status.
- * Call it when p->errors is -1. */
+/* Returns true if the process has ended. Then also ends the processes that it started, and sets *status to its exit
+ * status. Call it when p->errors is -1. */
 bool vs_povray_ended(vs_povray_process *p, int *status);
 /* Ends `count` processes by a signal, and after two seconds by SIGKILL. */
 void vs_povray_stop(vs_povray_process *at, size_t count);

@@ -1,4 +1,4 @@
-/* Writes the frame of a POV-Ray scene: header, camera, light, sky, ground. povray_shapes.c writes shapes,
+/* Writes the general part of a POV-Ray scene: header, camera, light, sky, ground. povray_shapes.c writes shapes,
  * povray_materials.c materials.
  *
  * Appearance: linear light (assumed_gamma 1), a warm parallel sun (with a soft edge in the final quality), a pale sky
@@ -35,12 +35,13 @@ static void pov_word(vs_writer *w, const char *before, double x, const char *aft
 
 /* ---- the strength of the light ---- */
 
-/* Returns true if vs makes the picture. Such pictures have light as outdoors, where the sun is several times as bright
- * as the sky, and then a tone curve. When POV-Ray itself makes the picture of a .pov, it cuts off colours brighter than
- * white. In a .pov, sun and sky together therefore make a white wall slightly darker than white. If a picture is the
- * sky, it has its own brightness, and the sun follows it. */
+/* Returns true if vs makes the final picture from POV-Ray's light, with a tone curve. The light is then as outdoors,
+ * where the sun is several times as bright as the sky. If POV-Ray itself makes the picture of a .pov, it cuts off
+ * colours brighter than white. In a .pov, sun and sky together therefore make a white wall slightly darker than white.
+ * If the sky is a picture, it has its own brightness, and the sun follows it. */
 static bool pov_is_developed(const vs_emitter *e) { return e->backend->render != NULL; }
-/* Returns the light of dusk as a fraction of the day's, times the gain. A sky with a picture has its own light. */
+/* Returns the strength of the light at dusk, as a fraction of the day's light times the gain. A sky that is a picture
+ * has its own light. */
 static double pov_dusk(const vs_emitter *e) {
   const vs_scene *s = e->scene;
   return s->has_sun && s->sky_image == NULL ? vs_sky_light_twilight(s->sun_altitude) * vs_povray_gain(s) : 1;
@@ -52,7 +53,8 @@ static double pov_sky_strength(const vs_emitter *e) {
  * scatter. */
 static double pov_fill_strength(const vs_emitter *e) { return pov_is_developed(e) ? 2.1 : 1; }
 static double pov_sun_strength(const vs_emitter *e) { return pov_is_developed(e) ? 2 * pov_sky_strength(e) : 1.25; }
-/* Returns true for a sky with luminances. In a .pov, its light is reduced by the same factor as that of the sun. */
+/* Returns true if the sky has physical luminances. In a .pov, the light of such a sky is reduced by the factor by which
+ * the sun is reduced. */
 static bool pov_is_physical(const vs_emitter *e) { return e->scene->sky_kind != VS_SKY_PLAIN; }
 static double pov_strength(const vs_emitter *e) {
   return vs_povray_gain(e->scene) * (pov_is_developed(e) ? 1 : 1.25 / 3.2);
@@ -75,9 +77,9 @@ double vs_povray_ambient(const vs_emitter *e) {
 
 /* ---- the surroundings of the model ---- */
 
-/* Writes the depth of focus. A lens's opening is its focal length divided by its f-number (ISO 517). POV-Ray's samples
- * lie in half of its aperture (tests/workers/focus.sh measures that). The points in focus form a plane perpendicular to
- * the line of sight. The samples also give smooth edges. */
+/* Writes the depth of focus of the camera. The diameter of a lens's opening is its focal length divided by its f-number
+ * (ISO 517). POV-Ray's samples lie in half of its parameter `aperture` (tests/workers/focus.sh measures that). The
+ * points in focus form a plane perpendicular to the line of sight. The samples also give smooth edges. */
 static void pov_focus(vs_emitter *e, const vs_look *l) {
   const vs_scene *s = e->scene;
   const char *samples = "4 confidence 0.5 variance 1/64";
@@ -95,7 +97,7 @@ static void pov_focus(vs_emitter *e, const vs_look *l) {
 static void pov_camera(vs_emitter *e, const vs_look *l, int width, int height) {
   vs_writer *w = e->out;
   vs_puts(w, "camera {\n");
-  if (l->parallel) { /* look_at is used, because the camera's axes written as vectors would not be perpendicular to the
+  if (l->parallel) { /* writes look_at, because the camera's axes as written vectors would not be perpendicular to the
                       * last digit */
     vs_puts(w, "  orthographic\n");
     pov_vector(w, "  location ", l->eye);
@@ -111,14 +113,14 @@ static void pov_camera(vs_emitter *e, const vs_look *l, int width, int height) {
     vs_puts(w, "  spherical\n");
     pov_vector(w, "  location ", l->eye);
     pov_vector(w, "\n  direction ", l->forward);
-    /* rays are rotated around these two vectors, as in left-handed coordinates */
+    /* POV-Ray rotates a panorama's rays around these two vectors, in left-handed coordinates */
     pov_vector(w, "\n  right ", vs_v3_scale(l->right, -1));
     pov_vector(w, "\n  up ", vs_v3_scale(l->up, -1));
     pov_word(w, "\n  angle 360 ", vs_look_height(columns, rows) * (180 / pi), "\n}\n");
     return;
   }
-  if (l->upright) { /* In an upright view, the picture plane is vertical, with the target in its centre. Therefore the
-                     * camera's vectors are not perpendicular. */
+  if (l->upright) { /* In an upright view, the picture plane is vertical, with the target in the picture's centre.
+                     * Therefore the direction of view is not perpendicular to `right` and `up`. */
     vs_vec3 level = vs_v3_unit(vs_v3(l->forward.x, l->forward.y, 0));
     double wide = 2 * tan(l->angle / 2);
     pov_vector(w, "  location ", l->eye);
@@ -139,7 +141,7 @@ static void pov_camera(vs_emitter *e, const vs_look *l, int width, int height) {
   vs_puts(w, "}\n");
 }
 
-/* The place of the sun in a scene: the direction towards it, the middle of the drawing, and the distance. */
+/* The sun as seen from the scene: the direction towards it, the middle of the drawing, and the sun's distance. */
 typedef struct { vs_vec3 sun, middle; double far; } pov_sun_place;
 
 /* Writes the light of the sun or the moon. */
@@ -149,7 +151,7 @@ static void pov_direct_light(vs_emitter *e, const vs_look *l, const pov_sun_plac
   pov_vector(w, "  ", vs_v3_add(p->middle, vs_v3_scale(p->sun, p->far)));
   if (pov_is_physical(e)) {
     vs_put_triple(w, "\n  color rgb <", pov_daylight(e, l).sun, ", ", ">");
-  } else if (vs_look_sun_is_pictured(e->scene)) { /* the number of a white surface is the light that it receives,
+  } else if (vs_look_sun_is_pictured(e->scene)) { /* the brightness of a white surface is the light that it receives,
                                                    * divided by pi */
     vs_vec3 light = vs_v3_scale(e->scene->picture_sun_light, 1 / pi);
     vs_put_triple(w, "\n  color rgb <", light, ", ", ">");
@@ -159,10 +161,11 @@ static void pov_direct_light(vs_emitter *e, const vs_look *l, const pov_sun_plac
   }
   vs_puts(w, "\n  parallel\n");
   pov_vector(w, "  point_at ", p->middle);
-  /* A soft edge of shadows takes several times as long as all other work. */
+  /* a soft edge of shadows; computing it takes several times as long as all other work */
   if (e->options->quality == VS_RENDER_FINAL || e->scene->style == VS_STYLE_MODEL) {
-    /* The keyword `orient` rotates the light towards the lit point, so only the lengths of the vectors matter. POV-Ray
-     * requires lengths that are equal to 1e-10. Written with twelve digits, rotated vectors do not fulfil this. */
+    /* The keyword `orient` rotates the area of the light towards the lit point, so only the lengths of its two vectors
+     * matter. POV-Ray requires equal lengths to 1e-10, which rotated vectors written with twelve digits do not have.
+     * Therefore the vectors are parallel to the axes. */
     pov_vector(w, "\n  area_light ", vs_v3(0.012 * p->far, 0, 0));
     pov_vector(w, ", ", vs_v3(0, 0.012 * p->far, 0));
     vs_puts(w, ", 3, 3 adaptive 1 circular orient");
@@ -175,8 +178,8 @@ static void pov_direct_light(vs_emitter *e, const vs_look *l, const pov_sun_plac
 static void pov_fill_lights(vs_emitter *e, const vs_look *l, const pov_sun_place *p) {
   vs_writer *w = e->out;
   double fill = pov_fill_strength(e);
-  if (pov_is_physical(e)) fill *= pov_daylight(e, l).fill / 0.75; /* 0.75 is the light of the plain sky on a horizontal
-                                                                   * surface */
+  /* 0.75 is the plain sky's light on a horizontal surface; `fill` changes in proportion to this light */
+  if (pov_is_physical(e)) fill *= pov_daylight(e, l).fill / 0.75;
   else fill *= pov_dusk(e);
   pov_vector(w, "light_source { ", vs_v3_add(p->middle, vs_v3(-p->sun.x * p->far, -p->sun.y * p->far,
                                                               fabs(p->sun.z) * p->far)));
@@ -209,8 +212,8 @@ static void pov_sky_image(vs_emitter *e) {
   vs_puts(w, " map_type 1 interpolate 2 } rotate x*90 rotate -z*90 }\n}\n");
 }
 
-/* Returns true for the picture of a plain model: the program set neither ground, sky, lamps nor fog. `vs` then adds a
- * pale ground at the model's lowest point. From below, this ground would hide the model, so it is omitted. */
+/* Returns true for a plain model: the program set neither ground, sky, lamps nor fog. `vs` then adds a pale ground at
+ * the model's lowest point, unless the eye is below it, where the ground would hide the model. */
 static bool pov_is_studio(const vs_emitter *e, const vs_look *l) {
   const vs_scene *s = e->scene;
   bool above = l->parallel ? l->forward.z < -0.01 : l->eye.z > e->bounds.min.z * e->unit;
@@ -220,8 +223,8 @@ static bool pov_is_studio(const vs_emitter *e, const vs_look *l) {
 
 typedef struct { vs_vec3 zenith, haze; } pov_air;
 
-/* Returns the colours of the sky overhead and at the horizon, as numbers of a screen (sRGB). The sky of a studio is
- * paler, so that shadows are less blue. */
+/* Returns the colours of the sky overhead and at the horizon, as values on a screen (sRGB). The sky above a plain model
+ * is paler, so that shadows are less blue. */
 static pov_air pov_air_of(const vs_emitter *e, const vs_look *l) {
   const vs_scene *s = e->scene;
   pov_air a = { vs_v3(0.46, 0.66, 0.9), vs_v3(0.93, 0.95, 0.96) };
@@ -234,16 +237,16 @@ static pov_air pov_air_of(const vs_emitter *e, const vs_look *l) {
   return a;
 }
 
-/* Returns the light, of the given strength, of a screen's colour. The keyword srgb has this meaning in a scene, IEC
- * 61966-2-1. */
+/* Returns the linear light of a screen's colour c, multiplied by the strength. In a scene, the keyword srgb converts a
+ * colour in the same way (IEC 61966-2-1). */
 static vs_vec3 pov_light_of(vs_vec3 c, double strength) {
   double x[] = { c.x, c.y, c.z };
   for (int i = 0; i < 3; i++) x[i] = strength * (x[i] <= 0.04045 ? x[i] / 12.92 : pow((x[i] + 0.055) / 1.055, 2.4));
   return vs_v3(x[0], x[1], x[2]);
 }
 
-/* Returns the light of the floor below the horizon. The sun and the sky light the floor: the sun's part is two thirds,
- * and the sky's part is proportional to the luminance of a sky that the program coloured. */
+/* Returns the brightness of the floor that is visible below the horizon. Two thirds of its light come from the sun. The
+ * rest comes from the sky, in proportion to the luminance of a sky that the program coloured. */
 static double pov_floor(const vs_emitter *e, const pov_air *air, bool sunless) {
   double full = pov_is_developed(e) ? 2.8 : 1, sky = 1;
   if (e->scene->has_sky) {
@@ -254,8 +257,8 @@ static double pov_floor(const vs_emitter *e, const pov_air *air, bool sunless) {
   return full * ((sunless ? 0 : 2) + sky) / 3;
 }
 
-/* Writes the sky. Seen from the centre: a pale studio floor below the horizon, haze at the horizon, and blue (or the
- * model's colour) above it. */
+/* Writes the sky as bands of colour. From below to above: a pale floor below the horizon, haze at the horizon, and blue
+ * (or the model's colour) above it. */
 static void pov_sky(vs_emitter *e, const vs_look *l) {
   vs_writer *w = e->out;
   if (pov_is_physical(e)) {
@@ -308,8 +311,8 @@ static void pov_ground_haze(vs_emitter *e, const vs_look *l, double diagonal, do
   for (int i = 0; i < COUNT; i++) {
     double clear = i == 0 ? 0 : 1 - pow(1 - near / at[i], 2.2);
     pov_word(w, "      [", 1 - at[i] / far, " ");
-    if (physical) { /* The haze has the colour of the sky behind it, as the eye sees the sky. Positions are in the map's
-                     * own coordinates. */
+    if (physical) { /* The haze has the colour of the sky behind it, as seen from the eye. Positions are in the
+                     * coordinates of the colour map. */
       pov_word(w, "VS_Sky(", clear, ") ");
       pov_vector(w, "translate ", vs_v3_scale(vs_v3_sub(l->eye, foot), 1 / reach));
       vs_puts(w, "]\n");
@@ -352,15 +355,15 @@ static void pov_fog(vs_emitter *e, const vs_look *l) {
   vs_puts(w, "\n}\n");
 }
 
-/* Writes the ground as an infinite plane. A picture of the sky has its own horizon, so no haze then covers the
- * ground. */
+/* Writes the ground as an infinite plane, with haze far away. Under a picture of the sky, which has its own horizon,
+ * there is no haze. */
 static void pov_ground(vs_emitter *e, const vs_look *l, double diagonal, double pixel) {
   vs_writer *w = e->out;
   bool plain = e->scene->style == VS_STYLE_MODEL || vs_povray_is_white(e->scene);
   const vs_material *m = plain ? NULL : e->scene->ground_material;
   bool studio = !e->scene->has_ground;
-  double lift = 1e-5 * diagonal; /* Objects that stand on the ground would have a face in its plane. Therefore the
-                                  * ground is slightly lower. */
+  double lift = 1e-5 * diagonal; /* lift: the ground is lower by this length, so that it is not coplanar with the
+                                  * bottoms of objects */
   double z = (studio ? e->bounds.min.z : e->scene->ground_z) * e->unit - lift;
   if (m != NULL) vs_povray_prepare_texture(e, m, pixel);
   pov_word(w, "plane {\n  z, ", z, "\n  texture {\n");
@@ -379,16 +382,14 @@ static void pov_ground(vs_emitter *e, const vs_look *l, double diagonal, double 
 }
 
 /* Returns the settings for the light that sky and walls reflect on each other. Without this light, rooms are dark. A
- * room with a small window needs many rays, few of which find the window.
- * error_bound 1 uses samples within their error, and nearest_count many at a time. This costs less than more samples,
- * and leaves no blotches on walls.
- * minimum_reuse, a fraction of the picture's width, prevents a sample for each pixel of outdoor detail. The example of
- * the station then takes a third of the time.
- * adc_bailout ends a gathering ray that carries less than a tenth, as the reflections of panes do. This again halves
- * the station's time.
- * always_sample off: a point that pretrace has not sampled has the light of its neighbours. If it has no neighbours, it
- * has the mean of all samples, a grey patch. Therefore pretrace_end, also a fraction of the picture's width, is so fine
- * that small faces in caves and coffers are sampled. A lower count of rays, 100 instead of 150, saves that time. */
+ * room with a small window needs many rays, few of which find the window. error_bound 1 uses samples within their
+ * error, and nearest_count many at a time. This costs less than more samples, and leaves no blotches on walls.
+ * minimum_reuse, a fraction of the picture's width, prevents a sample for each pixel of outdoor detail: the example of
+ * the station takes a third of the time. adc_bailout ends a ray that carries less than a tenth of the light, such as
+ * reflections of panes: this again halves the station's time. always_sample off: a point that the first pass (pretrace)
+ * has not sampled gets the light of its neighbours, or without neighbours the mean of all samples, a grey patch.
+ * Therefore pretrace_end, also a fraction of the picture's width, is so small that small faces in caves and coffers are
+ * sampled. In exchange, the count of rays is 100 instead of 150. */
 static const char *pov_radiosity(vs_render_quality q) {
   switch (q) {
   case VS_RENDER_DRAFT: break;
@@ -402,8 +403,8 @@ static const char *pov_radiosity(vs_render_quality q) {
   return "";
 }
 
-/* Writes the settings of radiosity. A run with given samples makes no grid of samples (its first step is as wide as the
- * picture), and as few new samples as possible (povray_plan.c). */
+/* Writes the settings of radiosity. If a run of POV-Ray gets samples of light from a file, it makes no grid of samples
+ * (its first step is as wide as the picture), and as few new samples as possible (povray_plan.c). */
 static void pov_put_radiosity(vs_emitter *e) {
   vs_render_quality quality = e->options->quality;
   if (quality == VS_RENDER_DRAFT) return;
@@ -425,9 +426,9 @@ static double pov_unit(double diagonal) {
 /* Returns half the width of a picture at the distance 1. For a panorama, returns half a turn. */
 static double pov_half_width(const vs_look *l) { return l->panorama ? pi : tan(l->angle / 2); }
 
-/* Returns the pen for curves. Its thickness is at least two pixels and at least 1/450 of the picture's width, so that
- * large pictures show curves. Points closer than a thousandth of the drawing's size, or behind the camera, count as
- * having that distance. */
+/* Returns the thickness of curves. It is at least two pixels and at least 1/450 of the picture's width, so that large
+ * pictures show curves. Points closer than a thousandth of the drawing's size, or behind the camera, are treated as if
+ * at that distance. */
 static vs_pen pov_pen(const vs_emitter *e, const vs_look *l, int width) {
   double across = fmax(2. / width, 1. / 450); /* thickness of curves as a fraction of the picture's width */
   if (l->parallel) return (vs_pen){ .least = across * l->width / 2 };
@@ -436,8 +437,8 @@ static vs_pen pov_pen(const vs_emitter *e, const vs_look *l, int width) {
       .least = share * 1e-3 * vs_bounds_diagonal(&e->bounds) };
 }
 
-/* Returns the width of a pixel in the scene, at the nearest point of the drawing's box. The look is in the scene's
- * units. */
+/* Returns the width of a pixel in the scene, at the nearest point of the drawing's bounding box. The camera l is in the
+ * scene's units. */
 static double pov_pixel(const vs_emitter *e, const vs_look *l, int width) {
   if (l->parallel) return l->width / width;
   const double low[] = { e->bounds.min.x, e->bounds.min.y, e->bounds.min.z };
@@ -448,16 +449,16 @@ static double pov_pixel(const vs_emitter *e, const vs_look *l, int width) {
     double out = fmax(fmax(low[i] * e->unit - eye[i], eye[i] - high[i] * e->unit), 0);
     square += out * out;
   }
-  double least = 0.02 * vs_bounds_diagonal(&e->bounds) * e->unit; /* least distance of the point, for an eye that is
-                                                                   * among the walls */
+  double least = 0.02 * vs_bounds_diagonal(&e->bounds) * e->unit; /* least distance that is assumed for the nearest
+                                                                   * point, for an eye among the walls */
   return fmax(sqrt(square), least) * 2 * pov_half_width(l) / width;
 }
 
-/* Returns the greatest height of a chord as a fraction of the drawing's tolerance. The height is an eighth of a pixel
- * at the nearest point of the drawing, but at most the tolerance, and at least a sixteenth of it. Half a pixel would
- * suffice for outlines. But where a round surface turns away from the sun, a facet darkens as a whole as soon as its
- * own plane faces away, before the shading does. This makes steps as wide as a facet, which are clearly visible with
- * half a pixel. A limit of triangles concerns the model, not these finer facets. */
+/* Returns the greatest distance of a chord from its arc, as a fraction of the drawing's tolerance. The distance is an
+ * eighth of a pixel at the nearest point of the drawing, but between a sixteenth of the tolerance and the tolerance.
+ * Half a pixel would suffice for outlines. But where a round surface turns away from the sun, a facet darkens as a
+ * whole as soon as its own plane faces away, before the shading does. This makes steps as wide as a facet, which are
+ * clearly visible with half a pixel. A limit of triangles concerns the model, not these finer facets. */
 static double pov_chord(const vs_emitter *e, double pixel) {
   if (e->job->limits.mesh_triangles > 0) return 1;
   return fmin(1, fmax(1. / 16, pixel / 8 / e->unit / e->drawing_facets.tolerance));

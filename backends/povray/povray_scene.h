@@ -1,4 +1,4 @@
-/* Declares the frame of a POV-Ray scene: its beginning and its end. */
+/* Declares the general part of a POV-Ray scene: its beginning and its end. */
 #ifndef VS_BACKENDS_POVRAY_POVRAY_SCENE_H
 #define VS_BACKENDS_POVRAY_POVRAY_SCENE_H
 

@@ -1,6 +1,6 @@
-/* Writes the POV-Ray text of every kind. Objects that POV-Ray draws incorrectly without a message (degenerate shapes,
- * lone operands) do not occur here: the constructors refuse them, or the driver omits them. povray_meshes.c writes
- * triangles. */
+/* Writes each kind of node as POV-Ray text. Objects that POV-Ray draws incorrectly without a message (degenerate
+ * shapes, operations with a single operand) do not occur here: the constructors refuse them, or the driver omits them.
+ * povray_meshes.c writes triangles. */
 #include "backends/povray/povray_shapes.h"
 
 #include <math.h>
@@ -15,7 +15,8 @@
 #include "geometry/frame.h"
 #include "geometry/profiles/revolve.h"
 
-/* A drawing may have a million primitives, so their text is made in the writer's own buffer. */
+/* Sizes in bytes of a point and a shape as text. A drawing may have a million primitives, so their text is made
+ * directly in the writer's buffer. */
 enum { POV_POINT_ROOM = 3 * VS_NUMBER_ROOM + 8, POV_SHAPE_ROOM = 80 + 32 + 2 * POV_POINT_ROOM + 2 * VS_NUMBER_ROOM };
 
 static char *pov_write_point(char *to, vs_vec3 p) {
@@ -62,8 +63,8 @@ static void pov_comma(vs_emitter *e, double x) {
   vs_put_number(e->out, x);
 }
 
-/* Writes a matrix. POV-Ray multiplies row vectors by matrices, so the rows of its matrix are VisualScheme's columns.
- * The translation is in model units. */
+/* Writes a matrix. POV-Ray multiplies row vectors by matrices, so the rows of its matrix are the columns of
+ * VisualScheme's. The translation is in model units. */
 static void pov_matrix(vs_emitter *e, const vs_affine *a) {
   vs_puts(e->out, "matrix <");
   for (int column = 0; column < 4; column++)
@@ -91,7 +92,7 @@ static vs_emit_status pov_sphere(vs_emitter *e, vs_vec3 center, double radius) {
   return pov_finish(e, pov_write_comma(to, radius * e->unit));
 }
 
-/* If the model sets the number of facets, the shape consists of these facets, and is not the round object. */
+/* If the model sets the number of facets, the object consists of these facets, so it is written as triangles. */
 vs_emit_status vs_povray_sphere(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   const struct vs_sphere *s = VS_AS(sphere, ref->node);
@@ -154,8 +155,8 @@ vs_emit_status vs_povray_e_cone(vs_emitter *e, const vs_ref *ref, vs_phase phase
   return pov_close(e, " }\n");
 }
 
-/* POV-Ray's exponents have the same meaning as the model's. Outside these bounds POV-Ray's solver leaves holes, so the
- * object becomes the triangles of other formats. */
+/* POV-Ray's exponents have the same meaning as the model's. For exponents outside these bounds POV-Ray's solver leaves
+ * holes, so the object is written as triangles. */
 vs_emit_status vs_povray_superellipsoid(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   const struct vs_superellipsoid *s = VS_AS(superellipsoid, ref->node);
@@ -194,8 +195,8 @@ vs_emit_status vs_povray_half_space(vs_emitter *e, const vs_ref *ref, vs_phase p
 
 /* ---- curves and regions ---- */
 
-/* Returns the radius of a curve at point p. The places of a template are unknown, so inside a template the radius is
- * that at the drawing's far end. */
+/* Returns the radius of a curve at point p. Where the uses of a template are placed is not known here, so inside a
+ * template the radius is that at the far end of the drawing. */
 static double pov_pen_radius(const vs_emitter *e, vs_vec3 p) {
   double depth = vs_v3_dot(vs_v3_sub(vs_affine_point(&e->placement, p), e->pen.eye), e->pen.forward);
   double size = cbrt(fabs(vs_affine_determinant(&e->placement)));
@@ -227,8 +228,8 @@ vs_emit_status vs_povray_line(vs_emitter *e, const vs_ref *ref, vs_phase phase) 
   return pov_close(e, "");
 }
 
-/* The loops of an outline as points of the outline's plane. Each loop repeats its first point at its end. A comma
- * precedes all points except the first. */
+/* Returns the number of points that describe the loops of an outline, in which each loop repeats its first point at its
+ * end. */
 static size_t pov_loop_points(const vs_outline *o) {
   size_t count = 0;
   for (size_t i = 0; i < o->count; i++) count += o->loops[i].count + 1;
@@ -267,8 +268,8 @@ vs_emit_status vs_povray_region(vs_emitter *e, const vs_ref *ref, vs_phase phase
   return pov_close(e, "");
 }
 
-/* Returns true if every loop consists of straight lines. The solid is then a prism, whose walls are planes. Round walls
- * are better as shaded triangles. */
+/* Returns true if every loop of the profile consists of straight lines. The solid is then a prism, whose walls are
+ * planes. Solids with round walls look better as shaded triangles. */
 static bool pov_is_straight(const vs_node *profile) {
   while (profile->kind == VS_TRANSFORM || vs_node_is_wrapper(profile)) profile = profile->children[0].node;
   if (profile->kind == VS_LINE) return true;
@@ -278,8 +279,8 @@ static bool pov_is_straight(const vs_node *profile) {
   return true;
 }
 
-/* Returns the profile's circle if the profile is a circle in the XY plane, bare or as the only curve of a region.
- * Returns NULL otherwise. */
+/* Returns the circle of the profile if the profile is a circle in the XY plane, or a region with such a circle as its
+ * only curve. Otherwise returns NULL. */
 static const struct vs_circle *pov_circle(const vs_node *profile) {
   if (profile->kind == VS_REGION && profile->child_count == 1) profile = profile->children[0].node;
   return profile->kind == VS_CIRCLE && VS_AS(circle, profile)->segments == 0 ? VS_AS(circle, profile) : NULL;
@@ -301,8 +302,8 @@ vs_emit_status vs_povray_extrude(vs_emitter *e, const vs_ref *ref, vs_phase phas
   if (!vs_region_outline(n->children[0].node, &e->facets, &o, e->error)) return VS_FAILED;
   vs_affine plane = vs_frame_on_axis(o.point, o.normal), back;
   if (o.count > 0 && vs_affine_invert(&plane, &back)) {
-    /* A prism's profile lies in x and z, and the prism rises along y. Its x becomes the plane's first axis, its y the
-     * direction of the extrusion, its z the plane's second axis. */
+    /* POV-Ray's prism has its profile in x and z, and rises along y. Therefore this placement maps x to the plane's
+     * first axis, y to the direction of the extrusion, and z to the plane's second axis. */
     vs_affine place = plane;
     const double along[] = { x->along.x, x->along.y, x->along.z }, from[] = { start.x, start.y, start.z };
     for (int row = 0; row < 3; row++) {
@@ -321,8 +322,8 @@ vs_emit_status vs_povray_extrude(vs_emitter *e, const vs_ref *ref, vs_phase phas
   return pov_close(e, "");
 }
 
-/* Writes a full turn of a single loop of straight edges as a lathe. The profile of a lathe lies in x and y and rotates
- * about y. Round profiles are better as shaded triangles. */
+/* Writes a full revolution of a single loop of straight edges as a lathe. The profile of a lathe lies in x and y and
+ * rotates about y. Solids with round profiles look better as shaded triangles. */
 vs_emit_status vs_povray_revolve(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   (void)phase;
   const vs_node *n = ref->node;
@@ -374,8 +375,8 @@ vs_emit_status vs_povray_transform(vs_emitter *e, const vs_ref *ref, vs_phase ph
   return pov_close(e, "");
 }
 
-/* Paint applies to parts without paint. POV-Ray gives the material of a compound object to those of its parts that have
- * none. If such a part already has a material, POV-Ray puts the second material on top of the first. */
+/* A material applies only to parts without a material. POV-Ray gives the material of a compound object to those of its
+ * parts that have none. If such a part already has a material, POV-Ray puts the second material on top of the first. */
 vs_emit_status vs_povray_material(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   if (phase == VS_PHASE_ENTER) {
     pov_open(e, "object {\n");
@@ -396,7 +397,7 @@ vs_emit_status vs_povray_layer(vs_emitter *e, const vs_ref *ref, vs_phase phase)
   return pov_close(e, "");
 }
 
-/* Returns true if the text begins with a keyword of the appearance, such as texture, which applies to the child. Any
+/* Returns true if the text begins with a keyword of the appearance, such as texture: it then applies to the child. Any
  * other text is an object that replaces the child. */
 static bool pov_is_look(const char *text) {
   static const char *const words[] = { "texture",  "pigment", "normal",    "finish", "interior",
@@ -433,14 +434,14 @@ vs_emit_status vs_povray_native(vs_emitter *e, const vs_ref *ref, vs_phase phase
 vs_emit_status vs_povray_csg(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   const vs_node *n = ref->node;
   if (phase == VS_PHASE_LEAVE) {
-    /* If a cutter without paint cuts a painted solid, the cut face has the solid's paint. This requires
-     * cutaway_textures. With it, POV-Ray shows unpainted parts of a difference in black, so the solid must be painted
-     * everywhere. */
+    /* If a cutter without paint cuts a painted solid, the cut face has the solid's paint. In POV-Ray this requires the
+     * keyword cutaway_textures, which makes unpainted parts of a difference black. Therefore it is written only if
+     * every part of the solid has paint. */
     bool whole = n->kind != VS_DIFFERENCE || !vs_emit_is_bare(e, n->children[0].node);
     if (n->kind != VS_UNION && whole && vs_emit_is_painted(e, n) && vs_emit_is_bare(e, n))
       pov_open(e, "  cutaway_textures\n");
-    /* POV-Ray tests the parts of a difference for every ray, unless the text bounds them. An intersection with a box
-     * lies inside the box. */
+    /* For every ray, POV-Ray tests all parts of a difference, unless the text contains their bounds. An intersection
+     * with a box lies inside the box, so the box is written as bounds. */
     if (n->kind == VS_INTERSECTION && e->in_boolean && n->children[0].node->kind == VS_BOX) {
       const struct vs_box *b = VS_AS(box, n->children[0].node);
       vs_vec3 more = vs_v3_scale(vs_v3_sub(b->q, b->p), 1e-4);

@@ -1,4 +1,4 @@
-/* Declares the POV-Ray text of every kind. */
+/* Declares the functions that write each kind of node as POV-Ray text. */
 #ifndef VS_BACKENDS_POVRAY_POVRAY_SHAPES_H
 #define VS_BACKENDS_POVRAY_POVRAY_SHAPES_H
 

@@ -1,5 +1,5 @@
-/* Writes the physical sky as functions of POV-Ray: the distribution's formula for Y, x and y, and a pigment for each of
- * red, green and blue. The mean of the three pigments is the colour. */
+/* Writes the physical sky as functions of POV-Ray: a formula for the luminance Y and the colour x and y in each
+ * direction, and a pigment for each of red, green and blue. The mean of the three pigments is the colour. */
 #include "backends/povray/povray_sky.h"
 
 #include <math.h>
@@ -20,7 +20,8 @@ double vs_povray_gain(const vs_scene *scene) {
 vs_povray_daylight vs_povray_daylight_of(const vs_scene *scene, vs_vec3 sun, double strength) {
   const double pi = 3.14159265358979323846, grey = 0.3;
   vs_povray_daylight d = { .sky = vs_sky_light_of_scene(scene, sun), .per_candela = strength * 1e-4 };
-  /* A white surface perpendicular to a light of 1 has the number 1. Its luminance is the illuminance over pi. */
+  /* The brightness of a white surface that faces a light of strength 1 is 1 in the scene, and its luminance is the
+   * illuminance divided by pi. */
   double per_lux = d.per_candela / pi;
   vs_vec3 level = vs_sky_light_level(&d.sky);
   d.sun = vs_v3_scale(vs_sky_light_sun_of_scene(scene, sun), per_lux);
@@ -29,8 +30,9 @@ vs_povray_daylight vs_povray_daylight_of(const vs_scene *scene, vs_vec3 sun, dou
   return d;
 }
 
-/* Returns the greatest value of red, green and blue, which is the end of the pigments' maps. It is at the horizon or
- * near the sun. Between these points, the grid misses at most a few percent. The margin is a tenth. */
+/* Returns the greatest value of red, green and blue in the sky, which is the end of the pigments' colour maps. The
+ * greatest value lies at the horizon or near the sun; a grid of directions between them misses at most a few percent of
+ * it. A tenth is added as margin. */
 static double brightest(const vs_povray_daylight *d) {
   vs_vec3 c = vs_sky_light_at(&d->sky, d->sky.sun);
   double most = fmax(c.x, fmax(c.y, c.z));

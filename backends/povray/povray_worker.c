@@ -1,6 +1,6 @@
-/* Makes a picture with POV-Ray. Starts the runs of the plan (povray_plan.c), as many at a time as there are processors,
- * and reports their combined progress. Ends all runs when one fails or the time limit is reached. Keeps their common
- * data: the private folder and the samples of bounced light. */
+/* Makes a picture with POV-Ray. Starts the runs (processes) of the plan in povray_plan.c, as many at a time as there
+ * are processors, and reports their combined progress. Ends all runs when one fails or the time limit is reached.
+ * Manages the private folder and the samples of bounced light, which the runs share. */
 #define _GNU_SOURCE
 #include "backends/povray/povray_worker.h"
 
@@ -22,14 +22,14 @@
 #include "geometry/measure/bounds.h"
 
 enum { AT_ONCE = 64, STARTS = 5, NAME_ROOM = VS_POVRAY_PATH_ROOM + 40, WORDS = 25 };
-/* Time of the first pass, as a fraction of the time of first pass and strips together. The first pass takes about half
- * as long as the strips. */
+/* Time of the first pass, as a fraction of the time of all passes: the first pass takes about half as long as the
+ * strips. */
 static const double pass_share = 0.35;
-/* A limit in stops. If the exposure makes white darker than 1 by more than this, the samples in the file have too few
- * digits: the file has four digits after the point. */
+/* Limit of the exposure in stops. If white must become darker than 1 by more than this, the file of samples, which has
+ * four digits after the point, is too coarse. */
 static const double darkest = 5;
-/* A limit as a multiple of the drawing's size. If a drawing is farther from the origin, the positions of samples have
- * too few digits: the file has six digits. */
+/* Limit of the distance from the origin, as a multiple of the drawing's size. Farther away, the six digits in the file
+ * of samples are too few for positions. */
 static const double farthest = 50;
 
 typedef struct {
@@ -37,13 +37,13 @@ typedef struct {
   char folder[VS_POVRAY_PATH_ROOM - 64];
   const char *scene;
   uint64_t scene_size;
-  double begun, told;    /* times in seconds, by the clock */
+  double begun, told;    /* begun: start of the work; told: last report of progress; both in seconds, by the clock */
   double done, share;    /* fractions of all work. done: completed before the current runs; share: fraction that the
                           * current runs take */
   vs_povray_plan plan;
 } pov_work;
 
-/* The runs of POV-Ray that make the jobs of one step. */
+/* The runs of POV-Ray that make the jobs of one step of the plan. */
 typedef struct {
   const vs_povray_job *jobs;
   size_t count, next, room; /* count: number of jobs; next: index of the next job to start; room: number of entries of
@@ -73,7 +73,8 @@ __attribute__((format(printf, 2, 3))) static void word(words *w, const char *for
   w->used += (size_t)length + 1;
 }
 
-/* Adds a file of the folder as an argument. POV-Ray divides every argument again at blanks and quotes. */
+/* Adds a file of the folder as an argument of POV-Ray. POV-Ray divides every argument again at blanks and quotes, so
+ * the name is quoted. */
 static void file_word(words *w, const char *option, const char *folder, const char *name, const char *ending) {
   char quote = strchr(folder, '"') ? '\'' : '"';
   word(w, "%s%c%s/%s%s%c", option, quote, folder, name, ending, quote);
@@ -92,8 +93,8 @@ static void words_of(const pov_work *work, const vs_povray_job *job, words *w) {
   if (vs_povray_fits(job)) word(w, "+MI%.0f", vs_povray_megabytes(job) + 1);
   static const char *const usual[] = { "+FE", "-D", "-GD", "-GR", "-GS" };
   for (size_t i = 0; i < sizeof usual / sizeof *usual; i++) word(w, "%s", usual[i]);
-  /* Columns and rows of the part are counted from 1, and the last column and row are included. If the number of the
-   * last is 1, POV-Ray reads it as the entire width. */
+  /* The wanted part of the picture: columns and rows are counted from 1, and the last column and row are included.
+   * POV-Ray reads the number 1 for the last column as the entire width. */
   if (p->left > 0) word(w, "+SC%u", p->left + 1);
   if (p->top > 0) word(w, "+SR%u", p->top + 1);
   if (p->left + p->columns < job->columns) word(w, "+EC%u", p->left + p->columns);
@@ -162,7 +163,7 @@ static size_t crew_hear(pov_crew *c) {
   return running;
 }
 
-/* Evaluates the runs that have ended. */
+/* Processes the results of the runs that have ended. */
 static bool crew_take(pov_work *work, pov_crew *c) {
   int status = 0;
   bool ok = true;
@@ -173,7 +174,7 @@ static bool crew_take(pov_work *work, pov_crew *c) {
       ok = crew_start(work, c, i);
       continue;
     }
-    /* an interrupt may have ended POV-Ray before vs */
+    /* reports the progress first: if the user interrupted, POV-Ray may have ended before vs noticed it */
     ok = vs_emit_progress(work->e, "rendering", work->done) && vs_povray_judge(work->e, p, status);
     c->finished += job_pixels(&c->jobs[c->of[i].job]);
   }
@@ -283,8 +284,8 @@ static bool is_far(const vs_emitter *e) {
   return away > farthest * vs_bounds_diagonal(&e->bounds);
 }
 
-/* Makes all pictures of the plan, and sets *tone to the exposure of the first pass. If the picture is too dark, it is
- * planned again as a single run. */
+/* Makes all pictures of the plan, and sets *tone to the exposure that the first pass gives. If the file of samples
+ * would be too coarse for a dark picture, makes the picture again as a single run. */
 static bool work_all(pov_work *work, vs_tone *tone) {
   vs_povray_plan *p = &work->plan;
   double stops = 0, dark = 0;
