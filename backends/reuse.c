@@ -1,11 +1,11 @@
-/* Implements the keeping of text for later exports (reuse.h). */
+/* Implements the cache of written text for later exports (reuse.h). */
 #include "backends/reuse.h"
 
 enum {
-  MOST_WORDS = 1 << 22, /* length of the longest key in words of 8 bytes: 32 MB, enough for a mesh of a million
-                         * corners */
-  MOST_TEXT = 1 << 26,  /* length of the longest text of a run that is kept, in bytes */
-  LEAST_TEXT = 1024     /* length of the shortest text that is kept, in bytes; a shorter text is written again faster
+  MOST_WORDS = 1 << 22, /* length of the longest key of a cached text in words of 8 bytes: 32 MB, enough for a mesh of a
+                         * million corners */
+  MOST_TEXT = 1 << 26,  /* length of the longest text that is cached, in bytes */
+  LEAST_TEXT = 1024     /* length of the shortest text that is cached, in bytes; a shorter text is written again faster
                          * than it is found */
 };
 
@@ -30,7 +30,7 @@ void vs_reuse_put_reals(vs_reuse *r, const double *reals, size_t count) {
 
 /* Puts the reals of a single field into the key. For so few numbers, a loop is faster than memcpy. */
 static void put_few(vs_reuse *r, const double *reals, size_t count) {
-  if (!vs_reuse_room(r, count)) return; /* an array that was put before may have filled the last word of the memory */
+  if (!vs_reuse_room(r, count)) return; /* the memory may be full after an array, so room is requested again */
   uint64_t *to = r->words + r->count;
   for (size_t i = 0; i < count; i++) memcpy(&to[i], &reals[i], sizeof *to);
   r->count += count;
@@ -44,8 +44,8 @@ static void put_bytes(vs_reuse *r, const void *bytes, size_t size) {
   r->count += words;
 }
 
-/* Puts the values of a node into the key. The store keeps a single copy of equal texts and materials and outlives the
- * cache. Their addresses therefore identify them. */
+/* Puts the values of a node into the key. Texts and materials are interned in the store, which outlives the cache, so
+ * their addresses identify them. */
 void vs_reuse_put_payload(vs_reuse *r, const vs_kind_info *info, const void *data) {
   for (size_t i = 0; i < info->field_count; i++) {
     const void *at = (const char *)data + info->fields[i].offset;
@@ -55,10 +55,8 @@ void vs_reuse_put_payload(vs_reuse *r, const vs_kind_info *info, const void *dat
       continue;
     }
     switch (info->fields[i].type) {
-    case VS_FIELD_real: case VS_FIELD_point: case VS_FIELD_vector: case VS_FIELD_affine: break; /* the caller has
-                                                                                                 * already put these
-                                                                                                 * fields into the
-                                                                                                 * key */
+    /* the caller has already put these numeric fields into the key */
+    case VS_FIELD_real: case VS_FIELD_point: case VS_FIELD_vector: case VS_FIELD_affine: break;
     case VS_FIELD_integer: vs_reuse_put(r, (uint64_t)(int64_t)*(const vs_field_integer *)at); break;
     case VS_FIELD_boolean: vs_reuse_put(r, *(const vs_field_boolean *)at); break;
     case VS_FIELD_points: {
@@ -76,7 +74,8 @@ void vs_reuse_put_payload(vs_reuse *r, const vs_kind_info *info, const void *dat
     case VS_FIELD_text: vs_reuse_put(r, (uintptr_t)*(const vs_field_text *)at); break;
     case VS_FIELD_material: vs_reuse_put(r, (uintptr_t)*(const vs_field_material *)at); break;
     case VS_FIELD_ticket: r->unfit = true; break; /* A ticket is a number that the running program uses again for other
-                                                   * objects. Therefore text with a ticket is not kept. */
+                                                   * objects, so it cannot identify an object later. Text that depends
+                                                   * on a ticket is not cached. */
     }
   }
 }
@@ -107,8 +106,8 @@ void vs_reuse_put_number(vs_reuse *r, vs_number_kind kind, uint32_t number) {
   vs_reuse_put(r, l->local);
 }
 
-/* ---- the layout of kept text: a header, the text, the positions of numbers in it, lines, warnings; each aligned to 16
- * bytes (cache.c) ---- */
+/* ---- the layout of a cached text: a header, the text, the positions of numbers in it, lines, warnings; each aligned
+ * to 16 bytes (cache.c) ---- */
 
 typedef struct { uint64_t size, slots, lines, said, triangles; } header;
 

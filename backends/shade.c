@@ -25,15 +25,15 @@ static double shade_angle(const vs_vec3 *v, const uint32_t t[3], int corner) {
   return acos(fmax(-1, fmin(1, vs_v3_dot(a, b))));
 }
 
-/* The faces, and the arrays used while their normals are computed. The memory functions of `out` allocate all of
+/* The triangles, and the arrays used while their normals are computed. The memory function of `out` allocates all of
  * them. */
 typedef struct {
   const vs_shade_faces *of;
   vs_shading *out;
   double least;               /* cosine of the crease: two faces are smooth with each other if the cosine between their
                                * normals is at least this value */
-  vs_vec3 *faces;             /* faces[t]: unit normal of triangle t */
-  double *angles;             /* angle of each triangle at each of its corners */
+  vs_vec3 *faces;             /* faces[t]: unit normal of triangle t's plane */
+  double *angles;             /* angle of each triangle at each of its corners, in radians */
   uint32_t *starts, *around;  /* the corners around vertex v are around[starts[v]] to around[starts[v + 1] - 1] */
 } shade_work;
 
@@ -90,7 +90,7 @@ static void shade_vertex(const shade_work *w, size_t v) {
   }
 }
 
-/* Frees the unused part of the arrays, which is large, because most corners have a normal in common. */
+/* Frees the unused part of the arrays. It is large, because usually several corners share a normal. */
 static void shade_trim(vs_shading *s) {
   size_t room = s->normal_count + 1;
   vs_vec3 *less = s->memory(s->context, s->normals, s->normal_room * sizeof *less, room * sizeof *less);

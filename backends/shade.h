@@ -12,8 +12,8 @@
 typedef void *vs_shade_memory(void *context, void *old, size_t old_bytes, size_t new_bytes);
 
 typedef struct {
-  vs_vec3 *normals;           /* list of unit normals */
-  uint32_t (*corners)[3];     /* index of a normal for each corner of each triangle */
+  vs_vec3 *normals;           /* list of unit normals, each used by one or several corners */
+  uint32_t (*corners)[3];     /* corners[t][k]: index of the normal at corner k of triangle t */
   size_t normal_count, normal_room, corner_room;
   vs_shade_memory *memory;    /* function that allocated the arrays, and frees them */
   void *context;
@@ -28,7 +28,8 @@ typedef struct {
   size_t vertex_count, triangle_count;
   double crease;              /* least angle between two faces that makes their common edge sharp, in radians */
 } vs_shade_faces;
-#define VS_SHADE_FLAT UINT32_MAX /* number of a group in which each triangle has the normal of its face */
+#define VS_SHADE_FLAT UINT32_MAX /* number of the group of flat triangles, each of which has the normal of its own
+                                  * plane */
 
 /* Returns the faces of a mesh as a single group. */
 static inline vs_shade_faces vs_shade_mesh(const vs_mesh *m, double crease) {
@@ -49,7 +50,7 @@ static inline double vs_shade_crease(bool round) { return round ? 0.6 : 0.05; }
 void vs_shading_free(vs_shading *s);
 
 /* A solid whose triangles are being written with normals. A vertex of the output file is a corner together with its
- * normal. Corners with the same normal share a vertex of the file. */
+ * normal. Corners at one point with the same normal share a vertex of the file. */
 typedef struct {
   const vs_solid *solid;
   const vs_affine *place;     /* placement from the solid's coordinates to the file's */
@@ -65,7 +66,8 @@ typedef struct {
  * vs_shading_make does. Free with vs_shaded_free, also after a failure. */
 bool vs_shaded_make(vs_emitter *e, const vs_solid *solid, const vs_affine *place, double crease, vs_shaded_solid *out);
 void vs_shaded_free(vs_emitter *e, vs_shaded_solid *s);
-void vs_shaded_begin_part(vs_shaded_solid *s); /* begins the next part, which has new vertices */
+void vs_shaded_begin_part(vs_shaded_solid *s); /* begins the next part of the solid, which shares no vertices with
+                                                * earlier parts */
 static inline vs_vec3 vs_shaded_point(const vs_shaded_solid *s, size_t triangle, int corner) {
   const vs_mesh *m = &s->solid->mesh;
   return vs_affine_point(s->place, m->vertices[m->triangles[triangle][corner]]);

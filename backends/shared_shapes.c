@@ -1,4 +1,4 @@
-/* Implements the shapes that a format writes once for many places (shared_shapes.h). */
+/* Implements shapes that a format writes once and uses at many places (shared_shapes.h). */
 #include "backends/shared_shapes.h"
 
 #include <string.h>

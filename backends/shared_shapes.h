@@ -1,6 +1,6 @@
-/* Declares the shapes that a format writes once for many places: unit forms with a given number of facets, and the
- * triangles of a node. The triangles are relative to the centre of the node's bounds, because a viewer's 32-bit numbers
- * are finest near zero. */
+/* Declares shapes that a format writes once and uses at many places: unit forms (such as a sphere of radius 1) with a
+ * given number of facets, and the triangles of a node. The triangles are relative to the centre of the node's bounds,
+ * because a viewer's 32-bit numbers are finest near zero. */
 #ifndef VS_BACKENDS_SHARED_SHAPES_H
 #define VS_BACKENDS_SHARED_SHAPES_H
 
@@ -22,15 +22,15 @@ typedef struct {
 
 void vs_shared_free(vs_emitter *e, vs_shared_shapes *s);
 
-/* Writes a shape with normals for the given crease, in radians, and sets the shape's number. Returns false, with e's
- * error set, on failure. */
+/* A function of the format that writes a shape, with normals for the given crease in radians, and sets the shape's
+ * number. Returns false, with e's error set, on failure. */
 typedef bool vs_shared_write(vs_emitter *e, const vs_solid *form, double crease, uint32_t *number);
 /* Sets the number of the unit form that `copy` places. Calls `write` if no such form with this number of facets was
  * written. Returns false, with e's error set, on failure. */
 bool vs_shared_unit(vs_emitter *e, vs_shared_shapes *s, const vs_unit_copy *copy, vs_shared_write *write,
                     uint32_t *number);
 
-/* The placement of a node's shape, under e's placement. */
+/* How the shape of a node is placed, including the placement of e. */
 typedef struct {
   bool shared;                /* true if the shape is valid for all places of the node; otherwise it is made for this
                                * place only */

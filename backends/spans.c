@@ -1,10 +1,13 @@
-/* Implements the writing of many items by several threads (spans.h). */
+/* Implements the writing of many items by several threads (spans.h), each of which makes the text of a span of
+ * consecutive items. */
 #include "backends/spans.h"
 
 #include "kernel/memory.h"
 #include "kernel/threads.h"
 
-enum { SPAN = 1 << 16 /* bytes in a span */, TESTS = 1 << 14, SERIAL = 1 << 12 /* with fewer items, one thread */ };
+enum { SPAN = 1 << 16 /* bytes of text in a span */, TESTS = 1 << 14, SERIAL = 1 << 12 /* with fewer items,
+                                                                                                  * one thread writes
+                                                                                                  * all of them */ };
 
 typedef struct {
   vs_writer *writer;

@@ -1,21 +1,21 @@
-/* Finds the runs of a drawing whose text is kept: where each begins and ends, and the key of its text.
+/* Finds the runs of a drawing whose text is cached: where each begins and ends, and the key of its text.
  *
- * A run is a sequence of neighbours in an operation or in the drawing, or the body of a template. Weights, which are
- * about the number of shapes, decide its length. The hash of its last node decides its end. Therefore, after an
- * insertion or a removal, the runs soon end at the same nodes as before. If a node is too heavy for a run, the search
- * continues among its operands.
+ * A run is a sequence of neighbours in an operation or in the drawing, or the body of a template. The weight of a run
+ * is about the number of its shapes, and limits its length. Within these limits, a hash of a node decides whether the
+ * run ends after it. Therefore, after an insertion or a removal, the runs soon end at the same nodes as before. If a
+ * node is too heavy for a run, the search continues among its operands.
  *
  * The key contains the kind and numbers of each node in the order of the walk, and the positions of the run's templates
- * and paints. Before them it contains all members of the emitter that emit functions read. If sets of regions are
- * written as a single region, the key contains them entirely. */
+ * and materials. Before them it contains all members of the emitter that emit functions read. If an operation on
+ * regions is written as a single region, the key contains all of the operation. */
 #include "backends/text_runs.h"
 
 #include "backends/drive.h"
 #include "model/store/cache.h"
 #include "model/job.h"
 
-/* Weights of runs. LIGHT: the least weight for which a run is kept. USUAL: the usual weight. HEAVY: the greatest
- * weight, except for a single shape. */
+/* Weights of runs (sequences of shapes), about the number of shapes. LIGHT: least weight of a run whose text is cached.
+ * USUAL: usual weight. HEAVY: greatest weight, unless the run is a single shape. */
 enum { LIGHT = 48, USUAL = 256, HEAVY = 1024 };
 
 void vs_drive_find_short(vs_drive *d) {
@@ -34,8 +34,8 @@ void vs_drive_find_short(vs_drive *d) {
 /* ---- weights ---- */
 
 static uint32_t leaf_weight(const vs_emitter *e, const vs_node *n) {
-  enum { OUTLINED = 12, MESHED = 128 }; /* approximate weights of a shape written as an outline, and of a shape written
-                                         * as triangles */
+  enum { OUTLINED = 12, MESHED = 128 }; /* approximate weights of a region that is written as an outline, and of a shape
+                                         * that is written as triangles */
   uint32_t weight = OUTLINED;
   if (drive_is_brief(e->drive, n)) return 1;
   if (n->kind == VS_LINE) weight = VS_AS(line, n)->points->count;
@@ -67,19 +67,20 @@ void vs_drive_weigh(vs_emitter *e) {
 /* ---- the key ---- */
 
 typedef struct { const vs_node *node; uint32_t next; bool whole; } step;
-/* cut: true if the run contains a half-space; thin: true if it contains an object that is not solid */
+/* The key of a run while it is made. cut: true if the run contains a half-space; thin: true if it contains an object
+ * that is not a solid */
 typedef struct { step *steps; size_t count, room; bool cut, thin; size_t shapes; } spelling;
 
-enum { MOST_SHAPES = 1 << 16 }; /* greatest number of shapes in a key; inside a shape, a tree may refer to its parts
-                                 * many times */
+enum { MOST_SHAPES = 1 << 16 }; /* greatest number of shapes in a key, because a tree of nodes may refer to a part many
+                                 * times */
 enum { TAG_WHOLE = 1u << 16, TAG_TEMPLATE = 1u << 17, TAG_SHOWN = 1u << 18, TAG_CARVED = 1u << 19 };
 
 static uint64_t paint_bits(const vs_emitter *e, const vs_node *n) {
   return n == NULL ? 0 : 1 | (uint64_t)vs_emit_is_bare(e, n) << 1 | (uint64_t)vs_emit_is_painted(e, n) << 2;
 }
 
-/* Puts the values around the run into the key. The words that depend on the run's contents follow at the end of the
- * key. */
+/* Puts the values around the run into the key: placement, fineness and other members of the emitter. Words that depend
+ * on the run's contents follow at the end of the key. */
 static void put_surroundings(vs_emitter *e, const vs_node *parent, bool body) {
   vs_reuse *r = &e->drive->reuse;
   const double reals[] = { e->unit, e->drawing_facets.tolerance, e->facets.tolerance };
@@ -87,7 +88,7 @@ static void put_surroundings(vs_emitter *e, const vs_node *parent, bool body) {
   vs_reuse_put(r, e->depth << 1 | (body ? 1 : 0));
   vs_reuse_put(r, (uint64_t)(uint32_t)e->drawing_facets.segments << 32 | (uint32_t)e->facets.segments);
   vs_reuse_put_reals(r, reals, sizeof reals / sizeof *reals);
-  /* the number of facets below the placement depends on the placement's linear part, not on its translation */
+  /* only the linear part of the placement, without its translation, affects the number of facets below it */
   for (int row = 0; row < 3; row++) vs_reuse_put_reals(r, e->placement.m[row], 3);
   vs_reuse_put(r, (uintptr_t)e->material);
   vs_reuse_put(r, paint_bits(e, parent) << 16 | paint_bits(e, e->body) << 8 | (uint64_t)e->in_boolean << 1 | e->smooth);
@@ -98,7 +99,7 @@ static void put_ends(vs_emitter *e, const spelling *s) {
   vs_reuse *r = &e->drive->reuse;
   double diagonal = vs_v3_length(vs_v3_sub(e->bounds.max, e->bounds.min));
   vs_reuse_put(r, (uint64_t)s->cut << 1 | s->thin);
-  if (s->thin) { /* the key contains the thickness of lines, if the run has any */
+  if (s->thin) { /* adds the thickness of lines to the key if the run contains lines */
     const double place[] = { diagonal,     e->placement.m[0][3], e->placement.m[1][3], e->placement.m[2][3],
                              e->pen.share, e->pen.least };
     vs_reuse_put_reals(r, place, sizeof place / sizeof *place);
@@ -133,8 +134,8 @@ static void put_node(vs_emitter *e, spelling *s, const vs_ref *ref, drive_view v
     s->steps[s->count++] = (step){ n, 0, inside };
 }
 
-/* Puts a reference of the run, and all nodes below it, into the key. body: the reference is a template, whose contents
- * are put. */
+/* Puts a reference of the run, and all nodes below it, into the key. body: the reference is a template, and its
+ * contents are put, not its number. */
 static void put_tree(vs_emitter *e, spelling *s, const vs_ref *ref, bool body) {
   const vs_reuse *r = &e->drive->reuse;
   drive_view view = drive_look(e, ref->node);
@@ -162,7 +163,7 @@ static void put_tree(vs_emitter *e, spelling *s, const vs_ref *ref, bool body) {
 /* ---- runs ---- */
 
 /* Sets the end of the run that begins at `from`, and the number of its nodes that draw something. Returns the run's
- * weight. */
+ * weight, which is about the number of its shapes. */
 static uint32_t run_end(const vs_emitter *e, const vs_run_row *row, size_t from, vs_run *run) {
   uint32_t weight = 0;
   *run = (vs_run){ .until = from };
@@ -170,8 +171,8 @@ static uint32_t run_end(const vs_emitter *e, const vs_run_row *row, size_t from,
     const vs_node *n = row->refs[run->until].node;
     drive_view view = drive_look(e, n);
     uint32_t own = row->body && view.entry != NULL ? view.entry->weight : weight_of(e, n, view);
-    bool alone = own >= HEAVY; /* the search continues among the operands of the heavy node, unless it is a single
-                                * shape */
+    bool alone = own >= HEAVY; /* alone: the node is too heavy for a run with other nodes. The search continues among
+                                * its operands, unless it is a single shape */
     if (alone && run->until > from) break;
     run->shown += !view.vain;
     weight += alone && view.operation ? 0 : own;
@@ -210,7 +211,7 @@ static void run_begin(vs_emitter *e, size_t until) {
   d->run_until = until;
   if (drive_has(e, VS_KEEPS_ORIGINS)) {
     d->run_line = vs_writer_line(e->out);
-    /* The current line may still receive another origin. */
+    /* The first line origin that belongs to the run: the current line may still receive another origin. */
     d->run_first =
         d->line_count > 0 && d->lines[d->line_count - 1].line == d->run_line ? d->line_count - 1 : d->line_count;
   }
@@ -251,8 +252,8 @@ bool vs_drive_run(vs_emitter *e, const vs_run_row *row, size_t from, vs_run *run
     run_begin(e, run->until);
     return true;
   }
-  run->found = all_said(e, &kept); /* If a warning of the kept text was not given yet, the run is written again, so that
-                                    * the warning has its place. */
+  run->found = all_said(e, &kept); /* uses the cached text only if all of its warnings were already given; otherwise the
+                                    * run is written again, and the warnings get their places */
   bool ok = !run->found || put_out(e, &refs[first], &kept);
   vs_cache_let_go(r->cache, kept.held);
   return ok;

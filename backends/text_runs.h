@@ -1,11 +1,13 @@
-/* Declares the runs of a drawing whose text is kept (text_runs.c). */
+/* Declares the runs of a drawing: sequences of shapes whose text is cached (text_runs.c). */
 #ifndef VS_BACKENDS_TEXT_RUNS_H
 #define VS_BACKENDS_TEXT_RUNS_H
 
 #include "backends/backend.h"
 
-void vs_drive_find_short(vs_drive *d); /* sets the members brief and facets_at of d */
-void vs_drive_weigh(vs_emitter *e); /* sets the weights of the entries, after the plan */
+void vs_drive_find_short(vs_drive *d); /* sets the members brief and facets_at of d, which tell the kinds with short
+                                        * text */
+void vs_drive_weigh(vs_emitter *e); /* sets the weights of the plan's entries, which estimate the length of their
+                                     * text */
 
 /* The row of neighbours among which the driver searches for runs: operands, or the drawn objects. */
 typedef struct {
@@ -21,9 +23,9 @@ typedef struct {
   bool found;            /* true if the kept text of the run was found and has been written */
 } vs_run;
 
-/* Finds the run of the row that begins at neighbour `from`, and writes its text if this text was kept. Otherwise, a run
- * that is worth keeping remains open until vs_drive_run_end. Returns false, with e's error set, on failure; run->until
- * is set even then. */
+/* Finds the run (sequence of shapes to cache) that begins at neighbour `from` of the row, and writes its text if this
+ * text is cached. Otherwise, if the run is worth caching, its text is recorded until vs_drive_run_end. Returns false,
+ * with e's error set, on failure; run->until is set even then. */
 bool vs_drive_run(vs_emitter *e, const vs_run_row *row, size_t from, vs_run *run);
 void vs_drive_run_end(vs_emitter *e);
 

@@ -1,5 +1,6 @@
-/* Implements the walk over a drawn object, without recursion: a stack contains a frame for each open operation. It
- * lowers each node once, and calls the back-end's emit functions. */
+/* Implements the walk over a drawn object, without recursion: a stack contains a frame for each open operation. The
+ * walk calls the back-end's emit functions. Each node that the format cannot express is replaced once by simpler
+ * kinds. */
 #include "backends/tree_walk.h"
 
 #include <float.h>
@@ -47,8 +48,9 @@ bool vs_drive_mark_ref(vs_emitter *e, const vs_ref *ref) {
   return vs_drive_mark(e, vs_writer_line(e->out), ref->origin);
 }
 
-/* Returns the node's rank in the strict order of lowering. Ranks follow the levels of the table of kinds. Within a
- * level, shapes with parts rank above other shapes. The two kinds in which all lowering ends have the lowest ranks. */
+/* Returns the node's rank in the order of lowering, in which a node is replaced only by nodes of lower rank. Ranks
+ * follow the levels of the table of kinds. Within a level, shapes with parts rank above other shapes. The two kinds in
+ * which all lowering ends have the lowest ranks. */
 static int drive_rank(const vs_node *n) {
   if (n->kind == VS_POLYFACE_MESH || n->kind == VS_LINE) return 2 * VS_LEVEL_MESH;
   const vs_shape *shape = vs_shape_of(n);
@@ -57,8 +59,8 @@ static int drive_rank(const vs_node *n) {
 
 static bool drive_enter(vs_emitter *e, const vs_ref *ref, bool body);
 
-/* Returns true if every node of a lowered tree ranks below `rank`. Recursion is safe: the trees of lower.c are only a
- * few nodes deep. */
+/* Returns true if every node of the tree n, which replaces another node, ranks below `rank`. Recursion is safe: the
+ * trees that lower.c makes are only a few nodes deep. */
 static bool drive_stands_below(const vs_node *n, int rank) {
   if (vs_kind_get((vs_kind)n->kind)->level != VS_LEVEL_OPERATION) return drive_rank(n) < rank;
   for (size_t i = 0; i < n->child_count; i++)
@@ -66,7 +68,8 @@ static bool drive_stands_below(const vs_node *n, int rank) {
   return true;
 }
 
-/* Emits the node's simpler kinds in its place. They must have a lower rank than the node, so repeated lowering ends. */
+/* Replaces the node by simpler kinds and emits these. They must have a lower rank than the node, so repeated
+ * replacement ends. */
 static bool drive_lower(vs_emitter *e, const vs_ref *ref) {
   drive_entry *entry = drive_find(e, ref->node);
   vs_node *made = NULL;
@@ -99,7 +102,7 @@ static bool drive_lower(vs_emitter *e, const vs_ref *ref) {
     e->smooth = was_smooth;
   }
   if (made != NULL) {
-    /* a template is written only once, so the simpler kinds of its node are not kept */
+    /* the text of a template is written only once, so the simpler kinds of its node need not be kept */
     if (entry != NULL && entry->uses > 1 && entry->definition == 0) entry->lowered = made;
     else vs_node_release(made);
   }
@@ -113,8 +116,8 @@ static size_t drive_shown(const vs_emitter *e, const vs_node *n, const drive_ent
   return count;
 }
 
-/* Computes the part of space in which an operation with a half-space has an effect: the bounds of the operation, if it
- * has bounds. */
+/* Computes the space in which an operation with a half-space has an effect: the bounds of the operation, if it is
+ * bounded. */
 static bool drive_reach(vs_emitter *e, const vs_node *n) {
   vs_bounds b;
   vs_affine back;
@@ -134,7 +137,7 @@ static void drive_place(vs_emitter *e, const vs_affine *placement) {
   e->facets.tolerance *= e->chord;
 }
 
-/* Emits a reference that draws something: the use of a template, a leaf, or an operation, which is pushed on the
+/* Emits a reference that draws something: as a use of a template, as a leaf, or as an operation, which is pushed on the
  * stack. */
 static bool drive_show(vs_emitter *e, const vs_ref *ref, drive_view view, bool body) {
   vs_drive *d = e->drive;

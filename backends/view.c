@@ -1,10 +1,11 @@
-/* Computes the camera's framing and the direction of the sun (view.h).
+/* Computes the camera's position and the direction of the sun (view.h).
  *
- * Framing: the directions of the view are fixed (right r, up u, forward f). Each corner of the bounds limits the
- * position of the eye from two sides. A corner with the coordinates (x, y, z) along r, u, f is inside the picture if |x
- * - ex| <= (z + D) t. Here t is the tangent of half the angle, D the distance of the eye, and ex its shift along r. The
- * maxima of x - z t and of -x - z t over the corners determine the smallest D, and its ex. The same computation for y
- * gives another D. The camera uses the greater D. */
+ * The directions of the view are fixed (right r, up u, forward f), and the camera must show the whole drawing. Each
+ * corner of the bounds limits the position of the eye from two sides. A corner with the coordinates (x, y, z) along r,
+ * u, f is inside the picture if |x - ex| <= (z + D) t. Here t is the tangent of half the angle of view, D the distance
+ * of the eye from the origin of these coordinates, and ex its shift along r. The maxima of x - z t and of -x - z t over
+ * the corners determine the smallest D, and its ex. The same computation for y gives another D. The camera uses the
+ * greater D. */
 #include "backends/view.h"
 
 #include <math.h>

@@ -27,8 +27,8 @@ vs_look vs_look_find(const vs_scene *scene, const vs_bounds *bounds, const vs_bo
 vs_vec3 vs_look_to_view(const vs_look *look, vs_vec3 p);
 /* Converts a point from coordinates of the view to those of the model. */
 vs_vec3 vs_look_from_view(const vs_look *look, vs_vec3 p);
-/* A line of sight. The component of its direction along the forward vector of the view is 1; in a panorama its
- * direction is a unit vector. */
+/* A line of sight. The component of its direction along the forward vector of the view has the length 1; in a panorama
+ * its direction is a unit vector. */
 typedef struct { vs_vec3 from, direction; } vs_look_line;
 /* Returns the line of sight through the centre of a pixel. Columns and rows count from 0 at the upper left. */
 vs_look_line vs_look_ray(const vs_look *look, uint32_t columns, uint32_t rows, uint32_t column, uint32_t row);

@@ -27,12 +27,12 @@ typedef struct {
   size_t used;
   uint64_t bytes;  /* number of bytes written up to now, including the buffered bytes */
   uint64_t limit;  /* greatest number of bytes; 0: no limit */
-  size_t counted;  /* number of bytes in the buffer whose newlines `line` includes */
-  uint32_t line;   /* result of vs_writer_line for the first `counted` bytes */
+  size_t counted;  /* number of bytes at the beginning of the buffer whose newlines are already counted in `line` */
+  uint32_t line;   /* number of the line at the end of the first `counted` bytes of the buffer */
   bool failed, full; /* failed: true if a call has failed; full: true if the reason was the limit */
   bool keeps_lines;  /* true if the caller uses vs_writer_line */
-  bool (*going)(void *context); /* called each time the buffer is full. If it returns false, the writer fails, and the
-                                 * context keeps the reason. NULL: it is never called */
+  bool (*going)(void *context); /* called each time the buffer is full, to check for an interrupt. If it returns false,
+                                 * the writer fails, and the context keeps the reason. NULL: it is never called */
   void *going_context;
   /* Function that receives a copy of the bytes that leave the buffer. It receives them from position tap_from. NULL: it
    * is never called */
@@ -70,14 +70,13 @@ bool vs_put_number(vs_writer *w, double x);
 /* writes three numbers, such as <1, 2, 3> */
 bool vs_put_triple(vs_writer *w, const char *open, vs_vec3 v, const char *between, const char *close);
 bool vs_put_spaces(vs_writer *w, size_t count);
-bool vs_put_u32(vs_writer *w, uint32_t x); /* writes decimal digits */
+bool vs_put_u32(vs_writer *w, uint32_t x); /* writes x in decimal */
 bool vs_put_base64(vs_writer *w, const unsigned char *bytes, size_t count); /* writes base64; the text ends in = if
                                                                              * count is not a multiple of 3 */
-/* Writes a text of the user or of a file, escaped by the speller of the notation. */
+/* Writes a text of the user or of a file, escaped by a function for the output's notation. */
 void vs_put_spelled(vs_writer *w, vs_speller *spell, const char *text);
 void vs_put_xml(vs_writer *w, const char *text); /* escapes text for XML and HTML, including attributes */
-/* These functions write little-endian bytes, as binary formats require. Each function returns the position after
- * them. */
+/* These functions write little-endian values for binary formats. Each returns the position after the written bytes. */
 static inline unsigned char *vs_le_u32(unsigned char *to, uint32_t x) {
   to[0] = (unsigned char)x, to[1] = (unsigned char)(x >> 8), to[2] = (unsigned char)(x >> 16),
   to[3] = (unsigned char)(x >> 24);

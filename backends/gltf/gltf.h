@@ -25,7 +25,7 @@ typedef struct {
   float min[3], max[3];        /* bounds of the primitive's positions */
 } vs_gltf_primitive;
 typedef struct {
-  uint32_t first, count; /* range of the geometry's primitives */
+  uint32_t first, count; /* first: index of the geometry's first primitive; count: number of its primitives */
   uint32_t mesh;         /* index of the first mesh of this geometry + 1; 0: there is none */
 } vs_gltf_geometry;
 typedef struct { uint32_t geometry, paint, next; /* geometry: index of the mesh's geometry. paint: material number.

@@ -1,10 +1,10 @@
 /* Writes .3mf packages (3MF core 1.3): the drawing's solids as closed meshes with a material for each triangle, in a
  * zip made by libzip.
  *
- * Every distinct part is an object; a further object has its copies as components. Programs read placements that mirror
- * in different ways. A mirrored copy is therefore a placement of a mirrored twin of the mesh. The model's XML is
- * collected and compressed in memory, and then written: a zip's directory is at its end, and libzip seeks back and
- * forth. */
+ * Every distinct part is an object; a further object has the part's copies as components. Programs disagree about
+ * placements that mirror. A mirrored copy is therefore a placement, without mirroring, of a mirrored mesh (twin). The
+ * model's XML is collected and compressed in memory, and then written: a zip's directory is at its end, and libzip
+ * seeks back and forth. */
 #include <math.h>
 #include <stddef.h>
 #include <string.h>
@@ -176,8 +176,8 @@ static bool package_add(const zip_library *z, zip_t *zip, const char *name, cons
   zip_source_t *source = z->zip_source_buffer(zip, bytes, count, 0);
   zip_int64_t at = source != NULL ? z->zip_file_add(zip, name, source, ZIP_FL_ENC_UTF_8) : -1;
   if (at < 0) {
-    z->zip_source_free(source); /* frees the source here, because only a source that was added is freed by the
-                                 * archive */
+    z->zip_source_free(source); /* frees the source here, because the archive frees only a source that was added to
+                                 * it */
     return false;
   }
   return z->zip_set_file_compression(zip, (zip_uint64_t)at, ZIP_CM_DEFLATE, PACKING) == 0 &&
@@ -229,8 +229,8 @@ static bool threemf_copies(vs_emitter *e, const vs_solid_copies *c) {
   zip_t *zip = package != NULL ? z.zip_open_from_source(package, ZIP_TRUNCATE, NULL) : NULL;
   if (ok && zip == NULL) ok = vs_emit_no_memory(e);
   if (zip != NULL) {
-    z.zip_source_keep(package); /* closing the archive releases one reference to the source, so a reference is added
-                                 * before */
+    z.zip_source_keep(package); /* adds a reference to the source first, because closing the archive releases a
+                                 * reference */
     ok = package_close(&z, zip, &model) ? package_copy(e, &z, package)
          : e->error->kind == VS_ERROR_INTERRUPT
              ? false

@@ -1,4 +1,5 @@
-/* Writes the tree dump: the model as nested lists, written from the table of kinds alone. tree_reader.c reads it.
+/* Writes the tree dump: the model as nested lists. The table of kinds alone determines the text. tree_reader.c reads
+ * it.
  *
  * (tree 1 "house" (define t1 (sweep (twist 0) ... (circle ...) (line ...))) (draw (unite (box (p 0 0 0) (q 1 2 3))
  * t1))) A node is (kind (field value ...) ... child ...). The dump contains every node, including empty nodes, and each

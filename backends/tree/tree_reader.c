@@ -1,5 +1,6 @@
-/* Reads tree dumps. As in writing, the table of kinds determines the text: a node's fields come in the table's order,
- * then its children. Open nodes are on a separate stack, so deep trees need memory, but no space on the C stack. */
+/* Reads tree dumps. The table of kinds determines the text, as it does when a dump is written: a node's fields come in
+ * the table's order, then its children. Nodes whose list is not closed yet are on a separate stack, so deep trees need
+ * memory, but no space on the C stack. */
 #include "backends/tree/tree_reader.h"
 #include "model/store/array.h"
 
@@ -24,9 +25,9 @@ typedef struct {
   char *copy;              /* copy of the text with a final NUL, which strtod needs */
   tree_open_node *open;
   size_t open_count, open_room;
-  vs_ref *children;        /* finished children of the open nodes */
+  vs_ref *children;        /* complete children of the nodes that are still being read */
   size_t child_count, child_room;
-  vs_ref *templates;       /* templates by number; t1 is the first */
+  vs_ref *templates;       /* templates[n - 1]: template tn */
   size_t template_count, template_room;
 } tree_reader;
 

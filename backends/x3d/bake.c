@@ -1,10 +1,10 @@
 /* Chooses the objects that become triangles, and converts them ("baking").
  *
- * Each use of a template increases the number of Shapes that a viewer draws. If this number is too large, repeated
+ * Each use of a template adds Shapes, which a viewer draws one by one. If the number of Shapes is too large, repeated
  * stretches of the drawing become templates (repeats.c). While it is still too large, templates are baked, the
  * innermost first (their numbers are the smallest). Baking turns all forms of a template into triangle sets, one for
  * each material, in the template's coordinates. After all templates, the drawing's own forms are baked, and finally the
- * uses of templates in it. A baked template uses only baked templates. */
+ * drawing's uses of templates. A baked template uses only baked templates. */
 #include "backends/x3d/bake.h"
 
 #include "backends/x3d/repeats.h"
@@ -47,7 +47,7 @@ static bool bake_items(vs_emitter *e, vs_x3d_group *g) {
   return true;
 }
 
-/* Adds a baked template's triangles to g, at the place of a use. */
+/* Adds a baked template's triangles to the group g, moved to the place where the template is used. */
 static bool bake_use(vs_emitter *e, vs_x3d_group *g, const vs_x3d_placed *use) {
   const vs_x3d *x = e->state;
   const vs_x3d_batch *from = x->groups[use->group].batches;
@@ -164,9 +164,9 @@ double vs_x3d_batch_bytes(const vs_x3d *x, const vs_x3d_group *g) {
   return bytes;
 }
 
-/* Converts the drawing's remaining uses of baked templates to triangles, those with the least text for each saved Shape
- * first. Stops when there are few Shapes, or the text is long. A use whose triangles cost more than a Shape remains a
- * use. */
+/* Replaces the drawing's uses of baked templates by triangles, beginning with those that need the least text for each
+ * saved Shape. Stops when there are few Shapes, or the text is long. A use whose triangles cost more than a Shape
+ * remains a use. */
 static bool bake_cheapest(vs_emitter *e, const double *shapes, double many) {
   vs_x3d *x = e->state;
   vs_x3d_group *g = &x->groups[0];
@@ -175,7 +175,7 @@ static bool bake_cheapest(vs_emitter *e, const double *shapes, double many) {
   double most = VS_X3D_BAKED_MOST, bytes = 0;
   bool ok = true;
   for (size_t k = 0; k < x->group_count; k++) price[k] = vs_x3d_batch_bytes(x, &x->groups[k]);
-  /* `limit` is in bytes for each saved Shape */
+  /* `limit` is the number of bytes of triangles that may replace a Shape */
   for (double limit = VS_X3D_SHAPE_BYTES / 128; ok && limit <= VS_X3D_SHAPE_BYTES && many > VS_X3D_NATIVE_MAX;
        limit *= 2) {
     size_t kept = 0;
@@ -225,7 +225,7 @@ static bool bake_paint(vs_emitter *e, vs_x3d_group *g, uint32_t paint) {
   return true;
 }
 
-/* Passes the paints of uses on to templates. Visits users before the templates that they use: the drawing, then the
+/* Gives each template the paints of its uses. Visits users before the templates that they use: the drawing, then the
  * templates from the last to the first. */
 static bool bake_paints(vs_emitter *e) {
   vs_x3d *x = e->state;

@@ -31,8 +31,8 @@ static bool zlib_load(vs_deflate *d, vs_error *e) {
   return vs_dynamic_load(&library, names, sizeof names / sizeof *names, d, e);
 }
 
-/* zlib's memory comes from the store, so that a limit of memory includes it. Before each block is its size, in a head
- * that keeps the alignment of malloc. */
+/* zlib's memory comes from the store, so that a limit of memory includes it. A head before each block contains the
+ * block's size; its 16 bytes keep the alignment of malloc. */
 enum { BLOCK_HEAD = 16 };
 
 static voidpf zlib_alloc(voidpf store, uInt items, uInt size) {

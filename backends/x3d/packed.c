@@ -36,7 +36,8 @@ typedef struct { const char *layer; const vs_origin *origin; bool wrapped; } pac
 
 /* The geometry of a Shape: the triangles of a node that have the same material, layer and origin. */
 typedef struct { uint32_t geometry, paint; const char *layer; const vs_origin *origin; bool lines; } packed_part;
-typedef struct { size_t first, count; } packed_shape; /* range of the parts of a shape */
+typedef struct { size_t first, count; } packed_shape; /* first: index of the shape's first part; count: number of its
+                                                       * parts */
 
 typedef struct {
   const char *names[NAME_MAX_COUNT];
@@ -52,13 +53,13 @@ typedef struct {
   packed_open *open;           /* operations around the current node */
   size_t open_count, open_room;
   vs_vec3 middle;              /* centre of the drawing, relative to which positions are written */
-  bool inside;                 /* true if a template is being written, in its own coordinates */
+  bool inside;                 /* true if a template is being written, in coordinates of its own */
   bool steps;                  /* true if the notation is x3d-steps */
   bool result;                 /* true if the result of an operation is being written */
   uint32_t geometry_count;
 } packed;
 
-/* ---- entries ---- */
+/* ---- entries: the elements of the packed notation ---- */
 
 static void packed_count(vs_writer *w, uint64_t x) {
   unsigned char bytes[10];
@@ -150,8 +151,8 @@ static void packed_words_begin(vs_emitter *e, const char *name, size_t count, in
 
 /* ---- origins ---- */
 
-/* Returns the number of an origin from 1, or 0 if there is no origin or memory is out. Callers in the program have
- * smaller numbers than the calls inside them. */
+/* Returns the number of an origin from 1, or 0 if there is no origin or memory is out. A call of the program gets a
+ * smaller number than the calls inside it. */
 static uint32_t packed_origin(vs_emitter *e, const vs_origin *origin) {
   packed *p = e->state;
   while (origin != NULL) {
@@ -303,8 +304,8 @@ static void packed_head(vs_emitter *e) {
   }
 }
 
-/* Returns a point near the centre of the bounds, on a coarse grid. A small addition to the model then changes neither
- * this point nor the numbers of the scene. */
+/* Returns a point near the centre of the bounds, on a coarse grid. A small change of the model then usually changes
+ * neither this point nor the written coordinates. */
 static vs_vec3 packed_middle(const vs_bounds *b) {
   vs_vec3 middle = vs_v3_scale(vs_v3_add(b->min, b->max), 0.5);
   double diagonal = vs_v3_length(vs_v3_sub(b->max, b->min));
@@ -353,8 +354,8 @@ void vs_packed_close(vs_emitter *e) {
 /* A solid that becomes geometries, one for each part with its own material, layer or origin. */
 typedef struct {
   vs_shaded_solid shaded;
-  uint32_t *same;              /* same[t]: the first tag that has the same material, layer and origin as tag t */
-  uint32_t *used;              /* used[p]: number of triangles in part p, whose tags have p as their first tag */
+  uint32_t *same;              /* same[t]: the first tag that has the material, layer and origin of tag t */
+  uint32_t *used;              /* used[p]: number of triangles in part p */
   size_t parts;                /* number of parts, at least 1 */
 } packed_making;
 
@@ -410,12 +411,11 @@ static void packed_triangles(vs_emitter *e, packed_making *from, uint32_t part, 
   packed_end(e);
 }
 
-/* Sets same[tag] to the first tag that has the same material, layer and origin. */
+/* Sets same[t] to the first tag that has the material, layer and origin of tag t. */
 static void packed_same(const vs_solid *m, uint32_t *same) {
   for (size_t i = 0; i < m->part_count; i++) {
     const vs_solid_part *a = &m->parts[i];
-    size_t first = 0, most = i < 256 ? i : 0; /* if a shape has more than 256 parts, the further parts are not
-                                               * compared */
+    size_t first = 0, most = i < 256 ? i : 0; /* only the first 256 parts of a shape are compared with earlier parts */
     while (first < most) {
       const vs_solid_part *b = &m->parts[first];
       if (a->material == b->material && a->layer == b->layer && a->leaf.origin == b->leaf.origin) break;
@@ -452,7 +452,7 @@ static bool packed_count_parts(vs_emitter *e, packed_making *from) {
   return true;
 }
 
-/* Writes the geometries of a solid without showing them: each geometry is in a Group that is not shown. */
+/* Writes the geometries of a solid without showing them: each is in a Group that viewers do not draw. */
 static bool packed_add_solid(vs_emitter *e, const vs_solid *m, const vs_affine *home, double crease, bool closed) {
   const packed *p = e->state;
   packed_making from = { .parts = 0 };
@@ -476,7 +476,7 @@ static bool packed_add_solid(vs_emitter *e, const vs_solid *m, const vs_affine *
   return ok && !e->out->failed;
 }
 
-/* Writes a unit form, in its own coordinates. */
+/* Writes a unit form (such as a sphere of radius 1) in its own coordinates. */
 static bool packed_add_form(vs_emitter *e, const vs_solid *form, double crease, uint32_t *number) {
   const packed *p = e->state;
   vs_affine here = vs_affine_identity();
@@ -486,7 +486,7 @@ static bool packed_add_form(vs_emitter *e, const vs_solid *form, double crease, 
 
 /* ---- places ---- */
 
-/* Begins a Transform for objects that have their own coordinates, at `place`. */
+/* Begins a Transform for objects in coordinates of their own, at `place`. */
 static void packed_transform(vs_emitter *e, const vs_affine *place) {
   const packed *p = e->state;
   vs_vec3 at = vs_v3(place->m[0][3], place->m[1][3], place->m[2][3]);
@@ -523,7 +523,7 @@ static void packed_marks(vs_emitter *e, const vs_ref *ref, uint32_t paint, const
   if (ref != NULL) packed_text(e, "kind", vs_kind_get(ref->node->kind)->name);
 }
 
-/* Places a written shape at `place`, within e's placement. */
+/* Writes a use of shape `number`, which was already written, at `place` within e's placement. */
 static bool packed_put(vs_emitter *e, const vs_ref *ref, size_t number, const vs_affine *place) {
   const packed *p = e->state;
   const packed_shape shape = p->made[number];
@@ -626,7 +626,7 @@ static vs_emit_status packed_operation(vs_emitter *e, const vs_ref *ref, vs_phas
   return e->out->failed ? VS_FAILED : VS_EMITTED;
 }
 
-/* Handles a placement or paint, which the emitter already contains, or an operation. An operation becomes a Group if it
+/* For a placement or paint, writes nothing, because the emitter already contains it. An operation becomes a Group if it
  * adds a layer or has its own origin. */
 vs_emit_status vs_packed_through(vs_emitter *e, const vs_ref *ref, vs_phase phase) {
   packed *p = e->state;
@@ -671,7 +671,7 @@ static bool packed_finish(vs_emitter *e) { return vs_packed_finish(e); }
 const vs_backend vs_backend_x3d_packed = { VS_PACKED_BACKEND(packed_begin, packed_finish, vs_packed_close,
                                                              vs_packed_boolean) };
 
-/* ---- the steps of the drawing ---- */
+/* ---- the notation x3d-steps, which shows how the drawing is made ---- */
 
 static bool steps_begin(vs_emitter *e) {
   if (!vs_packed_open(e)) return false;

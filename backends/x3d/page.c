@@ -12,8 +12,8 @@
 ASSET(page_html) ASSET(viewer_css) ASSET(viewer_js)
 #undef ASSET
 
-/* The writer of the page, and the writers that the scene passes through: the sink of `inner` is zlib, and the sink of
- * `deflated` is page_encode. The packed notation uses e->state. */
+/* The writer of the page, and the writers through which the scene passes: `inner` writes to zlib, and `deflated` writes
+ * zlib's output through page_encode. The packed notation uses e->state. */
 typedef struct {
   vs_writer inner, deflated, *outer;
   vs_deflate *deflate;
@@ -55,8 +55,8 @@ static void page_code(vs_writer *w, const char *from, const char *end) {
   }
 }
 
-/* Writes the page's text from *at to the scene's mark or to the end, and replaces the other marks. Returns the position
- * after the written text. */
+/* Writes the page's text from *at to the mark of the scene, or to the page's end, and replaces the other marks on the
+ * way. Returns the position after the written text. */
 static const char *page_until_scene(vs_emitter *e, vs_writer *w, const char *at) {
   const char *end = vs_asset_page_html_end;
   while (at < end) {
@@ -92,8 +92,8 @@ static bool page_begin(vs_emitter *e) {
   vs_writer_init(&c->inner, vs_deflate_put, c->deflate);
   e->out = &c->inner;
   bool ok = c->deflate != NULL && vs_packed_open(e);
-  if (c->deflate != NULL && e->state != NULL) return ok; /* in this case the caller calls page_close, which releases
-                                                          * everything */
+  if (c->deflate != NULL && e->state != NULL) return ok; /* if all parts were made, the caller releases them by
+                                                          * page_close */
   vs_deflate_end(c->deflate);
   e->out = c->outer;
   vs_emit_release(e, c, 1, sizeof *c);

@@ -1,11 +1,11 @@
 /* Finds repeated stretches in a drawing of very many shapes. Generated facades and streets are often one long union.
  *
- * All objects that the drawing places directly, forms and uses of templates, form a row of letters. A letter has a name
- * and a place. Objects that differ only in their places have the same name. The row is divided into blocks. Each block
- * is a letter of the next row, whose name depends on its letters and their relative places. Therefore stretches of the
- * drawing that differ only in their places get equal names. Only nearby letters determine where a block ends, so that
- * equal stretches are divided equally: a block ends at the least of several hashes, and runs of equal letters are
- * divided into pairs. After ten or twenty rows one letter remains.
+ * All objects that the drawing places directly, forms and uses of templates, are treated as a row of letters. A letter
+ * has a name and a place. Objects that differ only in their places have the same name. The row is divided into blocks.
+ * Each block is a letter of the next row, whose name depends on the block's letters and their relative places.
+ * Therefore stretches of the drawing that differ only in their places get equal names. Only nearby letters determine
+ * where a block ends, so that equal stretches are divided equally: a block ends at the least of several hashes, and
+ * sequences of equal letters are divided into pairs. After ten or twenty rows one letter remains.
  *
  * A letter that occurs twice can be a template, whose triangles the file contains once. A template saves text, but
  * costs a Shape for each use. Viewers open and draw a Shape about as slowly as VS_X3D_SHAPE_BYTES of triangles. The row
@@ -23,16 +23,16 @@ enum { REPEAT_BLOCK = 8 }; /* The greatest number of letters in a block. */
 
 typedef struct {
   uint32_t name;
-  uint32_t first, count; /* range of the letter's objects in the first row */
+  uint32_t first, count; /* the letter represents these objects of the first row: index of the first, and their
+                          * number */
   uint64_t paints;       /* set of the letter's paints: bit p is the paint with number p modulo 64 */
   double bytes;          /* number of bytes of the letter's triangles, if it is a template */
-  double loose;          /* cost of the letter without a template. For a form, it is the number of bytes of its
-                          * triangles. For a use of a template, it is the lesser of the bytes of its triangles and the
-                          * cost of its Shapes */
+  double loose;          /* cost of the letter without a template, in bytes of triangles. A use of a template costs the
+                          * bytes of its triangles or of its Shapes, whichever is less */
   vs_vec3 at;
 } repeat_letter;
 
-/* A name's first occurrence and the number of its occurrences. */
+/* A name of letters: its first occurrence and the number of its occurrences. */
 typedef struct {
   uint64_t hash;
   uint32_t block, count;
@@ -44,18 +44,18 @@ typedef struct {
   size_t count, room; /* count: number of letters in the row; room: number of letters in the first row */
   uint32_t *blocks;   /* blocks[k]: beginning of block k of the row; the last item is the row's end */
   size_t block_count;
-  uint64_t *hashes; /* hashes of the row's letters, each with the vector to the next letter */
+  uint64_t *hashes; /* hash of each letter together with the vector from it to the next letter */
   repeat_name *names;
   size_t name_count;
   uint32_t *table;   /* hash table with open addressing; an entry is a name + 1 */
   size_t table_room; /* size of the table, a power of two */
-  double steps;      /* number of steps in a model unit; places are compared in steps */
+  double steps;      /* number of steps in a model unit; places are rounded to whole steps before they are compared */
 } repeats;
 
 /* ---- comparing objects regardless of their places ---- */
 
-/* Returns x in whole steps. The borders of steps are at numbers that are not round, so rounding errors of round numbers
- * have no effect. */
+/* Returns x in whole steps. The limits between steps lie at uneven numbers, so that a small rounding error of a round
+ * number does not change the result. */
 static int64_t repeat_steps(const repeats *r, double x) { return (int64_t)floor(x * r->steps + 0.38196601125); }
 
 static bool repeat_same_way(const repeats *r, vs_vec3 a, vs_vec3 b) {
@@ -74,7 +74,8 @@ static vs_vec3 repeat_way(const repeats *r, size_t i) { return vs_v3_sub(r->row[
 
 /* ---- the first row ---- */
 
-/* Returns the place of a form or use. Sets *what to a number for its shape and paint. The uses follow the forms. */
+/* Returns the place of object i, a form or a use. Sets *what to a number for its shape and paint. The uses follow the
+ * forms. */
 static vs_affine repeat_thing(const repeats *r, size_t i, uint64_t *what) {
   const vs_x3d *x = r->e->state;
   const vs_x3d_group *g = &x->groups[0];
@@ -112,7 +113,7 @@ static bool repeat_same_block(const repeats *r, size_t a, size_t b) {
 
 /* ---- names ---- */
 
-/* Returns the name of a block (in the first row: of an object), and counts its occurrences. */
+/* Returns the name of a block of letters (in the first row: of an object), and counts its occurrences. */
 static uint32_t repeat_name_of(repeats *r, size_t block, uint64_t hash, bool things) {
   size_t slot = hash & (r->table_room - 1);
   for (; r->table[slot] != 0; slot = (slot + 1) & (r->table_room - 1)) {
@@ -140,7 +141,7 @@ static double repeat_shapes(const repeat_letter *l) {
   return n;
 }
 
-/* Computes the bytes of triangles and the paints of each template. Templates use only earlier templates. */
+/* Computes the bytes of each template's triangles and its paints. Templates use only earlier templates. */
 static void repeat_templates(vs_emitter *e, double *bytes, uint64_t *paints) {
   const vs_x3d *x = e->state;
   for (size_t k = 1; k < x->group_count; k++) {
@@ -194,7 +195,7 @@ static void repeat_hash_letters(repeats *r) {
   }
 }
 
-/* Finds the beginnings of the row's blocks. */
+/* Divides the row into blocks and stores the beginnings of the blocks. */
 static void repeat_cut(repeats *r) {
   const uint64_t *h = r->hashes;
   r->block_count = 0;
@@ -227,8 +228,8 @@ static bool repeat_next_row(repeats *r) {
       if (i + 1 < r->blocks[k + 1]) hash = repeat_hash_way(r, hash, repeat_way(r, i));
     }
     r->hashes[k] =
-        repeat_name_of(r, k, hash, false); /* the hashes of the previous letters are no longer needed, because each
-                                            * block has at least one letter */
+        repeat_name_of(r, k, hash, false); /* the hash of block k overwrites an earlier letter's hash, which is no
+                                            * longer needed: each block has at least one letter */
   }
   for (size_t k = 0; k < r->block_count; k++) {
     repeat_letter l = r->row[r->blocks[k]];
@@ -264,7 +265,7 @@ static double repeat_cost(const repeats *r) {
 
 /* ---- templates ---- */
 
-/* Makes a template of a letter's objects. The origin of its coordinates is the letter's place. */
+/* Makes a template of a letter's objects, with the letter's place as origin of its coordinates. */
 static bool repeat_define(repeats *r, const repeat_letter *l) {
   vs_emitter *e = r->e;
   vs_x3d *x = e->state;
@@ -286,7 +287,8 @@ static bool repeat_define(repeats *r, const repeat_letter *l) {
   return true;
 }
 
-/* Makes templates and uses of the row's letters that cost less as templates. All other objects remain unchanged. */
+/* Makes templates of the row's letters that cost less as templates, and uses in place of their objects. All other
+ * objects remain unchanged. */
 static bool repeat_take(repeats *r) {
   vs_emitter *e = r->e;
   vs_x3d *x = e->state;
@@ -328,7 +330,7 @@ static bool repeat_take(repeats *r) {
 
 /* ---- the search ---- */
 
-/* Makes the row with this number, counted from 0. */
+/* Makes row `number` of letters, counted from 0. */
 static bool repeat_row(repeats *r, size_t number, const double *bytes, const uint64_t *paints) {
   const vs_x3d *x = r->e->state;
   repeat_forget_names(r);

@@ -1,4 +1,4 @@
-/* Declares the search for repeats in a drawing of very many shapes. */
+/* Declares the search for repeated stretches in a drawing of very many shapes. */
 #ifndef VS_BACKENDS_X3D_REPEATS_H
 #define VS_BACKENDS_X3D_REPEATS_H
 

@@ -20,9 +20,9 @@ enum { VS_X3D_NATIVE_MAX = 1500 }; /* The greatest number of Shapes. */
 #define VS_X3D_SHAPE_BYTES 10e3 /* number of bytes of triangles that x3dom and X_ITE open and draw in the time of a
                                  * single Shape (a megabyte in the time of about a hundred) */
 enum { VS_X3D_COARSEST = 8 };        /* The least number of facets in a full turn. */
-#define VS_X3D_COARSE_CREASE 1.0     /* least angle in radians of a sharp edge of a coarse form; more than the angle
-                                      * between its neighbouring facets, less than the angle between its wall and its
-                                      * lid */
+#define VS_X3D_COARSE_CREASE 1.0     /* least angle in radians between faces that makes their common edge sharp in
+                                      * coarsely divided forms: more than the angle between neighbouring facets, less
+                                      * than the angle between the wall and the end of a cylinder */
 
 /* ---- x3d_collect.c ---- */
 
@@ -36,10 +36,11 @@ typedef struct {
   vs_x3d_form form;
 } vs_x3d_item;
 
-typedef struct { uint32_t group, paint; vs_affine placement; } vs_x3d_placed; /* the use of a template */
+typedef struct { uint32_t group, paint; vs_affine placement; } vs_x3d_placed; /* a use of a template: number of the
+                                                                               * template, paint and placement */
 
-/* All triangles and lines of a single material. Number 0 means no material. In a template, such objects get the paint
- * of its use. */
+/* A batch: all triangles and lines of a single material. In batch number 0 they have no material. In a template, they
+ * get the paint of the template's use. */
 typedef struct {
   vs_vec3 *vertices, *normals; /* positions and unit normals of the vertices of triangles; the arrays have equal
                                 * lengths */
@@ -54,7 +55,7 @@ typedef struct {
 
 typedef enum { VS_X3D_XML, VS_X3D_CLASSIC } vs_x3d_notation;
 
-/* A group, by its number: the drawing (group 0) or a template. */
+/* A group of objects: the drawing (group 0) or a template. */
 typedef struct {
   vs_x3d_item *items;
   size_t item_count, item_room;
@@ -73,8 +74,8 @@ typedef struct {
   size_t group_count, group_room, group; /* group: index of the group that is being collected */
   size_t batch_count;          /* number of batches of each group that has batches */
   uint64_t collected;          /* number of triangles in all batches */
-  int least;                   /* least number of facets in a full turn for baked round forms; 0: the number is that of
-                                * other formats */
+  int least;                   /* least number of facets in a full turn for round forms that become triangles; 0: the
+                                * number that other formats use */
   /* x3d_notation.c uses these two members: the depth of nesting, and whether a start tag is open. */
   size_t depth;
   bool in_tag;

@@ -5,9 +5,10 @@
 #include "backends/x3d/x3d.h"
 
 bool vs_x3d_open(vs_emitter *e, vs_x3d_notation notation); /* makes the state of the back-end, e->state */
-/* Returns true if the node is an X3D form. Sets its form, and its place in the node's own coordinates. */
+/* Returns true if X3D has a form for the node (box, sphere, cylinder, cone). Sets *form, and its place in the node's
+ * own coordinates. */
 bool vs_x3d_form_of(const vs_emitter *e, const vs_node *n, vs_x3d_form *form, vs_affine *place);
-/* Both functions add triangles to a group: vs_x3d_bake_node those of a node, vs_x3d_bake_item those of an item. */
+/* vs_x3d_bake_node adds the triangles of a node to a group, and vs_x3d_bake_item those of an item. */
 bool vs_x3d_bake_node(vs_emitter *e, vs_x3d_group *to, const vs_ref *ref, const vs_affine *place, uint32_t paint);
 bool vs_x3d_bake_item(vs_emitter *e, vs_x3d_group *to, const vs_x3d_item *item);
 int vs_x3d_facets(const vs_emitter *e, const vs_x3d_item *item, int least); /* returns the number of facets in a full

@@ -104,7 +104,7 @@ static void scene_form(vs_emitter *e, vs_x3d_form form, vs_vec3 size) {
   vs_x3d_end(e, words[form], false);
 }
 
-/* Begins a Transform with the placement. If the form has no field for `size`, the Transform contains the size, too. */
+/* Begins a Transform with the placement. If the form has no fields for its `size`, the Transform also scales by it. */
 static void scene_place(vs_emitter *e, const vs_affine *place, vs_vec3 size, bool scaled) {
   vs_vec3 at, unread, axis;
   double turn[4];
@@ -150,8 +150,8 @@ static void scene_wrap(vs_writer *w, size_t item, size_t per_line) {
   if (item > 0) vs_puts(w, item % per_line == 0 ? "\n" : " ");
 }
 
-/* A node with points: the parent's field that contains it, its name, its own field for the points, and the rounding of
- * the points. */
+/* A node that contains points. field: the parent's field that contains it; node: its name; many: its own field for the
+ * points; steps: rounding of the points. */
 typedef struct { const char *field, *node, *many; double steps; /* number of steps in a unit */ } scene_cloud;
 
 static void scene_points(vs_emitter *e, const scene_cloud *cloud, const vs_vec3 *at, size_t count) {
@@ -175,7 +175,8 @@ static void scene_corners(vs_emitter *e, const vs_vec3 *at, size_t count) {
   scene_points(e, &(scene_cloud){ "coord", "Coordinate", "point", scene_steps(e) }, at, count);
 }
 
-/* The name of a geometry that several Shapes use. The first of these Shapes writes the geometry. */
+/* The name of a geometry that several Shapes use. again: false for the first of these Shapes, which writes the
+ * geometry. */
 typedef struct { char name[40]; bool again; } scene_name;
 
 static bool scene_begin_shape(vs_emitter *e, size_t number, bool *said, bool line, const char *type,
@@ -187,7 +188,7 @@ static bool scene_begin_shape(vs_emitter *e, size_t number, bool *said, bool lin
   return !name->again;
 }
 
-/* Writes triangles with a picture. Each triangle has its own corners, because the picture may end at its edges. The
+/* Writes triangles with a picture. Each triangle has vertices of its own, because the picture may end at its edges. The
  * picture follows the axes of the current output; in a template, these are the template's axes. */
 static void scene_pictured(vs_emitter *e, const vs_material *m, const vs_x3d_batch *b) {
   static const char *const fields[][3] = {
@@ -388,9 +389,8 @@ static void scene_view(vs_emitter *e, const vs_look *l, double aspect) {
   vs_x3d_text(e, "description", "model", false);
   vs_x3d_vector(e, "position", scene_up_y(eye));
   vs_x3d_turn(e, "orientation", axis, angle);
-  vs_x3d_number(e, "fieldOfView", aspect > 1 ? 2 * atan(tan(across / 2) / aspect) : across); /* the field of view is
-                                                                                              * that of the shorter
-                                                                                              * side */
+  /* X3D's field of view is that of the picture's shorter side */
+  vs_x3d_number(e, "fieldOfView", aspect > 1 ? 2 * atan(tan(across / 2) / aspect) : across);
   vs_x3d_vector(e, "centerOfRotation", scene_up_y(vs_v3_scale(vs_v3_add(e->bounds.min, e->bounds.max), 0.5)));
   vs_x3d_end(e, "Viewpoint", false);
 }
@@ -433,8 +433,9 @@ bool vs_x3d_scene(vs_emitter *e) {
       e->options->width > 0 && e->options->height > 0 ? (double)e->options->width / e->options->height : 4.0 / 3;
   vs_look look = vs_look_find(e->scene, &e->framed, e->boxes, e->box_count, aspect);
   vs_vec3 sun = vs_look_sun(e->scene, &look);
-  /* The first use of a material writes it: in the templates, then in the drawing, then in the ground. */
-  size_t numbers = 2 * x->batch_count; /* numbers of materials: first for faces, then for lines */
+  /* A material is written where it is first used: in the templates, then in the drawing, then in the ground. */
+  size_t numbers = 2 * x->batch_count; /* numbers of materials: first all materials for faces, then all materials for
+                                        * lines */
   bool *said = vs_store_realloc(e->scene->store, NULL, 0, numbers * sizeof *said);
   if (said == NULL) return vs_emit_no_memory(e);
   for (size_t i = 0; i < numbers; i++) said[i] = false;
