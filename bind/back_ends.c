@@ -1,6 +1,6 @@
-/* Implements, for programs, the drawing as a value and the list of the back-ends that programs define. The session
- * searches the list and calls a back-end's procedure as a separate evaluation. back_ends.scm contains these
- * procedures. */
+/* Implements back-ends (export formats) that programs define: the list of them, and the drawing as a Scheme value. The
+ * session searches the list and calls a back-end's procedure as a separate evaluation. back_ends.scm contains the
+ * Scheme part. */
 #include "bind/back_ends.h"
 
 #include "bind/build.h"
@@ -62,8 +62,7 @@ static vs_status lower_triangles(vs_args *f, const vs_fineness *facets, vs_node 
 vs_status vs_p_lowered(vs_args *f, vs_value *out) {
   vs_error e = { 0 };
   vs_bounds bounds;
-  /* Whether the object contains a shadow or a similar node. The outline of such a node is computed before its
-   * triangles. */
+  /* Whether the object contains a shadow or a similar node, whose outline must be computed before its triangles. */
   bool worked_out = (f->arg[0].ref.node->flags & VS_NODE_UNRESOLVED) != 0;
   if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0)) return VS_ERROR;
   const vs_node *n = f->arg[0].ref.node;
@@ -116,8 +115,8 @@ vs_status vs_p_back_end(vs_args *f, vs_value *out) {
   if (b->is_built_in && b->is_built_in(made.suffix))
     return vs_bind_refuse(f, "suffix", "an ending that no format has yet", f->arg[1].value);
   for (size_t i = 0; i < b->back_end_count; i++)
-    if (same_name(&b->back_ends[i], made.name)) return b->back_ends[i] = made, VS_OK; /* a file that is loaded again may
-                                                                                       * define the same name again */
+    /* a file that is loaded again may define a back-end of the same name again */
+    if (same_name(&b->back_ends[i], made.name)) return b->back_ends[i] = made, VS_OK;
   if (b->back_end_count == b->back_end_room) {
     size_t room = b->back_end_room ? 2 * b->back_end_room : 4;
     vs_bind_back_end *more =
@@ -129,15 +128,15 @@ vs_status vs_p_back_end(vs_args *f, vs_value *out) {
   return VS_OK;
 }
 
-/* ---- calling a back-end's procedure ---- */
+/* ---- calling a back-end's Scheme procedure ---- */
 
-enum { HOST_WRITE = 3 }; /* index in at.host where back_ends.scm stores its procedure at the first definition of a
-                          * back-end */
+enum { HOST_WRITE = 3 }; /* index in at.host: the place where back_ends.scm stores its procedure when the first back-end
+                          * is defined */
 
 bool vs_bind_back_end_write(vs_bind *b, const char *name, const vs_ref *refs, size_t count, char **text,
                             size_t *bytes) {
   vs_scheme *vm = b->vm;
-  VS_ROOTS(vm, r, 4); /* roots: the procedure, the name, the list of objects, the result */
+  VS_ROOTS(vm, r, 4); /* roots of the garbage collector: the procedure, the name, the list of objects, the result */
   *text = NULL;
   r[0] = vs_as_vector(vm->at.host)->at[HOST_WRITE];
   if (!vs_bind_give_refs(b, refs, count, &r[2])) return false;

@@ -1,4 +1,5 @@
-/* Declares the drawing as a value, and the list of the back-ends that programs define. Implemented in back_ends.c. */
+/* Declares the drawing as a Scheme value, and the list of the back-ends (export formats) that programs define.
+ * Implemented in back_ends.c. */
 #ifndef VS_BIND_BACK_ENDS_H
 #define VS_BIND_BACK_ENDS_H
 
@@ -14,8 +15,7 @@ typedef struct vs_bind_back_end { const char *name, *suffix, *doc; bool binary, 
  * NULL if there is none. */
 const vs_bind_back_end *vs_bind_back_end_find(const vs_bind *b, const char *text);
 /* Calls the back-end's procedure with these objects. Sets *text to the result and *bytes to its length. The memory
- * comes from vs_mem, has bytes + 1 bytes, and is freed by the caller. If it fails, returns false and sets the
- * condition. */
+ * comes from vs_mem, has bytes + 1 bytes, and is freed by the caller. If it fails, returns false and sets the error. */
 bool vs_bind_back_end_write(vs_bind *b, const char *name, const vs_ref *refs, size_t count, char **text, size_t *bytes);
 
 #endif

@@ -35,7 +35,7 @@ vs_affine vs_bind_take_matrix(const double *sixteen) {
   return m;
 }
 
-/* Greatest permitted length. Its third power, even after a scaling by placements, must not overflow. */
+/* Greatest permitted length in model units. Its third power, even after a scaling by placements, must not overflow. */
 static const double LARGEST = 1e60;
 static bool too_large(double d) { return !(fabs(d) <= LARGEST); }
 
@@ -58,8 +58,8 @@ static const char *largest_field(vs_kind kind, const void *data) {
   return NULL;
 }
 
-/* Refuses a field that is too large. A matrix is computed from the last argument; if it is too large, the message names
- * that argument instead of the field. */
+/* Refuses a field that is too large. If the field is a matrix, the message names the call's last argument, from which
+ * the matrix was computed; otherwise it names the field. */
 static vs_status refuse_large(vs_args *f, const char *field) {
   const vs_bind_param *p = f->procedure->form[f->form].at;
   bool given = strcmp(field, "matrix") != 0;
@@ -85,7 +85,8 @@ vs_status vs_bind_each_part(vs_args *f, vs_procedure_fn *one, vs_value *out) {
   size_t count, made = 0;
   vs_status status = VS_OK;
   if (!vs_several_parts(whole, &parts, &count)) return vs_bind_give_node(f, NULL, out);
-  for (; status == VS_OK && made < count; made++) { /* each result gets the origin of the part from which it was made */
+  for (; status == VS_OK && made < count; made++) { /* gives each result the origin of the part from which it was
+                                                     * made */
     f->arg[0].ref = parts[made];
     status = one(f, out);
     if (status != VS_OK) break;

@@ -1,5 +1,5 @@
-/* Declares the last steps of geometric procedures, implemented in build.c. vs_bind_give_X creates a value from an X;
- * vs_bind_take_X (call/take.h) reads an X from a value. */
+/* Declares the last steps of geometric procedures, implemented in build.c. In names, vs_bind_give_X creates a Scheme
+ * value from an X, and vs_bind_take_X (call/take.h) reads an X from a value. */
 #ifndef VS_BIND_BUILD_H
 #define VS_BIND_BUILD_H
 
@@ -12,8 +12,8 @@ typedef struct vs_args vs_args;
 typedef vs_status vs_procedure_fn(vs_args *f, vs_value *out);
 
 vs_status vs_bind_make(vs_args *f, vs_kind kind, const void *data, const vs_ref *children, size_t n, vs_value *out);
-/* Calls `one` for each curve or surface of which argument 0 consists (geometry/parts.h). Sets *out to the union of the
- * results. */
+/* Calls the procedure `one` for each curve or surface of which argument 0 consists (geometry/parts.h). Sets *out to the
+ * union of the results. */
 vs_status vs_bind_each_part(vs_args *f, vs_procedure_fn *one, vs_value *out);
 /* Sets *out to the empty object. Warns with the text `why`, once for each place of a call. */
 vs_status vs_bind_empty(vs_args *f, const char *why, vs_value *out);

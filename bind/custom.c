@@ -1,8 +1,9 @@
-/* Implements objects of users' kinds: their nodes and numbers, nodes with replaced children, and the calls of drawing
- * functions.
+/* Implements objects of kinds that users define: their nodes and numbers, nodes with replaced children, and the calls
+ * of drawing functions.
  *
- * All nodes with the same number share a ticket. When the last of these nodes is released, the number is added to a
- * list. primitives.scm reads this list, and deletes the arguments of those objects. */
+ * The number of such an object identifies its arguments on the Scheme side. All nodes with the same number share a
+ * ticket, which counts them. When the last of these nodes is released, the number is added to a list. primitives.scm
+ * reads this list, and deletes the arguments of those objects. */
 #include "bind/custom.h"
 
 #include "bind/build.h"
@@ -14,8 +15,8 @@
 
 void vs_bind_ticket_gone(void *bind, uint32_t number) {
   vs_bind *b = bind;
-  if (number >= b->ticket_count || !b->tickets[number]) return; /* a ticket of a tree that an earlier interpreter
-                                                                 * created */
+  if (number >= b->ticket_count || !b->tickets[number]) return; /* ignores a ticket of a node that an earlier
+                                                                 * interpreter created */
   b->tickets[number] = NULL;
   if (b->gone_count < b->ticket_room) b->gone[b->gone_count++] = number;
 }
@@ -28,7 +29,7 @@ static bool tickets_grow(vs_bind *b, size_t need) {
   if (!tickets) return false;
   b->tickets = tickets;
   uint32_t *gone = vs_store_realloc(b->store, b->gone, old * sizeof *gone, room * sizeof *gone);
-  if (!gone) { /* both arrays keep the smaller size: `tickets`, which has grown, is shrunk again */
+  if (!gone) { /* the second array could not grow: `tickets` is shrunk again, so that both arrays have the same size */
     vs_ticket **less = vs_store_realloc(b->store, tickets, room * sizeof *tickets, old ? old * sizeof *tickets : 0);
     b->tickets = less;
     return false;
@@ -53,14 +54,15 @@ vs_status vs_p_custom_new(vs_args *f, vs_value *out) {
   b->tickets[number] = t;
   d.values = t;
   vs_node *n = vs_node_new(b->store, VS_CUSTOM, &d, child.node ? &child : NULL, child.node ? 1 : 0);
-  if (fresh) vs_ticket_release(b->store, t); /* now the node holds the ticket, or no node could be created */
+  if (fresh) vs_ticket_release(b->store, t); /* releases this reference: if the node was created, it keeps the ticket
+                                              * alive */
   return vs_bind_give_node(f, n, out);
 }
 
-/* Returns a number that no node has any more, or #f. */
+/* Returns the number of an object whose last node was released, or #f if there is none. */
 vs_status vs_p_custom_gone(vs_args *f, vs_value *out) {
   vs_bind *b = f->bind;
-  /* Skips numbers that were assigned to other nodes again. */
+  /* Skips numbers that new nodes use again. */
   while (b->gone_count && b->tickets[b->gone[b->gone_count - 1]]) b->gone_count--;
   *out = b->gone_count ? vs_fix(b->gone[--b->gone_count]) : VS_FALSE;
   return VS_OK;
@@ -96,8 +98,8 @@ static const char *class_noun(const vs_node *n) {
   return "a union of several kinds";
 }
 
-/* Returns a node of the same kind with other children, which get the origins of the old ones. Placements, wrappers and
- * unions accept any children. Other operations require children of the same classes as the old ones. */
+/* Returns a node of the kind of argument 0 with other children, which get the origins of the old children. Placements,
+ * wrappers and unions accept any children. Other operations require children of the old children's classes. */
 vs_status vs_p_object_with(vs_args *f, vs_value *out) {
   const vs_ref *o = &f->arg[0].ref, *kids = f->arg[1].refs.at;
   const vs_node *n = o->node;
@@ -138,8 +140,8 @@ vs_status vs_p_is_format(vs_args *f, vs_value *out) {
 
 /* ---- calling drawing functions ---- */
 
-enum { HOST_HAND_ON = 2 }; /* index in at.host where primitives.scm stores its procedure when a drawing function is
-                            * first registered */
+enum { HOST_HAND_ON = 2 }; /* index in at.host: the place where primitives.scm stores its procedure when a drawing
+                            * function is first registered */
 
 bool vs_bind_hands_on(const vs_bind *b) {
   vs_value all = b->vm->at.host;
@@ -148,7 +150,7 @@ bool vs_bind_hands_on(const vs_bind *b) {
 
 bool vs_bind_hand_on(vs_bind *b, vs_ref *refs, size_t count, const char *const *names) {
   vs_scheme *vm = b->vm;
-  VS_ROOTS(vm, r, 4); /* roots: the procedure, the objects, the names, and a name */
+  VS_ROOTS(vm, r, 4); /* roots of the garbage collector: the procedure, the objects, the names, and a name */
   r[0] = vs_as_vector(vm->at.host)->at[HOST_HAND_ON];
   r[2] = VS_NIL;
   if (!vs_bind_give_refs(b, refs, count, &r[1])) return false;

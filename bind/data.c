@@ -85,7 +85,8 @@ static vs_status directory_files(vs_scheme *vm, vs_value *a, int n, vs_value *ou
   bool listed = ok && io && io->list && io->list(vm->config.user, path.at, take_name, &l, &why);
   vs_text_close(&path);
   if (ok && !listed) {
-    if (!why && io && io->list) return VS_ERROR; /* the folder could be listed, but memory is out: the error is set */
+    if (!why && io && io->list) return VS_ERROR; /* listing has not failed (why is NULL), but memory is out: the error
+                                                  * is set */
     return vs_cons(vm, a[0], VS_NIL, &r[0]) &&
            vs_fail_with(vm, vm->sym.file, r[0], "cannot read the folder (%s)", why ? why : "not available here");
   }
@@ -110,15 +111,15 @@ static vs_status directory_files(vs_scheme *vm, vs_value *a, int n, vs_value *ou
 
 VS_DYNAMIC_FUNCTIONS(JANSSON_FUNCTIONS);
 
-/* An array or object that is being converted, with its next element (index) or next member (iterator). Its Scheme value
- * is in the list `containers` of take_json, at the same depth. For an array, that is the vector; for an object, the
- * pairs of the association list that have no value yet. */
+/* An array or object that is being converted, and its next element (index) or next member (iterator). Its Scheme value
+ * is an element of the list `containers` of take_json, at the same depth. For an array, the value is a vector. For an
+ * object, it is the part of the association list whose members have no value yet. */
 typedef struct { json_t *node; void *iterator; size_t index; } level;
 
-/* Converts one node of JSON. An array becomes a vector of the same length, without its elements yet. An object becomes
- * an association list of its keys, without values yet. */
+/* Converts one node of JSON without its contents. An array becomes a vector of the same length, whose elements are set
+ * later. An object becomes an association list of its keys, whose values are set later. */
 static bool shallow(vs_scheme *vm, const dynamic_functions *j, json_t *node, vs_value *out) {
-  VS_ROOTS(vm, r, 3); /* roots: the list, its last pair, the new value */
+  VS_ROOTS(vm, r, 3); /* roots of the garbage collector: the list, its last pair, the new value */
   switch (json_typeof(node)) {
     case JSON_OBJECT:
       r[0] = r[1] = VS_NIL;
@@ -147,7 +148,7 @@ static bool shallow(vs_scheme *vm, const dynamic_functions *j, json_t *node, vs_
 
 /* Converts jansson's tree to Scheme data, with an explicit stack instead of recursion. */
 static bool take_json(vs_scheme *vm, const dynamic_functions *j, json_t *root, vs_value *out) {
-  VS_ROOTS(vm, r, 3); /* roots: the result, the containers (innermost first), a value */
+  VS_ROOTS(vm, r, 3); /* roots of the garbage collector: the result, the containers (innermost first), a value */
   level *levels = NULL;
   size_t depth = 0, room = 0;
   bool ok = shallow(vm, j, root, &r[0]);
@@ -203,7 +204,8 @@ static vs_status json_parse(vs_scheme *vm, const char *text, size_t length, cons
     return vs_fail(vm, vm->sym.error, "%s:%d:%d: %s", name, wrong.line > 0 ? wrong.line : 1,
                    wrong.column > 0 ? wrong.column : 1, wrong.text);
   bool ok = take_json(vm, &j, root, out);
-  /* json_decref without its name: its name would require jansson when the program is linked */
+  /* does by hand the work of json_decref, an inline function of jansson; calling it would require jansson when the
+   * program is linked */
   if (root->refcount != (size_t)-1 && --root->refcount == 0) j.discard(root);
   return ok;
 }
@@ -215,7 +217,7 @@ static vs_status load_json(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   vs_text_open(vm, &text, 0);
   VS_ROOTS(vm, r, 1);
   bool ok = path_of(vm, a, &path) && vs_io_read_file(vm, path.at, &r[0]);
-  if (ok) { /* parses a copy, since the garbage collector may move the bytes */
+  if (ok) { /* parses a copy of the file's text, since the garbage collector may move its bytes */
     const char *at = (const char *)vs_as_bytes(r[0])->at;
     size_t count = (size_t)vs_as_bytes(r[0])->length, mark = count >= 3 && !memcmp(at, "\xEF\xBB\xBF", 3) ? 3 : 0;
     ok = vs_text_put(&text, at + mark, count - mark) && vs_text_end(&text);
@@ -239,8 +241,8 @@ static vs_status string_to_json(vs_scheme *vm, vs_value *a, int n, vs_value *out
 
 static const vs_native_def defs[] = {
   { "%data-path", "file", data_path, 0, NULL },
-  { "%file->string %file->lines %load-csv %load-mtl", "file", data_text, 0, NULL }, /* one row for several procedures,
-                                                                                     * whose names errors show */
+  /* a single native for several procedures; errors show these names */
+  { "%file->string %file->lines %load-csv %load-mtl", "file", data_text, 0, NULL },
   { "%directory-files", "folder", directory_files, 0, NULL },
   { "load-json", "file", load_json, 0, "the data of a JSON file: objects are association lists, arrays vectors" },
   { "string->json", "text", string_to_json, 0, "the data of a JSON text" },

@@ -25,7 +25,7 @@ vs_job *vs_bind_job(vs_scheme *vm) { return &vs_bind_of(vm)->job; }
 
 bool vs_bind_keep_going(void *vm, double done) {
   (void)done;
-  return vs_poll(vm, UINT64_C(1) << 20); /* returns false, with the condition set, on an interrupt */
+  return vs_poll(vm, UINT64_C(1) << 20); /* returns false, with the error set, on an interrupt */
 }
 
 vs_status vs_bind_resolve(vs_args *f, int i) {
@@ -68,9 +68,9 @@ bool vs_bind_drawn_bounds(vs_args *f, int i, vs_bounds *out) {
   return false;
 }
 
-/* ---- measures kept in the world cache, for a program that runs again ---- */
+/* ---- measures in the cache, so that a program that is evaluated again finds them ---- */
 
-enum { SOLID_MEASURE /* SOLID_MEASURE is followed by a number for each vs_ask */ };
+enum { SOLID_MEASURE /* SOLID_MEASURE + a: the cached value is the measure of a solid for vs_ask a */ };
 
 static bool known(vs_args *f, uint64_t what, const vs_fineness *facets, void *out, size_t size) {
   vs_cache *cache = vs_store_cache(f->store);
@@ -101,7 +101,7 @@ static vs_status measure_solid(vs_args *f, vs_measure *m, vs_ask ask) {
   return VS_OK;
 }
 
-/* Measures one or several surfaces: their area and its centroid, by a fine mesh. */
+/* Measures one or several surfaces by a fine mesh: their area and the centroid of this area. */
 static vs_status measure_surface(vs_args *f, vs_measure *m) {
   vs_error e = { 0 };
   vs_bounds b;
@@ -167,8 +167,8 @@ vs_status vs_p_volume(vs_args *f, vs_value *out) {
   return measure(f, &m, VS_ASK_VOLUME) && vs_bind_give_real(f, m.volume, out);
 }
 
-/* Replaces argument 0, a union of regions and curves, by the union of its regions: curves have no area. Leaves the
- * argument unchanged if it has no regions, or parts of other classes. */
+/* Replaces argument 0, a union of regions and curves, by the union of its regions, because curves have no area. Leaves
+ * the argument unchanged if it has no regions, or has solids or surfaces. */
 static vs_status regions_alone(vs_args *f) {
   vs_ref *parts;
   size_t count, kept = 0;

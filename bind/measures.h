@@ -9,11 +9,11 @@
 
 typedef struct vs_args vs_args;
 
-/* Returns the job of work that the running program asks of the layers below (bind/state.h). */
+/* Returns the limits, progress and warnings of the running program's computations (bind/state.h). */
 vs_job *vs_bind_job(vs_scheme *vm);
-/* Callback of long computations; vm is the vs_scheme. On an interrupt, sets the condition and returns false. */
+/* Callback of long computations; vm is the vs_scheme. On an interrupt, sets the error and returns false. */
 bool vs_bind_keep_going(void *vm, double done);
-/* Replaces sections, shadows and edges in argument i by the curves and regions that they are. */
+/* Replaces sections, shadows and edges in argument i by the curves and regions that they represent. */
 vs_status vs_bind_resolve(vs_args *f, int i);
 /* Sets *out to the bounds that (bounding-box o) returns for argument i, which must be finite and resolved. If it fails,
  * sets the error and returns false. */

@@ -7,7 +7,8 @@
 
 typedef struct vs_bind vs_bind;
 
-#define VS_BIND_NO_VALUE "one expression gave no value" /* part of messages about lists of objects */
+#define VS_BIND_NO_VALUE "one expression gave no value" /* text of messages about a list of objects in which an element
+                                                         * is the value of an expression without a result */
 
 /* vs_shape_type: an object, which owns a reference to a node, with its origin. vs_paint_type: a paint, which refers to
  * an interned vs_material. */

@@ -9,16 +9,17 @@
 #include "vm/machine/activation.h"
 #include "vm/values/text.h"
 
-/* Greatest number of callers in the chain of calls to a place, innermost first. Eight callers suffice to reach the
- * user's own text, and limit the work for each object. A hash key finds a chain that is already known; the calls of a
- * new chain are interned one by one. */
+/* Greatest number of callers in an origin (a call's place and its callers, innermost first). Eight callers suffice to
+ * reach the user's own text, and limit the work for each object. A hash key finds an origin that is already known; the
+ * places of a new origin are interned one by one. */
 
 enum { CHAIN = 8 };
 
 uint32_t vs_bind_file_count(vs_scheme *vm) {
   vs_value files = vm->at.files;
   uint32_t n = vs_is_vector(files) ? (uint32_t)vs_as_vector(files)->length : 0;
-  while (n > 1 && !vs_is_string(vs_as_vector(files)->at[n - 1])) n--; /* the vector has unused elements at its end */
+  while (n > 1 && !vs_is_string(vs_as_vector(files)->at[n - 1])) n--; /* skips unused elements at the end of the
+                                                                       * vector */
   return n;
 }
 
@@ -59,8 +60,8 @@ static const vs_origin *intern_chain(vs_bind *b, const vs_pos *place, size_t n) 
 const vs_origin *vs_bind_origin(vs_bind *b) {
   uint64_t key = vs_call_key(b->vm, CHAIN);
   size_t slot = key % (sizeof b->recent / sizeof *b->recent);
-  if (b->recent_collection != b->vm->collections) { /* after a garbage collection, another code object may have the same
-                                                     * address */
+  if (b->recent_collection != b->vm->collections) { /* the cache compares addresses of code objects, which a garbage
+                                                     * collection changes */
     memset(b->recent, 0, sizeof b->recent);
     b->recent_collection = b->vm->collections;
   }

@@ -76,8 +76,8 @@ static const char *type_name(vs_bind_parameter_type t) {
   return "one datum";
 }
 
-/* Refuses a parameter's value. If `set`, the value came from the command line; the exit status is then 2, and the place
- * of the definition is shown as a note. */
+/* Refuses a parameter's value. set: the value came from the command line. Then the exit status is 2, and a note shows
+ * the place of the parameter's definition. */
 static vs_status wrong(vs_args *f, bool set, const char *name, const char *must, const char *got) {
   f->bind->bad_parameter = set;
   return vs_fail_at(f->vm, f->vm->sym.range, vs_call_place(f->vm), VS_NIL, "parameter %s must be %s, got %s", name,
@@ -96,14 +96,14 @@ static bool point_setting(const vs_args *f, const char *datum, vs_value list, do
   return list == VS_NIL && count == length && isfinite(xyz[0]) && isfinite(xyz[1]) && isfinite(xyz[2]);
 }
 
-/* Sets *out to the setting, converted to the type of the default value `like`. An exact default requires an exact
- * number; a real default accepts any number. For a string the text needs no quotes. */
+/* Sets *out to the user's setting of a parameter, converted to the type of the default value `like`. An exact default
+ * requires an exact number; a real default accepts any number. For a string the text needs no quotes. */
 static vs_status read_setting(vs_args *f, const char *name, const char *datum, vs_value like, vs_value *out) {
   vs_bind_parameter_type t = type_of(like);
   if (t == VS_P_STRING) return vs_string_from_utf8(f->vm, datum, strlen(datum), out);
   size_t bytes = strlen(datum), used = 0;
   bool point = vs_is_flat(like, VS_FLAT_POINT);
-  VS_ROOTS(f->vm, kept, 1); /* protects the default, since the reader may move it */
+  VS_ROOTS(f->vm, kept, 1); /* a root of the garbage collector: keeps the default, since the reader may move it */
   kept[0] = like;
   if (!vs_read_datum(f->vm, datum, bytes, out, &used)) {
     VS_ROOTS(f->vm, r, 1);
@@ -190,8 +190,8 @@ static void set_range(vs_args *f, vs_bind_parameter *p, double d) {
            : k[KEY_MAX].given && k[KEY_MAX].real <= 0 ? 2 * fmin(d, k[KEY_MAX].real)
                                                       : fmin(0, 2 * d);
   p->max = k[KEY_MAX].given ? k[KEY_MAX].real : fmax(fmax(0, 2 * d), p->min);
-  if (p->max == p->min && !k[KEY_MIN].given && !k[KEY_MAX].given) p->max = p->min + 1; /* the default is 0, from which
-                                                                                        * no range can be computed */
+  /* no range can be computed from a default of 0, so the range is 0 to 1 */
+  if (p->max == p->min && !k[KEY_MIN].given && !k[KEY_MAX].given) p->max = p->min + 1;
   p->step = k[KEY_STEP].given ? k[KEY_STEP].real : p->type == VS_P_INTEGER ? 1 : 0;
 }
 

@@ -11,11 +11,14 @@ typedef enum { VS_P_BOOLEAN, VS_P_INTEGER, VS_P_REAL, VS_P_STRING, VS_P_DATUM } 
 typedef struct vs_bind_parameter {
   const char *name, *label, *group, *unit; /* texts of the definition, owned by the store */
   vs_bind_parameter_type type;
-  const char *value, *default_value; /* the values as written in a program; strings without quotes */
+  const char *value, *default_value; /* current value and default value, as written in a program; strings without
+                                      * quotes */
   bool has_range;
-  bool least, most;     /* least: the definition has #:min; most: it has #:max; values outside are refused */
+  bool least, most;     /* least: the definition has #:min; most: it has #:max; a value beyond these limits is
+                         * refused */
   double min, max, step;
-  const char **choices; /* choice_count texts in the notation of `value`; the array belongs to this row */
+  const char **choices; /* list of choice_count permitted values, in the notation of `value`; the array belongs to this
+                         * parameter */
   size_t choice_count;
   vs_pos at;
 } vs_bind_parameter;

@@ -20,7 +20,8 @@ static vs_vec3 spherical(double rho, double phi, double psi) { /* Returns the po
   vs_sincos(psi, &s, &c);
   return polar(rho * s, phi, rho * c);
 }
-/* These return the point given by f's arguments from number i on, in one of four coordinate systems. */
+/* These functions return the point whose coordinates are f's arguments from number i on, in one of four coordinate
+ * systems. */
 static vs_vec3 cartesian_at(const vs_args *f, int i) { return vs_v3(X(i), X(i + 1), X(i + 2)); }
 static vs_vec3 polar_at(const vs_args *f, int i) { return polar(X(i), X(i + 1), 0); }
 static vs_vec3 cylindrical_at(const vs_args *f, int i) { return polar(X(i), X(i + 1), X(i + 2)); }
@@ -92,7 +93,8 @@ vs_status vs_p_v_over_r(vs_args *f, vs_value *out) {
   return vs_bind_give_vector(f, vs_v3(P(0).x / X(1), P(0).y / X(1), P(0).z / X(1)), out);
 }
 
-static vs_vec3 unit(vs_vec3 v) { /* scales v before computing its length, against overflow and underflow */
+static vs_vec3 unit(vs_vec3 v) { /* returns the unit vector along v; first scales v, against overflow and underflow of
+                                  * its length */
   double most = fmax(fabs(v.x), fmax(fabs(v.y), fabs(v.z)));
   v = vs_v3(v.x / most, v.y / most, v.z / most);
   double l = vs_v3_length(v);
@@ -229,7 +231,8 @@ static vs_status listed(vs_args *f, int64_t n, vs_status (*make)(vs_args *, int6
   return VS_OK;
 }
 
-/* Sets *out to a + (b - a) i / n, which is exact if a and b are: (enumerate 0 4 4) is (0 1 2 3). */
+/* Sets *out to a + (b - a) i / n; the result is exact if a and b are exact, as in (enumerate 0 4 4), which is (0 1 2
+ * 3). */
 static vs_status part(vs_args *f, int64_t i, int64_t n, vs_value *out) {
   vs_value a = f->arg[0].value, b = f->arg[1].value;
   if (vs_is_fixnum(a) && vs_is_fixnum(b)) {
@@ -266,8 +269,8 @@ static vs_status raised(vs_args *f, double h, double v, vs_value *out) {
 }
 static double fraction(int64_t i, int64_t n) { return n > 1 ? (double)i / (double)(n - 1) : 0; }
 
-/* Sets *out to point i of an arc. In all arcs psi is the zenith angle, as in sph: 0 is above the centre, pi/2 at its
- * height. */
+/* Sets *out to point i of an arc. psi is the zenith angle, as in sph: at psi = 0 a point is above the centre, at pi/2
+ * at the centre's height. */
 static vs_status on_arc(vs_args *f, int64_t i, vs_value *out) {
   double s, c, t = fraction(i, f->arg[5].integer), psi = t == 1 ? X(4) : X(3) + (X(4) - X(3)) * t;
   vs_sincos(psi, &s, &c);
@@ -275,10 +278,10 @@ static vs_status on_arc(vs_args *f, int64_t i, vs_value *out) {
 }
 vs_status vs_p_arc_sequence(vs_args *f, vs_value *out) { return listed(f, f->arg[5].integer, on_arc, out); }
 
-/* Sets *out to point i of an arc that is divided into equal horizontal steps, that is, equal steps of the sine. The
- * zenith angle is the inverse sine in the half turn [(k - 1/2) pi, (k + 1/2) pi] that contains both ends. If no half
- * turn contains both ends, a point of the arc may be above another. The sign of the cosine is then that at the middle
- * of the arc. */
+/* Sets *out to point i of an arc that is divided into equal horizontal steps, that is, equal steps of the zenith
+ * angle's sine. The zenith angle is the inverse sine in the half turn [(k - 1/2) pi, (k + 1/2) pi] that contains both
+ * ends of the arc. If no half turn contains both ends, the arc has points above each other. The sign of the cosine is
+ * then that at the middle of the arc. */
 static vs_status on_arc_horizontally(vs_args *f, int64_t i, vs_value *out) {
   double s0, c0, s1, c1, sm, cm, t = fraction(i, f->arg[5].integer);
   vs_sincos(X(3), &s0, &c0), vs_sincos(X(4), &s1, &c1), vs_sincos((X(3) + X(4)) / 2, &sm, &cm);

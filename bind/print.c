@@ -88,8 +88,8 @@ static const vs_field_info *find(const vs_node *n, const char *argument) {
   return NULL;
 }
 
-/* Writes a blank and the field for each of the names. Then writes the field `segments` as a keyword, if the
- * constructor's call gave it. */
+/* Writes a blank and a field for each of the names. Then writes the field `segments` as a keyword, if the call that
+ * created the node gave it. */
 static bool named(const sink *k, const vs_node *n, const char *const *names) {
   for (; *names; names++) {
     const vs_field_info *f = find(n, *names);
@@ -100,8 +100,8 @@ static bool named(const sink *k, const vs_node *n, const char *const *names) {
          (text(k, " #:segments ") && field(k, s, vs_node_data(n)));
 }
 
-/* Writes "(make-NAME" and the fields in the order of prims.def. `segments` is last and only written if the
- * constructor's call gave it. */
+/* Writes "(make-NAME" and the fields in the order of prims.def. `segments` is last, and is only written if the call
+ * that created the node gave it. */
 static bool by_row(const sink *k, const vs_node *n) {
   const vs_kind_info *i = vs_kind_get((vs_kind)n->kind);
   if (!text(k, "(make-") || !text(k, i->name)) return false;
@@ -178,7 +178,8 @@ static bool opening(const sink *k, const vs_node *n) {
       return text(k, "(hull") &&
              (!VS_AS(hull, n)->points->count || named(k, n, (const char *const[]){ "points", NULL }));
     case VS_SLICE: return text(k, "(do-slice");
-    case VS_DEFORM: { /* scopes are seen from -Y, and the y of a scope is the Z of the world */
+    case VS_DEFORM: { /* a scope's y is the world's Z, and its front faces -Y, so the corners are written in another
+                       * order */
       const struct vs_deform *d = VS_AS(deform, n);
       const vs_vec3 corner[8] = { d->c010, d->c110, d->c011, d->c111, d->c000, d->c100, d->c001, d->c101 };
       bool ok = text(k, "(scope-place (make-ffd-scope");
@@ -292,7 +293,7 @@ bool vs_bind_print_node(const vs_node *n, vs_put_text *put, void *to) {
   vs_walk *w = vs_walk_new(n->store, (vs_ref){ (vs_node *)(uintptr_t)n, NULL });
   vs_ref ref;
   size_t depth, printed = 0;
-  /* left[depth]: number of sections of a guided loft that are not yet written, plus 1. */
+  /* left[d]: number of sections that are not yet written of the guided loft at depth d, plus 1. */
   uint32_t *left = vs_zeros((size_t)n->depth + 1, sizeof *left);
   bool ok = w != NULL && left != NULL;
   while (ok) {

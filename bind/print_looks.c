@@ -8,10 +8,11 @@
 
 #include "model/looks/ready_materials.h"
 
-/* Returns true if the colour was given as "#rrggbb": its parts are 255ths, and a list of them has longer numbers than a
- * program would write. */
+/* Returns true if the program gave the colour as "#rrggbb": the colour's components are multiples of 1/255, and as a
+ * list they would be longer numbers than a program would write. */
 static bool is_hex(const double c[3], int parts[3]) {
-  const size_t most = 5; /* a part of a colour that a program writes has at most three decimals */
+  const size_t most = 5; /* greatest length of a colour's component as text: up to three decimals, as programs write
+                          * them */
   bool longer = false;
   for (int i = 0; i < 3; i++) {
     char t[32];

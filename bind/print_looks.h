@@ -8,16 +8,16 @@
 #include "bind/print.h"
 #include "model/looks/material.h"
 
-/* Writes an expression that makes the material again: its name if it is predefined, else make-material with the
- * keywords whose values are not the defaults. Returns false if put does. */
+/* Writes an expression that creates the material: its name if it is predefined, otherwise make-material with the
+ * keywords whose values are not the defaults. Returns false if put returns false. */
 bool vs_bind_print_material(const vs_material *m, vs_put_text *put, void *to);
 /* Writes the beginning of the call that gives a material to objects: with-material or color, and the material. Returns
- * false if put does. */
+ * false if put returns false. */
 bool vs_bind_print_painting(const vs_material *m, vs_put_text *put, void *to);
 
 typedef struct { vs_put_text *put; void *to; } sink; /* the receiver: a callback and its context */
 
-/* Pass a text, a number, or a string in quotation marks. Return false if the callback does. */
+/* These functions pass a text, a number, or a string in quotation marks to the callback, and return its result. */
 static inline bool text(const sink *k, const char *s) { return k->put(k->to, s, strlen(s)); }
 static inline bool number(const sink *k, double d) {
   char t[32];

@@ -1,8 +1,9 @@
 /* Declares the tables of procedures, their natives, and the native that runs them. Implemented in procedures.c.
  *
- * procedures.def lists every procedure with the forms of its arguments. All are one C native, vs_bind_enter, which
- * finds the row of the running native. call/contract.c chooses the form, checks and converts the arguments, and calls
- * the row's C function with C data. No constructor therefore repeats a check that its row states. */
+ * procedures.def lists every procedure with the forms of its arguments. A single C function, vs_bind_enter, implements
+ * all of them as natives. It finds the row of the running native. call/contract.c chooses the form, checks and converts
+ * the arguments, and calls the row's C function with C data. No constructor therefore repeats a check that its row
+ * states. */
 #ifndef VS_BIND_PROCEDURES_H
 #define VS_BIND_PROCEDURES_H
 

@@ -156,15 +156,15 @@ vs_status vs_p_contains(vs_args *f, vs_value *out) {
   return truth(inside, out);
 }
 
-/* ---- the one look of all parts ----
+/* ---- the look that all parts of an object have in common ----
  *
- * A look is a material or the name of a layer. The parts of a node that have a look of their own either agree or not;
- * the others take the look of the innermost wrapper around them. A node's answer is made from those of its children,
- * once for each node. */
+ * A look is a material or the name of a layer. A part may have a look of its own, or take the look of the innermost
+ * node of kind material or layer around it. The looks of a node's parts either agree or differ. The result for a node
+ * is computed from the results for its children, once for each node. */
 
 typedef struct {
-  const void *look; /* the look of the parts that have one, or NULL if none has */
-  bool bare;        /* whether some part has none */
+  const void *look; /* look that the parts have in common; NULL if no part has a look */
+  bool bare;        /* whether some part has no look of its own */
   bool several;     /* whether two parts have different looks */
 } look_of;
 
@@ -173,7 +173,7 @@ static look_of both(look_of a, look_of b) {
   return (look_of){ a.look ? a.look : b.look, a.bare || b.bare, a.several || b.several || differ };
 }
 
-/* Returns the number of children whose parts the node shows; these are its first ones. */
+/* Returns the number of children that a node shows; they are its first children. */
 static size_t shown(const vs_node *n) {
   switch (vs_node_role(n)) {
     case VS_ROLE_SHAPE: case VS_ROLE_LEAF: case VS_ROLE_MADE: break;
@@ -190,12 +190,12 @@ static const void *own_look(const vs_node *n, vs_kind kind) {
 
 typedef struct {
   vs_kind kind;       /* VS_MATERIAL or VS_LAYER */
-  vs_nodemap answers; /* node -> its place in `made`, from 1 */
+  vs_nodemap answers; /* maps a node to the index of its result in `made`, plus 1 */
   look_of *made;
   size_t count, room;
 } look_search;
 
-/* Stores the answer for a node whose children have theirs. Returns false when memory is out. */
+/* Computes and stores the result for a node; its children already have results. Returns false when memory is out. */
 static bool answer(look_search *l, const vs_node *n) {
   const void *own = own_look(n, l->kind);
   look_of sum = { NULL, shown(n) == 0, false };
@@ -212,7 +212,8 @@ static bool answer(look_search *l, const vs_node *n) {
   return true;
 }
 
-/* Sets *out to the look that all parts of the object have, or to NULL. Returns false when memory is out. */
+/* Sets *out to the look that all parts of the object have, or to NULL if they differ. Returns false when memory is
+ * out. */
 static bool find_look(vs_store *s, vs_ref root, vs_kind kind, const void **out) {
   look_search l = { .kind = kind, .answers = { .store = s } };
   vs_walk *w = vs_walk_new(s, root);

@@ -50,7 +50,7 @@ void vs_bind_flat_rules(vs_flat_rules *r) {
     r->at[arithmetic[i].op][arithmetic[i].left][arithmetic[i].right].tag = arithmetic[i].result;
   }
   for (int op = 0; op < VS_OP_COUNT; op++)
-    for (int k = 1; k < 4; k++) /* an interval can be combined with an interval or a number */
+    for (int k = 1; k < 4; k++) /* defines the operations of an interval with an interval or a number */
       r->at[op][k & 1 ? VS_FLAT_INTERVAL : NUMBER][k & 2 ? VS_FLAT_INTERVAL : NUMBER].rule = VS_RULE_CALL;
   r->maker[r->makers].name = "xyz", r->maker[r->makers].tag = P, r->maker[r->makers++].n = 3;
   r->maker[r->makers].name = "vxyz", r->maker[r->makers].tag = V, r->maker[r->makers++].n = 3;

@@ -1,5 +1,5 @@
 /* Creates and frees the data that an interpreter has outside of its heap. Also determines the model of a file: the
- * objects that it draws, else the values of its top-level expressions. */
+ * objects that it draws or, if it draws none, the values of its top-level expressions. */
 #include "bind/state.h"
 #include "bind/measures.h"
 
@@ -82,12 +82,12 @@ void vs_bind_close(vs_bind *b) {
   if (!s) return;
   forget_run(b);
   vs_store_realloc(s, b->settings, b->setting_room * sizeof *b->settings, 0);
-  vs_cache_free(vs_store_cache(s)); /* the cache holds references to nodes */
+  vs_cache_free(vs_store_cache(s)); /* frees the cache first, because it holds references to nodes */
   vs_store_release(s);
   *b = (vs_bind){ 0 };
 }
 
-/* Removes all objects from the drawing. The settings of camera, sun and the like remain. */
+/* Removes all objects from the drawing. Camera, sun and other settings remain. */
 void vs_bind_clear_drawing(vs_bind *b) {
   for (size_t i = 0; i < b->scene.drawn_count; i++) vs_node_release(b->scene.drawn[i].node);
   b->scene.drawn_count = 0;
@@ -130,8 +130,9 @@ bool vs_bind_returned(vs_bind *b, vs_value v, bool shown) {
   return ok;
 }
 
-/* Returns true if the node itself was drawn, or if it is a union and each of its children was drawn. (draw a list)
- * draws the objects of the list and returns their union. Parts that were drawn alone are not found, which is rare. */
+/* Returns true if the node itself was drawn, or if the node is a union whose children were all drawn: (draw a list)
+ * draws the objects of the list and returns their union. If only some children were drawn before, it returns false,
+ * which is rarely wrong. */
 static bool drawn(const vs_nodemap *all, const vs_node *n) {
   if (vs_nodemap_get(all, n)) return true;
   if (n->kind != VS_UNION) return false;
@@ -145,7 +146,8 @@ bool vs_bind_finish(vs_bind *b) {
   if (!b->drew) return true;
   if (b->away) return false; /* a node other than the root has the focus */
   vs_nodemap all = { .store = b->store };
-  bool known = b->returned_count > 0; /* if memory for the test is out, there are no warnings */
+  bool known = b->returned_count > 0; /* known: whether the set of drawn nodes could be made; without memory for it,
+                                       * there are no warnings */
   for (size_t i = 0; known && i < b->scene.drawn_count; i++)
     known = vs_nodemap_put(&all, b->scene.drawn[i].node, NULL) != NULL;
   for (size_t i = 0; known && i < b->returned_count; i++)
@@ -156,8 +158,8 @@ bool vs_bind_finish(vs_bind *b) {
   return false;
 }
 
-/* counts objects. Each shared node is counted once and its sum kept, so that the time is proportional to the number of
- * nodes */
+/* Returns true if a node is not counted itself, but its children are. Each shared node is counted once and its sum is
+ * stored, so that the time is proportional to the number of nodes. */
 
 static bool is_transparent(const vs_node *n) {
   return n->kind == VS_UNION || n->kind == VS_TRANSFORM || vs_node_is_wrapper(n);
@@ -183,7 +185,7 @@ static vs_bind_counts count_node(const vs_node *n, const vs_nodemap *known, cons
   return c;
 }
 
-enum { COUNT_WORK = 200 }; /* nanoseconds for counting a node, as vs_store_going expects */
+enum { COUNT_WORK = 200 }; /* estimated time for counting a node in nanoseconds, for vs_store_going */
 
 bool vs_bind_count(vs_ref ref, vs_bind_counts *out, vs_error *e) {
   vs_store *s = ref.node->store;

@@ -17,19 +17,23 @@ struct vs_bind {
   vs_scheme *vm;
   vs_store *store;
   vs_scene scene;
-  /* Values of top-level expressions, which are the model if nothing was drawn. The nodes are retained. */
+  /* The top-level values: objects that are the values of top-level expressions. They are the model if nothing was
+   * drawn. Their nodes are retained. */
   /* shown: whether the value was printed at the prompt, or was drawn and later replaced; vs then gives no warning about
    * an unused object */
   struct { vs_node *node; const vs_origin *origin; bool shown; } *returned;
   size_t returned_count, returned_room;
-  bool drew;                       /* whether the root node has a drawing, so that top-level values are not the model */
-  const vs_node *drawn_last;       /* node that the last `draw` returned, for comparisons; not retained */
-  const vs_node *drawn_away;       /* node that the last `draw` returned in a scene node that has lost the focus; not
+  bool drew;                       /* whether the root node has a drawing, so that the top-level values are not the
+                                    * model */
+  const vs_node *drawn_last;       /* node that the last `draw` returned, by which its result is recognized; not
                                     * retained */
-  /* objects of unused expressions in bodies, one for each place (thrown.c); nodes retained */
+  const vs_node *drawn_away;       /* drawn_last of a scene node that has lost the focus; not retained */
+  /* unused objects of a program: values of expressions in bodies, at most one for each place (thrown.c); nodes
+   * retained */
   struct { vs_node *node; const vs_origin *origin; } dropped[16];
   size_t dropped_count;
-  uint64_t *told;                  /* hash table of the warnings given: hashes of place and kind; 0 is a free slot */
+  uint64_t *told;                  /* hash table of the warnings given: each entry is a hash of place and kind; 0 is a
+                                    * free slot */
   size_t told_count, told_room;
   /* Cache of origins of recent call chains, valid until the next garbage collection. */
   struct { uint64_t key; const vs_origin *origin; } recent[64];
@@ -38,19 +42,19 @@ struct vs_bind {
   size_t parameter_count, parameter_room;
   vs_bind_setting *settings;
   size_t setting_count, setting_room;
-  size_t refused;                  /* number of refused allocations, by which 'not found' is distinguished from 'memory
-                                    * is out' */
-  uint32_t library_files;          /* files with smaller numbers are part of the language; the files of
-                                    * vs_config.shipped are, too */
-  vs_inside_cache *inside;         /* data prepared for contains?, or NULL */
-  /* Users' kinds (custom.c). tickets[n]: ticket of number n if a node has it. gone: numbers that no node has any
-   * more. */
+  size_t refused;                  /* number of refused allocations; if it has grown, a result 'not found' really means
+                                    * that memory is out */
+  uint32_t library_files;          /* files with smaller numbers are part of the language, as are the files of
+                                    * vs_config.shipped */
+  vs_inside_cache *inside;         /* data that contains? has prepared for the last object, or NULL */
+  /* Objects of kinds that users define (custom.c). tickets[n]: ticket of number n if some node has this number. gone:
+   * numbers whose last node was released. */
   vs_ticket **tickets;
   uint32_t *gone;
   size_t ticket_count, ticket_room, gone_count;
-  vs_error handed;                 /* Fault of a drawing function's result, with the place of the object; kind
-                                    * VS_ERROR_NONE: no fault. */
-  /* Whether a scene node other than the root has the focus. The drawing is then that of the node, and top-level values
+  vs_error handed;                 /* Fault in the result of a drawing function, with the place of the object; kind
+                                    * VS_ERROR_NONE: there is no fault. */
+  /* Whether a scene node other than the root has the focus. The drawing is then that of this node, and top-level values
    * are not the model. */
   bool away;
   /* Calls the host's procedure whose number is the first argument; NULL if there is no host. */
@@ -58,8 +62,8 @@ struct vs_bind {
   bool handing;                    /* whether a drawing function is running; `draw` then only returns its argument, and
                                     * the scene does not change */
   struct vs_derivation *growing;   /* derivation of the running rule (rules/derivation.h), or NULL */
-  /* Objects of derivations with their records (rules/lineage.h). At the limit, those without other references are
-   * removed. */
+  /* Objects that derivations have made, with their records (rules/lineage.h). When the table is full, objects without
+   * other references are removed. */
   struct vs_kept_lineage *records;
   size_t record_count, record_room, record_limit;
   vs_bind_back_end *back_ends;
@@ -69,27 +73,30 @@ struct vs_bind {
                                                           * register-drawing-function */
   size_t mesh_triangles;           /* greatest number of triangles in an output, also for meshes computed before the
                                     * output; 0: no limit */
-  bool bad_parameter;              /* whether the current error is caused by a value of -D; exit status 2 */
-  /* Job of long computations in procedures; its context is b. The limits of the program end it; the condition is then
-   * set. The host sets the job's members warn and tally. */
+  bool bad_parameter;              /* whether a value of the option -D causes the current error; the exit status is then
+                                    * 2 */
+  /* Limits, progress and messages of long computations in procedures; its context is b. The limits of the program end a
+   * computation with the VM's error set. The host sets the job's members warn and tally. */
   vs_job job;
 };
 
 static inline vs_bind *vs_bind_of(vs_scheme *vm) { return (vs_bind *)vm->host; }
 
-/* Counts of objects. A union counts as its children, once for each placement; every other operation is one object.
- * of[c] is the number of objects of class c. */
+/* Counts of objects. A union counts as its children, once for each place of the union; every other operation is one
+ * object. of[c] is the number of objects of class c. */
 typedef struct { double all, of[VS_INHERIT]; } vs_bind_counts;
 
 bool vs_bind_open(vs_bind *b, vs_scheme *vm, vs_store *store); /* Initialises b, all bytes of which must be zero.
                                                                 * Returns false when memory is out. */
 void vs_bind_close(vs_bind *b);
-void vs_bind_restart(vs_bind *b); /* Resets b except for parameter settings. The old heap must have been freed. */
+void vs_bind_restart(vs_bind *b); /* Resets b, except for the settings of parameters. The old heap must have been
+                                   * freed. */
 void vs_bind_clear_drawing(vs_bind *b);
-/* Keeps the objects in a top-level value. If it fails, sets the error and returns false. */
+/* Stores the objects in a top-level value as a possible part of the model. If it fails, sets the error and returns
+ * false. */
 bool vs_bind_returned(vs_bind *b, vs_value v, bool shown);
-/* Returns true if nothing was drawn, so that the top-level values are the model. Otherwise warns of top-level values
- * that are not used. */
+/* Returns true if nothing was drawn, so that the top-level values are the model. Otherwise warns about top-level values
+ * that were not drawn. */
 bool vs_bind_finish(vs_bind *b);
 /* Counts the objects of ref. Returns false, with the error in e, if memory is out or the run is interrupted. */
 bool vs_bind_count(vs_ref ref, vs_bind_counts *out, vs_error *e);

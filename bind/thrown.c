@@ -1,10 +1,10 @@
-/* Warns of objects that a program creates but does not use: values of expressions in a body before its last expression,
- * or at the top level of a file that draws other objects.
+/* Warns about objects that a program creates but does not use: values of expressions in a body before its last
+ * expression, or at the top level of a file that draws other objects.
  *
- * The run loop reports each object that is the unused value of an expression in a body. If the value is a list, it
+ * The interpreter reports each object that is the unused value of an expression in a body. If the value is a list, it
  * reports the first object of the list. The result of the last `draw` does not count. The first object at each place is
- * kept, for at most sixteen places. At the end of the evaluation, objects that are part of the model are removed again,
- * since the program may have stored them in a list. */
+ * recorded, for at most sixteen places. At the end of the evaluation, recorded objects that are part of the model are
+ * removed again, since the program may have stored them in a list. */
 #include "bind/thrown.h"
 
 #include "bind/objects.h"
@@ -45,7 +45,8 @@ void vs_bind_warn_thrown(vs_bind *b, const vs_node *node, const vs_origin *origi
                       "objects, or (draw ...) this object too");
 }
 
-/* Removes from `left` the objects that are the root or its descendants. */
+/* Clears left[i] for each recorded object i that is the root or one of its descendants. *count: number of objects that
+ * are left. */
 static bool look_below(vs_bind *b, vs_nodemap *seen, vs_ref root, bool *left, size_t *count) {
   vs_walk *w = vs_walk_new(b->store, root);
   vs_ref at;
@@ -72,7 +73,8 @@ static bool look_below(vs_bind *b, vs_nodemap *seen, vs_ref root, bool *left, si
 void vs_bind_tell_dropped(vs_bind *b) {
   size_t count = b->dropped_count;
   if (count == 0) return;
-  /* If memory for the test is out, there are no warnings. */
+  /* left[i]: whether recorded object i is not part of the model. If memory for the test is out, there are no
+   * warnings. */
   bool left[sizeof b->dropped / sizeof *b->dropped], ok = true;
   for (size_t i = 0; i < count; i++) left[i] = true;
   vs_nodemap seen = { .store = b->store };

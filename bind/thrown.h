@@ -1,4 +1,4 @@
-/* Declares warnings of objects that a program creates but does not use. Implemented in thrown.c. */
+/* Declares warnings about objects that a program creates but does not use. Implemented in thrown.c. */
 #ifndef VS_BIND_THROWN_H
 #define VS_BIND_THROWN_H
 
@@ -7,10 +7,10 @@
 
 typedef struct vs_bind vs_bind;
 
-void vs_bind_dropped(vs_scheme *vm, vs_value v); /* Records that v is the unused value of an expression in a body; for
-                                                  * vs_config. */
-void vs_bind_tell_dropped(vs_bind *b);    /* Warns of the recorded objects that are not part of the model, and deletes
-                                           * the record. */
+void vs_bind_dropped(vs_scheme *vm, vs_value v); /* Records that v is the unused value of an expression in a body;
+                                                  * called by the interpreter (vs_config). */
+void vs_bind_tell_dropped(vs_bind *b);    /* Warns about the recorded objects that are not part of the model, and
+                                           * deletes the record. */
 void vs_bind_forget_dropped(vs_bind *b);
 void vs_bind_warn_thrown(vs_bind *b, const vs_node *node, const vs_origin *origin, bool in_body);
 

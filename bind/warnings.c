@@ -33,7 +33,8 @@ static bool told(vs_bind *b, uint64_t key) {
 }
 
 bool vs_bind_warned(vs_bind *b, const vs_origin *o, const char *kind) {
-  /* The key is computed from the place and the kind; calls from several callers have the same key. */
+  /* The key is a hash of the place and the kind of warning, without the callers: calls from several callers count as
+   * one place. */
   uint64_t key = o ? ((uint64_t)o->line << 20 | o->column) ^ (uint64_t)(uintptr_t)o->file : 0;
   for (const char *c = kind; *c; c++) key = (key ^ (unsigned char)*c) * UINT64_C(0x100000001B3);
   key ^= key >> 31;

@@ -15,22 +15,26 @@ enum { VS_CALL_ARGUMENTS = 16, VS_CALL_KEYS = 11 };
 
 typedef struct vs_arg {
   bool given;
-  vs_value value; /* the unconverted argument; it is a root, since it lies in the native's arguments */
+  vs_value value; /* the unconverted argument; the garbage collector keeps it alive, because it is an element of the
+                   * native's arguments */
   union {
     double real;
     int64_t integer;
     bool boolean;
-    vs_vec3 point;                             /* a point, a gvector or three factors */
-    struct { vs_vec3 at, direction; } line;    /* an axis, or a plane by a point and its normal */
+    vs_vec3 point;                             /* value of a point, a gvector or three factors */
+    struct { vs_vec3 at, direction; } line;    /* value of an axis, or of a plane by a point and its normal */
     vs_affine matrix;
-    vs_ref ref;                                /* an object; for a list of objects their union */
-    struct { vs_ref *at; size_t count; } refs; /* a list of objects, without nested lists */
+    vs_ref ref;                                /* value of an object, or for a list of objects of their union */
+    struct { vs_ref *at; size_t count; } refs; /* value of a list of objects: the objects in order, with the elements of
+                                                * nested lists */
     struct { vs_vec3 *at; size_t count; } points;
-    /* Objects, and the points that were listed between them. */
+    /* Value of a list of objects and points, sorted into two arrays. */
     struct { vs_ref *at; size_t count; vs_vec3 *points; size_t point_count; } things;
-    struct { const vs_value *at; size_t count; } values; /* the remaining arguments, unconverted */
-    struct { uint32_t *starts, *corners; size_t count; } faces; /* starts[i]: index in `corners` of the first corner of
-                                                                 * face i. starts has count + 1 elements */
+    struct { const vs_value *at; size_t count; } values; /* value of a rest parameter: the remaining arguments,
+                                                          * unconverted */
+    struct { uint32_t *starts, *corners; size_t count; } faces; /* value of a list of faces. starts[i]: index in
+                                                                 * `corners` of the first corner of face i; starts has
+                                                                 * count + 1 elements */
     const vs_material *material;
     struct vs_scope *scope;
     struct { const char *at; size_t length; } text;
@@ -49,10 +53,10 @@ struct vs_args {
   const char *names;            /* names of the procedure, separated by spaces; the name of an internal procedure begins
                                  * with '%' */
   int given;                    /* number of positional arguments of the call, including those of a rest parameter */
-  int form, count;              /* form: index of the chosen form; count: number of positional arguments, where all
-                                 * arguments of a rest parameter count as one */
+  int form, count;              /* form: index of the form that fits the arguments; count: number of positional
+                                 * arguments, where all arguments of a rest parameter count as one */
   vs_arg arg[VS_CALL_ARGUMENTS], key[VS_CALL_KEYS];
-  struct vs_scratch *scratch;   /* memory that is freed when the call ends */
+  struct vs_scratch *scratch;   /* blocks of memory and nodes that are freed when the call ends */
 };
 
 #endif

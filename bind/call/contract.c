@@ -1,8 +1,8 @@
 /* Implements checked calls. Converts the arguments of a native to C data by its row in procedures.def, or sets an error
  * that names the fault.
  *
- * A call makes one pass over the form's parameters. It allocates memory only if an argument is a list. This memory
- * belongs to the arguments, and is freed when the call ends, even after an error. */
+ * A call handles the form's parameters one after another. It allocates memory only if an argument is a list. This
+ * memory belongs to the call's vs_args, and is freed when the call ends, even after an error. */
 #include "bind/call/contract.h"
 
 #include <math.h>
@@ -45,7 +45,7 @@ vs_status vs_convert(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg *out
 
 /* ---- choosing the form of a call ---- */
 
-/* Returns true if v is of the kind that the contract requires. Only contracts that distinguish forms of a procedure are
+/* Returns true if v is of the kind that the contract requires. Only contracts by which a procedure's forms differ are
  * tested; for all others returns true. Sets no error. */
 static bool looks_like(vs_args *f, vs_contract c, vs_value v) {
   vs_arg unused;
@@ -76,8 +76,8 @@ void vs_bind_forms(const vs_procedure *procedure, const char *name, char *text, 
   }
 }
 
-/* Refuses the number of arguments. The error shows all forms. For three numbers it shows the corners of the box that
- * was probably meant. */
+/* Refuses a call with a wrong number of arguments. The error shows all forms. If three numbers were given for a box, it
+ * also shows the corners that were probably meant. */
 static vs_status refuse_count(vs_args *f, const vs_value *a, int n) {
   char name[64], text[512], hint[300];
   vs_bind_forms(f->procedure, vs_bind_own_name(f, name), text, sizeof text);
@@ -86,7 +86,8 @@ static vs_status refuse_count(vs_args *f, const vs_value *a, int n) {
       f->procedure->form[0].at[2].mode == VS_ARG_END;
   if (two_corners && n == 3 && vs_bind_take_number(f->vm, a[0], &d[0]) && vs_bind_take_number(f->vm, a[1], &d[1]) &&
       vs_bind_take_number(f->vm, a[2], &d[2])) {
-    char x[32], y[32], z[32]; /* the three numbers are the corner opposite to the origin */
+    char x[32], y[32], z[32]; /* the three numbers, as text: they were probably meant as the corner opposite to the
+                               * origin */
     vs_bind_number_text(x, d[0]), vs_bind_number_text(y, d[1]), vs_bind_number_text(z, d[2]);
     snprintf(hint, sizeof hint, "(%s (xyz 0 0 0) (xyz %s %s %s))", name, x, y, z);
     return vs_fail(f->vm, f->vm->sym.arity, "%s; perhaps %s", text, hint);
@@ -123,16 +124,16 @@ static int choose_form(vs_args *f, const vs_value *a, int n) {
   return best;
 }
 
-/* Marks an argument as absent, and clears the members that a body may read. The matrix is not cleared: no body reads an
- * absent one. */
+/* Marks an argument as absent, and clears the members that a procedure's C function may read. It never reads the matrix
+ * of an absent argument, so the matrix is not cleared. */
 static inline void set_absent(vs_arg *to) {
   to->given = false, to->value = VS_ABSENT;
   to->line.at = to->line.direction = vs_v3(0, 0, 0);
 }
 
-/* Results of testing an argument on the fast path, for calls with points and numbers that keep their contracts.
- * enter_quickly chooses the form and converts the arguments in one pass. It returns false for all other calls, which
- * enter_slowly handles. QUICK_OTHER: the argument is of another kind, so that looks_like would return false. */
+/* Results of testing an argument in enter_quickly, the fast path for calls with points and numbers that fulfil their
+ * contracts. It chooses the form and converts the arguments together. For all other calls it returns false, and
+ * enter_slowly handles them. QUICK_OTHER: the argument is of another kind, so that looks_like would return false. */
 typedef enum { QUICK_FITS, QUICK_OTHER, QUICK_UNSURE } quick;
 static inline quick convert_quickly(const vs_bind_param *p, vs_value v, vs_arg *out) {
   out->given = true, out->value = v;
@@ -226,7 +227,7 @@ static vs_status run(vs_args *f, const vs_bind_columns *table, vs_value *a, int 
 vs_status vs_bind_call(vs_scheme *vm, const vs_bind_columns *table, vs_value *a, int n, vs_value *out) {
   const vs_native_def *native = vm->native->def;
   const ptrdiff_t i = native - table->natives;
-  vs_args f; /* the members are set one by one: clearing the struct would take longer than most procedures */
+  vs_args f; /* sets the members of f one by one: clearing the struct would take longer than most procedures */
   f.vm = vm, f.bind = vs_bind_of(vm), f.store = f.bind ? f.bind->store : NULL, f.scratch = NULL, f.count = 0;
   f.procedure = &table->procedures[i], f.function = table->functions[i], f.names = native->name;
   vs_status s = run(&f, table, a, n, out);

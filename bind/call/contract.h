@@ -15,7 +15,7 @@ typedef struct {
   const vs_native_def *natives;
   const vs_procedure *procedures;
   vs_procedure_fn *const *functions;
-  /* Called if an argument is a dual number (of a differentiation). Runs the call and sets *status. Returns false,
+  /* Called if an argument is a dual number, which carries a derivative. Runs the call and sets *status. Returns false,
    * without an error, if the procedure accepts only plain numbers. */
   bool (*differentiate)(vs_scheme *vm, vs_procedure_fn *procedure, vs_value *a, int n, vs_value *out,
                         vs_status *status);
@@ -26,7 +26,7 @@ typedef struct {
 vs_status vs_bind_call(vs_scheme *vm, const vs_bind_columns *table, vs_value *a, int n, vs_value *out);
 /* Converts v by the contract of p. If it fails, sets the error and returns VS_ERROR. */
 vs_status vs_convert(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg *out);
-/* Writes all forms of the call: "takes (make-plane point normal) or (make-plane p q r)". */
+/* Writes all forms of a procedure's call: "takes (make-plane point normal) or (make-plane p q r)". */
 void vs_bind_forms(const vs_procedure *procedure, const char *name, char *text, size_t room);
 
 #endif

@@ -48,7 +48,7 @@ vs_convert_fn vs_convert_things;
 vs_convert_fn vs_convert_unit;
 vs_convert_fn vs_convert_vector;
 
-/* Converts the n arguments of a rest parameter, as a vs_convert_fn converts one. Each is an item or a nested list of
+/* Converts the n arguments of a rest parameter to a list of objects. Each argument is an item or a nested list of
  * items. */
 vs_status vs_convert_all_refs(vs_args *f, const vs_bind_param *p, const vs_value *v, size_t n, vs_arg *out);
 vs_status vs_convert_all_points(vs_args *f, const vs_bind_param *p, const vs_value *v, size_t n, vs_arg *out);

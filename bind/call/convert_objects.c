@@ -1,5 +1,6 @@
-/* Converts arguments that are objects, points, lists of them, materials or colours. Each function vs_convert_* belongs
- * to a row of contracts.def: it sets *out, or the error. Nested lists are flattened without recursion. */
+/* Converts arguments that are objects, points, lists of objects and points, materials or colours. Each function
+ * vs_convert_* belongs to a row of contracts.def: it sets *out, or the error. Nested lists are flattened without
+ * recursion. */
 #include "bind/call/call.h"
 #include "bind/call/convert.h"
 
@@ -27,11 +28,11 @@
 static bool finite3(const double *d) { return isfinite(d[0]) && isfinite(d[1]) && isfinite(d[2]); }
 static vs_vec3 vec_of(const double *d) { return vs_v3(d[0], d[1], d[2]); }
 
-/* Flattens values, each an item or a nested list of items, and calls `add` for each item. If a value is neither list
- * nor item, returns false and sets *bad to it, or to VS_ABSENT if the error is already set. An explicit stack has the
- * remaining elements of each open list. No Scheme objects are allocated, so that C variables need not be roots. A list
- * that contains itself would make the stack grow forever. Each new list is therefore compared with the list at the next
- * lower power of two (Brent's cycle detection). */
+/* Flattens `values`, each an item or a nested list of items, and calls `add` for each item. If a value is neither list
+ * nor item, returns false and sets *bad to it, or to VS_ABSENT if the error is already set. An explicit stack contains
+ * the rest of each open list. No Scheme objects are allocated, so that C variables need not be roots of the garbage
+ * collector. A list that contains itself would make the stack grow forever. Each new list is therefore compared with
+ * the list at the next lower power of two (Brent's cycle detection). */
 static bool flatten(vs_args *f, const vs_value *values, size_t count,
                     bool (*add)(vs_args *, vs_value, void *, bool *oom), void *to, vs_value *bad) {
   struct open { vs_value list, rest; } fixed[32], *open = fixed;
@@ -115,9 +116,9 @@ bool vs_bind_take_refs(vs_args *f, vs_value list, vs_ref **out, size_t *count, v
   return true;
 }
 
-/* Writes the points that were probably meant if numbers were given instead. For 0 0 1 0, for (0 0) (1 0) and for lists
- * of these, it writes (make-polygon (xy 0 0) (xy 1 0)). If the points are one of several arguments, it writes (list (xy
- * 0 0) (xy 1 0)). Returns false if there are values other than numbers. */
+/* Called if numbers were given instead of points: writes the points that were probably meant. For 0 0 1 0, for (0 0) (1
+ * 0) and for lists of such arguments, it writes (make-polygon (xy 0 0) (xy 1 0)). If other arguments precede the
+ * points, it writes (list (xy 0 0) (xy 1 0)). Returns false if there are values other than numbers. */
 static bool points_meant(vs_args *f, const vs_bind_param *p, const vs_value *v, size_t n, char *text, size_t room) {
   enum { MOST = 64, SHOWN = 4 };
   vs_value item[MOST];
@@ -135,7 +136,7 @@ static bool points_meant(vs_args *f, const vs_bind_param *p, const vs_value *v, 
     for (size_t k = 0; k < listed; k++) all[numbers++] = d[k];
   }
   if (each == 1) each = numbers % 2 == 0 ? 2 : 3;
-  if (numbers < 2 * each || numbers % each != 0) return false; /* a single point makes no line: the numbers were not
+  if (numbers < 2 * each || numbers % each != 0) return false; /* a single point makes no line, so the numbers were not
                                                                 * meant as points */
   char name[64], x[3][32];
   size_t at = (size_t)snprintf(text, room, "(%s", p->mode == VS_ARG_REST ? vs_bind_own_name(f, name) : "list");
@@ -210,7 +211,7 @@ static vs_status one_object(vs_args *f, const vs_bind_param *p, vs_value v, vs_a
   vs_arg list;
   if (!vs_convert_all_refs(f, p, &v, 1, &list)) return VS_ERROR;
   if (list.refs.count == 1) return out->ref = list.refs.at[0], VS_OK;
-  /* Several closed curves form one profile. */
+  /* Several closed curves form one profile, so their areas are united. */
   if (p->contract == VS_C_PROFILE && !vs_bind_fill(f, list.refs.at, list.refs.count)) return VS_ERROR;
   vs_node *n = vs_node_new(f->store, list.refs.count ? VS_UNION : VS_EMPTY,
                            list.refs.count ? (const void *)&(struct vs_union){ 0 } : &(struct vs_empty){ 0 },
@@ -234,7 +235,7 @@ static bool class_fits(vs_contract c, const vs_node *n) {
   return c != VS_C_SOLID || n->class_ == VS_SOLID;
 }
 
-/* Returns true for a list of three elements. Most faces are triangles. */
+/* Returns true for a list of three elements, as most faces have. Tests this quickly. */
 static bool has_three(vs_value v) {
   for (int i = 0; i < 3; i++, v = vs_cdr(v))
     if (!vs_is_pair(v)) return false;

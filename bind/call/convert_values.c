@@ -31,8 +31,8 @@ static bool world_axis(vs_value v, const char *const names[3], vs_vec3 *out) {
   return false;
 }
 
-/* Converts an axis or a plane to out->line. A name or a gvector means a line through the origin; a value of the flat
- * kind `kind` has its own point and direction. */
+/* Converts an axis or a plane to out->line. A name or a gvector means a line through the origin. A record of kind
+ * `kind` (an axis or a plane) contains the point and direction. */
 static bool convert_line(vs_value v, const char *const names[3], uint32_t kind, vs_arg *out) {
   out->line.at = vs_v3(0, 0, 0);
   if (world_axis(v, names, &out->line.direction)) return true;
@@ -91,8 +91,8 @@ vs_status vs_convert_unit(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg
   return out->real >= 0 && out->real <= 1 ? VS_OK : vs_bind_refuse_condition(f, p, v);
 }
 
-/* Converts an angle. Warns if an integer above 6 is probably in degrees. Does not warn if the same call had a smaller
- * integer before, as in a loop that counts. */
+/* Converts an angle. Warns if an integer above 6 is probably in degrees. Does not warn if this place of the program
+ * called with a smaller integer before, as a loop that counts does. */
 vs_status vs_convert_angle(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
   if (!vs_convert_real(f, p, v, out)) return VS_ERROR;
   if (vs_is_fixnum(v) && out->real != 0 && fabs(out->real) <= 6) vs_bind_clear(f->bind, "degrees");
@@ -176,7 +176,7 @@ vs_status vs_convert_plane(vs_args *f, const vs_bind_param *p, vs_value v, vs_ar
   return is_plane(v, out) ? check_line(f, p, v, out) : vs_bind_refuse_kind(f, p, v);
 }
 
-/* Converts a cutting plane. A height means the horizontal plane there, of which the lower side is kept. */
+/* Converts a cutting plane. A number is the height of a horizontal plane, below which the object is kept. */
 vs_status vs_convert_cut(vs_args *f, const vs_bind_param *p, vs_value v, vs_arg *out) {
   if (v == VS_FALSE) return VS_OK;
   if (!vs_bind_take_number(f->vm, v, &out->real)) return vs_convert_plane(f, p, v, out);

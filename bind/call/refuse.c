@@ -50,8 +50,8 @@ vs_status vs_bind_refuse_hint(vs_args *f, const char *param, const char *expecte
   return vs_bind_refuse(f, param, text, got);
 }
 
-/* Refuses a procedure that was passed instead of its result: "..., got the procedure wall; call it: (wall length)".
- * Returns false, without an error, if v is no procedure. */
+/* Refuses a procedure that was passed instead of its result, with an error such as "..., got the procedure wall; call
+ * it: (wall length)". Returns false, without an error, if v is no procedure. */
 bool vs_bind_refuse_uncalled(vs_args *f, const vs_bind_param *p, vs_value v) {
   char form[120];
   if (!vs_is(v, VS_T_CLOSURE) && !vs_is(v, VS_T_NATIVE)) return false;
@@ -95,7 +95,8 @@ vs_status vs_bind_refuse_kind(vs_args *f, const vs_bind_param *p, vs_value got) 
   if (vs_bind_refuse_uncalled(f, p, got)) return VS_ERROR;
   const vs_bind_param *first = f->procedure->form[0].at;
   if (wants_point && vs_bind_take_number(f->vm, got, d) && (!strcmp(p->name, "apex") || !strcmp(p->name, "c2"))) {
-    char number[32], hint[96]; /* suggests a point for a number that was meant as the height of the solid */
+    char number[32], hint[96]; /* if a number was given for a point, it was probably meant as the solid's height:
+                                * suggests that point */
     vs_bind_number_text(number, d[0]);
     snprintf(hint, sizeof hint, "(+z %s %s)", first->name, number);
     return vs_bind_refuse_hint(f, p->name, vs_contract_noun(p->contract), got, hint);

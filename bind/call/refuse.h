@@ -8,7 +8,7 @@
 typedef struct vs_args vs_args;
 typedef struct vs_bind_param vs_bind_param;
 
-/* Return the two texts of a contract: the kind of value, and the condition on it. */
+/* These two functions return the texts of a contract: the kind of value (noun), and the condition on the value. */
 const char *vs_contract_noun(uint8_t contract);
 const char *vs_contract_condition(uint8_t contract);
 

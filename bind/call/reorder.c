@@ -1,4 +1,4 @@
-/* Implements the advice on arguments in a wrong order: (make-sphere 3 p) for (make-sphere p 3). */
+/* Implements advice for arguments in a wrong order: suggests (make-sphere p 3) for (make-sphere 3 p). */
 #include "bind/call/reorder.h"
 
 #include <stdio.h>
@@ -16,7 +16,7 @@
 
 enum {
   MOST = 5,  /* greatest number of arguments; five arguments have 120 orders */
-  SHOWN = 40 /* greatest number of bytes shown of an argument */
+  SHOWN = 40 /* greatest number of bytes of an argument that the advice shows */
 };
 
 typedef struct {
@@ -93,7 +93,7 @@ void vs_bind_reorder(vs_args *f, const vs_value *a, int n) {
       vs_as_condition(r[0])->payload != VS_FALSE) return;
   orders o = {.found = 0};
   vs_job job = f->bind->job;
-  f->bind->job.warn = NULL; /* a trial gives no warnings */
+  f->bind->job.warn = NULL; /* while orders are tried, conversions must not give warnings */
   for (int form = 0; form < VS_MAX_FORMS && f->procedure->form[form].used && !o.found; form++) {
     if (!place_parameters(&f->procedure->form[form], n, &o)) continue;
     for (int i = 0; i < n; i++)

@@ -15,8 +15,8 @@ void *vs_bind_scratch(vs_args *f, size_t bytes);
 bool vs_bind_keep(vs_args *f, vs_node *node);
 void vs_bind_scratch_free(vs_args *f);
 
-/* A growing array. If it is the call's latest block, it grows in place. Otherwise it is copied to a new block, and its
- * old memory remains until the call ends. */
+/* A growing array. If it is the call's latest block of memory, it grows in place. Otherwise it is copied to a new
+ * block, and its old memory remains until the call ends. */
 typedef struct { void *at; size_t count, room, size; } vs_growing;
 /* Returns the address of a new element at the end. When memory is out, sets the error and returns NULL. */
 void *vs_bind_grow(vs_args *f, vs_growing *g);

@@ -50,8 +50,8 @@ static double current(vs_scheme *vm, size_t which) {
   vs_value parameter = vs_as_vector(all)->at[which];
   if (!vs_is(parameter, VS_T_PARAMETER)) return 0;
   v = vs_as_parameter(parameter)->value;
-  for (vs_value l = vm->parameters; vs_is_pair(l); l = vs_cdr(l)) /* values that parameterize has set, innermost
-                                                                   * first */
+  for (vs_value l = vm->parameters; vs_is_pair(l); l = vs_cdr(l)) /* searches the values that parameterize has set,
+                                                                   * innermost first */
     if (vs_car(vs_car(l)) == parameter) { v = vs_cdr(vs_car(l)); break; }
   return vs_bind_take_number(vm, v, &d) ? d : 0;
 }

@@ -17,7 +17,7 @@ static int32_t segments(const vs_args *f) {
 
 /* ---- polylines ---- */
 
-static double extent(const vs_vec3 *at, size_t n) { /* returns the size of all points, to which distances are
+static double extent(const vs_vec3 *at, size_t n) { /* returns the size of the points' region, with which distances are
                                                      * compared */
   double size = 0;
   for (size_t i = 1; i < n; i++) size = fmax(size, vs_v3_length(vs_v3_sub(at[i], at[0])));
@@ -118,7 +118,7 @@ vs_status vs_p_make_arc(vs_args *f, vs_value *out) {
   return vs_bind_make(f, VS_ARC, &d, NULL, 0, out);
 }
 
-/* An ellipse is a circle, scaled along one axis. */
+/* An ellipse is represented as a circle that is scaled along one axis. */
 vs_status vs_p_make_ellipse(vs_args *f, vs_value *out) {
   double rx = REAL(1), ry = REAL(2);
   if (rx == 0 || ry == 0) return vs_bind_empty(f, "rx or ry is 0", out);
@@ -133,8 +133,8 @@ vs_status vs_p_make_ellipse(vs_args *f, vs_value *out) {
 
 /* ---- splines ---- */
 
-static vs_status tangent(vs_args *f, int i, const char *name, vs_vec3 *out) { /* #f means that the spline has no given
-                                                                               * tangent at this end: the zero vector */
+/* reads a spline's tangent at an end; #f means that no tangent is given: the zero vector */
+static vs_status tangent(vs_args *f, int i, const char *name, vs_vec3 *out) {
   vs_value v = f->arg[i].value;
   double angle, s, c;
   *out = vs_v3(0, 0, 0);
@@ -162,7 +162,8 @@ vs_status vs_p_make_spline(vs_args *f, vs_value *out) {
   bool closed = tidy(at, &n);
   if (n < 2) return vs_bind_empty(f, "all points are the same", out);
   if (closed && n < 3) closed = false;
-  if (closed) d.start_tangent = d.end_tangent = vs_v3(0, 0, 0); /* a closed spline is smooth at all points */
+  if (closed) d.start_tangent = d.end_tangent = vs_v3(0, 0, 0); /* a closed spline is smooth at all points, so given
+                                                                 * tangents have no effect */
   return vs_bind_give_node(f, points_node(f->store, VS_SPLINE, at, n, closed, &d), out);
 }
 

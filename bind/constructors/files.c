@@ -1,4 +1,4 @@
-/* Reads files of a program with meshes and pictures. Also lists the names of the prefabs. */
+/* Reads the mesh files and pictures of a program. Also lists the names of the prefabs. */
 #include "bind/constructors/files.h"
 
 #include "bind/call/call.h"
@@ -20,7 +20,7 @@ static vs_status file_of(vs_args *f, vs_value name, vs_value *bytes, const char 
   vs_text path, own;
   vs_text_open(vm, &path, 0);
   vs_text_open(vm, &own, 0);
-  /* Copies the name before anything is allocated on the heap, since that may move it. */
+  /* Copies the name first, since an allocation on the heap may move the string. */
   bool ok = vs_text_string(&own, name) && vs_text_end(&own);
   ok = ok && vs_source_path(vm, name, vs_pos_file(vs_call_place(vm)), &path) && vs_text_end(&path) &&
        vs_io_read_file(vm, path.at, bytes);
@@ -41,7 +41,8 @@ vs_status vs_bind_file(vs_args *f, const vs_arg *name, vs_value *bytes, const ch
   return file_of(f, name->value, bytes, shown, &whole);
 }
 
-/* Stores the bytes of a picture. `read` has its path and format, and its columns and rows if they are known. */
+/* Stores the bytes of a picture in the store. `read` contains its path and format, and its columns and rows if they are
+ * known. */
 static vs_status keep_picture(vs_args *f, vs_picture read, const vs_bytes *bytes, const vs_picture **out) {
   read.bytes = bytes->at, read.size = (size_t)bytes->length;
   *out = vs_store_picture(f->store, &read);
@@ -124,7 +125,7 @@ vs_status vs_bind_lamp_file(vs_args *f, vs_value name, const vs_picture **out) {
 
 /* ---- names of the prefabs, whose files prefabs.scm runs ---- */
 
-/* (prefab-names): returns the names in alphabetical order, in which the files are stored. */
+/* (prefab-names): returns the names of the prefabs in alphabetical order, as their files are stored. */
 vs_status vs_p_prefab_names(vs_args *f, vs_value *out) {
   static const char folder[] = "prefabs/", ending[] = ".vs";
   const size_t before = sizeof folder - 1, after = sizeof ending - 1;

@@ -39,8 +39,8 @@ static vs_status font_of(vs_args *f, const vs_arg *font, const char **out) {
   return vs_font_get(f->store, *out, &e) ? VS_OK : vs_bind_error(f->vm, &e);
 }
 
-/* Returns the word that equals the argument, or the first if the argument is absent. If none equals it, sets the error
- * and returns NULL. */
+/* Returns the element of `words` that equals the argument, or the first element if the argument is absent. If none
+ * equals it, sets the error and returns NULL. */
 static const char *word_of(vs_args *f, const char *param, const vs_arg *a, const char *const *words,
                            const char *expected) {
   if (!a->given) return words[0];
@@ -110,8 +110,8 @@ vs_status vs_p_text_width(vs_args *f, vs_value *out) {
   return vs_bind_give_real(f, width, out);
 }
 
-/* ---- native: text that the user writes for a target program. Its braces, strings and comments must be complete, so
- * that they do not affect the text around it ---- */
+/* ---- native: text that the user writes for a target program. Its braces, strings and comments must be closed, so that
+ * they do not affect the text around it ---- */
 
 typedef struct { const char *name, *comment; bool directives; } native_target;
 static const native_target targets[] = {

@@ -1,4 +1,4 @@
-/* Creates objects from faces, which are given one by one or read from a file. Checks them, and repairs them if
+/* Creates objects from faces, which the program lists or reads from a file. Checks the faces, and repairs them if
  * requested. */
 #include "bind/build.h"
 #include "bind/call/call.h"
@@ -26,7 +26,7 @@
 /* ---- checking faces ---- */
 
 /* Returns true if every corner lies on or below the plane of every face. The mesh, a single closed surface, is then
- * convex. Returns false for larger meshes, since the time grows with the product of corners and faces. */
+ * convex. Also returns false for large meshes, since the time grows with the product of corners and faces. */
 static bool is_convex(const vs_mesh *m) {
   if (m->triangle_count != 2 * m->vertex_count - 4 || m->triangle_count * m->vertex_count > 4096) return false;
   vs_bounds b = vs_mesh_bounds(m);
@@ -46,7 +46,7 @@ static void place_text(char text[112], vs_vec3 p) {
   snprintf(text, 112, "(xyz %s %s %s)", x, y, z);
 }
 
-/* Checks a polyface mesh for flaws. mesh: its triangles, tagged by face; if it is empty, the function computes them.
+/* Checks a polyface mesh for faults. mesh: its triangles, tagged by face; if it is empty, the function computes them.
  * Sets *flawless to whether no faces overlap. */
 static vs_status inspect(vs_args *f, vs_node *n, vs_mesh *mesh, vs_mesh_flaws *flaws, bool *flawless) {
   const struct vs_polyface_mesh *d = VS_AS(polyface_mesh, n);
@@ -68,7 +68,7 @@ static vs_status inspect(vs_args *f, vs_node *n, vs_mesh *mesh, vs_mesh_flaws *f
   vs_tally_enter(vs_store_tally(f->store), was);
   vs_solid_tally_steps(f->store, &counts);
   if (!looked) {
-    if (why.status == VS_KERNEL_INTERRUPTED) return VS_ERROR; /* the condition is already set */
+    if (why.status == VS_KERNEL_INTERRUPTED) return VS_ERROR; /* the interrupt has already set the error */
     return why.status == VS_KERNEL_OUT_OF_MEMORY ? vs_fail_memory(f->vm)
                                                  : vs_fail(f->vm, f->vm->sym.range, "%s", why.message);
   }
@@ -174,8 +174,8 @@ static vs_status repaired(vs_args *f, const char *file, vs_face_list *l, bool *s
 
 /* ---- faces given one by one ---- */
 
-/* Sets *out to the object of n, whose reference it takes over. sheet: whether the faces form a surface; used if n is
- * empty. */
+/* Sets *out to the object of n, whose reference it takes over. sheet: whether the faces form a surface. If n is empty,
+ * this decides between the empty surface and the empty solid. */
 static vs_status finished(vs_args *f, vs_node *n, bool sheet, vs_value *out) {
   if (!vs_bind_is_empty(n)) return vs_bind_give_node(f, n, out);
   vs_node_release(n);
@@ -253,11 +253,12 @@ vs_status vs_p_make_irregular_pyramid(vs_args *f, vs_value *out) {
   if (!at || !starts || !corner) return VS_ERROR;
   memcpy(at, f->arg[0].points.at, n * sizeof *at);
   at[n] = POINT(1);
-  vs_vec3 spread = { 0, 0, 0 }; /* sum of the base's normals, whose length is twice the area of the base */
+  vs_vec3 spread = { 0, 0, 0 }; /* sum of the normals of the base's triangles; its length is twice the area of the
+                                 * base */
   for (size_t i = 1; i + 1 < n; i++)
     spread = vs_v3_add(spread, vs_v3_cross(vs_v3_sub(at[i], at[0]), vs_v3_sub(at[i + 1], at[0])));
-  /* size: of the base; up: height of the apex; off: greatest distance of a base corner from the plane; widest: twice
-   * the area of the largest triangle tried. */
+  /* size of the base; height of the apex above its plane; greatest distance of a base corner from the plane; twice the
+   * area of the largest triangle tried. */
   double size = 0, up = 0, off = 0, widest = 0;
   vs_vec3 normal = vs_v3_unit(spread);
   for (size_t i = 1; i < n; i++) {
@@ -276,8 +277,8 @@ vs_status vs_p_make_irregular_pyramid(vs_args *f, vs_value *out) {
   up = fabs(vs_v3_dot(normal, vs_v3_sub(at[n], at[0])));
   if (up <= 1e-12 * size) return vs_bind_empty(f, "the apex lies in the plane of the base", out);
   starts[0] = 0;
-  /* The base, clockwise seen from above, so that it faces downwards. All faces are reversed later if the apex is
-   * below. */
+  /* The base is clockwise seen from above, so that it faces downwards. If the apex is below the base, all faces are
+   * reversed later. */
   for (size_t i = 0; i < n; i++) corner[i] = (uint32_t)(n - 1 - i);
   starts[1] = (uint32_t)n;
   for (size_t i = 0; i < n; i++) {
@@ -299,14 +300,14 @@ vs_status vs_p_make_3dface(vs_args *f, vs_value *out) {
   if (n == 4) b = vs_v3_length(vs_v3_cross(vs_v3_sub(at[2], at[0]), vs_v3_sub(at[3], at[0])));
   double nothing = 1e-14 * size * size;
   if (a <= nothing && b <= nothing) return vs_bind_empty(f, "all corners are on one line", out);
-  /* If the first of two triangles has no area, only the second is used. */
+  /* If the first of the quadrilateral's two triangles has no area, only the second is used. */
   if (n == 4 && a <= nothing) memcpy(corner, corner + 3, sizeof corner / 2), b = 0;
   return polyface(f, &(vs_polygons){ at, n, starts, corner, n == 4 && b > nothing ? 2 : 1 }, out);
 }
 
 /* ---- reading faces from a file ---- */
 
-static bool keep_reading(void *vm) { return vs_poll(vm, 1 << 16); } /* returns false, with the condition set, on an
+static bool keep_reading(void *vm) { return vs_poll(vm, 1 << 16); } /* returns false, with the error set, on an
                                                                      * interrupt */
 
 static vs_status read_list(vs_args *f, const char **name, vs_face_list *l) {

@@ -1,4 +1,4 @@
-/* Implements operations on objects: booleans, placements, and objects made from a profile. */
+/* Implements operations on objects: booleans, placements, and objects that are made from a profile. */
 #include "bind/constructors/operations.h"
 
 #include <stdio.h>
@@ -35,12 +35,12 @@ static vs_status same(vs_args *f, vs_ref ref, vs_value *out) {
   return vs_bind_give_node(f, vs_node_retain(ref.node), out);
 }
 
-/* ---- booleans of areas: regions, and closed curves, which count as filled ---- */
+/* ---- boolean operations on areas: regions, and closed curves, which count as filled ---- */
 
 typedef enum { AREAS_NOT, AREAS_APART, AREAS_ONE_PLANE } areas;
 
-/* Classifies the objects: areas of one plane, areas of several planes, or other objects. Empty objects are ignored. For
- * several planes, *a and *b are two that differ. */
+/* Classifies the objects: areas in one plane, areas in several planes, or other objects. Empty objects are ignored. If
+ * there are several planes, *a and *b are two different planes among them. */
 static areas look_at_areas(const vs_ref *ref, size_t n, vs_shape_plane *a, vs_shape_plane *b) {
   bool any = false;
   for (size_t i = 0; i < n; i++) {
@@ -77,7 +77,7 @@ vs_status vs_bind_uncrossed(vs_args *f, vs_ref ref, const char *what) {
                  at[2]);
 }
 
-/* Replaces closed curves by regions, in place. */
+/* Replaces closed curves in the array by the regions that they enclose. */
 static vs_status fill(vs_args *f, vs_ref *ref, size_t n) {
   for (size_t i = 0; i < n; i++)
     if (ref[i].node->class_ == VS_CURVE) {
@@ -104,7 +104,7 @@ vs_status vs_p_unite(vs_args *f, vs_value *out) {
 
 static void plane_text(const vs_shape_plane *p, char out[160]) {
   char n[6][32];
-  /* The point of the plane nearest the origin, which is the same for all figures in the plane. */
+  /* The point of the plane that is nearest the origin: the same point for all figures in the plane. */
   vs_vec3 at = vs_v3_scale(p->normal, vs_v3_dot(p->normal, p->point));
   const double d[6] = { p->normal.x, p->normal.y, p->normal.z, at.x, at.y, at.z };
   for (int i = 0; i < 6; i++) vs_bind_number_text(n[i], round(d[i] * 1e6) / 1e6 + 0.0);
@@ -113,7 +113,7 @@ static void plane_text(const vs_shape_plane *p, char out[160]) {
 }
 
 /* Checks the operands of intersect and subtract: either solids, or regions and closed curves. Replaces the closed
- * curves by regions, in place. */
+ * curves in the array by regions. */
 static vs_status filled(vs_args *f, vs_ref *ref, size_t n) {
   bool planar = false, solid = false;
   vs_shape_plane a, b;
@@ -222,16 +222,18 @@ vs_status vs_p_do_transform(vs_args *f, vs_value *out) {
   return placed(f, f->arg[1].matrix, out);
 }
 
-/* (do-resize o dx dy dz): scales the object so that its bounds have these sizes. Their least corner is fixed. An axis
- * with #f is scaled by the factor of the other axis, or by the geometric mean of two. */
+/* (do-resize o dx dy dz): scales the object so that its bounding box has these sizes, without moving the box's least
+ * corner. An axis with #f is scaled by the factor of the other given axis, or by the geometric mean of two. */
 vs_status vs_p_do_resize(vs_args *f, vs_value *out) {
   static const char *const names[] = { "o", "dx", "dy", "dz" };
   vs_bounds b;
   if (vs_bind_is_empty(NODE(0))) return same(f, f->arg[0].ref, out);
-  vs_ref whole = f->arg[0].ref; /* the object to be placed; the bounds are computed from its resolved form */
+  vs_ref whole = f->arg[0].ref; /* the object to be placed, as the user made it; its bounds are computed from a form
+                                 * without sections and shadows */
   if (!vs_bind_finite(f, 0) || !vs_bind_resolve(f, 0) || !vs_bind_drawn_bounds(f, 0, &b)) return VS_ERROR;
   f->arg[0].ref = whole;
-  if (vs_bounds_is_empty(&b)) return same(f, whole, out); /* an intersection of solids that have no common point */
+  if (vs_bounds_is_empty(&b)) return same(f, whole, out); /* the object has no points, such as an intersection of solids
+                                                           * that have none in common */
   double size[3] = { b.max.x - b.min.x, b.max.y - b.min.y, b.max.z - b.min.z }, k[3], product = 1;
   int given = 0;
   for (int i = 0; i < 3; i++) {
@@ -275,8 +277,9 @@ vs_status vs_p_hull(vs_args *f, vs_value *out) {
   vs_cloud cloud = { 0 };
   vs_error e = { 0 };
   vs_status ok = VS_OK;
-  vs_ref whole = { vs_node_retain(made), vs_bind_origin(f->bind) }; /* only the resolved object shows whether the hull
-                                                                     * is a solid, a region or a line */
+  /* whole: the hull node. Only when its sections and shadows are computed is it known whether the hull is a solid, a
+   * region or a line */
+  vs_ref whole = { vs_node_retain(made), vs_bind_origin(f->bind) };
   vs_kernel_options options = { .job = vs_bind_job(f->vm) };
   if (!vs_resolve(&whole, 1, &(vs_fineness){ .tolerance = 0 }, &options, &e) || !vs_node_bounds(whole.node, &b, &e) ||
       !vs_hull_points(whole.node, &(vs_fineness){ .tolerance = vs_fineness_tolerance(&b) }, &cloud, &e))
@@ -292,8 +295,8 @@ vs_status vs_p_hull(vs_args *f, vs_value *out) {
     ok = vs_bind_empty(f, d.dimension ? "there are no objects" : "all points are the same", out);
   else if (ok && d.dimension == 2) {
     d.points = VS_AS(hull, made)->points;
-    bool planar = true; /* whether all children can be used directly; a surface is replaced by its corners, since planar
-                         * hulls use no meshes */
+    bool planar = true; /* planar: whether the children can be used directly; a surface is replaced by its corners,
+                         * since planar hulls use no meshes */
     for (size_t i = 0; i < count; i++)
       planar = planar && (child[i].node->class_ == VS_CURVE || child[i].node->class_ == VS_REGION_CLASS);
     vs_points *corners = planar ? NULL : vs_points_new(f->store, cloud.at, cloud.count);
@@ -316,12 +319,12 @@ static vs_status check_twist(vs_args *f, double twist, vs_value got) {
   return vs_bind_refuse(f, "twist", "at most 1000 turns (6283 radians)", got);
 }
 
-/* Checks a profile: a region or closed curve must be plane. If it has no area, sets *empty, and *out to the empty
+/* Checks a profile: a region or closed curve must lie in a plane. If it has no area, sets *empty, and *out to the empty
  * object. */
 static vs_status check_profile(vs_args *f, vs_shape_plane *plane, bool *empty, vs_value *out) {
   const vs_node *n = NODE(0);
   *empty = false;
-  plane->normal = vs_v3(0, 0, 0); /* an open curve need not be plane */
+  plane->normal = vs_v3(0, 0, 0); /* an open curve need not lie in a plane */
   if (n->class_ != VS_REGION_CLASS && !(n->flags & VS_NODE_CLOSED)) return VS_OK;
   switch (vs_node_plane(n, plane)) {
     case VS_PLANE_ONE: return vs_bind_uncrossed(f, f->arg[0].ref, "profile");
@@ -331,8 +334,8 @@ static vs_status check_profile(vs_args *f, vs_shape_plane *plane, bool *empty, v
   return vs_bind_refuse(f, "profile", "in one plane", f->arg[0].value);
 }
 
-/* Samples a curve coarsely. Sets *out to whether it leaves the plane through its start with this normal, or the line
- * through its start in this direction. */
+/* Samples a curve coarsely. LEAVES_PLANE: sets *out to whether it leaves the plane through its start with the given
+ * normal. LEAVES_LINE: whether it leaves the line through its start in the given direction. */
 typedef enum { LEAVES_PLANE, LEAVES_LINE } leaving;
 static vs_status leaves(vs_args *f, const vs_node *curve, leaving what, vs_vec3 direction, bool *out) {
   vs_fineness coarse = { 1e300, 8 };
@@ -366,7 +369,7 @@ static vs_status is_straight(vs_args *f, const vs_node *curve, vs_vec3 *way, boo
   return VS_OK;
 }
 
-/* Returns false, with the error set, if a taper is not possible here. */
+/* Returns false, with the error set, if the extrusion d cannot be tapered. */
 static bool check_taper(vs_args *f, const struct vs_extrude *d) {
   if (d->twist != 0 || d->scale != 1) return vs_fail(f->vm, f->vm->sym.range,
       "give a taper, or #:twist and #:scale, not both"), false;
@@ -376,7 +379,7 @@ static bool check_taper(vs_args *f, const struct vs_extrude *d) {
   return true;
 }
 
-/* Checks that the curve rises from the profile's plane along its whole length, since the taper depends on the height
+/* Checks that the curve rises from the profile's plane along its whole length, since a taper depends on the height
  * above this plane. */
 static bool check_rising(vs_args *f, const vs_node *curve, vs_vec3 normal) {
   vs_fineness coarse = { .segments = 64 };
@@ -438,7 +441,8 @@ vs_status vs_p_do_extrude(vs_args *f, vs_value *out) {
       char x[32], y[32], z[32];
       vs_bind_number_text(x, round(n.x * 1e6) / 1e6), vs_bind_number_text(y, round(n.y * 1e6) / 1e6),
           vs_bind_number_text(z, round(n.z * 1e6) / 1e6);
-      /* The user probably drew an arch in the ground plane, and gave the depth of the wall as a gvector. */
+      /* The error suggests a correction: the user probably drew an arch in the ground plane, and gave the depth of the
+       * wall as a gvector. */
       bool flat_arch = fabs(n.z) > .999999 && vs_is_flat(f->arg[1].value, VS_FLAT_VECTOR);
       const char *cure = "";
       if (flat_arch && fabs(d.along.x) > fabs(d.along.y)) cure = ", or make the profile with #:plane 'yz";

@@ -9,7 +9,7 @@ typedef struct vs_args vs_args;
 
 /* Refuses a closed curve that intersects itself. The last argument is the curve's noun in the error. */
 vs_status vs_bind_uncrossed(vs_args *f, vs_ref ref, const char *what);
-/* Replaces closed curves by regions, in place, if all objects are regions and closed curves of one plane. */
+/* If all objects are regions and closed curves in one plane, replaces the closed curves in the array by regions. */
 vs_status vs_bind_fill(vs_args *f, vs_ref *ref, size_t n);
 
 #endif

@@ -1,4 +1,4 @@
-/* Computes advice for calls with plain numbers in place of points or gvectors. */
+/* Suggests a correction for calls with plain numbers in place of points or gvectors. */
 #include "bind/constructors/regroup.h"
 
 #include "bind/call/procedure.h"
@@ -15,7 +15,7 @@ static bool group_numbers(vs_scheme *vm, const vs_form *form, const vs_plain_cal
   int used = 0, groups = 0;
   size_t at = (size_t)snprintf(text, room, "(%s", call->name);
   for (const vs_bind_param *p = form->at; p->mode != VS_ARG_END && used < n; p++) {
-    int left = 0; /* number of arguments that the required parameters after this parameter need */
+    int left = 0; /* number of arguments that the required parameters after the current parameter need */
     for (const vs_bind_param *q = p + 1; q->mode == VS_ARG_REQUIRED; q++) left++;
     double d[3];
     int numbers = 0;
@@ -47,7 +47,7 @@ static bool group_numbers(vs_scheme *vm, const vs_form *form, const vs_plain_cal
 }
 
 bool vs_bind_grouped(vs_scheme *vm, const vs_procedure *p, const vs_plain_call *call, char *text, size_t room) {
-  for (int i = VS_MAX_FORMS; i-- > 0;) /* starts with the last form, which is the longest */
+  for (int i = VS_MAX_FORMS; i-- > 0;) /* tries the last form first, because it is the longest */
     if (p->form[i].used && group_numbers(vm, &p->form[i], call, text, room)) return true;
   return false;
 }

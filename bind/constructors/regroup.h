@@ -1,4 +1,4 @@
-/* Declares advice for calls with plain numbers in place of points, implemented in regroup.c. */
+/* Declares advice for calls with plain numbers in place of points. Implemented in regroup.c. */
 #ifndef VS_BIND_CONSTRUCTORS_REGROUP_H
 #define VS_BIND_CONSTRUCTORS_REGROUP_H
 
@@ -6,8 +6,8 @@
 
 typedef struct vs_procedure vs_procedure;
 
-/* A call before its arguments are converted. vs_bind_grouped writes the call of p that was probably meant: its numbers
- * are grouped to points, gvectors or factors. It returns false if there is none. */
+/* A call with unconverted arguments. The function vs_bind_grouped writes the call of p that was probably meant: its
+ * numbers are grouped to points, gvectors or factors. It returns false if no grouping fits. */
 typedef struct { const char *name; const vs_value *at; int count; } vs_plain_call;
 bool vs_bind_grouped(vs_scheme *vm, const vs_procedure *p, const vs_plain_call *call, char *text, size_t room);
 

@@ -1,5 +1,5 @@
-/* Implements the procedures that create solids. If a solid has no volume, they return the empty object, and warn once
- * for each place of a call. */
+/* Implements the procedures that create solids. A procedure whose solid would have no volume returns the empty object,
+ * and warns once for each place of a call. */
 #include "bind/build.h"
 #include "bind/call/call.h"
 #include "bind/call/refuse.h"
@@ -14,7 +14,8 @@ static int32_t segments(const vs_args *f) { /* returns the facets of a full turn
 
 /* ---- boxes and wedges ---- */
 
-/* Computes the corners of a box or wedge from the arguments of either form. Returns false if it has no volume. */
+/* Computes the corners of a box or wedge from either form of the arguments. Returns false if the solid has no
+ * volume. */
 static bool corners(const vs_args *f, vs_vec3 *least, vs_vec3 *most) {
   vs_vec3 p = POINT(0), q;
   if (f->form == 0) q = POINT(1);
@@ -27,7 +28,7 @@ static bool corners(const vs_args *f, vs_vec3 *least, vs_vec3 *most) {
   return least->x < most->x && least->y < most->y && least->z < most->z;
 }
 
-/* Refuses negative sizes. The order of two corners does not matter. */
+/* Refuses negative sizes. If two corners are given instead of sizes, their order does not matter. */
 static vs_status refuse_sizes(vs_args *f) {
   static const char *const names[] = { "c", "dx", "dy", "dz" };
   if (f->form == 1)
@@ -105,8 +106,8 @@ vs_status vs_p_make_e_cone(vs_args *f, vs_value *out) {
 
 vs_status vs_p_make_superellipsoid(vs_args *f, vs_value *out) {
   struct vs_superellipsoid d = { .e = REAL(0), .n = REAL(1), .size = REAL(2), .segments = segments(f) };
-  const double least = 0.001, most = 20; /* beyond these exponents the shape looks like a box or vanishes, and powers
-                                          * overflow or underflow */
+  const double least = 0.001, most = 20; /* bounds of a superellipsoid's exponents: outside them the shape looks like a
+                                          * box or vanishes, and powers overflow or underflow */
   if (d.e < least || d.e > most) return vs_bind_refuse(f, "e", "from 0.001 to 20", f->arg[0].value);
   if (d.n < least || d.n > most) return vs_bind_refuse(f, "n", "from 0.001 to 20", f->arg[1].value);
   if (d.size == 0) return vs_bind_empty(f, "s is 0", out);

@@ -6,7 +6,7 @@
 #include "bind/call/refuse.h"
 #include "bind/state.h"
 
-/* The kinds of `view`, each with its projection and its cut. */
+/* The kinds of views that a program can name, each with its projection and its cut. */
 static const struct { const char *name; vs_view view; vs_cut cut; } kinds[] = {
   { "perspective", VS_VIEW_CAMERA, VS_CUT_NONE }, { "panorama", VS_VIEW_PANORAMA, VS_CUT_NONE },
   { "axonometric", VS_VIEW_ALONG, VS_CUT_NONE },  { "isometric", VS_VIEW_ISO, VS_CUT_NONE },
@@ -19,7 +19,7 @@ static const struct { const char *name; vs_view view; vs_cut cut; } kinds[] = {
 static const char kinds_told[] =
     "one of 'perspective 'panorama 'axonometric 'isometric 'plan 'section 'top 'bottom 'front 'back 'left 'right";
 
-/* Sets *out to the argument's text, which the store interns, or to NULL if the argument is absent. Returns false when
+/* Sets *out to the argument's text, interned in the store, or to NULL if the argument is absent. Returns false when
  * memory is out. */
 static bool keep_text(vs_args *f, const vs_arg *a, const char **out) {
   *out = NULL;
@@ -76,7 +76,8 @@ static vs_status take_cut(vs_args *f, vs_scene_view *v, const vs_arg *cut) {
   return VS_OK;
 }
 
-/* Sets the view's aperture, and the point in focus: the target unless the program gives another. */
+/* Sets the aperture of the view's camera, and the point in focus, which is the target unless the program gives
+ * another. */
 static vs_status take_aperture(vs_args *f, vs_scene_view *v, const vs_arg *aperture, const vs_arg *focus) {
   v->focus = focus->given ? focus->point : v->target;
   v->aperture = aperture->given ? aperture->real : 0;
@@ -87,7 +88,7 @@ static vs_status take_aperture(vs_args *f, vs_scene_view *v, const vs_arg *apert
   return VS_OK;
 }
 
-/* Sets whether vertical lines are vertical in the picture. */
+/* Sets whether vertical edges of the model are vertical in the picture. */
 static vs_status take_upright(vs_args *f, vs_scene_view *v, const vs_arg *upright) {
   vs_vec3 ahead = vs_v3_sub(v->target, v->eye);
   v->upright = upright->given && upright->boolean;
@@ -97,7 +98,7 @@ static vs_status take_upright(vs_args *f, vs_scene_view *v, const vs_arg *uprigh
 }
 
 vs_status vs_p_camera(vs_args *f, vs_value *out) {
-  const vs_arg *k = f->key; /* keywords in order: lens upright aperture focus */
+  const vs_arg *k = f->key; /* the call's keywords in order: lens upright aperture focus */
   vs_scene_view v = { .view = VS_VIEW_CAMERA, .eye = f->arg[0].point, .target = f->arg[1].point };
   (void)out;
   if (vs_v3_equal(v.eye, v.target)) return vs_bind_refuse(f, "target", "another point than eye", f->arg[1].value);
@@ -108,7 +109,8 @@ vs_status vs_p_camera(vs_args *f, vs_value *out) {
 }
 
 vs_status vs_p_view(vs_args *f, vs_value *out) {
-  const vs_arg *k = f->key; /* keywords in order: from to lens upright cut scale sheet hidden aperture focus */
+  const vs_arg *k = f->key; /* the call's keywords in order: from to lens upright cut scale sheet hidden aperture
+                             * focus */
   vs_scene_view v = { .view = VS_VIEW_CAMERA, .cut = VS_CUT_NONE, .lens = 35 };
   (void)out;
   if (!is_name(&f->arg[0])) return vs_bind_refuse(f, "name", "a name of 1 to 100 letters, without / and line breaks",
@@ -142,7 +144,7 @@ static vs_status add_note(vs_args *f, vs_scene_note note, const vs_arg *text, co
 }
 
 vs_status vs_p_dimension(vs_args *f, vs_value *out) {
-  const vs_arg *k = f->key; /* keywords in order: offset text view */
+  const vs_arg *k = f->key; /* the call's keywords in order: offset text view */
   (void)out;
   if (vs_v3_equal(f->arg[0].point, f->arg[1].point)) return vs_bind_refuse(f, "q", "another point than p",
       f->arg[1].value);

@@ -1,9 +1,9 @@
-/* Implements points and gvectors of dual numbers (dual_points.h), for derivatives.
+/* Implements points and gvectors of dual numbers (dual_points.h). A dual number carries the derivative of its value.
  *
- * A dual point is a dual number whose value is a point and whose slope is a gvector. Each procedure here splits its
- * arguments into coordinates, which are numbers or dual numbers. It computes with the arithmetic of numbers, and joins
- * the results to a point. Nested dual numbers therefore need no special code. Coordinates are kept in roots of the
- * garbage collector. */
+ * A dual point is a dual number whose value is a point and whose slope is a gvector. Each procedure in this file splits
+ * its arguments into coordinates, which are numbers or dual numbers. It computes with the arithmetic of numbers, and
+ * joins the results to a point. Nested dual numbers therefore need no special code. Coordinates are kept in roots of
+ * the garbage collector. */
 #include "bind/functions/dual_points.h"
 
 #include <math.h>
@@ -79,9 +79,9 @@ typedef enum {
 } rule;
 
 /* The procedures that accept dual numbers. `shape` has a letter for each argument: p for a point or gvector, n for a
- * number. `tag` is the kind of the result, 0 for a number. `with` has a bit for each coordinate that the number
- * arguments give. For a procedure that returns a coordinate, `with` is its index. If numbers follow a p, they move this
- * point. */
+ * number. `tag` is the kind of the result, 0 for a number. `with` has a bit for each coordinate that a number argument
+ * sets. For a procedure that returns a coordinate, `with` is the coordinate's index. If numbers follow a p, they are
+ * added to this point. */
 static const struct {
   vs_procedure_fn *fn;
   const char *shape;
@@ -130,8 +130,8 @@ static const struct {
   { vs_p_radians_degrees, "n", TURNS, 0, 1 },
 };
 
-/* Computes a procedure. r[0..2]: coordinates of the first point; r[3..5]: of the second; r[6..8]: the numbers;
- * r[9..11]: the result; r[12..]: temporary values. */
+/* Computes a procedure from roots r of the garbage collector. r[0..2]: coordinates of the first point; r[3..5]: of the
+ * second point; r[6..8]: the numbers; r[9..11]: the result; r[12..]: temporary values. */
 static bool compute(vs_scheme *vm, size_t row, const char *shape, int n, vs_value *r, vs_value *out) {
   vs_value *p = r, *q = r + 3, *x = r + 6, *to = r + 9, *s = r + 12;
   bool ok = true, moved = shape[0] == 'p' && n > 1;

@@ -1,4 +1,5 @@
-/* Declares the procedures of points for dual numbers, implemented in dual_points.c. */
+/* Declares the procedures of points that accept dual numbers (numbers with a derivative). Implemented in
+ * dual_points.c. */
 #ifndef VS_BIND_FUNCTIONS_DUAL_POINTS_H
 #define VS_BIND_FUNCTIONS_DUAL_POINTS_H
 

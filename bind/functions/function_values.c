@@ -1,5 +1,5 @@
-/* Implements the natives of functions.scm: levels of differentiation, dual numbers, procedures with their expression,
- * and tapes as Scheme objects. */
+/* Implements the natives of functions.scm: nested differentiations, dual numbers (numbers with a derivative),
+ * procedures with their expression, and tapes (compiled expressions) as Scheme objects. */
 #include "bind/functions/function_values.h"
 
 #include <math.h>
@@ -17,7 +17,7 @@
 
 /* ---- dual numbers ---- */
 
-/* (%dual-level): returns the level of a new differentiation, which is higher than all levels before. */
+/* (%dual-level): returns the level of a new differentiation, which is higher than all earlier levels. */
 static vs_status dual_level(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)a, (void)n;
   if (!vs_lib_open(vm)) return VS_ERROR;
@@ -35,8 +35,8 @@ static vs_status dual(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return vs_make_dual(vm, vs_fixnum(a[0]), a[1], a[2], out);
 }
 
-/* (%dual-slope level v): returns the derivative of v in the variable of this level, 0 if v does not depend on it.
- * Returns #f if v is no number, point or gvector. */
+/* (%dual-slope level v): returns the derivative of v with respect to the variable of this level; 0 if v does not depend
+ * on that variable. Returns #f if v is no number, point or gvector. */
 static vs_status dual_slope(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   int64_t level = vs_fixnum(a[0]);
@@ -70,7 +70,7 @@ static vs_status function_note(vs_scheme *vm, vs_value *a, int n, vs_value *out)
   return VS_OK;
 }
 
-/* ---- tapes ---- */
+/* ---- tapes: compiled expressions ---- */
 
 static void release_tape(void *t) { vs_tape_free(t); }
 const vs_foreign_type vs_tape_type = { .name = "a tape", .release = release_tape };
@@ -129,7 +129,8 @@ static vs_status tape_field(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return step(vm, t, vs_tape_add_field(t, f, at[0], at[1], at[2]), out);
 }
 
-/* (%tape-done t step ...): returns a tape that computes these steps, with only the steps that they need. */
+/* (%tape-done t step ...): returns a tape that computes these steps of t, and contains only the steps that they
+ * need. */
 static vs_status tape_done(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   vs_tape *t = vs_foreign_get(a[0], &vs_tape_type);
   t->outputs = (uint32_t)(n - 1);
@@ -210,7 +211,7 @@ static vs_status tape_samples(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
     int count = total - at < BATCH ? (int)(total - at) : BATCH;
     vs_sample_points(r, t->inputs, in, count);
     vs_sample(s, from, (size_t)count, to);
-    if (t->outputs == 1) { /* doubles are no addresses: the garbage collector need not be notified */
+    if (t->outputs == 1) { /* stores doubles, which are no addresses, so the garbage collector need not be notified */
       vs_value *values = vs_as_vector(a[1])->at + at;
       memcpy(values, results[0], (size_t)count * sizeof *values);
       if (vs_sample_nan(results[0], count))
@@ -238,7 +239,8 @@ static bool enclosure_of(vs_scheme *vm, vs_value v, vs_enclosure *out) {
     return vs_fail(vm, vm->sym.type, "an interval is combined with numbers and intervals, not with %s", vs_noun(vm, v));
   if (!vs_number_double(vm, v, &d)) return false;
   out->low = out->high = d;
-  if (!vs_is_fixnum(v) && !vs_is_double(v)) /* a bignum or ratio may differ from its nearest double */
+  if (!vs_is_fixnum(v) && !vs_is_double(v)) /* an interval around x: a bignum or ratio may differ from its nearest
+                                             * double */
     out->low = nextafter(d, -INFINITY), out->high = nextafter(d, INFINITY);
   return true;
 }

@@ -1,5 +1,5 @@
-/* Takes files of other programs apart into Scheme data: groups of a .dxf file, elements of an XML file, commands of an
- * SVG path. load_dxf.scm and load_svg.scm make objects of them.
+/* Parses files of other programs to Scheme data: groups of a .dxf file, elements of an XML file, commands of an SVG
+ * path. load_dxf.scm and load_svg.scm make objects from these data.
  *
  * The library expat, which parses XML, is loaded when it is first used. vs reads the groups of .dxf itself: a group is
  * two lines of text. Debian's only library for it, libdxflib, is in C++ and has no MESH. */
@@ -82,7 +82,7 @@ static line_text trimmed(line_text l) {
   return l;
 }
 
-/* Reads a finite number that fills the line. */
+/* Reads a finite number that is the whole text of the line. */
 static bool line_number(line_text l, double *out) {
   char t[64], *end;
   l = trimmed(l);
@@ -110,7 +110,8 @@ static bool line_string(vs_scheme *vm, line_text l, vs_value *out) {
   return ok;
 }
 
-/* Makes the value of a group. Sets the error if the line is no number where one is due. */
+/* Creates the value of a .dxf group from its line. Sets the error if the group's code requires a number and the line is
+ * none. */
 static bool group_value(vs_scheme *vm, vs_value path, size_t line, long code, line_text l, vs_value *out) {
   double d;
   group_type type = type_of(code);
@@ -175,7 +176,7 @@ static vs_status dxf_groups(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 
 VS_DYNAMIC_FUNCTIONS(EXPAT_FUNCTIONS);
 
-/* events: the list that the native returns, newest first; text: the characters since the last tag. */
+/* events: the list that xml_events returns, newest first; text: the characters since the last tag. */
 typedef struct {
   vs_scheme *vm;
   vs_value *events;
@@ -201,7 +202,7 @@ static const char *local_name(const char *name) { /* returns the name without th
 
 static bool add_start(xml_reading *x, const char *name, const char **attributes) {
   vs_scheme *vm = x->vm;
-  VS_ROOTS(vm, r, 2); /* roots: the list, a value */
+  VS_ROOTS(vm, r, 2); /* roots of the garbage collector: the list, a value */
   r[0] = VS_NIL;
   size_t count = 0;
   while (attributes[count]) count += 2;
@@ -235,9 +236,9 @@ static void xml_characters(void *user, const XML_Char *at, int count) {
   if (!x->failed && !vs_text_put(&x->text, at, (size_t)count)) quit(x);
 }
 
-/* Parses the text of a file. path: its name, a root, since reading allocates. */
+/* Parses the text of a file. path: the file's name, a root of the garbage collector, since reading allocates. */
 static bool parse_xml(xml_reading *x, const vs_value *path, const vs_text *text) {
-  enum { PIECE = 1 << 20 }; /* expat takes at most an int of bytes at a time */
+  enum { PIECE = 1 << 20 }; /* most bytes passed to expat in one call, whose count is an int */
   x->parser = x->call.create(NULL);
   if (!x->parser) return vs_fail_memory(x->vm);
   x->call.user(x->parser, x);
@@ -295,7 +296,8 @@ static vs_status load_outline(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
 
 static bool is_separator(char c) { return c == ' ' || c == ',' || c == '\t' || c == '\n' || c == '\r' || c == '\f'; }
 
-/* Reads a number of SVG at *at: no blanks before it, and no hexadecimal or infinite ones. Moves *at behind it. */
+/* Reads a number of SVG at *at and moves *at behind it. Blanks before the number, hexadecimal numbers and infinity are
+ * not allowed. */
 static bool svg_number(const char **at, double *out) {
   char t[64];
   size_t n = 0;
@@ -307,7 +309,7 @@ static bool svg_number(const char **at, double *out) {
     else digits = true;
     t[n++] = *s++;
   }
-  while (isdigit((unsigned char)*s)) s++; /* digits past those that a double can tell apart */
+  while (isdigit((unsigned char)*s)) s++; /* skips digits beyond a double's precision */
   if (!digits) return false;
   if (*s == 'e' || *s == 'E') {
     const char *power = s + 1 + (s[1] == '+' || s[1] == '-');
@@ -325,7 +327,7 @@ static bool svg_number(const char **at, double *out) {
 }
 
 /* (%path-tokens text): returns the list of a path's letters, as characters, and numbers, in reverse order. A fault ends
- * the list before its place, and #f is then its first element: SVG draws a path as far as it is right. */
+ * the list, and its first element is then #f: SVG requires that a path is drawn up to a fault. */
 static vs_status path_tokens(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   vs_text text;
@@ -368,7 +370,7 @@ static vs_status model_metres(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
 }
 
 static const vs_native_def defs[] = {
-  { "%load-outline", "path", load_outline, 0, NULL }, /* errors show this name without the % */
+  { "%load-outline", "path", load_outline, 0, NULL }, /* error messages show the name of this native without the % */
   { "%path-tokens", "text", path_tokens, 0, NULL },
   { "%model-metres", "", model_metres, 0, NULL },
   { 0 },

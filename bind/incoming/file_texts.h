@@ -1,4 +1,4 @@
-/* Declares the natives that take files of other programs apart, implemented in file_texts.c. */
+/* Declares the natives that parse files of other programs. Implemented in file_texts.c. */
 #ifndef VS_BIND_INCOMING_FILE_TEXTS_H
 #define VS_BIND_INCOMING_FILE_TEXTS_H
 

@@ -7,7 +7,7 @@
 #include "vm/machine/run.h"
 #include "vm/values/heap.h"
 
-/* Returns false, with the condition set, on an interrupt. */
+/* Returns false, with the error set, on an interrupt. */
 static bool keep_reading(void *vm) { return vs_poll(vm, 1 << 16); }
 
 /* (load-points file): returns the list of points in the order of the file. */

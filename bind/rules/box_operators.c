@@ -1,8 +1,9 @@
-/* Implements operators that divide a scope: split, repeat, component, extrude, prism, round corner, triangulate,
- * subdivide. Each pushes the resulting scopes on the stack of scopes that wait for their rules.
+/* Implements operators that divide a scope (a box or other shape to which rules are applied): split, repeat, component,
+ * extrude, prism, round corner, triangulate, subdivide. Each operator pushes the resulting scopes on the stack of
+ * scopes that wait for their rules.
  *
- * A hexahedron that is cut by two planes of constant x, y or z of its own coordinates is again a hexahedron, since its
- * map is linear along each axis. */
+ * If a hexahedron is cut by two planes of constant x, y or z of its own coordinates, the part between the planes is
+ * again a hexahedron, since its map is linear along each axis. */
 #include "bind/call/call.h"
 #include "bind/call/refuse.h"
 #include "bind/call/scratch.h"
@@ -23,8 +24,8 @@
 
 static vs_vec3 between(vs_vec3 a, vs_vec3 b, double t) { return vs_v3_add(a, vs_v3_scale(vs_v3_sub(b, a), t)); }
 
-/* A part of a scope along an axis. whole: length of the scope; from: start of the part; size: length of the part. The
- * part becomes child `index` of `count`. */
+/* A part of a scope along an axis. whole: length of the scope; from: position of the part's start; size: length of the
+ * part. The part becomes child `index` of `count`. */
 typedef struct { int axis; double whole, from, size; uint32_t index, count; } slice;
 
 static vs_scope *part_of(vs_derivation *d, vs_scope *s, const char *op, const slice *p) {
@@ -157,8 +158,8 @@ vs_status vs_p_scope_repeat(vs_args *f, vs_value *out) {
 
 /* ---- the operator component ---- */
 
-/* The faces of a box, each by three corners: its first corner, the next one along the face's x, and the next one along
- * its y. Seen from outside, y points up. */
+/* The faces of a box. Each is described by three corners: its first corner, the next corner along the face's x, and the
+ * next corner along its y. Seen from outside, y points up. */
 enum { FRONT, BACK, LEFT, RIGHT, TOP, BOTTOM, FACES };
 static const struct {
   const char *name;
@@ -170,7 +171,7 @@ static const struct {
 static const uint8_t side_order[] = { FRONT, RIGHT, BACK, LEFT }; /* the sides in order around the box */
 static const uint8_t face_order[] = { FRONT, RIGHT, BACK, LEFT, TOP, BOTTOM };
 
-/* Sets s to a box without depth: its first corner is a, x points towards b, and y, perpendicular to x, towards c. */
+/* Makes s a box without depth: its first corner is a, x points towards b, and y, perpendicular to x, towards c. */
 static void lay_box(vs_scope *s, vs_vec3 a, vs_vec3 b, vs_vec3 c) {
   vs_vec3 u = vs_v3_sub(b, a), v = vs_v3_sub(c, a), x = vs_v3_unit(u);
   vs_vec3 y = vs_v3_unit(vs_v3_sub(v, vs_v3_scale(x, vs_v3_dot(x, v))));
@@ -178,7 +179,7 @@ static void lay_box(vs_scope *s, vs_vec3 a, vs_vec3 b, vs_vec3 c) {
   s->as.box.size = vs_v3(vs_v3_length(u), fabs(vs_v3_dot(y, v)), 0);
 }
 
-/* Sets child to a face of the box or hexahedron s. Uses the frame's axes, so that s may have no size along one of
+/* Makes child a face of the box or hexahedron s. Uses the axes of s's frame, so that s may have no size along one of
  * them. */
 static void lay_face(vs_scope *child, const vs_scope *s, int face) {
   const uint8_t first = faces[face].first, along = faces[face].along, up = faces[face].up;
@@ -199,8 +200,8 @@ static void lay_face(vs_scope *child, const vs_scope *s, int face) {
   child->as.box.size = vs_v3(size[ax], size[ay], 0);
 }
 
-/* Sets child to the edge from corner a to corner b. Its y is the perpendicular to the edge that is nearest the y of s;
- * for an edge along y, nearest the x of s. */
+/* Makes child the edge of s from corner a to corner b. The child's y is perpendicular to the edge, and as near as
+ * possible to the y of s; for an edge along y, to the x of s. */
 static void lay_edge(vs_scope *child, const vs_scope *s, int a, int b) {
   vs_affine frame = vs_scope_frame(s);
   vs_vec3 from = vs_scope_corner(s, a & 1, a >> 1 & 1, a >> 2), to = vs_scope_corner(s, b & 1, b >> 1 & 1, b >> 2);
@@ -244,7 +245,7 @@ static vs_status box_components(vs_args *f, const char *of, vs_value *out) {
       c->as.box.frame = vs_scope_frame(s);
       vs_vec3 at = vs_scope_corner(s, i & 1, i >> 1 & 1, i >> 2 & 1);
       c->as.box.frame.m[0][3] = at.x, c->as.box.frame.m[1][3] = at.y, c->as.box.frame.m[2][3] = at.z;
-    } else { /* finds pair i of corners whose numbers differ in one bit */
+    } else { /* the edge number i connects the i-th pair of corners whose numbers differ in one bit */
       int a = 0, bit = 0;
       for (;; edge++) {
         a = (int)edge & 7, bit = 1 << (edge >> 3);
@@ -280,8 +281,8 @@ static side side_of(const vs_scope *s, uint32_t k) {
   return (side){ a, b, outer_angle(p, a, b, z), outer_angle(a, b, q, z) };
 }
 
-/* Sets c to edge or vertex i of a sampled curve, with y as near as possible to the world's Z. The last vertex of an
- * open curve has the frame of the last edge. */
+/* Makes c edge or vertex i of a sampled curve, with y as near as possible to the world's Z. The last vertex of an open
+ * curve has the frame of the last edge. */
 static void lay_sample(vs_scope *c, const vs_scope *s, uint32_t i, bool vertex) {
   const vs_points *p = s->loops->points;
   bool end = !s->closed && i + 1 == p->count;
@@ -337,8 +338,9 @@ vs_status vs_p_scope_component(vs_args *f, vs_value *out) {
 
 /* ---- the operator extrude ---- */
 
-/* Divides an extruded polygon: each side becomes a box of height h without depth; further children are the polygons at
- * the top and, facing down, at the bottom. A box without depth counts as the polygon of its corners. */
+/* Extrudes a polygon by h and divides the result. Each side becomes a box of height h without depth. Further children
+ * are the polygons at the top and, facing down, at the bottom. A box without depth counts as the polygon of its
+ * corners. */
 vs_status vs_p_scope_extrude(vs_args *f, vs_value *out) {
   vs_scheme *vm = f->vm;
   VS_ROOTS(vm, r, 4);
@@ -397,8 +399,9 @@ static vs_vec3 at_angle(const vs_scope *s, double x, double angle, int j) {
   return vs_affine_point(&s->as.box.frame, vs_v3(x * cosine, j * s->as.box.size.y, x * sine));
 }
 
-/* Creates half of a corner of this angle: the wedge between the front rectangle of a box and the same rectangle rotated
- * so that its edge at the greatest x moves along z. Creates nothing if the angle is not positive. */
+/* Creates the wedge that fills half of a corner of this angle. It lies between the front rectangle of a box and the
+ * same rectangle, rotated so that its edge at the greatest x moves along z. Creates nothing if the angle is not
+ * positive. */
 vs_status vs_p_scope_prism(vs_args *f, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   if (!vs_rules_class(f, 0, VS_SCOPE_BIT(BOX))) return VS_ERROR;

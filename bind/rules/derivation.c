@@ -1,5 +1,5 @@
-/* Implements derivations: their begin and end, the stack of waiting scopes, the objects that rules have created, and
- * their random numbers. */
+/* Implements derivations (applications of rules to a scope and its children): their begin and end, the stack of waiting
+ * scopes, the objects that rules have created, and their random numbers. */
 #include "bind/rules/derivation.h"
 
 #include <stdio.h>
@@ -54,7 +54,7 @@ static void derivation_release(void *object) {
   vs_derivation *d = object;
   vs_bind *b = d->bind;
   vs_store *s = b->store;
-  if (b->growing == d) b->growing = NULL; /* an error ended the inner derivation, and b->growing was not restored */
+  if (b->growing == d) b->growing = NULL; /* an error has ended the derivation d, so b->growing still points to it */
   while (d->count) vs_task_drop(d, d->stack[--d->count]);
   vs_store_realloc(s, d->stack, d->room * sizeof *d->stack, 0);
   while (d->waiting_count) vs_task_drop(d, d->waiting[--d->waiting_count].task);
@@ -68,8 +68,8 @@ static void derivation_release(void *object) {
 const vs_foreign_type vs_derivation_type = { "a derivation", derivation_release, NULL, NULL,
                                              NULL,           derivation_trace,   false };
 
-/* Returns the mark of a live scope's Scheme object: the address of its derivation, plus 1 if the rule is to run at
- * once. */
+/* Returns the address by which a scope's Scheme object is marked as live (being processed): that of its derivation,
+ * plus 1 if the rule is to run at once. */
 static const void *live_mark(const vs_derivation *d, bool run) { return (const char *)d + run; }
 static bool is_live(const vs_bind *b, vs_value wrapper, bool *run) {
   const void *with = vs_as_foreign(wrapper)->with;
@@ -78,8 +78,8 @@ static bool is_live(const vs_bind *b, vs_value wrapper, bool *run) {
   return *run || with == live_mark(b->growing, false);
 }
 
-/* Ends a derivation that an uncaught error has left: such an error does not restore b->growing. A running derivation
- * has an entry in the list of winders (dynamic-wind). If this list is empty, the derivation has ended. */
+/* Forgets a derivation that was ended by an uncaught error, which does not restore b->growing. A running derivation has
+ * an entry in the list of winders (dynamic-wind). If this list is empty, the derivation has ended. */
 static void forget_ended(vs_bind *b) {
   if (!b->growing || b->vm->winders != VS_NIL) return;
   if (!b->growing->outer) vs_random_restore(b->vm, b->growing->random);
@@ -95,9 +95,9 @@ static vs_derivation *derivation_new(vs_bind *b, vs_value *holder) {
   };
   const vs_derivation *outer = b->growing;
   if (outer) {
-    d->name = outer->name, d->steps = 1000 * ++b->growing->steps; /* a count of steps makes the paths of the new
-                                                                   * derivation's scopes differ from those of other
-                                                                   * derivations of this rule */
+    /* numbers the steps of a nested derivation from 1000, 2000, ..., so that the paths of its scopes differ from those
+     * of other derivations of this rule */
+    d->name = outer->name, d->steps = 1000 * ++b->growing->steps;
     d->entry = outer->entry, d->position = outer->position;
   }
   d->lineage = outer ? vs_lineage_retain(outer->lineage) : vs_lineage_new(b->store);
@@ -131,7 +131,8 @@ vs_rule_task *vs_task_new(vs_derivation *d, uint32_t count, bool many) {
   return t;
 }
 
-/* Adds an entry to the record: the running rule created the scopes of t. Returns false when memory is out. */
+/* Adds an entry to the derivation's record: the running rule `rule` has created the scopes of t by the operator op.
+ * Returns false when memory is out. */
 static bool record(vs_derivation *d, vs_rule_task *t, const char *rule, const char *op) {
   uint32_t index = t->count == 1 && t->child[0] ? t->child[0]->index : 0;
   return vs_lineage_add(d->lineage,
@@ -255,15 +256,15 @@ vs_status vs_p_derivation_leave(vs_args *f, vs_value *out) {
   return vs_random_restore(f->vm, d->random) ? VS_OK : VS_ERROR;
 }
 
-/* Begins a rule on s: from now on, random numbers depend on the scope's path. */
+/* Begins to apply a rule to s: from now on, random numbers depend on the scope's path. */
 static bool rule_begins(vs_derivation *d, const char *name, const vs_scope *s) {
   d->name = name;
   d->steps = 0;
   return vs_random_branch(d->vm, vs_scope_mix(s->hash, text_hash(name)));
 }
 
-/* Moves the scopes that waited for signals to the stack, with the first of them on top. If it fails, sets the error and
- * returns false. */
+/* Moves the scopes that waited for signals to the stack; the first of these scopes is on top. If it fails, sets the
+ * error and returns false. */
 static bool waiting_begin(vs_derivation *d) {
   if (!vs_store_grow(d->store, &d->stack, &d->room, d->waiting_count, sizeof *d->stack))
     return vs_fail_memory(d->vm);
@@ -272,7 +273,7 @@ static bool waiting_begin(vs_derivation *d) {
 }
 
 /* (%derivation-next d): returns the next scope whose rule is a procedure, or #f at the end. %derivation-rule then
- * returns that rule. If the rule of a scope is an object, places it. */
+ * returns that rule. If a scope's rule is an object, places the object in the scope and continues. */
 vs_status vs_p_derivation_next(vs_args *f, vs_value *out) {
   vs_derivation *d = derivation_of(f);
   VS_ROOTS(f->vm, r, 2);
@@ -319,7 +320,8 @@ vs_status vs_p_derivation_rule(vs_args *f, vs_value *out) {
   return VS_OK;
 }
 
-/* Sets an error that begins with the name of the running rule, not of the native that found it. Returns false. */
+/* Sets an error about a value. The message begins with the name of the running rule, not of the native that found the
+ * error. Returns false. */
 static bool refuse_of_rule(vs_args *f, const char *what, const char *expected, vs_value got) {
   VS_ROOTS(f->vm, r, 2);
   const vs_derivation *d = f->bind->growing;
@@ -351,7 +353,8 @@ static bool gather_value(vs_args *f, vs_derivation *d, const vs_scope *s, vs_val
   return refuse_of_rule(f, what, expected, v);
 }
 
-/* (%derivation-made d value): adds the value of a rule that is a procedure to the objects of the derivation. */
+/* (%derivation-made d value): adds the objects in `value`, the result of a rule that is a procedure, to the objects of
+ * the derivation. */
 vs_status vs_p_derivation_made(vs_args *f, vs_value *out) {
   (void)out;
   vs_derivation *d = derivation_of(f);
@@ -419,8 +422,8 @@ vs_status vs_p_marked_as(vs_args *f, vs_value *out) {
   return vs_is(like, VS_T_CLOSURE) && vs_object_of(like)->flags & VS_F_MARKED ? vs_p_marked(f, out) : VS_OK;
 }
 
-/* (%live procedure s): returns s for a call of the procedure in a sequence of a rule. If the procedure is marked, s is
- * live, that is, refers to the running derivation. */
+/* (%live procedure s): returns the scope s for a call of the procedure in a rule's sequence. If the procedure is
+ * marked, s is live, that is, refers to the running derivation. */
 vs_status vs_p_live(vs_args *f, vs_value *out) {
   vs_value procedure = f->arg[0].value, self = f->arg[1].value;
   *out = self;
@@ -433,8 +436,8 @@ vs_status vs_p_live(vs_args *f, vs_value *out) {
   return VS_OK;
 }
 
-/* (%enter self name body): returns #t if the rule's body is to run now, #f if it waits on the stack, and otherwise a
- * new derivation that runs it. */
+/* (%enter self name body): returns #t if the rule's body is to run now, #f if it waits on the stack. Outside of a
+ * derivation, returns a new derivation that runs the body. */
 vs_status vs_p_rule_enter(vs_args *f, vs_value *out) {
   vs_bind *b = f->bind;
   vs_scope *s = f->arg[0].scope;
@@ -454,7 +457,8 @@ vs_status vs_p_rule_enter(vs_args *f, vs_value *out) {
   vs_rule_task *t = d ? vs_task_new(d, 1, false) : NULL;
   if (!t) return VS_ERROR;
   t->body = true, t->name = name, t->rules[0] = r[0];
-  if (live) { /* the path gets one more level, so that two calls of rules on the same scope differ */
+  if (live) { /* adds a level to the scope's path, so that two calls of rules on one scope have different random
+               * numbers */
     vs_scope *child = vs_rules_child(d, s, (vs_scope_class)s->class_, name, 0, 1);
     if (!child) return vs_task_drop(d, t), VS_ERROR;
     vs_scope_become(child, s);
@@ -473,7 +477,8 @@ vs_status vs_p_rule_enter(vs_args *f, vs_value *out) {
 
 /* ---- signals between scopes ---- */
 
-/* (%scope-await s name rule): applies the rule to s only when no other scope is left on the stack. */
+/* (%scope-await s name rule): applies the rule to s when all other scopes have been processed, so that s can receive
+ * signals of this name. */
 vs_status vs_p_scope_await(vs_args *f, vs_value *out) {
   VS_ROOTS(f->vm, r, 2);
   vs_scope *s = f->arg[0].scope;
@@ -527,8 +532,8 @@ vs_status vs_p_scope_signals(vs_args *f, vs_value *out) {
   return VS_OK;
 }
 
-/* (%took self value): processes the value of an expression in a rule's sequence. A scope becomes the new `self`;
- * objects are added to those of the derivation. */
+/* (%took self value): processes the value of an expression in a rule's sequence. A scope becomes the new `self`; an
+ * object is added to those of the derivation. */
 vs_status vs_p_took(vs_args *f, vs_value *out) {
   vs_value v = f->arg[1].value;
   *out = f->arg[0].value;
@@ -541,8 +546,9 @@ vs_status vs_p_took(vs_args *f, vs_value *out) {
              : VS_ERROR;
 }
 
-/* (%choose p ...): returns the index of the sequence to run in a clause of a rule. Each p is a probability, or #f for
- * an equal share of the remainder to 1. If all are given and sum to less than 1, may return -1: no sequence. */
+/* (%choose p ...): returns the index of the sequence to run in a clause of a rule. Each p is a probability; each #f
+ * gets an equal part of the probability that remains. If all p are numbers and their sum is less than 1, may return -1,
+ * which means no sequence. */
 vs_status vs_p_choose(vs_args *f, vs_value *out) {
   size_t n = f->arg[0].values.count, open = 0;
   const vs_value *v = f->arg[0].values.at;
@@ -570,7 +576,7 @@ vs_status vs_p_choose(vs_args *f, vs_value *out) {
     if (x < p) return *out = vs_fix((int64_t)i), VS_OK;
     x -= p;
   }
-  /* The sum of the probabilities is below 1 by rounding, or no sequence was chosen. */
+  /* If the sum of the probabilities is below 1 only by rounding, the last sequence is chosen; otherwise none is. */
   *out = vs_fix(sum < 1 - 1e-9 && !open ? -1 : (int64_t)n - 1);
   return VS_OK;
 }
@@ -585,7 +591,7 @@ static vs_pos position_of(vs_scheme *vm, const vs_origin *o) {
   return 0;
 }
 
-/* (%rule-refuses name predicate place self): raises the error that the scope is not of the class that the rule
+/* (%rule-refuses name predicate place self): raises the error that the scope `self` is not of the class that the rule
  * requires. The error names the place of the operator that applies the rule, and that of the rule. */
 vs_status vs_p_rule_refuses(vs_args *f, vs_value *out) {
   vs_scheme *vm = f->vm;

@@ -1,5 +1,6 @@
-/* Searches an object for marked scopes. A mark is an object of its own kind without geometry. rules.scm creates marks
- * like objects of define-primitive, so that they are moved and copied together with the objects around them. */
+/* Searches an object for marked scopes. A mark is an object of its own kind, without geometry, that is created in a
+ * scope. rules.scm creates marks like objects of define-primitive, so that they are moved and copied together with the
+ * objects around them. */
 #include "bind/build.h"
 #include "bind/call/call.h"
 #include "bind/rules/derivation.h"
@@ -37,7 +38,7 @@ static bool note_marks(const vs_node *n, vs_nodemap *known) {
       if (seen)
         v->found = v->found || *seen == WITH;
       else if (!child->child_count && !is_mark(child))
-        continue; /* a lone leaf gets no entry, since there may be a million */
+        continue; /* a leaf without a mark gets no entry, since a drawing may have a million leaves */
       else if ((ok = VS_GROW(stack, room, count + 1)))
         stack[count++] = (visit){ child, 0, is_mark(child) };
       continue;

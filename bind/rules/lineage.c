@@ -1,4 +1,5 @@
-/* Implements the records of derivations (lineage.h), and the table that finds the record of an object. */
+/* Implements the records of derivations (lineage.h): which rule and operator created each scope. Also implements the
+ * table that finds the record of an object. */
 #include "bind/rules/lineage.h"
 
 #include "bind/call/call.h"
@@ -21,7 +22,8 @@ void vs_lineage_release(vs_lineage *r) {
 }
 
 bool vs_lineage_add(vs_lineage *r, vs_lineage_entry entry, const char *rule, const char *op, uint32_t *number) {
-  /* A program has a few dozen pairs of rule and operator, and mostly uses the latest again: search from the end. */
+  /* Searches the pairs of rule and operator from the end: a program has a few dozen, and mostly uses the latest
+   * again. */
   size_t site = r->site_count;
   while (site > 0 && (r->sites[site - 1].rule != rule || r->sites[site - 1].op != op)) site--;
   if (site == 0) {
@@ -36,7 +38,7 @@ bool vs_lineage_add(vs_lineage *r, vs_lineage_entry entry, const char *rule, con
   return true;
 }
 
-/* ---- the table of objects and their records ---- */
+/* ---- the table of derived objects and their records ---- */
 
 struct vs_kept_lineage {
   vs_node *node; /* node of the object, retained */
@@ -71,8 +73,8 @@ void vs_lineage_free(vs_bind *b) {
   b->records = NULL, b->record_room = b->record_limit = 0;
 }
 
-/* Returns the latest record of the node or, through nodes with one child, of a node below it. Returns NULL if there is
- * none. */
+/* Returns the latest record of the node n. If n has none and a single child, continues with the child. Returns NULL if
+ * there is no record. */
 static const vs_lineage *record_of(const vs_bind *b, const vs_node *n) {
   for (;;) {
     for (size_t i = b->record_count; i-- > 0;)
@@ -87,8 +89,9 @@ static bool symbol_or_false(vs_scheme *vm, const char *name, vs_value *out) {
   return !name || vs_intern_c(vm, name, out);
 }
 
-/* (%derivation-record o): returns #f, or a vector with six values for each entry, parents first. They are: the number
- * of the parent, the position in it, the number of scopes, the index of a single scope, the rule, the operator. */
+/* (%derivation-record o): returns #f, or a vector with six values for each entry of the record, parents first. The
+ * values are: the number of the parent entry, the position in the parent entry, the number of scopes, the index of a
+ * single scope, the rule, the operator. */
 vs_status vs_p_derivation_record(vs_args *f, vs_value *out) {
   const vs_lineage *r = record_of(f->bind, f->arg[0].ref.node);
   VS_ROOTS(f->vm, v, 2);

@@ -1,8 +1,8 @@
-/* Declares the record of a derivation: the tree of its scopes, with the rule and the operator that created them. An
- * entry for all scopes of one operator's call has twenty bytes. Frames and sizes are not recorded.
+/* Declares the record of a derivation: the tree of its scopes, with the rule and the operator that created each scope.
+ * An entry of twenty bytes represents all scopes of one call of an operator. Positions and sizes are not recorded.
  *
- * The interpreter has a table of records and their objects, which holds a reference to each object. When the table has
- * doubled in size, objects without other references are removed. */
+ * The interpreter has a table of derived objects and their records, which holds a reference to each object. Whenever
+ * the table has doubled in size, objects without other references are removed. */
 #ifndef VS_BIND_RULES_LINEAGE_H
 #define VS_BIND_RULES_LINEAGE_H
 
@@ -11,12 +11,12 @@
 
 typedef struct vs_bind vs_bind;
 
-/* An entry of the record: the scopes that one operator created from the scope at `position` of entry `parent`. The
+/* An entry of the record: the scopes that one operator created from the scope number `position` of entry `parent`. The
  * first entry is the root, which is its own parent. */
 typedef struct {
   uint32_t parent, position, count;
   uint32_t index; /* index of a single scope; in an entry of several scopes, the index of each is its position */
-  uint32_t site;  /* index in the record's table of pairs of rule and operator */
+  uint32_t site;  /* index in the record's table of pairs (rule, operator) */
 } vs_lineage_entry;
 
 typedef struct vs_lineage vs_lineage;

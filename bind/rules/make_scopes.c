@@ -18,8 +18,8 @@
 
 /* ---- creating scopes ---- */
 
-/* Makes s a child of the scope of the running rule. s then continues its path and has its flags; random numbers depend
- * on the places of both. */
+/* Makes s a child of the scope to which the running rule is applied. The path of s then continues that scope's path,
+ * and s has that scope's flags; random numbers depend on the places of both scopes. */
 static void stand_in(vs_scope *s, const vs_derivation *d, const char *op) {
   s->parent = vs_scope_retain(d->now), s->depth = d->now->depth + 1;
   s->rule = d->name, s->op = op;
@@ -63,7 +63,7 @@ vs_status vs_p_make_turtle_scope(vs_args *f, vs_value *out) {
   return made(f, s, f->arg[0].point, out);
 }
 
-/* Sets the frame and size of the scope s to the bounds of an object, with the axes of a root box. */
+/* Sets the frame and size of the scope s to the bounding box of an object, with the axes of a root box. */
 static bool box_around(vs_args *f, vs_scope *s, vs_ref object) {
   vs_bounds b;
   vs_error e = { 0 };

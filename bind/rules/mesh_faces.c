@@ -1,7 +1,9 @@
-/* Computes the components of mesh scopes: the faces of an object as polygon scopes, and their edges and vertices.
+/* Computes the components of a scope that is a mesh: the faces of its object as polygon scopes, and their edges and
+ * vertices.
  *
- * Polyface meshes and boxes have faces already. A region or closed curve has a face for each of its areas. Other solids
- * and surfaces have the triangles of their mesh as faces. An edge or a vertex that several faces share occurs once. */
+ * Polyface meshes and boxes have faces already. A region or closed curve has a face for each of its areas. The faces
+ * of other solids and surfaces are the triangles of their mesh. An edge or a vertex that several faces share occurs
+ * once. */
 #include "bind/rules/mesh_faces.h"
 
 #include "bind/call/call.h"
@@ -126,7 +128,7 @@ static bool add_object(faces *all, vs_ref root) {
   return true;
 }
 
-/* An edge of a face, from a to b in the order of its corners; a vertex if a and b are equal. */
+/* An edge of a face, from a to b in the order of its corners. If a and b are equal, it represents a vertex. */
 typedef struct { vs_vec3 a, b; size_t order; } face_edge;
 
 static int by_place(vs_vec3 p, vs_vec3 q) {
@@ -154,7 +156,7 @@ static int by_order(const void *p, const void *q) {
 }
 
 /* Sets *out to the edges or vertices of all faces, each once, in the order of the faces, and *count to their number.
- * The memory is the call's. */
+ * The array is freed when the call ends. */
 static bool edges_once(const faces *all, bool vertices, face_edge **out, size_t *count) {
   size_t n = 0, kept = 0;
   for (size_t i = 0; i < all->count; i++) n += all->at[i]->points->count;
@@ -175,8 +177,8 @@ static bool edges_once(const faces *all, bool vertices, face_edge **out, size_t 
   return true;
 }
 
-/* Sets c to component i: a face with its loops, or an edge or vertex with a frame parallel to that of the mesh. The y
- * of a vertical edge is nearest the x of that frame. */
+/* Sets c to component i of the mesh scope s: a face with its loops, or an edge or vertex with a frame parallel to that
+ * of s. The y of a vertical edge is nearest the x of that frame. */
 static bool lay_component(vs_scope *c, const vs_scope *s, faces *all, const face_edge *edges, size_t i) {
   if (!edges) {
     c->loops = all->at[i], all->at[i] = NULL;

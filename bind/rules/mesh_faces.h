@@ -1,4 +1,4 @@
-/* Declares the components of mesh scopes, computed by mesh_faces.c. */
+/* Declares the components (faces, edges, vertices) of a scope that is a mesh, computed by mesh_faces.c. */
 #ifndef VS_BIND_RULES_MESH_FACES_H
 #define VS_BIND_RULES_MESH_FACES_H
 

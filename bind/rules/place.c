@@ -1,6 +1,6 @@
-/* Places objects in scopes: the bounds of the object are mapped to the box of the scope. The object's X is mapped to x,
- * its Z (up) to y, and its front, which faces -Y, to the outer side of the scope's face. In a root scope, the object
- * therefore keeps its directions. */
+/* Places objects in scopes: maps the bounding box of the object to the box of the scope. The object's X becomes the
+ * scope's x, its Z (up) the scope's y, and its front, which faces -Y, the outer side of the scope's face. In a root
+ * scope, the object therefore keeps its directions. */
 #include "bind/rules/place.h"
 
 #include "bind/measures.h"
@@ -10,7 +10,7 @@
 #include "geometry/measure/node_measures.h"
 #include "solids/deformed.h"
 
-/* Computes the bounds of an object. Stores those of the latest object for the next call. */
+/* Computes the bounds of an object. Keeps the bounds of the last object for the next call. */
 static bool bounds_of(vs_derivation *d, vs_ref object, vs_bounds *b) {
   vs_error e = { 0 };
   if (d->fitted == object.node) return *b = d->fitted_bounds, true;
@@ -48,7 +48,7 @@ bool vs_rules_place(vs_derivation *d, const vs_scope *s, vs_ref object, const vs
   if (object.node->kind == VS_EMPTY) return true;
   if (!bounds_of(d, object, &b)) return false;
   if (vs_bounds_is_empty(&b)) return true;
-  /* The placed object has the rule as its origin, even after passes have merged the placement into it. */
+  /* The placed object has the place of the rule as its origin, even after passes have merged the placement into it. */
   vs_ref placed = { object.node, origin };
   vs_node *n;
   if (s->class_ == VS_SCOPE_FFD) {

@@ -52,7 +52,7 @@ vs_scope_loops *vs_scope_loops_new(vs_store *store, const vs_vec3 *at, const uin
 }
 
 void vs_scope_release(vs_scope *s) {
-  vs_scope_extra *dead = NULL; /* list of extras whose senders must still be released */
+  vs_scope_extra *dead = NULL; /* list of extra data (vs_scope_extra) whose senders must still be released */
   for (;;) {
     while (s && --s->refs == 0) {
       vs_scope *parent = s->parent;
@@ -136,7 +136,7 @@ uint64_t vs_scope_mix(uint64_t hash, uint64_t more) {
 }
 
 void vs_scope_plant(vs_scope *s, vs_vec3 at) {
-  const double d[3] = { at.x + 0., at.y + 0., at.z + 0. }; /* adding 0 changes -0 to 0 */
+  const double d[3] = { at.x + 0., at.y + 0., at.z + 0. }; /* adding 0 changes -0 to 0, so that both have one hash */
   uint64_t word;
   for (int i = 0; i < 3; i++) {
     memcpy(&word, &d[i], sizeof word);
@@ -202,7 +202,7 @@ bool vs_scope_add_flags(vs_scope *s, const char *const *names, size_t count) {
   }
   uint32_t room = have + fresh;
   while (f->count < room)
-    f->name[f->count++] = names[0]; /* a name was given twice: the end of the array remains unused */
+    f->name[f->count++] = names[0]; /* skips a name that was given twice, so the end of the array remains unused */
   vs_scope_flags_release(s->store, s->flags);
   s->flags = f;
   return true;
@@ -210,8 +210,8 @@ bool vs_scope_add_flags(vs_scope *s, const char *const *names, size_t count) {
 
 /* ---- marks and signals ---- */
 
-/* Returns the extra of s. If other scopes share the extra, first replaces it by a copy. The copy has no signals, since
- * they were sent to the scope that waited. Returns NULL when memory is out. */
+/* Returns the extra data of s. If other scopes share them, first replaces them by a copy. The copy has no signals,
+ * since they were sent to the original scope. Returns NULL when memory is out. */
 static vs_scope_extra *own_extra(vs_scope *s) {
   vs_scope_extra *old = s->extra;
   if (old && old->refs == 1) return old;

@@ -1,5 +1,5 @@
-/* Declares scopes, to which rules are applied. A scope is immutable and reference-counted. It refers to its parent, for
- * the path from the root.
+/* Declares scopes, the boxes and other shapes to which rules are applied. A scope is immutable and reference-counted.
+ * It refers to its parent, so that its path from the root is known.
  *
  * Frames are right-handed: x along, y up, z out of the face. The y of a root box is the world's +Z, and its z the
  * world's -Y. A root box seen from its front therefore shows its object from the front. The corner with indices i, j, k
@@ -25,7 +25,7 @@ typedef enum {
 } vs_scope_class;
 #define VS_SCOPE_BIT(upper) (1u << VS_SCOPE_##upper)
 
-/* The flags of a scope, sorted by address. Scopes below the one that has set them refer to the same flags. */
+/* The flags of a scope, sorted by address. Descendants of a scope refer to its flags, unless they set more. */
 typedef struct {
   uint32_t refs, count;
   const char *name[];
@@ -47,18 +47,18 @@ typedef struct vs_scope_extra vs_scope_extra;
 struct vs_scope_extra {
   uint32_t refs, count;
   size_t room;
-  vs_store *store;       /* the store that allocates the extra, retained */
-  vs_scope_extra *next;  /* next extra in a list of those to be freed */
-  const vs_ticket *mark; /* Ticket of the name and properties of scope-mark, which are in the heap (rules.scm), or
-                          * NULL. */
-  vs_scope **from;       /* the `count` scopes that have sent signals, in order; retained */
+  vs_store *store;       /* the store that allocates this block, retained */
+  vs_scope_extra *next;  /* next block in a list of blocks to be freed */
+  const vs_ticket *mark; /* Ticket that counts references to the name and properties of a scope-mark, which are in the
+                          * Scheme heap (rules.scm). NULL: the scope has no mark. */
+  vs_scope **from;       /* the `count` scopes that have sent signals to this scope, in order; retained */
 };
 
 struct vs_scope {
   uint32_t refs;
   uint8_t class_;
   bool closed;             /* whether a curve scope is closed */
-  bool backed;             /* whether a turtle has set the back of its next hexahedron */
+  bool backed;             /* whether a turtle has already set the back of its next hexahedron */
   uint32_t depth;          /* number of rules and operators from the root */
   uint32_t index, count;   /* the scope is child `index` of the `count` scopes that the operator created */
   uint64_t hash;           /* hash of the path */
@@ -77,7 +77,8 @@ struct vs_scope {
     struct {
       vs_affine frame;
       vs_vec3 size;
-    } box;             /* frame and size of a box; for polygons, triangles and curves of their bounding box */
+    } box;             /* frame and size of a box scope; for polygons, triangles and curves those of their bounding
+                        * box */
     vs_vec3 corner[8]; /* corners of an FFD scope, a hexahedron */
     struct {
       vs_affine frame;
@@ -106,7 +107,7 @@ vs_scope *vs_scope_fresh(vs_store *store, vs_scope_class c);
 vs_scope *vs_scope_copy(const vs_scope *s);
 /* Copies the shape of `of` to s, a new scope of the same class: frame, size, corners, object, loops. */
 void vs_scope_become(vs_scope *s, const vs_scope *of);
-/* Copies all members except the shape from `of` to s, a new scope, which may be of another class. */
+/* Copies all members except the shape from `of` to the new scope s, which may be of another class. */
 void vs_scope_take_path(vs_scope *s, const vs_scope *of);
 /* Sets *out to a Scheme object of the scope, whose reference it takes over. s NULL: memory is out. */
 vs_status vs_bind_give_scope(vs_scheme *vm, vs_scope *s, vs_value *out);
@@ -137,8 +138,8 @@ vs_vec3 vs_scope_size(const vs_scope *s);
  * edges along x, and its y is nearest its edges along y. */
 vs_affine vs_scope_frame(const vs_scope *s);
 
-/* Sets s, a new box scope, to the edge between two points, without height and depth. Its x lies along the edge. Its y
- * is nearest axis number `up` of the frame. */
+/* Makes s, a new box scope, the edge between two points, without height and depth. Its x lies along the edge. Its y is
+ * as near as possible to axis number `up` of the frame. */
 void vs_scope_lay_edge(vs_scope *s, const vs_affine *frame, int up, vs_vec3 from, vs_vec3 to);
 
 /* Returns loops with copies of these points, or NULL when memory is out. */

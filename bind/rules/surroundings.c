@@ -1,12 +1,12 @@
-/* Answers questions of a rule about its surroundings: whether its scope touches the objects created so far, or lies
+/* Answers questions of a rule about its surroundings: whether its scope touches the objects created up to now, or lies
  * inside them.
  *
  * A tree contains the bounds of the objects in the order of their creation. The objects of one rule are close together,
  * so that sixteen consecutive objects share a box, sixteen such boxes share a larger box, and so on. Where bounds
  * overlap, the test is exact. A scope consists of convex pieces: one for a box, six tetrahedra for a hexahedron, a flat
  * piece for each triangle of a polygon or mesh and for each segment of a curve. A triangle of an object touches the
- * scope if a part of it remains after it was cut by the planes of a piece. A scope that no triangle touches lies
- * completely inside or outside the object, so that testing one point suffices. The same is true of an object and a
+ * scope if a part of the triangle remains after it is cut by the planes of a piece. A scope that no triangle touches
+ * lies completely inside or outside the object, so that testing one point suffices. The same is true of an object and a
  * scope that is a closed mesh. */
 #include "bind/rules/surroundings.h"
 
@@ -30,10 +30,11 @@ struct vs_surroundings {
   struct {
     vs_bounds *at;
     size_t count, room;
-  } level[LEVELS]; /* level[0] has the bounds of each object */
+  } level[LEVELS]; /* level[0] contains the bounds of each object, level[i + 1] the boxes around sixteen elements of
+                    * level[i] */
   struct {
     vs_node *node;     /* node of the object, retained, or NULL */
-    vs_node *resolved; /* the same object after vs_resolve (solids/resolve.h), retained */
+    vs_node *resolved; /* the object after its sections and shadows were computed (solids/resolve.h), retained */
     vs_bend_leaves leaves;
   } kept[KEPT]; /* cache of objects with their triangles, by the address of the node */
 };
@@ -85,7 +86,7 @@ typedef struct {
   vs_vec3 point;     /* a point in the scope */
   double slack;      /* distances below this length count as 0 */
   piece own[6];
-  piece *flat; /* flat pieces of a polygon, curve or mesh, used instead of `own`; owned by the store */
+  piece *flat; /* flat pieces of a polygon, curve or mesh, used instead of the pieces in `own`; owned by the store */
   size_t count, room;
   vs_node *solid; /* a closed mesh, whose inside belongs to the scope, or NULL */
 } body;
@@ -201,8 +202,8 @@ static bool curve_pieces(body *b, const vs_scope *s) {
   return ok;
 }
 
-/* Adds the faces of the object of a mesh or surface scope. If it fails, returns false, and sets *set if the condition
- * is set. */
+/* Adds pieces for the faces of the object of a mesh or surface scope. If it fails, returns false, and sets *set if the
+ * VM's error is set. */
 static bool object_pieces(vs_bind *bind, body *b, const vs_scope *s, bool *set) {
   vs_bend_leaves leaves;
   vs_ref object = { vs_node_retain(s->object.node), s->object.origin };
@@ -221,7 +222,7 @@ static bool object_pieces(vs_bind *bind, body *b, const vs_scope *s, bool *set) 
   return ok;
 }
 
-/* Computes the pieces of a scope; the caller frees them. If it fails, sets the condition and returns false. */
+/* Computes the pieces of a scope; the caller frees them. If it fails, sets the error and returns false. */
 static bool body_of(vs_bind *bind, const vs_scope *s, body *b) {
   *b = (body){ .store = bind->store, .bounds = vs_bounds_empty() };
   vs_scope_corners(s, b->corner);
@@ -289,21 +290,21 @@ static bool surfaces_touch(const body *a, const body *b) {
   static const int face[6][4] = { { 0, 1, 3, 2 }, { 4, 5, 7, 6 }, { 0, 1, 5, 4 },
                                   { 2, 3, 7, 6 }, { 0, 2, 6, 4 }, { 1, 3, 7, 5 } };
   for (int i = 0; i < 6 && !b->flat; i++)
-    for (int k = 0; k < 2; k++) { /* k = 0, 1: the diagonals from corners 0 and 7, as in the tetrahedra */
+    for (int k = 0; k < 2; k++) { /* k = 0, 1: the two triangles into which corner 0 divides a face of the hexahedron */
       const vs_vec3 t[3] = { b->corner[face[i][0]], b->corner[face[i][1 + k]], b->corner[face[i][2 + k]] };
       if (body_meets(a, t, slack)) return true;
     }
   return false;
 }
 
-/* Sets *in if the point lies inside the closed mesh of b. If it fails, sets the condition and returns false. */
+/* Sets *in if the point lies inside the closed mesh of b. If it fails, sets the error and returns false. */
 static bool solid_holds(vs_bind *bind, const body *b, vs_vec3 p, bool *in) {
   vs_error e = { 0 };
   if (!b->solid || vs_inside_cached(&bind->inside, b->solid, p, in, &e)) return true;
   return e.kind == VS_ERROR_INTERRUPT ? false : vs_fail(bind->vm, bind->vm->sym.error, "%s", e.message);
 }
 
-/* Sets *touch to whether the scopes a and b have a common point. If it fails, sets the condition and returns false. */
+/* Sets *touch to whether the scopes a and b have a common point. If it fails, sets the error and returns false. */
 static bool bodies_touch(vs_bind *bind, const body *a, const body *b, bool *touch) {
   *touch = surfaces_touch(a, b);
   if (*touch || !vs_bounds_overlap(&a->bounds, &b->bounds, fmax(a->slack, b->slack))) return true;
@@ -360,7 +361,7 @@ static bool leaf_point(const vs_bend_leaf *l, const vs_affine *map, vs_vec3 *out
 typedef struct {
   vs_args *f;
   body body;
-  bool inside; /* true: the question is whether the scope lies inside an object; false: whether the scope touches an
+  bool inside; /* true: the rule asks whether the scope lies inside an object; false: whether the scope touches an
                 * object */
   const char *flag;
   bool failed;
@@ -374,8 +375,8 @@ static bool holds(question *q, const vs_node *n, vs_vec3 p) {
   return in;
 }
 
-/* Returns true if the object contains all the points. Each is first moved a little towards their mean, since a scope
- * may lie on the object's faces. */
+/* Returns true if the object contains all the points. Each point is first moved a little towards their mean, since a
+ * scope may lie on the object's faces. */
 static bool holds_all(question *q, const vs_node *n, const vs_affine *back, const vs_vec3 *at, int count) {
   vs_vec3 middle = vs_v3(0, 0, 0);
   for (int i = 0; i < count; i++) middle = vs_v3_add(middle, vs_v3_scale(at[i], 1.0 / count));
@@ -387,7 +388,7 @@ static bool holds_all(question *q, const vs_node *n, const vs_affine *back, cons
   return all;
 }
 
-/* Returns true if the scope lies inside this object, or touches it, as the question asks. */
+/* Returns true if, as the rule asks, the scope lies inside this object, or touches it. */
 static bool answers(question *q, vs_surroundings *a, vs_ref object) {
   vs_affine map = vs_affine_identity();
   vs_ref base = object;
@@ -444,8 +445,8 @@ static bool any_answers(question *q, vs_derivation *d) {
   if (!a || !catch_up(d, a)) return q->failed = true, false;
   int level = LEVELS - 1;
   size_t at = 0;
-  /* Visits the tree in order. Enters a box whose bounds overlap those of the scope. Otherwise continues with the next
-   * box or, after the last box of a level, with the parent's next box. */
+  /* Visits the tree in order. If the bounds of a box overlap those of the scope, enters the box. Otherwise continues
+   * with the next box or, after the last box of a level, with the next box of the parent's level. */
   while (at < a->level[level].count) {
     const vs_bounds *box = &a->level[level].at[at];
     bool meet = !vs_bounds_is_empty(box) && vs_bounds_overlap(box, &q->body.bounds, q->body.slack);
@@ -499,8 +500,8 @@ static vs_status ask(vs_args *f, bool inside, vs_value *out) {
 vs_status vs_p_scope_touches(vs_args *f, vs_value *out) { return ask(f, false, out); }
 vs_status vs_p_scope_is_inside(vs_args *f, vs_value *out) { return ask(f, true, out); }
 
-/* (scope-overlap s other): returns #f, or two points in the coordinates of s. They are the corners of the intersection
- * of s's box with the bounds of `other` along the axes of s. */
+/* (scope-overlap s other): returns #f, or two points in the coordinates of s: the corners of the intersection of s's
+ * box with the bounds of `other` along the axes of s. */
 vs_status vs_p_scope_overlap(vs_args *f, vs_value *out) {
   vs_affine frame = vs_scope_frame(f->arg[0].scope), back;
   vs_vec3 size = vs_scope_size(f->arg[0].scope), corner[8];
@@ -521,9 +522,9 @@ vs_status vs_p_scope_overlap(vs_args *f, vs_value *out) {
   return VS_OK;
 }
 
-/* (scope-detail s #:width): returns the length of the scope's diagonal in pixels, for a picture of this width by the
- * drawing's camera. The length is that at the scope's nearest point. Returns +inf if the camera is in the scope, or
- * there is no camera. */
+/* (scope-detail s #:width): returns the length of the scope's diagonal in pixels, as if seen at the scope's nearest
+ * point, in a picture of this width by the drawing's camera. Returns +inf if the camera is in the scope, or there is no
+ * camera. */
 vs_status vs_p_scope_detail(vs_args *f, vs_value *out) {
   const vs_scene *scene = &f->bind->scene;
   vs_vec3 corner[8], middle = { 0, 0, 0 };

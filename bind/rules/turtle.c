@@ -1,5 +1,4 @@
-/* Implements the turtle: it moves and rotates its frame, changes its cross-section, and creates the hexahedra between
- * two cross-sections.
+/* Implements the turtle: a moving frame with a cross-section, which creates the hexahedra between two cross-sections.
  *
  * The columns of the frame are left (x), up (y) and ahead (z). A yaw rotates to the left, a pitch upwards, and a roll
  * to the right about the direction ahead, as an aircraft banks. */
@@ -51,7 +50,8 @@ vs_status vs_p_turtle_height(vs_args *f, vs_value *out) {
   return vs_bind_give_scope(f->vm, s, out);
 }
 
-/* Rotates the direction ahead towards the vector (tropism), by the strength times the angle between them. */
+/* Rotates the direction ahead towards the vector (tropism). The angle of this rotation is the strength times the angle
+ * between them. */
 vs_status vs_p_turtle_toward(vs_args *f, vs_value *out) {
   vs_scope *s = changed(f);
   if (!s) return VS_ERROR;

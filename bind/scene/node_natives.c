@@ -1,7 +1,7 @@
 /* Implements the natives of the scene: matrices, rays, and the drawings of nodes.
  *
  * At any time there is one drawing, to which `draw` adds. When another node gets the focus, drawing_swap returns the
- * objects of the drawing as a list for the old node, and replaces them by the objects of the new node. */
+ * objects of the old node's drawing as a list, and replaces them by the objects of the new node. */
 #include "bind/scene/node_natives.h"
 
 #include <math.h>
@@ -100,7 +100,7 @@ static vs_status matrix_point(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
 /* ---- rays that pick objects ---- */
 
 static vs_status fail_ray(vs_scheme *vm, const vs_error *e) {
-  if (e->kind == VS_ERROR_INTERRUPT) return VS_ERROR; /* the condition is already set */
+  if (e->kind == VS_ERROR_INTERRUPT) return VS_ERROR; /* the error is already set */
   if (e->kind == VS_ERROR_MEMORY) return vs_fail_memory(vm);
   return vs_fail(vm, vm->sym.error, "%s", *e->message ? e->message : "the ray's hits cannot be computed");
 }
@@ -115,7 +115,8 @@ static vs_status ray_meets(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   vs_ray_hit hit;
   vs_error e = { 0 };
   *out = VS_FALSE;
-  if (!vs_affine_invert(&m, &back)) return VS_OK; /* a singular matrix makes the object flat: no ray hits it */
+  if (!vs_affine_invert(&m, &back)) return VS_OK; /* a matrix that cannot be inverted makes the object flat: no ray hits
+                                                   * it */
   vs_vec3 from = vs_affine_point(&back, vs_v3(p[0], p[1], p[2]));
   vs_vec3 direction = vs_affine_vector(&back, vs_v3(d[0], d[1], d[2]));
   if (!vs_ray_meets(vm, vs_bind_take_ref(a[0]), from, direction, &hit, &e)) return fail_ray(vm, &e);
@@ -139,9 +140,9 @@ static vs_status drawing_list(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
   return vs_bind_give_refs(b, b->scene.drawn, b->scene.drawn_count, out);
 }
 
-/* Called before the drawing of the root is replaced. The program has used an object if it has drawn the object itself,
- * or all its parts. Marks such objects among the top-level values, so that no warning follows. When memory is out,
- * marks none. */
+/* Called before the drawing of the root node is replaced. An object counts as used if the program has drawn the object
+ * itself, or all its parts. Marks these objects among the top-level values, so that no warning about unused objects
+ * follows. When memory is out, marks none. */
 static void was_shown(vs_bind *b) {
   if (b->returned_count == 0 || b->scene.drawn_count == 0) return;
   vs_nodemap all = { .store = b->store };
@@ -150,7 +151,8 @@ static void was_shown(vs_bind *b) {
     known = vs_nodemap_put(&all, b->scene.drawn[i].node, NULL) != NULL;
   for (size_t i = 0; known && i < b->returned_count; i++) {
     const vs_node *n = b->returned[i].node;
-    bool parts = n->kind == VS_UNION; /* a union: (draw a list) draws the parts and returns their union */
+    bool parts = n->kind == VS_UNION; /* parts: true for a union, because (draw a list) draws the parts and returns
+                                       * their union */
     for (uint32_t k = 0; parts && k < n->child_count; k++) parts = vs_nodemap_get(&all, n->children[k].node) != NULL;
     if (parts || vs_nodemap_get(&all, n)) b->returned[i].shown = true;
   }
@@ -158,7 +160,7 @@ static void was_shown(vs_bind *b) {
 }
 
 /* (objects away): replaces the drawing by a list of objects, and returns the old drawing. away: whether the new drawing
- * is not the root's. */
+ * belongs to a node other than the root. */
 static vs_status drawing_swap(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   vs_bind *b = vs_bind_of(vm);
   VS_ROOTS(vm, r, 1);
@@ -215,13 +217,14 @@ bool vs_nodes_are_there(const vs_bind *b) {
   return vs_is_vector(host) && vs_as_vector(host)->at[HOST_SCENE] != VS_FALSE;
 }
 
-/* Calls an accessor of nodes.scm on v without the run loop. Returns false if v is no record of its type. */
+/* Calls an accessor of nodes.scm on v without the interpreter's run loop. Returns false if v is no record of the
+ * accessor's type. */
 static bool read_field(vs_scheme *vm, const char *accessor, vs_value v, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   if (!vs_intern_c(vm, accessor, &r[0])) return false;
   r[0] = vs_environment_value(vm->at.core, r[0]);
   int64_t fuel = vm->fuel;
-  vm->fuel = 2; /* just enough steps for a call from outside of the run loop */
+  vm->fuel = 2; /* the number of steps that suffices for a call from outside of the run loop */
   vs_value arguments[2] = { v, VS_UNSPECIFIC }; /* the second argument is for a modifier, and is unused here */
   bool ok = vs_is(r[0], VS_T_CLOSURE) && vs_record_call(vm, r[0], arguments, 1, out);
   vm->fuel = fuel;
@@ -231,7 +234,7 @@ static bool read_field(vs_scheme *vm, const char *accessor, vs_value v, vs_value
 bool vs_node_read(vs_scheme *vm, vs_value v, vs_node_part part, vs_value *out) {
   static const char *const accessors[] = { [VS_NODE_NAME] = "%node-name", [VS_NODE_PARENT] = "%node-parent",
                                            [VS_NODE_CHILDREN] = "%node-children" };
-  VS_ROOTS(vm, r, 3); /* roots: the part, the list, a child */
+  VS_ROOTS(vm, r, 3); /* roots of the garbage collector: the part, the list, a child */
   vs_value of;
   *out = VS_FALSE;
   if (!read_field(vm, accessors[part], v, &r[0])) return false;

@@ -1,7 +1,8 @@
 /* Computes where a ray hits an object.
  *
- * If the ray misses the object's bounds, no mesh is computed. Otherwise, all solids are evaluated to one mesh whose
- * triangles have origins, surfaces are tessellated one by one, and the nearest triangle is the hit. */
+ * If the ray misses the object's bounds, no mesh is computed. Otherwise, all solids are combined to one mesh whose
+ * triangles have origins, and surfaces are converted to triangles one by one. The nearest triangle on the ray is the
+ * hit. */
 #include "bind/scene/ray_hits.h"
 
 #include <math.h>

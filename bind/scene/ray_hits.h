@@ -1,17 +1,17 @@
-/* Declares the first hit of a ray on solids and surfaces. ray_hits.c computes it with the triangles that measures of
- * objects use. */
+/* Declares the first intersection of a ray with solids and surfaces. ray_hits.c computes it with the triangles by which
+ * objects are measured. */
 #ifndef VS_BIND_SCENE_RAY_HITS_H
 #define VS_BIND_SCENE_RAY_HITS_H
 
 #include "model/node.h"
 #include "vm/machine/native.h"
 
-/* A hit. at: distance from the ray's start, as a multiple of the length of its direction; INFINITY if there is no hit.
- * origin: of the part that was hit, or NULL if it is unknown. */
+/* An intersection of a ray. at: distance from the ray's start, as a multiple of the length of its direction; INFINITY
+ * if there is none. origin: place of the program that made the part, or NULL if it is unknown. */
 typedef struct { double at; const vs_origin *origin; } vs_ray_hit;
 
-/* Computes the nearest hit at or after `from`. Curves and regions are ignored. If it fails, returns false and sets *e,
- * or leaves *e empty if the condition is already set. */
+/* Computes the nearest intersection of a ray at or after its start `from`. Curves and regions are ignored. If it fails,
+ * returns false and sets *e, or leaves *e empty if the VM's error is already set. */
 bool vs_ray_meets(vs_scheme *vm, vs_ref object, vs_vec3 from, vs_vec3 direction, vs_ray_hit *hit, vs_error *e);
 
 #endif

@@ -1,4 +1,4 @@
-/* Implements questions about points along a curve, and pipes. */
+/* Implements questions about points along a curve, and pipes along curves. */
 #include "bind/shapes/along_curves.h"
 
 #include <stdio.h>
@@ -90,7 +90,7 @@ vs_status vs_p_curve_division(vs_args *f, vs_value *out) {
   return ok ? VS_OK : VS_ERROR;
 }
 
-/* ---- curve walks: sampled curves for many questions ---- */
+/* ---- curve walks: curves that are sampled once and asked often ---- */
 
 static void walk_free(void *p) {
   vs_stations_close(p);
@@ -107,8 +107,9 @@ vs_status vs_p_curve_walk(vs_args *f, vs_value *out) {
   return vs_make_foreign(f->vm, &walk_type, s, 0, out);
 }
 
-/* Returns the station at the fraction arg[1] of the length of curve walk arg[0]. Sets *along to the length by which the
- * point lies beyond an end of an open curve: negative before the start, 0 on the curve. A closed curve is repeated. */
+/* Returns the station (point and frame) at the fraction arg[1] of the length of curve walk arg[0]. Sets *along to the
+ * distance by which the point lies beyond an end of an open curve: negative before the start, 0 on the curve. On a
+ * closed curve, fractions beyond 1 continue at the start. */
 static vs_station walk_station(const vs_args *f, double *along) {
   const vs_stations *w = vs_foreign_get(f->arg[0].value, &walk_type);
   double share = f->arg[1].real;
@@ -173,7 +174,8 @@ vs_status vs_p_pipe_places(vs_args *f, vs_value *out) {
   return ok ? VS_OK : VS_ERROR;
 }
 
-/* (%make-pipe c segments radii): creates a pipe; each of the radii is that of a ring at these places. */
+/* (%make-pipe c segments radii): creates a pipe. `radii` has the radius of each ring, at the places that %pipe-places
+ * returns. */
 vs_status vs_p_make_pipe(vs_args *f, vs_value *out) {
   vs_error e = { 0 };
   vs_pipe p;
@@ -188,8 +190,8 @@ vs_status vs_p_make_pipe(vs_args *f, vs_value *out) {
   for (size_t i = 0; ok && i < n; i++, l = vs_cdr(l))
     ok = vs_is_pair(l) && vs_bind_take_number(f->vm, vs_car(l), &radius[i]);
   bool turns = ok && !vs_pipe_rings(&p, radius, around, grid + caps * around, &at);
-  for (size_t k = 0; ok && caps && k < around; k++) { /* a row whose points are all equal closes each end, which is
-                                                       * flat */
+  for (size_t k = 0; ok && caps && k < around; k++) { /* closes each end of the pipe by a flat disc: a further row of
+                                                       * points, all equal to the centre */
     grid[k] = vs_station_at(&p.stations, 0).at;
     grid[(n + 1) * around + k] = vs_station_at(&p.stations, p.stations.length).at;
   }

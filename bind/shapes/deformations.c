@@ -22,7 +22,7 @@ typedef struct {
   vs_bind *bind;
   vs_bend_leaves leaves;
   vs_bending **at;  /* deformation of each leaf (part) of the object */
-  size_t room, now; /* now: number of the current leaf */
+  size_t room, now; /* now: index of the leaf that is being deformed */
 } deformation;
 
 static void deformation_free(void *p) {
@@ -35,7 +35,7 @@ static void deformation_free(void *p) {
 static const vs_foreign_type deformation_type = { .name = "a deformation", .release = deformation_free };
 static deformation *given(vs_args *f) { return vs_foreign_get(f->arg[0].value, &deformation_type); }
 
-/* (%deform o): begins to deform the object, and divides it into leaves. */
+/* (%deform o): begins the deformation of the object, and divides the object into leaves (parts). */
 vs_status vs_p_deform(vs_args *f, vs_value *out) {
   deformation *d = NULL;
   size_t one = 0;

@@ -21,7 +21,7 @@
 #include "geometry/tessellate.h"
 #include "model/store/array.h"
 
-/* A net in the making, and the data of a walk along its borders. */
+/* A net while it is made: a mesh laid flat, in pieces. Also the data of a walk along the borders of a piece. */
 typedef struct {
   vs_args *f;
   vs_mesh mesh;
@@ -109,7 +109,7 @@ static bool begin(sheet *s, vs_args *f) {
                  : vs_fail_memory(f->vm);
 }
 
-/* Moves the piece to the right of `from`, and returns its right side. */
+/* Moves the piece to the right of the position `from`, and returns the position of its right side. */
 static double beside(sheet *s, uint32_t piece, double from) {
   double low = INFINITY, high = -INFINITY;
   for (uint32_t t = 0; t < s->mesh.triangle_count; t++)
@@ -128,8 +128,8 @@ static vs_status list_of(vs_args *f, vs_value *items, size_t n, vs_value *out) {
   return VS_OK;
 }
 
-/* (%unroll s): returns a list: the flat region, or #f if the pieces overlap in the plane or the surface is doubly
- * curved; whether it is doubly curved; its curvature, gap and twist (flat_net.h). */
+/* (%unroll s): returns a list: the flat region, whether the surface is doubly curved, its curvature, gap and twist
+ * (flat_net.h). The region is #f if its pieces overlap in the plane or the surface is doubly curved. */
 vs_status vs_p_unroll(vs_args *f, vs_value *out) {
   sheet s;
   vs_flatness flat;
@@ -158,7 +158,8 @@ vs_status vs_p_unroll(vs_args *f, vs_value *out) {
         covered += (a.x * b.y - a.y * b.x) / 2;
       }
     vs_area_free(&whole), whole = (vs_area){ 0 };
-    if (ok && fabs(sum - covered) > 1e-6 * sum) /* the surface overlaps itself in the plane */
+    if (ok && fabs(sum - covered) > 1e-6 * sum) /* the areas of the pieces exceed the covered area: the pieces overlap
+                                                 * in the plane */
       ok = vs_fail(f->vm, f->vm->sym.range,
                    "the surface overlaps itself when it is laid flat; cut it into shorter parts with do-slice");
   }
@@ -170,7 +171,7 @@ vs_status vs_p_unroll(vs_args *f, vs_value *out) {
   return ok ? list_of(f, r, 5, out) : VS_ERROR;
 }
 
-/* Sets *out to the list of ends of the piece's folds: two points for each. A tab is folded along its edge. Mountain
+/* Sets *out to the list of the piece's folds, as two points for each fold. A tab is folded along its edge. Mountain
  * folds are convex as seen from outside; the triangles of a flat face have no fold between them. */
 static bool folds(sheet *s, uint32_t piece, bool mountain, vs_value *out) {
   vs_args *f = s->f;
@@ -198,8 +199,8 @@ static bool folds(sheet *s, uint32_t piece, bool mountain, vs_value *out) {
   return true;
 }
 
-/* Sets *out to the list of the piece's cut edges: number, start, end, in the direction of the border. number[e] is the
- * number of edge e. */
+/* Sets *out to the list of the piece's cut edges, each as number, start and end, in the direction of the border.
+ * number[e] is the number of edge e. */
 static bool numbers(sheet *s, uint32_t piece, const uint32_t *number, vs_value *out) {
   vs_args *f = s->f;
   const vs_flat_net *n = &s->net;

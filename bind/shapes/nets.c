@@ -1,5 +1,6 @@
-/* Implements the natives of form-find and similar procedures, which nets.scm calls with checked arguments: nets of
- * points and members are flat lists. Also implements triangulations and Voronoi cells of points in a plane. */
+/* Implements the natives of form-find and similar procedures. nets.scm calls them with checked arguments: a net,
+ * which consists of points and members, as flat lists. Also implements triangulations and Voronoi cells of points in
+ * a plane. */
 
 #include <math.h>
 #include <stdio.h>
@@ -64,7 +65,7 @@ static vs_status unsettled(vs_args *f, vs_relax_outcome outcome, const vs_relax_
     return vs_fail(f->vm, f->vm->sym.range,
                    "no equilibrium was found in %zu steps: a share of %s of the forces is not balanced", report->steps,
                    a);
-  case VS_RELAX_STOPPED: return VS_ERROR; /* the condition is already set */
+  case VS_RELAX_STOPPED: return VS_ERROR; /* the error is already set */
   case VS_RELAX_MEMORY:
   case VS_RELAX_DONE: break;
   }
@@ -143,7 +144,7 @@ vs_status vs_p_planarise(vs_args *f, vs_value *out) {
   vs_plane_outcome outcome = vs_net_planarise(&net, f->arg[3].real, work, &worst);
   VS_ROOTS(f->vm, r, 2);
   switch (outcome) {
-  case VS_PLANE_STOPPED: return VS_ERROR; /* the condition is already set */
+  case VS_PLANE_STOPPED: return VS_ERROR; /* the error is already set */
   case VS_PLANE_MEMORY: return vs_fail_memory(f->vm);
   case VS_PLANE_FAR: {
     char text[32];
@@ -186,7 +187,7 @@ vs_status vs_p_shortest_path(vs_args *f, vs_value *out) {
   return ok ? VS_OK : VS_ERROR;
 }
 
-/* A region or closed curve of an argument, as loops in its own plane. If all bytes are zero, it is empty. */
+/* An area in a plane: the region or closed curve of an argument, as loops. If all bytes are zero, the area is empty. */
 typedef struct {
   vs_outline outline; /* the loops in space, with the frame of their plane */
   vs_affine back;     /* the map from space to the frame of the plane */
@@ -199,7 +200,7 @@ static void flat_region_free(flat_region *r) {
 }
 
 /* Samples the region or closed curve of argument i, and maps it to its plane. The fineness is that of the program, or
- * `finer` times that of drawings. If it fails, sets the condition; the caller must then not free *out. */
+ * `finer` times that of drawings. If it fails, sets the error; *out then needs no freeing. */
 static bool flatten(vs_args *f, int i, double finer, flat_region *out) {
   vs_error e = { 0 };
   vs_bounds b;
@@ -333,11 +334,12 @@ vs_status vs_p_voronoi(vs_args *f, vs_value *out) {
 
 /* ---- straight skeletons ---- */
 
-/* Sets the condition for an outcome that is a failure; then returns false. where: two edges of the outline. */
+/* Sets the error for an outcome that is a failure, and returns false. where: the two edges of the outline that caused
+ * the failure. */
 static bool no_skeleton(vs_args *f, vs_skeleton_outcome outcome, const vs_vec2 *at, const size_t where[2]) {
   char n[4][32];
   switch (outcome) {
-  case VS_SKELETON_STOPPED: return false; /* the condition is already set */
+  case VS_SKELETON_STOPPED: return false; /* the error is already set */
   case VS_SKELETON_MEMORY: return vs_fail_memory(f->vm);
   case VS_SKELETON_CROSSES:
     for (int i = 0; i < 2; i++)
@@ -360,8 +362,8 @@ static bool no_skeleton(vs_args *f, vs_skeleton_outcome outcome, const vs_vec2 *
   return true;
 }
 
-/* (%straight-skeleton points speeds sizes): returns the faces as lists: the number of the edge from 1, or 0, then
- * points, whose z is the time. */
+/* (%straight-skeleton points speeds sizes): returns a list for each face: the number of its edge from 1, or 0, then its
+ * points. The z of a point is the time at which the moving edges reach it. */
 vs_status vs_p_straight_skeleton(vs_args *f, vs_value *out) {
   size_t n = f->arg[0].points.count, loops = 0, where[2] = { 0, 0 };
   int64_t most = vs_list_length(f->arg[2].value);

@@ -51,7 +51,7 @@ vs_status vs_p_curve_intersections(vs_args *f, vs_value *out) {
   return ok ? VS_OK : VS_ERROR;
 }
 
-/* ---- probes: meshes of objects for many questions ---- */
+/* ---- probes: meshes that are made once and asked often ---- */
 
 typedef struct {
   vs_mesh mesh;

@@ -1,5 +1,5 @@
-/* Implements the natives of the Bezier and NURBS procedures: rational B-splines as values, their points, and curves and
- * surfaces from them. shapes.scm checks counts and reports faults. */
+/* Implements the natives of the Bezier and NURBS procedures: rational B-splines as Scheme values, points on them, and
+ * curves and surfaces made from them. shapes.scm checks counts and reports faults. */
 
 #include <stdlib.h>
 #include <string.h>
@@ -41,8 +41,8 @@ static bool numbers(vs_args *f, vs_value l, double **out, size_t *count) {
   return true;
 }
 
-/* (%nurbs points degree-u degree-v weights knots-u knots-v): returns the spline, or a list (fault direction number): a
- * vs_nurbs_fault, 0 for u or 1 for v, and the position of the fault. */
+/* (%nurbs points degree-u degree-v weights knots-u knots-v): returns the spline. If the data are wrong, returns a list
+ * (fault direction number): a vs_nurbs_fault, 0 for u or 1 for v, and the position of the fault. */
 vs_status vs_p_nurbs(vs_args *f, vs_value *out) {
   spline *s = NULL;
   size_t room = 0, points_room = 0, n = f->arg[0].points.count, weights, ku, kv;
@@ -98,8 +98,8 @@ vs_status vs_p_make_nurbs_curve(vs_args *f, vs_value *out) {
   return vs_bind_empty(f, "all points are the same", out);
 }
 
-/* Sets *out to parameters at `steps` equal steps; if steps is 0, to as many as the chord tolerance requires. Returns
- * their number, or 0 when memory is out. */
+/* Sets *out to parameter values at `steps` equal steps; if steps is 0, to as many values as the chord tolerance
+ * requires. Returns their number, or 0 when memory is out. */
 static size_t parameters(const vs_nurbs *n, bool along_v, int64_t steps, double chord, double **out) {
   const vs_nurbs_knots *k = along_v ? &n->v : &n->u;
   size_t room = 0;

@@ -97,8 +97,8 @@ static bool point_number(vs_args *f, const vs_face_list *l, vs_value v, uint32_t
   return best <= 1e-6 * vs_bounds_diagonal(&b) || vs_bind_refuse(f, "creases", "of points of the mesh", v);
 }
 
-/* Reads a list of creases. Each crease is a list of an edge's two points, or of their numbers from 1. The sharpness
- * follows if it is finite. */
+/* Reads a list of creases (sharp edges). Each crease is a list of an edge's two points, or of their numbers from 1,
+ * followed by its sharpness if this is finite. */
 static bool creases_of(vs_args *f, const vs_face_list *l, vs_crease **out, size_t *count) {
   static const char *const expected =
       "lists of three: two points of an edge, or their numbers, and the edge's sharpness";

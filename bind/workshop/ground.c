@@ -16,8 +16,7 @@
 #include "geometry/nets/mesh_edges.h"
 #include "geometry/plane/breaklines.h"
 
-/* Sets *out to a pair of a list of points and a list of faces. A face is a list of indices of points, counted from
- * 1. */
+/* Sets *out to a pair: a list of points, and a list of faces, each a list of indices of points, counted from 1. */
 static vs_status points_and_faces(vs_args *f, const vs_mesh *m, vs_value *out) {
   VS_ROOTS(f->vm, r, 3);
   r[0] = r[1] = VS_NIL;
@@ -119,14 +118,14 @@ vs_status vs_p_terrain(vs_args *f, vs_value *out) {
 
 /* ---- the solid under a surface ---- */
 
-/* Adds a wall below the border edge from a to b, which has the surface on its left. base + a and base + b are the lower
- * corners */
+/* Adds a wall below the border edge from a to b of a surface, which lies to the left of the edge. Vertices base + a and
+ * base + b are the lower corners */
 static bool add_wall(vs_mesh *m, uint32_t a, uint32_t b, uint32_t base) {
   return vs_mesh_add_triangle(m, a, base + a, base + b) && vs_mesh_add_triangle(m, a, base + b, b);
 }
 
-/* Computes the closed mesh between a surface and the plane at the height low. If top is a number, the surface is first
- * flattened to the height top. */
+/* Computes the closed mesh between a surface and the horizontal plane at the height `low`. If `top` is a number, first
+ * replaces the surface by its projection at the height `top`. */
 static bool close_surface(const vs_mesh *s, double low, double top, vs_mesh *out) {
   vs_mesh_edges edges = { 0 };
   uint32_t base = (uint32_t)s->vertex_count;

@@ -15,7 +15,7 @@
 #include "geometry/plane/planar_evaluation.h"
 #include "vm/machine/fail.h"
 
-/* Parts as areas, each with the map that lays it into the plane XY. */
+/* The parts to pack, as areas, each with the map that lays the part into the plane XY. */
 typedef struct {
   vs_args *f;
   size_t count;
@@ -27,7 +27,7 @@ static void parts_free(parts *p) {
   for (size_t i = 0; p->areas && i < p->count; i++) vs_area_free(&p->areas[i]);
 }
 
-/* Lays the outline flat: parts that are level keep their X and Y. */
+/* Lays the outline of a part flat. Horizontal parts keep their X and Y. */
 static bool lay_flat(const vs_outline *o, vs_affine *flat, vs_area *area) {
   vs_affine frame = o->frame;
   if (fabs(o->normal.x) < 1e-12 && fabs(o->normal.y) < 1e-12) {
@@ -38,8 +38,8 @@ static bool lay_flat(const vs_outline *o, vs_affine *flat, vs_area *area) {
   return vs_area_of_outline(o, &frame, area);
 }
 
-/* Makes the area of a region. The area of round parts is grown by the greatest distance from the arcs to their
- * chords. */
+/* Computes the area that part i covers. If the part has arcs, the area is grown by the greatest distance from an arc to
+ * its chord. */
 static bool part_area(parts *p, size_t i) {
   const vs_node *n = p->f->arg[0].refs.at[i].node;
   vs_outline coarse = { 0 }, fine = { 0 };
@@ -68,7 +68,7 @@ static size_t read_numbers(vs_args *f, vs_value l, double *out, size_t most) {
   return n;
 }
 
-/* Sets *out to the list of the sheet, from 0, and the matrix of each part. */
+/* Sets *out to a list with, for each part, the number of its sheet from 0, and its matrix. */
 static bool give_places(parts *p, const vs_nest_place *places, vs_value *out) {
   vs_args *f = p->f;
   VS_ROOTS(f->vm, r, 2);

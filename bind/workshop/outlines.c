@@ -23,8 +23,8 @@
 #include "solids/sections.h"
 #include "vm/machine/fail.h"
 
-/* Returns a node of the line through these points, closed if p is closed. The call's memory owns the node. If it fails,
- * sets the error and returns NULL. */
+/* Returns a node of the line through these points, closed if p is closed. The node is released when the call ends. If
+ * it fails, sets the error and returns NULL. */
 static vs_node *line_of(vs_args *f, const vs_polyline *p) {
   vs_points *points = vs_points_new(f->store, p->at, p->count);
   vs_node *n = points ? vs_node_new(f->store, VS_LINE, &(struct vs_line){ .points = points, .closed = p->closed }, NULL,
@@ -66,8 +66,8 @@ static bool match_curves(vs_args *f, const vs_node *region, const vs_fineness *f
   return true;
 }
 
-/* Adds curves for the loops of the outline to out: holes only, or the other loops only. Each is put into the layers and
- * materials of `whole`. */
+/* Adds curves for the loops of the outline o to the array `out`: only holes, or only outer loops. Each curve gets the
+ * layers and materials of `whole`. */
 static bool put_loops(vs_args *f, vs_ref whole, const vs_outline *o, const vs_ref *curve, bool holes, vs_ref *out,
                       size_t *count) {
   for (size_t i = 0; i < o->count; i++) {
@@ -93,8 +93,8 @@ static vs_ref *of_region(vs_args *f, vs_ref ref, size_t *count) {
   const vs_node *n = ref.node;
   while (vs_is_wrapper(n)) n = n->children[0].node;
   vs_fineness facets = vs_bend_facets(f->vm, n);
-  if (vs_bind_tolerance(f->vm) <= 0) facets.tolerance /= 16; /* as fine as sections of solids, since the outline's lines
-                                                              * remain in the model */
+  if (vs_bind_tolerance(f->vm) <= 0) facets.tolerance /= 16; /* as fine as sections of solids, since the lines of the
+                                                              * outline become part of the model */
   if (!vs_region_outline(n, &facets, &o, &e)) return vs_bind_error(f->vm, &e), NULL;
   vs_ref *curve = vs_bind_scratch(f, (o.count + 1) * sizeof *curve);
   vs_ref *out = curve && match_curves(f, n, &facets, &o, curve) ? of_outline(f, ref, &o, curve, count) : NULL;
@@ -183,7 +183,7 @@ static vs_status surface_level(vs_args *f, const vs_mesh *m, vs_vec3 at, vs_vec3
   return ok ? VS_OK : VS_ERROR;
 }
 
-/* Sets *region to a region with the loops of the outline, or to no node if the outline has no loops. */
+/* Sets region->node to a region with the loops of the outline, or to NULL if the outline has no loops. */
 static bool region_of(vs_args *f, const vs_outline *o, vs_ref *region) {
   vs_ref *refs = vs_bind_scratch(f, (o->count + 1) * sizeof *refs);
   bool ok = refs != NULL;
@@ -239,7 +239,7 @@ vs_status vs_p_levels(vs_args *f, vs_value *out) {
   if (class_ != VS_SOLID && class_ != VS_SURFACE)
     return vs_bind_refuse(f, "o", "a solid or a surface", f->arg[0].value);
   if (f->arg[2].value == VS_FALSE) return give_span(f, out);
-  VS_ROOTS(f->vm, r, 3); /* roots: the result, the list of a height, the remaining heights */
+  VS_ROOTS(f->vm, r, 3); /* roots of the garbage collector: the result, the list of a height, the remaining heights */
   r[0] = VS_NIL, r[2] = f->arg[2].value;
   bool ok = vs_bend_triangles(f->vm, f->arg[0].ref, &m);
   for (; ok && vs_is_pair(r[2]); r[2] = vs_cdr(r[2])) {
@@ -324,7 +324,7 @@ vs_status vs_p_slices(vs_args *f, vs_value *out) {
   if (f->arg[0].ref.node->class_ == VS_NOTHING) return VS_OK;
   if (f->arg[0].ref.node->class_ != VS_SOLID) return vs_bind_refuse(f, "o", "a solid", f->arg[0].value);
   if (f->arg[2].value == VS_FALSE) return give_span(f, out);
-  VS_ROOTS(f->vm, r, 4); /* roots: the result, a pair, its region, the remaining heights */
+  VS_ROOTS(f->vm, r, 4); /* roots of the garbage collector: the result, a pair, its region, the remaining heights */
   r[0] = VS_NIL, r[3] = f->arg[2].value;
   bool ok = vs_bend_triangles(f->vm, f->arg[0].ref, &m);
   vs_bounds b = vs_mesh_bounds(&m);

@@ -1,4 +1,4 @@
-/* Implements the sun in the language: its direction at a moment, and the hours of sun at places among objects. */
+/* Implements the sun in the language: its direction at a moment, and the hours of sunlight at places among objects. */
 #include "bind/workshop/sunlight.h"
 
 #include <math.h>
@@ -71,7 +71,7 @@ vs_status vs_p_sun_at(vs_args *f, vs_value *out) {
   return vs_bind_give_vector(f, towards_sun(&m), out);
 }
 
-/* Sets *out to the list of the hours of sun at each place. tree: triangles that cast shadows; NULL if there are
+/* Sets *out to a list with the hours of sunlight at each place. tree: triangles that cast shadows; NULL if there are
  * none. */
 static vs_status count_hours(vs_args *f, const vs_ray_tree *tree, double size, vs_value *out) {
   const vs_arg *at = &f->arg[0], *normals = &f->arg[1], *suns = &f->arg[2];
@@ -117,8 +117,8 @@ static bool add_shade(vs_args *f, vs_ref ref, vs_mesh *all) {
   return ok;
 }
 
-/* (%solar-hours points normals suns step among): returns the hours of sun at each point, among objects that cast
- * shadows. Normals and directions of suns are given as points; each sun shines for `step` hours. */
+/* (%solar-hours points normals suns step among): returns the hours of sunlight at each point, among objects that cast
+ * shadows. Normals and the directions to the suns are given as points; each sun shines for `step` hours. */
 vs_status vs_p_solar_hours(vs_args *f, vs_value *out) {
   vs_mesh m = { 0 };
   vs_ray_tree tree = { 0 };

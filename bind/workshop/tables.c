@@ -18,7 +18,7 @@ static bool add_text(vs_args *f, const char *text, vs_value *list) {
 }
 
 /* (%schedule-looks o): returns a list of the object's kind, layer, material, and the metres in a model unit. A missing
- * name is "". Of several layers or materials around the whole object, the innermost counts. */
+ * name is "". If several layers or materials surround the whole object, the innermost is returned. */
 vs_status vs_p_schedule_looks(vs_args *f, vs_value *out) {
   const vs_node *n = f->arg[0].ref.node;
   const char *layer = NULL, *material = NULL;
