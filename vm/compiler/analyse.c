@@ -1,12 +1,13 @@
-/* Analyses core trees in two passes.
+/* Analyses core trees, the expanded programs, in two passes.
  *
- * A home is a LAMBDA whose calls have an activation of their own. Every LAMBDA is a home except loops.
+ * A home is a LAMBDA whose calls have an activation (a frame of registers) of their own. Every LAMBDA is a home except
+ * loops.
  *
  * Loops: the first pass finds the FIX-bound lambdas that can run in the activation that defines them. All their
  * references must be calls with the right number of arguments, in tail position of the FIX's body or of their own body.
  * Scopes (struct tail) are chained from the inside out. A call is such a tail call if the chain from it reaches the
  * FIX. If the chain passes through the body of another candidate, that candidate must become a loop, too; these
- * conditions are stored and resolved at the end.
+ * conditions are stored and decided at the end.
  *
  * Homes: the second pass finds the LAMBDA that contains each variable, the captures of every lambda, and the variables
  * that need a box. Each step of the tree that defines a variable or creates a closure is a moment, numbered from 1. If
@@ -19,8 +20,8 @@
 
 #include "vm/machine/native.h"
 
-enum { MOST_LOOPS = 24 /* greatest number of loops in a home, nested or in sequence, since each may be compiled inside
-                        * another */, MOST_DEPTH = 1500 };
+enum { MOST_LOOPS = 24 /* greatest number of loops in a LAMBDA that is no loop, nested or in sequence, since each may be
+                        * compiled inside another */, MOST_DEPTH = 1500 };
 
 struct tail { struct tail *parent; vs_core_node *fix; vs_var *var; /* A scope: the body of the lambda of the variable
                                                                     * var or, if var is NULL, the body of `fix`. parent:
@@ -76,7 +77,8 @@ static bool called(struct analysis *a, vs_var *v, const vs_core_node *call, stru
   return true;
 }
 
-/* Finds loops below n. t is the chain of scopes in whose tail position n is, or NULL. */
+/* Finds FIX-bound lambdas below n that can run as loops. t is the chain of scopes in whose tail position n is, or
+ * NULL. */
 static bool find_loops(struct analysis *a, vs_core_node *n, struct tail *t, int depth, int loops) {
   if (!n) return true;
   if (!vs_poll(a->ast->vm, 16)) return false;
@@ -174,7 +176,7 @@ static bool find_loops_in(struct analysis *a, const struct job *j) {
   return find_loops(a, l->as.lambda.body, j->tail, 0, j->loops);
 }
 
-/* ---- second pass: homes ---- */
+/* ---- second pass: the LAMBDA in whose activation each variable lives ---- */
 static vs_lambda_info *info_of(vs_core_node *lambda) { return lambda->as.lambda.extra; }
 
 static bool make_info(struct analysis *a, vs_core_node *lambda, vs_core_node *parent, uint32_t made) {
@@ -186,7 +188,7 @@ static bool make_info(struct analysis *a, vs_core_node *lambda, vs_core_node *pa
   return add_job(a, lambda, NULL, 0);
 }
 
-/* Returns the first slot for a variable in the hash index. The room of the index is a power of two. */
+/* Returns the first place to search for a variable in the hash index. The size of the index is a power of two. */
 static uint32_t home(const vs_lambda_info *f, const vs_var *v) {
   VS_ASSERT(f->index_room > 0 && (f->index_room & (f->index_room - 1)) == 0);
   return (uint32_t)((uintptr_t)v >> 4) * 2654435761u & (f->index_room - 1);
@@ -224,7 +226,7 @@ static bool capture(struct analysis *a, vs_lambda_info *f, vs_var *v) {
     f->free = at;
     f->early = early;
     f->free_room = room;
-    if (room >= 16) {                          /* there are many captured variables: build a hash index */
+    if (room >= 16) {                          /* with many captured variables, builds a hash index */
       f->index_room = room * 2;
       if (!(f->index = vs_ast_alloc(a->ast, f->index_room * sizeof *f->index))) return false;
       for (uint32_t i = 0; i < f->free_count; i++) index_put(f, i);
@@ -235,7 +237,8 @@ static bool capture(struct analysis *a, vs_lambda_info *f, vs_var *v) {
   return true;
 }
 
-/* Records that the home `in` uses v. Sets *early to true if the use may come before v has a value. */
+/* Records that the lambda `in` refers to v. Sets *early to true if the reference may be evaluated before v has a
+ * value. */
 static bool use(struct analysis *a, vs_core_node *in, vs_var *v, bool *early) {
   vs_var_info *info = vs_info(v);
   *early = false;
@@ -243,8 +246,8 @@ static bool use(struct analysis *a, vs_core_node *in, vs_var *v, bool *early) {
     *early = info->ready == VS_NOT_READY;
   } else {
     v->captured = true;
-    /* Goes outwards to the first home that already captures v and knows whether the use is early. Otherwise goes to the
-     * outermost home. */
+    /* Goes outwards to the first enclosing lambda that already captures v and knows whether the reference is early.
+     * Otherwise goes to the outermost lambda. */
     vs_core_node *at = in;
     uint32_t known;
     for (;; at = info_of(at)->parent) {

@@ -1,5 +1,4 @@
-/* Declares the facts about a tree that the compiler needs before it emits code: homes, captured variables, boxes,
- * loops. */
+/* Declares facts about a tree that the compiler needs before it emits code: captured variables, boxes, loops. */
 #ifndef VS_VM_COMPILER_ANALYSE_H
 #define VS_VM_COMPILER_ANALYSE_H
 
@@ -9,9 +8,10 @@
 
 /* Facts about a variable; vs_var.extra points to it. */
 typedef struct vs_var_info {
-  vs_core_node *lambda;           /* LAMBDA in whose activation the variable has a register */
+  vs_core_node *lambda;           /* LAMBDA in whose activation (frame of registers) the variable has a register */
   vs_core_node *fix;              /* FIX that binds the variable, or NULL */
-  uint32_t ready;            /* moment from which the variable has its value; 0 for parameters and variables of LET */
+  uint32_t ready;            /* moment from which the variable has its value (analyse.c numbers the steps of the tree);
+                              * 0 for parameters and variables of LET */
   bool boxed;                /* whether the register contains a box, because the variable is captured before it has a
                               * value (assigned variables have boxes anyway) */
   bool early;                /* whether a reference may come before the variable has its value */
@@ -24,10 +24,11 @@ typedef struct vs_var_info {
 /* Facts about a LAMBDA with an activation of its own; vs_core_node.as.lambda.extra points to it. */
 typedef struct vs_lambda_info {
   vs_core_node *parent;           /* the enclosing LAMBDA, or NULL */
-  uint32_t made;             /* moment at which the parent creates the closure */
+  uint32_t made;             /* moment at which the parent creates the closure, as in vs_var_info.ready */
   vs_var **free; uint32_t free_count, free_room;
   bool *early;               /* early[i]: whether the closure is created before free[i] has a value */
-  uint32_t *index, index_room;   /* hash index of `free` if there are many: 1 + index in `free` */
+  uint32_t *index, index_room;   /* hash index of `free` if it has many elements: each entry is 1 + index in `free`;
+                                  * index_room: number of entries */
   uint32_t code;             /* 1 + constant index of the lambda's code object */
 } vs_lambda_info;
 
@@ -35,8 +36,8 @@ typedef struct vs_lambda_info {
 uint32_t vs_free_index(const vs_lambda_info *f, const vs_var *v);
 static inline vs_var_info *vs_info(const vs_var *v) { return v->extra; }
 
-/* Analyses the tree with the outermost LAMBDA `top`. Afterwards a LOCAL with `flag` set must be checked for a missing
- * value. Returns false with the error set. */
+/* Analyses the tree whose outermost LAMBDA is `top`. Afterwards `flag` is set in each LOCAL that may be evaluated
+ * before its variable has a value, and must be checked. Returns false with the error set. */
 bool vs_analyse(vs_ast *ast, vs_core_node *top);
 
 #endif

@@ -20,13 +20,13 @@ uint32_t vs_op_extra(uint32_t op) {
   return ops[op].extra;
 }
 
-/* Returns the last entry of the table of places at or before pc, or NULL. */
+/* Returns the last entry of the table of places whose instruction is at or before pc, or NULL. */
 static const vs_place *place_at(const vs_code *code, uint32_t pc) {
   vs_value places = vs_is_pair(code->places) ? vs_car(code->places) : code->places;
   if (!vs_is(places, VS_T_BYTES)) return NULL;
   const vs_place *at = (const vs_place *)(const void *)vs_as_bytes(places)->at;
   size_t low = 0, high = vs_as_bytes(places)->length / sizeof *at;
-  while (low < high) {                 /* binary search for the first entry after pc */
+  while (low < high) {                 /* binary search: `low` becomes the index of the first entry after pc */
     size_t mid = (low + high) / 2;
     if (at[mid].pc <= pc) low = mid + 1; else high = mid;
   }
@@ -60,13 +60,13 @@ uint32_t vs_code_inlined(const vs_code *code, uint32_t pc) {
 
 static bool is_return(uint32_t ins, uint32_t a) { return ins == VS_INS(VS_O_RETURN, a, 0, 0); }
 
-/* Returns true if the two instructions at `ins` return this immediate value. */
+/* Returns true if the two instructions at `ins` load and return the immediate value v. */
 static bool gives(const uint32_t *ins, vs_value v) {
   return (ins[0] & 255) == VS_O_IMM && VS_IMMEDIATE(VS_B(ins[0]), VS_C(ins[0])) == v && is_return(ins[1], VS_A(ins[0]));
 }
 
-/* Returns true if the instructions are those of a record constructor, after the one that loads the type: a move or an
- * immediate value for each field, RECORD, RETURN. */
+/* Returns true if the instructions create and return a record. The instruction that loads the type precedes them: a
+ * move or an immediate value for each field, RECORD, RETURN. */
 static bool is_record_maker(const uint32_t *ins, size_t words, uint32_t type, uint32_t required) {
   uint32_t fields = 0;
   for (; words > 2; ins++, words--, fields++) {

@@ -19,27 +19,28 @@ enum {
 #define VS_C(i) ((i) >> 24)
 #define VS_BX(i) ((i) >> 16)
 
-/* An entry of code->places: the place of an instruction that can fail. Entries are sorted by pc.
+/* An entry of code->places: the place in the source of an instruction that can fail. Entries are sorted by pc.
  *
  * In the heap image, code->places is a fixnum: a single place for the whole procedure, since messages show no places in
- * the language's own sources. If the interpreter keeps the calls that lead to errors, code->places is a pair of the
+ * the language's own sources. If the interpreter records the calls that lead to errors, code->places is a pair of the
  * entries and a vector of variables.
  *
  * A variable has VS_VARIABLE_WORDS words: its symbol; its register, or -1 - i for captured variable i; the instructions
  * [from, to) in which it has its value. */
 typedef struct vs_place { uint32_t pc, high, low; } vs_place;
 enum { VS_VARIABLE_WORDS = 4 };
-/* An entry of code->inlined: the instruction at pc replaces a call of the procedure in this cell (a constant index). */
+/* An entry of code->inlined: the instruction at pc replaces a call of a global procedure. constant: index of the
+ * constant that is the procedure's cell. */
 typedef struct vs_inlined { uint32_t pc, constant; } vs_inlined;
 
 vs_pos vs_code_place(const vs_code *code, uint32_t pc);               /* Returns the place of the instruction at or
                                                                        * before pc. */
 uint32_t vs_code_place_start(const vs_code *code, uint32_t pc);       /* Returns the index of the last instruction at or
                                                                        * before pc that has a place. */
-const vs_vector *vs_code_variables(const vs_code *code);              /* Returns the vector of variables, or NULL if the
-                                                                       * code has none. */
-uint32_t vs_code_inlined(const vs_code *code, uint32_t pc);           /* Returns the constant index of the cell whose
-                                                                       * procedure the instruction at pc replaces. */
+const vs_vector *vs_code_variables(const vs_code *code);              /* Returns the vector of variables for a debugger,
+                                                                       * or NULL if the code has none. */
+/* Returns the constant index of the cell of the global procedure whose call the instruction at pc replaces. */
+uint32_t vs_code_inlined(const vs_code *code, uint32_t pc);
 /* Returns the generic form of an opcode (opcodes.def). */
 int vs_op_generic(uint32_t op);
 /* Returns the letters for the operands of an opcode (opcodes.def). */
@@ -51,9 +52,9 @@ uint32_t vs_op_extra(uint32_t op);
  * VS_CODE_MAKE, or 0 for other code. required: number of the procedure's parameters. */
 uint32_t vs_code_record(const uint32_t *ins, size_t words, uint32_t required);
 
-/* Removes VS_F_CONSTANT from a cell before the cell gets another value. Restores the calls of the cell's procedure that
- * opcodes have replaced. The environment calls this function before a redefinition; SETGLOBAL and DEFGLOBAL do so
- * themselves. */
+/* Removes VS_F_CONSTANT from the cell of a global variable before the cell gets another value. Opcodes have replaced
+ * calls of the cell's procedure: restores these calls. The environment calls this function before a redefinition; the
+ * instructions SETGLOBAL and DEFGLOBAL call it themselves. */
 void vs_cell_redefine(vs_value cell);
 
 static inline uint32_t *vs_code_ins(const vs_code *c) { return (uint32_t *)(void *)vs_as_bytes(c->ins)->at; }

@@ -1,9 +1,9 @@
 /* Translates core trees to instructions.
  *
  * Every expression is compiled for a target: a register for its value, EFFECT (the value is not needed), or TAIL (the
- * value is returned). Registers form a stack: variables below, temporary values above. A call's window is therefore the
- * next free registers, and all registers below are in use. An expression writes its target only after it has read all
- * its operands.
+ * value is returned). Registers form a stack: variables below, temporary values above. The registers of a call are
+ * therefore the next free registers, and all registers below are in use. An expression writes its target only after it
+ * has read all its operands.
  *
  * A FIX variable that is a loop (analyse.h) has no value. Its parameters are registers of the enclosing activation, and
  * its body is compiled at its first call. Later calls assign the parameters and jump there. */
@@ -26,22 +26,23 @@ typedef struct compiler { vs_emit e; struct job *jobs; } compiler;
 static bool gen(compiler *c, vs_core_node *n, uint32_t to);
 static bool test(compiler *c, vs_core_node *n, bool sense, vs_jumps *list);
 
-/* Returns true if the variable has a box. Assigned variables have boxes: a continuation restores the registers of its
- * activation, which must not undo an assignment. A variable with in_register set that is not captured remains in its
- * register. */
+/* Returns true if the variable is stored in a box. Assigned variables have boxes: when a continuation restores the
+ * registers of its activation, it must not undo an assignment. A variable with in_register set that is not captured
+ * remains in its register. */
 static bool boxed(const vs_var *v) { return vs_info(v)->boxed || (v->assigned && !(v->in_register && !v->captured)); }
 static bool is_value(uint32_t to) { return to < TAIL; }
 static vs_value pool(const compiler *c, uint32_t i) { return c->e.ast->pool[i]; }
 
-/* Completes an expression whose value is in register `from`: moves or returns it, as the target requires. */
+/* Completes an expression whose value is in register `from`: moves the value to the target `to`, or returns it if `to`
+ * is TAIL. */
 static bool finish(compiler *c, uint32_t from, uint32_t to) {
   if (to == TAIL) return vs_emit_op(&c->e, VS_O_RETURN, from, 0, 0);
   if (to == EFFECT || from == to) return true;
   return vs_emit_op(&c->e, VS_O_MOVE, to, from, 0);
 }
 
-/* Sets *reg to a register in which to compute a value for target `to`, which may be a new temporary one. The caller
- * frees it. */
+/* Sets *reg to a register in which to compute a value for the target `to`. It may be a new temporary register, which
+ * the caller frees. */
 static bool landing(compiler *c, uint32_t to, uint32_t *reg) {
   if (is_value(to)) { *reg = to; return true; }
   return vs_emit_register(&c->e, reg);
@@ -63,7 +64,7 @@ static uint32_t free_index(const compiler *c, const vs_var *v) {
   return vs_free_index(c->e.lambda->as.lambda.extra, v);
 }
 
-/* Loads a variable's register or captured value; for a boxed variable that is its box. */
+/* Loads a variable's register or captured value, without opening its box if it has one. */
 static bool load_raw(compiler *c, const vs_var *v, uint32_t to) {
   if (vs_info(v)->lambda == c->e.lambda) return to == v->reg || vs_emit_op(&c->e, VS_O_MOVE, to, v->reg, 0);
   return vs_emit_op(&c->e, VS_O_FREE, to, free_index(c, v), 0);
@@ -102,7 +103,7 @@ static bool operand(compiler *c, vs_core_node *n, uint32_t *reg) {
   return vs_emit_register(&c->e, reg) && gen(c, n, *reg);
 }
 
-/* Returns true if evaluating n may assign v, which is in a register. Returns true if that is not certain. */
+/* Returns true if evaluating n assigns v, which is in a register, or if that is not certain. */
 static bool writes(const vs_core_node *n, const vs_var *v, int depth) {
   if (!n) return false;
   if (depth > 6) return true;
@@ -131,7 +132,7 @@ static bool operand_of(compiler *c, vs_core_node *call, uint32_t i, uint32_t *re
   return written ? vs_emit_register(&c->e, reg) && gen(c, n, *reg) : operand(c, n, reg);
 }
 
-/* ---- calls that become opcodes ---- */
+/* ---- calls that are compiled to one instruction ---- */
 static bool small(const compiler *c, const vs_core_node *n, uint32_t *bits) {
   if (n->kind != VS_AST_CONST) return false;
   vs_value v = pool(c, n->as.constant);
@@ -154,7 +155,7 @@ static bool is_test(const vs_inline_row *row, const vs_core_node *n) {
   return row && (row->way == VS_WAY_TEST || row->way == VS_WAY_TYPE) && n->count == row->args;
 }
 
-/* Records that the next instruction replaces the call n of a global variable. */
+/* Records that the next instruction replaces the call n of a global procedure. */
 static bool stands_for(compiler *c, const vs_core_node *n) {
   uint32_t k;
   VS_ASSERT(n->kind == VS_AST_CALL && n->as.call.callee->kind == VS_AST_GLOBAL);
@@ -162,8 +163,8 @@ static bool stands_for(compiler *c, const vs_core_node *n) {
          vs_emit_inlined(&c->e, k);
 }
 
-/* Copies an operand from a far register (VS_FAR or higher) to a scratch register. This must precede stands_for, which
- * applies to the next instruction only. */
+/* Copies an operand from a register with a number from VS_FAR to a scratch register that instructions can name. Call it
+ * before stands_for, which applies to the next instruction only. */
 static bool near(compiler *c, uint32_t *reg, unsigned i) {
   if (*reg < VS_FAR) return true;
   uint32_t scratch = VS_NEAR + 4 + i;
@@ -173,8 +174,8 @@ static bool near(compiler *c, uint32_t *reg, unsigned i) {
   return true;
 }
 
-/* Operands B and C of an instruction. registers: number of these operands that are registers; registers come before
- * other operands. */
+/* Operands B and C of an instruction. registers: number of these operands that are registers; registers precede
+ * constants. */
 typedef struct { uint32_t b, c; unsigned registers; } operands;
 
 static bool emit_value_op(compiler *c, const vs_core_node *n, unsigned op, uint32_t to, operands o) {
@@ -188,8 +189,8 @@ static bool emit_value_op(compiler *c, const vs_core_node *n, unsigned op, uint3
   return vs_emit_word(&c->e, VS_INSX(VS_O_FARSTORE, target, to));
 }
 
-/* Evaluates the arguments to new consecutive registers. Sets *ok to false if an instruction cannot name so many
- * registers. */
+/* Evaluates the arguments of a call to new consecutive registers. Sets *ok to false if there are more than an
+ * instruction can name. */
 static bool in_a_row(compiler *c, vs_core_node *n, uint32_t *first, bool *ok) {
   *ok = c->e.next + n->count < VS_NEAR;
   if (!*ok) return true;
@@ -330,7 +331,8 @@ static bool gen_inline(compiler *c, vs_core_node *n, uint32_t to, bool *done) {
   return true;
 }
 
-/* ---- tests: code that jumps (to be patched by `list`) if the truth of n is `sense`, and continues otherwise ---- */
+/* ---- tests: code that jumps if the truth of n is `sense`, and continues otherwise. `list` collects the jumps, whose
+ * targets are set later ---- */
 static bool test(compiler *c, vs_core_node *n, bool sense, vs_jumps *list) {
   vs_emit *e = &c->e;
   uint32_t keep = e->next, r[2], bits;
@@ -391,7 +393,7 @@ static bool test(compiler *c, vs_core_node *n, bool sense, vs_jumps *list) {
       e->next = keep;
       return true;
     }
-    default: break;                            /* all other expressions are evaluated, and their value is tested */
+    default: break;                            /* any other expression is evaluated, and its value is tested */
   }
   if (!operand(c, n, &r[0])) return false;
   e->next = keep;
@@ -434,8 +436,8 @@ static bool gen_lambda(compiler *c, vs_core_node *lambda, uint32_t to) {
 /* ---- calls ---- */
 static bool gen_loop_call(compiler *c, vs_core_node *n, uint32_t to);
 
-/* Allocates a window for a call with `count` arguments: procedure, return slot, arguments. Sets *first to its first
- * register, which is `to` if `reuse` permits. */
+/* Allocates the registers of a call with `count` arguments: procedure, return slot, arguments. Sets *first to the first
+ * of them. This is `to` if `reuse` permits. */
 static bool window(compiler *c, uint32_t count, bool reuse, uint32_t to, uint32_t *first) {
   vs_emit *e = &c->e;
   if (reuse && to < VS_NEAR && to + 1 == e->next && to + 2 + count < VS_NEAR) {
@@ -470,7 +472,7 @@ static bool gen_call(compiler *c, vs_core_node *n, uint32_t to, bool fresh) {
   bool far = w >= VS_NEAR || n->count > 250 || n->as.call.keywords, global = f->kind == VS_AST_GLOBAL && !far;
   if (global && unknown_word(c, f)) {
     global = false;
-    f->pos = n->pos; /* the error of an unknown name at the head of a call has the place of the call */
+    f->pos = n->pos; /* an unknown name as the procedure of a call is reported at the place of the call */
   }
   e->fresh = VS_NO_REGISTER;
   if (!global) {
@@ -491,13 +493,14 @@ static bool gen_call(compiler *c, vs_core_node *n, uint32_t to, bool fresh) {
   else if (global)
     ok = vs_emit_word(e, VS_INS(to == TAIL ? VS_O_TAILG : VS_O_CALLG, w, n->count, 0)) && vs_emit_word(e, k);
   else ok = vs_emit_word(e, VS_INS(to == TAIL ? VS_O_TAIL : VS_O_CALL, w, n->count, 0));
-  if (to == EFFECT) ok = ok && vs_emit_op(e, VS_O_DROP, w, 0, 0);      /* the instruction also tells the run loop that
-                                                                        * the value is not used */
+  if (to == EFFECT) ok = ok && vs_emit_op(e, VS_O_DROP, w, 0, 0);      /* DROP also tells the interpreter that the value
+                                                                        * of the call is not used */
   e->next = keep;
-  return ok && finish(c, w, to);        /* code follows even a tail call, since a call of a native returns here */
+  return ok && finish(c, w, to);        /* a value is handled even after a tail call, since a call of a native returns
+                                         * here */
 }
 
-/* Returns true if evaluating n reads v. Returns true if that is not certain. */
+/* Returns true if evaluating n reads v, or if that is not certain. */
 static bool reads(const vs_core_node *n, const vs_var *v, int depth) {
   if (!n) return false;
   if (depth > 6) return true;
@@ -513,8 +516,8 @@ static bool reads(const vs_core_node *n, const vs_var *v, int depth) {
   }
 }
 
-/* Returns true if n may be compiled into a register that it also reads: only its last instruction writes the
- * register. */
+/* Returns true if the value of n may be computed in a register that n also reads: only the last instruction of n writes
+ * the register. */
 static bool lands_last(compiler *c, const vs_core_node *n) {
   const vs_native *native;
   if (n->kind != VS_AST_CALL)
@@ -554,8 +557,8 @@ static bool gen_loop_call(compiler *c, vs_core_node *n, uint32_t to) {
   if (info->emitted) return vs_emit_back(e, VS_O_LOOP, info->top);
   info->emitted = true;
   info->top = (uint32_t)e->count;
-  for (uint32_t i = 0; i < lambda->count; i++) {          /* a captured, assigned variable of a loop gets a new box in
-                                                           * each iteration */
+  for (uint32_t i = 0; i < lambda->count; i++) {          /* a variable of a loop that is captured and assigned gets a
+                                                           * new box in each iteration */
     vs_var *p = lambda->as.lambda.params[i].var;
     if (boxed(p) && !vs_emit_op(e, VS_O_BOX, p->reg, p->reg, 0)) return false;
   }
@@ -868,7 +871,7 @@ static bool gen_parameters(compiler *c, vs_core_node *l) {
     }
     if (boxed(p->var) && !vs_emit_op(e, VS_O_BOX, p->var->reg, p->var->reg, 0)) return false;
   }
-  for (uint32_t i = 0; i < l->count; i++) /* the name of a keyword parameter may differ from its keyword */
+  for (uint32_t i = 0; i < l->count; i++) /* the name of a keyword parameter's variable may differ from its keyword */
     if (l->as.lambda.params[i].keyword && !vs_emit_variable(e, l->as.lambda.params[i].var)) return false;
   vs_var *rest = l->as.lambda.rest;
   return !rest || !boxed(rest) || vs_emit_op(e, VS_O_BOX, rest->reg, rest->reg, 0);

@@ -1,4 +1,4 @@
-/* Collects the results of EACH and MORE (each.h). */
+/* Collects the results of the instructions EACH and MORE (each.h). */
 #include "vm/compiler/each.h"
 
 bool vs_each_keep(vs_scheme *vm, vs_value *row) {

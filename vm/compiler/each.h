@@ -1,5 +1,5 @@
-/* Declares the registers of EACH and MORE, which call a procedure with each element of a list and return the results.
- * These consecutive registers are called the row. The row ends with the window of the calls: the registers for the
+/* Declares the registers of the instructions EACH and MORE, which call a procedure with each element of a list and
+ * return the results. These consecutive registers are called the row. The row ends with the registers of the calls: the
  * procedure and its arguments. The data for the next call are therefore at fixed positions below the activation of the
  * called procedure.
  *
@@ -21,18 +21,18 @@ enum {
   VS_EACH_WINDOW
 };
 
-/* Adds the result of a call, row[VS_EACH_WINDOW], to the results. Returns false when memory is out or a limit is
+/* Adds the result of a call, row[VS_EACH_WINDOW], to the row's results. Returns false when memory is out or a limit is
  * reached. */
 bool vs_each_keep(vs_scheme *vm, vs_value *row);
 
-/* Completes the row: sets row[VS_EACH_RESULTS] to its result. Returns false when memory is out or a limit is
- * reached. */
+/* Completes a row of registers: sets row[VS_EACH_RESULTS] to the final list. Returns false when memory is out or a
+ * limit is reached. */
 bool vs_each_end(vs_scheme *vm, vs_value *row);
 
-/* Adds v, which the procedure called by the row at `base` is about to return, to the results, and prepares the next
- * call in the same activation. No continuation was created during the call, since it would have moved the row. Returns
- * 1 if there is a next element, and 2 if there is none. Returns 0, without effect, if the instruction MORE must do the
- * work. Allocates only in the nursery, and moves nothing. */
+/* Called when a procedure that EACH has called is about to return v; `base` is its activation. Adds v to the results,
+ * and prepares the next call in the same activation. No continuation was created during the call, since it would have
+ * moved the row. Returns 1 if there is a next element, and 2 if there is none. Returns 0, without effect, if the
+ * instruction MORE must do the work. Allocates only in the nursery, and moves nothing. */
 static inline int vs_each_again(vs_scheme *vm, vs_value *base, vs_value v) {
   vs_value *row = base - 2 - VS_EACH_WINDOW, last = row[VS_EACH_LAST], list = row[VS_EACH_LIST];
   if (base[-2] != row[VS_EACH_PROCEDURE] || vm->fuel <= 1) return 0;
@@ -56,7 +56,7 @@ static inline int vs_each_again(vs_scheme *vm, vs_value *base, vs_value v) {
   return 1;
 }
 
-/* A register of the row, addressed from the base of the called activation. */
+/* A register of the row of EACH, addressed from the base of the called activation. */
 #define VS_EACH_BELOW(base, which) ((base)[(which) - VS_EACH_WINDOW - 2])
 
 #endif

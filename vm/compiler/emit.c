@@ -40,15 +40,15 @@ bool vs_emit_word(vs_emit *e, uint32_t w) {
   return true;
 }
 
-/* Copies between a scratch register and a far one (VS_FAR or higher), which instructions cannot name. */
+/* Copies between a scratch register and a register with a number from VS_FAR, which instructions cannot name. */
 static bool far_copy(vs_emit *e, unsigned op, uint32_t scratch, uint32_t far) {
   VS_ASSERT(far >= VS_FAR && scratch < VS_FAR);
   if (e->most < VS_FAR) e->most = VS_FAR;
   return vs_emit_word(e, VS_INSX(op, scratch, far));
 }
 
-/* Copies far operands that are read to scratch registers. Sets *store to the far register for the result, or to
- * VS_NO_REGISTER. */
+/* Copies operands that are read from registers with numbers from VS_FAR to scratch registers. Sets *store to the
+ * register for the result if it has such a number, otherwise to VS_NO_REGISTER. */
 static bool operands(vs_emit *e, unsigned op, uint32_t r[3], uint32_t *store) {
   const char *how = vs_op_operands(op);
   *store = VS_NO_REGISTER;
@@ -83,7 +83,7 @@ bool vs_emit_op1(vs_emit *e, unsigned op, uint32_t a, uint32_t b, uint32_t c, ui
 bool vs_emit_branch(vs_emit *e, unsigned op, uint32_t a, uint32_t b, uint32_t c, vs_jumps *list) {
   uint32_t r[3] = {a, b, c}, store;
   if (!operands(e, op, r, &store) || !encode(e, op, r) || !vs_emit_word(e, *list)) return false;
-  *list = (uint32_t)e->count;                 /* 1 + index of the offset word */
+  *list = (uint32_t)e->count;                 /* a list of jumps is 1 + index of its last offset word */
   return true;
 }
 
@@ -95,7 +95,8 @@ bool vs_emit_back(vs_emit *e, unsigned op, uint32_t target) {
 void vs_emit_here(vs_emit *e, vs_jumps list) {
   while (list) {
     uint32_t at = list - 1, before = e->ins[at];
-    VS_ASSERT(at < e->count && before < list); /* follows the list, which is stored in the offset words, backwards */
+    VS_ASSERT(at < e->count && before < list); /* follows the list of jumps backwards: each offset word contains the
+                                                * previous element */
     e->ins[at] = (uint32_t)(e->count - at - 1);
     list = before;
   }
@@ -181,7 +182,7 @@ static bool add_variables(vs_emit *e, vs_code *c) {
   return true;
 }
 
-/* Allocates in old space, since the run loop keeps addresses of these bytes. */
+/* Allocates bytes in old space, where objects do not move, since the interpreter keeps addresses of these bytes. */
 static bool old_bytes(vs_scheme *vm, const void *at, size_t n, vs_value *out) {
   vs_bytes *b = (vs_bytes *)(void *)vs_gc_alloc_old(vm, VS_T_BYTES, 2 + (n + 7) / 8);
   if (!b) return false;

@@ -11,21 +11,23 @@
 enum { VS_NEAR = 240, VS_FAR = 256, VS_MOST_REGISTERS = 60000 };
 #define VS_NO_REGISTER UINT32_MAX
 
-/* A variable in the table of variables. name: index in the tree's pool; other members as in code.h. */
+/* A variable in the table of variables for a debugger. name: index in the tree's pool of constants; other members as in
+ * code.h. */
 typedef struct vs_named_register { uint32_t name; int64_t where; uint32_t from, to; } vs_named_register;
 
 typedef struct vs_emit {
   vs_ast *ast;
   vs_core_node *lambda;                     /* LAMBDA that is being compiled */
   uint32_t next, most;                /* next: first free register; most: number of registers used */
-  uint32_t fresh;                     /* register allocated for the next expression, which has no value yet */
+  uint32_t fresh;                     /* register that was allocated for the next expression's value, and contains no
+                                       * value yet */
   uint32_t *ins; size_t count, room;
   uint32_t *consts; size_t const_count, const_room;          /* constants of the procedure, as indices into the tree's
                                                               * pool */
   vs_place *places; size_t place_count, place_room;
   vs_inlined *inlined; size_t inlined_count, inlined_room;
-  vs_named_register *variables; size_t variable_count, variable_room;     /* used only if the interpreter keeps the
-                                                                           * calls that lead to errors */
+  /* table of variables for a debugger; used only if the interpreter records the calls that lead to errors */
+  vs_named_register *variables; size_t variable_count, variable_room;
 } vs_emit;
 
 typedef uint32_t vs_jumps;            /* List of jumps to be patched: 0, or 1 + index of the last offset word, which
@@ -36,13 +38,13 @@ bool vs_emit_register(vs_emit *e, uint32_t *out);                         /* all
                                                                            * fresh */
 bool vs_emit_word(vs_emit *e, uint32_t w);
 bool vs_emit_op(vs_emit *e, unsigned op, uint32_t a, uint32_t b, uint32_t c);
-/* Emits an instruction with one extra word. */
+/* Emits an instruction that is followed by one extra word. */
 bool vs_emit_op1(vs_emit *e, unsigned op, uint32_t a, uint32_t b, uint32_t c, uint32_t word);
 bool vs_emit_branch(vs_emit *e, unsigned op, uint32_t a, uint32_t b, uint32_t c, vs_jumps *list);
-bool vs_emit_back(vs_emit *e, unsigned op, uint32_t target);              /* Emits JUMP or LOOP to an instruction
-                                                                           * emitted before. */
-void vs_emit_here(vs_emit *e, vs_jumps list);                             /* Makes the jumps of the list go to the next
-                                                                           * instruction. */
+bool vs_emit_back(vs_emit *e, unsigned op, uint32_t target);              /* Emits JUMP or LOOP back to the instruction
+                                                                           * with the index `target`. */
+void vs_emit_here(vs_emit *e, vs_jumps list);                             /* Sets the targets of all jumps in the list
+                                                                           * to the next instruction. */
 /* Sets *out to the index, among this procedure's constants, of a constant of the tree's pool. */
 bool vs_emit_constant(vs_emit *e, uint32_t pool_index, uint32_t *out);
 bool vs_emit_value(vs_emit *e, vs_value v, uint32_t *out);                /* Sets *out to the index of the value among
@@ -50,8 +52,8 @@ bool vs_emit_value(vs_emit *e, vs_value v, uint32_t *out);                /* Set
 bool vs_emit_place(vs_emit *e, vs_pos pos);                               /* Sets the place of the next instruction. */
 /* Records that the next instruction replaces a call of the procedure in this cell, a constant. */
 bool vs_emit_inlined(vs_emit *e, uint32_t cell);
-/* Records that from the next instruction on the variable is in its register. vs_emit_scope_end ends this for all
- * variables from the index `first` on, an earlier variable_count. */
+/* Records that from the next instruction on the variable is in its register. vs_emit_scope_end(e, first) ends this for
+ * all variables from index `first` on. */
 bool vs_emit_variable(vs_emit *e, const vs_var *v);
 void vs_emit_scope_end(vs_emit *e, size_t first);
 /* Stores the emitted instructions in `code`, which is an object in old space. */

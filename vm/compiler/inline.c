@@ -1,9 +1,9 @@
-/* Contains the table of natives that become opcodes. */
+/* Contains the table of natives whose calls are compiled to one instruction. */
 #include "vm/compiler/inline.h"
 
 #include "vm/values/flat.h"
 
-/* The column "with immediate" is an opcode; in rows TYPE it is a type of objects. */
+/* The column "with immediate" of inline.def is an opcode; in rows of kind TYPE it is a type of objects. */
 #define IMMEDIATE_VALUE(x) VS_O_##x
 #define IMMEDIATE_TEST(x) VS_O_##x
 #define IMMEDIATE_EFFECT(x) VS_O_##x

@@ -1,5 +1,5 @@
-/* Declares the search for natives that become opcodes: rows of inline.def, and the host's flat record makers and
- * getters. */
+/* Declares the search for natives whose calls are compiled to one instruction: rows of inline.def, and the host's
+ * procedures that create and read flat records (points and vectors). */
 #ifndef VS_VM_COMPILER_INLINE_H
 #define VS_VM_COMPILER_INLINE_H
 

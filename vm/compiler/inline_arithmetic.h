@@ -26,7 +26,7 @@ static inline bool flat_rule(const vs_scheme *vm, vs_flat_op op, vs_value a, vs_
   bool fa = flat_operand(a), fb = flat_operand(b);
   if (!(fa || fb) || !vm->flat) return false;
   if (!(fa || vs_is_double(a) || vs_is_fixnum(a)) || !(fb || vs_is_double(b) || vs_is_fixnum(b))) return false;
-  /* The procedure / reports a division by 0. */
+  /* a division by 0 is left to the procedure /, which reports it */
   if (op == VS_OP_DIV && (b == vs_fix(0) || (vs_is_double(b) && vs_double(b) == 0))) return false;
   return vm->flat->at[op][fa ? vs_as_flat(a)->h.flags : 0][fb ? vs_as_flat(b)->h.flags : 0].rule != VS_RULE_NONE;
 }
@@ -37,9 +37,9 @@ static inline bool to_double(vs_value v, double *d) {
   return false;
 }
 
-/* Applies the host's binary procedure of this row to x and y. Stores the result in d: three numbers, or a single one.
- * Returns the tag of the resulting record, or 0 for a number. Returns a negative number if the procedure itself must
- * run: for other operands, or a result that is not finite. */
+/* Applies the host's binary procedure of this row to x and y. Stores the result in d: three numbers, or a single
+ * number. Returns the tag of the resulting record, or 0 for a number. Returns a negative number if the procedure itself
+ * must be called: for other operands, or if a result is not finite. */
 static inline int flat_binary(const vs_flat_rules *rules, uint32_t row, vs_value x, vs_value y, double *d) {
   int kind = rules->binary[row].kind, result = rules->binary[row].result;
   if (!vs_is_flat(x, rules->binary[row].left)) return -1;
@@ -83,7 +83,7 @@ static inline bool quick_double(vs_flat_op op, vs_value a, vs_value b, vs_value 
   switch (op) {
     case VS_OP_ADD: x += y; break;
     case VS_OP_SUB: x -= y; break;
-    case VS_OP_MUL:      /* also for an exact 0 and a double: 0 * 1.5 = 0.0, as the procedure computes it */
+    case VS_OP_MUL:      /* an exact 0 times a double is 0.0, as the procedure * computes it */
       x *= y; break;
     case VS_OP_DIV: if (b == vs_fix(0)) return false; x /= y; break;
     default: return false;

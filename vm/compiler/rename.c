@@ -1,12 +1,12 @@
-/* Implements (%renamed procedure name), by which the library gives a procedure a second name. The code is copied with
- * the old name replaced in every constant, so that errors show the name in the program. */
+/* Implements (%renamed procedure name), by which the library gives a procedure a second name. The code is copied, and
+ * every constant with the old name is replaced, so that errors show the name that the program uses. */
 #include "vm/compiler/code.h"
 #include "vm/machine/native.h"
 
 enum { DEEPEST = 16 };      /* greatest nesting of procedures in the library's own code */
 
 static bool rename_code(vs_scheme *vm, vs_value code, vs_value from, vs_value to, int depth, vs_value *out) {
-  VS_ROOTS(vm, r, 5);       /* roots: code, its copy, constants, a constant, its copy */
+  VS_ROOTS(vm, r, 5);       /* roots of the garbage collector: code, its copy, constants, a constant, its copy */
   if (depth > DEEPEST) return vs_fail(vm, vm->sym.internal, "nested too deeply");
   r[0] = code;
   vs_code *copy = (vs_code *)(void *)vs_gc_alloc_old(vm, VS_T_CODE, VS_WORDS(vs_code));
@@ -48,7 +48,7 @@ static bool rename_closure(vs_scheme *vm, vs_value closure, vs_value to, vs_valu
 
 static vs_status renamed(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
-  if (vs_is(a[0], VS_T_PARAMETER)) {       /* a parameter object is not copied: its name is set */
+  if (vs_is(a[0], VS_T_PARAMETER)) {       /* a parameter object is not copied, only renamed */
     vs_gc_store(vm, vs_as_parameter(a[0]), &vs_as_parameter(a[0])->name, a[1]);
     *out = a[0];
     return VS_OK;

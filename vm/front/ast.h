@@ -1,16 +1,16 @@
 /* Declares the core language, which the expander passes to the compiler.
  *
- * A tree is in the arena of one vs_ast. Its Scheme values are indices into the tree's constant pool, which is a root.
- * Both are counted in the memory budget. The tree is freed as a whole. The expander builds it from an explicit
- * worklist. The compiler recurses over it, but takes lambda bodies from a worklist. The nesting inside one lambda must
- * therefore stay below VS_AST_DEPTH: the expander moves deeper subexpressions into a LAMBDA without parameters, which
- * is called at once. SEQ and CALL count one level at any length. The last element of a SEQ, each arm of an IF in the
- * tail of another (cond chains) and the body of a LET count one level each.
+ * A tree is in the memory arena of one vs_ast. Its Scheme values are indices into the tree's constant pool, which the
+ * garbage collector visits. Both are counted in the memory budget. The tree is freed as a whole. The expander builds it
+ * from an explicit worklist. The compiler recurses over it, but takes lambda bodies from a worklist. The nesting inside
+ * one lambda must therefore stay below VS_AST_DEPTH: the expander moves deeper subexpressions into a LAMBDA without
+ * parameters, which is called at once. SEQ and CALL count one level at any length. The last element of a SEQ, each arm
+ * of an IF in the tail of another (cond chains) and the body of a LET count one level each.
  *
  * Binding: vs_ast_var creates a variable, a vs_var; references point to it. The compiler finds captures and
  * assignments; the expander sets only the name. A vs_var belongs to exactly one LAMBDA, LET or FIX.
  *
- * Every node has the place of its form. Error messages and call chains show the place of a CALL. */
+ * Every node has the place of its form in the source. Error messages and call chains show the place of a CALL. */
 #ifndef VS_VM_FRONT_AST_H
 #define VS_VM_FRONT_AST_H
 
@@ -29,14 +29,15 @@ typedef struct vs_core_node vs_core_node;
 typedef struct vs_var {
   uint32_t name;             /* constant index of the variable's symbol */
   bool introduced;           /* created by a macro, so that messages do not show it */
-  bool in_register;          /* whether the variable may be assigned in its register, unless it is captured: no
+  bool in_register;          /* whether the variable, unless it is captured, may be assigned in its register: no
                               * continuation of its activation is entered twice */
-  bool given_again;          /* of a FIX: whether its value may be computed a second time, so that it counts as
-                              * assigned */
+  bool given_again;          /* of a FIX: whether a continuation may compute its value a second time, so that it counts
+                              * as assigned */
   /* Members that the compiler sets. */
   bool assigned, captured, known;
   uint32_t refs, calls;
-  vs_core_node *owner, *value;    /* owner: LAMBDA that contains the variable; value: of a FIX, its initial LAMBDA */
+  vs_core_node *owner, *value;    /* owner: LAMBDA that contains the variable; value: for a variable of a FIX whose
+                                   * value is a LAMBDA, this LAMBDA */
   uint32_t reg;
   void *extra;
 } vs_var;
@@ -56,14 +57,15 @@ struct vs_core_node {
   vs_pos pos;
   union {
     uint32_t constant;                                            /* CONST: index of the constant */
-    vs_var *var;                                                  /* LOCAL: the variable */
+    vs_var *var;                                                  /* LOCAL: the variable to which the node refers */
     struct { vs_var *var; vs_core_node *value; } set;                  /* SETLOCAL: an assignment, with the unspecific
                                                                         * value as its result */
-    /* GLOBAL, SETGLOBAL, DEFGLOBAL: constant index of a CELL. A GLOBAL whose cell contains VS_UNDEFINED is the error
-     * "NAME is not defined". */
+    /* GLOBAL, SETGLOBAL, DEFGLOBAL: constant index of the variable's CELL. A reference to a cell that contains
+     * VS_UNDEFINED is the error "NAME is not defined". */
     struct { uint32_t cell; vs_core_node *value; } global;
-    struct { vs_core_node *test, *then, *otherwise; } branch;          /* IF; otherwise NULL: the unspecific value */
-    struct { vs_core_node **at; } seq;                                 /* SEQ; count 0: the unspecific value */
+    struct { vs_core_node *test, *then, *otherwise; } branch;          /* IF; otherwise NULL: the value is unspecific */
+    struct { vs_core_node **at; } seq;                                 /* SEQ: expressions in order; with count 0, the
+                                                                        * value is unspecific */
     /* CALL: evaluated from left to right, the callee first. keywords: 0, or 1 + constant index of a KEYWORDS object
      * that names the last arguments. */
     struct { vs_core_node *callee; vs_core_node **at; uint32_t keywords; } call;
@@ -79,12 +81,13 @@ struct vs_core_node {
       vs_core_node *body;
       void *extra;                                                /* data of the compiler about this LAMBDA */
     } lambda;                                                     /* the members of a LAMBDA node */
-    struct { uint32_t name; vs_core_node **at; } clauses;              /* CASE: a case-lambda with its LAMBDAs */
+    struct { uint32_t name; vs_core_node **at; } clauses;              /* CASE: a case-lambda; its clauses are
+                                                                        * LAMBDAs */
     struct { vs_core_node *predicate, *value; uint32_t name, text, who; } check;
       /* CHECK: a contract. Its value is that of `value` if (predicate value) is true. Otherwise it is the error "WHO:
        * NAME must be TEXT, got VALUE". A predicate that raises an error counts as false. If the predicate is no
        * procedure, the message shows [NAME TEXT]. name, text: constants (symbol, any source datum); who: constant
-       * (symbol or #f). The predicate expression is evaluated once, outside the lambda (in a LET around it, or its own
+       * (symbol or #f). The predicate expression is evaluated once, outside the lambda (in a LET around it, or in a
        * cell), and `predicate` refers to its value. The compiler recognises any? if it is a GLOBAL. */
   } as;
 };
@@ -94,7 +97,7 @@ typedef struct vs_ast {
   struct vs_ast *next;          /* next element of the list vm->asts */
   struct vs_ast_chunk *chunks;
   size_t left; char *bump;
-  vs_value *pool; size_t pool_count, pool_room;   /* pool of constants, which are roots */
+  vs_value *pool; size_t pool_count, pool_room;   /* pool of constants, which the garbage collector visits */
   size_t pool_old;                                /* index of the first constant that a minor collection must visit */
 } vs_ast;
 
@@ -105,12 +108,12 @@ void vs_ast_clear(vs_ast *ast);             /* Empties the tree for the next top
 
 /* Returns zeroed memory of the arena, aligned to 8 bytes. When memory is out, sets the error and returns NULL. */
 void *vs_ast_alloc(vs_ast *ast, size_t bytes);
-/* Sets *index to the index of the constant v, which may be one that the pool already has. */
+/* Sets *index to the index of the constant v in the pool, which may already contain v. */
 bool vs_ast_const(vs_ast *ast, vs_value v, uint32_t *index);
 vs_var *vs_ast_var(vs_ast *ast, vs_value symbol);
 /* Returns a node of this kind (VS_AST_...), with all members zero. */
 vs_core_node *vs_ast_node(vs_ast *ast, int kind, vs_pos pos);
-/* Return nodes of these kinds, or NULL when memory is out. */
+/* These functions return nodes of the kinds in their names, or NULL when memory is out. */
 vs_core_node *vs_ast_constant(vs_ast *ast, vs_value v, vs_pos pos);
 vs_core_node *vs_ast_local(vs_ast *ast, vs_var *var, vs_pos pos);
 /* Returns a SEQ, CALL, CASE, LET, FIX or LAMBDA with room for n elements. */

@@ -9,8 +9,8 @@
 #include "vm/values/printer.h"
 #include "vm/values/text.h"
 
-/* Reports (let (x 5) ...) and (do (i 0 (+ i 1)) ...), which lack the parentheses around all bindings. Returns false,
- * without an error, for other bindings. */
+/* Reports (let (x 5) ...) and (do (i 0 (+ i 1)) ...), which lack the parentheses around all bindings. step: the form is
+ * `do`. Returns false, without an error, for other bindings. */
 static bool fail_bare(vs_expansion *x, vs_value list, vs_pos outer, int form, bool step) {
   int64_t n = vs_list_length(list);
   if ((n != 2 && !(step && n == 3)) || !vs_is_identifier(vs_car(list))) return false;
@@ -36,7 +36,7 @@ static bool fail_bare(vs_expansion *x, vs_value list, vs_pos outer, int form, bo
   return true;
 }
 
-/* Checks bindings of the form ((name value) ...). For usual mistakes, the message shows the right form. */
+/* Checks bindings of the form ((name value) ...). For a usual mistake, the message shows the correct form. */
 static bool check_bindings(vs_expansion *x, vs_value list, vs_pos outer, int form, bool step) {
   const char *name = vs_form_shape(form);
   if (fail_bare(x, list, outer, form, step)) return false;
@@ -107,8 +107,8 @@ static bool named_let(vs_expansion *x) {
          push_values(x, vs_car(vs_cdr(vs_cdr(x->now.form))), x->now.env, call->as.call.at, NULL, x->now.depth + 2);
 }
 
-/* Stores the names of this let that are not defined outside. If a later value uses such a name, the message suggests
- * let*. */
+/* Stores the names of this let that are not defined outside it. If a value of this let uses such a name, the error
+ * message suggests let*. */
 static bool mention_let_star(vs_expansion *x, vs_value list) {
   VS_ROOTS(x->vm, r, 2);
   for (r[0] = list; vs_is_pair(vs_cdr(r[0])); r[0] = vs_cdr(r[0])) {
@@ -119,8 +119,8 @@ static bool mention_let_star(vs_expansion *x, vs_value list) {
   return true;
 }
 
-/* Returns true if evaluating this value of a letrec may create a continuation. Procedures and expressions
- * that are no calls create none. */
+/* Returns true if evaluating this value of a letrec may create a continuation. A lambda or an expression that contains
+ * no call creates none. */
 static bool may_return_again(vs_value value) {
   if (!vs_is_pair(value)) return false;
   if (!vs_is_identifier(vs_car(value))) return true;
@@ -135,7 +135,7 @@ static size_t returning_again(vs_value list) {
 }
 
 /* Completes a letrec whose last `again` values may be computed a second time, by a continuation. Their variables are
- * boxes that are set when all these values are computed: FIX (procedure value) ... (a' value) ... (a a') ... with
+ * boxes that are set when all these values have been computed: FIX (procedure value) ... (a' value) ... (a a') ... with
  * hidden names a'. */
 static bool letrec_apart(vs_expansion *x, vs_core_node *fix, vs_var **vars, size_t again, vs_value env,
                          uint32_t depth) {
@@ -192,7 +192,8 @@ static bool binding_form(vs_expansion *x, int form, int kind) {
 }
 
 bool vs_form_let(vs_expansion *x) { return binding_form(x, VS_FORM_let, VS_AST_LET); }
-/* Expands a let whose variables may be assigned in their registers: no continuation created in it is entered twice. */
+/* Expands a let whose variables may be assigned in their registers, because no continuation created in it is entered
+ * twice. */
 bool vs_form_let_registers(vs_expansion *x) {
   vs_core_node **into = x->now.into;
   if (!binding_form(x, VS_FORM_let_registers, VS_AST_LET)) return false;
@@ -203,7 +204,7 @@ bool vs_form_let_registers(vs_expansion *x) {
 bool vs_form_letrec(vs_expansion *x) { return binding_form(x, VS_FORM_letrec, VS_AST_FIX); }
 bool vs_form_letrec_star(vs_expansion *x) { return binding_form(x, VS_FORM_letrec_star, VS_AST_FIX); }
 
-/* Binds the first variable, and makes a let* of the others the body. */
+/* Expands let*: binds the first variable; the body is a let* of the other variables. */
 bool vs_form_let_star(vs_expansion *x) {
   if (!x->now.chained && vs_list_length(x->now.form) < 3) return vs_expand_shape(x, VS_FORM_let_star);
   vs_value l = vs_cdr(x->now.form);
@@ -292,7 +293,7 @@ bool vs_form_do(vs_expansion *x) {
   return push_values(x, vs_car(vs_cdr(x->now.form)), x->now.env, call->as.call.at, NULL, x->now.depth + 2);
 }
 
-/* Binds macros in a scope. If their transformers are all syntax-rules, that is done directly. Otherwise they become
+/* Binds macros in a scope. If their transformers are all syntax-rules, they are bound directly. Otherwise they become
  * define-syntax forms at the start of a body, which can wait for the values of transformers. */
 static bool syntax_binding(vs_expansion *x, bool recursive, int form) {
   vs_scheme *vm = x->vm;

@@ -1,11 +1,11 @@
 /* Expands definitions: bodies, the top level, define, define-syntax and transformers.
  *
  * A body is expanded form by form. Macros at the head of a form are expanded until it is a definition, a `begin` or an
- * expression. The name of a definition is bound at once, and its value kept for later; the forms of a `begin` are
- * inserted. When all names are known, the kept forms are expanded. All definitions, with the expressions between them,
- * become one FIX (letrec*), and the expressions after them its body. The kept forms are a list, newest first, of
- * vectors #(variable form place parameters). variable is a fixnum address, or #f for an expression. parameters is
- * VS_ABSENT for a plain value; otherwise form is the procedure's body. */
+ * expression. The name of a definition is bound at once, and the form of its value is stored; the forms of a `begin`
+ * are inserted. When all names are known, the stored forms are expanded. All definitions, with the expressions between
+ * them, become one FIX (letrec*), and the expressions after the definitions become its body. The stored forms are a
+ * list, newest first, of vectors #(variable form place parameters). variable is a fixnum address, or #f for an
+ * expression. parameters is VS_ABSENT for a plain value; otherwise form is the procedure's body. */
 #include "vm/front/body.h"
 
 #include "vm/front/derived_syntax.h"
@@ -27,7 +27,7 @@ static bool is_parameter_list(vs_value list) {
   return list == VS_NIL;
 }
 
-/* Reports (define f (x) body): the name is before the parentheses of its parameters. */
+/* Reports (define f (x) body): the name must be inside the parentheses of the parameters. */
 static bool fail_split(vs_expansion *x, vs_pos pos, const char *name, vs_value parameters) {
   char shown[200];
   size_t used = 0;
@@ -44,7 +44,8 @@ static bool fail_split(vs_expansion *x, vs_pos pos, const char *name, vs_value p
       name, shown);
 }
 
-/* Divides a define form. A curried definition (define ((f a) b) ...) becomes a procedure with a lambda as its body. */
+/* Divides a define form into name, parameters and body. A curried definition (define ((f a) b) ...) becomes a procedure
+ * whose body is a lambda. */
 bool vs_define_parts(vs_expansion *x, vs_value form, vs_value parts[3], bool *procedure) {
   vs_scheme *vm = x->vm;
   vs_value *name = &parts[0], *params = &parts[1], *rest = &parts[2];
@@ -137,8 +138,8 @@ bool vs_expand_transformer(vs_expansion *x, vs_value spec, vs_value env, vs_valu
   return true;
 }
 
-/* Binds (define-syntax name spec) in env. (define-syntax-rule ...) is a macro of the prelude. Sets *wait if a call must
- * run first, whose value replaces spec. */
+/* Binds (define-syntax name spec) in env. (define-syntax-rule ...) is a macro of the prelude. Sets *wait if a procedure
+ * must be called first, whose value replaces spec. */
 static bool define_syntax(vs_expansion *x, vs_value form, vs_value env, bool *wait) {
   VS_ROOTS(x->vm, r, 3);
   r[0] = form; r[1] = env;
@@ -197,8 +198,8 @@ static bool expand_kept(vs_expansion *x, vs_value kept, vs_core_node **into, uin
 
 static bool finish_body(vs_expansion *x) {
   vs_scheme *vm = x->vm;
-  size_t total = 0, defined = 0;                    /* total: kept forms; defined: kept forms up to the last
-                                                     * definition */
+  size_t total = 0, defined = 0;                    /* total: number of stored forms of the body; defined: number of
+                                                     * these up to the last definition */
   for (vs_value l = x->now.acc; vs_is_pair(l); l = vs_cdr(l)) {
     if (!defined && vs_is_fixnum(vs_as_vector(vs_car(l))->at[0])) defined = 1;
     else if (defined) defined++;
@@ -323,8 +324,9 @@ bool vs_body_resume(vs_expansion *x, vs_value value) {
 }
 
 /* ---- the top level ---- */
-/* Binds the names of (begin (define name ...) ...) of a macro before any of its forms is expanded, so that the first
- * may refer to the last. The names are renamed by the macro, so that only this code can refer to them. */
+/* Handles (begin (define name ...) ...) as the result of a macro: binds all names before any form is expanded, so
+ * that the first form may refer to the last name. The macro has renamed the names, so that only this code can refer
+ * to them. */
 static bool bind_renamed(vs_expansion *x, vs_value forms) {
   VS_ROOTS(x->vm, r, 1);
   for (r[0] = forms; vs_is_pair(r[0]); r[0] = vs_cdr(r[0])) {
@@ -347,7 +349,7 @@ bool vs_top_step(vs_expansion *x) {
   if (!vs_expand_settle(x, &r[0], &m, &pos)) return false;
   x->now.form = r[0];
   x->now.pos = pos;
-  /* A transformer of a macro defined in a body. */
+  /* The transformer of a macro that is defined in a body. */
   if (!vs_is_top(x->now.env)) return vs_expand_push(x, VS_TASK_EXPR, r[0], x->now.env, pos, x->now.into, 0);
   int form = m.kind == VS_MEANS_MACRO ? (int)vs_fixnum(vs_as_macro(m.value)->kind) : vs_unit_word(&m);
   if (form != VS_FORM_begin && form != VS_FORM_import && form != VS_FORM_define_library &&
@@ -375,7 +377,7 @@ bool vs_top_step(vs_expansion *x) {
       return vs_expand_lambda(x, &lambda, &n->as.global.value);
     }
     if (!vs_expand_push(x, VS_TASK_EXPR, r[3], x->now.env, pos, &n->as.global.value, 1)) return false;
-    /* the variable's name becomes the name of a lambda */
+    /* the variable's name becomes the name of the lambda that is its value */
     return (vs_expand_top(x)->var = vs_ast_var(&x->ast, vs_identifier_symbol(r[1]))) != NULL;
   }
   case VS_FORM_define_syntax: {

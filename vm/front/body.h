@@ -4,15 +4,16 @@
 
 #include "vm/front/expand.h"
 
-/* Converts the transformer spec to a MACRO, or to a call that returns one. Sets *done to false if the call of
+/* Converts the transformer spec to a MACRO, or to a call that returns a MACRO. Sets *done to false if the call of
  * x->procedure must run first; the caller then sets `waiting`. */
 bool vs_expand_transformer(vs_expansion *x, vs_value spec, vs_value env, vs_value *macro, bool *done);
 /* vs_body_step performs a step of the current task. vs_body_resume passes a value to the task that waits for it. */
 bool vs_body_step(vs_expansion *x);
 bool vs_top_step(vs_expansion *x);
 bool vs_body_resume(vs_expansion *x, vs_value value);
-/* Divides form, (define . rest), into three roots: the name; the parameters, or VS_ABSENT if no procedure is defined;
- * the body or the value's form. If it fails, sets the error and returns false. */
+/* Divides the define form (define . rest) into three parts, which are roots of the garbage collector: the name; the
+ * parameters, or VS_ABSENT if no procedure is defined; the body or the value's form. If it fails, sets the error and
+ * returns false. */
 bool vs_define_parts(vs_expansion *x, vs_value form, vs_value parts[3], bool *procedure);
 
 #endif

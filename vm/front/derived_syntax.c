@@ -23,7 +23,8 @@ bool vs_make_form_list(vs_scheme *vm, vs_value *out, size_t n, const vs_value *i
   return true;
 }
 
-/* Sets *out to the form (head a b ...), where head is a name of the library. The items are in roots. */
+/* Sets *out to the form (head a b ...), where head is a name of the library. `items` (a, b, ...) are roots of the
+ * garbage collector. */
 static bool make(vs_scheme *vm, const char *head, size_t n, const vs_value *items, vs_value *out) {
   VS_ROOTS(vm, r, 2);
   return vs_make_form_list(vm, &r[0], n, items) && vs_core_name(vm, head, &r[1]) && vs_cons(vm, r[1], r[0], out);
@@ -83,8 +84,8 @@ bool vs_form_define_record_type(vs_expansion *x, vs_value *form) {
   }
   /* Creates the definition of the record type. */
   r[A] = VS_NIL;
-  for (l = r[FIELDS]; vs_is_pair(l); l = vs_cdr(l)) {          /* collects the names, newest first; they are reversed
-                                                                * below */
+  for (l = r[FIELDS]; vs_is_pair(l); l = vs_cdr(l)) {          /* collects the fields' names, newest first; they are
+                                                                * reversed below */
     r[B] = l;
     if (!vs_cons(vm, vs_is_pair(vs_car(l)) ? vs_car(vs_car(l)) : vs_car(l), r[A], &r[A])) return false;
     l = r[B];
@@ -146,13 +147,14 @@ bool vs_form_define_record_type(vs_expansion *x, vs_value *form) {
   return vs_core_name(vm, "begin", &r[B]) && vs_cons_at(vm, r[B], r[A], pos, form);
 }
 
-/* Rewrites (include "a" "b") to a `begin` with the forms of both files. */
+/* Rewrites (include "a" "b" ...) to a `begin` with the forms of all these files. */
 static bool include(vs_expansion *x, vs_value *form, bool fold) {
   vs_scheme *vm = x->vm;
   vs_pos pos = x->now.pos;
   if (vs_list_length(*form) < 2)
     return vs_expand_fail(x, pos, *form, "include is written %s, not", vs_form_shape(VS_FORM_include));
-  VS_ROOTS(vm, r, 4);      /* roots: names, all forms newest first, forms of one file, result */
+  VS_ROOTS(vm, r, 4);      /* roots of the garbage collector: names, all forms newest first, forms of one file,
+                            * result */
   r[0] = vs_cdr(*form);
   r[1] = VS_NIL;
   for (; vs_is_pair(r[0]); r[0] = vs_cdr(r[0])) {
@@ -252,8 +254,8 @@ static int holds(vs_expansion *x, vs_value q, int depth) {
          1;
 }
 
-/* Sets *forms to those of the first clause whose requirement is fulfilled, or to VS_NIL. If it fails, sets the error
- * and returns false. */
+/* Sets *forms to the forms of the first clause whose requirement is fulfilled, or to VS_NIL. If it fails, sets the
+ * error and returns false. */
 bool vs_cond_expand(vs_expansion *x, vs_value form, vs_value *forms) {
   *forms = VS_NIL;
   for (vs_value l = vs_cdr(form); vs_is_pair(l); l = vs_cdr(l)) {

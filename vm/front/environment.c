@@ -90,8 +90,8 @@ bool vs_make_alias(vs_scheme *vm, vs_value name, vs_value env, vs_value *out) {
   return true;
 }
 
-/* A stack of places to visit, for replacing aliases by symbols. A test finds data without aliases first, which are most
- * data. */
+/* A stack of data to visit, for replacing aliases (renamed identifiers) by symbols. A test first finds data without
+ * aliases, as most are. */
 typedef struct { vs_scheme *vm; vs_value *at; size_t count, room; struct vs_roots roots; } stack;
 static bool push(stack *s, vs_value v) {
   if (s->count == s->room) {
@@ -110,7 +110,8 @@ bool vs_datum_any(vs_scheme *vm, vs_value datum, vs_datum_test (*test)(vs_scheme
   stack s = {.vm = vm};
   bool ok = push(&s, datum);
   size_t seen = 0, lap = 1;
-  vs_value turtle = VS_FALSE;              /* a cyclic datum (from labels) contains nothing new after its first round */
+  vs_value turtle = VS_FALSE;              /* detects a cyclic datum (from labels), of which a first round has visited
+                                            * everything */
   *yes = false;
   while (ok && s.count && !*yes) {
     vs_value v = s.at[--s.count];
@@ -134,8 +135,9 @@ bool vs_datum_any(vs_scheme *vm, vs_value datum, vs_datum_test (*test)(vs_scheme
   return ok;
 }
 
-/* Tests a datum for aliases. An immutable vector comes from the reader and contains only source data; vectors of macros
- * are mutable. Stopping there saves time for GML programs, whose procedures are nested quotations. */
+/* Tests a datum for aliases (renamed identifiers). An immutable vector comes from the reader, and contains no aliases;
+ * vectors of macros are mutable. Skipping immutable vectors saves time for GML programs, whose procedures are nested
+ * quotations. */
 static vs_datum_test is_alias(vs_scheme *vm, vs_value v) {
   (void)vm;
   if (vs_is(v, VS_T_ALIAS)) return VS_DATUM_YES;
@@ -205,8 +207,8 @@ static bool can_skip(const vs_environment *scope) {
   return scope->imports != VS_NIL && vs_fixnum(scope->name) >> DEPTH_BITS == late_bindings(scope);
 }
 
-/* Adds the names of `from` that *table lacks. Their value is `scope` or, if that is VACANT, the scope to which `from`
- * maps them. */
+/* Adds to *table the names of `from` that *table lacks. Their value is `scope` or, if `scope` is VACANT, the scope to
+ * which `from` maps them. */
 static bool skip_add(vs_scheme *vm, vs_value *table, vs_value from, vs_value scope) {
   VS_ROOTS(vm, r, 4);
   r[0] = from; r[1] = scope;
@@ -217,9 +219,11 @@ static bool skip_add(vs_scheme *vm, vs_value *table, vs_value from, vs_value sco
   return true;
 }
 
-/* Creates the table of bindings around a new scope. scope points to a root. */
+/* Creates the table of the bindings that surround a new scope, so that a search can skip many scopes. scope points to a
+ * root of the garbage collector. */
 static bool skip_make(vs_scheme *vm, const vs_value *scope) {
-  VS_ROOTS(vm, r, 2);              /* roots: the current scope on the way outwards, the table */
+  VS_ROOTS(vm, r, 2);              /* roots of the garbage collector: the current scope on the way outwards, the
+                                    * table */
   int64_t depth = depth_of(*scope), span = SKIP;
   while (depth % (span * SKIP) == 0) span *= SKIP;
   if (!vs_idtable_new(vm, &r[1])) return false;
@@ -285,8 +289,8 @@ bool vs_environment_bind(vs_scheme *vm, vs_value env, vs_value id, vs_value bind
 
 static bool is_private(vs_value symbol) { return vs_as_symbol(symbol)->name[0] == '%'; }
 
-/* Returns the binding that library `env` exports under `name`, or VS_VACANT. Follows imports, since a library may
- * export what it imports; `depth` limits the recursion. */
+/* Returns the binding that the library with the environment `env` exports under `name`, or VS_VACANT. Follows imports,
+ * since a library may export names that it imports; `depth` limits the recursion. */
 static vs_value exported(vs_value env, vs_value name, int depth);
 
 static vs_value imported(vs_value env, vs_value name, int depth) {
@@ -321,7 +325,7 @@ void vs_environment_set_intake(vs_value env, vs_intake intake) {
 }
 void vs_environment_forget_imports(vs_value env) { vs_as_environment(env)->imports = VS_NIL; }
 
-/* Returns the binding that `from` exports, and `mapping` gives the local name, or VS_VACANT. */
+/* Returns the binding that `from` exports for the local name `name` by `mapping`, or VS_VACANT. */
 static vs_value offered(vs_value from, vs_value mapping, vs_value name) {
   vs_value there = mapping == VS_TRUE ? name : vs_idtable_get(mapping, name);
   return there == VS_VACANT ? VS_VACANT : exported(from, there, 0);
@@ -334,8 +338,8 @@ static bool same_binding(vs_value a, vs_value b) {
          vs_as_cell(a)->value == vs_as_cell(b)->value;
 }
 
-/* Returns a name for which two imports of env have different bindings, or VS_VACANT. The import of the whole library is
- * not counted: any other binding replaces it. */
+/* Returns a name for which two imports of env have different bindings, or VS_VACANT. The import of the whole library of
+ * the language is not counted: any other binding replaces it. */
 static vs_value find_clash(vs_scheme *vm, vs_value env, vs_value from, vs_value mapping) {
   const vs_environment *e = vs_as_environment(env);
   vs_value names = mapping != VS_TRUE                            ? mapping
@@ -354,9 +358,10 @@ static vs_value find_clash(vs_scheme *vm, vs_value env, vs_value from, vs_value 
   return VS_VACANT;
 }
 
-/* Adapts env's existing cells to an import. Cells without a definition and copies of constants get the imported value.
- * A definition of env itself is an error in *clash, but is replaced at the prompt, and stays if the import is the whole
- * library. look: only searches for a clash. */
+/* Adapts env's existing cells of variables to an import. A cell without a definition, or with a copy of a constant,
+ * gets the imported value. If env itself defines an imported name, that is the error *clash. But at the prompt the
+ * import replaces the definition, and the definition stays if the import is the whole library of the language. look:
+ * only searches for a clash. */
 static void settle(vs_scheme *vm, vs_value env, vs_value from, vs_value mapping, bool look, vs_value *clash) {
   vs_vector *table = vs_as_vector(vs_as_environment(env)->table);
   vs_intake intake = vs_environment_intake(env);
@@ -392,7 +397,8 @@ bool vs_environment_import(vs_scheme *vm, vs_value env, vs_value from, vs_value 
     if (mapping == VS_TRUE && vs_car(vs_car(l)) == from && vs_cdr(vs_car(l)) == VS_TRUE &&
         (whole || l == vs_as_environment(env)->imports))
       return true;
-    last = l;                                   /* a library that is already imported was found above */
+    last = l;                                   /* only remembers the end of the list, since a library that is already
+                                                 * imported was found above */
   }
   if (vs_environment_intake(env) == VS_INTAKE_STRICT && !whole) *clash = find_clash(vm, env, from, mapping);
   if (*clash == VS_VACANT && !whole) { settle(vm, env, from, mapping, true, clash); *own = *clash != VS_VACANT; }
@@ -401,7 +407,7 @@ bool vs_environment_import(vs_scheme *vm, vs_value env, vs_value from, vs_value 
     return false;
   vs_environment *e = vs_as_environment(r[0]);
   if (!whole || last == VS_NIL) vs_gc_store(vm, e, &e->imports, r[3]);
-  else {                                        /* appended at the end of the list */
+  else {                                        /* adds the import at the end of the list */
     for (last = e->imports; vs_is_pair(vs_cdr(last));) last = vs_cdr(last);
     vs_gc_store(vm, vs_as_pair(last), &vs_as_pair(last)->cdr, r[3]);
   }
@@ -413,7 +419,7 @@ bool vs_environment_import(vs_scheme *vm, vs_value env, vs_value from, vs_value 
 vs_meaning vs_environment_find(vs_value env, vs_value id) {
   for (;;) {
     vs_value own = VS_VACANT;
-    /* Most names of a program have no local binding: their search omits all scopes. */
+    /* Most names of a program have no local binding anywhere: their search skips all scopes. */
     if (!vs_is_top(env) && !(vs_object_of(id)->flags & VS_F_LOCAL)) env = vs_as_environment(env)->top;
     while (!vs_is_top(env)) {
       const vs_environment *e = vs_as_environment(env);
@@ -444,8 +450,8 @@ vs_meaning vs_environment_find(vs_value env, vs_value id) {
   return m;
 }
 
-/* Returns true if two identifiers have the same meaning. Two programs' copies of an imported constant have the same
- * meaning if their names are equal. */
+/* Returns true if identifier a in env_a and b in env_b have one meaning. Two programs' copies of an imported constant
+ * have one meaning if their names are equal. */
 bool vs_same_meaning(vs_value env_a, vs_value a, vs_value env_b, vs_value b) {
   vs_meaning m = vs_environment_find(env_a, a), n = vs_environment_find(env_b, b);
   if (m.kind != n.kind) return false;
@@ -468,7 +474,7 @@ bool vs_environment_cell(vs_scheme *vm, const vs_meaning *m, vs_value *cell) {
   if (!vs_make_cell(vm, vs_identifier_symbol(m->id), value, &r[2])) return false;
   if (m->kind == VS_MEANS_CELL) vs_object_of(r[2])->flags |= VS_F_CONSTANT;
   if (!vs_environment_bind(vm, r[0], r[1], r[2])) return false;
-  *cell = r[2];        /* *cell is set only now, since binding may move the cell */
+  *cell = r[2];        /* sets *cell only here, since the binding above may move the cell */
   return true;
 }
 
@@ -488,7 +494,7 @@ bool vs_environment_define(vs_scheme *vm, vs_value env, vs_value id, vs_value *c
       own == VS_VACANT && m.foreign && m.kind == VS_MEANS_CELL ? vs_as_cell(m.value)->value : VS_UNDEFINED;
   if (!vs_make_cell(vm, vs_identifier_symbol(id), before, &r[2])) return false;
   if (!vs_environment_bind(vm, r[0], r[1], r[2])) return false;
-  *cell = r[2];        /* *cell is set only now, since binding may move the cell */
+  *cell = r[2];        /* sets *cell only here, since the binding above may move the cell */
   return true;
 }
 
@@ -502,8 +508,8 @@ static bool each_own(vs_value env, vs_value shown, bool (*each)(void *, vs_value
   for (size_t i = 0; vs_idtable_slot(vs_as_environment(env)->table, i, &key, &value); i++) {
     if (key == VS_VACANT || !vs_is(key, VS_T_SYMBOL) || is_private(key)) continue;
     if (vs_is(value, VS_T_CELL) && vs_as_cell(value)->value == VS_UNDEFINED) continue;
-    if (shown != VS_VACANT && vs_idtable_get(shown, key) != VS_VACANT) continue;      /* this name was already passed to
-                                                                                       * the callback */
+    /* the callback has already received this name */
+    if (shown != VS_VACANT && vs_idtable_get(shown, key) != VS_VACANT) continue;
     if (!each(context, key, value)) return false;
   }
   return true;

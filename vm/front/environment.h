@@ -29,7 +29,8 @@
 /* ---- tables of identifiers: a vector with the count in slot 0, then keys and values; open addressing ---- */
 bool vs_idtable_new(vs_scheme *vm, vs_value *out);
 vs_value vs_idtable_get(vs_value table, vs_value id);             /* Returns the value of id, or VS_VACANT. */
-/* Sets the value of id. `table` and `v` point to roots. If the table grows, *table becomes another object. */
+/* Sets the value of id. `table` and `v` point to roots of the garbage collector. If the table grows, *table becomes
+ * another object. */
 bool vs_idtable_put(vs_scheme *vm, vs_value *table, vs_value id, vs_value v);
 /* Sets *key and *value to those of slot i. Returns false if there is no slot i. An empty slot has the key VS_VACANT. */
 bool vs_idtable_slot(vs_value table, size_t i, vs_value *key, vs_value *value);
@@ -43,8 +44,8 @@ vs_value vs_identifier_symbol(vs_value id);
 bool vs_make_alias(vs_scheme *vm, vs_value name, vs_value env, vs_value *out);
 /* Sets *out to a copy of the datum in which symbols replace aliases, or to the datum itself if it has none. */
 bool vs_strip(vs_scheme *vm, vs_value datum, vs_value *out);
-/* Result of a test of a datum, for functions that test all parts of a datum until one is VS_DATUM_YES.
- * VS_DATUM_NO_MORE: the test is false for the datum and all its parts. */
+/* Result of testing a datum, for functions that visit all parts of a datum until one is VS_DATUM_YES. VS_DATUM_NO_MORE:
+ * neither the datum nor a part of it needs further tests. */
 typedef enum { VS_DATUM_NO, VS_DATUM_YES, VS_DATUM_NO_MORE } vs_datum_test;
 bool vs_datum_any(vs_scheme *vm, vs_value datum, vs_datum_test (*test)(vs_scheme *vm, vs_value v), bool *yes);
 
@@ -66,9 +67,9 @@ vs_intake vs_environment_intake(vs_value env);
 void vs_environment_set_intake(vs_value env, vs_intake intake);
 
 /* Imports `from` into env; both are top-level environments. mapping is #t, or a table from local names to names in
- * `from`. All other bindings of a name replace that of the whole library (vm->at.core with mapping #t). Sets *clash to
- * VS_VACANT, or to a name that cannot be imported because it has another binding. Sets *own if that is a definition of
- * env itself. */
+ * `from`. All other bindings of a name have precedence over that of the language's whole library (vm->at.core with
+ * mapping #t). Sets *clash to VS_VACANT, or to a name that cannot be imported because it already has a different
+ * binding. Sets *own if env itself defines this name. */
 bool vs_environment_import(vs_scheme *vm, vs_value env, vs_value from, vs_value mapping, vs_value *clash, bool *own);
 void vs_environment_forget_imports(vs_value env);
 static inline bool vs_is_top(vs_value env) { return vs_as_environment(env)->parent == VS_FALSE; }
@@ -78,19 +79,19 @@ typedef struct vs_meaning {
   vs_meaning_kind kind;
   vs_value value;        /* LOCAL: fixnum address of the vs_var; MACRO, CELL: the object, which an allocation may
                           * move */
-  vs_value env;          /* LOCAL: scope that binds the identifier; otherwise its top-level environment */
-  vs_value id;           /* the identifier in the top-level environment */
+  vs_value env;          /* LOCAL: scope that binds the identifier; otherwise the top-level environment that binds it */
+  vs_value id;           /* the identifier by which the top-level environment binds it */
   bool foreign;          /* whether the CELL or MACRO was imported */
 } vs_meaning;
 /* Returns the meaning of id in env. Allocates nothing. */
 vs_meaning vs_environment_find(vs_value env, vs_value id);
 bool vs_same_meaning(vs_value env_a, vs_value a, vs_value env_b, vs_value b);
 
-/* Sets *cell to the cell for a reference to a top-level variable, with the meaning m of vs_environment_find. If there
- * is none, creates a cell with VS_UNDEFINED. */
+/* Sets *cell to the cell of a top-level variable, by the meaning m that vs_environment_find returned. If there is none,
+ * creates a cell with VS_UNDEFINED. */
 bool vs_environment_cell(vs_scheme *vm, const vs_meaning *m, vs_value *cell);
-/* Sets *cell to the cell whose value (define id ...) at top level sets. It is env's own, and code compiled before uses
- * it. */
+/* Sets *cell to the cell whose value (define id ...) at top level sets. It is a cell of env alone; code of env that was
+ * compiled earlier uses it, too. */
 bool vs_environment_define(vs_scheme *vm, vs_value env, vs_value id, vs_value *cell);
 /* Returns the value of a variable that env defines or exports under this name, or VS_UNDEFINED. */
 vs_value vs_environment_value(vs_value env, vs_value symbol);

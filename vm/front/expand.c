@@ -15,7 +15,7 @@
 #include <stdio.h>
 
 enum { MOST_ARGUMENTS = 2000 };
-enum { DEPTH_LIMIT = 180 };   /* greatest depth in tasks; a task adds at most two levels of the tree (VS_AST_DEPTH) */
+enum { DEPTH_LIMIT = 180 };   /* greatest nesting of tasks; a task adds at most two levels to the tree (VS_AST_DEPTH) */
 
 enum { KIND_CORE, KIND_DEFINITION, KIND_AUXILIARY, KIND_REWRITE };
 static const struct { const char *name, *shape; bool rewrite, auxiliary; } form_table[] = {
@@ -56,8 +56,8 @@ static void trace(vs_scheme *vm, void *object, void (*mark)(vs_scheme *vm, vs_va
     mark(vm, &x->tasks[i].env);
     mark(vm, &x->tasks[i].acc);
   }
-  if (vs_gc_is_minor(vm)) x->old = x->count; /* the values of waiting tasks do not change, and are in old space after
-                                              * this collection */
+  if (vs_gc_is_minor(vm)) x->old = x->count; /* after a minor collection, the values of waiting tasks are in old space
+                                              * and do not change */
 }
 
 static void release(void *object) {
@@ -174,7 +174,7 @@ bool vs_is_form(vs_value env, vs_value id, int form) {
   if (!vs_is_identifier(id)) return false;
   vs_meaning m = vs_environment_find(env, id);
   if (m.kind == VS_MEANS_MACRO) return vs_as_macro(m.value)->kind == vs_fix(form);
-  /* Words such as else and => keep their meaning even if they were not imported. */
+  /* auxiliary words such as else and => keep their meaning even if they were not imported */
   return m.kind == VS_MEANS_NOTHING && form_table[form].auxiliary &&
          !strcmp(vs_as_symbol(vs_identifier_symbol(id))->name, form_table[form].name);
 }
@@ -194,9 +194,9 @@ static bool defines(vs_value form, vs_value name) {
   return what == name;
 }
 
-/* Reports a call of an undefined name that is syntax in the library or a shipped library, since expanding its operands
- * would report misleading errors. If a later form of the unit defines the name, it is a procedure, and there is no
- * error. */
+/* Reports a call of an undefined name that is syntax in the language's library or in a library that vs contains, since
+ * expanding the call's operands would report misleading errors. If a later form of the program defines the name, it is
+ * a procedure, and there is no error. */
 static bool check_imported(vs_expansion *x, vs_value id, vs_pos pos) {
   vs_scheme *vm = x->vm;
   vs_value name = vs_identifier_symbol(id), known = vs_idtable_get(vs_as_environment(vm->at.core)->table, name);
@@ -227,7 +227,8 @@ static bool not_an_expression(vs_expansion *x, vs_value id, const vs_meaning *m,
   return vs_expand_fail(x, pos, VS_ABSENT, "%s is syntax and has no value; it comes first in parentheses", name);
 }
 
-/* Returns the variable of a local meaning. If it belongs to another expansion, reports an error and returns NULL. */
+/* Returns the variable that a local meaning m refers to. If the variable belongs to another expansion, reports an error
+ * and returns NULL. */
 static vs_var *local(vs_expansion *x, const vs_meaning *m, vs_value id, vs_pos pos) {
   if (vs_as_environment(m->env)->data != vs_fix(x->serial)) {
     vs_expand_fail(x, pos, VS_ABSENT, "%s is a variable that has no value yet when macros are expanded",
@@ -237,8 +238,8 @@ static vs_var *local(vs_expansion *x, const vs_meaning *m, vs_value id, vs_pos p
   return (vs_var *)(uintptr_t)vs_fixnum(m->value);
 }
 
-/* Searches the local names for one that is similar to an undefined name. m keeps its meaning, though its objects may
- * move. */
+/* Searches the local names for a name that is similar to an undefined name. m keeps its meaning, though the garbage
+ * collector may move its objects. */
 static bool near_local(vs_expansion *x, vs_value env, vs_meaning *m) {
   VS_ROOTS(x->vm, r, 2);
   r[0] = m->env; r[1] = m->id;
@@ -326,8 +327,8 @@ static bool is_keyword(vs_value v) {
   return vs_is_symbol(v) && vs_as_symbol(v)->length > 2 && !memcmp(vs_as_symbol(v)->name, "#:", 2);
 }
 
-/* Divides a call with too many arguments for one activation, such as a mesh written as data: (apply f (append (list
- * ...) (list ...) ...)). */
+/* Divides a call with too many arguments for one activation into smaller calls, such as (apply f (append (list ...)
+ * (list ...) ...)). A mesh that is written as data is such a call. */
 static bool long_application(vs_expansion *x, size_t n) {
   vs_pos pos = x->now.pos;
   size_t lists = (n + MOST_ARGUMENTS - 1) / MOST_ARGUMENTS;
@@ -351,7 +352,8 @@ static bool long_application(vs_expansion *x, size_t n) {
   return ok;
 }
 
-/* The error is one of the call at run time, not a syntax error, so that a program can handle it. */
+/* A keyword that is given twice: the error is one of the call at run time, not a syntax error, so that a program can
+ * handle it. */
 static bool given_twice(vs_expansion *x, vs_value name) {
   char text[300];
   VS_ROOTS(x->vm, r, 1);
@@ -427,8 +429,8 @@ static bool application(vs_expansion *x) {
     }
     vs_value names[64];
     if (keys > 64) return vs_expand_fail(x, x->now.pos, VS_ABSENT, "more than 64 keywords");
-    memcpy(names, vs_as_vector(r[0])->at, keys * sizeof *names);      /* symbols do not move in memory, so that they may
-                                                                       * be copied */
+    memcpy(names, vs_as_vector(r[0])->at, keys * sizeof *names);      /* symbols do not move in memory, so their
+                                                                       * addresses may be copied */
     uint32_t index;
     if (!vs_make_keywords(vm, names, keys, &r[1]) || !vs_ast_const(&x->ast, r[1], &index)) return false;
     call->as.call.keywords = 1 + index;
@@ -445,8 +447,8 @@ static bool application(vs_expansion *x) {
 }
 
 /* ---- uses of macros ---- */
-/* Expands one use of a macro: the current task's form, or the first of a body's forms. Sets *wait if the task must wait
- * for the transformer. */
+/* Expands a macro use once: the current task's form, or the first form of a body. Sets *wait if the task must wait for
+ * the result of the macro's transformer. */
 static bool use_macro(vs_expansion *x, vs_value macro, vs_value form, vs_pos pos, vs_value *out, bool *wait) {
   vs_scheme *vm = x->vm;
   *wait = false;
@@ -462,7 +464,7 @@ static bool use_macro(vs_expansion *x, vs_value macro, vs_value form, vs_pos pos
     return false;
   x->procedure = vs_environment_value(vm->at.core, r[3]);
   x->args = r[2];
-  vm->top_place = pos;        /* place for errors in the transformer's calls */
+  vm->top_place = pos;        /* vm->top_place: the place for errors in the transformer's calls */
   *wait = true;
   return true;
 }
@@ -523,7 +525,7 @@ static bool combines_predicates(vs_value id, vs_value env) {
   return false;
 }
 
-/* Warns of (random 1), which counts from 0 to 0. */
+/* Warns about (random 1), whose result is always 0. */
 static void warn_of_one(vs_expansion *x, vs_value form) {
   vs_scheme *vm = x->vm;
   if (!vs_is_symbol(vs_car(form)) || vs_cdr(vs_cdr(form)) != VS_NIL || vs_car(vs_cdr(form)) != vs_fix(1)) return;
@@ -533,7 +535,7 @@ static void warn_of_one(vs_expansion *x, vs_value form) {
                                     "from 0 to 1, (random 6) one of 0 to 5");
 }
 
-/* Warns of a test whose value is certainly a procedure, which counts as true: (and integer? positive?) is positive?. */
+/* Warns about a test whose value is certainly a procedure and therefore true: (and integer? positive?) is positive?. */
 static void warn_of_procedure(vs_expansion *x, vs_value form, const vs_meaning *head) {
   vs_scheme *vm = x->vm;
   char text[300];
@@ -626,7 +628,7 @@ bool vs_expansion_begin(vs_expansion *x, vs_value form, vs_value env, vs_pos pos
 }
 
 vs_expand_result vs_expansion_step(vs_expansion *x, vs_value value) {
-  x->vm->native = NULL;      /* errors shall not show the native that runs the expansion */
+  x->vm->native = NULL;      /* an error must not show the native that runs the expansion */
   while (x->count) {
     x->now = x->tasks[--x->count];
     bool ok = vs_poll(x->vm, 64);
@@ -646,7 +648,7 @@ vs_expand_result vs_expansion_step(vs_expansion *x, vs_value value) {
     }
     if (x->now.waiting) return push_task(x, &x->now) ? VS_EXPAND_CALL : VS_EXPAND_ERROR;
     if (!ok) {
-      vs_value c = x->vm->condition;      /* an error other than a syntax error, such as a missing file */
+      vs_value c = x->vm->condition;      /* handles an error other than a syntax error, such as a missing file */
       if (vs_is(c, VS_T_CONDITION) && !vs_as_condition(c)->place) vs_as_condition(c)->place = x->now.pos;
       x->count = 0;
       x->now = no_task;

@@ -1,16 +1,16 @@
 /* Declares the expander. It converts a form of a program to a core tree (ast.h): macros are expanded and names are
  * resolved.
  *
- * The expander has a stack of tasks, each "expand this form in this environment and store the node there". A task may
- * push others; nothing recurses on the C stack. x->now is the current task. The garbage collector updates its values,
- * so that a function must read them again after an allocation. If the transformer of a macro is a Scheme procedure, the
- * task stays on the stack, marked as waiting, and vs_expansion_step returns VS_EXPAND_CALL. It is called again with the
- * value.
+ * The expander has a stack of tasks; each is "expand this form in this environment and store the node there". A task
+ * may push others; nothing recurses on the C stack. x->now is the current task. The garbage collector updates its
+ * values, so that a function must read them again after an allocation. If the transformer of a macro is a Scheme
+ * procedure, the task stays on the stack, marked as waiting, and vs_expansion_step returns VS_EXPAND_CALL. The caller
+ * calls vs_expansion_step again with the procedure's value.
  *
  * The compiler recurses over the tree within one lambda. At DEPTH_LIMIT levels, the expander therefore puts a
  * subexpression into a procedure without parameters that is called at once.
  *
- * A vs_expansion is inside a foreign object, with functions that trace and free it. */
+ * A vs_expansion is inside a foreign object, whose functions show its values to the garbage collector and free it. */
 #ifndef VS_VM_FRONT_EXPAND_H
 #define VS_VM_FRONT_EXPAND_H
 
@@ -39,11 +39,12 @@ typedef enum {
 
 typedef struct vs_task {
   uint8_t kind;
-  bool test;         /* whether only the truth of the value matters */
-  bool decides;      /* whether the truth of the value decides what is evaluated next, so that a procedure is a
-                      * mistake */
+  bool test;         /* whether only the truth of the value matters, as in a test */
+  bool decides;      /* whether the truth of the value decides what is evaluated next, so that a procedure as value is
+                      * probably a mistake */
   bool waiting;      /* whether the task waits for the value of a transformer */
-  bool chained;      /* whether the form is the rest of one whose shape was checked: (and b c) of (and a b c) */
+  bool chained;      /* whether the form is the rest of a form whose syntax was already checked: (and b c) of (and a b
+                      * c) */
   uint32_t depth, n;
   vs_pos pos;        /* place to use if the form itself has none */
   vs_core_node **into;
@@ -63,14 +64,14 @@ typedef enum {
 typedef struct vs_expansion {
   vs_scheme *vm;
   vs_ast ast;
-  bool tree;               /* whether `ast` is open */
+  bool tree;               /* whether the core tree `ast` is open */
   vs_task now, *tasks;
   size_t count, room;
   size_t old;              /* index of the first task that a minor collection must visit */
   int64_t serial;          /* number of the top-level form; scopes with another number are no longer valid */
   vs_core_node *root;
   vs_expand_result result;
-  bool definition;         /* result NODE: whether it is a definition, whose value is not reported */
+  bool definition;         /* result NODE: whether it is a definition, whose value the prompt does not print */
   vs_value procedure, args;   /* results CALL and RUN: the procedure to call and its list of arguments */
   vs_value forms;          /* result FORMS: the forms to expand instead, in order */
   vs_value later;          /* later top-level forms, which may define a missing name */
@@ -122,10 +123,10 @@ vs_pos vs_form_pos(vs_value form, vs_pos outer);                       /* Return
                                                                         * has none. */
 vs_pos vs_element_pos(vs_value pair, bool first, vs_pos outer);        /* Returns the place of the first element of
                                                                         * `pair`, a part of a list. */
-/* Reports a syntax error at pos. Appends the text of `what`, unless it is VS_ABSENT. */
+/* Reports a syntax error at pos. Appends `what` as text to the message, unless it is VS_ABSENT. */
 bool vs_expand_fail(vs_expansion *x, vs_pos pos, vs_value what, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
-/* Reports the error "this is written (...)" for the syntax `form` (a VS_FORM_). */
+/* Reports that the syntax `form` (a VS_FORM_) is used wrongly: "this is written (...)". */
 bool vs_expand_shape(vs_expansion *x, int form);
 
 /* Expands macros at the head of *form until it is core syntax, an application or no pair. Sets *m to the meaning of its

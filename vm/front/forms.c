@@ -50,7 +50,7 @@ bool vs_form_begin(vs_expansion *x) {
   return sequence(x, vs_cdr(x->now.form), x->now.pos, x->now.into, x->now.depth);
 }
 
-/* Expands the rest of a chain (and, or, cond) as the same form with fewer parts. */
+/* Expands the remaining parts of and, or, cond as a form of that kind with fewer parts. */
 static bool chain(vs_expansion *x, vs_value rest, vs_core_node **into, bool test) {
   VS_ROOTS(x->vm, r, 1);
   vs_pos pos = vs_is_pair(rest) ? vs_element_pos(rest, false, x->now.pos) : x->now.pos;
@@ -61,8 +61,8 @@ static bool chain(vs_expansion *x, vs_value rest, vs_core_node **into, bool test
   return true;
 }
 
-/* Returns the length of the current form, or -1 if it is no list. For the rest of a chain, which is known to be a list,
- * counts at most 4 elements: counting all at each part would make long chains slow. */
+/* Returns the length of the current form, or -1 if it is no list. The rest of a chain (and, or, cond) is known to be a
+ * list: counts at most 4 elements of it, because counting all at each part would make long chains slow. */
 static int64_t parts(const vs_expansion *x) {
   if (!x->now.chained) return vs_list_length(x->now.form);
   int64_t n = 0;
@@ -170,7 +170,7 @@ bool vs_form_cond(vs_expansion *x) {
   if (n < 1)
     return vs_expand_fail(x, pos, clause,
                           "a clause of cond is (test value ...), as in (cond [(> x 3) 1] [else 2]), not");
-  /* A missing parenthesis: (cond (> x 3) 'big ...). */
+  /* A clause lacks its inner parentheses, as in (cond (> x 3) 'big ...). */
   if (n > 1 && vs_is_identifier(vs_car(clause)) && vs_is_form(env, vs_car(clause), VS_FORM_quote))
     return vs_expand_fail(x, pos, VS_ABSENT, "a clause of cond is in parentheses with its test: ((> x 3) 'big)");
   if (vs_is_form(env, vs_car(clause), VS_FORM_else)) {
@@ -226,7 +226,8 @@ bool vs_form_case(vs_expansion *x) {
   return vs_expand_nth(x, 1, x->now.env, &let->as.let.values[0]);
 }
 
-/* Returns (or (eqv? key 'd) ...), with eq? where it is equivalent. More than six data are searched by memv. */
+/* Returns the expression (or (eqv? key 'd) ...) for a clause of case, with eq? where it is equivalent. More than six
+ * data are searched by memv. */
 static vs_core_node *key_test(vs_expansion *x, vs_value data, vs_pos pos) {
   VS_ROOTS(x->vm, r, 2);
   int64_t n = vs_list_length(data);
@@ -371,11 +372,12 @@ bool vs_quasi_step(vs_expansion *x) {
                       kind == VS_FORM_quasiquote ? level + 1 : level - 1);
   }
   level -= kind >= 0;
-  /* Counts the elements, the spliced lists, and the runs of plain elements between them. */
+  /* Counts the elements of the list, the elements that splice in a list, and the sequences of plain elements between
+   * them. */
   size_t elements = 0, splices = 0, runs = 0;
   size_t in_run = 0;
-  vs_value l = form, met = VS_NIL; /* Brent's cycle detection: `met` is an earlier pair, set to l each time the distance
-                                    * has doubled */
+  vs_value l = form, met = VS_NIL; /* Brent's cycle detection: `met` is an earlier pair, replaced by l each time the
+                                    * distance has doubled */
   for (; vs_is_pair(l) && (l == form || quasi_kind(x->now.env, l) < 0); l = vs_cdr(l)) {
     if (l == met) return vs_expand_fail(x, pos, VS_ABSENT, "a list without an end (#0#) cannot contain , or ,@");
     if ((elements & (elements - 1)) == 0) met = l;

@@ -1,25 +1,28 @@
 /* Expands parameter lists: lambda, case-lambda and the procedures of define; contracts, optional and keyword
  * parameters.
  *
- * A parameter is one of
+ * A parameter has one of the forms
  *   name   [name predicate]   [name predicate default]
- * and the same after #:key. The rest parameter is . name or . [name predicate]. The predicate is evaluated once,
- * outside the lambda: in a LET around it, unless it is a constant of the library. The checks are a SEQ before the body,
- * one CHECK for each parameter, in order. Before a computed default, the parameters that it can use are checked. */
+ * These forms after #:key are a keyword parameter. The rest parameter is . name or . [name predicate]. The predicate is
+ * evaluated once, outside the lambda: in a LET around it, unless it is a constant of the library. The checks are a SEQ
+ * before the body, one CHECK for each parameter, in order. Before a computed default, the parameters that it can use
+ * are checked. */
 #include "vm/front/lambda.h"
 
 #include "vm/front/expand.h"
 #include "vm/machine/fail.h"
 
 typedef struct {
-  vs_value id, predicate, fallback;     /* forms of the source, or VS_ABSENT */
+  vs_value id, predicate, fallback;     /* name, predicate and default as forms of the source; an absent form is
+                                         * VS_ABSENT */
   vs_pos pos;
   vs_var *var, *contract;               /* contract: variable of the LET for the predicate; NULL if the predicate is a
                                          * constant */
   uint32_t keyword;                     /* 0, or 1 + constant index of the keyword (vs_param.keyword) */
 } parameter;
 
-/* The parameters of a lambda that is being built. Their values are roots. */
+/* The parameters of a lambda that is being built. Their values are reachable by the garbage collector through the
+ * parameter list. */
 typedef struct {
   vs_scheme *vm;
   parameter *at;
@@ -54,8 +57,8 @@ static bool specification(vs_expansion *x, parameters *p, vs_value spec, vs_pos 
                                : "a parameter is a name, [name predicate] or [name predicate default], not");
   vs_value id = vs_car(spec), predicate = vs_car(vs_cdr(spec)),
            fallback = n == 3 ? vs_car(vs_cdr(vs_cdr(spec))) : VS_ABSENT;
-  /* A default as in other Schemes, [width 5]. Reported here, since a call without the argument would report another
-   * error. */
+  /* Reports [width 5], which other Schemes read as a default. Without this report, a call without the argument would
+   * show a misleading error. */
   if (n == 2 && (vs_is_fixnum(predicate) || vs_is_double(predicate) || vs_is(predicate, VS_T_STRING) ||
                  predicate == VS_TRUE || predicate == VS_FALSE))
     return vs_expand_fail(x, pos, spec,
@@ -64,7 +67,7 @@ static bool specification(vs_expansion *x, parameters *p, vs_value spec, vs_pos 
 }
 
 /* Parses the parameter list. The values in p->at are valid only until the next allocation; `reload` then reads them
- * again. */
+ * again from the list. */
 static bool parse(vs_expansion *x, parameters *p, vs_value list, vs_pos outer) {
   vs_value l = list;
   bool optional = false, keyed = false;
@@ -115,7 +118,7 @@ static const char *combination(vs_value form, vs_value env) {
       return combinations[i].procedure;
     if (combinations[i].form >= 0) continue;
     vs_meaning m = vs_environment_find(env, vs_car(form));
-    /* The program has defined this name itself. */
+    /* skips this word, because the program has defined the name itself */
     if (m.kind != VS_MEANS_CELL || !(vs_object_of(m.value)->flags & VS_F_CONSTANT)) continue;
     if (!strcmp(vs_as_symbol(vs_as_cell(m.value)->name)->name, combinations[i].word)) return combinations[i].procedure;
   }
@@ -177,14 +180,14 @@ static bool is_constant(vs_value form, vs_value env) {
          vs_as_cell(m.value)->value != VS_UNDEFINED;
 }
 
-/* A lambda that is being built. */
+/* The data of a lambda that is being built. */
 typedef struct {
   vs_expansion *x;
   parameters *p;
-  vs_value *roots;           /* roots; indices are ROOT_LIST ... */
+  vs_value *roots;           /* roots of the garbage collector, by the indices ROOT_LIST ... */
   uint32_t who;              /* constant index of the lambda's name */
   vs_pos pos;
-  vs_core_node *let;         /* LET of the evaluated predicates; NULL if there are none */
+  vs_core_node *let;         /* LET around the lambda for the evaluated predicates; NULL if there are none */
   size_t contracts;          /* number of predicates that are already in the LET */
   vs_core_node *lambda;
 } making;
@@ -204,7 +207,8 @@ static size_t checks_of(const parameters *p, size_t n) {
   return checks;
 }
 
-/* If predicates are evaluated, creates the LET at *outer, and sets *outer to its body. Creates the lambda at *into. */
+/* If predicates must be evaluated, creates the LET for them at *outer, and sets *outer to its body. Creates the lambda
+ * at *into. */
 static bool make_frame(making *m, vs_core_node ***outer, vs_core_node **into) {
   size_t evaluated = 0;
   for (size_t i = 0; i < m->p->count; i++) evaluated += is_evaluated(m, &m->p->at[i]);
@@ -235,7 +239,8 @@ static bool make_contract(making *m, size_t i) {
   return true;
 }
 
-/* Creates the checks of the first n parameters at *at, and sets *at to the place of the code after them. */
+/* Creates the checks of the first n parameters at *at, and sets *at to the place for the code that follows the
+ * checks. */
 static bool make_checks(making *m, size_t n, vs_pos pos, vs_core_node ***at) {
   size_t checks = checks_of(m->p, n), done = 0;
   if (!checks) return true;
@@ -289,7 +294,8 @@ static bool make_parameter(making *m, size_t i) {
   return true;
 }
 
-/* Builds the lambda. *outer is the place for the LET of predicates, and is set to the LET's body. */
+/* Builds the lambda. *outer is the place for the LET of the evaluated predicates, and is set to the body of that
+ * LET. */
 static bool build(making *m, vs_value name, vs_core_node ***outer, vs_core_node **into) {
   vs_value *r = m->roots;
   if (!vs_ast_const(&m->x->ast, name, &m->who) || !vs_expand_scope(m->x, r[ROOT_ENV], &r[ROOT_SCOPE])) return false;

@@ -4,17 +4,17 @@
 
 #include "vm/front/expand.h"
 
-/* The source of a lambda. Its values need not be roots. */
+/* The source of a lambda. Its values need not be roots of the garbage collector. */
 typedef struct {
   vs_value params, body; /* params: the parameter list; body: the list of the body's forms */
-  bool tail;             /* whether params follow a name, as in (define (name . params) ...), so that [ ] around them is
-                          * a rest parameter with its predicate */
+  bool tail;             /* whether params follow a name, as in (define (name . params) ...): [ ] around all of params
+                          * is then a rest parameter with its predicate */
   vs_value env, name;    /* env: environment of the lambda; name: its symbol, or #f */
   vs_pos pos;
 } vs_lambda_form;
 
-/* Expands a parameter list and a body to a LAMBDA, if necessary in a LET of its predicates. If it fails, sets the error
- * and returns false. */
+/* Expands a parameter list and a body to a LAMBDA. If predicates must be evaluated, the LAMBDA is inside a LET that
+ * evaluates them. If it fails, sets the error and returns false. */
 bool vs_expand_lambda(vs_expansion *x, const vs_lambda_form *form, vs_core_node **into);
 bool vs_predicate_step(vs_expansion *x);
 

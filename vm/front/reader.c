@@ -1,8 +1,9 @@
 /* Implements the reader, which converts text to data with the place of every pair.
  *
- * A stack contains all data that are being read (lists, vectors, quotes, datum comments, labels). It is in counted
- * memory, with two roots for each level: the first and the last pair of the elements. A complete datum is added to the
- * level on top. The reader collects mistakes and continues after them, so that one reading reports all.
+ * A stack contains all data that are being read (lists, vectors, quotes, datum comments, labels). Its memory counts for
+ * the memory limit. Each level has two roots of the garbage collector: the first and the last pair of the elements. A
+ * complete datum is added to the level on top. The reader collects mistakes and continues after them, so that one
+ * reading reports all.
  *
  * The end of the text shows that a parenthesis is not closed, but not where. The reader therefore compares the
  * indentation of each line with the column of the open parenthesis. It records the first line that begins at this
@@ -30,7 +31,7 @@ typedef enum { LIST, VECTOR, BYTEVECTOR, QUOTE, COMMENT, LABEL } frame_kind;
 typedef struct {
   frame_kind kind;
   char open;                 /* opening parenthesis: ( or [ */
-  uint8_t dot;               /* LIST: 1 if the next datum is the tail after a dot, 2 if the tail has been read */
+  uint8_t dot;               /* LIST: 1 if the next datum is the tail after a dot, 2 if this tail has been read */
   vs_pos pos;
   quote_kind quote;
 } level;
@@ -41,12 +42,13 @@ typedef struct {
   size_t size, at;
   uint32_t file, line;
   size_t line_start;         /* offset at which the current line begins */
-  size_t col_at; uint32_t col;   /* col: column of offset col_at in the current line, cached */
+  size_t col_at; uint32_t col;   /* col: column of the byte at offset col_at in the current line, a cache for the next
+                                  * call */
   bool located, fold, blank_line;   /* blank_line: whether the current line has only blanks so far */
   level *levels; size_t depth, room;
-  vs_value *slots;           /* two roots for each level, then the labels */
+  vs_value *slots;           /* values that the garbage collector visits: two for each level, then the labels */
   struct vs_roots roots;
-  vs_value labels;           /* list of (number . box); a root of vs_read_... */
+  vs_value labels;           /* list of (number . box) for the labels; a root of the function that reads */
   bool label_used;
   size_t quasi;              /* number of levels that are quasiquotes */
   size_t problems; bool more;
@@ -160,7 +162,8 @@ static bool push(reader *r, frame_kind kind, vs_pos pos, char open, quote_kind q
     if (!levels) return false;
     r->levels = levels;
     vs_value *slots = vs_mem(r->vm, r->slots, 2 * r->room * sizeof *slots, 2 * room * sizeof *slots);
-    if (!slots) {   /* `levels` gets its old size again, so that both arrays have room for the same number of levels */
+    if (!slots) {   /* the second array could not grow: `levels` gets its old size again, so that both arrays have room
+                     * for one number of levels */
       r->levels = vs_mem(r->vm, levels, room * sizeof *levels, r->room * sizeof *levels);
       return false;
     }
@@ -174,7 +177,7 @@ static bool push(reader *r, frame_kind kind, vs_pos pos, char open, quote_kind q
   return true;
 }
 
-/* Removes the level on top, which must exist. */
+/* Removes the level on top of the stack, which must not be empty. */
 static void pop(reader *r) {
   VS_ASSERT(r->depth > 0);
   level *f = &r->levels[--r->depth];
@@ -186,7 +189,8 @@ static bool cons(reader *r, vs_value car, vs_value cdr, vs_pos pos, vs_value *ou
   return r->located ? vs_cons_at(r->vm, car, cdr, pos, out) : vs_cons(r->vm, car, cdr, out);
 }
 
-/* Adds the datum *v (a root) to the level on top. If there is no level, sets *done: the datum is complete. */
+/* Adds the datum *v, a root of the garbage collector, to the level on top. If there is no level, sets *done: the datum
+ * is complete. */
 static bool deliver(reader *r, vs_value *v, vs_pos pos, bool *done) {
   *done = false;
   for (;;) {
@@ -236,7 +240,7 @@ static bool deliver(reader *r, vs_value *v, vs_pos pos, bool *done) {
   }
 }
 
-/* Removes the level on top, which must exist, and sets *out to its datum. */
+/* Removes the level on top of the stack, which must not be empty, and sets *out to its datum. */
 static bool close_frame(reader *r, vs_value *out) {
   level f = r->levels[r->depth - 1];
   vs_value head = r->slots[2 * (r->depth - 1)];
@@ -316,7 +320,7 @@ static bool read_escape(reader *r, vs_text *t) {
   vs_pos pos = place(r, r->at - 1);
   int c = peek(r, 0);
   size_t start = r->at;
-  if (c >= 0) r->at++; /* the text may end after the backslash */
+  if (c >= 0) r->at++; /* advances past the character after the backslash, unless the text has ended */
   switch (c) {
   case 'a': return vs_text_char(t, 7);
   case 'b': return vs_text_char(t, 8);
@@ -408,9 +412,10 @@ static bool is_hexadecimal(const char *s, size_t n) {
   return true;
 }
 
-/* Reports a word in typographic quotation marks, as a text editor for letters makes them. */
+/* Reports a word in typographic quotation marks, as word processors write them. */
 static void typographic_quote(reader *r, vs_pos pos, const char *s, size_t length) {
-  size_t n = 3; /* length of the quotation mark in bytes, then the end of the word, which is the next quotation mark */
+  size_t n = 3; /* n: length of the quotation mark in bytes, then offset of the end of the word, which is the next
+                 * quotation mark */
   while (n < length && !(n + 2 < length && !memcmp(s + n, "\xE2\x80", 2) && (unsigned char)s[n + 2] >= 0x98 &&
                          (unsigned char)s[n + 2] <= 0x9F))
     n++;
@@ -507,7 +512,7 @@ static bool read_symbol(reader *r, vs_value *out) {
   return ok;
 }
 
-/* Returns true if the token here is this word; upper and lower case are the same. */
+/* Returns true if the token at the reader's position is this word; upper and lower case count as equal. */
 static bool same(const reader *r, const char *word) {
   size_t n = strlen(word);
   if (r->size - r->at < n) return false;
@@ -517,7 +522,8 @@ static bool same(const reader *r, const char *word) {
   return is_delimiter(&after);
 }
 
-/* Reads a token that begins with #. Sets *prefix if it is a prefix of the next datum, for which a level was pushed. */
+/* Reads a token that begins with #. Sets *prefix if the token is a prefix of the next datum, such as #; or #0=, for
+ * which a level was pushed. */
 static bool read_hash(reader *r, vs_value *out, bool *prefix) {
   static const struct { const char *word; vs_value value; } words[] = {
     {"#t", VS_TRUE}, {"#true", VS_TRUE}, {"#f", VS_FALSE}, {"#false", VS_FALSE}, {"#!eof", VS_EOF}};
@@ -567,10 +573,11 @@ static bool read_hash(reader *r, vs_value *out, bool *prefix) {
   return read_symbol(r, out);
 }
 
-/* Reads a closing parenthesis of kind c. Sets *got if that completes a datum, *out. */
+/* Reads the closing parenthesis c. Sets *got if it completes a datum, which is then *out. */
 static bool read_close(reader *r, char c, vs_pos pos, vs_value *out, bool *got) {
   *got = false;
-  while (r->depth && r->levels[r->depth - 1].kind >= QUOTE) {     /* closes prefixes without a datum: '), #;) */
+  while (r->depth && r->levels[r->depth - 1].kind >= QUOTE) {     /* closes prefixes that have no datum, as in '),
+                                                                   * #;) */
     if (r->levels[r->depth - 1].quote == QUOTE_PLAIN)
       problem(r, r->levels[r->depth - 1].pos,
               "a datum is missing after this '; a text is written in double quotes, \"like this\"");
@@ -597,7 +604,8 @@ static bool read_close(reader *r, char c, vs_pos pos, vs_value *out, bool *got) 
   return close_frame(r, out);
 }
 
-/* At the first token of a line: records an open parenthesis that, by the indentation, should be closed. */
+/* At the first token of a line: records an open parenthesis that should be closed before this line, judging by the
+ * indentation. */
 static void watch_indentation(reader *r, vs_pos pos) {
   uint32_t col = vs_pos_col(pos);
   if (r->depth && !r->suspect) {
@@ -616,7 +624,7 @@ static void watch_indentation(reader *r, vs_pos pos) {
   r->blank_line = false;
 }
 
-/* Reports that the first `count` levels were not closed, at the innermost of them. */
+/* Reports that the lowest `count` levels of the stack were not closed, at the innermost of them. */
 static void never_closed(reader *r, size_t count) {
   VS_ASSERT(count <= r->depth);
   if (!count) return;
@@ -734,7 +742,7 @@ static int next(reader *r, vs_value *out, vs_pos *where) {
   return 0;
 }
 
-/* ---- labels: every box of a label is replaced by the labelled datum ---- */
+/* ---- labels: every reference to a label is a box until the labelled datum replaces it ---- */
 typedef struct { vs_value *at; size_t count, room; struct vs_roots roots; vs_scheme *vm; } work;
 static bool work_push(work *w, vs_value v) {
   if (w->count == w->room) {
@@ -749,10 +757,12 @@ static bool work_push(work *w, vs_value v) {
 }
 static bool is_label(vs_value v) { return vs_is(v, VS_T_BOX); }
 static vs_value label_value(vs_value v) {
-  for (int i = 0; is_label(v) && i < 1000; i++) v = vs_as_box(v)->value;     /* several labels for one datum: #0=#1=x */
+  for (int i = 0; is_label(v) && i < 1000; i++) v = vs_as_box(v)->value;     /* follows several labels for one datum:
+                                                                              * #0=#1=x */
   return v;
 }
-/* Replaces the boxes of labels. Creates no objects, so that nothing moves. Before this, the datum is a tree. */
+/* Replaces the boxes of labels by the labelled data. Creates no objects, so that nothing moves. Before this call, the
+ * datum is a tree. */
 static bool resolve_labels(reader *r, vs_value *root) {
   work w = {.vm = r->vm};
   *root = label_value(*root);
@@ -850,7 +860,8 @@ static bool report(reader *r) {
 /* Reads all data of the text. *anew is true in the second reading; it is set to whether a second reading is
  * necessary. */
 static bool read_all(vs_scheme *vm, const vs_passage *text, uint32_t file, bool fold, bool *anew, vs_value *forms) {
-  VS_ROOTS(vm, v, 3);                                  /* roots: first pair, last pair, datum */
+  VS_ROOTS(vm, v, 3);                                  /* roots of the garbage collector: first pair, last pair,
+                                                        * datum */
   reader r;
   start(&r, vm, text, file, true);
   r.fold = fold;
@@ -876,7 +887,8 @@ static bool read_all(vs_scheme *vm, const vs_passage *text, uint32_t file, bool 
   vs_pos reached = place(&r, r.at);
   vm->roots = labels.next;
   finish(&r);
-  /* Releases the data, so that memory remains for the report of the place that was reached. */
+  /* Releases the data that were read, so that memory remains for the error message, which shows the place that was
+   * reached. */
   if (!ok && vm->condition == vm->at.no_memory) {
     v[0] = v[1] = v[2] = VS_NIL;
     bool over_limit = vm->over_limit;
@@ -899,9 +911,8 @@ bool vs_read_all(vs_scheme *vm, const vs_passage *text, uint32_t file, bool fold
 bool vs_read_number(vs_scheme *vm, const char *s, size_t n, vs_pos place, vs_value *out) {
   if (vs_number_parse(vm, s, n, 10, out)) return true;
   vs_value why = vm->condition;
-  if (!vs_is(why, VS_T_CONDITION) || vs_as_condition(why)->kind != vm->sym.range) return false; /* the text could not be
-                                                                                                 * read because memory
-                                                                                                 * is out */
+  /* an error other than a mistake in the text, such as no memory, is returned unchanged */
+  if (!vs_is(why, VS_T_CONDITION) || vs_as_condition(why)->kind != vm->sym.range) return false;
   return vs_fail_at(vm, vm->sym.read, place, VS_NIL, "%.*s%s: this exact number is too large to be written out",
                     (int)(n > 60 ? 60 : n), s, n > 60 ? "..." : "");
 }
@@ -942,7 +953,7 @@ bool vs_file_number(vs_scheme *vm, const char *name, size_t bytes, uint32_t *num
       return true;
     }
   }
-  /* Files are numbered in order. There are few files, so the vector may grow by a single element. */
+  /* Files are numbered in order. There are few files, so the vector of their names may grow by a single element. */
   if (!vs_make_vector(vm, n ? n + 1 : 2, VS_FALSE, &v[1])) return false;
   for (size_t i = 0; i < n; i++)
     vs_gc_store(vm, vs_as_vector(v[1]), &vs_as_vector(v[1])->at[i], vs_as_vector(vm->at.files)->at[i]);

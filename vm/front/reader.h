@@ -8,17 +8,17 @@
 
 #include "vm/machine/native.h"
 
-/* A text to read: its bytes, without NUL, and the number in its file of its first line. */
+/* A text to read: its bytes, without NUL, and the line number of its first line within its file. */
 typedef struct vs_passage { const char *at; size_t size; uint32_t line; } vs_passage;
 
-/* Sets *number to the number of a source file, which places contain. The same name always has the same number. */
+/* Sets *number to the number of a source file, by which places refer to the file. A name always has the same number. */
 bool vs_file_number(vs_scheme *vm, const char *name, size_t bytes, uint32_t *number);
 
 /* Returns true if the text is valid UTF-8. Otherwise sets the error, at the first invalid byte. */
 bool vs_check_utf8(vs_scheme *vm, const char *text, size_t size, uint32_t file, uint32_t line);
 
-/* Reads all data of a text as one list. If the text has mistakes, sets a condition of kind `read` for the first, whose
- * payload is a list of (place . message) for the others. fold: letters are converted to lower case, as after
+/* Reads all data of a text as one list. If the text has mistakes, sets an error of kind `read` for the first mistake;
+ * its payload is a list of (place . message) for the others. fold: letters are converted to lower case, as after
  * #!fold-case. */
 bool vs_read_all(vs_scheme *vm, const vs_passage *text, uint32_t file, bool fold, vs_value *forms);
 

@@ -34,7 +34,7 @@ static bool is_blank(uint32_t c) {
 }
 static bool is_delimiter(uint32_t c) { return is_blank(c) || (c < 128 && strchr("()[]\";,'`", (int)c)); }
 
-/* Called when a datum is complete. Returns `how` if no further data are expected. */
+/* Called when a datum is complete. Returns `how` if this was the last expected datum. */
 static vs_scan_result ended(vs_scan *s, vs_scan_result how) {
   VS_ASSERT(s->wanted > 0);
   s->state = BLANK;
@@ -86,7 +86,7 @@ again:
       s->state = ATOM;
       s->after_hash = c == 'u' || (c >= '0' && c <= '9') ? '#' : 0;
       goto again;
-    } /* #u8( and #0= continue a datum; in #t( a second one begins */
+    } /* #u8( and #0= continue a datum; in #t( a second datum begins with the parenthesis */
     break;
   case CHARACTER: s->state = ATOM; s->after_hash = 0; break;   /* the character after #\ may be any */
   case ATOM:
@@ -142,7 +142,8 @@ bool vs_read_whole(vs_scheme *vm, const char *text, size_t size, vs_text_check *
     ok = vs_scan_feed(&s, c, &r) && vs_poll_turn(vm, i, 4);
     if (r == VS_SCAN_BAD) { *out = (vs_text_check){VS_TEXT_BAD, 0, s.token_line, s.token_col, s.trouble}; break; }
     if (r != VS_SCAN_MORE) { any = true; s.wanted = 1; s.any = false; }
-    if (r != VS_SCAN_WHOLE) i += n;                /* reads the delimiter that ended an atom once more */
+    if (r != VS_SCAN_WHOLE) i += n;                /* passes the delimiter that ended an atom to the state machine once
+                                                    * more */
   }
   if (ok && out->state != VS_TEXT_BAD) {
     if (!vs_scan_end(&s) || s.wanted > 1) {

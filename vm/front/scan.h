@@ -14,8 +14,8 @@ typedef enum {
 typedef struct vs_scan {
   vs_scheme *vm;
   uint8_t state, after_hash;
-  bool any, escaped, returned;    /* any: there was a character other than blanks; escaped: the last was a backslash;
-                                   * returned: it was \r */
+  bool any, escaped, returned;    /* any: whether there was a character other than blanks; escaped: whether the last
+                                   * character was a backslash; returned: whether it was \r */
   uint32_t comment;               /* nesting depth of block comments */
   uint32_t wanted;                /* number of data that are still expected outside of parentheses */
   size_t depth, room;
@@ -28,13 +28,13 @@ void vs_scan_open(vs_scheme *vm, vs_scan *s);
 void vs_scan_close(vs_scan *s);
 bool vs_scan_feed(vs_scan *s, uint32_t c, vs_scan_result *result);    /* Processes one character. Returns false when
                                                                        * memory is out. */
-bool vs_scan_end(vs_scan *s);                                         /* Returns true if nothing is open at the end of
-                                                                       * the text. */
+bool vs_scan_end(vs_scan *s);                                         /* Returns true if no parenthesis, string or
+                                                                       * comment is open at the end of the text. */
 
 typedef enum { VS_TEXT_EMPTY, VS_TEXT_WHOLE, VS_TEXT_OPEN, VS_TEXT_BAD } vs_text_state;
 typedef struct vs_text_check { vs_text_state state; uint32_t depth, line, col; const char *trouble; } vs_text_check;
-/* Tests whether the text is complete, that is, any number of complete data. For OPEN, sets line and column of the
- * innermost open parenthesis, string or comment; for BAD, of the mistake. Returns false when memory is out. */
+/* Tests whether the text consists of complete data. For the result OPEN, sets line and column of the innermost open
+ * parenthesis, string or comment; for BAD, of the mistake. Returns false when memory is out. */
 bool vs_read_whole(vs_scheme *vm, const char *text, size_t size, vs_text_check *out);
 
 #endif

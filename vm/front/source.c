@@ -39,7 +39,7 @@ static void normalise(vs_text *path) {
     while (end < n && s[end] != '/') end++;
     size_t length = end - i;
     bool dot = length == 1 && s[i] == '.', up = length == 2 && s[i] == '.' && s[i + 1] == '.';
-    size_t last = out > 1 ? out - 1 : 0;                   /* the start of the last folder, which .. removes */
+    size_t last = out > 1 ? out - 1 : 0;                   /* start of the last folder of the path, which .. removes */
     while (last > 0 && s[last - 1] != '/') last--;
     bool can = up && out > 1 && !(out - last == 3 && s[last] == '.' && s[last + 1] == '.');
     if (can) out = last;
@@ -61,7 +61,7 @@ bool vs_source_name(vs_scheme *vm, uint32_t file, vs_text *t) {
   return vs_text_string(t, vs_as_vector(vm->at.files)->at[file]) && vs_text_end(t);
 }
 
-/* Sets the path to `folder` followed by `name` if that file exists, or if it is the first place searched. */
+/* Sets *path to `folder` followed by `name` if that file exists, or if this is the first folder that is searched. */
 static bool try_place(vs_scheme *vm, const char *folder, size_t length, const vs_text *name, vs_text *path,
                       bool *found) {
   if (*found) return true;
@@ -108,7 +108,7 @@ bool vs_source_find(vs_scheme *vm, vs_value name, uint32_t from, size_t up, vs_t
   vs_text_close(&plain);
   vs_text_close(&base);
   if (ok && !vs_source_is_shipped(path->count ? path->at : "")) normalise(path);
-  return ok;       /* if no file was found, the path is in the first place searched; reading it reports the missing
+  return ok;       /* if no file was found, *path is in the first searched folder; reading it reports the missing
                     * file */
 }
 
@@ -151,7 +151,7 @@ const char *vs_source_said(vs_scheme *vm, const char *name, vs_pos place) {
 }
 
 /* ---- files that include each other ---- */
-/* Returns the pair of a file in vm->at.included, or #f. */
+/* Returns the pair (file . includer) of a file in the list vm->at.included, or #f. */
 static vs_value including(const vs_scheme *vm, uint32_t file) {
   for (vs_value l = vm->at.included; vs_is_pair(l); l = vs_cdr(l))
     if (vs_car(vs_car(l)) == vs_fix(file)) return vs_car(l);
@@ -214,7 +214,8 @@ bool vs_source_read(vs_scheme *vm, const char *path, bool fold, vs_value *forms)
   }
   if (!vs_io_read_file(vm, path, &r[0])) return false;
   size_t size = (size_t)vs_as_bytes(r[0])->length;
-  char *text = vs_mem(vm, NULL, 0, size + 1);        /* copied, since the reader allocates, and the bytes may move */
+  char *text = vs_mem(vm, NULL, 0, size + 1);        /* copies the text, since the reader allocates, which may move the
+                                                      * string's bytes */
   if (!text) return false;
   memcpy(text, vs_as_bytes(r[0])->at, size);
   bool ok = vs_source_text(vm, path, &(vs_passage){text, size, 1}, fold, forms);

@@ -6,19 +6,20 @@
 
 typedef struct vs_passage vs_passage;
 
-/* A source file that is part of the program, and read only when it is imported. The last one has no name. */
+/* A source file that vs itself contains, and reads only when it is imported. The last element of an array of these has
+ * no name. */
 typedef struct vs_shipped { const char *name /* name such as "srfi/13.sld" */, *text, *end; } vs_shipped;
-/* Returns true if the path is that of a shipped source file, such as library:srfi/13.sld. Such files are searched
+/* Returns true if the path is that of a file that vs contains, such as library:srfi/13.sld. Such files are searched
  * last. */
 bool vs_source_is_shipped(const char *path);
 /* Returns the file of this name in vm->config.shipped, or NULL. */
 const vs_shipped *vs_source_shipped(const vs_scheme *vm, const char *name);
 
-/* Finds the file that a text in file number `from` (0: none) names. Searches the folder of `from`, the folder `up`
- * levels above it, the folder of the file that the host runs, and the folders of vm->config.library_path. Sets *found
- * if one has the file; otherwise *path is in the first folder. */
+/* Finds the file that the string `name` in file number `from` (0: none) refers to. Searches the folder of `from`, the
+ * folder `up` levels above it, the folder of the file that the host runs, and the folders of vm->config.library_path.
+ * Sets *found if one of these folders has the file; otherwise *path is in the first folder. */
 bool vs_source_find(vs_scheme *vm, vs_value name, uint32_t from, size_t up, vs_text *path, bool *found);
-/* Finds the file as vs_source_find does with up = 0. Reading *path reports a missing file. */
+/* Finds the file as vs_source_find does with up = 0. If the file is missing, reading *path reports that. */
 bool vs_source_path(vs_scheme *vm, vs_value name, uint32_t from, vs_text *path);
 /* Sets *t to the name of file number `file`; leaves it empty if there is none. */
 bool vs_source_name(vs_scheme *vm, uint32_t file, vs_text *t);
@@ -31,7 +32,7 @@ bool vs_source_include(vs_scheme *vm, vs_value name, uint32_t from, bool fold, v
 
 /* Returns the name of the language of a file with this name (front_ends.def), or NULL for Scheme. */
 const char *vs_source_language(const char *name);
-/* Returns the name of a procedure for messages. In the text of a script, a function's name has no colon. */
+/* Returns the name of a procedure for messages. In a script in JavaScript, a function's name has no colon. */
 const char *vs_source_said(vs_scheme *vm, const char *name, vs_pos place);
 
 /* Reads the forms of a text (reader.h) in the language of a file of this name. */

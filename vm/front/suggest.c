@@ -34,8 +34,8 @@ static const struct { const char *words, *instead; } keywords[] = {
 
 enum { LONGEST = 48, SLIP = 1, EDIT = 2 };
 
-/* Returns true if the two keys are neighbours on a QWERTY keyboard. Each row is half a key further right than the one
- * above. */
+/* Returns true if the two keys are neighbours on a QWERTY keyboard. Each row of keys is half a key further right than
+ * the row above. */
 static bool neighbours(int a, int b) {
   static const char *const rows[] = {"1234567890-", "qwertyuiop", "asdfghjkl;", "zxcvbnm,./"};
   int at[2][2] = {{-9, -9}, {-99, -99}};
@@ -49,11 +49,12 @@ static bool neighbours(int a, int b) {
       (right == 0 || right == 1));
 }
 
-/* Returns the edit distance of two names; upper and lower case are the same. An insertion, deletion or replacement
- * costs EDIT. A typing slip costs SLIP, half as much: neighbouring keys, two letters exchanged, a letter twice, a
+/* Returns the edit distance of two names; upper and lower case count as equal. An insertion, deletion or replacement
+ * costs EDIT. A typing slip costs SLIP, half as much: a neighbouring key, two exchanged letters, a doubled letter, a
  * hyphen too many or too few. Returns limit + 1 if the distance exceeds limit. */
 static int distance(const char *a, size_t n, const char *b, size_t m, int limit) {
-  int change = n <= 4 ? EDIT + SLIP : EDIT; /* replacing a letter of a short word costs more: set is not sec */
+  int change = n <= 4 ? EDIT + SLIP : EDIT; /* in a short word, replacing a letter costs more, since the result is often
+                                             * another word: set and sec */
   int row[3][LONGEST + 1];
   if (n > LONGEST || m > LONGEST || (int)(n > m ? n - m : m - n) > limit) return limit + 1;
   row[0][0] = 0;
@@ -79,8 +80,8 @@ static int distance(const char *a, size_t n, const char *b, size_t m, int limit)
   return row[n % 3][m];
 }
 
-/* Returns the greatest permitted distance for a name of this length: about a third of its letters, and one slip if it
- * is short. */
+/* Returns the greatest permitted distance for a name of this length: about a third of its letters, or one typing slip
+ * if the name is very short. */
 static int tolerance(size_t length) { return length <= 2 ? SLIP : length <= 4 ? EDIT : length <= 6 ? EDIT + SLIP
     : length <= 9 ? 2 * EDIT : 3 * EDIT; }
 
@@ -123,14 +124,14 @@ typedef struct {
   const vs_symbol *wanted, *best;
   int distance;
   bool own;
-  vs_value core /* core: environment of the library */;
+  vs_value core /* core: environment of the language's library */;
 } search;
 
 static bool consider(void *context, vs_value symbol, vs_value binding) {
   search *s = context;
   (void)binding;
   const vs_symbol *name = vs_as_symbol(symbol), *w = s->wanted;
-  size_t same = 0; /* the length of the common start, without a common "make-" */
+  size_t same = 0; /* same: length of the common beginning of both names, without a common "make-" */
   if (stem(w->name) - w->name == stem(name->name) - name->name) same = (size_t)(stem(w->name) - w->name);
   if (same && strncasecmp(w->name, name->name, same)) same = 0;
   int limit = tolerance(same && name->length > w->length ? name->length - same : w->length - same);
@@ -140,8 +141,8 @@ static bool consider(void *context, vs_value symbol, vs_value binding) {
   int d = distance(w->name, w->length, name->name, name->length, limit);
   bool own = vs_idtable_get(vs_as_environment(s->core)->table, symbol) == VS_VACANT;
   if (d > limit) return true;
-  /* Of equally similar names, one of the program is preferred, then the first in alphabetical order. The advice
-   * therefore does not depend on the order of a table. */
+  /* Of equally similar names, a name that the program defines is preferred, then the first in alphabetical order. The
+   * advice therefore does not depend on the order of a table. */
   if (d == s->distance && s->best && (own != s->own ? s->own : strcmp(name->name, s->best->name) >= 0)) return true;
   s->best = name;
   s->own = own;
@@ -209,7 +210,7 @@ static bool remember(vs_scheme *vm, vs_value symbol, vs_value near) {
   VS_ROOTS(vm, r, 1);
   if (!vs_is_vector(vm->at.nearby) && !vs_idtable_new(vm, &vm->at.nearby)) return false;
   r[0] = vm->at.nearby;
-  if (!vs_idtable_put(vm, &r[0], symbol, near)) return false;     /* symbols do not move in memory */
+  if (!vs_idtable_put(vm, &r[0], symbol, near)) return false;     /* stores the symbol, which does not move in memory */
   vm->at.nearby = r[0];
   return true;
 }
@@ -404,9 +405,8 @@ bool vs_suggest(vs_scheme *vm, vs_value env, vs_value symbol, vs_text *t) {
   if (local == symbol)
     return vs_text_puts(t, " here: let names it for its body alone; write let* where a value that follows uses it");
   size_t before = t->count;
-  bool ours = vs_idtable_get(vs_as_environment(vm->at.core)->table, symbol) != VS_VACANT; /* a name of the library that
-                                                                                           * the program has not
-                                                                                           * imported */
+  /* ours: whether the name is in the library, so that the program only lacks an import */
+  bool ours = vs_idtable_get(vs_as_environment(vm->at.core)->table, symbol) != VS_VACANT;
   int i = ours ? -1 : foreign_word(wanted->name);
   if (i >= 0) return put_foreign(i, t);
   if (!advise_angle(wanted->name, t)) return false;

@@ -4,22 +4,24 @@
 
 #include "vm/values/text.h"
 
-/* Appends advice for an undefined name to t: " (did you mean make-box?)", "; unite is the name here: (unite a b ...)".
- * Appends nothing if there is none. */
+/* Appends advice for an undefined name to t, such as " (did you mean make-box?)" or "; unite is the name here: (unite a
+ * b ...)". Appends nothing if there is no advice. */
 bool vs_suggest(vs_scheme *vm, vs_value env, vs_value symbol, vs_text *t);
 /* Stores the local variable of env whose name is most similar to the undefined symbol, for vs_suggest. */
 bool vs_suggest_local(vs_scheme *vm, vs_value env, vs_value symbol);
-/* Stores, for vs_suggest, that a let binds the symbol, but a value of the same let uses it. */
+/* Records for vs_suggest that a let binds the symbol, but a value of this let uses it, so that let* is needed. */
 bool vs_suggest_let_star(vs_scheme *vm, vs_value symbol);
-bool vs_is_foreign_word(vs_value symbol); /* Returns true if foreign.def contains the word. */
-bool vs_is_foreign_name(const char *name); /* Returns true if foreign.def contains the name. */
+bool vs_is_foreign_word(vs_value symbol); /* Returns true if foreign.def, the table of words of other programs, contains
+                                           * the word. */
+bool vs_is_foreign_name(const char *name); /* Returns true if foreign.def, the table of words of other programs,
+                                            * contains the name. */
 /* Appends "; make-box is the name here: (make-box ...)" to t if the word belongs to another program. */
 bool vs_foreign_advice(const char *word, vs_text *t);
 /* Appends advice to t for a keyword of another program that the called procedure does not have. */
 bool vs_keyword_advice(const char *word, vs_text *t);
 
-/* Returns the most similar of the words nth(0), nth(1) ... up to the first NULL. Returns NULL if none is similar
- * enough. */
+/* Returns the word most similar to `wanted` among nth(0), nth(1) ... up to the first NULL. Returns NULL if none is
+ * similar enough. */
 const char *vs_nearest_word(const char *wanted, const char *(*nth)(size_t i));
 
 #endif

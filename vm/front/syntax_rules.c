@@ -1,9 +1,10 @@
 /* Implements syntax-rules: matches patterns, expands templates, and renames the names that a template introduces.
  *
  * A rule is #(pattern template variables depths): `variables` is a vector of identifiers, `depths` has the number of
- * ellipses over each. Matching works directly on the pattern. The variables of a pattern have slots in the order of
- * matching, so that those of a subpattern are a range of slots. Under an ellipsis, each slot of the range is the list
- * of its values. Recursion is as deep as the pattern or template, which is limited. */
+ * ellipses over each variable. Matching works directly on the pattern. The variables of a pattern have slots in the
+ * order of matching, so that the variables of a subpattern have consecutive slots. Under an ellipsis, each of these
+ * slots contains the list of the variable's values. Recursion is as deep as the pattern or template, which is
+ * limited. */
 #include "vm/front/syntax_rules.h"
 
 #include "vm/machine/fail.h"
@@ -17,7 +18,7 @@ enum { DATA_LITERALS, DATA_ELLIPSIS, DATA_RULES, DATA_SIZE };
 typedef struct {
   vs_expansion *x;
   vs_scheme *vm;
-  vs_value *r;             /* roots, with the indices R_... */
+  vs_value *r;             /* roots of the garbage collector, by the indices R_... */
   vs_pos pos;
   bool underscore_is_literal;
 } rules;
@@ -38,8 +39,8 @@ static bool is_name(vs_value v) {
 }
 
 static bool is_literal(const rules *s, vs_value id) { return member(data(s, DATA_LITERALS), id); }
-/* Returns true for the macro's own ellipsis or, if it has none, for an identifier that means ... where the macro was
- * defined. */
+/* Returns true if v is the ellipsis that the macro has chosen or, if it has chosen none, an identifier that means ...
+ * where the macro was defined. */
 static bool is_ellipsis(const rules *s, vs_value v) {
   if (!vs_is_identifier(v)) return false;
   vs_value own = data(s, DATA_ELLIPSIS);
@@ -51,8 +52,8 @@ static bool is_underscore(const rules *s, vs_value v) {
 }
 
 /* ---- checking patterns ---- */
-/* Adds the variables of a pattern, in the order of matching, to the lists lists[0] (identifiers) and lists[1] (depths),
- * newest first. */
+/* Adds the variables of a pattern, in the order of matching, to two lists: lists[0] for identifiers and lists[1] for
+ * depths. Both have the newest element first. */
 static bool collect(rules *s, vs_value pattern, vs_value *lists, int64_t ellipses, int depth) {
   vs_scheme *vm = s->vm;
   if (depth > PATTERN_DEPTH) return vs_expand_fail(s->x, s->pos, VS_ABSENT, "this pattern is nested too deeply");
@@ -99,7 +100,7 @@ static int64_t ellipses_of(const vs_value *lists, vs_value id) {
   return -1;
 }
 
-/* Returns true if a variable under more than `ellipses` ellipses occurs in the subtemplate. */
+/* Returns true if the subtemplate t contains a variable under more than `ellipses` ellipses. */
 static bool repeats(const vs_value *lists, vs_value t, int64_t ellipses, int depth) {
   if (depth > PATTERN_DEPTH) return true;
   for (; vs_is_pair(t); t = vs_cdr(t)) if (repeats(lists, vs_car(t), ellipses, depth + 1)) return true;
@@ -187,7 +188,7 @@ bool vs_rules_make(vs_expansion *x, vs_value spec, vs_value env, vs_pos pos, vs_
   vs_gc_store(vm, d, &d->at[DATA_ELLIPSIS], t[2]);
   vs_gc_store(vm, vs_as_macro(r[R_MACRO]), &vs_as_macro(r[R_MACRO])->data, t[4]);
   rules s = {.x = x, .vm = vm, .r = r, .pos = pos};
-  VS_ROOTS(vm, lists, 4);     /* roots: variables, depths, rules so far, temporary */
+  VS_ROOTS(vm, lists, 4);     /* roots of the garbage collector: variables, depths, rules so far, temporary value */
   lists[2] = VS_NIL;
   for (t[1] = vs_cdr(t[1]); vs_is_pair(t[1]); t[1] = vs_cdr(t[1])) {
     t[5] = vs_car(t[1]);
@@ -216,7 +217,7 @@ bool vs_rules_make(vs_expansion *x, vs_value spec, vs_value env, vs_pos pos, vs_
   return true;
 }
 
-/* ---- matching. Functions return 1 if the form matches, 0 if not, -1 with the error set. *slot is the slot of the next
+/* ---- matching: functions return 1 if the form matches, 0 if not, -1 with the error set; *slot is the slot of the next
  * variable ---- */
 static size_t count_vars(const rules *s, vs_value p, int depth) {
   size_t n = 0;
@@ -239,7 +240,8 @@ static bool vector_list(vs_scheme *vm, vs_value vector, vs_value *out) {
 
 static int match(rules *s, vs_value pattern, vs_value form, size_t *slot) {
   vs_scheme *vm = s->vm;
-  VS_ROOTS(vm, r, 4);      /* roots: pattern, form, values under an ellipsis, temporary */
+  VS_ROOTS(vm, r, 4);      /* roots of the garbage collector: pattern, form, values under an ellipsis, temporary
+                            * value */
   r[0] = pattern; r[1] = form;
   for (;;) {
     if (is_name(r[0])) {
@@ -321,7 +323,7 @@ static bool rename_id(rules *s, vs_value id, vs_value *out) {
 
 static bool instantiate(rules *s, vs_value template, bool dots, vs_value *out, int depth);
 
-/* Marks the slots of the variables in a subtemplate that are still under an ellipsis. */
+/* Marks the slots of the variables in the subtemplate t that are still lists, because they are under an ellipsis. */
 static void mark_slots(const rules *s, vs_value t, bool *used, bool dots, int depth) {
   if (depth > PATTERN_DEPTH) return;
   for (; vs_is_pair(t); t = vs_cdr(t)) mark_slots(s, vs_car(t), used, dots, depth + 1);
@@ -341,10 +343,11 @@ static bool copy_vector(vs_scheme *vm, vs_value v, vs_value *out) {
   return true;
 }
 
-/* Adds the expansions of sub under `level` ellipses to the start of *list, newest first. */
+/* Adds the expansions of the subtemplate sub under `level` ellipses to the start of *list, newest first. */
 static bool repeat(rules *s, vs_value sub, int level, vs_value *list, int depth) {
   vs_scheme *vm = s->vm;
-  VS_ROOTS(vm, r, 6);     /* roots: sub, saved slots, saved depths, current slots, current depths, result */
+  VS_ROOTS(vm, r, 6);     /* roots of the garbage collector: sub, saved slots, saved depths, current slots, current
+                           * depths, result */
   r[0] = sub;
   size_t n = vs_as_vector(field(s->r[R_RULE], RULE_VARS))->length;
   bool small[64], *used = n <= 64 ? small : vs_mem(vm, NULL, 0, n);
@@ -392,7 +395,7 @@ static bool repeat(rules *s, vs_value sub, int level, vs_value *list, int depth)
 static bool instantiate(rules *s, vs_value template, bool dots, vs_value *out, int depth) {
   vs_scheme *vm = s->vm;
   if (depth > PATTERN_DEPTH) return vs_expand_fail(s->x, s->pos, VS_ABSENT, "this template is nested too deeply");
-  VS_ROOTS(vm, r, 4);      /* roots: rest of the template, first, last, temporary */
+  VS_ROOTS(vm, r, 4);      /* roots of the garbage collector: rest of the template, first, last, temporary value */
   r[0] = template;
   r[1] = r[2] = VS_NIL;
   if (dots && vs_is_pair(r[0]) && is_ellipsis(s, vs_car(r[0]))) {
@@ -414,8 +417,8 @@ static bool instantiate(rules *s, vs_value template, bool dots, vs_value *out, i
     vs_value rest = vs_cdr(r[0]);
     while (dots && vs_is_pair(rest) && is_ellipsis(s, vs_car(rest))) { level++; rest = vs_cdr(rest); }
     vs_value square = vs_object_of(r[0])->flags & VS_F_SQUARE;
-    VS_ROOTS(vm, t, 2);                                                           /* roots: the new pairs, newest
-                                                                                   * first */
+    VS_ROOTS(vm, t, 2);                                                           /* roots of the garbage collector: the
+                                                                                   * new pairs, newest first */
     t[0] = VS_NIL;
     if (level) { if (!repeat(s, vs_car(r[0]), level, &t[0], depth)) return false; }
     else if (!instantiate(s, vs_car(r[0]), dots, &t[1], depth + 1) || !vs_cons(vm, t[1], t[0], &t[0])) return false;

@@ -21,8 +21,9 @@
 
 #include <stdio.h>
 
-/* The data for a pair of braces: two lists with their last pairs, the literals not yet pushed, the registers (VS_NIL:
- * none yet), and the data of the enclosing braces. They are a vector, so that one root suffices for all open braces. */
+/* Indices of the data for a pair of braces: two lists (forms and tokens) with their last pairs, the literals not yet
+ * pushed, the registers (VS_NIL: none yet), and the data of the enclosing braces. They are elements of a vector, so
+ * that one root of the garbage collector suffices for all open braces. */
 enum { FORMS, FORMS_LAST, TOKENS, TOKENS_LAST, LITERALS, LITERALS_LAST, REGISTERS, AROUND, SLOTS };
 
 typedef struct { vs_pos pos, literals; bool usereg; } level;
@@ -34,7 +35,7 @@ typedef struct {
   uint32_t file, line, col;
   level *levels;
   size_t depth, room;
-  vs_value *work;          /* a root: the vector of the innermost braces */
+  vs_value *work;          /* a root of the garbage collector: the vector of the innermost open braces */
 } reader;
 
 static vs_pos place(const reader *r) { return vs_pos_make(r->file, r->line, r->col); }
@@ -90,7 +91,7 @@ static bool append(reader *r, int list, vs_value v, vs_pos pos) {
   return true;
 }
 
-/* Sets *out to (word a), or to (word a b) if b is given; a and b point to roots. */
+/* Sets *out to (word a), or to (word a b) if b is given; a and b point to roots of the garbage collector. */
 static bool form(reader *r, const char *word, const vs_value *a, const vs_value *b, vs_pos pos, vs_value *out) {
   VS_ROOTS(r->vm, p, 2);
   p[0] = VS_NIL;
@@ -127,8 +128,8 @@ static bool literal(reader *r, const vs_value *v, vs_pos pos) {
   return append(r, LITERALS, *v, pos) && append(r, TOKENS, *v, pos);
 }
 
-/* Adds a token that is not a literal: its form, and (token argument) to the list of tokens, which a program may
- * examine. */
+/* Adds a token that is not a literal: its form to the list of forms, and (token argument) to the list of tokens, which
+ * a program may examine. */
 static bool active(reader *r, const char *word, const vs_value *argument, const char *token, vs_pos pos) {
   VS_ROOTS(r->vm, p, 2);
   return flush(r) && quoted(r, argument, pos, &p[0]) && emit(r, word, &p[0], NULL, pos) &&
@@ -137,7 +138,8 @@ static bool active(reader *r, const char *word, const vs_value *argument, const 
 
 /* ---- registers ---- */
 
-/* Adds the register to those of the innermost braces. name points to a root. */
+/* Adds the register to those of the innermost braces, unless it is there already. name points to a root of the garbage
+ * collector. */
 static bool know_register(reader *r, const vs_value *name) {
   VS_ROOTS(r->vm, p, 1);
   p[0] = slot(r, REGISTERS);
@@ -181,8 +183,8 @@ static bool open_frame(reader *r, vs_pos pos) {
   return true;
 }
 
-/* Puts ((!x gml:unset) ...), or at top level (define !x gml:unset) ..., for the registers of the innermost braces
- * before `rest`. */
+/* Puts a declaration of the registers of the innermost braces before `rest`: ((!x gml:unset) ...), or at top level
+ * (define !x gml:unset) ... */
 static bool declare(reader *r, bool top, vs_pos pos, vs_value rest, vs_value *out) {
   VS_ROOTS(r->vm, p, 4);
   p[0] = rest;
@@ -199,8 +201,9 @@ static bool declare(reader *r, bool top, vs_pos pos, vs_value rest, vs_value *ou
   return true;
 }
 
-/* Adds the registers in *from, of braces without usereg, to those of the enclosing braces, which are now the innermost.
- * If these have none, they get the table itself, so that nesting a million braces takes no longer. */
+/* Adds the registers in *from, which belong to braces without usereg, to those of the enclosing braces, which are now
+ * the innermost. If the enclosing braces have no registers, they get the table *from itself, so that nesting a million
+ * braces takes no longer. */
 static bool pass_registers(reader *r, const vs_value *from) {
   vs_value key, value;
   VS_ROOTS(r->vm, p, 1);

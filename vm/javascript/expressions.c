@@ -1,8 +1,9 @@
-/* Translates expressions of JavaScript.
+/* Translates expressions of JavaScript to data of Scheme.
  *
  * Every number of a script is a double. If both operands of + - * / or of a comparison are numbers, instructions of the
- * VM compute the result. The test for numbers is an instruction, too, and is omitted if the text shows the types of the
- * operands. Operands other than names and constants are first bound to l: and r:, in the order of the text. */
+ * VM compute the result. The test for numbers is an instruction, too; it is omitted if the types of the operands are
+ * clear from the text. Operands other than names and constants are first bound to the variables l: and r:, in the order
+ * of the text. */
 #include "vm/javascript/expressions.h"
 
 #include <string.h>
@@ -118,7 +119,7 @@ static operator_words words_of(vs_script_operator op) {
   }
 }
 
-/* An operand: a node or, if that is 0, a word of the translation. */
+/* An operand: a node of the script's tree or, if `node` is 0, a variable of the translation such as l:. */
 typedef struct {
   uint32_t node;
   const char *word;
@@ -133,7 +134,7 @@ static bool put_call(vs_translation *t, const char *word, operand l, operand r) 
   return vs_translate_call(t, word) && put(t, l) && put(t, r) && vs_translate_close(t);
 }
 
-/* Writes an operation with tests of its operands. Each operand may occur more than once. */
+/* Writes an operation that tests the types of its operands first. The operands may occur in it several times. */
 static bool guarded(vs_translation *t, vs_script_operator op, operand l, operand r) {
   operator_words w = words_of(op);
   bool ln = l.type == VS_TYPE_NUMBER, rn = r.type == VS_TYPE_NUMBER;
@@ -154,7 +155,7 @@ static bool binary(vs_translation *t, vs_script_operator op, operand l, operand 
               !(l.type == VS_TYPE_NUMBER && r.type == VS_TYPE_NUMBER);
   bool ls = l.word || simple(t, l.node), rs = r.word || simple(t, r.node), bind_l = both && !(ls && rs),
        bind_r = both && !rs;
-  /* a name on the left must be read before the right side may change it */
+  /* if the left operand is a name, its value must be read before the right operand can change it */
   if (bind_l && ls && (l.word || node(t, l.node)->kind != VS_SCRIPT_NAME)) bind_l = false;
   vs_script_place at = t->at;
   if (bind_l || bind_r) {
@@ -208,7 +209,7 @@ static bool name_value(vs_translation *t, uint32_t i) {
          vs_translate_close(t);
 }
 
-/* Translates the value of a property: (js:get o key). */
+/* Translates the value of a property, in this form: (js:get o key). */
 static bool member_value(vs_translation *t, const vs_script_node *n, const char *object) {
   bool member = n->kind == VS_SCRIPT_MEMBER, length = member && vs_script_is(t->s, node(t, n->b)->name, "length");
   TRY(vs_translate_call(t, length ? "js:length" : member ? "js:get" : "js:at"));
@@ -244,7 +245,7 @@ static bool let_one(vs_translation *t, const char *word) {
 }
 static bool let_body(vs_translation *t) { return vs_translate_close(t) && vs_translate_close(t); }
 
-/* Binds o: to the object of a property and, for an index, k: to the index. */
+/* Binds the variable o: to the object of a property and, if the property is an index, k: to the index. */
 static bool bind_property(vs_translation *t, const vs_script_node *n) {
   TRY(let_one(t, "o:") && vs_translate_value(t, n->a) && vs_translate_close(t));
   if (n->kind == VS_SCRIPT_INDEX)
@@ -289,7 +290,7 @@ static bool assignment(vs_translation *t, const vs_script_node *n, bool wanted) 
 
 static bool one(vs_translation *t) { return vs_translate_item(t, (vs_item){ .kind = VS_ITEM_NUMBER, .number = 1 }); }
 
-/* Writes (+ v: 1) or (- v: 1), where v: is a number. */
+/* Writes (+ v: 1) or (- v: 1), where v: is the value before ++ or --, a number. */
 static bool stepped(vs_translation *t, const vs_script_node *n, const char *word) {
   return vs_translate_call(t, n->op == VS_OPERATOR_PLUS ? "js:+" : "js:-") && vs_translate_word(t, word) && one(t) &&
          vs_translate_close(t);
@@ -345,11 +346,12 @@ static bool call_bound(vs_translation *t, const vs_script_node *n, const char *s
          (!self || (vs_translate_word(t, "#:this") && vs_translate_word(t, self))) && vs_translate_close(t);
 }
 
-/* Calls a function that is known by its name: its procedure has exactly its parameters. */
+/* Writes a call of a function that is known by its name: calls the procedure that has exactly the function's
+ * parameters. */
 static bool direct_call(vs_translation *t, const vs_script_node *n, const vs_variable *v) {
   uint32_t wanted = node(t, v->declaration)->count;
   bool more = n->count > wanted;
-  if (more) { /* surplus arguments are evaluated last, for their effects */
+  if (more) { /* arguments without a parameter are evaluated after the others, only for their effects */
     TRY(vs_translate_call(t, "js:let") && vs_translate_open(t));
     uint32_t at = n->b;
     for (uint32_t i = 0; at; at = node(t, at)->next, i++)

@@ -1,4 +1,4 @@
-/* Converts the items that a script was translated to into data.
+/* Converts the translation of a script, a sequence of items, to Scheme data.
  *
  * Items are processed from the last to the first. Data are kept on a stack, which is a list; a closing bracket pushes a
  * mark. At an opening bracket, the data above the mark are already the list, in order: its last pair is cut off, and
@@ -19,7 +19,7 @@ static void *resize(void *context, void *at, size_t used, size_t fresh) { return
 
 static vs_pos place(uint32_t file, uint32_t line, uint32_t column) { return vs_pos_make(file, line, column); }
 
-/* ---- native text in a script ---- */
+/* ---- Scheme text inside a script ---- */
 
 typedef struct {
   vs_scheme *vm;
@@ -27,19 +27,20 @@ typedef struct {
   uint32_t scope;
 } native_names;
 
-/* Returns true if the symbol is a variable of the script at the place of the text. Other symbols have their meaning in
- * Scheme. */
+/* Returns true if the symbol in native text (Scheme inside a script) is a variable of the script at this place. Other
+ * symbols have their meaning in Scheme. */
 static bool is_variable(const native_names *n, vs_value symbol) {
   const char *text = vs_as_symbol(symbol)->name;
   uint32_t name = vs_script_name_known(n->k->s, text, strlen(text));
   return name && vs_scopes_resolve(n->k, n->scope, name);
 }
 
-/* Renames the variables in the data, in place. A list contains the pairs still to visit. The data are new, so that
- * nothing else refers to them. */
+/* Renames the script's variables in the data, in place. A list contains the pairs that are still to be visited. The
+ * data are new, so that nothing else refers to them. */
 static bool rename_names(const native_names *n, vs_value forms) {
   vs_scheme *vm = n->vm;
-  VS_ROOTS(vm, r, 5); /* roots: pairs to visit, the pair, a name, its alias, the aliases (one for each name) */
+  VS_ROOTS(vm, r, 5); /* roots of the garbage collector: pairs to visit, the pair, a name, its alias, the aliases (one
+                       * for each name) */
   if (!vs_cons(vm, forms, VS_NIL, &r[0]) || !vs_idtable_new(vm, &r[4])) return false;
   while (vs_is_pair(r[0])) {
     r[1] = vs_car(r[0]);
@@ -65,7 +66,8 @@ static bool rename_names(const native_names *n, vs_value forms) {
   return true;
 }
 
-/* Reads the data of a native text with their places: blanks are put before it, so that it begins in its column. */
+/* Reads the data of a native text (Scheme inside a script) with their places: the text is read with blanks before it,
+ * so that it begins in its column. */
 static bool native_data(const native_names *n, const vs_item *item, uint32_t file, vs_value *forms) {
   size_t indent = item->column + 2, size = indent + item->b;
   char *text = vs_mem(n->vm, NULL, 0, size + 1);
@@ -135,7 +137,7 @@ static bool push_native(vs_scheme *vm, const vs_translation *t, const vs_item *i
 }
 
 static bool build(vs_scheme *vm, const vs_translation *t, uint32_t file, vs_value *forms) {
-  VS_ROOTS(vm, r, 3); /* roots: the stack, a datum, and a temporary */
+  VS_ROOTS(vm, r, 3); /* roots of the garbage collector: the stack, a datum, and a temporary value */
   r[0] = VS_NIL;
   bool ok = true;
   for (size_t i = t->count; ok && i--;) {

@@ -5,7 +5,7 @@
 #include "vm/machine/native.h"
 
 /* Converts a script to the forms of a program, of which the first imports the libraries for scripts. `line` is the
- * number of the text's first line. If the script has mistakes, sets a condition of kind `read` for the first, and
+ * number of the text's first line. If the script has mistakes, sets an error of kind `read` for the first mistake, and
  * returns false. */
 bool vs_read_script(vs_scheme *vm, const char *text, size_t size, uint32_t file, uint32_t line, vs_value *forms);
 

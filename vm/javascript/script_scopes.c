@@ -177,13 +177,14 @@ static bool declare_in(walker *w, uint32_t i) {
   case VS_SCRIPT_LABEL: return declare_in(w, n->b);
   case VS_SCRIPT_CONTINUE:
   case VS_SCRIPT_BREAK: return true;
-  /* native text may name any variable */
+  /* native text (Scheme inside a script) may name any variable, including this */
   case VS_SCRIPT_NATIVE: w->k->scopes[function_scope(w)].uses_this = true; return true;
   default: return declare_in(w, n->a) && declare_in(w, n->b) && declare_in(w, n->c) && declare_in(w, n->d);
   }
 }
 
-/* ---- the second walk: assignments and jumps. *least is set to the least depth of a jump's target in the node ---- */
+/* ---- the second walk: assignments and jumps. *least becomes the least depth of the target of any jump in the node
+ * ---- */
 
 static bool follow(walker *w, uint32_t i, unsigned *least);
 
@@ -235,7 +236,7 @@ static bool jump(walker *w, uint32_t i, unsigned *least) {
     if (!is_loop((vs_script_kind)node(w, to)->kind))
       return vs_script_fail(w->s, node(w, n->a)->at,
                             "continue needs the label of a loop, and this label names another statement");
-    while (t->node != to) { /* the loop is an inner target, already passed */
+    while (t->node != to) { /* goes inwards from the label's target to the loop that the label names */
       jump_target *inner = w->jump_targets;
       while (inner->up != t) inner = inner->up;
       t = inner;
@@ -323,8 +324,8 @@ static bool follow_parts(walker *w, uint32_t i, unsigned *least) {
   return follow(w, n->a, least) && follow(w, n->b, least) && follow(w, n->c, least) && follow(w, n->d, least);
 }
 
-/* Walks over node i. The depth of a function's end is 0; the targets of jumps have increasing depths from the outside
- * in. */
+/* Walks over node i. Possible targets of jumps are numbered from the outside in; the end of the function is number
+ * 0. */
 static bool follow(walker *w, uint32_t i, unsigned *least) {
   if (!i) return true;
   const vs_script_node *n = node(w, i);

@@ -30,7 +30,7 @@ typedef struct {
 
 /* Flags of a node of the script's tree. */
 enum {
-  VS_JUMPS_OUT = 1, /* a return, break or continue in the statement leaves it */
+  VS_JUMPS_OUT = 1, /* a return, break or continue inside the statement leaves the statement */
   VS_STAYS = 2,     /* the end of the statement is never reached */
   VS_BROKEN = 4,    /* a loop, switch or label that a break leaves */
   VS_CONTINUED = 8  /* a loop in which there is a continue */
@@ -44,7 +44,7 @@ typedef struct {
   size_t scope_count, scope_room; /* scope 0 does not exist; scope 1 is that of the program */
   uint32_t *table;
   size_t slots;      /* size of the hash table from scope and name to variable */
-  uint8_t *facts;    /* facts[node]: flags of the node */
+  uint8_t *facts;    /* facts[n]: flags of node n of the script's tree */
   uint32_t *targets; /* targets[node]: for BREAK and CONTINUE their statement, for FUNCTION and TRY their scope */
   size_t room;
 } vs_scopes;

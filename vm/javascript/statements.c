@@ -1,13 +1,13 @@
-/* Translates statements and functions of JavaScript.
+/* Translates statements and functions of JavaScript to data of Scheme.
  *
  * A list of statements becomes one expression. Statements that no jump leaves run in sequence. A statement that a jump
  * leaves (such as a return within an if) is in tail position. It receives a description of where control continues
  * after it (vs_then), and the code that follows in the text is translated into its branches. If several branches
- * continue at one place, that becomes a procedure without parameters, which they call. A loop is such a procedure, too.
- * All these calls are in tail position, so that the compiler makes them jumps within one activation.
+ * continue at one place, that place becomes a procedure without parameters, which they call. A loop is such a
+ * procedure, too. All these calls are in tail position, so that the compiler makes them jumps within one activation.
  *
- * The parts of a try are procedures that other code calls. A jump that leaves them returns a number, or 0 if they just
- * end. After the try, control continues at the place with that number. */
+ * The parts of a try are procedures that other code calls. A jump that leaves such a part returns a number, or 0 if the
+ * part just ends. After the try, control continues at the place with that number. */
 #include "vm/javascript/statements.h"
 
 #include <string.h>
@@ -33,7 +33,7 @@ static bool done(vs_translation *t, uint32_t i);
 
 /* ---- where control continues ---- */
 
-/* Returns true if the code to continue there consists of a word or two, so that it may be repeated. */
+/* Returns true if the code that continues at `then` has only a word or two, so that it may be written several times. */
 static bool cheap(const vs_translation *t, const vs_then *then) {
   if (then->kind == VS_THEN_LOOP) {
     const vs_script_node *n = node(t, then->node);
@@ -42,8 +42,8 @@ static bool cheap(const vs_translation *t, const vs_then *then) {
   return then->kind == VS_THEN_NOTHING || then->kind == VS_THEN_END || then->kind == VS_THEN_MADE;
 }
 
-/* Opens (js:letrec ((to:n (js:lambda () ...))) and sets *named to a call of to:n, unless `then` is cheap. Sets *opened
- * if the caller must close it. */
+/* Opens (js:letrec ((to:n (js:lambda () ...))) and sets *named to a call of to:n. If the code for `then` is short, sets
+ * *named to `then` instead. Sets *opened if the caller must close the form. */
 static bool name_it(vs_translation *t, const vs_then *then, vs_then *named, bool *opened) {
   *named = *then;
   *opened = !cheap(t, then);
@@ -79,7 +79,7 @@ static bool turn(vs_translation *t, const vs_then *then) {
 
 static bool jump(vs_translation *t, uint32_t i);
 
-/* Writes the code after a try: control continues there, or at the jump's target with the number that the try
+/* Writes the code after a try: control continues after the statement, or at the target of the jump whose number the try
  * returned. */
 static bool outcome(vs_translation *t, const vs_then *then) {
   vs_jump_target *f = then->target;
@@ -93,7 +93,7 @@ static bool outcome(vs_translation *t, const vs_then *then) {
         vs_translate_item(t, (vs_item){ .kind = VS_ITEM_COUNT, .a = (uint32_t)e + 1 }) && vs_translate_close(t));
     if (f->exits[e])
       TRY(jump(t, f->exits[e]));
-    else { /* a return, whose value was kept */
+    else { /* a return out of the try, whose value was stored */
       vs_jump_target *outer = f->up;
       while (outer && !outer->guard) outer = outer->up;
       if (!outer)
@@ -129,7 +129,8 @@ static bool go(vs_translation *t, const vs_then *then) {
   return false;
 }
 
-/* Writes a break or continue: continues at the place of its statement or, if a try is between, returns a number. */
+/* Writes a break or continue: control continues where its statement says or, if a try is between, the part of the try
+ * returns the jump's number. */
 static bool jump(vs_translation *t, uint32_t i) {
   uint32_t to = t->k->targets[i];
   for (vs_jump_target *f = t->targets; f; f = f->up) {
@@ -150,8 +151,8 @@ static bool jump(vs_translation *t, uint32_t i) {
   return false;
 }
 
-/* Writes the value of a return. An expression that may fail is bound first. It is then no tail call, so that an error
- * shows the function's place. */
+/* Writes the value of a return. If the expression may fail, its value is first bound to a variable, so that it is no
+ * tail call, and an error shows the function's place. */
 static bool kept_value(vs_translation *t, uint32_t i) {
   vs_script_kind kind = (vs_script_kind)node(t, i)->kind;
   if (kind == VS_SCRIPT_NAME || kind == VS_SCRIPT_NUMBER || kind == VS_SCRIPT_STRING || kind == VS_SCRIPT_FUNCTION)
@@ -179,14 +180,15 @@ static bool give_back(vs_translation *t, const vs_script_node *n) {
 
 /* ---- loops and switch statements ---- */
 
-/* Opens the first call of (loop:n ...). */
+/* Opens the call (loop:n ...) that begins the first iteration of loop n. */
 static bool first_turn(vs_translation *t, bool in, uint32_t number) {
   if (!in) return made_call(t, "loop:", number);
   return vs_translate_open(t) && vs_translate_made(t, "loop:", number) && vs_translate_call(t, "js:keys") &&
          vs_translate_made(t, "of:", number) && vs_translate_close(t) && vs_translate_close(t);
 }
 
-/* Binds keys: to the remaining keys, opens the test whether there is one, and assigns the first to the variable. */
+/* For a for-in loop: binds the variable keys: to the remaining keys, tests whether there is one, and assigns the first
+ * key to the loop's variable. */
 static bool take_key(vs_translation *t, const vs_script_node *n, uint32_t number) {
   const vs_script_node *a = node(t, n->a);
   uint32_t target = a->kind == VS_SCRIPT_VAR ? node(t, a->a)->a : n->a;
@@ -248,7 +250,8 @@ static bool loop(vs_translation *t, uint32_t i, const vs_then *then) {
   return turns(t, i, number, then) && vs_translate_close(t);
 }
 
-/* Translates a switch: each case is a procedure that calls the next case at its end. Tests choose the first one. */
+/* Translates a switch. Each case becomes a procedure that calls the next case at its end. Tests choose the first
+ * procedure to call. */
 static bool switch_statement(vs_translation *t, uint32_t i, const vs_then *then) {
   const vs_script_node *n = node(t, i);
   uint32_t number = t->numbers, fallback = 0;
@@ -436,7 +439,7 @@ static bool native_value(vs_translation *t, uint32_t i) {
          vs_translate_close(t) && vs_translate_close(t);
 }
 
-/* Writes statements up to `stop`. Jumps leave fewer than IN_ONE_ROW of them. */
+/* Writes the statements from `first` up to `stop`. Fewer than IN_ONE_ROW of them are left by jumps. */
 static bool row(vs_translation *t, uint32_t first, uint32_t stop, const vs_then *then) {
   if (first == stop) return go(t, then);
   TRY(vs_translate_call(t, "js:begin"));
@@ -493,7 +496,8 @@ static bool range(vs_translation *t, uint32_t first, uint32_t stop, const vs_the
 bool vs_translate_has_direct(const vs_translation *t, uint32_t i) {
   const vs_scope_of_script *o = &t->k->scopes[t->k->targets[i]];
   if (o->uses_this || o->uses_arguments) return false;
-  for (uint32_t p = node(t, i)->a; p; p = node(t, p)->next) /* two parameters have the same name */
+  for (uint32_t p = node(t, i)->a; p; p = node(t, p)->next) /* whether two parameters of the function have the same
+                                                             * name */
     for (uint32_t q = node(t, p)->next; q; q = node(t, q)->next)
       if (node(t, p)->name == node(t, q)->name) return false;
   return true;
@@ -554,7 +558,7 @@ static bool body(vs_translation *t, uint32_t i) {
   return (!functions || vs_translate_close(t)) && (!locals || vs_translate_close(t));
 }
 
-/* Writes the keyword parameter for `this`, if the function uses it. A caller that does not pass it leaves `this`
+/* Writes the keyword parameter for `this`, if the function uses `this`. In a call that does not pass it, `this` is
  * undefined. */
 static bool self_parameter(vs_translation *t, bool asks) {
   if (!asks) return true;
@@ -562,8 +566,8 @@ static bool self_parameter(vs_translation *t, bool asks) {
          vs_translate_word(t, "js:any?") && vs_translate_word(t, "js:undefined") && vs_translate_close(t);
 }
 
-/* Writes the parameters of a function that any code may call. All are optional; `this` (if it is used) and the rest
- * follow. */
+/* Writes the parameters of a function that any code may call. All are optional; after them come `this`, if it is used,
+ * and the rest parameter. */
 static bool open_parameters(vs_translation *t, const vs_script_node *n, bool asks) {
   for (uint32_t p = n->a; p; p = node(t, p)->next) {
     bool again = false;

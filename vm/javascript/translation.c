@@ -1,4 +1,4 @@
-/* Writes the items to which a script is translated. */
+/* Writes the items (parts of Scheme data) to which a script is translated. */
 #include "vm/javascript/translation.h"
 
 #include <stdio.h>

@@ -11,7 +11,7 @@
 typedef enum {
   VS_ITEM_OPEN,
   VS_ITEM_CLOSE,
-  VS_ITEM_WORD,   /* a word of the translation */
+  VS_ITEM_WORD,   /* a word that the translation writes, such as js:get */
   VS_ITEM_NAME,   /* a name in the script */
   VS_ITEM_DIRECT, /* a name in the script, followed by a colon: the direct procedure of a function */
   VS_ITEM_MADE,   /* the symbol word:number, made by the translation */
@@ -19,7 +19,7 @@ typedef enum {
   VS_ITEM_NUMBER,
   VS_ITEM_COUNT,
   VS_ITEM_STRING,
-  VS_ITEM_NATIVE /* native text with any number of data */
+  VS_ITEM_NATIVE /* native text: any number of data in Scheme's notation */
 } vs_item_kind;
 
 typedef struct {
@@ -28,7 +28,7 @@ typedef struct {
   const char *word;
   uint32_t a, b;  /* NAME, DIRECT: the name is a; MADE, COUNT: the number is a; KEY, STRING, NATIVE: text a of length
                    * b */
-  uint32_t scope; /* NATIVE: scope in which the text is */
+  uint32_t scope; /* NATIVE: scope of the script in which the text is */
   double number;
 } vs_item;
 
@@ -37,9 +37,9 @@ typedef enum {
   VS_THEN_NOTHING,    /* after the expression; its value is not used */
   VS_THEN_END,        /* at the end of the function */
   VS_THEN_MADE,       /* in the procedure with the name word:number */
-  VS_THEN_STATEMENTS, /* at the statements from `node` up to `stop`, then at `on` */
-  VS_THEN_LOOP,       /* at the next iteration of loop `node`, which has this number */
-  VS_THEN_OUTCOME     /* after the finally of `target`, where the ended part would continue */
+  VS_THEN_STATEMENTS, /* at the statements from `node` up to `stop`, and after them at `on` */
+  VS_THEN_LOOP,       /* at the next iteration of loop `node`, which has the number `number` */
+  VS_THEN_OUTCOME     /* after the finally of the try `target`, where the ended part would continue */
 } vs_then_kind;
 
 typedef struct vs_then {
@@ -50,7 +50,7 @@ typedef struct vs_then {
   const struct vs_then *on;
 } vs_then;
 
-/* A statement that jumps enter or leave. For a try, each jump out of its parts has a number. */
+/* A statement that jumps enter or leave. If it is a try, each jump out of its parts has a number. */
 typedef struct vs_jump_target {
   struct vs_jump_target *up;
   uint32_t node;
@@ -66,7 +66,7 @@ typedef struct {
   vs_scopes *k;
   vs_item *items;
   size_t count, room;
-  uint32_t line; /* number of the line before the text */
+  uint32_t line; /* line number of the script's first line, minus 1 */
   uint32_t scope, numbers;
   unsigned depth, functions; /* nesting depth of statements and of functions */
   vs_script_place at;

@@ -10,7 +10,7 @@
 
 /* ---- checking arguments ---- */
 
-/* dual numbers are accepted: each procedure below defines its result for them */
+/* also accepts dual numbers (numbers with a derivative): each procedure below defines its result for them */
 static bool want_number(vs_scheme *vm, const vs_value *a, int i) {
   return vs_is_scalar(a[i]) || vs_fail_type(vm, i, "a number", a[i]);
 }
@@ -80,7 +80,7 @@ static vs_status is_even(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 
 static bool want_addable(vs_scheme *vm, vs_value v) {
   vs_value ignored;
-  /* For any other value the last operand of || fails, and sets the error. */
+  /* If the value is no number, vs_number_add sets the error and returns false. */
   return vs_is_number(v) || vs_is(v, VS_T_FLAT) || vs_is_dual(v) || vs_number_add(vm, v, vs_fix(0), &ignored);
 }
 
@@ -168,7 +168,7 @@ static vs_status equal(vs_scheme *vm, vs_value *a, int n, vs_value *out) { retur
 static vs_status at_least(vs_scheme *vm, vs_value *a, int n, vs_value *out) { return compare(vm, VS_GE, a, n, out); }
 static vs_status greater(vs_scheme *vm, vs_value *a, int n, vs_value *out) { return compare(vm, VS_GT, a, n, out); }
 
-/* Returns the maximum or minimum. It is inexact if any argument is, and NaN if any is NaN. */
+/* Returns the maximum or minimum. It is inexact if any argument is inexact, and NaN if any argument is NaN. */
 static vs_status extreme(vs_scheme *vm, vs_relation better, vs_value *a, int n, vs_value *out) {
   bool inexact = false, take;
   int best = 0;
@@ -200,7 +200,7 @@ static vs_status modulo(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   return vs_number_modulo(vm, a[0], a[1], out);
 }
-/* Computes (x - (x modulo y)) / y. */
+/* Computes (x - (x modulo y)) / y, the quotient rounded down. */
 static vs_status floor_quotient(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   VS_ROOTS(vm, r, 1);
@@ -280,12 +280,12 @@ static vs_status denominator(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 
 typedef enum { TO_FLOOR, TO_CEILING, TO_ZERO, TO_NEAREST } rounding;
 
-/* Rounds the ratio r[0] to an integer. r has 4 roots. */
+/* Rounds the ratio r[0] to an integer. r is an array of 4 roots of the garbage collector. */
 static bool round_ratio(vs_scheme *vm, rounding how, vs_value *r, vs_value *out) {
   r[1] = vs_as_ratio(r[0])->num, r[2] = vs_as_ratio(r[0])->den;
   bool negative = vs_int_sign(r[1]) < 0;
-  /* Rounds to nearest: floor((2 num + den) / (2 den)). A tie, which only den = 2 has, is corrected to the even
-   * neighbour. */
+  /* Rounds to nearest: floor((2 num + den) / (2 den)). If den = 2, the ratio is half-way between two integers: an odd
+   * result is corrected to the even neighbour. */
   if (how == TO_NEAREST) {
     bool tie = r[2] == vs_fix(2);
     if (!vs_int_add(vm, r[1], r[1], &r[1]) || !vs_int_add(vm, r[1], r[2], &r[1]) ||
@@ -303,7 +303,7 @@ static bool round_ratio(vs_scheme *vm, rounding how, vs_value *r, vs_value *out)
 
 static bool round_number(vs_scheme *vm, rounding how, const vs_value *a, vs_value *out) {
   if (!want_number(vm, a, 0)) return false;
-  if (vs_is_dual(a[0])) { /* rounding is constant between steps: its slope is 0 */
+  if (vs_is_dual(a[0])) { /* the result of rounding is constant between jumps, so the derivative is 0 */
     vs_value base = vs_dual_base(a[0]);
     return round_number(vm, how, &base, out);
   }

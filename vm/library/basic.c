@@ -102,9 +102,9 @@ static vs_status is_record(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-/* Returns true if a[0] is a record of the type a[1] with a field number a[2]. Otherwise sets the error "WHO: expected a
- * TYPE, got V", where a[who] is the accessor's name. The type may be any value, since the program may redefine the
- * variable that names it. */
+/* Returns true if a[0] is a record of the type a[1] that has a field number a[2]. Otherwise sets the error "WHO:
+ * expected a TYPE, got V", where WHO is a[who], the accessor's name. a[1] may be any value, since the program may
+ * redefine the variable that contains the type. */
 static bool has_field(vs_scheme *vm, const vs_value *a, int who) {
   VS_ROOTS(vm, r, 1);
   bool its = vs_is(a[0], VS_T_RECORD) && vs_as_record(a[0])->type == a[1];
@@ -196,7 +196,8 @@ typedef enum { LIST_KEYS, LIST_VALUES, LIST_PAIRS } list_what;
 /* Returns the keys, values or entries of a hash table as a list in insertion order. */
 static vs_status hash_list(vs_scheme *vm, vs_value *a, list_what what, vs_value *out) {
   if (!vs_arg_type(vm, a, 0, VS_T_TABLE)) return VS_ERROR;
-  VS_ROOTS(vm, r, 3);                             /* roots: first pair, last pair, new element */
+  VS_ROOTS(vm, r, 3);                             /* roots of the garbage collector: first pair, last pair, new
+                                                   * element */
   uint32_t position = 0;
   vs_value key, value;
   r[0] = r[1] = VS_NIL;

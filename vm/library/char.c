@@ -32,7 +32,8 @@ static vs_status integer_to_char(vs_scheme *vm, vs_value *a, int n, vs_value *ou
 
 /* ---- upper and lower case ---- */
 
-/* Return the upper or lower case of a character. The sharp s, whose upper case has two letters, stays unchanged. */
+/* char_up and char_down return the upper and the lower case of a character. The sharp s, whose upper case has two
+ * letters, stays unchanged. */
 static uint32_t char_up(uint32_t c) { return c == 0xDF ? c : (uint32_t)utf8proc_toupper((utf8proc_int32_t)c); }
 static uint32_t char_down(uint32_t c) { return (uint32_t)utf8proc_tolower((utf8proc_int32_t)c); }
 /* Returns the folded case. The i with and the i without a dot remain different. */
@@ -115,15 +116,15 @@ static bool is_lower(uint32_t c) {
 CATEGORIES(C)
 #undef C
 
-/* Returns the value of a decimal digit. Decimal digits form runs of ten, from 0 to 9. The value is the distance from
- * the start of the run, at most nine characters back. */
+/* Returns the value of a decimal digit. Unicode has the digits 0 to 9 of a script in sequence, so the value is the
+ * distance from the first of them, at most nine characters back. */
 static vs_status char_digit_value(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!arg_char(vm, a, 0)) return VS_ERROR;
   uint32_t c = vs_char(a[0]), back = 0;
   *out = VS_FALSE;
   if (!is_numeric(c)) return VS_OK;
-  if (c >= 0x1D7CE && c <= 0x1D7FF) { /* the mathematical digits are five runs without gaps */
+  if (c >= 0x1D7CE && c <= 0x1D7FF) { /* the mathematical digits are five sequences of ten without gaps between them */
     *out = vs_fix((c - 0x1D7CE) % 10);
     return VS_OK;
   }

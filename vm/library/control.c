@@ -5,8 +5,8 @@
  *   winders     vectors (before after handlers parameters), innermost first
  *   handlers    procedures; a list with a continuation belongs to a contract: a raise returns #f to the continuation
  *   parameters  (parameter . value)
- * The natives here keep their state in their activations (native.h, VS_CALL), so that each may be left and entered
- * again. In comments, arguments are followed after a bar by the slots for this state. */
+ * The natives here keep their state in slots of their activations (native.h, VS_CALL), so that each may be left and
+ * entered again. Comments list a native's arguments, and after a bar the slots for its state. */
 #include "vm/machine/activation.h"
 #include "vm/machine/fail.h"
 #include "vm/machine/native.h"
@@ -49,8 +49,8 @@ static void enter_state_of(vs_scheme *vm, vs_value winder) {
   vm->parameters = vs_as_vector(winder)->at[3];
 }
 
-/* Arguments: k value | the winders after the running before thunk has returned, or #f. Leaves and enters one
- * dynamic-wind after the other; each time, computes the remaining ones again. */
+/* throw: leaves and enters one dynamic-wind after another on the way to the continuation k; each time, computes the
+ * remaining ones again. Arguments: k value | the winders after the running before thunk has returned, or #f. */
 static vs_status throw_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (a[2] != VS_FALSE) { vm->winders = a[2]; a[2] = VS_FALSE; }
@@ -72,7 +72,7 @@ static vs_status throw_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_THROW;
 }
 
-/* Arguments: before thunk after | phase, result. */
+/* Implements dynamic-wind. Arguments: before thunk after | phase, result. */
 static vs_status dynamic_wind(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (n >= 0) {
     for (int i = 0; i < 3; i++)
@@ -83,7 +83,7 @@ static vs_status dynamic_wind(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
   if (a[3] == vs_fix(0)) {
     VS_ROOTS(vm, r, 1);
     if (!vs_make_vector(vm, 4, VS_FALSE, &r[0])) return VS_ERROR;
-    vs_vector *winder = vs_as_vector(r[0]);       /* a new object needs no write barrier */
+    vs_vector *winder = vs_as_vector(r[0]);       /* a new object is in the nursery, and needs no write barrier */
     winder->at[0] = a[0]; winder->at[1] = a[2]; winder->at[2] = vm->handlers; winder->at[3] = vm->parameters;
     if (!vs_cons(vm, r[0], vm->winders, &vm->winders)) return VS_ERROR;
     a[3] = vs_fix(1);
@@ -139,8 +139,8 @@ static vs_status apply_self(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_TAILCALL;
 }
 
-/* Returns true for a function of a script. It accepts any number of values, and its translation has parameters for
- * `this` or the rest. */
+/* Returns true if the code is that of a function in a script (JavaScript). Such a function accepts any number of
+ * values, and its translation has parameters for `this` or the rest. */
 static bool is_script_function(vs_scheme *vm, const vs_code *code) {
   const vs_vector *params = vs_as_vector(code->params);
   size_t before = (size_t)code->required + code->optional;
@@ -149,8 +149,8 @@ static bool is_script_function(vs_scheme *vm, const vs_code *code) {
   return vs_is_symbol(params->at[before]) && !strcmp(vs_as_symbol(params->at[before])->name, "more:");
 }
 
-/* (%procedure-shape procedure): returns #(least most script?), the numbers of arguments that it accepts. most is #f if
- * there is no limit. For a function of a script, both are its number of parameters. */
+/* (%procedure-shape procedure): returns #(least most script?). least and most are the numbers of arguments that the
+ * procedure accepts; most is #f if there is no limit. For a function of a script, both are its number of parameters. */
 static vs_status procedure_shape(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!vs_is_procedure(a[0])) return vs_fail_type(vm, 0, "a procedure", a[0]);
@@ -175,7 +175,7 @@ static vs_status procedure_shape(vs_scheme *vm, vs_value *a, int n, vs_value *ou
 }
 
 /* ---- handlers and raise ---- */
-/* Arguments: handler thunk | outer handlers. */
+/* Implements with-exception-handler. Arguments: handler thunk | outer handlers. */
 static vs_status with_exception_handler(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)out;
   if (n >= 0) {
@@ -187,7 +187,7 @@ static vs_status with_exception_handler(vs_scheme *vm, vs_value *a, int n, vs_va
   return VS_OK;
 }
 
-/* Arguments: obj | handlers at the raise. */
+/* Implements raise and raise-continuable. Arguments: obj | handlers at the raise. */
 static vs_status raise_either(vs_scheme *vm, vs_value *a, int n, bool continuable) {
   if (n >= 0) {
     vm->native = NULL;
@@ -205,7 +205,8 @@ static vs_status raise_either(vs_scheme *vm, vs_value *a, int n, bool continuabl
     }
     a[1] = vm->handlers;
     vs_value handler = vs_car(vm->handlers);
-    if (vs_is_pair(handler)) {          /* a raise in a contract's predicate makes its value #f, unless memory is out */
+    if (vs_is_pair(handler)) {          /* the handler belongs to a contract: an error in the contract's predicate makes
+                                         * the predicate's value #f, unless memory is out */
       if (vs_is(a[0], VS_T_CONDITION) && vs_as_condition(a[0])->kind == vm->sym.memory) {
         vm->handlers = vs_cdr(vm->handlers);
         return vs_fail_object(vm, a[0]);
@@ -253,9 +254,9 @@ static vs_status make_parameter(vs_scheme *vm, vs_value *a, int n, vs_value *out
   return VS_OK;
 }
 
-/* Implements the form parameterize, which expands to a call of this with lists of parameters and of new values.
- * Arguments: parameters values thunk | phase (0: converting values, 1: running), the bindings so far or the outer
- * list. */
+/* Implements the form parameterize, which expands to a call of this native with lists of parameters and of new
+ * values. Arguments: parameters values thunk | phase (0: converting values, 1: running), the bindings so far or the
+ * outer list. */
 static vs_status parameterize(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (n < 0 && a[3] == vs_fix(1)) { vm->parameters = a[4]; return VS_OK; }
   VS_ROOTS(vm, r, 1);
@@ -288,8 +289,8 @@ static vs_status parameterize(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
   return vs_call(vm, a[2], 0, NULL);
 }
 
-/* ---- promises. done #t: value is the result; #f: value is a thunk that returns a promise; VS_ABSENT: value is a
- * promise with the same result ---- */
+/* ---- promises: if `done` is #t, `value` is the result; if #f, `value` is a thunk that returns a promise; if
+ * VS_ABSENT, `value` is a promise with the same result ---- */
 static bool new_promise(vs_scheme *vm, vs_value done, vs_value *value, vs_value *out) {
   vs_promise *p = (vs_promise *)(void *)vs_gc_alloc(vm, VS_T_PROMISE, VS_WORDS(vs_promise));
   if (!p) return false;
@@ -353,7 +354,8 @@ static vs_status any(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-/* Arguments: predicate value. Returns (predicate value), or #f if it raises an error. */
+/* Calls the predicate of a contract. Arguments: predicate value. Returns (predicate value), or #f if it raises an
+ * error. */
 static vs_status guarded(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)a; (void)n;
   VS_ROOTS(vm, r, 1);
@@ -369,7 +371,7 @@ static bool contract_text(vs_text *t, vs_value v) {
   return vs_text_puts(t, name[0] == '%' && name[1] ? name + 1 : name);
 }
 
-/* Arguments: predicate value #(name text who) | outer handlers. */
+/* Checks a contract. Arguments: predicate value #(name text who) | outer handlers. */
 static vs_status check(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   bool predicate = vs_is_procedure(a[0]);
   if (n >= 0 && predicate) {
@@ -396,9 +398,8 @@ static vs_status check(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
               "%s: in [%s %s] there is no predicate; [%s any? %s] gives %s a default and checks nothing", f, name.at,
               text.at, name.at, text.at, name.at);
     vs_condition *c = vs_is(vm->condition, VS_T_CONDITION) ? vs_as_condition(vm->condition) : NULL;
-    if (c && predicate && vs_is_pair(c->chain) && vs_is_pair(vs_cdr(c->chain))) {      /* the error has the place of the
-                                                                                        * caller, whose argument is
-                                                                                        * wrong */
+    /* the error gets the place of the caller, whose argument is wrong */
+    if (c && predicate && vs_is_pair(c->chain) && vs_is_pair(vs_cdr(c->chain))) {
       do vs_gc_store(vm, c, &c->chain, vs_cdr(c->chain));
       while (vs_car(vs_car(c->chain)) == VS_TRUE && vs_is_pair(vs_cdr(c->chain)));
       c->place = vs_pos_of(vs_cdr(vs_car(c->chain)));

@@ -5,8 +5,8 @@
 
 static bool is_condition(vs_value v) { return vs_is(v, VS_T_CONDITION); }
 
-/* Raises an error: (error message irritant ...) as in R7RS, or (error 'who "format" v ...) as in PLT. A message that is
- * no string is converted as by display. */
+/* Raises an error: (error message irritant ...) as in R7RS, or (error 'who "format" v ...) as in PLT Scheme. A message
+ * that is no string is converted to text as by display. */
 static vs_status error(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)out;
   VS_ROOTS(vm, r, 1);
@@ -22,8 +22,8 @@ static vs_status error(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
     vs_fail_with(vm, vm->sym.error, r[0], "%s", t.at);
     if (is_condition(vm->condition) && vm->condition != vm->at.no_memory) {
       vs_condition *c = vs_as_condition(vm->condition);
-      if (vs_is_string(a[0])) vs_gc_store(vm, c, &c->message, a[0]);         /* the original string, which may contain
-                                                                              * zero characters */
+      /* stores the original string as the message, since it may contain zero characters */
+      if (vs_is_string(a[0])) vs_gc_store(vm, c, &c->message, a[0]);
     }
   }
   vs_text_close(&t);
@@ -70,7 +70,7 @@ static vs_status report(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return ok;
 }
 
-/* (exit [code]): runs the after procedures of every entered dynamic-wind. Then ends the program with a condition of
+/* (exit [code]): runs the after procedures of every entered dynamic-wind. Then ends the program with an error object of
  * kind `exit`, which no handler receives. Its payload is the code, a fixnum. */
 static vs_status leave(vs_scheme *vm, vs_value code, vs_value *out) {
   (void)out;
@@ -78,8 +78,8 @@ static vs_status leave(vs_scheme *vm, vs_value code, vs_value *out) {
   r[0] = code == VS_TRUE || code == VS_ABSENT ? vs_fix(0)
          : vs_is_fixnum(code)                 ? vs_fix(vs_fixnum(code) & 255)
                                               : vs_fix(1);
-  if (r[0] == vs_fix(0) && vs_is_fixnum(code) && code != vs_fix(0)) r[0] = vs_fix(1);      /* a code such as 256 must
-                                                                                            * not become 0, success */
+  /* the system uses only 8 bits of a code: 256 must not become 0, which means success */
+  if (r[0] == vs_fix(0) && vs_is_fixnum(code) && code != vs_fix(0)) r[0] = vs_fix(1);
   if (!vs_intern_c(vm, "exit", &r[1])) return VS_ERROR;
   vm->native = NULL;
   vs_fail(vm, r[1], "exit");

@@ -6,8 +6,8 @@
 
 #include "vm/values/printer.h"
 
-/* Appends the string a[control] with a[control+1 ... n-1] in place of its directives. Returns false with the error
- * set. */
+/* Appends the control string a[control] to t; its directives are replaced by the arguments a[control+1 ... n-1].
+ * Returns false with the error set. */
 bool vs_format(vs_scheme *vm, const vs_value *a, int control, int n, vs_text *t);
 
 #endif

@@ -66,7 +66,7 @@ static vs_status read_line(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 static vs_status read_string(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   vs_value port;
   int64_t k;
-  /* The port may be the first argument, as in PLT and older systems. */
+  /* The port may also be the first argument, as in PLT Scheme and older systems. */
   if (n == 2 && vs_is(a[0], VS_T_PORT)) {
     vs_value swap = a[0];
     a[0] = a[1], a[1] = swap;
@@ -75,7 +75,8 @@ static vs_status read_string(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
          read_some(vm, port, k, false, out);
 }
 
-/* Stores the directives before a datum in the port's flags, since they also apply to later reads. */
+/* Stores the directives before a datum (such as #!fold-case) in the port's flags, since they also apply to later
+ * reads. */
 static void keep_directives(const vs_text *t, uint32_t *flags) {
   static const struct {
     const char *text;
@@ -94,7 +95,8 @@ static void keep_directives(const vs_text *t, uint32_t *flags) {
   }
 }
 
-/* Reads a datum: reads characters until it is complete. If it is only a directive (#!fold-case), continues. */
+/* Implements read: reads characters until a datum is complete. If the text is only a directive (#!fold-case),
+ * continues. */
 static vs_status read_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   if (!in_port(vm, a, n, 0, 0, &r[0])) return VS_ERROR;
@@ -267,8 +269,8 @@ static vs_status is_eof(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 
 /* ---- testing and removing files ---- */
 
-/* Tests (or, if `remove`, removes) the file named by a[0] through the host. Returns false with the error set if memory
- * is out or a[0] is no name. */
+/* Tests through the host whether the file named by a[0] exists; if `remove`, removes it. Returns false with the error
+ * set if memory is out or a[0] is no name. */
 static bool ask_file(vs_scheme *vm, vs_value *a, bool remove, bool *yes, const char **why) {
   if (!vs_arg_type(vm, a, 0, VS_T_STRING)) return false;
   const vs_io *io = vm->config.io;

@@ -8,7 +8,8 @@ enum {
   VS_LIB_INPUT, VS_LIB_OUTPUT, VS_LIB_ERROR,     /* parameter objects of the current ports (port.c) */
   VS_LIB_RANDOM,                                 /* BYTES: state of the random generator (system.c) */
   VS_LIB_SYMBOLS,                                /* fixnum: number of generated symbols (system.c) */
-  VS_LIB_DUALS,                                  /* fixnum: number of differentiations so far (bind/functions/) */
+  VS_LIB_DUALS,                                  /* fixnum: number of differentiations so far, from which their levels
+                                                  * are computed (bind/functions/) */
   VS_LIB_COUNT
 };
 

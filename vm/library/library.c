@@ -1,5 +1,5 @@
-/* Implements libraries. define-library runs its body in a separate environment, import maps names, require runs a
- * file. */
+/* Implements libraries of the language. define-library runs its body in a separate environment, import maps names,
+ * require runs a file. */
 #include "vm/library/library.h"
 #include "vm/front/derived_syntax.h"
 #include "vm/library/standard.h"
@@ -56,7 +56,8 @@ static bool not_exported(vs_scheme *vm, vs_pos pos, vs_value symbol) {
                     vs_is_symbol(symbol) ? vs_as_symbol(symbol)->name : "such name");
 }
 
-/* Imports `from` into env. `name` is the library's name. */
+/* Imports the environment `from` into env. mapping: #t, or a table from local names to names in `from`. name: the
+ * library's name, for errors. */
 static bool take(vs_scheme *vm, vs_value env, vs_value from, vs_value mapping, vs_value name, vs_pos pos) {
   VS_ROOTS(vm, r, 1);
   r[0] = name;
@@ -78,7 +79,8 @@ static bool take(vs_scheme *vm, vs_value env, vs_value from, vs_value mapping, v
 }
 
 bool vs_library_import_set(vs_scheme *vm, vs_value set, vs_value env, vs_pos pos, vs_value *missing) {
-  VS_ROOTS(vm, r, 8);      /* roots: the set, env, stack of modifiers, library, two tables, name, temporary */
+  VS_ROOTS(vm, r, 8);      /* roots of the garbage collector: the set, env, stack of modifiers, library, two tables,
+                            * name, temporary */
   r[0] = set; r[1] = env; r[2] = VS_NIL;
   *missing = VS_ABSENT;
   if (!vs_strip(vm, r[0], &r[0])) return false;
@@ -92,7 +94,7 @@ bool vs_library_import_set(vs_scheme *vm, vs_value set, vs_value env, vs_pos pos
   if (!vs_library_find(vm, r[0], &r[3])) return false;
   if (r[3] == VS_FALSE) { *missing = r[0]; return true; }
   if (r[2] == VS_NIL) return take(vm, r[1], r[3], VS_TRUE, r[7], pos);
-  /* Creates a table from local names to names of the library. */
+  /* Creates a table that maps local names to names of the library. */
   if (!vs_idtable_new(vm, &r[4])) return false;
   for (size_t i = 0;; i++) {
     const vs_environment *e = vs_as_environment(r[3]);
@@ -161,8 +163,9 @@ static bool library_file(vs_scheme *vm, vs_value name, vs_text *t) {
   return ok && vs_text_puts(t, ".sld");
 }
 
-/* Sets *depth to the number of folders from the file `from` up to the folder to which library names are relative: 1 for
- * (towers spiral) in towers/spiral.sld. Sets it to 0 if env is no library, or its file has another name. */
+/* Library names are relative to a folder: (towers spiral) is towers/spiral.sld there. Sets *depth to the number of
+ * folders from the file `from` up to that folder, here 1. Sets it to 0 if env is no library, or its file has another
+ * name. */
 static bool library_depth(vs_scheme *vm, vs_value env, uint32_t from, size_t *depth) {
   vs_value name = vs_as_environment(env)->name;
   int64_t parts = vs_list_length(name);
@@ -246,7 +249,7 @@ bool vs_library_import(vs_expansion *x) {
   vs_scheme *vm = x->vm;
   VS_ROOTS(vm, r, 5);
   if (vs_list_length(x->now.form) < 1) return vs_expand_shape(x, VS_FORM_import);
-  /* only imports are visible in a program that begins with an import */
+  /* if a program begins with an import, only imported names are visible in it */
   if (vs_environment_intake(x->now.env) == VS_INTAKE_FRESH) {
     vs_environment_forget_imports(x->now.env);
     vs_environment_set_intake(x->now.env, VS_INTAKE_STRICT);
@@ -256,7 +259,7 @@ bool vs_library_import(vs_expansion *x) {
     vs_pos pos = vs_element_pos(r[0], false, x->now.pos);
     if (!vs_library_import_set(vm, vs_car(r[0]), x->now.env, pos, &r[1])) return false;
     if (r[1] == VS_ABSENT) continue;
-    /* The library is not loaded. Its file may define it: loads the file, then tries the import again. */
+    /* The library is not loaded yet. Its file may define it: loads the file, then tries the import again. */
     vs_text t;
     vs_text_open(vm, &t, 0);
     bool found, ok = library_path(vm, r[1], vs_pos_file(x->now.pos), x->now.env, &t, &found);
@@ -264,7 +267,7 @@ bool vs_library_import(vs_expansion *x) {
     vs_text_close(&t);
     if (!ok) return false;
     if (!found || x->now.n) return no_library(x, pos, r[1]);
-    VS_ROOTS(vm, quoted, 2);      /* roots for the call (%load-library path 'name) */
+    VS_ROOTS(vm, quoted, 2);      /* roots of the garbage collector, for the call (%load-library path 'name) */
     if (!vs_core_name(vm, "quote", &quoted[0]) || !vs_cons(vm, r[1], VS_NIL, &quoted[1]) ||
         !vs_cons(vm, quoted[0], quoted[1], &quoted[0]) || !vs_cons(vm, quoted[0], VS_NIL, &r[4]) ||
         !vs_cons(vm, r[2], r[4], &r[4]) || !core_value(vm, "%load-library", &r[3]) ||
@@ -286,8 +289,8 @@ enum {
   L_NAME,
   L_ENV,
   L_EXPORTS,
-  L_FORMS /* list of the forms, newest first */,
-  L_LATER /* declarations that are not yet processed */,
+  L_FORMS /* index of the list of the library's forms, newest first */,
+  L_LATER /* index of the list of declarations that are not yet processed */,
   L_A,
   L_B,
   L_C,
@@ -331,7 +334,7 @@ bool vs_library_define(vs_expansion *x) {
       for (r[L_A] = vs_cdr(d); vs_is_pair(r[L_A]); r[L_A] = vs_cdr(r[L_A]))
         if (!vs_cons(vm, vs_car(r[L_A]), r[L_FORMS], &r[L_FORMS])) return false;
     } else if (is_word(head, "import") || is_word(head, "include") || is_word(head, "include-ci")) {
-      r[L_A] = d;      /* the word is compared by its name in the core environment, since the new environment is still
+      r[L_A] = d;      /* compares the word by its name in the core environment, since the new environment is still
                         * empty */
       if (!vs_core_name(vm,
                         is_word(head, "import")    ? "import"
@@ -341,7 +344,8 @@ bool vs_library_define(vs_expansion *x) {
           !vs_cons_at(vm, r[L_B], vs_cdr(r[L_A]), pos, &r[L_B]) || !vs_cons(vm, r[L_B], r[L_FORMS], &r[L_FORMS]))
         return false;
     } else if (is_word(head, "cond-expand")) {
-      r[L_B] = x->now.env;      /* a requirement (library ...) is tested like an import of the library */
+      r[L_B] = x->now.env;      /* a requirement (library ...) is tested as an import of the library into this
+                                 * environment */
       x->now.env = r[L_ENV];
       bool ok = vs_cond_expand(x, d, &r[L_A]);
       x->now.env = r[L_B];
@@ -368,7 +372,7 @@ bool vs_library_define(vs_expansion *x) {
   }
   vs_environment *e = vs_as_environment(r[L_ENV]);
   vs_gc_store(vm, e, &e->exports, r[L_EXPORTS]);
-  /* Imports are processed first, wherever they are. The last form registers the library. */
+  /* Imports are processed first, wherever they are in the library. The last form registers the library. */
   VS_ROOTS(vm, q, 3);
   if (!vs_core_name(vm, "quote", &q[0]) || !vs_cons(vm, r[L_NAME], VS_NIL, &q[1]) || !vs_cons(vm, q[0], q[1], &q[0]) ||
       !vs_cons(vm, r[L_ENV], VS_NIL, &q[1]) || !vs_cons(vm, q[0], q[1], &q[1]) ||
@@ -409,7 +413,7 @@ bool vs_library_require(vs_expansion *x) {
   vs_value spec = vs_car(vs_cdr(x->now.form));
   vs_pos pos = vs_element_pos(vs_cdr(x->now.form), false, x->now.pos);
   if (!vs_is_string(spec)) {
-    /* PLT's (lib "..."), (only-in ...) and (prefix-in ...) around a built-in library. */
+    /* Handles (lib "..."), (only-in ...) and (prefix-in ...) of PLT Scheme around a built-in library. */
     for (int i = 0; i < 8 && vs_is_pair(spec) && vs_list_length(spec) > 1 && !vs_library_is_built_in(spec); i++) {
       if (is_word(vs_car(spec), "lib") || is_word(vs_car(spec), "planet")) { spec = VS_FALSE; break; }
       spec = is_word(vs_car(spec), "prefix-in") && vs_list_length(spec) > 2 ? vs_car(vs_cdr(vs_cdr(spec)))
@@ -419,7 +423,7 @@ bool vs_library_require(vs_expansion *x) {
       return vs_expand_fail(x, pos, vs_car(vs_cdr(x->now.form)),
                             "require: this is not built in, and a file is named by a string:");
     x->result = VS_EXPAND_NOTHING;
-    /* The names of (srfi 26) are not visible without an import. */
+    /* A program must import (srfi 26), whose names are not visible otherwise. */
     return vs_library_import_set(vm, spec, x->now.env, pos, &r[1]);
   }
   vs_text path;

@@ -11,8 +11,8 @@ bool vs_library_find(vs_scheme *vm, vs_value name, vs_value *env);
  * environment env. */
 bool vs_library_known(vs_scheme *vm, vs_value name, uint32_t from, vs_value env);
 bool vs_library_register(vs_scheme *vm, vs_value name, vs_value env);
-/* Imports an import set into env. If a library is missing, imports nothing and sets *missing to its name, else to
- * VS_ABSENT. */
+/* Imports an import set into env. If a library of the set does not exist, imports nothing and sets *missing to the
+ * library's name; otherwise sets *missing to VS_ABSENT. */
 bool vs_library_import_set(vs_scheme *vm, vs_value set, vs_value env, vs_pos pos, vs_value *missing);
 
 bool vs_library_define(vs_expansion *x);

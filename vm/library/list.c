@@ -1,23 +1,25 @@
-/* Implements the procedures of pairs and lists that have no procedure arguments. The others are written in Scheme
- * (prelude.scm and library/srfi.scm).
+/* Implements the procedures of pairs and lists that have no procedure arguments. Procedures with such arguments are
+ * written in Scheme (prelude.scm and library/srfi.scm).
  *
- * New lists grow at their end by means of a list_maker in roots. Procedures determine the length of a user's list
- * before they read it (vs_list_length). An improper or circular list is therefore an error, and never an endless
- * loop. */
+ * New lists grow at their end by means of a list_maker, an array of roots of the garbage collector. Procedures
+ * determine the length of a user's list before they read it (vs_list_length). An improper or circular list is therefore
+ * an error, and never an endless loop. */
 #include "vm/machine/fail.h"
 #include "vm/values/equal.h"
 #include "vm/machine/native.h"
 #include "vm/numbers/number.h"
 #include "vm/values/pairs.h"
 
-enum { POLL_STEP = 1024, POLL_COST = 4 * POLL_STEP /* POLL_STEP: pairs read or created between two polls */ };
+enum { POLL_STEP = 1024, POLL_COST = 4 * POLL_STEP /* POLL_STEP: number of pairs read or created between two polls for
+                                                    * an interrupt */ };
 
 /* ---- building lists ---- */
 
-enum { HEAD, TAIL, NEW, MAKER_ROOTS }; /* number of roots of a list_maker */
+enum { HEAD, TAIL, NEW, MAKER_ROOTS }; /* number of roots of the garbage collector in a list_maker */
 #define LIST_MAKER(vm, r) VS_ROOTS(vm, r, MAKER_ROOTS); r[HEAD] = r[TAIL] = VS_NIL
 
-/* Appends an element to the list of a list_maker. x need not be a root: vs_cons protects it. */
+/* Appends an element to the list of a list_maker r. x need not be a root of the garbage collector: vs_cons protects
+ * it. */
 static bool maker_add(vs_scheme *vm, vs_value *r, vs_value x) {
   if (!vs_cons(vm, x, VS_NIL, &r[NEW])) return false;
   if (r[HEAD] == VS_NIL) r[HEAD] = r[NEW];
@@ -31,7 +33,8 @@ static void maker_end(vs_scheme *vm, vs_value *r, vs_value last) {
   else vs_gc_store(vm, vs_object_of(r[TAIL]), &vs_as_pair(r[TAIL])->cdr, last);
 }
 
-/* Appends the first n elements of *list (a root), and advances *list past them. */
+/* Appends the first n elements of *list to the list of a list_maker r, and advances *list past them. *list is a root of
+ * the garbage collector. */
 static bool maker_copy(vs_scheme *vm, vs_value *r, vs_value *list, int64_t n) {
   VS_ASSERT(n >= 0);
   for (int64_t i = 0; i < n; i++) {
@@ -46,7 +49,7 @@ static bool arg_list(vs_scheme *vm, const vs_value *a, int arg, int64_t *length)
   return *length >= 0 || vs_fail_type(vm, arg, "a list", a[arg]);
 }
 
-/* Returns the last cdr of a list, () for a proper one, or VS_ABSENT for a circular one. */
+/* Returns the last cdr of a list: () for a proper list, or VS_ABSENT for a circular list. */
 static vs_value last_cdr(vs_value list) {
   vs_value mark = list;                 /* Brent's cycle detection: one pointer advances, the other follows at powers of
                                          * two */
@@ -101,14 +104,14 @@ static vs_status list_set_cdr(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
   return VS_OK;
 }
 
-/* Applies car and cdr as given by the letters between c and r, from the right to the left. */
+/* Applies car and cdr as the letters between c and r of the procedure's name say (cadr), from the right to the left. */
 static vs_status list_path(vs_scheme *vm, vs_value *a, const char *path, size_t length, vs_value *out) {
   vs_value v = a[0];
   for (size_t i = length; i-- > 0;) {
     if (!vs_is_pair(v)) {
       if (v == a[0]) return vs_fail_type(vm, 0, "a pair", v);
-      size_t tails = strspn(path + 1, "d");        /* for cddr, cadr, caddr and so on, the message states the required
-                                                    * number of elements */
+      size_t tails = strspn(path + 1, "d");        /* tails: number of d letters; the message for cddr, cadr, caddr and
+                                                    * so on states how many elements the list needs */
       static const char *const lists[] = { "a list of two elements or more", "a list of three elements or more",
                                            "a list of four elements or more" };
       return vs_fail_type(vm, 0,
@@ -180,8 +183,8 @@ static vs_status list_make_list(vs_scheme *vm, vs_value *a, int n, vs_value *out
   return VS_OK;
 }
 
-/* Sets *out to a list of count numbers from + i*step. Each is computed from the start, so that errors do not
- * accumulate. */
+/* Sets *out to a list of count numbers from + i*step. Each number is computed from the start, so that rounding errors
+ * do not accumulate. */
 static vs_status list_numbers(vs_scheme *vm, int64_t count, const vs_value *from, const vs_value *step, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   VS_ASSERT(count >= 0);
@@ -208,7 +211,7 @@ static vs_status list_iota(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 
 /* (range end), (range start end [step]): returns a list without `end` itself. */
 static vs_status list_range(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
-  VS_ROOTS(vm, r, 4); /* roots: start, end, step, temporary */
+  VS_ROOTS(vm, r, 4); /* roots of the garbage collector: start, end, step, temporary value */
   for (int i = 0; i < n; i++) {
     double d;
     if (!vs_is_number(a[i])) return vs_fail_type(vm, i, "a number", a[i]);
@@ -227,7 +230,7 @@ static vs_status list_range(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
     return VS_ERROR;
   double guess = (end - from) / step;
   int64_t count = guess > 0 ? guess < 1e15 ? (int64_t)guess : INT64_C(1000000000000000) : 0;
-  if (count > 0) count--; /* the estimate may be 1 too large; the exact test decides */
+  if (count > 0) count--; /* the estimated count may be 1 too large; exact arithmetic decides */
   for (;; count++) {
     if (!vs_number_mul(vm, vs_fix(count), r[2], &r[3]) || !vs_number_add(vm, r[0], r[3], &r[3]) ||
         !vs_number_test(vm, down ? VS_GT : VS_LT, r[3], r[1], &more))
@@ -362,8 +365,8 @@ static vs_status list_reverse_own(vs_scheme *vm, vs_value *a, int n, vs_value *o
   return vs_list_own_turned(vm, &a[0], a[1], out);
 }
 
-/* Returns #t if map and for-each may use their fast path. If it returns #f, map and for-each check their arguments and
- * report the error. */
+/* Returns #t if the arguments are so simple that map and for-each may use a fast path. Otherwise they check their
+ * arguments and report errors. */
 static vs_status list_each_p(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)vm, (void)n;
   *out = vs_bool(vs_is_procedure(a[0]) && vs_list_length(a[1]) >= 0);
@@ -371,7 +374,7 @@ static vs_status list_each_p(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 }
 
 /* Implements map for one list. Arguments: procedure list | results so far, reversed; number of continuations at the
- * start. Instructions replace the call if the activation has enough registers (run_loop.c). */
+ * start. If there are enough registers, the instructions EACH and MORE replace the call (run_loop.c). */
 static vs_status list_map_each(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (n >= 0) a[2] = VS_NIL, a[3] = vs_captures(vm);
   else if (!vs_cons(vm, *out, a[2], &a[2])) return VS_ERROR;
@@ -454,13 +457,14 @@ static vs_status list_split_at(vs_scheme *vm, vs_value *a, int n, vs_value *out)
   return vs_several(vm, a, 2, out);
 }
 
-/* Returns the list of all elements of nested lists, in order; any other value is one element. A list of places to
- * return to replaces recursion. A list that contains itself would be entered without end. Each list that is entered is
- * therefore compared with the one entered at a smaller depth that is a power of two. */
+/* Returns the list of all elements of nested lists, in order; any other value is one element. A list of places to which
+ * to return replaces recursion. A list that contains itself would be entered without end. Each list that is entered is
+ * therefore compared with the list that was entered at a smaller depth which is a power of two. */
 static vs_status list_flatten(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   LIST_MAKER(vm, r);
-  VS_ROOTS(vm, at, 3);      /* roots: the remaining elements, the places to return to, the list for the comparison */
+  VS_ROOTS(vm, at, 3);      /* roots of the garbage collector: the remaining elements, the places to which to return,
+                             * the list for the comparison */
   at[0] = a[0]; at[1] = VS_NIL; at[2] = VS_ABSENT;
   uint64_t depth = 0, mark = 0;
   if (!arg_ends(vm, a, 0)) return VS_ERROR;
@@ -500,8 +504,8 @@ static bool list_same(vs_scheme *vm, same_kind kind, vs_value x, vs_value y, boo
   return true;
 }
 
-/* Searches a[1] for a[0]. If `entries`, compares the cars of the elements. a[] are roots, since vs_equal may move
- * objects. */
+/* Searches the list a[1] for a[0]. If `entries`, compares a[0] with the car of each element. a[] are roots of the
+ * garbage collector, since vs_equal may move objects. */
 static vs_status list_search(vs_scheme *vm, vs_value *a, same_kind kind, bool entries, vs_value *out) {
   VS_ROOTS(vm, r, 1);
   r[0] = a[1];
@@ -518,7 +522,7 @@ static vs_status list_search(vs_scheme *vm, vs_value *a, same_kind kind, bool en
       *out = entries ? vs_car(r[0]) : r[0];
       return VS_OK;
     }
-    /* tests whether a long list is circular */
+    /* after a million elements, tests whether the list is circular */
     if (i == (uint64_t)1 << 20 && vs_list_length(a[1]) < 0) return vs_fail_type(vm, 1, "a list that ends", a[1]);
   }
   if (r[0] != VS_NIL) return vs_fail_type(vm, 1, "a list", a[1]);
@@ -576,8 +580,8 @@ static vs_status need_lists(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return ends || fail_list(vm, a[0], bad);
 }
 
-/* (%need-end who lists): checks that at least one list ends. Called repeatedly during a search, which may stop before
- * the end of an endless list. */
+/* (%need-end who lists): checks that at least one of the lists is not circular. Called repeatedly during a search,
+ * which may find its element in a circular list. */
 static vs_status need_end(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n, (void)out;
   for (vs_value l = a[1]; vs_is_pair(l); l = vs_cdr(l))

@@ -6,13 +6,13 @@
 #include "vm/numbers/dual.h"
 #include "vm/numbers/integer.h"
 
-/* Computes the running procedure for records that act as numbers (intervals), by a function that the host has
+/* Computes the running procedure for a record that acts as a number (an interval), by a function that the host has
  * registered. */
 static vs_status of_record(vs_scheme *vm, const vs_value *a, int n, vs_value *out) {
   return vm->flat->call(vm, vs_as_symbol(vm->native->name)->name, a, n, out);
 }
 
-/* Returns true if both are numbers, and at least one is a dual number. */
+/* Returns true if both are numbers, and at least one is a dual number (a number with a derivative). */
 static bool dual_pair(const vs_value *a) {
   return (vs_is_dual(a[0]) || vs_is_dual(a[1])) && vs_is_scalar(a[0]) && vs_is_scalar(a[1]);
 }
@@ -21,7 +21,8 @@ static bool want_double(vs_scheme *vm, const vs_value *a, int i, double *out) {
   return vs_is_number(a[i]) ? vs_number_double(vm, a[i], out) : vs_fail_type(vm, i, "a number", a[i]);
 }
 
-/* Applies a function of doubles. For the exact integer `at`, the result is the exact integer exact_value. */
+/* Applies the function f of doubles to an argument. If the argument is the exact integer `at`, the result is the exact
+ * integer exact_value. */
 static vs_status function(vs_scheme *vm, const vs_value *a, double (*f)(double), int64_t at, int64_t exact_value,
                           vs_value *out) {
   double x;
@@ -36,8 +37,8 @@ static vs_status exp_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return (void)n, function(vm, a, exp, 0, 1, out);
 }
 
-/* Warns of an integer that is probably an angle in degrees, since few programs mean so many radians. Does not warn if
- * the same call had an argument from 1 to 6 before, as in a loop that counts. */
+/* Warns about an integer that is probably an angle in degrees, since programs seldom mean so many radians. Does not
+ * warn if this place of the program called with an integer from 1 to 6 before, as a loop that counts does. */
 static void suspect_degrees(vs_scheme *vm, const char *name, vs_value v) {
   if (!vs_is_fixnum(v) || !vm->config.suspect) return;
   int64_t x = vs_fixnum(v) < 0 ? -vs_fixnum(v) : vs_fixnum(v);
@@ -84,7 +85,8 @@ static bool integer_cbrt(vs_scheme *vm, vs_value n, vs_value *root) {
   double d;
   if (!vs_number_double(vm, r[0], &d)) return false;
   *root = VS_FALSE;
-  double c = round(cbrt(d));          /* below 10^15, cbrt is accurate to less than one half */
+  double c = round(cbrt(d));          /* below 10^15, cbrt is accurate to less than one half, so rounding finds the
+                                       * root */
   if (!(fabs(c) <= 1e15)) return true;
   vs_value guess = vs_fix((int64_t)c);
   if (!vs_fits_fixnum((int64_t)c)) return true;
@@ -153,7 +155,7 @@ static bool natural_log(vs_scheme *vm, const vs_value *a, int i, double *out) {
   if (!want_double(vm, a, i, &x)) return false;
   if (x < 0 || a[i] == vs_fix(0)) return vs_fail_type(vm, i, "positive", a[i]);
   if (vs_is_double(a[i]) || (x != 0 && isfinite(x))) return *out = log(x), true;
-  /* An exact number outside the range is scaled by a power of two. */
+  /* An exact number outside the range of doubles is scaled by a power of two. */
   VS_ROOTS(vm, r, 2);
   r[0] = vs_is_ratio(a[i]) ? vs_as_ratio(a[i])->num : a[i];
   r[1] = vs_is_ratio(a[i]) ? vs_as_ratio(a[i])->den : vs_fix(1);
@@ -208,8 +210,8 @@ static bool exact_power(vs_scheme *vm, vs_value base, vs_value exponent, vs_valu
   VS_ASSERT(vs_is_exact(base) && vs_is_exact_integer(exponent));
   r[0] = base;
   bool negative = vs_int_sign(exponent) < 0;
-  if (!vs_is_fixnum(exponent)) {                 /* beyond 2^47: only the bases 0, 1 and -1 have a representable
-                                                  * power */
+  if (!vs_is_fixnum(exponent)) {                 /* the exponent exceeds 2^47: only the bases 0, 1 and -1 have a power
+                                                  * that fits into memory */
     if (base == vs_fix(1)) return *out = base, true;
     if (base == vs_fix(-1)) return *out = vs_fix(vs_int_is_odd(exponent) ? -1 : 1), true;
     if (base == vs_fix(0) && !negative) return *out = base, true;
@@ -224,8 +226,8 @@ static bool exact_power(vs_scheme *vm, vs_value base, vs_value exponent, vs_valu
   return vs_number_lowest(vm, r[negative ? 2 : 1], r[negative ? 1 : 2], out);
 }
 
-/* Sets *out to the exact k-th root of an exact integer >= 0. Sets it to #f if there is none, or doubles are too
- * inaccurate to find it. */
+/* Sets *out to the exact k-th root of an exact integer >= 0. Sets it to #f if there is no such root, or if doubles are
+ * too inaccurate to find it. */
 static bool exact_root(vs_scheme *vm, vs_value x, int64_t k, vs_value *out) {
   VS_ROOTS(vm, r, 3);
   VS_ASSERT(vs_is_exact_integer(x) && vs_int_sign(x) >= 0 && k > 0);
@@ -268,9 +270,8 @@ static vs_status expt(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
     if (r[0] != VS_FALSE && r[1] != VS_FALSE)
       return vs_number_ratio(vm, r[0], r[1], &r[0]) && exact_power(vm, r[0], vs_as_ratio(a[1])->num, out);
   }
-  if (vs_is_exact(a[0]) && (isinf(x) || (x == 0 && a[0] != vs_fix(0))) && isfinite(y)) {       /* the base is outside
-                                                                                                * the range of
-                                                                                                * doubles */
+  /* the exact base is outside the range of doubles: uses logarithms */
+  if (vs_is_exact(a[0]) && (isinf(x) || (x == 0 && a[0] != vs_fix(0))) && isfinite(y)) {
     double l;
     if (!natural_log(vm, a, 0, &l)) return VS_ERROR;
     *out = vs_flonum(exp(l * y));

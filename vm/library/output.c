@@ -104,7 +104,8 @@ static vs_status write_bytevector(vs_scheme *vm, vs_value *a, int n, vs_value *o
   int64_t length = (int64_t)vs_as_bytes(a[0])->length, start = 0, end = length;
   if ((n > 3 && !vs_arg_index(vm, a, 3, 0, length, &end)) || (n > 2 && !vs_arg_index(vm, a, 2, 0, end, &start)))
     return VS_ERROR;
-  vs_text t;                                      /* copied, since the port may allocate, and bytevectors move */
+  vs_text t;                                      /* copies the bytes, since writing to the port may allocate, which
+                                                   * moves bytevectors */
   vs_text_open(vm, &t, 0);
   return flush_text(vm, port, &t, vs_text_put(&t, (const char *)vs_as_bytes(a[0])->at + start, (size_t)(end - start)));
 }
@@ -116,7 +117,8 @@ typedef struct { int64_t width, decimals; uint32_t pad; bool before; } format_fi
 
 enum { WIDEST = 10000, MOST_DECIMALS = 100 };
 
-/* Reads a number or 'c at position *i of the control string. Returns false if there is none. */
+/* Reads a number or 'c (a padding character) at position *i of the control string. Returns false if there is
+ * neither. */
 static bool format_parameter(vs_value control, size_t *i, size_t length, int64_t *number, uint32_t *pad) {
   if (*i + 1 < length && vs_string_at(control, *i) == '\'') {
     *pad = vs_string_at(control, *i + 1);
@@ -166,7 +168,7 @@ static bool format_number(vs_scheme *vm, vs_value v, char directive, const forma
   return vs_number_print(vm, v, directive == 'b' ? 2 : directive == 'o' ? 8 : 16, t);
 }
 
-/* Appends a[control] with its directives replaced by the arguments after it. */
+/* Appends the control string a[control] to t; its directives are replaced by the arguments after it. */
 bool vs_format(vs_scheme *vm, const vs_value *a, int control, int n, vs_text *t) {
   size_t length = vs_as_string(a[control])->length;
   int next = control + 1;
@@ -204,7 +206,7 @@ bool vs_format(vs_scheme *vm, const vs_value *a, int control, int n, vs_text *t)
     bool number = strchr("boxef", d) != NULL;
     bool ok = number ? format_number(vm, v, d, &field, to)
                      : vs_print(vm, v, d == 'a' || d == 'd' || d == 'c' ? VS_PRINT_DISPLAY : VS_PRINT_WRITE, to);
-    /* Aligns numbers to the right and other values to the left; the reverse with @. */
+    /* Aligns numbers to the right and other values to the left; with @, the opposite sides. */
     if (ok && to == &own) {
       int64_t shown = 0;
       for (size_t k = 0; k < own.count; k++) shown += ((unsigned char)own.at[k] & 0xC0) != 0x80;
@@ -288,7 +290,7 @@ static bool want_collector(vs_scheme *vm, const vs_value *a, uint32_t kind, cons
 static vs_status get_output_string(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!want_collector(vm, a, 0, "a port from open-output-string")) return VS_ERROR;
-  vs_text t;                                      /* copied, since creating the string may move the buffer */
+  vs_text t;                                      /* copies the text, since creating the string may move the buffer */
   vs_text_open(vm, &t, 0);
   const vs_port *p = vs_as_port(a[0]);
   bool ok = (p->position == 0 || vs_text_put(&t, (const char *)vs_as_bytes(p->buffer)->at, p->position)) &&

@@ -71,7 +71,8 @@ static bool fail_file(vs_scheme *vm, const char *what, const char *path, const c
                  why ? why : "not available here");
 }
 
-/* Reads the stream to its end, into BYTES of at least that length. Sets *count to the number of bytes read. */
+/* Reads the stream to its end into a new BYTES object, which may be longer than the data. Sets *count to the number of
+ * bytes read. */
 static bool read_stream(vs_scheme *vm, int64_t stream, const char *path, vs_value *out, size_t *count) {
   const vs_io *io = vm->config.io;
   vs_text t;
@@ -152,7 +153,7 @@ bool vs_port_close(vs_scheme *vm, vs_value port) {
 /* ---- writing ---- */
 
 static bool collect(vs_scheme *vm, vs_value port, const char *bytes, size_t n) {
-  if (n == 0) return true; /* without data there may be no buffer */
+  if (n == 0) return true; /* an empty port may have no buffer */
   VS_ROOTS(vm, r, 2);
   r[0] = port;
   vs_port *p = vs_as_port(port);
@@ -173,7 +174,8 @@ bool vs_port_write(vs_scheme *vm, vs_value port, const char *bytes, size_t n) {
   vs_port *p = vs_as_port(port);
   if (n == 0) return true;
   if (!(p->flags & VS_PORT_BINARY) || p->host >= 0) {
-    const char *end = NULL;                       /* updates the column, for fresh-line */
+    const char *end = NULL;                       /* end: last line end in the text, by which the port's column is
+                                                   * updated for fresh-line */
     for (size_t i = n; i-- > 0 && !end;)
       if (bytes[i] == '\n') end = bytes + i;
     p->col = (uint32_t)(end ? 1 + (size_t)(bytes + n - end - 1) : p->col + n);
@@ -192,7 +194,7 @@ bool vs_port_write(vs_scheme *vm, vs_value port, const char *bytes, size_t n) {
 
 /* ---- reading ---- */
 
-/* Reads more data from the console. Sets *any if there were some. */
+/* Reads more data from the console. Sets *any to true if there were data. */
 static bool refill(vs_scheme *vm, vs_value port, bool *any) {
   *any = false;
   vs_port *p = vs_as_port(port);
@@ -204,8 +206,8 @@ static bool refill(vs_scheme *vm, vs_value port, bool *any) {
   if (n == 0) return true;
   VS_ROOTS(vm, r, 2);
   r[0] = port;
-  size_t left = (size_t)(p->limit - p->position);                    /* bytes not yet read: the start of a character, or
-                                                                      * of a datum that was peeked */
+  /* left: number of bytes not yet read: an incomplete character, or a datum that was only peeked at */
+  size_t left = (size_t)(p->limit - p->position);
   if (!vs_make_bytes(vm, left + (size_t)n, &r[1])) return false;
   p = vs_as_port(r[0]);
   if (left) memcpy(vs_as_bytes(r[1])->at, vs_as_bytes(p->buffer)->at + p->position, left);
@@ -228,7 +230,7 @@ bool vs_port_fill(vs_scheme *vm, vs_value port, size_t wanted, const uint8_t **a
   return true;
 }
 
-/* Sets *c to the next character, or to -1 at the end, and *used to its length in bytes. */
+/* Sets *c to the next character without advancing, or to -1 at the end, and *used to its length in bytes. */
 static bool look(vs_scheme *vm, vs_value *port, int32_t *c, size_t *used) {
   const uint8_t *at;
   size_t count;

@@ -12,24 +12,24 @@
 typedef enum { VS_IO_READ, VS_IO_WRITE, VS_IO_APPEND } vs_io_mode;
 enum { VS_IO_STDIN = 0, VS_IO_STDOUT = 1, VS_IO_STDERR = 2 };       /* numbers of the streams that are always open */
 
-/* Functions of the host. Any may be NULL; procedures that need it then fail with "not available here". */
-/* The text of *why if memory, not the file, is the cause of a failure. */
+/* Functions of the host. Any of them may be NULL; a procedure that needs it then fails with "not available here". */
+/* Text of *why if a function fails because memory is out, and not because of the file. */
 #define VS_IO_NO_MEMORY "out of memory"
 
 typedef struct vs_io {
-  /* Returns the number of a stream, above 2. If it fails, returns -1 and sets *why ("no such file"), valid until the
-   * next call. */
+  /* Opens a file and returns the number of a stream, above 2. If it fails, returns -1 and sets *why, such as "no such
+   * file", valid until the next call. */
   int64_t (*open)(void *user, const char *path, vs_io_mode mode, const char **why);
-  ptrdiff_t (*read)(void *user, int64_t stream, void *to, size_t room);      /* Returns the number of bytes read, 0 at
-                                                                              * the end, -1 on failure. */
+  /* Returns the number of bytes read, 0 at the end of the stream, -1 on failure. */
+  ptrdiff_t (*read)(void *user, int64_t stream, void *to, size_t room);
   bool (*write)(void *user, int64_t stream, const char *bytes, size_t n);
   bool (*flush)(void *user, int64_t stream);
-  /* Returns false if the data could not be written completely. */
+  /* Closes a stream. Returns false if its data could not be written completely. */
   bool (*close)(void *user, int64_t stream);
   bool (*exists)(void *user, const char *path);
   bool (*remove)(void *user, const char *path, const char **why);
-  /* Calls `take` with each name in the folder, except . and .. . Returns false if it fails, and sets *why. Also returns
-   * false, with *why unchanged, if `take` does. */
+  /* Calls `take` with each name in the folder, except . and .. . If it fails, returns false and sets *why. If `take`
+   * returns false, also returns false, with *why unchanged. */
   bool (*list)(void *user, const char *path, bool (*take)(void *context, const char *name, size_t length),
                void *context, const char **why);
   double (*now)(void *user);                                                 /* returns seconds since 1970 */
@@ -40,7 +40,7 @@ typedef struct vs_io {
 
 enum {                       /* flags of a port */
   VS_PORT_INPUT = 1, VS_PORT_OUTPUT = 2, VS_PORT_BINARY = 4, VS_PORT_CLOSED = 8, VS_PORT_STRING = 16, VS_PORT_EOF = 32,
-  VS_PORT_FOLD = 64            /* whether #!fold-case was read */
+  VS_PORT_FOLD = 64            /* whether letters are converted to lower case, because #!fold-case was read */
 };
 
 bool vs_port_open_file(vs_scheme *vm, vs_value path, vs_io_mode mode, uint32_t flags, vs_value *out);
@@ -52,8 +52,8 @@ bool vs_port_write(vs_scheme *vm, vs_value port, const char *bytes, size_t n);
 /* Sets *c to the next code point, or to -1 at the end. */
 bool vs_port_read_char(vs_scheme *vm, vs_value port, int32_t *c);
 bool vs_port_peek_char(vs_scheme *vm, vs_value port, int32_t *c);
-/* Sets *at and *count to the available bytes, at least `wanted` if there are so many. The bytes remain in the port
- * until the caller advances its `position`. */
+/* Sets *at and *count to the available bytes: at least `wanted`, unless the port's data end before. The bytes remain in
+ * the port until the caller advances its `position`. */
 bool vs_port_fill(vs_scheme *vm, vs_value port, size_t wanted, const uint8_t **at, size_t *count);
 bool vs_port_close(vs_scheme *vm, vs_value port);
 /* Sets *out to the parameter object of the current input (0), output (1) or error port (2). */
@@ -61,15 +61,17 @@ bool vs_port_parameter(vs_scheme *vm, int stream, vs_value *out);
 /* Returns true if v is allowed as the parameter's value: for the parameters of the current ports, a port of the right
  * direction; for others any value. */
 bool vs_port_parameter_fits(const vs_scheme *vm, vs_value parameter, vs_value v);
-/* Return the current ports: the values of their parameters or, before these exist, the standard ports. */
+/* These functions return the current ports: the values of their parameter objects or, before these exist, the standard
+ * ports. */
 vs_value vs_port_current_output(vs_scheme *vm);
 vs_value vs_port_current_input(vs_scheme *vm);
 
-/* Creates the three standard ports and their parameters (vm->at.standard_..., vm->at.lib) if they do not exist.
- * Procedures call it when they are first used. */
+/* Creates the three standard ports and their parameter objects (vm->at.standard_..., vm->at.lib) if they do not exist.
+ * Procedures of ports call it first. */
 bool vs_port_setup(vs_scheme *vm);
 
-/* Reads a file into BYTES, counted by the limits; an error names the file. Used by load, include and ports. */
+/* Reads a file into a BYTES object, which counts for the memory limit; an error names the file. Used by load, include
+ * and ports. */
 bool vs_io_read_file(vs_scheme *vm, const char *path, vs_value *out);
 
 #endif

@@ -4,10 +4,10 @@
 
 #include "vm/values/text.h"
 
-/* Appends "; (import (scheme write)) brings it" to t if a built-in or shipped library exports the name. syntax: a
- * shipped library counts only if the name is syntax there, such as match of (match). */
+/* Appends "; (import (scheme write)) brings it" to t if a library that vs contains exports the name. syntax: a library
+ * counts only if it defines the name as syntax, as (match) does for match. */
 bool vs_library_advice(vs_scheme *vm, vs_value symbol, bool syntax, vs_text *t);
-/* Find a library of libraries.def, or the complete library. */
+/* vs_library_built_in sets *env to the environment of a library of libraries.def, or of the complete library. */
 bool vs_library_built_in(vs_scheme *vm, vs_value name, vs_value *env);
 bool vs_library_is_built_in(vs_value name);
 /* Calls each(vm, context, n) for every (srfi n) that exists, until it returns false. */

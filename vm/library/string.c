@@ -1,9 +1,9 @@
 /* Implements the procedures of strings and symbols that have no procedure arguments.
  *
- * The characters of a string are in a BYTES store. Each takes one byte while all are below U+0100, else four
- * (vm/values/string_chars.h). string-ref therefore takes constant time, and string-set! may once convert the store.
- * Procedures that build text of unknown width use a vs_text (UTF-8), and convert it to a string at the end. If the
- * length is known, they write into the string. Case and categories are those of utf8proc. */
+ * The characters of a string are in a BYTES object, the store. Each takes one byte while all are below U+0100, else
+ * four (vm/values/string_chars.h). string-ref therefore takes constant time, and string-set! may once convert the
+ * store. Procedures that build text of unknown width use a vs_text (UTF-8), and convert it to a string at the end. If
+ * the length is known, they write into the string. Case and categories of characters are those of utf8proc. */
 #include "vm/library/string.h"
 
 #include "vm/machine/fail.h"
@@ -27,8 +27,8 @@ static bool arg_mutable(vs_scheme *vm, const vs_value *a, int arg) {
 }
 static int64_t length_of(vs_value s) { return vs_as_string(s)->length; }
 
-/* Returns the greatest code point of the characters start..end, or 0 if there are none. For a string of one-byte
- * characters, returns 0xFF. */
+/* Returns the greatest code point of the characters from start to end - 1, or 0 if there are none. For a string of
+ * one-byte characters, returns 0xFF. */
 static uint32_t widest_of(vs_value s, size_t start, size_t end) {
   uint32_t widest = 0;
   VS_ASSERT(start <= end && end <= vs_as_string(s)->length);
@@ -80,7 +80,7 @@ bool vs_string_slice(vs_scheme *vm, const vs_value *s, size_t start, size_t end,
 
 int vs_string_compare(vs_value a, vs_value b) {
   size_t n = vs_as_string(a)->length, m = vs_as_string(b)->length;
-  /* With one byte for each character, memcmp compares by code points. */
+  /* If both strings have one byte for each character, memcmp compares them by code points. */
   if (!((vs_object_of(a)->flags | vs_object_of(b)->flags) & VS_F_WIDE)) {
     int order = memcmp(vs_as_bytes(vs_as_string(a)->store)->at, vs_as_bytes(vs_as_string(b)->store)->at, n < m ? n : m);
     return order ? (order < 0 ? -1 : 1) : n < m ? -1 : n > m;
@@ -295,8 +295,8 @@ VS_ORDERS(O)
 
 /* ---- upper and lower case ---- */
 
-/* These are Unicode's properties Cased and Case_Ignorable, which define the end of a word. A mark, an apostrophe or a
- * full stop after a letter does not end a word. */
+/* is_cased and is_case_ignorable test Unicode's properties Cased and Case_Ignorable, which define the end of a word. A
+ * mark, an apostrophe or a full stop after a letter does not end a word. */
 static bool is_cased(uint32_t c) {
   utf8proc_category_t k = utf8proc_category((utf8proc_int32_t)c);
   return k >= UTF8PROC_CATEGORY_LU && k <= UTF8PROC_CATEGORY_LT;
@@ -321,9 +321,9 @@ static bool ends_word(vs_value s, size_t i) {
   return before > 0 && is_cased(vs_string_at(s, before - 1)) && !(after < length && is_cased(vs_string_at(s, after)));
 }
 
-/* Appends the upper case of a character. A letter other than a capital whose full case folding has several characters
- * (ß, the ligature ff, j with a caron) becomes the upper case of those. This agrees with the unconditional rows of
- * Unicode's SpecialCasing. */
+/* Appends the upper case of a character to t. If the full case folding of a letter has several characters (ß, the
+ * ligature ff, j with a caron), appends the upper case of these characters, unless the letter is a capital. This agrees
+ * with the unconditional rows of Unicode's SpecialCasing. */
 static bool put_capitals(vs_text *t, uint32_t c) {
   utf8proc_int32_t folded[8];
   utf8proc_ssize_t m = c < 0x80 || utf8proc_category((utf8proc_int32_t)c) == UTF8PROC_CATEGORY_LU
@@ -376,9 +376,9 @@ static vs_status string_foldcase(vs_scheme *vm, vs_value *a, int n, vs_value *ou
 
 /* ---- searching in strings ---- */
 
-/* The text to search. border[i] is the length of the longest proper prefix of its first i + 1 characters that is
- * also their suffix. With it, no character is compared again (Knuth, Morris and Pratt). `border` is NULL for one
- * character. */
+/* A text to search for, and a table. border[i] is the length of the longest proper prefix of the text's first i + 1
+ * characters that is also their suffix. With the table, no character of the searched string is compared again (Knuth,
+ * Morris and Pratt). `border` is NULL for a text of one character. */
 typedef struct { uint32_t *border; int64_t length; } needle;
 
 static bool needle_open(vs_scheme *vm, vs_value text, needle *d) {
@@ -402,7 +402,7 @@ static void needle_close(vs_scheme *vm, needle *d) {
   d->border = NULL;
 }
 
-/* Sets *at to the first position, not before `from`, at which s contains the text, or to -1. */
+/* Sets *at to the first position, not before `from`, at which the string s contains the text, or to -1. */
 static bool find_from(vs_scheme *vm, vs_value s, vs_value text, const needle *d, int64_t from, int64_t *at) {
   int64_t n = length_of(s), k = 0;
   VS_ASSERT(from >= 0);
@@ -417,7 +417,7 @@ static bool find_from(vs_scheme *vm, vs_value s, vs_value text, const needle *d,
   return true;
 }
 
-/* Searches once: prepares the text, searches, and frees the table. */
+/* Searches for a text once: makes its table, searches, and frees the table. */
 static bool find_once(vs_scheme *vm, vs_value s, vs_value text, int64_t from, int64_t *at) {
   needle d;
   bool ok = needle_open(vm, text, &d) && find_from(vm, s, text, &d, from, at);
@@ -467,7 +467,7 @@ static vs_status string_join(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (vs_list_length(a[0]) < 0) return vs_fail_type(vm, 0, "a list of strings", a[0]);
   if (n > 1 && !arg_string(vm, a, 1)) return VS_ERROR;
   vs_text t;
-  VS_ROOTS(vm, r, 1); /* root: the strings not yet joined, which vs_poll may move */
+  VS_ROOTS(vm, r, 1); /* a root of the garbage collector: the strings not yet joined, which vs_poll may move */
   vs_text_open(vm, &t, 0);
   bool ok = true, first = true;
   for (r[0] = a[0]; ok && vs_is_pair(r[0]); r[0] = vs_cdr(r[0]), first = false) {
@@ -485,10 +485,11 @@ static bool is_space(uint32_t c) {
          (c > 0xFF && utf8proc_category((utf8proc_int32_t)c) == UTF8PROC_CATEGORY_ZS);
 }
 
-/* Splits a string at each separator. Without a separator, splits at runs of blanks, and ignores blanks at the ends. */
+/* Splits a string at each separator. Without a separator, splits at sequences of blanks, and ignores blanks at both
+ * ends. */
 static vs_status string_split(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   if (!arg_string(vm, a, 0)) return VS_ERROR;
-  VS_ROOTS(vm, r, 3); /* roots: first pair, last pair, the piece */
+  VS_ROOTS(vm, r, 3); /* roots of the garbage collector: first pair, last pair, the piece */
   r[0] = r[1] = VS_NIL;
   int64_t length = length_of(a[0]), start = 0;
   bool blanks = n < 2;
@@ -630,7 +631,7 @@ static vs_status symbol_equal_p(vs_scheme *vm, vs_value *a, int n, vs_value *out
 static vs_status symbol_to_string(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   if (!arg_symbol(vm, a, 0)) return VS_ERROR;
-  vs_text t; /* copied, since creating the string may move the symbol */
+  vs_text t; /* copies the name, since creating the string may move the symbol */
   vs_text_open(vm, &t, 0);
   bool ok = vs_text_put(&t, vs_as_symbol(a[0])->name, vs_as_symbol(a[0])->length) && vs_text_to_string(&t, out);
   vs_text_close(&t);

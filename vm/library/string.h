@@ -4,12 +4,13 @@
 
 #include "vm/values/value.h"
 
-/* Sets character k, as vs_string_put does, after converting the string to four bytes for each character if that is
- * necessary. *s is a root. Returns false when memory is out. */
+/* Sets character k, as vs_string_put does. If c needs it, first converts the string to four bytes for each character.
+ * *s is a root of the garbage collector. Returns false when memory is out. */
 bool vs_string_set(vs_scheme *vm, vs_value *s, size_t k, uint32_t c);
-/* Sets *out to a new string of the characters start..end of *s, a root. */
+/* Sets *out to a new string of the characters start to end - 1 of *s, which is a root of the garbage collector. */
 bool vs_string_slice(vs_scheme *vm, const vs_value *s, size_t start, size_t end, vs_value *out);
-/* Returns a number below, equal to or above 0: compares by code points. */
+/* Compares two strings by code points. Returns a number below 0, 0, or above 0 if a is less than, equal to or greater
+ * than b. */
 int vs_string_compare(vs_value a, vs_value b);
 
 #endif

@@ -14,7 +14,7 @@
 #include "vm/numbers/number_text.h"
 #include "vm/values/heap.h"
 
-enum { FIRST_SEED = 1, RANDOM_BYTES = 40 /* RANDOM_BYTES: size of the state: four words, and the seed */ };
+enum { FIRST_SEED = 1, RANDOM_BYTES = 40 /* RANDOM_BYTES: size of the generator's state: four words, and the seed */ };
 
 /* ---- random numbers ---- */
 
@@ -81,14 +81,15 @@ static bool random_below(vs_scheme *vm, vs_value n, vs_value *out) {
   uint64_t *s = random_state(vm);
   VS_ASSERT(vs_is_exact_integer(n) && vs_int_sign(n) > 0);
   if (!s) return false;
-  if (vs_is_fixnum(n)) {                          /* values not below the greatest multiple of n are rejected, so that
-                                                   * there is no bias */
+  if (vs_is_fixnum(n)) {                          /* rejects values from the greatest multiple of n on, so that all
+                                                   * remainders are equally likely */
     uint64_t bound = (uint64_t)vs_fixnum(n), least = (0 - bound) % bound, x;
     do x = random_next(s);
     while (x < least);
     return *out = vs_fix((int64_t)(x % bound)), true;
   }
-  /* A bignum: a random number 64 bits longer than n, modulo n. Its bias is below 2^-64. */
+  /* n is a bignum: the result is a random number 64 bits longer than n, modulo n. Its deviation from equal probability
+   * is below 2^-64. */
   VS_ROOTS(vm, r, 3);
   r[0] = n;
   r[1] = vs_fix(0);
@@ -142,8 +143,8 @@ static vs_status random_seed(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return VS_OK;
 }
 
-/* (%random-state): returns a copy of the generator's state, which (%random-state! copy) restores. A state of zeros,
- * which would never change, is refused. */
+/* (%random-state): returns a copy of the generator's state, which (%random-state! copy) restores. (%random-state! copy)
+ * refuses a state of zeros, which would never change. */
 static vs_status random_copy(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)a, (void)n;
   VS_ROOTS(vm, r, 1);

@@ -24,7 +24,7 @@ static bool arg_mutable(vs_scheme *vm, const vs_value *a, int arg, int type) {
 
 static int64_t vector_length(vs_value v) { return (int64_t)vs_as_vector(v)->length; }
 
-/* Sets *out to a new vector of the elements start..end of *from, a root. */
+/* Sets *out to a new vector of the elements start to end - 1 of *from, which is a root of the garbage collector. */
 static bool vector_slice(vs_scheme *vm, const vs_value *from, int64_t start, int64_t end, vs_value *out) {
   VS_ASSERT(0 <= start && start <= end && end <= (int64_t)vs_as_vector(*from)->length);
   if (!vs_make_vector(vm, (size_t)(end - start), VS_FALSE, out)) return false;
@@ -315,7 +315,7 @@ static vs_status utf8_to_string(vs_scheme *vm, vs_value *a, int n, vs_value *out
     if (!used) return vs_fail(vm, vm->sym.range, "the bytes are not UTF-8 from index %lld on", (long long)i);
     i += (int64_t)used;
   }
-  vs_text_open(vm, &t, 0); /* copied, since creating the string may move the bytes */
+  vs_text_open(vm, &t, 0); /* copies the bytes, since creating the string may move them */
   bool ok =
       vs_text_put(&t, (const char *)vs_as_bytes(a[0])->at + start, (size_t)(end - start)) && vs_text_to_string(&t, out);
   vs_text_close(&t);

@@ -1,4 +1,5 @@
-/* Moves activations between the working stretch of the stack and the heap, and walks over them for the call chain. */
+/* Moves activations (frames of running calls) between the working part of the stack and the heap, and walks over them
+ * for error messages. */
 #include "vm/machine/activation.h"
 
 #include "vm/compiler/code.h"
@@ -7,10 +8,12 @@
 #include "vm/machine/native.h"
 #include "vm/front/source.h"
 
-/* A walk over activations, innermost first. It contains addresses, so that nothing may allocate during it. */
+/* A walk over activations, innermost first. It contains addresses, so nothing may allocate Scheme objects while it is
+ * used. */
 struct walk { const vs_value *base; vs_value under; uint64_t depth; bool force; };
 
-/* Goes to the caller. Sets *pc to that of the call. Returns false at the end. */
+/* Goes to the caller's activation. Sets *pc to that of the call in the caller. Returns false at the end of the
+ * stack. */
 static bool walk_up(struct walk *w, size_t *pc, bool *native) {
   vs_value ret = w->base[-1];
   if (ret & VS_RET_STOP) return false;
@@ -35,9 +38,9 @@ static bool walk_up(struct walk *w, size_t *pc, bool *native) {
 struct link { vs_value name; vs_pos place; const vs_value *base; size_t pc; bool gap;
     /* whether calls between this activation and the previous one ended with tail calls and left no activations */ };
 
-/* Returns true if the procedure called before pc is not the one that is running above: it, or a later one, has ended
- * with a tail call. Tests only calls by global names of the program. For others, the called value is lost; tail calls
- * inside the library would not help users. */
+/* Returns true if the procedure that the instruction before pc calls is not `running`, the one that runs above: the
+ * called procedure, or one that it called, has ended with a tail call. Tests only calls by global names of the program.
+ * For other calls, the called value is lost; tail calls inside the library would not help users. */
 static bool ended_in_tail_call(const vs_code *code, size_t pc, vs_value running) {
   const uint32_t *ins = vs_code_ins(code);
   if (pc < 2 || (ins[pc - 2] & 255) != VS_O_CALLG || ins[pc - 1] >= vs_as_vector(code->consts)->length ||
@@ -75,8 +78,8 @@ static size_t chain(vs_scheme *vm, struct link *at, size_t max) {
   return count;
 }
 
-/* Called when memory is out. Makes the window w the innermost activation, so that the call chain of the error begins
- * with its caller. Returns NULL. */
+/* Called when memory is out. Makes the call whose registers begin at w the innermost activation, so that the call chain
+ * of the error begins with its caller. Returns NULL. */
 static vs_value *flush_failed(vs_scheme *vm, vs_value *w) {
   vm->base = w + 2;
   vm->pc = NULL;
@@ -164,15 +167,15 @@ bool vs_call_chain(vs_scheme *vm, size_t max, vs_value *out) {
   size_t n = chain(vm, at, max < MOST ? max : MOST);
   VS_ROOTS(vm, r, 2);
   r[0] = VS_NIL;
-  while (n--)        /* names are symbols, which do not move */
+  while (n--)        /* writes names, which are symbols and do not move */
     if (!vs_cons(vm, at[n].name, vs_fix((int64_t)at[n].place), &r[1]) || !vs_cons(vm, r[1], r[0], &r[0]) ||
         (at[n].gap && (!vs_cons(vm, VS_TRUE, vs_fix(0), &r[1]) || !vs_cons(vm, r[1], r[0], &r[0])))) return false;
   *out = r[0];
   return true;
 }
 
-/* Adds a variable of a call, if there is room. If several have one name, the innermost is shown, and captured ones only
- * if there is no other. */
+/* Adds a variable of a call to the vector v, if there is room. If several variables have one name, the innermost is
+ * shown; a captured variable is shown only if no other has its name. */
 static void note_variable(vs_scheme *vm, vs_vector *v, vs_value *call, vs_value name, vs_value x, bool captured) {
   if (vs_is(x, VS_T_BOX)) x = vs_as_box(x)->value; /* an assigned variable is in a box */
   if (!vs_is_symbol(name) || x == VS_UNDEFINED || x == VS_ABSENT || vs_is(x, VS_T_STACK)) return;
@@ -183,9 +186,9 @@ static void note_variable(vs_scheme *vm, vs_vector *v, vs_value *call, vs_value 
   vs_gc_store(vm, v, &to[1], x);
 }
 
-/* Sets *out to a vector of VS_CALL_WORDS elements for each call, innermost first. They are: the procedure, its place as
- * a fixnum, then names and values of variables (parameters, those of let, do and definitions, captured ones). The name
- * #f ends them. If the register of a parameter was reused, its value is another. */
+/* Sets *out to a vector with VS_CALL_WORDS elements for each call, innermost first: the procedure, the place as a
+ * fixnum, then names and values of variables (parameters, those of let, do and definitions, captured ones). The name #f
+ * ends them. If the register of a parameter was used again, the value is that of the later variable. */
 bool vs_call_variables(vs_scheme *vm, vs_value *out) {
   enum { MOST = 24 };
   struct link at[MOST];
@@ -259,7 +262,7 @@ uint64_t vs_call_key(vs_scheme *vm, size_t max) {
     vs_value ret = w.base[-1];
     if (w.force || ret & VS_RET_FLAGS) {
       up = walk_up(&w, &pc, &native);
-    } else { /* most returns are of this kind, which needs no function call */
+    } else { /* most returns go to compiled code in the working part of the stack, and need no function call */
       pc = vs_ret_pc(ret);
       native = false;
       w.base -= vs_ret_distance(ret) + 2;

@@ -1,32 +1,34 @@
-/* Declares the layout of activations on the stack, which the run loop and control procedures share, and the chain of
- * running calls.
+/* Declares the layout of activations (frames of running calls) on the stack, which the run loop and control procedures
+ * share, and the chain of running calls.
  *
  * In an activation, slot base[-2] is the procedure, base[-1] the return information, base[0...] arguments and
- * registers. The caller prepares a call in a window of its registers: procedure, a free slot, arguments. The window is
- * therefore at the callee's base - 2, and the result replaces the procedure. The return information is a fixnum: bits
- * 0..26 are the caller's pc, then flags, from bit 32 the distance of the window from the caller's base.
+ * registers. The caller prepares a call in a window, consecutive registers of its own: procedure, a free slot,
+ * arguments. The window is therefore at the callee's base - 2, and the result replaces the procedure. The return
+ * information is a fixnum: bits 0..26 are the caller's pc, then flags, from bit 32 the distance of the window from the
+ * caller's base.
  *
- * The working stretch of the stack begins with an activation. If this one has the flag UNDER, its caller is the last
- * activation in the STACK object vm->under below slot vm->under_depth. STACK objects never change: a return copies one
- * activation to the working stretch. */
+ * The working part of the stack begins with an activation. If this activation has the flag UNDER, its caller is the
+ * last activation in the STACK object vm->under below slot vm->under_depth. STACK objects never change: a return copies
+ * one activation to the working part. */
 #ifndef VS_VM_MACHINE_ACTIVATION_H
 #define VS_VM_MACHINE_ACTIVATION_H
 
 #include "vm/machine/vs.h"
 
-#define VS_RET_EACH    UINT64_C(0x08000000)   /* Control returns to an instruction MORE, whose registers are below the
-                                               * window. The run loop may store the result there and call the procedure
-                                               * again at once */
+#define VS_RET_EACH    UINT64_C(0x08000000)   /* control returns to an instruction MORE, whose registers are below those
+                                               * of the call; the run loop may store the result there and call the
+                                               * procedure again at once */
 #define VS_RET_STOP    UINT64_C(0x10000000)   /* the call returns to the caller of vs_run */
 #define VS_RET_NATIVE  UINT64_C(0x20000000)   /* the caller is a native, which is entered again */
-#define VS_RET_GENERIC UINT64_C(0x40000000)   /* control returns to an inlined instruction, which names the register for
-                                               * the result */
+#define VS_RET_GENERIC UINT64_C(0x40000000)   /* control returns to an instruction that replaced a call of a native; it
+                                               * names the register for the result */
 #define VS_RET_UNDER   UINT64_C(0x80000000)
 #define VS_RET_FLAGS   UINT64_C(0xF8000000)
 enum { VS_ACTIVATION_SLACK = 300 };                /* number of slots above an activation's registers that may be
                                                     * written without a check */
 
-/* Returns the return information. The distance has 16 bits and the pc 27. */
+/* Returns the return information of a call. distance: from the caller's base to the registers of the call, 16 bits; pc:
+ * 27 bits. */
 static inline vs_value vs_ret_make(size_t distance, size_t pc) {
   VS_ASSERT(distance <= 0xFFFF && pc <= 0x07FFFFFF);
   return VS_TAG_FIXNUM << 48 | (uint64_t)distance << 32 | (uint64_t)pc;
@@ -34,31 +36,32 @@ static inline vs_value vs_ret_make(size_t distance, size_t pc) {
 static inline size_t vs_ret_distance(vs_value ret) { return (size_t)(ret >> 32 & 0xFFFF); }
 static inline size_t vs_ret_pc(vs_value ret) { return (size_t)(ret & 0x07FFFFFF); }
 
-/* Moves all activations below the window w, which has n arguments, into the heap. Moves the window to the start of the
- * working stretch, which then has room for `need` slots from w on. Returns the window's new address, or NULL when
- * memory is out. */
+/* Moves all activations below the window w (the registers of a call with n arguments) into the heap. Moves w to the
+ * start of the stack's working part, which then has room for `need` slots from w on. Returns the new address of w, or
+ * NULL when memory is out. */
 vs_value *vs_activation_flush(vs_scheme *vm, vs_value *w, size_t n, size_t need);
 
-/* Sets *out to the continuation of the window w, which has n arguments and its return information in slot 1. Moves the
- * window to the start of the working stretch, and vm->base with it. Returns false when memory is out; the activations
- * may then be in the heap. */
+/* Sets *out to the continuation of the call in the window w, which has n arguments and its return information in slot
+ * 1. Moves the window to the start of the stack's working part, and vm->base with it. Returns false when memory is out;
+ * the activations may then be in the heap. */
 bool vs_activation_capture(vs_scheme *vm, vs_value *w, size_t n, vs_value *out);
 
-/* Returns the number of slots below the working stretch, all in the heap. */
+/* Returns the number of stack slots below the working part, which are all in the heap. */
 static inline uint64_t vs_slots_below(const vs_scheme *vm) {
   const vs_stack *s = vs_is(vm->under, VS_T_STACK) ? vs_as_stack(vm->under) : NULL;
   return s ? s->total - s->count + vm->under_depth : 0;
 }
 
-/* Returns the level of the activation at base in the working stretch: the number of all slots below it. */
+/* Returns the level of the activation at base in the stack's working part: the number of all slots below it. */
 static inline uint64_t vs_activation_level(const vs_scheme *vm, const vs_value *base) {
   VS_ASSERT(base >= vm->stack && base <= vm->stack_end);
   return vs_slots_below(vm) + (uint64_t)(base - vm->stack);
 }
 
-/* Sets *out to the chain of the running calls, innermost first, at most `max`: a list of (name . place) pairs. The name
- * is a symbol or #f, the place a fixnum vs_pos. (#t . 0) before a pair means calls between that ended with tail calls
- * and left no activations. Used by natives such as `error`; conditions of vs_fail already have the chain. */
+/* Sets *out to the chain of the running calls, innermost first, at most `max`: a list of (name . place) pairs. The
+ * name is a symbol or #f, the place a fixnum vs_pos. (#t . 0) before a pair means calls between that ended with tail
+ * calls and left no activations. Used by natives such as `error`; error objects that vs_fail creates already have
+ * the chain. */
 bool vs_call_chain(vs_scheme *vm, size_t max, vs_value *out);
 /* Sets *out to the innermost calls with their variables, for vs_condition.calls (layout: activation.c). Returns false
  * when memory is out. */
@@ -71,8 +74,8 @@ size_t vs_call_places(vs_scheme *vm, vs_pos *place, size_t max);
 /* Returns a hash of the places of the running calls, faster than vs_call_places. The same calls have the same hash
  * until vm->collections changes. */
 uint64_t vs_call_key(vs_scheme *vm, size_t max);
-/* Calls `see` with each activation, innermost first, until it returns false: the procedure, its slots, and the current
- * place of a closure (0 for others). `see` must not allocate. */
+/* Calls `see` with each activation, innermost first, until `see` returns false: the procedure, its slots, and the
+ * current place of a closure (0 for other procedures). `see` must not allocate. */
 typedef bool vs_see_activation_fn(void *to, vs_value procedure, const vs_value *base, vs_pos place);
 void vs_see_activations(vs_scheme *vm, vs_see_activation_fn *see, void *to);
 /* Returns the place of the call of the running native. */

@@ -1,4 +1,4 @@
-/* Arranges the arguments of calls that differ from exactly the required ones. */
+/* Arranges the arguments of calls with optional, keyword or rest parameters, and reports wrong numbers of arguments. */
 #include "vm/machine/arguments.h"
 #include "vm/machine/signature.h"
 #include "vm/values/text.h"
@@ -55,8 +55,8 @@ static const char *want_native(const vs_native *native, wanted *w) {
   return want_end(w);
 }
 
-/* Adds the call, (callee argument ...), to the current error, for session/advice.c. Returns false, since the error is
- * set. */
+/* Adds the call, as a list (callee argument ...), to the current error, for session/advice.c. Returns false, since the
+ * error is set. */
 static bool keep_call(vs_scheme *vm, vs_value callee, const vs_value *a, size_t n) {
   VS_ROOTS(vm, r, 3);
   r[0] = vm->condition, r[1] = VS_NIL, r[2] = callee;
@@ -69,7 +69,8 @@ static bool keep_call(vs_scheme *vm, vs_value callee, const vs_value *a, size_t 
   return false;
 }
 
-/* Returns "; the others go by keyword: #:segments #:plane", for a call with too many positional arguments. */
+/* Returns a text such as "; the others go by keyword: #:segments #:plane", for a call with too many positional
+ * arguments. */
 static const char *want_keywords(const vs_value *names, size_t count, wanted *w) {
   for (size_t i = 0; i < count && w->used < sizeof w->text; i++) {
     const char *name = name_of(names[i]);
@@ -77,14 +78,14 @@ static const char *want_keywords(const vs_value *names, size_t count, wanted *w)
     else want(w, "#:", name, strlen(name), "");
   }
   if (!w->used || w->used >= sizeof w->text) return "";
-  return w->text + 2; /* without the parenthesis that begins a list of names */
+  return w->text + 2; /* skips the blank and the parenthesis that begin a list of names */
 }
 
 /* The arguments that a procedure accepts. */
 typedef struct {
   size_t min, max;          /* least and greatest number of positional arguments; SIZE_MAX: no limit */
   const char *names;        /* names of the required arguments, as text */
-  const vs_value *keywords; /* names of keywords, `count` symbols */
+  const vs_value *keywords; /* names of the procedure's keywords, `count` symbols */
   size_t count;
 } taken;
 
@@ -114,7 +115,7 @@ static bool fail_keyword(vs_scheme *vm, vs_value name, vs_value keyword, const v
   bool ok = vs_keyword_advice(name_of(keyword), &advice) && vs_text_end(&advice);
   const char *more = ok ? advice.at : "";
   if (!*there) vs_fail(vm, vm->sym.arity, "%s has no keyword #:%s%s", name_of(name), name_of(keyword), more);
-  /* without parentheses around the names */
+  /* prints the names without the parentheses around them */
   else vs_fail(vm, vm->sym.arity, "%s has no keyword #:%s; it has %.*s%s", name_of(name), name_of(keyword),
       (int)strlen(there) - 3, there + 2, more);
   vs_text_close(&advice);
@@ -181,7 +182,7 @@ bool vs_leaves_self(const vs_scheme *vm, vs_value f, vs_value kw) {
   return true;
 }
 
-/* Moves the values of the last `named` arguments, which are passed by keyword, to vm->call_args. */
+/* Moves the values of the last `named` arguments, which are passed by keyword, from the call to vm->call_args. */
 static bool stash(vs_scheme *vm, const vs_value *a, size_t n, size_t named) {
   VS_ASSERT(named <= n);
   vs_call_begin(vm, VS_FALSE);
@@ -190,7 +191,8 @@ static bool stash(vs_scheme *vm, const vs_value *a, size_t n, size_t named) {
   return true;
 }
 
-/* Moves the values that `stash` stored in vm->call_args to `at`, in the order of `names`, which are `count` symbols. */
+/* Moves the values that `stash` stored in vm->call_args to the array `at`, in the order of the parameters' `names`,
+ * which are `count` symbols. */
 static bool place(vs_scheme *vm, vs_value who, vs_value kw, const vs_value *names, size_t count, vs_value *at) {
   for (size_t i = 0; i < count; i++) at[i] = VS_ABSENT;
   const vs_keywords *k = kw == VS_FALSE ? NULL : vs_as_keywords(kw);
@@ -219,8 +221,8 @@ bool vs_arguments_closure(vs_scheme *vm, const vs_code *code, vs_value *a, size_
     return fail_count(vm, code->name, &t, given);
   }
   if (named && !code->keywords) return fail_keyword(vm, code->name, vs_as_keywords(kw)->name[0], NULL, 0);
-  bool self = named && code->keywords == 1 && names_self_alone(vm, kw); /* a call of a script's function with `this` and
-                                                                         * no other keyword */
+  bool self = named && code->keywords == 1 && names_self_alone(vm, kw); /* self: whether a function of a script is
+                                                                         * called with `this` and no other keyword */
   if (named && !self && !stash(vm, a, n, named)) return false;
   VS_ROOTS(vm, r, 2);
   r[0] = VS_NIL;

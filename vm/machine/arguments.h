@@ -8,13 +8,13 @@
  * with the names of the last values, or #f. The caller sets vm->top, base and pc. If it fails, sets the error and
  * returns false. */
 bool vs_arguments_closure(vs_scheme *vm, const vs_code *code, vs_value *a, size_t n, vs_value kw);
-/* Arranges the arguments of a native like vs_arguments_closure. Sets *given to the number of positional arguments, and
- * *total to the number of slots in use afterwards. */
+/* Arranges the arguments of a native as vs_arguments_closure does for a closure. Sets *given to the number of
+ * positional arguments, and *total to the number of slots in use afterwards. */
 bool vs_arguments_native(vs_scheme *vm, const vs_native *native, vs_value *a, size_t n, vs_value kw, size_t *given,
                          size_t *total);
 static inline bool vs_native_laid_out(const vs_native *n) { return n->def->slots > 0 || n->keywords != VS_FALSE; }
 /* Returns true if #:this is the only keyword of a call, and the procedure f has no such parameter: it is no function of
- * a script, or does not use `this`. The call then omits this value, which is the last argument. */
+ * a script, or does not use `this`. The call then omits the value of `this`, which is the last argument. */
 bool vs_leaves_self(const vs_scheme *vm, vs_value f, vs_value kw);
 /* Reports that no clause of a case-lambda accepts this number of arguments. Returns false. */
 bool vs_fail_clauses(vs_scheme *vm, const vs_case *c, size_t got);

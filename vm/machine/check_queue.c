@@ -7,8 +7,8 @@
 #include "vm/machine/native.h"
 #include "vm/values/heap.h"
 
-/* Adds a check to the queue. Arguments: form expression actual [expected [tolerance]]. While a check runs, a
- * continuation may reach other checks; these are refused, since running them might never end. */
+/* Adds a check to the queue. Arguments: form expression actual [expected [tolerance]]. A running check may reach other
+ * checks through a continuation; these are refused, since running them might never end. */
 static vs_status check_later(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   VS_ROOTS(vm, r, 2);
   vs_pos place = vs_call_place(vm);

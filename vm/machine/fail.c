@@ -1,4 +1,4 @@
-/* Implements the errors of natives: creates conditions with the texts of common errors. */
+/* Implements the errors of natives: creates error objects with the texts of common errors. */
 #include "vm/machine/fail.h"
 
 #include <stdarg.h>
@@ -57,8 +57,8 @@ static vs_status fail(vs_scheme *vm, vs_value kind, const vs_pos *place, vs_valu
   va_copy(again, list);
   int length = vsnprintf(text + used, sizeof text - (size_t)used, format, list);
   bool ok;
-  if (length >= 0 && (size_t)(used + length) >= sizeof text) {        /* the text is too long for the array, and is
-                                                                       * written again into allocated memory */
+  if (length >= 0 && (size_t)(used + length) >= sizeof text) {        /* the text is too long for the array: writes it
+                                                                       * again into allocated memory */
     size_t bytes = (size_t)used + (size_t)length + 1;
     char *more = vs_mem(vm, NULL, 0, bytes);
     ok = more != NULL;
@@ -118,7 +118,7 @@ vs_status vs_fail_type(vs_scheme *vm, int arg, const char *expected, vs_value go
   const char *noun = strncmp(expected, "a ", 2) == 0    ? expected + 2
                      : strncmp(expected, "an ", 3) == 0 ? expected + 3
                                                         : "";
-  /* avoids "pair must be a pair" */
+  /* avoids a message such as "pair must be a pair" */
   if (strcmp(name, noun) == 0) return vs_fail_with(vm, vm->sym.type, r[0], "expected %s, got", expected);
   return vs_fail_with(vm, vm->sym.type, r[0], "%s must be %s, got", name, expected);
 }

@@ -4,7 +4,7 @@
 
 #include "vm/values/value.h"
 
-/* Functions that describe the running calls for a new condition. activation.c, a layer above fail.c, implements
+/* Functions that describe the running calls for a new error object. activation.c, a layer above fail.c, implements
  * them. */
 typedef struct vs_traceback {
   bool (*chain)(vs_scheme *vm, size_t max, vs_value *out);    /* Sets *out to names and places of the running calls.

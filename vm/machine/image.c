@@ -1,12 +1,12 @@
 /* Writes and loads the heap image.
  *
- * Its layout in 64-bit words is: magic, sum of the native tables, words of objects, words of those that are natives,
- * then vm->sym, vm->at, and the objects in sequence, natives first. A pointer is the address of its object if the image
- * is at IMAGE_HOME. The `def` of a native is its number, counted through all tables.
+ * Its layout in 64-bit words is: magic number, sum of the native tables, words of objects, words of those that are
+ * natives, then vm->sym, vm->at, and the objects in sequence, natives first. A pointer is the address of its object if
+ * the image is mapped at IMAGE_HOME. The `def` of a native is its number, counted through all tables.
  *
  * Loading maps the image there (image_map), and writes only to the natives. If it cannot be mapped, it is copied, and
- * one pass over the traced words (vm/values/layout.h) adjusts the pointers: about a millisecond per megabyte. Tables
- * keyed by address are marked, so that their first use inserts every entry again. */
+ * one pass over the words that contain values (vm/values/layout.h) adjusts the pointers: about a millisecond per
+ * megabyte. Tables keyed by address are marked, so that their first use inserts every entry again. */
 #define _GNU_SOURCE
 #include "vm/machine/image.h"
 
@@ -29,9 +29,9 @@ enum {
   FIRST = 4, /* index of the first symbol */
   HEADER = FIRST + SYMBOLS + ANCHORS
 };
-/* The address for which the image is written: its pointers are valid if it is mapped there. It is below 2^39, the
- * smallest address space of 64-bit systems. It is above programs with fixed addresses and below libraries and
- * stacks. */
+/* The address for which the image is written: its pointers are valid if it is mapped there. The address is below 2^39,
+ * the smallest address space of 64-bit systems. Programs with fixed addresses are below it, libraries and stacks above
+ * it. */
 #define IMAGE_HOME UINT64_C(0x2000000000)
 #define OBJECTS_HOME (IMAGE_HOME + HEADER * 8)
 
@@ -55,8 +55,8 @@ static const vs_native_table *image_table(const vs_scheme *vm, size_t i) {
 }
 
 static uint64_t image_sum(const vs_scheme *vm) {
-  uint64_t sum = UINT64_C(14695981039346656037); /* FNV-1a hash of every name, and of the numbers of symbols and
-                                                  * anchors */
+  uint64_t sum = UINT64_C(14695981039346656037); /* sum: FNV-1a hash of the names of all natives, and of the numbers of
+                                                  * symbols and anchors */
   const vs_native_table *t;
   for (size_t i = 0; (t = image_table(vm, i)); i++)
     for (const vs_native_def *d = t->defs; d->name; d++)
@@ -94,7 +94,7 @@ static bool image_native_list(vs_scheme *vm, const vs_native_def ***list, size_t
   return true;
 }
 
-/* ---- writing: numbers the reachable objects breadth first, then writes them with new pointers ---- */
+/* ---- writing: numbers the reachable objects breadth first, then writes them with pointers for IMAGE_HOME ---- */
 
 struct place { const vs_object *o; uint64_t offset; };
 struct writer {
@@ -189,7 +189,8 @@ static bool writer_object(struct writer *w, const vs_object *o, uint64_t *copy) 
       return vs_fail(w->vm, w->vm->sym.internal, "a native of no table cannot be in the heap image");
     }
     ((vs_native *)(void *)h)->def = (const vs_native_def *)(uintptr_t)number;
-  } else if (o->type == VS_T_TABLE) { /* keys will have other addresses: the next use inserts every entry again */
+  } else if (o->type == VS_T_TABLE) { /* a table's keys will have other addresses: marks the table, so that its next use
+                                       * inserts every entry again */
     ((vs_table *)(void *)h)->young = 0;
     ((vs_table *)(void *)h)->epoch = UINT64_MAX;
   }
@@ -202,7 +203,7 @@ bool vs_image_write(vs_scheme *vm, bool (*put)(void *to, const uint64_t *words, 
                  *anchors = (const vs_value *)(const void *)&vm->at;
   uint64_t header[HEADER], *copy = NULL;
   size_t copy_words = 1;
-  vs_gc_major(vm); /* from here on no object moves, since vs_mem does not collect */
+  vs_gc_major(vm); /* from this line on no object moves, since vs_mem does not collect garbage */
   bool ok = true;
   for (size_t i = 0; ok && i < SYMBOLS; i++) ok = writer_reach(&w, symbols[i]);
   for (size_t i = 0; ok && i < ANCHORS; i++) ok = writer_reach(&w, anchors[i]);
@@ -236,10 +237,11 @@ bool vs_image_write(vs_scheme *vm, bool (*put)(void *to, const uint64_t *words, 
 /* ---- mapping a part of the program's file ---- */
 
 #if defined(__linux__) && UINTPTR_MAX == UINT64_MAX
-typedef struct { uintptr_t from, end; off_t offset; } wanted; /* offset in the file, or -1 if unknown */
+typedef struct { uintptr_t from, end; off_t offset; } wanted; /* from, end: addresses of the searched constant; offset:
+                                                               * its offset in the file, or -1 if unknown */
 
-/* Searches only the first module, which is the program. /proc/self/exe is the file that was started, while the name of
- * a library may now belong to a newer file. */
+/* Searches the first module only, which is the program itself. /proc/self/exe is the file that was started, while the
+ * name of a library may now refer to a newer file. */
 static int find_in_program(struct dl_phdr_info *module, size_t size, void *to) {
   wanted *w = to;
   (void)size;
@@ -253,15 +255,16 @@ static int find_in_program(struct dl_phdr_info *module, size_t size, void *to) {
 }
 
 /* Maps the image, a constant in the program's file, a second time at IMAGE_HOME. Writing there does not change the
- * file; unused pages cost neither time nor memory. Returns NULL if that fails, so that the image must be copied:
- * another interpreter of the process uses the address, the image is part of a shared library, or the system has no such
- * mapping. */
+ * file; unused pages cost neither time nor memory. Returns NULL if that is impossible, so that the image must be
+ * copied: another interpreter of the process uses the address, the image is part of a shared library, or the system has
+ * no such mapping. */
 static void *image_map(const void *image, size_t bytes) {
   wanted w = { (uintptr_t)image, (uintptr_t)image + bytes, -1 };
   dl_iterate_phdr(find_in_program, &w);
   int file = w.offset < 0 || w.offset % sysconf(_SC_PAGESIZE) ? -1 : open("/proc/self/exe", O_RDONLY | O_CLOEXEC);
   if (file < 0) return NULL;
-  void *home = (void *)(uintptr_t)IMAGE_HOME; /* a system without FIXED_NOREPLACE takes the address as a hint */
+  void *home = (void *)(uintptr_t)IMAGE_HOME; /* on a system without FIXED_NOREPLACE, mmap may choose another address
+                                               * than IMAGE_HOME */
   void *at = mmap(home, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_FIXED_NOREPLACE, file, w.offset);
   close(file);
   if (at == home) return at;
@@ -285,7 +288,8 @@ static void image_unmap(vs_scheme *vm, void *objects, size_t bytes) { (void)vm, 
 
 static void image_free(vs_scheme *vm, void *at, size_t bytes) { vs_mem(vm, at, bytes, 0); }
 
-/* Adjusts a pointer by the distance from IMAGE_HOME to the image's address. Addition keeps the tag. */
+/* Adds to a pointer the distance from IMAGE_HOME to the image's actual address. The addition does not change the
+ * tag. */
 static inline void image_relocate(vs_value *slot, uint64_t by) {
   if (vs_is_object(*slot)) *slot += by;
 }
@@ -300,8 +304,8 @@ static void image_relocate_all(char *at, size_t bytes, uint64_t by) {
   }
 }
 
-/* Returns true if this build has written the image. Reads the mapped words, since reading the constant would load its
- * pages, too. */
+/* Returns true if this build of vs has written the image. Reads the mapped words, since reading the constant would load
+ * its pages, too. */
 static bool image_fits(vs_scheme *vm, const uint64_t *words, size_t count) {
   return words[0] == MAGIC && words[1] == image_sum(vm) && count == HEADER + words[2];
 }

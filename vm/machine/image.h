@@ -1,9 +1,9 @@
 /* Declares the heap image: the state of an interpreter after its library was loaded, from which a later process starts.
  *
- * During the build, an interpreter writes the image; the program contains it as a constant array, and vs_open_vm loads
- * it. It contains all objects reachable from vm->sym and vm->at. Pointers are addresses at the place where it is
- * mapped. Natives are numbered in the order of their tables, so that the program must register the same tables in the
- * same order. A sum of their names checks this. */
+ * During the build of vs, an interpreter writes the image; the program vs contains it as a constant array, and
+ * vs_open_vm loads it. It contains all objects reachable from vm->sym and vm->at. Pointers are the addresses that are
+ * valid if the image is mapped at its intended address. Natives are numbered in the order of their tables, so the
+ * program must register the same tables in the same order. A sum of their names checks this. */
 #ifndef VS_VM_MACHINE_IMAGE_H
 #define VS_VM_MACHINE_IMAGE_H
 

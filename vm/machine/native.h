@@ -56,8 +56,8 @@ enum {
 typedef vs_status vs_native_fn(vs_scheme *vm, vs_value *a, int n, vs_value *out);
 
 typedef struct vs_native_def {
-  const char *name;          /* name of the procedure; several names, separated by blanks, define one procedure each,
-                              * whose errors show its own name */
+  const char *name;          /* name of the procedure. Several names, separated by blanks, define several procedures;
+                              * the errors of each show its own name */
   const char *signature;
   vs_native_fn *fn;
   int slots;
@@ -86,7 +86,8 @@ vs_status vs_tailcall(vs_scheme *vm, vs_value procedure, size_t n, const vs_valu
 void vs_call_begin(vs_scheme *vm, vs_value procedure);
 /* Adds an argument. call_count is at most call_room. */
 bool vs_call_push(vs_scheme *vm, vs_value v);
-/* Sets *out to n values; `at` points to roots or arguments. The run loop checks that the caller accepts that many. */
+/* Sets *out to n values; `at` points to roots of the garbage collector or to arguments. The run loop checks that the
+ * caller accepts so many values. */
 static inline vs_status vs_several(vs_scheme *vm, const vs_value *at, size_t n, vs_value *out) {
   return !vs_make_values(vm, at, n, out) ? VS_ERROR : n == 1 ? VS_OK : VS_SEVERAL;
 }
@@ -100,8 +101,8 @@ vs_value vs_parameter_value(const vs_scheme *vm, vs_value parameter);
 vs_status vs_fail_type(vs_scheme *vm, int arg, const char *expected, vs_value got);
 /* Sets the error "NAME: PARAM is out of range: VALUE, must be from LOW to HIGH" (HIGH inclusive). */
 vs_status vs_fail_range(vs_scheme *vm, int arg, vs_value got, int64_t low, int64_t high);
-/* Sets an error with a text in printf's format, after "NAME: " if a native is running. kind is vm->sym.error or the
- * like. */
+/* Sets an error with a text in printf's format, after "NAME: " if a native is running. kind is a symbol such as
+ * vm->sym.error. */
 vs_status vs_fail(vs_scheme *vm, vs_value kind, const char *format, ...) __attribute__((format(printf, 3, 4)));
 /* Sets an error as vs_fail does, with a list of irritants that is written after the text. */
 vs_status vs_fail_with(vs_scheme *vm, vs_value kind, vs_value irritants, const char *format, ...)
@@ -118,10 +119,11 @@ vs_status vs_fail_object(vs_scheme *vm, vs_value object);
 /* Sets *out to a[arg], which must be an exact integer from low to high. */
 bool vs_arg_index(vs_scheme *vm, const vs_value *a, int arg, int64_t low, int64_t high, int64_t *out);
 
-/* ---- limits. Long natives call vs_poll with the work since the last call, where 1 is a cheap step ---- */
+/* ---- limits: a native that runs long calls vs_poll with the work since its last call; a simple step, some 5 ns, is 1
+ * ---- */
 bool vs_poll(vs_scheme *vm, uint64_t work);
-/* Polls once in 1024 iterations; called in iteration i of a loop whose iterations have `cost` cheap steps each (about 5
- * ns). */
+/* Polls once in 1024 iterations of a loop; called in iteration i. cost: work of an iteration, in steps of about 5
+ * ns. */
 static inline bool vs_poll_turn(vs_scheme *vm, uint64_t i, unsigned cost) {
   return (i & 1023) != 1023 || vs_poll(vm, 1024 * (uint64_t)cost);
 }
@@ -133,13 +135,14 @@ typedef struct vs_foreign_type {
   void (*release)(void *object);
   bool (*equal)(const void *a, const void *b);                  /* implements equal?; NULL: objects are compared by
                                                                  * identity */
-  uint64_t (*hash)(const void *object);                         /* hash that is the same for equal objects, or NULL */
+  uint64_t (*hash)(const void *object);                         /* returns a hash, which must be equal for equal
+                                                                 * objects; NULL: there is none */
   /* Appends the text of the object, in UTF-8, by calling `put`. NULL: it is printed as #<name>. */
   bool (*print)(vs_scheme *vm, const void *object, bool (*put)(void *to, const char *s, size_t n), void *to);
-  /* Marks the Scheme values in the object; NULL if it has none. If it is not NULL, every collection visits the
-   * object. */
+  /* Passes the Scheme values in the object to the garbage collector; NULL if it has none. If it is not NULL, every
+   * collection visits the object. */
   void (*trace)(vs_scheme *vm, void *object, void (*mark)(vs_scheme *vm, vs_value *slot));
-  /* Unused and always false, since the heap image contains no foreign objects */
+  /* unused and always false, since the heap image contains no foreign objects */
   bool callable_image;
 } vs_foreign_type;
 

@@ -17,7 +17,7 @@ enum { STACK_SLOTS = 1024 };
 enum { STACK_SLOTS = 8 << 10 };
 #endif
 
-/* Keeps the natives that the run loop itself calls. */
+/* Stores the natives that the run loop itself calls in vm->at. */
 static bool keep(vs_scheme *vm, void *context, vs_value symbol, vs_value procedure) {
   (void)context;
   const char *name = vs_as_symbol(symbol)->name;
@@ -48,7 +48,8 @@ vs_scheme *vs_open_vm(const vs_config *config) {
   memset(vm, 0, sizeof *vm);
   vm->config = *config;
   vm->bytes = sizeof *vm;
-  vm->fuel = 1 << 20;                         /* no limits apply until a program runs */
+  vm->fuel = 1 << 20;                         /* fuel (work until the next check) that lasts until a program runs; no
+                                               * limits apply before */
   vm->under = vm->call_procedure = vm->condition = vm->value = VS_FALSE;
   vm->winders = vm->handlers = vm->parameters = VS_NIL;
 #define S(field, text) vm->sym.field = VS_FALSE;
@@ -61,8 +62,8 @@ vs_scheme *vs_open_vm(const vs_config *config) {
   if (vm->stack) {
     vm->stack_end = vm->stack + STACK_SLOTS;
     vm->top = vm->stack;
-    memset(vm->stack, 0, STACK_SLOTS * sizeof *vm->stack);       /* the garbage collector visits slots before they are
-                                                                  * written */
+    memset(vm->stack, 0, STACK_SLOTS * sizeof *vm->stack);       /* zeroes the stack, since the garbage collector visits
+                                                                  * slots before they are written */
   }
   vm->traceback = &vs_call_traceback;
   if (!vm->stack || !vs_gc_open(vm) || !(config->image ? vs_image_load(vm, config->image) : fresh(vm))) {

@@ -1,19 +1,20 @@
-/* Declares the limits of steps and time, and interrupts. A program has fuel for a number of turns; when it is used up,
- * the run loop checks the limits. Natives that run long use fuel by vs_poll and similar functions (native.h). */
+/* Declares the limits of steps and time, and interrupts. A program has fuel: a number of turns (calls and loop
+ * iterations) until the next check. When the fuel is used up, the run loop checks the limits. Natives that run long use
+ * fuel by vs_poll and similar functions (native.h). */
 #ifndef VS_VM_MACHINE_POLL_H
 #define VS_VM_MACHINE_POLL_H
 
 #include "vm/machine/vs.h"
 
-/* Checks the limits now and sets new fuel. Returns false with the condition set if a limit is reached. */
+/* Checks the limits now and sets new fuel. Returns false with the error set if a limit is reached. */
 bool vs_poll_limits(vs_scheme *vm);
 
-/* Sets the fuel until the next check. It never exceeds the remainder of the limit of steps, so that the limit is
- * exact. */
+/* Sets the fuel (number of turns) until the next check. It never exceeds the remainder of the limit of steps, so that
+ * the limit is exact. */
 void vs_refuel(vs_scheme *vm);
 
-/* Move or fill memory as memmove and memset do, in pieces with polls between. A block larger than a piece must not move
- * meanwhile. */
+/* vs_poll_move and vs_poll_set work as memmove and memset do, in pieces with polls between them. A block larger than a
+ * piece must not be in an object that a collection could move. */
 bool vs_poll_move(vs_scheme *vm, void *to, const void *from, size_t bytes);
 bool vs_poll_set(vs_scheme *vm, void *to, int byte, size_t bytes);
 

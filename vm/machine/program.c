@@ -16,7 +16,7 @@
 
 #include <stdio.h>
 
-/* ---- %run. All its state is in its activation, so that a continuation may enter it again ---- */
+/* ---- %run: all its state is in its activation, so that a continuation may enter it again ---- */
 enum {
   RUN_FORMS,
   RUN_ENV,
@@ -36,7 +36,7 @@ static vs_status call_list(vs_scheme *vm, vs_value procedure, vs_value list) {
   return VS_CALL;
 }
 
-/* Replaces the tree root by (let ((value root)) value). */
+/* Replaces the tree x->root by (let ((value root)) value), so that a call in it is no tail call. */
 static bool keep_call(vs_expansion *x) {
   vs_value name;
   vs_core_node *let = vs_expand_many(x, VS_AST_LET, 1, x->root->pos);
@@ -89,18 +89,18 @@ static vs_status step_forms(vs_scheme *vm, vs_value *a, vs_value *out) {
     case VS_EXPAND_CALL: a[RUN_PHASE] = vs_fix(TRANSFORMING); return call_list(vm, x->procedure, x->args);
     case VS_EXPAND_NODE: {
       VS_ROOTS(vm, r, 1);
-      /* A call at top level is made no tail call, so that errors can report its place. */
+      /* A call at top level must not be a tail call, so that errors can report its place. */
       if (a[RUN_TELL] != VS_FALSE && x->root->kind == VS_AST_CALL && !keep_call(x)) return VS_ERROR;
       vs_enter_phase(vm, VS_VM_COMPILE);
       if (!vs_compile(vm, &x->ast, x->root, &r[0])) return VS_ERROR;
       vs_ast_clear(&x->ast);
       a[RUN_FORMS] = vs_cdr(a[RUN_FORMS]);
       a[RUN_PHASE] = vs_fix(x->definition ? RUNNING_DEFINITION : RUNNING);
-      /* The last expression of eval is a tail call. */
+      /* The last expression of eval is evaluated by a tail call. */
       if (a[RUN_FORMS] == VS_NIL && a[RUN_TELL] == VS_FALSE && !x->definition) return vs_tailcall(vm, r[0], 0, NULL);
       return vs_call(vm, r[0], 0, NULL);
     }
-    case VS_EXPAND_FORMS: {                 /* x->forms replace the first form */
+    case VS_EXPAND_FORMS: {                 /* the forms x->forms replace the first of the remaining forms */
       VS_ROOTS(vm, r, 3);
       r[0] = x->forms; r[1] = VS_NIL;
       for (; vs_is_pair(r[0]); r[0] = vs_cdr(r[0])) {
@@ -108,7 +108,7 @@ static vs_status step_forms(vs_scheme *vm, vs_value *a, vs_value *out) {
         if (!vs_cons_at(vm, vs_car(r[0]), r[1], pos ? pos : vs_pos_of(a[RUN_PLACE]), &r[1])) return VS_ERROR;
       }
       r[2] = vs_cdr(a[RUN_FORMS]);
-      while (vs_is_pair(r[1])) {            /* reverses new pairs in place */
+      while (vs_is_pair(r[1])) {            /* reverses these new pairs in place, since nothing else refers to them */
         vs_value next = vs_cdr(r[1]);
         vs_gc_store(vm, vs_as_pair(r[1]), &vs_as_pair(r[1])->cdr, r[2]);
         r[2] = r[1];
@@ -128,12 +128,12 @@ static vs_status step_forms(vs_scheme *vm, vs_value *a, vs_value *out) {
       break;
     }
   }
-  *out = a[RUN_TELL] == VS_UNSPECIFIC ? VS_UNSPECIFIC : a[RUN_VALUE];     /* load has already passed the values to the
-                                                                           * host */
+  /* if the host has already received the values, as in load, the result is unspecific */
+  *out = a[RUN_TELL] == VS_UNSPECIFIC ? VS_UNSPECIFIC : a[RUN_VALUE];
   return VS_OK;
 }
 
-/* Runs a step of %run. The steps of macro procedures count as those of the program. */
+/* Runs a step of %run. Work in the procedures of macros counts as work of the program. */
 static vs_status run(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   vs_status status = step_forms(vm, a, out);
@@ -149,8 +149,8 @@ static bool core_value(vs_scheme *vm, const char *name, vs_value *out) {
 }
 
 /* ---- eval and environments ---- */
-/* Evaluates the forms by a tail call of %run. tell: who receives the values. #f: only the caller; #t: also the host;
- * #unspecific: only the host. */
+/* Evaluates the forms by a tail call of %run. tell: who receives the values. #f: only the caller; #t: the caller and
+ * the host; #unspecific: only the host. */
 static vs_status tail_run(vs_scheme *vm, vs_value forms, vs_value env, vs_value tell) {
   VS_ROOTS(vm, r, 3);
   vs_value procedure;
@@ -269,14 +269,15 @@ static vs_status syntax_to_datum(vs_scheme *vm, vs_value *a, int n, vs_value *ou
 }
 
 /* ---- loading files ---- */
-/* A file that is loaded while it is running. If each file on the way loads the next in a top-level form, loading it
- * again would repeat itself. Otherwise a condition in the program may end the loading, which is tried LOADS times. */
+/* A load of a file that is already running. If each file on the way loads the next by a top-level form that is only a
+ * call of load, loading the file again would never end. Otherwise a condition in the program may end the loading, which
+ * is tried LOADS times. */
 typedef struct {
-  vs_value run;        /* the procedure object of the native %run */
+  vs_value run;        /* procedure object of the native %run, by which the walk recognizes its activations */
   uint32_t file;
-  unsigned calls;      /* number of activations since the last %run: the load itself, and its callers */
+  unsigned calls;      /* number of activations since the last %run: the call of load itself, and its callers */
   vs_pos place;        /* place of the outermost of these calls */
-  bool plain;          /* whether each top-level form so far was only the call that loads the next file */
+  bool plain;          /* whether each top-level form on the way was only the call that loads the next file */
   bool endless;
   unsigned times, others;
 } nesting;
@@ -409,7 +410,7 @@ static vs_status features(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return vs_features(vm, out);
 }
 
-/* (macroexpand form): expands macros at the form's head until it is core syntax, a call or no pair. */
+/* (macroexpand form): expands macros at the form's head until the form is core syntax, a call or no pair. */
 static vs_status macroexpand(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   vs_expansion *x;
   if (n >= 0) {
@@ -417,7 +418,7 @@ static vs_status macroexpand(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
     x = vs_foreign_get(a[1], &vs_expansion_type);
     if (!vs_expansion_begin(x, a[0], vm->at.program, vs_call_place(vm))) return VS_ERROR;
     x->now = x->tasks[--x->count];
-  } else {                                /* the value of a macro's procedure */
+  } else {                                /* continues with the value that a macro's procedure has returned */
     a[0] = *out;
     x = vs_foreign_get(a[1], &vs_expansion_type);
     x->now.waiting = false;
@@ -527,8 +528,8 @@ static bool run_forms(vs_scheme *vm, vs_value forms, vs_value env, bool tell, vs
   vm->top_place = 0;
   if (!core_value(vm, "%run", &procedure)) return false;
   if (vs_run(vm, procedure, 3, r, last ? last : &r[3])) return true;
-  vs_value c = vm->condition;           /* after tail calls the condition may have no place; it then gets the place of
-                                         * the top-level form */
+  vs_value c = vm->condition;           /* after tail calls the error object may have no place; it then gets the place
+                                         * of the top-level form */
   if (vs_is(c, VS_T_CONDITION) && c != vm->at.no_memory && !vs_as_condition(c)->place)
     vs_as_condition(c)->place = vm->top_place;
   return false;
@@ -542,7 +543,8 @@ bool vs_library_load(vs_scheme *vm, const char *name, const char *text, size_t s
 
 void vs_library_done(vs_scheme *vm) {
   vs_environment_seal(vm->at.core);
-  vm->at.nearby = VS_FALSE; /* the similar names found in the library's own text are not for the program */
+  vm->at.nearby = VS_FALSE; /* deletes the similar names that were recorded while the library was compiled: they do not
+                             * concern the program */
 }
 
 /* Deletes the entries of files that a failed run has loaded only in part, so that they can be required again. */
@@ -555,7 +557,7 @@ static bool forget_unfinished(vs_scheme *vm) {
   return true;
 }
 
-/* Sets the file that the host runs, in whose folder load and import search. */
+/* Sets the file that the host runs; load and import search in its folder. */
 static bool begin_program(vs_scheme *vm, const char *name) {
   return vs_file_number(vm, name, strlen(name), &vm->program_file) && forget_unfinished(vm);
 }
@@ -569,8 +571,8 @@ static bool beside_script(vs_scheme *vm, const char *name) {
   vs_intake intake = vs_environment_intake(vm->at.program);
   if (intake == VS_INTAKE_FRESH) vm->scripted = script;
   if (script || !vm->scripted) return true;
-  vs_environment_set_intake(vm->at.program, VS_INTAKE_OPEN); /* with another setting, imports would replace the script's
-                                                              * variables */
+  vs_environment_set_intake(vm->at.program, VS_INTAKE_OPEN); /* this setting keeps the script's variables; with another,
+                                                              * imports would replace them */
   bool ok = vs_environment_import(vm, vm->at.program, vm->at.core, VS_TRUE, &clash, &own);
   vs_environment_set_intake(vm->at.program, intake);
   return ok;
@@ -592,9 +594,11 @@ static bool is_top_form(vs_value form) {
   return !strncmp(head, "define", 6);
 }
 
-/* Replaces the form by ((lambda (name ...) form) (quote value) ...), with the library's lambda and quote. */
+/* Replaces the form by ((lambda (name ...) form) (quote value) ...) for the bindings, with the library's lambda and
+ * quote. */
 static bool bind_around(vs_scheme *vm, vs_value *form, vs_pos pos, vs_value bindings) {
-  VS_ROOTS(vm, r, 6);                     /* roots: bindings, names, values, quote, lambda, temporary */
+  VS_ROOTS(vm, r, 6);                     /* roots of the garbage collector: bindings, names, values, quote, lambda,
+                                           * temporary value */
   r[0] = bindings; r[1] = r[2] = VS_NIL;
   if (!vs_intern_c(vm, "lambda", &r[5]) || !vs_make_alias(vm, r[5], vm->at.core, &r[4]) ||
       !vs_make_alias(vm, vm->sym.quote, vm->at.core, &r[3])) return false;
@@ -607,7 +611,8 @@ static bool bind_around(vs_scheme *vm, vs_value *form, vs_pos pos, vs_value bind
 }
 
 bool vs_program_within(vs_scheme *vm, const char *name, const vs_passage *text, vs_value bindings, vs_value *last) {
-  VS_ROOTS(vm, r, 4);                     /* roots: forms, bindings, rewritten forms, the current form */
+  VS_ROOTS(vm, r, 4);                     /* roots of the garbage collector: forms, bindings, rewritten forms, the
+                                           * current form */
   r[1] = bindings;
   vs_environment_set_intake(vm->at.program, VS_INTAKE_PROMPT);
   if (!vs_source_text(vm, name, text, false, &r[0])) return false;

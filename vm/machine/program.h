@@ -20,12 +20,13 @@ void vs_library_done(vs_scheme *vm);
  * program. */
 bool vs_program_new(vs_scheme *vm, vs_value *env);
 
-/* Runs a text in vm->at.program. prompt: it was typed at a prompt, so that imports are added (environment.h). Sets
- * *last to the value of the last form. Passes values of top-level expressions to vm->config.value. Returns false with
- * vm->condition set. */
+/* Runs a text in vm->at.program. prompt: the text was typed at a prompt, so that its imports are added to earlier
+ * imports (environment.h). Sets *last to the value of the last form. Passes values of top-level expressions to
+ * vm->config.value. Returns false with vm->condition set. */
 bool vs_program_text(vs_scheme *vm, const char *name, const vs_passage *text, bool prompt, vs_value *last);
-/* Runs a text as vs_program_text does. Each expression of the text, but no definition, is evaluated with the bindings,
- * a list of (symbol . value), as local variables. The prompt thus examines an activation of a stopped program. */
+/* Runs a text as vs_program_text does, while a program is stopped. Each expression of the text, but no definition, is
+ * evaluated with the bindings, a list of (symbol . value), as local variables. In this way the prompt shows variables
+ * of a stopped call. */
 bool vs_program_within(vs_scheme *vm, const char *name, const vs_passage *text, vs_value bindings, vs_value *last);
 
 #endif

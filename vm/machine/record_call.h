@@ -1,5 +1,5 @@
-/* Calls the procedures that define-record-type creates. Their code consists of one instruction between the loading of
- * the type and the return, and an activation would cost several times as much. The run loop therefore interprets this
+/* Calls the procedures that define-record-type creates. Their code has one instruction between the loading of the type
+ * and the return, and an activation (frame) would cost several times as much. The run loop therefore interprets this
  * code here without an activation. In unusual cases (another number of arguments, a record of another type, a full
  * nursery) the code itself runs, and reports errors. */
 #ifndef VS_VM_MACHINE_RECORD_CALL_H
@@ -9,8 +9,8 @@
 #include "vm/machine/vs.h"
 #include "vm/values/gc.h"
 
-/* Allocates a record of the type, as the instructions from ins on do: each field is an argument of `at` or a constant.
- * Returns false if the nursery is full. */
+/* Allocates a record of the type. The instructions from ins on determine its fields: each is an argument in `at` or a
+ * constant. Returns false if the nursery is full. */
 static inline bool vs_record_make(vs_scheme *vm, const uint32_t *ins, vs_value type, const vs_value *at,
                                   vs_value *out) {
   if (!vs_is(type, VS_T_RECORD_TYPE)) return false;
@@ -30,8 +30,8 @@ static inline bool vs_record_make(vs_scheme *vm, const uint32_t *ins, vs_value t
   return true;
 }
 
-/* Calls f, a closure whose code has a flag of VS_CODE_RECORD, with n arguments at `at`. Returns false, without effect,
- * if its code must run instead. It counts as a call for the limit of steps. */
+/* Calls the closure f, whose code has a flag of VS_CODE_RECORD, with the n arguments in `at`. Returns false, without
+ * effect, if its code must run instead. It counts as a call for the limit of steps. */
 static inline bool vs_record_call(vs_scheme *vm, vs_value f, const vs_value *at, size_t n, vs_value *out) {
   const vs_closure *c = vs_as_closure(f);
   const vs_code *code = vs_as_code(c->code);

@@ -1,5 +1,5 @@
 /* Implements the errors that the run loop itself detects: undefined names, calls of objects that are no procedures,
- * several values where one is expected. Each function sets the condition and returns false. */
+ * several values where one is expected. Each function sets the error and returns false. */
 #ifndef VS_VM_MACHINE_RUN_FAILURES_H
 #define VS_VM_MACHINE_RUN_FAILURES_H
 
@@ -53,8 +53,8 @@ static bool fail_callee_as(vs_scheme *vm, vs_value f, const vs_value *at, size_t
   return vs_fail_with(vm, vm->sym.type, r[0], "%s", what);
 }
 
-/* Reports that f cannot be called. The error's payload #t tells session/advice.c that the called object is wrong, and
- * to search for its origin. */
+/* Reports that f cannot be called. The error's payload #t tells session/advice.c that the called object is wrong: it
+ * then searches where the object comes from. */
 static bool fail_callee(vs_scheme *vm, vs_value f, const vs_value *at, size_t n) {
   fail_callee_as(vm, f, at, n);
   if (vs_is(vm->condition, VS_T_CONDITION) &&

@@ -1,11 +1,11 @@
 /* Implements the run loop: instructions, calls, returns, and the handling of errors. activation.h describes the stack.
  *
- * The registers of the machine are C variables: base (the activation's registers), pc, k (its constants). SAVE stores
- * them before code that can allocate or fail. After code that can allocate, values are read again from registers; code
- * and constants do not move.
+ * The registers of the virtual machine are C variables: base (the registers of the current activation), pc, k (its
+ * constants). SAVE stores them before code that can allocate or fail. After code that can allocate, values are read
+ * again from registers; code and constants do not move.
  *
- * step_loop.c compiles the loop a second time, with VS_STEPPING, for programs that are stepped through (step.h). It
- * then checks every instruction before running it. Other programs are not slower for that. */
+ * step_loop.c compiles the loop a second time, with VS_STEPPING, for programs that are stepped through (step.h). The
+ * second loop checks every instruction before running it, and other programs run at full speed. */
 #ifndef VS_STEPPING
 #define VS_STEPPING 0
 #endif
@@ -71,7 +71,7 @@ static void trace(const uint32_t *ins, const vs_value *base) {
 #define trace(ins, base) ((void)0)
 #endif
 
-/* Runs the call in the window w, at the start of the stack, until its activation returns. */
+/* Runs the call in the window w (procedure, free slot, n arguments), at the start of the stack, until it returns. */
 static bool loop(vs_scheme *vm, vs_value *w, size_t n, vs_value *out) {
   vs_value *base = w;                 /* no activation exists before the first call */
   const uint32_t *pc = NULL, *start = NULL;      /* start: first instruction of the activation's code */
@@ -83,7 +83,7 @@ static bool loop(vs_scheme *vm, vs_value *w, size_t n, vs_value *out) {
   VS_ASSERT(w == vm->stack);
 
 #pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wpedantic"      /* for the addresses of labels, an extension of GCC */
+#pragma GCC diagnostic ignored "-Wpedantic"      /* allows the addresses of labels, an extension of GCC */
   static const void *const labels[] = {
 #define VS_OP(name, operands, extra, generic) &&op_##name,
 #include "vm/compiler/opcodes.def"
@@ -108,13 +108,14 @@ static bool loop(vs_scheme *vm, vs_value *w, size_t n, vs_value *out) {
 #define SAVE (vm->base = base, vm->pc = pc, vm->top = base + REGISTERS, vm->native = NULL)
 #define BRANCH_IF(truth) do { if ((truth) == (bool)C) pc += (int32_t)*pc + 1; else pc++; NEXT; } while (0)
 
-/* Takes the object of a method call off the arguments in w if w[0] does not take it. Calls without keywords skip it. */
+/* Removes the object of a method call (#:this) from the arguments in w if the procedure w[0] has no parameter for it.
+ * Calls without keywords skip this. */
 #define LEAVE_SELF do {                                                                                    \
     if (vs_is_object(w[0]) && vs_leaves_self(vm, w[0], kw)) n--, kw = VS_FALSE;                            \
   } while (0)
 
-/* Calls a closure with exactly its required arguments, if there is room on the stack, as in most calls. Others continue
- * at `call`. */
+/* Calls a closure with exactly its required arguments, if there is room on the stack, as in most calls. All other calls
+ * continue at the label `call`. */
 #define PLAIN(callee, count, at)                                                                           \
   ((callee)->flags & VS_CODE_SIMPLE && (callee)->required == (count) &&                                    \
    (const char *)vm->stack_end - (const char *)(at) >=                                                     \
@@ -156,7 +157,7 @@ static bool loop(vs_scheme *vm, vs_value *w, size_t n, vs_value *out) {
 
 #define DROPPED(v) do {                                                                                    \
     if (vm->config.dropped) {                                                                              \
-      vs_value first = vs_is_pair(v) ? vs_as_pair(v)->car : (v); /* (map f l) written for (for-each f l) */ \
+      vs_value first = vs_is_pair(v) ? vs_as_pair(v)->car : (v); /* an object in an unused list is reported, too */ \
       if (vs_is(first, VS_T_FOREIGN)) vm->config.dropped(vm, first);                                       \
     }                                                                                                      \
   } while (0)
@@ -274,8 +275,8 @@ look:
     if (vs_is(p, VS_T_NATIVE) && !vs_native_laid_out(vs_as_native(p)) && vs_as_native(p)->min <= 1 &&
         vs_as_native(p)->max >= 1) {
       const vs_native *native = vs_as_native(p);
-      base[A] = base[A + 2];                      /* the window at A contains the procedure, a free slot and the
-                                                   * value */
+      base[A] = base[A + 2];                      /* calls the predicate p directly: the registers from A become p, a
+                                                   * free slot, and the value to check */
       base[A + 2] = base[A + 3];
       vm->base = base + A + 2; vm->pc = pc; vm->top = base + A + 4;
       vm->base[-1] = vs_ret_make(A, HERE);
@@ -513,7 +514,8 @@ look:
       if (!vs_each_keep(vm, row)) goto fail;
     }
   }
-each: {                                   /* the instruction at pc is MORE with the same operand A */
+each: {                                   /* continues the row of EACH: the instruction at pc is MORE with the same
+                                           * operand A */
     vs_value *row = &RA, list = row[VS_EACH_LIST];
     if (!vs_is_pair(list)) {
       SAVE;
@@ -583,9 +585,9 @@ each: {                                   /* the instruction at pc is MORE with 
       : OP(G_ABC)
       : OP(G_AB)
       : OP(G_ABI) : OP(G_N) : OP(G_N1) : OP(G_JABC) : OP(G_JAI) : OP(G_JA) : OP(G_SET) : OP(G_SETV) : goto generic;
-  OP(NONE): goto generic;                 /* an opcode that the compiler never emits */
+  OP(NONE): goto generic;                 /* NONE is an opcode that the compiler never emits */
 
-  /* Replaces the instruction at pc - 1 by a call of its procedure. */
+  /* Calls the native whose call the instruction at pc - 1 has replaced. */
 generic: {
     const vs_code *code = vs_as_code(vs_as_closure(base[-2])->code);
     size_t at = HERE - 1;
@@ -648,7 +650,7 @@ call: {
         }
         size_t need = n > code->registers ? n : code->registers;
         if (vm->stack_end - w < (ptrdiff_t)(need + 2 + VS_ACTIVATION_SLACK)) {
-          if (tail) {                             /* moves the window to the activation's start first, so that the
+          if (tail) {                             /* first moves the call to the start of the activation, so that the
                                                    * activation is not kept */
             memmove(base, w + 2, n * sizeof *w);
             base[-2] = f;
@@ -662,7 +664,7 @@ call: {
             vs_value *moved = vs_activation_flush(vm, w, n, need + 2);
             if (!moved) goto stack_full;
             w = moved; ret = w[1];
-            base = w + 2;                         /* the caller has moved to the heap, or has ended */
+            base = w + 2;                         /* the caller's activation has moved to the heap, or has ended */
           }
           f = w[0];
         }
@@ -688,8 +690,8 @@ call: {
         const vs_native *native = vs_as_native(f);
         size_t given = n, total = n;
         bool laid_out = vs_native_laid_out(native);
-        /* apply, call/cc and similar natives must not keep the activation; other natives keep it, for the place of
-         * errors. */
+        /* In a tail call, natives with slots (apply, call/cc and similar) must not keep the caller's activation. Other
+         * natives keep it, since it contains the place for errors. */
         if (tail && native->def->slots) {
           memmove(base, w + 2, n * sizeof *w);
           base[-2] = f;
@@ -721,8 +723,8 @@ call: {
         vm->native = NULL;
         if (status == VS_OK) {
           if (tail) { v = vm->value; goto give; }
-          if (pc && !(ret & VS_RET_FLAGS)) { w[0] = vm->value; NEXT; }      /* continues in the activation at base, at
-                                                                             * pc */
+          if (pc && !(ret & VS_RET_FLAGS)) { w[0] = vm->value; NEXT; }      /* continues with the code of the activation
+                                                                             * at base, at pc */
         } else if (status == VS_SEVERAL && tail) {
           v = vm->value;
           goto give_several;
@@ -734,7 +736,9 @@ call: {
         const vs_case *c = vs_as_case(f);
         size_t i = 0;
         while (i < c->count && !vs_arguments_fit(vs_as_code(vs_as_closure(c->clause[i])->code), n, kw)) i++;
-        if (i == c->count && vs_case_note(c) != VS_FALSE) i = 0; /* only one clause defines how arguments are passed */
+        /* in a case-lambda with a note, the first clause alone defines how arguments are passed, so it reports the
+         * error */
+        if (i == c->count && vs_case_note(c) != VS_FALSE) i = 0;
         if (i == c->count) {
           w[1] = tail ? VS_FALSE : ret;
           vm->base = pc ? base : w + 2; vm->pc = pc;
@@ -785,10 +789,11 @@ no_procedure:
   vm->top = w + 2 + n;
   vm->native = NULL;
   fail_callee(vm, w[0], w + 2, n);
-fail_above:                               /* an error of the caller at base, found while its window was in use */
+fail_above:                               /* an error in the caller at base, found while the registers of the call were
+                                           * in use */
   if (pc) goto fail;
-  ret = w[1];                             /* the caller is a native or in the heap: the error takes the place of the
-                                           * call */
+  ret = w[1];                             /* the caller is a native or in the heap: the place of the error is that of
+                                           * the call */
   goto raise;
 
   /* A native has returned `status`. Its activation is at base (== vm->base), and its last slot is below vm->top. */
@@ -829,7 +834,7 @@ native_done:
       vm->call_count = 0;
       vm->call_procedure = VS_FALSE;
       base = w + 2;
-      pc = NULL;                              /* there is no activation of code at base */
+      pc = NULL;                              /* pc NULL: the activation at base is not one of compiled code */
       goto call;
     }
     case VS_THROW: {
@@ -888,7 +893,8 @@ give: {
         memcpy(vm->stack, s->at + first, size * sizeof *s->at);
         if (first == 0) { vm->under = s->under; vm->under_depth = s->depth; }
         else { vm->stack[1] |= VS_RET_UNDER; vm->under_depth = first; }
-        base = vm->stack + size + 2;              /* address of the activation to which control returns */
+        base = vm->stack + size + 2;              /* base becomes the address of the activation to which control
+                                                   * returns */
       }
       base -= 2 + distance;
       vm->top = base + distance;
@@ -939,7 +945,8 @@ give: {
   /* The native at base, or the code at base and pc, has raised vm->condition. Limits and interrupts are not passed to
    * handlers. */
 fail_native:
-  w = base;                               /* the window overwrites the native's arguments, which are no longer needed */
+  w = base;                               /* the call of the handler overwrites the native's arguments, which are no
+                                           * longer needed */
   ret = vs_ret_make(0, 0) | VS_RET_NATIVE;
   goto raise;
 fail: {
@@ -960,7 +967,7 @@ raise:
   n = 1; kw = VS_FALSE; tail = false;
   goto call;
 
-stack_full:                               /* the refused allocation has already set the error */
+stack_full:                               /* the refused allocation of stack has already set the error */
 uncaught:
   return false;
 #pragma GCC diagnostic pop

@@ -6,7 +6,7 @@
 #include "vm/values/debug.h"
 #include "vm/values/value.h"
 
-/* The symbols that C code compares, such as vm->sym.quote. */
+/* The symbols that C code compares, as members of vm->sym, such as vm->sym.quote. */
 #define VS_SYMBOLS(S) \
   S(quote, "quote") S(quasiquote, "quasiquote") S(unquote, "unquote") S(unquote_splicing, "unquote-splicing") \
   S(error, "error") S(type, "type") S(range, "range") S(arity, "arity") S(contract, "contract") S(unbound, "unbound") \
@@ -14,27 +14,28 @@
   S(divide, "divide") S(recursion, "recursion") S(raise, "raise") S(internal, "internal") S(stop, "stop") \
   S(self, "this")
 
-/* The Scheme values that C code keeps. The heap image contains them. */
+/* The Scheme values to which C code refers, as members of vm->at. The heap image contains them. */
 #define VS_ANCHORS(A) \
   A(symbols)       /* vector: hash table of the interned symbols, with open addressing */ \
   A(files)         /* vector of file names (strings), indexed by the file numbers of places; slot 0 is #f */ \
   A(libraries)     /* association list from name to environment (vm/front) */ \
   A(core)          /* the environment of the complete library (vm/front) */ \
   A(program)       /* environment of the program that the host runs */ \
-  A(required)      /* list of (path . #t) of the required files; #f instead of #t while a file is being loaded */ \
+  A(required)      /* list of (path . #t) for the files loaded by require; #f instead of #t while a file is being
+                    * loaded */ \
   A(checks)        /* queue of waiting checks (check_queue.h), or #t while a check runs */ \
   A(included)      /* list of (file number . number of the file that includes it) */ \
   A(lib)           /* values that vm/library keeps */ \
-  A(nearby)        /* identifier table or #f: similar local names for undefined names, for messages */ \
-                   /* identifier table or #f: names bound by a let that are undefined outside, for messages */ \
+  A(nearby)        /* identifier table or #f: for each undefined name, the most similar local name, for messages */ \
+                   /* identifier table or #f: names that a let binds and that are undefined outside it, for messages */ \
   A(host)          /* values that bind/ keeps */ \
   A(standard_out) A(standard_in) A(standard_error)    /* the standard ports */ \
-  A(flat_names)    /* vector: constructor names (symbols or #f) by kind of flat record */ \
+  A(flat_names)    /* vector: constructors of flat records (symbols or #f), indexed by the record's tag */ \
   A(raise) A(check) A(throw) A(guarded) /* natives that the run loop itself calls */ \
-  A(no_memory)     /* condition raised if there is no memory to create one */ \
+  A(no_memory)     /* error object that is raised if there is no memory to create another */ \
   A(self_call)     /* KEYWORDS object of a call with only #:this, the object of a script's method call */ \
-  A(stop)          /* procedure of the first activation on the stack */ \
-  A(stops)         /* list of the conditions of stopped programs (step.h), the latest first */
+  A(stop)          /* procedure of the first activation on the stack, which ends the run loop */ \
+  A(stops)         /* list of the error objects that represent stopped programs (step.h), the latest first */
 
 /* The phases of a program's work. VS_VM_RUN: the program itself runs. */
 typedef enum { VS_VM_READ, VS_VM_EXPAND, VS_VM_COMPILE, VS_VM_RUN } vs_vm_phase;
@@ -47,7 +48,7 @@ typedef struct vs_config {
   uint64_t step_limit;       /* limit of calls and loop iterations; 0: none */
   uint64_t output_limit;     /* limit of the bytes that the program may print or write; 0: none */
   double time_limit;         /* limit in seconds of the clock below; 0: none */
-  bool keep_calls;          /* whether conditions keep the variables of the calls that led to them
+  bool keep_calls;          /* whether error objects keep the variables of the calls that led to them
                              * (vs_condition.calls) */
   /* Called when a phase begins. Returns the phase that ends. May be NULL. */
   vs_vm_phase (*phase)(void *user, vs_vm_phase phase);
@@ -60,7 +61,7 @@ typedef struct vs_config {
   const struct vs_io *io;
   const char *library_path;  /* folders for load, include, require and import, separated by ':', or NULL; must exist as
                               * long as the interpreter */
-  const struct vs_shipped *shipped; /* libraries in Scheme that are part of the program (source.h), or NULL */
+  const struct vs_shipped *shipped; /* libraries in Scheme that vs itself contains (source.h), or NULL */
   const char *const *command_line; size_t command_line_count; /* value of (command-line); 0: only "vs"; must exist as
                                                                * long as the interpreter */
   /* Receives the value of a top-level expression of the program or of a file that it loads. Returns false with the
@@ -69,24 +70,24 @@ typedef struct vs_config {
   /* Receives a foreign object, alone or the first in a list, that was the unused value of an expression in a body. Must
    * not allocate in the heap. May be NULL. */
   void (*dropped)(vs_scheme *vm, vs_value v);
-  /* Warns of a construct that is permitted but surely not intended. Must not allocate in the heap. May be NULL. */
+  /* Warns about a construct that is permitted but surely not intended. Must not allocate in the heap. May be NULL. */
   void (*warn)(vs_scheme *vm, vs_pos place, const char *message);
-  /* Warns of a construct that is permitted but seldom intended, once for each place and kind (any constant text).
+  /* Warns about a construct that is permitted but seldom intended, once for each place and kind (any constant text).
    * message NULL: never warns at this place. May be NULL. */
   void (*suspect)(vs_scheme *vm, const char *kind, const char *message);
 } vs_config;
 
 /* The ways to step through a program (step.h). CONTINUE: without stops. ENTER: to the next call in the program's text.
- * OVER: to the next call in this activation or its callers. OUT: to the next call in its callers. SAME: the way of the
- * previous step. */
+ * OVER: to the next call in this activation or its callers. OUT: to the next call in its callers. SAME: repeats the way
+ * of the previous step. */
 typedef enum { VS_STEP_CONTINUE, VS_STEP_ENTER, VS_STEP_OVER, VS_STEP_OUT, VS_STEP_SAME } vs_step_mode;
 
 typedef struct vs_stepping {
   uint8_t mode;              /* a vs_step_mode; with CONTINUE the plain run loop is used */
   bool stops;                /* whether (break) stops the program */
-  bool passes;               /* if (break) does not stop: whether it gives no warning either */
-  uint8_t told;              /* a VS_TOLD_: the stop at the next instruction that the host has already seen */
-  uint32_t first_file;       /* files with smaller numbers belong to the library */
+  bool passes;               /* if stops is false: whether (break) also gives no warning */
+  uint8_t told;              /* a VS_TOLD_: what the host already knows about the stop at the next instruction */
+  uint32_t first_file;       /* number of the first file that is not part of the library */
   uint64_t target;           /* stepping does not stop in activations above this level */
   uint64_t seen_level;       /* the instruction checked last: level of its activation, its code, its index */
   const void *seen_code;
@@ -105,13 +106,13 @@ struct vs_scheme {
   char *nursery;
   size_t nursery_bytes;
 
-  /* The stack of the run loop (run_loop.c). */
-  vs_value *stack, *stack_end;     /* start and end of the working stretch */
-  vs_value *base, *top;            /* base: registers of the current activation; top: first unused slot, below which all
-                                    * slots are visited by the collector */
-  vs_value under;                  /* STACK object with the activations below the working stretch, or #f */
+  /* The stack of the run loop (run_loop.c). Its working part contains the innermost activations. */
+  vs_value *stack, *stack_end;     /* start and end of the stack's working part */
+  vs_value *base, *top;            /* base: registers of the current activation; top: end of the slots in use, all of
+                                    * which the garbage collector visits */
+  vs_value under;                  /* STACK object with the activations below the stack's working part, or #f */
   uint64_t under_depth;            /* number of slots of `under` that belong to activations which still run */
-  const uint32_t *pc;              /* pc of the current activation while a native or the collector runs */
+  const uint32_t *pc;              /* pc of the current activation while a native or the garbage collector runs */
 
   /* Dynamic state of the program, which continuations contain. */
   vs_value winders, handlers, parameters;
@@ -119,29 +120,31 @@ struct vs_scheme {
   /* Data that natives and the run loop exchange (native.h). */
   const vs_native *native;         /* the running native, which error messages name, or NULL */
   vs_value call_procedure;
-  bool call_self;            /* whether the last element of call_args has the keyword of vm->at.self_call */
+  bool call_self;            /* whether vm->call_args ends with the object of a method call, whose keyword is in
+                              * vm->at.self_call */
   vs_value *call_args; size_t call_count, call_room;
   const struct vs_traceback *traceback; /* functions that describe the running calls for errors (activation.c) */
   vs_value condition;              /* the raised object, after a function returned false or VS_ERROR */
   vs_value value;                  /* result of a native */
 
-  /* Counts of work and memory for the limits. */
-  int64_t fuel;                    /* turns until the next poll */
-  uint64_t work;                   /* steps of natives that do not yet make a turn */
-  uint64_t steps;                  /* turns used up to the last poll */
+  /* Counts of work and memory, which are compared with the limits. */
+  int64_t fuel;                    /* number of turns (calls and loop iterations) until the next poll */
+  uint64_t work;                   /* steps of natives that do not yet make a full turn */
+  uint64_t steps;                  /* number of turns used up to the last poll */
   double started;
   uint64_t written;                /* bytes printed and written by this evaluation */
-  bool over_limit;                 /* whether the last refusal of memory came from the limit */
+  bool over_limit;                 /* whether memory was last refused because of the user's limit, and not by the
+                                    * system */
   size_t fail_after;               /* for debugging: number of allocations until one is refused; 0: none */
 
   /* Data of the garbage collector (gc.c). */
   struct vs_roots *roots;
   struct vs_ast *asts;             /* list of the trees that are being built or compiled, whose constants are roots */
   struct vs_gc *gc;
-  uint64_t captures;               /* number of continuations created; if it does not change during a call, the call is
-                                    * entered only once */
-  uint64_t collections;            /* number of times that the nursery was emptied; addresses of young objects are valid
-                                    * until it changes */
+  uint64_t captures;               /* number of continuations created so far; if it does not change during a call, the
+                                    * call cannot be entered a second time */
+  uint64_t collections;            /* number of times that the nursery was emptied; while it does not change, the
+                                    * addresses of young objects remain valid */
   size_t bytes, peak_bytes;        /* bytes of memory of this interpreter: now, and the greatest number so far */
 
   /* Data that the host registers. */
@@ -163,7 +166,7 @@ struct vs_scheme {
   /* Data of the expander. */
   uint64_t aliases;                /* number of aliases created, from which their hashes are computed */
   int64_t expansions;              /* number of top-level forms expanded */
-  bool scripted;                   /* whether the program begins with a file in another language */
+  bool scripted;                   /* whether the first file of the program is in another language than Scheme */
   uint32_t program_file;           /* number of the file that the host runs, or 0 */
   uint64_t top_place;              /* vs_pos of the top-level form that began last, or of a macro use in it */
 

@@ -21,14 +21,14 @@ static inline vs_value vs_dual_base(vs_value v) { /* Returns v without its slope
 }
 /* Returns true if v is a number of any kind, duals included. */
 static inline bool vs_is_scalar(vs_value v) { return vs_is_number(vs_dual_base(v)); }
-/* Returns the highest level among n values; -1 if none is a dual. */
+/* Returns the highest level among the n values; -1 if none of them is a dual number. */
 int64_t vs_dual_level(const vs_value *at, size_t n);
-/* Return the value and the slope of v at this level. If v does not depend on the variable of the level, they are v and
- * the exact 0. */
+/* vs_dual_value and vs_dual_slope return the value and the derivative of v at this level. If v does not depend on the
+ * variable of the level, they return v and the exact 0. */
 vs_value vs_dual_value(vs_value v, int64_t level);
 vs_value vs_dual_slope(vs_value v, int64_t level);
 
-/* Sets *out to a dual. value and slope must be of lower levels. */
+/* Sets *out to a dual number. The levels of value and slope must be lower than `level`. */
 bool vs_make_dual(vs_scheme *vm, int64_t level, vs_value value, vs_value slope,
                   vs_value *out); /* a nesting beyond VS_DUAL_DEPTH is an error */
 /* Computes a + b, a - b, a * b or a / b, where at least one operand is a dual. */

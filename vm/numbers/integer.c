@@ -1,10 +1,10 @@
 /* Implements the arithmetic of exact integers (integer.h).
  *
- * Every operation puts the operands into roots, computes the size of the result, and creates a bignum of that capacity.
- * It then gets views of the operands; after this nothing allocates. It computes the limbs in place. int_settle removes
- * leading zeros, and returns a fixnum if the result fits. A bignum may therefore have a word or two of unused capacity
- * after its limbs. GMP itself allocates temporary memory in mpn_mul, mpn_tdiv_qr and mpn_gcd, at most a small multiple
- * of the operands. */
+ * Every operation puts the operands into roots of the garbage collector, computes the size of the result, and creates a
+ * bignum of that capacity. It then gets views of the operands; after this nothing allocates. It computes the limbs
+ * (64-bit digits) in place. int_settle removes leading zeros, and returns a fixnum if the result fits. A bignum may
+ * therefore have a word or two of unused capacity after its limbs. GMP itself allocates temporary memory in mpn_mul,
+ * mpn_tdiv_qr and mpn_gcd, at most a small multiple of the operands. */
 #include "vm/numbers/integer.h"
 
 #include <float.h>
@@ -48,10 +48,12 @@ static bool int_new(vs_scheme *vm, mp_size_t n, vs_value *out) {
 
 static mp_limb_t *int_limbs(vs_value v) { return vs_as_bignum(v)->limb; }
 
-/* Polls before a multiplication of n limbs in total. Large operands take about 100 ns per limb, small ones less. */
+/* Polls for an interrupt before a multiplication of n limbs in total. Large operands take about 100 ns per limb, small
+ * operands less. */
 static bool int_poll(vs_scheme *vm, mp_size_t n) { return n < 64 || vs_poll(vm, (uint64_t)n * (n < 1024 ? 4 : 32)); }
 
-/* Returns the integer of a bignum whose lowest n limbs are set. */
+/* Returns the bignum v with its lowest n limbs (64-bit digits) as an integer: without leading zeros, or as a fixnum if
+ * it fits. */
 static vs_value int_settle(vs_value v, mp_size_t n, bool negative) {
   vs_bignum *b = vs_as_bignum(v);
   VS_ASSERT(n >= 0 && (uint64_t)n <= b->count);
@@ -64,7 +66,8 @@ static vs_value int_settle(vs_value v, mp_size_t n, bool negative) {
   return v;
 }
 
-/* Gets the views of two integers. It must be repeated after each allocation, since a collection may move them. */
+/* Gets the views of the two integers in `of`. Call it again after each allocation, since a collection may move the
+ * integers. */
 static void int_look_two(const vs_value of[2], vs_int_view *x, vs_int_view *y) {
   vs_int_look(of[0], x);
   vs_int_look(of[1], y);
@@ -207,8 +210,8 @@ static uint64_t gcd_words(uint64_t a, uint64_t b) {
   return a;
 }
 
-/* Copies a number other than 0 without its trailing zero bits, and returns how many it had. Sets *n to the number of
- * limbs left. */
+/* Copies a positive number without its trailing zero bits, and returns how many of these it had. Sets *n to the number
+ * of limbs that remain. */
 static uint64_t int_copy_odd(mp_limb_t *to, const mp_limb_t *from, mp_size_t *n) {
   uint64_t zeros = mpn_scan1(from, 0);
   mp_size_t limbs = (mp_size_t)(zeros / 64);
@@ -229,7 +232,7 @@ bool vs_int_gcd(vs_scheme *vm, vs_value a, vs_value b, vs_value *out) {
   if (x.n == 0) return y.negative ? vs_int_negate(vm, b, out) : (*out = b, true);
   if (y.n == 0) return x.negative ? vs_int_negate(vm, a, out) : (*out = a, true);
   if (x.n == 1 && y.n == 1) return vs_int_from_uint64(vm, gcd_words(x.at[0], y.at[0]), out);
-  if (x.n == 1 || y.n == 1) {      /* one operand is small, as usual when a fraction is reduced */
+  if (x.n == 1 || y.n == 1) {      /* one operand fits into a limb, as usual when a fraction is reduced */
     mp_limb_t one = x.n == 1 ? x.at[0] : y.at[0];
     mp_limb_t rest = x.n == 1 ? mpn_mod_1(y.at, y.n, one) : mpn_mod_1(x.at, x.n, one);
     return vs_int_from_uint64(vm, gcd_words(one, rest), out);
@@ -334,7 +337,7 @@ bool vs_int_sqrt(vs_scheme *vm, vs_value a, vs_value *root, vs_value *rest) {
   return true;
 }
 
-/* Writes the two's complement of |w| into n limbs, at least as many as w has. */
+/* Writes the two's complement of |w| into n limbs. w must not have more than n limbs. */
 static void int_complement(const vs_int_view *w, mp_limb_t *to, mp_size_t n) {
   VS_ASSERT(n >= w->n);
   if (w->n) mpn_copyi(to, w->at, w->n);
@@ -367,12 +370,12 @@ bool vs_int_bitwise(vs_scheme *vm, char op, vs_value a, vs_value b, vs_value *ou
   return true;
 }
 
-/* ---- integers as texts. GMP's conversions do not poll, so that they convert at most PIECE digits. A longer number is
+/* ---- integers as texts: GMP's conversions do not poll, so they are used for at most PIECE digits. A longer number is
  * divided by, or composed with, radix to the power PIECE * 2^k, about as GMP does internally ---- */
 
 enum { PIECE = 20000, SQUARINGS = 14 /* PIECE * 2^14 digits exceed the largest number */ };
 
-/* Sets p[k] = radix^(PIECE * 2^k) for all k for which that has fewer digits than `digits`, and *count to their
+/* Sets p[k] = radix^(PIECE * 2^k) for all k for which this power has fewer digits than `digits`, and *count to their
  * number. */
 static bool piece_powers(vs_scheme *vm, int radix, double digits, vs_value *p, int *count) {
   int k = 0;
@@ -426,14 +429,16 @@ bool vs_int_print(vs_scheme *vm, vs_value a, int radix, vs_text *t) {
     return vs_text_put(t, s + i, sizeof s - i);
   }
   VS_ROOTS(vm, p, SQUARINGS);
-  VS_ROOTS(vm, r, SQUARINGS + 2);            /* roots: the parts not yet written, the highest digits last */
+  VS_ROOTS(vm, r, SQUARINGS + 2);            /* roots of the garbage collector: the parts not yet written, the highest
+                                              * digits last */
   struct { int level; bool first; } todo[SQUARINGS + 2];
   int count, top = 0;
   r[0] = a;
   if (!piece_powers(vm, radix, (double)vs_int_bits(a) / log2(radix), p, &count)) return false;
   todo[0].level = count;
   todo[0].first = true;
-  while (top >= 0) {                         /* each part is less than p[level - 1]^2, or at level 0 less than p[0] */
+  while (top >= 0) {                         /* each part at a level is less than p[level - 1]^2, or at level 0 less
+                                              * than p[0] */
     int level = todo[top].level;
     bool first = todo[top].first;
     if (level == 0) {
@@ -446,7 +451,7 @@ bool vs_int_print(vs_scheme *vm, vs_value a, int radix, vs_text *t) {
     todo[top].level = todo[top + 1].level = level - 1;
     todo[top + 1].first = first;
     todo[top].first = first && r[top + 1] == vs_fix(0);
-    if (!todo[top].first) top++;             /* the first part has no leading zeros */
+    if (!todo[top].first) top++;             /* the part with the highest digits is written without leading zeros */
   }
   return true;
 }
@@ -468,8 +473,8 @@ static bool piece_from_digits(vs_scheme *vm, const unsigned char *digits, size_t
 
 bool vs_int_from_digits(vs_scheme *vm, const unsigned char *digits, size_t n, int radix, bool negative, vs_value *out) {
   VS_ROOTS(vm, p, SQUARINGS);
-  VS_ROOTS(vm, r, 3);                        /* roots: the pieces, the lowest first, and the two pieces that are being
-                                              * joined */
+  VS_ROOTS(vm, r, 3);                        /* roots of the garbage collector: the pieces, the lowest first, and the
+                                              * two pieces that are being joined */
   int count;
   VS_ASSERT(radix >= 2 && radix <= 36);
   while (n && *digits == 0) digits++, n--;
@@ -499,7 +504,8 @@ bool vs_int_from_digits(vs_scheme *vm, const unsigned char *digits, size_t n, in
 
 /* ---- integers as doubles ---- */
 
-/* Returns top * 2^e, correctly rounded, even if subnormal. Bit 63 of top is set. sticky: bits other than 0 follow. */
+/* Returns the double nearest to top * 2^e, even if it is subnormal. Bit 63 of top is set. sticky: the exact number has
+ * further bits other than 0 below top. */
 static double round_top(uint64_t top, bool sticky, int64_t e) {
   int64_t high = e + 63;                         /* exponent of the leading bit of the result */
   VS_ASSERT(top >> 63 == 1);
@@ -513,7 +519,8 @@ static double round_top(uint64_t top, bool sticky, int64_t e) {
   return ldexp((double)kept, (int)(e + shift));
 }
 
-/* Returns the number of n limbs, times 2^e, correctly rounded. */
+/* Returns the double nearest to the number of n limbs, times 2^e. sticky: the exact number has further bits other than
+ * 0. */
 static double limbs_double(const mp_limb_t *at, mp_size_t n, bool sticky, int64_t e) {
   while (n && at[n - 1] == 0) n--;
   if (n == 0) return 0.0;
@@ -539,12 +546,13 @@ double vs_int_double(vs_value a) {
 
 bool vs_int_ratio_double(vs_scheme *vm, vs_value num, vs_value den, double *out) {
   VS_ASSERT(vs_int_sign(num) > 0 && vs_int_sign(den) > 0);
-  if (vs_is_fixnum(num) && vs_is_fixnum(den)) {      /* both are exact as doubles, so that the division rounds only
-                                                      * once */
+  if (vs_is_fixnum(num) && vs_is_fixnum(den)) {      /* numerator and denominator are exact as doubles, so that the
+                                                      * division rounds only once */
     *out = (double)vs_fixnum(num) / (double)vs_fixnum(den);
     return true;
   }
-  /* Scales so that the quotient has 66 or 67 bits. Two limbs contain it, and the remainder is the sticky bit. */
+  /* Scales numerator and denominator so that the quotient has 66 or 67 bits. Two limbs contain it, and a remainder
+   * other than 0 decides the rounding. */
   VS_ROOTS(vm, r, 4);
   r[0] = num;
   r[1] = den;

@@ -8,11 +8,11 @@
 
 #include "vm/values/text.h"
 
-enum { VS_INT_MAX_LIMBS = 1 << 21 };     /* greatest size: 40 million decimal digits, whose multiplication takes about a
-                                          * second */
+enum { VS_INT_MAX_LIMBS = 1 << 21 };     /* greatest size of an integer in limbs of 64 bits: 40 million decimal digits,
+                                          * whose multiplication takes about a second */
 
 /* A view: magnitude and sign of an integer, without allocation. Bignums move, so that vs_int_look must be called again
- * after every allocation. A view must not be copied, since it may point to its own member. */
+ * after every allocation. A view must not be copied, since `at` may point to its member `small`. */
 typedef struct vs_int_view { const mp_limb_t *at; mp_size_t n; bool negative; mp_limb_t small; } vs_int_view;
 /* Gets the view of v, an exact integer. */
 void vs_int_look(vs_value v, vs_int_view *w);
@@ -37,14 +37,14 @@ bool vs_int_is_odd(vs_value a);
 uint64_t vs_int_bits(vs_value a);                                                /* returns the number of bits of the
                                                                                   * magnitude; 0 for 0 */
 
-/* Appends a in radix 2 to 36, with lower-case letters. */
+/* Appends the integer a to t in radix 2 to 36, with lower-case letters. */
 bool vs_int_print(vs_scheme *vm, vs_value a, int radix, vs_text *t);
 /* Sets *out to the integer with these digits. They are values 0..radix-1, not characters. The radix is 2 to 36. */
 bool vs_int_from_digits(vs_scheme *vm, const unsigned char *digits, size_t n, int radix, bool negative, vs_value *out);
 
 /* Returns the nearest double, which may be infinite. */
 double vs_int_double(vs_value a);
-/* Sets *out to num/den, correctly rounded. Both are positive. */
+/* Sets *out to the double nearest to num/den. Both are positive. */
 bool vs_int_ratio_double(vs_scheme *vm, vs_value num, vs_value den, double *out);
 /* Sets *out to the integer that equals d, which is finite and integral. */
 bool vs_int_from_double(vs_scheme *vm, double d, vs_value *out);

@@ -13,8 +13,8 @@
 
 static const char *const op_name[] = {[VS_OP_ADD] = "+", [VS_OP_SUB] = "-", [VS_OP_MUL] = "*", [VS_OP_DIV] = "/"};
 
-/* Sets the error "NAME: expected EXPECTED, got V". NAME is the running native's, or `who` if an instruction replaced
- * the call. */
+/* Sets the error "NAME: expected EXPECTED, got V". NAME is the running native's name, or `who` if an instruction
+ * replaced the call. */
 static bool number_bad(vs_scheme *vm, const char *who, const char *expected, vs_value v) {
   VS_ROOTS(vm, r, 1);
   if (!vs_cons(vm, v, VS_NIL, &r[0])) return false;
@@ -74,8 +74,7 @@ bool vs_number_exact(vs_scheme *vm, vs_value v, vs_value *out) {
   if (!isfinite(d)) return number_bad(vm, "exact", "a finite number", v);
   if (d == floor(d)) return vs_int_from_double(vm, d, out);
   int e;
-  double m = frexp(d, &e);                       /* the exponent is small or negative, so that the value has a
-                                                  * fractional part */
+  double m = frexp(d, &e);                       /* d has a fractional part, since its exponent is small or negative */
   VS_ROOTS(vm, r, 2);
   return vs_int_from_int64(vm, (int64_t)ldexp(m, 53), &r[0]) && vs_int_shift(vm, vs_fix(1), 53 - e, &r[1]) &&
          vs_number_ratio(vm, r[0], r[1], out);
@@ -126,7 +125,8 @@ bool vs_flat_arith(vs_scheme *vm, vs_flat_op op, vs_value a, vs_value b, vs_valu
   vs_value other = ta ? b : a;
   bool numbers = (ta && tb) || (vs_is_number(other) && vs_number_double(vm, other, &number));
   int rule = vm->flat && numbers ? vm->flat->at[op][ta][tb].rule : VS_RULE_NONE;
-  if (op == VS_OP_SUB && !ta && a != vs_fix(0)) rule = VS_RULE_NONE;   /* permitted only as (- x), which is 0 - x */
+  if (op == VS_OP_SUB && !ta && a != vs_fix(0)) rule = VS_RULE_NONE;   /* a number minus a record is permitted only as
+                                                                        * (- x), which is 0 - x */
   if (rule == VS_RULE_NONE) {
     if (op == VS_OP_SUB) return vs_fail(vm, vm->sym.type, "cannot subtract %s from %s", vs_noun(vm, b), vs_noun(vm, a));
     return vs_fail(vm, vm->sym.type, "cannot %s %s %s %s", word[op], vs_noun(vm, a), joint[op], vs_noun(vm, b));
@@ -166,7 +166,7 @@ static bool number_arith(vs_scheme *vm, vs_flat_op op, vs_value a, vs_value b, v
   if (!exact_a && !vs_is_double(a)) return number_bad(vm, op_name[op], "a number", a);
   if (!exact_b && !vs_is_double(b)) return number_bad(vm, op_name[op], "a number", b);
   if (op == VS_OP_DIV && b == vs_fix(0)) return number_divide_by_zero(vm, "/");
-  /* The product with an exact 0 is the exact 0. */
+  /* The product of anything with an exact 0 is the exact 0. */
   if (op == VS_OP_MUL && (a == vs_fix(0) || b == vs_fix(0))) return *out = vs_fix(0), true;
   VS_ROOTS(vm, r, 2);
   r[0] = a;
@@ -196,7 +196,8 @@ bool vs_number_div(vs_scheme *vm, vs_value a, vs_value b, vs_value *out) {
 static bool number_compare(vs_scheme *vm, vs_value a, vs_value b, int *order) {
   bool da = vs_is_double(a), db = vs_is_double(b);
   VS_ASSERT(vs_is_number(a) && vs_is_number(b));
-  if ((da || vs_is_fixnum(a)) && (db || vs_is_fixnum(b))) {          /* doubles represent all fixnums exactly */
+  if ((da || vs_is_fixnum(a)) && (db || vs_is_fixnum(b))) {          /* doubles and fixnums are compared as doubles,
+                                                                      * which represent all fixnums exactly */
     double x = da ? vs_double(a) : (double)vs_fixnum(a), y = db ? vs_double(b) : (double)vs_fixnum(b);
     *order = x < y ? -1 : x > y ? 1 : x == y ? 0 : 2;
     return true;
@@ -286,7 +287,7 @@ static bool number_divide(vs_scheme *vm, divide_kind kind, const char *who, vs_v
   if (b == vs_fix(0) || (vs_is_double(b) && vs_double(b) == 0)) return number_divide_by_zero(vm, who);
   if (vs_is_double(a) || vs_is_double(b)) {
     double x, y, rest;
-    /* The operands are integral doubles or fixnums: nothing is allocated. */
+    /* If an operand is a double, both are integral doubles or fixnums, and nothing is allocated. */
     if (!vs_number_double(vm, a, &x) || !vs_number_double(vm, b, &y)) return false;
     rest = fmod(x, y);
     if (kind == DIVIDE_QUOTIENT) return *out = vs_flonum((x - rest) / y), true;
@@ -314,7 +315,7 @@ bool vs_number_modulo(vs_scheme *vm, vs_value a, vs_value b, vs_value *out) {
 
 bool vs_number_abs(vs_scheme *vm, vs_value a, vs_value *out) {
   if (vs_is_double(a)) return *out = vs_flonum_raw(fabs(vs_double(a))), true;
-  if (vs_is_dual(a)) { /* the derivative at 0, where there is none, is that on the right side */
+  if (vs_is_dual(a)) { /* at 0 the absolute value has no derivative: uses that on the right side */
     bool below;
     if (!vs_number_test(vm, VS_LT, a, vs_fix(0), &below)) return false;
     return below ? vs_number_sub(vm, vs_fix(0), a, out) : (*out = a, true);
@@ -331,7 +332,7 @@ bool vs_number_is_zero(vs_scheme *vm, vs_value a, bool *out) {
   return true;
 }
 
-/* Sets *out to the square root of an exact integer >= 0 if that is an integer, else to #f. */
+/* Sets *out to the square root of an exact integer n >= 0 if this root is an integer, otherwise to #f. */
 static bool int_exact_sqrt(vs_scheme *vm, vs_value n, vs_value *out) {
   VS_ROOTS(vm, r, 2);
   VS_ASSERT(vs_is_exact_integer(n) && vs_int_sign(n) >= 0);

@@ -16,7 +16,7 @@ static inline bool vs_is_exact_integer(vs_value v) { return vs_is_fixnum(v) || v
 static inline bool vs_is_exact(vs_value v) { return vs_is_exact_integer(v) || vs_is_ratio(v); }
 static inline bool vs_is_number(vs_value v) { return vs_is_double(v) || vs_is_exact(v); }
 
-/* ---- operations that instructions call in the general case ---- */
+/* ---- operations that instructions call if their operands are neither fixnums nor doubles ---- */
 bool vs_number_add(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);
 bool vs_number_sub(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);
 bool vs_number_mul(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);
@@ -25,15 +25,15 @@ bool vs_number_div(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);    /* 
 /* Computes a+b, a-b, a*b or a/b if at least one is a flat record. Returns false with an error that names the kinds of
  * both. */
 bool vs_flat_arith(vs_scheme *vm, vs_flat_op op, vs_value a, vs_value b, vs_value *out);
-/* Comparisons of exact and inexact numbers are exact; those with NaN are false. */
+/* Relations of numbers. Comparisons of exact with inexact numbers are exact; comparisons with NaN are false. */
 typedef enum { VS_LT, VS_LE, VS_EQ, VS_GE, VS_GT } vs_relation;
 bool vs_number_test(vs_scheme *vm, vs_relation relation, vs_value a, vs_value b, bool *out);
 bool vs_number_quotient(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);
 bool vs_number_remainder(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);
 bool vs_number_modulo(vs_scheme *vm, vs_value a, vs_value b, vs_value *out);
 bool vs_number_abs(vs_scheme *vm, vs_value a, vs_value *out);
-bool vs_number_sqrt(vs_scheme *vm, vs_value a, vs_value *out);               /* if a is exact and has an exact root, the
-                                                                              * result is exact */
+bool vs_number_sqrt(vs_scheme *vm, vs_value a, vs_value *out);               /* if a is exact and has an exact square
+                                                                              * root, the result is this root */
 bool vs_number_is_zero(vs_scheme *vm, vs_value a, bool *out);                /* other values are the error "zero?:
                                                                               * expected a number" */
 

@@ -1,10 +1,10 @@
 /* Converts numbers to and from text: doubles in every radix, exact numbers, and the syntax of R7RS.
  *
- * Doubles are written by Burger and Dybvig's free-format algorithm: the shortest digits that read back as the same
- * double, and of those the nearest. It uses integers of at most about 20 limbs on the C stack. Two faster methods are
- * tried first, for integers and for decimals of up to 15 digits. Reading uses Clinger's fast path: a mantissa and a
- * power of ten that are both exact doubles round only once. Other numbers are read as an exact ratio, and correctly
- * rounded. */
+ * Doubles are written by Burger and Dybvig's free-format algorithm: the shortest digits that are read as the same
+ * double, and among equally short ones the nearest. It uses integers of at most about 20 limbs on the C stack. Two
+ * faster methods are tried first, for integers and for decimals of up to 15 digits. Reading uses Clinger's fast path: a
+ * mantissa and a power of ten that are both exact doubles round only once. All other numbers are read as an exact
+ * ratio, which is rounded to the nearest double. */
 #include "vm/numbers/number_text.h"
 
 #include <float.h>
@@ -71,7 +71,7 @@ static int big_compare_sum(const big *a, const big *b, const big *c) {
   return big_compare(&sum, c);
 }
 
-/* Subtracts b from a as often as possible, which is fewer than 37 times. Returns how often. */
+/* Subtracts b from a as often as possible, which is fewer than 37 times. Returns the number of subtractions. */
 static unsigned big_divide(big *a, const big *b) {
   unsigned q = 0;
   while (big_compare(a, b) >= 0) {
@@ -83,7 +83,7 @@ static unsigned big_divide(big *a, const big *b) {
 }
 
 /* Writes the digits D1, D2 ... (values, not characters) of d = 0.D1D2... * radix^*point. d is finite and above 0.
- * Returns their number. */
+ * Returns the number of digits. */
 static int double_digits(double d, unsigned radix, unsigned char *digits, int *point) {
   int e;
   uint64_t f = (uint64_t)ldexp(frexp(d, &e), DBL_MANT_DIG);
@@ -140,7 +140,7 @@ static int decimal_digits(double d, unsigned char *digits, int *point) {
     for (int k = 0; k < 8; k++) {
       double scaled = d * ten[k];
       if (scaled >= 1e15) break;
-      /* m / 10^k rounds to d, and m has at most 15 digits: m is the shortest text of d. */
+      /* m / 10^k rounds to d, and m has at most 15 digits: the digits of m are the shortest text of d. */
       if (scaled != floor(scaled) || scaled / ten[k] != d) continue;
       unsigned char reversed[20] = {0};
       int n = 0, count = 0, skip = 0;
@@ -193,7 +193,7 @@ static bool double_print(double d, int radix, vs_text *t) {
     char s[VS_DOUBLE_TEXT];
     return vs_text_put(t, s, vs_double_text(d, s));
   }
-  /* Writes no exponent, since in other radices its letter is a digit. */
+  /* Does not write an exponent, since its letter e is a digit in other radices. */
   static const char name[] = "0123456789abcdefghijklmnopqrstuvwxyz";
   unsigned char digits[MAX_DIGITS];
   int point, n = double_digits(fabs(d), (unsigned)radix, digits, &point);
@@ -231,7 +231,7 @@ typedef struct scan {
   vs_scheme *vm;
   const char *s, *end;
   int radix;
-  char exactness;            /* 'e' after #e, 'i' after #i, or 0 */
+  char exactness;            /* 'e' after the prefix #e, 'i' after #i, or 0 */
   bool negative;
 } scan;
 
@@ -267,7 +267,8 @@ static bool finish_exact(const scan *in, vs_value v, vs_value *out) {
   return in->negative ? vs_number_sub(in->vm, vs_fix(0), r[0], out) : (*out = r[0], true);
 }
 
-/* Sets *out to the digits (values) of the mantissa times radix^exponent: a double, or exact after #e. */
+/* Sets *out to the number whose mantissa has these digits (values), times radix^exponent: a double, or an exact number
+ * after #e. */
 static bool scaled_number(const scan *in, const unsigned char *digits, size_t n, int64_t exponent, vs_value *out) {
   vs_scheme *vm = in->vm;
   while (n && digits[0] == 0) digits++, n--;
@@ -289,7 +290,7 @@ static bool scaled_number(const scan *in, const unsigned char *digits, size_t n,
   } else if (exponent > 1000000 || exponent < -1000000) {
     return vs_fail(vm, vm->sym.range, "the exponent of an exact number is too large");
   }
-  /* Digits after the first KEEP cannot change the result except by being non-zero: one digit replaces them. */
+  /* Of the digits after the first KEEP, only whether they are all 0 can affect the result: one digit replaces them. */
   enum { KEEP = 1200 };
   unsigned char kept[KEEP + 1];
   if (!exact && n > KEEP) {
@@ -365,7 +366,7 @@ static bool equals(const char *p, const char *end, const char *lower) {
 
 bool vs_number_parse(vs_scheme *vm, const char *s, size_t n, int radix, vs_value *out) {
   VS_ASSERT(radix >= 2 && radix <= 36);
-  /* A number plus an exact 0 times the imaginary unit is that number. There are no other complex numbers. */
+  /* accepts 3+0i, whose imaginary part is an exact 0: it is the number 3. There are no other complex numbers. */
   if (n > 3 && is_letter(s[n - 1], 'i') && s[n - 2] == '0' && (s[n - 3] == '+' || s[n - 3] == '-') &&
       !is_letter(s[n - 4], 'e') && s[n - 4] != '#')
     n -= 3;

@@ -37,7 +37,7 @@ static bool is_branch(uint32_t op) {
 static uint32_t length_of(uint32_t op) { return 1 + vs_op_extra(op); }
 
 /* Sets *out to the result of the call at index `call`, when the activation is about to run the instruction at index
- * `at`. Returns false if there is no result to show. */
+ * `at`. Returns false if the call has no result that could be shown. */
 static bool value_of(const vs_code *code, const vs_value *base, uint32_t call, uint32_t at, vs_value *out) {
   const uint32_t *ins = vs_code_ins(code) + call;
   uint32_t op = *ins & 255;
@@ -47,7 +47,8 @@ static bool value_of(const vs_code *code, const vs_value *base, uint32_t call, u
     default: break;
   }
   switch (vs_op_generic(op)) {
-    case VS_O_G_JABC: case VS_O_G_JAI: case VS_O_G_JA: /* the branch is taken if the truth of the result equals C */
+    case VS_O_G_JABC: case VS_O_G_JAI: case VS_O_G_JA: /* a conditional jump shows the truth of the call's result: the
+                                                        * jump is taken if the truth equals operand C */
       *out = vs_bool((at != call + length_of(op)) == (bool)VS_C(*ins));
       return true;
     case VS_O_NONE: case VS_O_G_SET: case VS_O_G_SETV: case VS_O_G_RECSET: return false;
@@ -55,8 +56,8 @@ static bool value_of(const vs_code *code, const vs_value *base, uint32_t call, u
   }
 }
 
-/* Gets the procedure, keywords and arguments of the call at ins. *args may be room after the activation's registers.
- * Returns the number of arguments. */
+/* Gets the procedure, keywords and arguments of the call at ins. *args points to the activation's registers, or to
+ * unused room after them. Returns the number of arguments. */
 static size_t operands_of(const vs_code *code, vs_value *base, const uint32_t *ins, vs_value *procedure,
                           const vs_value **args, vs_value *keywords) {
   const vs_value *k = vs_code_consts(code);
@@ -94,8 +95,8 @@ static size_t operands_of(const vs_code *code, vs_value *base, const uint32_t *i
 
 /* ---- stopping a program ---- */
 
-/* Creates the condition of a stop, without its continuation. of: roots with the subject, the arguments and the
- * keywords. */
+/* Creates the error object that represents a stop, without its continuation. of: roots of the garbage collector with
+ * the subject, the arguments and the keywords. */
 static bool make_stop(vs_scheme *vm, vs_stop_kind kind, const vs_value *of, uint64_t level, bool tail) {
   VS_ROOTS(vm, r, 1);
   if (!vs_make_vector(vm, VS_STOP_WORDS, VS_FALSE, &r[0])) return false;
@@ -115,7 +116,8 @@ static bool make_stop(vs_scheme *vm, vs_stop_kind kind, const vs_value *of, uint
   return true;
 }
 
-/* Stores the continuation of the window w, which has its return information in slot 1, in the stop vm->condition. */
+/* Stores a continuation in the stop vm->condition: that of the window w (procedure, return information, n
+ * arguments). */
 static bool hold(vs_scheme *vm, vs_value *w, size_t n) {
   VS_ROOTS(vm, r, 1);
   VS_ASSERT(vs_is_stop(vm, vm->condition));
@@ -128,7 +130,8 @@ static bool hold(vs_scheme *vm, vs_value *w, size_t n) {
   return true;
 }
 
-/* Where an activation stops: before the instruction at index `at`. `shown` is the index of the instruction to show. */
+/* Where an activation stops: before the instruction at index `at`. `shown` is the index of the instruction that the
+ * host shows. */
 typedef struct { vs_value *base; uint32_t at, shown; uint64_t level; } stopped;
 
 static vs_step_verdict stop(vs_scheme *vm, const stopped *s, vs_stop_kind kind, vs_value subject) {
@@ -153,7 +156,8 @@ static vs_step_verdict stop(vs_scheme *vm, const stopped *s, vs_stop_kind kind, 
   vs_value *w = base + code->registers;
   w[0] = VS_FALSE;
   w[1] = vs_ret_make(code->registers, at);
-  hold(vm, w, 0);       /* if memory is out, the activations may be in the heap, and no handler can catch the error */
+  hold(vm, w, 0);       /* if memory is out, no handler can catch that error, since the activations may already be in
+                         * the heap */
   return VS_LOOK_STOP;
 }
 
@@ -218,8 +222,8 @@ static vs_status break_(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
 
 static vs_status resume(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
-  vs_call_begin(vm, a[0]);        /* the before thunks of the program's dynamic-winds do not run, since the program has
-                                   * not left them */
+  vs_call_begin(vm, a[0]);        /* does not run the before thunks of the program's dynamic-winds, since the program
+                                   * has not left them */
   *out = VS_UNSPECIFIC;
   return VS_THROW;
 }

@@ -1,6 +1,6 @@
 /* Declares stops in the middle of a program: by (break), or between two of its expressions when it is stepped through.
  *
- * A program that stops leaves the run loop. Its state is a continuation in a condition of kind `stop`, with which
+ * A program that stops leaves the run loop. Its state is a continuation in an error object of kind `stop`, with which
  * vs_run returns false. The host may then run other code, and enter the continuation with vs_step_resume (resume.h). No
  * C function waits meanwhile, and a program may stop while another is stopped. */
 #ifndef VS_VM_STEPPING_STEP_H
@@ -12,18 +12,19 @@
  * has returned a value. */
 typedef enum { VS_STOP_BREAK, VS_STOP_CALL, VS_STOP_VALUE } vs_stop_kind;
 
-/* The payload of the condition is a vector with these elements. */
+/* Indices of the elements of a stop's payload, a vector. */
 enum {
-  VS_STOP_CONTINUATION,  /* continuation, which accepts no values */
+  VS_STOP_CONTINUATION,  /* continuation by which the program continues; it accepts no values */
   VS_STOP_KIND,          /* a vs_stop_kind as a fixnum */
-  VS_STOP_SUBJECT,       /* CALL: the procedure; VALUE: the value */
+  VS_STOP_SUBJECT,       /* CALL: the called procedure; VALUE: the value of the call */
   VS_STOP_ARGUMENTS,     /* CALL: list of the arguments */
   VS_STOP_KEYWORDS,      /* CALL: a KEYWORDS object with the names of the last arguments, or #f */
-  VS_STOP_LEVEL,         /* level of the activation as a fixnum; those of its callers are smaller */
+  VS_STOP_LEVEL,         /* level of the activation (number of stack slots below it) as a fixnum; the levels of its
+                          * callers are smaller */
   VS_STOP_TAIL,          /* CALL: whether it is a tail call */
-  VS_STOP_MODE,          /* previous vs_step_mode, as a fixnum; its target follows */
+  VS_STOP_MODE,          /* vs_step_mode of the previous step, as a fixnum; the next element is its target */
   VS_STOP_TARGET,
-  VS_STOP_FLAGS,         /* fixnum for use by the host */
+  VS_STOP_FLAGS,         /* fixnum that the host may set */
   VS_STOP_WORDS
 };
 

@@ -1,4 +1,4 @@
-/* Implements equal? and hashes (equal.h). Nothing here allocates Scheme objects, so that addresses remain valid.
+/* Implements equal? and hashes (equal.h). This file allocates no Scheme objects, so that addresses remain valid.
  *
  * equal? walks over both structures with an explicit stack. After more steps than most data need, it records the pairs
  * of objects that are being compared. A pair that occurs again counts as equal, as if both structures were unfolded
@@ -12,8 +12,9 @@ typedef struct equal_pair { vs_value a, b; } equal_pair;
 typedef struct equal_walk {
   vs_scheme *vm;
   equal_pair *todo; size_t count, room;
-  equal_pair *notes; size_t noted, slots;          /* hash table of pairs, with open addressing; a = 0 in a free slot (0
-                                                    * is no object) */
+  equal_pair *notes; size_t noted, slots;          /* hash table of compared pairs, with open addressing; a = 0 in a
+                                                    * free slot (0 is no object). noted: number of pairs; slots: size of
+                                                    * the table */
 } equal_walk;
 
 static uint64_t mix(uint64_t h, uint64_t v) {
@@ -154,7 +155,7 @@ static uint64_t string_hash(const vs_string *s) {
   return mix(h, s->length);
 }
 
-/* Returns the hash of v without its elements. */
+/* Returns the hash of v alone, without the elements of a pair or vector. */
 static uint64_t hash_atom(vs_scheme *vm, vs_value v, bool deep, bool *moves) {
   if (!vs_is_object(v)) return mix(1, v);
   const vs_object *o = vs_object_of(v);

@@ -10,9 +10,9 @@ static inline bool vs_eqv(vs_value a, vs_value b) {
 bool vs_equal(vs_scheme *vm, vs_value a, vs_value b, bool *out);      /* Sets *out to whether a and b are equal.
                                                                        * Returns false when memory is out or a limit
                                                                        * is reached. */
-/* Returns the hash of v for a table of this kind, VS_TABLE_EQ to VS_TABLE_STRING. Sets *moves if it is computed from
- * the address of a young object, and thus valid only until vm->collections changes. EQ and EQV hash the addresses of
- * objects; EQUAL does so for procedures, ports and the like. */
+/* Returns the hash of v for a table of this kind, VS_TABLE_EQ to VS_TABLE_STRING. Sets *moves if the hash is computed
+ * from the address of a young object, and thus valid only until vm->collections changes. EQ and EQV hash the addresses
+ * of objects; EQUAL does so for procedures, ports and the like. */
 uint64_t vs_hash(vs_scheme *vm, vs_value v, uint32_t kind, bool *moves);
 
 #endif

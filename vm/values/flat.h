@@ -5,24 +5,24 @@
 
 #include "vm/machine/vs.h"
 
-enum { VS_FLAT_TAGS = 32, VS_FLAT_FIELDS = 16 };                 /* in the rules below, tag 0 means a number */
+enum { VS_FLAT_TAGS = 32, VS_FLAT_FIELDS = 16 };                 /* in the rules of arithmetic, tag 0 means a number */
 typedef struct vs_flat_type {
   const char *name;        /* noun for messages, such as "a point" */
   const char *noun;
   const char *constructor; /* a record is printed as (constructor f0 f1 ...) with its first `fields` doubles */
   int fields;
-  const char *parts[2];    /* if not NULL: constructors of the first and the next three doubles, as in (make-axis (xyz
-                            * ...) (vxyz ...)) */
+  const char *parts[2];    /* if not NULL, the record is printed in two parts: parts[0] is the constructor of the first
+                            * three doubles, parts[1] that of the next three, as in (make-axis (xyz ...) (vxyz ...)) */
 } vs_flat_type;
 
 typedef enum { VS_RULE_NONE, VS_RULE_ADD, VS_RULE_SUB, VS_RULE_MUL, VS_RULE_DIV, VS_RULE_CALL } vs_flat_rule;
-/* The rules are applied to each component; a number counts for every component. VS_RULE_CALL: vs_flat_rules.call
- * computes the result. */
+/* The rules of arithmetic are applied to each component of a record; a number counts for every component. VS_RULE_CALL:
+ * vs_flat_rules.call computes the result. */
 typedef enum { VS_OP_ADD, VS_OP_SUB, VS_OP_MUL, VS_OP_DIV, VS_OP_COUNT } vs_flat_op;
 typedef enum {
   VS_FLAT_PLUS,
   VS_FLAT_MINUS,
-  VS_FLAT_FROM /* the right operand minus the left one */,
+  VS_FLAT_FROM /* the rule for the right operand minus the left operand */,
   VS_FLAT_TIMES,
   VS_FLAT_OVER,
   VS_FLAT_DOT,
@@ -33,18 +33,19 @@ typedef enum {
 typedef struct vs_flat_rules {
   int tags;                                                     /* 1 + number of registered types of records */
   vs_flat_type type[VS_FLAT_TAGS];
-  /* at[operator][left tag][right tag]: rule and tag of the result; unary minus is 0 - x */
+  /* at[operator][left tag][right tag]: rule and tag of the result; the negation of x is computed as 0 - x */
   struct { uint8_t rule, tag; } at[VS_OP_COUNT][VS_FLAT_TAGS][VS_FLAT_TAGS];
-  /* Procedures that become one opcode. A `maker` creates a record of n numbers. A getter returns the double at an index
-   * of a record whose tag is in the mask. The native of the same name handles all other cases, and reports errors. */
+  /* Procedures whose calls are compiled to one instruction. A `maker` creates a record of n numbers. A getter returns
+   * the double at an index of a record whose tag is in the mask. The native of the same name handles all other cases,
+   * and reports errors. */
   int makers, getters;
   struct { const char *name; uint8_t tag, n; } maker[64];
   struct { const char *name; uint64_t mask; uint8_t index; } getter[64];
-  /* Procedures of two records with three fields, of a record and a number (right tag 0), or of one record. The result
-   * is a record with the tag `result`, or a number if that is 0. */
+  /* Procedures of two records with three fields, of a record and a number (right tag 0), or of a single record. The
+   * result is a record with the tag `result`, or a number if `result` is 0. */
   /* Computes the named procedure for n arguments, at least one of which is a record of a type with VS_RULE_CALL. The
-   * procedures are arithmetic, functions of one number, and tests, which return #t or #f. NULL if no type has that
-   * rule. */
+   * procedures are arithmetic, functions of one number, and tests, which return #t or #f. NULL if no type has the rule
+   * VS_RULE_CALL. */
   bool (*call)(vs_scheme *vm, const char *name, const vs_value *a, int n, vs_value *out);
   int binaries, unaries;
   struct { const char *name; uint8_t kind, left, right, result; } binary[32];

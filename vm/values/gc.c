@@ -1,14 +1,15 @@
 /* Implements the garbage collector.
  *
- * The old space consists of blocks of BLOCK bytes. Each block has cells of one size class. Blocks are parts of chunks,
- * which have CHUNK_BLOCKS blocks, or more in a large heap (the host may then use huge pages). A class has a list of
- * free cells, and one block from which new cells are taken in sequence. Objects larger than the largest class are
- * separate allocations in a list. Old objects never move.
+ * Old space is where objects live that have survived a collection. It consists of blocks of BLOCK bytes. Each block has
+ * cells of one size class. Blocks are parts of chunks, which have CHUNK_BLOCKS blocks, or more in a large heap (the
+ * host may then use huge pages). A class has a list of free cells, and one block from which new cells are taken in
+ * sequence. Objects larger than the largest class are separate allocations in a list. Old objects never move.
  *
- * A minor collection must not fail before it is complete. gc_reserve therefore reserves the blocks that it might need
- * before the nursery is used again. Its worklist needs no memory: the old copy of a promoted object links to the next.
- * A major collection marks with a stack of (object, next slot). If that stack cannot grow, the collector walks over the
- * heap again for the objects that it could not push.
+ * A minor collection copies the live objects of the nursery (new objects) to old space. It must not fail before it is
+ * complete. gc_reserve therefore reserves the blocks that it might need before the nursery is used again. Its worklist
+ * needs no memory: the old copy of a promoted object links to the next. A major collection marks with a stack of
+ * (object, next slot). If that stack cannot grow, the collector walks over the heap again for the objects that it could
+ * not push.
  *
  * The time of a minor collection is proportional to the surviving bytes. The time of a major one is proportional to the
  * live bytes, plus one access for each old cell. */
@@ -25,15 +26,15 @@ enum {
   BLOCK = 16 << 10,
   BLOCK_DATA = BLOCK - 32,
   CHUNK_BLOCKS = 64,
-  CHUNK_LEAST = 2 << 20, CHUNK_MOST = 4 << 20,      /* least and greatest size of larger chunks, in bytes */
+  CHUNK_LEAST = 2 << 20, CHUNK_MOST = 4 << 20,      /* bounds of the size of a chunk in a large heap, in bytes */
   /* If the host refuses memory, a major collection runs. The next major collection for this reason must wait until
    * 1/STARVED of the heap has been allocated. */
   STARVED = 64,
   GC_MARK = 1, GC_REMEMBERED = 2, GC_FREE = 4, GC_MOVED = 8, GC_LARGE = 16
 };
-/* For VS_DEBUG_STRESS. A collection at every allocation visits all roots, of which a deep recursion has a million.
- * Above STRESS_VISITS visits, minor collections are therefore skipped in proportion. A whole collection, with a check
- * of the heap, runs once in (heap bytes / STRESS_BYTES) allocations. */
+/* For VS_DEBUG_STRESS. A collection at every allocation visits all roots, of which a deep recursion has a million. If a
+ * minor collection visits more than STRESS_VISITS slots, some later collections are skipped in proportion. A whole
+ * collection, with a check of the heap, runs once in (heap bytes / STRESS_BYTES) allocations. */
 enum { STRESS_VISITS = 2048, STRESS_BYTES = 256 };
 #if VS_DEBUG_SMALL
 enum { NURSERY = 32 << 10, FIRST_MAJOR = 256 << 10 };
@@ -48,17 +49,18 @@ enum { CLASSES = sizeof class_words / sizeof class_words[0], CLASS_MAX = 255 };
 
 struct vs_gc_block {
   struct vs_gc_block *next;
-  uint32_t words;                     /* size of a cell in words */
-  uint32_t used;                      /* bytes of the block that were cut into cells */
+  uint32_t words;                     /* size in words of the cells of this class */
+  uint32_t used;                      /* number of bytes at the start of the block that have been divided into cells */
   struct vs_gc_chunk *chunk;
   uint64_t unused;
   uint64_t data[];
 };
 struct vs_gc_chunk {
-  struct vs_gc_chunk *next, *open;    /* open: next chunk with unused blocks */
-  uint32_t fresh, live;               /* fresh: number of blocks that were never used; live: blocks in use, as counted
-                                       * by the sweep */
-  uint32_t count, leaving;            /* count: number of blocks; leaving: whether the chunk is about to be freed */
+  struct vs_gc_chunk *next, *open;    /* next: next chunk in the list; open: next chunk that has unused blocks */
+  uint32_t fresh, live;               /* fresh: number of the chunk's blocks that were never used; live: number of its
+                                       * blocks in use, as counted by the sweep */
+  uint32_t count, leaving;            /* count: number of the chunk's blocks; leaving: whether the chunk is about to be
+                                       * freed */
 };
 struct vs_gc_large { struct vs_gc_large *next; size_t bytes; };
 
@@ -74,25 +76,27 @@ struct vs_gc {
   struct { struct free_cell *free; struct vs_gc_block *bump; } of[CLASSES];
   uint8_t class_of[CLASS_MAX + 1];              /* class_of[n]: size class of objects with n words */
   struct vs_gc_large *large;
-  /* The actual end of the nursery; vm->end is lower while every allocation must use the slow path. */
+  /* The actual end of the nursery. vm->end is lower while every allocation must call vs_gc_alloc. */
   char *nursery_end;
   bool minor;                                   /* whether a minor collection is running */
-  bool ready;                                   /* whether the blocks for the next minor collection are reserved */
-  size_t old_bytes, major_at;                   /* old_bytes: bytes of old objects; major_at: old_bytes at which a major
-                                                 * collection begins */
-  /* Bytes of old objects allocated since the last whole collection for refused memory. */
+  bool ready;                                   /* whether the blocks that the next minor collection may need are
+                                                 * reserved */
+  size_t old_bytes, major_at;                   /* old_bytes: bytes of old objects; major_at: value of old_bytes at
+                                                 * which a major collection begins */
+  /* Bytes of old objects allocated since the last major collection that ran because memory was refused. */
   size_t granted;
-  size_t external, external_minor;              /* external: bytes of host objects; external_minor: their number that
-                                                 * starts a minor collection */
+  size_t external, external_minor;              /* external: bytes of host memory that objects keep; external_minor:
+                                                 * value of external at which a minor collection begins */
   vs_object **remembered; size_t remembered_count, remembered_room; bool remembered_lost;
   vs_object **young_foreign; size_t young_count, young_room;
   vs_object **tracing; size_t tracing_count, tracing_room;     /* old foreign objects with a trace function */
-  vs_object *grey;                              /* worklist of the minor collection: list of old copies */
+  vs_object *grey;                              /* worklist of the minor collection: list of the objects copied to old
+                                                 * space whose references were not yet visited */
   struct mark_entry *marks; size_t mark_count, mark_room; bool mark_lost;
   char *image; size_t image_bytes;              /* objects that were loaded from a heap image */
   void (*release_image)(vs_scheme *vm, void *image, size_t bytes);
-  /* For VS_DEBUG_STRESS: visits of the last minor collection; allocations until the next minor and the next whole
-   * one. */
+  /* For VS_DEBUG_STRESS: visits: slots that the last minor collection has visited; minor_in, whole_in: allocations
+   * until the next minor and the next whole collection. */
   size_t visits, minor_in, whole_in;
 };
 
@@ -164,7 +168,7 @@ static void gc_drop_chunk(vs_scheme *vm, struct vs_gc_chunk *c) {
   vs_mem(vm, c, bytes, 0);
 }
 
-/* Returns the number of spare blocks that suffice to promote the whole nursery. */
+/* Returns the number of spare blocks that suffice to copy the whole nursery to old space. */
 static size_t gc_blocks_needed(const vs_scheme *vm) {
   return vm->nursery_bytes / (BLOCK_DATA - BLOCK_DATA / 4) + CLASSES + 1;
 }
@@ -217,8 +221,8 @@ static vs_object *gc_cell(vs_scheme *vm, size_t words) {
   return &f->h;
 }
 
-/* Returns a cell for an object that is allocated in the old space, or NULL when memory is out. The blocks reserved for
- * the next minor collection remain reserved. */
+/* Returns a cell for an object that is allocated in old space, or NULL when memory is out. Does not use the blocks
+ * reserved for the next minor collection. */
 static vs_object *gc_born_old(vs_scheme *vm, size_t words) {
   struct vs_gc *gc = vm->gc;
   unsigned k = gc->class_of[words];
@@ -230,7 +234,7 @@ static vs_object *gc_born_old(vs_scheme *vm, size_t words) {
 }
 
 /* Allocates a large object separately, zeroed. Returns NULL when memory is out. Zeroing a gigabyte takes so long that
- * it polls; *stopped is set if an interrupt, and not refused memory, is the condition. */
+ * it polls for an interrupt. *stopped is set if an interrupt, and not refused memory, is the reason for NULL. */
 static vs_object *gc_large(vs_scheme *vm, size_t words, bool *stopped) {
   struct vs_gc *gc = vm->gc;
   size_t bytes = words * sizeof(uint64_t);
@@ -247,14 +251,15 @@ static vs_object *gc_large(vs_scheme *vm, size_t words, bool *stopped) {
 }
 
 /* ---- allocating objects ---- */
-static void gc_hold_down(vs_scheme *vm) {      /* for debugging: every allocation then uses the slow path */
+static void gc_hold_down(vs_scheme *vm) {      /* for debugging: makes every allocation call vs_gc_alloc */
   vm->end = VS_DEBUG_STRESS || vm->fail_after ? vm->nursery : vm->gc->nursery_end;
 }
 
 /* Initialises the header of an object of this type (VS_T_...), and zeroes the rest. */
 static vs_object *gc_init(vs_object *o, int type, unsigned gc, size_t words) {
   VS_ASSERT(type >= 0 && type < VS_T_COUNT);
-  if (!(gc & GC_LARGE)) memset(o, 0, words * sizeof(uint64_t));       /* gc_large has already zeroed a large object */
+  if (!(gc & GC_LARGE)) memset(o, 0, words * sizeof(uint64_t));       /* a large object was already zeroed by
+                                                                       * gc_large */
   o->type = (uint8_t)type; o->gc = (uint8_t)gc; o->words = (uint32_t)words;
   return o;
 }
@@ -265,7 +270,7 @@ static void gc_stress(vs_scheme *vm) {
   if (gc->whole_in-- == 0) {
     vs_gc_major(vm);
     if (!vs_gc_check(vm)) __builtin_trap();
-    /* The period varies, so that it does not coincide with that of a loop in the program. */
+    /* The period varies, so that it does not coincide with the period of a loop in the program. */
     gc->whole_in = (gc->old_bytes + gc->image_bytes) / STRESS_BYTES + vm->collections % 7;
   } else if (gc->minor_in-- == 0) {
     vs_gc_minor(vm);
@@ -286,11 +291,11 @@ vs_object *vs_gc_alloc_old(vs_scheme *vm, int type, size_t words) {
   if (VS_DEBUG_STRESS && gc->whole_in-- == 0) { gc->whole_in = 0; gc_stress(vm); }
   if (gc->old_bytes + gc->external + words * 8 > gc->major_at || (words > CLASS_MAX && gc_over_limit(vm, words * 8)))
     vs_gc_major(vm);
-  /* Makes room to remember this object, so that remembering it cannot fail later. */
+  /* Makes room for this object in the remembered set, so that adding it cannot fail later. */
   if (!gc_grow(vm, &gc->remembered, &gc->remembered_room, gc->remembered_count, sizeof *gc->remembered)) return NULL;
   bool stopped = false;
   vs_object *o = words <= CLASS_MAX ? gc_born_old(vm, words) : gc_large(vm, words, &stopped);
-  /* Memory was refused: a collection may free some, unless one has just run. */
+  /* If memory was refused, a collection may free some, unless one has just run. */
   if (!o) {
     if (stopped || gc->granted < gc->old_bytes / STARVED) return NULL;
     gc->granted = 0;
@@ -300,7 +305,8 @@ vs_object *vs_gc_alloc_old(vs_scheme *vm, int type, size_t words) {
   }
   gc->granted += words * 8;
   gc_init(o, type, words > CLASS_MAX ? GC_LARGE : 0, words);
-  if (vs_layout[type].first) vs_gc_remember(vm, o);     /* its fields are first set without the write barrier */
+  if (vs_layout[type].first) vs_gc_remember(vm, o);     /* the caller first sets the object's fields without the write
+                                                         * barrier, so the object is remembered */
   return o;
 }
 
@@ -347,7 +353,7 @@ void vs_gc_remember(vs_scheme *vm, vs_object *o) {
   if (o->gc & GC_REMEMBERED) return;
   o->gc |= GC_REMEMBERED;
   if (gc->remembered_count == gc->remembered_room) {
-    /* If memory is out, it is enough that the object has the flag: a walk over the heap finds it. */
+    /* If memory for the remembered set is out, the flag in the object suffices: a walk over the heap finds it. */
     vs_value was = vm->condition;
     bool grown = gc_grow(vm, &gc->remembered, &gc->remembered_room, gc->remembered_count, sizeof *gc->remembered);
     vm->condition = was;
@@ -364,13 +370,15 @@ void vs_gc_external(vs_scheme *vm, int64_t bytes) {
   else gc->external = (size_t)((int64_t)gc->external + bytes);
 }
 
-/* The number of bytes of a host's object is stored in 16 bits of its header: 11 binary digits, rounded up, and the
- * number of places by which they are shifted. The number that is added is thus equal to the number later subtracted. */
+/* The number of bytes that a host's object keeps is stored in 16 bits of its header, as a number of CHARGE_DIGITS bits,
+ * rounded up, and a shift. Thus the number that is added when the object is created equals the number that is
+ * subtracted when it dies. */
 enum { CHARGE_DIGITS = 11, CHARGE_MASK = (1 << CHARGE_DIGITS) - 1 };
 static uint16_t gc_charge(size_t bytes) {
   unsigned shift = 0;
   for (; bytes > CHARGE_MASK && shift < 31; shift++) bytes = bytes / 2 + bytes % 2;
-  return (uint16_t)(shift << CHARGE_DIGITS | (bytes & CHARGE_MASK)); /* every object is smaller than 4 TB */
+  return (uint16_t)(shift << CHARGE_DIGITS | (bytes & CHARGE_MASK)); /* the shift has 5 bits, enough because every
+                                                                      * object is smaller than 4 TB */
 }
 static size_t gc_charged(uint16_t charge) { return (size_t)(charge & CHARGE_MASK) << (charge >> CHARGE_DIGITS); }
 
@@ -418,7 +426,7 @@ static inline void gc_visit_range(vs_scheme *vm, vs_value *at, size_t n, gc_visi
 static void gc_visit_roots(vs_scheme *vm, gc_visit *visit) {
   if (vm->stack) {
     gc_visit_range(vm, vm->stack, (size_t)(vm->top - vm->stack), visit);
-    /* slots above the top are unused. They are zeroed, since they would count as live when an activation includes them
+    /* Zeroes the unused slots above the top: their old contents would count as live when an activation includes them
      * before it writes them. */
     memset(vm->top, 0, (size_t)((char *)vm->stack_end - (char *)vm->top));
   }
@@ -440,14 +448,16 @@ static void minor_visit(vs_scheme *vm, vs_value *slot) {
   vs_object *o = vs_object_of(v);
   uint64_t *corpse = (uint64_t *)(void *)o;
   if (!(o->gc & GC_MOVED)) {
-    vs_object *copy = gc_cell(vm, o->words);      /* gc_cell cannot fail here, since blocks are reserved */
+    vs_object *copy = gc_cell(vm, o->words);      /* gc_cell cannot fail in a minor collection, since blocks are
+                                                   * reserved */
     uint64_t *to = (uint64_t *)(void *)copy;
     bool traced = vs_layout[o->type].first != 0;
     size_t words = o->words;
-    for (size_t i = 0; i < words; i++) to[i] = corpse[i];     /* mostly a few words, for which a loop is faster than a
-                                                               * call of memcpy */
-    /* The header of the moved object has GC_MOVED in its low bytes, and the next old copy above them. Word 1 is the new
-     * address. An object without references needs no further work. */
+    for (size_t i = 0; i < words; i++) to[i] = corpse[i];     /* most objects have a few words, for which a loop is
+                                                               * faster than a call of memcpy */
+    /* The header of the moved object now has GC_MOVED in its low bytes, and above them the address of the next old
+     * copy in the worklist. Word 1 is the object's new address. An object without references is not added to the
+     * worklist. */
     corpse[0] = (uint64_t)GC_MOVED << 8;
     corpse[1] = (uint64_t)(uintptr_t)copy;
     if (traced) {
@@ -499,17 +509,17 @@ bool vs_gc_is_minor(const vs_scheme *vm) { return vm->gc->minor; }
 
 void vs_gc_minor(vs_scheme *vm) {
   struct vs_gc *gc = vm->gc;
-  if (!gc->ready) return;      /* the nursery is closed: it contains no objects */
+  if (!gc->ready) return;      /* the nursery is closed for lack of reserved blocks, so it contains no objects */
   gc->grey = NULL;
-  gc->visits = (size_t)(vm->stack_end - vm->top) / 16;      /* zeroing the slots above the top counts as visits, too */
+  gc->visits = (size_t)(vm->stack_end - vm->top) / 16;      /* counts the zeroing of slots above the top as visits */
   gc->minor = true;
   gc_visit_roots(vm, minor_visit);
   if (gc->remembered_lost) gc_walk_old(vm, minor_remembered);
   else for (size_t i = 0; i < gc->remembered_count; i++) minor_remembered(vm, gc->remembered[i]);
   gc->remembered_count = 0; gc->remembered_lost = false;
   gc_trace_foreign(vm, minor_visit);
-  /* Young objects with trace functions are treated as live until the next major collection, but only if they moved: the
-   * worklist is emptied first. */
+  /* Young objects with trace functions are treated as live until the next major collection, but only if other objects
+   * refer to them: the worklist is emptied first. */
   bool again = true;
   while (again) {
     while (gc->grey) {
@@ -541,8 +551,8 @@ void vs_gc_minor(vs_scheme *vm) {
   vs_value was = vm->condition;
   gc->ready = gc_reserve(vm);
   vm->condition = was;
-  /* If memory is refused, the nursery remains closed. The next allocation tries again, and fails if memory is still
-   * refused. */
+  /* If memory for the reserved blocks is refused, the nursery remains closed. The next allocation tries again, and
+   * fails if memory is still refused. */
   if (gc->ready) gc_hold_down(vm); else vm->end = vm->free;
   if (VS_DEBUG_CHECK && !vs_gc_check(vm)) __builtin_trap();
 }
@@ -621,7 +631,8 @@ static void major_sweep(vs_scheme *vm) {
     unsigned k = gc->class_of[b->words];
     struct free_cell *head = gc->of[k].free;
     size_t cells = 0, step = b->words * 8u;
-    bool stays = false;                        /* the cells of a block that is freed are not added to the free list */
+    bool stays = false;                        /* stays: whether the block remains in use; the cells of a block that is
+                                                * freed are not added to the free list */
     for (size_t at = 0; at < b->used && !stays; at += step)
       stays = (((vs_object *)(void *)((char *)b->data + at))->gc & GC_MARK) != 0;
     for (size_t at = 0; at < b->used; at += step) {
@@ -636,7 +647,7 @@ static void major_sweep(vs_scheme *vm) {
       struct free_cell *f = (struct free_cell *)(void *)o;
       f->next = head; head = f;
     }
-    if (cells == 0) {                          /* removes the block's cells from the free list */
+    if (cells == 0) {                          /* removes the cells of an empty block from the free list */
       *link = b->next;
       b->next = gc->spare; gc->spare = b; gc->spares++;
     } else {
@@ -661,7 +672,8 @@ static void major_sweep(vs_scheme *vm) {
   for (size_t i = 0; i < gc->image_bytes;) {
     vs_object *o = (vs_object *)(void *)(gc->image + i);
     size_t slots = 0;
-    /* Dead objects of the image are not swept. Their references are cleared, so that the check does not follow them. */
+    /* Dead objects of the heap image are not freed. For debugging, their references are cleared, so that the check of
+     * the heap does not follow them. */
     if (VS_DEBUG_STRESS || VS_DEBUG_CHECK) {
       vs_value *slot = vs_layout_slots(o, &slots);
       while (!(o->gc & GC_MARK) && slots > 0) slot[--slots] = VS_FALSE;
@@ -676,7 +688,7 @@ static void major_sweep(vs_scheme *vm) {
 void vs_gc_major(vs_scheme *vm) {
   struct vs_gc *gc = vm->gc;
   vs_gc_minor(vm);
-  if (vm->free != vm->nursery) return;         /* memory was refused, and the nursery could not be emptied */
+  if (vm->free != vm->nursery) return;         /* the nursery could not be emptied, because memory was refused */
   gc->mark_lost = false;
   gc_visit_roots(vm, major_visit);
   major_drain(vm);
@@ -698,7 +710,8 @@ void vs_gc_major(vs_scheme *vm) {
   for (size_t i = 0; i < gc->tracing_count; i++)
     if (gc->tracing[i]->gc & GC_MARK) gc->tracing[kept++] = gc->tracing[i];
   gc->tracing_count = kept;
-  /* The minor collection has cleared the remembered set, but a trace function may have stored addresses since. */
+  /* The minor collection has emptied the remembered set, but a trace function may have stored addresses of young
+   * objects since. */
   kept = 0;
   for (size_t i = 0; i < gc->remembered_count; i++)
     if (gc->remembered[i]->gc & GC_MARK) gc->remembered[kept++] = gc->remembered[i];
@@ -726,7 +739,8 @@ static void check_object(vs_scheme *vm, vs_object *o) {
       good = good && to->type < VS_T_COUNT && to->words >= 2;
     }
   }
-  if (!good) vm->gc->mark_lost = true;         /* the flag is also the result of the check */
+  if (!good) vm->gc->mark_lost = true;         /* mark_lost serves as the result of the check: true if the heap is
+                                                * inconsistent */
 }
 
 bool vs_gc_check(vs_scheme *vm) {

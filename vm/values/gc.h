@@ -1,14 +1,14 @@
 /* Declares the heap: allocation, roots, the write barrier, collection, and all memory that the interpreter requests
  * from its host.
  *
- * Plan. New objects are allocated in sequence in the nursery. A minor collection copies the surviving ones once into
+ * Plan. New objects are allocated in sequence in the nursery. A minor collection copies the surviving objects once into
  * the old space, where objects never move: blocks of one size class, swept into free lists, and large objects in a
- * list. It starts from the roots, the working stack and the remembered set: the old objects in which a store put a
- * young object's address. A major collection runs when the old space, with the host objects' bytes, has doubled. It
- * marks with an explicit stack, never by recursion.
+ * list. It starts from the roots, the working part of the stack and the remembered set: the old objects in which a
+ * store put a young object's address. A major collection runs when the old space, with the host objects' bytes, has
+ * doubled. It marks with an explicit stack, never by recursion.
  *
- * Rules for C code.
- * - Any function here that takes `vs_scheme *` and can allocate may move young objects. Values needed afterwards must
+ * Rules for C code. - Any function here that takes `vs_scheme *` and can allocate may move young objects. Values needed
+ * afterwards must
  *   be in roots:
  *       VS_ROOTS(vm, r, 3);            three slots r[0..2], first #unspecific, unlinked at the end of the block
  *   A native's args[] and *result are roots already. Values passed by value to the constructors below are safe there.
@@ -28,7 +28,7 @@ static inline struct vs_roots *vs_gc_link(struct vs_roots *r) {
   r->next = r->vm->roots;
   return r->vm->roots = r;
 }
-/* Unlinks roots, in the reverse order of their linking. */
+/* Unlinks roots of the garbage collector, in the reverse order of their linking. */
 static inline void vs_gc_unlink(struct vs_roots *r) {
   VS_ASSERT(r->vm->roots == r);
   r->vm->roots = r->next;
@@ -39,8 +39,8 @@ static inline void vs_gc_unlink(struct vs_roots *r) {
   vs_gc_link(&NAME##_link)
 
 /* ---- allocating objects ---- */
-/* Returns an object of `words` words; small objects are in the nursery. The header is set, and all other bytes are zero
- * (which read as the double 0.0). Returns NULL when memory is out. */
+/* Returns a new object of `words` words (8 bytes each). Its header is set, and all other bytes are zero (which read as
+ * the double 0.0). Small objects are in the nursery. Returns NULL when memory is out. */
 vs_object *vs_gc_alloc(vs_scheme *vm, int type, size_t words);
 vs_object *vs_gc_alloc_old(vs_scheme *vm, int type, size_t words);      /* allocates in the old space, where objects
                                                                          * never move */
@@ -53,7 +53,8 @@ void vs_gc_remember(vs_scheme *vm, vs_object *o);
 /* Removes an object without addresses from the remembered set. The next minor collection does not visit it, unless an
  * address is stored first. */
 void vs_gc_forget(vs_object *o);
-/* Stores v in a field of the object. */
+/* Stores v in a field of the object, with the write barrier: an old object that gets the address of a young object is
+ * remembered. */
 static inline void vs_gc_store(vs_scheme *vm, void *object, vs_value *field, vs_value v) {
   VS_ASSERT((vs_value *)object < field && field < (vs_value *)object + ((const vs_object *)object)->words);
   *field = v;
@@ -62,9 +63,11 @@ static inline void vs_gc_store(vs_scheme *vm, void *object, vs_value *field, vs_
 
 bool vs_cons(vs_scheme *vm, vs_value car, vs_value cdr, vs_value *out);
 bool vs_make_vector(vs_scheme *vm, size_t n, vs_value fill, vs_value *out);
-/* Sets *out to several values; `at` points to roots or arguments. For n = 1 it is at[0]. */
+/* Sets *out to an object that contains n values; `at` points to roots of the garbage collector or to arguments. For n =
+ * 1, *out is at[0]. */
 bool vs_make_values(vs_scheme *vm, const vs_value *at, size_t n, vs_value *out);
-/* Sets *out to a foreign object. Takes over the caller's reference to `object`, and releases it on failure. */
+/* Sets *out to a foreign object. Takes over the caller's reference to `object`, and releases the reference on failure.
+ * bytes: host memory that it keeps. */
 bool vs_make_foreign(vs_scheme *vm, const struct vs_foreign_type *type, void *object, size_t bytes, vs_value *out);
 /* Sets *out to the symbol with these UTF-8 bytes. */
 bool vs_intern(vs_scheme *vm, const char *name, size_t bytes, vs_value *out);
@@ -80,9 +83,9 @@ void *vs_mem(vs_scheme *vm, void *p, size_t old_bytes, size_t bytes);
 
 void vs_gc_minor(vs_scheme *vm);
 /* Returns true during a minor collection. The values that it has visited are old when it ends. An owner of values that
- * do not change therefore need not pass them to the next minor collection. */
+ * do not change need not pass these values to the next minor collection. */
 bool vs_gc_is_minor(const vs_scheme *vm);
-void vs_gc_major(vs_scheme *vm);                     /* Collects both generations. */
+void vs_gc_major(vs_scheme *vm);                     /* Collects the nursery and the old space. */
 void vs_gc_external(vs_scheme *vm, int64_t bytes);   /* Adds to the number of bytes of host memory that objects keep. */
 bool vs_gc_check(vs_scheme *vm);                     /* Checks the whole heap; returns true if it is consistent. */
 

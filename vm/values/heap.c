@@ -173,8 +173,8 @@ bool vs_make_keywords(vs_scheme *vm, const vs_value *names, size_t n, vs_value *
   return true;
 }
 
-/* ---- symbols. vm->at.symbols is a vector: element 0 is the count as a fixnum, then a power of two of slots; #f in a
- * free slot ---- */
+/* ---- symbols: vm->at.symbols is a vector whose element 0 is the count as a fixnum; a power of two of slots follows,
+ * with #f in free slots ---- */
 static uint32_t name_hash(const char *s, size_t n) {
   uint32_t h = 2166136261u;
   for (size_t i = 0; i < n; i++) h = (h ^ (unsigned char)s[i]) * 16777619u;
@@ -224,7 +224,8 @@ bool vs_intern(vs_scheme *vm, const char *name, size_t bytes, vs_value *out) {
   vs_gc_store(vm, table, &table->at[k + 1], *out);
   int64_t count = vs_fixnum(table->at[0]) + 1;
   table->at[0] = vs_fix(count);
-  if ((size_t)count * 4 > mask * 3) {          /* symbols do not move: *out stays valid, even if it is no root */
+  if ((size_t)count * 4 > mask * 3) {          /* symbols do not move, so *out stays valid even if it is no root of the
+                                                * garbage collector */
     return symbols_grow(vm);
   }
   return true;

@@ -1,4 +1,4 @@
-/* Declares the positions of the traced words of each type of object, for the collector and the image writer. */
+/* Declares which words of each type of object contain Scheme values, for the garbage collector and the image writer. */
 #ifndef VS_VM_VALUES_LAYOUT_H
 #define VS_VM_VALUES_LAYOUT_H
 
@@ -13,8 +13,8 @@ static const struct { uint8_t first, count; } vs_layout[VS_T_COUNT] = {
 #undef END
 };
 
-/* Returns the first traced slot of an object, and sets *n to their number. The header is set, and the object has at
- * least the words before its first traced slot. */
+/* Returns the first slot of an object that contains a Scheme value, and sets *n to the number of such slots. The header
+ * must be set, and the object must have at least the words before this slot. */
 static inline vs_value *vs_layout_slots(vs_object *o, size_t *n) {
   unsigned first = vs_layout[o->type].first, count = vs_layout[o->type].count;
   VS_ASSERT(o->type < VS_T_COUNT && first <= o->words);

@@ -3,7 +3,8 @@
 
 #include "vm/machine/native.h"
 
-enum { POLL_STEP = 1024, POLL_COST = 4 * POLL_STEP /* POLL_STEP: pairs read or created between two polls */ };
+enum { POLL_STEP = 1024, POLL_COST = 4 * POLL_STEP /* POLL_STEP: number of pairs read or created between two polls for
+                                                    * an interrupt */ };
 
 bool vs_list_onto(vs_scheme *vm, vs_value *list, vs_value tail, vs_value *out) {
   *out = tail;

@@ -1,4 +1,4 @@
-/* Implements the printer (printer.h). Nothing here allocates Scheme objects, so that the values and addresses on its
+/* Implements the printer (printer.h). This file allocates no Scheme objects, so that the values and addresses on its
  * stacks remain valid.
  *
  * A walk with an explicit stack writes the text. Unless the mode is SIMPLE, the printer first finds the objects that
@@ -14,19 +14,20 @@
 #include "vm/numbers/number_text.h"
 
 typedef enum {
-  ITEM,        /* to do: print v */
-  TAIL,        /* print the rest v of a list whose parenthesis is open */
-  CLOSE,       /* to do: print ) */
-  SLOTS,       /* print elements of the vector, values or record v from number i on, then ) or > */
-  ENTRIES,     /* print entries of the table v from position i on, then ) */
-  DOT          /* to do: print " . " */
+  ITEM,        /* task: print v */
+  TAIL,        /* task: print the rest v of a list whose parenthesis was printed */
+  CLOSE,       /* task: print ) */
+  SLOTS,       /* task: print elements of the vector, values or record v from number i on, then ) or > */
+  ENTRIES,     /* task: print entries of the table v from position i on, then ) */
+  DOT          /* task: print " . " */
 } print_step;
 
 typedef struct print_frame { uint8_t step; uint32_t i; vs_value v; } print_frame;
 
 /* Records of objects, in a hash table by address with open addressing. */
 typedef struct print_note { const vs_object *object; int32_t label; } print_note;
-enum { NOTE_OPEN = -1, NOTE_DONE = -2, NOTE_WANTED = -3 };      /* values of `label`; any other is the printed number */
+enum { NOTE_OPEN = -1, NOTE_DONE = -2, NOTE_WANTED = -3 };      /* special values of print_note.label; any other value
+                                                                 * is the printed number of the label */
 
 typedef struct printer {
   vs_scheme *vm;
@@ -102,7 +103,7 @@ static bool is_hidden(const vs_record *r, uint32_t i) {
          is_inner_name(vs_as_vector(type->fields)->at[i]);
 }
 
-/* Sets *child to child number *i of v, which has children, and advances *i. Returns false after the last child. */
+/* Sets *child to child number *i of v, a compound value, and advances *i. Returns false after the last child. */
 static bool next_child(vs_value v, uint32_t *i, vs_value *child) {
   vs_value other;
   VS_ASSERT(is_compound(v));
@@ -133,7 +134,7 @@ static bool next_child(vs_value v, uint32_t *i, vs_value *child) {
       *child = vs_as_condition(v)->irritants;
       return true;
     case VS_T_TABLE: {
-      /* For a table, even numbers mean the key at position i/2, odd numbers its value. */
+      /* Of a table's children, even numbers are the keys and odd numbers the values: position i/2 of the entries. */
       uint32_t position = *i >> 1;
       const vs_table *t = vs_as_table(v);
       const vs_value *at = vs_as_vector(t->entries)->at;
@@ -162,7 +163,7 @@ static bool walk_tree(printer *p, vs_value v, size_t budget, bool *small) {
     if (!next_child(f->v, &f->i, &child)) {
       p->count--;
     } else if (is_compound(child)) {
-      /* The cdr takes the place of the pair on the stack. */
+      /* The cdr takes the place of the pair on the stack, so that long lists need no memory. */
       if (vs_object_of(f->v)->type == VS_T_PAIR && f->i == 2) *f = (print_frame){ITEM, 0, child};
       else if (!push(p, ITEM, child, 0)) return false;
     }
@@ -381,7 +382,7 @@ static bool put_atom(printer *p, vs_value v) {
     case VS_T_SYMBOL: return put_symbol(t, v, written);
     case VS_T_BYTES: return put_bytes(t, v);
     case VS_T_FLAT: return put_flat(p->vm, t, v);
-    case VS_T_DUAL: /* printed without its slope, since users print numbers to follow a program */
+    case VS_T_DUAL: /* a dual number is printed without its derivative, since users print numbers to follow a program */
       return vs_text_puts(t, "#<dual ") && put_atom(p, vs_dual_base(v)) && vs_text_puts(t, ">");
     case VS_T_CLOSURE: return put_opaque(t, "procedure", vs_as_code(vs_as_closure(v)->code)->name);
     case VS_T_CASE: {
@@ -542,7 +543,7 @@ bool vs_print(vs_scheme *vm, vs_value v, vs_print_mode mode, vs_text *t) {
 
 /* ---- printing errors ---- */
 
-/* Appends a value for a message, cut after 240 bytes. */
+/* Appends a value to a message, cut after 240 bytes. */
 static bool put_brief(vs_scheme *vm, vs_value v, vs_text *t) {
   vs_text brief;
   vs_text_open(vm, &brief, 240);

@@ -70,8 +70,8 @@ static void table_sync(vs_scheme *vm, vs_table *t) {
   t->epoch = vm->collections;
 }
 
-/* Sets *entry to the entry with this key, or to -1, and *slot to its position in the index. Returns false if memory
- * runs out during a comparison. */
+/* Sets *entry to the number of the entry with this key, or to -1, and *slot to its position in the index. Returns false
+ * if memory runs out during a comparison. */
 static bool table_find(vs_scheme *vm, vs_table *t, vs_value key, uint64_t hash, int64_t *entry, uint32_t *slot) {
   uint32_t *index = table_index(t), mask = table_mask(t);
   vs_value *at = table_entries(t)->at;
@@ -103,8 +103,8 @@ bool vs_make_table(vs_scheme *vm, uint32_t kind, vs_value *out) {
   return true;
 }
 
-/* Makes room for another entry. If many entries were removed, compacts the table instead. `table` is a root. Returns
- * false when memory is out. */
+/* Makes room for another entry. If many entries were removed, compacts the table instead. `table` points to a root of
+ * the garbage collector. Returns false when memory is out. */
 static bool table_reserve(vs_scheme *vm, const vs_value *table) {
   vs_table *t = vs_as_table(*table);
   uint32_t room = (uint32_t)(table_entries(t)->length / 3);
@@ -124,13 +124,14 @@ static bool table_reserve(vs_scheme *vm, const vs_value *table) {
     for (uint32_t k = 0; k < 3; k++) vs_gc_store(vm, to, &to->at[n * 3 + k], from->at[e * 3 + k]);
     index_place(index, mask, to->at[n * 3 + 2], n);
     n++;
-    if (!vs_poll_turn(vm, e, 8)) return false;      /* if it fails here, the table is still unchanged */
+    if (!vs_poll_turn(vm, e, 8)) return false;      /* polls before the table is changed, so that an interrupt leaves it
+                                                     * unchanged */
   }
   vs_gc_store(vm, t, &t->entries, r[0]);
   vs_gc_store(vm, t, &t->index, r[1]);
   t->used = n;
   t->young = 0;                                   /* the numbers of the entries have changed, so that table_sync must
-                                                   * examine all */
+                                                   * examine all entries */
   return true;
 }
 

@@ -35,7 +35,8 @@ bool vs_text_put(vs_text *t, const char *bytes, size_t n) {
   if (t->limit && t->count + n > t->limit) {
     t->cut = true;
     n = t->count < t->limit ? t->limit - t->count : 0;
-    while (n && ((unsigned char)bytes[n] & 0xC0) == 0x80) n--;      /* cut between two characters */
+    while (n && ((unsigned char)bytes[n] & 0xC0) == 0x80) n--;      /* moves the cut to a limit between two
+                                                                     * characters */
   }
   if (!n) return true;
   if (!text_reserve(t, n)) return false;

@@ -1,9 +1,10 @@
-/* Declares vs_text: a growing UTF-8 buffer in counted memory. The printer, number texts and string ports write into it.
+/* Declares vs_text: a growing UTF-8 buffer, whose memory counts for the memory limit. The printer, number texts and
+ * string ports write into it.
  *
  *   vs_text t;
  *   vs_text_open(vm, &t, 0);
  *   bool ok = vs_text_puts(&t, "x = ") && vs_print(vm, v, VS_PRINT_WRITE, &t)
- *     && vs_string_from_utf8(vm, t.at, t.count, out);
+ * && vs_string_from_utf8(vm, t.at, t.count, out);
  *   vs_text_close(&t);
  * It contains no Scheme values, so collections do not affect it. */
 #ifndef VS_VM_VALUES_TEXT_H
@@ -20,8 +21,8 @@ typedef struct vs_text {
 } vs_text;
 
 void vs_text_open(vs_scheme *vm, vs_text *t, size_t limit);
-void vs_text_close(vs_text *t);                                    /* Frees the buffer; also permitted after a failure,
-                                                                    * or twice. */
+void vs_text_close(vs_text *t);                                    /* Frees the buffer. May also be called after a
+                                                                    * failure, or twice. */
 bool vs_text_put(vs_text *t, const char *bytes, size_t n);         /* Appends bytes. When memory is out, sets
                                                                     * vm->condition and returns false. */
 bool vs_text_puts(vs_text *t, const char *s);

@@ -10,9 +10,9 @@
  *
  * Every heap object begins with vs_object. `words` is the size of the whole object in 8-byte words, with the header, so
  * that the collector can walk the heap. Objects move once, out of the nursery. Therefore C code that allocates, or
- * calls a function that allocates, must hold values in roots (gc.h), not in plain locals; raw pointers to objects are
- * invalid after an allocation. Only vs_gc_store (gc.h) writes fields of type vs_value, except in an object just
- * allocated. */
+ * calls a function that allocates, must hold values in roots of the garbage collector (gc.h), not in plain locals; raw
+ * pointers to objects are invalid after an allocation. Only vs_gc_store (gc.h) writes fields of type vs_value, except
+ * in an object just allocated. */
 #ifndef VS_VM_VALUES_VALUE_H
 #define VS_VM_VALUES_VALUE_H
 
@@ -43,7 +43,7 @@ typedef uint64_t vs_value;
 #define VS_EOF         VS_IMMEDIATE(3, 0)
 #define VS_ABSENT      VS_IMMEDIATE(4, 0)   /* an optional or keyword argument that was not given; never visible to
                                              * programs */
-#define VS_UNDEFINED   VS_IMMEDIATE(5, 0)   /* value of a variable that has none yet (letrec, an undefined global
+#define VS_UNDEFINED   VS_IMMEDIATE(5, 0)   /* marks a variable that has no value yet (letrec, an undefined global
                                              * variable) */
 #define VS_VACANT      VS_IMMEDIATE(6, 0)   /* in hash tables: key of a free slot or a removed entry */
 #define VS_CHAR(c)     VS_IMMEDIATE(7, (uint32_t)(c))
@@ -65,9 +65,10 @@ static inline double vs_double(vs_value v) {
   memcpy(&d, &v, sizeof d);
   return d;
 }
-/* Returns the value of a double that is no NaN, or the canonical one. Our arithmetic returns only such doubles. */
+/* Returns the value of a double that is no NaN, or is the canonical NaN. The interpreter's own arithmetic returns only
+ * such doubles. */
 static inline vs_value vs_flonum_raw(double d) { vs_value v; memcpy(&v, &d, sizeof v); return v; }
-/* Returns the value of any double. */
+/* Returns the value of any double; every NaN becomes the canonical NaN. */
 static inline vs_value vs_flonum(double d) { return d == d ? vs_flonum_raw(d) : UINT64_C(0x7FF8000000000000); }
 
 static inline bool vs_is_fixnum(vs_value v) { return (v >> 48) == VS_TAG_FIXNUM; }
@@ -76,7 +77,7 @@ static inline int64_t vs_fixnum(vs_value v) {
   VS_ASSERT(vs_is_fixnum(v));
   return (int64_t)(v << 16) >> 16;
 }
-/* Returns the fixnum of n, which is in range, or a position or hash of 48 bits. */
+/* Returns the fixnum of n, which must be in range; n may also be a position or hash of 48 bits. */
 static inline vs_value vs_fix(int64_t n) {
   VS_ASSERT(n >= VS_FIXNUM_MIN && n <= (int64_t)VS_PAYLOAD);
   return (VS_TAG_FIXNUM << 48) | ((uint64_t)n & VS_PAYLOAD);
@@ -99,19 +100,20 @@ typedef struct vs_object {
 } vs_object;
 
 enum {                          /* values of vs_object.flags */
-  VS_F_IMMUTABLE  = 1,          /* literals: strings, vectors, bytes and pairs that the program must not change */
-  VS_F_LOCATED    = 2,          /* pair: it has a fourth word, its vs_pos */
+  VS_F_IMMUTABLE  = 1,          /* literals of a program: strings, vectors, bytes and pairs that the program must not
+                                 * change */
+  VS_F_LOCATED    = 2,          /* pair: it has a fourth word, its place in the source (vs_pos) */
   VS_F_SQUARE     = 4,          /* pair: it was read from [ ]; for messages and for printing sources */
   VS_F_WIDE       = 4,          /* string: each character has 4 bytes; else 1 byte (Latin-1) */
-  VS_F_CONSTANT   = 4,          /* cell: imported or registered, and never assigned, so that the compiler may inline
-                                 * calls */
+  VS_F_CONSTANT   = 4,          /* cell of a global variable: imported or registered, and never assigned, so that the
+                                 * compiler may inline calls */
   VS_F_UNINTERNED = 4,          /* symbol: created by generate-uninterned-symbol */
   VS_F_LOCAL      = 8,          /* symbol, alias: a local scope has bound it */
-  VS_F_ASSIGNED   = 8,          /* cell: assigned by a set! in its own library or program, so that importers share the
-                                 * cell */
+  VS_F_ASSIGNED   = 8,          /* cell of a global variable: assigned by a set! in its own library or program, so that
+                                 * importers share the cell */
   VS_F_AROUND     = 4,          /* environment: it is a scope that contains other scopes */
   VS_F_NEGATIVE   = 4,          /* bignum: it is negative */
-  VS_F_MARKED     = 4           /* closure: marked by the layers above */
+  VS_F_MARKED     = 4           /* closure: marked by the layers above vm/ (a rule or operator) */
 };
 
 static inline bool vs_is_object(vs_value v) { return (v >> 48) == VS_TAG_POINTER; }
@@ -162,17 +164,18 @@ typedef struct { vs_object h; uint64_t length; uint8_t at[]; } vs_bytes;
 /* An integer that fits no fixnum: its magnitude in GMP limbs, the least first, the last not 0. The sign is
  * VS_F_NEGATIVE. */
 typedef struct { vs_object h; uint64_t count; uint64_t limb[]; } vs_bignum;
-typedef struct { vs_object h; vs_value num, den; } vs_ratio;     /* in lowest terms, with den > 1 */
+typedef struct { vs_object h; vs_value num, den; } vs_ratio;     /* a ratio in lowest terms, with den > 1 */
 
-/* The code of a procedure. It is in the old space and never moves, so that the run loop may point into it. */
+/* The code of a procedure. It is in the old space and never moves, so that the run loop may keep addresses inside
+ * it. */
 typedef struct {
   vs_object h;
   vs_value name;        /* name of the procedure, a symbol or #f */
   vs_value consts;      /* vector in the old space: cells, literals, nested code, keyword lists */
   vs_value ins;         /* BYTES of 32-bit instructions, in the old space */
   vs_value places;      /* places of the instructions (code.h): BYTES, or one place as a fixnum */
-  vs_value inlined;     /* BYTES of {u32 pc, u32 constant}, by pc: instructions that replace a call of the procedure in
-                         * that cell */
+  vs_value inlined;     /* BYTES of pairs {u32 pc, u32 constant}, sorted by pc: the instruction at pc replaces a call of
+                         * the procedure in the cell with this constant index */
   vs_value params;      /* vector of symbols for messages: required, optional, keyword and rest parameters */
   vs_value doc;         /* documentation that the program attached, or #f */
   uint32_t required, optional, keywords, registers;
@@ -181,17 +184,18 @@ typedef struct {
 } vs_code;
 enum {
   VS_CODE_REST = 1,
-  VS_CODE_SIMPLE = 2,           /* only required parameters, and none of the following flags */
+  VS_CODE_SIMPLE = 2,           /* the procedure has only required parameters, and none of the flags below */
   VS_CODE_GET = 4,              /* accessor or modifier of a field, created by define-record-type */
   VS_CODE_SET = 8,
   VS_CODE_TEST = 16,            /* predicate created by define-record-type */
-  VS_CODE_MAKE = 32,            /* constructor created by define-record-type; procedures with these flags run without an
-                                 * activation (record_call.h) */
+  VS_CODE_MAKE = 32,            /* constructor created by define-record-type; procedures with the flags GET, TEST or
+                                 * MAKE run without an activation (record_call.h) */
   VS_CODE_RECORD = VS_CODE_GET | VS_CODE_SET | VS_CODE_TEST | VS_CODE_MAKE
 };
 
 typedef struct { vs_object h; vs_value code; vs_value free[]; } vs_closure;
-/* A case-lambda: closures, tried in order. A word after the clauses is a note of the layers above. */
+/* A case-lambda: closures, tried in order. The last word, after the clauses, is a note: data of the layers above
+ * vm/. */
 typedef struct { vs_object h; uint64_t count; vs_value clause[]; } vs_case;
 static inline vs_value vs_case_note(const vs_case *c) {
   return c->h.words > 2 + c->count ? c->clause[c->count] : VS_FALSE;
@@ -206,11 +210,12 @@ typedef struct {
   uint32_t inlined, inlined_arg;
 } vs_native;
 
-/* A global variable. `users` lists the code that replaced calls of its value by instructions while it was
+/* A global variable. `users` lists the code in which instructions have replaced calls of its value while it was
  * VS_F_CONSTANT; a redefinition patches that code. */
 typedef struct { vs_object h; vs_value value, name, users; } vs_cell;
 typedef struct { vs_object h; vs_value value; } vs_box;
-typedef struct { vs_object h; uint64_t count; vs_value at[]; } vs_values;      /* several values; count is never 1 */
+typedef struct { vs_object h; uint64_t count; vs_value at[]; } vs_values;      /* several values of one expression;
+                                                                                * count is never 1 */
 
 typedef struct { vs_object h; vs_value name, fields /* fields: vector of symbols */, parent, data; } vs_record_type;
 typedef struct { vs_object h; vs_value type; vs_value at[]; } vs_record;
@@ -231,7 +236,8 @@ typedef struct { vs_object h; vs_value level /* level: a fixnum */, value, slope
 typedef struct {
   vs_object h;
   vs_value entries, index;
-  uint32_t count, used;          /* count: number of entries; used: that number and the removed ones in `entries` */
+  uint32_t count, used;          /* count: number of entries; used: number of entries and removed entries in
+                                  * `entries` */
   uint32_t kind, young;          /* kind: VS_TABLE_... */
   uint64_t epoch;
 } vs_table;
@@ -250,7 +256,7 @@ typedef struct {
 typedef struct {
   vs_object h;
   vs_value done /* done: #t or #f */, value /* value: the result, or a thunk */;
-} vs_promise; /* promises with the same result share it through a box */
+} vs_promise; /* promises that have the same result share `state` through a box */
 typedef struct { vs_object h; vs_value value, converter, name; } vs_parameter;
 
 /* An error of the system or of (error ...). It is printed as MESSAGE IRRITANT ...: "make-sphere: r must be positive,
@@ -259,10 +265,10 @@ typedef struct { vs_object h; vs_value value, converter, name; } vs_parameter;
 typedef struct { vs_object h; vs_value kind, message, irritants /* irritants: a list */, chain, payload,
     calls /* calls with their variables (activation.c), or #f */; vs_pos place; } vs_condition;
 
-/* Captured activations, immutable. `at` is a copy of a stretch of the stack; `under` is the STACK object below it, up
- * to its slot `depth`. */
+/* Captured activations, immutable. `at` is a copy of a part of the stack; `under` is the STACK object with the part
+ * below it, up to its slot `depth`. */
 typedef struct { vs_object h; vs_value under; uint64_t depth, count,
-    total /* number of slots, including those of all stretches below */; vs_value at[]; } vs_stack;
+    total /* number of slots, including those of all parts below */; vs_value at[]; } vs_stack;
 /* A continuation. `ret` is the return information of the activation to which it returns (activation.h). */
 typedef struct {
   vs_object h;
@@ -271,7 +277,7 @@ typedef struct {
   vs_value winders, handlers, parameters, ret;
 } vs_continuation;
 
-/* Objects of the expander. vm/front defines the meaning of the fields; the collector traces all of them. */
+/* Objects of the expander. vm/front defines the meaning of their fields; the garbage collector visits all fields. */
 typedef struct { vs_object h; vs_value name, table, imports, exports, parent, top, data; } vs_environment;
 typedef struct { vs_object h; vs_value kind, transformer, env, data; } vs_macro;
 typedef struct { vs_object h; vs_value name, env, data; uint64_t mark; } vs_alias;      /* an alias: a renamed
@@ -280,8 +286,8 @@ typedef struct { vs_object h; vs_value name, env, data; uint64_t mark; } vs_alia
 /* A constant that describes a call with keywords: these are the names of its last `count` arguments. */
 typedef struct { vs_object h; uint64_t count; vs_value name[]; } vs_keywords;
 
-/* A reference to an object of the host. `type` has its functions (native.h); release(object) is called when the
- * reference dies. `with` is for the owner, and NULL at first. h.flags encodes the bytes that the object adds to the
+/* A reference to an object of the host. `type` has the functions on it (native.h); its release(object) is called when
+ * the reference dies. `with` is for the owner, and NULL at first. h.flags encodes the bytes that the object adds to the
  * collector's budget (gc.c). */
 typedef struct { vs_object h; const struct vs_foreign_type *type; void *object; const void *with; } vs_foreign;
 
