@@ -66,7 +66,8 @@ static vs_text_place view_of(place p) {
 
 /* ---- undefined names ---- */
 
-/* Returns true if the line is "x = 5" or "x := 5". Sets *value to the text after the sign. */
+/* Returns true if the line assigns the name as other languages do: "x = 5" or "x := 5". Sets *value to the text after
+ * the sign. */
 static bool is_assignment(place p, size_t name, const char **value, size_t *length) {
   const char *at = p.at + name;
   while (at < p.end && (*at == ' ' || *at == '\t')) at++;
@@ -89,7 +90,7 @@ static bool is_word_of(const char *words, const char *word, size_t n) {
 }
 
 /* Returns the operator of the call that contains the name at `p`. Sets *before to the word before the name, which may
- * be a keyword. Parentheses inside strings are counted, too; the operator is then wrong, and usually leads to no
+ * be a keyword. Parentheses inside strings are counted, too; the operator may then be wrong, which usually leads to no
  * advice. */
 static const char *operator_around(place p, size_t *length, const char **before, size_t *before_length) {
   const char *start = p.source->text, *at = p.at;
@@ -107,9 +108,9 @@ static const char *operator_around(place p, size_t *length, const char **before,
   return NULL;
 }
 
-/* Calls and keywords whose argument is a text or a quoted word, but was written as a plain name: (color crimson o),
- * (units cm), #:align center. A row with `words` holds only for these words, and replaces other advice. first: only the
- * first argument. */
+/* Calls and keywords whose argument must be a text or a quoted word. A plain name is a frequent mistake: (color crimson
+ * o), (units cm), #:align center. A row with `words` applies only to these words, and replaces other advice. first: the
+ * row applies only to the first argument. */
 static const struct { const char *operators, *keywords, *words; bool first; const char *mark, *what; } meant[] = {
   { "color", "#:color #:pattern-color", NULL, true, "\"", "the name of a colour is a text" },
   { "layer", "", NULL, true, "\"", "the name of a layer is a text" },
@@ -145,8 +146,8 @@ static bool advise_word(place p, size_t n, size_t bare, vs_text *t) {
   return true;
 }
 
-/* Returns the length of the operator in "(x > 3)", or 0. The operator follows the first operand, which has n characters
- * at p. *operand and *length receive the next operand if it is a single word. */
+/* Returns the length of an operator that follows its first operand, as in "(x > 3)", or 0. The first operand has n
+ * characters at p. *operand and *length receive the second operand if it is a single word. */
 static size_t operator_behind(const char *p, size_t n, const char *end, const char **operator, const char ** operand,
                               size_t *length) {
   uint32_t unused = 0;
@@ -160,7 +161,7 @@ static size_t operator_behind(const char *p, size_t n, const char *end, const ch
   return m;
 }
 
-/* Advises on an assignment to an undefined variable. p: place of the word set! of (set! name value). */
+/* Advises on an assignment to an undefined variable, (set! name value). p: place of the word set!. */
 static bool advise_set(place p, vs_text *t) {
   uint32_t unused = 0;
   const char *name = vs_outline_blanks(p.at + 4, p.end, &unused);
@@ -198,11 +199,11 @@ static bool advise_unbound(place p, vs_span at, vs_text *t) {
   if (!call && !vs_text_advise_operator(view_of(p), t)) return false;
   if (t->count != before) return true;
   if (line >= at.line && line) {
-    t->count = bare; /* removes the advice about a similar name, which is probably not meant */
+    t->count = bare; /* removes the advice about a similar name, which was probably not meant */
     return vs_text_printf(t, " yet: line %u defines it, after this use; move the definition up", (unsigned)line);
   }
   if (is_assignment(p, n, &value, &m)) {
-    /* The assignment is in parentheses, (x = 5), and the value ends before the closing one. */
+    /* The assignment is in parentheses, (x = 5): removes the closing parenthesis from the value. */
     while (call && m && (value[m - 1] == ')' || value[m - 1] == ' ')) m--;
     return !m || vs_text_printf(t, "; (define %.*s %.*s) names a value", (int)n, p.at, (int)m, value);
   }
@@ -264,7 +265,8 @@ static const vs_procedure *procedure_of(const vs_native *native) {
   return &vs_bind_procedures[native->def - vs_bind_defs];
 }
 
-/* Advises on (map make-sphere points): map calls the procedure with one argument for each list, which is too few. */
+/* Advises on a call such as (map make-sphere points): map passes one argument for each list, and the procedure needs
+ * more. */
 static bool advise_mapped(const place *p, vs_value callee, vs_text *t) {
   char form[200];
   const char *call = vs_is_procedure(callee) ? vs_procedure_form(callee, form, sizeof form) : NULL;
@@ -294,7 +296,8 @@ static bool advise_arity(vs_scheme *vm, vs_value payload, vs_text *t) {
   for (vs_value l = vs_cdr(payload); vs_is_pair(l) && n < VS_MAX_ARGUMENTS; l = vs_cdr(l)) a[n++] = vs_car(l);
   char text[300];
   const vs_bind_param *first = p ? p->form[0].at : NULL;
-  /* Almost all arguments of the procedure are keyword arguments: (sun 210 35). At most one optional argument is not. */
+  /* Almost all arguments of the procedure must be keyword arguments, as in (sun 210 35), which lacks the keywords. At
+   * most one argument is positional, and it is optional. */
   if (p && p->key[0].mode != VS_ARG_END && n &&
       (first->mode == VS_ARG_END || (first->mode == VS_ARG_OPTIONAL && first[1].mode == VS_ARG_END && n > 1))) {
     if (!vs_text_printf(t, "; its arguments have names: (%s", name)) return false;
@@ -304,8 +307,8 @@ static bool advise_arity(vs_scheme *vm, vs_value payload, vs_text *t) {
   }
   if (p && vs_bind_grouped(vm, p, &(vs_plain_call){ name, a, n }, text, sizeof text))
     return vs_text_printf(t, "; perhaps %s", text);
-  if (p && p->form[1].used) { /* the message states the number of arguments of one form, but the procedure has
-                               * several */
+  if (p && p->form[1].used) { /* the procedure has several forms, but the message states the number of arguments of a
+                               * single form */
     vs_bind_forms(p, name, text, sizeof text);
     return vs_text_printf(t, "; it %s", text);
   }
@@ -337,7 +340,7 @@ static bool is_quoted_call(place p) {
   return false;
 }
 
-/* Returns true for the error of a form's name without its parentheses. */
+/* Returns true if the error is that the name of a special form was written without its parentheses. */
 static bool is_word_alone(vs_text *t) { return vs_text_end(t) && t->at && strstr(t->at, "is syntax and has no value"); }
 
 bool vs_session_advise(vs_session *s, vs_value condition, vs_span at, vs_text *t) {
@@ -413,7 +416,8 @@ void vs_session_advise_named(vs_session *s, vs_value v, vs_pos pos) {
   const char *more = p.at + n;
   while (more < p.end && (*more == ' ' || *more == '\t')) more++;
   if (!n || n > 80 || more == p.end || strchr("\r\n;)]", *more)) return;
-  size_t assigned = vs_outline_word(more, p.end); /* const r = 3: the error about r follows */
+  size_t assigned = vs_outline_word(more, p.end); /* the line is like const r = 3: the error about r follows, so this
+                                                   * word gets no advice */
   const char *sign = more + assigned + (more + assigned < p.end && more[assigned] == ' ');
   if (assigned && sign < p.end && *sign == '=') return;
   uint32_t line = 0;
@@ -423,7 +427,7 @@ void vs_session_advise_named(vs_session *s, vs_value v, vs_pos pos) {
     next = vs_outline_blanks(end, p.end, &line);
     if (next == p.end) break;
   }
-  if (n <= 2 && strspn(p.at, "+-*/<>=") >= n) /* 3 + 4: the operator follows its first operand */
+  if (n <= 2 && strspn(p.at, "+-*/<>=") >= n) /* the operator follows its first operand, as in 3 + 4 */
     snprintf(text, sizeof text, "%.*s is only named here, and not called: the operator comes first, (%.*s a b)",
              (int)n, p.at, (int)n, p.at);
   else {
@@ -454,8 +458,8 @@ bool vs_session_advise_empty(vs_session *s, vs_text *t) {
   size_t before = t->count;
   if (!vs_text_printf(t, ": the program defines ")) return false;
   naming n = { .t = t, .ok = true };
-  /* Searches the source of the program that ran last. The sources of imported libraries come later in the list, but
-   * define procedures only within define-library. */
+  /* Searches only the source of the program that ran last. The sources of imported libraries come later in the list,
+   * but they define procedures only within define-library. */
   for (size_t i = s->source_count; i-- > 0 && !n.count && n.ok;)
     if (!s->sources[i].before) vs_outline_each(s->sources[i].text, s->sources[i].length, name_procedure, &n);
   if (!n.ok) return false;

@@ -9,8 +9,8 @@
 bool vs_session_advise(vs_session *s, vs_value condition, vs_span at, vs_text *t);
 bool vs_session_advise_empty(vs_session *s, vs_text *t); /* Appends advice to the message "nothing is drawn". Returns
                                                           * false when memory is out. */
-/* Warns if a top-level form is only the name of a procedure v, and more text follows on its line: make-box (xyz 0 0 0)
- * (xyz 1 1 1). */
+/* Called for a top-level form that is only the name of a procedure v. Warns if more text follows on its line, as in
+ * make-box (xyz 0 0 0) (xyz 1 1 1). */
 void vs_session_advise_named(vs_session *s, vs_value v, vs_pos place);
 
 #endif

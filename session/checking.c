@@ -22,7 +22,7 @@
 #include "vm/values/heap.h"
 #include "vm/values/printer.h"
 
-/* greatest length of a shown value in bytes */
+/* SHOWN: greatest length of a shown value in bytes */
 enum { SHOWN = 1000, LINE = 200 /* LINE: greatest length of a shown expression in bytes */ };
 
 /* Indices of the garbage collector's roots of a check: the check, the results of its procedures, the differences, and
@@ -31,7 +31,7 @@ enum { CHECK, ACTUAL, EXPECTED, TOLERANCE, FOUND, SHOWN_AS, WORK, ROOTS };
 
 typedef struct {
   vs_session *session;
-  vs_value *r;                         /* an array of ROOTS values */
+  vs_value *r;                         /* array of ROOTS values, which the garbage collector visits */
   vs_text expression, gives, expected; /* texts for the report: the expression, its value, and the expected value */
   bool passed, interrupted;
 } trial;
@@ -55,8 +55,8 @@ static bool call_library(trial *c, const char *name, size_t n, const vs_value *a
   return vs_run(vm, c->r[WORK], n, argv, out);
 }
 
-/* Appends the text and the place of the error in vm->condition, and clears vm->condition. Sets c->interrupted if the
- * error is an interrupt. */
+/* Appends the text and the place of the error in vm->condition to t, and clears vm->condition. Sets c->interrupted if
+ * the error is an interrupt. */
 static bool put_failure(trial *c, vs_text *t) {
   vs_scheme *vm = c->session->bind.vm;
   vs_value *r = c->r;
@@ -69,7 +69,7 @@ static bool put_failure(trial *c, vs_text *t) {
     const vs_condition *condition = vs_as_condition(r[WORK]);
     c->interrupted = c->interrupted || condition->kind == vm->sym.interrupt;
     vs_session_condition_place(c->session, condition, &at);
-    if (condition->kind == vm->sym.memory) vs_gc_major(vm); /* frees the values that filled the memory */
+    if (condition->kind == vm->sym.memory) vs_gc_major(vm); /* if memory ran out, frees the values that filled it */
   }
   bool ok = vs_text_puts(t, "an error: ") && vs_print_condition(vm, r[WORK], t);
   if (!at.file) return ok;
@@ -89,7 +89,7 @@ static bool ask(trial *c, int word, int root, vs_text *told) {
   return put_cut(vm, c->r[shown ? SHOWN_AS : root], SHOWN, told);
 }
 
-/* Returns true if the text of the condition contains the string. */
+/* Returns true if the text of the error contains the string. */
 static bool says(vs_scheme *vm, vs_value condition, vs_value string) {
   vs_text all, part;
   vs_text_open(vm, &all, 0);
@@ -101,10 +101,11 @@ static bool says(vs_scheme *vm, vs_value condition, vs_value string) {
   return ok;
 }
 
-/* Returns true for an error in the program, false for a reached limit or a call of (exit). */
+/* Returns true for an error in the program, false for a limit that was reached or a call of (exit). */
 static bool is_failure(const vs_scheme *vm, vs_value condition) {
   if (vs_session_is_exit(condition)) return false;
-  if (!vs_is(condition, VS_T_CONDITION)) return true; /* raised by the program: (raise 'oops) */
+  if (!vs_is(condition, VS_T_CONDITION)) return true; /* the program has raised an object of its own, as in (raise
+                                                       * 'oops) */
   vs_value kind = vs_as_condition(condition)->kind;
   return kind != vm->sym.memory && kind != vm->sym.limit && kind != vm->sym.interrupt;
 }
@@ -128,7 +129,7 @@ static void objects_of(vs_value pair, vs_ref objects[2]) {
   objects[1] = vs_bind_take_ref(vs_car(pair));
 }
 
-/* Returns true if in each pair of r[FOUND] the two objects have equal parts. */
+/* Returns true if the objects agree in their parts, in each pair of objects in r[FOUND]. */
 static bool objects_agree(trial *c) {
   bool same = true;
   for (vs_value l = c->r[FOUND]; same && vs_is_pair(l); l = vs_cdr(l)) {
@@ -258,7 +259,7 @@ vs_outcome vs_check_next(vs_scheme *vm, const vs_check_listener *listener) {
   vs_session *s = vs_session_of(vm);
   if (vs_session_busy(s, "vs_check_next")) return VS_OUTCOME_USAGE;
   if (!vs_checks_wait(vm)) return VS_OUTCOME_DONE;
-  vm->steps = vm->written = 0; /* the limits of steps and output count anew for checks */
+  vm->steps = vm->written = 0; /* checks begin with new counts for the limits of steps and output */
   vm->started = vs_session_clock(s);
   begin(s);
   return end(s, next_check(s, listener));

@@ -4,8 +4,8 @@
 
 #include "session/session.h"
 
-/* Runs all waiting checks after a program that ended without error, and warns of each check that fails. Does nothing if
- * the flags postpone checks. Checks have the same limits as the program. Returns VS_OUTCOME_DONE or
+/* Runs all waiting checks after a program that ended without error, and warns about each check that fails. Does nothing
+ * if the flags postpone checks. The limits of the program apply to checks, too. Returns VS_OUTCOME_DONE or
  * VS_OUTCOME_INTERRUPTED. */
 vs_outcome vs_session_check(vs_session *s, unsigned flags);
 

@@ -1,5 +1,5 @@
 /* Implements the comparison of two drawings (visualscheme.h). It keeps the first drawing, and reports the parts of the
- * second that differ (solids/changed_parts.h). Both drawings are compared as formats without marks show them. */
+ * second drawing that differ (solids/changed_parts.h). Both drawings are compared without marks such as highlights. */
 #include "session/comparison.h"
 
 #include <string.h>
@@ -74,8 +74,8 @@ static void tell(told *t, const vs_drawn_part *p, vs_part_info *out) {
 
 typedef bool each_part(void *context, vs_part_difference what, const vs_part_info *before, const vs_part_info *after);
 
-/* The parts of drawing a (the earlier) and drawing b (the later), and their matches: before[i] is that of part i of a,
- * after[i] that of part i of b. */
+/* The parts of two drawings, a (the earlier) and b (the later), and their matches. before[i]: match of part i of a;
+ * after[i]: match of part i of b. */
 typedef struct {
   vs_drawn_parts a, b;
   vs_part_match *before, *after; /* arrays in one block; `before` is NULL until they are allocated */
@@ -165,8 +165,8 @@ static const struct { vs_change change; vs_material paint; } shown[] = {
   { VS_CHANGE_KEPT, { "unchanged", .82, .84, .88, .6, 0, .75, 1, { 0 } } },
 };
 
-/* Returns the object n on a layer and in a material that have the name of the change. Takes over the reference to n.
- * Returns NULL when memory is out. */
+/* Puts the object n on a layer and in a material that have the name of the change, and returns the result. Takes over
+ * the reference to n. Returns NULL when memory is out. */
 static vs_node *painted(vs_store *store, vs_node *n, const vs_material *paint) {
   vs_material m = *paint;
   m.name = vs_store_text(store, paint->name, strlen(paint->name));

@@ -1,4 +1,4 @@
-/* Begins and ends an evaluation: limits are counted from its begin; the end computes its outcome. */
+/* Begins and ends an evaluation. Limits are counted from its beginning; at its end, its outcome is computed. */
 #include "session/evaluation.h"
 
 #include <string.h>
@@ -33,8 +33,8 @@ bool vs_session_is_exit(vs_value condition) {
 vs_outcome vs_session_finish(vs_session *s, bool ok, bool usage) {
   vs_scheme *vm = s->bind.vm;
   ok = vs_session_pass(s, ok);
-  vm->step.mode = VS_STEP_CONTINUE, vm->step.stops = false; /* later calls, for the drawing, must not stop for the
-                                                             * debugger */
+  vm->step.mode = VS_STEP_CONTINUE, vm->step.stops = false; /* calls after the evaluation, such as those of drawing
+                                                             * functions, must not stop for the debugger */
   vs_session_release_objects(s);
   s->phase = NULL;
   vs_tally_enter(&s->tally, VS_WORK_NONE);
@@ -44,14 +44,15 @@ vs_outcome vs_session_finish(vs_session *s, bool ok, bool usage) {
     s->exit_code = (int)vs_fixnum(vs_as_condition(vm->condition)->payload);
   }
   if (!ok && vs_is_stop(vm, vm->condition)) return vs_session_stopped(s);
-  if (ok) vs_bind_finish(&s->bind); /* warns of objects that are not used */
-  /* Reports the calls of the stop, not those of an earlier error. */
+  if (ok) vs_bind_finish(&s->bind); /* warns about objects that the program does not use */
+  /* If the program has stopped, reports the calls that led to the stop, not those of an earlier error. */
   if (ok && vs_is_pair(vm->at.stops)) vm->condition = vs_car(vm->at.stops);
   if (ok) return VS_OUTCOME_DONE;
   vs_outcome outcome = vs_session_report_condition(s, vm->condition, usage);
   if (outcome == VS_OUTCOME_MACHINE) {
     vm->condition = vm->value = VS_FALSE;
-    vs_gc_major(vm); /* frees the values that filled the memory, so that the interpreter can continue */
+    vs_gc_major(vm); /* frees the values that filled the memory, so that the interpreter can continue after running out
+                      * of memory */
   }
   return outcome;
 }

@@ -11,7 +11,8 @@
 
 enum { LONGEST = 100 };
 
-/* Rank of `best`: 3: another case; 2: an added suffix; 1: one letter differs; 0: none found. */
+/* Rank of the file name `best`: 3: differs only in case; 2: has an additional suffix; 1: differs in one letter; 0: no
+ * name was found. */
 typedef struct { const char *wanted; char best[LONGEST + 1]; int rank; } search;
 
 /* Returns true if the names, ignoring case, differ by one letter: a replaced, missing or additional letter, or two

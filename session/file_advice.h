@@ -4,8 +4,8 @@
 
 #include "session/session.h"
 
-/* If the error t reports a file that does not exist, appends the name of the file that was probably meant. The host
- * lists the folder. Returns false when memory is out. */
+/* If the error's text t reports a file that does not exist, appends the name of the file that was probably meant. The
+ * host lists the folder. Returns false when memory is out. */
 bool vs_session_advise_file(vs_scheme *vm, vs_text *t);
 
 #endif

@@ -1,4 +1,5 @@
-/* Implements a host's handles: the table of handles, and the functions by which hosts create and read values.
+/* Implements a host's handles: numbers that refer to values of a program. Contains the table of handles, and the
+ * functions by which hosts create and read values.
  *
  * A handle contains the index of a table entry and a stamp. The stamp of an entry changes with each new use, and each
  * interpreter begins with another stamp. A handle that was released, or belongs to another interpreter, is therefore
@@ -22,7 +23,7 @@
 #include "vm/numbers/number_text.h"
 #include "vm/values/heap.h"
 
-enum { HOST_HELD = 5 }; /* index in at.host of the vector of values */
+enum { HOST_HELD = 5 }; /* index in at.host, where the vector of the handles' values is stored */
 
 /* ---- errors ---- */
 
@@ -97,7 +98,7 @@ vs_handle vs_session_hold(vs_session *s, const vs_value *value) {
   return (uint64_t)t->stamp << 32 | (i + 1);
 }
 
-/* Returns the table entry of the handle. If there is none, reports an error and returns NULL. */
+/* Returns the table entry of the handle h. If h is not valid, reports an error and returns NULL. */
 static vs_held *entry(vs_session *s, const char *who, vs_handle h) {
   vs_handles *t = s->handles;
   size_t i = (size_t)(h & 0xffffffff);
@@ -152,7 +153,7 @@ void vs_session_release_objects(vs_session *s) {
   const char *phase = s->phase;
   for (vs_host_object *o; s->handles && (o = s->handles->gone) != NULL;) {
     s->handles->gone = o->next;
-    s->phase = "evaluating"; /* the host's function runs while the interpreter counts as busy */
+    s->phase = "evaluating"; /* while the host's release function runs, the interpreter counts as busy */
     if (o->release) o->release(o->context, o->object);
     s->phase = phase;
     vs_session_memory(s, o, sizeof *o, 0);
@@ -164,8 +165,8 @@ vs_handle vs_handle_host(vs_scheme *vm, void *object, void (*release)(void *cont
   VS_ROOTS(vm, r, 1);
   vs_host_object *o = table(s) ? vs_session_memory(s, NULL, 0, sizeof *o) : NULL;
   if (!o) return vs_session_out_of_memory(s), 0;
-  *o = (vs_host_object){ .session = s, .object = object }; /* release is not set yet: if memory is out below, the host
-                                                            * keeps its object */
+  *o = (vs_host_object){ .session = s, .object = object }; /* the member `release` is not set yet: if memory is out
+                                                            * below, the object remains the host's */
   if (!vs_make_foreign(vm, &host_object_type, o, sizeof *o, &r[0])) return vs_session_out_of_memory(s), 0;
   vs_handle made = vs_session_hold(s, r);
   if (made) o->release = release, o->context = context;
@@ -355,8 +356,8 @@ vs_handle vs_lookup(vs_scheme *vm, const char *name) {
   VS_ROOTS(vm, r, 1);
   if (!vs_intern(vm, name, strlen(name), &r[0])) return vs_session_out_of_memory(vs_session_of(vm)), 0;
   vs_meaning m = vs_environment_find(vm->at.program, r[0]);
-  /* A program in another language does not see Scheme's names, so the core library is searched, too. Its internal
-   * procedures (%...) stay hidden. */
+  /* A program in another language does not see Scheme's names, so the core library is searched, too. Procedures whose
+   * names begin with % are internal, and are not found. */
   if (m.kind != VS_MEANS_CELL && name[0] != '%') m = vs_environment_find(vm->at.core, r[0]);
   if (m.kind != VS_MEANS_CELL || vs_as_cell(m.value)->value == VS_UNDEFINED)
     return usage(vs_session_of(vm), "vs_lookup: %.200s is not defined", name), 0;
@@ -369,7 +370,7 @@ vs_handle vs_lookup(vs_scheme *vm, const char *name) {
 static vs_outcome run(vs_session *s, const vs_value *procedure, size_t count, const vs_value *argv, vs_value *result) {
   vs_scheme *vm = s->bind.vm;
   VS_ROOTS(vm, r, 1);
-  uint64_t stopped = vm->top_place; /* saves the place of a stopped program, which continues later */
+  uint64_t stopped = vm->top_place; /* stores the place of a stopped program, which is restored when it continues */
   vs_session_begin(s, 0);
   vm->top_place = 0; /* the host's call has no place in a source text */
   bool ok = vs_run(vm, *procedure, count, argv, &r[0]);
@@ -408,7 +409,7 @@ void vs_host_fail(vs_scheme *vm, const char *message) {
   if (t) snprintf(t->failure, sizeof t->failure, "%s", message);
 }
 
-/* a[0] is the number of the host's procedure; the arguments of the call follow. */
+/* a[0] is the index of the host's procedure; the arguments of the call follow it. */
 vs_status vs_session_host_call(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   enum { MOST = 64 };
   vs_session *s = vs_session_of(vm);

@@ -5,9 +5,8 @@
 
 #include "session/session.h"
 
-/* An entry of the table of handles. Its value is in the heap, at the same index of a vector (at.host, beside the entry
- * of nodes.scm).
- * uses: number of references by the host; 0 if the entry is free */
+/* An entry of the table of handles. The handle's value is in the heap, at the same index of a vector in at.host. uses:
+ * number of references by the host; 0: the entry is free */
 typedef struct { uint32_t stamp, uses, next; } vs_held;
 
 /* A procedure of the host. The Scheme procedure that calls it contains its index. */
@@ -25,11 +24,12 @@ struct vs_handles {
                        * stamps */
   vs_host_entry *procedures;
   size_t procedure_count, procedure_room;
-  vs_posted *posted;  /* changes that wait for vs_update, oldest first; they hold references to their handles */
+  vs_posted *posted;  /* property changes that wait for vs_update, oldest first; they hold references to their
+                       * handles */
   size_t posted_count, posted_room;
   char *text;         /* the text that vs_handle_text returned last */
   size_t text_bytes;
-  char failure[256];  /* the message of the latest vs_host_fail */
+  char failure[256];  /* message that the host passed to vs_host_fail last */
   vs_host_object *gone; /* list of host objects without references whose release function must still be called */
 };
 
@@ -45,8 +45,8 @@ bool vs_session_held(vs_session *s, const char *who, vs_handle h, vs_value *out)
  * 0. */
 vs_handle vs_session_hold(vs_session *s, const vs_value *value);
 
-/* Calls the language's procedure of this name, even if programs cannot name it. argv points to roots of the garbage
- * collector; so does result, which may be NULL. */
+/* Calls the procedure of the language with this name, even if programs cannot name it. argv points to roots of the
+ * garbage collector. result points to a root or is NULL. */
 vs_outcome vs_session_invoke(vs_session *s, const char *name, size_t count, const vs_value *argv, vs_value *result);
 
 /* Returns true if the interpreter is running. It then reports that function `who` cannot be called now. */

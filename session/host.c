@@ -32,7 +32,7 @@ static void *session_memory(vs_session *s, void *old, size_t old_bytes, size_t b
   return p;
 }
 
-/* Allocates, reallocates or frees memory. If memory is out, drops cached results and tries again. */
+/* Allocates, reallocates or frees memory. If memory is out, removes results from the cache and tries again. */
 void *vs_session_memory(void *session, void *old, size_t old_bytes, size_t bytes) {
   vs_session *s = session;
   void *p = session_memory(s, old, old_bytes, bytes);
@@ -100,7 +100,7 @@ static bool refuse(vs_session *s, const char *reason, const char **why) {
   return false;
 }
 
-/* Returns a text for the errno value, in plain English for the usual ones. */
+/* Returns a text for the errno value `error`: plain English for frequent errors, otherwise the system's text. */
 static const char *reason(int error) {
   if (error == ENOENT) return "no such file";
   if (error == EACCES) return "not permitted to read it";
@@ -158,7 +158,7 @@ vs_outcome vs_session_unread(vs_session *s, const char *path, const char *why) {
   return outcome;
 }
 
-/* ---- kept source texts ---- */
+/* ---- source texts, kept because messages show their lines ---- */
 
 static void drop(vs_session *s, vs_source *source) {
   vs_session_memory(s, source->name, source->name_bytes, 0);
@@ -177,8 +177,8 @@ static size_t count_lines(const char *text, size_t length) {
   return lines;
 }
 
-/* Appends lines typed at a prompt to a kept source, so that messages can show them later. Inserts blank lines for
- * missing line numbers. Returns false if the lines precede the end of the source, or memory is out. */
+/* Appends lines that were typed at a prompt to the text of a source, so that messages can show them later. Inserts
+ * blank lines for missing line numbers. Returns false if the lines precede the end of the source, or memory is out. */
 static bool continue_source(vs_session *s, vs_source *old, unsigned first_line, const char *text, size_t length) {
   enum { MOST = 1 << 18 };
   size_t gap;
@@ -263,7 +263,7 @@ static int64_t open_stream(void *session, const char *path, vs_io_mode mode, con
 
 static ptrdiff_t read_console(vs_session *s, void *to, size_t room) {
   const vs_host *h = &s->options.host;
-  vs_stream *in = &s->stream[VS_IO_STDIN]; /* the last line of standard input, which has no line end */
+  vs_stream *in = &s->stream[VS_IO_STDIN]; /* the text after the last line end of standard input is the last line */
   if (in->at == in->length) {
     size_t n;
     const char *line = h->input ? h->input(h->context, &n) : NULL;

@@ -11,9 +11,9 @@ double vs_session_clock(void *session);                                         
                                                                                     * seconds. */
 bool vs_session_interrupted(void *session); /* returns true to interrupt the VM: on a request of the host, or if the
                                              * current output exceeds its time limit */
-/* Implements vs_job.going for a session: reports progress to the host. Returns false if the host interrupts. */
+/* The callback vs_job.going of a session: reports progress to the host. Returns false if the host interrupts. */
 bool vs_session_going(void *session, const char *stage, double fraction);
-/* Returns the job for work that is not an output; such work has no limits of its own. */
+/* Returns limits, progress and messages for work that is not an output; such work has no limits of its own. */
 vs_job vs_session_job(vs_session *s);
 /* Reads a whole file as text, which the caller frees. source: also keeps the text, for messages. If it fails, returns
  * false and sets *why to the reason. */

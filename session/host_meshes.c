@@ -1,5 +1,5 @@
 /* Implements the meshes for a host (vs_mesh_next). A back-end without an output file keeps one mesh, and the
- * placements, of each distinct shape. It compares them with the meshes that the host already has.
+ * placements, of each distinct shape. It compares these shapes with the meshes that the host already has.
  *
  * The id of a shape is a hash of its node, the fineness and its material. A shape that the host already has is
  * therefore recognised before its mesh is computed. All memory is the session's, so that limits apply. The mesh of a
@@ -22,7 +22,7 @@ typedef struct {
   uint64_t id, places_hash;
   size_t place_count, place_room;
   double (*places)[3][4];
-  bool made;               /* whether the host does not have the shape yet; only then it has a mesh here */
+  bool made;               /* whether the host does not have this shape yet; only then its mesh is made */
   vs_mesh mesh;            /* the mesh, whose arrays are allocated by the session */
   vs_shading shading;      /* the normals, whose arrays are allocated by the session */
   vs_mesh_part *parts;
@@ -42,12 +42,12 @@ struct vs_host_meshes {
   vs_backend backend;      /* must be the first member: an emitter's pointer to it is converted to vs_host_meshes */
   vs_format format;
   vs_session *session;
-  shapes had, now;         /* had: shapes that the host has, with their ids and hashes of placements only; now: shapes
-                            * of the current drawing */
+  shapes had, now;         /* had: shapes that the host has; only ids and hashes of placements are kept. now: shapes of
+                            * the current drawing */
   const char **layers;     /* names of the open layers, outermost first */
   size_t layer_count, layer_room;
-  size_t removed, told;    /* Positions of the next call of vs_mesh_next. removed: next index in `had`; told: next index
-                            * in `now` */
+  size_t removed, told;    /* Where the next call of vs_mesh_next continues. removed: next index in `had`, to report
+                            * shapes that are gone; told: next index in `now` */
   size_t last;             /* index + 1 of the shape passed to the host last, whose arrays it may use until the next
                             * call */
   bool open;               /* whether vs_mesh_next is passing the shapes of a drawing */
@@ -215,7 +215,7 @@ static bool is_angular(const vs_node *n) {
       if (n->child_count > MOST - count) return false;
       for (uint32_t i = 0; i < n->child_count; i++) wait[count++] = n->children[i].node;
       break;
-    default: return false; /* curved, or made from children that may be curved */
+    default: return false; /* a curved node, or a node whose children may be curved */
     }
   }
   return true;
@@ -329,12 +329,14 @@ vs_outcome vs_meshes_begin(vs_scheme *vm, const vs_output_options *options) {
   if (vs_session_busy(s, "vs_meshes_begin")) return VS_OUTCOME_USAGE;
   vs_host_meshes *m = open_meshes(s);
   if (!m) return VS_OUTCOME_MACHINE;
-  if (m->open) { /* shapes that were not passed yet are compared again: the host does not have them */
+  if (m->open) { /* the last drawing was not passed completely: its remaining shapes are treated as new, since the host
+                  * does not have them */
     drop_shapes(s, &m->now);
     m->open = false;
   }
   vs_output_options o = options ? *options : vs_output_options_default();
-  o.passes &= ~(1u << VS_PASS_FOLD); /* objects of equal shape stay copies: folding would combine them */
+  o.passes &= ~(1u << VS_PASS_FOLD); /* the pass fold is not used, because it would make copies of a shape different
+                                      * nodes */
   vs_byte_sink nowhere = { take_nothing, NULL };
   vs_outcome outcome = vs_session_write(s, NULL, &m->format, &o, &nowhere);
   bool nothing = outcome == VS_OUTCOME_MODEL && !m->now.count && !s->bind.scene.drawn_count && !s->bind.returned_count;
@@ -380,8 +382,8 @@ bool vs_mesh_next(vs_scheme *vm, vs_mesh_info *out) {
   vs_host_meshes *m = s->meshes;
   *out = (vs_mesh_info){ 0 };
   if (!m || !m->open || vs_session_busy(s, "vs_mesh_next")) return false;
-  if (m->last) drop_shape(s, &m->now.at[m->last - 1]); /* only the id and the hash of placements of a passed shape are
-                                                        * kept */
+  if (m->last) drop_shape(s, &m->now.at[m->last - 1]); /* of a shape that was passed to the host, only the id and the
+                                                        * hash of placements are kept */
   m->last = 0;
   while (m->removed < m->had.count) {
     const shape *f = &m->had.at[m->removed++];

@@ -94,8 +94,8 @@ static bool put_call(vs_text *t, vs_value f, const char *name) {
   return !form || put(t, "(", name, form + 1 + strcspn(form + 1, " )"));
 }
 
-/* Returns the native that a procedure of geometry.scm calls, such as %subtract for subtract. Its table row describes
- * both. Returns #f if there is none. */
+/* Returns the native procedure that a procedure of geometry.scm calls, such as %subtract for subtract. The row of the
+ * native in the table of procedures describes both. Returns #f if there is none. */
 static vs_value helper_of(vs_scheme *vm, const char *name) {
   char room[80];
   vs_value symbol, value;
@@ -114,7 +114,8 @@ bool vs_name_get(vs_scheme *vm, const char *name, vs_name_info *out) {
   if (m.kind != VS_MEANS_CELL || vs_as_cell(m.value)->value == VS_UNDEFINED) return false;
   r[1] = vs_as_cell(m.value)->value;
   vs_meaning language = vs_environment_find(vm->at.core, r[0]);
-  /* A program that uses a name of the language has its own cell for it, with the same value. */
+  /* If a program uses a name of the language, it has its own variable with the language's value. The name counts as the
+   * program's own only if the value differs. */
   out->own = language.kind != VS_MEANS_CELL || vs_as_cell(language.value)->value != r[1];
   vs_text t;
   if (vs_is(r[1], VS_T_NATIVE) || vs_is(r[1], VS_T_CLOSURE) || vs_is(r[1], VS_T_CASE) || vs_is(r[1], VS_T_PARAMETER)) {
@@ -199,7 +200,8 @@ bool vs_call_get(vs_scheme *vm, size_t index, vs_call_info *out) {
   vs_text_open(vm, &t, 600);
   bool ok = true;
   for (size_t k = first + VS_CALL_VARIABLES; ok && k < first + VS_CALL_WORDS; k += 2) {
-    vs_value symbol = vs_as_vector(r[0])->at[k];     /* fetched anew in each step, since printing may move the vector */
+    vs_value symbol = vs_as_vector(r[0])->at[k];     /* reads the symbol again in each step, since printing may move the
+                                                      * vector */
     if (!vs_is_symbol(symbol)) break;
     ok = put(&t, t.count ? ", " : "", vs_as_symbol(symbol)->name, " = ") &&
          vs_session_put_value(vm, &t, vs_as_vector(r[0])->at[k + 1], 60);
@@ -211,7 +213,8 @@ bool vs_call_get(vs_scheme *vm, size_t index, vs_call_info *out) {
 
 /* ---- where the time goes ---- */
 
-/* Takes a sample: counts each procedure on the call stack once, identified by its place in the program. */
+/* Takes a sample: counts each procedure on the call stack once. A procedure is identified by its place in the
+ * program. */
 void vs_session_look(vs_session *s) {
   enum { MOST = 64 };
   vs_value name[MOST];

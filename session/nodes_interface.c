@@ -1,5 +1,5 @@
-/* Implements the public functions on scene nodes, properties, actions and picks. Each calls the corresponding procedure
- * of the language, so that hosts and programs have the same rules and messages. */
+/* Implements the public functions on scene nodes, properties, actions and picks (objects under the mouse). Each calls
+ * the corresponding procedure of the language, so that hosts and programs have the same rules and messages. */
 #include <stdio.h>
 #include <string.h>
 
@@ -35,8 +35,8 @@ static vs_handle ask(vs_scheme *vm, const char *who, const char *procedure, cons
   return 0;
 }
 
-/* A call about a property: the public function `who`, the procedure of the language that it calls, the group, and the
- * property's name. */
+/* A call about a property. who: the public function; procedure: the procedure of the language that it calls; group:
+ * group of the property; name: the property's name. */
 typedef struct { const char *who, *procedure; vs_handle group; const char *name; } named;
 
 /* Calls q->procedure with the group, the name as a symbol, and the argument *last (NULL: none). Releases the symbol's
@@ -75,8 +75,8 @@ vs_handle vs_node_find(vs_scheme *vm, const char *name) {
   return found;
 }
 
-/* Returns a handle of a part of a node, or 0 if the node lacks it. Runs no program, and is therefore allowed at any
- * time. If `node` is no node, fails with the error of the language's procedure. */
+/* Returns a handle of a part of a node, or 0 if the node lacks this part. Runs no program, and is therefore allowed at
+ * any time. If `node` is no node, fails with the error of the language's procedure. */
 static vs_handle part_of(vs_scheme *vm, const char *who, const char *procedure, vs_node_part part, vs_handle node) {
   vs_session *s = vs_session_of(vm);
   VS_ROOTS(vm, r, 2);
@@ -197,8 +197,8 @@ vs_outcome vs_scene_frame(vs_scheme *vm, double seconds) {
   return outcome;
 }
 
-/* Passes a hit of %pick-for-host to the callback. The hit is a list (distance point node path file line column); the
- * last three are #f if unknown. */
+/* Passes an intersection that %pick-for-host has found to the callback. `hit` is a list (distance point node path file
+ * line column); the last three are #f if unknown. */
 static bool tell_hit(vs_scheme *vm, vs_handle hit, bool (*each)(void *context, vs_scheme *vm, const vs_hit *hit),
     void *context, bool *go_on) {
   enum { DISTANCE, POINT, NODE, PATH, FILE_NAME, LINE, COLUMN, PARTS };
@@ -250,10 +250,10 @@ vs_outcome vs_pick(vs_scheme *vm, const double from[3], const double direction[3
   return outcome;
 }
 
-/* ---- gizmos, and input by mouse and keys ---- */
+/* ---- gizmos (handles to drag with the mouse), and input by mouse and keys ---- */
 
-/* Positions in a gizmo of %gizmos-for-host: (node kind value low high step size at handles axes). A part that the gizmo
- * lacks is #f. */
+/* Indices in the list by which %gizmos-for-host describes a gizmo: (node kind value low high step size at handles
+ * axes). A part that the gizmo lacks is #f. */
 enum { NODE, KIND, VALUE, LOW, HIGH, STEP, SIZE, AT, HANDLES, AXES, PARTS };
 
 static size_t numbers_of(vs_scheme *vm, vs_handle list, double out[3][3]) {

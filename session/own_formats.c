@@ -1,8 +1,9 @@
 /* Implements the formats that a host defines (vs_register_format). Each is a back-end like those of the library; its
  * emit functions call the host's callbacks.
  *
- * As for every format, the driver walks the drawing, and replaces kinds without a callback by simpler ones. Placements,
- * materials, layers and unions need no callback: each object is passed with its placement, material and layer. */
+ * As for every format, the driver walks the drawing, and replaces kinds of nodes without a callback by simpler kinds.
+ * Placements, materials, layers and unions need no callback: each object is passed with its placement, material and
+ * layer. */
 #include "session/own_formats.h"
 
 #include <string.h>
@@ -24,7 +25,7 @@ struct vs_own_format {
 typedef struct {
   const char **layers; /* names of the open layers, outermost first */
   size_t layer_count, layer_room;
-  const vs_ref *now;   /* the object being written, for the place in an error message */
+  const vs_ref *now;   /* the object that is being written, whose place an error message shows */
 } own_state;
 
 /* Converts an output to its emitter: vs_output is the emitter's type in the public interface. */
@@ -141,7 +142,8 @@ static vs_emit_status own_emit(vs_emitter *e, const vs_ref *ref, vs_phase phase)
   own_state *s = e->state;
   const char *layer = s->layer_count > 0 ? s->layers[s->layer_count - 1] : "";
   if (!own_layer(e, ref, phase)) return VS_FAILED;
-  if (row->write == NULL) return VS_EMITTED; /* a placement, material, layer or union: its children follow */
+  if (row->write == NULL) return VS_EMITTED; /* without a callback, the node is a placement, material, layer or union,
+                                              * and its children follow */
   static const vs_thing_phase phases[] = { [VS_PHASE_LEAF] = VS_THING_LEAF, [VS_PHASE_ENTER] = VS_THING_ENTER,
       [VS_PHASE_LEAVE] = VS_THING_LEAVE };
   const vs_material *m = e->material;
@@ -178,8 +180,8 @@ static bool own_fill(vs_session *s, vs_own_format *f, const vs_format_own *given
     f->kinds[kind] = given->kinds[i];
     f->backend.emit[kind].fn = own_emit;
   }
-  if (f->kinds[VS_POLYFACE_MESH].write == NULL) return false; /* a callback for polyhedra is required: all solids and
-                                                               * surfaces can be replaced by them */
+  if (f->kinds[VS_POLYFACE_MESH].write == NULL) return false; /* the host must provide a callback for polyhedra, by
+                                                               * which all solids and surfaces can be replaced */
   if (f->kinds[VS_HULL].write != NULL) f->backend.traits |= VS_SHOWS_HULLS;
   for (size_t i = 0; i < sizeof through / sizeof *through; i++) f->backend.emit[through[i]].fn = own_emit;
   char text[120];
@@ -211,7 +213,7 @@ bool vs_register_format(vs_scheme *vm, const vs_format_own *given) {
   return true;
 }
 
-/* Returns true if text equals the word, or ends in a dot and the word. */
+/* Returns true if `text` equals the word, or ends in a dot and the word. */
 static bool own_means(const char *text, const char *word) {
   size_t length = strlen(text), end = strlen(word);
   return !strcmp(text, word) || (length > end && text[length - end - 1] == '.' && !strcmp(text + length - end, word));

@@ -12,7 +12,7 @@
 
 #include "vm/values/printer.h"
 
-enum { NOTES = 12 }; /* greatest number of callers shown, innermost first */
+enum { NOTES = 12 }; /* greatest number of callers in a report, innermost first */
 
 /* ---- source lines ---- */
 
@@ -117,7 +117,7 @@ bool vs_session_span(vs_session *s, vs_pos place, vs_span *out) {
   return out->file != NULL;
 }
 
-/* Returns true if the interrupt came from the limit of time for outputs, and not from the user. */
+/* Returns true if the time limit for outputs has caused the interrupt, and not the user. */
 static bool is_late(const vs_session *s) { return s->writing && s->writing->late; }
 
 static vs_outcome outcome_of(const vs_session *s, vs_value kind, bool usage) {
@@ -184,22 +184,24 @@ vs_outcome vs_session_report_condition(vs_session *s, vs_value condition, bool u
   if (is_condition) {
     const vs_condition *c = vs_as_condition(r[0]);
     outcome = outcome_of(s, c->kind, usage);
-    /* the host may apply the limit of memory to its whole process */
+    /* limited: whether the error is that the memory limit was reached, which the host may also apply to its whole
+     * process */
     limited = c->kind == vm->sym.memory && s->options.limit_memory;
     late = c->kind == vm->sym.interrupt && is_late(s);
-    /* In a macro procedure that the library calls, the place is that of the macro's use. */
+    /* An error in a procedure of a macro has the place of the macro's use. */
     if (!vs_session_condition_place(s, c, &at)) vs_session_span(s, vm->top_place, &at);
     count = callers(s, vs_as_condition(r[0])->chain, at, notes);
     printed = printed && vs_session_advise(s, r[0], at, &t);
-    if (s->bind.bad_parameter) { /* the value of the parameter came from outside the program, so the line that defines
-                                  * the parameter is not wrong */
+    if (s->bind.bad_parameter) { /* the parameter's value came from outside the program, so the line that defines the
+                                  * parameter is not shown as wrong */
       notes[0] = (vs_diagnostic_note){ at, "the parameter is defined here" };
       count = at.file != NULL;
       at = (vs_span){ 0 };
     }
   }
   if (printed && vs_text_end(&t)) message = t.at;
-  else if (outcome != VS_OUTCOME_INTERRUPTED) outcome = VS_OUTCOME_MACHINE; /* no memory remains for the message */
+  else if (outcome != VS_OUTCOME_INTERRUPTED) outcome = VS_OUTCOME_MACHINE; /* even if the error has no message, because
+                                                                             * memory is out, it has an outcome */
   if (late) {
     snprintf(limit, sizeof limit, "the output: stopped after %g seconds, the limit", s->options.limit_time);
     message = limit;

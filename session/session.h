@@ -22,7 +22,7 @@ typedef struct {
   char *name, *text;
   size_t name_bytes, length, room, lines /* lines: number of line ends in the text */;
   unsigned first_line;
-  bool before; /* whether the source was read before the last vs_restart and was not read again since */
+  bool before; /* whether the source was read before the last vs_restart, and not again since */
 } vs_source;
 
 enum { VS_STREAMS = 64 };
@@ -39,17 +39,18 @@ typedef enum {
   VS_STAGE_COUNT
 } vs_stage;
 
-/* The account of one output: time, memory and counts. NAN means not counted. */
+/* Times, memory and counts of one output. NAN: not counted. */
 typedef struct {
-  char *path; size_t path_bytes; /* path: "" if the output goes to a callback */
+  char *path; size_t path_bytes; /* path of the output file; "" if the output goes to a callback */
   const char *format;       /* name of the format, owned by the library */
   bool done;
-  vs_tally tally;           /* times and counts of this output alone; peak members count from its begin */
-  double nodes, distinct;   /* nodes: nodes of the drawing as a tree; distinct: different values among them */
+  vs_tally tally;           /* times and counts of this output alone; the members for peaks begin with this output */
+  double nodes, distinct;   /* nodes: number of nodes of the drawing as a tree; distinct: number of different values
+                             * among them */
   vs_pass_stats passes;
-  /* alone[i]: number of commands with only pass i; without[i]: with all requested passes except i. */
+  /* alone[i]: number of commands if only pass i runs; without[i]: if all requested passes except i run. */
   double alone[VS_PASS_COUNT], without[VS_PASS_COUNT];
-  vs_cache_stats cache;     /* hits and misses of this output alone */
+  vs_cache_stats cache;     /* cache: numbers of results that this output has found and has not found in the cache */
   double stages[VS_STAGE_COUNT]; /* seconds of each stage; NAN if the format skips it, or the output failed earlier */
 } vs_output_record;
 
@@ -70,21 +71,21 @@ typedef struct {
   void *texts; size_t text_bytes; /* one block with copies of all texts in the options */
   size_t bytes;             /* bytes allocated for the heap and the model together */
   vs_tally tally;           /* time and memory of each phase of work */
-  bool limited;             /* whether the last refusal of memory came from the limit, not from the system */
+  bool limited;             /* whether memory was last refused because of the user's limit, and not by the system */
   atomic_bool interrupted;
   bool exit_requested;
   int exit_code;
-  double told_progress;     /* clock in seconds at the last call of the host's progress */
-  const char *phase;        /* text of the progress line while a program runs; NULL if none runs */
+  double told_progress;     /* clock in seconds when progress was last reported to the host */
+  const char *phase;        /* name of the phase that progress reports show while a program runs; NULL if none runs */
   vs_stream stream[VS_STREAMS];
   vs_source *sources;
   size_t source_count, source_room;
   vs_known_files inputs;    /* the files that the program has read or created */
   char why[256];            /* reason why the last file operation failed */
   double evaluate_seconds, write_seconds;
-  vs_job job;               /* job for work between outputs, which has no limits of its own */
-  vs_job *writing;          /* job of the output that is being written, from its first stage with a limit; NULL: none */
-  vs_output_record *outputs; /* accounts of the latest outputs, oldest first */
+  vs_job job;               /* limits, progress and messages of work between outputs, which has no limits of its own */
+  vs_job *writing;          /* limits, progress and messages of the output that is being written; NULL: none */
+  vs_output_record *outputs; /* times and counts of the latest outputs, oldest first */
   size_t output_count, output_room;
   vs_ref *kept; size_t kept_count; /* objects of vs_drawing_keep, whose nodes are retained (comparison.c) */
   vs_ref *change; size_t change_count; /* objects that show the differences of vs_drawing_compare, whose nodes are
@@ -93,8 +94,8 @@ typedef struct {
   vs_scan_fit *fit;         /* the latest fit to a scan (fit/scan_fit.c), or NULL */
   vs_handles *handles;      /* handles of the host (handles.c), or NULL if it has none yet */
   vs_host_meshes *meshes;   /* meshes passed to the host (host_meshes.c), or NULL if there are none */
-  unsigned flags;           /* flags VS_EVAL_... of the current evaluation */
-  unsigned results;         /* number of result names $1, $2 ... in use */
+  unsigned flags;           /* flags VS_EVAL_... with which the current evaluation was called */
+  unsigned results;         /* number of names $1, $2 ... that the prompt has given to results */
   bool profiling;
   uint64_t looks;
   vs_profile_row profile[256];

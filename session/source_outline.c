@@ -1,5 +1,6 @@
-/* Finds definitions, calls and words in a source text, without reading it as a program. It knows only strings,
- * characters, comments and the three kinds of parentheses. Messages use it: a wrong guess only loses a hint. */
+/* Finds definitions, calls and words in a source text, without reading it as a program. It recognizes only strings,
+ * characters, comments and the three kinds of parentheses. Messages use it: if it guesses wrongly, only a hint is
+ * lost. */
 #include "session/source_outline.h"
 
 #include <string.h>
@@ -89,8 +90,8 @@ void vs_outline_each(const char *text, size_t length, bool (*each)(void *context
     uint32_t unused = line;
     const char *in = is_open(*at) ? vs_outline_blanks(at + 1, end, &unused) : end;
     size_t head = vs_outline_word(in, end);
-    bool library = head == 14 && !memcmp(in, "define-library", 14); /* define-library is followed by a list as its name,
-                                                                     * and defines no procedure */
+    bool library = head == 14 && !memcmp(in, "define-library", 14); /* library: after define-library, a list is the
+                                                                     * library's name, not the form of a procedure */
     if (head >= 6 && !memcmp(in, "define", 6) && !library) {
       in = vs_outline_blanks(in + head, end, &unused);
       while (in < end && is_open(*in)) item.procedure = true, in = vs_outline_blanks(in + 1, end, &unused);

@@ -19,7 +19,8 @@ typedef struct {
 void vs_outline_each(const char *text, size_t length, bool (*each)(void *context, const vs_outline_item *item),
     void *context);
 
-/* Returns the first place from `at` that is neither blank nor comment. Adds the number of line ends passed to *line. */
+/* Returns the first place from `at` that is neither blank nor in a comment. Adds the number of line ends before that
+ * place to *line. */
 const char *vs_outline_blanks(const char *at, const char *end, uint32_t *line);
 /* Returns the end of the datum that begins at `at`. Returns `end` if no datum begins there, or it is not closed. */
 const char *vs_outline_datum(const char *at, const char *end, uint32_t *line);

@@ -41,23 +41,24 @@
 #include "solids/endless_lines.h"
 #include "solids/resolve.h"
 
-/* An output that is made, or the drawing that is measured. */
+/* An output that is being made, or a drawing that is being measured. */
 typedef struct {
   vs_session *session;
-  vs_job job;                    /* passed to all layers below; the store has its address until the output ends */
-  const vs_format *format;       /* format of the output; NULL if the drawing is only measured */
+  vs_job job;                    /* limits, progress and messages, passed to all layers below; the store refers to this
+                                  * member until the output ends */
+  const vs_format *format;       /* format of the output; NULL: the drawing is only measured */
   const vs_output_options *options;
-  const char *path;              /* path of the output; NULL if it goes to `to` */
+  const char *path;              /* path of the output; NULL: the output goes to the sink `to` */
   vs_byte_sink *to;
-  vs_scene scene;                /* a copy of the scene, with its own array of references */
+  vs_scene scene;                /* the scene that is written: a copy with an array of references of its own */
   vs_export_options export;
-  vs_output_record *record;      /* account of the output; NULL if there is no output */
-  vs_error error;                /* error of a failed stage, unless `outcome` is set */
-  vs_outcome outcome;            /* outcome of a failure that the stage has already reported */
-  char *text;                    /* text written by a back-end of the program, and its length in bytes; NULL if there is
-                                  * none */
+  vs_output_record *record;      /* times and counts of the output; NULL: there is no output */
+  vs_error error;                /* error of a failed stage, if `outcome` is not set */
+  vs_outcome outcome;            /* outcome of a failure that a stage has already reported */
+  char *text;                    /* text that a back-end of the program has written, and its length in bytes; NULL:
+                                  * there is none */
   size_t text_bytes;
-  double told;                   /* clock in seconds at the last call of the host's progress */
+  double told;                   /* clock in seconds when progress was last reported to the host */
 } writing;
 
 /* ---- callbacks for interrupts, progress and warnings ---- */
@@ -83,7 +84,7 @@ static bool job_going(void *output, const char *stage, double fraction) {
   return !vs_session_interrupted(j->session);
 }
 
-/* Begins the output's job. */
+/* Begins the limits and progress of the output. */
 static void begin(writing *j) {
   vs_session *s = j->session;
   j->job = (vs_job){ .going = job_going, .warn = job_warn, .note = job_note, .context = j, .tally = &s->tally };
@@ -144,11 +145,11 @@ static void set_options(writing *j) {
   vs_session_aim(o, scene);
 }
 
-/* ---- stages. A stage that fails returns false, and sets the output's error, or its outcome if it has already reported
- * the failure ---- */
+/* ---- stages: a stage that fails returns false, and sets the error, or the outcome if it has already reported the
+ * failure ---- */
 
 /* Computes the objects that the tree of scene nodes shows, as a separate evaluation. Sets *beside to false if the
- * drawing belongs to a node; the objects then include that of the root. */
+ * drawing belongs to a node that is not the root; the objects then include those of the root. */
 static bool show_nodes(writing *j, bool *beside, vs_value *objects) {
   vs_session *s = j->session;
   if (!vs_nodes_are_there(&s->bind)) return true;
@@ -160,8 +161,8 @@ static bool show_nodes(writing *j, bool *beside, vs_value *objects) {
   return ok;
 }
 
-/* Collects garbage first: a node that only dead values refer to would look shared. The scene's copy retains its
- * references, because later stages replace them. */
+/* Collects garbage first: otherwise a node with a second reference from a dead value would seem to be shared. The
+ * scene's copy retains its references, because later stages replace them. */
 static bool stage_collect(writing *j) {
   vs_session *s = j->session;
   bool beside = true, change = j->options && j->options->change;
@@ -193,19 +194,19 @@ static bool stage_collect(writing *j) {
   return true;
 }
 
-/* Calls the drawing functions as a separate evaluation with its own limits. The time limit of the output begins after
- * them. */
+/* Calls the program's drawing functions as a separate evaluation with its own limits. The time limit of the output
+ * begins after them. */
 static bool stage_hand_over(writing *j) {
   vs_session *s = j->session;
   const vs_format *f = j->format;
   const char *names[4] = { NULL };
   size_t n = 0;
-  if (!f) names[n++] = "*"; /* also calls functions that are registered for one format, unless a function is registered
-                             * for all formats */
+  if (!f) names[n++] = "*"; /* if there is no format, calls functions that are registered for a single format, unless a
+                             * function is registered for all formats */
   if (f) names[n++] = f->name, names[n++] = f->suffix;
   if (f && vs_export_family(f)) names[n++] = vs_export_family(f);
-  bool handed = j->options && j->options->change; /* drawing functions were already called for the two drawings of a
-                                                   * comparison */
+  bool handed = j->options && j->options->change; /* handed: in a comparison, drawing functions were already called for
+                                                   * each of the two drawings */
   if (!handed && vs_bind_hands_on(&s->bind)) {
     vs_session_begin(s, 0);
     bool ok = vs_bind_hand_on(&s->bind, j->scene.drawn, j->scene.drawn_count, names);
@@ -242,11 +243,11 @@ static void list_views(const vs_scene *scene, char *message, size_t room) {
 static bool stage_view(writing *j) {
   vs_scene *scene = &j->scene;
   const char *name = j->record ? j->options->view : NULL;
-  /* A format of drawings chooses its views itself. */
+  /* A format for drawings on sheets chooses its views itself. */
   if (!j->format || vs_backend_has(j->format->backend, VS_DRAWS) || (name && !strcmp(name, "*"))) return true;
   const vs_scene_view *view = name ? vs_scene_find_view(scene, name) : j->options->has_camera ? NULL
       : vs_scene_own_view(scene);
-  /* Only a view that was requested may cut a mesh or a page. */
+  /* For a mesh or a page, only a view that the user requests by name may cut the model. */
   if (!name && (!view || (view->cut == VS_CUT_PLANE && !vs_backend_has(j->format->backend, VS_FRAMES)))) return true;
   if (!view) {
     char message[400];
@@ -262,7 +263,8 @@ static bool stage_resolve(writing *j) {
   return vs_scene_resolve(&j->scene, &(vs_kernel_options){ .job = &j->job, .warns = true }, &j->error);
 }
 
-/* A back-end of the program receives the drawing before the passes, unless it requests the optimised drawing. */
+/* Runs the passes. A back-end that the program defines receives the drawing before the passes, unless it requests the
+ * optimised drawing. */
 static bool stage_optimise(writing *j) {
   const vs_bind_back_end *own =
       j->format->backend == &vs_backend_given ? vs_bind_back_end_find(&j->session->bind, j->format->name) : NULL;
@@ -281,7 +283,7 @@ static bool stage_flush(writing *j) { return vs_scene_part_flush(&j->scene, &j->
 
 static bool stage_group(writing *j) { return vs_scene_group(&j->scene, &j->error); }
 
-/* Calls the program's back-end as a separate evaluation. */
+/* Calls the back-end that the program defines, as a separate evaluation. */
 static bool stage_defined(writing *j) {
   vs_session *s = j->session;
   vs_session_begin(s, 0);
@@ -302,7 +304,7 @@ static bool write_bytes(void *sink, const void *bytes, size_t count) {
 static bool stage_write(writing *j) {
   vs_tally_enter(&j->session->tally, VS_WORK_EMIT);
   vs_scene scene = j->scene;
-  /* The text of the program's back-end is complete: there are no objects to write. */
+  /* If the program's back-end has written the whole text, there are no objects to write. */
   if (j->format->backend == &vs_backend_given) scene.drawn = NULL, scene.drawn_count = scene.drawn_room = 0;
   return j->to ? vs_export_to(&scene, j->format, write_bytes, j->to, &j->export, &j->error)
                : vs_export(&scene, j->format, j->path, &j->export, &j->error);
@@ -322,7 +324,7 @@ static bool runs_for(vs_stage stage, const vs_backend *b) {
   return false;
 }
 
-/* Returns the seconds of work in all phases so far. */
+/* Returns the seconds of work in all phases since the session began. */
 static double worked(vs_session *s) {
   double sum = 0;
   vs_work_phase was = vs_tally_enter(&s->tally, VS_WORK_NONE);
@@ -359,7 +361,7 @@ static bool report_nothing(vs_session *s, const char *message) {
   return told;
 }
 
-/* Ends the job, releases the references, reports the error of a failed stage, and returns the outcome. */
+/* Ends the output: releases the references, reports the error of a failed stage, and returns the outcome. */
 static vs_outcome end_writing(writing *j, bool ok) {
   vs_session *s = j->session;
   bool stopped = s->writing && s->writing->late && j->error.kind == VS_ERROR_INTERRUPT;

@@ -5,7 +5,7 @@
 #include "backends/export.h"
 #include "session/session.h"
 
-/* Receives the bytes of an output without a path. Writing stops when `write` returns false. */
+/* A receiver of the bytes of an output without a path. Writing stops when `write` returns false. */
 typedef struct { bool (*write)(void *context, const void *bytes, size_t count); void *context; } vs_byte_sink;
 
 /* Writes the drawing in a format to path, or to the sink if path is NULL. Reports a failure to the host, and returns

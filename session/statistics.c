@@ -1,5 +1,5 @@
-/* Computes the statistics of an interpreter: the account of each output, the counts of its drawing, and the keys under
- * which they are listed.
+/* Computes the statistics of an interpreter: times, memory and counts of each output, the counts of its drawing, and
+ * the keys under which they are listed.
  *
  * At any time exactly one phase of work is active. The phases of an output therefore add up to its time, and the times
  * of programs and outputs to the total. */
@@ -16,10 +16,10 @@
 #include "model/order.h"
 #include "model/store/array.h"
 
-enum { OUTPUTS = 64 }; /* greatest number of accounts kept */
+enum { OUTPUTS = 64 }; /* greatest number of outputs whose times and counts are kept */
 
-/* ---- the account of an output. At its begin it contains the totals so far; at its end these become differences
- * ---- */
+/* ---- times and counts of an output: at the output's beginning they are the totals so far; at its end these become
+ * differences ---- */
 
 static void drop(vs_session *s, vs_output_record *r) { vs_session_memory(s, r->path, r->path_bytes, 0); }
 
@@ -51,8 +51,8 @@ bool vs_session_output_begin(vs_session *s, const char *path, const char *format
                            .cache = vs_cache_count(vs_store_cache(s->bind.store)) };
   for (int i = 0; i < VS_PASS_COUNT; i++) r->alone[i] = r->without[i] = NAN;
   for (int i = 0; i < VS_STAGE_COUNT; i++) r->stages[i] = NAN;
-  for (int i = 0; i < VS_WORK_COUNT; i++) t->of[i].peak = 0; /* peaks begin at 0 for each output; the peaks of the
-                                                              * session are restored at its end */
+  for (int i = 0; i < VS_WORK_COUNT; i++) t->of[i].peak = 0; /* peaks of memory begin at 0 for each output; the peaks of
+                                                              * the session are restored at the output's end */
   return true;
 }
 
@@ -96,8 +96,9 @@ static int by_value(const void *a, const void *b) {
   return *x < *y ? -1 : *x > *y;
 }
 
-/* Sets *all to the number of nodes of the tree, and *distinct to the number of different values among them, by their
- * 64-bit hashes. Lone leaves have no number in the order; each counts as one distinct node. */
+/* Sets *all to the number of nodes of the drawing as a tree. Sets *distinct to the number of different values among
+ * them, by their 64-bit hashes. Leaves with a single reference are not in the table; each counts as one distinct
+ * node. */
 static bool count_nodes(const vs_scene *scene, double *all, double *distinct, vs_error *e) {
   vs_order order = { .store = scene->store };
   if (!vs_order_make(&order, scene->drawn, scene->drawn_count, e)) return false;
@@ -150,8 +151,8 @@ static bool count_commands(const vs_scene *scene, unsigned passes, double *comma
 
 bool vs_session_output_nodes(vs_session *s, const vs_scene *scene, unsigned passes, vs_error *e) {
   vs_output_record *r = &s->outputs[s->output_count - 1];
-  vs_work_phase was = vs_tally_enter(&s->tally, VS_WORK_NONE); /* time for counting nodes belongs to no phase, since
-                                                                * only statistics need it */
+  vs_work_phase was = vs_tally_enter(&s->tally, VS_WORK_NONE); /* the time for counting nodes is added to no phase,
+                                                                * since only statistics need it */
   bool ok = count_nodes(scene, &r->nodes, &r->distinct, e);
   for (unsigned i = 0; ok && i < VS_PASS_COUNT; i++) {
     unsigned one = 1u << i;
@@ -194,7 +195,7 @@ static void add_work(list *l, const vs_tally *t) {
   add(l, "texts.remembered.bytes", (double)t->bytes_found, "bytes");
 }
 
-/* Adds the keys of the drawing of one output; r NULL: there was no output. */
+/* Adds the keys for the drawing of one output. r NULL: there was no output. */
 static void add_drawing(list *l, const vs_output_record *r) {
   add(l, "nodes", r ? r->nodes : NAN, "");
   add(l, "nodes.distinct", r ? r->distinct : NAN, "");

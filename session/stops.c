@@ -32,8 +32,8 @@ static const char *at_column(const char *line, uint32_t column) {
   return line;
 }
 
-/* Returns true for a call that a macro created. Its place is that of the macro's use, where the source has the name of
- * a form. */
+/* Returns true for a stop at a call that a macro created. The place of this call is that of the macro's use, where the
+ * source has the name of the macro. */
 static bool is_hidden(vs_session *s, vs_value stop) {
   vs_scheme *vm = s->bind.vm;
   VS_ROOTS(vm, r, 2);
@@ -56,7 +56,8 @@ bool vs_session_pass(vs_session *s, bool ok) {
   VS_ROOTS(vm, r, 1);
   while (!ok && vs_is_stop(vm, vm->condition)) {
     r[0] = vm->condition;
-    if (!is_hidden(s, r[0]) || vm->condition != r[0]) break; /* memory ran out in is_hidden, which set vm->condition */
+    if (!is_hidden(s, r[0]) || vm->condition != r[0]) break; /* if memory ran out in is_hidden, it has set
+                                                              * vm->condition */
     ok = vs_step_resume(vm, r[0], VS_STEP_SAME, &vm->value);
   }
   return ok;
@@ -112,7 +113,7 @@ static vs_value name_of(vs_value procedure) {
   return VS_FALSE;
 }
 
-/* Writes the call, such as "(area 3 4)", or the value at which the program stopped. */
+/* Writes the call at which the program stopped, such as "(area 3 4)", or the value if it stopped after a call. */
 static bool put_subject(vs_scheme *vm, vs_value stop, vs_stop_kind kind, vs_text *t) {
   VS_ROOTS(vm, r, 2);
   r[0] = stop;

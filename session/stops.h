@@ -7,12 +7,12 @@
 
 /* Sets the places where the next evaluation may stop, from its flags. */
 void vs_session_arm(vs_session *s, unsigned flags);
-/* Continues past stops at calls that macros created, since they are in no source text. ok: whether the evaluation ended
- * without a stop or error. Returns the same for the continued evaluation. */
+/* If the evaluation stopped at a call that a macro created, which is in no source text, continues to the next stop. ok:
+ * whether the evaluation ended without a stop or error. Returns the same for the continued evaluation. */
 bool vs_session_pass(vs_session *s, bool ok);
-/* Keeps the stop of the evaluation, and returns VS_OUTCOME_STOPPED. */
+/* Stores the stop at which the evaluation ended, and returns VS_OUTCOME_STOPPED. */
 vs_outcome vs_session_stopped(vs_session *s);
-/* Removes the stop that was kept last, and sets *stop and the flags of its evaluation. Returns false if no program is
+/* Removes the stop that was stored last, and sets *stop and the flags of its evaluation. Returns false if no program is
  * stopped. */
 bool vs_session_take_stop(vs_session *s, vs_value *stop, unsigned *flags);
 /* Sets *out to a list of (symbol . value), the variables visible at the stop. Returns false when memory is out. */

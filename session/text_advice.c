@@ -1,5 +1,5 @@
 /* Implements advice that is computed from the program's text around the place of an error. It does not read the text as
- * a program; a wrong guess only leads to missing or useless advice. */
+ * a program; if it guesses wrongly, advice is only missing or useless. */
 #include "session/text_advice.h"
 
 #include <ctype.h>
@@ -44,7 +44,7 @@ static word head_of(const char *at, const char *end) {
   if (!opens(at, end)) return (word){ at, 0 };
   return word_at(skip_blanks(at + 1, end), end);
 }
-/* Returns the element after the element at `at`; this may be the closing parenthesis. */
+/* Returns the element that follows the element at `at`; if there is none, returns the closing parenthesis. */
 static const char *next_of(const char *at, const char *end) { return skip_blanks(skip_datum(at, end), end); }
 static const char *first_of(const char *at, const char *end) { return skip_blanks(at + 1, end); }
 
@@ -98,7 +98,7 @@ bool vs_text_advise_hidden(vs_text_place p, vs_text *t) {
     word head = head_of(at, p.end);
     const char *list = next_of(skip_blanks(head.at, p.end), p.end);
     bool parameter = is_among(head, "lambda") && opens(list, p.end) && has_parameter(list, p.end, name);
-    const char *before = at; /* A clause that binds the name is preceded by a parenthesis or by another clause */
+    const char *before = at; /* a parenthesis or another binding of this form precedes a binding of the name */
     while (before > form && strchr(" \t\r\n", before[-1])) before--;
     bool clause = same(head, name) && before > form && strchr("([)]", before[-1]) && skip_datum(at, p.end) <= p.at;
     if (!parameter && !clause) continue;
@@ -208,8 +208,8 @@ bool vs_text_advise_chain(vs_text_place p, vs_text *t) {
 static int put_keys(const char *table, const char *end, vs_text *t) {
   int count = 0;
   if (*table == '\'') table = skip_blanks(table + 1, end);
-  if (is(head_of(table, end), "quote")) table = next_of(first_of(table, end), end); /* the result of a check has (quote
-                                                                                     * ...) in place of ' */
+  /* the table is a value from a check, in which '... is written (quote ...) */
+  if (is(head_of(table, end), "quote")) table = next_of(first_of(table, end), end);
   for (const char *at = first_of(table, end); opens(table, end) && !closes(at, end) && count < 12;
        at = next_of(at, end)) {
     const char *key = opens(at, end) ? first_of(at, end) : NULL;
@@ -259,10 +259,10 @@ bool vs_text_advise_missing_key(vs_scheme *vm, vs_text_place p, vs_text *t) {
 
 /* ---- statements of other languages ---- */
 
-/* Returns the word directly before the parenthesis at p, or else the first word of the line. The word is empty if the
- * line does not begin with a word. */
+/* Returns the word directly before the parenthesis at p. If there is none, returns the first word of the line, which is
+ * empty if the line does not begin with a word. */
 static word statement_of(vs_text_place p) {
-  const char *word_start = p.at; /* in f(x), the word directly before the parenthesis */
+  const char *word_start = p.at; /* word_start: beginning of the word directly before the parenthesis, as in f(x) */
   while (p.at < p.end && *p.at == '(' && word_start > p.start && !strchr(" \t\r\n()[]{}\"';,", word_start[-1]))
     word_start--;
   if (word_start < p.at) return (word){ word_start, (size_t)(p.at - word_start) };
@@ -351,14 +351,15 @@ static bool match(void *context, const vs_outline_item *item) {
   return d->found = item->name, d->procedure = item->procedure, false;
 }
 
-/* Returns the last of the elements from `at` to the closing parenthesis. */
+/* Returns the last element of the list whose elements begin at `at`. */
 static const char *last_from(const char *at, const char *end) {
   const char *last = NULL;
   for (; !closes(at, end); at = next_of(at, end)) last = at;
   return last;
 }
 
-/* Returns the expression whose value is returned by the procedure at `at`, a lambda or a name of the program. */
+/* Returns the expression whose value the procedure returns. `at`: the procedure, a lambda or a name that the program
+ * defines. */
 static const char *value_of(vs_text_place p, const char *at) {
   if (is_among(head_of(at, p.end), "lambda \316\273"))
     return last_from(next_of(next_of(first_of(at, p.end), p.end), p.end), p.end);

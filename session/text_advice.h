@@ -4,15 +4,16 @@
 
 #include "session/session.h"
 
-/* A place in a source text: the text is from `start` to `end`, and `at` is the place. */
+/* A place in a source text: `start` and `end` are the ends of the text, and `at` is the place. */
 typedef struct { const char *start, *at, *end; uint32_t first_line; } vs_text_place;
 
-/* Each of these functions appends advice to the error's text t, or replaces it. Without advice it leaves t unchanged.
- * It returns false when memory is out. */
+/* Each function of this group appends advice to the error's text t, or replaces t. If it has no advice, it does not
+ * change t. It returns false when memory is out. */
 
-/* Advises if the called name is a parameter or a variable that hides a procedure of the language. Replaces t. */
+/* Advises if the name of the called value is a parameter or a variable that hides a procedure of the language. Replaces
+ * t. */
 bool vs_text_advise_hidden(vs_text_place p, vs_text *t);
-/* Advises if an operand of the call at p is the parameter x of (lambda x ...), which is the list of all arguments. */
+/* Advises if an operand of the call at p is the parameter x of (lambda x ...), which is a list of all arguments. */
 bool vs_text_advise_rest(vs_text_place p, vs_text *t);
 /* Advises if the word is an element of a quoted list in the call at p, where the value of the word was meant. */
 bool vs_text_advise_quoted(vs_text_place p, const char *word, vs_text *t);
@@ -23,7 +24,7 @@ bool vs_text_advise_chain(vs_text_place p, vs_text *t);
 /* Advises if the call at p uses the result of (assq key table) and the key is missing, so that the result is #f. Names
  * the keys of the table. */
 bool vs_text_advise_missing_key(vs_scheme *vm, vs_text_place p, vs_text *t);
-/* Advises if the statement around p belongs to another language, which its first word shows. */
+/* Advises if the statement around p is one of another language, as its first word shows. */
 bool vs_text_advise_statement(vs_scheme *vm, vs_text_place p, vs_text *t);
 /* Advises if an operand of the call at p has no value, such as an `if` without else, a loop or a definition. Also
  * examines the body of a procedure that the call applies to each element of a list. */

@@ -14,7 +14,8 @@
 
 enum { SHOWN = 60 /* greatest length of a shown value in bytes */ };
 
-/* The kinds of values in the rows. A value may have several kinds: an empty list is EMPTY and LIST. */
+/* Kinds of values, as bits, in the rows of advice.def. A value may have several kinds: an empty list is EMPTY and
+ * LIST. */
 enum {
   NUMBER = 1,
   WHOLE = 2, /* real number without a fractional part, such as 1.0 */
@@ -63,8 +64,8 @@ static int kinds_of(vs_scheme *vm, vs_value v) {
   return ANY | (vs_bind_take_ref(v).node ? OBJECT : 0);
 }
 
-/* Returns the kinds of a value that is known only as text in the error, as for errors of procedures written in
- * Scheme. */
+/* Returns the kinds of a value of which only the text in the error is known. Errors of procedures written in Scheme are
+ * of this type. */
 static int kinds_of_text(const char *shown) {
   size_t digits = strspn(shown, "0123456789.-+/");
   if (*shown == '"')
@@ -100,8 +101,8 @@ static bool put_value(vs_scheme *vm, vs_value v, const char *text, vs_print_mode
   return ok;
 }
 
-/* Writes the advice with its %f, %v and %t replaced. The name of the procedure is the part of the error before the
- * first colon. */
+/* Writes the advice. %f becomes the name of the procedure, the part of the error before the first colon; %v and %t
+ * become texts of the value. */
 static bool put_advice(vs_scheme *vm, const char *advice, vs_value got, const char *text, size_t name, vs_text *t) {
   char procedure[80];
   memcpy(procedure, t->at, name);
@@ -118,9 +119,9 @@ static bool put_advice(vs_scheme *vm, const char *advice, vs_value got, const ch
   return true;
 }
 
-/* Finds the kind of value that the error requires. Sets *kind to this part of the error and returns its length. Returns
- * 0 if the part is neither the noun of a contract nor a type of the language. A kind with a condition explains itself
- * in the error. */
+/* Finds the kind of value that the error requires, such as "a point". Sets *kind to this part of the error and returns
+ * its length. Returns 0 if the part is neither the noun of a contract nor a type of the language. If the part also has
+ * a condition, the error explains itself. */
 static size_t wanted_kind(const char *error, const char **kind) {
   static const char *const nouns[] = {
 #define VS_CONTRACT(name, noun, condition, convert) noun,
@@ -139,14 +140,14 @@ static size_t wanted_kind(const char *error, const char **kind) {
   return 0;
 }
 
-/* Returns true if the error contains the row's words. For a row of any procedure, the words must be in the required
- * kind. */
+/* Returns true if the error contains the row's words. For a row that applies to any procedure, the words must be in the
+ * required kind. */
 static bool fits(const char *error, const row *r) {
   const char *found = strstr(error, r->words), *kind;
   if (!found || *r->procedures || strstr(r->words, "literal") || strstr(r->words, "got")) return found != NULL;
   size_t n = wanted_kind(error, &kind);
-  bool whole = *r->words == 'a' || *r->words == '#'; /* words that begin with `a` or `#` must be at the start of the
-                                                      * kind */
+  bool whole = *r->words == 'a' || *r->words == '#'; /* row words that begin with `a` or `#` must be at the start of the
+                                                      * required kind */
   found = n ? strstr(kind, r->words) : NULL;
   return found && (whole ? found == kind : found < kind + n) && !strstr(error, "; call the lambda") &&
          !strstr(error, "; call it: ");

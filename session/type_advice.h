@@ -4,7 +4,7 @@
 
 #include "session/session.h"
 
-/* Appends the advice of advice.def for the condition to t, the error's text. Returns false when memory is out. */
+/* Appends the advice of advice.def for the error object c to t, the error's text. Returns false when memory is out. */
 bool vs_session_advise_value(vs_scheme *vm, const vs_condition *c, vs_text *t);
 
 #endif

@@ -57,7 +57,7 @@ const char *vs_version(void) { return VS_VERSION; }
 
 vs_options vs_options_default(void) { return (vs_options){ .library_path = NULL }; }
 
-/* Defines the next of the names $1, $2 ... as the value. */
+/* Defines the next of the prompt's names $1, $2 ... as the value. */
 static bool name_result(vs_session *s, vs_value v) {
   vs_scheme *vm = s->bind.vm;
   VS_ROOTS(vm, r, 3);
@@ -69,8 +69,8 @@ static bool name_result(vs_session *s, vs_value v) {
   return true;
 }
 
-/* Shows an object in one line: its expression if it is short, else its kind; then the size of its bounding box. If the
- * exact box would take long to compute, shows an upper bound. */
+/* Shows an object in one line: its expression if this is short, otherwise its kind; then the size of its bounding box.
+ * If the exact box would take long to compute, shows an upper bound. */
 static bool tell_object(vs_session *s, vs_value v) {
   vs_scheme *vm = s->bind.vm;
   enum { SHORT = 60 };
@@ -125,15 +125,15 @@ static size_t objects_in_list(vs_value v) {
 static bool take_value(vs_scheme *vm, vs_value v, vs_pos place) {
   vs_session *s = vs_session_of(vm);
   const vs_host *h = &s->options.host;
-  VS_ROOTS(vm, r, 1); /* protects the value, since naming it may move it */
+  VS_ROOTS(vm, r, 1); /* a root of the garbage collector: keeps the value, since naming it may move it */
   r[0] = v;
   if (!vs_bind_returned(&s->bind, r[0], s->flags & VS_EVAL_PRINT)) return false;
   if (!(s->flags & VS_EVAL_PRINT)) vs_session_advise_named(s, r[0], place);
   if (!(s->flags & VS_EVAL_PRINT) || !h->value || r[0] == VS_UNSPECIFIC) return true;
   if (s->flags & VS_EVAL_NUMBER && !name_result(s, r[0])) return false;
   if (s->flags & VS_EVAL_NUMBER && vs_bind_take_ref(r[0]).node) return tell_object(s, r[0]);
-  /* Greatest lengths of shown values in bytes. Thousands of parts cannot be read; a value with a number can be examined
-   * further. */
+  /* Greatest lengths of shown values in bytes. A longer text would not be readable; a value that has a name such as $1
+   * can be examined further. */
   enum { MOST = 4000, MOST_NUMBERED = 1000 };
   vs_text shown, t;
   vs_text_open(vm, &shown, s->flags & VS_EVAL_NUMBER ? MOST_NUMBERED : MOST);
@@ -141,7 +141,7 @@ static bool take_value(vs_scheme *vm, vs_value v, vs_pos place) {
   bool ok = vs_print(vm, r[0], VS_PRINT_WRITE, &shown);
   size_t objects = shown.cut && s->flags & VS_EVAL_NUMBER ? objects_in_list(r[0]) : 0;
   char note[60] = "";
-  /* Cuts the text between words, since a number that is cut would be a different number. */
+  /* Cuts the text between words: a number that is cut in the middle would be a different number. */
   while (shown.cut && shown.count && shown.at[shown.count - 1] != ' ') shown.count--;
   if (shown.cut && shown.count) shown.count--;
   if (objects) snprintf(note, sizeof note, "#<list of %zu objects>", objects);
@@ -151,20 +151,20 @@ static bool take_value(vs_scheme *vm, vs_value v, vs_pos place) {
   ok = ok && (objects || vs_text_put(&t, shown.at ? shown.at : "", shown.count)) && vs_text_puts(&t, note);
   vs_bind_counts parts;
   vs_ref object = shown.cut ? vs_bind_take_ref(r[0]) : (vs_ref){ NULL, NULL };
-  /* A comment after the value: (unite ... ; 3000 objects */
+  /* appends a comment with the number of parts, as in (unite ... ; 3000 objects */
   if (ok && object.node && vs_bind_count(object, &parts, &(vs_error){ 0 })) {
     char text[60];
     snprintf(text, sizeof text, " ; %.15g object%s", parts.all, parts.all == 1 ? "" : "s");
     ok = vs_text_puts(&t, text);
   }
-  if (ok && vs_is_ratio(r[0])) { /* comment after the value: 1/3 ; 0.333333 */
+  if (ok && vs_is_ratio(r[0])) { /* appends a comment with a decimal number to a ratio, as in 1/3 ; 0.333333 */
     double d;
     char text[40];
     ok = vs_number_double(vm, r[0], &d);
     snprintf(text, sizeof text, " ; %.6g", d);
     ok = ok && vs_text_puts(&t, text);
   }
-  if (ok && t.count) h->value(h->context, t.at, t.count); /* nothing is shown for (values) */
+  if (ok && t.count) h->value(h->context, t.at, t.count); /* shows nothing for the value of (values), which is empty */
   vs_text_close(&shown);
   vs_text_close(&t);
   return ok;
@@ -190,8 +190,8 @@ static void warn_vm(vs_scheme *vm, const char *kind, const char *message) {
   else vs_bind_clear(vs_bind_of(vm), kind);
 }
 
-/* Switches the phase of work, and returns the previous one. The VM's phases are the first phases of tally.def, in the
- * same order. */
+/* The callback for phases of the VM: switches the session's phase of work, and returns the previous phase. The VM's
+ * phases are the first phases of tally.def, in the same order. */
 static vs_vm_phase vm_phase(void *session, vs_vm_phase phase) {
   vs_work_phase was = vs_tally_enter(&((vs_session *)session)->tally, (vs_work_phase)phase);
   return was <= VS_WORK_RUN ? (vs_vm_phase)was : VS_VM_RUN;
@@ -283,7 +283,7 @@ vs_scheme *vs_new(const vs_options *options) {
   vs_scheme *vm = store && copied ? vs_open_vm(&config) : NULL;
   bool ok = vm && vs_bind_open(&s->bind, vm, store) && open_program(vm);
   if (ok) s->bind.library_files = vs_bind_file_count(vm);
-  if (store) vs_store_release(store); /* the session's reference suffices: s->bind retains the store */
+  if (store) vs_store_release(store); /* releases this function's reference to the store, since s->bind has one */
   if (ok) vs_store_set_job(store, &s->job);
   if (ok && o.cache != SIZE_MAX) { /* if memory is out, the session works without a cache */
     enum { USUAL = 256 };
@@ -318,7 +318,7 @@ vs_outcome vs_restart(vs_scheme *vm) {
   for (size_t i = 0; i < s->source_count; i++) s->sources[i].before = true;
   s->exit_requested = false;
   s->results = 0;
-  s->profile_count = 0; /* these names belong to the old heap */
+  s->profile_count = 0; /* forgets names of procedures that belong to the old heap */
   return VS_OUTCOME_DONE;
 }
 
@@ -347,14 +347,14 @@ void vs_interrupt_clear(vs_scheme *vm) { atomic_store(&vs_session_of(vm)->interr
 
 /* ---- running programs ---- */
 
-/* Returns true, and reports it, if an interrupt came while no program ran. */
+/* Returns true if an interrupt came while no program ran, and reports the interrupt. */
 static bool was_interrupted(vs_session *s) {
   if (!atomic_exchange(&s->interrupted, false)) return false;
   vs_session_report_at(s, VS_SEVERITY_ERROR, VS_OUTCOME_INTERRUPTED, (vs_span){ 0 }, "interrupted");
   return true;
 }
 
-/* Returns false if an interrupt came while no program ran. The next evaluation then ends before it begins. */
+/* Returns false if an interrupt came while no program ran: the next evaluation then ends before it begins. */
 static bool may_run(vs_session *s) {
   return !vs_session_interrupted(s) || vs_fail(s->bind.vm, s->bind.vm->sym.interrupt, "interrupted");
 }
@@ -484,8 +484,8 @@ size_t vs_complete(vs_scheme *vm, const char *prefix, bool (*each)(void *context
   vs_environment_each(vm->at.program, collect, &l);
   if (!l.failed && l.count) qsort(l.names, l.count, sizeof *l.names, by_name);
   for (size_t i = 0; !l.failed && i < l.count; i++) {
-    if (i && l.names[i] == l.names[i - 1]) continue; /* a name that is both defined and imported; interned texts have
-                                                      * equal addresses */
+    if (i && l.names[i] == l.names[i - 1]) continue; /* skips a second entry for a name that is both defined and
+                                                      * imported; interned texts have equal addresses */
     given++;
     if (!each(context, l.names[i])) break;
   }
@@ -588,8 +588,8 @@ const vs_format_info *vs_format_find(const char *text) {
   return NULL;
 }
 
-/* Returns the format with this name or suffix: a built-in format, else one of the host, else one of the program. *room
- * is the storage for a format of the program. */
+/* Returns the format with this name or suffix: a built-in format, or a format of the host, or a format that the program
+ * defines. *room is the storage for the last. */
 static const vs_format *format_of(const vs_session *s, const char *text, vs_format *room) {
   const vs_format *own = vs_export_format_find(text);
   if (!own) own = vs_session_own_format(s, text);

@@ -1,5 +1,5 @@
-/* Implements the fit of a program's parameters to a scan (visualscheme.h). Runs the program for geometry/fitting/, and
- * reports the quality of the result. */
+/* Implements the fit of a program's parameters to a scan (visualscheme.h). Runs the program with many values of its
+ * parameters for geometry/fitting/, and reports the quality of the result. */
 #include "session/fit/scan_fit.h"
 
 #include <errno.h>
@@ -59,7 +59,7 @@ typedef struct {
   vs_scheme *vm;
   const char *model;
   vs_scan_fit *f;
-  vs_host host; /* the embedder's callbacks; output of trial runs is not passed on */
+  vs_host host; /* the embedder's callbacks; during trial runs, output is not passed to them */
   double began;
   bool late;
   char message[200]; /* text of the last error in a trial run */
@@ -117,7 +117,8 @@ static void progress(void *context, unsigned iteration, double spread) {
   j->host.progress(j->host.context, &(vs_progress){ .phase = j->phase, .fraction = -1 });
 }
 
-/* Returns true until twice the limit of time has passed: after the limit, the best result is evaluated once more. */
+/* Returns true until twice the time limit has passed: the fit ends at the limit, but its best result is evaluated once
+ * more. */
 static bool keep_combining(void *context, const char *stage, double done) {
   job *j = context;
   bool go = going(j);
@@ -139,7 +140,7 @@ static bool failed(const job *j, vs_outcome outcome, vs_error *e) {
   return vs_error_set(e, kind, NULL, "%s", j->message);
 }
 
-/* Computes the mesh of the drawing with this tolerance; 0: the drawing's own tolerance. */
+/* Computes the mesh of the drawing with this tolerance in model units; 0: the drawing's own tolerance. */
 static bool mesh_drawn(job *j, double tolerance, vs_mesh *out, vs_error *e) {
   vs_session *s = j->session;
   vs_ref *refs;
@@ -188,7 +189,8 @@ static bool set_back(job *j, bool found) {
   return true;
 }
 
-/* Implements vs_fit_model.make: runs the program with these numbers, and computes its mesh. */
+/* The function vs_fit_model.make: runs the program with these values of its parameters, and computes the mesh of its
+ * drawing. */
 static bool make(void *context, const double *numbers, double tolerance, vs_mesh *out, vs_error *e) {
   job *j = context;
   *j->message = 0;
@@ -314,7 +316,8 @@ static void warn(const job *j, const char *text) {
   vs_session_report_at(j->session, VS_SEVERITY_WARNING, VS_OUTCOME_DONE, (vs_span){ .file = j->model }, text);
 }
 
-/* Writes the names of all parameters in the state, separated by commas. Returns false if there are none. */
+/* Writes the names of all parameters whose fit has the given state, separated by commas. Returns false if there are
+ * none. */
 static bool names_of(const vs_scan_fit *f, vs_fit_state state, char text[MOST_NAMES]) {
   size_t used = 0;
   *text = 0;
@@ -419,7 +422,8 @@ static bool take_result(job *j, vs_fit_result *r) {
   return true;
 }
 
-/* Returns the first number that differs by more than 5 percent in the second-best result, or 0. */
+/* Returns the number of the first parameter that differs by more than 5 percent between the best and the second-best
+ * result, or 0. */
 static size_t rival_number(const vs_model_fit *m, size_t count) {
   for (size_t i = 0; i < count; i++)
     if (fabs(m->numbers[i].value - m->numbers[i].rival) > .05 * fabs(m->numbers[i].value)) return i;

@@ -97,8 +97,8 @@ static bool take(vs_session *s, const char *path, const char *const *wanted, vs_
 
 static const char *const colors[] = { "R", "G", "B", "Y", NULL };
 
-/* Sets *out to the red, green and blue light of the picture. A picture that has only luminance uses it for all
- * three. */
+/* Sets *out to the red, green and blue light of the picture. If the picture has only luminance, uses the luminance for
+ * all three. */
 static bool light_of(const vs_exr *x, const char *path, vs_light *out, vs_error *e) {
   const float *y = vs_exr_find(x, "Y");
   *out = (vs_light){ vs_exr_find(x, "R"), vs_exr_find(x, "G"), vs_exr_find(x, "B"), x->columns, x->rows };
@@ -118,7 +118,7 @@ static bool write_png(vs_session *s, const char *path, const vs_pixels *picture,
   return ok;
 }
 
-/* Writes an array of numbers, one for each pixel, as false colours to a PNG file. */
+/* Writes an array with a number for each pixel as a PNG picture in false colours. */
 static bool write_false(vs_session *s, const char *path, const float *at, const vs_exr *x, const vs_color_scale *scale,
                         vs_error *e) {
   vs_store *store = s->bind.store;
@@ -156,8 +156,8 @@ vs_outcome vs_picture_tone(vs_scheme *vm, const char *from, const char *to, cons
   return end(s, ok, &e);
 }
 
-/* Numbers for a picture in false colours. at: one number for each pixel; unit: their unit; least, most: receive the
- * ends of the colour scale, or are NULL. */
+/* Numbers for a picture in false colours. at: a number for each pixel; unit: their unit; least, most: receive the ends
+ * of the colour scale, or are NULL. */
 typedef struct { const float *at; const char *unit; double *least, *most; } quantity;
 
 /* Writes the numbers as false colours on a logarithmic scale, with a legend. Sets the ends of the scale. */
@@ -213,7 +213,7 @@ vs_outcome vs_picture_illuminance(vs_scheme *vm, const char *from, const char *t
   return end(s, ok, &e);
 }
 
-/* Copies line n of the text, counted from 1, to `to`, and cuts it to `room` bytes. */
+/* Copies line n of the text, counted from 1, to `to`. Cuts the line if it is longer than `room` allows. */
 static bool line_of(const char *text, size_t n, char *to, size_t room) {
   for (; text && n > 1; n--) {
     text = strchr(text, '\n');

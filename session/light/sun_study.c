@@ -27,8 +27,8 @@
 
 enum { TIMES = 500, PATH_ROOM = 4096 };
 
-typedef struct { double from, hours; /* begin of the sun's position in hours of mean local time, and its length in
-                                      * hours */ double azimuth,
+typedef struct { double from, hours; /* a position of the sun: from: begin of its time in hours of mean local time;
+                                      * hours: length of this time */ double azimuth,
     altitude; vs_vec3 towards; } sun;
 
 typedef struct {
@@ -201,7 +201,7 @@ static bool write_hours(study *t, const vs_look *look, uint32_t wide, uint32_t h
   return ok;
 }
 
-/* Returns the view from above, with north up and room for shadows around the model. */
+/* Returns a look at the model from above, with north at the top and room for shadows around the model. */
 static vs_look plan_look(const study *t, uint32_t wide, uint32_t high) {
   vs_vec3 size = vs_v3_sub(t->bounds.max, t->bounds.min), middle = vs_v3_scale(vs_v3_add(t->bounds.min,
       t->bounds.max), 0.5);
@@ -213,7 +213,7 @@ static vs_look plan_look(const study *t, uint32_t wide, uint32_t high) {
 
 /* ---- hours of sun for each face ---- */
 
-/* Sort key of a triangle: its plane and part. Sorting makes the triangles of a face neighbours. */
+/* Sort key of a triangle: its plane and part. After sorting, the triangles of a face are neighbours. */
 typedef struct { int64_t plane[4]; uint32_t part, triangle; } key;
 
 static int by_face(const void *a, const void *b) {
@@ -224,8 +224,8 @@ static int by_face(const void *a, const void *b) {
   return x->triangle < y->triangle ? -1 : x->triangle > y->triangle;
 }
 
-/* Returns the mean hours of sun on a triangle, sampled at the centres of smaller triangles. A triangle with a larger
- * share of the area has more samples. */
+/* Returns the mean hours of sunlight on a triangle, sampled at the centres of smaller triangles. share: the triangle's
+ * part of the whole area; a larger triangle has more samples. */
 static double hours_on(const study *t, const vs_vec3 p[3], vs_vec3 normal, double share) {
   int n = (int)fmin(fmax(ceil(sqrt(share * 4000)), 1), 12);
   double sum = 0;
@@ -248,7 +248,7 @@ static bool put_face(const study *t, FILE *to, const face *f) {
   fputc('"', to);
   for (const char *c = o ? o->file : ""; *c; c++) fputs(*c == '"' ? "\"\"" : (char[]){ *c, 0 }, to);
   if (o) fprintf(to, ":%u:%u", o->line, o->column);
-  bool level = fabs(f->normal.z) > 1 - 1e-9; /* a horizontal face has no compass direction */
+  bool level = fabs(f->normal.z) > 1 - 1e-9; /* level: a horizontal face has no compass direction */
   return fprintf(to,
       "\",%.1f,%.1f,%.6g,%.6g,%.6g,%.6g,%.3f\n", level ? 0 : azimuth < -1e-9 ? azimuth + 360 : fabs(azimuth),
                  tilt, m.x + 0.0, m.y + 0.0, m.z + 0.0, f->area, f->hours / f->area) > 0;
@@ -342,8 +342,8 @@ static void put_picture(const sheet *s, size_t number, const unsigned char *rgb,
   vs_picture_text(&s->picture, x, y + s->cell_high + 4, caption);
 }
 
-/* Renders the model with one position of the sun, applies the tone, and writes shadow-NNN.png. Also draws the picture
- * on the sheet. */
+/* Renders the model with one position of the sun, applies the tone curve, and writes shadow-NNN.png. Also draws the
+ * picture on the contact sheet. */
 static vs_outcome shade(study *t, const vs_output_options *o, const sun *s, size_t number, vs_tone *tone,
     const sheet *to) {
   static const char *const wanted[] = { "R", "G", "B", NULL };
@@ -379,7 +379,7 @@ static vs_outcome shade_all(study *t, const vs_output_options *options, size_t *
   vs_output_options o = *options;
   if (o.quality != VS_QUALITY_FINAL) o.quality = VS_QUALITY_DRAFT;
   if (!o.width) o.width = 320;
-  memset(o.crop, 0, sizeof o.crop); /* pictures on the sheet are not cropped */
+  memset(o.crop, 0, sizeof o.crop); /* pictures on the contact sheet are not cropped */
   if (!o.height) o.height = (o.width * 3 + 2) / 4;
   sheet s = { .cell_wide = (uint32_t)o.width, .cell_high = (uint32_t)o.height };
   vs_tone tone = vs_session_tone(&o.development);

@@ -256,7 +256,7 @@ typedef struct {
 typedef struct {
   vs_object h;
   vs_value done /* done: #t or #f */, value /* value: the result, or a thunk */;
-} vs_promise; /* promises that have the same result share `state` through a box */
+} vs_promise; /* promises that have the same result share it through a box */
 typedef struct { vs_object h; vs_value value, converter, name; } vs_parameter;
 
 /* An error of the system or of (error ...). It is printed as MESSAGE IRRITANT ...: "make-sphere: r must be positive,
