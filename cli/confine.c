@@ -1,7 +1,7 @@
-/* Confines the process of an untrusted model, and its external programs: Landlock restricts files, a seccomp filter all
- * other system calls.
+/* Confines the process of an untrusted model, and its external programs: Landlock restricts the use of files, a seccomp
+ * filter all other system calls.
  *
- * This is the second defence. The first is that the library opens no file itself for an untrusted model, and that
+ * This is the second protection. The first is that the library opens no file itself for an untrusted model, and that
  * untrusted.c reads only files below the model's folder. The confinement holds even if an attacker takes control of a
  * library that decodes a picture or a font. */
 #define _GNU_SOURCE
@@ -121,13 +121,13 @@ static void confine_calls(void) {
   code[n++] = (struct sock_filter)BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, ARCHITECTURE, 1, 0);
   code[n++] = (struct sock_filter)BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_KILL_PROCESS);
   code[n++] = (struct sock_filter)BPF_STMT(BPF_LD | BPF_W | BPF_ABS, offsetof(struct seccomp_data, nr));
-  /* Refuses system calls of the x32 ABI. */
+  /* Refuses all system calls of the x32 ABI, whose numbers begin at 0x40000000. */
   code[n++] = (struct sock_filter)BPF_JUMP(BPF_JMP | BPF_JGE | BPF_K, 0x40000000, REFUSED + 1, 0);
   for (unsigned char i = 0; i < REFUSED; i++)
     code[n++] = (struct sock_filter)BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, refused[i], (unsigned char)(REFUSED - i), 0);
   code[n++] = (struct sock_filter)BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ALLOW);
-  code[n++] = (struct sock_filter)BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | 1 /* the refused call fails with
-                                                                                   * EPERM */);
+  code[n++] = (struct sock_filter)BPF_STMT(BPF_RET | BPF_K, SECCOMP_RET_ERRNO | 1 /* a refused system call fails with
+                                                                                   * the error EPERM */);
   struct sock_fprog program = { n, code };
   prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program);
 #endif

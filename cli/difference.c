@@ -7,17 +7,17 @@
 #include "cli/json.h"
 #include "cli/main.h"
 
-/* ---- data about a model, kept while the second one runs ---- */
+/* ---- data about the first model, kept while the second model runs ---- */
 
-typedef struct { const char *name, *value, *range; /* allowed values: "0 to 10 by 1", "a b c" or "" */ } parameter;
+typedef struct { const char *name, *value, *range; /* range: permitted values, as "0 to 10 by 1", "a b c" or "" */ } parameter;
 typedef struct {
   char *parameters; size_t parameter_bytes; /* name, value and range of each parameter, each ending in NUL */
-  char *unused; size_t unused_bytes;        /* names of -D that the model did not use, each ending in NUL */
-  vs_summary summary;                       /* its members units and advice are not kept */
+  char *unused; size_t unused_bytes;        /* names of options -D that the model did not use, each ending in NUL */
+  vs_summary summary;                       /* summary of the drawing, without the members units and advice */
 } model;
 
-/* Writes the range of the parameter as the program gives it. A limit that the program does not give is omitted: it is
- * computed from the default value. */
+/* Writes the range of the parameter. Omits a limit that the program does not set, which is computed from the default
+ * value. */
 static void put_range(FILE *to, const vs_parameter_info *p) {
   if (p->has_range) {
     if (p->has_min && p->has_max) fprintf(to, "%.15g to %.15g", p->min, p->max);
@@ -74,14 +74,15 @@ static bool parameter_named(const model *m, const char *name, parameter *out) {
 
 /* ---- the report of the differences ---- */
 
-enum { LISTED = 40 /* LISTED: greatest number of parts that the lines name; JSON has all */ };
+enum { LISTED = 40 /* LISTED: greatest number of parts that the printed lines name; JSON lists all parts */ };
 typedef struct {
-  bool json, any;       /* any: whether the report contains a parameter */
-  bool begun;           /* whether the text before the parts was written */
+  bool json, any;       /* json: whether the report is JSON; any: whether it contains a parameter */
+  bool begun;           /* whether the text that precedes the parts was already written */
   const model *before, *after;
   vs_comparison found;
-  const char *gap;      /* text to write before the next item of JSON, such as a comma */
-  size_t told, passed;  /* numbers of parts: named in the report, and omitted */
+  const char *gap;      /* text to write before the next item of a JSON list: a comma, or nothing before the first
+                         * item */
+  size_t told, passed;  /* told: number of parts that the report names; passed: number of parts that it omits */
 } report;
 
 static const char *const words[] = {
@@ -93,7 +94,7 @@ static void json_member(const char *before, const char *name, const char *text) 
   cli_json_text(stdout, text);
 }
 
-/* Writes the change of a parameter. old or new is NULL if only one model has it. */
+/* Writes how a parameter has changed. old or new is NULL if only one model has the parameter. */
 static void tell_parameter(report *r, const parameter *old, const parameter *new) {
   bool value = !old || !new || strcmp(old->value, new->value) != 0;
   bool range = old && new && strcmp(old->range, new->range) != 0;
@@ -154,7 +155,7 @@ static void print_counts(const vs_comparison *found) {
   puts(any ? "" : "parts: none");
 }
 
-/* Writes the text before the parts. It is written only when the comparison has succeeded so far. */
+/* Writes the text before the parts: only now, since the comparison must have succeeded first. */
 static void begin(report *r) {
   const vs_comparison *f = &r->found;
   if (r->begun) return;
@@ -232,7 +233,7 @@ static void print_box(const vs_summary *s) {
               s->max[1] + 0.0, s->max[2] + 0.0);
 }
 
-/* Returns true if a and b agree except for rounding errors, which depend on the order of sums. */
+/* Returns true if a and b are equal except for rounding errors, which depend on the order of summation. */
 static bool near(double a, double b) {
   double size = a < 0 ? -a : a, off = a < b ? b - a : a - b;
   return off <= 1e-12 * size || off <= 1e-300;
@@ -270,8 +271,8 @@ static void finish(report *r, bool parts, bool bounds, bool same) {
   printf(",\n  \"same\": %s\n}\n", same ? "true" : "false");
 }
 
-/* Compares the second model, which has run, with the first, and writes the report. Sets *same to whether there is no
- * difference. */
+/* Compares the second model, which has just run, with the first, and writes the report. Sets *same to true if there is
+ * no difference. */
 static vs_outcome tell(cli_session *c, const model *before, const model *after, bool *same) {
   report r = {.json = c->options->json, .gap = "", .before = before, .after = after};
   vs_outcome outcome = vs_drawing_compare(c->scheme, &r.found, tell_part, &r);
@@ -297,7 +298,7 @@ static bool all_used(const model *a, const model *b) {
   return true;
 }
 
-/* Runs the model with this number on the command line, and copies its data to m. */
+/* Runs the model that is number `which` on the command line, and copies its data to m. */
 static vs_outcome run(cli_session *c, size_t which, model *m) {
   free(c->model);
   c->model = strdup(c->options->sources[which].text);

@@ -1,4 +1,4 @@
-/* Analyses a text that an editor changes. */
+/* Analyses a text while the user changes it in an editor. */
 #include "cli/draft.h"
 
 #include <stdio.h>
@@ -8,14 +8,15 @@
 
 enum { SECONDS = 5, MEMORY = 512 << 20 };
 
-/* Receives messages of the interpreter, and keeps the first error in the text itself. */
+/* Receives messages of the interpreter, and stores the first error whose place is in the text itself. */
 static void keep_error(void *context, const vs_diagnostic *m) {
   cli_draft *d = context;
   if (d->k.muted) know_hear(&d->k, m);
   if (m->severity != VS_SEVERITY_ERROR || !m->at.line) return;
   d->k.unreadable |= d->k.reading;
   if (d->k.muted || *d->message) return;
-  bool elsewhere = m->at.file && strcmp(m->at.file, d->path); /* the error is in a file that the text loads */
+  bool elsewhere = m->at.file && strcmp(m->at.file, d->path); /* whether the error is in another file, which the text
+                                                               * loads */
   if (elsewhere)
     snprintf(d->message, sizeof d->message, "%s:%u:%u: %s", m->at.file, (unsigned)m->at.line, (unsigned)m->at.column,
              m->message);

@@ -1,5 +1,5 @@
-/* Implements `vs format FILE...`: each file keeps its tokens and gets one style. A file is replaced only by a complete
- * text, and only if it changes. */
+/* Implements `vs format FILE...`: changes blanks and line breaks of each file to one style, and keeps its tokens. A
+ * file is replaced only by a complete text, and only if the text changes. */
 #define _GNU_SOURCE
 #include "cli/format_command.h"
 
@@ -16,7 +16,7 @@
 
 typedef struct { knowledge k; cli_reporter reporter; } formatting;
 
-/* Receives messages of the reader. A message about line 0 concerns no line of the file (know_readable). */
+/* Receives messages of the reader. A message with line 0 has no place in the file (know_readable). */
 static void diagnose(void *context, const vs_diagnostic *d) {
   formatting *f = context;
   if (f->k.reading && !d->at.line) return;
@@ -24,8 +24,9 @@ static void diagnose(void *context, const vs_diagnostic *d) {
   cli_report_diagnostic(&f->reporter, d);
 }
 
-/* Puts the text into the file: into a new one beside it, which then takes its name and its permissions. A symbolic link
- * stays, and the file to which it leads changes. Returns false with errno on failure; the file is then as before. */
+/* Replaces the file's text: writes a new file beside it, which then gets the old file's name and permissions. A
+ * symbolic link stays, and the file to which it leads is replaced. Returns false with errno on failure; the file is
+ * then unchanged. */
 static bool replace(const char *path, const char *text, size_t length) {
   struct stat status;
   char *file = realpath(path, NULL), *part = NULL;
@@ -49,7 +50,7 @@ static bool replace(const char *path, const char *text, size_t length) {
   return ok;
 }
 
-/* Formats a text that the reader has accepted, and writes it if it changes. */
+/* Formats the text of a file that the reader has accepted, and writes the result if it differs. */
 static vs_outcome write_formatted(const cli_options *o, const char *path, const char *text, size_t length) {
   size_t formatted;
   char *anew = format_program(text, length, &formatted);

@@ -4,8 +4,8 @@
 
 #include "cli/options.h"
 
-/* Rewrites the files in one style, or, with --check, prints the names of files that differ from it. Returns the first
- * failure; a file that differs is VS_OUTCOME_MODEL. */
+/* Rewrites the files in one style. With --check, only prints the names of files that are not in this style. Returns the
+ * first failure; for a file that is not in this style, VS_OUTCOME_MODEL. */
 vs_outcome cli_format_command(const cli_options *o);
 
 #endif

@@ -1,4 +1,4 @@
-/* Implements `vs help WORD...`: the text on a command, a name, a page or a topic of the manual. */
+/* Implements `vs help WORD...`: prints the manual's text on a command, a name, a page or a topic. */
 #include "cli/help_command.h"
 
 #include <stdio.h>
@@ -8,7 +8,7 @@
 #include "cli/prompt/manual.h"
 
 /* If the word belongs to another program, as slab does, returns a sentence with its name in this language. Otherwise
- * returns "". Advice that only guesses a similar name is ignored. */
+ * returns "". Ignores advice that only guesses a similar name. */
 static const char *foreign(vs_scheme *scheme, const char *word) {
   const char *advice = scheme ? vs_name_advice(scheme, word) : "";
   bool guess = strncmp(advice, "did you mean", 12) == 0 || strncmp(advice, "perhaps", 7) == 0;
@@ -51,7 +51,7 @@ int cli_help_command(int count, char **words) {
   for (int i = 0; i < count && length < sizeof phrase; i++)
     length += (size_t)snprintf(phrase + length, sizeof phrase - length, "%s%s", i ? " " : "", words[i]);
   bool several = strchr(phrase, ' ') && length < sizeof phrase;
-  /* The words after the first of a phrase such as `my spiral stair`. */
+  /* Tries the words after the first word of a phrase such as `my spiral stair`. */
   for (const char *at = several ? phrase : ""; strchr(at, ' '); at = strchr(at, ' ') + 1)
     if (cli_manual_print(at, "vs help", stdout)) return VS_OUTCOME_DONE;
   vs_options plain = vs_options_default();

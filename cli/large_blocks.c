@@ -1,7 +1,8 @@
-/* Allocates the command's large blocks of memory. Each is a separate mapping, aligned and marked for huge pages.
+/* Allocates the large blocks of memory of the command vs. Each is a separate memory mapping, aligned and marked for
+ * huge pages.
  *
  * A large model writes to all of its memory once. With small pages, the system needs longer to provide them than the
- * model needs to fill them: a million cylinders spend a quarter of their time on it. Smaller blocks come from the C
+ * model needs to fill them: for a million cylinders, it takes a quarter of the time. Smaller blocks come from the C
  * library. */
 #define _GNU_SOURCE /* declares mremap */
 #include "cli/large_blocks.h"
@@ -36,7 +37,7 @@ static char *map_aligned(size_t size, int protection) {
 
 static void ask_for_huge_pages(void *p, size_t size) {
 #ifdef MADV_HUGEPAGE
-  madvise(p, size, MADV_HUGEPAGE); /* without effect if the system refuses: the pages stay small */
+  madvise(p, size, MADV_HUGEPAGE); /* if the system refuses, the pages stay small, which is no failure */
 #else
   (void)p, (void)size;
 #endif

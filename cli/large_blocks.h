@@ -1,4 +1,4 @@
-/* Declares the allocation of the command's large blocks, implemented in large_blocks.c. */
+/* Declares the allocation of the large blocks of memory of the command vs, implemented in large_blocks.c. */
 #ifndef VS_CLI_LARGE_BLOCKS_H
 #define VS_CLI_LARGE_BLOCKS_H
 

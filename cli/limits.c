@@ -3,7 +3,7 @@
  *
  * Memory: the library counts the heap, the model and the kernel's meshes, and refuses more with a message that has a
  * place. All other memory comes from malloc. The system makes malloc fail beyond RLIMIT_DATA, which is an error like
- * any other. The command sets only the soft limit, so that an external program can have another.
+ * any other. The command sets only the soft limit, so that an external program can have a higher limit.
  *
  * Time: the library polls often, and ends by itself at its limit. A thread watches it. If the limit has passed and
  * there was no poll for a while, the process reports this and ends. Output files get their names only when they are
@@ -24,12 +24,13 @@
 #include "model/signals.h"
 #include "visualscheme.h"
 
-#define GRACE 0.3         /* seconds after the limit, and without a poll, until the process ends */
-#define GRACE_AT_PROMPT 3 /* the same seconds at the prompt, where the end of the process loses the typed text */
-#define ASLEEP 5  /* seconds without a poll after which a waiting step is ended, even if it uses no processor time */
+#define GRACE 0.3         /* seconds after the time limit and without a poll, after which the process ends */
+#define GRACE_AT_PROMPT 3 /* as GRACE, but at the prompt, where the end of the process loses the typed text */
+#define ASLEEP 5  /* seconds without a poll after which a step that waits is ended, even if it uses no processor time */
 
 enum {
-  BESIDE = 4 << 20 /* bytes in addition to 1.1 times the limit, for stacks of threads and tables of libraries */,
+  BESIDE = 4 << 20 /* bytes that the memory limit of the process exceeds 1.1 times the user's limit, for stacks of
+                    * threads and tables of libraries */,
   STACK = 256 << 10
 };
 
@@ -48,11 +49,13 @@ static size_t data_now(void) {
  * raise again. */
 static void lower_data_limit(rlim_t most, bool for_good) {
 #ifdef __SANITIZE_ADDRESS__
-  return; /* the address sanitizer needs several times the memory, and ends a process when it is refused any */
+  return; /* no limit with the address sanitizer, which needs several times the memory, and ends a process when it is
+           * refused any */
 #endif
   struct rlimit r;
   if (getrlimit(RLIMIT_DATA, &r) != 0) return;
-  if (r.rlim_cur > most) r.rlim_cur = most; /* the number that means "no limit" is the largest number */
+  if (r.rlim_cur > most) r.rlim_cur = most; /* RLIM_INFINITY, "no limit", is the largest number, so the comparison is
+                                             * correct for it, too */
   if (for_good && r.rlim_max > most) r.rlim_max = most;
   setrlimit(RLIMIT_DATA, &r);
 }
@@ -73,8 +76,8 @@ static double seconds(clockid_t clock) {
 
 static double now(void) { return seconds(CLOCK_MONOTONIC); }
 
-/* Returns the seconds for which the process was ready to run but had no processor. They do not count towards the
- * limit. */
+/* Returns the seconds for which the process was ready to run but had no processor. Such seconds do not count towards
+ * the time limit. */
 static double starved(int file) {
   char text[100];
   unsigned long long ran, waited = 0;
@@ -88,8 +91,8 @@ static void end_here(cli_watch *w) {
   int n =
       snprintf(text, sizeof text, "%.200s: stopped after %g seconds, the limit, in a step that cannot be interrupted\n",
                w->name, w->limit);
-  if (ftrylockfile(stdout) == 0) fflush_unlocked(stdout); /* writes the program's buffered output, unless another thread
-                                                           * is printing now */
+  if (ftrylockfile(stdout) == 0) fflush_unlocked(stdout); /* writes the text that the program has printed so far, unless
+                                                           * another thread is printing now */
   if (!atomic_load(&w->told) && n > 0 && write(STDERR_FILENO, text, (size_t)n) < 0) { /* ignores a failed write: nobody
                                                                                        * reads standard error */
   }
@@ -115,8 +118,8 @@ static void *look_on(void *context) {
     if (began != began_seen) began_seen = began, began_starved = lost, began_ran = ran;
     if (polled != polled_seen) polled_seen = polled, polled_starved = lost, polled_ran = ran;
     if (began == 0 || at - began <= w->limit + grace) continue;
-    /* The system adds a wait for a processor to its count only when the wait ends. During such a wait, only the
-     * processor time shows that the library could not poll. */
+    /* The system counts a wait for a processor only when it ends. During such a wait the clock advances without a poll,
+     * although the library is not at fault. The processor time, which does not advance, shows this. */
     double since_began = at - began - (lost - began_starved), since_polled = at - polled - (lost - polled_starved),
            most = w->limit + grace + 0.1;
     bool silent = since_polled > grace && ran - polled_ran > grace, asleep = at - polled > ASLEEP;

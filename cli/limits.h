@@ -9,21 +9,23 @@
 #include <stddef.h>
 
 typedef struct {
-  double limit;               /* seconds allowed for one step; 0: no watch */
+  double limit;               /* seconds allowed for one step (an evaluation or an output); 0: no watch */
   const char *name;           /* name of the model, for the message */
   bool prompt;                /* whether the steps are those of the prompt; set before the watch begins */
-  int scheduling;             /* descriptor of the system's statistics of this process's run time, or -1 */
+  int scheduling;             /* descriptor of the system's statistics that show how long this process waited for a
+                               * processor, or -1 */
   _Atomic double began;       /* clock at the start of the current step, or 0 between steps */
-  _Atomic double polled;      /* clock at the last poll of the library */
-  _Atomic bool evaluating;    /* whether the step is an evaluation, which has one limit for its total time */
-  _Atomic bool told;          /* whether a message has already reported that a limit was exceeded */
+  _Atomic double polled;      /* clock when the library last polled */
+  _Atomic bool evaluating;    /* whether the step is an evaluation, in which one limit applies to all of its parts
+                               * together */
+  _Atomic bool told;          /* whether a message has already reported that the limit was exceeded */
   bool watching;              /* whether the watching thread runs */
   pthread_t thread;
   sem_t closed;               /* semaphore, posted to end the thread */
 } cli_watch;
 
-/* Limits the data of the process to 1.1 times the limit (in bytes) and some megabytes. Has no effect if the system does
- * not support it. */
+/* Limits the data memory of the process to 1.1 times `limit` (in bytes) and some megabytes. Has no effect if the system
+ * does not support it. */
 void cli_limits_memory(size_t limit);
 /* Limits the data of the process and its children to `most` bytes, permanently. */
 void cli_limits_memory_for_good(size_t most);
@@ -36,7 +38,7 @@ bool cli_limits_watch(cli_watch *w);
 /* Ends the watching thread, if there is one. Call it before *w or its name is freed. */
 void cli_watch_close(cli_watch *w);
 
-/* Call cli_watch_begin before, and cli_watch_end after, each library call that has a time limit. */
+/* cli_watch_begin is called before, and cli_watch_end after, each library call that has a time limit. */
 void cli_watch_begin(cli_watch *w, bool evaluating);
 void cli_watch_end(cli_watch *w);
 /* Records that the library polls now. vs_host.poll calls it. */

@@ -1,5 +1,5 @@
-/* Implements the command `vs`: runs the programs of the command line, then writes the outputs. Exit codes are those of
- * vs_outcome. */
+/* Implements the command `vs`: runs the programs of the command line, then writes the outputs. Its exit codes are the
+ * numbers of vs_outcome. */
 #include "cli/main.h"
 
 #include <errno.h>
@@ -41,7 +41,8 @@ static volatile sig_atomic_t interrupts, ended;
 
 static void on_interrupt(int signal_number) {
   if (signal_number != SIGINT) ended = 1;
-  if (++interrupts > 3) _exit(VS_OUTCOME_INTERRUPTED); /* the user repeats Ctrl-C because the process hangs: end it */
+  if (++interrupts > 3) _exit(VS_OUTCOME_INTERRUPTED); /* after several times Ctrl-C the process seems to hang: ends
+                                                        * it */
   if (interrupted_by_signal) vs_interrupt(interrupted_by_signal);
 }
 
@@ -72,7 +73,7 @@ static void print_value(void *context, const char *text, size_t length) {
   char name[24];
   c->results++;
   struct live_follower *view = c->view;
-  c->view = NULL; /* print_output must not copy the value to the live view, which prints values itself */
+  c->view = NULL; /* print_output must not copy this value to the live view, which prints values itself */
   if (c->editor) print_output(c, name, (size_t)snprintf(name, sizeof name, cli_colours(1) ? "\033[2m$%u =\033[0m "
       : "$%u = ", c->results));
   print_output(c, text, length);
@@ -104,7 +105,7 @@ static void print_progress(void *context, const vs_progress *p) {
 
 /* ---- running programs ---- */
 
-/* Returns all text of the stream, which the caller frees. If it fails, returns NULL and sets errno. */
+/* Returns all text of the stream, which the caller frees. If reading fails, returns NULL and sets errno. */
 static char *read_all(FILE *from, size_t *length) {
   size_t room = 65536, used = 0;
   char *text = malloc(room);
@@ -178,7 +179,8 @@ static const char *title(const cli_options *o) {
   return "-e";
 }
 
-/* Returns true if the model has used all names of -D. Reports others as mistakes of the command line. */
+/* Returns true if the model has used all parameters that options -D set. Otherwise reports the unused ones as mistakes
+ * of the command line. */
 static bool all_parameters_used(cli_session *c) {
   const char *name;
   vs_parameter_info p;
@@ -224,8 +226,8 @@ static bool is_picture(const cli_target *t) {
 
 enum { PATH_ROOM = 4096 };
 
-/* Writes the name of the picture of a view or a frame: a-street.png for a.png. Returns false, after a message, if it is
- * too long. */
+/* Writes the name of the picture of a view or a frame, such as a-street.png for a.png. Returns false, after a message,
+ * if the name is too long. */
 static bool path_with(const char *path, const char *view, char name[PATH_ROOM]) {
   const char *dot = strrchr(path, '.'), *slash = strrchr(path, '/');
   size_t stem = dot && (!slash || dot > slash) ? (size_t)(dot - path) : strlen(path);
@@ -235,10 +237,10 @@ static bool path_with(const char *path, const char *view, char name[PATH_ROOM]) 
   return false;
 }
 
-/* Function called for each output file: cli_session_write or may_write. */
+/* A function that is called for each output file: cli_session_write or may_write. */
 typedef vs_outcome write_fn(cli_session *c, const cli_target *t);
 
-/* Returns VS_OUTCOME_DONE if the run has not read the target file. Otherwise reports it. */
+/* Returns VS_OUTCOME_DONE if the model has not read the output file. Otherwise reports that the file is an input. */
 static vs_outcome may_write(cli_session *c, const cli_target *t) {
   if (strcmp(t->path, "-") == 0 || !vs_is_input(c->scheme, t->path)) return VS_OUTCOME_DONE;
   cli_report_settle(&c->reporter);
@@ -262,7 +264,7 @@ static vs_outcome write_views(cli_session *c, const cli_target *t, write_fn *wri
   return outcome;
 }
 
-/* writes OUT-007.png for OUT.png and frame 7 */
+/* writes the name OUT-007.png for the file OUT.png and frame 7 */
 static bool frame_path(const char *path, const cli_frames *f, long frame, char name[PATH_ROOM]) {
   char number[CLI_FRAME_ROOM];
   cli_frame_number(f, frame, number);
@@ -284,7 +286,7 @@ static vs_outcome write_target(cli_session *c, const cli_target *t, write_fn *wr
   return outcome;
 }
 
-/* Writes all outputs, or none if one would replace an input. Continues after a failure; the first failure is the
+/* Writes all outputs, or none if an output would replace an input. Continues after a failure; the first failure is the
  * outcome. */
 static vs_outcome write_all(cli_session *c) {
   vs_outcome outcome = VS_OUTCOME_DONE;
@@ -311,9 +313,11 @@ static vs_outcome run_sources(cli_session *c, bool again) {
   for (size_t i = 0; i < count && outcome == VS_OUTCOME_DONE && !vs_exit_requested(c->scheme, &c->exit_code); i++)
     outcome = run_source(c, &sources[i]);
   cli_report_settle(&c->reporter);
-  /* When the prompt repeats the run, the values of -D may be for another model. */
+  /* When the prompt runs another model, the values of -D may be meant for the first model, so unused values are no
+   * mistake. */
   if (outcome == VS_OUTCOME_DONE && !again && !all_parameters_used(c)) outcome = VS_OUTCOME_USAGE;
-  bool files = o->command != CLI_COMMAND_sunstudy; /* the output of sunstudy is a folder */
+  bool files = o->command != CLI_COMMAND_sunstudy; /* files: whether the outputs are files; the output of sunstudy is a
+                                                    * folder */
   if (outcome == VS_OUTCOME_DONE && !again && files && !cli_options_late(o, c->scheme)) outcome = VS_OUTCOME_USAGE;
   if (outcome == VS_OUTCOME_DONE && !o->quiet && count) {
     vs_summary summary;
@@ -339,8 +343,8 @@ vs_outcome cli_session_run(cli_session *c) {
 
 /* ---- running frames ---- */
 
-/* Returns true if every output of the frame is newer than the model's files. Returns false with several views, whose
- * names are unknown before the model runs. */
+/* Returns true if every output file of the frame is newer than the model's files. Returns false if there are several
+ * views, whose names are unknown before the model runs. */
 static bool frame_stands(const cli_session *c, long frame) {
   const cli_options *o = c->options;
   struct stat made, source;
@@ -372,7 +376,7 @@ static bool frame_parameter_used(cli_session *c, const cli_frames *f) {
   return true;
 }
 
-/* Runs the model once for each frame; meshes are kept between frames. Ends at the first failure, since the next frame
+/* Runs the model once for each frame; meshes are cached between frames. Ends at the first failure, since the next frame
  * would fail, too. */
 static vs_outcome run_frames(cli_session *c) {
   const cli_frames *f = &c->options->frames;
@@ -415,8 +419,8 @@ static vs_outcome run_batch(cli_session *c) {
   return outcome;
 }
 
-/* The process ends without freeing its memory, which the system frees at once. Only a leak checker needs the nodes
- * freed. exit() flushes files that the program left open. */
+/* The process ends without freeing its memory, since the system frees it at once. Only with a leak checker is the
+ * memory freed. exit() writes files that the program left open. */
 #ifdef __has_feature
 #if __has_feature(address_sanitizer)
 #define TIDY 1
@@ -429,8 +433,8 @@ static vs_outcome run_batch(cli_session *c) {
 #define TIDY 0
 #endif
 
-/* Opens each closed standard stream in a way that reading or writing it fails. Otherwise the next opened file would get
- * its number, and receive the program's text. */
+/* Opens each standard stream that is closed, in such a way that reading or writing it fails. Otherwise the next file
+ * that is opened would get its number, and receive the program's text. */
 static void hold_standard_streams(void) {
   for (int i = 0; i <= STDERR_FILENO; i++)
     if (fcntl(i, F_GETFD) == -1 && errno == EBADF && open("/dev/null", i == STDIN_FILENO ? O_WRONLY : O_RDONLY) != i)
@@ -449,7 +453,7 @@ static void hear_signals(void) {
   }
 }
 
-/* Runs `vs view`. Ctrl-C ends the command, not only the current run. */
+/* Runs `vs view`. Ctrl-C ends the whole command, not only the current run of the model. */
 static vs_outcome view_model(const cli_options *o) {
   live_options live = { .model = o->sources[0].text,
                         .interpreter = o->interpreter,
@@ -492,7 +496,7 @@ static int run_session(cli_options *o, bool *told) {
   if (o->interpreter.limit_memory) cli_limits_memory(o->interpreter.limit_memory);
   session.watch.limit = o->interpreter.limit_time;
   session.watch.prompt = o->interactive || o->source_count == 0;
-  /* If the watching thread cannot start, only the library's own polls limit the time. */
+  /* If the watching thread cannot be started, only the library's own polls limit the time. */
   if (session.watch.limit > 0 && !cli_limits_watch(&session.watch)) session.watch.limit = 0;
   session.scheme = vs_new(&o->interpreter);
   vs_outcome outcome = VS_OUTCOME_MACHINE;
@@ -511,7 +515,7 @@ static int run_session(cli_options *o, bool *told) {
       vs_exit_requested(session.scheme, &session.exit_code);
     }
     if (ended) outcome = VS_OUTCOME_INTERRUPTED;
-    /* Memory was out before a better message could be written. */
+    /* If memory ran out before the library could report an error, prints this message. */
     if (outcome == VS_OUTCOME_MACHINE && session.reporter.errors == 0) fputs("vs: out of memory\n", stderr);
     interrupted_by_signal = NULL;
     if (TIDY) vs_free(session.scheme);
@@ -587,8 +591,8 @@ static int run_command(int argc, char **argv, bool *told) {
 
 int main(int argc, char **argv) {
   hold_standard_streams();
-  /* A write to a pipe without a reader, or beyond the largest allowed file size, fails instead of ending the process.
-   * Outputs are then completed or removed, and the exit code shows the failure. */
+  /* Ignores signals, so that a write to a pipe without a reader, or beyond the largest permitted file size, fails
+   * instead of ending the process. Outputs are then completed or removed, and the exit code shows the failure. */
   signal(SIGPIPE, SIG_IGN);
   signal(SIGXFSZ, SIG_IGN);
   bool told = false;

@@ -4,7 +4,7 @@
 
 #include "cli/command.h"
 
-/* Calls vs_eval_text, with the time watched (limits.h). */
+/* Calls vs_eval_text, while the time limit is watched (limits.h). */
 vs_outcome cli_session_eval(cli_session *c, const char *name, unsigned first_line, const char *text, size_t length,
                             unsigned flags);
 /* Restarts the interpreter, which deletes definitions and drawing. Then runs the programs of the command line, or

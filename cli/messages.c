@@ -14,8 +14,8 @@
 #include <string.h>
 #include <time.h>
 
-enum { WINDOW = 120, BEFORE = 60 }; /* WINDOW: characters shown of a long source line; BEFORE: of these, before the
-                                     * caret */
+enum { WINDOW = 120, BEFORE = 60 }; /* WINDOW: greatest number of characters of a source line that are shown; BEFORE:
+                                     * number of these before the caret */
 
 void cli_report_settle(cli_reporter *r) {
   if (r->shown) fputs("\r\033[K", stderr);
@@ -63,7 +63,7 @@ static void print_place(const vs_span *at) {
   fputs(": ", stderr);
 }
 
-/* Prints the source line with carets. behind: a text to print after the carets, or NULL. */
+/* Prints the source line with carets below the marked part. behind: a text to print after the carets, or NULL. */
 static void print_source(const vs_diagnostic *d, const char *behind) {
   uint32_t first = 1, width = d->at.end_line == d->at.line && d->at.end_column > d->at.column
                                   ? d->at.end_column - d->at.column
@@ -90,7 +90,7 @@ static void print_source(const vs_diagnostic *d, const char *behind) {
 
 void cli_report_diagnostic(cli_reporter *r, const vs_diagnostic *d) {
   if (r->quiet && d->severity == VS_SEVERITY_NOTE) return;
-  fflush(stdout); /* prints earlier output of the program first */
+  fflush(stdout); /* first writes earlier output of the program, so that the order is right */
   cli_report_settle(r);
   if (d->severity == VS_SEVERITY_ERROR) r->errors++;
   if (d->severity == VS_SEVERITY_WARNING) r->warnings++;
@@ -106,7 +106,7 @@ void cli_report_diagnostic(cli_reporter *r, const vs_diagnostic *d) {
   }
 }
 
-/* Prints the expression at which the program has stopped; a long one is cut. */
+/* Prints the expression at which the program has stopped; cuts a long expression. */
 static void print_expression(const vs_stop_info *stop) {
   enum { MOST = 50 };
   const char *at = stop->source_line, *end;
@@ -155,7 +155,8 @@ static double now(void) {
   return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* Writes the estimated time until the phase ends, at its speed so far; an empty text if it cannot be estimated yet. */
+/* Writes the estimated time until the phase ends, at its present speed. Writes an empty text if the time cannot be
+ * estimated yet. */
 static void time_left(cli_reporter *r, const vs_progress *p, char *text, size_t room) {
   double at = now();
   *text = 0;
@@ -193,7 +194,8 @@ static void count_of(size_t n, const char *one, const char *many, bool *any) {
   *any = true;
 }
 
-#define LARGEST_BUILDING 4000 /* in metres: a larger object is a landscape, or is drawn in other units */
+#define LARGEST_BUILDING 4000 /* largest size of a building in metres: a larger object is a landscape, or is drawn in
+                               * other units */
 
 void cli_report_summary(const char *title, const vs_summary *s) {
   bool any = false;
@@ -203,7 +205,7 @@ void cli_report_summary(const char *title, const vs_summary *s) {
     return;
   }
   count_of(s->objects, "object", "objects", &any);
-  if (s->objects != s->solids) { /* if all objects are solids, their number is not repeated */
+  if (s->objects != s->solids) { /* if all objects are solids, only the number of solids is printed */
     bool inner = false;
     fputs(" (", stderr);
     count_of(s->solids, "solid", "solids", &inner);
@@ -223,7 +225,8 @@ void cli_report_summary(const char *title, const vs_summary *s) {
   fputc('\n', stderr);
   double largest = 0;
   for (int i = 0; i < 3 && s->has_bounds && !s->bounds_at_most; i++) largest = fmax(largest, s->max[i] - s->min[i]);
-  if (largest >= LARGEST_BUILDING && strcmp(s->units, "m") == 0) /* a house drawn in millimetres would have this size */
+  if (largest >= LARGEST_BUILDING && strcmp(s->units, "m") == 0) /* a drawing in metres of this size was probably meant
+                                                                  * in millimetres */
     fprintf(stderr,
             "%s: the model is %.3g km large; if its lengths are not in metres, write (units 'mm) or (units 'cm)\n",
             title, largest / 1000);
@@ -231,7 +234,7 @@ void cli_report_summary(const char *title, const vs_summary *s) {
 
 /* ---- parameters ---- */
 
-/* Writes a value as JSON: numbers and booleans as such, everything else (1/3, symbols, lists) as text. */
+/* Writes a value as JSON: numbers and booleans as such, all other values (1/3, symbols, lists) as text. */
 static void json_datum(FILE *to, vs_parameter_type type, const char *datum) {
   if (type == VS_PARAMETER_BOOLEAN) { fputs(strcmp(datum, "#f") == 0 ? "false" : "true", to); return; }
   double v;

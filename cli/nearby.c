@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { LONGEST = 48 }; /* names that are longer are not compared */
+enum { LONGEST = 48 }; /* greatest length of names that are compared, in bytes */
 
 static size_t smaller(size_t a, size_t b) { return a < b ? a : b; }
 static int lower(char c) { return tolower((unsigned char)c); }
@@ -15,7 +15,7 @@ static int lower(char c) { return tolower((unsigned char)c); }
 static size_t distance(const char *a, const char *b) {
   size_t m = strlen(a), n = strlen(b);
   if (m > LONGEST || n > LONGEST) return LONGEST;
-  size_t row[3][LONGEST + 1]; /* the row of the table being computed, and the two before it */
+  size_t row[3][LONGEST + 1]; /* the row of the table of distances that is being computed, and the two rows before it */
   for (size_t j = 0; j <= n; j++) row[1][j] = j;
   for (size_t i = 1; i <= m; i++) {
     row[2][0] = i;
@@ -58,15 +58,15 @@ bool cli_nearby_program(const char *path, char *room, size_t size) {
   DIR *d = opendir(room);
   if (!d) return false;
   size_t length = strcspn(name, ".");
-  cli_nearby n = { .wanted = name, .distance = smaller(length / 3 + 1, 3) }; /* the suffix of the name does not increase
-                                                                              * the permitted distance */
+  /* permitted distance: a third of the name's length and 1, at most 3; the suffix of the name does not count */
+  cli_nearby n = { .wanted = name, .distance = smaller(length / 3 + 1, 3) };
   for (struct dirent *e; (e = readdir(d));) {
     const char *found = e->d_name;
     if (!is_program(found) || strlen(found) > LONGEST) continue;
     if (bare) n.best = !strncmp(found, name, length) && found + length == strrchr(found, '.') ? found : NULL;
     else cli_nearby_offer(&n, found);
     if (n.best == found) strcpy(near, found);
-    n.best = NULL; /* the directory entry is overwritten by the next one; the distance remains valid */
+    n.best = NULL; /* forgets the name, since the next directory entry overwrites it; the distance remains valid */
   }
   closedir(d);
   int put = *near ? snprintf(room, size, "%.*s%s", folder, path, near) : -1;

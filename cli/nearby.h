@@ -12,10 +12,11 @@ typedef struct {
 } cli_nearby;
 
 cli_nearby cli_nearby_start(const char *wanted);
-void cli_nearby_offer(cli_nearby *n, const char *name); /* Compares a name, which must outlive *n. */
+void cli_nearby_offer(cli_nearby *n, const char *name); /* Compares a name with n->wanted. The name must exist as long
+                                                         * as *n. */
 
-/* Writes the path of the file that was probably meant by a path that does not exist. It has the most similar name in
- * the same folder, or the same name with a suffix. Returns false if there is none. */
+/* Called for a path that does not exist. Writes the path of the file that was probably meant: the most similar name in
+ * the same folder, or the same name with a suffix. Returns false if there is no such file. */
 bool cli_nearby_program(const char *path, char *room, size_t size);
 
 #endif

@@ -16,7 +16,7 @@
 
 typedef enum { VALUE_NONE, VALUE_REQUIRED, VALUE_OPTIONAL } value_rule;
 typedef struct option_row option_row;
-/* Reads the value v of an option into o. Returns false after printing a message. */
+/* A function that reads the value v of an option into o. Returns false after printing a message. */
 typedef bool take_fn(cli_options *o, const option_row *row, const char *v);
 struct option_row {
   char letter;
@@ -24,12 +24,13 @@ struct option_row {
   value_rule rule;
   const char *value, *help;
   take_fn *take;
-  size_t member, size;    /* offset and size in bytes of the member of cli_options to set */
+  size_t member, size;    /* member: offset of the member of cli_options to set; size: its size; both in bytes */
   long least, most;       /* least and greatest permitted value of an option whose value is an integer */
   const char *expected;   /* description of a valid value, for messages */
-  void (*print)(void);    /* function that prints a text; `take` is then not used */
+  void (*print)(void);    /* function that prints a text, for options such as --help; `take` is then not used */
 };
-/* Returns row i of the table of options, or NULL. The table is defined below, after the functions that it contains. */
+/* Returns row i of the table of options, or NULL. The table is defined below, since it contains functions that call
+ * this one. */
 static const option_row *option_at(size_t i);
 
 static const struct { const char *name, *arguments; unsigned takes; const char *help; } commands[] = {
@@ -175,8 +176,8 @@ static bool take_camera(cli_options *o, const option_row *row, const char *text)
   return true;
 }
 
-/* Reads "24" or "24,twist=0..90". Searches for the two dots first, since strtod would read one of them as a decimal
- * point. */
+/* Reads the value of --frames, "24" or "24,twist=0..90". Searches for the two dots first, since strtod would read one
+ * of them as a decimal point. */
 static bool take_frames(cli_options *o, const option_row *row, const char *text) {
   cli_frames *out = &o->frames;
   char *end, from[40] = "";
@@ -231,7 +232,7 @@ static bool take_curve(cli_options *o, const option_row *row, const char *text) 
   return bad(row, text);
 }
 
-/* Reads the exposure: "1.5", "auto" or "auto-0.5". */
+/* Reads the value of --exposure: "1.5", "auto" or "auto-0.5". */
 static bool take_exposure(cli_options *o, const option_row *row, const char *text) {
   vs_development *out = &o->output.development;
   const char *stops = strncmp(text, "auto", 4) == 0 ? text + 4 : text;
@@ -241,7 +242,7 @@ static bool take_exposure(cli_options *o, const option_row *row, const char *tex
   return (ok && out->exposure <= 100) || bad(row, text);
 }
 
-/* Reads the part of a word after -O; v is NULL if there is none. */
+/* Reads the rest of a word that begins with -O; v is NULL if the word ends there. */
 static bool take_passes(cli_options *o, const option_row *row, const char *v) {
   const char *text = v ? v : "";
   vs_output_options *out = &o->output;
@@ -301,7 +302,7 @@ static bool are_folders(const char *option, const char *folders) {
   return true;
 }
 
-/* ---- functions for values of one type; they set the row's member ---- */
+/* ---- functions for values of one type, which set the member of the option's row ---- */
 
 static void *member_of(cli_options *o, const option_row *row) { return (char *)o + row->member; }
 
@@ -315,7 +316,7 @@ static bool take_text(cli_options *o, const option_row *row, const char *v) {
   return *v || !row->expected || bad(row, "''");
 }
 
-/* Reads an integer; the members for integers have several types. */
+/* Reads an integer into the member of the option's row, which may have any integer type. */
 static bool take_whole(cli_options *o, const option_row *row, const char *v) {
   long whole = 0;
   if (!parse_whole(v, row->least, row->most, &whole)) return bad(row, v);
@@ -416,7 +417,8 @@ static bool unknown(const char *word) {
   return false;
 }
 
-/* Returns the row of the option that a word names, or NULL. Sets *value to the value in the same word, or to NULL. */
+/* Returns the row of the option that a word names, or NULL. Sets *value to the value in the same word, as in
+ * --name=value, or to NULL. */
 static const option_row *named_row(const char *word, const char **value) {
   bool long_name = word[1] == '-';
   size_t length = long_name ? strcspn(word + 2, "=") : 0;
@@ -459,7 +461,8 @@ static const char *ending_of(const char *path) {
   return strcmp(path, "-") == 0 ? NULL : strrchr(base ? base + 1 : path, '.');
 }
 
-/* Writes the name with the ending that other programs read. Returns false if the ending is not in the table. */
+/* Writes the file name with the ending that other programs read. Returns false if the table of endings lacks this
+ * ending. */
 static bool advise_ending(const char *path, const char *ending) {
   static const struct { const char *endings, *here, *who; } endings_here[] = {
 #define ENDING(endings, here, who) { endings, here, who },
@@ -513,8 +516,8 @@ static bool find_format(cli_options *o, cli_target *t) {
   if (strcmp(t->path, "-") == 0) o->to_stdout = true;
   const vs_format_info *said = o->format ? vs_format_find(o->format) : NULL,
                        *own = ending ? vs_format_find(ending) : NULL;
-  if (own && said && strcmp(said->suffix, own->suffix) == 0) own = said; /* --format names another format with the same
-                                                                          * suffix */
+  if (own && said && strcmp(said->suffix, own->suffix) == 0) own = said; /* if --format names another format with the
+                                                                          * file's suffix, that format is used */
   if (!own) own = said;
   if (own) t->format = own->name;
   return own || o->format || (ending && ending[1]) || late_format(o, t, NULL);
@@ -537,7 +540,7 @@ static bool reachable(const cli_target *t) {
   const char *slash = strrchr(t->path, '/');
   size_t length = slash ? (size_t)(slash - t->path) : 0;
   char *folder = malloc(length + 2);
-  if (!folder) return true; /* memory is out: writing the output will report it */
+  if (!folder) return true; /* if memory is out here, writing the output will report it */
   memcpy(folder, t->path, length);
   strcpy(folder + length, slash ? (length ? "" : "/") : ".");
   bool found = stat(folder, &status) == 0, ok = found && S_ISDIR(status.st_mode) && access(folder, W_OK | X_OK) == 0;
@@ -549,7 +552,7 @@ static bool reachable(const cli_target *t) {
   return ok;
 }
 
-/* Returns true if a command on pictures has the files that it requires. Otherwise prints a message. */
+/* Returns true if a command on EXR pictures has the files that it requires. Otherwise prints a message. */
 static bool picture_files(const cli_options *o, unsigned takes) {
   size_t want = takes & CLI_TAKES_POINT ? 3 : takes & CLI_TAKES_TWO ? 2 : 1;
   bool files = o->source_count == want && !o->define_count && !o->untrusted && !o->frames.count;
@@ -607,7 +610,7 @@ static bool text_files(const cli_options *o) {
   return files;
 }
 
-/* Returns true if the command has the files that it requires, and -o only if it writes a file. Otherwise prints a
+/* Returns true if the command has the files that it requires, and no -o unless it writes a file. Otherwise prints a
  * message on standard error. */
 static bool command_files(const cli_options *o, unsigned takes) {
   if (takes & CLI_TAKES_PICTURE) return picture_files(o, takes);
@@ -671,7 +674,7 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
     return CLI_BAD_USAGE;
   }
   o->held = o->words + room, o->sets = o->held + room, o->passed = o->sets + room;
-  bool names_only = false; /* whether a -- without a model before it was read */
+  bool names_only = false; /* whether the word -- has occurred before any model, so that all later words are files */
   o->words[o->word_count++] = "vs";
   int first = 1;
   for (size_t i = 0; argc > 1 && i < COMMANDS; i++)
@@ -682,7 +685,8 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
   }
   for (int i = first; i < argc; i++) {
     const char *word = argv[i];
-    if (strcmp(word, "--") == 0 && o->source_count) { /* all words after -- are arguments of the program */
+    if (strcmp(word, "--") == 0 && o->source_count) { /* all words after the model and -- are arguments of the
+                                                       * program */
       while (++i < argc) o->words[o->word_count++] = argv[i];
     } else if (names_only || word[0] != '-' || !word[1])
       o->sources[o->source_count++] = (cli_source){ CLI_SOURCE_FILE, word };
@@ -747,7 +751,7 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
       fprintf(stderr, "vs: %s is neither a command nor a file; vs --help lists the commands\n", argv[1]);
     return CLI_BAD_USAGE;
   }
-  /* Finds sources that are probably outputs: vs model.vs a.stl. */
+  /* Finds files that are probably outputs without -o, as in: vs model.vs a.stl. */
   for (size_t i = 0; !(takes & (CLI_TAKES_PICTURE | CLI_TAKES_SCAN)) && i < o->source_count; i++) {
     const char *path = o->sources[i].text;
     const vs_format_info *f = o->sources[i].kind == CLI_SOURCE_FILE && strchr(path, '.') ? vs_format_find(path) : NULL;

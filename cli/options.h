@@ -9,15 +9,16 @@
 
 typedef struct {
   enum { CLI_SOURCE_FILE, CLI_SOURCE_EXPRESSION } kind;
-  const char *text; /* path of a file ("-" for standard input), or an expression */
+  const char *text; /* path of a source file ("-" for standard input), or an expression to evaluate */
 } cli_source;
 
 typedef struct {
   const char *path;             /* path of the output file; "-" for standard output */
-  const char *format; /* name or suffix of the format; NULL if it is not built in and the program may define it */
+  const char *format; /* name or suffix of the format; NULL: the format is not built in, and the program may define
+                       * it */
 } cli_target;
 
-/* The commands; a command is the first word of the command line. */
+/* The commands of vs; a command is the first word of the command line. */
 typedef enum {
   CLI_COMMAND_NONE,
 #define COMMAND(name, arguments, takes, help) CLI_COMMAND_##name,
@@ -35,38 +36,43 @@ enum { CLI_TAKES_JSON = 1, CLI_TAKES_XML = 2, CLI_TAKES_TWO = 4 /* the command r
        CLI_TAKES_SCAN = 512 /* the command accepts a second file, which is read as points */,
        CLI_TAKES_SUN = 1024 /* the command accepts the options --place, --date and those for hours */,
        CLI_TAKES_MANY = 2048 /* the command accepts any number of files, and -o with a file or a folder */,
-       CLI_TAKES_PROGRAMS = 4096 /* the command accepts any number of files, and no -o */,
-       CLI_TAKES_TEXTS = 8192 /* the command accepts any number of files, - among them, --check, and no -o */,
+       CLI_TAKES_PROGRAMS = 4096 /* the command accepts any number of programs, and no -o */,
+       CLI_TAKES_TEXTS = 8192 /* the command accepts any number of files, - among them, the option --check, and no -o */,
        CLI_TAKES_NOTHING = 16384 /* the command accepts no file, and no -o */ };
 
 typedef struct {
   cli_command command;
-  /* The texts are words of argv. The arrays have room for argc entries and belong to cli_options. */
+  /* The sources and outputs of the command line. The texts are words of argv. The arrays have room for argc entries and
+   * belong to cli_options. */
   cli_source *sources; size_t source_count;
   cli_target *targets; size_t target_count;
-  char **defines; size_t define_count; /* the texts NAME=VALUE of the options -D */
+  char **defines; size_t define_count; /* texts NAME=VALUE, one for each option -D */
   const char **words; size_t word_count; /* the value of (command-line): the model's name and the words after the --
                                           * that follows it */
-  char *library_path;           /* folders of -L, then those of VS_LIBRARY_PATH, or NULL; allocated */
+  char *library_path;           /* folders of the options -L, then those of VS_LIBRARY_PATH, separated by ':', or NULL;
+                                 * allocated */
   const char *format;
   const char *language;         /* vs translate: the language of --to; NULL: determined by the suffix of the output */
-  vs_options interpreter;              /* limits and texts of the interpreter; main adds the callbacks */
+  vs_options interpreter;              /* limits and texts of the interpreter, to which main adds the callbacks */
   vs_output_options output;
   cli_frames frames;
-  const char *place, *date, *from, *step; /* vs sunstudy: its options, NULL if not given; --to is in `language` */
+  const char *place, *date, *from, *step; /* vs sunstudy: values of its options, NULL if an option is not given; --to is
+                                           * in `language` */
   double candelas;              /* luminance in cd/m2 of the pixel value 1; 0 if not given */
   bool lux;                     /* whether the picture shows illuminance of floors instead of luminance */
-  const char **held; size_t held_count; /* vs fit: the names of --hold; stored after `words` */
-  size_t points;                       /* --points: number of points; 0: the default */
-  /* vs render: its options. sets and passed are stored after `held`. */
+  const char **held; size_t held_count; /* vs fit: names of the parameters that --hold keeps; stored after `words` */
+  size_t points;                       /* vs fit: number of points by --points; 0: the default */
+  /* vs render: sets: parameters by --set; passed: options that are passed on to the run of each picture; stored after
+   * `held`. */
   const char **sets, **passed; size_t set_count, passed_count; /* passed: options that are passed on to the run of each
                                                                 * picture */
-  size_t jobs;                         /* --jobs: number of processes; 0 if not given */
-  int results;                         /* vs test: in the process of a file, the pipe for its results */
-  const char *manifest, *sheet;        /* file names given by --manifest and --sheet, or NULL */
-  long film;                           /* frames per second; 0: no film */
+  size_t jobs;                         /* vs render: number of processes by --jobs; 0 if not given */
+  int results;                         /* vs test: in the process that runs a file, the pipe to which it writes its
+                                        * results */
+  const char *manifest, *sheet;        /* vs render: file names given by --manifest and --sheet, or NULL */
+  long film;                           /* vs render: frames per second of the film; 0: no film */
   bool interactive, check, quiet, stats, stats_json, parameters, to_stdout, untrusted, verbose, all_views, json, xml;
-  bool placed, near, any_pose; /* vs fit: whether its options --placed, --near and --any-pose are given */
+  bool placed, near, any_pose; /* vs fit: whether the options --placed, --near and --any-pose are given */
 } cli_options;
 
 /* The result of reading the command line. */
@@ -77,14 +83,14 @@ typedef enum {
 } cli_verdict;
 
 cli_verdict cli_options_parse(cli_options *o, int argc, char **argv);
-/* Sets the formats of targets that are not built in, from the formats that the program defines. Returns false after a
- * message on standard error. */
+/* For targets whose format is not built in, finds the format among those that the program defines. Returns false after
+ * a message on standard error. */
 bool cli_options_late(cli_options *o, const vs_scheme *scheme);
 void cli_options_free(cli_options *o);
-/* Prints one line of help on the command of that name, and how to call it. Returns false if there is no such
- * command. */
+/* Prints a line of help on the command of that name, and how to call it. Returns false if there is no such command. */
 bool cli_command_help(const char *name, FILE *to);
-/* Prints the command that was probably meant by a word that is no file. Returns false if no command is similar. */
+/* Called for a word that is no file: prints the command that was probably meant. Returns false if no command is
+ * similar. */
 bool cli_command_suggest(const char *word, FILE *to);
 
 #endif

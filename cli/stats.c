@@ -1,9 +1,9 @@
 /* Prints the statistics of --stats: tables for readers, one line of JSON for programs.
  *
- * Both are computed from the library's keys. A key memory.NAME.peak belongs to a phase, time.stage.NAME to a stage,
- * time.mesh.NAME to a step, and cache.NAME.hits to a kind of cached result. The passes are those of vs_pass_list. New
- * phases and passes therefore appear without a change in this file. The row of the program is the total minus the
- * outputs. */
+ * Tables and JSON are computed from the library's keys. A key memory.NAME.peak belongs to a phase, time.stage.NAME to a
+ * stage, time.mesh.NAME to a step, and cache.NAME.hits to a kind of cached result. The passes are those of
+ * vs_pass_list. New phases and passes therefore appear without a change in this file. The row of the program is the
+ * total minus the outputs. */
 #include "cli/stats.h"
 
 #include <math.h>
@@ -34,7 +34,8 @@ static double get(const table *t, const char *before, const char *name, const ch
   return NAN;
 }
 
-/* Copies the NAME of each key PREFIX NAME SUFFIX to names, in order, and returns their number. */
+/* Copies the part NAME of each key that consists of prefix, NAME and suffix to names, in order. Returns their
+ * number. */
 static size_t names_of(const table *t, const char *prefix, const char *suffix, char names[NAMES][KEY]) {
   size_t n = 0, before = strlen(prefix), after = strlen(suffix);
   for (size_t i = 0; i < t->count && n < NAMES; i++) {
@@ -131,7 +132,7 @@ static void times(vs_scheme *s, const table *all) {
 }
 
 /* Prints a row for each key that begins with the prefix, with a column for each output. Such keys are the stages, and
- * the steps of the phase MESH. */
+ * the steps of meshing. */
 static void parts(vs_scheme *s, const table *all, const char *title, const char *prefix) {
   char names[NAMES][KEY];
   size_t count = names_of(all, prefix, "", names);
@@ -189,7 +190,7 @@ static void kept(const table *all) {
   }
 }
 
-/* Returns true if one of the tables shows the key. */
+/* Returns true if the key appears in a table. */
 static bool tabled(const char *key) {
   static const char *const prefixes[] = { "commands.", "passes.", "nodes", "time.", "triangles", "bytes" };
   size_t length = strlen(key);

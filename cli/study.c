@@ -1,4 +1,4 @@
-/* Implements the commands that analyse a program without running it. They share one analysis of the file. */
+/* Implements the commands that analyse a program without running it. All of them use one analysis of the file. */
 #include "cli/study.h"
 
 #include <errno.h>
@@ -20,7 +20,8 @@
 enum { CHECK_SECONDS = 5 };
 typedef struct { knowledge k; cli_reporter reporter; vs_scheme *scheme; } study;
 
-/* Receives messages of the interpreter. While the analysis queries it (muted), only the first error is kept. */
+/* Receives messages of the interpreter. If muted, as while the analysis queries the interpreter, stores only the first
+ * error. */
 static void diagnose(void *context, const vs_diagnostic *d) {
   study *s = context;
   if (s->k.reading && !d->at.line) return;
@@ -90,7 +91,7 @@ typedef struct {
   bool failed, worker_missing;
 } painter;
 
-/* Ignores messages of a procedure that is tried. */
+/* Ignores messages of a procedure that is called to see whether it returns an object. */
 static void ignore(void *context, const vs_diagnostic *d) { (void)context, (void)d; }
 
 static bool begin_model(painter *p) {
@@ -110,7 +111,7 @@ static bool begin_model(painter *p) {
   return ok;
 }
 
-/* Runs the program in a form that records the first results of its procedures. If this fails, runs the unchanged
+/* Runs the program in a form that records the first result of each procedure. If this fails, runs the unchanged
  * program. */
 static bool run_model(painter *p) {
   const char *path = p->options->sources[0].text;
@@ -121,7 +122,7 @@ static bool run_model(painter *p) {
   return ok || (begin_model(p) && vs_eval_file(p->scheme, path, VS_EVAL_PASS) == VS_OUTCOME_DONE);
 }
 
-/* Makes a picture of the complete model, or of the value of an expression. */
+/* Makes a picture of the complete model, or of the value of an expression, in the file `path`. */
 static bool paint(void *context, const char *expression, const char *path) {
   painter *p = context;
   if (p->failed || p->worker_missing) return false;
@@ -214,7 +215,7 @@ static bool write_whole(const char *path, const char *text, size_t length) {
   return ok;
 }
 
-enum { FACETS = 64 /* facets in a full turn if --segments is not given */ };
+enum { FACETS = 64 /* number of facets in a full turn if --segments is not given */ };
 
 static vs_outcome translate(study *s, const cli_options *o) {
   const char *path = o->target_count ? o->targets[0].path : NULL, *language = know_language(o->language, path);

@@ -1,5 +1,5 @@
 /* Implements `vs test FILE...`: runs programs with their checks, prints failed checks with their reasons, and counts
- * all.
+ * all checks.
  *
  * Each file has its own process, which sends each result as a byte through a pipe. A program that ends or crashes its
  * process therefore affects neither later files nor its earlier results. Programs print to standard error, so that
@@ -16,7 +16,7 @@
 
 #include "cli/difference.h"
 
-/* Limits of a program, and of each check, if no options are given. */
+/* SECONDS, MEGABYTES: limits of a program, and of each check, if no options are given. */
 #define SECONDS 10
 enum { MEMORY = 1 << 30, PRINTED = 10 << 20 };
 
@@ -48,7 +48,7 @@ static bool print_part(void *context, vs_part_difference what, const vs_part_inf
   return true;
 }
 
-/* Reports a failure outside of checks. */
+/* Reports a failure of the program itself, not of a check. */
 static void broken(const cli_session *c, const char *path, const char *first, const char *more) {
   printf("%s: %s%s\n", path, first, more);
   tell(c, BROKEN);
@@ -92,7 +92,7 @@ static pid_t start(cli_options *o, cli_source *source, int *from, int (*run)(cli
   if (process < 0) return fprintf(stderr, "vs: a process for %s: %s\n", source->text, strerror(errno)), -1;
   if (process == 0) {
     close(ends[0]);
-    o->sources = source, o->source_count = 1; /* the child process ends before these arrays are freed */
+    o->sources = source, o->source_count = 1; /* the child process ends before the arrays of *o are freed */
     o->words[0] = source->text;
     o->results = ends[1];
     int code = run(o);
@@ -110,8 +110,8 @@ static int listen(pid_t process, int from, const volatile sig_atomic_t *interrup
   int status = 0;
   t->ended = false;
   while ((n = read(from, told, sizeof told)) > 0 || (n < 0 && errno == EINTR)) {
-    if (n < 0 && *interrupts) kill(process, SIGINT); /* the user's signal may have reached only this process: pass it
-                                                      * on */
+    if (n < 0 && *interrupts) kill(process, SIGINT); /* a signal may have reached only this process: sends it to the
+                                                      * file's process */
     for (ssize_t i = 0; i < n; i++) {
       t->passed += told[i] == PASSED;
       t->failed += told[i] == FAILED || told[i] == BROKEN;

@@ -2,7 +2,7 @@
  * folder, and confines the process.
  *
  * A path is opened name by name, from the model's folder. No name may be `..` or a symbolic link, and the result must
- * be a regular file. Neither a link nor /proc, a device or a FIFO therefore leads out of the folder, even if files
+ * be a regular file. Therefore neither a link nor /proc, a device or a FIFO leads out of the folder, even if files
  * change meanwhile. */
 #define _GNU_SOURCE /* declares clearenv, strchrnul and O_PATH */
 #include "cli/untrusted.h"
@@ -22,11 +22,12 @@
 #include "cli/confine.h"
 #include "cli/limits.h"
 
-/* Limits of an untrusted model if no options are given. */
+/* Default limits of an untrusted model: time in seconds of each step, and others. */
 #define SECONDS 10
 #define WORKER_SECONDS 120
 enum { MEMORY = 512 << 20, PRINTED = 10 << 20, TRIANGLES = 5000000 };
-#define PROCESS_MEMORY ((size_t)2 << 30) /* memory limit of external programs, and hard limit of this process */
+#define PROCESS_MEMORY ((size_t)2 << 30) /* memory limit in bytes of external programs, and hard limit of this
+                                          * process */
 
 /* ---- reading files ---- */
 
@@ -36,8 +37,8 @@ static bool refuse(cli_untrusted *u, const char *reason, const char **why) {
   return false;
 }
 
-/* Refuses a file or folder that could not be opened, with a reason from errno. leads_out: it was not opened, since the
- * path leaves the folder. A lack of system resources is reported as such, since the model did not cause it. */
+/* Refuses a file or folder that could not be opened, with a reason from errno. leads_out: it was not opened because the
+ * path leaves the folder. If the system lacks resources, reports this, since the model did not cause it. */
 static bool refuse_open(cli_untrusted *u, bool leads_out, const char *missing, const char *outside, const char **why) {
   int problem = leads_out ? ELOOP : errno;
   bool machine = problem == EMFILE || problem == ENFILE || problem == ENOMEM || problem == EIO;
@@ -99,7 +100,8 @@ bool cli_untrusted_read(cli_untrusted *u, const char *path, char **text, size_t 
   }
   close(file);
   if (!to) return refuse(u, memory ? "cannot be read" : "out of memory", why);
-  *text = to, *length = used < room ? used : (size_t)info.st_size; /* a file that grows while it is read is cut */
+  *text = to, *length = used < room ? used : (size_t)info.st_size; /* if the file grows while it is read, omits the
+                                                                    * added bytes */
   return true;
 }
 
@@ -107,7 +109,7 @@ bool cli_untrusted_list(cli_untrusted *u, const char *path, bool (*take)(void *t
                         void *to, const char **why) {
   static const char outside[] = "an untrusted model reads only its own folder and those in it, and no links";
   size_t prefix = strlen(u->prefix);
-  /* The path is the model's folder without the slash. */
+  /* if the path is the model's folder without the final slash, it is the folder itself */
   if (u->folder >= 0 && prefix && strlen(path) + 1 == prefix && strncmp(path, u->prefix, prefix - 1) == 0) path = ".";
   else if (u->folder < 0 || strncmp(path, u->prefix, prefix) != 0) return refuse(u, outside, why);
   else path += prefix;
@@ -128,15 +130,15 @@ static int remove_one(const char *path, const struct stat *info, int kind, struc
   return (void)info, (void)kind, (void)where, remove(path), 0;
 }
 
-/* Starts a child process that removes the temporary folder when this process ends. A confined process cannot remove it
- * itself. */
+/* Starts a child process (the keeper) that removes the temporary folder when this process ends. A confined process
+ * cannot remove the folder itself. */
 static bool keep_scratch(cli_untrusted *u) {
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0) return false;
   u->keeper = fork();
   if (u->keeper == 0) {
     char byte;
-    setsid(); /* a new session, so that signals of the terminal do not reach it */
+    setsid(); /* puts the keeper into a new session, which signals of the terminal do not reach */
     signal(SIGTERM, SIG_IGN);
     for (int i = 0; i <= STDERR_FILENO; i++) close(i);
     close(ends[1]);
@@ -171,7 +173,7 @@ static bool open_model(cli_untrusted *u, const cli_options *o, char **model) {
     u->folder = open(*model, O_PATH | O_DIRECTORY | O_CLOEXEC);
     return u->folder >= 0 || failed(*model);
   }
-  *model = strdup("/dev/null"); /* a text of the command line or standard input has no folder */
+  *model = strdup("/dev/null"); /* an expression of the command line, or standard input, has no folder */
   u->prefix = strdup("");
   return (*model && u->prefix) || failed("memory");
 }
@@ -193,7 +195,7 @@ bool cli_untrusted_begin(cli_untrusted *u, cli_options *o) {
   ok = ok && open_model(u, o, &model);
   for (; ok && count < o->target_count; count++) {
     {
-    /* Formats that the program defines need no external program. */
+    /* A format that the program defines needs no external program. */
     const vs_format_info *format = o->targets[count].format ? vs_format_find(o->targets[count].format) : NULL;
     worker = worker || (format && format->worker);
   }

@@ -1,4 +1,4 @@
-/* Implements the side of a live view: an interpreter for outputs with other values. See aside.h.
+/* Implements the side of a live view: an interpreter for outputs with other values of the parameters. See aside.h.
  *
  * For each request the interpreter runs the session's text from the start. It does not receive text typed at the
  * prompt, which belongs to the session. The library caches results, so a later request reuses them. */
@@ -13,7 +13,7 @@
 
 enum { WAIT_MS = 1000 };
 
-/* ---- the host's side ---- */
+/* ---- callbacks of the interpreter ---- */
 
 static void aside_diagnose(void *context, const vs_diagnostic *d) {
   live_aside *a = context;
@@ -68,7 +68,8 @@ static bool aside_bytes(void *context, const void *bytes, size_t count) {
 
 /* ---- a request ---- */
 
-/* Sets the parameter values of a request, or removes them. Does not change the text w->given. */
+/* Sets the values of parameters that a request contains (set), or removes them again. Does not change the text
+ * w->given. */
 static void aside_values(live_aside *a, live_wish *w, bool set) {
   for (char *at = w->given; *at != 0;) {
     char *unit = strchr(at, LIVE_UNIT), *record = strchr(at, LIVE_RECORD);

@@ -1,5 +1,5 @@
-/* Declares the side of a live view: a thread with its own interpreter. It makes outputs of the model with other
- * parameter values, and pictures that take minutes, while the session continues. */
+/* Declares the side of a live view: a thread with its own interpreter. While the session continues, it makes outputs of
+ * the model with other parameter values, and pictures that take minutes. */
 #ifndef VS_LIVE_ASIDE_H
 #define VS_LIVE_ASIDE_H
 
@@ -11,15 +11,15 @@
 typedef struct {
   const live_options *options;
   live_publish *publish;
-  vs_scheme *scheme;   /* interpreter, made at the first request */
+  vs_scheme *scheme;   /* interpreter of the side, made at the first request */
   live_wish *now;
-  live_text said;      /* first error of the current run */
+  live_text said;      /* text of the first error of the current run */
   pthread_t thread;
   bool started;
 } live_aside;
 
-bool live_aside_open(live_aside *a);  /* Starts the thread; options and publish must be set. Returns false, after a
-                                       * message on standard error, if there is no thread. */
-void live_aside_close(live_aside *a); /* Ends the thread. The caller first sets publish->ended. */
+bool live_aside_open(live_aside *a);  /* Starts the thread; the members options and publish must be set. If there is no
+                                       * thread, prints a message on standard error and returns false. */
+void live_aside_close(live_aside *a); /* Ends the thread. The caller must first set publish->ended. */
 
 #endif

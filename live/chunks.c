@@ -1,8 +1,9 @@
-/* Implements content-defined chunking. See chunks.h.
+/* Implements content-defined chunking: the division of bytes into pieces whose ends depend on the bytes near them. See
+ * chunks.h.
  *
  * The gear hash (Xia et al., FastCDC, 2016) depends on the last 64 bytes: each byte doubles the sum and adds the byte's
- * random number. A piece ends where 13 high bits are zero. The hash of a piece has 64 bits: FNV-1a over eight bytes at
- * a time, with a final mix. A window treats pieces of equal hash and length as equal. */
+ * random number. A piece ends where 13 high bits of the sum are zero. The hash of a piece has 64 bits: FNV-1a over
+ * eight bytes at a time, with a final mix. A window treats pieces of equal hash and length as equal. */
 #include "live/chunks.h"
 
 #include <stdlib.h>

@@ -20,38 +20,39 @@
 
 extern char **environ;
 
-/* In milliseconds. LOOK_MS: time between checks of the files while a window waits. LOOK_ALONE_MS: the same time while
+/* Times in milliseconds. LOOK_MS: between checks of the files while a window waits. LOOK_ALONE_MS: between checks while
  * no window is open. FRAME_MS: duration of a frame. */
 enum { LOOK_MS = 8, LOOK_ALONE_MS = 40, FRAME_MS = 40 };
 enum { COARSE_SEGMENTS = 12, BROWSER_WORDS = 30 };
 
 typedef struct live_follower {
   const live_options *options;
-  live_options own;    /* options of a view that follows a prompt */
+  live_options own;    /* options of a view that follows a prompt, stored here */
   bool follows;        /* whether the view follows a prompt, so that the interpreter belongs to the caller */
   live_publish publish;
   live_server server;
   vs_scheme *scheme;
   live_files files;
   live_aside aside;
-  live_text released;  /* a byte for each parameter of the options: 1 after a window has set it */
+  live_text released;  /* text with a byte for each parameter of the options: 1 after a window has set the parameter */
   bool coarse;         /* whether a slider is moving, so that round shapes are coarse, unless the options set a
                         * tolerance */
-  bool frames;         /* whether the scene acts in each frame */
+  bool frames;         /* whether the scene changes with time, so that the session computes frames */
   double last_frame;   /* time of the last frame in seconds */
   bool good;           /* whether the published scene is the result of the model's last run */
-  const char *asked;   /* text typed at the prompt, while its result is published */
-  bool prompted;       /* whether the prompt has run code since the model ran, so that the drawing may differ from the
-                        * text's */
+  const char *asked;   /* text typed at the prompt, while its result is published; otherwise NULL */
+  bool prompted;       /* whether the prompt has run code since the model's last run, so that the drawing may differ
+                        * from that of the model's text */
   live_said said;      /* messages of the current run */
   bool busy_told;
   double began;
-  unsigned version, run; /* numbers of the scene and of the run */
-  bool kept;           /* whether a client waits for the current output, so that only Stop ends it */
+  unsigned version, run; /* version: number of the latest scene; run: number of the latest run */
+  bool kept;           /* whether a client waits for the current output, so that only the window's Stop button ends
+                        * it */
   bool overtaken;      /* whether the current run was interrupted because a window or a file requires another run */
   bool ended_early;    /* whether a window's request interrupted the last run */
-  double looked;       /* in seconds. looked: time of the last check for a newer request. whole: duration of the last
-                        * complete run */
+  double looked;       /* in seconds. looked: clock at the last check for a newer request. whole: duration of the last
+                        * run that was not interrupted */
   double whole;
 } live;
 
@@ -61,9 +62,9 @@ static double now(void) {
   return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* ---- the host's side ---- */
+/* ---- callbacks of the interpreter ---- */
 
-static const double FRAME_MOST = 0.25; /* in seconds: of a late frame, the time above this is skipped */
+static const double FRAME_MOST = 0.25; /* in seconds: greatest time that a frame may advance, even if it is late */
 
 static bool host_output(void *context, const char *text, size_t length) {
   live *l = context;
@@ -95,15 +96,15 @@ static void host_progress(void *context, const vs_progress *p) {
   live_text_free(&t);
 }
 
-/* Returns the seconds that a run may take before a window's new value or text interrupts it. A moving slider needs
- * pictures while it moves. A run that will probably end soon may therefore finish, and of two successive runs at least
- * one finishes. An endless program reaches this limit soon. */
+/* Returns the seconds that a run may take before a window's new value or text interrupts it. While a slider moves,
+ * pictures are needed. A run that will probably end soon may therefore finish, and of two successive runs at least one
+ * finishes. An endless program reaches this limit soon. */
 static double patience(const live *l) {
   const double least = 0.3, most = l->ended_early ? 3 : 1, likely = 2 * l->whole;
   return likely < least ? least : likely < most ? likely : most;
 }
 
-/* Returns true if a request is newer than the current run. A saved file counts immediately. */
+/* Returns true if a request is newer than the current run. The saving of a file counts immediately. */
 static bool overtaken(live *l) {
   double time = now();
   if (1e3 * (time - l->looked) < LOOK_MS) return false;
@@ -131,8 +132,8 @@ static bool host_list(void *context, const char *path, bool (*take)(void *to, co
   return live_folder_list(path, take, to, why);
 }
 
-/* Interrupts the current run, or the run that waits. If there is none, it does nothing: the next run must not be
- * interrupted. A following view clears the request when the next run begins. */
+/* Called for the Stop button: interrupts the current run, or the run that waits. If there is none, does nothing, so
+ * that the next run is not interrupted. A view that follows a prompt clears the request when the next run begins. */
 static void stop(void *context) {
   live *l = context;
   pthread_mutex_lock(&l->publish.lock);
@@ -140,7 +141,8 @@ static void stop(void *context) {
   pthread_mutex_unlock(&l->publish.lock);
 }
 
-/* Records that the session is idle: Stop has nothing to end until the session takes a request or calls `work`. */
+/* Records that the session is idle: the Stop button has nothing to end until the session takes a request or calls
+ * `work`. */
 static void rest(live *l) {
   pthread_mutex_lock(&l->publish.lock);
   l->publish.working = l->publish.wishes.count > 0;
@@ -204,8 +206,8 @@ static void publish_state(live *l, bool good, vs_outcome outcome) {
             yes[outcome == VS_OUTCOME_INTERRUPTED]);
   live_putf(&t, "\"prompted\":%s,\"follows\":%s,\"seconds\":", yes[l->prompted], yes[l->follows]);
   live_number(&t, now() - l->began);
-  if (l->files.count > 0) { /* hash of the model's file as it was read; when it changes, a window reads the source
-                             * again */
+  if (l->files.count > 0) { /* the state contains a hash of the model's file as it was read; when the hash changes, a
+                             * window reads the source again */
     const live_file *f = &l->files.at[0];
     live_putf(&t, ",\"file\":\"%lld.%ld.%lld.%llu\"", (long long)f->seconds, (long)f->nanoseconds, (long long)f->size,
               (unsigned long long)f->inode);
@@ -231,8 +233,8 @@ static bool scene_bytes(void *context, const void *bytes, size_t count) {
   return !t->failed;
 }
 
-/* Publishes the current drawing as the next version. If `another` is set, publishes it only if it differs from the
- * last. */
+/* Publishes the current drawing as the next version. With `another`, publishes it only if it differs from the last
+ * version. */
 static vs_outcome publish_drawing(live *l, bool another) {
   live_text bytes = { 0 };
   vs_summary summary;
@@ -278,7 +280,7 @@ static void begin(live *l) {
   l->began = now();
 }
 
-/* Reports the result of a run. Reports nothing of an interrupted run whose successor follows immediately. */
+/* Reports the result of a run. Does not report a run that was interrupted because another run follows immediately. */
 static void finish(live *l, vs_outcome outcome) {
   if (outcome == VS_OUTCOME_DONE) outcome = publish_drawing(l, false);
   if (l->overtaken && outcome == VS_OUTCOME_INTERRUPTED) {
@@ -306,8 +308,8 @@ static bool same_value(const char *a, const char *b) {
   return strcmp(a, b) == 0 || (a_end != a && *a_end == 0 && b_end != b && *b_end == 0 && x - y == 0);
 }
 
-/* Removes values that equal the source's own, so that the parameter follows changes of the source. Values of the
- * command line stay until a window sets the parameter. */
+/* Forgets values that equal those of the source, so that the parameters follow changes of the source. Values of the
+ * command line remain until a window sets the parameter. */
 static void forget_defaults(live *l) {
   vs_parameter_info p;
   for (size_t i = 0; i < vs_parameter_count(l->scheme) && vs_parameter_get(l->scheme, i, &p); i++) {
@@ -325,7 +327,8 @@ static bool set_parameter(live *l, const char *name, const char *value) {
 
 static vs_outcome run_files(live *l) {
   begin(l);
-  if (live_files_newer(&l->files)) live_trial_put(&l->publish, NULL); /* the file was saved since the last check */
+  if (live_files_newer(&l->files)) live_trial_put(&l->publish, NULL); /* the file was saved since the last check: its
+                                                                       * text replaces the unsaved text of a window */
   live_files_clear(&l->files);
   live_files_note(&l->files, l->options->model);
   l->prompted = false;
@@ -333,9 +336,9 @@ static vs_outcome run_files(live *l) {
   return outcome == VS_OUTCOME_DONE ? vs_eval_file(l->scheme, l->options->model, 0) : outcome;
 }
 
-/* Many editors empty a file before they write it, so a file that changed during the read may be incomplete. The session
- * then reads it again before it shows anything. Exception: if the read took long, a second save is more likely than an
- * incomplete file. */
+/* Runs the model. Many editors empty a file before they write it, so a file that changed during the read may be
+ * incomplete. The session then reads it again before it shows anything. Exception: if the read took long, a second save
+ * is more likely than an incomplete file. */
 static void run_model(live *l) {
   enum { TIMES = 3 };
   const double quick = 0.5; /* duration of a read, in seconds, above which a second save is more likely than an
@@ -353,7 +356,8 @@ static void run_model(live *l) {
   if (l->good) l->whole = now() - l->began;
 }
 
-/* Publishes changes by a frame or by an action of the user. An error ends the frames until the model runs again. */
+/* Publishes the changes that a frame or an action of the user has made. An error ends the frames until the model runs
+ * again. */
 static void tell_frame(live *l, vs_outcome outcome) {
   live_text t = { 0 };
   unsigned version = l->version;
@@ -382,7 +386,7 @@ static bool seen(live *l) {
 static void run_frame(live *l) {
   double seconds = now() - l->last_frame;
   l->last_frame = now();
-  if (!seen(l)) return; /* time does not advance while no window is open */
+  if (!seen(l)) return; /* while no window is open, time does not advance, and there are no frames */
   l->began = l->last_frame;
   l->overtaken = false;
   tell_frame(l, vs_scene_frame(l->scheme, seconds < FRAME_MOST ? seconds : FRAME_MOST));
@@ -404,8 +408,8 @@ static void run_prompt(live *l, const char *text) {
   vs_outcome outcome = vs_eval_text(l->scheme, "prompt", 1, text, strlen(text), VS_EVAL_PRINT);
   if (outcome == VS_OUTCOME_DONE || !l->good || l->overtaken) {
     finish(l, outcome);
-  } else { /* An error in typed text is not an error of the model. The model remains, with the objects that the text
-            * drew before the error. */
+  } else { /* An error in text typed at the prompt is not an error of the model. The model remains, with the objects
+            * that the text drew before the error. */
     vs_interrupt_clear(l->scheme);
     l->good = publish_drawing(l, true) == VS_OUTCOME_DONE;
     publish_state(l, l->good, outcome);
@@ -421,8 +425,8 @@ static unsigned pass_mask(const char *name) {
   return 0;
 }
 
-/* The format of the construction steps. They follow the program's text, so the passes that rewrite operations are
- * off. */
+/* The format that shows how the model is constructed, step by step. It follows the program's text, so the passes that
+ * rewrite operations are not used. */
 static const char STEPS[] = "x3d-steps";
 
 static void run_export(live *l, live_wish *w) {
@@ -431,7 +435,7 @@ static void run_export(live *l, live_wish *w) {
   int width = 0, height = 0;
   if (sscanf(w->value, "%5dx%5d", &width, &height) == 2 && width > 0 && height > 0 && width <= 8192 && height <= 8192)
     o.width = width, o.height = height;
-  bool steps = strcmp(w->name, STEPS) == 0; /* a window shows this output, so no event reports it */
+  bool steps = strcmp(w->name, STEPS) == 0; /* steps: a window shows this output itself, so no event reports it */
   if (steps) o.passes = pass_mask("share");
   begin(l);
   l->kept = !steps;
@@ -513,7 +517,7 @@ static bool start_browser(char *command, const char *address) {
   char *last = strdup(address);
   if (!placed) words[count] = last;
   if (count > 0 && last != NULL && !put.failed && posix_spawn_file_actions_init(&actions) == 0) {
-    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", 1 /* the flag O_WRONLY */, 0);
+    posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", 1 /* the flag O_WRONLY: for writing only */, 0);
     posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", 1, 0);
     started = posix_spawnp(&child, words[0], &actions, NULL, words, environ) == 0;
     posix_spawn_file_actions_destroy(&actions);

@@ -15,27 +15,29 @@
 
 #include "live/live_options.h"
 
-/* A view of an interpreter that the prompt uses. Every call must come from the prompt's thread. */
+/* A view of the interpreter that the prompt uses. All calls must come from the prompt's thread. */
 typedef struct live_follower live_follower;
 
 typedef enum { LIVE_NOTHING, LIVE_ASKED_SET, LIVE_ASKED_PROMPT } live_asked_kind;
-typedef struct { live_asked_kind kind; char *name, *value; } live_asked; /* A request; live_asked_free frees name and
-                                                                          * value. */
+typedef struct { live_asked_kind kind; char *name, *value; } live_asked; /* A request of a window; live_asked_free frees
+                                                                          * name and value. */
 
-/* Opens a view of the interpreter's drawing, prints its address and shows the current drawing. Ignores o->model, o's
- * host, parameters, ended and running. Returns NULL after a message on standard error. */
+/* Opens a view of the interpreter's drawing, prints the view's address and shows the current drawing. Ignores these
+ * members of o: model, the interpreter's host, parameters, ended and running. Returns NULL after a message on standard
+ * error. */
 live_follower *live_follow(const live_options *o, vs_scheme *scheme);
 void live_follow_close(live_follower *f);
 void live_follow_tell(const live_follower *f); /* Prints the address again, and opens the browser. */
-/* live_follow_begin: messages from now on belong to the next shown drawing. live_follow_output: receives such messages
- * from the host. */
+/* live_follow_begin: messages from now on belong to the drawing that is shown next. live_follow_output receives such
+ * messages from the host. */
 void live_follow_begin(live_follower *f);
 void live_follow_output(live_follower *f, const char *text, size_t length);
 void live_follow_value(live_follower *f, const char *text, size_t length);
 void live_follow_diagnose(live_follower *f, const vs_diagnostic *d);
 /* Shows the current drawing and the messages. */
 void live_follow_show(live_follower *f);
-/* Returns the next request of a window, or LIVE_NOTHING if there is none. Handles requests for outputs itself. */
+/* Returns the next request of a window, or LIVE_NOTHING if there is none. Does not return requests for outputs, which
+ * it handles itself. */
 live_asked live_follow_asked(live_follower *f);
 void live_asked_free(live_asked *a);
 

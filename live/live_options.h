@@ -9,17 +9,18 @@
 
 typedef struct live_options {
   const char *model;                    /* path of the file to show */
-  vs_options interpreter;               /* options of the interpreter; the view replaces its host */
+  vs_options interpreter;               /* options of the interpreter; the view replaces the callbacks in their member
+                                         * host */
   vs_output_options output;             /* tolerance, segments and passes of the view */
-  const char *const *parameters;        /* texts NAME=VALUE, set before the first run */
+  const char *const *parameters;        /* texts NAME=VALUE, set before the first run; NULL ends the list */
   size_t parameter_count;
-  /* Writes the findings in a text that replaces the model's, as vs check --json does. Any thread may call this
-   * function. It returns false if memory is out. NULL: there are no checks. */
+  /* Writes the findings of a check in a text that replaces the model's, as vs check --json does. Any thread may call
+   * this function. It returns false if memory is out. NULL: texts are not checked. */
   bool (*check)(const vs_options *interpreter, const char *path, const char *text, size_t length, FILE *to);
   bool open_browser;
   FILE *told;                           /* stream that receives a line with the view's address */
   const volatile sig_atomic_t *ended;   /* a value other than 0 ends the view */
-  /* Receives the interpreter, so that a signal can interrupt it, and NULL at the end. May be NULL. */
+  /* Receives the interpreter when it is made, so that a signal can interrupt it, and NULL at the end. May be NULL. */
   void (*running)(vs_scheme *scheme);
 } live_options;
 

@@ -9,8 +9,8 @@
 /* A text that grows. {0} is an empty text. `at` ends in NUL if it is not NULL. */
 typedef struct { char *at; size_t length, room; bool failed; } live_text;
 
-void live_add(live_text *t, const void *bytes, size_t length); /* appends bytes; after a failure all additions are
-                                                                * ignored */
+void live_add(live_text *t, const void *bytes, size_t length); /* appends bytes; if memory is out, sets t->failed, and
+                                                                * ignores all later additions */
 void live_puts(live_text *t, const char *text);
 void live_putf(live_text *t, const char *format, ...) __attribute__((format(printf, 2, 3)));
 void live_json(live_text *t, const char *text); /* appends a string, quoted and escaped; NULL becomes null */

@@ -1,6 +1,6 @@
-/* Implements the model's files. See model_files.h. Checking a few files costs a microsecond each, so the session polls
- * them about twenty times a second. Notification by the system would fail: editors save by renaming or by writing
- * twice, and some file systems send no events. */
+/* Reads, watches and writes the model's files. See model_files.h. Checking a few files costs a microsecond each, so the
+ * session checks them about twenty times a second. Notification by the system would not suffice: editors save by
+ * renaming or by writing twice, and some file systems send no events. */
 #define _XOPEN_SOURCE 700 /* for realpath */
 #include "live/model_files.h"
 
@@ -16,8 +16,8 @@
 
 const char LIVE_NEWER[] = "the file has changed on disk since it was read here";
 enum { MOST_BYTES = 256 << 20 };
-/* In milliseconds. The time of a file may be late by a tick of the system's clock, at most ten milliseconds. In a file
- * older than that, every later change is therefore visible. */
+/* Times in milliseconds. The recorded time of a change may be late by a tick of the system's clock, at most ten
+ * milliseconds. If a file's last change is older than SETTLE, every later change has another time, and is detected. */
 enum { SETTLE = 12, SETTLE_EMPTY = 500, SETTLE_MOST = 700, SETTLE_LOOK = 2 };
 
 bool live_file_read(const char *path, char **text, size_t *length, const char **why) {
@@ -96,7 +96,7 @@ static double file_age(const live_file *f) {
 
 bool live_files_note(live_files *f, const char *path) {
   for (size_t i = 0; i < f->count; i++)
-    if (strcmp(f->at[i].path, path) == 0) return true; /* the file is already recorded: keeps its state at the first
+    if (strcmp(f->at[i].path, path) == 0) return true; /* if the file is already recorded, keeps the state of its first
                                                         * read */
   if (f->count == f->room) {
     size_t room = f->room * 2 + 16;
@@ -132,10 +132,10 @@ bool live_files_changed(const live_files *f) {
     live_file now = file_now(was->path);
     if (is_another(&now, was)) return true;
     double age = file_age(&now);
-    if (was->young && age > SETTLE) return true; /* a file that changed a moment before it was read is read once more,
-                                                  * and then counts as old */
-    if (was->there && was->size == 0 && age >= 0 && age < SETTLE_EMPTY) return true; /* an editor is probably writing
-                                                                                      * the file */
+    if (was->young && age > SETTLE) return true; /* a file that changed just before it was read is read once more when
+                                                  * it is older than SETTLE */
+    /* the file was empty when it was read: an editor is probably writing it */
+    if (was->there && was->size == 0 && age >= 0 && age < SETTLE_EMPTY) return true;
   }
   return false;
 }
@@ -168,7 +168,8 @@ uint64_t live_file_hash(const char *text, size_t length) { /* the hash FNV-1a */
 }
 
 const char *live_file_write(const char *path, const char *text, size_t length, uint64_t expected) {
-  char *now = NULL, *real = realpath(path, NULL); /* if path is a link, the link remains */
+  char *now = NULL, *real = realpath(path, NULL); /* real: path at the end of links, so that a link remains and its
+                                                   * target is written */
   const char *why = "out of memory";
   size_t now_length;
   if (real == NULL) return "the file is gone";

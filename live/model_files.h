@@ -11,8 +11,8 @@
 typedef struct {
   char *path;
   bool there;
-  bool young; /* Whether the file had changed within a tick of its file system's clock when the state was recorded. A
-               * later write could then have the same time */
+  bool young; /* whether the file had changed within a tick of its file system's clock when the state was recorded, so
+               * that a later write could have the same time */
   dev_t device;
   ino_t inode;
   off_t size;
@@ -29,17 +29,18 @@ bool live_folder_list(const char *path, bool (*take)(void *to, const char *name,
                       const char **why);
 bool live_files_note(live_files *f, const char *path); /* Records the current state of a file, before it is read.
                                                         * Returns false if memory is out. */
-/* Returns true if a file changed, or if a file was read while it was empty, before its writing. */
+/* Returns true if a file has changed since it was recorded, or was empty when it was read, since its writing had just
+ * begun. */
 bool live_files_changed(const live_files *f);
-bool live_files_newer(const live_files *f); /* Returns true if a file changed since it was recorded. For calls while the
-                                             * files are being read. */
-/* Waits until no file has changed for a moment, at most about 0.7 seconds. A file whose last change is younger than a
- * tick of its file system's clock could change again without a visible difference. An empty file is probably being
+bool live_files_newer(const live_files *f); /* Returns true if a file has changed since it was recorded. For calls while
+                                             * other files are still being read. */
+/* Waits until no file has changed for a moment, at most about 0.7 seconds. If the last change of a file is younger than
+ * a tick of its file system's clock, the file could change again without another time. An empty file is probably being
  * written. */
 void live_files_settle(const live_files *f);
 void live_files_clear(live_files *f);
 uint64_t live_file_hash(const char *text, size_t length);
-/* Writes the file completely or not at all, and only over a file with the hash `expected`. Returns NULL on success,
+/* Writes the file completely or not at all, and only if the old file has the hash `expected`. Returns NULL on success,
  * otherwise the reason: LIVE_NEWER if another program has changed the file. */
 extern const char LIVE_NEWER[];
 const char *live_file_write(const char *path, const char *text, size_t length, uint64_t expected);

@@ -34,15 +34,15 @@ void live_publish_close(live_publish *p) {
   pthread_mutex_destroy(&p->lock);
 }
 
-static void publish_event(live_publish *p, const char *kind, const char *json) { /* Requires that the caller holds the
-                                                                                  * lock. */
+static void publish_event(live_publish *p, const char *kind, const char *json) { /* Sends an event. The caller must hold
+                                                                                  * the lock. */
   live_text t = { 0 };
   live_putf(&t, "id: %lu\nevent: %s\ndata: ", p->event_count + 1, kind);
   live_puts(&t, json);
   live_puts(&t, "\n\n");
   if (t.failed) {
     live_text_free(&t);
-    return; /* the next state contains all data of this event */
+    return; /* returns without an event, since the next state contains all its data */
   }
   char **slot = &p->events[p->event_count++ % LIVE_EVENTS];
   free(*slot);
@@ -64,7 +64,7 @@ void live_publish_state(live_publish *p, char *json) {
   pthread_mutex_unlock(&p->lock);
 }
 
-static void scene_drop(live_scene *s) { /* Requires that the caller holds the lock. */
+static void scene_drop(live_scene *s) { /* Releases a reference to the scene. The caller must hold the lock. */
   if (--s->uses > 0) return;
   live_chunks_free(&s->chunks);
   free(s->bytes);

@@ -1,5 +1,5 @@
-/* Declares the data that windows receive (the state after each run as JSON, the scene in pieces, events in order) and
- * the requests that they send. A lock protects the data. */
+/* Declares the data that windows receive: the state after each run as JSON, the scene in pieces, and events in order.
+ * Also declares the requests that windows send. A lock protects the data. */
 #ifndef VS_LIVE_PUBLISHED_H
 #define VS_LIVE_PUBLISHED_H
 
@@ -11,7 +11,7 @@
 
 enum { LIVE_EVENTS = 64, LIVE_VERSIONS = 8, LIVE_WISHES = 64 };
 
-/* A scene that threads may send while the next scene is made. */
+/* A scene as bytes, with a count of references: threads may still send it while the next scene is made. */
 typedef struct {
   unsigned uses;
   unsigned version;
@@ -22,23 +22,24 @@ typedef struct {
 
 typedef enum {
   LIVE_SET,    /* sets a parameter */
-  LIVE_TRY,    /* tries an unsaved text of the model; "": returns to the file */
+  LIVE_TRY,    /* tries an unsaved text of the model; an empty text returns to the file */
   LIVE_INPUT,  /* passes on an action of the user on the scene: its kind, and the ray */
   LIVE_PROMPT, LIVE_EXPORT
 } live_wish_kind;
 typedef struct live_wish {
   live_wish_kind kind;
   char *name, *value;
-  bool coarse;         /* SET: whether the slider is moving, so that round shapes may be coarse */
-  char *given;         /* EXPORT on the side: values of parameters, each as NAME LIVE_UNIT VALUE LIVE_RECORD; otherwise
-                        * NULL */
-  char *id;            /* EXPORT on the side: the window's name for the request, in its progress events; otherwise
-                        * NULL */
+  bool coarse;         /* SET: whether the window's slider is still moving, so that round shapes may be coarse */
+  char *given;         /* EXPORT by the side (aside.h): values of parameters, each as NAME LIVE_UNIT VALUE LIVE_RECORD;
+                        * otherwise NULL */
+  char *id;            /* EXPORT by the side (aside.h): name that the window has given the request, for events about its
+                        * progress; otherwise NULL */
   bool done;           /* EXPORT: whether the result is ready for the thread that waits for it */
-  live_text result;    /* result; after a failure: the reason, a line */
+  live_text result;    /* result of the request; if it failed: the reason, in one line */
   vs_outcome outcome;
-  bool cancelled;      /* EXPORT on the side: whether it must end soon */
-  bool abandoned;      /* whether no thread waits any more, so that the thread that finishes the request frees it */
+  bool cancelled;      /* EXPORT by the side (aside.h): whether the window has cancelled it, so that it must end soon */
+  bool abandoned;      /* whether no thread waits for the result any more, so that the thread that finishes the request
+                        * frees it */
   struct live_wish *next;
 } live_wish;
 enum { LIVE_UNIT = 0x1f, LIVE_RECORD = 0x1e };
@@ -51,16 +52,17 @@ typedef struct {
   bool ended;
   unsigned long event_count;      /* number of all events; the last LIVE_EVENTS are kept */
   char *events[LIVE_EVENTS];      /* events as lines of server-sent events */
-  char *state;                    /* newest state, for a new window: only the JSON text */
+  char *state;                    /* newest state as JSON, for a window that opens */
   live_scene *scene;              /* newest good scene, or NULL */
-  live_chunks past[LIVE_VERSIONS]; /* sorted pieces of the latest versions; those of version v are at index v %
-                                    * LIVE_VERSIONS */
+  live_chunks past[LIVE_VERSIONS]; /* sorted pieces of the latest versions of the scene; those of version v are at index
+                                    * v % LIVE_VERSIONS */
   unsigned past_version[LIVE_VERSIONS];
-  char *trial;                    /* unsaved text that replaces the model's until the file changes, or NULL */
-  live_queue wishes;              /* requests for the session */
-  bool working;                   /* whether the session is busy, so that Stop ends its work */
-  live_queue asides;              /* requests for the side (aside.h) */
-  live_wish *aside_now;           /* current request of the side, or NULL */
+  char *trial;                    /* unsaved text of a window that replaces the model's until the file changes, or
+                                   * NULL */
+  live_queue wishes;              /* requests that wait for the session */
+  bool working;                   /* whether the session is busy, so that the Stop button ends its work */
+  live_queue asides;              /* requests that wait for the side (aside.h) */
+  live_wish *aside_now;           /* request that the side (aside.h) is handling, or NULL */
   unsigned windows;
 } live_publish;
 
@@ -77,17 +79,17 @@ live_scene *live_scene_take(live_publish *p); /* Returns a new reference to the 
 void live_scene_release(live_publish *p, live_scene *s);
 live_wish *live_wish_new(live_wish_kind kind, const char *name, const char *value);
 void live_wish_free(live_wish *w);
-/* Puts w into the queue and takes it over. It replaces a waiting setting or text of the same name. Returns false, and
- * frees w, if too many requests wait. */
+/* Puts the request w into the queue, which takes it over. It replaces a waiting request of the same kind (a setting or
+ * a text) for the same name. Returns false, and frees w, if too many requests wait. */
 bool live_wish_put(live_publish *p, live_queue *q, live_wish *w);
-/* Returns true if a setting or a text waits for the session, so that the model must run again. */
+/* Returns true if a new value or text waits for the session, so that the model must run again. */
 bool live_wish_renews(live_publish *p);
-/* Returns the next request, or NULL if none arrives within wait_ms milliseconds. After a request the session counts as
- * busy. */
+/* Takes the next request out of the queue and returns it. Returns NULL if none arrives within wait_ms milliseconds.
+ * After a request the session counts as busy. */
 live_wish *live_wish_take(live_publish *p, live_queue *q, long wait_ms);
-/* Finishes request w: sets its result, which is taken over, and releases w. */
+/* Finishes the request w: sets its result, whose memory it takes over, and releases w. */
 void live_wish_finish(live_publish *p, live_wish *w, vs_outcome outcome, live_text result);
-void live_wish_cancel(live_publish *p, const char *id); /* cancels the side's request with this id */
+void live_wish_cancel(live_publish *p, const char *id); /* cancels the request of the side (aside.h) that has this id */
 /* Reads a file as vs_host.read_file does. If there is an unsaved text of the model, returns that text. */
 bool live_model_read(live_publish *p, const char *model, const char *path, char **text, size_t *length,
                      const char **why);

@@ -1,17 +1,18 @@
-/* Implements the output of a run. See said.h. A program may print without end. A reader needs the end of its text and
- * its last error, so these are kept. */
+/* Collects the output of a run. See said.h. A program may print without end. A reader needs the end of its text and its
+ * last errors, so only these are kept. */
 #include "live/said.h"
 
 #include <string.h>
 
-enum { MESSAGES = 200, ERRORS = 20 /* messages kept; in addition, errors kept */, NOTES = 40 };
+enum { MESSAGES = 200, ERRORS = 20 /* MESSAGES: greatest number of messages that are kept; ERRORS: number of errors that
+                                    * are kept in addition */, NOTES = 40 };
 
 static bool within_character(char c) { return ((unsigned char)c & 0xc0) == 0x80; }
 
 void live_tail_add(live_tail *t, const char *text, size_t length) {
   live_add(&t->text, text, length);
-  if (t->text.failed || t->text.length < 2 * (size_t)LIVE_KEPT) return; /* drops large pieces, so that each byte moves
-                                                                         * about once */
+  if (t->text.failed || t->text.length < 2 * (size_t)LIVE_KEPT) return; /* drops text only in large pieces, so that each
+                                                                         * byte is moved about once */
   size_t from = t->text.length - LIVE_KEPT;
   while (from > 0 && within_character(t->text.at[from])) from--;
   for (size_t i = 0; i < from; i++) t->missing += !within_character(t->text.at[i]);

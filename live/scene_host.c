@@ -1,5 +1,5 @@
-/* Implements the live view as a host of the scene. See scene_host.h. The procedure (scene-needs) returns whether the
- * scene acts in frames; vs_gizmos lists the gizmos. */
+/* Implements the live view's part as a host of the program's scene. See scene_host.h. The procedure (scene-needs)
+ * returns whether the scene changes with time; vs_gizmos lists the gizmos (handles to drag). */
 #include "live/scene_host.h"
 
 #include <math.h>
@@ -18,8 +18,8 @@ static void add_numbers(live_text *t, const double *x, size_t count) {
 typedef struct { live_text *text; size_t count; } gizmos_told;
 
 static bool add_gizmo(void *context, vs_scheme *s, const vs_gizmo *g) {
-  static const char *const kinds[] = { "trigger", "slider", "arrow", "tripod" }; /* names in the order of
-                                                                                  * vs_gizmo_kind */
+  static const char *const kinds[] = { "trigger", "slider", "arrow", "tripod" }; /* kinds[k]: name of gizmos of
+                                                                                  * vs_gizmo_kind k */
   gizmos_told *to = context;
   live_text *t = to->text;
   const char *name = vs_node_name(s, g->node);
@@ -58,7 +58,8 @@ bool live_scene_needs(vs_scheme *s, live_text *t) {
 }
 
 vs_outcome live_scene_input(vs_scheme *s, const char *kind, const char *text) {
-  static const char *const kinds[] = { "press", "drag", "release", "move" }; /* names in the order of vs_input_kind */
+  static const char *const kinds[] = { "press", "drag", "release", "move" }; /* kinds[k]: name of inputs of
+                                                                              * vs_input_kind k */
   static const char *const buttons[] = { "left", "middle", "right", "none" };
   enum { COUNT = 4 };
   char word[8];

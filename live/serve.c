@@ -1,13 +1,13 @@
-/* Implements the HTTP side of the live view: access, and the answers.
+/* Implements the HTTP server of the live view: access control, and the answers to requests.
  *
  * The server listens on the loopback address only. The page itself (/, /live.js, /live.css) is equal for everybody and
  * contains no secret. Every other request needs the token in the header X-VS-Token. The page reads the token from the
  * fragment of its address, which browsers never send, not even as a Referer. The server refuses a foreign Host or
- * Origin. A foreign page, or a foreign name that resolves to this address, therefore receives nothing. It serves no
- * file by name.
+ * Origin. A foreign page, or a foreign name that resolves to this address, therefore receives nothing. The server
+ * serves no file by name.
  *
- * These are limited: connections, bytes of a request's head and body, bytes of waiting work, the time of a silent
- * client, and the number of slow clients (waiting.h). */
+ * The server limits the number of connections, the bytes of a request's head and body, the bytes of waiting work, the
+ * time of a silent client, and the number of slow clients (waiting.h). */
 #define _GNU_SOURCE
 #include "live/serve.h"
 
@@ -122,8 +122,8 @@ typedef struct {
   bool first;
 } listener;
 
-/* Returns true if the window has closed its side. A failed write would show this too, but there may be nothing to write
- * for a long time. */
+/* Returns true if the window has closed its side of the connection. A failed write would also show this, but there may
+ * be nothing to write for a long time. */
 static bool gone(int socket) {
   char byte;
   ssize_t got = recv(socket, &byte, 1, MSG_PEEK | MSG_DONTWAIT);
@@ -155,15 +155,15 @@ static ssize_t listener_read(void *context, uint64_t position, char *buffer, siz
       l->first = false;
     } else if (l->next == p->event_count && !p->ended) {
       struct timespec until = in_seconds(5);
-      /* writes a line, because a failed write shows that the window is gone */
+      /* writes a line without data, because a failed write shows that the window is gone */
       if (pthread_cond_timedwait(&p->changed, &p->lock, &until) == ETIMEDOUT) live_puts(&l->text, ": here\n\n");
       if (gone(l->socket)) {
         pthread_mutex_unlock(&p->lock);
         return MHD_CONTENT_READER_END_WITH_ERROR;
       }
     }
-    if (p->event_count - l->next > LIVE_EVENTS) { /* the window is too slow; the newest state contains everything that
-                                                   * it missed */
+    if (p->event_count - l->next > LIVE_EVENTS) { /* the window was too slow and has missed events; the newest state
+                                                   * contains everything that it missed */
       l->next = p->event_count;
       if (p->state != NULL) {
         live_puts(&l->text, "event: state\ndata: ");
@@ -187,7 +187,8 @@ static void listener_free(void *context) {
   listener *l = context;
   pthread_mutex_lock(&l->server->publish->lock);
   l->server->publish->windows--;
-  pthread_cond_broadcast(&l->server->publish->changed); /* another window may wait for the place that is now free */
+  pthread_cond_broadcast(&l->server->publish->changed); /* wakes other windows, which may wait for the place that is now
+                                                         * free */
   pthread_mutex_unlock(&l->server->publish->lock);
   live_text_free(&l->text);
   free(l);
@@ -201,8 +202,8 @@ static enum MHD_Result serve_events(live_server *s, struct MHD_Connection *c) {
   l->socket = info != NULL ? info->connect_fd : -1;
   l->first = true;
   pthread_mutex_lock(&s->publish->lock);
-  /* A page that is reloaded repeatedly leaves windows behind. The server writes to all windows and drops those that are
-   * gone. */
+  /* A page that is reloaded repeatedly leaves connections of closed windows behind. The server waits while it writes to
+   * all windows, and drops those that are gone. */
   struct timespec until = in_seconds(1);
   if (s->publish->windows >= WINDOWS) pthread_cond_broadcast(&s->publish->changed);
   while (s->publish->windows >= WINDOWS && !s->publish->ended)
@@ -264,7 +265,7 @@ static enum MHD_Result serve_scene(live_server *s, struct MHD_Connection *c) {
   return answer_live_text(s, c, "application/octet-stream", &t);
 }
 
-/* ---- the source ---- */
+/* ---- the source text of the model ---- */
 
 static const char NO_SOURCE[] = "the view follows a prompt: there is no file behind it\n";
 
@@ -317,8 +318,8 @@ static enum MHD_Result serve_names(live_server *s, struct MHD_Connection *c) {
   return answer_live_text(s, c, "application/json", &t);
 }
 
-/* Answers with the ways to call a name of the language, for the line below the source. The object is empty if there is
- * no such name. */
+/* Answers with the ways to call a name of the language, which the window shows below the source. The answer is an empty
+ * object if there is no such name. */
 static enum MHD_Result serve_name(live_server *s, struct MHD_Connection *c) {
   const char *name = query(s, c, "of");
   vs_name_info info;
@@ -345,7 +346,7 @@ static enum MHD_Result serve_check(live_server *s, struct MHD_Connection *c, con
   FILE *to = s->options->check != NULL && s->model != NULL ? open_memstream(&bytes, &count) : NULL;
   if (to == NULL) return answer_text(s, c, 404, "nobody checks here\n");
   const char *text = body->at != NULL ? body->at : "";
-  pthread_mutex_lock(&s->names_lock); /* checks run one at a time, because each may need memory and seconds */
+  pthread_mutex_lock(&s->names_lock); /* runs only one check at a time, because each may need much memory and seconds */
   bool ok = s->options->check(&s->options->interpreter, s->model, text, body->length, to);
   pthread_mutex_unlock(&s->names_lock);
   ok = fclose(to) == 0 && ok;
@@ -364,8 +365,8 @@ static enum MHD_Result wish(live_server *s, struct MHD_Connection *c, live_wish_
                                                            : answer_text(s, c, 503, "too many requests are waiting\n");
 }
 
-/* GET: answers with the current drawing. POST: answers with the drawing of the text with the values in the body, made
- * on the side; `id` is the window's name for the request. */
+/* GET: answers with the current drawing in a format. POST: answers with the drawing of the text for the parameter
+ * values in the body, which the side (aside.h) makes; `id` is the window's name for the request. */
 static enum MHD_Result export(live_server *s, struct MHD_Connection *c, const live_text *values) {
   const char *format = query(s, c, "format"), *size = query(s, c, "size"), *id = query(s, c, "id");
   const vs_format_info *info = format != NULL ? vs_format_find(format) : NULL;
@@ -415,8 +416,8 @@ static bool make_token(char out[33]) {
   return ok;
 }
 
-/* Answers with the page. Its editor adds style sheets. The policy allows them by a nonce that only this answer has, in
- * place of @nonce@. */
+/* Answers with the page. The page's editor adds style sheets. The security policy allows them by a nonce (a random
+ * word) that only this answer contains, in place of @nonce@. */
 static enum MHD_Result serve_page(live_server *s, struct MHD_Connection *c) {
   static const char mark[] = "@nonce@";
   char nonce[33], policy[sizeof POLICY(" 'nonce-'") + sizeof nonce];
@@ -478,7 +479,7 @@ static enum MHD_Result dispatch(live_server *s, struct MHD_Connection *c, const 
   return answer_text(s, c, 404, "there is nothing here\n");
 }
 
-/* Returns the connection's entry among the connections that wait. */
+/* Returns the connection's entry in the table of connections that wait (waiting.h). */
 static live_waiter *waiter(const live_server *s, struct MHD_Connection *c) {
   const union MHD_ConnectionInfo *info = s->http.get_connection_info(c, MHD_CONNECTION_INFO_SOCKET_CONTEXT);
   return info != NULL ? info->socket_context : NULL;
@@ -501,7 +502,7 @@ static enum MHD_Result handle(void *context, struct MHD_Connection *c, const cha
   request *r = *state;
   (void)version;
   if (r == NULL) {
-    pthread_mutex_lock(&s->publish->lock); /* waits until the server is open */
+    pthread_mutex_lock(&s->publish->lock); /* a request that arrives early waits here until the server is open */
     pthread_mutex_unlock(&s->publish->lock);
     *state = calloc(1, sizeof(request));
     return *state != NULL ? MHD_YES : MHD_NO;
@@ -529,7 +530,7 @@ static void completed(void *context, struct MHD_Connection *c, void **state, enu
 
 /* ---- opening ---- */
 
-/* ignores a client that vanishes, which is not an error */
+/* drops messages of the library about clients that vanish, which is not an error */
 static void quiet(void *context, const char *format, va_list arguments) {
   (void)context, (void)format, (void)arguments;
 }
@@ -548,7 +549,8 @@ bool live_server_open(live_server *s) {
   pthread_mutex_init(&s->names_lock, NULL);
   live_waiting_open(&s->waiting);
   s->names = vs_new(NULL);
-  pthread_mutex_lock(&s->publish->lock); /* an early request waits here until the port and the names below are known */
+  pthread_mutex_lock(&s->publish->lock); /* with the lock held, an early request waits until the port and the host names
+                                          * are known */
   sigset_t was;
   vs_signals_hold(&was); /* the command's signal handlers must not run in the server's threads */
   s->daemon = s->http.start_daemon(MHD_USE_INTERNAL_POLLING_THREAD | MHD_USE_THREAD_PER_CONNECTION | MHD_USE_ERROR_LOG,

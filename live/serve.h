@@ -1,4 +1,4 @@
-/* Declares the HTTP side of the live view. */
+/* Declares the HTTP server of the live view. */
 #ifndef VS_LIVE_SERVE_H
 #define VS_LIVE_SERVE_H
 
@@ -10,21 +10,22 @@ typedef struct live_server {
   live_http http;
   live_publish *publish;
   const char *model;          /* path of the source that windows read and write; NULL: there is no source */
-  void (*stop)(void *context); /* interrupts the current run; any thread may call it */
+  void (*stop)(void *context); /* interrupts the current run of the model; any thread may call it */
   void *stop_context;
   const struct live_options *options; /* options of the view, of which the server uses the function `check` */
-  vs_scheme *names;                  /* interpreter for completion; use it only with names_lock held */
+  vs_scheme *names;                  /* interpreter that provides names for completion; may only be used with names_lock
+                                      * held */
   pthread_mutex_t names_lock;
   struct MHD_Daemon *daemon;
-  live_waiting waiting;       /* connections whose request is incomplete */
+  live_waiting waiting;       /* table of the connections whose request is incomplete */
   unsigned port;
   char token[33];
-  char hosts[2][32];          /* accepted values of Host: "127.0.0.1:PORT", "localhost:PORT" */
+  char hosts[2][32];          /* accepted values of the header Host: "127.0.0.1:PORT", "localhost:PORT" */
 } live_server;
 
-bool live_server_open(live_server *s);  /* Opens the server; http, publish, model and stop must be set. Returns false
-                                         * after a message on standard error. */
-void live_server_close(live_server *s); /* Closes the server. The caller first sets publish->ended, so that waiting
-                                         * windows end. */
+bool live_server_open(live_server *s);  /* Opens the server; the members http, publish, model and stop must be set.
+                                         * Returns false after a message on standard error. */
+void live_server_close(live_server *s); /* Closes the server. The caller must first set publish->ended, so that the
+                                         * threads of waiting windows end. */
 
 #endif

@@ -11,7 +11,8 @@ void live_waiting_open(live_waiting *w) {
 
 void live_waiting_close(live_waiting *w) { pthread_mutex_destroy(&w->lock); }
 
-static void waits(live_waiting *w, live_waiter *c) { /* Requires that the caller holds the lock. */
+static void waits(live_waiting *w, live_waiter *c) { /* Records that connection c waits for its client. The caller must
+                                                      * hold the lock. */
   live_waiter *longest = c;
   int count = 0;
   c->since = ++w->turn;
@@ -22,7 +23,8 @@ static void waits(live_waiting *w, live_waiter *c) { /* Requires that the caller
   }
   if (count <= WAITING_MOST) return;
   longest->since = 0;
-  shutdown(longest->socket, SHUT_RDWR); /* the connection's thread then reads the end of the stream, and closes it */
+  shutdown(longest->socket, SHUT_RDWR); /* shuts down the connection that has waited longest; its thread then reads the
+                                         * end of the stream, and closes it */
 }
 
 live_waiter *live_waiter_begin(live_waiting *w, int socket) {

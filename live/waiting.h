@@ -7,15 +7,16 @@
 #include <pthread.h>
 #include <stdbool.h>
 
-enum { WAITING_MOST = 12, WAITING_SLOTS = 64 }; /* WAITING_SLOTS: number of entries, more than the greatest number of
+enum { WAITING_MOST = 12, WAITING_SLOTS = 64 }; /* WAITING_MOST: greatest number of connections that may wait;
+                                                 * WAITING_SLOTS: number of entries, more than the greatest number of
                                                  * connections */
 
-/* since: turn in which the connection began to wait; 0: it does not wait */
+/* An entry of the table. since: number of the turn in which the connection began to wait; 0: it does not wait */
 typedef struct { int socket; bool used; unsigned long since; } live_waiter;
 typedef struct { pthread_mutex_t lock; unsigned long turn; live_waiter slots[WAITING_SLOTS]; } live_waiting;
 
 void live_waiting_open(live_waiting *w);
-void live_waiting_close(live_waiting *w); /* called after the last connection has ended */
+void live_waiting_close(live_waiting *w); /* frees the table; called after the last connection has ended */
 
 /* Returns an entry for a connection that waits, valid until live_waiter_end. Returns NULL if no entry is free; the
  * connection then has no limit. The functions below accept NULL for c. */

@@ -416,12 +416,12 @@ void vs_session_advise_named(vs_session *s, vs_value v, vs_pos pos) {
   const char *more = p.at + n;
   while (more < p.end && (*more == ' ' || *more == '\t')) more++;
   if (!n || n > 80 || more == p.end || strchr("\r\n;)]", *more)) return;
-  size_t assigned = vs_outline_word(more, p.end); /* the line is like const r = 3: the error about r follows, so this
-                                                   * word gets no advice */
+  size_t assigned = vs_outline_word(more, p.end); /* returns without advice for const r = 3: the error about r
+                                                   * follows */
   const char *sign = more + assigned + (more + assigned < p.end && more[assigned] == ' ');
   if (assigned && sign < p.end && *sign == '=') return;
   uint32_t line = 0;
-  const char *end = more; /* the text after the name ends with its line */
+  const char *end = more; /* end: where the line of the name ends, unless a datum continues further */
   for (const char *next = more; !line && next < p.end && *next != ')' && *next != ']';) {
     end = vs_outline_datum(next, p.end, &line);
     next = vs_outline_blanks(end, p.end, &line);

@@ -200,8 +200,8 @@ vs_outcome vs_session_report_condition(vs_session *s, vs_value condition, bool u
     }
   }
   if (printed && vs_text_end(&t)) message = t.at;
-  else if (outcome != VS_OUTCOME_INTERRUPTED) outcome = VS_OUTCOME_MACHINE; /* even if the error has no message, because
-                                                                             * memory is out, it has an outcome */
+  /* without memory for the message, the outcome is a fault of the machine, unless the user interrupted */
+  else if (outcome != VS_OUTCOME_INTERRUPTED) outcome = VS_OUTCOME_MACHINE;
   if (late) {
     snprintf(limit, sizeof limit, "the output: stopped after %g seconds, the limit", s->options.limit_time);
     message = limit;

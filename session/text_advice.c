@@ -98,7 +98,8 @@ bool vs_text_advise_hidden(vs_text_place p, vs_text *t) {
     word head = head_of(at, p.end);
     const char *list = next_of(skip_blanks(head.at, p.end), p.end);
     bool parameter = is_among(head, "lambda") && opens(list, p.end) && has_parameter(list, p.end, name);
-    const char *before = at; /* a parenthesis or another binding of this form precedes a binding of the name */
+    const char *before = at; /* before: end of the text before the name, which must be a parenthesis or another
+                              * binding */
     while (before > form && strchr(" \t\r\n", before[-1])) before--;
     bool clause = same(head, name) && before > form && strchr("([)]", before[-1]) && skip_datum(at, p.end) <= p.at;
     if (!parameter && !clause) continue;

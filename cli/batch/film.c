@@ -1,5 +1,5 @@
-/* Computes the names of the frames of --frames and the values of their changing parameter. Makes films of them (H.264
- * in .mp4) by ffmpeg. */
+/* Computes the names of the frames of --frames (a sequence of pictures), and the values of the parameter that changes.
+ * Makes films of the frames (H.264 in .mp4) by ffmpeg. */
 #define _GNU_SOURCE
 #include "cli/batch/film.h"
 
@@ -13,7 +13,7 @@
 
 enum { PATH_ROOM = 4096, NUMBER_ROOM = 24, NO_FFMPEG = 127 };
 
-/* Returns the length of the part of the name before "-001.png". */
+/* Returns the length of a frame's name without its end "-001.png". */
 static size_t stem_of(const char *first) {
   const char *dash = strrchr(first, '-');
   return dash ? (size_t)(dash - first) : strlen(first);
@@ -31,8 +31,8 @@ static bool put_pattern(const char *first, char *out, size_t room) {
   return used + NUMBER_ROOM + 2 < room;
 }
 
-/* Runs ffmpeg and returns its exit code. H.264 requires even sizes. The option bitexact keeps ffmpeg's version out of
- * the file. */
+/* Runs ffmpeg and returns its exit code. Pads the pictures to even sizes, which H.264 requires. The option bitexact
+ * keeps ffmpeg's version out of the film's file. */
 static int run_ffmpeg(const cli_film *f, const char *part) {
   char rate[NUMBER_ROOM], number[NUMBER_ROOM], from[2 * PATH_ROOM], to[PATH_ROOM + NUMBER_ROOM];
   const char *digits = f->first + stem_of(f->first);

@@ -8,14 +8,14 @@
 #include "visualscheme.h"
 
 /* The option --frames: the model runs `count` times (0 without the option), and the parameter changes in equal steps
- * from `from` to `to`. */
+ * from `from` to `to`. resume: frames that are newer than the model are not made again. */
 typedef struct { long count; char parameter[64]; double from, to; bool resume; } cli_frames;
 
 enum { CLI_FRAME_ROOM = 40 };
 /* Writes the frame's number for a file name: with at least three digits, so that names sort in order. */
 void cli_frame_number(const cli_frames *f, long frame, char out[CLI_FRAME_ROOM]);
-/* Writes the parameter's value in a frame. An integral value is written as an integer, since a parameter may be
- * exact. */
+/* Writes the parameter's value in a frame. A value that is a whole number is written as an integer, since the parameter
+ * may require an exact number. */
 void cli_frame_value(const cli_frames *f, long frame, char out[CLI_FRAME_ROOM]);
 
 typedef struct {
@@ -23,7 +23,7 @@ typedef struct {
                       * numbers */
   size_t count;
   long rate;         /* frames per second */
-  bool stands;       /* whether no frame has changed, so that an existing film need not be made again */
+  bool stands;       /* whether no frame has changed since the last film, so that an existing film is kept */
   bool quiet;
 } cli_film;
 

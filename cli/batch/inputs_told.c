@@ -1,4 +1,4 @@
-/* Passes messages between the batch of `vs render` and its runs, which are processes. */
+/* Passes messages between `vs render` and the processes that it starts, one for each run of a model. */
 #define _GNU_SOURCE /* declares memfd_create */
 #include "cli/batch/inputs_told.h"
 
@@ -18,7 +18,7 @@ int cli_inputs_begin(void) {
   char number[24];
   int list = memfd_create("visualscheme-inputs", 0);
   if (list < 0) return -1;
-  fcntl(list, F_SETFL, O_APPEND); /* all runs write at the end of the file, whose position they share */
+  fcntl(list, F_SETFL, O_APPEND); /* appends each name at the end of the file, whose position all processes share */
   snprintf(number, sizeof number, "%d", list);
   if (setenv(variable, number, 1) == 0) return list;
   close(list);

@@ -1,5 +1,6 @@
-/* Declares the messages between the batch of `vs render` and its runs. The runs send the names of the files they read,
- * each ending in NUL, in an inherited file without a name. The batch sends the options as typed, in the environment. */
+/* Declares the messages between `vs render` (the batch) and the processes in which it runs models. A run sends the
+ * names of the files that it has read, each ending in NUL, in an inherited file without a name. The batch sends its
+ * options as the user typed them, in the environment. */
 #ifndef VS_CLI_BATCH_INPUTS_TOLD_H
 #define VS_CLI_BATCH_INPUTS_TOLD_H
 

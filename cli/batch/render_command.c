@@ -1,9 +1,9 @@
 /* Implements `vs render`: makes one picture for each model, set of parameters, view and frame, and films of the frames.
  *
- * A picture is up to date if the manifest of the last run lists it with the same hashes of scene, options and file. The
- * scene is the text of the .pov file. `vs render` therefore notices every change of a file that changes the picture,
- * and ignores all others. Each picture is made by a separate process of this program, so that a model that fails
- * affects no other. `--jobs` processes run at a time. */
+ * The manifest is a file that lists the pictures of the last run. A picture is up to date if the manifest has the
+ * present hashes of its scene, options and file. The scene is the text of the .pov file. `vs render` therefore notices
+ * every change of a file that changes the picture, and ignores all others. Each picture is made by a separate process
+ * of this program, so that a model that fails affects no other. `--jobs` processes run at a time. */
 #define _GNU_SOURCE
 #include "cli/batch/render_command.h"
 
@@ -39,15 +39,16 @@ typedef struct {
 typedef struct {
   const char *model;
   char *set, *view, *file; /* set: parameters as "a=1,b=2", or NULL; view: name, or NULL for the model's default view */
-  const char *given;       /* the part of `set` from --set (NULL: none); the other part is the parameter of --frames */
+  const char *given;       /* the part of `set` that comes from --set (NULL: none); the rest is the parameter of
+                            * --frames */
   char exposure[EXPOSURE_ROOM]; /* exposure in stops for all frames of a film; empty: the exposure in the options */
-  uint64_t metered;        /* hash of the first frame's scene, from which the exposure was computed */
+  uint64_t metered;        /* hash of the scene of the film's first frame, from which the exposure was computed */
   long frame;              /* number of the frame from 1, or 0 without --frames; the frames of a film are consecutive in
                             * the batch */
   pid_t process;
-  int told;                /* descriptor of the pipe's end from which the result is read */
-  bool known, failed;      /* known: the model has run, and result.model is set; failed: it has failed, without a
-                            * message so far */
+  int told;                /* descriptor from which the picture's process is read: the reading end of a pipe */
+  bool known, failed;      /* known: the model has run, and result.model is set; failed: its run has failed, and no
+                            * message was printed yet */
   result result;
 } picture;
 typedef struct {
@@ -62,10 +63,12 @@ typedef struct {
   const char *manifest_path;  /* path of the manifest, or NULL */
   int lock;                   /* descriptor of the locked manifest, or -1 */
   bool manifest_made;         /* whether this run has created the manifest, empty, to lock it */
-  bool unwritten;             /* whether writing the manifest failed, which was already reported */
+  bool unwritten;             /* whether writing the manifest failed, and this was reported */
   int told;                   /* descriptor of the file for the names of files read by the runs, or -1 */
-  vs_outcome failed;          /* outcome of the first model whose views could not be found, else VS_OUTCOME_DONE */
-  vs_scheme *inputs;          /* an interpreter that records the files read, which no output may replace */
+  vs_outcome failed;          /* outcome of the first model whose views could not be listed, otherwise
+                               * VS_OUTCOME_DONE */
+  vs_scheme *inputs;          /* an interpreter that records the files that models have read, which no output may
+                               * replace */
 } batch;
 
 static bool no_memory(void) { return fputs("vs: out of memory\n", stderr), false; }
@@ -78,8 +81,8 @@ static const uint64_t hash_begin = UINT64_C(0xcbf29ce484222325);
 
 /* ---- the list of pictures ---- */
 
-/* Appends the text to `to`, with stem "name" for "models/name.vs". Replaces characters that a file name cannot
- * contain. */
+/* Appends the text to the file name `to`. stem: appends only "name" of "models/name.vs". Replaces characters that a
+ * file name cannot contain. */
 static void put_word(char *to, size_t room, const char *text, bool stem) {
   const char *slash = strrchr(text, '/'), *from = stem && slash ? slash + 1 : text;
   const char *dot = stem ? strrchr(from, '.') : NULL;
@@ -147,7 +150,7 @@ static bool name_picture(const batch *b, const char *model, size_t set, const ch
     const char *slash = strrchr(out, '/'), *dot = strrchr(out, '.');
     if (dot && (!slash || dot > slash)) ending = dot;
     snprintf(name, PATH_ROOM - 200, "%.*s", (int)(dot && (!slash || dot > slash) ? dot - out : (ptrdiff_t)length), out);
-  } else { /* no -o: the picture is written beside the model */
+  } else { /* without the option -o, the picture is written beside the model */
     const char *slash = strrchr(model, '/'), *dot = strrchr(model, '.');
     snprintf(name, PATH_ROOM - 200, "%.*s", (int)(dot && (!slash || dot > slash) ? dot - model
                                                                                   : (ptrdiff_t)strlen(model)), model);
@@ -177,7 +180,7 @@ static void say(void *context, const vs_diagnostic *d) {
             d->message);
 }
 
-/* Adds a picture, or with --frames one for each frame, whose parameter is appended to the set. */
+/* Adds a picture to the batch. With --frames, adds a picture for each frame, whose parameter is appended to the set. */
 static bool add_frames(batch *b, const char *model, size_t set, const char *view) {
   const cli_options *o = b->options;
   const char *given = o->set_count ? o->sets[set] : NULL;
@@ -196,8 +199,8 @@ static bool add_frames(batch *b, const char *model, size_t set, const char *view
   return ok;
 }
 
-/* Adds the pictures of a model. With --all-views, runs the model once for the names of its views. If this fails, b
- * keeps the first failure and the batch continues. Returns false, after a message, if a picture cannot be named. */
+/* Adds the pictures of a model. With --all-views, first runs the model for the names of its views. If this run fails,
+ * stores the first such outcome in b and continues. Returns false, after a message, if a picture cannot be named. */
 static bool add_model(batch *b, const char *model, size_t set) {
   const cli_options *o = b->options;
   const char *view;
@@ -242,7 +245,8 @@ static char *read_text(const char *path) {
 }
 
 /* Returns the line about the picture in the manifest of the last run, without comma and line end, or NULL.
- * write_manifest writes one line for each picture. If the manifest has another form, pictures are just made again. */
+ * write_manifest writes one line for each picture. If the manifest was not written in this form, all pictures are made
+ * again. */
 static const char *line_of(const batch *b, const picture *p, size_t *length) {
   char *key = NULL;
   size_t size = 0;
@@ -305,8 +309,8 @@ static bool may_film(const batch *b, const picture *p) {
   return b->options->film <= 0 || p->frame != 1 || (cli_film_name(p->file, film, sizeof film), may_write(b, film));
 }
 
-/* Writes a file by `fill`, which gets its name only when it is complete. With lock not NULL, the file is locked before
- * it gets its name, and *lock is its descriptor. */
+/* Writes a file by calling `fill`. The file gets its name only when it is complete. If lock is not NULL, the file is
+ * locked before it gets its name, and *lock becomes its descriptor. */
 static bool write_whole(const batch *b, const char *path, void (*fill)(const batch *b, FILE *to), int *lock) {
   char part[PATH_ROOM];
   if (!may_write(b, path)) return false;
@@ -325,7 +329,7 @@ static bool write_whole(const batch *b, const char *path, void (*fill)(const bat
 static void fill_manifest(const batch *b, FILE *to) {
   fprintf(to, "{\"vs\": \"%s\", \"pictures\": [\n", vs_version());
   for (size_t i = 0; i < b->count; i++) {
-    /* A picture that this run has not tried keeps its line of the old manifest. */
+    /* For a picture that this run has not tried, copies the line of the old manifest. */
     size_t length = 0;
     const char *line = b->at[i].result.fate == NOT_TRIED ? line_of(b, &b->at[i], &length) : NULL;
     if (line) fwrite(line, 1, length, to);
@@ -395,12 +399,12 @@ static const char **words_of(const batch *b, const picture *p, char **defines, c
   return w;
 }
 
-/* In a child process: asks the system for this signal when the parent is killed. The child then also ends its own
- * children and removes its temporary files. */
+/* In a child process: asks the system to send this signal when the parent is killed. With SIGTERM, the child first ends
+ * its own children and removes its temporary files. */
 static void die_with_parent(int how) { prctl(PR_SET_PDEATHSIG, how); }
 
-/* Waits for a process, and sends it the signal that ends the batch. A terminal sends signals to both, but another
- * program may send them only to the batch. */
+/* Waits for a process. If a signal ends the batch meanwhile, sends that signal to the process: a terminal sends signals
+ * to both, but another program may send them only to the batch. */
 static void await(const batch *b, pid_t process, int *status) {
   bool asked = false;
   for (pid_t one = 0; one == 0;) {
@@ -473,8 +477,8 @@ static result make(const batch *b, const picture *p) {
 /* ---- the exposure of a film ----
  *
  * An automatic exposure would differ in each frame, and the film would flicker. Therefore the batch renders the first
- * frame once more, as light, and uses its exposure for all frames. The manifest stores it with the hash of the first
- * frame's scene, for a run that continues the film. */
+ * frame once more, as linear light, and uses its exposure for all frames. The manifest stores this exposure with the
+ * hash of the first frame's scene, for a run that continues the film. */
 
 /* Sets the picture's exposure to that of the last run, if the scene of the first frame has not changed. Otherwise
  * returns false. */
@@ -491,7 +495,7 @@ static bool recall_exposure(const batch *b, picture *p) {
   return true;
 }
 
-/* Renders the frame without exposure (as linear light), and computes the exposure for it. */
+/* Renders the picture without exposure (as linear light), and computes the exposure that this light requires. */
 static int meter(const batch *b, picture *p) {
   char light[PATH_ROOM + 20], developed[PATH_ROOM + 20];
   double stops = 0;
@@ -514,7 +518,7 @@ static bool is_png(const char *file) {
   return dot && !strcmp(dot, ".png");
 }
 
-/* Sets the exposure of each film from its first frame. A first frame that fails is marked as failed. */
+/* Sets the exposure of each film from the film's first frame. Marks a first frame that fails. */
 static void expose_films(batch *b, const volatile sig_atomic_t *ended) {
   for (size_t from = 0, to; from < b->count && !*ended; from = to) {
     picture *p = &b->at[from];
@@ -549,7 +553,8 @@ static bool start(batch *b, picture *p, picture_work *work) {
   p->process = fork();
   if (p->process == 0) {
     close(ends[0]);
-    die_with_parent(SIGKILL); /* the process waits for the model's run, and would not react to SIGTERM */
+    die_with_parent(SIGKILL); /* a process that waits for the model's run does not react to SIGTERM, so it asks for
+                               * SIGKILL */
     result r = work(b, p);
     ssize_t sent = write(ends[1], &r, sizeof r);
     _exit(sent == sizeof r ? 0 : 1);
@@ -559,7 +564,7 @@ static bool start(batch *b, picture *p, picture_work *work) {
   return p->process > 0;
 }
 
-/* Writes the manifest again. The lock moves from the old file to the new one. Returns false after a message. */
+/* Writes the manifest again. The lock moves from the old file to the new file. Returns false after a message. */
 static bool write_manifest(batch *b) {
   int was = b->lock;
   b->lock = -1;
@@ -569,8 +574,8 @@ static bool write_manifest(batch *b) {
   return ok;
 }
 
-/* Locks the manifest for this run, and reads it. Returns false, after a message, if another run has locked it or it
- * cannot be written. */
+/* Locks the manifest for this run, and reads it. Returns false, after a message, if another run has locked the manifest
+ * or it cannot be written. */
 static bool take_manifest(batch *b) {
   const char *path = b->manifest_path;
   struct stat mine, named;
@@ -667,9 +672,10 @@ static bool takes_place(const batch *b, const picture *p) {
   return !found || found >= line + length;
 }
 
-/* If outputs would replace other files, first runs all models without making pictures, since a model may read the
- * output of another, and only the batch knows its manifest and its sheet. No model runs more often for it. Returns
- * false, after a message and before anything is written, if an output is an input. */
+/* Called if outputs would replace existing files. First runs all models without making pictures, since a model may read
+ * the output of another, and only the batch knows the names of its manifest and its sheet. The results are used later,
+ * so no model runs more often. Returns false, after a message and before anything is written, if an output is an input
+ * of a model. */
 static bool try_models(batch *b) {
   bool any = (b->manifest_path && !b->manifest_made) || (b->options->sheet && access(b->options->sheet, F_OK) == 0);
   bool ok = true;
@@ -699,8 +705,8 @@ static vs_outcome make_films(const batch *b) {
   return outcome;
 }
 
-/* Writes the name of the manifest if frames are written without a folder of their own: f.manifest.json for f.png. The
- * name f.json might be that of an input of the model. */
+/* Writes the name of the manifest for frames that have no folder of their own: f.manifest.json for f.png. The shorter
+ * name f.json might be an input of the model. */
 static const char *manifest_beside(const char *path, char name[PATH_ROOM]) {
   const char *slash = strrchr(path, '/'), *dot = strrchr(path, '.');
   size_t stem = dot && (!slash || dot > slash) ? (size_t)(dot - path) : strlen(path);
@@ -719,7 +725,7 @@ static bool make_folder(const cli_options *o) {
   return fprintf(stderr, "vs render: the folder %s cannot be made: %s\n", folder, strerror(errno)), false;
 }
 
-/* Returns the name of the manifest, for which room is the storage, or NULL if there is none. */
+/* Returns the name of the manifest, or NULL if there is none. The array `room` may store the name. */
 static const char *manifest_of(const cli_options *o, char room[PATH_ROOM]) {
   struct stat is;
   const char *out = o->target_count ? o->targets[0].path : NULL;
@@ -729,7 +735,7 @@ static const char *manifest_of(const cli_options *o, char room[PATH_ROOM]) {
   return o->frames.count ? manifest_beside(out ? out : o->sources[0].text, room) : NULL;
 }
 
-/* Records the models as inputs, and lists the pictures. Returns false after a message. */
+/* Records the models as files that are read, and lists the pictures to make. Returns false after a message. */
 static bool prepare(batch *b) {
   const cli_options *o = b->options;
   bool ok = true;

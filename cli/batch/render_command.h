@@ -6,8 +6,8 @@
 
 #include "cli/options.h"
 
-/* Makes all pictures. *ended is not 0 when the command must end. Returns the outcome of the first picture that failed,
- * or VS_OUTCOME_DONE. */
+/* Makes all pictures of the command line. The command ends when a signal sets *ended. Returns the outcome of the first
+ * picture that failed, or VS_OUTCOME_DONE. */
 vs_outcome cli_render_command(const cli_options *o, const volatile sig_atomic_t *ended);
 
 #endif

@@ -8,7 +8,7 @@
 #include "cli/json.h"
 
 enum { BINS = 16, BAR = 40 };
-#define REACH 4. /* half the width of the histogram, in multiples of the spread */
+#define REACH 4. /* half the width of the histogram of distances, in multiples of their spread */
 
 typedef struct {
   double edge[BINS + 1];
@@ -50,7 +50,7 @@ static double turn_of(const vs_fit_result *r, double axis[3]) {
   double sine = sqrt(s[0] * s[0] + s[1] * s[1] + s[2] * s[2]) / 2, cosine = (m[0][0] + m[1][1] + m[2][2] - 1) / 2;
   if (sine > 1e-6) {
     for (int i = 0; i < 3; i++) axis[i] = s[i] / (2 * sine);
-  } else { /* an angle of 0 or 180 degrees: the axis is the longest column of m + 1 */
+  } else { /* for an angle of 0 or 180 degrees: the axis is the longest column of the matrix plus the unit matrix */
     int k = 0;
     for (int i = 1; i < 3; i++)
       if (m[i][i] > m[k][k]) k = i;
@@ -81,7 +81,7 @@ static void print_histogram(const histogram *h) {
   print_bar("above", right, h->above, most);
 }
 
-/* Writes the value with two digits more than its uncertainty justifies. */
+/* Writes the parameter's value with two digits more than its uncertainty justifies. */
 static void value_text(char text[40], const vs_fit_parameter *p) {
   int digits = 9;
   if (p->error > 0 && isfinite(p->error) && p->value != 0) digits = (int)ceil(log10(fabs(p->value) / p->error)) + 2;
@@ -111,7 +111,7 @@ static void print_parameters(cli_session *c, const vs_fit_options *o) {
   if (any) printf("  (+-: %.4g %% intervals, by Huber's covariance of an M-estimate)\n", 100 * o->confidence);
 }
 
-/* Prints the command that draws the model with the fitted values. */
+/* Prints the command by which vs draws the model with the fitted values. */
 static void print_call(cli_session *c) {
   vs_fit_parameter p;
   printf("vs %s", c->options->sources[0].text);

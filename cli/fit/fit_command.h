@@ -5,7 +5,7 @@
 #include "cli/command.h"
 
 /* Fits the model to the scan, prints the result on standard output, and writes the pictures of -o. Also prints the best
- * result of a fit that was interrupted or is doubtful. The outcome distinguishes these cases. */
+ * result of a fit that was interrupted or is doubtful; the returned outcome distinguishes these cases. */
 vs_outcome cli_fit(cli_session *c);
 
 #endif

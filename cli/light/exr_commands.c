@@ -34,8 +34,9 @@ static vs_outcome tone(const job *j) {
   return outcome;
 }
 
-/* Luminance in cd/m2 of the pixel value 1. The sun of our scenes has strength 3.2, which is taken as 100,000 lx, a high
- * sun in a clear sky. A white surface that faces it has 100,000 / pi cd/m2, and the pixel value 3.2. */
+/* Luminance in cd/m2 of the pixel value 1. In our scenes, a white surface that faces the sun has the pixel value 3.2.
+ * The sun gives it about 100,000 lx (a high sun in a clear sky), thus 100,000 / pi cd/m2, which is about 3.2 times
+ * 10,000. */
 enum { CANDELAS_OF_ONE = 10000 };
 
 static double candelas_of_one(const job *j) {

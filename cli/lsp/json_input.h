@@ -23,9 +23,9 @@ size_t lsp_json_count(const lsp_json_reader *r, lsp_json array); /* returns 0 fo
 lsp_json lsp_json_nth(const lsp_json_reader *r, lsp_json array, size_t nth);
 /* Returns the text at the path, or NULL. It lives as long as the value. */
 const char *lsp_json_text(const lsp_json_reader *r, lsp_json value, const char *path, size_t *length);
-/* Returns the whole number at the path, or `otherwise`. */
+/* Returns the whole number at the path, or `otherwise` if there is none. */
 long long lsp_json_number(const lsp_json_reader *r, lsp_json value, const char *path, long long otherwise);
-/* Writes a number or a text as it was read, and null for any other value. */
+/* Writes the value to the stream if it is a number or a text, as it was read; writes null for any other value. */
 void lsp_json_echo(const lsp_json_reader *r, lsp_json value, FILE *to);
 
 #endif

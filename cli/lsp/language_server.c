@@ -1,4 +1,5 @@
-/* Implements `vs lsp`: messages by JSON-RPC 2.0, each after a header Content-Length. */
+/* Implements `vs lsp`, the server for editors that use the Language Server Protocol: messages by JSON-RPC 2.0, each
+ * after a header Content-Length. */
 #include "cli/lsp/language_server.h"
 
 #include <errno.h>
@@ -19,7 +20,7 @@ typedef struct {
 
 /* ---- messages ---- */
 
-/* Reads the next message into v->body. Returns false at the end of the input, or if it is no message. */
+/* Reads the next message into v->body. Returns false at the end of the input, or if the input is no message. */
 static bool receive(server *v, size_t *length) {
   char line[1000];
   long long size = -1;
@@ -37,7 +38,7 @@ static void send_text(const char *text, size_t length) {
   fflush(stdout);
 }
 
-/* Begins and ends a message in memory, which is then sent. */
+/* A message that is written to memory first, and then sent with its length. */
 typedef struct { FILE *to; char *text; size_t length; } message;
 
 static bool message_begin(message *m) {
@@ -64,7 +65,7 @@ static void send_error(server *v, lsp_json id, int code, const char *why) {
   message_send(&m);
 }
 
-/* Sends the answer's result, or the reason why there is none. */
+/* Sends the result of a request, or the reason why there is none. */
 static void send_result(server *v, lsp_json id, lsp_json parameters, lsp_answer *answer) {
   message m;
   if (!message_begin(&m)) return;
@@ -167,7 +168,7 @@ static const method methods[] = {
 static void handle(server *v, lsp_json m) {
   const char *name = lsp_json_text(&v->s.json, m, "method", NULL);
   lsp_json id = lsp_json_at(&v->s.json, m, "id"), parameters = lsp_json_at(&v->s.json, m, "params");
-  if (!name) return; /* an answer of the editor, though the server asks nothing */
+  if (!name) return; /* a message without a method is an answer of the editor to the server, which has asked nothing */
   if (!strcmp(name, "exit")) {
     v->ended = true;
     return;
@@ -189,7 +190,7 @@ static void handle(server *v, lsp_json m) {
   else if (id) send_error(v, id, NO_METHOD, "vs lsp has no such method");
 }
 
-/* The names of the language alone: its messages concern no text. */
+/* Ignores messages of the interpreter that only provides the names of the language, because they concern no text. */
 static void ignore(void *context, const vs_diagnostic *d) { (void)context, (void)d; }
 
 vs_outcome cli_language_server(const cli_options *o) {

@@ -44,7 +44,8 @@ static void put_location(FILE *to, const knowledge *k, know_index node) {
   fputc('}', to);
 }
 
-/* Returns the symbol at the position of the request, or 0. Sets *node, and *k to the analysis. */
+/* Returns the symbol (a name with its definition) at the position of the request, or 0. Sets *node to the name's node,
+ * and *k to the analysis of the text. */
 static know_index asked(lsp_server *s, lsp_json parameters, knowledge **k, know_index *node) {
   lsp_document *d = lsp_find(s, parameters);
   if (!d || !lsp_document_study(d, s->interpreter)) return 0;
@@ -87,7 +88,7 @@ void lsp_write_diagnostics(lsp_server *s, lsp_document *d) {
 
 /* ---- the texts of a name ---- */
 
-/* Returns the node that shows how the symbol is used: (name parameter ...) of a definition, or its name. */
+/* Returns the node that shows how the symbol is used: the list (name parameter ...) of its definition, or its name. */
 static know_index signature_of(const knowledge *k, const know_symbol *s) {
   know_index parent = s->definition ? know_at(k, s->definition)->parent : 0;
   return s->kind == KNOW_FUNCTION && parent && parent != s->form ? parent : s->definition;
@@ -176,7 +177,7 @@ static void complete_symbols(completion *c, const char *prefix) {
   for (know_index i = 1; i < k->symbol_count; i++) {
     const know_symbol *y = &k->symbols[i];
     if (y->kind == KNOW_BUILTIN || y->made || !y->definition || strncmp(y->text, prefix, strlen(prefix))) continue;
-    bool again = false; /* another symbol has the same name */
+    bool again = false; /* whether an earlier symbol has the same name */
     for (know_index j = 1; j < i && !again; j++)
       again = k->symbols[j].kind != KNOW_BUILTIN && !k->symbols[j].made && k->symbols[j].definition &&
               !strcmp(k->symbols[j].text, y->text);
@@ -206,7 +207,7 @@ void lsp_completion(lsp_server *s, lsp_json parameters) {
 
 /* ---- calls ---- */
 
-/* Writes a call such as (make-box c l w) as a signature: each word after the name is a parameter. */
+/* Writes a call such as (make-box c l w) as a signature of the protocol: each word after the name is a parameter. */
 static void put_signature(FILE *to, const char *call, size_t length, const char *doc) {
   const char *comma = "";
   fputs("{\"label\":", to);
@@ -284,7 +285,8 @@ void lsp_references(lsp_server *s, lsp_json parameters) {
   fputc(']', s->to);
 }
 
-/* Returns the text with the symbol's name replaced, which the caller frees, or NULL when memory is out. */
+/* Returns the text in which the symbol's name is replaced by `name`; the caller frees it. Returns NULL when memory is
+ * out. */
 static char *renamed(const knowledge *k, know_index symbol, const char *name, size_t *length) {
   char *text = NULL;
   size_t from = 0;
@@ -303,7 +305,7 @@ static char *renamed(const knowledge *k, know_index symbol, const char *name, si
   return NULL;
 }
 
-/* Returns true if every name of both analyses has the same definition. */
+/* Returns true if the definition of every name is the same in both analyses. */
 static bool same_meaning(const cli_draft *a, const cli_draft *b) {
   if (!b->known || a->k.text_nodes != b->k.text_nodes || a->found.count != b->found.count) return false;
   for (know_index i = 1; i < a->k.text_nodes; i++) {
@@ -314,7 +316,7 @@ static bool same_meaning(const cli_draft *a, const cli_draft *b) {
   return true;
 }
 
-/* Renames only if an analysis of the new text finds the same definition for every name. */
+/* Renames a symbol, if an analysis of the new text still finds the same definition for every name. */
 void lsp_rename(lsp_server *s, lsp_json parameters) {
   knowledge *k = NULL;
   know_index node = 0, symbol = asked(s, parameters, &k, &node);

@@ -9,14 +9,15 @@
 typedef struct {
   lsp_json_reader json;
   const vs_options *interpreter;
-  vs_scheme *language;       /* an interpreter that has run no program: the language's names */
-  lsp_document **documents; size_t count, room; /* each in its own memory: interpreters point to them */
-  const char *refused;       /* reason why the last request has no answer, or NULL */
+  vs_scheme *language;       /* an interpreter that has run no program, which provides the names of the language */
+  lsp_document **documents; size_t count, room; /* array of pointers to documents, which are separate blocks, since
+                                                 * interpreters point to them */
+  const char *refused;       /* reason why the last request has no result, or NULL */
   FILE *to;                  /* stream to which a request's result is written */
 } lsp_server;
 
-/* An answer writes its result to s->to: one JSON value. If it sets s->refused, the result does not count. The rows of
- * lsp_methods.def say which method each answers. */
+/* The function that answers a request. It writes its result to s->to: one JSON value. If it sets s->refused, the result
+ * is not sent. The rows of lsp_methods.def give the function for each method. */
 typedef void lsp_answer(lsp_server *s, lsp_json parameters);
 void lsp_completion(lsp_server *s, lsp_json parameters);
 void lsp_hover(lsp_server *s, lsp_json parameters);
@@ -27,9 +28,9 @@ void lsp_rename(lsp_server *s, lsp_json parameters);
 void lsp_outline(lsp_server *s, lsp_json parameters);
 void lsp_formatting(lsp_server *s, lsp_json parameters);
 
-/* Returns the document with this address, or NULL. */
+/* Returns the open document that the request's parameters name by its address, or NULL. */
 lsp_document *lsp_find(const lsp_server *s, lsp_json parameters);
-/* Writes the findings in the document, or its first error, as a list of diagnostics. */
+/* Writes the findings of vs check in the document, or its first error, as the protocol's list of diagnostics. */
 void lsp_write_diagnostics(lsp_server *s, lsp_document *d);
 
 #endif

@@ -13,7 +13,8 @@ static bool ends_line(const char *text, size_t length, size_t i) {
   return text[i] == '\n' || (text[i] == '\r' && (i + 1 == length || text[i + 1] != '\n'));
 }
 
-/* Returns the length in bytes of the character at i, at least 1, and sets its units of UTF-16. */
+/* Returns the length in bytes of the character at byte i, at least 1, and sets *units to its length in units of
+ * UTF-16. */
 static size_t character(const char *text, size_t length, size_t i, uint32_t *units) {
   uint32_t code = 0;
   size_t n = vs_character_read(text + i, length - i, &code);
@@ -41,7 +42,7 @@ lsp_position lsp_position_of(const char *text, size_t length, size_t offset) {
   return at;
 }
 
-/* Returns the byte of a line and a column of characters, both from 1. */
+/* Returns the offset in bytes of a line and a column. Columns count characters; lines and columns begin at 1. */
 static size_t byte_of(const char *text, size_t length, uint32_t line, uint32_t column) {
   size_t i = 0;
   uint32_t units;
@@ -66,7 +67,8 @@ static int hexadecimal(char c) {
   return found ? (int)(found - digits) % 16 : -1;
 }
 
-/* Returns the path of an address such as file:///home/a%20b.vs, or the address itself if it is none of a file. */
+/* Returns the path for an address such as file:///home/a%20b.vs, or the address itself if it does not begin with
+ * file:. */
 static char *path_of(const char *uri) {
   char *path = strdup(strncmp(uri, "file://", 7) ? uri : uri + 7), *to = path;
   for (const char *at = path; at && *at; at++) {

@@ -4,32 +4,37 @@
 
 #include "cli/draft.h"
 
-typedef struct { uint32_t line, character; } lsp_position; /* from 0; characters are units of UTF-16 */
-typedef struct { uint32_t from, to; } lsp_span; /* bytes of a text */
+typedef struct { uint32_t line, character; } lsp_position; /* a position as the protocol counts it: line from 0, and
+                                                            * character from 0 in units of UTF-16 */
+typedef struct { uint32_t from, to; } lsp_span; /* the bytes from `from` to `to` - 1 of a text */
 
 typedef struct {
   char *uri, *path, *text;
   size_t length, room;
-  cli_draft draft;     /* analysis of the text, or of none yet */
-  bool fresh;          /* whether draft is of the present text */
+  cli_draft draft;     /* analysis of the text; empty if the text was not analysed yet */
+  bool fresh;          /* whether draft is the analysis of the present text */
 } lsp_document;
 
-/* Returns the byte of the position, at most length; and the position of a byte. */
+/* lsp_offset returns the offset in bytes of a position, at most `length`. lsp_position_of returns the position of an
+ * offset. */
 size_t lsp_offset(const char *text, size_t length, lsp_position at);
 lsp_position lsp_position_of(const char *text, size_t length, size_t offset);
-/* Returns the bytes of a place that has lines and columns of characters. An empty place gets one character. */
+/* Returns the bytes of a place, which has lines and columns of characters. An empty place is extended to one
+ * character. */
 lsp_span lsp_place(const char *text, size_t length, const know_place *at);
 
 /* Returns a new document, which lsp_document_free frees, or NULL when memory is out. */
 lsp_document *lsp_document_open(const char *uri, const char *text, size_t length);
 void lsp_document_free(lsp_document *d);
-/* Replaces the bytes [from, to) of the text. Returns false when memory is out; the text is then as before. */
+/* Replaces the bytes from `from` to `to` - 1 of the document. Returns false when memory is out; the document is then
+ * unchanged. */
 bool lsp_document_edit(lsp_document *d, size_t from, size_t to, const char *text, size_t length);
-/* Analyses the present text, if that has not been done. Returns true if it could be analysed. */
+/* Analyses the present text, if this was not done yet. Returns true if the text could be analysed. */
 bool lsp_document_study(lsp_document *d, const vs_options *interpreter);
-/* Returns the symbol of the name at the byte, or 0. Sets *node to the name's node. */
+/* Returns the symbol (a name with its definition) whose name is at the byte `offset`, or 0. Sets *node to the name's
+ * node. */
 know_index lsp_symbol_at(const knowledge *k, size_t offset, know_index *node);
-/* Returns true if the node is a name of a text, and its symbol is this one. */
+/* Returns true if the node is a name in the text, and refers to this symbol. */
 bool lsp_is_name_of(const knowledge *k, know_index node, know_index symbol);
 /* Writes the file's address as a JSON text. */
 void lsp_write_uri(FILE *to, const char *path);

@@ -1,5 +1,5 @@
-/* Finds the names that complete a word at the prompt: of the language and the program, keywords of the call, commands
- * of the prompt, and files within a string. */
+/* Finds the names by which the Tab key completes a word at the prompt: names of the language and the program, keywords
+ * of the call, commands of the prompt, and files within a string. */
 #include "cli/prompt/completion.h"
 
 #include <dirent.h>
@@ -69,14 +69,14 @@ static void collect_keywords(vs_scheme *scheme, const char *before, search *s) {
   }
 }
 
-/* Returns the kind of the word at the end of the text, and its beginning in *start. */
+/* Returns the kind of the word at the end of the text before the cursor. Sets *start to the word's beginning. */
 static cli_word_kind word_at(const char *before, const char **start) {
   bool in_string;
   size_t open[CLI_DEEP], n = strlen(before);
   const char *end = before + n, *line = before + n;
   while (line > before && line[-1] != '\n') line--;
   const char *first = line + strspn(line, " \t");
-  if (*first == ',') { /* a command of the prompt, or its argument: a file or a name */
+  if (*first == ',') { /* completes a command of the prompt, or its argument: a file or a name */
     const char *space = strpbrk(first, " \t");
     if (!space) return *start = first + 1, CLI_WORD_COMMAND;
     const char *argument = space + strspn(space, " \t");

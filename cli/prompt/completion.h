@@ -11,17 +11,17 @@ typedef enum { CLI_WORD_NAME, CLI_WORD_KEYWORD, CLI_WORD_FILE, CLI_WORD_COMMAND 
 typedef struct {
   char **at;         /* the names, in order; the owner of the list frees it by cli_names_free */
   size_t count, room;
-  size_t common;     /* length in bytes of the longest common beginning of the names, which ends with a whole
+  size_t common;     /* length in bytes of the longest common beginning of the names; it does not end within a
                       * character */
   cli_word_kind kind;
   size_t prefix;     /* length in bytes of the word before the cursor, with which every name begins */
 } cli_names;
 
-/* Passes the name of each command of the prompt to `each`. */
+/* A function that passes the name of each command of the prompt to `each`. */
 typedef void cli_each_command(void (*each)(void *context, const char *name), void *context);
 
-/* Finds the names that complete the word at the end of `before`. When memory is out, the list lacks the remaining
- * names. */
+/* Finds the names that complete the word at the end of the text `before`. When memory is out, some names are missing in
+ * the list. */
 void cli_names_find(vs_scheme *scheme, cli_each_command *commands, const char *before, cli_names *found);
 void cli_names_free(cli_names *n);
 

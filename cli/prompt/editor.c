@@ -1,6 +1,6 @@
 /* Edits lines on a terminal by libedit, and implements keys that libedit lacks. While libedit waits for a key, paint.c
- * paints colours over the line. Below the line it shows the arguments of the procedure at the cursor, or a menu of
- * names.
+ * paints colours over the line. Below the line, paint.c shows the arguments of the procedure at the cursor, or a menu
+ * of names.
  *
  * libedit edits one buffer. A newline in the buffer is shown as a line break, so that an expression of several lines
  * can be recalled and edited. Lines that are typed one by one are also returned one by one. The prompt then shows the
@@ -27,13 +27,13 @@
 
 enum { LOOK_MS = 40, HISTORY_ENTRIES = 2000, FLASH = 250 /* FLASH: milliseconds for which a matching parenthesis is
                                                           * shown */ };
-/* Codes of keys that no keyboard has. */
+/* Codes that no key of a keyboard sends. The editor sends them to itself. */
 #define FLASHED "\033[9999~"
 #define ENDED "\033[9998~"
 
-/* The functions of libedit, which is loaded when the first editor opens. If it were linked, loading it and its three
- * libraries would take an eighth of the time of every run. The table is global: libedit passes only the EditLine to
- * callbacks, and el_get is needed to find its cli_editor. */
+/* The functions of libedit, which is loaded when the first editor opens. Linking libedit would make every start of vs
+ * slower: loading it and its three libraries would take an eighth of the time of a run. The table is global: libedit
+ * passes only the EditLine to callbacks, and el_get is needed to find its cli_editor. */
 static struct {
 #define EDIT(name) __typeof__(&name) name;
 #include "cli/prompt/libedit.def"
@@ -60,19 +60,20 @@ struct cli_editor {
   const char *prompt, *open;
   line_buffer pasted;   /* complete lines of a paste, returned together */
   line_buffer rest;     /* the text of a paste after its last newline, with which the next buffer begins */
-  bool taken_back;      /* whether the buffer contains the lines of the unfinished expression, too */
+  bool taken_back;      /* whether the buffer contains all lines of the unfinished expression, after the up key */
   int back;             /* number of characters from the shown parenthesis back to the cursor; 0 if none is shown */
-  ptrdiff_t closed;     /* Position where completion has inserted a closing quote. If the user types a quote there, the
-                         * cursor only moves past it. 0 if there is no such position */
+  ptrdiff_t closed;     /* position of a closing quote that completion has inserted, or 0. If the user types a quote
+                         * there, the cursor only moves past it */
   cli_each_command *commands;
   cli_idle idle;
-  mbstate_t partial;    /* state of a character whose bytes have not all been read */
-  bool escapes, colours; /* whether the terminal has a cursor to move, and colours */
+  mbstate_t partial;    /* decoder's state of a character of which only some bytes have been read */
+  bool escapes, colours; /* escapes: whether the terminal understands escape sequences, which move the cursor; colours:
+                          * whether it shows colours */
   cli_paint paint;      /* position of the painted rows below the line */
   cli_names menu;       /* names of the menu; count is 0 if no menu is shown */
   int chosen;           /* index of the chosen name in the menu; -1: none is chosen yet */
-  size_t menu_at, menu_length; /* Cursor position and length of the buffer when the menu was shown. If they differ now,
-                                * the menu is no longer valid */
+  size_t menu_at, menu_length; /* menu_at, menu_length: cursor position and length of the buffer when the menu was
+                                * shown. If they differ now, the menu is no longer valid */
 };
 
 /* Returns true if the terminal understands escape sequences. */
@@ -136,8 +137,8 @@ void cli_editor_remember(cli_editor *e, const char *line, size_t length) {
 
 /* ---- the text at the cursor ---- */
 
-/* Returns the unfinished lines and the buffer up to the cursor. The caller frees the text. Returns NULL when memory is
- * out. */
+/* Returns the lines of the unfinished expression, followed by the buffer up to the cursor. The caller frees the text.
+ * Returns NULL when memory is out. */
 static char *text_before(cli_editor *e) {
   const LineInfo *info = libedit.el_line(e->line);
   size_t open = e->taken_back ? 0 : strlen(e->open), n = (size_t)(info->cursor - info->buffer);
@@ -196,7 +197,7 @@ static bool close_string(cli_editor *e) {
   return true;
 }
 
-/* Inserts a quote, or moves past the one that completion has inserted. */
+/* Inserts a quote, or moves past the quote that completion has inserted at the cursor. */
 static unsigned char quote(EditLine *line, int key) {
   (void)key;
   cli_editor *e = editor_of(line);
@@ -218,14 +219,14 @@ static void hold_menu(cli_editor *e) { /* records that the menu is for the curre
   e->menu_length = (size_t)(info->lastchar - info->buffer);
 }
 
-/* Returns true if a menu is shown and the buffer has not changed since. */
+/* Returns true if the menu is shown and the buffer has not changed since then. */
 static bool in_menu(const cli_editor *e) {
   const LineInfo *info = libedit.el_line(e->line);
   return e->menu.count && e->menu_at == (size_t)(info->cursor - info->buffer) &&
          e->menu_length == (size_t)(info->lastchar - info->buffer);
 }
 
-/* Chooses the name `by` places further in the menu. Replaces the word before the cursor by it. */
+/* Chooses the name that is `by` places further in the menu, and replaces the word before the cursor by it. */
 static unsigned char choose(cli_editor *e, int by) {
   int count = (int)e->menu.count;
   const char *old = e->chosen < 0 ? NULL : e->menu.at[e->chosen];
@@ -268,7 +269,7 @@ static unsigned char show_names(cli_editor *e, cli_names *n) {
   return CC_REDISPLAY;
 }
 
-/* Completes the word before the cursor with the only name found. */
+/* Completes the word before the cursor by the only name that was found. */
 static unsigned char insert_only(cli_editor *e, const cli_names *n) {
   const char *name = n->at[0];
   bool folder = *name && name[strlen(name) - 1] == '/', shown = false;
@@ -282,8 +283,8 @@ static unsigned char insert_only(cli_editor *e, const cli_names *n) {
   return !ok ? CC_ERROR : shown ? CC_REDISPLAY : CC_REFRESH;
 }
 
-/* Completes the word before the cursor as far as all names agree. Pressed again, the key chooses the names one after
- * the other. */
+/* Completes the word before the cursor by the common beginning of all names that were found. If the key is pressed
+ * again, the names are chosen one after another. */
 static unsigned char complete(EditLine *line, int key) {
   (void)key;
   cli_editor *e = editor_of(line);
@@ -309,7 +310,8 @@ static unsigned char complete_back(EditLine *line, int key) {
   return e && in_menu(e) ? choose(e, -1) : CC_ERROR;
 }
 
-/* Inserts a closing parenthesis. Without colours, which mark the matching one, briefly moves the cursor there. */
+/* Inserts a closing parenthesis. A terminal without colours cannot mark the matching parenthesis, so the cursor briefly
+ * moves there. */
 static unsigned char close_parenthesis(EditLine *line, int key) {
   char c[2] = {(char)key, 0};
   size_t open[CLI_DEEP];
@@ -320,15 +322,16 @@ static unsigned char close_parenthesis(EditLine *line, int key) {
   cli_editor *e = editor_of(line);
   if (!e || !depth || in_string || e->colours) return CC_REFRESH;
   struct pollfd more = {.fd = STDIN_FILENO, .events = POLLIN};
-  if (poll(&more, 1, 0) > 0) return CC_REFRESH; /* more characters are waiting, as in a paste: do not move the cursor */
+  if (poll(&more, 1, 0) > 0) return CC_REFRESH; /* more characters are waiting, as in a paste: the cursor does not move
+                                                 * to the matching parenthesis */
   e->back = characters(info->buffer + open[depth - 1], info->cursor);
   libedit.el_cursor(line, -e->back);
-  libedit.el_push(line, FLASHED); /* libedit draws only between keys: this key without a keyboard calls flashed() after
-                                   * drawing */
+  libedit.el_push(line, FLASHED); /* libedit draws only between keys: the code FLASHED makes it call flashed() after it
+                                   * has drawn */
   return CC_REFRESH;
 }
 
-/* Waits for a moment or the next key, and moves the cursor from the matching parenthesis back. */
+/* Waits for FLASH milliseconds or the next key, then moves the cursor from the matching parenthesis back. */
 static unsigned char flashed(EditLine *line, int key) {
   (void)key;
   cli_editor *e = editor_of(line);
@@ -339,8 +342,8 @@ static unsigned char flashed(EditLine *line, int key) {
   return CC_CURSOR;
 }
 
-/* Returns the column of the cursor in its line of the buffer. Sets *above and *below to whether the buffer has lines
- * before and after it. */
+/* Returns the column of the cursor in its line of the buffer. *above: whether the buffer has lines before this line;
+ * *below: whether it has lines after it. */
 static size_t column_of(const LineInfo *info, bool *above, bool *below) {
   const char *line = info->cursor;
   while (line > info->buffer && line[-1] != '\n') line--;
@@ -359,7 +362,7 @@ static unsigned char line_up(EditLine *line, int key) {
   bool above, below;
   size_t column = column_of(info, &above, &below);
   if (above) {
-    const char *end = info->cursor; /* the newline at the end of the line above */
+    const char *end = info->cursor; /* end: position of the newline that ends the line above */
     while (end[-1] != '\n') end--;
     const char *start = --end;
     while (start > info->buffer && start[-1] != '\n') start--;
@@ -405,11 +408,12 @@ static unsigned char line_down(EditLine *line, int key) {
 
 static void paint(cli_editor *e, bool ended);
 
-/* Ends the buffer. If it contains an unfinished expression of several lines, begins another line instead. */
+/* Handles the Enter key. If the buffer contains an unfinished expression of several lines, begins another line;
+ * otherwise ends the buffer. */
 static unsigned char enter(EditLine *line, int key) {
   (void)key;
   cli_editor *e = editor_of(line);
-  if (e && in_menu(e) && e->chosen >= 0) { /* accepts the chosen name */
+  if (e && in_menu(e) && e->chosen >= 0) { /* if a name of the menu is chosen, the Enter key only accepts this name */
     close_menu(e);
     return CC_REFRESH;
   }
@@ -471,7 +475,7 @@ static unsigned char paste(EditLine *line, int key) {
     if (ok) {
       fwrite(got.at, 1, (size_t)(last + 1 - got.at), stdout); /* shows the lines as if they had been typed */
       fflush(stdout);
-      result = CC_NEWLINE; /* the pasted text ends the buffer */
+      result = CC_NEWLINE; /* complete lines end the buffer, as the Enter key does */
     }
   }
   free(got.at);
@@ -480,7 +484,8 @@ static unsigned char paste(EditLine *line, int key) {
 
 /* ---- waiting for a key ---- */
 
-/* Appends a row of `width` columns with the ways to call a procedure. The argument at the cursor is in bold type. */
+/* Appends a row of at most `width` columns with the ways to call a procedure. The argument at the cursor is in bold
+ * type. */
 static bool put_hint(cli_editor *e, const cli_call *call, int width, line_buffer *to) {
   vs_name_info info;
   char text[600];
@@ -491,8 +496,8 @@ static bool put_hint(cli_editor *e, const cli_call *call, int width, line_buffer
   return cli_hint_row(text, strlen(info.call) + 2, call->argument, width, e->colours, to);
 }
 
-/* Paints colours over the line. Below it, paints the menu or the ways to call the procedure at the cursor. After the
- * line has ended, paints neither a marked bracket nor rows below. */
+/* Paints colours over the line. Below the line, paints the menu or the ways to call the procedure at the cursor. ended:
+ * the line was accepted, so neither a marked bracket nor rows below it are painted. */
 static void paint(cli_editor *e, bool ended) {
   enum { MENU = 8 };
   char *before = text_before(e);

@@ -7,16 +7,16 @@
 
 typedef struct cli_editor cli_editor;
 
-/* Returns a new editor, or NULL without a terminal or memory. */
+/* Returns a new editor, or NULL if there is no terminal or no memory. */
 cli_editor *cli_editor_open(vs_scheme *scheme, cli_each_command *commands);
 void cli_editor_close(cli_editor *e); /* Saves the history and frees the editor. NULL is permitted. */
 
-/* Returns a line with its newline, or several lines that were pasted or recalled. open is the text of the unfinished
- * expression so far, or "". Sets *whole if the result includes this text. Returns NULL at the end of input or, with
- * errno EINTR, at an interrupt. */
+/* Returns a line with its newline, or several lines that were pasted or recalled. open: the lines of the unfinished
+ * expression, or "". Sets *whole if the result includes these lines. Returns NULL at the end of input or, with errno
+ * EINTR, at an interrupt. */
 const char *cli_editor_line(cli_editor *e, const char *prompt, const char *open, size_t *length, bool *whole);
-/* Functions that the editor calls while no key is pressed. It calls `look` every 40 ms. If that returns true, the
- * editor removes the line, calls `act`, and shows the line again after its output. */
+/* Functions that the editor calls while no key is pressed. It calls `look` every 40 ms. If `look` returns true, the
+ * editor removes the line, calls `act`, and shows the line again after the output of `act`. */
 typedef struct { bool (*look)(void *context); void (*act)(void *context); void *context; } cli_idle;
 void cli_editor_idle(cli_editor *e, cli_idle idle);
 /* Adds a complete expression or command to the history. */

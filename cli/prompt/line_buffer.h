@@ -1,4 +1,4 @@
-/* Declares a growing text buffer of the prompt, for typed, unfinished or pasted text. */
+/* Declares a growing text buffer of the prompt, for text that is typed, unfinished or pasted. */
 #ifndef VS_CLI_PROMPT_LINE_BUFFER_H
 #define VS_CLI_PROMPT_LINE_BUFFER_H
 

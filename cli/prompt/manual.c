@@ -1,5 +1,5 @@
-/* Searches the manual, which is part of the command. The Makefile joins the pages of manual/ into one text, with a line
- * "\001PATH" before each. markdown.c prints it. */
+/* Searches the manual, whose text is part of the command. The Makefile joins the pages of manual/ into one text, with a
+ * line "\001PATH" before each page. markdown.c prints it. */
 #include "cli/prompt/manual.h"
 
 #include <ctype.h>
@@ -13,7 +13,7 @@
 
 extern const char vs_manual_text[], vs_manual_text_end[];
 
-/* Paths of the manual's folder, of the page of common tasks, and of the page that links the trade's words to
+/* Paths within the manual: its folder, the page of common tasks, and the page that links the trade's words to
  * sections. */
 #define MANUAL "manual/"
 #define TASKS "i-want-to"
@@ -29,7 +29,7 @@ static const char *after(part line) { return line.end < vs_manual_text_end ? lin
 
 static int level(part line) { return cli_markdown_level(line.at, (size_t)(line.end - line.at)); }
 
-/* Returns true if the heading describes the name, as `name` or `(name argument ...)`. */
+/* Returns true if the heading is that of the name's entry, `name` or `(name argument ...)`. */
 static bool describes(part line, const char *name) {
   size_t n = strlen(name);
   for (const char *p = line.at; p + 1 < line.end; p++) {
@@ -44,8 +44,8 @@ static bool describes(part line, const char *name) {
 
 /* ---- printing a section ---- */
 
-/* Prints the text from a heading to the next one of the same or a higher level. With whole_page, prints to the end of
- * the page. */
+/* Prints the text from a heading up to the next heading of the same or a higher level. With whole_page, prints up to
+ * the end of the page. */
 static bool print_section(const char *at, FILE *to, bool whole_page) {
   const char *from = at;
   bool code = false;
@@ -88,8 +88,8 @@ static const char *find_entry(const char *word) {
   return NULL;
 }
 
-/* Returns true if the line is an item of a list of calls, "- `(make-box p q)`, `(make-wedge p q)`: ...", and the name
- * is that of one of the calls. */
+/* Returns true if the line is an item of a list of calls, such as "- `(make-box p q)`, `(make-wedge p q)`: ...", and
+ * one of the calls has this name. */
 static bool calls(part line, const char *name) {
   if (line.end - line.at < 4 || memcmp(line.at, "- `", 3) != 0) return false;
   bool code = false;
@@ -98,8 +98,8 @@ static bool calls(part line, const char *name) {
   return describes((part){line.at, p}, name);
 }
 
-/* Returns the first line of the page with that name. If there is none, returns that of a page whose list of calls ("-
- * `(make-box p q)`: ...") contains the name, or NULL. */
+/* Returns the first line of the page with the name `word`. If there is no such page, returns the first line of a page
+ * whose list of calls ("- `(make-box p q)`: ...") contains the name, or NULL. */
 static const char *find_page(const char *word) {
   const char *page = NULL, *called = NULL;
   for (const char *at = vs_manual_text; at < vs_manual_text_end;) {
@@ -113,8 +113,8 @@ static const char *find_page(const char *word) {
   return called;
 }
 
-/* Returns true if the line begins a page that is seldom useful to readers of models: a page about the sources, or a
- * list of words. */
+/* Returns true if the line begins a page that is seldom useful to people who write models: a page about the sources, or
+ * a list of words. */
 static bool is_inside(part line) {
   static const char *const inside[] = { "internals/", "glossary.", "walk.", "back-ends.", "embedding.", "README." };
   for (size_t i = 0; i < sizeof inside / sizeof *inside; i++) {
@@ -124,7 +124,7 @@ static bool is_inside(part line) {
   return false;
 }
 
-/* A searched word or phrase: its words, and their stems. */
+/* A word or phrase for which the manual is searched: its words as typed, and the stems of its words. */
 typedef struct { cli_stems stems; cli_phrase exact, stem; } wanted;
 
 /* Begins the search for a word. The caller ends it by cli_stems_close. */
@@ -145,10 +145,11 @@ static bool stem_is(const wanted *w, part text) {
   return cli_phrase_is(&w->stems, &w->stem, text.at, (size_t)(text.end - text.at));
 }
 
-/* The sets of pages that a search for headings can use. */
+/* Sets of pages, in which a search for headings is done one after another. */
 typedef enum { PAGES_TASKS, PAGES_MODELS, PAGES_INSIDE } pages;
 
-/* Returns the first heading of these pages that contains the word, or its stem; NULL if there is none. */
+/* Returns the first heading of these pages that contains the searched words, or with `stem` their stems. Returns NULL
+ * if there is none. */
 static const char *find_heading(const wanted *w, pages which, bool stem) {
   bool on = false;
   for (const char *at = vs_manual_text; at < vs_manual_text_end;) {
@@ -172,7 +173,7 @@ static const char *find_section(const wanted *w) {
   return NULL;
 }
 
-/* Returns the first line of the page whose name has the stems of the word, or NULL. */
+/* Returns the first line of the page whose name has the stems of the searched words, or NULL. */
 static const char *find_page_by_stem(const wanted *w) {
   for (const char *at = vs_manual_text; at < vs_manual_text_end;) {
     part line = line_at(at);
@@ -182,7 +183,7 @@ static const char *find_page_by_stem(const wanted *w) {
   return NULL;
 }
 
-/* ---- the tables of words ---- */
+/* ---- tables in which words are explained ---- */
 
 /* Splits a row of a table, "| several, words | text |". Returns false for other lines. */
 static bool row_of(part line, part *words, part *text) {
@@ -211,8 +212,8 @@ static bool has_word(part cell, const wanted *w, bool stem) {
   return false;
 }
 
-/* Searches a page's table for a row whose first cell contains the word or, if `stem`, its stem. Returns the second cell
- * of the row, and sets *words to the first cell. The result's `at` is NULL if there is no such row. */
+/* Searches a page's table for a row whose first cell contains the searched word or, with `stem`, its stem. Returns the
+ * second cell of the row, and sets *words to the first cell. If there is no such row, the result's `at` is NULL. */
 static part find_row_by(const char *page, const wanted *w, bool stem, part *words) {
   bool on = false;
   for (const char *at = vs_manual_text; at < vs_manual_text_end;) {
@@ -224,15 +225,15 @@ static part find_row_by(const char *page, const wanted *w, bool stem, part *word
   return (part){ NULL, NULL };
 }
 
-/* Searches as find_row_by does, first for the word, then for its stem. If the word is a name of the language, its stem
- * is not searched: `draw` does not find "drawing". */
+/* Searches as find_row_by does, first for the word, then for its stem. name: the word is a name of the language, whose
+ * stem is not searched: `draw` must not find "drawing". */
 static part find_row(const char *page, const wanted *w, bool name, part *words) {
   part text = find_row_by(page, w, false, words);
   return text.at || name ? text : find_row_by(page, w, true, words);
 }
 
-/* Prints the explanation of a word from the page of words for beginners: "radian: the angle whose ...". Returns false
- * if the page lacks the word. */
+/* Prints the explanation of a word from the page of words for beginners, such as "radian: the angle whose ...". Returns
+ * false if the page does not contain the word. */
 static bool print_meaning(const wanted *w, bool name, FILE *to) {
   char text[600];
   part words, meaning = find_row("words", w, name, &words);
@@ -288,15 +289,15 @@ static part next_link(part *text) {
   return (part){ NULL, NULL };
 }
 
-/* If the place is the first line of a page, returns the line before it, which begins with byte 1 and the page's
- * path. */
+/* If `place` is the first line of a page, returns the line before this line, which has the page's path after the byte
+ * 1. */
 static part page_of(const char *place) {
   const char *p = place - 1;
   while (p > vs_manual_text && p[-1] != '\n') p--;
   return line_at(p);
 }
 
-/* Prints the command that shows this place, on a line: `vs help "a roof"`, or at the prompt `,help a roof`. */
+/* Prints a line with the command that shows the place: `vs help "a roof"`, or at the prompt `,help a roof`. */
 static void print_call(const char *place, const char *how, FILE *to) {
   part line = page_of(place), heading = line_at(place);
   bool page = *line.at == '\001';
@@ -308,11 +309,11 @@ static void print_call(const char *place, const char *how, FILE *to) {
   fprintf(to, "%s\n", quote);
 }
 
-/* The places that a search has printed: an entry and a page, NULL for none. */
+/* Parts of the manual that the search has already printed: an entry and a page; NULL: none. */
 typedef struct { const char *entry, *page; } printed;
 
-/* Prints the pages that `text`, a row of the index, links. Prints the section of the first link, unless a text was
- * already printed. For the other links, prints the commands that show them. */
+/* Prints the sections to which a row of the index (text) links. Prints the section of the first link, unless another
+ * text was already printed. For all other links, prints the commands that show them. */
 static void print_index(part text, const printed *done, const char *how, FILE *to) {
   bool whole = !done->entry && !done->page, first = true;
   part link;
@@ -366,7 +367,7 @@ bool cli_manual_near(const char *word, char *room, size_t size) {
     while (words.at < words.end) {
       part one = next_word(&words);
       if (snprintf(name, sizeof name, "%.*s", (int)(one.end - one.at), one.at) >= (int)sizeof name) continue;
-      near.best = NULL; /* `name` is overwritten by the next word; the distance remains valid */
+      near.best = NULL; /* forgets the name, since the next word overwrites it; the distance remains valid */
       cli_nearby_offer(&near, name);
       if (near.best) found = (size_t)snprintf(room, size, "%s", name) < size;
     }

@@ -19,8 +19,8 @@ typedef struct {
   int width;
   bool bold;
   bool blank;    /* whether the last printed line was empty, or nothing was printed yet */
-  line_buffer source;  /* the joined lines of a block */
-  line_buffer plain;   /* the joined lines, with marks in place of Markdown's signs */
+  line_buffer source;  /* lines of a block (a paragraph, an item, a cell), joined */
+  line_buffer plain;   /* the joined lines, with marks instead of Markdown's signs */
 } printer;
 
 static bool add_sign(line_buffer *t, char sign) { return cli_line_buffer_add(t, &sign, 1); }
@@ -43,8 +43,8 @@ int cli_markdown_level(const char *line, size_t length) {
 }
 static int level(part line) { return cli_markdown_level(line.at, (size_t)(line.end - line.at)); }
 
-/* Returns the width of an item's sign with the blanks around it, such as 2 for "- word" and 3 for "1. word". Returns 0
- * if the line is no item. */
+/* Returns the width of a list item's sign with the blanks around it: 2 for "- word", 3 for "1. word". Returns 0 if the
+ * line begins no item. */
 static int item_sign(part line) {
   const char *p = line.at;
   while (p < line.end && *p == ' ') p++;
@@ -66,7 +66,7 @@ static bool goes_on(part line) { /* returns true if the line continues the parag
 
 /* ---- signs within a block ---- */
 
-/* Returns the end of the code that begins with the ` at p, or NULL if it is not closed. */
+/* Returns the end of the code that begins with the backquote at p, or NULL if there is no second backquote. */
 static const char *code_end(const char *p, const char *end) { return memchr(p + 1, '`', (size_t)(end - p - 1)); }
 
 static bool add_code(line_buffer *plain, const char *at, const char *end) {
@@ -77,10 +77,10 @@ static bool add_code(line_buffer *plain, const char *at, const char *end) {
   return add_sign(plain, PLAIN);
 }
 
-/* Appends the text to `plain`, with marks in place of Markdown's signs. */
+/* Appends the text of `from` to `plain`, with marks instead of Markdown's signs. */
 static bool add_plain(line_buffer *plain, part from) {
   bool strong = false;
-  const char *link = NULL; /* end of the text of a link: the ] of ](to) */
+  const char *link = NULL; /* end of the link's text that is being read: position of the ] in ](to) */
   for (const char *p = from.at; p < from.end; p++) {
     const char *close = *p == '`' ? code_end(p, from.end) : NULL;
     if (close) {
@@ -112,7 +112,7 @@ static int columns(const char *at, const char *end) {
   return n;
 }
 
-/* Returns as many words of *rest as fit `width` columns, at least one, and removes them from *rest. */
+/* Removes a line's words from *rest: as many as fit `width` columns, but at least one. Returns them. */
 static part take_line(part *rest, int width) {
   while (rest->at < rest->end && *rest->at == ' ') rest->at++;
   part line = {rest->at, rest->at};
@@ -147,7 +147,7 @@ static void print_words(printer *o, part line, bool *bold) {
   if (*bold && o->bold) fputs("\033[0m", o->to);
 }
 
-/* Prints the text in lines, with `indent` blanks before each line except the first. */
+/* Prints the text `rest` in several lines, with `indent` blanks before each line except the first. */
 static void fill(printer *o, part rest, int indent, bool bold) {
   int before = 0;
   do {
@@ -206,7 +206,8 @@ static const char *print_heading(printer *o, const char *at, const char *end) {
   part line = line_at(at, end);
   o->plain.length = 0;
   if (!add_plain(&o->plain, (part){line.at + level(line) + 1, line.end})) return NULL;
-  for (size_t i = 0; i < o->plain.length; i++) /* the paragraph is bold as a whole */
+  for (size_t i = 0; i < o->plain.length; i++) /* removes the marks for bold type within a paragraph that is bold as a
+                                                * whole */
     if (o->plain.at[i] == PLAIN) o->plain.at[i] = BOLD;
   leave_blank(o);
   fill(o, (part){o->plain.at, o->plain.at + o->plain.length}, 2, true);
@@ -216,7 +217,7 @@ static const char *print_heading(printer *o, const char *at, const char *end) {
 
 /* ---- printing tables ---- */
 
-typedef struct { size_t from, to; } cell; /* offsets in `plain` between which the text of the cell lies */
+typedef struct { size_t from, to; } cell; /* offsets in `plain` of the beginning and the end of the cell's text */
 typedef struct { cell cells[MOST_COLUMNS]; int count; } row;
 
 static bool is_rule(part line) { /* returns true for a line such as |---|---| */
@@ -225,7 +226,7 @@ static bool is_rule(part line) { /* returns true for a line such as |---|---| */
   return true;
 }
 
-/* Splits a row |a|b| at its bars. A bar within `code` or after a backslash does not count. */
+/* Splits a row of a table, |a|b|, at its bars. A bar within `code` or after a backslash is text. */
 static bool read_row(printer *o, part line, row *r) {
   r->count = 0;
   while (line.end > line.at && line.end[-1] == ' ') line.end--;
@@ -250,8 +251,8 @@ static bool read_row(printer *o, part line, row *r) {
   return true;
 }
 
-/* Reduces the widths of columns, initially those of their widest cells, until their sum fits `width`. The widest
- * columns are reduced first, and none below its longest word. */
+/* Reduces the widths of the columns, which are at first those of the widest cells, until their sum fits `width`. Always
+ * reduces the widest column, and none below its longest word. */
 static void share_width(int *wide, const int *least, int count, int width) {
   int room = width - GAP * (count - 1), cap = 0;
   for (int i = 0; i < count; i++) cap = wide[i] > cap ? wide[i] : cap;
@@ -302,7 +303,7 @@ static void print_row(printer *o, const row *r, const int *wide, int count, bool
 }
 
 static const char *print_table(printer *o, const char *at, const char *end) {
-  line_buffer read = {0}; /* array of the rows of the table */
+  line_buffer read = {0}; /* the rows of the table that have been read, as an array */
   bool fine = true;
   o->plain.length = 0;
   while (fine && at < end && *at == '|') {

@@ -1,6 +1,6 @@
-/* Paints colours over the line that libedit has drawn, and rows below it. libedit supports neither. While it waits for
- * a key, the cursor is where libedit expects it; all movements here begin and end there. The painted characters are
- * those that libedit has drawn, at the same places. */
+/* Paints colours over the line that libedit has drawn, and rows below this line. libedit supports neither. While
+ * libedit waits for a key, the cursor is where it expects the cursor; all movements here begin and end there. The
+ * painted characters are those that libedit has drawn, at the same places. */
 #define _XOPEN_SOURCE 700 /* for wcwidth */
 #include "cli/prompt/paint.h"
 
@@ -14,8 +14,8 @@
 
 typedef struct { int row, column; } place;
 
-/* Returns the number of bytes of the character at `at`, and its columns: -1 for a control character or bytes that are
- * no character. */
+/* Returns the number of bytes of the character at `at`. Sets *columns to its width, or to -1 for a control character or
+ * bytes that are no character. */
 static size_t character(const char *at, size_t length, int *columns) {
   wchar_t wide;
   mbstate_t state = { 0 };
@@ -25,18 +25,19 @@ static size_t character(const char *at, size_t length, int *columns) {
   return invalid ? 1 : n;
 }
 
-/* Moves a place past a character as libedit does. */
+/* Moves the place p past the character c, by libedit's rules. */
 static void advance(place *p, char c, int columns, int width) {
   if (c == '\n') p->row++, p->column = 0;
   else {
-    if (p->column + columns > width) p->row++, p->column = 0; /* a wide character that does not fit into the row begins
-                                                               * the next row */
+    if (p->column + columns > width) p->row++, p->column = 0; /* a wide character that does not fit into the row is
+                                                               * placed in the next row */
     p->column += columns;
     if (p->column >= width) p->row++, p->column = 0;
   }
 }
 
-/* Computes the places of the cursor and of the text's end. Returns false if the text cannot be painted. */
+/* Computes the places of the cursor and of the text's end on the terminal. Returns false if the text cannot be
+ * painted. */
 static bool measure(const cli_painted *line, place *cursor, place *end) {
   place p = { 0, line->prompt };
   *cursor = p;
@@ -69,8 +70,8 @@ static bool set_colour(line_buffer *to, unsigned class) {
   return put(to, text);
 }
 
-/* Writes the text after the prompt. The terminal's cursor is then after the last character. If the last row is full,
- * the cursor is still in it, while the computed end is in the next row. */
+/* Writes the text in colours, from after the prompt. The terminal's cursor is then after the last character. If the
+ * last row is full, the cursor is still in this row, while the computed end is in the next row. */
 static bool put_text(const cli_painted *line, line_buffer *to) {
   unsigned class = CLI_SYNTAX_PLAIN;
   bool ok = true;
@@ -99,9 +100,8 @@ void cli_paint_show(cli_paint *p, const cli_painted *line) {
   bool ok = true;
   if (line->classes && line->length) {
     ok = move(&out, row, 'A') && move(&out, line->prompt ? line->prompt + 1 : 1, 'G') && put_text(line, &out);
-    bool full = end.column == 0 && line->text[line->length - 1] != '\n'; /* whether the last row is full, so that the
-                                                                          * terminal's cursor is a row above the
-                                                                          * computed end */
+    /* full: whether the last row is full, so that the terminal's cursor is a row above the computed end */
+    bool full = end.column == 0 && line->text[line->length - 1] != '\n';
     ok = ok && (!full || put(&out, "\r\n"));
     row = end.row;
   }
@@ -109,7 +109,7 @@ void cli_paint_show(cli_paint *p, const cli_painted *line) {
     while (ok && row++ <= end.row) ok = put(&out, "\r\n"); /* creates rows that the terminal does not have yet, which
                                                             * moving the cursor would not */
     ok = ok &&
-         cli_line_buffer_add(&out, line->below, strlen(line->below) - 2); /* omits the last "\r\n" */
+         cli_line_buffer_add(&out, line->below, strlen(line->below) - 2); /* omits the line end of the last row */
     row = end.row + rows;
   }
   ok = ok && move(&out, row - cursor.row, 'A') && move(&out, cursor.row - row, 'B') &&
@@ -131,10 +131,10 @@ void cli_paint_erase(cli_paint *p) {
 
 /* ---- the row of a call ---- */
 
-/* Finds the parameter with this number in a form of call, "(name p [q] r ...)". If "..." follows the last parameter, it
- * is found for all larger numbers. Returns false if there is no such parameter. */
+/* Finds parameter `number` in a form of call such as "(name p [q] r ...)". If "..." follows the last parameter, it is
+ * also found for all larger numbers. Returns false if there is no such parameter. */
 static bool find_parameter(const char *form, size_t length, int number, size_t *from, size_t *to) {
-  int depth = 0, at = -1;         /* at: number of the parameter that ends next; -1: the procedure's name */
+  int depth = 0, at = -1;         /* at: number of the parameter that is being read; -1: the procedure's name */
   size_t start = 0, previous = 0; /* positions where this parameter and the previous parameter begin */
   for (size_t i = 0; i < length; i++) {
     depth += form[i] == '(' || form[i] == '[';

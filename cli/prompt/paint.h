@@ -7,7 +7,8 @@
 
 #include "cli/prompt/line_buffer.h"
 
-/* Position of the painted rows below the line; all members are 0 if there are none. */
+/* Position of the painted rows below the line, by which they are erased. All members are 0 if there are no such
+ * rows. */
 typedef struct {
   int down;   /* number of rows from the cursor's row to the first row below the line */
   int column; /* column of the cursor, counted from 0 */
@@ -16,8 +17,8 @@ typedef struct {
 typedef struct {
   const char *text;             /* the text of the line, which may contain newlines */
   size_t length, cursor;        /* length of the text, and position of the cursor in it, in bytes */
-  const unsigned char *classes; /* a cli_syntax for each byte, or NULL: no colours */
-  int prompt, width, height;    /* columns of the prompt; columns and rows of the terminal */
+  const unsigned char *classes; /* classes[i]: cli_syntax of byte i of the text, for colours; NULL: no colours */
+  int prompt, width, height;    /* prompt: columns of the prompt; width, height: columns and rows of the terminal */
   const char *below;            /* text of the rows below the line, each ending in "\r\n" and narrower than the
                                  * terminal */
   int rows;                     /* number of rows below the line */
@@ -30,7 +31,7 @@ void cli_paint_show(cli_paint *p, const cli_painted *line);
 int cli_paint_room(const cli_painted *line);
 /* Appends a row of less than `width` columns. `text` begins with two blanks. Up to text[call] it contains the ways to
  * call a procedure, separated by newlines; a description follows. With `colours` the row is dim, and parameter number
- * `argument` is bold. */
+ * `argument` is in bold type. */
 bool cli_hint_row(const char *text, size_t call, int argument, int width, bool colours, line_buffer *to);
 /* Erases the rows below the line, so that the terminal is again in the state in which libedit left it. */
 void cli_paint_erase(cli_paint *p);

@@ -41,7 +41,7 @@ static void write_file(cli_session *c, const char *path, const char *command) {
   }
 }
 
-/* Runs the file, or with "" the last one, from the start. */
+/* Runs the file from the start; with "", runs the last file again. */
 static vs_outcome run_model(cli_session *c, const char *path) {
   const cli_options *o = c->options;
   if (*path && access(path, R_OK) != 0) {
@@ -79,11 +79,12 @@ static void run_file(cli_session *c, cli_prompt *p, const char *path) {
   if (outcome == VS_OUTCOME_USAGE) return;
   cli_prompt_forget_stopped(p);
   if (outcome == VS_OUTCOME_STOPPED) cli_prompt_stopped(c, p, (cli_entry){NULL, 0, 0, 0});
-  for (size_t i = 0; i < p->known; i++) free(p->entries[i].text); /* typed entries are deleted, too */
+  for (size_t i = 0; i < p->known; i++) free(p->entries[i].text); /* typed entries are deleted, since the interpreter
+                                                                   * was restarted */
   p->count = p->known = 0;
 }
 
-/* Evaluates (load "FILE"), which becomes an entry for ,undo and ,save. With "", loads the last file again. */
+/* Evaluates (load "FILE"), which becomes an entry that ,undo and ,save include. With "", loads the last file again. */
 static void load_file(cli_session *c, cli_prompt *p, const char *path) {
   if (*path) {
     char *copy = strdup(path);
@@ -128,7 +129,7 @@ void cli_prompt_set(cli_session *c, char *rest) {
     fputs("; ,parameters lists them\n", stderr);
   } else if (!c->model && !c->options->source_count) {
     fprintf(stderr, "%s was defined at the prompt; define it again: (define-parameter %s %s)\n", rest, rest, value);
-  /* the new value was refused: restore the old one */
+  /* the new value was refused: sets the parameter to its old value */
   } else if (vs_parameter_set(c->scheme, rest, value) && run_model(c, "") == VS_OUTCOME_USAGE && was &&
       vs_parameter_set(c->scheme, rest, was)) {
     printf("; %s stays %s\n", rest, was);
@@ -203,7 +204,7 @@ static void help(cli_session *c, const char *name) {
   if (*info.value) printf("  %s is %s\n", name, info.value);
 }
 
-/* Returns true if the text contains the word; upper and lower case are the same. */
+/* Returns true if the text contains the word; upper and lower case count as equal. */
 static bool has(const char *text, const char *word) {
   size_t n = strlen(word);
   for (; *text; text++) {
@@ -250,7 +251,7 @@ static void apropos(cli_session *c, const char *word) {
   cli_manual_mentions(word, stdout);
 }
 
-/* Evaluates the concatenation of `before`, expression and `after`. */
+/* Evaluates the text `before`, followed by expression and `after`. */
 static void ask(cli_session *c, const char *before, const char *expression, const char *after) {
   size_t n = strlen(before) + strlen(expression) + strlen(after) + 1;
   char *text = malloc(n);
@@ -273,7 +274,7 @@ static void expand(cli_session *c, const char *form) {
 
 /* ---- undoing and saving entries ---- */
 
-/* Restarts, and runs all files and all entries that are not undone, without printing values. */
+/* Restarts the interpreter, and runs all files and all entries that have not been undone, without printing values. */
 static vs_outcome replay(cli_session *c, cli_prompt *p) {
   FILE *output = c->output;
   bool quiet = c->options->quiet;
@@ -324,7 +325,7 @@ static void redo(cli_session *c, cli_prompt *p) {
   replay(c, p);
 }
 
-/* Returns the number n of a value $n of this entry that a later entry uses, or 0 if there is none. */
+/* Returns the number n if a later entry uses a value $n of this entry, otherwise 0. */
 static unsigned named_later(const cli_prompt *p, size_t entry) {
   const cli_entry *e = &p->entries[entry];
   for (size_t i = entry + 1; e->results && i < p->count; i++)
@@ -344,7 +345,7 @@ static bool is_one(cli_session *c, const char *text, size_t n) {
   return true;
 }
 
-/* Writes an entry as a line of a program. If a later entry uses its value, the value gets a name. */
+/* Writes an entry as a line of a program. If a later entry uses its value, the line defines a name for the value. */
 static void save_entry(cli_session *c, const cli_prompt *p, size_t entry, FILE *f) {
   const char *text = p->entries[entry].text;
   text += strspn(text, " \t\r\n");
@@ -359,7 +360,7 @@ static void save_entry(cli_session *c, const cli_prompt *p, size_t entry, FILE *
     fprintf(stderr, "; $%u is not in the program: it is the value of one of several expressions in a line\n", named);
 }
 
-/* Returns true if the entry only switches tracing: (trace f) or (untrace f). */
+/* Returns true if the entry only begins or ends tracing: (trace f) or (untrace f). */
 static bool only_watches(const char *text) {
   text += strspn(text, " \t\r\n");
   return strncmp(text, "(trace ", 7) == 0 || strncmp(text, "(untrace ", 9) == 0;
@@ -498,7 +499,7 @@ static void locals(cli_session *c, const char *number) {
     const char *end = at;
     int depth = 0;
     bool string = false;
-    for (; *end; end++) { /* finds the comma before the next name */
+    for (; *end; end++) { /* end: position of the comma before the next name, or of the text's end */
       if (*end == '"') string = !string;
       if (!string && *end == '(') depth++;
       if (!string && *end == ')') depth--;

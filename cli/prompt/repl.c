@@ -61,7 +61,8 @@ unsigned cli_prompt_results(cli_session *c, cli_prompt *p) {
 }
 
 static bool remember(cli_session *c, cli_prompt *p, const char *text, size_t length, unsigned first_line) {
-  for (size_t i = p->count; i < p->known; i++) free(p->entries[i].text); /* undone entries are deleted */
+  for (size_t i = p->count; i < p->known; i++) free(p->entries[i].text); /* deletes the entries that have been undone:
+                                                                          * they can no longer be redone */
   p->known = p->count;
   if (!has_room(&p->entries, p->count, &p->room)) return false;
   char *copy = malloc(length + 1);
@@ -82,11 +83,11 @@ void cli_prompt_free(cli_prompt *p) {
   free(p->loaded);
 }
 
-/* Explains that the line 3 + 4 is three separate values. Returns false for other lines. */
+/* For a line such as 3 + 4, explains that it consists of three separate values. Returns false for other lines. */
 static bool advise_infix(const char *line) {
   char a[40], sign[3], b[40], rest[2];
   if (sscanf(line, "%39[^ ()\"'] %2[-+*/<>=^%%] %39[^ ()\"']%1s", a, sign, b, rest) != 3) return false;
-  if (sign[0] == '=' && !sign[1]) return false; /* x = 5: the error message already explains it */
+  if (sign[0] == '=' && !sign[1]) return false; /* for x = 5, the error message has already explained this */
   fprintf(stderr, "; the operator comes first: (%s %s %s)\n", strcmp(sign, "^") == 0 ? "expt" : strcmp(sign,
       "==") == 0 ? "=" : sign, a, b);
   return true;
@@ -125,7 +126,7 @@ static void advise(cli_session *c, const char *text, size_t length, bool failed)
 
 /* ---- paused programs ---- */
 
-/* Calls vs_resume, with the time watched (limits.h). */
+/* Calls vs_resume, while the time limit is watched (limits.h). */
 static vs_outcome resume(cli_session *c, vs_resume_way way) {
   c->drawn = true;
   cli_watch_begin(&c->watch, true);
@@ -208,7 +209,7 @@ vs_outcome cli_prompt_evaluate_with(cli_session *c, cli_prompt *p, const char *t
     outcome = cli_prompt_stopped(c, p, (cli_entry){copy.at, first_line, 0, 0});
   } else if (outcome == VS_OUTCOME_DONE) {
     advise(c, text, length, false);
-    /* Expressions that only inspect a paused program are not kept as entries. */
+    /* An expression that only inspects a paused program does not become an entry. */
     if ((!p->stopped_count || cli_is_definition(text)) && !remember(c, p, text, length,
         first_line)) fputs("vs: out of memory\n", stderr);
   } else if (outcome == VS_OUTCOME_MODEL) {
@@ -231,7 +232,7 @@ static bool view_asked(void *context) {
   return p->asked.kind != LIVE_NOTHING;
 }
 
-/* Performs the request of a window as if it had been typed. */
+/* Performs the request of a window of the live view, as if it had been typed. */
 static void view_act(void *context) {
   cli_prompt *p = context;
   cli_session *c = p->session;
@@ -269,7 +270,7 @@ void cli_prompt_view(cli_session *c, cli_prompt *p) {
   puts("; the page follows the drawing until this prompt ends");
 }
 
-/* Shows the result of the last line in the live view. */
+/* Shows the drawing after the last line in the live view. */
 static void show_view(cli_session *c) {
   if (!c->view) return;
   if (c->drawn) live_follow_show(c->view);
@@ -278,8 +279,8 @@ static void show_view(cli_session *c) {
 
 /* ---- the loop of the prompt ---- */
 
-/* Returns the prompt for an unfinished expression, "2 open, from line 1> ": the number of open parentheses, and the
- * line of the innermost. */
+/* Returns the prompt for a further line of an unfinished expression, such as "2 open, from line 1> ": the number of
+ * open parentheses, and the line of the innermost. */
 static const char *continuation(const vs_read_status *status, char *room, size_t size) {
   if (status->depth) snprintf(room, size, "%u open, from line %u> ", status->depth, status->line);
   else snprintf(room, size, "open from line %u> ", status->line);
@@ -293,7 +294,8 @@ static void tell_given_up(vs_scheme *scheme, const char *text, const vs_read_sta
   else printf("; given up: the parenthesis of line %u, column %u is not closed\n", status->line, status->column);
 }
 
-/* Returns the prompt: "> ", or "break> " if a program is paused, or "2 break> " if two are. */
+/* Returns the prompt for a new expression: "> ", or "break> " if a program is paused, or "2 break> " if two programs
+ * are. */
 static const char *top_prompt(const cli_prompt *p, char *room, size_t size) {
   if (!p->stopped_count) return "> ";
   const char *how = p->again ? "step" : "break";
@@ -307,12 +309,12 @@ vs_outcome cli_repl(cli_session *c) {
   c->editor = cli_editor_open(c->scheme, cli_command_names);
   if (c->editor && !c->options->quiet) printf("VisualScheme %s. ,help lists commands, ,quit ends.\n", vs_version());
   line_buffer pending = {0};
-  unsigned first_line = 1; /* line number at which the pending text begins */
+  unsigned first_line = 1; /* number of the line at which the unfinished expression begins */
   int code;
   vs_outcome outcome = VS_OUTCOME_DONE;
   vs_read_status status = {0};
   c->stops = VS_EVAL_STOP;
-  /* A program of the command line has paused. */
+  /* handles a program of the command line that has paused */
   if (vs_stop_depth(c->scheme)) cli_prompt_stopped(c, &p, (cli_entry){NULL, 0, 0, 0});
   while (p.going && !*c->ended && !vs_exit_requested(c->scheme, &code)) {
     cli_output_flush(c);
@@ -339,7 +341,8 @@ vs_outcome cli_repl(cli_session *c) {
       cli_prompt_drop(c, &p);
       continue;
     }
-    if (line && whole) pending.length = 0; /* `line` contains the pending lines, too, after editing */
+    if (line && whole) pending.length = 0; /* after editing, `line` also contains the lines of the unfinished
+                                            * expression */
     if (!pending.length) first_line = p.line;
     size_t blanks = line ? strspn(line, " \t") : 0;
     if (line && line[blanks] == ',' && (!pending.length || c->editor)) {
@@ -364,7 +367,7 @@ vs_outcome cli_repl(cli_session *c) {
       cli_prompt_resume(c, &p, (vs_resume_way)(p.again - 1));
       continue;
     }
-    /* An empty line abandons the unfinished expression. */
+    /* an empty line ends the input of an unfinished expression, which is abandoned */
     if (line && c->editor && pending.length && blanks + 1 >= length && !cli_editor_has_more(c->editor)) {
       tell_given_up(c->scheme, pending.at, &status);
       p.line++;
@@ -386,9 +389,9 @@ vs_outcome cli_repl(cli_session *c) {
     if (status.state == VS_READ_INCOMPLETE && p.going) continue;
     if (status.state != VS_READ_EMPTY && pending.length) {
       if (c->editor) cli_editor_remember(c->editor, pending.at, pending.length);
-      /* Invalid text is evaluated, too: the reader's error message gives the reason. */
+      /* Invalid text is evaluated, too: the reader then reports the fault. */
       vs_outcome one = cli_prompt_evaluate(c, &p, pending.at, pending.length, first_line);
-      /* Without a terminal nobody may see an error: the first one decides the exit status. */
+      /* Without a terminal nobody may see an error: the first failed expression decides the exit status. */
       if (!c->editor && outcome == VS_OUTCOME_DONE && one != VS_OUTCOME_STOPPED) outcome = one;
       if (one == VS_OUTCOME_INTERRUPTED && !c->editor) {
         outcome = one;

@@ -1,8 +1,9 @@
-/* Implements ,show: draws a picture of the drawing on the terminal. The coloured triangles come from the PLY writer. A
- * small rasteriser with a depth buffer draws them in parallel projection from the upper front left.
+/* Implements the prompt's command ,show: draws a picture of the drawing on the terminal. The coloured triangles come
+ * from the PLY writer. A small rasteriser with a depth buffer draws them in parallel projection from the upper front
+ * left.
  *
- * Terminals with the protocol of sixel, kitty or iTerm show pixels. On all others, each character is the upper half
- * block in 24-bit colours, and shows two pixels. */
+ * A terminal with the protocol of sixel, kitty or iTerm shows pixels. On other terminals, each character is the upper
+ * half block in 24-bit colours, and shows two pixels. */
 #include "cli/prompt/show.h"
 
 #include <math.h>
@@ -81,9 +82,9 @@ static vec corner(const ply *p, uint32_t i) {
   return (vec){number_at(at, p->wide), number_at(at + step, p->wide), number_at(at + 2 * step, p->wide)};
 }
 
-/* Projects a point in parallel: x to the right, y upwards, z towards the eye, which is at the upper front left. */
+/* Projects the point v in parallel: x to the right, y upwards, z towards the eye, which is at the upper front left. */
 static vec seen(vec v) {
-  /* rotation by 30 degrees about Z, then a tilt by 30 degrees */
+  /* c, s: cosine and sine of a rotation by 30 degrees about Z; ct, st: of a tilt by 30 degrees */
   const double c = .8660254037844387, s = .5, ct = .8660254037844386, st = .5;
   double x = c * v.x - s * v.y, y = s * v.x + c * v.y;
   return (vec){x, st * y + ct * v.z, ct * -y + st * v.z};
@@ -113,7 +114,7 @@ static void fill(picture *p, const vec t[3], const unsigned char rgb[3]) {
     }
 }
 
-enum { FACE = 17 }; /* FACE: bytes of a face: a count, three corners, red, green, blue and opacity */
+enum { FACE = 17 }; /* FACE: size of a face in bytes: a count, three corners, red, green, blue and opacity */
 
 /* Draws the mesh. Returns false if memory is out or nothing is visible. */
 static bool draw(const ply *m, int width, int height, picture *p) {
@@ -139,7 +140,7 @@ static bool draw(const ply *m, int width, int height, picture *p) {
       vec s = seen(corner(m, c));
       t[k] = (vec){dx + scale * s.x, dy - scale * s.y, scale * s.z};
     }
-    vec swap = t[1]; /* y points downwards in the picture, which reverses the order of the corners */
+    vec swap = t[1]; /* exchanges two corners, because y points downwards in the picture, which reverses their order */
     t[1] = t[2], t[2] = swap;
     if (fits) fill(p, t, face + 13);
     face += FACE;
@@ -170,7 +171,7 @@ static void show_blocks(const picture *p) {
   }
 }
 
-/* Shows the brightness without colours. Each character represents two pixels, an upper and a lower pixel. */
+/* Shows the brightness of pixels without colours. Each character represents two pixels, an upper and a lower one. */
 static void show_characters(const picture *p) {
   static const char ramp[] = " .:-=+*#%@";
   for (int y = 0; y < p->height; y += 2) {
@@ -195,7 +196,7 @@ static void base64(const unsigned char *at, size_t n) {
   }
 }
 
-/* Shows the pixels with opacity by kitty's protocol, in pieces of 3072 bytes. */
+/* Sends the pixels with opacity to the terminal by kitty's protocol, in pieces of 3072 bytes. */
 static void show_kitty(const picture *p) {
   enum { PIECE = 3072 };
   size_t pixels = (size_t)p->width * (size_t)p->height, n = 4 * pixels;
@@ -214,7 +215,7 @@ static void show_kitty(const picture *p) {
   free(rgba);
 }
 
-/* Shows the picture by iTerm's protocol, which transfers files, as a portable pixmap. */
+/* Sends the picture to the terminal by iTerm's protocol, which transfers files: a portable pixmap. */
 static void show_iterm(const picture *p) {
   size_t pixels = (size_t)p->width * (size_t)p->height, head;
   unsigned char *file = malloc(3 * pixels + 40);
@@ -267,8 +268,8 @@ static void show_sixel(const picture *p) {
 
 typedef enum { SHOW_BLOCKS, SHOW_KITTY, SHOW_ITERM, SHOW_SIXEL, SHOW_CHARACTERS } way;
 
-/* Chooses the protocol from environment variables that describe the terminal. VS_SHOW overrides it: kitty, iterm,
- * sixel, blocks or characters. */
+/* Chooses the protocol by environment variables that describe the terminal. The variable VS_SHOW has precedence: kitty,
+ * iterm, sixel, blocks or characters. */
 static way best_way(void) {
   static const char *const names[] = {"blocks", "kitty", "iterm", "sixel", "characters"};
   const char *wanted = getenv("VS_SHOW"), *term = getenv("TERM"), *program = getenv("TERM_PROGRAM");

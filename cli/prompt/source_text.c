@@ -1,5 +1,5 @@
-/* Reads unfinished Scheme text for the prompt. It splits the text into tokens, in the same way for brackets, colours
- * and indentation. */
+/* Reads unfinished Scheme text for the prompt. It splits the text into tokens, by which the prompt finds brackets,
+ * colours and indentation. */
 #include "cli/prompt/source_text.h"
 
 #include <ctype.h>
@@ -83,11 +83,12 @@ size_t cli_text_open(const char *text, size_t length, size_t open[CLI_DEEP], boo
 
 /* ---- the call at the end of a text ---- */
 
-/* Returns the number of the argument at the end of the text that follows the name of a call. */
+/* Returns the number of the argument at the end of a text that follows the name of a call. */
 static int argument_at(const char *text, size_t length) {
   int begun = 0, current = -1, depth = 0;
-  bool touching = true, of_keyword = false, prefix = false; /* of_keyword: whether the next argument is the value of a
-                                                             * keyword */
+  bool touching = true, of_keyword = false, prefix = false; /* touching: the last token reaches the end of the text;
+                                                             * of_keyword: the next argument is the value of a keyword;
+                                                             * prefix: a quote precedes the next datum */
   for (size_t at = 0; at < length;) {
     token t = next_token(text, length, at);
     bool starts = t.kind == TOKEN_OPEN || t.kind == TOKEN_WORD || t.kind == TOKEN_STRING || t.kind == TOKEN_QUOTE;
@@ -96,7 +97,7 @@ static int argument_at(const char *text, size_t length) {
       current = keyword || of_keyword ? -1 : begun++;
       of_keyword = keyword;
     }
-    prefix = t.kind == TOKEN_QUOTE; /* the datum after the quote belongs to the same argument */
+    prefix = t.kind == TOKEN_QUOTE; /* the datum after a quote belongs to the quote's argument */
     depth += t.kind == TOKEN_OPEN;
     depth -= t.kind == TOKEN_CLOSE;
     touching = t.kind != TOKEN_BLANK && t.kind != TOKEN_COMMENT;
@@ -148,14 +149,14 @@ size_t cli_text_indentation(vs_scheme *scheme, const char *text) {
   size_t n = 0, more = 2;
   while (text[bracket + 1 + n] && !ends_word(text[bracket + 1 + n])) n++;
   const char *name = text + bracket + 1, *argument = name + n + strspn(name + n, " \t");
-  if (!n || text[bracket] == '[' || (bracket && text[bracket - 1] == '\'')) more = 1; /* Quoted data and clauses are
-                                                                                       * indented by one column */
+  /* more: columns by which the next line is indented; 1 for quoted data and for clauses in [ ] */
+  if (!n || text[bracket] == '[' || (bracket && text[bracket - 1] == '\'')) more = 1;
   else if (is_procedure(scheme, name, n) && *argument && *argument != '\n' && *argument != ';')
     more = (size_t)(argument - text) - bracket;
   return column + more < MOST ? column + more : MOST;
 }
 
-/* Returns true if the text ends among the arguments of a procedure. */
+/* Returns true if the end of the text is among the arguments of a procedure. */
 static bool in_arguments(vs_scheme *scheme, const char *text, size_t length) {
   size_t open[CLI_DEEP], depth = cli_text_open(text, length, open, NULL), n = 0;
   if (!depth) return false;
@@ -194,11 +195,11 @@ static cli_syntax class_of_word(vs_scheme *scheme, const char *word, size_t n, b
 
 void cli_text_classes(vs_scheme *scheme, const char *text, size_t length, size_t cursor, unsigned char *classes) {
   size_t open[CLI_DEEP], depth = 0;
-  bool quoted = false, behind = false; /* behind: whether the cursor is directly after a bracket, whose matching bracket
-                                        * is marked */
+  bool quoted = false, behind = false; /* behind: whether the cursor is directly after a bracket, whose counterpart is
+                                        * marked */
   memset(classes, CLI_SYNTAX_PLAIN, length);
   size_t first = strspn(text, " \t");
-  if (first < length && text[first] == ',') { /* the text is a command of the prompt */
+  if (first < length && text[first] == ',') { /* a comma at the start of the text: it is a command of the prompt */
     memset(classes + first, CLI_SYNTAX_KEYWORD, strcspn(text + first, " \t\n"));
     return;
   }

@@ -14,7 +14,7 @@ size_t cli_text_open(const char *text, size_t length, size_t open[CLI_DEEP], boo
 /* The innermost call that is not closed at the end of a text. */
 typedef struct {
   char name[100];
-  int argument; /* number of the argument at the end of the text, from 0; -1: the end is in the procedure's name, or in
+  int argument; /* number, from 0, of the argument at the end of the text; -1: the end is in the procedure's name, or in
                  * the value of a keyword */
 } cli_call;
 /* Sets *call to the innermost call that is open at the end of the text. Returns false if no call is open, or its name
@@ -22,12 +22,12 @@ typedef struct {
 bool cli_text_call(const char *text, cli_call *call);
 
 /* Returns the indentation in blanks, at most 60, of the line after the text. Arguments are below the first argument.
- * The body of a form is two columns right of the form's bracket; data and clauses are one column right of it. Returns 0
- * within a string. */
+ * The body of a form such as define is two columns right of the form's bracket; data and clauses are one column right
+ * of their bracket. Returns 0 within a string. */
 size_t cli_text_indentation(vs_scheme *scheme, const char *text);
 
-/* Returns the number of the line, from 1, that probably lacks a closing bracket at its end, or 0. The next line begins
- * with a bracket in its first column, or with a definition that would be an argument of a procedure. */
+/* Returns the number, from 1, of the line that probably lacks a closing bracket at its end, or 0. The line after it
+ * begins with a bracket in its first column, or with a definition that would be an argument of a procedure. */
 unsigned cli_text_lacks_bracket(vs_scheme *scheme, const char *text);
 
 typedef enum {

@@ -16,7 +16,7 @@ void cli_output_flush(cli_session *c) {
   if (fflush(stdout) != 0) cli_output_fails(c);
 }
 
-/* Returns true if the process that reads standard output has closed it. Such a failure needs no message. */
+/* Returns true if the process that reads standard output has closed it: such a failure needs no message. */
 static bool reader_is_gone(void) {
   struct pollfd out = { .fd = STDOUT_FILENO, .events = POLLOUT };
   return poll(&out, 1, 0) > 0 && (out.revents & (POLLERR | POLLHUP)) != 0;
@@ -24,10 +24,10 @@ static bool reader_is_gone(void) {
 
 int cli_output_end(int code, bool told) {
   errno = 0;
-  bool failed = fflush(stdout) != 0; /* errno is 0 if an earlier write failed and nothing was left to write */
+  bool failed = fflush(stdout) != 0; /* errno remains 0 if an earlier write has failed and nothing is left to write */
   if (!failed && !ferror(stdout) && !told) return code;
-  if (code != VS_OUTCOME_DONE && code != VS_OUTCOME_MODEL) return code; /* for these codes, the failure was already
-                                                                         * reported */
+  if (code != VS_OUTCOME_DONE && code != VS_OUTCOME_MODEL) return code; /* for all other exit codes, a failure was
+                                                                         * already reported */
   if (!told && errno && errno != EPIPE) fprintf(stderr, "vs: standard output: %s\n", strerror(errno));
   else if (!told && !errno && !reader_is_gone())
     fputs("vs: standard output: the text could not be written completely\n", stderr);

@@ -1,4 +1,4 @@
-/* Compares words by their stems. libstemmer finds the stems; it is loaded when a search opens. */
+/* Compares words by their stems. libstemmer finds the stems; it is loaded for the first search. */
 #include "cli/prompt/stems.h"
 
 #include <ctype.h>
@@ -25,8 +25,8 @@ void cli_stems_close(cli_stems *s) {
 
 static bool in_word(char c) { return isalnum((unsigned char)c) || (unsigned char)c >= 0x80; }
 
-/* Reads the next word of the text. Writes its stem to the array `word` of CLI_STEM_SIZE bytes; for a longer word it
- * writes "". Returns the end of the word, or NULL if there is no further word. */
+/* Reads the next word of the text. Writes its stem to the array `word` of CLI_STEM_SIZE bytes, or "" if the word is too
+ * long. Returns the end of the word, or NULL if there is no further word. */
 static const char *next_stem(const cli_stems *s, const char *at, const char *end, char *word) {
   while (at < end && !in_word(*at)) at++;
   if (at == end) return NULL;

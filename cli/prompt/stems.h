@@ -1,5 +1,5 @@
-/* Declares the comparison of words by their stems, for searches in the manual: contours and contour, animated and
- * animation, spiral-stair and Spiral stairs. */
+/* Declares the comparison of words by their stems, for searches in the manual: contours has the stem of contour,
+ * animated that of animation, spiral-stair those of Spiral stairs. */
 #ifndef VS_CLI_PROMPT_STEMS_H
 #define VS_CLI_PROMPT_STEMS_H
 
@@ -14,7 +14,7 @@ typedef struct {
 #define STEM(name) __typeof__(&name) name;
 #include "cli/prompt/stems.def"
   } call;
-  struct sb_stemmer *english; /* NULL if the library is missing: each word is then its own stem */
+  struct sb_stemmer *english; /* stemmer for English; NULL if the library is missing: each word is then its own stem */
 } cli_stems;
 
 /* Loads the library. The caller closes s. */
@@ -30,7 +30,7 @@ typedef struct {
   size_t count; /* number of words; 0 if the text has no word, too many words, or a word that is too long */
 } cli_phrase;
 
-/* Returns the stems of the text's words. If s is NULL, returns the words themselves. */
+/* Returns the stems of the text's words. If s is NULL, returns the words themselves in lower case. */
 cli_phrase cli_phrase_of(const cli_stems *s, const char *text, size_t length);
 /* Returns true if the text contains the words of the phrase as consecutive words. */
 bool cli_phrase_in(const cli_stems *s, const cli_phrase *p, const char *text, size_t length);

@@ -27,8 +27,8 @@
 
 enum { TIMES = 500, PATH_ROOM = 4096 };
 
-typedef struct { double from, hours; /* a position of the sun: from: begin of its time in hours of mean local time;
-                                      * hours: length of this time */ double azimuth,
+typedef struct { double from, hours; /* from: begin of the time of this sun in hours of mean local time; hours: its
+                                      * length */ double azimuth,
     altitude; vs_vec3 towards; } sun;
 
 typedef struct {
