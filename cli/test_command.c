@@ -16,7 +16,8 @@
 
 #include "cli/difference.h"
 
-/* SECONDS, MEGABYTES: limits of a program, and of each check, if no options are given. */
+/* Limits of a program, and of each check, if no options are given: SECONDS of time, and bytes of memory (MEMORY) and of
+ * printed text (PRINTED). */
 #define SECONDS 10
 enum { MEMORY = 1 << 30, PRINTED = 10 << 20 };
 

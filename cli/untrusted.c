@@ -22,7 +22,8 @@
 #include "cli/confine.h"
 #include "cli/limits.h"
 
-/* Default limits of an untrusted model: time in seconds of each step, and others. */
+/* Limits of an untrusted model if no options are given: seconds of the model and of external programs; bytes of memory
+ * and of printed text; triangles. */
 #define SECONDS 10
 #define WORKER_SECONDS 120
 enum { MEMORY = 512 << 20, PRINTED = 10 << 20, TRIANGLES = 5000000 };

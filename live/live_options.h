@@ -12,7 +12,7 @@ typedef struct live_options {
   vs_options interpreter;               /* options of the interpreter; the view replaces the callbacks in their member
                                          * host */
   vs_output_options output;             /* tolerance, segments and passes of the view */
-  const char *const *parameters;        /* texts NAME=VALUE, set before the first run; NULL ends the list */
+  const char *const *parameters;        /* array of parameter_count texts NAME=VALUE, set before the first run */
   size_t parameter_count;
   /* Writes the findings of a check in a text that replaces the model's, as vs check --json does. Any thread may call
    * this function. It returns false if memory is out. NULL: texts are not checked. */

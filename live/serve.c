@@ -202,8 +202,8 @@ static enum MHD_Result serve_events(live_server *s, struct MHD_Connection *c) {
   l->socket = info != NULL ? info->connect_fd : -1;
   l->first = true;
   pthread_mutex_lock(&s->publish->lock);
-  /* A page that is reloaded repeatedly leaves connections of closed windows behind. The server waits while it writes to
-   * all windows, and drops those that are gone. */
+  /* A page that is reloaded repeatedly leaves connections of closed windows behind. If there are too many windows,
+   * wakes their threads, which write and thereby find out whether their window is gone, and waits until one ends. */
   struct timespec until = in_seconds(1);
   if (s->publish->windows >= WINDOWS) pthread_cond_broadcast(&s->publish->changed);
   while (s->publish->windows >= WINDOWS && !s->publish->ended)

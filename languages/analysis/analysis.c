@@ -171,7 +171,7 @@ void know_hear(knowledge *k, const vs_diagnostic *d) {
   k->heard_line = d->at.line, k->heard_column = d->at.column, k->heard_warning = warning;
 }
 
-/* ---- queries ---- */
+/* ---- queries of nodes and symbols ---- */
 
 know_index know_nth(const knowledge *k, know_index list, uint32_t nth) {
   know_index i = list ? k->nodes[list].first : 0;
@@ -183,8 +183,8 @@ bool know_is(const knowledge *k, know_index node, const char *word) {
   const know_node *n = know_at(k, node);
   if (!node || (n->kind != KNOW_SYMBOL && n->kind != KNOW_KEYWORD)) return false;
   const char *text = k->names[n->name].text;
-  return !strcmp(k->script && !strncmp(text, "js:", 3) ? text + 3 : text, word); /* in a script, a word such as js:if is
-                                                                                  * compared without the prefix js: */
+  /* in a script (JavaScript), the node's word is compared without its prefix js: */
+  return !strcmp(k->script && !strncmp(text, "js:", 3) ? text + 3 : text, word);
 }
 
 const char *know_spelling(const knowledge *k, know_index node, size_t *length) {
@@ -217,7 +217,7 @@ const char *know_kind_word(know_kind kind) {
 /* ---- the analysis ---- */
 
 bool know_open(knowledge *k) {
-  /* element 0 of each array is unused, so that index 0 can mean "none" */
+  /* element 0 of each array is unused, because index 0 means that there is no element */
   know_index none = know_node_new(k, KNOW_OTHER);
   none |= know_name_of(k, "", 0, 0, 0);
   k->name_table[0] = 0;

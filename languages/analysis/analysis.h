@@ -1,10 +1,10 @@
 /* Declares the facts about a program that are known without running it: its texts as trees with places, the variables
  * with their definitions and uses, the scopes, the comments, and the expansions of macros.
  *
- * An analysis contains all of these in arrays. An index identifies an element, and 0 means that there is none. Nodes of
- * the texts come first, in the order of the text. Nodes made by macros follow, each with the node of which it is a
- * copy. The analysis never runs the program. It asks the interpreter for the meaning of the language's names, and makes
- * it import libraries.
+ * An analysis contains these facts in arrays. An index identifies an element of an array, and 0 means that there is
+ * none. Nodes of the texts come first, in the order of the text. Nodes made by macros follow, each with the node of
+ * which it is a copy. The analysis never runs the program. It asks the interpreter for the meaning of the language's
+ * names, and makes the interpreter import libraries.
  *
  * The first failure sets `trouble`. After it, every call does nothing, and know_read returns false. */
 #ifndef VS_LANGUAGES_ANALYSIS_ANALYSIS_H
@@ -22,16 +22,16 @@ typedef enum {
   KNOW_OTHER   /* #!eof, #0#, and any other datum without parts */
 } know_kind;
 
-/* The role of a node, which is known after the walk. */
+/* The role of a node in the program. The walk through the program (name_walk.h) determines it. */
 typedef enum {
   KNOW_EXPRESSION,
-  KNOW_DATUM,      /* quoted, or part of a pattern or a template */
+  KNOW_DATUM,      /* data: quoted, or part of a macro's pattern or template */
   KNOW_SYNTAX,     /* a word of a form's syntax: if, else, => */
   KNOW_DEFINITION, /* a name where it is defined or bound */
   KNOW_REFERENCE,  /* a name whose value is used */
   KNOW_ASSIGNMENT, /* a name whose value is set */
   KNOW_UNBOUND,    /* a name without a definition */
-  KNOW_OPAQUE      /* inside the use of a macro that only a run of the program could expand */
+  KNOW_OPAQUE      /* inside a macro use that only a run of the program could expand */
 } know_role;
 
 typedef struct {
@@ -42,23 +42,24 @@ typedef struct {
 
 typedef struct {
   uint8_t kind, role;
-  char open;           /* first character. LIST: ( [ ' ` , @ ; VECTOR: # */
+  char open;           /* first character of the node. LIST: ( [ ' ` , @ ; VECTOR: # */
   bool dotted;         /* LIST: whether a dot precedes the last element */
   bool made;           /* whether a macro made the node; its place is then that of the macro's use */
-  bool walked;         /* whether the walk has determined the node's meaning */
+  bool walked;         /* whether the walk (name_walk.h) has determined the node's meaning */
   bool statement;      /* whether the node is a statement, at top level or in a body */
   uint16_t form;       /* LIST: 1 + the row in binding_forms.def of the list's first word; 0: no row */
   know_index parent, first, next;
   uint32_t count;      /* LIST, VECTOR: number of elements */
   know_index name;     /* SYMBOL, KEYWORD: index of the node's know_name */
-  know_index symbol;   /* symbol to which a name refers */
-  know_index scope;    /* scope around the node */
-  know_index expansion; /* LIST: expansion of the macro that this list uses */
-  know_index origin;   /* if made: the node of which this is a copy */
+  know_index symbol;   /* symbol (name with its definition) to which the node refers; 0: none */
+  know_index scope;    /* scope in which the node lies */
+  know_index expansion; /* LIST that is a macro use: the node to which the macro expands */
+  know_index origin;   /* if made: the node of which this node is a copy */
   know_place at;
 } know_node;
 
-/* A name as an identifier. Names from a macro's template are separate identifiers with the same text. */
+/* A name as an identifier. Names from a macro's template are separate identifiers with the same text. base, scope: the
+ * name of which it is an alias, and the scope of the macro. */
 typedef struct { const char *text; know_index base, scope; uint32_t hash; } know_name;
 
 typedef enum {
@@ -78,13 +79,14 @@ typedef enum {
 } know_symbol_kind;
 
 typedef struct {
-  uint32_t least, most; /* numbers of positional arguments; most UINT32_MAX: there is no upper limit */
+  uint32_t least, most; /* least and greatest number of positional arguments; most UINT32_MAX: there is no upper
+                         * limit */
   bool known;
   bool any_keyword;
-  know_index keywords;  /* node of the parameter list with the keywords; 0: a procedure of the language */
+  know_index keywords;  /* node of the parameter list that has the keywords; 0: the procedure is one of the language */
 } know_arity;
 
-/* A parameter and its value, as the user writes the value. */
+/* A parameter's name and the text of the value that the user has set. */
 typedef struct { const char *name, *value; } know_setting;
 
 typedef struct {
@@ -92,52 +94,59 @@ typedef struct {
   know_index name, scope, next_in_scope;
   uint8_t kind;
   bool made;              /* whether a macro made the definition */
-  bool optional;          /* PARAMETER: whether it has a default, receives the remaining arguments, or is a keyword */
+  bool optional;          /* PARAMETER: whether a call may omit it: it has a default, receives the remaining arguments,
+                           * or is a keyword */
   bool checked;           /* PARAMETER: whether it has a contract, which uses its value */
-  know_index definition;  /* node of the name where it is defined; 0 for BUILTIN */
-  know_index form;        /* node of the whole form that defines it */
+  know_index definition;  /* node of the name in its definition; 0 for BUILTIN */
+  know_index form;        /* node of the whole form that defines the symbol */
   know_index value;       /* node of the value's expression; for a FUNCTION, `parameters` is its parameter list */
   know_index parameters;  /* node of the parameter list, or of a rest name without a list */
   know_index body;        /* node of the first form of the body */
   know_index owner;       /* PARAMETER: symbol of its FUNCTION; 0: parameter of a lambda */
-  know_index first_use, last_use; /* first and last use: indices of know_use, in the order of the walk */
+  know_index first_use, last_use; /* indices of the first and the last know_use of the symbol, in the order of the
+                                   * walk */
   uint32_t definitions, reads, sets, calls;
   know_arity arity;
-  know_index comment, comment_end; /* range of the comments (know_comment) above or beside the definition */
+  know_index comment, comment_end; /* comment: first know_comment above or beside the definition; comment_end: index
+                                    * after the last */
   know_index doc_string;  /* node of the string in a body that documents the definition */
-  uint16_t row;           /* MACRO of the language: 1 + the macro's row of binding_forms.def; 0: no row */
+  uint16_t row;           /* MACRO of the language: 1 + the row of binding_forms.def that describes it; 0: no row */
   bool rules;             /* MACRO defined by define-syntax-rule: `value` is the name with its pattern */
   know_index hides;       /* variable of the program that this symbol hides */
   const char *call, *keywords, *doc; /* BUILTIN: texts as in vs_name_info */
 } know_symbol;
 
 typedef struct { know_index symbol, node, next; uint8_t role; bool called; } know_use;
-typedef struct { uint32_t file, from, to, line, end_line; bool alone; } know_comment; /* alone: whether no code precedes
-                                                                                       * the comment on its line */
+/* A comment in a file. from, to: range of bytes; line, end_line: lines from 1; alone: whether no code precedes it on
+ * its line */
+typedef struct { uint32_t file, from, to, line, end_line; bool alone; } know_comment;
 
 typedef struct {
   const char *path;       /* path as the program writes it */
   const char *text;
   size_t size;
-  know_index root;        /* LIST node of the top-level forms */
+  know_index root;        /* LIST node whose elements are the top-level forms of the file */
   know_index first_comment, comment_end;
   know_index loaded_by;   /* node of the (load ...) that loads the file; 0: the program's own file */
-  bool run;               /* whether the file's forms already belong to the program, so that loading it again adds
+  bool run;               /* whether the file's forms already belong to the program, so that loading the file again adds
                            * nothing */
 } know_file;
 
 typedef struct {
   vs_scheme *scheme;
   const char *library_path;
-  const char *given; size_t given_length; /* text that replaces the file's; NULL: the file's own text */
+  const char *given; size_t given_length; /* text to analyse instead of the file's text; NULL: the file's text is
+                                           * analysed */
   char trouble[400];      /* reason of the first failure; "": there is none */
   vs_outcome outcome;     /* outcome of the first failure */
-  bool muted;             /* whether the host must store messages by know_hear, and show none */
-  char heard[700];        /* the first error that the host heard; if there is none, the first warning */
+  bool muted;             /* whether the interpreter's host must store messages by know_hear instead of showing them */
+  char heard[700];        /* the first error that the interpreter reported while muted; if there is none, the first
+                           * warning */
   uint32_t heard_line, heard_column; /* place of the message `heard` */
   bool heard_warning;     /* whether the message `heard` is a warning */
-  uint32_t trial;         /* index of the value that a check is trying for an unknown argument */
-  bool reading;           /* whether the host must ignore errors of line 0, and set `unreadable` for any other error */
+  uint32_t trial;         /* number of the value that a check is trying in place of an unknown argument */
+  bool reading;           /* whether the interpreter's host must ignore errors at line 0, and set `unreadable` for any
+                           * other error */
   bool unreadable;
   bool open;              /* whether some names cannot be known, because the program uses eval or opaque macros */
   bool script;            /* whether the program is in JavaScript (script/script_tree.h) */
@@ -153,7 +162,7 @@ typedef struct {
   know_file *files; size_t file_count, file_room;
   know_index *name_table; size_t name_slots;         /* hash table of names by text, base and scope */
   know_index *binding_table; size_t binding_slots, binding_count; /* hash table of symbols by scope and name */
-  size_t text_nodes;      /* number of the nodes that come from the texts, not from macros */
+  size_t text_nodes;      /* number of nodes that come from the program's texts, not from macros */
 } knowledge;
 
 enum { KNOW_MOST_NESTING = 10000, KNOW_MOST_NODES = 20000000, KNOW_MOST_MADE = 1000000, KNOW_MOST_BYTES = 64 << 20 };
@@ -161,37 +170,39 @@ enum { KNOW_MOST_NESTING = 10000, KNOW_MOST_NODES = 20000000, KNOW_MOST_MADE = 1
 bool know_open(knowledge *k); /* Makes the arrays of a new analysis. Returns false with `trouble` set on failure. */
 void know_free(knowledge *k);
 
-/* ---- for the parts of this layer ---- */
+/* ---- functions for the files of the analysis ---- */
 
 /* Records the first failure. Always returns false, for the caller to return. place NULL: the failure has no place. */
 bool know_fail(knowledge *k, const know_place *place, vs_outcome outcome, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
-void *know_alloc(knowledge *k, size_t bytes);                    /* returns zeroed memory that is freed with k; NULL:
-                                                                  * failed, with `trouble` set */
-const char *know_text(knowledge *k, const char *text, size_t length); /* returns a copy with a final NUL; "": failed,
-                                                                       * with `trouble` set */
-/* Returns a new, zeroed element, or 0 on failure. The arrays may be reallocated, so callers keep indices, not
- * pointers. */
+/* returns zeroed memory that is freed together with k; returns NULL, with `trouble` set, if memory is out */
+void *know_alloc(knowledge *k, size_t bytes);
+/* returns a copy of the text with a final NUL, freed together with k; returns "", with `trouble` set, if memory is
+ * out */
+const char *know_text(knowledge *k, const char *text, size_t length);
+/* know_node_new and similar functions return the index of a new, zeroed element, or 0 on failure. The arrays may be
+ * reallocated, so callers keep indices, not pointers. */
 know_index know_node_new(knowledge *k, know_kind kind);
 know_index know_scope_new(knowledge *k, know_index parent, know_scope_kind kind, know_index node);
 know_index know_symbol_new(knowledge *k, know_index scope, know_index name, know_symbol_kind kind);
 void know_use_add(knowledge *k, know_index symbol, know_index node, know_role role, bool called);
-/* Returns the name with this text. base and scope: the name and the scope of which it is an alias; 0: a plain name. */
+/* Returns the index of the name with this text. base and scope: the name and the scope of which it is an alias; 0: a
+ * plain name. */
 know_index know_name_of(knowledge *k, const char *text, size_t length, know_index base, know_index scope);
-/* Returns the binding of the name in this scope only, or 0 if there is none. */
+/* Returns the symbol that this scope itself binds to the name, or 0 if there is none. */
 know_index know_bound_in(const knowledge *k, know_index scope, know_index name);
 
 /* Stores a message of the interpreter in `heard`, while the analysis is muted. */
 void know_hear(knowledge *k, const vs_diagnostic *d);
 
-/* ---- queries ---- */
+/* ---- queries of nodes and symbols ---- */
 
 static inline const know_node *know_at(const knowledge *k, know_index node) { return &k->nodes[node]; }
 know_index know_nth(const knowledge *k, know_index list, uint32_t nth); /* returns the nth element of the list, or 0 if
                                                                          * there is none */
-bool know_is(const knowledge *k, know_index node, const char *word);    /* returns true if the node is this word, with
-                                                                         * any meaning */
-/* Returns the node's text in the file. */
+/* returns true if the node is a symbol with this text; its meaning in the program does not matter */
+bool know_is(const knowledge *k, know_index node, const char *word);
+/* Returns the node's text as the file contains it. */
 const char *know_spelling(const knowledge *k, know_index node, size_t *length);
 const char *know_scope_word(know_scope_kind kind);
 const char *know_symbol_word(know_symbol_kind kind);

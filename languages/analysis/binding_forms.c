@@ -9,7 +9,7 @@ typedef struct {
   know_walk *w;
   knowledge *k;
   know_index node, scope;
-  know_index head, second, third; /* elements of the form: its word and those after it */
+  know_index head, second, third; /* nodes of the form's first three elements; the first is its word */
 } form;
 
 static know_index next(const form *f, know_index node) { return node ? f->k->nodes[node].next : 0; }
@@ -23,7 +23,7 @@ static know_index scope_in(form *f, know_index parent, know_scope_kind kind) { r
     kind, f->node); }
 static void word(form *f, know_index node) { know_mark(f->k, node, KNOW_SYNTAX, 0, f->scope); }
 
-/* Walks a lambda: its parameters, which are the elements of list from `first` on, and the forms of its body. */
+/* Walks a lambda: its parameters, which are the elements of `list` from `first` on, and the forms of its body. */
 static void lambda_into(form *f, know_index list, know_index first, know_index forms, know_index scope,
                         know_arity *arity) {
   know_index inner = know_scope_new(f->k, scope, KNOW_SCOPE_PROCEDURE, f->node);
@@ -37,8 +37,8 @@ static void walk_DATA(form *f) {
   for (know_index i = f->second; i; i = next(f, i)) know_mark_data(f->k, i, KNOW_DATUM);
 }
 
-/* Walks a template. Data after , and ,@ at the template's own level are evaluated. A stack of nodes counts nested
- * levels. */
+/* Walks a quasiquote template. Expressions after , and ,@ at the template's own level are evaluated. A stack of nodes
+ * counts nested levels. */
 static void walk_QUASI(form *f) {
   enum { MOST = 200 };
   struct { know_index at; int level; } stack[MOST];
@@ -98,7 +98,8 @@ static void walk_FLAGS(form *f) { /* walks '(name (name test)), where the tests 
   each(f, next(f, f->third), f->scope);
 }
 
-/* Walks a clause: (test value ...), (test => procedure) or (else value ...). */
+/* Walks a clause of cond or case: (test value ...), (test => procedure) or (else value ...). data: the test is data, as
+ * in case. */
 static void clause(form *f, know_index node, know_index scope, bool data) {
   know_index test = first_of(f, node), value = next(f, test);
   if (!test) return;
@@ -160,7 +161,8 @@ static void walk_REC(form *f) {
   }
 }
 
-/* Sets the facts of a definition from its value. The parameters of a procedure are those of the lambda. */
+/* Records facts about a defined symbol from the node of its value. If the value is a lambda, the symbol's parameters
+ * are those of the lambda. Returns true if it is one. */
 static bool describe(form *f, know_index symbol, know_index value) {
   knowledge *k = f->k;
   know_symbol *s = &k->symbols[symbol];
@@ -183,7 +185,7 @@ static know_index bind_clause(form *f, know_index i, know_index scope, know_symb
 }
 static void walk_LET(form *f) {
   know_index list = f->second, forms = f->third, outer = f->scope, loop = 0;
-  if (is_symbol(f, list)) { /* named let: (let name ([variable start] ...) body ...) */
+  if (is_symbol(f, list)) { /* a named let: (let name ([variable start] ...) body ...) */
     outer = scope_in(f, f->scope, KNOW_SCOPE_LOOP);
     loop = know_bind(f->w, list, outer, KNOW_LOOP, f->node);
     list = f->third, forms = next(f, f->third);
@@ -284,8 +286,8 @@ static void walk_DO(form *f) { /* walks (do ([name start step] ...) (test result
   for (know_index i = first_of(f, f->second); i; i = next(f, i)) one(f, know_nth(f->k, i, 2), inner);
 }
 
-/* Walks clauses [name sequence] and #:when test, and returns the scope of the body. In a `for`, a clause cannot use the
- * name of another clause, but here it may: this does not change which names are used. */
+/* Walks the clauses of a loop, [name sequence] and #:when test, and returns the scope of the loop's body. In a `for`, a
+ * clause cannot use the name of another clause, but here it may: this does not change which names are used. */
 static know_index sequences(form *f, know_index list, know_index scope) {
   bool guard = false; /* whether the next element is the test after #:when or #:unless */
   for (know_index i = first_of(f, list); i; i = next(f, i)) {
@@ -309,15 +311,15 @@ static void walk_FOR_FOLD(form *f) {
   for (know_index i = first_of(f, f->second); i; i = next(f, i)) {
     know_index s = know_bind(f->w, first_of(f, i), inner, KNOW_LOOP_VARIABLE, i);
     if (s) know_use_add(f->k, s, know_written(f->k, first_of(f, i)), KNOW_REFERENCE, false);
-        /* the value of the last form is the value of the loop */
+        /* the value of the body's last form is part of the loop's value */
   }
   body(f, next(f, f->third), sequences(f, f->third, inner));
 }
 static void walk_GUARD(form *f) { /* walks (guard (name clause ...) body ...) */
   know_index inner = scope_in(f, f->scope, KNOW_SCOPE_LET), name = first_of(f, f->second);
   know_index s = know_bind(f->w, name, inner, KNOW_LOCAL, f->second);
-  if (s) know_use_add(f->k, s, know_written(f->k, name), KNOW_REFERENCE, false); /* catching the error counts as a use
-                                                                                  * of the name */
+  /* s is the name of the caught error; catching the error counts as a use of this name */
+  if (s) know_use_add(f->k, s, know_written(f->k, name), KNOW_REFERENCE, false);
   clauses(f, next(f, name), inner, false);
   body(f, f->third, f->scope);
 }
@@ -354,8 +356,8 @@ static void walk_DEFINE(form *f) {
   }
   if (!is_list(f, target)) return;
   know_index list = target, name = first_of(f, target), outer = 0;
-  while (is_list(f, name)) outer = list, list = name, name = first_of(f, name); /* ((f a) b): a procedure that returns
-                                                                                 * procedures */
+  /* the curried form ((f a) b) defines a procedure that returns procedures */
+  while (is_list(f, name)) outer = list, list = name, name = first_of(f, name);
   know_index s = know_bind(f->w, name, f->scope, KNOW_FUNCTION, f->node);
   know_index scope = know_scope_new(k, f->scope, KNOW_SCOPE_PROCEDURE, f->node);
   know_arity arity;
@@ -368,7 +370,7 @@ static void walk_DEFINE(form *f) {
   while (outer) {
     scope = know_scope_new(k, scope, KNOW_SCOPE_PROCEDURE, f->node);
     know_bind_parameters(f->w, &(know_parameters){outer, next(f, first_of(f, outer)), scope, scope, 0}, &arity);
-    know_index up = 0; /* list that contains the name */
+    know_index up = 0; /* up: innermost list that contains the defined name */
     for (know_index i = target; i != outer; i = first_of(f, i)) up = i;
     outer = up;
   }
@@ -402,8 +404,8 @@ static void walk_DEFINE_VALUES(form *f) {
   formals(f, f->second, f->scope, KNOW_VARIABLE, f->node);
   each(f, f->third, f->scope);
 }
-/* Returns a name composed of a, b and c. The text does not contain this name, so its place is that of the name in the
- * form. */
+/* Returns a name composed of a, b and c, such as that of an accessor. The text does not contain this name, so its place
+ * is that of the name in the form. */
 static know_index derived(form *f, know_index place, const char *a, const char *b, const char *c) {
   char text[256];
   know_index scope = f->scope;
@@ -497,20 +499,21 @@ static void walk_DEFINE_PRIMITIVE(form *f) {
     if (!is_symbol(f, field) || f->k->nodes[i].kind == KNOW_KEYWORD) continue;
     derived(f, field, plain, "-", text_of(f, field));
     know_index p = know_bound_in(f->k, scope, f->k->nodes[field].name);
-    if (p) know_use_add(f->k, p, know_written(f->k, field), KNOW_REFERENCE, false); /* the object stores the value,
-                                                                                     * which counts as a use */
+    /* the object stores the value of the field's parameter, which counts as a use */
+    if (p) know_use_add(f->k, p, know_written(f->k, field), KNOW_REFERENCE, false);
   }
   if (called) body(f, f->third, scope);
 }
-/* Walks (define-rule (name [self scope?] ...) clause or definition ...). In a clause, (=> call ...) gives parts. Each
- * of these calls receives the scope as its first argument. */
+/* Walks (define-rule (name [self scope?] ...) clause or definition ...). In a clause, (=> call ...) divides the scope.
+ * Each of these calls receives the scope as its first argument, which the text does not contain. */
 static void rule_parts(form *f, know_index node, know_index scope) {
   for (know_index i = first_of(f, node); i; i = next(f, i)) {
     know_index head = first_of(f, i);
     if (f->k->nodes[i].kind == KNOW_KEYWORD || know_is(f->k, i, "=>")) word(f, i);
     else if (is_symbol(f, head) && !know_is(f->k, head, "quote") && know_is(f->k, first_of(f, node), "=>")) {
-      know_mark(f->k, i, KNOW_SYNTAX, 0, scope); /* this call has one argument more than its text shows */
-      one(f, head, scope); /* walked later, when the forms after the rule have defined their names */
+      know_mark(f->k, i, KNOW_SYNTAX, 0, scope); /* marks the call: it has one argument more than its text shows */
+      one(f, head, scope); /* adds the expression as a task, to be walked when the forms after the rule have defined
+                            * their names */
       each(f, next(f, head), scope);
     } else one(f, i, scope);
   }
@@ -526,7 +529,7 @@ static void walk_DEFINE_RULE(form *f) {
   know_index p = is_symbol(f, self_name) ? know_bound_in(f->k, scope, f->k->nodes[self_name].name) : 0;
   if (p) know_use_add(f->k, p, know_written(f->k, self_name), KNOW_REFERENCE, false);
   if (s) f->k->symbols[s].parameters = f->second, f->k->symbols[s].body = f->third;
-      /* the rule is also called without self, so its number of arguments is not checked */
+      /* the rule can also be called without `self`, so its number of arguments is not checked */
   know_index inner = know_scope_new(f->k, scope, KNOW_SCOPE_BODY, f->node);
   for (know_index i = f->third; i; i = next(f, i)) {
     know_index head = first_of(f, i);
@@ -567,7 +570,8 @@ static void walk_IMPORT(form *f) {
       f->w->begun ? 0 : VS_EVAL_PROGRAM);
   k->muted = false;
   f->w->begun = true;
-  if (outcome != VS_OUTCOME_DONE) k->open = true; /* the import failed: it may name a library of the program */
+  if (outcome != VS_OUTCOME_DONE) k->open = true; /* the import failed: the library may be one that the program
+                                                   * defines */
 }
 static void walk_LIBRARY(form *f) {
   know_mark_data(f->k, f->second, KNOW_SYNTAX);

@@ -4,9 +4,11 @@
 
 #include "languages/analysis/name_walk.h"
 
-/* Walks a defining form in a body: binds its names in scope, and defers its expressions. */
+/* Walks a form in a body that defines names: binds the names in the scope, and adds the form's expressions as later
+ * tasks. row: the form's row of binding_forms.def. */
 void know_form_declare(know_walk *w, know_index node, know_index scope, uint16_t row);
-/* Walks any other form: binds its names and continues with its parts. */
+/* Walks a form that defines no names in its scope: binds its local names and continues with its parts. row: the form's
+ * row of binding_forms.def. */
 void know_form_walk(know_walk *w, know_index node, know_index scope, uint16_t row);
 
 #endif

@@ -1,8 +1,7 @@
 /* Writes the instrumented text of a program, which records the result of each procedure's first call (first_calls.h).
  *
- * After the top-level form that defines a procedure, or that loads its file, another procedure of the same name
- * replaces it until its first call. At this call the replacement restores the original, calls it, and keeps the
- * result. */
+ * After the top-level form that defines a procedure, or that loads its file, the text redefines the procedure's name as
+ * a replacement. At the first call, the replacement restores the original, calls it, and records the result. */
 #include "languages/analysis/first_calls.h"
 
 #include <stdio.h>
@@ -26,7 +25,8 @@ void know_first_result(know_index symbol, char *expression) {
   snprintf(expression, KNOW_FIRST_ROOM, "%%first-result-%u", (unsigned)symbol);
 }
 
-/* A list of arguments cannot contain keywords. A name that only a run could determine may not denote a procedure. */
+/* No replacement is made for a procedure with keywords, since a list of arguments cannot contain keywords, and for a
+ * name that may not be a procedure in a run. */
 bool know_remembers(const knowledge *k, know_index symbol) {
   const know_symbol *y = &k->symbols[symbol];
   if (k->script || y->kind != KNOW_FUNCTION || y->made || !y->definition || !y->form || !y->parameters || y->sets ||
@@ -35,14 +35,15 @@ bool know_remembers(const knowledge *k, know_index symbol) {
   return true;
 }
 
-/* Returns the form of the program's own file that loads or contains the definition, or 0 if there is none. */
+/* Returns the top-level form of the program's own file that contains the node, or that loads the node's file. Returns 0
+ * if there is none. */
 static know_index brought_by(const knowledge *k, know_index node) {
   while (node && k->nodes[node].at.file) node = k->files[k->nodes[node].at.file].loaded_by;
   while (node && k->nodes[node].parent && k->nodes[node].parent != k->files[0].root) node = k->nodes[node].parent;
   return node;
 }
 
-/* Writes the form, with `kept` in place of each %s and the name in place of each %n. */
+/* Writes the text of `form`, in which `kept` replaces each %s and the name replaces each %n. */
 static void put_words(builder *b, const char *form, const char *kept, const char *name, size_t n) {
   for (const char *p = form; *p;) {
     size_t plain = strcspn(p, "%");

@@ -1,9 +1,9 @@
 /* Implements the expansion of syntax-rules over nodes. Every part of the result has its place in the text.
  *
- * A form that a use passes to the macro is copied one node deep. The copy has the original as its origin, and shares
- * all nodes below it. The forms of a template are new. Its names are aliases that belong to this expansion. Each alias
- * has the meaning of the name at the macro's definition, unless the expansion binds it. Patterns and templates deeper
- * than MOST_DEPTH are not expanded. */
+ * A form that a macro use passes to the macro is copied one node deep. The copy has the original as its origin, and
+ * shares all nodes below it. The forms of a template are new. The template's names become aliases that belong to this
+ * expansion. Each alias has the meaning of the name at the macro's definition, unless the expansion binds it. Patterns
+ * and templates deeper than MOST_DEPTH are not expanded. */
 #include "languages/analysis/macro_rules.h"
 
 #include <string.h>
@@ -13,7 +13,7 @@ enum { MOST_DEPTH = 200 };
 /* The value of a pattern variable: a node, or the nodes that its ellipsis collected. */
 typedef struct match {
   know_index name, node;
-  struct match *parts;   /* the matches that an ellipsis collected, in order; each contains a list of bindings in
+  struct match *parts;   /* the matches that an ellipsis collected, in order; each has its own list of variables in
                           * `bound` */
   struct match *bound, *next;
   bool repeated;
@@ -22,11 +22,11 @@ typedef struct match {
 typedef struct {
   know_walk *w;
   knowledge *k;
-  know_index scope, defined; /* scope: scope of the use. defined: scope of the macro */
+  know_index scope, defined; /* scope: scope of the macro use. defined: scope of the macro's definition */
   know_index literals, ellipsis;
   know_index use;
-  know_index serial;         /* number of a scope that distinguishes this expansion's aliases from those of other
-                              * expansions */
+  know_index serial;         /* number of a scope, unique for this expansion, that distinguishes its aliases from those
+                              * of other expansions */
   match *bound;
   int depth;
 } expansion;
@@ -49,7 +49,7 @@ static bool is_literal(const expansion *x, know_index node) {
   return false;
 }
 
-/* Returns a node for `first` and the elements after it, which stay in their list. */
+/* Returns a list node for `first` and the elements after it, without copying them. */
 static know_index tail(expansion *x, know_index list, know_index first, uint32_t count) {
   if (count == 1 && x->k->nodes[list].dotted && !x->k->nodes[first].next) return first;
   know_index t = know_node_new(x->k, KNOW_LIST);
@@ -79,8 +79,8 @@ static void collect_names(expansion *x, know_index pattern, match **out) {
 
 static bool fits(expansion *x, know_index pattern, know_index node, match **out);
 
-/* Matches the elements of list with the patterns of pattern. skip: ignores the first element of both, the macro's
- * name. */
+/* Matches the elements of `list` with the patterns in `pattern`. skip: ignores the first element of each, which is the
+ * macro's name. */
 static bool fits_list(expansion *x, know_index pattern, know_index list, bool skip, match **out) {
   knowledge *k = x->k;
   know_index p = k->nodes[pattern].first, i = k->nodes[list].first;
@@ -200,7 +200,7 @@ static bool append(expansion *x, know_index list, know_index *last, know_index n
   return true;
 }
 
-/* Returns a variable of the template that an ellipsis collected. */
+/* Returns a pattern variable that occurs in the template and whose value an ellipsis collected. */
 static match *repeated_in(expansion *x, know_index template, match *bound) {
   const know_node *t = &x->k->nodes[template];
   if (t->kind == KNOW_SYMBOL) {
@@ -214,11 +214,12 @@ static match *repeated_in(expansion *x, know_index template, match *bound) {
   return found;
 }
 
-/* Builds the template once for each match that its variables collected, `levels` ellipses deep. */
+/* Builds the template once for each match that its variables have collected, `levels` ellipses deep. */
 static bool repeat(expansion *x, know_index list, know_index *last, know_index template, match *bound, int levels) {
   match *m = repeated_in(x, template, bound);
   if (!m || x->depth >= MOST_DEPTH) return false;
-  /* variables that were collected together share their parts; other variables are repeated by position */
+  /* variables whose values one ellipsis collected share their parts; for other variables, the part with the same number
+   * is used */
   uint32_t at = 0;
   for (match *part = m->parts; part; part = part->next, at++) {
     match *inner = bound;
@@ -243,10 +244,12 @@ static bool repeat(expansion *x, know_index list, know_index *last, know_index t
 
 static know_index build_list(expansion *x, know_index template, match *bound) {
   knowledge *k = x->k;
-  if (is_ellipsis(x, k->nodes[template].first) && k->nodes[template].count == 2) { /* an escaped ellipsis, (... ...) */
+  if (is_ellipsis(x, k->nodes[template].first) && k->nodes[template].count == 2) { /* (... ...): the template after the
+                                                                                    * first ... is used literally */
     know_index kept = x->ellipsis, none = know_node_new(k, KNOW_SYMBOL);
     if (!none) return 0;
-    x->ellipsis = none; /* a name that occurs nowhere: inside the escape, ... has no special meaning */
+    x->ellipsis = none; /* sets the ellipsis to a name that does not occur: inside (... template), the name ... has no
+                         * special meaning */
     know_index out = build(x, know_nth(k, template, 1), bound);
     x->ellipsis = kept;
     return out;
@@ -259,7 +262,7 @@ static know_index build_list(expansion *x, know_index template, match *bound) {
     if (is_tail) {
       know_index end = build(x, i, bound);
       if (!end) return 0;
-      if (k->nodes[end].kind == KNOW_LIST) { /* (a . (b c)) is another spelling of (a b c) */
+      if (k->nodes[end].kind == KNOW_LIST) { /* a list after the dot: (a . (b c)) is another spelling of (a b c) */
         for (know_index e = k->nodes[end].first; e; e = k->nodes[e].next)
           if (!append(x, list, &last, copy_of_use(x, e))) return 0;
         k->nodes[list].dotted = k->nodes[end].dotted;

@@ -1,4 +1,5 @@
-/* Implements the scopes of the walk: it finds, binds and marks names, and defers parts of the program. */
+/* Implements the scopes of the walk through a program: it finds, binds and marks names, and defers parts of the program
+ * as tasks. */
 #include "languages/analysis/name_walk.h"
 
 #include <stdio.h>
@@ -73,7 +74,7 @@ void know_mark_data(knowledge *k, know_index node, know_role role) {
 
 /* ---- names ---- */
 
-/* Returns the symbol of the language, or of an imported library, with this name. */
+/* Returns the symbol of the language, or of an imported library, with this name; the interpreter provides its facts. */
 static know_index ask_language(know_walk *w, know_index name) {
   knowledge *k = w->k;
   const char *text = k->names[name].text;
@@ -85,8 +86,8 @@ static know_index ask_language(know_walk *w, know_index name) {
     return word;
   }
   if (!vs_name_get(k->scheme, text, &info)) return 0;
-  if (k->script) return know_symbol_new(k, KNOW_LANGUAGE, name, KNOW_BUILTIN); /* the analysis does not know how many
-                                                                                * arguments a script's symbol accepts */
+  /* in a script, the analysis does not know how many arguments the language's procedures accept */
+  if (k->script) return know_symbol_new(k, KNOW_LANGUAGE, name, KNOW_BUILTIN);
   bool form = !strcmp(info.kind, "form");
   know_index s = know_symbol_new(k, KNOW_LANGUAGE, name, form ? KNOW_MACRO : KNOW_BUILTIN);
   if (!s) return 0;
@@ -198,7 +199,7 @@ void know_bind_parameters(know_walk *w, const know_parameters *p, know_arity *ar
 
 /* ---- files ---- */
 
-/* Returns the index of the file to which the string refers. */
+/* Returns the index of the file to which the string at the node refers. */
 know_index know_file_named(know_walk *w, know_index node) {
   char path[KNOW_PATH];
   know_index string = know_written(w->k, node);

@@ -1,4 +1,4 @@
-/* Writes a tree of named values as JSON or as XML. It reads nothing, so a library would be larger than these lines. */
+/* Writes a tree of named values as JSON or as XML. Since it reads neither, a library would be larger than this file. */
 #include "languages/analysis/notation.h"
 
 #include <string.h>
@@ -13,7 +13,7 @@ static void spelled(FILE *to, vs_speller *spell, const char *text, size_t length
 void know_xml_text(FILE *to, const char *text, size_t length) { spelled(to, vs_spell_xml, text, length); }
 
 static void xml_attribute(FILE *to, const char *text, size_t length) {
-  /* Writes line ends by their numbers (&#10;), since a reader of XML would turn plain line ends into blanks. */
+  /* Writes line ends as character references (&#10;), since a reader of XML would turn plain line ends into blanks. */
   for (size_t i = 0, n; i < length; i += n + 1) {
     for (n = 0; i + n < length && !strchr("\n\r\t", text[i + n]);) n++;
     know_xml_text(to, text + i, n);

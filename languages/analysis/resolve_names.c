@@ -1,7 +1,7 @@
 /* Walks through a program and finds the meanings of its names.
  *
- * A stack contains tasks: an expression in a scope, or a body. The walk first searches a body for definitions, and
- * expands macros at the heads of its forms, so that each name is known wherever it is used. binding_forms.c implements
+ * A stack contains tasks: an expression in a scope, or a body. In a body, the walk first searches for definitions, and
+ * expands macros at the heads of the forms, so that each name is known wherever it is used. binding_forms.c implements
  * the effect of each form on names. A name without a known definition is searched again at the end. */
 #include "languages/analysis/resolve_names.h"
 
@@ -17,7 +17,7 @@
 
 static bool no_memory(knowledge *k) { return know_fail(k, NULL, VS_OUTCOME_MACHINE, "out of memory"); }
 
-/* Puts the tasks that the current form deferred on the stack, so that they run in the form's order. */
+/* Moves the tasks that the current form has deferred to the stack, so that they run in the form's order. */
 static void flush(know_walk *w) {
   if (!VS_GROW(w->tasks, w->task_room, w->task_count + w->later_count)) {
     no_memory(w->k);
@@ -43,8 +43,8 @@ static void opaque(know_walk *w, know_index node, know_index scope) {
       opaque_one, &context);
 }
 
-/* Expands the program's own macros at the node's head. Returns the resulting node, or 0 if nothing more is to be done
- * with it. *row is the row of the language's form. */
+/* Expands the program's own macros at the head of the node. Returns the resulting node, or 0 if no further walk is
+ * necessary. *row is the row of binding_forms.def if the result is a form of the language. */
 static know_index settle(know_walk *w, know_index node, know_index scope, uint16_t *row) {
   knowledge *k = w->k;
   *row = 0;
@@ -80,7 +80,8 @@ static know_index settle(know_walk *w, know_index node, know_index scope, uint16
 static void expression(know_walk *w, know_index node, know_index scope) {
   knowledge *k = w->k;
   know_index written = know_written(k, node);
-  if (k->nodes[written].walked && k->nodes[written].kind != KNOW_SYMBOL) return; /* a macro has used the node twice */
+  /* a macro has used this node of the text twice, and it was already walked */
+  if (k->nodes[written].walked && k->nodes[written].kind != KNOW_SYMBOL) return;
   k->nodes[node].walked = k->nodes[written].walked = true;
   if (k->nodes[node].role != KNOW_SYNTAX) k->nodes[node].scope = k->nodes[written].scope = scope;
   uint16_t row;
@@ -125,7 +126,7 @@ static void follow(knowledge *k, cursors *c, know_index first) {
   else c->at[c->count++] = first;
 }
 
-/* Walks a body: binds its definitions at once, and defers everything else. */
+/* Walks a body: binds its definitions at once, and defers all expressions. */
 static void body(know_walk *w, know_index first, know_index scope) {
   knowledge *k = w->k;
   cursors c = {0};
@@ -211,8 +212,8 @@ static void run(know_walk *w) {
 
 static know_index comment_before(const knowledge *k, const know_file *f, uint32_t line, know_index *end) {
   know_index last = 0, first = 0;
-  for (know_index lo = f->first_comment, hi = f->comment_end; lo < hi;) { /* the last comment that ends on the line
-                                                                           * before */
+  for (know_index lo = f->first_comment, hi = f->comment_end; lo < hi;) { /* binary search: the last comment that ends
+                                                                           * on the line before `line` */
     know_index mid = lo + (hi - lo) / 2;
     if (k->comments[mid].end_line < line) last = mid, lo = mid + 1;
     else hi = mid;
@@ -253,7 +254,8 @@ static void find_comments(knowledge *k) {
 
 /* ---- the program ---- */
 
-/* The program may define other names if it evaluates data, or loads a file whose name is known only in a run. */
+/* Sets k->open if the program may define further names: if it evaluates data, or loads a file whose name is known only
+ * in a run. */
 static void find_openness(knowledge *k) {
   for (know_index i = 1; i < k->node_count && !k->script; i++) {
     const know_node *n = &k->nodes[i];
@@ -271,7 +273,7 @@ static bool resolve(knowledge *k) {
   know_walk w = {.k = k};
   know_scope_new(k, 0, KNOW_SCOPE_LANGUAGE, 0);
   know_scope_new(k, KNOW_LANGUAGE, KNOW_SCOPE_PROGRAM, k->files[0].root);
-  k->text_nodes = k->node_count ? k->node_count - 1 : 0; /* node 0 does not count: it means that there is no node */
+  k->text_nodes = k->node_count ? k->node_count - 1 : 0; /* does not count node 0, which means that there is no node */
   k->files[0].run = true;
   know_later_body(&w, k->nodes[k->files[0].root].first, KNOW_PROGRAM);
   run(&w);
@@ -284,8 +286,9 @@ static bool resolve(knowledge *k) {
     know_use_add(k, s, know_written(k, t.node), role, (t.kind & 64) != 0);
   }
   for (know_index s = 1; k->script && s < k->symbol_count; s++)
-    k->symbols[s].arity.least = 0; /* omitted arguments of a script's function are undefined */
-  for (know_index i = 1; i < k->node_count; i++) /* marks data that macro patterns have used as words */
+    k->symbols[s].arity.least = 0; /* a script may omit arguments of a function, which are then undefined */
+  for (know_index i = 1; i < k->node_count; i++) /* marks the nodes that the patterns of macros have used as literal
+                                                  * words */
     if (k->nodes[i].kind == KNOW_SYMBOL && k->nodes[i].role == KNOW_EXPRESSION) k->nodes[i].role = KNOW_SYNTAX;
   if (!*k->trouble) find_openness(k), find_comments(k);
   free(w.tasks);

@@ -1,9 +1,9 @@
 /* Reads a program's text into nodes with places and comments.
  *
- * The language's own reader reads the text first, and reports each error as a run would. This reader therefore receives
- * only correct texts, and needs no messages. There are two readers because a run needs neither the places of single
- * names, nor comments, nor the spelling of numbers, and should not spend time on them. A stack of open lists replaces
- * the C stack. */
+ * The language's own reader reads the text first, and reports each error as a run would. The reader in this file
+ * therefore receives only correct texts, and needs no messages. There are two readers because a run needs neither the
+ * places of single names, nor comments, nor the spelling of numbers, and should not spend time on them. A stack of open
+ * lists replaces the C stack. */
 #include "languages/analysis/source_tree.h"
 
 #include <errno.h>
@@ -16,15 +16,16 @@
 #include "model/characters.h"
 #include "model/store/array.h"
 
-typedef struct { know_index node, last; char close; bool dot, skip; } open_list; /* skip: whether #; drops the next
-                                                                                  * datum */
+/* A list that is being read. skip: whether it is not a list but #;, which drops the next datum */
+typedef struct { know_index node, last; char close; bool dot, skip; } open_list;
 
 typedef struct {
   knowledge *k;
   const char *text;
   size_t size, at, line_start;
   uint32_t file, line;
-  size_t column_at;         /* position of the byte whose column is known; places are requested from left to right */
+  size_t column_at;         /* offset of the byte whose column was computed last; columns are requested from left to
+                             * right */
   uint32_t column;
   bool line_has_code;
   bool fold;
@@ -41,7 +42,7 @@ static uint32_t column_of(reader *r, size_t offset) {
   return r->column;
 }
 
-static void advance(reader *r) { /* moves over one byte and counts lines, which end in \n, \r\n or a lone \r */
+static void advance(reader *r) { /* moves over one byte; counts lines, which end in \n, \r\n or a single \r */
   int c = peek(r, 0);
   r->at++;
   if (c == '\n' || (c == '\r' && peek(r, 0) != '\n')) r->line++, r->line_start = r->at, r->line_has_code = false;
@@ -56,7 +57,7 @@ static void finish(reader *r, know_index node) {
   p->to = (uint32_t)r->at, p->end_line = r->line, p->end_column = column_of(r, r->at);
 }
 
-/* Returns the length in bytes of the blank character here, or 0 if there is none. */
+/* Returns the length in bytes of the blank character at the reader's position, or 0 if there is none. */
 static size_t blank(const reader *r) {
   int c = peek(r, 0);
   if (c < 0) return 0;
@@ -143,12 +144,12 @@ static void drop(reader *r, know_index node) {
   r->k->nodes[node].parent = 0;
 }
 
-/* Adds a finished node to its parent. This also finishes quotes that waited for the node. */
+/* Adds a complete node to the list that is being read. Also completes quotes before the node. */
 static void deliver(reader *r, know_index node) {
   for (;;) {
     open_list *o = &r->open[r->depth - 1];
     knowledge *k = r->k;
-    if (o->skip && !o->close) { /* the open item is #;, which drops this datum */
+    if (o->skip && !o->close) { /* a #; precedes the node, which is dropped */
       know_index hidden = o->node;
       r->depth--;
       drop(r, node);
@@ -162,7 +163,7 @@ static void deliver(reader *r, know_index node) {
     k->nodes[o->node].count++;
     if (o->dot) k->nodes[o->node].dotted = true;
     if (o->close) return;
-    node = o->node; /* the quote is complete: it has its datum */
+    node = o->node; /* a quote precedes the node: this completes the quote */
     finish(r, node);
     r->depth--;
   }
@@ -231,7 +232,7 @@ static bool number_like(const char *s, size_t n) {
 
 static bool is_word(const char *s, size_t n, const char *word) { return n == strlen(word) && !memcmp(s, word, n); }
 
-/* Reads a name or number, including a name |with bars|. */
+/* Reads a name or number, including a name in bars: |a name|. */
 static bool token(reader *r) {
   know_place at = begin(r);
   size_t from = r->at;
@@ -240,7 +241,7 @@ static bool token(reader *r) {
     if (r->text[r->at] == '|') bars = true, delimited(r, '|');
     else r->at++;
   }
-  if (r->at == from) r->at++; /* a single character that begins no name or number */
+  if (r->at == from) r->at++; /* reads a single character that begins neither a name nor a number */
   const char *s = r->text + from;
   size_t n = r->at - from;
   know_index node;
@@ -319,7 +320,7 @@ static bool datum(reader *r) {
     }
     if (r->size - r->at > 4 && (!memcmp(r->text + r->at, "#u8(", 4) || !memcmp(r->text + r->at, "#U8(",
         4))) return list(r, KNOW_VECTOR, '#', 4);
-    if (d >= '0' && d <= '9') { /* a label, #0= or #0# */
+    if (d >= '0' && d <= '9') { /* a label of a shared datum, #0= or #0# */
       size_t n = 1;
       while (peek(r, n) >= '0' && peek(r, n) <= '9') n++;
       if (peek(r, n) == '=') return r->at += n + 1, true;
@@ -352,7 +353,8 @@ static bool exists(const char *path) {
   return f != NULL;
 }
 
-/* Joins folder and name, with a / if needed. Returns false if the path is too long, or if there is no such file. */
+/* Joins folder and name to a path, with a / if needed. Returns false if the path is too long, or if there is no such
+ * file. */
 static bool in_folder(const char *folder, size_t length, const char *name, size_t n, char path[KNOW_PATH]) {
   const char *slash = length && folder[length - 1] != '/' ? "/" : "";
   int room = snprintf(path, KNOW_PATH, "%.*s%s%.*s", (int)length, folder, slash, (int)n, name);
@@ -432,12 +434,13 @@ static bool is_text(const char *text, size_t length) {
   return true;
 }
 
-/* The interpreter reads a whole text before it runs any of it. A form that cannot be expanded is therefore added on a
- * line before the first, so that the text is read and not run. The host ignores messages about that line. */
+/* The interpreter reads a whole text before it runs a part. A form that cannot be expanded is therefore added in a line
+ * before the text, so that the text is read but not run. The host ignores messages about that line. */
 bool know_readable(knowledge *k, const char *path, const char *text, size_t length) {
   static const char before[] = "(lambda)\n";
   char *whole = NULL;
-  if (!is_text(text, length)) { /* the reader's message counts bytes; no part of the text can run */
+  if (!is_text(text, length)) { /* if the text is no valid UTF-8, uses the interpreter's message, which counts bytes; no
+                                 * part of the text can run */
     vs_eval_text(k->scheme, path, 1, text, length, 0);
     return know_fail(k, NULL, VS_OUTCOME_MODEL, "%s", "-");
   }
@@ -450,8 +453,8 @@ bool know_readable(knowledge *k, const char *path, const char *text, size_t leng
   k->reading = false;
   free(whole);
   if (outcome == VS_OUTCOME_MODEL && !k->unreadable) return true;
-  know_fail(k, NULL, outcome == VS_OUTCOME_DONE ? VS_OUTCOME_MODEL : outcome, "%s", "-"); /* the host has already
-                                                                                           * received the message */
+  /* the interpreter's host has already received the message */
+  know_fail(k, NULL, outcome == VS_OUTCOME_DONE ? VS_OUTCOME_MODEL : outcome, "%s", "-");
   return false;
 }
 

@@ -1,5 +1,5 @@
 /* Writes the report of an analysis: files, scopes, variables, functions and statements, each with its place, comments,
- * scope and references in both directions. Macros are reported as written and as expanded. */
+ * scope, and references from it and to it. Macro uses are reported as written and as expanded. */
 #include "languages/analysis/tree_report.h"
 
 #include <stdlib.h>
@@ -71,7 +71,8 @@ static void describe(know_writer *w, const knowledge *k, know_index i) {
   if (n->origin) know_write_number(w, "origin", n->origin);
 }
 
-/* Writes a node with all nodes below it, and then its macro's expansion. A stack contains the open nodes. */
+/* Writes a node with all nodes below it, and then the expansion if it is a macro use. A stack contains the open
+ * nodes. */
 static bool tree(know_writer *w, const knowledge *k, know_index root) {
   step *stack = NULL;
   size_t count = 0, room = 0;

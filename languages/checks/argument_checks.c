@@ -31,20 +31,20 @@ int know_plain_row(const knowledge *k, know_index symbol) {
 
 know_type know_plain_type(int row) { return row < 0 ? KNOW_TYPE_UNKNOWN : plain[row].type; }
 
-/* Returns the value of a variable that is defined once and never set. */
+/* Returns the node of the value of a variable that is defined once and never set. */
 know_index know_constant_value(const knowledge *k, know_index node) {
   const know_node *n = &k->nodes[node];
   if (n->kind != KNOW_SYMBOL || n->role != KNOW_REFERENCE || !n->symbol) return 0;
   const know_symbol *s = &k->symbols[n->symbol];
   know_index clauses = k->nodes[s->form].parent, form = k->nodes[clauses].parent;
-  if (form && know_is(k, k->nodes[form].first, "and-let*")) return 0; /* and-let* ends at a value of #f, so its clauses
-                                                                       * determine no constant */
+  if (form && know_is(k, k->nodes[form].first, "and-let*")) return 0; /* and-let* ends at a clause whose value is #f, so
+                                                                       * its variables have no certain value */
   bool fixed = s->definitions == 1 && !s->sets && !s->made && !s->owner && (s->kind == KNOW_VARIABLE ||
       s->kind == KNOW_LOCAL);
   return fixed ? s->value : 0;
 }
 
-/* Returns true for a loop or a printing call. */
+/* Returns true for an expression that returns no value: a loop, or a call that prints. */
 static bool is_valueless(const knowledge *k, know_index node) {
   static const char *const words[] = {"for", "for*", "for-each", "display", "displayln", "newline", "printf"};
   know_index head = k->nodes[node].first;
@@ -98,11 +98,11 @@ know_type know_type_of(const knowledge *k, know_index node) {
         continue;
       }
       int row = n->form ? -1 : know_plain_row(k, k->nodes[head].symbol);
-      /* With a single operand, `subtract` returns a procedure that waits for the other operands. */
+      /* With a single operand, `subtract` returns a procedure instead of an object, so the type is unknown. */
       if (row < 0 || (n->count == 2 && know_is(k, head, "subtract"))) return KNOW_TYPE_UNKNOWN;
       if (plain[row].type || row > 3) return plain[row].type;
-      for (know_index i = k->nodes[head].next; i; i = k->nodes[i].next) /* + - * / of numbers: one level of operands is
-                                                                         * sufficient */
+      /* a sum of literal numbers is a number; operands of other kinds are not examined */
+      for (know_index i = k->nodes[head].next; i; i = k->nodes[i].next)
         if (k->nodes[i].kind != KNOW_NUMBER) return KNOW_TYPE_UNKNOWN;
       return KNOW_TYPE_NUMBER;
     }
@@ -116,8 +116,8 @@ know_type know_type_of(const knowledge *k, know_index node) {
 
 typedef struct { uint32_t least, most; } range;
 
-/* Reads the range from a text such as "(make-box c dx dy dz)". Brackets enclose optional arguments, and ... follows an
- * argument that may be repeated. */
+/* Reads the numbers of arguments from the text of a call such as "(make-box c dx dy dz)". Brackets enclose optional
+ * arguments, and ... follows an argument that may be repeated. */
 static const char *read_call(const char *at, range *r) {
   *r = (range){0, 0};
   int depth = 0;
@@ -172,14 +172,15 @@ static bool count_fits(know_findings *f, know_index node, know_index symbol) {
     }
     const char *name = k->names[k->nodes[i].name].text;
     bool known = own ? takes_keyword(k, s->arity.keywords, i) : has_keyword(s->keywords, name);
-    bool keyless = !own && !strcmp(s->text, "draw"); /* other procedures may pass keywords on */
+    bool keyless = !own && !strcmp(s->text, "draw"); /* keyless: draw accepts no keywords; other procedures without
+                                                      * keywords may pass keywords to further procedures */
     if ((own ? s->arity.any_keyword : keyless || *s->keywords != 0) && !known) {
       know_found(f, KNOW_CHECK_ARGUMENTS, i, "%s takes no %s", s->text, name);
       ok = false;
     } else if (own && !s->arity.any_keyword && s->arity.most != UINT32_MAX) {
       know_found(f, KNOW_CHECK_ARGUMENTS, i, "%s has no keyword %s", s->text, name);
       return false;
-    } else if (own && !s->arity.any_keyword) return ok; /* the rest argument may contain the keyword in question */
+    } else if (own && !s->arity.any_keyword) return ok; /* a rest parameter may receive the keyword */
     i = k->nodes[i].next;
     if (!i) return ok;
   }
@@ -192,7 +193,8 @@ static bool count_fits(know_findings *f, know_index node, know_index symbol) {
     bool slash = false; /* whether the parameter list has a slash, as AutoLISP writes before local names */
     for (know_index i = s->arity.keywords ? k->nodes[s->arity.keywords].first : 0; i; i = k->nodes[i].next)
       slash = slash || know_is(k, i, "/");
-    bool curried = n > 1 && *list == '('; /* in (define (f x) ...), the list contains the procedure's name */
+    bool curried = n > 1 && *list == '('; /* curried: in (define (f x) ...), the first element of the list is the
+                                           * procedure's name */
     know_found(f, KNOW_CHECK_ARGUMENTS, node, "%s takes %s and is given %u%s%.*s%s", s->text, wants, count,
                curried && n < 100 ? ": " : "", curried && n < 100 ? (int)n : 0, list,
                slash ? "; names behind / are not local here: (let ([y 0]) ...) in the body makes one" : "");
@@ -216,7 +218,7 @@ static bool count_fits(know_findings *f, know_index node, know_index symbol) {
   return false;
 }
 
-/* ---- types that are wrong for every value of the other arguments ---- */
+/* ---- arguments that are wrong for every value of the call's other arguments ---- */
 
 static bool among(const char *word, size_t n, const char *const *words) {
   for (; *words; words++)
@@ -224,7 +226,7 @@ static bool among(const char *word, size_t n, const char *const *words) {
   return false;
 }
 
-/* Returns true if the type is wrong for a parameter of the language with this name. */
+/* Returns true if an argument of this type is wrong for a parameter of the language's procedures with this name. */
 static bool wrong_for(const char *name, size_t n, know_type type, const char *call, bool known) {
   static const char *const strings[] = {"string", "string1", "string2", "strings", NULL};
   static const char *const vectors[] = {"vector", NULL}, *const procedures[] = {"f", "procedure", "pred", "predicate",
@@ -327,8 +329,8 @@ static void own_contracts(know_findings *f, know_index node, const know_symbol *
   }
 }
 
-/* Reports a call of a value that is no procedure. The message is the one that a run gives for a literal, or for a name
- * that hides a procedure. */
+/* Reports a call of a value that is no procedure. The message is that of a run for a literal, or for a name that hides
+ * a procedure. */
 static void calls_value(know_findings *f, know_index node, know_type type) {
   knowledge *k = f->k;
   know_index head = k->nodes[node].first;
@@ -358,15 +360,15 @@ static void calls_value(know_findings *f, know_index node, know_type type) {
              k->script ? message : know_advised(k, VS_ADVICE_CALL, node, message));
 }
 
-/* Reports a call of a parameter that hides a procedure of the language, if the program passes other values for this
- * parameter. */
+/* Reports a call of a parameter whose name hides a procedure of the language, if the program passes values to the
+ * parameter that are no procedures. */
 static void calls_parameter(know_findings *f, know_index node) {
   knowledge *k = f->k;
   const know_symbol *s = &k->symbols[k->nodes[k->nodes[node].first].symbol], *owner = &k->symbols[s->owner];
   vs_name_info info;
   if (s->kind != KNOW_PARAMETER || !s->owner || owner->kind != KNOW_FUNCTION || k->script || s->sets) return;
   if (!vs_name_get(k->scheme, s->text, &info) || strcmp(info.kind, "procedure") != 0) return;
-  uint32_t nth = 0; /* position of the argument in the call */
+  uint32_t nth = 0; /* position of the argument in the call, from 0 */
   know_index p = owner->parameters ? k->nodes[owner->parameters].first : 0;
   for (; p && k->nodes[p].symbol != (know_index)(s - k->symbols); p = k->nodes[p].next, nth++) {}
   if (!p) return;
@@ -379,7 +381,7 @@ static void calls_parameter(know_findings *f, know_index node) {
   }
 }
 
-/* Reports (map (lambda x ...) list): x is a list of all arguments, which has one element here. */
+/* Reports (map (lambda x ...) list): x is a list of all arguments of a call, which has only one element here. */
 static void maps_rest(know_findings *f, know_index node) {
   const knowledge *k = f->k;
   know_index head = k->nodes[node].first, procedure = know_nth(k, node, 1), name = know_nth(k, procedure, 1);
@@ -406,7 +408,7 @@ static bool has_sign_inside(know_findings *f, know_index node) {
   return true;
 }
 
-/* Reports (do-move o v) as a statement after o was drawn: the statement has no effect on the drawing. */
+/* Reports (do-move o v) as a statement after o was drawn: it makes a moved copy, which the program does not draw. */
 static void moves_drawn(know_findings *f, know_index node) {
   const knowledge *k = f->k;
   static const char *const moves[] = {"do-move", "do-rotate", "do-scale", "do-mirror", "do-transform", "move", "rotate",
@@ -435,7 +437,7 @@ void know_check_calls(know_findings *f) {
   size_t answers = 0;
   uint8_t *wrong = know_alloc(k, k->node_count);
   if (!wrong) return;
-  /* inner calls follow outer calls in the text, so the loop reports the innermost fault */
+  /* visits inner calls before outer calls, which precede them in the text, so that the innermost fault is reported */
   for (know_index i = (know_index)k->node_count; i-- > 1 && !*k->trouble;) {
     if (!know_is_call(k, i) || k->nodes[i].form) continue;
     know_index head = k->nodes[i].first;

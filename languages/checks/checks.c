@@ -1,6 +1,6 @@
 /* Implements `vs check`: it finds probable faults of a program by reading it, without running it. Each finding must
- * deserve a careful author's attention in every program. Each check therefore excludes all cases in which the text can
- * be correct. */
+ * deserve the author's attention even in a careful program. Each check therefore excludes all cases in which the text
+ * can be correct. */
 #include "languages/checks/checks.h"
 
 #include <stdarg.h>
@@ -55,19 +55,20 @@ static bool used_outside(const knowledge *k, const know_symbol *s) {
   return false;
 }
 
-/* Returns true for the name in (rec name value): the form returns the name's value, so the name is used. */
+/* Returns true for a name in (rec name value): the form returns the name's value, so the name counts as used. */
 static bool is_own_value(const knowledge *k, const know_symbol *s) {
   return s->form && !k->script && know_is(k, k->nodes[s->form].first, "rec");
 }
 
-/* Returns true for a procedure that is passed as a value, so that its caller determines its parameters. */
+/* Returns true for a procedure that is passed as a value, so that other procedures call it and determine its number of
+ * parameters. */
 static bool handed_on(const knowledge *k, const know_symbol *s) {
   for (know_index u = s->first_use; u; u = k->uses[u].next)
     if (k->uses[u].role != KNOW_DEFINITION && !k->uses[u].called) return true;
   return false;
 }
 
-/* Returns false for a library: a program that draws nothing and contains only definitions. */
+/* Returns false for a library, which draws nothing and contains only definitions. */
 static bool runs_something(const knowledge *k) {
   for (size_t i = 1; i < k->symbol_count; i++)
     if (k->symbols[i].kind == KNOW_BUILTIN && (!strcmp(k->symbols[i].text, "draw") ||
@@ -123,7 +124,7 @@ static know_index hiding(const knowledge *k, know_index hidden) {
   return 0;
 }
 
-/* Returns true for a name in a value of a let that binds the name itself. */
+/* Returns true for a name in a value of a let that binds the same name, which the value cannot use. */
 static bool bound_by_let(const knowledge *k, know_index node) {
   for (know_index i = node; i; i = k->nodes[i].parent) {
     know_index clauses = k->nodes[k->nodes[i].parent].parent, form = k->nodes[clauses].parent;
@@ -135,15 +136,15 @@ static bool bound_by_let(const knowledge *k, know_index node) {
 }
 
 const char *know_advised(const knowledge *k, vs_advice_kind kind, know_index node, const char *message) {
-  know_index at = node, parent = k->nodes[node].parent; /* node whose place the advice concerns; for the name in (set!
-                                                         * name value), the whole form */
+  know_index at = node, parent = k->nodes[node].parent; /* at: node at which the advice is requested; for the name in
+                                                         * (set! name value), the whole form */
   if (kind == VS_ADVICE_NAME && parent && know_is(k, k->nodes[parent].first, "set!") && know_nth(k, parent, 1) == node)
     at = parent;
   const know_file *file = &k->files[k->nodes[at].at.file];
   return vs_place_advice(k->scheme, kind, file->text, file->size, k->nodes[at].at.from, message);
 }
 
-/* Returns true if the names are equal but for their case, hyphens and underscores, or one letter. */
+/* Returns true if the names differ only in case, hyphens, underscores, or one letter. */
 static bool similar(const char *a, const char *b) {
   size_t n = strlen(a), m = strlen(b), front = 0, back = 0;
   while (a[front] && (a[front] == b[front] || (a[front] == '_' && b[front] == '-'))) front++;
@@ -158,7 +159,7 @@ static bool similar(const char *a, const char *b) {
   return !*a && !*b;
 }
 
-/* Returns the program's own name that is similar; NULL: there is none. */
+/* Returns a name that the program defines and that is similar to `name`; NULL: there is none. */
 static const char *similar_name(const knowledge *k, const char *name) {
   for (know_index i = 1; i < k->symbol_count; i++)
     if (k->symbols[i].definition && !k->symbols[i].made && k->symbols[i].scope == PROGRAM &&
@@ -244,7 +245,8 @@ static void check_changes(know_findings *f) {
       bool procedure = use->role == KNOW_DEFINITION && use->node != s->definition && s->kind == KNOW_FUNCTION && !value;
       if (procedure) know_found(f, KNOW_CHECK_REDEFINED, use->node, "%s is defined on line %u already", s->text,
                                 k->nodes[first].at.line);
-      bool empty = type == KNOW_TYPE_BOOLEAN || now == KNOW_TYPE_BOOLEAN; /* #f often means 'not yet set' */
+      bool empty = type == KNOW_TYPE_BOOLEAN || now == KNOW_TYPE_BOOLEAN; /* empty: whether a definition is a boolean,
+                                                                           * since #f often means 'not yet set' */
       if (type && now && now != type && !empty)
         know_found(f, KNOW_CHECK_TYPE_CHANGE, use->node, "%s was %s on line %u and becomes %s", s->text,
             know_type_word(type),
@@ -260,8 +262,8 @@ static bool is_form(const knowledge *k, know_index node, const char *word) {
   return k->nodes[node].kind == KNOW_LIST && k->nodes[node].form && know_is(k, k->nodes[node].first, word);
 }
 
-/* Returns true for statements that may follow a jump: a function is defined before anything runs, and a break is a
- * common habit. */
+/* Returns true for a statement that may follow a jump without a report: a function definition, which takes effect
+ * before anything runs, or a break, which many authors write there. */
 static bool harmless(const knowledge *k, know_index node) {
   know_index head = k->nodes[node].kind == KNOW_LIST ? k->nodes[node].first : 0;
   return k->script && (know_is(k, head, "define") || know_is(k, head, "declared") || know_is(k, head, "break") ||
@@ -277,7 +279,7 @@ static bool leaves(const knowledge *k, know_index node) {
   const char *name = k->symbols[s].text;
   if (k->symbols[s].kind == KNOW_BUILTIN) return !strcmp(name, "error") || !strcmp(name, "exit") || !strcmp(name,
       "raise");
-  /* an escape by the k of (let/ec k ...) */
+  /* handles a call of the escape procedure k of (let/ec k ...), after which control does not continue */
   know_index form = k->symbols[s].form, parent = form ? k->nodes[form].parent : 0;
   return k->symbols[s].kind == KNOW_LOCAL && parent && (is_form(k, parent, "let/ec") || is_form(k, parent, "let/cc")) &&
          know_nth(k, parent, 1) == form;
@@ -326,7 +328,7 @@ static void check_case(know_findings *f, know_index node) {
           }
 }
 
-/* Reports (for ([i 3]) (make-sphere ...)), whose objects nothing keeps. */
+/* Reports a loop such as (for ([i 3]) (make-sphere ...)), whose objects are lost. */
 static void check_loop(know_findings *f, know_index node) {
   const knowledge *k = f->k;
   know_index last = know_nth(k, node, 2);
@@ -348,7 +350,7 @@ static void check_form(know_findings *f, know_index node) {
   else if (know_is(k, head, "if") && second && truth(k, second, &value)) {
     know_index dead = know_nth(k, node, value ? 3 : 2);
     bool nothing = k->nodes[node].count == 3 && k->nodes[k->nodes[second].next].kind == KNOW_BOOLEAN;
-        /* (if #f #f) is the usual spelling of no value. */
+        /* Does not report (if #f #f), which is the usual spelling of no value. */
     if (dead && !nothing) know_found(f, KNOW_CHECK_UNREACHABLE, dead, "the test is always %s",
         value ? "true" : "false");
   } else if ((know_is(k, head, "when") || know_is(k, head, "unless")) && second && truth(k, second, &value) &&
@@ -356,7 +358,8 @@ static void check_form(know_findings *f, know_index node) {
     know_found(f, KNOW_CHECK_UNREACHABLE, know_nth(k, node, 2), "the test is always %s", value ? "true" : "false");
 }
 
-/* Checks a body. Its value is that of its last form. Of all earlier forms only the effect counts. */
+/* Checks a body for forms without effect. The body's value is that of its last form; all earlier forms are useful only
+ * by their effects. */
 static void check_body(know_findings *f, know_index node) {
   const knowledge *k = f->k;
   know_index next = k->nodes[node].next;
@@ -370,7 +373,7 @@ static void check_body(know_findings *f, know_index node) {
     return;
   }
   bool top = n->scope == PROGRAM;
-  if (top) return; /* a value at top level is printed, or drawn */
+  if (top) return; /* the value of a form at top level is printed or drawn, so it has an effect */
   know_index parent = n->parent;
   bool doc = n->kind == KNOW_STRING && parent && k->nodes[parent].first && k->nodes[know_nth(k, parent,
       1)].next == node;
@@ -380,7 +383,8 @@ static void check_body(know_findings *f, know_index node) {
   else if (n->kind == KNOW_SYMBOL && n->role == KNOW_REFERENCE)
     know_found(f, KNOW_CHECK_NO_EFFECT, node, "the value of %s is not used", k->names[n->name].text);
   else if (know_is_call(k, node) && !n->form) {
-    know_index callee = k->nodes[n->first].symbol; /* a procedure of the program may draw its object, too */
+    know_index callee = k->nodes[n->first].symbol; /* if the callee is a procedure of the program, it may draw its
+                                                    * object */
     bool language = callee && k->symbols[callee].kind == KNOW_BUILTIN;
     know_type type = language ? know_type_of(k, node) : KNOW_TYPE_UNKNOWN;
     if (type == KNOW_TYPE_NOTHING) return;
@@ -399,7 +403,7 @@ static bool is_mesh(const char *path) {
   return false;
 }
 
-/* Reports a file that `load` or `load-mesh` cannot read, with the message of a run. */
+/* Reports a file that `load` or `load-mesh` cannot read, with the message that a run would give. */
 static void missing_file(know_findings *f, know_index node, const char *path) {
   knowledge *k = f->k;
   size_t n;
@@ -443,9 +447,10 @@ static void check_nodes(know_findings *f) {
   }
 }
 
-/* ---- comments that allow findings ---- */
+/* ---- comments by which the author allows findings ---- */
 
-/* Reads "check: allow NAME, NAME" or "check: allow all", with or without "in this file" after it. */
+/* Returns true if the comment allows findings of the check `name`: "check: allow NAME, NAME" or "check: allow all".
+ * *whole_file: whether "in this file" follows. */
 static bool allows(const char *text, size_t n, const char *name, bool *whole_file) {
   static const char word[] = "check: allow ", everywhere[] = "in this file";
   if (n < sizeof word - 1 || memcmp(text, word, sizeof word - 1) != 0) return false;
@@ -464,7 +469,8 @@ static bool allows(const char *text, size_t n, const char *name, bool *whole_fil
   return found;
 }
 
-/* Returns true if Euclides' annotation "euclides.suppress_warning_unreferenced_object.NAME;" occurs in the script. */
+/* Returns true if the script contains the annotation of Euclides (a translator of JavaScript) that allows the finding:
+ * "euclides.suppress_warning_unreferenced_object.NAME;". */
 static bool annotated(const knowledge *k, const know_finding *f, const char *text, size_t n) {
   static const char word[] = "euclides.suppress_warning_unreferenced_object.";
   if (!k->script || (f->check != KNOW_CHECK_UNREFERENCED && f->check != KNOW_CHECK_UNUSED)) return false;
@@ -510,8 +516,8 @@ bool know_check_program(knowledge *k, know_findings *out) {
   if (out->count) qsort(out->at, out->count, sizeof *out->at, by_place);
   size_t kept = 0;
   for (size_t i = 0; i < out->count; i++) {
-    if (kept && !by_place(&out->at[kept - 1], &out->at[i])) continue; /* a file that is loaded twice has each finding
-                                                                       * twice */
+    if (kept && !by_place(&out->at[kept - 1], &out->at[i])) continue; /* omits the second of two equal findings, which a
+                                                                       * file that is loaded twice has */
     if (!allowed(k, &out->at[i])) out->at[kept++] = out->at[i];
   }
   out->count = kept;

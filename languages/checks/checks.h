@@ -25,12 +25,14 @@ void know_findings_free(know_findings *f);
 void know_report_findings(const know_findings *f, FILE *to);
 void know_report_findings_json(const know_findings *f, FILE *to);
 
-/* ---- for the parts of the checking ---- */
-/* Returns the message with the advice that a run would give at the node; valid as long as the interpreter. */
+/* ---- functions for the files that check ---- */
+/* Returns the message, followed by the advice that a run of the program would give at the node. The text is valid as
+ * long as the interpreter. */
 const char *know_advised(const knowledge *k, vs_advice_kind kind, know_index node, const char *message);
 void know_found(know_findings *f, know_check check, know_index node, const char *format, ...)
     __attribute__((format(printf, 4, 5)));
-/* Returns true if the node is an expression of the text itself, not of a macro, and the walk has visited it. */
+/* Returns true if the node is an expression of the program's text, not of a macro, and the walk (name_walk.h) has
+ * visited it. */
 bool know_is_call(const knowledge *k, know_index node);
 
 #endif

@@ -1,5 +1,5 @@
-/* Checks calls of which all arguments, or all but one, are constants. The interpreter makes the calls; its errors and
- * warnings are findings. */
+/* Checks calls in which all arguments, or all but one, are constants. The interpreter evaluates the calls; its errors
+ * and warnings are findings. */
 #include "languages/checks/constant_calls.h"
 
 #include <stdio.h>
@@ -45,11 +45,12 @@ void know_put_constant(const knowledge *k, know_index node, know_expression *t) 
     know_put(t, ")", 1);
   } else if (n->kind == KNOW_SYMBOL && n->role == KNOW_REFERENCE && k->symbols[n->symbol].kind == KNOW_BUILTIN &&
       (!*k->symbols[n->symbol].call || know_plain_row(k, n->symbol) >= 0) && *k->symbols[n->symbol].text != '%')
-    know_put(t, k->symbols[n->symbol].text, strlen(k->symbols[n->symbol].text)); /* a name of the language, such as pi,
-                                                                                  * origin, ux or sqrt */
+    know_put(t, k->symbols[n->symbol].text, strlen(k->symbols[n->symbol].text)); /* writes a name of the language, such
+                                                                                  * as pi, origin, ux or sqrt */
   else if (t->depth == 2 && n->kind == KNOW_SYMBOL && n->role == KNOW_REFERENCE && n->symbol &&
            k->symbols[n->symbol].kind == KNOW_FUNCTION)
-    know_put(t, "(lambda any #t)", 15); /* replaces a procedure of the program that is an argument of the call */
+    know_put(t, "(lambda any #t)", 15); /* writes this lambda in place of a procedure of the program, whose value is not
+                                         * known */
   else if ((value = know_constant_value(k, node)) != 0) know_put_constant(k, value, t);
   else t->failed = true;
   t->depth--;
@@ -79,15 +80,15 @@ bool know_guarded(const knowledge *k, know_index node) {
   return false;
 }
 
-/* Returns true for a call of `draw` with an object. Such calls are not made: the interpreter would keep all objects,
- * and warn of equal ones. */
+/* Returns true for a call of `draw` with an object. Such calls are not evaluated: the interpreter would keep all
+ * objects, and warn about equal objects. */
 static bool draws_object(const knowledge *k, know_index node) {
   know_type type = know_type_of(k, know_nth(k, node, 1));
   return know_is(k, k->nodes[node].first, "draw") && (type == KNOW_TYPE_OBJECT || type == KNOW_TYPE_LIST || !type);
 }
 
-/* Returns true for an argument of a predicate, as in (empty-object? (do-offset c -2)). The program tests the case of
- * which a warning would inform. */
+/* Returns true for a node that is an argument of a predicate, as in (empty-object? (do-offset c -2)). The program
+ * itself tests for the case about which a warning would inform. */
 static bool is_asked(const knowledge *k, know_index node) {
   know_index head = k->nodes[k->nodes[node].parent].first;
   const char *name = head && k->nodes[head].kind == KNOW_SYMBOL ? k->names[k->nodes[head].name].text : "";
@@ -103,7 +104,8 @@ static bool is_of_count(const char *why) {
 bool know_check_constants(know_findings *f, know_index node, uint8_t *wrong) {
   knowledge *k = f->k;
   for (know_index i = know_nth(k, node, 1); i; i = k->nodes[i].next)
-    if (wrong[i]) return wrong[node] = 1, false; /* the error of the argument is reported at the argument */
+    if (wrong[i]) return wrong[node] = 1, false; /* the error in an argument is reported at the argument, so the call is
+                                                  * only marked */
   if (draws_object(k, node)) return true;
   know_expression t = {0};
   know_put_constant(k, node, &t);
@@ -116,10 +118,10 @@ bool know_check_constants(know_findings *f, know_index node, uint8_t *wrong) {
 }
 
 
-/* ---- calls with one unknown argument ---- */
+/* ---- calls with one argument whose value is unknown ---- */
 
-/* Values of all kinds, which replace an unknown argument. Each contains 41; an error that contains 41 is about this
- * value. The common kinds have two values, since one may equal a constant of the call. */
+/* Values of all kinds that are tried in place of an unknown argument. Each contains 41; an error message that contains
+ * 41 is about this value. The common kinds have two values, since one may equal a constant of the call. */
 static const char *const values[] = {
   "41",
   "41.5",
@@ -158,7 +160,7 @@ static const char *const values[] = {
 };
 enum { VALUES = sizeof values / sizeof *values };
 
-/* Writes the call, with the value in place of the unknown argument. */
+/* Writes the call as text for the interpreter, with `value` in place of the unknown argument. */
 static void put_call(const knowledge *k, know_index node, know_index unknown, const char *value, know_expression *t) {
   know_index head = k->nodes[node].first;
   know_put(t, "(", 1);
@@ -169,8 +171,8 @@ static void put_call(const knowledge *k, know_index node, know_index unknown, co
   know_put(t, ")", 1);
 }
 
-/* Returns the only positional argument that is not constant, if the call has others. Returns 0 if there is none, or
- * more than one. */
+/* Returns the node of the only positional argument that is not constant, if the call has other arguments. Returns 0 if
+ * there is no such argument, or several. */
 static know_index unknown_argument(const knowledge *k, know_index node) {
   know_index unknown = 0;
   uint32_t known = 0;
@@ -193,7 +195,7 @@ static know_index unknown_argument(const knowledge *k, know_index node) {
   return known ? unknown : 0;
 }
 
-/* Returns true if the error is about the kind of a constant, and not about the value of the unknown argument. */
+/* Returns true if the error message is about the kind of a constant, and not about the value that was tried. */
 static bool is_of_constant(const char *why) {
   static const char *const plain[] = {"z", "xy", "#t", "#f", "#<", "\"red\""};
   const char *got = strstr(why, ", got ");
@@ -218,8 +220,8 @@ void know_check_with_unknown(know_findings *f, know_index node, uint8_t *wrong) 
     k->trial = 0;
     free(t.at);
     if (!*why || t.failed) return;
-    if (k->heard_warning) { /* The procedure accepts the value and warns. A finding requires that all accepted values
-                             * lead to the same warning */
+    if (k->heard_warning) { /* The procedure accepts the value that was tried and warns. This is a finding only if all
+                             * accepted values lead to one warning */
       if (warning && strcmp(warning, why) != 0) return;
       warning = know_text(k, why, strlen(why));
     } else if (!error && is_of_constant(why)) error = know_text(k, why, strlen(why));

@@ -1,4 +1,4 @@
-/* Checks forms that the language cannot expand. The interpreter expands them, and runs nothing. */
+/* Reports forms that the language cannot expand. The interpreter expands each form, and runs none. */
 #include "languages/checks/syntax_checks.h"
 
 #include <stdio.h>
@@ -18,13 +18,13 @@ static void put(text *t, const char *s, size_t n) {
   t->count += n;
 }
 
-/* Returns false for a form that is permitted only at the top level of a program, or that another check examines. */
+/* Returns false for a form that is permitted only at the top level of a program, or that another check handles. */
 static bool is_expandable(const knowledge *k, know_index form) {
   static const char *const others[] = {"import", "require", "include", "include-ci", "load", "provide", "begin",
                                        "cond-expand", "export"};
   know_index head = k->nodes[form].first;
   know_index symbol = k->nodes[form].symbol;
-  if (k->nodes[form].kind == KNOW_SYMBOL) /* the form is only a name */
+  if (k->nodes[form].kind == KNOW_SYMBOL) /* a form that is only a name has no syntax to check */
     return k->nodes[form].role == KNOW_SYNTAX ||
            (symbol && k->symbols[symbol].kind == KNOW_MACRO && !k->symbols[symbol].definition);
   if (k->nodes[form].kind != KNOW_LIST || !head || k->nodes[head].kind != KNOW_SYMBOL) return false;
@@ -35,7 +35,8 @@ static bool is_expandable(const knowledge *k, know_index form) {
   return strncmp(word, "define-", 7) != 0;
 }
 
-/* Returns true if the form uses a macro of the program, or a macro that only a run can expand. */
+/* Returns true if a form contains a use of a macro that the program defines, or of a macro that only a run can expand.
+ * form, end: range of its nodes. */
 static bool uses_macros(const knowledge *k, know_index form, know_index end) {
   for (know_index i = form; i < end; i++) {
     const know_node *n = &k->nodes[i];
@@ -46,8 +47,8 @@ static bool uses_macros(const knowledge *k, know_index form, know_index end) {
   return false;
 }
 
-/* Writes the program's own names that are also forms of the language, separated by blanks. Uses of these names are
- * calls. */
+/* Writes the names that the program defines and that are also forms of the language, separated by blanks. In the
+ * program, forms with these names are calls. */
 static void put_own_names(const knowledge *k, text *t) {
   for (know_index s = k->scopes[PROGRAM].first_symbol; s; s = k->symbols[s].next_in_scope) {
     vs_name_info info;
@@ -58,7 +59,7 @@ static void put_own_names(const knowledge *k, text *t) {
   }
 }
 
-/* Returns the innermost node of the form at this place in the text. */
+/* Returns the innermost node of the form that contains this place in the text. */
 static know_index node_at(const knowledge *k, know_index form, know_index end, uint32_t line, uint32_t column) {
   know_index found = form;
   for (know_index i = form; i < end; i++)
@@ -98,8 +99,9 @@ static void expand(know_findings *f, know_index form, know_index end, const text
   k->muted = false;
   free(t.at);
   if (!t.ok) know_fail(k, NULL, VS_OUTCOME_MACHINE, "out of memory");
-  bool warned = outcome == VS_OUTCOME_DONE && k->heard_warning; /* the warning of a test that is a procedure, as in
-                                                                 * (cond (> 3 2) ...) */
+  bool warned = outcome == VS_OUTCOME_DONE && k->heard_warning; /* warned: whether the interpreter has only warned, as
+                                                                 * about a test that is a procedure in (cond (> 3 2)
+                                                                 * ...) */
   if ((outcome != VS_OUTCOME_MODEL && !warned) || !*k->heard ||
       (strstr(k->heard, "top level") && !strstr(k->heard, "or in the body")))
     return;

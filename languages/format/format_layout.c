@@ -1,13 +1,14 @@
-/* Determines which tokens begin a line, and the column of each.
+/* Determines which tokens begin a line, and the column of each token.
  *
  * A pass places all tokens. After it, each line that is too long is broken: first between the elements of its outermost
- * list, later between those of inner lists. Passes follow until none breaks a line. A second layout of the result
- * begins with the line ends of the last pass, and therefore changes nothing. */
+ * list, later between those of inner lists. Passes are repeated until none breaks a line. If the result is laid out
+ * again, its line ends are those of the last pass, so nothing changes. */
 #include "languages/format/format_layout.h"
 
 #include "languages/format/format_program.h"
 
-enum { DEEPEST = FORMAT_WIDTH - 20 /* lists whose bracket is right of this column are not broken: it helps little */ };
+enum { DEEPEST = FORMAT_WIDTH - 20 /* DEEPEST: if a list begins right of this column, breaking it helps little, so it is
+                                    * not broken */ };
 
 static bool is_comment(const format_token *x) { return x->kind == FORMAT_TOKEN_LINE || x->kind == FORMAT_TOKEN_BLOCK; }
 
@@ -30,7 +31,7 @@ static uint32_t indentation(const format_list *l, uint32_t nth) {
   return l->column + (nth <= l->leading ? 4 : 2);
 }
 
-/* Returns the number of blanks between the token and the one before it on the same line. */
+/* Returns the number of blanks between token i and the token before it, if they are on one line. */
 static uint32_t distance(const format_tokens *t, size_t i) {
   const format_token *x = &t->tokens[i], *before = x - 1;
   if (x->kind == FORMAT_TOKEN_LINE) return 1;
@@ -42,7 +43,7 @@ static uint32_t home(const format_tokens *t, const format_token *x) {
   return x->kind == FORMAT_TOKEN_OPEN ? t->lists[x->list].parent : x->list;
 }
 
-/* Sets the column after the token, and returns the number of line ends within it. */
+/* Sets the token's end, the column after it. Returns the number of line ends within the token. */
 static uint32_t measure(const format_tokens *t, format_token *x) {
   uint32_t lines = 0;
   x->end = x->column;
@@ -78,7 +79,7 @@ static bool is_keyword(const format_tokens *t, const format_token *x) {
   return x->kind == FORMAT_TOKEN_ATOM && x->to - x->from > 2 && t->text[x->from] == '#' && t->text[x->from + 1] == ':';
 }
 
-/* Returns true if a line end may be put before the token, and moves it to the left. */
+/* Returns true if a line may be ended before token i, and this moves the token to the left. */
 static bool may_break(const format_tokens *t, size_t i) {
   const format_token *x = &t->tokens[i];
   const format_list *l = &t->lists[home(t, x)];
@@ -89,8 +90,8 @@ static bool may_break(const format_tokens *t, size_t i) {
   return x->nth >= least && l->column <= DEEPEST && indentation(l, x->nth) < x->column;
 }
 
-/* Returns the column after the element that begins with the token, the value of a keyword, and the brackets that close
- * there. */
+/* Returns the column after the element that begins with token i, including a keyword's value and the brackets that
+ * close after it. */
 static uint32_t unit_end(const format_tokens *t, size_t i) {
   while (i + 1 < t->count && (t->tokens[i].kind == FORMAT_TOKEN_PREFIX || is_keyword(t, &t->tokens[i])) &&
          t->tokens[i + 1].kind != FORMAT_TOKEN_CLOSE && !t->tokens[i + 1].breaks) i++;
@@ -98,10 +99,10 @@ static uint32_t unit_end(const format_tokens *t, size_t i) {
   return t->tokens[i].end;
 }
 
-/* Breaks a line of the tokens [from, to) between atoms, each time as late as possible. */
+/* Breaks the line of the tokens from `from` to `to` - 1 between atoms, each time as far right as possible. */
 static bool fill(format_tokens *t, size_t from, size_t to) {
   bool changed = false;
-  uint32_t moved = 0; /* columns by which the line ends so far move the tokens to the left */
+  uint32_t moved = 0; /* number of columns by which the line ends that were inserted move the tokens to the left */
   for (size_t i = from; i < to; i++) {
     format_token *x = &t->tokens[i];
     if (unit_end(t, i) < x->column || unit_end(t, i) - moved <= FORMAT_WIDTH || !may_break(t, i)) continue;
@@ -113,8 +114,7 @@ static bool fill(format_tokens *t, size_t from, size_t to) {
   return changed;
 }
 
-/* Returns true if a list of lists may be broken before the token. Atoms that follow each other stay on a line, apart
- * from keywords. */
+/* Returns true if a list of lists may be broken before token i. Consecutive atoms stay on one line, except keywords. */
 static bool may_divide(const format_tokens *t, size_t i) {
   const format_token *x = &t->tokens[i], *last = x;
   if (t->lists[home(t, x)].flat || !may_break(t, i)) return false;
@@ -140,7 +140,8 @@ static bool break_lines(format_tokens *t) {
     bool too_long = false;
     for (to = from; to < t->count && t->tokens[to].line == t->tokens[from].line; to++) {
       const format_token *x = &t->tokens[to];
-      bool within = to + 1 == t->count || x[1].line == x->line || x[1].breaks; /* the token ends on the line */
+      bool within = to + 1 == t->count || x[1].line == x->line || x[1].breaks; /* within: whether the token ends on the
+                                                                                * line on which it begins */
       too_long = too_long || (x->kind != FORMAT_TOKEN_LINE && within && x->end > FORMAT_WIDTH);
     }
     if (too_long && break_line(t, from, to)) changed = true;
@@ -148,13 +149,13 @@ static bool break_lines(format_tokens *t) {
   return changed;
 }
 
-/* ---- comments at the end of lines ---- */
+/* ---- comments after code on a line ---- */
 
 static bool is_trailing(const format_tokens *t, size_t i) {
   return t->tokens[i].kind == FORMAT_TOKEN_LINE && !t->tokens[i].breaks;
 }
 
-/* Aligns the comments at the ends of lines that follow each other, if the author has aligned them. */
+/* Aligns comments after code on consecutive lines, if the author has aligned them. */
 static void align_comments(format_tokens *t) {
   for (size_t i = 0; i < t->count; i++) {
     if (!is_trailing(t, i)) continue;

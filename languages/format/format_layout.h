@@ -4,7 +4,8 @@
 
 #include "languages/format/format_tokens.h"
 
-/* Sets line, column, end and breaks of all tokens. Lines longer than FORMAT_WIDTH are broken where that helps. */
+/* Sets the members line, column, end and breaks of all tokens. Lines longer than FORMAT_WIDTH are broken where that
+ * makes them shorter. */
 void format_layout(format_tokens *t);
 
 #endif

@@ -1,4 +1,4 @@
-/* Lays out a program in one style, and compares the tokens of both texts. */
+/* Lays out a program in one style, and checks that the tokens of the old and the new text are equal. */
 #include "languages/format/format_program.h"
 
 #include <stdlib.h>
@@ -26,7 +26,7 @@ static void put_blanks(buffer *b, uint32_t count) {
   }
 }
 
-/* Returns the text's line end, that of its first line. */
+/* Returns the line end that the first line of the text has: \n, \r\n or \r. */
 static const char *line_end(const char *text, size_t length) {
   const char *end = memchr(text, '\n', length);
   return end && end > text && end[-1] == '\r' ? "\r\n" : "\n";
@@ -45,7 +45,7 @@ static void write_tokens(buffer *b, const format_tokens *t) {
   if (t->count) put(b, end, strlen(end));
 }
 
-/* Returns true if the buffer's text has the tokens t. Sets b->failed when memory is out. */
+/* Returns true if the text in the buffer has the tokens t. Sets b->failed when memory is out. */
 static bool keeps_tokens(buffer *b, const format_tokens *t) {
   format_tokens again;
   b->failed = !format_tokens_read(&again, b->text, b->length);

@@ -4,11 +4,11 @@
 
 #include <stddef.h>
 
-enum { FORMAT_WIDTH = 100 /* the code of a line ends at this column, if a line end can be put before it */ };
+enum { FORMAT_WIDTH = 100 /* FORMAT_WIDTH: greatest column of code on a line, unless the line cannot be broken */ };
 
-/* Returns the text in the one style, which the caller frees, and sets *formatted to its length. The language's reader
- * must accept the text. Fails, with NULL, when memory is out. A text that cannot be laid out without a change of
- * its tokens is returned as it is. */
+/* Returns the text, laid out in one style, which the caller frees, and sets *formatted to its length. The text must be
+ * one that the language's reader accepts. Returns NULL when memory is out. Returns an unchanged copy if the layout
+ * would change the tokens. */
 char *format_program(const char *text, size_t length, size_t *formatted);
 
 #endif

@@ -1,5 +1,5 @@
-/* Reads a program's text into tokens and lists. The text is one that the language's reader accepts; any other text also
- * gives tokens, but their lists have no meaning. */
+/* Reads a program's text into tokens and lists. The text must be one that the language's reader accepts; any other text
+ * also gives tokens, but their lists have no meaning. */
 #include "languages/format/format_tokens.h"
 
 #include <stdlib.h>
@@ -15,7 +15,8 @@ static bool ends_line(const format_tokens *t, size_t i) {
   return at(t, i) == '\n' || (at(t, i) == '\r' && at(t, i + 1) != '\n');
 }
 
-/* Returns the length in bytes of the blank character at i, or 0 if there is none. The characters are the reader's. */
+/* Returns the length in bytes of the blank character at i, or 0 if there is none. Blank characters are those of the
+ * language's reader. */
 static size_t blank(const format_tokens *t, size_t i) {
   int c = at(t, i);
   if (c < 0) return 0;
@@ -47,7 +48,7 @@ static size_t block_end(const format_tokens *t, size_t i) {
   return t->length;
 }
 
-/* Returns the end of the string or the part of a name that begins at i and ends with `mark`. */
+/* Returns the end of a string or of a part of a name that begins at i and ends with the character `mark`. */
 static size_t delimited_end(const format_tokens *t, size_t i, char mark) {
   for (i++; i < t->length; i++) {
     if (t->text[i] == mark) return i + 1;
@@ -142,7 +143,7 @@ static list_style style_of_word(const char *word, size_t n) {
   return (list_style){ "", FORMAT_STYLE_CALL, 0 };
 }
 
-/* Gives the list its style by its first element, an atom if `atom`. */
+/* Sets the list's style, by its first element. atom: whether this element is an atom. */
 static void begin_list(const format_tokens *t, format_list *l, const format_token *first, bool atom) {
   char c = t->text[first->from];
   bool clause = t->text[t->tokens[l->open].from] == '[';
@@ -153,10 +154,10 @@ static void begin_list(const format_tokens *t, format_list *l, const format_toke
 
 /* ---- tokens and lists ---- */
 
-typedef struct { format_tokens *t; uint32_t list; bool pending; } collector; /* pending: whether the last token that is
-                                                                              * no comment is a prefix */
+/* pending: whether the last token, apart from comments, is a prefix such as a quote */
+typedef struct { format_tokens *t; uint32_t list; bool pending; } collector;
 
-/* Returns true if the list that begins with `open` in this list is quoted. */
+/* Returns true if a list that begins with the bracket `open` in list number `list` is quoted data. */
 static bool is_data(const format_tokens *t, uint32_t list, char open) {
   if (open == '#') return true;
   const format_token *before = t->count ? &t->tokens[t->count - 1] : NULL;
@@ -177,7 +178,7 @@ static bool open_list(collector *c, format_token *x) {
   return true;
 }
 
-/* Numbers the token among the elements of its list. */
+/* Sets the token's number among the elements of its list. */
 static void number_element(collector *c, format_token *x) {
   format_list *l = &c->t->lists[c->list];
   x->nth = l->elements;
@@ -206,7 +207,7 @@ static bool add_token(collector *c, format_token x) {
   return true;
 }
 
-/* Returns the end of a comment without the blanks at the end of its line. */
+/* Returns the end of the comment from `from` to `to`, without blanks at the end of its line. */
 static size_t trimmed(const format_tokens *t, size_t from, size_t to) {
   while (to > from + 1 && (unsigned char)t->text[to - 1] <= ' ') to--;
   return to;

@@ -16,22 +16,26 @@ typedef enum {
 } format_kind;
 
 typedef struct {
-  uint32_t from, to;       /* bytes of the text */
+  uint32_t from, to;       /* range of the token in the text, in bytes */
   uint32_t list;           /* the list that contains the token; for brackets, the list that they enclose */
-  uint32_t lines;          /* line ends between the previous token and this */
+  uint32_t lines;          /* number of line ends between the previous token and this token */
   uint32_t source_column;  /* column in the text, from 0, in characters */
-  uint32_t line, column, end; /* place in the layout, from 0: its first line, its first column, the column after it */
+  uint32_t line, column, end; /* result of the layout, all from 0: line: line of the token's beginning; column: its
+                               * first column; end: the column after it */
   uint8_t kind;
   bool breaks;             /* whether a line begins with the token */
-  bool leads;              /* whether the token begins an element of its list: no prefix precedes it */
-  uint32_t nth;            /* number of the element from 0; of a comment: of the element that follows */
+  bool leads;              /* whether the token begins an element of its list, because no prefix precedes the token */
+  uint32_t nth;            /* number, from 0, of the element to which the token belongs; for a comment, that of the next
+                            * element */
 } format_token;
 
 typedef struct {
   uint32_t parent, depth, elements;
-  uint32_t open;           /* the token of the bracket; unused for list 0, the whole text */
-  uint32_t column, content; /* layout: column of the bracket, and of the first element */
-  uint32_t first_argument; /* layout: column of the second element, if it is on the line of the first; else 0 */
+  uint32_t open;           /* index of the opening bracket's token; unused for list 0, which is the whole text */
+  uint32_t column, content; /* result of the layout: column: that of the opening bracket; content: that of the first
+                             * element */
+  uint32_t first_argument; /* result of the layout: column of the second element, if it is on the line of the first;
+                            * otherwise 0 */
   uint8_t style, leading;
   bool data;               /* whether the list is quoted */
   bool flat;               /* whether all elements are atoms */
@@ -46,8 +50,8 @@ typedef struct {
 
 typedef enum { FORMAT_STYLE_CALL, FORMAT_STYLE_BODY, FORMAT_STYLE_NAMED, FORMAT_STYLE_DATA } format_style;
 
-/* Reads the text into tokens and lists. Fails, with false, when memory is out; then and otherwise
- * format_tokens_free frees it. */
+/* Reads the text into tokens and lists. Returns false when memory is out. In either case the caller frees them by
+ * format_tokens_free. */
 bool format_tokens_read(format_tokens *t, const char *text, size_t length);
 void format_tokens_free(format_tokens *t);
 /* Returns true if both texts have the same tokens in the same order. */

@@ -1,8 +1,8 @@
 /* Implements the parser of scripts by recursive descent, with precedence of operators.
  *
  * The parser calls itself once for each level of brackets or statements, and counts the levels. It refuses a text with
- * more than VS_SCRIPT_DEPTH levels. A long row of operators makes a tree as high as the row is long; the parser limits
- * the height of each node. */
+ * more than VS_SCRIPT_DEPTH levels. A long sequence of operators makes a tree as high as the sequence is long; the
+ * parser limits the height of each node. */
 #include "languages/javascript/parser.h"
 
 #include <string.h>
@@ -13,9 +13,10 @@ typedef struct {
   vs_script *s;
   vs_scanner c;
   vs_script_place last; /* place of the last token that was read */
-  unsigned depth, chained; /* depth: number of open levels. chained: number of else-ifs among them */
-  unsigned functions, loops, switches; /* numbers of functions, loops and switches around the current place; loops and
-                                        * switches are counted within the innermost function */
+  unsigned depth, chained; /* depth: number of open levels of brackets and statements. chained: number of these that are
+                            * else-ifs */
+  unsigned functions, loops, switches; /* numbers of functions, loops and switches around the current position; loops
+                                        * and switches are counted within the innermost function */
 } parser;
 
 typedef struct {
@@ -80,7 +81,7 @@ static bool close_node(parser *p, uint32_t i) {
   return true;
 }
 
-/* Makes the node's height at least the height of the part plus 1. */
+/* Makes node i at least one higher than its part. */
 static bool above(parser *p, uint32_t i, uint32_t part) {
   if (!part || node(p, part)->height < node(p, i)->height) return true;
   if (node(p, part)->height >= VS_SCRIPT_HEIGHT)
@@ -94,7 +95,7 @@ static bool make(parser *p, vs_script_kind kind, vs_script_place at, uint32_t *o
   return (*out = vs_script_node_new(p->s, kind, at)) != 0;
 }
 
-/* Makes a node with these parts. Its end is the end of the last token. */
+/* Makes a node with the parts a to d. Its end is the end of the last token. */
 static bool make_of(parser *p, vs_script_kind kind, vs_script_place at, uint32_t a, uint32_t b, uint32_t c, uint32_t d,
                     uint32_t *out) {
   if (!make(p, kind, at, out)) return false;
@@ -237,7 +238,7 @@ static bool primary(parser *p, uint32_t *out) {
   return unexpected(p, "an expression");
 }
 
-/* Reads .name, [index] and, if calls are allowed, (arguments) after *out. */
+/* Reads .name, [index] and, if calls are allowed, (arguments) after the expression *out, which it extends. */
 static bool members(parser *p, bool calls, uint32_t *out) {
   for (;;) {
     uint32_t object = *out, part;
@@ -345,7 +346,8 @@ static vs_script_operator infix(const parser *p, bool in) {
   return VS_OPERATOR_NONE;
 }
 
-/* Reads operands and operators of precedence `least` or higher. It calls itself only for higher precedences. */
+/* Reads an expression of operands and operators of precedence `least` or higher. It calls itself only for higher
+ * precedences. */
 static bool binary(parser *p, unsigned least, bool in, uint32_t *out) {
   if (!unary(p, out)) return false;
   for (;;) {
@@ -401,7 +403,8 @@ static bool expression(parser *p, bool in, uint32_t *out) {
 
 /* ---- statements ---- */
 
-/* Reads statements up to } or the end of the text. cases: a case or default also ends them. */
+/* Reads statements up to } or the end of the text. cases: inside a switch, where a case or default also ends the
+ * statements. */
 static bool statements(parser *p, bool cases, list *l) {
   while (now(p)->kind != VS_TOKEN_END && !at_mark(p, "}") &&
          !(cases && (at_word(p, VS_WORD_CASE) || at_word(p, VS_WORD_DEFAULT)))) {
@@ -412,7 +415,7 @@ static bool statements(parser *p, bool cases, list *l) {
   return true;
 }
 
-/* Reads the } of a block. At the end of the text, the error has the place of the {. */
+/* Reads the } that closes a block. If the text ends, the error has the place of the opening {. */
 static bool closing(parser *p, vs_script_place open) {
   if (now(p)->kind == VS_TOKEN_END) return vs_script_fail(p->s, open, "this { is never closed");
   return expect(p, "}");
@@ -571,8 +574,8 @@ static bool jump(parser *p, vs_script_kind kind, vs_script_place at, uint32_t *o
 
 static bool word_statement(parser *p, vs_script_place at, uint32_t *out);
 
-/* Reads the statement after `else`. If it is another `if`, it continues the chain and begins no new level. Only the
- * height of the tree limits the length of a chain. */
+/* Reads the statement after `else`. Another `if` continues the chain of else-ifs and does not begin a new level. Only
+ * the height of the tree limits the length of a chain. */
 static bool otherwise(parser *p, uint32_t *out) {
   if (!at_word(p, VS_WORD_IF)) return statement(p, out);
   if (++p->chained > VS_SCRIPT_HEIGHT)

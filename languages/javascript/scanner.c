@@ -1,8 +1,8 @@
-/* Implements the scanner of scripts.
+/* Implements the scanner of scripts: reads tokens.
  *
- * A comment that begins with slash, star, percent is a token: it contains text of the target language. All other
- * comments, including annotations, are kept as comments. Line ends have a meaning in the grammar, so each token records
- * whether a line ended before it. */
+ * A comment that begins with slash, star, percent is a token: it contains text in the target language, here Scheme. All
+ * other comments, including annotations, are kept as comments. Line ends have a meaning in the grammar, so each token
+ * records whether a line ended before it. */
 #include "languages/javascript/scanner.h"
 
 #include <errno.h>
@@ -39,7 +39,8 @@ static void close_place(vs_scanner *c, vs_script_place *p) {
   p->to = (uint32_t)c->at, p->end_line = c->line, p->end_column = column_of(c, c->at);
 }
 
-/* Returns the length in bytes of the line end here, or 0 if there is none. U+2028 and U+2029 are line ends. */
+/* Returns the length in bytes of the line end at the scanner's position, or 0 if there is none. U+2028 and U+2029 are
+ * line ends, too. */
 static size_t line_end(const vs_scanner *c) {
   int a = peek(c, 0);
   if (a == '\n') return 1;
@@ -108,7 +109,7 @@ static bool keep_comment(vs_scanner *c, vs_script_place at, bool alone) {
   return true;
 }
 
-/* Reads a comment between slash-star and star-slash. Sets *native if it contains text of the target language, and is
+/* Reads a comment from slash-star to star-slash. Sets *native if it contains text in the target language, and is
  * therefore a token. */
 static bool block(vs_scanner *c, bool *newline, bool *native) {
   vs_script_place at = here(c);
@@ -180,8 +181,8 @@ static bool number(vs_scanner *c) {
       if (peek(c, 1 + sign) >= '0' && peek(c, 1 + sign) <= '9')
         for (c->at += 1 + sign; peek(c, 0) >= '0' && peek(c, 0) <= '9';) c->at++;
     }
-    /* The text has no NUL after the number, so strtod reads a copy. A number too long for the copy is refused; its
-     * further digits could change only the last bit. */
+    /* No NUL follows the number in the text, so strtod reads a copy. A number that is too long for the copy is refused;
+     * its further digits could change only the last bit. */
     char copy[800];
     size_t n = c->at - from;
     if (n >= sizeof copy) return vs_script_fail(c->s, t->at, "a number of more than %zu characters", sizeof copy - 1);
@@ -208,7 +209,7 @@ static bool put_character(vs_scanner *c, uint32_t u) {
   return vs_script_text(c->s, b, n);
 }
 
-/* Reads exactly `digits` hexadecimal digits. Returns false if there are fewer. */
+/* Reads exactly `digits` hexadecimal digits as *u. Returns false if there are fewer. */
 static bool hexadecimal(vs_scanner *c, unsigned digits, uint32_t *u) {
   *u = 0;
   for (unsigned i = 0; i < digits; i++) {
@@ -246,7 +247,7 @@ static bool escape(vs_scanner *c) {
     if (u >= 0xD800 && u < 0xE000) return vs_script_fail(c->s, at, "half of a surrogate pair is no character");
     return put_character(c, u);
   }
-  size_t from = c->at++; /* after a backslash, any other character means itself */
+  size_t from = c->at++; /* after a backslash, a character without a special meaning is itself */
   while ((peek(c, 0) & 0xC0) == 0x80) c->at++;
   return vs_script_text(c->s, c->s->source + from, c->at - from);
 }

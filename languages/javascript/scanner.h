@@ -24,10 +24,10 @@ typedef enum {
 typedef struct {
   uint8_t kind;
   bool newline;          /* whether a line ended between the last token and this token */
-  uint8_t word;          /* WORD: the word, a vs_script_word */
-  char mark[5];          /* MARK: the text of the mark */
+  uint8_t word;          /* WORD (a reserved word): which word, a vs_script_word */
+  char mark[5];          /* MARK (an operator or bracket): its characters */
   uint32_t name;         /* NAME, WORD: index of the name in the script's names */
-  uint32_t text, length; /* STRING, NATIVE: range in the script's texts */
+  uint32_t text, length; /* STRING, NATIVE: offset and length of the token's contents in the script's `texts` */
   double number;
   vs_script_place at;
 } vs_token;
@@ -40,10 +40,10 @@ typedef struct {
   vs_token token; /* the token that was read last */
 } vs_scanner;
 
-/* Checks that the text is valid and moves to the position before its first token. Returns false with the trouble
- * set. */
+/* Checks that the text is valid UTF-8 and moves to the position before its first token. Returns false with the script's
+ * trouble set. */
 bool vs_scanner_open(vs_scanner *c, vs_script *s);
-/* Reads the next token. Returns false with the trouble set. */
+/* Reads the next token. Returns false with the script's trouble set. */
 bool vs_scanner_next(vs_scanner *c);
 const char *vs_script_word_out(vs_script_word word);
 

@@ -15,7 +15,7 @@ bool vs_script_fail(vs_script *s, vs_script_place at, const char *format, ...) {
   return false;
 }
 
-/* Grows an array to `count` items. array: address of the pointer to the array. */
+/* Grows an array to at least `count` items of `size` bytes. array: address of the pointer to the array. */
 bool vs_script_room(vs_script *s, void *array, size_t *room, size_t count, size_t size) {
   if (count <= *room) return true;
   size_t more = *room ? *room : 64;

@@ -25,8 +25,8 @@ typedef enum {
 /* The greatest number of nested levels of brackets and statements, and the greatest height of a tree. */
 enum { VS_SCRIPT_DEPTH = 400, VS_SCRIPT_HEIGHT = 1500 };
 
-/* A place: from, to are a range of bytes of the text. Lines and columns count from 1, columns in characters. The end is
- * just after the last character. */
+/* A place: the bytes of the text from `from` up to `to`. Lines and columns count from 1, columns in characters. The end
+ * is just after the last character. */
 typedef struct {
   uint32_t from, to, line, column, end_line, end_column;
 } vs_script_place;
@@ -36,9 +36,10 @@ typedef struct {
   bool flag;
   uint16_t height;
   uint32_t next, count;
-  uint32_t a, b, c, d;   /* parts of the node; script_nodes.def gives their meaning for each kind */
+  uint32_t a, b, c, d;   /* parts of the node, such as indices of nodes; script_nodes.def gives their meaning for each
+                          * kind */
   uint32_t name;         /* NAME: index in `names` */
-  uint32_t text, length; /* STRING, NATIVE: range of `texts`, in UTF-8 */
+  uint32_t text, length; /* STRING, NATIVE: offset and length in bytes of its contents in `texts`, in UTF-8 */
   double number;         /* NUMBER: the value of the number */
   vs_script_place at;
 } vs_script_node;
@@ -51,8 +52,8 @@ typedef struct {
   bool alone; /* whether nothing precedes the comment on its line */
 } vs_script_comment;
 
-/* Resizes a block from `used` to `fresh` bytes. at NULL: allocates a new block. fresh 0: frees the block. Returns NULL
- * if memory is out. */
+/* A function that resizes a block from `used` to `fresh` bytes. at NULL: it allocates a new block. fresh 0: it frees
+ * the block. It returns NULL if memory is out. */
 typedef void *vs_script_resize(void *context, void *at, size_t used, size_t fresh);
 
 typedef struct {
@@ -72,28 +73,29 @@ typedef struct {
   size_t comment_count, comment_room;
   uint32_t root; /* index of the PROGRAM node */
   bool no_memory;
-  char trouble[240]; /* message about the first fault; "": there is no fault */
+  char trouble[240]; /* message about the first fault of the text; "": there is no fault */
   vs_script_place trouble_at;
 } vs_script;
 
 /* Frees the script's arrays. */
 void vs_script_close(vs_script *s);
 
-/* ---- for the scanner and the parser ---- */
+/* ---- functions for the scanner and the parser ---- */
 
-/* Sets the trouble, unless it is already set. Always returns false, so that callers can return the result. */
+/* Sets the message and the place of a fault, unless a fault is already set. Always returns false, so that callers can
+ * return the result. */
 bool vs_script_fail(vs_script *s, vs_script_place at, const char *format, ...) __attribute__((format(printf, 3, 4)));
 bool vs_script_room(vs_script *s, void *array, size_t *room, size_t count, size_t size);
 /* Returns a new node, or 0 if memory is out. */
 uint32_t vs_script_node_new(vs_script *s, vs_script_kind kind, vs_script_place at);
-/* Returns the index of the name, which is added if it is new. Returns 0 if memory is out. */
+/* Returns the index of the name in `names`. Adds the name if it is new. Returns 0 if memory is out. */
 uint32_t vs_script_name_of(vs_script *s, const char *text, size_t length);
 /* Returns the index of the name, or 0 if the script has no such name. */
 uint32_t vs_script_name_known(const vs_script *s, const char *text, size_t length);
 /* Appends the text to `texts`. Returns false if memory is out. */
 bool vs_script_text(vs_script *s, const char *text, size_t length);
 
-/* ---- reading ---- */
+/* ---- functions that read a tree ---- */
 
 static inline const vs_script_node *vs_script_at(const vs_script *s, uint32_t node) { return &s->nodes[node]; }
 const char *vs_script_spelling(const vs_script *s, uint32_t name, size_t *length);

@@ -1,4 +1,5 @@
-/* Implements the lowering of scripts.
+/* Implements the lowering of scripts: converts JavaScript to the lowered tree, whose kinds of nodes every target
+ * language can express.
  *
  * A function of a script is a sequence of statements that ends in a return. Here it becomes an expression. If an arm of
  * an if returns, the statements after the if move into the other arm. A switch becomes ifs, and a counting loop becomes
@@ -14,7 +15,7 @@
 #include "languages/translate/lower_definitions.h"
 #include "languages/translate/target.h"
 
-/* Consecutive statements: the statements from `first` on, then those of `rest`. */
+/* Consecutive statements: those from `first` to the end of their list, then those of `rest`. */
 typedef struct sequence {
   know_index first;
   const struct sequence *rest;
@@ -26,7 +27,7 @@ static void effect(lowering *l, know_index n, tr_index body);
 
 static know_index nth(const lowering *l, know_index list, uint32_t n) { return know_nth(l->k, list, n); }
 
-/* Returns the first word of the list, such as "js:if", or "" for a call. */
+/* Returns the first word of the list at node n, such as "js:if", or "" for a call. */
 static const char *word_of(const lowering *l, know_index n) {
   know_index head = first_of(l, n);
   const char *text = is_symbol(l, head) ? l->k->names[l->k->nodes[head].name].text : "";
@@ -50,8 +51,8 @@ static bool returns(const lowering *l, know_index n) {
   return false;
 }
 
-/* Returns the value of a case, or 0 for the default. Statements of a case are marked as statements; its value is
- * not. */
+/* Returns the node of the value of a case, or 0 for the default. In a case, statements are marked as such, and its
+ * value is not. */
 static know_index case_value(const lowering *l, know_index c) {
   know_index first = nth(l, c, 1);
   return first && !l->k->nodes[first].statement ? first : 0;
@@ -89,7 +90,7 @@ static bool is_test(const lowering *l, know_index n) {
   return false;
 }
 
-/* Lowers a condition. A number is true unless it is 0. */
+/* Lowers a condition to a boolean. A number counts as true unless it is 0. */
 static void test(lowering *l, know_index n, tr_index into) {
   at(l, into)->source = n;
   if (is_test(l, n)) {
@@ -127,7 +128,7 @@ static void atom(lowering *l, know_index n, tr_index into) {
   }
 }
 
-/* Returns the name of a callee or variable, as in script_calls.def, or "" for any other expression. */
+/* Returns the name of a called function or a variable as script_calls.def spells it, or "" for any other expression. */
 static const char *said(const lowering *l, know_index n) {
   if (is_symbol(l, n)) return builtin(l, n) ? builtin(l, n) : "";
   if (!is(l, n, "js:get")) return word_of(l, n);
@@ -151,8 +152,8 @@ static uint32_t takes(const char *order) {
   return most;
 }
 
-/* Lowers an argument. If the procedure expects a point (mark: p), an array of two or three elements is a point. If it
- * expects an outline (mark: c), an array of such arrays is an outline. */
+/* Lowers an argument. mark: the type that the procedure expects. With p, an array of two or three elements becomes a
+ * point. With c, an array of such arrays becomes an outline. */
 static void argument(lowering *l, know_index n, tr_index parent, char mark) {
   tr_index into = add(l, parent, TR_NOTHING, n);
   bool array = is(l, n, "js:array");
@@ -171,7 +172,8 @@ static void argument(lowering *l, know_index n, tr_index parent, char mark) {
   for (know_index i = nth(l, n, 1); i; i = next(l, i)) value(l, i, add(l, into, TR_NOTHING, i));
 }
 
-/* Lowers the call of a name of script_calls.def. Returns false if the name has no row there. */
+/* Lowers a call of a function of script_calls.def, or its name as a value. Returns false if the table does not contain
+ * the name. */
 static bool known(lowering *l, know_index n, tr_index into, const char *name, know_index first, bool called) {
   uint32_t count = 0;
   for (know_index i = first; i; i = next(l, i)) count++;
@@ -326,7 +328,7 @@ static bool counts(lowering *l, know_index n, tr_index into) {
   return true;
 }
 
-/* Returns true if the variable that `set` declares and sets is used only in the statement around it. */
+/* Returns true if only the statement around `set` uses the variable that `set` declares and assigns. */
 static bool own(const lowering *l, know_index set) {
   know_index s = symbol_of(l, nth(l, set, 1)), block = l->k->nodes[l->k->nodes[set].parent].parent;
   const know_place *within = &l->k->nodes[block].at;
@@ -342,13 +344,13 @@ static void definition(lowering *l, know_index n, tr_index body) {
   know_index target = nth(l, n, 1), first = nth(l, n, 2);
   if (is_symbol(l, target)) {
     if (first) value(l, first, add(l, define(l, body, target, NULL, n), TR_NOTHING, first));
-    return; /* a declaration without a value belongs to the loop or assignment that follows */
+    return; /* lowers nothing for a declaration without a value: it belongs to the loop or assignment that follows */
   }
   tr_index d = define(l, body, first_of(l, target), NULL, n);
   function(l, target, next(l, first_of(l, target)), first, add(l, d, TR_NOTHING, n));
 }
 
-/* Lowers a statement without a return, for the objects that it draws. */
+/* Lowers a statement without a return, whose only effect can be the objects that it draws. */
 static void effect(lowering *l, know_index n, tr_index body) {
   if (is(l, n, "js:define")) definition(l, n, body);
   else if (is(l, n, "js:define-parameter")) tr_lower_parameter(l, n, body);
@@ -370,12 +372,13 @@ static void effect(lowering *l, know_index n, tr_index body) {
   }
 }
 
-/* Lowers the statements of a case to a value. They continue into the next case until a statement leaves or breaks. */
+/* Lowers the statements of a case to a value. As in JavaScript, they continue into the next case until a statement
+ * leaves the switch. */
 static void case_statements(lowering *l, know_index c, const sequence *rest, tr_index into) {
   enum { MOST = 64 };
   sequence all[MOST + 1] = {{0, NULL}};
   int count = 0;
-  know_index cut = 0, kept = 0; /* cut: the case's break statement. kept: the last statement before the break */
+  know_index cut = 0, kept = 0; /* cut: the break statement of the case. kept: the last statement before this break */
   bool on = true;
   for (; c && on && count < MOST; c = next(l, c)) {
     know_index last = 0, i = nth(l, c, case_value(l, c) ? 2 : 1);
@@ -394,8 +397,8 @@ static void case_statements(lowering *l, know_index c, const sequence *rest, tr_
   if (cut) l->k->nodes[cut].next = kept;
 }
 
-/* Lowers a switch to an if for each case. The statements after the switch may be repeated in each case, so they must be
- * short. */
+/* Lowers a switch to an if for each case. The statements after the switch (rest) may be repeated in each case, so they
+ * must be short. */
 static void choose(lowering *l, know_index n, const sequence *rest, tr_index into) {
   know_index chosen = nth(l, n, 1), fallback = 0;
   const sequence *then = rest;
@@ -407,7 +410,7 @@ static void choose(lowering *l, know_index n, const sequence *rest, tr_index int
   value(l, chosen, add(l, d, TR_NOTHING, chosen));
   into = add(l, into, TR_NOTHING, n);
   for (know_index c = nth(l, n, 2); c; c = next(l, c)) {
-    know_index group = c; /* the last of several consecutive cases with the same statements */
+    know_index group = c; /* group: the last of several consecutive cases that have the same statements */
     if (!case_value(l, c)) fallback = c;
     if (!case_value(l, c)) continue;
     while (next(l, group) && !nth(l, group, 2) && case_value(l, next(l, group))) group = next(l, group);
@@ -427,7 +430,7 @@ static void choose(lowering *l, know_index n, const sequence *rest, tr_index int
   else statements(l, (sequence){0, rest}, into);
 }
 
-/* Lowers statements to their value, which is the value of the return. */
+/* Lowers statements to a value, which is that of their return. */
 static void statements(lowering *l, sequence s, tr_index into) {
   become(l, into, TR_BODY, "");
   while (!s.first && s.rest) s = *s.rest;
@@ -448,7 +451,7 @@ static void statements(lowering *l, sequence s, tr_index into) {
       if (!leaves(l, then) && !(other && leaves(l, other))) cannot(l, n, "an if of which neither branch returns");
       test(l, nth(l, n, 1), add(l, made, TR_NOTHING, n));
       know_index other_next = other ? l->k->nodes[other].next : 0;
-      l->k->nodes[then].next = 0; /* lowers each arm separately, then the statements that follow */
+      l->k->nodes[then].next = 0; /* lowers each arm of the if separately, followed by the statements after the if */
       if (other) l->k->nodes[other].next = 0;
       statements(l, (sequence){then, leaves(l, then) ? NULL : &rest}, add(l, made, TR_NOTHING, then));
       if (leaves(l, then) || other) statements(l, (sequence){other, leaves(l, then) ? &rest : NULL},

@@ -1,4 +1,5 @@
-/* Declares the lowering of scripts: JavaScript programs whose functions compute values. */
+/* Declares the lowering of scripts (programs in JavaScript) to the lowered tree. The functions of the script must
+ * compute values. */
 #ifndef VS_LANGUAGES_SCRIPT_LOWER_SCRIPT_H
 #define VS_LANGUAGES_SCRIPT_LOWER_SCRIPT_H
 

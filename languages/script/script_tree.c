@@ -1,4 +1,4 @@
-/* Makes the nodes of an analysis from the tree of a script.
+/* Makes the nodes of an analysis from the tree of a script (a program in JavaScript).
  *
  * It calls itself once for each level of the tree, whose height languages/javascript/script.h limits. A word that the
  * text does not contain, such as js:get for a dot, has the place of the construct, with a length of 0. */
@@ -52,7 +52,8 @@ static void add(maker *m, know_index list, know_index part) {
   k->nodes[part].parent = list;
   k->nodes[list].count++;
   if (!last) {
-    k->nodes[list].first = k->nodes[list].scope = part; /* scope: the last part, until the tree is complete */
+    k->nodes[list].first = k->nodes[list].scope = part; /* appends the part to the list; until the tree is complete,
+                                                         * `scope` stores the last part of a list */
     return;
   }
   k->nodes[k->nodes[list].scope].next = part;
@@ -71,7 +72,7 @@ static know_index name(maker *m, uint32_t i) {
   return symbol(m, text, length, node(m, i)->at);
 }
 
-/* makes a list that begins with the word, at this place */
+/* makes a list node that begins with the word `word` */
 static know_index list(maker *m, const char *word, vs_script_place at) {
   know_index i = leaf(m, KNOW_LIST, at);
   vs_script_place start = at;
@@ -84,8 +85,8 @@ static know_index list(maker *m, const char *word, vs_script_place at) {
 
 typedef bool visit_fn(maker *m, uint32_t declaration, bool direct, void *context);
 
-/* Calls visit for each DECLARATOR and function declaration of the function that contains i. direct: whether i is a
- * statement of the function itself, not part of another statement. */
+/* Calls visit for each DECLARATOR and function declaration in the statement i, but not in inner functions. direct:
+ * whether i is a statement of the function itself, not part of another statement. */
 static bool declarations(maker *m, uint32_t i, bool direct, visit_fn *visit, void *context) {
   for (; i; i = node(m, i)->next) {
     const vs_script_node *n = node(m, i);
@@ -171,7 +172,8 @@ static bool uses_arguments(maker *m, uint32_t i) {
   return false;
 }
 
-/* Adds parameters to `to`. If the function uses `arguments`, also adds `arguments` as the rest parameter. */
+/* Adds the parameters of function i to the list `to`. If the function uses `arguments`, also adds `arguments` as the
+ * rest parameter. */
 static void parameters(maker *m, know_index to, uint32_t i) {
   const vs_script_node *n = node(m, i);
   for (uint32_t p = n->a; p; p = node(m, p)->next) add(m, to, name(m, p));
@@ -194,10 +196,10 @@ static bool is_parameter(maker *m, uint32_t owner, uint32_t name_index) {
   return false;
 }
 
-/* Hoists a declaration inside another statement to the beginning of the function: a variable without its value, a
+/* Moves a declaration inside another statement to the beginning of the function: of a variable without its value, of a
  * function with its whole definition. */
 static bool hoist(maker *m, uint32_t d, bool direct, void *context) {
-  if (direct) return true; /* the definition stays at its own place */
+  if (direct) return true; /* a definition that is a statement of the function itself is not moved */
   uint32_t own = node(m, d)->kind == VS_SCRIPT_FUNCTION ? node(m, d)->c : node(m, d)->a;
   if (is_parameter(m, m->functions->function, node(m, own)->name)) return true;
   know_index def;
@@ -211,7 +213,7 @@ static bool hoist(maker *m, uint32_t d, bool direct, void *context) {
   return !*m->k->trouble;
 }
 
-/* Returns true if the value is a call of a procedure such as gui_number, at top level. */
+/* Returns true if the value is a call at top level that declares a parameter of the model, such as gui_number. */
 static bool is_model_parameter(maker *m, uint32_t owner, uint32_t value) {
   const vs_script_node *n = node(m, value);
   if (node(m, owner)->kind == VS_SCRIPT_FUNCTION || !value || n->kind != VS_SCRIPT_CALL) return false;
@@ -220,7 +222,8 @@ static bool is_model_parameter(maker *m, uint32_t owner, uint32_t value) {
          vs_script_is(&m->s, called, "gui_text");
 }
 
-/* Makes var x = value, a statement of the function or program itself. If x is a parameter, it remains the parameter. */
+/* Makes the nodes of var x = value, a statement of the function or program itself. If x is a parameter of the function,
+ * it remains the parameter. */
 static know_index variable(maker *m, uint32_t owner, uint32_t d) {
   const vs_script_node *n = node(m, d);
   bool again = is_parameter(m, owner, node(m, n->a)->name), model = is_model_parameter(m, owner, n->b);
@@ -274,7 +277,7 @@ static know_index function(maker *m, uint32_t i) {
   return rec;
 }
 
-/* makes a list that begins with a word such as js:+, at the node's place */
+/* makes a list node that begins with a word such as js:+, at the node's place */
 static know_index operation_of(maker *m, const char *before, const vs_script_node *n) {
   char word[40];
   snprintf(word, sizeof word, "js:%s%s", before, vs_script_operator_word((vs_script_operator)n->op));
@@ -295,7 +298,7 @@ static know_index assigned(maker *m, const vs_script_node *n, const char *before
   return out;
 }
 
-/* Makes the names of the script's variables that native text uses. */
+/* Makes name nodes for the script's variables that a native text (Scheme in a comment) uses. */
 static know_index native(maker *m, const vs_script_node *n) {
   know_index out = list(m, "js:native", n->at);
   const char *text = m->s.texts + n->text;
@@ -356,7 +359,7 @@ static know_index make(maker *m, uint32_t i) {
   case VS_SCRIPT_LOGICAL:
     out = operation_of(m, "", n);
     if (n->op == VS_OPERATOR_TYPE_OF && node(m, n->a)->kind == VS_SCRIPT_NAME && !declared(m, node(m, n->a)->name))
-      return out; /* typeof allows an undeclared variable */
+      return out; /* typeof may be applied to an undeclared variable, so it is no fault */
     add(m, out, make(m, n->a));
     add(m, out, make(m, n->b));
     return out;
@@ -364,7 +367,7 @@ static know_index make(maker *m, uint32_t i) {
   }
 }
 
-/* Makes for (x in o). The values of x are strings that are not in the text. */
+/* Makes the nodes of for (x in o). The values of x are strings that are not in the text. */
 static know_index for_in(maker *m, const vs_script_node *n) {
   know_index out = list(m, "js:for-in", n->at);
   uint32_t target = node(m, n->a)->kind == VS_SCRIPT_VAR ? node(m, node(m, n->a)->a)->a : n->a;
@@ -380,7 +383,7 @@ static know_index one_statement(maker *m, uint32_t i) {
   const vs_script_node *n = node(m, i);
   know_index out;
   switch ((vs_script_kind)n->kind) {
-  case VS_SCRIPT_VAR: /* inside another statement: the variables are defined at the beginning of the function */
+  case VS_SCRIPT_VAR: /* a var inside another statement: its variables are defined at the beginning of the function */
     out = list(m, "js:var", n->at);
     for (uint32_t d = n->a; d; d = node(m, d)->next) {
       if (!node(m, d)->b) continue;
@@ -390,8 +393,8 @@ static know_index one_statement(maker *m, uint32_t i) {
       add(m, out, set);
     }
     return out;
-  case VS_SCRIPT_FUNCTION: return list(m, "js:declared", n->at); /* the definition is at the beginning of the
-                                                                  * function */
+  /* a function declaration inside another statement: its definition is at the beginning of the function */
+  case VS_SCRIPT_FUNCTION: return list(m, "js:declared", n->at);
   case VS_SCRIPT_BLOCK: return parts(m, "js:block", n);
   case VS_SCRIPT_IF: return parts(m, "js:if", n);
   case VS_SCRIPT_FOR: return parts(m, "js:for", n);
@@ -438,7 +441,8 @@ static know_index statement(maker *m, uint32_t i) {
 bool know_script_word(const char *name, uint16_t *row) {
   static const char *const same[] = { "define", "define-parameter", "lambda", "set!", "rec", "quote" };
   if (strncmp(name, "js:", 3) != 0) return false;
-  *row = know_form_row("and"); /* the parts of the word's list are expressions */
+  *row = know_form_row("and"); /* lists that begin with this word are walked like (and ...): all other elements are
+                                * expressions */
   for (size_t i = 0; i < sizeof same / sizeof *same; i++)
     if (!strcmp(name + 3, same[i])) *row = know_form_row(same[i]);
   return true;

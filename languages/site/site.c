@@ -1,6 +1,6 @@
 /* Writes the pages of `vs doc` (site.h) in XHTML 1.0 Strict: functions, variables, statements, the overview, and the
- * text of each file. In the texts, every name links to its definition. The anchor of a symbol is s and its index; that
- * of a line is L and its number. */
+ * text of each file. In the texts, every name links to its definition. The anchor of a symbol is s followed by its
+ * index; that of a line is L followed by its number. */
 #include "languages/site/site.h"
 
 #include <errno.h>
@@ -15,12 +15,12 @@
 #include "languages/analysis/tree_report.h"
 #include "model/store/array.h"
 
-enum { PATH_ROOM = 4096, SAID = 160 /* SAID: number of bytes of a comment that the search shows */, REFERENCES = 40 };
+enum { PATH_ROOM = 4096, SAID = 160 /* SAID: greatest number of bytes of a comment that results of the search show */, REFERENCES = 40 };
 
 typedef struct {
   knowledge *k;
   const char *folder, *title;
-  bool *pictured; size_t pictured_room; /* pictured[symbol]: whether the symbol has a picture */
+  bool *pictured; size_t pictured_room; /* pictured[s]: whether symbol s has a picture */
   bool shown;                           /* whether there is a picture of the whole model */
 } site;
 
@@ -60,8 +60,8 @@ static void put_line(FILE *f, const char *text, size_t n) {
   }
 }
 
-/* Writes comments as paragraphs, separated by lines without text. Indented lines after such a line, or after other
- * indented lines, keep their form. */
+/* Writes comments as paragraphs; comment lines without text separate them. Indented lines after an empty line, or after
+ * other indented lines, keep their line ends and blanks. */
 static void put_comments(FILE *f, const knowledge *k, know_index first, know_index end) {
   enum { CLOSED, PARAGRAPH, AS_WRITTEN } open = CLOSED;
   static const char *const close[] = {"", "</p>\n", "</pre>\n"};
@@ -164,7 +164,7 @@ static void put_uses(FILE *f, const knowledge *k, const know_symbol *s) {
   if (!n) fputs("not used", f);
 }
 
-/* writes a call such as f(a, b) */
+/* writes a call of a script's function, such as f(a, b) */
 static void put_script_call(FILE *f, const knowledge *k, const know_symbol *s) {
   know_index p = s->parameters ? k->nodes[s->parameters].first : 0;
   bool begun = false;
@@ -172,8 +172,8 @@ static void put_script_call(FILE *f, const knowledge *k, const know_symbol *s) {
   puts_to(f, s->text);
   fputc('(', f);
   for (; p; p = k->nodes[p].next) {
-    if (k->nodes[s->parameters].dotted && !k->nodes[p].next) break; /* the rest parameter is `arguments`, which the text
-                                                                     * does not contain */
+    if (k->nodes[s->parameters].dotted && !k->nodes[p].next) break; /* skips the rest parameter `arguments`, which the
+                                                                     * text does not contain */
     if (begun) fputs(", ", f);
     puts_to(f, k->names[k->nodes[p].name].text);
     begun = true;
@@ -181,14 +181,14 @@ static void put_script_call(FILE *f, const knowledge *k, const know_symbol *s) {
   fputc(')', f);
 }
 
-/* Writes a call of the symbol, with its name and parameters as in the text. */
+/* Writes a call of the symbol, with its name and parameters as the text has them. */
 static void put_call(FILE *f, const knowledge *k, const know_symbol *s) {
   size_t n = 0;
   if (k->script) {
     put_script_call(f, k, s);
     return;
   }
-  if (s->rules && s->value) { /* for define-syntax-rule: writes the pattern */
+  if (s->rules && s->value) { /* for a macro of define-syntax-rule, writes its pattern */
     const char *pattern = know_spelling(k, s->value, &n);
     know_xml_text(f, pattern, n);
     return;
@@ -197,8 +197,8 @@ static void put_call(FILE *f, const knowledge *k, const know_symbol *s) {
   fputc('(', f);
   puts_to(f, s->text);
   if (text && k->nodes[s->parameters].kind == KNOW_LIST) {
-    bool whole = k->nodes[s->parameters].first == s->definition; /* in (define (name x) ...), the list's first element
-                                                                  * is the name */
+    bool whole = k->nodes[s->parameters].first == s->definition; /* whole: in (define (name x) ...), the first element
+                                                                  * of the parameter list is the name */
     const char *inner = text + 1, *end = text + n - 1;
     if (whole) inner += strlen(s->text);
     while (inner < end && *inner == ' ') inner++;
@@ -210,7 +210,7 @@ static void put_call(FILE *f, const knowledge *k, const know_symbol *s) {
   fputc(')', f);
 }
 
-/* Writes the functions of the program that the symbol's text uses, each once. */
+/* Writes links to the functions of the program that the text of the symbol uses, each once. */
 static void put_needs(FILE *f, const knowledge *k, know_index symbol) {
   const know_symbol *s = &k->symbols[symbol];
   const know_place *in = s->form ? &k->nodes[s->form].at : NULL;
@@ -274,7 +274,8 @@ static bool symbol_page(site *s, bool functions) {
   FILE *f = open_page(s, name, functions ? "Functions" : "Variables");
   bool any = false;
   if (!f) return false;
-  for (int deep = 0; deep < 2; deep++) { /* first the program's own symbols, then those of procedures and lets */
+  for (int deep = 0; deep < 2; deep++) { /* first lists the symbols at top level, then those inside procedures and
+                                          * lets */
     for (know_index i = 1; i < s->k->symbol_count; i++) {
       const know_symbol *y = &s->k->symbols[i];
       bool inner = s->k->scopes[y->scope].kind != KNOW_SCOPE_PROGRAM;
@@ -289,7 +290,7 @@ static bool symbol_page(site *s, bool functions) {
 
 /* ---- statements, and equal parts of statements ---- */
 
-enum { LEAST_ALIKE = 8 /* least number of nodes of a part that is compared */ };
+enum { LEAST_ALIKE = 8 /* least number of nodes of a part that is searched for equal parts */ };
 typedef struct { uint64_t hash; uint32_t nodes; know_index node; } alike;
 
 static int by_hash(const void *a, const void *b) {
@@ -306,7 +307,8 @@ static uint64_t hash_bytes(uint64_t h, const char *text, size_t n) {
   return h;
 }
 
-/* Hashes all trees of the texts. A node's children come after it, so the loop runs downwards. */
+/* Computes a hash of every tree in the texts. A node's children come after it in the array, so the loop runs
+ * downwards. */
 static void hash_trees(const knowledge *k, alike *of) {
   for (know_index i = (know_index)k->text_nodes; i > 0; i--) {
     const know_node *n = &k->nodes[i];
@@ -320,7 +322,7 @@ static void hash_trees(const knowledge *k, alike *of) {
     else {
       size_t length;
       const char *text = know_spelling(k, i, &length);
-      /* A word such as js:get has no text in the script. */
+      /* A word such as js:get has no text in the script, so its name is hashed. */
       if (!length && n->kind == KNOW_SYMBOL) text = k->names[n->name].text, length = strlen(text);
       h = hash_bytes(h, text, length);
     }
@@ -341,7 +343,8 @@ static void put_alike(FILE *f, const knowledge *k, const alike *group, size_t co
   fputs("</pre>\n</div>\n", f);
 }
 
-/* Writes groups of equal trees, the largest first. Omits groups inside a larger group of the same count. */
+/* Writes groups of equal trees, the largest first. Omits a group whose trees are parts of those of a larger group with
+ * the same count. */
 static bool put_duplicates(site *s, FILE *f) {
   const knowledge *k = s->k;
   alike *of = NULL, *lists = NULL, *groups = NULL;
@@ -407,7 +410,7 @@ static void begin_line(printer *p) {
   fprintf(p->f, "<span class=\"n\" id=\"L%u\">%u</span>", (unsigned)p->line, (unsigned)p->line);
 }
 
-/* Prints the text up to position `to`, with the numbers of the lines that begin in it. */
+/* Writes the text up to byte `to`, with the numbers of the lines that begin in it. */
 static void print_to(printer *p, size_t to, const char *open, const char *close) {
   if (to > p->at) fputs(open, p->f);
   while (p->at < to) {
@@ -523,7 +526,7 @@ static bool index_page(site *s) {
   }
   if (any) fputs("</table></div>\n", f);
   any = false;
-  for (int pass = 0; pass < 2; pass++) { /* symbols with a picture first */
+  for (int pass = 0; pass < 2; pass++) { /* first lists the symbols that have a picture, then all others */
     bool begun = false;
     for (know_index i = 1; i < k->symbol_count; i++) {
       const know_symbol *y = &k->symbols[i];
@@ -579,8 +582,8 @@ static bool asset(site *s, const char *name, const char *text) {
 
 /* ---- pictures ---- */
 
-/* Returns true if the expression is in a text and contains no variable of a procedure or a let, so that it has the same
- * meaning at top level. */
+/* Returns true if the expression is in a text and uses no variable of a procedure or a let, so that it can be evaluated
+ * at top level. */
 static bool stands_alone(const knowledge *k, know_index node) {
   for (know_index i = node; i <= k->text_nodes && k->nodes[i].at.from < k->nodes[node].at.to &&
        k->nodes[i].at.file == k->nodes[node].at.file; i++) {
@@ -592,9 +595,9 @@ static bool stands_alone(const knowledge *k, know_index node) {
   return node <= k->text_nodes;
 }
 
-/* Makes a picture of a procedure. First it calls the procedure with its defaults. If this fails, it shows the result of
- * the procedure's first call in the program. If this fails too, it calls the procedure as the program does, with
- * top-level variables. */
+/* Makes a picture of a procedure's result. First calls the procedure with its defaults. If this fails, uses the result
+ * of the procedure's first call in the program. If this fails too, calls the procedure as the program does, if that
+ * call uses only top-level variables. */
 static bool picture_of(site *s, know_index symbol, know_picture *picture, void *context, const char *path) {
   const knowledge *k = s->k;
   const know_symbol *y = &k->symbols[symbol];

@@ -4,8 +4,8 @@
 
 #include "languages/analysis/analysis.h"
 
-/* Writes a picture of the expression's value to path. expression NULL: a picture of the whole model. Returns false if
- * there is no picture. */
+/* A function that writes a picture of the expression's value to the file `path`. expression NULL: a picture of the
+ * whole model. It returns false if there is no picture. */
 typedef bool know_picture(void *context, const char *expression, const char *path);
 
 /* Writes the pages into an existing folder. picture may be NULL: the pages then have no pictures. Returns false if a

@@ -1,9 +1,9 @@
 /* Finds the texts of a lowered tree that are names of colours.
  *
  * Some target languages do not have these names of colours. A text is a colour if it occurs where the language expects
- * a colour. The same holds for the value of a variable there, an argument for such a parameter, the result of such a
- * procedure, and an element of a list of colours. Marks only increase. Loops over the nodes pass them on until nothing
- * changes. */
+ * a colour. The same holds for texts that reach such a place: the value of a variable, an argument for a parameter, the
+ * result of a procedure, an element of a list. The search marks nodes and variables as colours. It repeats loops over
+ * the nodes until no mark is added. */
 #include "languages/targets/colour_flow.h"
 
 #include <string.h>
@@ -20,7 +20,7 @@ static void raise_node(flow *f, tr_index n, uint8_t to) {
   if (n) raise(f, &f->t->nodes[n].colour, to);
 }
 
-/* Returns true if the language expects a colour at this node. */
+/* Returns true if the language expects a colour at this node, because of the primitive around it. */
 static bool takes_colour(const translation *t, tr_index n) {
   const tr_node *p = &t->nodes[t->nodes[n].parent];
   if (p->kind == TR_KEYWORD) return !strcmp(p->text, "color");
@@ -33,7 +33,7 @@ static tr_index called(const translation *t, const tr_node *call) {
   return callee->kind == TR_NAME ? t->variables[callee->variable].procedure : 0;
 }
 
-/* Passes the mark of a value on to its parts. */
+/* Passes the mark of a node on to the parts that its value comes from. */
 static void carry_down(flow *f, tr_index n) {
   translation *t = f->t;
   const tr_node *node = &t->nodes[n];
@@ -46,7 +46,7 @@ static void carry_down(flow *f, tr_index n) {
     break;
   case TR_BODY: case TR_KEYWORD: raise_node(f, node->last, colour); break;
   case TR_MAP: raise_node(f, node->last, element); break;
-  case TR_LIST: /* the list is a colour itself: it contains the three numbers of a colour */
+  case TR_LIST: /* a list of three numbers is a colour itself, so its elements are not marked */
     for (tr_index i = node->first; i && colour > 1; i = t->nodes[i].next) raise_node(f, i, element);
     break;
   case TR_CALL: {
@@ -65,14 +65,14 @@ static void carry_down(flow *f, tr_index n) {
   }
 }
 
-/* Passes the mark of a variable on to its values. */
+/* Passes the mark of the node's variable on to the values of the variable. */
 static void carry_into(flow *f, tr_index n) {
   translation *t = f->t;
   const tr_node *node = &t->nodes[n];
   if (node->kind == TR_DEFINE || node->kind == TR_SET || node->kind == TR_PARAMETER) {
     uint8_t colour = t->variables[node->variable].colour;
-    bool runs = node->kind == TR_DEFINE && t->nodes[node->parent].kind == TR_MAP; /* whether the variable runs through a
-                                                                                   * list */
+    /* runs: whether the variable takes the elements of a list, so that the list is marked */
+    bool runs = node->kind == TR_DEFINE && t->nodes[node->parent].kind == TR_MAP;
     if (colour) raise_node(f, node->first, (uint8_t)(colour + runs));
   }
   if (node->kind != TR_CALL) return;
@@ -95,7 +95,7 @@ void tr_find_colours(translation *t) {
   tr_index count = (tr_index)t->node_count;
   for (tr_index n = 1; n < count; n++)
     if (takes_colour(t, n)) t->nodes[n].colour = 1;
-  do { /* loops in both directions, because chains of variables run in either direction */
+  do { /* visits the nodes in both directions, because a chain of variables may lead in either direction */
     f.changed = false;
     for (tr_index n = 1; n < count; n++) carry(&f, n);
     for (tr_index n = count; f.changed && n-- > 1;) carry(&f, n);

@@ -1,8 +1,8 @@
 /* Writes scripts as modules for three.js.
  *
  * A script is already JavaScript. Its text is copied, with its comments, into a function whose scope hides the module's
- * names. The libraries that it calls are helpers of the target. A module is in strict mode: the translation complains
- * about text that strict mode treats differently or rejects. */
+ * names. The libraries that the script calls are helpers of the target. A module is in strict mode: the translation
+ * complains about text that strict mode treats differently or rejects. */
 #include "languages/targets/script_to_javascript.h"
 
 #include <stdio.h>
@@ -28,7 +28,7 @@ static know_index twice(const knowledge *k, know_index list) {
   return 0;
 }
 
-/* Complains about all parts that a module cannot contain. */
+/* Complains about all parts of the script that a module cannot contain. */
 static void refuse(translation *t) {
   static const char reserved[] = " let static yield await implements interface package private protected public eval ";
   knowledge *k = t->k;
@@ -48,14 +48,14 @@ static void refuse(translation *t) {
   }
 }
 
-/* Declares the variables that are assigned and never declared. */
+/* Writes declarations of the variables that the script assigns and never declares. */
 static void put_globals(tr_writer *w) {
   const knowledge *k = w->t->k;
   bool any = false;
   for (know_index i = 1; i <= k->text_nodes; i++) {
     know_index named = is(k, i, "js:set!") ? know_nth(k, i, 1) : 0, before = 1;
     if (!named || k->nodes[named].symbol) continue;
-    for (; before < i; before++) /* the variable's first assignment */
+    for (; before < i; before++) /* searches an earlier assignment of the variable, so that it is declared once */
       if (is(k, before, "js:set!") && k->nodes[know_nth(k, before, 1)].name == k->nodes[named].name) break;
     if (before < i) continue;
     put(w, any ? ", " : "var ");
@@ -65,7 +65,7 @@ static void put_globals(tr_writer *w) {
   if (any) put(w, ";\n");
 }
 
-/* Writes the lowered form of a value that the user sets. */
+/* Writes the value that the user has set for a parameter, from its lowered form. */
 static void put_value(tr_writer *w, tr_index n) {
   const tr_node *value = &w->t->nodes[n];
   if (value->kind == TR_STRING) tr_plan_quoted(w, value->text);
@@ -89,7 +89,8 @@ void tr_script_program(tr_writer *w) {
     if (!is(k, i, "js:define-parameter") || !know_nth(k, i, 2)) continue;
     tr_lower_parameter(&l, i, t->root);
     tr_index value = t->nodes[t->nodes[t->root].last].first;
-    if (!value || t->nodes[value].kind == TR_NOTHING) continue; /* the user sets no value, so the default remains */
+    if (!value || t->nodes[value].kind == TR_NOTHING) continue; /* the user has set no value, so the default in the text
+                                                                 * remains */
     const know_place *at = &k->nodes[know_nth(k, i, 2)].at;
     tr_put(w, f->text + from, at->from - from);
     put_value(w, value);

@@ -4,7 +4,7 @@
 
 #include "languages/translate/target.h"
 
-/* Writes the script's own text into a function of a module, with the user's values. */
+/* Copies the script's own text into a function of a module, with the values of parameters that the user has set. */
 void tr_script_program(tr_writer *w);
 
 #endif

@@ -1,5 +1,5 @@
-/* Implements the reading of colour names. The order is that of model/looks/ready_materials.c: a ready material has
- * precedence over the CSS colour of the same name. */
+/* Converts names of colours to numbers. A name is searched in the order of model/looks/ready_materials.c: a ready
+ * material has precedence over the CSS colour of the same name. */
 #include "languages/targets/target_colours.h"
 
 #include <stdio.h>

@@ -4,7 +4,8 @@
 
 #include "languages/translate/target.h"
 
-/* Return the target with this name, or with the suffix of this path. Return NULL if there is none. */
+/* tr_target_named returns the target with this name, tr_target_of_file the target whose suffix the path has. They
+ * return NULL if there is none. */
 const tr_target *tr_target_named(const char *name);
 const tr_target *tr_target_of_file(const char *path);
 

@@ -14,7 +14,8 @@
 #include "languages/translate/value_kinds.h"
 #include "languages/translate/words.h"
 
-/* Kinds of pieces of statements: TR_PIECE_STATEMENTS returns the value, TR_PIECE_DRAW drops it. */
+/* In this file, a piece of kind TR_PIECE_STATEMENTS is a node as statements that return its value; TR_PIECE_DRAW is a
+ * node as statements that drop its value. */
 
 static const tr_node *at(const tr_writer *w, tr_index n) { return &w->t->nodes[n]; }
 static tr_variable *var(const tr_writer *w, tr_index n) { return &w->t->variables[at(w, n)->variable]; }
@@ -69,7 +70,7 @@ static void plan_call(tr_writer *w, tr_index n) {
   tr_plan(w, ")");
 }
 
-/* Plans the tests of a map from `test` on, then its element. */
+/* Plans the tests of a map from the node `test` on, then the map's element. */
 static void plan_map(tr_writer *w, tr_index n) {
   tr_index made = at(w, n)->last, i = at(w, n)->first, open = 0;
   if (at(w, n)->parallel) {
@@ -83,8 +84,8 @@ static void plan_map(tr_writer *w, tr_index n) {
     if (at(w, n)->parallel)
       while (at(w, at(w, last)->next)->kind == TR_DEFINE) last = at(w, last)->next;
     else tr_plan(w, "%t", at(w, i)->first);
-    for (tr_index test = at(w, last)->next;; test = at(w, test)->next) { /* plans the tests, and the pieces after
-                                                                          * them */
+    for (tr_index test = at(w, last)->next;; test = at(w, test)->next) { /* plans each test, and the pieces that follow
+                                                                          * it */
       bool tests = at(w, test)->kind == TR_WHEN, more = at(w, test)->kind == TR_DEFINE;
       bool itself = test == made && at(w, made)->kind == TR_NAME && !at(w, n)->parallel &&
           at(w, made)->variable == at(w, i)->variable;
@@ -108,8 +109,8 @@ static void plan_map(tr_writer *w, tr_index n) {
   while (open--) tr_plan(w, ")");
 }
 
-/* Plans and, or. If all operands are tests, they become JavaScript's operators. Otherwise the value is one of the
- * operands. */
+/* Plans the text of and, or. If all operands are tests, uses JavaScript's operators. Otherwise the value is that of an
+ * operand, as in Scheme. */
 static void plan_and_or(tr_writer *w, tr_index n, int level) {
   bool and = at(w, n)->kind == TR_AND, tests = at(w, n)->type == TR_A_BOOLEAN;
   for (tr_index i = at(w, n)->first; i; i = at(w, i)->next) tests = tests && at(w, i)->type == TR_A_BOOLEAN;
@@ -185,7 +186,8 @@ static void plan_value(tr_writer *w, tr_index n, int level) {
 static void plan_define(tr_writer *w, tr_index define) {
   const tr_variable *v = var(w, define);
   tr_index value = at(w, define)->first;
-  if (v->define != define) tr_plan(w, "%s = %v;", name(w, define), value); /* the variable was defined before */
+  if (v->define != define) tr_plan(w, "%s = %v;", name(w, define), value); /* a variable that has been defined before is
+                                                                            * assigned */
   else if (v->procedure && !v->set) {
     tr_plan(w, "function %s(", name(w, define));
     plan_parameters(w, value);
@@ -217,7 +219,7 @@ static void plan_turn(tr_writer *w, tr_index n) {
   tr_plan(w, "%ncontinue;");
 }
 
-/* Plans statements that return the node's value. */
+/* Plans the node as statements that return its value. */
 static void plan_return(tr_writer *w, tr_index n) {
   const tr_node *node = at(w, n);
   if (node->kind == TR_BODY) {
@@ -236,7 +238,7 @@ static void plan_return(tr_writer *w, tr_index n) {
   else tr_plan_commented(w, "%nreturn %v;", n);
 }
 
-/* Plans statements that drop the node's value. */
+/* Plans the node as statements that drop its value. */
 static void plan_effect(tr_writer *w, tr_index n) {
   const tr_node *node = at(w, n);
   switch ((tr_node_kind)node->kind) {
@@ -282,7 +284,7 @@ static void plan_effect(tr_writer *w, tr_index n) {
   case TR_CALL:
     tr_plan_commented(w, "%n%v;", n);
     break;
-  default: break; /* omits a value that is not used */
+  default: break; /* plans nothing for a value that is not used */
   }
 }
 

@@ -1,8 +1,9 @@
 /* Writes programs in OpenSCAD's language.
  *
  * In OpenSCAD solids are not values. A procedure that makes a solid becomes a module. A solid argument becomes a child
- * of the module's call, and a solid with a name becomes a module without parameters. All other definitions become
- * functions or variables. Procedures as values become function literals, which OpenSCAD has since 2021. */
+ * of the module's call, and a variable whose value is a solid becomes a module without parameters. All other
+ * definitions become functions or variables. Procedures as values become function literals, which OpenSCAD has since
+ * 2021. */
 #include "languages/targets/to_openscad.h"
 
 #include <stdio.h>
@@ -22,8 +23,8 @@ static tr_index body_of(const tr_writer *w, tr_index procedure) { return at(w, p
 
 /* ---- names ---- */
 
-/* Returns the index of the variable's solid among the children of the module around the node, or -1 if it is not among
- * them. */
+/* Returns the index of the solid variable among the children of the module in which it is used, or -1 if it is not
+ * among them. */
 static int child_number(const tr_writer *w, tr_index define, tr_index variable) {
   const translation *t = w->t;
   int n = 0;
@@ -54,7 +55,7 @@ static void plan_test(tr_writer *w, tr_index n, int level) {
   else tr_plan(w, "true");
 }
 
-/* Plans the arguments from `first` on, without solids. Arguments after an ABSENT argument get names. */
+/* Plans the arguments of a call, except solids. Arguments after an ABSENT argument are passed by name. */
 static void plan_arguments(tr_writer *w, tr_index call, tr_index procedure) {
   bool named = false, any = false;
   tr_index p = procedure ? at(w, procedure)->first : 0;
@@ -178,7 +179,7 @@ static void plan_body(tr_writer *w, tr_index n, int level) {
   else tr_plan_value(w, last, level);
 }
 
-/* Plans the loops of a map and the text before them, such as "for (...) if (...) ". */
+/* Plans the loops and tests of a map, such as "for (...) if (...) ", without its element. */
 static void plan_loops(tr_writer *w, tr_index n, bool statement) {
   if (at(w, n)->parallel) {
     tr_index first = at(w, n)->first;
@@ -229,8 +230,8 @@ static void plan_choice(tr_writer *w, tr_index test, tr_index then, tr_index oth
   if (level > TR_CHOICE) tr_plan(w, ")");
 }
 
-/* Plans and, or. If all operands are tests, they become OpenSCAD's operators. Otherwise the value is one of the
- * operands. */
+/* Plans the text of and, or. If all operands are tests, uses OpenSCAD's operators. Otherwise the value is that of an
+ * operand, as in Scheme. */
 static void plan_and_or(tr_writer *w, tr_index n, int level) {
   bool and = at(w, n)->kind == TR_AND, tests = true;
   int own = and ? TR_BOTH : TR_EITHER;
@@ -307,7 +308,7 @@ static void plan_value(tr_writer *w, tr_index n, int level) {
 
 /* ---- solids ---- */
 
-/* Returns true if the primitive only joins its solids. *from is the index of the first of them. */
+/* Returns true if the primitive only unites its solids. *from is the index of the first of these arguments. */
 static bool unites(const tr_writer *w, tr_index n, uint32_t *from) {
   if (at(w, n)->kind == TR_LIST) return *from = 0, true;
   if (at(w, n)->kind != TR_PRIMITIVE || !at(w, n)->row) return false;
@@ -323,7 +324,7 @@ static bool has_values(const tr_writer *w, tr_index body) {
   return false;
 }
 
-/* Plans a body as a block of its own: the values of the body are those of the block. */
+/* Plans the statements of a body as a block of its own. draws: as statements that draw. */
 static void plan_block(tr_writer *w, tr_index n, bool draws) {
   if (at(w, n)->kind != TR_BODY) {
     tr_plan(w, draws ? "%d" : "%l", n);
@@ -359,7 +360,7 @@ static void plan_braces(tr_writer *w, tr_index n, bool draws) {
   tr_plan(w, "%<%n}");
 }
 
-/* Plans the body of a statement that contains another statement. A body with several values needs braces. */
+/* Plans the body of a statement such as `for` or `if`. A body with several objects needs braces. */
 static void plan_held(tr_writer *w, tr_index n, bool draws) {
   uint32_t from = 0;
   bool several = unites(w, n, &from) && at(w, n)->count != from + 1;
@@ -377,7 +378,7 @@ static void plan_if(tr_writer *w, tr_index n, bool draws) {
   else plan_braces(w, other, draws);
 }
 
-/* Plans the solid arguments of a call as children of the call. */
+/* Plans the solid arguments of a call as the children of the module's call. */
 static void plan_children(tr_writer *w, tr_index call, tr_index procedure, const tr_variable *v) {
   tr_index solids[64];
   int count = 0;
@@ -456,7 +457,7 @@ static void plan_map(tr_writer *w, tr_index n, bool draws) {
   plan_held(w, at(w, n)->last, draws);
 }
 
-/* Writes a statement. */
+/* Plans a node as a single statement. */
 static void plan_single(tr_writer *w, tr_index n) {
   const tr_node *node = at(w, n);
   uint32_t from = 0;
@@ -483,7 +484,7 @@ static void plan_single(tr_writer *w, tr_index n) {
   case TR_PRIMITIVE: {
     tr_word row = tr_word_row(w->target, node->row ? node->row : 1);
     if (!strcmp(node->text, "native")) tr_plan(w, "%s", at(w, node->first)->text);
-    else if (!node->row) break; /* a complaint about this node exists already */
+    else if (!node->row) break; /* for a primitive without a row, a complaint exists already */
     else if ((*row.result != 'o' && !tr_row_has_block(row.text))) {
       tr_complain(w->t, n, "%s: this gives no solid that OpenSCAD could place", node->text);
     } else {
@@ -502,7 +503,7 @@ static void plan_single(tr_writer *w, tr_index n) {
   }
 }
 
-/* Plans as many statements as needed, each on its own line. */
+/* Plans a node as one or several statements, each on its own line. */
 static void plan_statements(tr_writer *w, tr_index n) {
   uint32_t from = 0;
   if (is_nothing(w, n)) return;
@@ -567,7 +568,7 @@ static void plan_module(tr_writer *w, tr_index define) {
   tr_plan(w, "%<%n}");
 }
 
-/* Plans a parameter's default, and after it the comment that OpenSCAD's customizer reads. */
+/* Plans a parameter's default, followed by the comment that OpenSCAD's customizer reads. */
 static void plan_parameter(tr_writer *w, tr_index define) {
   const knowledge *k = w->t->k;
   know_index n = at(w, define)->source, value[5] = {0};
@@ -624,7 +625,7 @@ static void emit(tr_writer *w, const tr_piece *p) {
   }
 }
 
-/* Writes the values that were lifted out of the statement that follows them. */
+/* Writes definitions at top level that were moved out of the statement which follows. */
 static void write_lifted(tr_writer *w, tr_index from, tr_index to) {
   for (tr_index i = from; i < to; i++) {
     if (at(w, i)->kind != TR_DEFINE || !var(w, i)->lifted || var(w, i)->define != i) continue;

@@ -2,10 +2,10 @@
  *
  * Procedures become macros. The text of a macro's call is its value, so directives may occur inside expressions: (#if
  * (a) b #else c #end). Solids are objects, points are vectors, lists are arrays of one or more numbers, points, strings
- * or arrays. An array from a macro can neither be indexed nor measured directly, nor occur in the braces of another
- * array: item, count_of and statements replace this. A macro can use only its own variables and those of the file, and
- * macros nest at most a hundred deep. Therefore local procedures move to top level, and procedures that call themselves
- * only at their end become loops. */
+ * or arrays. If an array is the result of a macro, it can neither be indexed nor measured directly, nor occur in the
+ * braces of another array: the helper macros item and count_of, and statements, are used instead. A macro can use only
+ * its own variables and those of the file, and macros nest at most a hundred deep. Therefore local procedures move to
+ * top level, and procedures that call themselves only at their end become loops. */
 #include "languages/targets/to_povray.h"
 
 #include <stdio.h>
@@ -18,7 +18,8 @@
 #include "languages/translate/value_kinds.h"
 #include "languages/translate/words.h"
 
-/* Kinds of pieces of statements: TR_PIECE_STATEMENTS are the turns of a loop, TR_PIECE_DRAW statements that draw. */
+/* In this file, a piece of kind TR_PIECE_STATEMENTS is a node as an iteration of a loop; TR_PIECE_DRAW is a node as
+ * statements that draw. */
 
 static const tr_node *at(const tr_writer *w, tr_index n) { return &w->t->nodes[n]; }
 static tr_variable *var(const tr_writer *w, tr_index n) { return &w->t->variables[at(w, n)->variable]; }
@@ -36,7 +37,8 @@ static void no_macros(tr_writer *w, tr_index n) {
 
 /* ---- values ---- */
 
-/* Plans an assignment. Numbers, points and colours end in a semicolon. Other values must not, if an #if made them. */
+/* Plans an assignment of the value to a variable. For a number, point or colour it ends in a semicolon. For other
+ * values it must not, if an #if makes them. */
 static void plan_set(tr_writer *w, const char *before, const char *what, const char *after, tr_index value,
                      bool solid) {
   tr_plan(w, solid ? "%s%s%s = %o" : "%s%s%s = %v", before, what, after, value);
@@ -87,7 +89,8 @@ static void plan_call(tr_writer *w, tr_index n) {
   tr_plan(w, ")");
 }
 
-/* Plans the number of turns of a map, which its lists determine; `first` is its first list. */
+/* Plans the number of iterations of a map: the length of its lists; `first` is the first list. parallel: the length of
+ * the shortest list. */
 static void plan_size(tr_writer *w, tr_index first, bool parallel) {
   if (parallel) tr_plan(w, "min(");
   for (tr_index i = first; at(w, i)->kind == TR_DEFINE; i = at(w, i)->next) {
@@ -97,13 +100,14 @@ static void plan_size(tr_writer *w, tr_index first, bool parallel) {
   tr_plan(w, ")");
 }
 
-/* Returns the number up to which the variable counts from 0, or 0 if it does not count. */
+/* If the variable counts from 0 up to a number, returns the node of this number, otherwise 0. */
 static tr_index counted(const tr_writer *w, tr_index define) {
   const tr_node *list = at(w, at(w, define)->first);
   return list->kind == TR_PRIMITIVE && !strcmp(list->text, "iota") && list->count == 1 ? list->first : 0;
 }
 
-/* Plans the loops of a map, with the variables at each turn. makes: whether x__out becomes an array of the elements. */
+/* Plans the loops of a map, with the variables of each iteration. makes: the elements are stored in an array named
+ * x__out. */
 static void plan_loop(tr_writer *w, tr_index n, bool makes) {
   tr_index first = at(w, n)->first, last = at(w, n)->last;
   bool parallel = at(w, n)->parallel;
@@ -147,7 +151,7 @@ static void plan_loop_ends(tr_writer *w, tr_index n) {
   }
 }
 
-/* Plans a list made from another list: an array that is filled turn by turn. */
+/* Plans a list that is made from another list: an array to which each iteration of a loop adds an element. */
 static void plan_map(tr_writer *w, tr_index n) {
   tr_index first = at(w, n)->first, last = at(w, n)->last;
   bool simple = at(w, first)->next == last || at(w, n)->parallel;
@@ -183,8 +187,8 @@ static bool in_brackets(uint8_t type, uint8_t colour) {
          type == TR_UNKNOWN || colour == 1;
 }
 
-/* Plans a colour as a vector of red, green, blue and transparency, because a test cannot select between POV-Ray's own
- * colours for a name. */
+/* Plans a colour as a vector of red, green, blue and transparency, because a test (#if) cannot select between POV-Ray's
+ * own colours where a name is defined. */
 static void plan_colour(tr_writer *w, tr_index n) {
   tr_colour c;
   char out[100];
@@ -193,8 +197,8 @@ static void plan_colour(tr_writer *w, tr_index n) {
   tr_plan(w, "%s", know_text(w->t->k, out, (size_t)size));
 }
 
-/* Returns the length of the longest run of whole characters whose output is short. In the output an ASCII character has
- * at most two bytes, any other character six. */
+/* Returns the number of bytes at the beginning of the text, whole characters, whose output is short enough for a
+ * literal. In the output an ASCII character has at most two bytes, any other character six. */
 static size_t short_text(const char *text) {
   enum { MOST = 200 };
   size_t n = 0, written = 0, step = 0;
@@ -206,7 +210,7 @@ static size_t short_text(const char *text) {
   return written > MOST ? n - step : n;
 }
 
-/* Plans a string. POV-Ray accepts only short literals, so long strings become concatenations. */
+/* Plans a string. POV-Ray accepts only short literals, so a long string becomes a concatenation of literals. */
 static void plan_text(tr_writer *w, const char *text) {
   size_t length = strlen(text), n = short_text(text);
   if (n >= length) {
@@ -254,7 +258,7 @@ static bool writable(const tr_writer *w, tr_index n) {
   return true;
 }
 
-/* Plans the children as an array. outlines: a path is replaced by its points. */
+/* Plans the children of the node as an array. outlines: each path becomes an array of its points. */
 static void plan_array(tr_writer *w, tr_index n, bool outlines) {
   char text[40], name[40];
   bool plain = true;
@@ -280,8 +284,8 @@ static void plan_array(tr_writer *w, tr_index n, bool outlines) {
   tr_plan(w, " %s", list);
 }
 
-/* Plans an element or the length of an array that POV-Ray cannot index directly. Plans all other primitives by their
- * rows. */
+/* Plans a primitive. If it is an element or the length of an array that POV-Ray cannot index directly, plans a macro's
+ * call; otherwise, by the primitive's row. */
 static void plan_primitive(tr_writer *w, tr_index n, int level) {
   const char *text = tr_word_row(w->target, at(w, n)->row).text;
   tr_index list = at(w, n)->first;
@@ -363,8 +367,8 @@ static void plan_value(tr_writer *w, tr_index n, int level) {
 
 /* ---- solids ---- */
 
-/* Plans the program's own POV-Ray text. If it begins with one of these words, it describes the look of the object after
- * #:otherwise. Any other text is an object. */
+/* Plans the program's text for POV-Ray (native). If the text begins with one of these words, it describes the look of
+ * the object after #:otherwise. Any other text is an object. */
 static void plan_native(tr_writer *w, tr_index n) {
   static const char *const looks[] = {"texture", "pigment", "normal", "finish", "interior", "material", "photons",
     "no_shadow", "hollow"};
@@ -478,7 +482,7 @@ static void plan_draw(tr_writer *w, tr_index n) {
 
 /* ---- definitions ---- */
 
-/* Plans a body with a line for each local definition. */
+/* Plans a body, with each local definition on a line of its own. */
 static void plan_lines(tr_writer *w, tr_index n) {
   if (at(w, n)->kind != TR_BODY) {
     tr_plan_comments(w, n, TR_PIECE_COMMENTS, false);
@@ -493,13 +497,13 @@ static void plan_lines(tr_writer *w, tr_index n) {
   }
 }
 
-/* Returns true if the node's value is the solid that the procedure around it makes. */
+/* Returns true if the node's value is the solid that the surrounding procedure returns. */
 static bool solid_result(const tr_writer *w, tr_index n) {
   while (n && at(w, n)->kind != TR_PROCEDURE) n = at(w, n)->parent;
   return n && tr_is_solid(w->t, at(w, n)->last);
 }
 
-/* Plans a turn of a loop: its result, or the parameters of the next turn. */
+/* Plans an iteration of a procedure that became a loop: sets its result, or the parameters of the next iteration. */
 static void plan_turn(tr_writer *w, tr_index n) {
   const tr_node *node = at(w, n);
   if (node->kind == TR_IF) {

@@ -1,4 +1,5 @@
-/* Implements the arrays of a translation, and its list of complaints. */
+/* Implements the arrays of a translation, and its list of complaints: parts of the program that the target cannot
+ * express. */
 #include "languages/translate/core_tree.h"
 
 #include <stdarg.h>
@@ -46,7 +47,7 @@ void tr_move(translation *t, tr_index from, tr_index to) {
   *a = (tr_node){.text = ""};
 }
 
-/* Compares places by file and byte. */
+/* Compares places by their file, then by their position in bytes. */
 static int order(const know_place *a, const know_place *b) {
   if (a->file != b->file) return a->file < b->file ? -1 : 1;
   return a->from < b->from ? -1 : a->from > b->from;

@@ -35,37 +35,39 @@ typedef enum {
 typedef struct {
   uint8_t kind, type;
   bool draws;         /* whether the evaluation of the node adds to the drawing */
-  bool parallel;      /* MAP: whether its lists run side by side; otherwise each list runs inside the loop of the list
-                       * before */
+  bool parallel;      /* MAP: whether it advances through all its lists together; otherwise each list is a loop inside
+                       * the loop of the list before it */
   bool effect;        /* MAP: whether it is a for-each */
-  bool rest;          /* PARAMETER: whether it receives the remaining arguments */
+  bool rest;          /* PARAMETER: whether it is a rest parameter, which receives the remaining arguments */
   bool yes;           /* BOOLEAN: its value */
-  bool plain;         /* BODY: whether it is the body of the file, whose children are at top level */
+  bool plain;         /* BODY: whether it is the body of the file, so that its children are at top level */
   tr_index parent, first, last, next;
   uint32_t count;
-  know_index source;  /* node of the text, or of a macro */
+  know_index source;  /* node of the analysis from which this node was made */
   tr_index variable;  /* NAME, DEFINE, PARAMETER, SET: the variable */
-  tr_index procedure; /* PROCEDURE around the node, if that becomes a separate procedure in the target; 0: top level */
+  tr_index procedure; /* surrounding PROCEDURE that becomes a separate procedure in the target; 0: the node is at top
+                       * level */
   uint8_t colour;     /* 1: used as a colour, 2: a list of colours, and so on; 0: not a colour (colour_flow.h) */
-  uint16_t row;       /* PRIMITIVE: row of translated_words.def, counted from 1 */
+  uint16_t row;       /* PRIMITIVE: row of translated_words.def that translates it, counted from 1 */
   const char *text;
 } tr_node;
 
 typedef struct {
-  const char *text;   /* name in the program */
-  const char *name;   /* name in the target */
-  know_index symbol;  /* symbol of the program; 0: the translation made the variable */
-  uint8_t type, gives; /* type: type of the value. gives: type of the results of a procedure */
+  const char *text;   /* name of the variable in the program */
+  const char *name;   /* name of the variable in the target */
+  know_index symbol;  /* symbol of the analysis; 0: the translation has made the variable */
+  uint8_t type, gives; /* type: type of the variable's value. gives: if the value is a procedure, type of its results */
   uint8_t colour;     /* 1: the variable is a colour, 2: a list of colours, and so on; 0: not a colour
                        * (colour_flow.h) */
-  bool global, set, handed; /* handed: whether the variable is used other than as the procedure of a call */
-  bool recursive, draws, loops; /* loops: whether JavaScript writes the procedure as a loop */
-  bool lifted;        /* whether a local name becomes a definition at top level */
+  bool global, set, handed; /* handed: whether the variable is used other than as the procedure of a call, so that its
+                             * calls are not all known */
+  bool recursive, draws, loops; /* loops: whether the output in JavaScript writes the procedure as a loop */
+  bool lifted;        /* whether a local definition of the variable moves to top level */
   bool module;        /* whether the variable is a solid, or a procedure that makes a solid */
   bool model_parameter;
   tr_index define;    /* DEFINE or PARAMETER node of the variable */
-  tr_index procedure; /* PROCEDURE that is the variable's value; 0: none, or not known */
-  tr_index owner;     /* PROCEDURE that binds the variable; 0: top level */
+  tr_index procedure; /* PROCEDURE that is the variable's value; 0: the value is no procedure, or is not known */
+  tr_index owner;     /* PROCEDURE whose parameter or local variable it is; 0: top level */
 } tr_variable;
 
 typedef struct { know_place at; const char *text; } tr_complaint;
@@ -77,22 +79,23 @@ typedef struct {
   tr_node *nodes; size_t node_count, node_room;
   tr_variable *variables; size_t variable_count, variable_room;
   tr_complaint *complaints; size_t complaint_count, complaint_room;
-  tr_index *pairs; size_t pair_count, pair_room; /* pairs of a procedure and a variable: the additional arguments of a
-                                                  * lifted procedure */
+  tr_index *pairs; size_t pair_count, pair_room; /* pairs of a procedure that moves to top level, and a variable that
+                                                  * must be passed to it as an additional argument */
   tr_index root;      /* BODY of the program */
   bool draws;         /* whether the program calls draw */
 } translation;
 
 enum { TR_MOST_COMPLAINTS = 100 };
 
-/* Appends a new child to parent. Returns 0 on failure. The arrays may be reallocated. */
+/* Appends a new child to the node `parent`, and returns its index. Returns 0 on failure. The array of nodes may be
+ * reallocated. */
 tr_index tr_node_new(translation *t, tr_index parent, tr_node_kind kind, know_index source);
 tr_index tr_variable_new(translation *t, const char *text);
 tr_index tr_nth(const translation *t, tr_index node, uint32_t nth);
 /* Copies the node `from` over `to`, which keeps its place among its siblings. The children of `from` move to `to`. */
 void tr_move(translation *t, tr_index from, tr_index to);
-/* Records a part that the target cannot express, with its place, once, in the order of the text. Always returns false,
- * for the caller to return. */
+/* Records a complaint: a part of the program that the target cannot express, with its place. Complaints are in the
+ * order of the text; a second equal one is not recorded. Always returns false, for the caller to return. */
 bool tr_complain(translation *t, tr_index node, const char *format, ...) __attribute__((format(printf, 3, 4)));
 bool tr_complain_at(translation *t, know_index source, const char *format, ...) __attribute__((format(printf, 3, 4)));
 static inline const tr_node *tr_at(const translation *t, tr_index node) { return &t->nodes[node]; }

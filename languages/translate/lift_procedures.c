@@ -1,8 +1,8 @@
-/* Chooses the local names that become definitions at top level, and their additional arguments.
+/* Chooses the local definitions that move to top level ("lifting"), and the additional arguments of such procedures.
  *
- * The translation lifts a local name if the target has no other way to express it. Such names are a solid with a name,
- * a procedure that makes or draws solids, and a procedure that calls itself. Each call passes the variables of the
- * surrounding procedures that the lifted procedure uses, including those that it needs for its own calls of lifted
+ * The translation lifts a local definition if the target cannot express it locally: a solid with a name, a procedure
+ * that makes or draws solids, or a procedure that calls itself. Each call of a lifted procedure passes the variables of
+ * the surrounding procedures that it uses. These include the variables that it needs for its own calls of lifted
  * procedures. */
 #include "languages/translate/lift_procedures.h"
 
@@ -11,7 +11,7 @@
 
 enum { MOST_PAIRS = 100000 };
 
-/* Finds the variables that are used within their own value, or before their definition. */
+/* Finds the variables that are used within their own value, or before their definition, as recursive procedures are. */
 static void find_recursion(translation *t) {
   for (tr_index i = 1; i < t->node_count; i++) {
     if (t->nodes[i].kind != TR_NAME) continue;
@@ -35,7 +35,7 @@ static tr_index around(const translation *t, tr_index n) {
   return n;
 }
 
-/* Returns true if the value of the node is the value of its procedure. */
+/* Returns true if the value of the node is the value of the surrounding procedure. */
 static bool ends(const translation *t, tr_index n) {
   for (; t->nodes[t->nodes[n].parent].kind != TR_PROCEDURE; n = t->nodes[n].parent) {
     const tr_node *p = &t->nodes[t->nodes[n].parent];
@@ -56,8 +56,8 @@ bool tr_turns(const translation *t, tr_index call) {
   return calls_at_end(t, call) && t->variables[t->nodes[t->nodes[call].first].variable].loops;
 }
 
-/* Finds the procedures that call themselves only at their end. Each becomes a loop, unless a procedure inside it may be
- * used after the turn that made it. */
+/* Finds the procedures that call themselves only at their end. Such a procedure becomes a loop, unless an inner
+ * procedure may be used after the iteration that made it. */
 static void find_loops(translation *t) {
   for (tr_index i = 1; i < t->node_count; i++)
     if (calls_at_end(t, i)) t->variables[t->nodes[t->nodes[i].first].variable].loops = true;

@@ -4,11 +4,14 @@
 
 #include "languages/translate/core_tree.h"
 
-/* Finds the recursive procedures, the modules and top-level definitions, and the variables that calls pass. */
+/* Finds the recursive procedures, the definitions that become modules or move to top level, and the variables that
+ * calls must pass to these. */
 bool tr_lift(translation *t);
-/* Returns true if the call is the next turn of the procedure around it, which becomes a loop in some targets. */
+/* Returns true if the call begins the next iteration of the surrounding procedure, which becomes a loop in some
+ * targets. */
 bool tr_turns(const translation *t, tr_index call);
-/* Returns the nth additional variable of the definition, or 0 if there are no more. */
+/* Returns the nth variable that calls pass to the definition in addition to its arguments, or 0 if there are no
+ * more. */
 tr_index tr_besides(const translation *t, tr_index define, uint32_t nth);
 
 #endif

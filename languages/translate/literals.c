@@ -5,7 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Copies a run of digits with at most one point. Returns false if the text is anything else. */
+/* Copies decimal digits with at most one point to `out`, and moves *at past them. Returns false if there are no
+ * digits. */
 static bool digits(const char **at, const char *end, char *out, size_t room, bool point) {
   size_t n = 0;
   bool any = false, seen = false;
@@ -71,7 +72,8 @@ const char *tr_string_text(knowledge *k, const char *text, size_t length) {
       uint32_t code = (uint32_t)strtoul(text + i + 1, &end, 16);
       if (!code || code > 0x10FFFF || *end != ';') return NULL;
       n += utf8(code, out + n), i = (size_t)(end - text);
-    } else if (c == '\n' || c == ' ' || c == '\t') { /* a continued line: the line break and the blanks are omitted */
+    } else if (c == '\n' || c == ' ' || c == '\t') { /* a backslash before a line end: the string continues in the next
+                                                      * line, without the line end and the blanks around it */
       while (i + 1 < length && (text[i + 1] == ' ' || text[i + 1] == '\t' || text[i + 1] == '\n')) i++;
     } else if (!c || strchr("0vf", c)) return NULL;
     else out[n++] = plain && c ? means[plain - names] : c;

@@ -1,6 +1,6 @@
-/* Implements the lowering of definitions and bodies. A record becomes a list, which begins with the type's name if the
- * program tests the type. A procedure of several clauses becomes a procedure for each clause. for/fold becomes a
- * procedure that calls itself. */
+/* Implements the lowering of definitions and bodies: their conversion to the lowered tree (core_tree.h). A record
+ * becomes a list, which begins with the type's name if the program tests the type. A procedure of several clauses
+ * becomes a procedure for each clause. for/fold becomes a procedure that calls itself. */
 #include "languages/translate/lower_definitions.h"
 
 #include <stdlib.h>
@@ -35,8 +35,8 @@ static const char *type_name(const lowering *l, know_index n) {
   return l->k->names[l->k->nodes[know_nth(l->k, n, 1)].name].text;
 }
 
-/* Lowers a constructor. Its arguments have their own order; the list has the order of the fields. tagged: whether the
- * list begins with the type's name. */
+/* Lowers the constructor of a record. Its arguments may have another order than the fields; the list has the order of
+ * the fields. tagged: whether the list begins with the type's name. */
 static void constructor(lowering *l, know_index n, know_index made, know_index fields, tr_index parent, bool tagged) {
   enum { MOST = 64 };
   tr_index variables[MOST], count = 0;
@@ -55,7 +55,8 @@ static void constructor(lowering *l, know_index n, know_index made, know_index f
   }
 }
 
-/* Lowers a modifier, which sets an element of the list. Only a target with mutable values can express it. */
+/* Lowers the modifier of a record's field, which sets an element of the list. Only a target with mutable lists can
+ * express it. */
 static void modifier(lowering *l, know_index named, uint32_t nth, tr_index parent) {
   char text[16];
   int length = snprintf(text, sizeof text, "%u", nth);
@@ -92,7 +93,7 @@ static void record(lowering *l, know_index n, tr_index parent) {
   }
 }
 
-/* ---- several clauses ---- */
+/* ---- procedures of several clauses ---- */
 
 static void clauses_of(lowering *l, know_index n, know_index named, know_index form, tr_index parent) {
   know_index symbol = symbol_of(l, named);
@@ -100,7 +101,8 @@ static void clauses_of(lowering *l, know_index n, know_index named, know_index f
     know_index formals = first_of(l, i);
     case_clause c = {symbol, 0, 0, is_symbol(l, formals) || l->k->nodes[formals].dotted};
     for (know_index p = first_of(l, formals); p; p = next(l, p)) c.arguments++;
-    if (c.more && c.arguments) c.arguments--; /* the rest parameter, after the dot, is not counted */
+    if (c.more && c.arguments) c.arguments--; /* the rest parameter, after the dot, does not count as a required
+                                               * argument */
     bool first = i == know_nth(l->k, form, 1);
     tr_index d = define(l, parent, first ? named : 0, l->k->symbols[symbol].text, n);
     c.variable = at(l, d)->variable;
@@ -155,8 +157,8 @@ static void value_of_define(lowering *l, know_index n, tr_index parent) {
     else part(l, define(l, parent, target, NULL, n), forms);
     return;
   }
-  while (is_list(l, named)) list = named, named = first_of(l, named); /* ((f a) b): a procedure that returns a
-                                                                       * procedure */
+  while (is_list(l, named)) list = named, named = first_of(l, named); /* the curried form ((f a) b) defines a procedure
+                                                                       * that returns a procedure */
   if (!is_symbol(l, named)) return;
   tr_index d = define(l, parent, named, NULL, n), into = add(l, d, TR_NOTHING, n);
   for (; list != target; list = l->k->nodes[list].parent) {
@@ -181,8 +183,8 @@ void tr_lower_values(lowering *l, tr_index parent, know_index names, know_index 
   }
 }
 
-/* Returns the number after the keyword in the form. In a script, returns the number at its position. Returns missing if
- * there is none. */
+/* Returns the number that follows the keyword in the form. In a script, returns the number at its position among the
+ * arguments. Returns `missing` if there is none. */
 static double bound(const lowering *l, know_index n, const char *keyword, double missing) {
   know_index given = l->k->script ? know_nth(l->k, n, same(keyword, "min") ? 3 : 4) : 0;
   if (given && l->k->nodes[given].kind == KNOW_NUMBER) {
@@ -202,7 +204,7 @@ static double bound(const lowering *l, know_index n, const char *keyword, double
   return missing;
 }
 
-/* Lowers the value that the user gives to the parameter, in place of its default. */
+/* Lowers the value that the user has set for the parameter, instead of its default. */
 static void setting(lowering *l, know_index n, tr_index define, const know_setting *s) {
   know_index fallback = know_nth(l->k, n, 2);
   tr_index made = add(l, define, TR_NOTHING, fallback);
@@ -231,7 +233,7 @@ static void setting(lowering *l, know_index n, tr_index define, const know_setti
 }
 
 static const know_setting *setting_of(const lowering *l, const char *name) {
-  const know_setting *found = NULL; /* if there are several values, the last is used */
+  const know_setting *found = NULL; /* if the user has set several values, the last is used */
   for (size_t i = 0; i < l->t->setting_count; i++)
     if (same(l->t->settings[i].name, name)) found = &l->t->settings[i];
   return found;
@@ -254,7 +256,7 @@ void tr_lower_parameter(lowering *l, know_index n, tr_index parent) {
   else part(l, d, know_nth(l->k, n, 2));
 }
 
-/* Lowers a form that defines names in its own scope. Returns false if the form does not. */
+/* Lowers a form that defines names in its own scope, such as define. Returns false for any other form. */
 static bool definition(lowering *l, know_index n, tr_index parent) {
   const char *word = form_word(l, n);
   if (!word) return false;
@@ -278,7 +280,7 @@ static know_index loaded(const lowering *l, know_index string) {
   return 0;
 }
 
-/* Returns true if a form that is not the last of its body has no effect. */
+/* Returns true if the form n, which is not the last of its body, has no effect. */
 static bool idle(const lowering *l, know_index n) { return l->k->nodes[n].kind != KNOW_LIST; }
 
 void tr_lower_sequence(lowering *l, know_index first, tr_index into) {
@@ -326,11 +328,11 @@ void tr_lower_body(lowering *l, know_index first, tr_index into) {
 
 /* ---- for/fold ---- */
 
-/* A sequence of a loop. Its element comes from `list`. If there is no list, its element is the number of the turn. */
+/* A sequence of a loop. Its elements are those of the list. list 0: the element is the number of the iteration. */
 typedef struct { know_index clause; tr_index list; } sequence;
 
-/* Returns the node of the count if the sequence is the numbers from 0 on: (i 5), (i (iota n)) or (i (in-range n)).
- * Returns 0 for any other sequence. */
+/* If the sequence consists of the numbers from 0 on, as (i 5), (i (iota n)) or (i (in-range n)), returns the node of
+ * its length. Otherwise returns 0. */
 static know_index counted(const lowering *l, know_index value) {
   if (l->k->nodes[value].kind == KNOW_NUMBER) return value;
   const char *word = is_list(l, value) ? builtin(l, first_of(l, value)) : NULL;
@@ -339,7 +341,7 @@ static know_index counted(const lowering *l, know_index value) {
   return plain ? count : 0;
 }
 
-/* Returns the number of turns, which is the length of the shortest sequence. */
+/* Makes a node for the number of iterations, which is the length of the shortest sequence. */
 static tr_index turns(lowering *l, know_index clauses, tr_index into, sequence *sequences, size_t most) {
   size_t count = 0;
   know_index other = 0;
@@ -367,8 +369,8 @@ static tr_index turns(lowering *l, know_index clauses, tr_index into, sequence *
   return at(l, many)->variable;
 }
 
-/* Returns the node for the body of a turn: the arm of an IF with the #:when and #:unless of the clauses, or parent if
- * there are none. */
+/* Returns the node for the body of an iteration. If the clauses have #:when or #:unless, this is an arm of an IF with
+ * these tests, otherwise parent. */
 static tr_index guarded(lowering *l, know_index clauses, tr_index parent, know_index source) {
   tr_index test = 0;
   for (know_index i = clauses; i; i = next(l, i)) {
@@ -384,7 +386,7 @@ static tr_index guarded(lowering *l, know_index clauses, tr_index parent, know_i
   }
   if (!test) return parent;
   tr_index choice = at(l, test)->parent;
-  if (at(l, test)->count == 1) { /* a single test needs no AND */
+  if (at(l, test)->count == 1) { /* a single test needs no AND around it */
     tr_index only = at(l, test)->first;
     at(l, choice)->first = at(l, choice)->last = only;
     at(l, only)->parent = choice;
@@ -392,7 +394,7 @@ static tr_index guarded(lowering *l, know_index clauses, tr_index parent, know_i
   return choice;
 }
 
-/* Fills the other arm of a turn's IF, in which the values do not change. */
+/* Fills the other arm of the IF that `guarded` has made: the values do not change. */
 static void unguarded(lowering *l, tr_index choice, tr_index parent, const tr_index *values, tr_index count,
                       know_index source) {
   if (choice == parent) return;

@@ -1,4 +1,4 @@
-/* Converts the trees of the text to the lowered tree.
+/* Converts the trees of the program's text to the lowered tree (core_tree.h).
  *
  * A stack contains tasks: lower this node of the text to that empty node of the lowered tree. A task fills its node,
  * appends empty children, and adds a task for each child. */
@@ -77,8 +77,8 @@ static void lower_receive(form *f) {
   tr_lower_sequence(f->l, next(f->l, f->third), f->into);
 }
 
-/* Lowers (do ([i a (+ i step)]) ((= i b)) ...) to a counting loop. Returns false for any other do, which becomes a
- * procedure that calls itself. */
+/* Lowers (do ([i a (+ i step)]) ((= i b)) ...) to a counting loop. Returns false for any other form of do, which
+ * becomes a procedure that calls itself. */
 static bool counts(form *f, know_index clause, know_index ending) {
   lowering *l = f->l;
   know_index named = first_of(l, clause), step = know_nth(l->k, clause, 2), test = first_of(l, ending);
@@ -240,7 +240,8 @@ static void arguments(lowering *l, tr_index into, know_index first) {
   }
 }
 
-/* Lowers the call of `callee` with the variables of the DEFINE children of `map` as arguments. */
+/* Lowers a call of the procedure `callee`; the arguments are the variables of the DEFINE children of the MAP node
+ * `map`. */
 static void call_each(lowering *l, tr_index map, know_index callee) {
   const char *word = builtin(l, callee);
   tr_index call = word ? primitive(l, map, word, callee) : add(l, map, TR_CALL, callee);
@@ -249,7 +250,8 @@ static void call_each(lowering *l, tr_index map, know_index callee) {
     name(l, call, at(l, i)->variable, callee);
 }
 
-/* Lowers map, for-each and filter, as in (map f list ...). The parameters of a lambda become the loop's variables. */
+/* Lowers map, for-each and filter, as in (map f list ...). If f is a lambda, its parameters become the loop's
+ * variables. */
 static void map_call(lowering *l, know_index n, tr_index into, const char *word) {
   know_index f = settled(l, know_nth(l->k, n, 1)), first = know_nth(l->k, n, 2);
   const char *inner = form_word(l, f);
@@ -315,15 +317,16 @@ static void apply_call(lowering *l, know_index n, tr_index into) {
   }
 }
 
-/* Returns the string at the node, or the constant string of the variable at the node. Returns 0 for any other node. */
+/* Returns the node of the string at the node n. If n is a variable whose value is always one string, returns that
+ * string's node. Returns 0 for any other node. */
 static know_index plain_text(const lowering *l, know_index n) {
   know_index s = is_symbol(l, n) ? symbol_of(l, n) : 0;
   if (s && l->k->symbols[s].definitions == 1 && !l->k->symbols[s].sets) n = l->k->symbols[s].value;
   return n && l->k->nodes[n].kind == KNOW_STRING ? n : 0;
 }
 
-/* Lowers (native 'target "text" #:otherwise o). For that target the text and the object are kept, for other targets
- * only the object. */
+/* Lowers (native 'target "text" #:otherwise o). If this translation is for that target, keeps the text and the object,
+ * otherwise only the object. */
 static void native_call(lowering *l, know_index n, tr_index into) {
   know_index target = know_nth(l->k, know_nth(l->k, n, 1), 1), text = know_nth(l->k, n, 2), other = 0;
   for (know_index i = text; i; i = next(l, i))
@@ -340,7 +343,7 @@ static void native_call(lowering *l, know_index n, tr_index into) {
   else become(l, into, TR_PRIMITIVE, "empty-object");
 }
 
-/* Lowers (distribute-in-space f p q nx ny nz) to a loop over the cells, which contains the body of a lambda. */
+/* Lowers (distribute-in-space f p q nx ny nz) to a loop over all cells, with the body of the lambda f. */
 static void distribute_call(lowering *l, know_index n, tr_index into) {
   know_index f = settled(l, know_nth(l->k, n, 1)), count = know_nth(l->k, n, 4);
   const char *inner = form_word(l, f);
@@ -369,7 +372,7 @@ static void distribute_call(lowering *l, know_index n, tr_index into) {
   for (int i = 0; i < 3; i++) name(l, cell, at_cell[i], n);
 }
 
-/* Lowers a procedure of the language that is used as a value, to a new procedure that calls it. */
+/* Lowers a procedure of the language that is used as a value to a PROCEDURE node that calls it. */
 static void as_value(lowering *l, know_index n, tr_index into, const char *word) {
   int arguments_count = tr_word_arguments(l->t->target, word);
   become(l, into, arguments_count < 0 ? TR_PRIMITIVE : TR_PROCEDURE, arguments_count < 0 ? word : "");
@@ -413,7 +416,7 @@ static void call(lowering *l, know_index n, tr_index into) {
   }
 }
 
-/* ---- data ---- */
+/* ---- data: numbers, texts and other atoms ---- */
 
 static void atom(lowering *l, know_index n, tr_index into) {
   know_index w = written(l, n);
@@ -498,7 +501,7 @@ static void expression(lowering *l, know_index n, tr_index into) {
 }
 
 bool tr_lower_nothing(translation *t) {
-  tr_node_new(t, 0, TR_NOTHING, 0); /* element 0 means that there is none */
+  tr_node_new(t, 0, TR_NOTHING, 0); /* node 0 is unused, because index 0 means that there is no node */
   for (size_t i = 0; i < t->k->symbol_count && !*t->k->trouble; i++) {
     const know_symbol *s = &t->k->symbols[i];
     tr_variable_new(t, s->text ? s->text : "");

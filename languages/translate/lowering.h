@@ -1,5 +1,5 @@
-/* Declares the data and functions that the lowering files share: tasks, queries about the trees of the text, new nodes
- * of the lowered tree. */
+/* Declares the data and functions that the lowering files share: tasks, queries about the trees of the program's text,
+ * new nodes of the lowered tree. */
 #ifndef VS_LANGUAGES_TRANSLATE_LOWERING_H
 #define VS_LANGUAGES_TRANSLATE_LOWERING_H
 
@@ -11,8 +11,8 @@
 
 typedef enum { AS_EXPRESSION, AS_DATUM, AS_TEMPLATE } task_kind;
 typedef struct { know_index node; tr_index into; uint8_t kind; } task;
-/* A clause of (define name (case-lambda ...)). A call of `symbol` with this number of arguments is a call of
- * `variable`. */
+/* A clause of (define name (case-lambda ...)). A call of `symbol` with `arguments` arguments is translated as a call of
+ * `variable`. more: the clause also accepts more arguments. */
 typedef struct { know_index symbol; tr_index variable; uint32_t arguments; bool more; } case_clause;
 typedef struct {
   translation *t;
@@ -49,14 +49,14 @@ static inline know_index symbol_of(const lowering *l, know_index n) {
   return s ? s : l->k->nodes[written(l, n)].symbol;
 }
 
-/* Returns the word of the language's form at the node, or NULL if there is none. */
+/* Returns the word of the form at the node if it is a form of the language, otherwise NULL. */
 static inline const char *form_word(const lowering *l, know_index n) {
   if (!is_list(l, n) || !(l->k->nodes[n].form || l->k->nodes[written(l, n)].form)) return NULL;
   know_index s = symbol_of(l, l->k->nodes[n].first);
   return s ? l->k->symbols[s].text : l->k->names[l->k->nodes[l->k->nodes[n].first].name].text;
 }
 
-/* Returns the name of the language's procedure at the node, or NULL if there is none. */
+/* Returns the name of the procedure at the node if it is one of the language, otherwise NULL. */
 static inline const char *builtin(const lowering *l, know_index n) {
   know_index s = is_symbol(l, n) ? symbol_of(l, n) : 0;
   return s && l->k->symbols[s].kind == KNOW_BUILTIN ? l->k->symbols[s].text : NULL;
@@ -102,7 +102,8 @@ static inline tr_index number(lowering *l, tr_index parent, const char *text, kn
   at(l, made)->text = text;
   return made;
 }
-/* Binds the variable of the symbol at the node `named`. If there is no such symbol, makes a new variable. */
+/* Makes the node bind the variable of the symbol at the node `named`. If there is no such symbol, makes a new variable
+ * named `fresh`. */
 static inline tr_index bind(lowering *l, tr_index node, know_index named, const char *fresh) {
   know_index s = named && is_symbol(l, named) ? symbol_of(l, named) : 0;
   tr_index v = s ? s : tr_variable_new(l->t, fresh ? fresh : named ? l->k->names[l->k->nodes[named].name].text : "x");

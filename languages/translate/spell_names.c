@@ -1,4 +1,4 @@
-/* Chooses the names of the program's variables in the target: valid words, each with a single meaning in its scope. */
+/* Chooses names for the program's variables in the target: valid words, each with a single meaning in its scope. */
 #include "languages/translate/spell_names.h"
 
 #include <ctype.h>
@@ -26,7 +26,7 @@ static void append(spelling *s, const char *text, size_t length) {
   s->text[s->length += length] = 0;
 }
 
-/* Copies letters and digits. Replaces all other characters by words between underscores. */
+/* Copies the letters and digits of a name. Replaces all other characters by words between underscores. */
 static void spell(const char *text, spelling *s) {
   *s = (spelling){.length = 0};
   while (*text) {
@@ -42,7 +42,7 @@ static void spell(const char *text, spelling *s) {
     s->gap = true;
     if (best) {
       const char *word = characters[row].word;
-      /* letters with accents belong to the word around them */
+      /* a letter with an accent is part of the word around it */
       bool letter = (unsigned char)*text == 0xC3;
       if (letter) s->gap = false;
       if (*word) append(s, word, strlen(word));
@@ -91,7 +91,7 @@ static bool mark(namer *n, know_index name, bool set) {
   return n->taken[name] != 0;
 }
 
-/* Returns true if a variable with this name is visible at the definition or parameter. */
+/* Returns true if a variable with this name in the target is visible at the definition or parameter. */
 static bool in_sight(const translation *t, tr_index define, const char *name) {
   for (tr_index up = t->nodes[define].parent; up && up != t->root; up = t->nodes[up].parent) {
     tr_node_kind kind = (tr_node_kind)t->nodes[up].kind;

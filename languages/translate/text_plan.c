@@ -1,4 +1,5 @@
-/* Writes the text of the target. A stack of pending pieces lets programs nest to any depth. */
+/* Writes the text of the program in the target language. A stack of pieces that are still to be written lets programs
+ * nest to any depth. */
 #include "languages/translate/text_plan.h"
 
 #include <ctype.h>
@@ -17,7 +18,7 @@
 #include "model/characters.h"
 #include "model/store/array.h"
 
-enum { WIDE = 96 /* number of columns above which a line is broken */, INDENT = 2, MOST_INDENT = 30,
+enum { WIDE = 96 /* greatest number of columns of a line that is not broken */, INDENT = 2, MOST_INDENT = 30,
   MOST_TEXT = 64 << 20, REPLACEMENT = 0xFFFD /* code point that replaces a byte which is not a character */ };
 
 static bool no_memory(tr_writer *w) { return know_fail(w->t->k, NULL, VS_OUTCOME_MACHINE, "out of memory"); }
@@ -54,8 +55,8 @@ static void plan_text(tr_writer *w, const char *text, size_t length) {
   if (length) plan(w, TR_PIECE_TEXT, 0, 0, know_text(w->t->k, text, length));
 }
 
-/* Returns the escape of a character that cannot occur in quotes, or "" for all other characters. All targets can read
- * \uXXXX. */
+/* Returns the escape of a character that cannot occur between quotes, or "" for all other characters. All targets
+ * accept \uXXXX. */
 static const char *escape_of(const tr_target *target, uint32_t code, char room[8]) {
   switch (code) {
   case '"': return "\\\"";
@@ -162,7 +163,7 @@ void tr_plan_commented(tr_writer *w, const char *format, tr_index node) {
   tr_plan_comments(w, node, TR_PIECE_BEHIND, false);
 }
 
-/* ---- rows ---- */
+/* ---- rows of translated_words.def ---- */
 
 static tr_index argument(const translation *t, tr_index primitive, uint32_t nth) {
   for (tr_index i = t->nodes[primitive].first; i; i = t->nodes[i].next)
@@ -170,7 +171,7 @@ static tr_index argument(const translation *t, tr_index primitive, uint32_t nth)
   return 0;
 }
 
-/* Returns the value of the keyword, or 0 if it is not given. */
+/* Returns the node of the keyword's value, or 0 if the keyword is not given. */
 static tr_index keyword(const translation *t, tr_index primitive, const char *name, size_t length) {
   for (tr_index i = t->nodes[primitive].first; i; i = t->nodes[i].next)
     if (t->nodes[i].kind == TR_KEYWORD && strlen(t->nodes[i].text) == length &&
@@ -178,8 +179,8 @@ static tr_index keyword(const translation *t, tr_index primitive, const char *na
   return 0;
 }
 
-/* Writes the keywords of a row such as "segments=$fn:n": the program's word, the target's word, and the target's word
- * inside braces. */
+/* Plans the keywords of a primitive by the last part of its row, such as "segments=$fn:n": the program's word, the
+ * target's word, and the target's word inside braces. */
 static void plan_keys(tr_writer *w, tr_index primitive, const char *keys, bool alone) {
   const translation *t = w->t;
   bool any = false, braces = *w->target->key == ':';
@@ -191,12 +192,12 @@ static void plan_keys(tr_writer *w, tr_index primitive, const char *keys, bool a
       if (name == strlen(t->nodes[i].text) && !strncmp(at, t->nodes[i].text, name)) {
         const char *said = at[name] == '=' ? at + name + 1 : at, *end = at + length;
         const char *colon = memchr(said, ':', (size_t)(end - said));
-        if (said == end) break; /* a word such as "pattern=": the target has no equivalent */
-        if (!*w->target->key) { /* a target without keywords: only the colour of a material is written */
+        if (said == end) break; /* if the row has no word after the =, as in "pattern=", the target has no equivalent */
+        if (!*w->target->key) { /* a target without keywords in calls: only the colour of a material is written */
           if (!strncmp(said, "c", (size_t)(end - said))) tr_plan(w, "%v", t->nodes[i].first);
           break;
         }
-        if (colon && braces) said = colon + 1; /* the word inside braces, after the colon of $fn:n */
+        if (colon && braces) said = colon + 1; /* inside braces, uses the word after the colon, as n of $fn:n */
         else if (colon) end = colon;
         tr_plan(w, "%s%s%s%v", any ? ", " : open, know_text(t->k, said, (size_t)(end - said)), w->target->key,
                 t->nodes[i].first);
@@ -208,7 +209,7 @@ static void plan_keys(tr_writer *w, tr_index primitive, const char *keys, bool a
   if (any && braces && !alone) tr_plan(w, " }");
 }
 
-/* Writes an angle in degrees. A number that the program gives in degrees keeps its digits. */
+/* Plans an angle in degrees. A number that the program converts from degrees keeps its digits. */
 static void plan_degrees(tr_writer *w, tr_index angle) {
   const tr_node *n = tr_at(w->t, angle);
   if (n->kind == TR_PRIMITIVE && !strcmp(n->text, "degrees->radians")) tr_plan(w, "%v", n->first);
@@ -216,8 +217,8 @@ static void plan_degrees(tr_writer *w, tr_index angle) {
   else tr_plan(w, "deg(%v)", angle);
 }
 
-/* Writes 'x or 'xy as a vector: the axis, or the normal of the plane. Returns false if the argument is not such a
- * word. */
+/* Plans 'x or 'xy as a vector: the direction of the axis, or the normal of the plane. Returns false if the argument is
+ * not such a word. */
 static bool plan_axis(tr_writer *w, tr_index argument, char letter) {
   const tr_node *n = tr_at(w->t, argument);
   if (n->kind != TR_STRING || !letter || !strchr("AZL", letter)) return false;
@@ -245,7 +246,7 @@ void tr_plan_row(tr_writer *w, tr_index primitive, int level) {
   const translation *t = w->t;
   tr_word row = tr_word_row(w->target, t->nodes[primitive].row);
   const char *at = row.text;
-  if (*at == '=') { /* the row describes an operator */
+  if (*at == '=') { /* a row that begins with = is an operator between the arguments */
     int own = at[1] - '0';
     bool brackets = own < level;
     if (brackets) tr_plan(w, "(");
@@ -298,7 +299,7 @@ void tr_plan_row(tr_writer *w, tr_index primitive, int level) {
       else tr_plan(w, "%o", argument(t, primitive, nth));
     } else if (mark == '#' && isdigit((unsigned char)what)) {
       if (argument(t, primitive, nth)) tr_plan_value(w, argument(t, primitive, nth), own);
-    } else { /* the character belongs to the target's text */
+    } else { /* other characters are copied to the target's text */
       plan_text(w, at - (what ? 2 : 1), 1);
       at -= what != 0;
     }
@@ -308,7 +309,7 @@ void tr_plan_row(tr_writer *w, tr_index primitive, int level) {
 
 /* ---- comments ---- */
 
-/* Writes the text so that no part of it ends the comment. In scripts, U+2028 also ends a line. */
+/* Writes a comment's text so that no character ends the comment early. In scripts, U+2028 also ends a line. */
 static void put_on_line(tr_writer *w, const char *text, const char *end) {
   char spelled[VS_SPELLED_ROOM];
   while (text < end) {
@@ -337,7 +338,7 @@ static void put_comment(tr_writer *w, know_index comment, bool behind) {
   }
 }
 
-/* Returns the place of the node in the text. */
+/* Returns the place of the analysis's node `source` in the program's text. */
 static const know_place *place(const tr_writer *w, know_index source) {
   const knowledge *k = w->t->k;
   while (source && k->nodes[source].origin && !k->nodes[source].made) source = k->nodes[source].origin;
@@ -391,7 +392,8 @@ void tr_comment_behind(tr_writer *w, know_index source) {
 
 /* ---- helpers ---- */
 
-/* Returns true if the text calls the word. In a script the word may also be passed as a value. */
+/* Returns true if the text calls the function `word`. script: the text is a script, in which the function may also be
+ * passed as a value. */
 static bool word_in(const char *text, size_t length, const char *word, bool script) {
   size_t n = strlen(word);
   for (size_t i = 0; i + n < length; i++) {
@@ -402,7 +404,8 @@ static bool word_in(const char *text, size_t length, const char *word, bool scri
   return false;
 }
 
-/* Writes the helpers that the program uses, the helpers that these use, and the helpers for other programs. */
+/* Writes the helper functions that the program uses, those that these helpers use, and those marked `export`, which are
+ * for other programs. */
 static void put_helpers(tr_writer *w) {
   enum { MOST = 256 };
   bool used[MOST] = {false};

@@ -1,4 +1,4 @@
-/* Implements `vs translate`: the program in another language. */
+/* Implements `vs translate`, which translates a program to another language. */
 #include "languages/translate/translate.h"
 
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-/* Declares `vs translate`: the program in another language. */
+/* Declares `vs translate`, which translates a program to another language. */
 #ifndef VS_LANGUAGES_TRANSLATE_TRANSLATE_H
 #define VS_LANGUAGES_TRANSLATE_TRANSLATE_H
 
@@ -6,8 +6,8 @@
 
 typedef void know_complain(void *context, const know_place *at, const char *text);
 
-/* The options of a translation: the language, the number of facets in a full turn, the parameters that are set, and the
- * receiver of complaints. */
+/* The options of a translation: the language, the number of facets in a full turn, the parameters that the user has
+ * set, and the function that receives complaints. */
 typedef struct {
   const char *language;
   unsigned segments;
@@ -20,9 +20,9 @@ typedef struct {
 const char *know_language(const char *name, const char *path);
 /* Returns the names of all languages, separated by blanks. */
 const char *know_languages(void);
-/* Returns the program in that language: *length bytes, which the caller frees. Returns NULL on failure. Then complain
- * has received each part that the language cannot express, with its place, in the order of the text, or k->trouble has
- * the reason. */
+/* Returns the program in the language that `wanted` names: *length bytes, which the caller frees. Returns NULL on
+ * failure. Then wanted->complain has received each part that the language cannot express, with its place, in the order
+ * of the text, or k->trouble has the reason. */
 char *know_translate(knowledge *k, const know_translation *wanted, size_t *length);
 
 #endif

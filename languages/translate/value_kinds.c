@@ -1,8 +1,8 @@
 /* Determines the type of each expression of a lowered tree, and its row of translated_words.def.
  *
- * Types only increase: unknown, something, anything. Loops downwards over the nodes, children first, pass the facts of
- * the text on to variables until nothing changes. A value that is still unknown then gets the type that its primitive
- * requires, and the loops continue. */
+ * A type only changes from unknown to a certain type, and from there to "anything". Loops downwards over the nodes,
+ * children first, pass the types that the text shows on to variables until nothing changes. A value that is still
+ * unknown then gets the type that its primitive requires, and the loops continue. */
 #include "languages/translate/value_kinds.h"
 
 #include <string.h>
@@ -45,7 +45,7 @@ static void into_gives(finder *f, tr_index v, uint8_t type) {
   if (all != f->t->variables[v].gives) f->t->variables[v].gives = all, f->changed = true;
 }
 
-/* Returns true if the primitive makes the node's value, as far as names and calls can be followed. */
+/* Returns true if this primitive makes the value of node n, as far as variables and calls can be followed. */
 static bool made_by(const translation *t, tr_index n, const char *primitive) {
   enum { MOST_STEPS = 100 };
   for (int steps = 0; n && steps < MOST_STEPS; steps++) {
@@ -106,7 +106,8 @@ static uint8_t all_arguments(const translation *t, tr_index primitive) {
   return type;
 }
 
-/* Returns the type of a sum: number for numbers, but the type of a point or vector if an operand is one. */
+/* Returns the type of a sum: number if the operands are numbers, otherwise the type of the point or vector among
+ * them. */
 static uint8_t arithmetic(const translation *t, tr_index primitive) {
   uint8_t type = TR_A_NUMBER;
   for (tr_index i = t->nodes[primitive].first; i; i = t->nodes[i].next) {
@@ -134,7 +135,8 @@ static uint8_t result_of(const translation *t, tr_index primitive, const char *r
   if (*result == '+') return arithmetic(t, primitive);
   if (*result == 'E') return list_of(all_arguments(t, primitive));
   if (*result == 'J') return all_arguments(t, primitive);
-  if (*result == 'K') { /* computes the type of the result K, as for cons */
+  if (*result == 'K') { /* computes the type of a row whose result is K: that of a list with one more element, as for
+                         * cons */
     uint8_t made = first ? list_of(t->nodes[first].type) : TR_UNKNOWN;
     return first && t->nodes[first].next ? join(made, t->nodes[t->nodes[first].next].type) : made;
   }
@@ -256,7 +258,7 @@ static void climb(finder *f) {
   }
 }
 
-/* Gives each value of unknown type the type that its first possible row requires. */
+/* Gives each value of unknown type the type that its primitive's first possible row requires. */
 static bool ask_primitives(finder *f) {
   translation *t = f->t;
   bool any = false;
@@ -278,7 +280,7 @@ static bool ask_primitives(finder *f) {
   return any;
 }
 
-/* ---- calls in the order of the parameters ---- */
+/* ---- putting the arguments of calls in the order of the parameters ---- */
 
 static const char *key_text(const char *text) { return strncmp(text, "#:", 2) ? text : text + 2; }
 
@@ -294,7 +296,8 @@ static void arrange(translation *t, tr_index call) {
   t->nodes[callee].next = 0;
   t->nodes[call].last = callee, t->nodes[call].count = 1;
   tr_index keys = 0, keys_last = 0, places = 0, places_last = 0;
-  for (; argument; argument = next) { /* divides the arguments into two chains */
+  for (; argument; argument = next) { /* divides the arguments into two lists: positional arguments and keyword
+                                       * arguments */
     next = t->nodes[argument].next;
     t->nodes[argument].next = 0;
     tr_index *first = t->nodes[argument].kind == TR_KEYWORD ? &keys : &places;
@@ -332,7 +335,7 @@ static void arrange(translation *t, tr_index call) {
   }
 }
 
-/* Changes a loop over a number, which counts up to it, to a loop over the list of these numbers. */
+/* If a loop counts up to a number, replaces the number by the list of the numbers below it, as for other loops. */
 static bool count_loops(translation *t) {
   size_t count = t->node_count;
   for (tr_index i = 1; i < count; i++) {
@@ -359,8 +362,8 @@ static void complain_of(translation *t) {
     tr_node n = t->nodes[i];
     if (n.kind == TR_SET && !t->target->assigns)
       tr_complain(t, i, "set! cannot be translated to %s", t->target->title);
-    if (n.kind == TR_NAME && !t->variables[n.variable].define) /* a form that was lowered without this definition
-                                                                * defines the name */
+    if (n.kind == TR_NAME && !t->variables[n.variable].define) /* the definition was omitted from the tree, although a
+                                                                * form uses its name */
       tr_complain(t, i, "%s cannot be translated to %s", t->variables[n.variable].text, t->target->title);
     if (n.kind != TR_PRIMITIVE || n.row) continue;
     bool known = false;

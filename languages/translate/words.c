@@ -1,4 +1,4 @@
-/* Contains the tables of the target languages' words for the names of the language. */
+/* Contains the tables of words: for each name of the language, its equivalent in each target language. */
 #include "languages/translate/words.h"
 
 #include <string.h>
