@@ -40,8 +40,8 @@ static bool drive_op_vain(const vs_emitter *e, const drive_entry *entry) {
   return one && (n->child_count == 0 || entry->first_vain);
 }
 
-/* Adds the data of a child to its parent's entry in the plan, after the child's own children. child NULL: the child has
- * no entry. vain: the child draws nothing. first: it is the first child. */
+/* Adds the data of a child to its parent's entry in the plan, after the child's own children. NULL as child: it has no
+ * entry. The parameter vain: the child draws nothing. The parameter first: it is the first child. */
 static void drive_plan_add(drive_entry *parent, const drive_entry *child, bool vain, bool first) {
   uint32_t height = child == NULL || child->cut ? 1 : child->height;
   if (height > parent->height) parent->height = height;

@@ -9,7 +9,7 @@
 
 /* ---- data about the first model, kept while the second model runs ---- */
 
-typedef struct { const char *name, *value, *range; /* range: permitted values, as "0 to 10 by 1", "a b c" or "" */ } parameter;
+typedef struct { const char *name, *value, *range; /* permitted values: "0 to 10 by 1", "a b c" or "" */ } parameter;
 typedef struct {
   char *parameters; size_t parameter_bytes; /* name, value and range of each parameter, each ending in NUL */
   char *unused; size_t unused_bytes;        /* names of options -D that the model did not use, each ending in NUL */

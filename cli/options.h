@@ -37,7 +37,7 @@ enum { CLI_TAKES_JSON = 1, CLI_TAKES_XML = 2, CLI_TAKES_TWO = 4 /* the command r
        CLI_TAKES_SUN = 1024 /* the command accepts the options --place, --date and those for hours */,
        CLI_TAKES_MANY = 2048 /* the command accepts any number of files, and -o with a file or a folder */,
        CLI_TAKES_PROGRAMS = 4096 /* the command accepts any number of programs, and no -o */,
-       CLI_TAKES_TEXTS = 8192 /* the command accepts any number of files, - among them, the option --check, and no -o */,
+       CLI_TAKES_TEXTS = 8192 /* the command accepts any number of files, - too, and --check, but no -o */,
        CLI_TAKES_NOTHING = 16384 /* the command accepts no file, and no -o */ };
 
 typedef struct {

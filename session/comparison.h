@@ -15,8 +15,8 @@ typedef struct {
 bool vs_session_compare_objects(vs_session *s, const vs_ref objects[2], bool *same, const vs_part_listener *listener,
                                 vs_error *e);
 /* Replaces the node of *ref, which the caller owns, by a slightly larger node, so that its faces do not coincide with
- * those of unchanged parts. number: index of the object among the results of vs_drawing_compare. Does not replace an
- * unchanged part. */
+ * those of unchanged parts. The parameter number is the object's index among the results of vs_drawing_compare. Does
+ * not replace an unchanged part. */
 bool vs_session_swell(vs_session *s, size_t number, vs_ref *ref, vs_error *e);
 
 #endif

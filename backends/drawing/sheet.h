@@ -1,10 +1,10 @@
 /* Contains the declarations that the files of the drawing back-end share: a flat view, and the sheet on which views are
  * placed.
  *
- * A drawing is made in four steps. choose_views.c chooses the views. flat_view.c makes each view flat, in model units,
- * from the kernel's mesh with the hidden lines removed (solids/hidden_lines.h). sheet.c chooses scale and sheet and
- * places the views, and notes.c adds dimensions and other notes, in millimetres from the sheet's lower left corner.
- * svg.c, pdf.c and dxf.c write the resulting lines, fills and texts. */
+ * A drawing is made in four steps. The file choose_views.c chooses the views. Then flat_view.c makes each view flat, in
+ * model units, from the kernel's mesh without hidden lines (solids/hidden_lines.h). Next, sheet.c chooses scale and
+ * sheet and places the views, and notes.c adds dimensions and other notes, in millimetres from the sheet's lower left
+ * corner. Finally, svg.c, pdf.c or dxf.c writes the resulting lines, fills and texts. */
 #ifndef VS_BACKENDS_DRAWING_SHEET_H
 #define VS_BACKENDS_DRAWING_SHEET_H
 

@@ -28,8 +28,8 @@ typedef struct {
   uint32_t first, count; /* first: index of the geometry's first primitive; count: number of its primitives */
   uint32_t mesh;         /* index of the first mesh of this geometry + 1; 0: there is none */
 } vs_gltf_geometry;
-typedef struct { uint32_t geometry, paint, next; /* geometry: index of the mesh's geometry. paint: material number.
-                                                  * next: index of the next mesh with this geometry + 1; 0: none */ } vs_gltf_mesh;
+typedef struct { uint32_t geometry, paint, next; /* paint: material number. next: index of the geometry's next mesh + 1;
+                                                  * 0: none */ } vs_gltf_mesh;
 typedef struct { uint32_t mesh, layer; vs_affine place; } vs_gltf_node;
 
 typedef struct {

@@ -1,8 +1,9 @@
 /* Converts the drawing to glTF's meshes and nodes.
  *
- * A geometry is used at several places in two cases: copies of a unit form (such as a sphere of radius 1) with the same
- * number of facets, and places of the same node of the model. (The share pass makes equal parts one node.) A glTF node
- * cannot express a placement that shears. The triangles are then made for that place alone. */
+ * In two cases, several places use one geometry. The first are copies of a unit form (such as a sphere of radius 1)
+ * with the same number of facets. The second are places of the same node of the model. (The share pass makes equal
+ * parts one node.) A glTF node cannot express a placement that shears. The triangles are then made for that place
+ * alone. */
 #include "backends/gltf/gltf_collect.h"
 
 #include <float.h>

@@ -383,13 +383,13 @@ static void pov_ground(vs_emitter *e, const vs_look *l, double diagonal, double 
 
 /* Returns the settings for the light that sky and walls reflect on each other. Without this light, rooms are dark. A
  * room with a small window needs many rays, few of which find the window. error_bound 1 uses samples within their
- * error, and nearest_count many at a time. This costs less than more samples, and leaves no blotches on walls.
- * minimum_reuse, a fraction of the picture's width, prevents a sample for each pixel of outdoor detail: the example of
- * the station takes a third of the time. adc_bailout ends a ray that carries less than a tenth of the light, such as
- * reflections of panes: this again halves the station's time. always_sample off: a point that the first pass (pretrace)
- * has not sampled gets the light of its neighbours, or without neighbours the mean of all samples, a grey patch.
- * Therefore pretrace_end, also a fraction of the picture's width, is so small that small faces in caves and coffers are
- * sampled. In exchange, the count of rays is 100 instead of 150. */
+ * error, and nearest_count many at a time. This costs less than more samples, and leaves no blotches on walls. The
+ * setting minimum_reuse, a fraction of the picture's width, prevents a sample for each pixel of outdoor detail: the
+ * example of the station takes a third of the time. The setting adc_bailout ends a ray that carries less than a tenth
+ * of the light, such as reflections of panes: this again halves the station's time. With always_sample off, a point
+ * that the first pass (pretrace) has not sampled gets the light of its neighbours, or without neighbours the mean of
+ * all samples, a grey patch. Therefore pretrace_end, also a fraction of the picture's width, is so small that small
+ * faces in caves and coffers are sampled. In exchange, the count of rays is 100 instead of 150. */
 static const char *pov_radiosity(vs_render_quality q) {
   switch (q) {
   case VS_RENDER_DRAFT: break;

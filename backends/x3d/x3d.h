@@ -20,9 +20,9 @@ enum { VS_X3D_NATIVE_MAX = 1500 }; /* The greatest number of Shapes. */
 #define VS_X3D_SHAPE_BYTES 10e3 /* number of bytes of triangles that x3dom and X_ITE open and draw in the time of a
                                  * single Shape (a megabyte in the time of about a hundred) */
 enum { VS_X3D_COARSEST = 8 };        /* The least number of facets in a full turn. */
-#define VS_X3D_COARSE_CREASE 1.0     /* least angle in radians between faces that makes their common edge sharp in
-                                      * coarsely divided forms: more than the angle between neighbouring facets, less
-                                      * than the angle between the wall and the end of a cylinder */
+#define VS_X3D_COARSE_CREASE 1.0     /* in coarsely divided forms, the least angle in radians between faces that makes
+                                      * their common edge sharp. It exceeds the angle between neighbouring facets, but
+                                      * not that between the wall and the end of a cylinder */
 
 /* ---- x3d_collect.c ---- */
 

@@ -1,6 +1,6 @@
 /* Searches an object for marked scopes. A mark is an object of its own kind, without geometry, that is created in a
- * scope. rules.scm creates marks like objects of define-primitive, so that they are moved and copied together with the
- * objects around them. */
+ * scope. The library rules.scm creates marks like objects of define-primitive, so that they are moved and copied
+ * together with the objects around them. */
 #include "bind/build.h"
 #include "bind/call/call.h"
 #include "bind/rules/derivation.h"

@@ -2,7 +2,7 @@
  * inside them.
  *
  * A tree contains the bounds of the objects in the order of their creation. The objects of one rule are close together,
- * so that sixteen consecutive objects share a box, sixteen such boxes share a larger box, and so on. Where bounds
+ * so that sixteen consecutive objects share a box, sixteen such boxes share a larger box, and so forth. Where bounds
  * overlap, the test is exact. A scope consists of convex pieces: one for a box, six tetrahedra for a hexahedron, a flat
  * piece for each triangle of a polygon or mesh and for each segment of a curve. A triangle of an object touches the
  * scope if a part of the triangle remains after it is cut by the planes of a piece. A scope that no triangle touches

@@ -7,7 +7,7 @@
 #include "vm/machine/native.h"
 
 /* An intersection of a ray. at: distance from the ray's start, as a multiple of the length of its direction; INFINITY
- * if there is none. origin: place of the program that made the part, or NULL if it is unknown. */
+ * if there is none. The member origin: place of the program that made the part, or NULL if it is unknown. */
 typedef struct { double at; const vs_origin *origin; } vs_ray_hit;
 
 /* Computes the nearest intersection of a ray at or after its start `from`. Curves and regions are ignored. If it fails,

@@ -1,8 +1,8 @@
 /* Walks through a program and finds the meanings of its names.
  *
  * A stack contains tasks: an expression in a scope, or a body. In a body, the walk first searches for definitions, and
- * expands macros at the heads of the forms, so that each name is known wherever it is used. binding_forms.c implements
- * the effect of each form on names. A name without a known definition is searched again at the end. */
+ * expands macros at the heads of the forms, so that each name is known wherever it is used. The file binding_forms.c
+ * implements the effect of each form on names. A name without a known definition is searched again at the end. */
 #include "languages/analysis/resolve_names.h"
 
 #include <stdlib.h>

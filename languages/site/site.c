@@ -15,7 +15,7 @@
 #include "languages/analysis/tree_report.h"
 #include "model/store/array.h"
 
-enum { PATH_ROOM = 4096, SAID = 160 /* SAID: greatest number of bytes of a comment that results of the search show */, REFERENCES = 40 };
+enum { PATH_ROOM = 4096, SAID = 160 /* SAID: bytes of a comment in a result of the search */, REFERENCES = 40 };
 
 typedef struct {
   knowledge *k;

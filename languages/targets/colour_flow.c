@@ -33,7 +33,7 @@ static tr_index called(const translation *t, const tr_node *call) {
   return callee->kind == TR_NAME ? t->variables[callee->variable].procedure : 0;
 }
 
-/* Passes the mark of a node on to the parts that its value comes from. */
+/* Passes the mark of a node to the parts from which its value comes, such as the arms of an if. */
 static void carry_down(flow *f, tr_index n) {
   translation *t = f->t;
   const tr_node *node = &t->nodes[n];

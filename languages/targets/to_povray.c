@@ -2,10 +2,10 @@
  *
  * Procedures become macros. The text of a macro's call is its value, so directives may occur inside expressions: (#if
  * (a) b #else c #end). Solids are objects, points are vectors, lists are arrays of one or more numbers, points, strings
- * or arrays. If an array is the result of a macro, it can neither be indexed nor measured directly, nor occur in the
- * braces of another array: the helper macros item and count_of, and statements, are used instead. A macro can use only
- * its own variables and those of the file, and macros nest at most a hundred deep. Therefore local procedures move to
- * top level, and procedures that call themselves only at their end become loops. */
+ * or arrays. An array that a macro returns can neither be indexed nor measured directly, nor occur in the braces of
+ * another array. The helper macros item and count_of, and statements, replace this. A macro can use only its own
+ * variables and those of the file, and macros nest at most a hundred deep. Therefore local procedures move to top
+ * level, and procedures that call themselves only at their end become loops. */
 #include "languages/targets/to_povray.h"
 
 #include <stdio.h>

@@ -1,9 +1,9 @@
 /* Declares the writing of the target's text. A stack of pieces that are still to be written lets programs nest to any
  * depth. The pieces of a node are planned in reading order, and written before any piece that was planned earlier.
  *
- * In formats: %s text; %v a node's value; %t a node's value as a single operand; %b a test; %o a node as one statement;
- * %l as statements, each on its own line; %d as statements that draw; %n a new line; %> and %< indent more and less; %_
- * a blank at which a line may break; %% a percent sign. */
+ * In formats: %s text; %v a node's value; %t the value as an operand; %b a test; %o a node as one statement; %l as
+ * statements, each on its own line; %d as statements that draw; %n a new line; %> and %< indent more and less; %_ a
+ * blank at which a line may break; %% a percent sign. */
 #ifndef VS_LANGUAGES_TRANSLATE_TEXT_PLAN_H
 #define VS_LANGUAGES_TRANSLATE_TEXT_PLAN_H
 
@@ -49,9 +49,9 @@ void tr_write_planned(tr_writer *w);
 void tr_write_statement(tr_writer *w, size_t before, know_index source);
 void tr_put(tr_writer *w, const char *text, size_t length);
 
-/* Plans a primitive by the text of its row, into which its arguments are put: $1, %1 and #1 a value (loose, as a single
- * operand, at the row's precedence), $* all values, $n their number, $l all as a list of outlines, $[key|0] a keyword's
- * value, or else 0, ~1 an angle in degrees, $k keywords, @1 a solid, @2+ the solids from the second on as one
+/* Plans a primitive by the text of its row, in which these signs are replaced: $1, %1 and #1 a value (loose, as a
+ * single operand, at the row's precedence), $* all values, $n their number, $l all as a list of outlines, $[key|0] a
+ * keyword's value, or else 0, ~1 an angle in degrees, $k keywords, @1 a solid, @2+ the solids from the second on as one
  * statement, @*1 those from the first on, each by itself, within braces. "7:..." gives the precedence; "=6 + " is an
  * operator. */
 void tr_plan_row(tr_writer *w, tr_index primitive, int level);

@@ -104,7 +104,8 @@ static inline int crossings_turn(crossings *c, int axis, uint32_t ia, uint32_t i
 
 /* ---- a pair of triangles ---- */
 
-static inline bool crossings_holds(crossings *c, uint32_t t, uint32_t p) { /* p lies in the triangle's plane */
+static inline bool crossings_holds(crossings *c, uint32_t t, uint32_t p) { /* returns true if p, a point in the plane of
+                                                                            * triangle t, lies in t */
   const uint32_t *v = c->triangles[t];
   int axis = c->axis[t], way = crossings_turn(c, axis, v[0], v[1], v[2]);
   for (int i = 0; i < 3; i++)

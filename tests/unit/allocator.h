@@ -1,5 +1,6 @@
-/* Defines VS_OWN_ALLOCATOR if a test program may replace the C library's malloc, realloc and free: the library must be
- * glibc, and no sanitizer may have replaced them. The program's own functions call the __libc_ names below. */
+/* Sets REPLACED to 1 if a test program may replace the C library's malloc, calloc, realloc and free: the library must
+ * be glibc, and no sanitizer may have replaced these functions. A replacement calls the __libc_ functions declared
+ * below. */
 #ifndef VS_TEST_ALLOCATOR_H
 #define VS_TEST_ALLOCATOR_H
 

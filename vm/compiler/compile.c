@@ -588,7 +588,7 @@ static bool gen_let(compiler *c, vs_core_node *n, uint32_t to) {
   return true;
 }
 
-/* Creates the closures [from, to) of a FIX, which may capture each other. */
+/* Creates the closures of the variables from `from` to `to` - 1 of a FIX, which may capture each other. */
 static bool gen_run(compiler *c, vs_core_node *n, uint32_t from, uint32_t to) {
   vs_emit *e = &c->e;
   uint32_t keep = e->next, temp;
@@ -613,7 +613,8 @@ static bool gen_run(compiler *c, vs_core_node *n, uint32_t from, uint32_t to) {
       if (vs_info(g)->fix != n || boxed(g) || vs_info(g)->lambda != e->lambda) continue;
       uint32_t j = i;
       while (j < to && n->as.let.vars[j] != g) j++;
-      if (j == to) continue;                   /* the variable had its value when it was captured */
+      if (j == to) continue;                   /* a variable that already had its value when it was captured needs no
+                                                * patch */
       uint32_t closure = v->reg;
       if (boxed(v) && (!vs_emit_register(e, &temp) || !vs_emit_op(e, VS_O_UNBOX, temp, v->reg, 0))) return false;
       if (boxed(v)) closure = temp;

@@ -52,8 +52,8 @@ bool vs_emit_value(vs_emit *e, vs_value v, uint32_t *out);                /* Set
 bool vs_emit_place(vs_emit *e, vs_pos pos);                               /* Sets the place of the next instruction. */
 /* Records that the next instruction replaces a call of the procedure in this cell, a constant. */
 bool vs_emit_inlined(vs_emit *e, uint32_t cell);
-/* Records that from the next instruction on the variable is in its register. vs_emit_scope_end(e, first) ends this for
- * all variables from index `first` on. */
+/* Records that from the next instruction on the variable is in its register. The function vs_emit_scope_end(e, first)
+ * ends this for the variable with index `first` and all later ones. */
 bool vs_emit_variable(vs_emit *e, const vs_var *v);
 void vs_emit_scope_end(vs_emit *e, size_t first);
 /* Stores the emitted instructions in `code`, which is an object in old space. */

@@ -4,8 +4,8 @@
  * expression. The name of a definition is bound at once, and the form of its value is stored; the forms of a `begin`
  * are inserted. When all names are known, the stored forms are expanded. All definitions, with the expressions between
  * them, become one FIX (letrec*), and the expressions after the definitions become its body. The stored forms are a
- * list, newest first, of vectors #(variable form place parameters). variable is a fixnum address, or #f for an
- * expression. parameters is VS_ABSENT for a plain value; otherwise form is the procedure's body. */
+ * list, newest first, of vectors #(variable form place parameters). The variable is a fixnum address, or #f for an
+ * expression. For a plain value, parameters is VS_ABSENT. Otherwise form is the procedure's body. */
 #include "vm/front/body.h"
 
 #include "vm/front/derived_syntax.h"

@@ -227,8 +227,8 @@ static bool not_an_expression(vs_expansion *x, vs_value id, const vs_meaning *m,
   return vs_expand_fail(x, pos, VS_ABSENT, "%s is syntax and has no value; it comes first in parentheses", name);
 }
 
-/* Returns the variable that a local meaning m refers to. If the variable belongs to another expansion, reports an error
- * and returns NULL. */
+/* Returns the variable to which a local meaning m refers. If the variable belongs to another expansion, reports an
+ * error and returns NULL. */
 static vs_var *local(vs_expansion *x, const vs_meaning *m, vs_value id, vs_pos pos) {
   if (vs_as_environment(m->env)->data != vs_fix(x->serial)) {
     vs_expand_fail(x, pos, VS_ABSENT, "%s is a variable that has no value yet when macros are expanded",

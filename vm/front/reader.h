@@ -18,7 +18,7 @@ bool vs_file_number(vs_scheme *vm, const char *name, size_t bytes, uint32_t *num
 bool vs_check_utf8(vs_scheme *vm, const char *text, size_t size, uint32_t file, uint32_t line);
 
 /* Reads all data of a text as one list. If the text has mistakes, sets an error of kind `read` for the first mistake;
- * its payload is a list of (place . message) for the others. fold: letters are converted to lower case, as after
+ * its payload is a list of (place . message) for the others. With fold, letters are converted to lower case, as after
  * #!fold-case. */
 bool vs_read_all(vs_scheme *vm, const vs_passage *text, uint32_t file, bool fold, vs_value *forms);
 

@@ -15,7 +15,7 @@ bool vs_source_is_shipped(const char *path);
 /* Returns the file of this name in vm->config.shipped, or NULL. */
 const vs_shipped *vs_source_shipped(const vs_scheme *vm, const char *name);
 
-/* Finds the file that the string `name` in file number `from` (0: none) refers to. Searches the folder of `from`, the
+/* Finds the file to which the string `name` in file number `from` (0: none) refers. Searches the folder of `from`, the
  * folder `up` levels above it, the folder of the file that the host runs, and the folders of vm->config.library_path.
  * Sets *found if one of these folders has the file; otherwise *path is in the first folder. */
 bool vs_source_find(vs_scheme *vm, vs_value name, uint32_t from, size_t up, vs_text *path, bool *found);

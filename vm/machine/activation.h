@@ -37,8 +37,8 @@ static inline size_t vs_ret_distance(vs_value ret) { return (size_t)(ret >> 32 &
 static inline size_t vs_ret_pc(vs_value ret) { return (size_t)(ret & 0x07FFFFFF); }
 
 /* Moves all activations below the window w (the registers of a call with n arguments) into the heap. Moves w to the
- * start of the stack's working part, which then has room for `need` slots from w on. Returns the new address of w, or
- * NULL when memory is out. */
+ * start of the stack's working part, which then has room for `need` slots, beginning with w. Returns the new address of
+ * w, or NULL when memory is out. */
 vs_value *vs_activation_flush(vs_scheme *vm, vs_value *w, size_t n, size_t need);
 
 /* Sets *out to the continuation of the call in the window w, which has n arguments and its return information in slot

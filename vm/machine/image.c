@@ -256,8 +256,8 @@ static int find_in_program(struct dl_phdr_info *module, size_t size, void *to) {
 
 /* Maps the image, a constant in the program's file, a second time at IMAGE_HOME. Writing there does not change the
  * file; unused pages cost neither time nor memory. Returns NULL if that is impossible, so that the image must be
- * copied: another interpreter of the process uses the address, the image is part of a shared library, or the system has
- * no such mapping. */
+ * copied. There are three causes: another interpreter of the process uses the address, the image is part of a shared
+ * library, or the system has no such mapping. */
 static void *image_map(const void *image, size_t bytes) {
   wanted w = { (uintptr_t)image, (uintptr_t)image + bytes, -1 };
   dl_iterate_phdr(find_in_program, &w);

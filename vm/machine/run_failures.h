@@ -54,7 +54,7 @@ static bool fail_callee_as(vs_scheme *vm, vs_value f, const vs_value *at, size_t
 }
 
 /* Reports that f cannot be called. The error's payload #t tells session/advice.c that the called object is wrong: it
- * then searches where the object comes from. */
+ * then searches the object's source. */
 static bool fail_callee(vs_scheme *vm, vs_value f, const vs_value *at, size_t n) {
   fail_callee_as(vm, f, at, n);
   if (vs_is(vm->condition, VS_T_CONDITION) &&

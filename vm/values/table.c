@@ -30,13 +30,13 @@ static void index_place(uint32_t *index, uint32_t mask, vs_value stored, uint32_
   while (index[i]) i = (i + 1) & mask;
   index[i] = entry + 1;
 }
-/* Adds a new entry to the table's index. */
+/* Adds the entry with this number to the table's index. */
 static void table_place(vs_table *t, uint32_t entry) {
   VS_ASSERT(entry < t->used);
   index_place(table_index(t), table_mask(t), table_entries(t)->at[entry * 3 + 2], entry);
 }
 
-/* Frees slot i, which is in use. Moves back later entries that a search would no longer find. */
+/* Frees slot i of the index, which is in use. Moves back later entries that a search would no longer find. */
 static void table_unplace(vs_table *t, uint32_t i) {
   uint32_t *index = table_index(t), mask = table_mask(t);
   VS_ASSERT(i <= mask && index[i] != 0);
