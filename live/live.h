@@ -27,7 +27,7 @@ typedef struct { live_asked_kind kind; char *name, *value; } live_asked; /* A re
  * error. */
 live_follower *live_follow(const live_options *o, vs_scheme *scheme);
 void live_follow_close(live_follower *f);
-void live_follow_tell(const live_follower *f); /* Prints the address again, and opens the browser. */
+void live_follow_tell(const live_follower *f); /* Prints the view's address again, and opens the browser. */
 /* live_follow_begin: messages from now on belong to the drawing that is shown next. live_follow_output receives such
  * messages from the host. */
 void live_follow_begin(live_follower *f);

@@ -172,6 +172,7 @@ static bool model_gather(vs_emitter *e, const vs_solid_copies *c, memory *out) {
  * triangles, level 9 takes 1.9 s instead of 0.26 s, and makes 2.96 MB instead of 3.09 MB. */
 enum { PACKING = 5 };
 
+/* Adds a file to the package. libzip reads and compresses `bytes` only in zip_close, so they must exist until then. */
 static bool package_add(const zip_library *z, zip_t *zip, const char *name, const void *bytes, size_t count) {
   zip_source_t *source = z->zip_source_buffer(zip, bytes, count, 0);
   zip_int64_t at = source != NULL ? z->zip_file_add(zip, name, source, ZIP_FL_ENC_UTF_8) : -1;
@@ -185,7 +186,6 @@ static bool package_add(const zip_library *z, zip_t *zip, const char *name, cons
                                                                            * models make equal bytes */
 }
 
-/* The compression happens in zip_close. Everything to which `bytes` refers must exist until then. */
 static int package_stops(zip_t *zip, void *context) { return (void)zip, !vs_emit_progress(context, "packing", -1); }
 
 static bool package_close(const zip_library *z, zip_t *zip, const memory *model) {
@@ -203,7 +203,7 @@ static bool package_close(const zip_library *z, zip_t *zip, const memory *model)
   bool ok = package_add(z, zip, "[Content_Types].xml", types, sizeof types - 1) &&
             package_add(z, zip, "_rels/.rels", relations, sizeof relations - 1) &&
             package_add(z, zip, "3D/3dmodel.model", model->at, model->count);
-  /* libzip calls package_stops often while it compresses. */
+  /* While libzip compresses, it calls package_stops often, so that the user can interrupt it. */
   ok = ok && z->zip_register_cancel_callback_with_state(zip, package_stops, NULL, model->e) == 0;
   if (ok && z->zip_close(zip) == 0) return true;
   z->zip_discard(zip);

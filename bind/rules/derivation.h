@@ -90,7 +90,8 @@ bool vs_task_push(vs_derivation *d, vs_rule_task *t);
  * depth and flags are set. If memory is out or the path is too long, sets the error and returns NULL. */
 vs_scope *vs_rules_child(vs_derivation *d, vs_scope *parent, vs_scope_class c, const char *op, uint32_t index,
                          uint32_t count);
-/* Adds an object that was created in a scope with these flags. If it fails, sets the error and returns false. */
+/* Adds the object ref, created in a scope with these flags, to the objects of d. If it fails, sets the error and
+ * returns false. */
 bool vs_rules_gather(vs_derivation *d, vs_ref ref, vs_scope_flags *flags);
 /* Returns true if argument i is a scope of one of these classes, given as bits VS_SCOPE_BIT. Otherwise sets the
  * error. */

@@ -26,8 +26,7 @@ void know_write_text(know_writer *w, const char *key, const char *text, size_t l
 void know_write_word(know_writer *w, const char *key, const char *text); /* writes nothing if text is "" */
 void know_write_number(know_writer *w, const char *key, uint32_t value);
 void know_write_flag(know_writer *w, const char *key, bool value); /* writes nothing if value is false */
-/* know_write_list begins a list, and the next function an element of a list; its parameter `item` is the element's name
- * in XML. */
+/* know_write_list begins a list, know_write_item an element of a list. `item` is the element's name in XML. */
 void know_write_list(know_writer *w, const char *key);
 void know_write_item(know_writer *w, const char *item);
 void know_write_item_end(know_writer *w, const char *item);

@@ -335,7 +335,7 @@ static bool advise_beside(const char *name, vs_text *t) {
   return vs_text_puts(t, text);
 }
 
-/* Advises on a method of a value, points.length. */
+/* Advises on a method call as other languages write it: points.length. */
 static bool advise_method(vs_scheme *vm, const char *name, vs_text *t) {
   static const char *const modules[] = {"math", "np", "numpy", "random", "rs", "rg", "os", "sys", "json", "console",
                                         "cq", "gh", "string", "plt", "js", NULL};

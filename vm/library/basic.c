@@ -118,13 +118,13 @@ static bool has_field(vs_scheme *vm, const vs_value *a, int who) {
                                                           vs_is_symbol(type) ? vs_as_symbol(type)->name : "record");
 }
 
-/* (%record-ref record type index who): returns the field. */
+/* (%record-ref record type index who): returns field number `index` of the record. */
 static vs_status record_ref(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n;
   return has_field(vm, a, 3) ? (*out = vs_as_record(a[0])->at[vs_fixnum(a[2])], VS_OK) : VS_ERROR;
 }
 
-/* (%record-set! record type index value who): sets the field. */
+/* (%record-set! record type index value who): sets field number `index` of the record. */
 static vs_status record_set(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   (void)n, (void)out;
   if (!has_field(vm, a, 4)) return VS_ERROR;

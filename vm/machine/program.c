@@ -275,7 +275,7 @@ static vs_status syntax_to_datum(vs_scheme *vm, vs_value *a, int n, vs_value *ou
 typedef struct {
   vs_value run;        /* procedure object of the native %run, by which the walk recognizes its activations */
   uint32_t file;
-  unsigned calls;      /* number of activations since the last %run: the call of load itself, and its callers */
+  unsigned calls;      /* number of frames since the last %run: the call of load itself, and its callers */
   vs_pos place;        /* place of the outermost of these calls */
   bool plain;          /* whether each top-level form on the way was only the call that loads the next file */
   bool endless;
