@@ -47,8 +47,8 @@ struct vs_bind {
   uint32_t library_files;          /* files with smaller numbers are part of the language, as are the files of
                                     * vs_config.shipped */
   vs_inside_cache *inside;         /* data that contains? has prepared for the last object, or NULL */
-  /* Objects of kinds that users define (custom.c). tickets[n]: ticket of number n if some node has this number. gone:
-   * numbers whose last node was released. */
+  /* Objects of kinds that users define (custom.c). tickets[n]: the counter of the nodes with number n, or NULL if
+   * there are none. gone: numbers whose last node was released. */
   vs_ticket **tickets;
   uint32_t *gone;
   size_t ticket_count, ticket_room, gone_count;

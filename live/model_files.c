@@ -168,8 +168,8 @@ uint64_t live_file_hash(const char *text, size_t length) { /* the hash FNV-1a */
 }
 
 const char *live_file_write(const char *path, const char *text, size_t length, uint64_t expected) {
-  char *now = NULL, *real = realpath(path, NULL); /* real: path at the end of links, so that a link remains and its
-                                                   * target is written */
+  char *now = NULL, *real = realpath(path, NULL); /* real: path without symbolic links, so that the target of a
+                                                   * link is written, and the link remains */
   const char *why = "out of memory";
   size_t now_length;
   if (real == NULL) return "the file is gone";

@@ -187,8 +187,8 @@ static void listener_free(void *context) {
   listener *l = context;
   pthread_mutex_lock(&l->server->publish->lock);
   l->server->publish->windows--;
-  pthread_cond_broadcast(&l->server->publish->changed); /* wakes other windows, which may wait for the place that is now
-                                                         * free */
+  pthread_cond_broadcast(&l->server->publish->changed); /* wakes new windows, which wait while too many windows are
+                                                         * open */
   pthread_mutex_unlock(&l->server->publish->lock);
   live_text_free(&l->text);
   free(l);

@@ -536,7 +536,7 @@ static bool add_veil(seen *s) {
 
 /* ---- the view ---- */
 
-/* Describes the triangles of the view. */
+/* Returns the triangles of the view as a vs_sight, from which the visible lines are computed. */
 static vs_sight sight_of(const seen *s) {
   return (vs_sight){ .points = s->points, .triangles = (const uint32_t (*)[3])s->triangles,
                      .point_count = s->point_count, .triangle_count = s->triangle_count, .closed = s->closed,

@@ -19,7 +19,7 @@
 #include "backends/x3d/x3d_collect.h"
 #include "model/store/hashes.h"
 
-enum { REPEAT_BLOCK = 8 }; /* The greatest number of letters in a block. */
+enum { REPEAT_BLOCK = 8 }; /* greatest number of letters (elements of a row) in a block */
 
 typedef struct {
   uint32_t name;

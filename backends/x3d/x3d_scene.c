@@ -152,7 +152,7 @@ static void scene_wrap(vs_writer *w, size_t item, size_t per_line) {
 
 /* A node that contains points. field: the parent's field that contains it; node: its name; many: its own field for the
  * points; steps: rounding of the points. */
-typedef struct { const char *field, *node, *many; double steps; /* number of steps in a unit */ } scene_cloud;
+typedef struct { const char *field, *node, *many; double steps; /* number of rounding steps in a unit */ } scene_cloud;
 
 static void scene_points(vs_emitter *e, const scene_cloud *cloud, const vs_vec3 *at, size_t count) {
   vs_x3d_node(e, cloud->field, cloud->node, NULL);
@@ -165,7 +165,8 @@ static void scene_points(vs_emitter *e, const scene_cloud *cloud, const vs_vec3 
   vs_x3d_end(e, cloud->node, false);
 }
 
-/* Returns the number of steps in a unit: a power of ten, so that the rounded numbers are short. */
+/* Coordinates are rounded to multiples of a step. Returns the number of steps in a unit of length: a power of ten, so
+ * that the rounded numbers are short. */
 static double scene_steps(const vs_emitter *e) {
   double diagonal = vs_v3_length(vs_v3_sub(e->bounds.max, e->bounds.min));
   return pow(10, 7 - ceil(log10(diagonal > 0 ? diagonal : 1)));

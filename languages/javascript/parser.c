@@ -81,7 +81,7 @@ static bool close_node(parser *p, uint32_t i) {
   return true;
 }
 
-/* Makes node i at least one higher than its part. */
+/* Makes the height of node i at least 1 greater than the height of its child, the node `part`. */
 static bool above(parser *p, uint32_t i, uint32_t part) {
   if (!part || node(p, part)->height < node(p, i)->height) return true;
   if (node(p, part)->height >= VS_SCRIPT_HEIGHT)

@@ -482,7 +482,7 @@ static void plan_draw(tr_writer *w, tr_index n) {
 
 /* ---- definitions ---- */
 
-/* Plans a body, with each local definition on a line of its own. */
+/* Plans the text of a procedure's body, with each local definition on a line of its own. */
 static void plan_lines(tr_writer *w, tr_index n) {
   if (at(w, n)->kind != TR_BODY) {
     tr_plan_comments(w, n, TR_PIECE_COMMENTS, false);

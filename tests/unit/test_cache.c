@@ -311,8 +311,8 @@ static void test_restart(void **state) {
     run(s, model);
   }
   bytes b = written(s, "stl", false);
-  assert_true(statistic(s, "cache.clusters.misses") - clusters <= 2); /* of thirteen clusters, only the two changed
-                                                                       * clusters */
+  assert_true(statistic(s, "cache.clusters.misses") - clusters <= 2); /* only the two changed clusters of thirteen
+                                                                       * are computed again */
   bytes pov = written(s, "povray", false); /* POV-Ray's camera needs the bounds of each part, so each part's mesh is
                                             * computed separately */
   assert_true(vs_parameter_set(fresh, "k", "4"));
