@@ -1,39 +1,23 @@
 /* Writes .pdf: the sheet is a page of its true size, and text remains text, in the default font. Uses libharu, which vs
  * loads when it writes the first PDF. */
 #define _GNU_SOURCE /* declares memmem */
-#include <hpdf.h>
 #include <math.h>
 #include <stddef.h>
 #include <stdio.h>
 #include <string.h>
 
 #include "backends/drawing/pdf.h"
+#include "backends/drawing/pdf_layers.h"
 #include "geometry/dynamic.h"
 #include "geometry/text/font.h"
 #include "geometry/text/fontfile.h"
 
-#define PDF_FUNCTIONS(X) \
-  X(HPDF_NewEx) X(HPDF_Free) X(HPDF_SetCompressionMode) X(HPDF_AddPage) X(HPDF_Page_SetWidth) \
-  X(HPDF_Page_SetHeight) X(HPDF_Page_SetLineWidth) X(HPDF_Page_SetLineCap) X(HPDF_Page_SetLineJoin) \
-  X(HPDF_Page_SetGrayStroke) X(HPDF_Page_SetRGBStroke) X(HPDF_Page_SetGrayFill) \
-  X(HPDF_Page_MoveTo) X(HPDF_Page_LineTo) \
-  X(HPDF_Page_ClosePath) X(HPDF_Page_Stroke) X(HPDF_Page_Eofill) X(HPDF_Page_BeginText) X(HPDF_Page_EndText) \
-  X(HPDF_Page_SetFontAndSize) X(HPDF_Page_SetTextMatrix) X(HPDF_Page_ShowText) X(HPDF_Page_TextWidth) \
-  X(HPDF_LoadTTFontFromFile) X(HPDF_GetFont) X(HPDF_UseUTFEncodings) X(HPDF_SetInfoAttr) X(HPDF_SaveToStream) \
-  X(HPDF_GetStreamSize) X(HPDF_ReadFromStream) X(HPDF_ResetStream) X(HPDF_GetError)
-
-typedef struct {
-#define PDF_MEMBER(name) __typeof__(&name) name;
-  PDF_FUNCTIONS(PDF_MEMBER)
-#undef PDF_MEMBER
-} pdf_library;
-
-static bool load(pdf_library *p, vs_error *e) {
+static bool load(vs_pdf_library *p, vs_error *e) {
   static const char *const files[] = { "libhpdf-2.3.0.so", "libhpdf.so.2.4", "libhpdf.so.2.3", "libhpdf.so", NULL };
   static const vs_dynamic_library library = { files, "libhpdf-2.3.0", "writing .pdf" };
   static const vs_dynamic_name names[] = {
-#define PDF_NAME(name) { #name, offsetof(pdf_library, name) },
-    PDF_FUNCTIONS(PDF_NAME)
+#define PDF_NAME(name) { #name, offsetof(vs_pdf_library, name) },
+    VS_PDF_FUNCTIONS(PDF_NAME)
 #undef PDF_NAME
   };
   return vs_dynamic_load(&library, names, sizeof names / sizeof *names, p, e);
@@ -42,7 +26,13 @@ static bool load(pdf_library *p, vs_error *e) {
 static const double point = 72 / 25.4; /* number of points in a millimetre */
 static HPDF_REAL at(double mm) { return (HPDF_REAL)(mm * point); }
 
-typedef struct { const pdf_library *lib; HPDF_Page page; HPDF_Font font; const vs_sheet *s; } writing;
+typedef struct {
+  const vs_pdf_library *lib;
+  HPDF_Page page;
+  HPDF_Font font;
+  const vs_sheet *s;
+  vs_pdf_layers layers;
+} writing;
 
 /* Sets line width, colour and grey for a kind of line. pen: pen of the program's layer, or NULL. */
 static void set_layer(const writing *w, vs_drawn_layer layer, const vs_scene_pen *pen) {
@@ -119,7 +109,14 @@ static void put_mark(const writing *w, const vs_mark *m) {
   }
 }
 
-static bool put_layer(vs_emitter *e, const writing *w, vs_drawn_layer layer, uint32_t own) {
+static bool has_marks(const vs_sheet *s, vs_drawn_layer layer, uint32_t own) {
+  for (size_t i = 0; i < s->mark_count; i++)
+    if (s->marks[i].layer == layer && s->marks[i].own == own) return true;
+  return false;
+}
+
+/* Draws the marks of a kind of line that belong to layer `own` of the program; 0: to none. */
+static bool put_marks(vs_emitter *e, const writing *w, vs_drawn_layer layer, uint32_t own) {
   set_layer(w, layer, own ? vs_scene_find_pen(e->scene, w->s->layers[own - 1]) : NULL);
   for (size_t i = 0; i < w->s->mark_count; i++) {
     if (w->s->marks[i].layer == layer && w->s->marks[i].own == own) put_mark(w, &w->s->marks[i]);
@@ -128,10 +125,20 @@ static bool put_layer(vs_emitter *e, const writing *w, vs_drawn_layer layer, uin
   return true;
 }
 
-static bool put_all(vs_emitter *e, const writing *w) {
-  for (uint32_t own = 0; own <= w->s->layer_count; own++)
-    for (int l = 0; l < VS_DRAWN_LAYERS; l++)
-      if (!put_layer(e, w, (vs_drawn_layer)l, own)) return false;
+/* Draws all marks. Each kind of line is a layer of the file, and so is each layer of the program. If libharu fails, its
+ * error is set and the function returns true. */
+static bool put_all(vs_emitter *e, writing *w) {
+  for (uint32_t own = 0; own <= w->s->layer_count; own++) {
+    bool open = false;
+    for (int l = 0; l < VS_DRAWN_LAYERS; l++) {
+      if (!has_marks(w->s, (vs_drawn_layer)l, own)) continue;
+      if (!open && !vs_pdf_layer_begin(&w->layers, own ? w->s->layers[own - 1] : vs_drawn_rows[l].name)) return true;
+      open = own != 0;
+      if (!put_marks(e, w, (vs_drawn_layer)l, own)) return false;
+      if (!open && !vs_pdf_layer_end(&w->layers)) return true;
+    }
+    if (open && !vs_pdf_layer_end(&w->layers)) return true;
+  }
   return true;
 }
 
@@ -159,7 +166,7 @@ static void mend_unicode(char *file, size_t size) {
   memset(from + length, '\n', (size_t)(to - from) - length);
 }
 
-static bool hand_over(vs_emitter *e, const pdf_library *lib, HPDF_Doc doc) {
+static bool hand_over(vs_emitter *e, const vs_pdf_library *lib, HPDF_Doc doc) {
   const size_t size = lib->HPDF_GetStreamSize(doc);
   char *file = vs_store_realloc(e->scene->store, NULL, 0, size + 1);
   if (!file) return vs_emit_no_memory(e);
@@ -174,7 +181,7 @@ static bool hand_over(vs_emitter *e, const pdf_library *lib, HPDF_Doc doc) {
 }
 
 bool vs_sheet_write_pdf(vs_emitter *e, const vs_sheet *s) {
-  pdf_library lib;
+  vs_pdf_library lib;
   char path[1024];
   if (!load(&lib, e->error)) return false;
   e->error->kind = VS_ERROR_NONE;
@@ -183,7 +190,7 @@ bool vs_sheet_write_pdf(vs_emitter *e, const vs_sheet *s) {
         "cannot write .pdf: no font is installed; install the package fonts-dejavu-core");
   HPDF_Doc doc = lib.HPDF_NewEx(NULL, NULL, NULL, 0, NULL);
   if (!doc) return vs_emit_no_memory(e);
-  writing w = { &lib, NULL, NULL, s };
+  writing w = { .lib = &lib, .s = s };
   lib.HPDF_SetCompressionMode(doc, HPDF_COMP_ALL);
   lib.HPDF_UseUTFEncodings(doc);
   lib.HPDF_SetInfoAttr(doc, HPDF_INFO_CREATOR, "VisualScheme");
@@ -196,8 +203,8 @@ bool vs_sheet_write_pdf(vs_emitter *e, const vs_sheet *s) {
     lib.HPDF_Page_SetHeight(w.page, at(s->height));
     lib.HPDF_Page_SetLineCap(w.page, HPDF_ROUND_END);
     lib.HPDF_Page_SetLineJoin(w.page, HPDF_ROUND_JOIN);
-    ok = put_all(e, &w) && lib.HPDF_GetError(doc) == HPDF_OK && lib.HPDF_SaveToStream(doc) == HPDF_OK &&
-        hand_over(e, &lib, doc);
+    ok = vs_pdf_layers_begin(&w.layers, &lib, doc, w.page) && put_all(e, &w) &&
+        lib.HPDF_GetError(doc) == HPDF_OK && lib.HPDF_SaveToStream(doc) == HPDF_OK && hand_over(e, &lib, doc);
   }
   unsigned long problem = (unsigned long)lib.HPDF_GetError(doc);
   lib.HPDF_Free(doc);

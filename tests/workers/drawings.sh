@@ -36,6 +36,8 @@ cat > layers.vs <<'EOF'
 (view "layers" 'top #:sheet 'none #:hidden #t)
 EOF
 "$vs" -q layers.vs -o layers.svg -o layers.pdf -o layers.dxf >> said 2>&1
+echo "(draw (layer (string-append \"łódź 𝔸 \" (make-string 200 #\\ä)) (make-circle origin 2)))" > names.vs
+"$vs" -q names.vs -o names.pdf >> said 2>&1
 "$vs" -q cube.vs -o isometric.dxf -o isometric.svg >> said 2>&1
 for i in 1 2; do "$vs" -q house.vs -o sheet.pdf && cp sheet.pdf "again$i.pdf"; done
 cmp again1.pdf again2.pdf >> said 2>&1
@@ -130,6 +132,36 @@ EOF
   result drawings/pdf-pens said
 else
   echo "skip drawings/pdf-pens: no pdftoppm"
+fi
+
+if /usr/bin/python3 -c 'import PyPDF2' 2> /dev/null; then
+  /usr/bin/python3 - > said 2>&1 <<'EOF'
+import re, PyPDF2
+def layers(name):
+    file = PyPDF2.PdfReader(name)
+    if file.pdf_header < '%PDF-1.5': print(name, 'is of a version without layers:', file.pdf_header)
+    listed = file.trailer['/Root']['/OCProperties']
+    if list(listed['/OCGs']) != list(listed['/D']['/Order']): print(name, 'lists other layers than it has')
+    page = file.pages[0]
+    content = page.get_contents().get_data().decode('latin-1')
+    names = {k: v.get_object()['/Name'] for k, v in page['/Resources']['/Properties'].items()}
+    opened = re.findall(r'/OC (/L\d+) BDC\n(.*?)EMC\n', content, re.S)
+    if content.count(' BDC\n') != len(opened) or content.count('EMC\n') != len(opened): print(name, 'has a layer that does not end')
+    outside = re.sub(r'/OC (/L\d+) BDC\n(.*?)EMC\n', '', content, flags=re.S)
+    if re.search(r'^(S|f\*?|BT)$', outside, re.M): print(name, 'has marks in no layer')
+    for k, marks in opened:
+        if not re.search(r'^(S|f\*|ET)$', marks, re.M): print(name, names[k], 'is empty')
+    return [names[k] for k, marks in opened]
+found = layers('layers.pdf')
+for name in ('schneiden', 'gravur', 'box', 'a<b>/c', 'cut', 'below', 'curve'):
+    if found.count(name) != 1: print('layer', name, 'occurs', found.count(name), 'times in', found)
+names = layers('names.pdf')
+if 'łódź 𝔸 ' + 'ä' * 113 not in names: print(names)
+layers('sheet.pdf')
+EOF
+  result drawings/pdf-layers said
+else
+  echo "skip drawings/pdf-layers: no python3-pypdf2"
 fi
 
 if command -v pdftotext > /dev/null; then
