@@ -31,6 +31,10 @@ double vs_scene_metres(const vs_scene *scene) {
   return 1;
 }
 
+static void free_cells(vs_scene *scene, vs_scene_table *t) {
+  vs_store_realloc(scene->store, t->cells, t->rows * t->columns * sizeof *t->cells, 0);
+}
+
 void vs_scene_free(vs_scene *scene) {
   if (!scene->store) return;
   for (size_t i = 0; i < scene->drawn_count; i++) vs_node_release(scene->drawn[i].node);
@@ -38,6 +42,8 @@ void vs_scene_free(vs_scene *scene) {
   vs_store_realloc(scene->store, scene->views, scene->view_room * sizeof *scene->views, 0);
   vs_store_realloc(scene->store, scene->pens, scene->pen_room * sizeof *scene->pens, 0);
   vs_store_realloc(scene->store, scene->notes, scene->note_room * sizeof *scene->notes, 0);
+  for (size_t i = 0; i < scene->table_count; i++) free_cells(scene, &scene->tables[i]);
+  vs_store_realloc(scene->store, scene->tables, scene->table_room * sizeof *scene->tables, 0);
   vs_store_realloc(scene->store, scene->lamps, scene->lamp_room * sizeof *scene->lamps, 0);
   vs_store_release(scene->store);
   *scene = (vs_scene){ 0 };
@@ -68,6 +74,16 @@ bool vs_scene_add_pen(vs_scene *scene, const vs_scene_pen *pen) {
 bool vs_scene_add_note(vs_scene *scene, const vs_scene_note *note) {
   if (!vs_store_grow(scene->store, &scene->notes, &scene->note_room, scene->note_count + 1, sizeof *note)) return false;
   scene->notes[scene->note_count++] = *note;
+  return true;
+}
+
+bool vs_scene_add_table(vs_scene *scene, const vs_scene_table *table) {
+  const size_t bytes = table->rows * table->columns * sizeof *table->cells;
+  vs_scene_table copy = *table;
+  if (!vs_store_grow(scene->store, &scene->tables, &scene->table_room, scene->table_count + 1, sizeof copy) ||
+      !(copy.cells = vs_store_realloc(scene->store, NULL, 0, bytes))) return false;
+  memcpy(copy.cells, table->cells, bytes);
+  scene->tables[scene->table_count++] = copy;
   return true;
 }
 

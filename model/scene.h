@@ -56,6 +56,13 @@ typedef struct {
   const char *view;          /* name of the only view that shows the note, interned; NULL: all suitable views show it */
 } vs_scene_note;
 
+/* A table on the sheet of drawings: rows of texts, of which the first is the head. */
+typedef struct {
+  const char *title;         /* text above the table, interned; NULL: none */
+  const char **cells;        /* rows * columns texts, row by row, interned */
+  size_t rows, columns;
+} vs_scene_table;
+
 /* A lamp: a point that emits light. */
 typedef struct {
   vs_vec3 at, to;            /* `at`: position of the lamp. Its central direction goes from `at` to `to`, downwards for
@@ -107,6 +114,8 @@ typedef struct {
   size_t view_count, view_room;
   vs_scene_note *notes;
   size_t note_count, note_room;
+  vs_scene_table *tables;    /* tables of the sheet, from its top */
+  size_t table_count, table_room;
   vs_scene_pen *pens;        /* pens of layers, at most one for each layer */
   size_t pen_count, pen_room;
   vs_scene_lamp *lamps;
@@ -150,6 +159,8 @@ void vs_scene_free(vs_scene *scene);
 bool vs_scene_add_view(vs_scene *scene, const vs_scene_view *view);
 bool vs_scene_add_lamp(vs_scene *scene, const vs_scene_lamp *lamp); /* Adds a lamp. Returns false when memory is out. */
 bool vs_scene_add_note(vs_scene *scene, const vs_scene_note *note); /* Adds a note. Returns false when memory is out. */
+/* Adds a copy of a table. Returns false when memory is out. */
+bool vs_scene_add_table(vs_scene *scene, const vs_scene_table *table);
 /* Adds a pen, or replaces the pen of the same layer. Returns false when memory is out. */
 bool vs_scene_add_pen(vs_scene *scene, const vs_scene_pen *pen);
 /* Returns the pen of the layer, or NULL if it has none. */

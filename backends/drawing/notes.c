@@ -74,8 +74,7 @@ static void level_text(const vs_emitter *e, const vs_scene_note *n, char *text, 
       (int)vs_character_cut(own, 100), own);
 }
 
-/* Returns the approximate width of a text. `size` is the height of its capitals; the width is in the same unit. */
-static double about_width(const char *text, double size) {
+double vs_sheet_text_width(const char *text, double size) {
   size_t letters = 0;
   for (; *text; text++) letters += ((unsigned char)*text & 0xc0) != 0x80;
   return 0.9 * size * (double)letters;
@@ -89,7 +88,7 @@ static double levels_width(const vs_emitter *e, const vs_flat_view *v) {
     const vs_scene_note *n = &e->scene->notes[i];
     if (n->kind != VS_NOTE_LEVEL || !fits(e, v, n)) continue;
     level_text(e, n, text, sizeof text);
-    most = fmax(most, about_width(text, level_cap) + 4);
+    most = fmax(most, vs_sheet_text_width(text, level_cap) + 4);
   }
   return most;
 }
@@ -257,7 +256,7 @@ enum { LONGEST_TEXT = 150 };
 
 static void include_text(vs_sheet_room *room, const vs_mark *m, double wide, double high) {
   double turn = m->angle * (3.14159265358979323846 / 180), c = cos(turn), n = sin(turn);
-  double length = fmin(about_width(m->text, m->size), LONGEST_TEXT);
+  double length = fmin(vs_sheet_text_width(m->text, m->size), LONGEST_TEXT);
   for (int i = 0; i < 4; i++) {
     double along = length * (i % 2 - m->align), up = m->size * (i < 2 ? -0.35 : 1.1);
     include(room, (vs_sheet_point){ m->at.x + along * c - up * n, m->at.y + along * n + up * c }, wide, high);

@@ -7,6 +7,8 @@
 /* Adds the program's notes to the pen's view, and the ground line. Returns false if memory is out, with the emitter's
  * error set. */
 bool vs_sheet_notes(const vs_sheet_pen *pen);
+/* Returns the approximate width of a text. `size` is the height of its capitals; the width is in the same unit. */
+double vs_sheet_text_width(const char *text, double size);
 /* Computes the room that the notes of the sheet's view `index` need at the view's present size. Draws the notes on a
  * temporary sheet and measures how far they extend beyond the view's lines. Returns false if memory is out, with the
  * emitter's error set. */

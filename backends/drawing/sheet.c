@@ -11,6 +11,7 @@
 #include "backends/drawing/hatches.h"
 #include "backends/drawing/notes.h"
 #include "backends/drawing/sheet.h"
+#include "backends/drawing/sheet_tables.h"
 
 const vs_layer_row vs_drawn_rows[VS_DRAWN_LAYERS] = {
 #define LAYER(upper, name, width, dash, gap, dot, grey, colour, weight) \
@@ -31,6 +32,7 @@ static const double scales[] = { 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 25, 50, 100, 20
 enum { SCALES = sizeof scales / sizeof *scales, HUNDRED = 10 };
 
 static const double margin = 10, binding = 20, title_width = 130, title_height = 24, gap = 8, caption = 9;
+static const double north_room = 22; /* height of the north arrow and its space, in mm */
 
 /* ---- frame ---- */
 
@@ -49,6 +51,16 @@ static vs_sheet_point point(double x, double y) { return (vs_sheet_point){ x, y 
 
 /* ---- scale and place ---- */
 
+/* Returns the width and the height that the sheet has for views and tables. */
+static double free_width(const vs_sheet *s) { return s->right - s->left - 2 * gap; }
+static double free_height(const vs_sheet *s) { return s->top - s->bottom - title_height - 2 * gap; }
+
+/* Returns the width in mm that the sheet has for views, to the left of its tables. */
+static double views_width(const vs_emitter *e, const vs_sheet *s) {
+  const double tables = vs_sheet_tables_size(e->scene).x;
+  return free_width(s) - (tables > 0 ? tables + gap : 0);
+}
+
 static bool is_flat(const vs_flat_view *v) { return v->look.parallel; }
 
 /* Returns the number of millimetres on paper for a unit of the view's plane. A perspective view has no scale: it is as
@@ -57,8 +69,8 @@ static double millimetres(const vs_emitter *e, const vs_sheet *s, const vs_flat_
   if (is_flat(v)) return vs_drawing_unit(e->scene) / scale;
   double wide = v->high.x - v->low.x, high = v->high.y - v->low.y, share = s->view_count > 1 ? 0.45 : 1;
   const double border = 2;
-  double across = share * (s->right - s->left - 2 * gap - 2 * border),
-      up = share * (s->top - s->bottom - title_height - 2 * gap - 2 * border - caption);
+  double across = share * (views_width(e, s) - 2 * border),
+      up = share * (free_height(s) - 2 * border - caption);
   return fmin(across / fmax(wide, 1e-9 * high), up / fmax(high, 1e-9 * wide));
 }
 
@@ -73,10 +85,11 @@ static bool size_view(vs_emitter *e, vs_sheet *s, size_t i, double scale) {
   return vs_sheet_notes_room(e, s, (uint32_t)i);
 }
 
-/* Places the views from `first` to `end` - 1 in a centred row below `top`. The views have a common base line. Their
- * titles have another common base line, below the notes of all views. Returns the lower edge of the row. */
-static double place_row(vs_sheet *s, size_t first, size_t end, double top) {
-  double above = 0, below = 0, wide = gap * (double)(end - first - 1), free = s->right - s->left - 2 * gap;
+/* Places the views from `first` to `end` - 1 in a row below `top`, centred in the width `free`. The views have a common
+ * base line. Their titles have another common base line, below the notes of all views. Returns the lower edge of the
+ * row. */
+static double place_row(vs_sheet *s, size_t first, size_t end, double top, double free) {
+  double above = 0, below = 0, wide = gap * (double)(end - first - 1);
   for (size_t i = first; i < end; i++) {
     const vs_flat_view *v = &s->views[i];
     above = fmax(above, (v->high.y - v->low.y) * v->mm + v->room.above), below = fmax(below, v->room.below);
@@ -95,8 +108,9 @@ static double place_row(vs_sheet *s, size_t first, size_t end, double top) {
 /* Places the views in rows. Sets *fits to whether they fit at this scale. Returns false if memory is out, with the
  * emitter's error set. */
 static bool place_all(vs_emitter *e, vs_sheet *s, double scale, bool *fits) {
-  double y = s->top - gap, least = s->bottom + title_height + gap, free = s->right - s->left - 2 * gap;
+  double y = s->top - gap, least = s->bottom + title_height + gap, free = views_width(e, s);
   *fits = false;
+  if (free <= 0 || vs_sheet_tables_size(e->scene).y > free_height(s) - north_room) return true;
   for (size_t i = 0; i < s->view_count; i++) {
     if (!size_view(e, s, i, scale)) return false;
     if (wide_of(&s->views[i]) > free + 1e-6) return true;
@@ -105,7 +119,7 @@ static bool place_all(vs_emitter *e, vs_sheet *s, double scale, bool *fits) {
     double wide = wide_of(&s->views[first]);
     for (end = first + 1; end < s->view_count && wide + gap + wide_of(&s->views[end]) <= free + 1e-6; end++)
       wide += gap + wide_of(&s->views[end]);
-    y = place_row(s, first, end, y);
+    y = place_row(s, first, end, y, free);
     if (y < least - 1e-6) return true;
     y -= gap;
   }
@@ -306,12 +320,17 @@ static bool put_view(vs_emitter *e, vs_sheet *s, uint32_t i) {
   return ok && vs_sheet_notes(&pen);
 }
 
+static bool put_tables(vs_emitter *e, vs_sheet *s) {
+  const vs_sheet_pen pen = pen_of(e, s);
+  return vs_sheet_tables(&pen, point(s->right - gap, s->bottom + title_height + gap));
+}
+
 bool vs_sheet_make(vs_emitter *e, vs_sheet *s, vs_flat_view *views, size_t count) {
   s->views = views, s->view_count = count;
   const vs_sheet_pen pen = pen_of(e, s);
   bool ok = choose(e, s) &&
             (s->bare || (vs_sheet_rectangle(&pen, VS_DRAWN_FRAME, point(s->left, s->bottom), point(s->right, s->top)) &&
-                         title_block(e, s) && captions(e, s)));
+                         title_block(e, s) && captions(e, s) && put_tables(e, s)));
   for (size_t i = 0; ok && i < count; i++) ok = put_view(e, s, (uint32_t)i);
   return ok;
 }

@@ -4,6 +4,7 @@
 
 #include "bind/call/call.h"
 #include "bind/call/refuse.h"
+#include "bind/call/scratch.h"
 #include "bind/state.h"
 
 /* The kinds of views that a program can name, each with its projection and its cut. */
@@ -162,6 +163,25 @@ vs_status vs_p_level(vs_args *f, vs_value *out) {
   (void)out;
   return add_note(f, (vs_scene_note){ .kind = VS_NOTE_LEVEL, .p = vs_v3(0, 0, f->arg[0].real) }, &f->arg[1],
       &f->key[0]);
+}
+
+/* (%sheet-table cells columns title): adds a table to the sheet. cells: texts, row by row, separated by the character
+ * U+001F. title: text, empty for none. */
+vs_status vs_p_sheet_table(vs_args *f, vs_value *out) {
+  (void)out;
+  const char *at = f->arg[0].text.at, *end = at + f->arg[0].text.length;
+  vs_growing cells = { .size = sizeof(const char *) };
+  for (const char *past; at <= end; at = past + 1) {
+    past = memchr(at, 0x1f, (size_t)(end - at));
+    if (!past) past = end;
+    const char **cell = vs_bind_grow(f, &cells);
+    if (!cell) return VS_ERROR;
+    if (!(*cell = vs_store_text(f->store, at, (size_t)(past - at)))) return vs_fail_memory(f->vm);
+  }
+  const size_t columns = (size_t)f->arg[1].integer;
+  vs_scene_table t = { .cells = cells.at, .rows = cells.count / columns, .columns = columns };
+  if (f->arg[2].text.length && !keep_text(f, &f->arg[2], &t.title)) return VS_ERROR;
+  return f->bind->handing || vs_scene_add_table(&f->bind->scene, &t) ? VS_OK : vs_fail_memory(f->vm);
 }
 
 vs_status vs_p_grid_axis(vs_args *f, vs_value *out) {

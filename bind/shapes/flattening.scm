@@ -145,7 +145,7 @@
 (define (%unfold-solid solid tabs numbers)
   (if (not (and (object? solid) (solid? solid))) (error 'unfold "solid must be a solid, got ~s" solid))
   (if (not (and (real? tabs) (finite? tabs) (>= tabs 0))) (error 'unfold "tabs must be a number of 0 or more, got ~s" tabs))
-  (let* ((found (%unfold solid tabs)) (box (bounding-box solid))
+  (let* ((found (%unfold (%drawn solid) tabs)) (box (bounding-box solid))
          (size (if (> tabs 0) (* 0.5 tabs) (* 0.02 (distance (first box) (second box))))))
     (if (> (second found) 0)
         (%warn (format "unfold: ~a cut edges have no room for a glue tab; give narrower #:tabs" (second found))))

@@ -4,7 +4,7 @@
 (define %probe-last (cons #f #f)) ; the last object that was asked about, and its triangles
 (define (%probe-of who o)
   (if (not (and (object? o) (or (solid? o) (surface? o)))) (error who "o must be a solid or a surface, got ~s" o))
-  (if (not (eq? o (car %probe-last))) (set! %probe-last (cons o (%probe o))))
+  (if (not (eq? o (car %probe-last))) (set! %probe-last (cons o (%probe (%drawn o)))))
   (cdr %probe-last))
 
 (define (%need-long-gvector who name v)

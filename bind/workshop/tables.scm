@@ -105,6 +105,112 @@
             (list (map (lambda (i key?) (if key? (if (= i 0) "total" "") (rounded (total-of i)))) (iota (length columns)) keys?))
             '())))))
 
+; ---- parts and their numbers ----
+
+; Returns the parts in a list of lists. An object of the list, such as a slice with its number, is one part. A layer or a
+; material in place of a list has its objects as parts.
+(define (%flat-parts parts)
+  (cond
+    ((list? parts) (append-map (lambda (p) (if (or (list? p) (not (object? p))) (%flat-parts p) (if (empty-object? p) '() (list p)))) parts))
+    ((not (object? parts)) (error 'part-groups "parts must be a list of objects, got ~s" parts))
+    ((empty-object? parts) '())
+    ((memq (object-kind parts) '(layer with-material)) (%schedule-objects parts))
+    (else (list parts))))
+
+; Returns a list of lists: the parts that are equal, up to place and turn, in the order of their first parts.
+(define (part-groups parts #:tolerance [tolerance any? 1e-6])
+  (if (not (and (real? tolerance) (< 0 tolerance 1))) (error 'part-groups "#:tolerance must be a number between 0 and 1, got ~s" tolerance))
+  (let ((parts (%flat-parts parts)) (groups (make-hash)))
+    (for-each (lambda (part first) (hash-set! groups first (cons part (hash-ref groups first '())))) parts (%part-groups (map %drawn parts) tolerance))
+    (map (lambda (group) (reverse (cdr group))) (hash->list groups))))
+
+; Returns the lengths of the smallest box around a part, the largest first.
+(define (part-size o)
+  (if (not (object? o)) (error 'part-size "o must be an object, got ~s" o))
+  (let* ((found (if (empty-object? o) #f (%part-size (%drawn o)))) (box (and found (bounding-box (do-transform o (car found))))))
+    (if box
+        (let ((d (p-p (cadr box) (car box))))
+          (sort (map (lambda (exact meshed) (if (< exact (* 1.01 meshed)) exact meshed)) (list (cx d) (cy d) (cz d)) (cdr found)) >))
+        '(0. 0. 0.))))
+
+; Returns the mark of part number i: A to Z, then AA, AB and so on.
+(define (%part-mark i)
+  (let ((letter (string (integer->char (+ 65 (modulo i 26))))))
+    (if (< i 26) letter (string-append (%part-mark (- (quotient i 26) 1)) letter))))
+
+(define %cut-sizes '(length width thickness))
+
+; Returns rows: a head, then a row for each set of equal parts: their mark, their number, and the other columns.
+(define (cut-list parts #:digits [digits any? #f] #:tolerance [tolerance any? 1e-6] #:densities [densities any? '()] . columns)
+  (if (not (or (not digits) (and (exact-integer? digits) (<= 0 digits 15)))) (error 'cut-list "digits must be an exact integer from 0 to 15, got ~s" digits))
+  (for-each (lambda (c)
+              (if (not (or (memq c '(mark count)) (memq c %cut-sizes) (%schedule-column? c)))
+                  (error 'cut-list "a column is one of ~s, a procedure of an object, or a pair of a name and a procedure, got ~s"
+                         (append '(mark count) %cut-sizes '(name layer material area volume mass)) c)))
+            columns)
+  (let ((columns (if (null? columns) '(mark count length width thickness) columns)))
+    (define (rounded x)
+      (if (and digits (real? x) (not (exact-integer? x))) (let ((power (expt 10. digits))) (/ (round (* x power)) power)) x))
+    (define (cell c group number size)
+      (cond
+        ((eq? c 'mark) (%part-mark number))
+        ((eq? c 'count) (length group))
+        ((memq c %cut-sizes) => (lambda (rest) (list-ref size (- 3 (length rest)))))
+        (else
+          (let ((cells (map car (cdr (schedule (car group) c #:densities densities)))))
+            (if (memq c %schedule-sums) (apply + cells) (car cells))))))
+    (cons (map (lambda (c) (cond ((pair? c) (car c)) ((procedure? c) 'value) (else c))) columns)
+          (let loop ((groups (part-groups parts #:tolerance tolerance)) (number 0))
+            (if (null? groups)
+                '()
+                (let ((size (part-size (caar groups))))
+                  (cons (map (lambda (c) (rounded (cell c (car groups) number size))) columns)
+                        (loop (cdr groups) (+ number 1)))))))))
+
+; ---- rooms ----
+
+; Returns the point of a region that is furthest from its border.
+(define (region-middle o)
+  (if (not (region? o)) (error 'region-middle "o must be a region, got ~s" o))
+  (let ((middle (%slices-middle o))) (if middle (car middle) (error 'region-middle "o has no area"))))
+
+; Writes the name of a room and its area in square metres into drawings, where the room is widest.
+(define (room-label region name #:digits [digits any? 2] #:view [view any? #f])
+  (if (not (region? region)) (error 'room-label "region must be a region, got ~s" region))
+  (if (not (string? name)) (error 'room-label "name must be a string, got ~s" name))
+  (if (not (and (exact-integer? digits) (<= 0 digits 15))) (error 'room-label "#:digits must be an exact integer from 0 to 15, got ~s" digits))
+  (let ((text (string-append name "  " (%fixed-text (* (area region) (expt (cadddr (%schedule-looks region)) 2)) digits) " m²")))
+    (if view (label (region-middle region) text #:view view) (label (region-middle region) text))))
+
+; ---- tables on the sheet ----
+
+; Returns a real number with exactly this many decimals.
+(define (%fixed-text x digits)
+  (let* ((whole (number->string (exact (round (* (abs (exact x)) (expt 10 digits))))))
+         (padded (if (> (string-length whole) digits) whole (string-append (make-string (- (+ digits 1) (string-length whole)) #\0) whole)))
+         (point (- (string-length padded) digits)) (sign (if (and (negative? x) (string-index padded (lambda (c) (not (char=? c #\0))))) "-" "")))
+    (string-append sign (substring padded 0 point) (if (= digits 0) "" ".") (substring padded point))))
+
+(define (%table-text x digits)
+  (let ((text (cond
+                ((string? x) x)
+                ((not x) "")
+                ((exact-integer? x) (number->string x))
+                ((and (real? x) (finite? x)) (%fixed-text x digits))
+                (else (call-with-output-string (lambda (port) (display x port)))))))
+    (string-map (lambda (c) (if (char<? c #\space) #\space c)) text)))
+
+; Puts rows, lists of cells, as a table onto the sheet of drawings. The first row is the head.
+(define (sheet-table rows #:title [title any? ""] #:digits [digits any? 2])
+  (if (not (and (list? rows) (pair? rows) (every list? rows) (pair? (car rows))))
+      (error 'sheet-table "rows must be a list of lists, such as those of schedule, got ~s" rows))
+  (if (not (string? title)) (error 'sheet-table "#:title must be a string, got ~s" title))
+  (if (not (and (exact-integer? digits) (<= 0 digits 15))) (error 'sheet-table "#:digits must be an exact integer from 0 to 15, got ~s" digits))
+  (let ((columns (apply max (map length rows))))
+    (define (padded row) (append row (make-list (- columns (length row)) "")))
+    (%sheet-table (string-join (map (lambda (x) (%table-text x digits)) (append-map padded rows)) (string #\x1f)) columns
+                  (%table-text title 0))))
+
 ; ---- files ----
 
 (define (%csv-cell x separator)

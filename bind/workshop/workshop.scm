@@ -58,7 +58,7 @@
       (if (null? suns)
           (map (lambda (p) 0.0) places)
           (%solar-hours places (map (lambda (v) (p+v origin v)) given) (map (lambda (v) (p+v origin v)) suns) hours
-                        among)))))
+                        (if (list? among) (map %drawn among) (%drawn among)))))))
 
 ; ---- contours ----
 
@@ -75,7 +75,7 @@
   (%need-height 'contours 'from from)
   (%need-height 'contours 'to to)
   (if step (%need-positive 'contours 'step step))
-  (let ((span (%contours o plane #f)))
+  (let ((span (%contours (%drawn o) plane #f)))
     (if (not span)
         '()
         (let* ((low (car span)) (high (cdr span)) (blur (* 1e-9 (max (abs low) (abs high) (- high low)))))
@@ -85,7 +85,7 @@
                  (count (+ 1 (exact (floor (+ 1e-9 (/ (- (or to high) from) step)))))))
             (if (> count 10000) (error 'contours "there are more than 10000 heights from ~a on by ~a" from step))
             (map (lambda (level) (if (solid? o) (append-map outline level) level))
-                 (%contours o plane (map (lambda (i) (+ from (* step i))) (reverse (iota (max count 0)))))))))))
+                 (%contours (%drawn o) plane (map (lambda (i) (+ from (* step i))) (reverse (iota (max count 0)))))))))))
 
 ; ---- slices ----
 
@@ -129,13 +129,13 @@
   (%need-positive 'slices 'thickness thickness)
   (if diameter (%need-positive 'slices 'diameter diameter))
   (if (not (memq registration '(#f dowels tabs))) (error 'slices "registration must be 'dowels, 'tabs or #f, got ~s" registration))
-  (let ((span (%slices o plane #f)))
+  (let ((span (%slices (%drawn o) plane #f)))
     (if (not span)
         '()
         (let* ((low (car span)) (high (cdr span)) (count (max 1 (exact (ceiling (- (/ (- high low) thickness) 1e-9))))))
           (if (> count 10000) (error 'slices "a thickness of ~a makes ~a slices; 10000 are the most" thickness count))
           (let* ((heights (map (lambda (i) (let ((z (+ low (* i thickness)))) (/ (+ z (min high (+ z thickness))) 2))) (iota count)))
-                 (made (%slices o plane (reverse heights)))
+                 (made (%slices (%drawn o) plane (reverse heights)))
                  (name (or (%whole-layer o) "cut"))
                  (wide (or diameter thickness))
                  (pins (if registration (%pin-places (map car made) heights plane (if (eq? registration 'dowels) wide (* 1.2 wide))) (map (lambda (m) '()) made))))
@@ -184,7 +184,7 @@
   (define (heights region strip)
     (let ((b (and region (bounding-box (intersect region strip)))))
       (and b (cons (cz (first b)) (cz (second b))))))
-  (let ((across-x (%ribs o 'yz #f)) (across-y (%ribs o 'xz #f)) (upright (%ribs o 'xy #f)))
+  (let ((across-x (%ribs (%drawn o) 'yz #f)) (across-y (%ribs (%drawn o) 'xz #f)) (upright (%ribs (%drawn o) 'xy #f)))
     (if (not across-x)
         (values '() '())
         (let* ((xs (places across-x x)) (ys (places across-y y)) (low (- (car upright) 1)) (high (+ (cdr upright) 1))
@@ -192,7 +192,7 @@
           (define (in-x at y0 y1 z0 z1) (make-polygon (xyz at y0 z0) (xyz at y1 z0) (xyz at y1 z1) (xyz at y0 z1)))
           (define (in-y at x0 x1 z0 z1) (make-polygon (xyz x0 at z0) (xyz x1 at z0) (xyz x1 at z1) (xyz x0 at z1)))
           (if (<= gap (* 2 half)) (error 'ribs "the ribs are ~a apart, and a slot takes ~a: fewer ribs fit" (%to-six gap) (* 2 half)))
-          (let* ((x-regions (map car (%ribs o 'yz (reverse xs)))) (y-regions (map car (%ribs o 'xz (reverse ys))))
+          (let* ((x-regions (map car (%ribs (%drawn o) 'yz (reverse xs)))) (y-regions (map car (%ribs (%drawn o) 'xz (reverse ys))))
                  ; the height at which the slots of two ribs meet, or #f where the ribs do not meet
                  (meets (map (lambda (at across)
                                (map (lambda (other along)
@@ -239,10 +239,10 @@
 
 ; Returns two values: the volume to take away from the land to make the design, and that to add, where both are.
 (define (cut-and-fill land design)
-  (let* ((a (%cut-and-fill land #f #f 'land)) (b (%cut-and-fill design #f #f 'design))
+  (let* ((a (%cut-and-fill (%drawn land) #f #f 'land)) (b (%cut-and-fill (%drawn design) #f #f 'design))
          (bottom (min (car a) (car b))) (top (max (cdr a) (cdr b))) (margin (+ 1 (- top bottom)))
          (low (- bottom margin)) (high (+ top margin)))
-    (define (under o name) (let ((m (%cut-and-fill o low #f name))) (make-polyface-mesh (car m) (cdr m))))
-    (define (column o name) (let ((m (%cut-and-fill o low high name))) (make-polyface-mesh (car m) (cdr m))))
+    (define (under o name) (let ((m (%cut-and-fill (%drawn o) low #f name))) (make-polyface-mesh (car m) (cdr m))))
+    (define (column o name) (let ((m (%cut-and-fill (%drawn o) low high name))) (make-polyface-mesh (car m) (cdr m))))
     (values (volume (subtract (intersect (under land 'land) (column design 'design)) (under design 'design)))
             (volume (subtract (intersect (under design 'design) (column land 'land)) (under land 'land))))))

@@ -12,11 +12,10 @@
 (define balls (take frame nodes))
 (define bars (drop frame nodes))
 
-; bars of one length share a row
-(define (length-of o) (/ (round (* 1000 (/ (volume o) (* pi 0.03 0.03)))) 1000))
-(define cut-list (schedule (layer "bars" (with-material wood bars)) (cons 'length length-of) 'count 'mass #:digits 3))
-(for ([row cut-list]) (displayln (string-join (map (lambda (c) (format "~a" c)) row) "   ")))
-(when save (write-csv "bars.csv" cut-list))
+; equal bars share a row
+(define cuts (cut-list (map (lambda (b) (with-material wood b)) bars) 'mark 'count 'length 'mass #:digits 3))
+(for ([row cuts]) (displayln (string-join (map (lambda (c) (format "~a" c)) row) "   ")))
+(when save (write-csv "bars.csv" cuts))
 
 (draw (with-material steel balls) (with-material wood bars))
 (ground (cz (first (bounding-box (unite balls)))))

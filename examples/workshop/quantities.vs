@@ -1,5 +1,5 @@
-; A table of quantities and costs for a pavilion, and a cut list of its rafters, as files for the office:
-; vs examples/workshop/quantities.vs writes nothing; with -D save=#t it writes quantities.csv and rafters.csv
+; Quantities and costs of a pavilion, and a cut list of its rafters: on the plan (vs quantities.vs -o plan.pdf), and
+; with -D save=#t also as files for the office, quantities.csv and rafters.csv
 
 (define-parameter bays 5 #:min 2 #:max 12 #:label "bays")
 (define-parameter save #f #:label "write .csv files")
@@ -23,10 +23,12 @@
 (for ([row quantities]) (displayln (string-join (map (lambda (c) (format "~a" c)) row) "   ")))
 
 ; equal rafters share a row
-(define (length-of o) (let ((b (bounding-box o))) (/ (round (* 1000 (- (cy (second b)) (cy (first b))))) 1000)))
-(define cut-list (schedule rafters (cons 'length length-of) 'count))
-(for ([row cut-list]) (displayln (string-join (map (lambda (c) (format "~a" c)) row) "   ")))
+(define cuts (cut-list rafters #:digits 3))
+(for ([row cuts]) (displayln (string-join (map (lambda (c) (format "~a" c)) row) "   ")))
+
+(sheet-table quantities #:title "Quantities")
+(sheet-table cuts #:title "Rafters" #:digits 3)
 
 (when save
   (write-csv "quantities.csv" quantities)
-  (write-csv "rafters.csv" cut-list))
+  (write-csv "rafters.csv" cuts))
