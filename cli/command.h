@@ -5,6 +5,7 @@
 
 #include <signal.h>
 
+#include "cli/batch/replaced.h"
 #include "cli/limits.h"
 #include "cli/options.h"
 #include "cli/untrusted.h"
@@ -35,6 +36,7 @@ typedef struct {
   unsigned stops;             /* effect of (break) in files. VS_EVAL_STOP: the program pauses; VS_EVAL_PASS: no effect;
                                * 0: a warning */
   long frame;                 /* number of the current frame from 1; 0 without --frames */
+  cli_replaced replaced;      /* files that earlier frames have replaced */
   int told;                   /* descriptor of the file for the names of files that this run reads, if `vs render` has
                                * started it (batch/inputs_told.h); otherwise -1 */
   unsigned results;           /* number of values printed since the program began; $results is the name of the last

@@ -209,6 +209,11 @@ static bool write_standard_output(void *context, const void *bytes, size_t count
 
 vs_outcome cli_session_write(cli_session *c, const cli_target *t) {
   vs_outcome outcome;
+  bool more = c->frame && c->frame < c->options->frames.count; /* a later frame may read the file */
+  if (more && !cli_replaced_keep(&c->replaced, t->path)) {
+    fprintf(stderr, "vs: %s: the file as it was cannot be kept until the last frame: %s\n", t->path, strerror(errno));
+    return VS_OUTCOME_USAGE;
+  }
   cli_watch_begin(&c->watch, false);
   if (strcmp(t->path, "-") == 0)
     outcome = vs_write_drawing_to(c->scheme, t->format, &c->options->output, write_standard_output, c);
@@ -392,9 +397,13 @@ static vs_outcome run_frames(cli_session *c) {
     if (!used) outcome = VS_OUTCOME_USAGE;
     if (outcome == VS_OUTCOME_DONE && !cli_options_late(c->options, c->scheme)) outcome = VS_OUTCOME_USAGE;
     if (outcome == VS_OUTCOME_DONE && c->options->parameters) cli_report_parameters(stdout, c->scheme);
-    if (outcome == VS_OUTCOME_DONE) outcome = write_all(c);
+    bool unread = cli_replaced_unread(&c->replaced, c->scheme, c->frame);
+    if (outcome == VS_OUTCOME_DONE && unread) outcome = write_all(c);
+    unread = unread && cli_replaced_unread(&c->replaced, c->scheme, c->frame); /* writing reads pictures and fonts */
+    if (!unread) outcome = VS_OUTCOME_USAGE;
     if (vs_exit_requested(c->scheme, &c->exit_code)) break;
   }
+  cli_replaced_end(&c->replaced);
   return outcome;
 }
 

@@ -68,6 +68,28 @@ refused "two outputs" "$vs" -q m.vs -o first.scad -o soft.scad
 # a program may write to its own files through ports
 "$vs" -q -e '(define (put x) (call-with-output-file "own.txt" (lambda (p) (write x p)))) (put 1) (display (file->string "own.txt")) (put 2)' > /dev/null || echo "a program cannot write a file that it has read" >> "$work/wrong"
 echo '(draw (make-box origin (xyz 1 1 1)))' > frame-001.scad
+# a later frame reads what an earlier one has replaced: under its name, by a link, untrusted, as a picture that is read
+# only when the page is written; the old file is back, and the frames before stay
+echo '(define-parameter t 0.0) (when (> t 0) (load "part-001.scm")) (draw (make-box origin (xyz 1 1 (+ t 1))))' > later.vs
+echo '(define-parameter t 0) (draw (if (> t 0) (with-material (make-material #:image "shot-002.png") (make-box origin (xyz 1 1 1))) (make-sphere origin 1)))' > paint.vs
+later() { # WHAT INPUT COMMAND...
+  what=$1 input=$2; shift 2
+  timeout 60 "$@" > "$work/out" 2> "$work/err" < /dev/null
+  code=$?
+  [ $code = 2 ] && grep -q "frame [23] reads this file" "$work/err" || { echo "$what: ended with $code"; tail -n 2 "$work/err"; } >> "$work/wrong"
+  cmp -s "$input" "$work/kept" || echo "$what: $input is gone" >> "$work/wrong"
+  for f in *.old-*; do [ ! -e "$f" ] || echo "$what: $f is left" >> "$work/wrong"; done
+}
+cp part.scm "$work/kept"; cp part.scm part-001.scm; cp part.scm before.scm; ln -s before.scm link-001.scm
+later "a later frame" part-001.scm "$vs" -q later.vs --frames 3 --format openscad -o part.scm
+later "a later frame, untrusted" part-001.scm "$vs" --untrusted -q later.vs --frames 3 --format openscad -o part.scm
+sed 's/part-001/before/' later.vs > link.vs
+later "a later frame, by a link" before.scm "$vs" -q link.vs --frames 2 --format openscad -o link.scm
+cp look.png "$work/kept"; cp look.png shot-002.png
+later "a later frame, its picture" shot-002.png "$vs" -q paint.vs --frames 4,t=-1..2 --format povray -o shot.png
+rm -f part-00?.scm link-00?.scm before.scm shot-00?.png
+"$vs" -q later.vs --frames 2 --format openscad -o part.scm 2> /dev/null; [ -s part-001.scm ] || echo "a frame cannot read what this run has made" >> "$work/wrong"
+rm -f part-00?.scm
 refused "frames" "$vs" -q -e '(define-parameter t 0) (draw (make-box origin (xyz 1 1 (+ t 1)))) (load "frame-001.scad")' --frames 1 -o frame.scad
 # every command of the table
 cp sky.exr a.exr
