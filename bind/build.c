@@ -58,6 +58,10 @@ static const char *largest_field(vs_kind kind, const void *data) {
   return NULL;
 }
 
+static vs_status say_large(vs_args *f, const char *name) {
+  return vs_fail(f->vm, f->vm->sym.range, "%s is too large: lengths must stay below 1e60", name);
+}
+
 /* Refuses a field that is too large. If the field is a matrix, the message names the call's last argument, from which
  * the matrix was computed; otherwise it names the field. */
 static vs_status refuse_large(vs_args *f, const char *field) {
@@ -65,7 +69,7 @@ static vs_status refuse_large(vs_args *f, const char *field) {
   bool given = strcmp(field, "matrix") != 0;
   for (int i = 0; !given && p[i].mode != VS_ARG_END; i++) given = strcmp(p[i].name, field) == 0;
   if (!given && f->count > 0) field = p[f->count - 1].name;
-  return vs_fail(f->vm, f->vm->sym.range, "%s is too large: lengths must stay below 1e60", field);
+  return say_large(f, field);
 }
 
 vs_status vs_bind_give_node(vs_args *f, vs_node *node, vs_value *out) {
@@ -99,7 +103,35 @@ vs_status vs_bind_each_part(vs_args *f, vs_procedure_fn *one, vs_value *out) {
   return status;
 }
 
+/* Returns true if the argument contains a number above LARGEST. Differences and products of such numbers may be
+ * infinite or not a number, so that no test can distinguish them from 0. */
+static bool is_large(const vs_bind_param *p, const vs_arg *a) {
+  const double *numbers = NULL;
+  size_t count = 0;
+  if (p->contract == VS_C_REAL || p->contract == VS_C_RADIUS || p->contract == VS_C_POSITIVE)
+    numbers = &a->real, count = 1;
+  if (p->contract == VS_C_POINT || p->contract == VS_C_VECTOR) numbers = &a->point.x, count = 3;
+  if (p->contract == VS_C_POINTS && a->points.count) numbers = &a->points.at->x, count = 3 * a->points.count;
+  if (p->contract == VS_C_THINGS && a->things.point_count)
+    numbers = &a->things.points->x, count = 3 * a->things.point_count;
+  for (size_t i = 0; i < count; i++)
+    if (too_large(numbers[i])) return true;
+  return false;
+}
+
+/* Returns the name of an argument of the call with a number above LARGEST, or NULL. */
+static const char *large_argument(const vs_args *f) {
+  const vs_bind_param *p = f->procedure->form[f->form].at, *key = f->procedure->key;
+  for (int i = 0; i < f->count && p[i].mode != VS_ARG_END; i++)
+    if (is_large(&p[i], &f->arg[i])) return p[i].name;
+  for (int i = 0; key[i].mode != VS_ARG_END; i++)
+    if (f->key[i].given && is_large(&key[i], &f->key[i])) return key[i].name;
+  return NULL;
+}
+
 vs_status vs_bind_empty(vs_args *f, const char *why, vs_value *out) {
+  const char *large = why ? large_argument(f) : NULL;
+  if (large) return say_large(f, large);
   if (why) {
     const char *name = f->names;
     if (*name == '%') name++;

@@ -73,6 +73,17 @@ static const samples contracts[] = {
   [VS_C_NUMERIC] = { { "1", "2" }, { "\"a\"", "'a", "'()", "#f", "ball" } },
 };
 
+/* Arguments beyond the largest length, or near it: no procedure may take their differences for 0. */
+static const char *const far_away[sizeof contracts / sizeof *contracts][3] = {
+  [VS_C_REAL] = { "1e308", "-1e200" },
+  [VS_C_RADIUS] = { "1e308", "1e200" },
+  [VS_C_POSITIVE] = { "1e308", "1e200" },
+  [VS_C_POINT] = { "(xyz -1e308 1e308 1)", "(xyz 1e200 2 1e200)" },
+  [VS_C_VECTOR] = { "(vxyz -1e308 1e308 1)", "(vxyz 1e200 2 1e200)" },
+  [VS_C_POINTS] = { "(list (xyz -1e308 0 0) (xyz 1e308 0 0) (xyz 0 1e308 0) (xyz 0 0 1e308))", "(list (xy 0 0) (xy 1e200 0) (xyz 0 1e200 1e200))" },
+  [VS_C_THINGS] = { "(list (xyz -1e308 0 0) (xyz 1e308 0 0) (xyz 0 1e308 0) (xyz 0 0 1e308))", "(list (xy 0 0) (xy 1e200 0) (xyz 0 1e200 1e200))" },
+};
+
 /* Good arguments for a parameter of a single procedure. NULL: only tests/bad/calls.txt tests the parameter. */
 static const struct { const char *procedure, *parameter, *good; } special[] = {
   { "make-material", "pattern", "'bricks" }, { "make-material", "image", NULL }, { "lamp", "p", "origin #:lumens 800" }, { "lamp", "ies", NULL }, { "lamp", "lumens", NULL },
@@ -297,6 +308,20 @@ static void try_parameter(const char *name, const vs_procedure *p, const vs_form
   }
 }
 
+/* A call with a huge argument fails, or makes something: it never gives the empty object. */
+static void try_far(const char *name, const vs_procedure *p, const vs_form *form, int at, int key) {
+  const vs_bind_param *q = key >= 0 ? &p->key[key] : &form->at[at];
+  const char *const *far = far_away[q->contract];
+  char call[TEXT_MOST], label[TEXT_MOST];
+  for (int i = 0; far[i]; i++) {
+    make_call(call, name, p, form, at, key, far[i]);
+    snprintf(label, sizeof label, "%.300s", call);
+    vs_outcome outcome = evaluate(call);
+    if (outcome != VS_OUTCOME_DONE && outcome != VS_OUTCOME_MODEL) result(false, label, "does not end as a fault of the model");
+    else result(!strstr(heard.warning, "nothing is made"), label, "huge arguments are taken for equal or for 0");
+  }
+}
+
 /* ---- lines of the table ---- */
 
 /* Tries a line of the table:
@@ -361,8 +386,14 @@ int main(int argc, char **argv) {
     name[length] = 0;
     const vs_procedure *p = &vs_bind_procedures[i];
     for (int f = 0; f < VS_MAX_FORMS && p->form[f].used; f++)
-      for (int at = 0; p->form[f].at[at].mode != VS_ARG_END; at++) try_parameter(name, p, &p->form[f], at, -1);
-    for (int key = 0; p->key[key].mode != VS_ARG_END; key++) try_parameter(name, p, &p->form[0], -1, key);
+      for (int at = 0; p->form[f].at[at].mode != VS_ARG_END; at++) {
+        try_parameter(name, p, &p->form[f], at, -1);
+        try_far(name, p, &p->form[f], at, -1);
+      }
+    for (int key = 0; p->key[key].mode != VS_ARG_END; key++) {
+      try_parameter(name, p, &p->form[0], -1, key);
+      try_far(name, p, &p->form[0], -1, key);
+    }
   }
   printf("%s bad/contracts: %d calls with a bad argument each\n", failed ? "not ok" : "ok", passed + failed);
   int contract_failures = failed;
