@@ -403,7 +403,8 @@
                (%outline-at (%dxf-path f) (%dxf-line e) type (lambda () (%dxf-insert f e name (colour-of e name) active use))))
              (loop (cdr l)))
             (make (give e (%outline-at (%dxf-path f) (%dxf-line e) type (lambda () (make f e)))) (loop (cdr l)))
-            ((member type '("SEQEND" "ATTDEF" "VIEWPORT" "VERTEX" "POINT" "ACAD_PROXY_ENTITY")) (loop (cdr l)))
+            ((member type '("SEQEND" "ATTDEF" "VIEWPORT" "VERTEX" "ACAD_PROXY_ENTITY")) (loop (cdr l)))
+            ((and (string=? type "POINT") (string-ci=? (%dxf-value f e 8 "0") "defpoints")) (loop (cdr l))) ; of dimensions
             (else (hash-update! (%dxf-omitted f) type (lambda (n) (+ n 1)) 0) (loop (cdr l))))))))
 
 ; Returns the list of (layer colour object) of a block, (name entity ...), that is inserted in a layer with a colour.
