@@ -64,7 +64,9 @@ bool vs_area_loop(vs_area *a, bool hole) { return area_close(a, area_ended(a), h
   X(GEOSUnaryUnion_r) X(GEOSIntersection_r) X(GEOSDifference_r) X(GEOSMakeValid_r) X(GEOSGeom_createLineString_r) \
   X(GEOSPolygonize_r) \
   X(GEOSisEmpty_r) X(GEOSCoordSeq_destroy_r) X(GEOSPointOnSurface_r) X(GEOSGeomGetX_r) X(GEOSGeomGetY_r) \
-  X(GEOSDelaunayTriangulation_r) X(GEOSMaximumInscribedCircle_r)
+  X(GEOSDelaunayTriangulation_r) X(GEOSMaximumInscribedCircle_r) X(GEOSUnaryUnionPrec_r) X(GEOSArea_r) \
+  X(GEOSGeom_getExtent_r) \
+  X(GEOSPrepare_r) X(GEOSPreparedIntersects_r) X(GEOSPreparedGeom_destroy_r)
 
 typedef struct {
 #define X(name) __typeof__(&name) name;
@@ -275,6 +277,38 @@ static GEOSGeometry *geos_mend(vs_geos *g, const GEOSGeometry *a) {
   return all;
 }
 
+/* Returns false if a part of the collection a has no point in the union: GEOS sometimes loses a part that has corners
+ * very near to other parts' edges, without an error. */
+static bool geos_holds_all(vs_geos *g, const GEOSGeometry *a, const GEOSGeometry *united) {
+  int n = g->GEOSGetNumGeometries_r(g->h, a);
+  const GEOSGeometry *one = n > 1 ? g->GEOSGetGeometryN_r(g->h, a, 0) : NULL; /* lines cannot be lost */
+  bool filled = one && g->GEOSGeomTypeId_r(g->h, one) == GEOS_POLYGON;
+  const GEOSPreparedGeometry *fast = filled ? g->GEOSPrepare_r(g->h, united) : NULL;
+  bool all = true;
+  for (int i = 0; fast && all && i < n; i++) {
+    const GEOSGeometry *part = g->GEOSGetGeometryN_r(g->h, a, i);
+    GEOSGeometry *point = part ? g->GEOSPointOnSurface_r(g->h, part) : NULL;
+    all = !point || g->GEOSisEmpty_r(g->h, point) != 0 || g->GEOSPreparedIntersects_r(g->h, fast, point) != 0;
+    g->GEOSGeom_destroy_r(g->h, point);
+  }
+  g->GEOSPreparedGeom_destroy_r(g->h, fast);
+  return all;
+}
+
+/* Returns the union of a on a grid, a few times as coarse as the last digit of the largest number. There GEOS loses
+ * nothing. Returns `united` unless the new union is larger; the other one is freed. */
+static GEOSGeometry *geos_unite_on_grid(vs_geos *g, const GEOSGeometry *a, GEOSGeometry *united) {
+  int exponent;
+  double was = 0, is = 0, low[2], high[2];
+  if (g->GEOSGeom_getExtent_r(g->h, a, &low[0], &low[1], &high[0], &high[1]) != 1) return united;
+  frexp(fmax(fmax(fabs(low[0]), fabs(high[0])), fmax(fabs(low[1]), fabs(high[1]))), &exponent);
+  GEOSGeometry *again = g->GEOSUnaryUnionPrec_r(g->h, a, ldexp(1, exponent - 50));
+  bool ok = again && g->GEOSArea_r(g->h, united, &was) == 1 && g->GEOSArea_r(g->h, again, &is) == 1;
+  bool better = ok && is > was * (1 + 1e-12);
+  g->GEOSGeom_destroy_r(g->h, better ? united : again);
+  return better ? again : united;
+}
+
 /* Returns the union of a with itself. If GEOS rejects a as invalid, makes it valid and tries again. Frees a. Returns
  * NULL on failure; when memory is out, it does not try again. */
 static GEOSGeometry *geos_unite(vs_geos *g, GEOSGeometry *a) {
@@ -286,6 +320,7 @@ static GEOSGeometry *geos_unite(vs_geos *g, GEOSGeometry *a) {
     if (valid) united = g->GEOSUnaryUnion_r(g->h, valid);
     g->GEOSGeom_destroy_r(g->h, valid);
   }
+  if (united && !geos_holds_all(g, a, united)) united = geos_unite_on_grid(g, a, united);
   g->GEOSGeom_destroy_r(g->h, a);
   return united;
 }

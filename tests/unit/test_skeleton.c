@@ -102,23 +102,6 @@ static bool inside_left(const shape *s, const vs_area *whole, size_t e) {
   return vs_area_holds(whole, (a.x + b.x) / 2 - 1e-4 * dy, (a.y + b.y) / 2 + 1e-4 * dx);
 }
 
-/* Tests that no face leaves the outline, and that no two faces overlap. */
-static void apart(const vs_area *whole, const vs_area *faces, size_t n) {
-  double most = 1e-6 * size_of(whole);
-  for (size_t i = 0; i < n; i++) {
-    vs_area met, both[2] = { faces[i], *whole };
-    combine(VS_AREA_DIFFERENCE, both, 2, &met);
-    assert_true(size_of(&met) < most);
-    vs_area_free(&met);
-    for (size_t j = 0; j < i; j++) {
-      both[1] = faces[j];
-      combine(VS_AREA_INTERSECTION, both, 2, &met);
-      assert_true(size_of(&met) < most);
-      vs_area_free(&met);
-    }
-  }
-}
-
 /* Tests the faces of a shape's roof. Returns false if the speeds of the edges do not close the roof. */
 static bool judge(const shape *s) {
   vs_skeleton k;
@@ -148,8 +131,7 @@ static bool judge(const shape *s) {
   combine(VS_AREA_UNION, faces, areas, &joined);
   double got = size_of(&joined);
   if (fabs(sum - all) > 1e-7 * all) fail_msg("faces %g, outline %g", sum, all);
-  /* GEOS may omit from the union a face that touches it only in corners: then each pair of faces is tested */
-  if (fabs(got - all) > 1e-6 * all) apart(&whole, faces, areas);
+  if (fabs(got - all) > 1e-6 * all) fail_msg("union of the faces %g, outline %g", got, all);
   for (size_t f = 0; f < areas; f++) vs_area_free(&faces[f]);
   vs_area_free(&whole), vs_area_free(&joined), vs_skeleton_free(&k), free(faces);
   return true;
@@ -227,9 +209,10 @@ static void gables(shape *s) {
 static void many(void (*outline)(shape *), void (*speeds)(shape *), const char *name) {
   const char *only = getenv("SEEDS"), *longer = getenv("LONG");
   uint64_t first = only && *only ? strtoull(only, NULL, 10) : 1;
-  uint64_t last = only && *only ? first : longer && *longer ? 1000 : 50;
+  uint64_t last = only && *only ? first : longer && *longer ? 1000 : 50, more = last == 50;
   size_t closed = 0, rings = 0;
-  for (uint64_t i = first; i <= last; i++) {
+  for (uint64_t n = first; n <= last + more; n++) {
+    uint64_t i = n <= last ? n : 266; /* GEOS loses a face of a star with this number */
     shape s = { .count = 0 };
     vs_skeleton k;
     size_t where[2];
