@@ -22,8 +22,8 @@
 
 #include "cli/batch/film.h"
 #include "cli/batch/inputs_told.h"
+#include "cli/batch/part_files.h"
 #include "cli/json.h"
-#include "model/characters.h"
 
 enum { PATH_ROOM = 4096, MOST = 100000, EXPOSURE_ROOM = 24 };
 
@@ -73,26 +73,7 @@ typedef struct {
 
 static bool no_memory(void) { return fputs("vs: out of memory\n", stderr), false; }
 
-static uint64_t hash_more(uint64_t h, const void *bytes, size_t count) { /* the hash function FNV-1a */
-  for (const unsigned char *c = bytes; count-- > 0; c++) h = (h ^ *c) * UINT64_C(0x100000001b3);
-  return h;
-}
-static const uint64_t hash_begin = UINT64_C(0xcbf29ce484222325);
-
 /* ---- the list of pictures ---- */
-
-/* Appends the text to the file name `to`. stem: appends only "name" of "models/name.vs". Replaces characters that a
- * file name cannot contain. */
-static void put_word(char *to, size_t room, const char *text, bool stem) {
-  const char *slash = strrchr(text, '/'), *from = stem && slash ? slash + 1 : text;
-  const char *dot = stem ? strrchr(from, '.') : NULL;
-  size_t used = strlen(to), length = dot && dot > from ? (size_t)(dot - from) : strlen(from);
-  for (size_t i = 0; i < length && used + 1 < room; i++) {
-    unsigned char c = (unsigned char)from[i];
-    to[used++] = c <= ' ' || c == '/' || c == 127 ? '_' : (char)c;
-  }
-  to[used] = 0;
-}
 
 static bool add_picture(batch *b, const char *model, const char *set, const char *view, long frame, const char *file) {
   if (b->count == b->room) {
@@ -116,23 +97,6 @@ static bool add_picture(batch *b, const char *model, const char *set, const char
   return true;
 }
 
-/* Appends the set to a file name: "r=4,n=2". A long set, or one with characters that a name cannot contain, is replaced
- * by a number, so that names of different sets always differ. */
-static void put_set(char *to, size_t room, const char *set) {
-  enum { LONGEST = 80 };
-  size_t used = strlen(to), from = used;
-  bool plain = true;
-  for (const char *c = set; *c && used < from + LONGEST && used + 1 < room; c++) {
-    bool fits =
-        (*c >= '0' && *c <= '9') || (*c >= 'a' && *c <= 'z') || (*c >= 'A' && *c <= 'Z') || strchr("=,.-+_", *c);
-    plain = plain && fits;
-    to[used++] = fits ? *c : '_';
-  }
-  to[used] = 0;
-  if (plain && used - from == strlen(set)) return;
-  snprintf(to + used, room - used, "-%08" PRIx32, (uint32_t)(hash_more(hash_begin, set, strlen(set)) >> 16));
-}
-
 /* Writes the name of a picture: FOLDER/model-set-view-frame.png for a folder, a-set-view-frame.png for a file a.png.
  * Returns false, after a message, if it is too long. */
 static bool name_picture(const batch *b, const char *model, size_t set, const char *view, long frame,
@@ -145,7 +109,7 @@ static bool name_picture(const batch *b, const char *model, size_t set, const ch
   *name = 0;
   if (folder) {
     snprintf(name, PATH_ROOM - 200, "%s%s", out, out[length - 1] == '/' ? "" : "/");
-    put_word(name, PATH_ROOM - 200, model, true);
+    cli_part_put_word(name, PATH_ROOM - 200, model, true);
   } else if (out) {
     const char *slash = strrchr(out, '/'), *dot = strrchr(out, '.');
     if (dot && (!slash || dot > slash)) ending = dot;
@@ -157,11 +121,11 @@ static bool name_picture(const batch *b, const char *model, size_t set, const ch
   }
   if (o->set_count) {
     snprintf(name + strlen(name), PATH_ROOM - strlen(name), "-");
-    put_set(name, PATH_ROOM - 100, o->sets[set]);
+    cli_part_put_set(name, PATH_ROOM - 100, o->sets[set]);
   }
   if (view) {
     snprintf(name + strlen(name), PATH_ROOM - strlen(name), "-");
-    put_word(name, PATH_ROOM - 60, view, false);
+    cli_part_put_word(name, PATH_ROOM - 60, view, false);
   }
   if (frame) {
     char number[CLI_FRAME_ROOM];
@@ -224,17 +188,6 @@ static bool add_model(batch *b, const char *model, size_t set) {
 
 /* ---- the manifest of the last run ---- */
 
-static bool hash_file(const char *path, uint64_t *out) {
-  unsigned char part[1 << 14];
-  FILE *f = fopen(path, "rb");
-  size_t n;
-  *out = hash_begin;
-  while (f && (n = fread(part, 1, sizeof part, f)) > 0) *out = hash_more(*out, part, n);
-  bool ok = f && !ferror(f);
-  if (f) fclose(f);
-  return ok;
-}
-
 static char *read_text(const char *path) {
   FILE *f = fopen(path, "rb");
   char *text = NULL;
@@ -268,7 +221,7 @@ static bool is_up_to_date(const batch *b, const picture *p, uint64_t scene) {
   uint64_t bytes;
   size_t length;
   const char *line = line_of(b, p, &length);
-  if (!line || !hash_file(p->file, &bytes)) return false;
+  if (!line || !cli_part_hash_file(p->file, &bytes)) return false;
   snprintf(wanted, sizeof wanted, "\"scene\": \"%016" PRIx64 "\", \"hash\": \"%016" PRIx64 "\"", scene, bytes);
   const char *found = strstr(line, wanted);
   return found && found < line + length;
@@ -339,34 +292,21 @@ static void fill_manifest(const batch *b, FILE *to) {
   fputs("]}\n", to);
 }
 
-static void put_html(FILE *to, const char *text) {
-  char spelled[VS_SPELLED_ROOM];
-  for (const char *at = text, *end = text + strlen(text); at < end;)
-    fwrite(spelled, 1, vs_spell_xml_value(&at, end, spelled), to);
-}
-
 /* Writes the contact sheet as HTML. It refers to pictures by paths relative to its folder, or by absolute paths. */
 static void fill_sheet(const batch *b, FILE *to) {
-  const char *sheet = b->options->sheet, *slash = strrchr(sheet, '/');
-  size_t folder = slash ? (size_t)(slash + 1 - sheet) : 0;
+  const char *sheet = b->options->sheet;
   fputs("<!doctype html><meta charset=\"utf-8\"><title>Contact sheet</title>\n<style>body{font:13px sans-serif;"
         "margin:24px;display:grid;grid-template-columns:repeat(auto-fill,minmax(300px,1fr));gap:24px}figure{margin:0}"
         "img{width:100%;height:auto;display:block}figcaption{padding-top:6px;color:#444}</style>\n", to);
   for (size_t i = 0; i < b->count; i++) {
     const picture *p = &b->at[i];
     if (p->result.fate != MADE && p->result.fate != STANDS) continue;
-    char *whole = strncmp(p->file, sheet, folder) != 0 ? realpath(p->file, NULL) : NULL;
     fputs("<figure><img loading=\"lazy\" src=\"", to);
-    for (const char *c = whole ? whole : p->file + folder; *c; c++) {
-      if ((unsigned char)*c <= ' ' || (unsigned char)*c >= 0x7F || strchr("%#?\"<>&\\'", *c))
-        fprintf(to, "%%%02X", (unsigned char)*c);
-      else fputc(*c, to);
-    }
-    free(whole);
+    cli_part_link(to, p->file, sheet);
     fputs("\"><figcaption>", to);
-    put_html(to, p->model);
-    if (p->view) fputs(", ", to), put_html(to, p->view);
-    if (p->set) fputs(", ", to), put_html(to, p->set);
+    cli_part_html(to, p->model);
+    if (p->view) fputs(", ", to), cli_part_html(to, p->view);
+    if (p->set) fputs(", ", to), cli_part_html(to, p->set);
     fputs("</figcaption></figure>\n", to);
   }
 }
@@ -434,7 +374,7 @@ static int run(const batch *b, const picture *p, const char *file, uint64_t *has
   unsigned char part[1 << 14];
   for (ssize_t n = 1; hash && child > 0 && n != 0;) {
     n = read(ends[0], part, sizeof part);
-    if (n > 0) *hash = hash_more(*hash, part, (size_t)n);
+    if (n > 0) *hash = cli_part_hash(*hash, part, (size_t)n);
     else if (n < 0 && errno != EINTR) break;
   }
   if (hash) close(ends[0]);
@@ -447,14 +387,14 @@ static int run(const batch *b, const picture *p, const char *file, uint64_t *has
 static int hash_model(const batch *b, const picture *p, uint64_t *out) {
   const cli_options *o = b->options;
   const char *version = vs_version();
-  *out = hash_more(hash_begin, version, strlen(version));
-  for (size_t i = 0; i < o->passed_count; i++) *out = hash_more(*out, o->passed[i], strlen(o->passed[i]) + 1);
+  *out = cli_part_hash(CLI_HASH_BEGIN, version, strlen(version));
+  for (size_t i = 0; i < o->passed_count; i++) *out = cli_part_hash(*out, o->passed[i], strlen(o->passed[i]) + 1);
   return run(b, p, "-", out);
 }
 
 /* Runs the model without making a picture, to learn which files it reads. */
 static result try_model(const batch *b, const picture *p) {
-  result r = {.scene = hash_begin, .fate = NOT_TRIED};
+  result r = {.scene = CLI_HASH_BEGIN, .fate = NOT_TRIED};
   r.code = hash_model(b, p, &r.model);
   if (r.code != VS_OUTCOME_DONE) r.fate = FAILED;
   return r;
@@ -462,13 +402,13 @@ static result try_model(const batch *b, const picture *p) {
 
 static result make(const batch *b, const picture *p) {
   struct timespec from, to;
-  result r = {.scene = hash_begin, .model = p->result.model, .fate = FAILED};
+  result r = {.scene = CLI_HASH_BEGIN, .model = p->result.model, .fate = FAILED};
   clock_gettime(CLOCK_MONOTONIC, &from);
   r.code = p->known ? VS_OUTCOME_DONE : hash_model(b, p, &r.model);
-  if (r.code == VS_OUTCOME_DONE) r.scene = hash_more(r.model, p->exposure, strlen(p->exposure));
+  if (r.code == VS_OUTCOME_DONE) r.scene = cli_part_hash(r.model, p->exposure, strlen(p->exposure));
   if (r.code == VS_OUTCOME_DONE && is_up_to_date(b, p, r.scene)) r.fate = STANDS;
   else if (r.code == VS_OUTCOME_DONE && (r.code = run(b, p, p->file, NULL)) == VS_OUTCOME_DONE) r.fate = MADE;
-  if (r.code == VS_OUTCOME_DONE) hash_file(p->file, &r.bytes);
+  if (r.code == VS_OUTCOME_DONE) cli_part_hash_file(p->file, &r.bytes);
   clock_gettime(CLOCK_MONOTONIC, &to);
   r.seconds = (double)(to.tv_sec - from.tv_sec) + 1e-9 * (double)(to.tv_nsec - from.tv_nsec);
   return r;
@@ -666,7 +606,7 @@ static bool takes_place(const batch *b, const picture *p) {
   const char *line = line_of(b, p, &length);
   cli_film_name(p->file, film, sizeof film);
   if (b->options->film > 0 && p->frame == 1 && stat(film, &is) == 0 && !line) return true;
-  if (!hash_file(p->file, &bytes)) return false;
+  if (!cli_part_hash_file(p->file, &bytes)) return false;
   snprintf(wanted, sizeof wanted, "\"hash\": \"%016" PRIx64 "\"", bytes);
   const char *found = line ? strstr(line, wanted) : NULL;
   return !found || found >= line + length;
