@@ -172,12 +172,9 @@ enum {
   VS_EVAL_NUMBER = 4u,
   /* (break) pauses the program, with the outcome VS_OUTCOME_STOPPED. Without this flag (break) warns and continues. */
   VS_EVAL_STOP = 8u,
-  /* With VS_EVAL_STOP: pauses the program before the first call in the text. */
-  VS_EVAL_STEP = 16u,
-  /* If a program is paused, the text's expressions see the variables at its place (vs_eval_text). */
-  VS_EVAL_WITHIN = 32u,
-  /* The text has run before: (break) neither pauses the program nor warns. */
-  VS_EVAL_PASS = 64u,
+  VS_EVAL_STEP = 16u,   /* with VS_EVAL_STOP: pauses the program before the first call in the text */
+  VS_EVAL_WITHIN = 32u, /* if a program is paused, the text's expressions see the variables at its place */
+  VS_EVAL_PASS = 64u,   /* the text has run before: (break) neither pauses the program nor warns */
   /* Checks (check-expect ...) wait for vs_check_next. Without this flag and without VS_EVAL_PASS they run at the text's
    * end, and each failed check is a warning. */
   VS_EVAL_CHECK_LATER = 128u
@@ -348,6 +345,9 @@ VS_API size_t vs_parameter_count(const vs_scheme *s);
 VS_API bool vs_parameter_get(vs_scheme *s, size_t index, vs_parameter_info *out);
 /* Returns the index-th name from vs_parameter_set that no define-parameter has used; NULL after the last. */
 VS_API const char *vs_parameter_unused(const vs_scheme *s, size_t index);
+/* Returns the index-th name of (report name value), in the order of first use, and its last value. NULL after the
+ * last. */
+VS_API const char *vs_report_get(const vs_scheme *s, size_t index, double *value);
 
 /* ---- the drawing ---- */
 

@@ -1,4 +1,5 @@
-/* Implements define-parameter: values that the command line, a slider or a host may set before the program runs. */
+/* Implements define-parameter, values that the command line, a slider or a host may set before the program runs, and
+ * report, numbers that the host may get after the program has run. */
 #include "bind/parameters.h"
 
 #include <math.h>
@@ -256,4 +257,24 @@ vs_status vs_p_parameter(vs_args *f, vs_value *out) {
   if (!s) vs_store_realloc(f->store, p.choices, p.choice_count * sizeof *p.choices, 0);
   *out = r[0];
   return s;
+}
+
+/* ---- numbers of the model ---- */
+
+/* (report name value): keeps the number for the host, and returns it. A later number of the same name replaces it. */
+vs_status vs_p_report(vs_args *f, vs_value *out) {
+  vs_bind *b = f->bind;
+  const char *name = vs_store_text(f->store, f->arg[0].text.at, f->arg[0].text.length);
+  size_t i = 0;
+  if (!name) return vs_fail_memory(f->vm);
+  while (i < b->report_count && b->reports[i].name != name) i++;
+  if (i == b->report_room) {
+    size_t room = b->report_room ? b->report_room * 2 : 8;
+    vs_bind_report *more = vs_store_realloc(b->store, b->reports, b->report_room * sizeof *more, room * sizeof *more);
+    if (!more) return vs_fail_memory(f->vm);
+    b->reports = more, b->report_room = room;
+  }
+  if (i == b->report_count) b->report_count++;
+  b->reports[i] = (vs_bind_report){ name, f->arg[1].real };
+  return *out = f->arg[1].value, VS_OK;
 }

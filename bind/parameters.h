@@ -1,4 +1,4 @@
-/* Declares define-parameter, implemented in parameters.c. */
+/* Declares define-parameter and report, implemented in parameters.c. */
 #ifndef VS_BIND_PARAMETERS_H
 #define VS_BIND_PARAMETERS_H
 
@@ -24,6 +24,9 @@ typedef struct vs_bind_parameter {
 } vs_bind_parameter;
 /* A value for a parameter, from an option -D of the command line. used: whether a define-parameter has used it. */
 typedef struct vs_bind_setting { const char *name, *datum; bool used; } vs_bind_setting;
+
+/* A number of the model from (report name value). The store owns the name. */
+typedef struct vs_bind_report { const char *name; double value; } vs_bind_report;
 
 /* Stores a setting for a later define-parameter; datum NULL deletes it. Returns false when memory is out. */
 bool vs_bind_set_parameter(vs_bind *b, const char *name, const char *datum);

@@ -49,6 +49,7 @@ static void forget_run(vs_bind *b) {
   for (size_t i = 0; i < b->parameter_count; i++)
     vs_store_realloc(s, b->parameters[i].choices, b->parameters[i].choice_count * sizeof *b->parameters->choices, 0);
   vs_store_realloc(s, b->parameters, b->parameter_room * sizeof *b->parameters, 0);
+  vs_store_realloc(s, b->reports, b->report_room * sizeof *b->reports, 0);
   vs_lineage_free(b);
   vs_inside_cache_free(b->inside);
   vs_store_on_ticket(s, NULL, NULL);

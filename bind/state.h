@@ -9,6 +9,7 @@
 
 typedef struct vs_bind vs_bind;
 typedef struct vs_bind_parameter vs_bind_parameter;
+typedef struct vs_bind_report vs_bind_report;
 typedef struct vs_bind_setting vs_bind_setting;
 typedef struct vs_bind_back_end vs_bind_back_end;
 
@@ -40,6 +41,8 @@ struct vs_bind {
   uint64_t recent_collection;
   vs_bind_parameter *parameters;
   size_t parameter_count, parameter_room;
+  vs_bind_report *reports;         /* numbers of the model, in the order of their first report */
+  size_t report_count, report_room;
   vs_bind_setting *settings;
   size_t setting_count, setting_room;
   size_t refused;                  /* number of refused allocations; if it has grown, a result 'not found' really means

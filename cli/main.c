@@ -30,6 +30,7 @@
 #include "cli/light/sun_command.h"
 #include "cli/stats.h"
 #include "cli/study.h"
+#include "cli/sweep/sweep_command.h"
 #include "cli/test_command.h"
 #include "live/live.h"
 
@@ -199,6 +200,7 @@ static bool all_parameters_used(cli_session *c) {
       fprintf(stderr, "%s %s", k ? "," : "", p.name);
     fputc('\n', stderr);
   }
+  if (i > 0 && c->options->command == CLI_COMMAND_sweep) cli_sweep_tell_unknown(c->options->results);
   return i == 0;
 }
 
@@ -421,6 +423,8 @@ static vs_outcome run_batch(cli_session *c) {
         : o->command == CLI_COMMAND_fit ? cli_fit(c)
         : o->command == CLI_COMMAND_test ? cli_test_run(c, run_file) : run_sources(c, false);
     if (outcome == VS_OUTCOME_DONE && o->parameters) cli_report_parameters(stdout, c->scheme);
+    if (o->command == CLI_COMMAND_sweep && outcome == VS_OUTCOME_DONE) cli_sweep_tell(o->results, c->scheme);
+    if (o->command == CLI_COMMAND_sweep && outcome != VS_OUTCOME_DONE) cli_inputs_tell(c->told, c->scheme);
     if (outcome == VS_OUTCOME_DONE && o->command != CLI_COMMAND_fit)
       outcome = o->command == CLI_COMMAND_sunstudy ? cli_sun_command(c) : write_all(c);
   }
@@ -538,9 +542,9 @@ static int run_session(cli_options *o, bool *told) {
   return outcome == VS_OUTCOME_DONE ? session.exit_code : (int)outcome;
 }
 
-/* Runs the session in a separate process, for vs test. A failure of standard output is reported by the parent
- * process. */
-static int run_test(cli_options *o) {
+/* Runs the session in a separate process, for vs test and vs sweep. A failure of standard output is reported by the
+ * parent process. */
+static int run_alone(cli_options *o) {
   bool told = false;
   int code = run_session(o, &told);
   return fflush(stdout) == 0 && !ferror(stdout) ? code : VS_OUTCOME_USAGE;
@@ -566,9 +570,15 @@ static int run_command(int argc, char **argv, bool *told) {
     cli_options_free(&options);
     return (int)outcome;
   }
+  if (options.command == CLI_COMMAND_sweep) {
+    hear_signals();
+    vs_outcome outcome = cli_sweep_command(&options, &interrupts, run_alone);
+    cli_options_free(&options);
+    return (int)outcome;
+  }
   if (options.command == CLI_COMMAND_test) {
     hear_signals();
-    int code = cli_test_command(&options, &interrupts, run_test);
+    int code = cli_test_command(&options, &interrupts, run_alone);
     cli_options_free(&options);
     return code;
   }

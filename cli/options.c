@@ -13,6 +13,7 @@
 #include <unistd.h>
 
 #include "cli/nearby.h"
+#include "cli/sweep/set_files.h"
 
 typedef enum { VALUE_NONE, VALUE_REQUIRED, VALUE_OPTIONAL } value_rule;
 typedef struct option_row option_row;
@@ -353,7 +354,9 @@ static bool take_define(cli_options *o, const option_row *row, const char *v) {
 
 static bool take_set(cli_options *o, const option_row *row, const char *v) {
   o->sets[o->set_count++] = v;
-  return is_setting(v) || bad(row, v);
+  if (o->command != CLI_COMMAND_sweep) return is_setting(v) || bad(row, v);
+  return is_setting(v) || sweep_is_set_file(v) ||
+         expected(row, v, "NAME=VALUES, as in n=1..10:2 or x=0..1/8, or the name of a .csv or .json file");
 }
 
 static bool take_expression(cli_options *o, const option_row *row, const char *v) {
@@ -585,6 +588,21 @@ static bool batch_files(const cli_options *o) {
   return true;
 }
 
+static bool sweep_files(const cli_options *o) {
+  bool file = o->source_count == 1 && o->sources[0].kind == CLI_SOURCE_FILE && strcmp(o->sources[0].text, "-") != 0;
+  for (size_t i = 0; i < o->target_count; i++) file = file && strcmp(o->targets[i].path, "-") != 0;
+  if (!file)
+    fputs(
+        "vs sweep: give the file of one model, values of its parameters, and a folder for the results, as in vs sweep "
+        "house.vs --set n=1..10:2 -o out/; without -o the table goes to standard output\n",
+        stderr);
+  else if (o->interactive || o->check || o->all_views || o->stats || o->parameters)
+    fprintf(stderr, "vs sweep: %s works only with vs FILE\n", o->interactive ? "-i" : o->check ? "--check"
+            : o->all_views ? "--all-views" : o->stats ? "--stats" : "--parameters");
+  else return true;
+  return false;
+}
+
 static bool test_files(const cli_options *o) {
   bool files = o->source_count > 0 && !o->target_count && !o->interactive && !o->check;
   for (size_t i = 0; i < o->source_count; i++)
@@ -615,6 +633,7 @@ static bool text_files(const cli_options *o) {
 static bool command_files(const cli_options *o, unsigned takes) {
   if (takes & CLI_TAKES_PICTURE) return picture_files(o, takes);
   if (takes & CLI_TAKES_MANY) return batch_files(o);
+  if (takes & CLI_TAKES_SWEEP) return sweep_files(o);
   if (takes & CLI_TAKES_PROGRAMS) return test_files(o);
   if (takes & CLI_TAKES_TEXTS) return text_files(o);
   if (takes & CLI_TAKES_NOTHING) return no_files(o);
@@ -644,12 +663,12 @@ static bool is_command(const char *word, const char *name) {
   return !*name;
 }
 
-/* Returns true for options that `vs render` processes itself. It passes all other options to the run of each
- * picture. */
+/* Returns true for options that `vs render` and `vs sweep` process themselves. All other options apply to the run of
+ * each picture or set. */
 static bool is_of_batch(const char *word) {
-  static const char *const own[] = {"output", "view", "all-views", "set", "jobs", "manifest", "sheet",
-                                    "frames", "resume", "film", "quiet", "threads"};
-  if (word[1] != '-') return word[1] == 'o' || word[1] == 'q';
+  static const char *const own[] = {"output", "view", "all-views", "set", "jobs", "manifest", "sheet", "frames",
+                                    "resume", "film", "quiet", "threads", "sample", "seed", "where", "sort", "only"};
+  if (word[1] != '-') return strchr("oqj", word[1]) != NULL;
   for (size_t i = 0; i < sizeof own / sizeof *own; i++)
     if (strlen(own[i]) == strcspn(word + 2, "=") && !strncmp(word + 2, own[i], strlen(own[i]))) return true;
   return false;
@@ -733,8 +752,16 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
     fputs("vs fit: give only one of --placed, --near and --any-pose\n", stderr);
     return CLI_BAD_USAGE;
   }
-  if (o->command != CLI_COMMAND_render && (o->set_count || o->jobs || o->manifest || o->sheet || o->film)) {
-    fputs("vs: --set, --jobs, --manifest, --sheet and --film are for vs render\n", stderr);
+  bool sweeps = o->command == CLI_COMMAND_sweep;
+  if (o->command != CLI_COMMAND_render &&
+      (((o->set_count || o->jobs || o->sheet) && !sweeps) || o->manifest || o->film)) {
+    fputs(sweeps ? "vs sweep: --manifest and --film are for vs render; the manifest is in the folder of -o\n"
+                 : "vs: --set, --jobs, --manifest, --sheet and --film are for vs render, and --set, --jobs and --sheet "
+                   "for vs sweep\n", stderr);
+    return CLI_BAD_USAGE;
+  }
+  if (!sweeps && (o->sample || o->seed || o->where || o->sort || o->only)) {
+    fputs("vs: --sample, --seed, --where, --sort and --only are for vs sweep\n", stderr);
     return CLI_BAD_USAGE;
   }
   for (size_t i = 0; !(takes & (CLI_TAKES_PICTURE)) && i < o->source_count; i++) {
@@ -782,7 +809,7 @@ cli_verdict cli_options_parse(cli_options *o, int argc, char **argv) {
     if (o->sources[i].kind == CLI_SOURCE_FILE && strcmp(o->sources[i].text, "-") != 0) o->words[0] = o->sources[i].text;
   o->interpreter.command_line = o->words;
   o->interpreter.command_line_count = o->word_count;
-  bool formats = !(takes & (CLI_TAKES_FOLDER | CLI_TAKES_LANGUAGE | CLI_TAKES_MANY));
+  bool formats = !(takes & (CLI_TAKES_FOLDER | CLI_TAKES_LANGUAGE | CLI_TAKES_MANY | CLI_TAKES_SWEEP));
   for (size_t i = 0; formats && i < o->target_count; i++)
     if (!find_format(o, &o->targets[i]) || !reachable(&o->targets[i])) return CLI_BAD_USAGE;
   for (size_t i = 0; takes & CLI_TAKES_SCAN && i < o->target_count; i++) {

@@ -38,7 +38,8 @@ enum { CLI_TAKES_JSON = 1, CLI_TAKES_XML = 2, CLI_TAKES_TWO = 4 /* the command r
        CLI_TAKES_MANY = 2048 /* the command accepts any number of files, and -o with a file or a folder */,
        CLI_TAKES_PROGRAMS = 4096 /* the command accepts any number of programs, and no -o */,
        CLI_TAKES_TEXTS = 8192 /* the command accepts any number of files, - too, and --check, but no -o */,
-       CLI_TAKES_NOTHING = 16384 /* the command accepts no file, and no -o */ };
+       CLI_TAKES_NOTHING = 16384 /* the command accepts no file, and no -o */,
+       CLI_TAKES_SWEEP = 32768 /* the command accepts one file, --set, and -o with folders, patterns and a table */ };
 
 typedef struct {
   cli_command command;
@@ -67,9 +68,10 @@ typedef struct {
   const char **sets, **passed; size_t set_count, passed_count; /* passed: options that are passed on to the run of each
                                                                 * picture */
   size_t jobs;                         /* vs render: number of processes by --jobs; 0 if not given */
-  int results;                         /* vs test: in the process that runs a file, the pipe to which it writes its
-                                        * results */
+  int results;                         /* vs test, vs sweep: in the process of a run, the pipe for its results */
   const char *manifest, *sheet;        /* vs render: file names given by --manifest and --sheet, or NULL */
+  const char *sample, *where, *sort, *only; /* vs sweep: its options, NULL if not given */
+  uint64_t seed;                       /* --seed; 0 if not given */
   long film;                           /* vs render: frames per second of the film; 0: no film */
   bool interactive, check, quiet, stats, stats_json, parameters, to_stdout, untrusted, verbose, all_views, json, xml;
   bool placed, near, any_pose; /* vs fit: whether the options --placed, --near and --any-pose are given */

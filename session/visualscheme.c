@@ -554,6 +554,13 @@ const char *vs_parameter_unused(const vs_scheme *vm, size_t index) {
   return NULL;
 }
 
+const char *vs_report_get(const vs_scheme *vm, size_t index, double *value) {
+  const vs_bind *b = &vs_session_of(vm)->bind;
+  if (index >= b->report_count) return NULL;
+  *value = b->reports[index].value;
+  return b->reports[index].name;
+}
+
 /* ---- the drawing ---- */
 
 void vs_drawing_clear(vs_scheme *vm) { vs_bind_clear_drawing(&vs_session_of(vm)->bind); }

@@ -138,6 +138,26 @@ for command in $(sed -n 's/^COMMAND(\([a-z]*\),.*/\1/p' "$root/cli/commands.def"
         shift; [ $# -gt 0 ] || set -- $inputs
       done
     done ;;
+  sweep)
+    # the table and the sheet, of an empty folder and of one that holds the read file under the name of any output
+    for f in m.vs data.csv; do refused "sweep -o $f" "$vs" sweep m.vs --set r=1,2 -o "./$f.csv" --sheet "$f"; done
+    ln -f data.csv own.csv; refused "sweep -o own.csv" "$vs" sweep m.vs --set r=1,2 -o own.csv; rm own.csv
+    printf 'r\n1\n' > sets.csv; cp sets.csv plain/; inputs="$inputs sets.csv"
+    refused "sweep -o sets.csv" "$vs" sweep m.vs --set sets.csv -o sets.csv
+    inputs=${inputs% sets.csv}
+    echo '(define-parameter k 1) (when (= k 2) (file->string "into/OWN")) (draw (make-sphere origin k))' > of.vs
+    for own in results.csv index.html manifest.jsonl of-k=1.off of-k=2.off; do
+      rm -rf into; mkdir into; cp words.txt into/$own; sed -i "s|into/[^\"]*|into/$own|" of.vs
+      for more in '' '--only 2'; do
+        case "$own $more" in 'results.csv --only 2'|'index.html --only 2'|'of-k=1.off --only 2') continue ;; esac # not written
+        [ "$own $more" != 'manifest.jsonl --only 2' ] || mv into/manifest.jsonl into/manifest-2..2.jsonl
+        [ "$own $more" != 'manifest.jsonl --only 2' ] || sed -i 's|into/manifest.jsonl|into/manifest-2..2.jsonl|' of.vs
+        held=$(cat into/* | cksum)
+        "$vs" sweep of.vs --set k=1,2 -q $more --format off -o into > "$work/out" 2> "$work/err"; code=$?
+        [ $code = 2 ] && [ "$(cat into/* | cksum)" = "$held" ] || { echo "sweep: into/$own $more: ended with $code, has $(ls into | tr '\n' ' ')"; tail -n 2 "$work/err"; } >> "$work/wrong"
+      done
+    done
+    rm -rf into ;;
   tone|falsecolor) ln -sf a.exr p.png; cp a.exr plain.exr
     "$vs" $command a.exr -o p.png > /dev/null 2>&1; [ $? = 2 ] && cmp -s a.exr plain.exr || echo "$command: replaces the picture" >> "$work/wrong" ;;
   compare) ln -sf a.exr p.png; cp a.exr b.exr

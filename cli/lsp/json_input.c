@@ -18,7 +18,12 @@
   F(nth, json_array_get, json_t *, (const json_t *, size_t))                         \
   F(text, json_string_value, const char *, (const json_t *))                         \
   F(length, json_string_length, size_t, (const json_t *))                            \
-  F(number, json_integer_value, json_int_t, (const json_t *))
+  F(number, json_integer_value, json_int_t, (const json_t *))                        \
+  F(real, json_number_value, double, (const json_t *))                               \
+  F(iterate, json_object_iter, void *, (json_t *))                                   \
+  F(next, json_object_iter_next, void *, (json_t *, void *))                         \
+  F(key, json_object_iter_key, const char *, (void *))                               \
+  F(value, json_object_iter_value, json_t *, (void *))
 VS_DYNAMIC_FUNCTIONS(FUNCTIONS);
 
 bool lsp_json_open(lsp_json_reader *r) {
@@ -73,6 +78,26 @@ const char *lsp_json_text(const lsp_json_reader *r, lsp_json value, const char *
 long long lsp_json_number(const lsp_json_reader *r, lsp_json value, const char *path, long long otherwise) {
   value = lsp_json_at(r, value, path);
   return value && json_is_integer(value) ? of(r)->number(value) : otherwise;
+}
+
+lsp_json lsp_json_member(const lsp_json_reader *r, lsp_json object, size_t nth, const char **name) {
+  void *at = object && json_is_object(object) ? of(r)->iterate(object) : NULL;
+  for (; at && nth > 0; nth--) at = of(r)->next(object, at);
+  if (!at) return NULL;
+  *name = of(r)->key(at);
+  return of(r)->value(at);
+}
+
+bool lsp_json_is_number(const lsp_json_reader *r, lsp_json value, double *out) {
+  if (!value || !json_is_number(value)) return false;
+  *out = of(r)->real(value);
+  return true;
+}
+
+bool lsp_json_is_truth(lsp_json value, bool *out) {
+  if (!value || !json_is_boolean(value)) return false;
+  *out = json_is_true(value);
+  return true;
 }
 
 void lsp_json_echo(const lsp_json_reader *r, lsp_json value, FILE *to) {

@@ -25,6 +25,12 @@ lsp_json lsp_json_nth(const lsp_json_reader *r, lsp_json array, size_t nth);
 const char *lsp_json_text(const lsp_json_reader *r, lsp_json value, const char *path, size_t *length);
 /* Returns the whole number at the path, or `otherwise` if there is none. */
 long long lsp_json_number(const lsp_json_reader *r, lsp_json value, const char *path, long long otherwise);
+/* Returns the nth member of an object, in the order of the text, and sets *name; NULL after the last. */
+lsp_json lsp_json_member(const lsp_json_reader *r, lsp_json object, size_t nth, const char **name);
+/* Returns true, and sets *out, if the value is a number. */
+bool lsp_json_is_number(const lsp_json_reader *r, lsp_json value, double *out);
+/* Returns true if the value is true or false, and sets *out. */
+bool lsp_json_is_truth(lsp_json value, bool *out);
 /* Writes the value to the stream if it is a number or a text, as it was read; writes null for any other value. */
 void lsp_json_echo(const lsp_json_reader *r, lsp_json value, FILE *to);
 

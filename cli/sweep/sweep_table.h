@@ -1,0 +1,61 @@
+/* Declares a sweep: the sets of parameters of `vs sweep`, each with the results of a run of the model. */
+#ifndef VS_CLI_SWEEP_SWEEP_TABLE_H
+#define VS_CLI_SWEEP_SWEEP_TABLE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdio.h>
+
+/* Memory for the texts and sets of a sweep, freed together. */
+typedef struct sweep_block sweep_block;
+typedef struct { sweep_block *last; } sweep_memory;
+/* Return memory that lives until sweep_memory_free, or NULL after a message when memory is out. */
+void *sweep_keep(sweep_memory *m, size_t count, size_t size);
+char *sweep_keep_text(sweep_memory *m, const char *text, size_t length);
+void sweep_memory_free(sweep_memory *m);
+
+/* A parameter's name and its value as typed, for -D. */
+typedef struct { const char *name, *value; } sweep_setting;
+typedef struct { const sweep_setting *at; size_t count; } sweep_set;
+
+enum { SWEEP_MOST = 100000 /* greatest number of sets */ };
+
+/* A number that the model reported. column: its index in sweep_table.numbers. */
+typedef struct { size_t column; double value; } sweep_number;
+/* An output of a part: the path of the file, and the hash of its bytes. */
+typedef struct { const char *path; uint64_t hash; } sweep_file;
+
+typedef enum { SWEEP_NOT_TRIED, SWEEP_MADE, SWEEP_STANDS, SWEEP_FAILED } sweep_fate;
+/* A set of the sweep with its results. */
+typedef struct {
+  sweep_set set;
+  const char *name;      /* the part of file names for the set, such as house-n=1,x=0.5 */
+  size_t same;           /* index of the first part with the same set, mostly its own */
+  uint64_t key;          /* hash of all that determines the results, except the contents of files */
+  uint64_t inputs;       /* hash of the names and contents of the files that the run read; 0: unknown */
+  sweep_fate fate;
+  int code;              /* exit code of a failed run */
+  const char *message;   /* first line of a failed run's messages, or NULL */
+  double seconds;
+  const sweep_number *numbers; size_t number_count;
+  sweep_file *files; size_t file_count;
+} sweep_part;
+
+typedef struct {
+  sweep_memory *memory;
+  sweep_part *parts; size_t count;
+  const char **columns; size_t column_count, column_room; /* names of the parameters, in order */
+  const char **numbers; size_t number_count, number_room; /* names of the numbers, in the order of first report */
+} sweep_table;
+
+/* Returns the index of the name in the table's numbers, which it adds if necessary; SIZE_MAX when memory is out. */
+size_t sweep_number_column(sweep_table *t, const char *name, size_t length);
+/* Returns the value of a parameter of the part, or NULL. */
+const char *sweep_value(const sweep_part *p, const char *name);
+/* Returns the number of the column of the part; NaN if the part has none. */
+double sweep_number_of(const sweep_part *p, size_t column);
+
+bool sweep_no_memory(void); /* prints a message and returns false */
+
+#endif
