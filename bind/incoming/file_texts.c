@@ -1,19 +1,18 @@
-/* Parses files of other programs to Scheme data: groups of a .dxf file, elements of an XML file, commands of an SVG
- * path. load_dxf.scm and load_svg.scm make objects from these data.
+/* Takes files of other programs apart into Scheme data: groups of a .dxf file, commands of an SVG path. load_dxf.scm
+ * and load_svg.scm make objects of them; xml_events.c takes XML apart.
  *
- * The library expat, which parses XML, is loaded when it is first used. vs reads the groups of .dxf itself: a group is
- * two lines of text. Debian's only library for it, libdxflib, is in C++ and has no MESH. */
+ * vs reads the groups of .dxf itself: a group is two lines of text. Debian's only library for it, libdxflib, is in C++
+ * and has no MESH. */
 #include "bind/incoming/file_texts.h"
 
 #include <ctype.h>
-#include <expat.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 
+#include "bind/incoming/xml_events.h"
 #include "bind/state.h"
-#include "geometry/dynamic.h"
 #include "model/characters.h"
 #include "model/scene.h"
 #include "vm/library/port.h"
@@ -21,8 +20,7 @@
 #include "vm/machine/run.h"
 #include "vm/values/heap.h"
 
-/* Copies the bytes of the file a[0] to *text, since the garbage collector may move them. */
-static bool read_file(vs_scheme *vm, vs_value path, vs_text *text) {
+bool vs_incoming_read(vs_scheme *vm, vs_value path, vs_text *text) {
   vs_text name;
   vs_text_open(vm, &name, 0);
   VS_ROOTS(vm, r, 1);
@@ -36,8 +34,7 @@ static bool read_file(vs_scheme *vm, vs_value path, vs_text *text) {
   return ok;
 }
 
-/* Sets the error "file:line: why", where file is the path a[0]. */
-static vs_status broken(vs_scheme *vm, vs_value path, size_t line, const char *why) {
+vs_status vs_incoming_broken(vs_scheme *vm, vs_value path, size_t line, const char *why) {
   vs_text name;
   vs_text_open(vm, &name, 0);
   if (vs_text_string(&name, path) && vs_text_end(&name))
@@ -116,9 +113,9 @@ static bool group_value(vs_scheme *vm, vs_value path, size_t line, long code, li
   double d;
   group_type type = type_of(code);
   if (type == GROUP_TEXT) return line_string(vm, code == 1 || code == 3 ? l : trimmed(l), out);
-  if (!line_number(l, &d)) return broken(vm, path, line, "a number is expected here");
+  if (!line_number(l, &d)) return vs_incoming_broken(vm, path, line, "a number is expected here");
   if (type == GROUP_REAL) *out = vs_flonum(d);
-  else if (fabs(d) > 9e15) return broken(vm, path, line, "this number is too large");
+  else if (fabs(d) > 9e15) return vs_incoming_broken(vm, path, line, "this number is too large");
   else *out = vs_fix((int64_t)d);
   return true;
 }
@@ -131,9 +128,9 @@ static vs_status dxf_groups(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   vs_text text;
   vs_text_open(vm, &text, 0);
   VS_ROOTS(vm, r, 2);
-  bool ok = read_file(vm, a[0], &text), over = false;
+  bool ok = vs_incoming_read(vm, a[0], &text), over = false;
   if (ok && text.count >= sizeof sign - 1 && !memcmp(text.at, sign, sizeof sign - 1))
-    ok = broken(vm, a[0], 1, "this is a binary .dxf; save it as ASCII");
+    ok = vs_incoming_broken(vm, a[0], 1, "this is a binary .dxf; save it as ASCII");
   size_t lines = 0, at = 0;
   for (size_t i = 0; ok && i < text.count; i++) lines += text.at[i] == '\n';
   ok = ok && vs_make_vector(vm, lines + 2, VS_FALSE, &r[0]);
@@ -141,12 +138,18 @@ static vs_status dxf_groups(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   while (ok && !over) {
     line_text l, v;
     double code;
-    if (!next_line(&next, end, &l)) { ok = broken(vm, a[0], at ? at : 1, "the file ends before its EOF"); break; }
-    if (!line_number(l, &code) || code != floor(code) || fabs(code) > 1100) {
-      ok = broken(vm, a[0], at + 1, "a group code is expected here");
+    if (!next_line(&next, end, &l)) {
+      ok = vs_incoming_broken(vm, a[0], at ? at : 1, "the file ends before its EOF");
       break;
     }
-    if (!next_line(&next, end, &v)) { ok = broken(vm, a[0], at + 1, "the file ends within a group"); break; }
+    if (!line_number(l, &code) || code != floor(code) || fabs(code) > 1100) {
+      ok = vs_incoming_broken(vm, a[0], at + 1, "a group code is expected here");
+      break;
+    }
+    if (!next_line(&next, end, &v)) {
+      ok = vs_incoming_broken(vm, a[0], at + 1, "the file ends within a group");
+      break;
+    }
     ok = vs_poll(vm, 16) && group_value(vm, a[0], at + 2, (long)code, v, &r[1]);
     if (!ok) break;
     vs_gc_store(vm, vs_as_vector(r[0]), &vs_as_vector(r[0])->at[at], vs_fix((int64_t)code));
@@ -160,128 +163,6 @@ static vs_status dxf_groups(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   return ok;
 }
 
-/* ---- XML ---- */
-
-#define EXPAT_FUNCTIONS(F)                                                                                         \
-  F(create, XML_ParserCreate, XML_Parser, (const XML_Char *))                                                      \
-  F(discard, XML_ParserFree, void, (XML_Parser))                                                                   \
-  F(user, XML_SetUserData, void, (XML_Parser, void *))                                                             \
-  F(elements, XML_SetElementHandler, void, (XML_Parser, XML_StartElementHandler, XML_EndElementHandler))           \
-  F(characters, XML_SetCharacterDataHandler, void, (XML_Parser, XML_CharacterDataHandler))                         \
-  F(parse, XML_Parse, enum XML_Status, (XML_Parser, const char *, int, int))                                       \
-  F(stop, XML_StopParser, enum XML_Status, (XML_Parser, XML_Bool))                                                 \
-  F(line, XML_GetCurrentLineNumber, XML_Size, (XML_Parser))                                                        \
-  F(error, XML_GetErrorCode, enum XML_Error, (XML_Parser))                                                         \
-  F(sentence, XML_ErrorString, const XML_LChar *, (enum XML_Error))
-
-VS_DYNAMIC_FUNCTIONS(EXPAT_FUNCTIONS);
-
-/* events: the list that xml_events returns, newest first; text: the characters since the last tag. */
-typedef struct {
-  vs_scheme *vm;
-  vs_value *events;
-  dynamic_functions call;
-  XML_Parser parser;
-  vs_text text;
-  bool failed;
-} xml_reading;
-
-static bool add_event(xml_reading *x, vs_value event) { return vs_cons(x->vm, event, *x->events, x->events); }
-
-static bool add_text(xml_reading *x) {
-  VS_ROOTS(x->vm, r, 1);
-  bool ok = x->text.count == 0 || (vs_string_from_utf8(x->vm, x->text.at, x->text.count, &r[0]) && add_event(x, r[0]));
-  x->text.count = 0;
-  return ok;
-}
-
-static const char *local_name(const char *name) { /* returns the name without the prefix of its namespace */
-  const char *colon = strrchr(name, ':');
-  return colon ? colon + 1 : name;
-}
-
-static bool add_start(xml_reading *x, const char *name, const char **attributes) {
-  vs_scheme *vm = x->vm;
-  VS_ROOTS(vm, r, 2); /* roots of the garbage collector: the list, a value */
-  r[0] = VS_NIL;
-  size_t count = 0;
-  while (attributes[count]) count += 2;
-  for (size_t i = count; i > 0; i -= 2) {
-    VS_ROOTS(vm, q, 1);
-    if (!vs_string_from_utf8(vm, attributes[i - 1], strlen(attributes[i - 1]), &r[1]) ||
-        !vs_intern(vm, attributes[i - 2], strlen(attributes[i - 2]), &q[0]) || !vs_cons(vm, q[0], r[1], &r[1]) ||
-        !vs_cons(vm, r[1], r[0], &r[0]))
-      return false;
-  }
-  name = local_name(name);
-  return vs_intern(vm, name, strlen(name), &r[1]) && vs_cons(vm, r[1], r[0], &r[0]) &&
-         vs_cons(vm, vs_fix((int64_t)x->call.line(x->parser)), r[0], &r[0]) && add_event(x, r[0]);
-}
-
-static void quit(xml_reading *x) {
-  x->failed = true;
-  x->call.stop(x->parser, XML_FALSE);
-}
-static void xml_start(void *user, const XML_Char *name, const XML_Char **attributes) {
-  xml_reading *x = user;
-  if (!x->failed && !(vs_poll(x->vm, 64) && add_text(x) && add_start(x, name, attributes))) quit(x);
-}
-static void xml_end(void *user, const XML_Char *name) {
-  xml_reading *x = user;
-  (void)name;
-  if (!x->failed && !(add_text(x) && add_event(x, VS_FALSE))) quit(x);
-}
-static void xml_characters(void *user, const XML_Char *at, int count) {
-  xml_reading *x = user;
-  if (!x->failed && !vs_text_put(&x->text, at, (size_t)count)) quit(x);
-}
-
-/* Parses the text of a file. path: the file's name, a root of the garbage collector, since reading allocates. */
-static bool parse_xml(xml_reading *x, const vs_value *path, const vs_text *text) {
-  enum { PIECE = 1 << 20 }; /* most bytes passed to expat in one call, whose count is an int */
-  x->parser = x->call.create(NULL);
-  if (!x->parser) return vs_fail_memory(x->vm);
-  x->call.user(x->parser, x);
-  x->call.elements(x->parser, xml_start, xml_end);
-  x->call.characters(x->parser, xml_characters);
-  bool ok = true;
-  size_t at = 0;
-  do {
-    size_t count = text->count - at < PIECE ? text->count - at : PIECE;
-    ok = x->call.parse(x->parser, text->at + at, (int)count, at + count == text->count) == XML_STATUS_OK;
-    at += count;
-  } while (ok && at < text->count);
-  if (!ok && !x->failed) {
-    enum XML_Error error = x->call.error(x->parser);
-    if (error == XML_ERROR_NO_MEMORY) vs_fail_memory(x->vm);
-    else broken(x->vm, *path, (size_t)x->call.line(x->parser), x->call.sentence(error));
-  }
-  x->call.discard(x->parser);
-  return ok && !x->failed;
-}
-
-/* Returns the list of an XML file's events in reverse order: (line name (attribute . text) ...) for
- * the start of an element, #f for its end, and a string for text. Names are symbols, without their namespaces. */
-static vs_status xml_events(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
-  static const char *const files[] = { "libexpat.so.1", "libexpat.1.dylib", NULL };
-  static const vs_dynamic_library library = { files, "libexpat1", "XML" };
-  (void)n;
-  vs_error e = { 0 };
-  vs_text text;
-  VS_ROOTS(vm, r, 1);
-  r[0] = VS_NIL;
-  xml_reading x = { .vm = vm, .events = &r[0] };
-  if (!vs_dynamic_load(&library, dynamic_names, sizeof dynamic_names / sizeof *dynamic_names, &x.call, &e))
-    return vs_fail(vm, vm->sym.file, "%s", e.message);
-  vs_text_open(vm, &text, 0);
-  vs_text_open(vm, &x.text, 0);
-  bool ok = read_file(vm, a[0], &text) && parse_xml(&x, &a[0], &text);
-  vs_text_close(&x.text);
-  vs_text_close(&text);
-  *out = r[0];
-  return ok;
-}
-
 /* (%load-outline path): returns the groups of a .dxf file, or the events of another file, which is XML. */
 static vs_status load_outline(vs_scheme *vm, vs_value *a, int n, vs_value *out) {
   vs_text path;
@@ -289,7 +170,7 @@ static vs_status load_outline(vs_scheme *vm, vs_value *a, int n, vs_value *out) 
   bool ok = vs_text_string(&path, a[0]) && vs_text_end(&path);
   bool dxf = ok && path.count > 4 && strcasecmp(path.at + path.count - 4, ".dxf") == 0;
   vs_text_close(&path);
-  return !ok ? VS_ERROR : dxf ? dxf_groups(vm, a, n, out) : xml_events(vm, a, n, out);
+  return !ok ? VS_ERROR : dxf ? dxf_groups(vm, a, n, out) : vs_xml_events(vm, a[0], out);
 }
 
 /* ---- lists of numbers in SVG ---- */
