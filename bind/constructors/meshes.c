@@ -5,6 +5,7 @@
 #include "bind/call/refuse.h"
 #include "bind/call/scratch.h"
 #include "bind/constructors/files.h"
+#include "bind/constructors/meshes.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -128,20 +129,15 @@ static size_t note(char *text, size_t room, size_t at, size_t count, const char 
   return n > 0 && at + (size_t)n < room ? at + (size_t)n : at;
 }
 
-/* Repairs the faces, and sets *out to a new node of them, which may be empty. A warning lists the repairs. Sets *sheet
- * if the result is a surface, or encloses no volume after its holes were closed. */
-static vs_status repaired(vs_args *f, const char *file, vs_face_list *l, bool *sheet, vs_node **out) {
-  vs_repair_notes notes;
+vs_status vs_bind_whole_faces(vs_args *f, const char *file, vs_face_list *l, bool *flawless, vs_node **out) {
   vs_error e = { 0 };
   vs_mesh mesh = { 0 }, whole = { 0 };
   vs_mesh_flaws flaws;
-  bool flawless = true;
-  vs_status ok = vs_face_list_repair(f->store, l, &notes, &e) ? VS_OK : vs_bind_error(f->vm, &e);
-  *out = NULL;
   vs_polygons faces = vs_polygons_of(l);
-  if (ok && !(*out = vs_polyface_make(f->store, &faces, &e))) ok = vs_bind_error(f->vm, &e);
-  if (ok && (*out)->class_ == VS_SOLID) ok = inspect(f, *out, &mesh, &flaws, &flawless);
-  if (ok && !flawless) {
+  vs_status ok = (*out = vs_polyface_make(f->store, &faces, &e)) ? VS_OK : vs_bind_error(f->vm, &e);
+  *flawless = true;
+  if (ok && (*out)->class_ == VS_SOLID) ok = inspect(f, *out, &mesh, &flaws, flawless);
+  if (ok && !*flawless) {
     vs_kernel_options options = { .job = vs_bind_job(f->vm) };
     vs_kernel_error why;
     if (!vs_kernel_resolve(&mesh, 0, &options, &whole, &why))
@@ -157,7 +153,19 @@ static vs_status repaired(vs_args *f, const char *file, vs_face_list *l, bool *s
   }
   vs_mesh_free(&mesh);
   vs_mesh_free(&whole);
-  if (!ok) return vs_node_release(*out), *out = NULL, VS_ERROR;
+  if (!ok) vs_node_release(*out), *out = NULL;
+  return ok;
+}
+
+/* Repairs the faces, and sets *out to a new node of them, which may be empty. A warning lists the repairs. Sets *sheet
+ * if the result is a surface, or encloses no volume after its holes were closed. */
+static vs_status repaired(vs_args *f, const char *file, vs_face_list *l, bool *sheet, vs_node **out) {
+  vs_repair_notes notes;
+  vs_error e = { 0 };
+  bool flawless = true;
+  *out = NULL;
+  if (!vs_face_list_repair(f->store, l, &notes, &e)) return vs_bind_error(f->vm, &e);
+  if (!vs_bind_whole_faces(f, file, l, &flawless, out)) return VS_ERROR;
   *sheet = (*out)->class_ == VS_SURFACE || ((*out)->class_ != VS_SOLID && notes.holes > 0);
   char text[256] = "";
   size_t at = note(text, sizeof text, 0, notes.welded, "welded", "point");

@@ -2,13 +2,14 @@
 ; the plane, a vector #(a b c d e f) as SVG writes it; Y points downwards there, upwards in the model. Names that begin
 ; with % are hidden from programs.
 
-; ---- elements: #(line name attributes children), children are elements and strings ----
+; ---- elements: #(line name attributes children), children are elements, strings and bytevectors ----
 
-(define (%xml-root path)
-  (let loop ((l (reverse (%load-outline path))) (open '()) (done #f))
+(define (%xml-root path) (%xml-of-events (%load-outline path)))
+(define (%xml-of-events events)
+  (let loop ((l (reverse events)) (open '()) (done #f))
     (cond ((null? l) done)
           ((pair? (car l)) (loop (cdr l) (cons (vector (caar l) (cadar l) (cddar l) '()) open) done))
-          ((string? (car l))
+          ((car l)
            (let ((e (car open))) (vector-set! e 3 (cons (car l) (vector-ref e 3))) (loop (cdr l) open done)))
           (else
             (let ((e (car open)))

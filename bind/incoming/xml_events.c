@@ -2,6 +2,9 @@
 #include "bind/incoming/xml_events.h"
 
 #include <expat.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "bind/incoming/file_texts.h"
@@ -23,10 +26,14 @@
 
 VS_DYNAMIC_FUNCTIONS(EXPAT_FUNCTIONS);
 
-/* events: the list that the native returns, newest first; text: the characters since the last tag. */
+/* events: the list that the native returns, newest first; path: a root; text: the characters since the last tag;
+ * meshes: whether vertices and triangles become `numbers`. */
 typedef struct {
   vs_scheme *vm;
   vs_value *events;
+  const vs_value *path;
+  bool meshes;
+  vs_text numbers;
   dynamic_functions call;
   XML_Parser parser;
   vs_text text;
@@ -65,26 +72,78 @@ static bool add_start(xml_reading *x, const char *name, const char **attributes)
          vs_cons(vm, vs_fix((int64_t)x->call.line(x->parser)), r[0], &r[0]) && add_event(x, r[0]);
 }
 
+/* ---- the numbers of a mesh ---- */
+
+static bool is_number_element(const xml_reading *x, const char *name) {
+  name = local_name(name);
+  return x->meshes && (!strcmp(name, "vertex") || !strcmp(name, "triangle"));
+}
+
+/* Adds the number of an attribute. Without the attribute, adds `absent`, or sets the error if absent is NAN. */
+static bool add_number(xml_reading *x, const char **attributes, const char *name, double absent) {
+  double d = absent;
+  size_t i = 0;
+  while (attributes[i] && strcmp(attributes[i], name)) i += 2;
+  if (attributes[i]) {
+    const char *text = attributes[i + 1];
+    char *end;
+    d = *text && strspn(text, "+-.0123456789eE \t\n\r") == strlen(text) ? strtod(text, &end) : NAN;
+    if (!isnan(d) && end[strspn(end, " \t\n\r")]) d = NAN;
+  }
+  if (!isfinite(d)) {
+    char why[64];
+    snprintf(why, sizeof why, "the attribute %s must be a number", name);
+    return vs_incoming_broken(x->vm, *x->path, (size_t)x->call.line(x->parser), why);
+  }
+  return vs_text_put(&x->numbers, (const char *)&d, sizeof d);
+}
+
+static bool add_numbers(xml_reading *x, const char *name, const char **attributes) {
+  if (!strcmp(local_name(name), "vertex"))
+    return add_number(x, attributes, "x", NAN) && add_number(x, attributes, "y", NAN) &&
+           add_number(x, attributes, "z", NAN);
+  return add_number(x, attributes, "v1", NAN) && add_number(x, attributes, "v2", NAN) &&
+         add_number(x, attributes, "v3", NAN) && add_number(x, attributes, "pid", -1) &&
+         add_number(x, attributes, "p1", -1);
+}
+
+/* Adds the numbers since the last call as an event. */
+static bool add_collected(xml_reading *x) {
+  VS_ROOTS(x->vm, r, 1);
+  if (!vs_make_bytes(x->vm, x->numbers.count, &r[0])) return false;
+  if (x->numbers.count) memcpy(vs_as_bytes(r[0])->at, x->numbers.at, x->numbers.count);
+  x->numbers.count = 0;
+  return add_event(x, r[0]);
+}
+
+/* ---- callbacks ---- */
+
 static void quit(xml_reading *x) {
   x->failed = true;
   x->call.stop(x->parser, XML_FALSE);
 }
 static void xml_start(void *user, const XML_Char *name, const XML_Char **attributes) {
   xml_reading *x = user;
-  if (!x->failed && !(vs_poll(x->vm, 64) && add_text(x) && add_start(x, name, attributes))) quit(x);
+  bool numbers = is_number_element(x, name);
+  if (x->failed) return;
+  x->text.count = numbers ? 0 : x->text.count; /* between the vertices there are blanks alone */
+  if (!(vs_poll(x->vm, 64) && add_text(x) &&
+        (numbers ? add_numbers(x, name, attributes) : add_start(x, name, attributes))))
+    quit(x);
 }
 static void xml_end(void *user, const XML_Char *name) {
   xml_reading *x = user;
-  (void)name;
-  if (!x->failed && !(add_text(x) && add_event(x, VS_FALSE))) quit(x);
+  if (x->failed || is_number_element(x, name)) return;
+  name = local_name(name);
+  bool last = x->meshes && (!strcmp(name, "vertices") || !strcmp(name, "triangles"));
+  if (!(add_text(x) && (!last || add_collected(x)) && add_event(x, VS_FALSE))) quit(x);
 }
 static void xml_characters(void *user, const XML_Char *at, int count) {
   xml_reading *x = user;
   if (!x->failed && !vs_text_put(&x->text, at, (size_t)count)) quit(x);
 }
 
-/* Parses the text of a file. path: its name, a root, since reading allocates. */
-static bool parse_xml(xml_reading *x, const vs_value *path, const vs_text *text) {
+static bool parse_xml(xml_reading *x, const vs_text *text) {
   enum { PIECE = 1 << 20 }; /* expat takes at most an int of bytes at a time */
   x->parser = x->call.create(NULL);
   if (!x->parser) return vs_fail_memory(x->vm);
@@ -101,27 +160,36 @@ static bool parse_xml(xml_reading *x, const vs_value *path, const vs_text *text)
   if (!ok && !x->failed) {
     enum XML_Error error = x->call.error(x->parser);
     if (error == XML_ERROR_NO_MEMORY) vs_fail_memory(x->vm);
-    else vs_incoming_broken(x->vm, *path, (size_t)x->call.line(x->parser), x->call.sentence(error));
+    else vs_incoming_broken(x->vm, *x->path, (size_t)x->call.line(x->parser), x->call.sentence(error));
   }
   x->call.discard(x->parser);
   return ok && !x->failed;
 }
 
-vs_status vs_xml_events(vs_scheme *vm, vs_value path, vs_value *out) {
+vs_status vs_xml_text_events(vs_scheme *vm, vs_value path, const vs_text *text, bool meshes, vs_value *out) {
   static const char *const files[] = { "libexpat.so.1", "libexpat.1.dylib", NULL };
   static const vs_dynamic_library library = { files, "libexpat1", "XML" };
   vs_error e = { 0 };
-  vs_text text;
   VS_ROOTS(vm, r, 2); /* roots: the events, the path */
   r[0] = VS_NIL, r[1] = path;
-  xml_reading x = { .vm = vm, .events = &r[0] };
+  xml_reading x = { .vm = vm, .events = &r[0], .path = &r[1], .meshes = meshes };
   if (!vs_dynamic_load(&library, dynamic_names, sizeof dynamic_names / sizeof *dynamic_names, &x.call, &e))
     return vs_fail(vm, vm->sym.file, "%s", e.message);
-  vs_text_open(vm, &text, 0);
   vs_text_open(vm, &x.text, 0);
-  bool ok = vs_incoming_read(vm, path, &text) && parse_xml(&x, &r[1], &text);
+  vs_text_open(vm, &x.numbers, 0);
+  bool ok = parse_xml(&x, text);
   vs_text_close(&x.text);
-  vs_text_close(&text);
+  vs_text_close(&x.numbers);
   *out = r[0];
+  return ok;
+}
+
+vs_status vs_xml_events(vs_scheme *vm, vs_value path, vs_value *out) {
+  vs_text text;
+  VS_ROOTS(vm, r, 1);
+  r[0] = path;
+  vs_text_open(vm, &text, 0);
+  bool ok = vs_incoming_read(vm, r[0], &text) && vs_xml_text_events(vm, r[0], &text, false, out);
+  vs_text_close(&text);
   return ok;
 }

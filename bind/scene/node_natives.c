@@ -10,6 +10,7 @@
 #include "bind/build.h"
 #include "bind/data.h"
 #include "bind/incoming/file_texts.h"
+#include "bind/incoming/model_bytes.h"
 #include "bind/functions/function_values.h"
 #include "bind/objects.h"
 #include "bind/procedures.h"
@@ -27,7 +28,8 @@
 
 const vs_native_table *const *vs_nodes_tables(void) {
   static const vs_native_table *const tables[] = { &vs_bind_table, &vs_bind_reserved_table, &vs_bind_data_table,
-                                                   &vs_function_table, &vs_incoming_table, &vs_node_table, NULL };
+                                                   &vs_function_table, &vs_incoming_table, &vs_model_bytes_table,
+                                                   &vs_node_table, NULL };
   return tables;
 }
 
