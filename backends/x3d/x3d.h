@@ -1,28 +1,15 @@
 /* Contains the declarations for the files of the X3D back-end. The file x3d_collect.c converts the drawing to groups of
- * shapes, and repeats.c makes templates of repeats. The file bake.c chooses the groups that become triangles. The file
- * x3d_scene.c writes the contents of the file, x3d_notation.c its two notations. Two more files do not use these
- * groups: packed.c writes the tree as bytes for VisualScheme's own viewer, and page.c the web page around it.
+ * shapes, and bake.c to triangles where X3D cannot place a shape. The file x3d_scene.c writes the contents of the file,
+ * x3d_notation.c its two notations. Two more files do not use these groups: packed.c writes the tree as bytes for
+ * VisualScheme's own viewer, and page.c the web page around it.
  *
- * Viewers draw a Shape slowly and a triangle fast: with more than about ten thousand Shapes they are too slow to use.
- * Therefore everything is collected first. If boxes, spheres, cylinders and cones are few, they become nodes. All other
- * objects become one triangle set and one line set for each material. A template is a group that the file contains once
- * (DEF) and uses (USE). If there are too many Shapes, the innermost templates are baked first. This adds the least
- * text, because the file still contains each template once. */
+ * Everything is collected first. Boxes, spheres, cylinders and cones are nodes, however many there are: other programs
+ * read them as such. All other objects become one triangle set and one line set for each material. A template is a
+ * group that the file contains once (DEF) and uses (USE). */
 #ifndef VS_BACKENDS_X3D_X3D_H
 #define VS_BACKENDS_X3D_X3D_H
 
 #include "backends/backend.h"
-
-enum { VS_X3D_NATIVE_MAX = 1500 }; /* The greatest number of Shapes. */
-/* Limit on the approximate number of bytes of baked forms. If it is exceeded, forms are divided coarsely, and uses of
- * templates are not baked. Browsers show about 2 MB of triangles per second. */
-#define VS_X3D_BAKED_MOST 30e6
-#define VS_X3D_SHAPE_BYTES 10e3 /* number of bytes of triangles that x3dom and X_ITE open and draw in the time of a
-                                 * single Shape (a megabyte in the time of about a hundred) */
-enum { VS_X3D_COARSEST = 8 };        /* The least number of facets in a full turn. */
-#define VS_X3D_COARSE_CREASE 1.0     /* in coarsely divided forms, the least angle in radians between faces that makes
-                                      * their common edge sharp. It exceeds the angle between neighbouring facets, but
-                                      * not that between the wall and the end of a cylinder */
 
 /* ---- x3d_collect.c ---- */
 
@@ -74,8 +61,6 @@ typedef struct {
   size_t group_count, group_room, group; /* group: index of the group that is being collected */
   size_t batch_count;          /* number of batches of each group that has batches */
   uint64_t collected;          /* number of triangles in all batches */
-  int least;                   /* least number of facets in a full turn for round forms that become triangles; 0: the
-                                * number that other formats use */
   /* x3d_notation.c uses these two members: the depth of nesting, and whether a start tag is open. */
   size_t depth;
   bool in_tag;

@@ -149,29 +149,8 @@ bool vs_x3d_bake_node(vs_emitter *e, vs_x3d_group *to, const vs_ref *ref, const 
          collect_triangles(e, to, m, place, paint, vs_shade_crease(boolean || vs_lower_is_round(ref->node)));
 }
 
-int vs_x3d_facets(const vs_emitter *e, const vs_x3d_item *item, int least) {
-  const vs_node *n = item->ref.node;
-  vs_fineness facets = vs_fineness_placed(&e->drawing_facets, &item->placement);
-  vs_unit_copy copy;
-  if (least == 0 || !vs_unit_of(n, &facets, &copy)) return least;
-  double r = fmax(vs_v3_length(vs_v3(copy.place.m[0][0], copy.place.m[1][0], copy.place.m[2][0])),
-                  vs_v3_length(vs_v3(copy.place.m[0][1], copy.place.m[1][1], copy.place.m[2][1])));
-  return vs_fineness_turn_least(&facets, r, least);
-}
-
 bool vs_x3d_bake_item(vs_emitter *e, vs_x3d_group *to, const vs_x3d_item *item) {
-  const vs_x3d *x = e->state;
-  if (x->least == 0) return vs_x3d_bake_node(e, to, &item->ref, &item->placement, item->paint);
-  vs_fineness was = e->facets;
-  vs_solid m = { .part_count = 0 };
-  e->facets.segments = vs_x3d_facets(e, item, x->least);
-  bool round = vs_lower_is_round(item->ref.node);
-  bool ok =
-      vs_lower_mesh(e, &item->ref, &m) && collect_triangles(e, to, &m, &item->placement, item->paint,
-                                                            round ? VS_X3D_COARSE_CREASE : vs_shade_crease(false));
-  vs_solid_free(&m);
-  e->facets = was;
-  return ok;
+  return vs_x3d_bake_node(e, to, &item->ref, &item->placement, item->paint);
 }
 
 static bool collect_here(vs_emitter *e, const vs_ref *ref) {

@@ -11,8 +11,6 @@ bool vs_x3d_form_of(const vs_emitter *e, const vs_node *n, vs_x3d_form *form, vs
 /* vs_x3d_bake_node adds the triangles of a node to a group, and vs_x3d_bake_item those of an item. */
 bool vs_x3d_bake_node(vs_emitter *e, vs_x3d_group *to, const vs_ref *ref, const vs_affine *place, uint32_t paint);
 bool vs_x3d_bake_item(vs_emitter *e, vs_x3d_group *to, const vs_x3d_item *item);
-int vs_x3d_facets(const vs_emitter *e, const vs_x3d_item *item, int least); /* returns the number of facets in a full
-                                                                             * turn of a baked round form */
 vs_x3d_batch *vs_x3d_batches(vs_emitter *e, vs_x3d_group *g); /* returns the group's batches, allocated at the first
                                                                * call, or NULL if memory is out */
 
