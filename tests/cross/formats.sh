@@ -56,7 +56,7 @@ cat <<'EOF'
 If a cell has several entries, the object decides: a straight extrusion can be native, a tapered one triangles. `vs`
 warns of omitted shapes, but not of colours and names that a format cannot hold.
 
-- The column *POV-Ray* also holds for `.png` and `.exr`, *X3D* for `.x3dv` and `.html`.
+- The column *POV-Ray* also holds for `.png` and `.exr`, *X3D* for `.x3dv` and `.html`, *glTF* for `--format dxf-3d`.
 - The column *meshes* is for formats of triangles (`.stl .3mf .obj .ply .off`), which contain the union of solids.
   `.obj`, `.ply` and `.off` also contain regions and open surfaces, as open faces; `.obj` and `.ply` contain curves, as
   lines.

@@ -1,0 +1,20 @@
+; Draws the solids of the table of shapes, apart from each other, turned, mirrored, painted and in layers.
+(define-parameter shapes "")
+(define-parameter which "flat" #:choices '("flat" "all"))
+(define rows '())
+(define-syntax shape (syntax-rules () ((_ name object . options) (add-shape (lambda () object) . options))))
+(define (add-shape make #:volume [volume any? #f] #:area [area any? #f] #:length [length any? #f] #:box [box any? #f] #:within [within any? 1]
+                   #:facets [facets any? #f] #:shown [shown any? #f] #:alone [alone any? #f])
+  (let ((o (guard (e (#t #f)) (make))))
+    (if (and o (not alone) (not shown) (solid? o)) (set! rows (cons o rows)))))
+(load shapes)
+; kinds with flat faces alone, and those that only place, paint or combine
+(define flat '(box wedge pyramid polyface-mesh height-field transform with-material layer unite subtract intersect))
+(define (flat? o) (and (memq (object-kind o) flat) (every flat? (object-children o))))
+(define shown (if (string=? which "flat") (filter flat? rows) rows))
+(define (place o k)
+  (let ((turned (do-rotate (do-move o (p->q (centroid o) origin)) (make-axis origin (vxyz 1 2 3)) (if (odd? k) .3 0))))
+    (translate (if (= 2 (modulo k 3)) (do-mirror turned (make-plane origin (vxyz 1 0 0))) turned)
+               (vxyz (* 12 (modulo k 9)) (* 12 (quotient k 9)) 0))))
+(for ([o shown] [k (length shown)])
+  (draw (layer (format "~a" (modulo k 4)) (color (list (/ (modulo k 5) 4) .5 0) (place o k)))))
